@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How everything of ours is compiled: one place for flags, sanitizers and the shape of a room.
+set(CMAKE_C_STANDARD 17)
+set(CMAKE_C_STANDARD_REQUIRED ON)
+set(CMAKE_C_EXTENSIONS OFF)
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+option(ORR_WERROR "Treat compiler warnings as errors" OFF)
+set(ORR_SANITIZE "" CACHE STRING "Value of -fsanitize=, e.g. address,undefined")
+option(ORR_COVERAGE "Instrument for gcov" OFF)
+option(ORR_FUZZ "Build the libFuzzer targets (clang)" OFF)
+
+find_program(ORR_CCACHE ccache)
+if(ORR_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER "${ORR_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${ORR_CCACHE}")
+endif()
+
+add_library(orr_flags INTERFACE)
+# No contraction into FMA: the same product and time give the same bytes whichever compiler built us.
+target_compile_options(orr_flags INTERFACE -ffp-contract=off -fno-math-errno
+  -Wall -Wextra -Wpedantic -Wshadow -Wdouble-promotion
+  $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla>)
+target_compile_definitions(orr_flags INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700)
+target_include_directories(orr_flags INTERFACE "${PROJECT_SOURCE_DIR}")
+if(ORR_WERROR)
+  target_compile_options(orr_flags INTERFACE -Werror)
+endif()
+if(ORR_SANITIZE)
+  target_compile_options(orr_flags INTERFACE -fsanitize=${ORR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(orr_flags INTERFACE -fsanitize=${ORR_SANITIZE})
+endif()
+if(ORR_COVERAGE)
+  target_compile_options(orr_flags INTERFACE --coverage -O0)
+  target_link_options(orr_flags INTERFACE --coverage)
+endif()
+if(ORR_FUZZ)
+  target_compile_options(orr_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# orr_room(<name> SOURCES ... [PUBLIC libs...] [PRIVATE libs...]): one static library per folder, orr_<name>.
+function(orr_room name)
+  cmake_parse_arguments(R "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(orr_${name} STATIC ${R_SOURCES})
+  target_link_libraries(orr_${name} PUBLIC orr_flags ${R_PUBLIC} PRIVATE ${R_PRIVATE} m)
+endfunction()

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Earth rotation, Sun and Moon, from ERFA (IAU 2006 precession, 2000B nutation unless told otherwise).
+// ITRS = ecef of SP3; GCRS = the inertial axes that orbits are integrated in.
+#ifndef ORR_CORE_ASTRO_H
+#define ORR_CORE_ASTRO_H
+
+#include "core/time.h"
+#include "core/vec.h"
+
+// Earth orientation at an instant.
+typedef struct orr_eop {
+    double xp_rad, yp_rad; // pole
+    double ut1_utc_s;
+    double lod_s; // excess length of day
+} orr_eop;
+
+// A series of them (daily, from an ERP file), ascending in MJD UTC.
+typedef struct orr_eop_series {
+    size_t n;
+    double *mjd_utc;
+    orr_eop *value;
+} orr_eop_series;
+
+// Linear in the series (UT1 continuous across leap seconds); outside it, or with a NULL or empty series, the IERS
+// secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t - 2000) mas (t in years), UT1 - UTC = LOD = 0
+// (IERS Conventions 2010, updated 2018, 7.1.4). *from_series (may be NULL) tells which it was.
+orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series);
+
+// R maps GCRS components to ITRS: r_itrs = R r_gcrs. dR is its full time derivative (1/s), precession-nutation,
+// Earth rotation and LOD included: v_itrs = R v_gcrs + dR r_gcrs. dR may be NULL.
+void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap, orr_mat3 *R, orr_mat3 *dR);
+// GCRS to the true equator and equinox of date (frame of osculating elements).
+void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R);
+
+// Geocentric positions in GCRS, metres. Sun: eraEpv00 (a few km); Moon: eraMoon98 (some km).
+orr_vec3 orr_astro_sun(orr_time t);
+orr_vec3 orr_astro_moon(orr_time t);
+
+// Constant-rate fallback frame: angle u (t - t0) about axis 3, r_ecef = R3(u (t - t0)) r; coincides with ecef at t0.
+#define ORR_EARTH_RATE_RADPS 7.292115e-5
+void orr_astro_uniform_rotation(orr_time t, orr_time t0, orr_mat3 *R, orr_mat3 *dR);
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that are there whole or not at all: written beside their place, flushed to disk, renamed on commit.
+#ifndef ORR_CORE_OUTFILE_H
+#define ORR_CORE_OUTFILE_H
+
+#include <stdio.h>
+
+#include "core/status.h"
+
+typedef struct orr_outfile {
+    char *path; // where it shall be
+    char *temp; // where it is being made, in the same folder
+    FILE *stream; // NULL for files another library writes (ORR_OUTFILE_NAME_ONLY)
+} orr_outfile;
+
+// Opens for writing. For "-" the stream is stdout and commit only flushes.
+orr_status orr_outfile_open(const char *path, orr_outfile *f, orr_diag *diag);
+// The same without opening: f->temp is a fresh name for a library (NetCDF) to create.
+orr_status orr_outfile_reserve(const char *path, orr_outfile *f, orr_diag *diag);
+// fsync and rename; on failure the temporary is gone and the old file untouched. Ends f.
+orr_status orr_outfile_commit(orr_outfile *f, orr_diag *diag);
+// Removes the temporary. Ends f; harmless after commit.
+void orr_outfile_abort(orr_outfile *f);
+
+#endif

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SHA-256 of a file's bytes, for provenance and the fetch index (libcrypto).
+#ifndef ORR_CORE_SHA256_H
+#define ORR_CORE_SHA256_H
+
+#include "core/status.h"
+
+#define ORR_SHA256_HEX 65
+orr_status orr_sha256_file(const char *path, char hex[ORR_SHA256_HEX], orr_diag *diag);
+orr_status orr_sha256_bytes(const void *data, size_t n, char hex[ORR_SHA256_HEX], orr_diag *diag);
+
+#endif

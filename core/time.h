@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time. Inside the program an instant is one integer: nanoseconds of the GPS scale since 1980-01-06T00:00:00 GPS.
+// It never steps and never rounds; UTC with its leap seconds and all other scales exist at the edges alone.
+#ifndef ORR_CORE_TIME_H
+#define ORR_CORE_TIME_H
+
+#include "core/status.h"
+
+typedef int64_t orr_time; // covers 1687 to 2272
+
+#define ORR_TIME_NONE INT64_MIN // "no instant"; no routine returns it as a value
+#define ORR_NS_PER_S INT64_C(1000000000)
+#define ORR_S_PER_DAY 86400
+#define ORR_S_PER_WEEK 604800
+
+typedef enum orr_scale {
+    ORR_SCALE_GPS,
+    ORR_SCALE_UTC,
+    ORR_SCALE_TAI, // GPS + 19 s
+    ORR_SCALE_TT,  // GPS + 51.184 s
+    ORR_SCALE_GLO, // as SP3 and RINEX use it: UTC (without the three hours of Moscow)
+    ORR_SCALE_GAL, // GPS as far as labels go (offset below 50 ns is a clock matter)
+    ORR_SCALE_BDT, // GPS - 14 s
+    ORR_SCALE_QZS, // as GPS
+    ORR_SCALE_IRN, // as GPS
+} orr_scale;
+
+// Three-letter name as in SP3 and RINEX ("GPS", "UTC", "TAI", "GLO", "GAL", "BDT", "QZS", "IRN"; "TT ").
+const char *orr_scale_name(orr_scale s);
+orr_status orr_scale_parse(const char *name, size_t len, orr_scale *out); // case-insensitive, "BDS" and "QZSS" too
+
+// A date and time of day as written. second may be 60 in UTC and GLO where a leap second is inserted.
+typedef struct orr_civil {
+    int year, month, day, hour, minute, second; // Gregorian; month 1-12, day 1-31
+    int32_t ns;                                 // 0 .. 999999999
+} orr_civil;
+
+// Leap seconds: from each entry's UTC day on (MJD), TAI - UTC is so many seconds. The table is data; the built-in
+// one carries the IERS bulletins known when it was written and says until when it is certain.
+typedef struct orr_leap_entry {
+    int32_t mjd;
+    int32_t tai_minus_utc_s;
+} orr_leap_entry;
+typedef struct orr_leap_table {
+    size_t n;
+    const orr_leap_entry *entry; // ascending
+    int32_t expires_mjd;         // no promise from this UTC day on
+} orr_leap_table;
+
+const orr_leap_table *orr_leap_builtin(void);
+// Reads IERS' leap-seconds.list (NTP seconds). Entries are allocated; free with orr_leap_free.
+orr_status orr_leap_read(const char *path, orr_leap_table *out, orr_diag *diag);
+void orr_leap_free(orr_leap_table *t);
+// TAI - UTC at an instant, in seconds. leap may be NULL (built-in) here and in every routine below.
+int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap);
+bool orr_leap_expired(orr_time t, const orr_leap_table *leap);
+
+// Checks every field (months, days, a 60th second only where the table has one). 24:00:00 is accepted and is the
+// next day's 00:00:00. ORR_E_ARG if it is no date, ORR_E_RANGE outside 1900..2250.
+orr_status orr_time_from_civil(const orr_civil *c, orr_scale scale, const orr_leap_table *leap, orr_time *out);
+void orr_time_to_civil(orr_time t, orr_scale scale, const orr_leap_table *leap, orr_civil *out);
+
+// Day counts of the proleptic Gregorian calendar.
+int32_t orr_mjd_from_date(int year, int month, int day);
+void orr_date_from_mjd(int32_t mjd, int *year, int *month, int *day);
+int orr_day_of_year(int year, int month, int day); // 1..366
+bool orr_is_leap_year(int year);
+
+// Modified Julian date of an instant in a scale, as whole day and fraction [0,1) (a UTC day with a leap second has
+// 86401 s; its fraction is of 86400 and the last second is held at the day's end, as ERFA's eraDtf2d quasi-JD).
+void orr_time_mjd(orr_time t, orr_scale scale, const orr_leap_table *leap, int32_t *mjd, double *fraction);
+orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const orr_leap_table *leap);
+
+// GPS week (unlimited, no rollover) and seconds of week as nanoseconds [0, 604800e9). Negative weeks before 1980.
+void orr_time_week(orr_time t, int32_t *week, int64_t *ns_of_week);
+orr_time orr_time_from_week(int32_t week, int64_t ns_of_week);
+// The full week nearest to `near` whose low `bits` bits (10 for LNAV, 13 for CNAV/BDS, 12 for Galileo) are `truncated`.
+int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
+
+// a - b in seconds; exact to half a nanosecond for |a - b| < 104 days.
+static inline double orr_time_diff_s(orr_time a, orr_time b)
+{
+    return (double)(a - b) * 1e-9;
+}
+// t + s seconds, rounded to the nearest nanosecond. |s| < 9e9.
+orr_time orr_time_add_s(orr_time t, double s);
+
+// Text. "2024-02-04T00:15:00" with up to `decimals` (0..9) digits of seconds, rounded to them, GPS scale unless told.
+#define ORR_TIME_TEXT 48
+char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_table *leap, char buf[ORR_TIME_TEXT]);
+// Shortest text that reads back exactly (as many decimals as needed), GPS scale, no suffix.
+char *orr_time_text(orr_time t, char buf[ORR_TIME_TEXT]);
+// Reads what the command line accepts: ISO 8601 date or date and time ('T' or blank between, seconds optional),
+// with an optional suffix " GPS", " UTC", "Z" (= UTC), " TAI", " GLO", " GAL", " BDT", " TT"; GPS without one;
+// "WWWW:SSSSSS.s" (GPS week and seconds); "YYYY-DDD" with an optional "Thh:mm[:ss]".
+orr_status orr_time_parse(const char *text, const orr_leap_table *leap, orr_time *out, orr_diag *diag);
+// A length of time: "900", "900s", "15min", "2h", "1d", "0.1" -> nanoseconds.
+orr_status orr_duration_parse(const char *text, int64_t *ns, orr_diag *diag);
+
+#endif
