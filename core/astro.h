@@ -21,14 +21,15 @@ typedef struct orr_eop_series {
     orr_eop *value;
 } orr_eop_series;
 
-// Linear in the series (UT1 continuous across leap seconds); outside it, or with a NULL or empty series, the IERS
-// secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t - 2000) mas (t in years), UT1 - UTC = LOD = 0
-// (IERS Conventions 2010, updated 2018, 7.1.4). *from_series (may be NULL) tells which it was.
+// Linear in the series (UT1 continuous across leap seconds); outside it, or with a NULL or empty series, the
+// IERS secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t - 2000) mas (t in years), UT1 - UTC =
+// LOD = 0 (IERS Conventions 2010, updated 2018, 7.1.4). *from_series (may be NULL) tells which it was.
 orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series);
 
-// R maps GCRS components to ITRS: r_itrs = R r_gcrs. dR is its full time derivative (1/s), precession-nutation,
-// Earth rotation and LOD included: v_itrs = R v_gcrs + dR r_gcrs. dR may be NULL.
-void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap, orr_mat3 *R, orr_mat3 *dR);
+// R maps GCRS components to ITRS: r_itrs = R r_gcrs. dR is its full time derivative (1/s),
+// precession-nutation, Earth rotation and LOD included: v_itrs = R v_gcrs + dR r_gcrs. dR may be NULL.
+void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap, orr_mat3 *R,
+                            orr_mat3 *dR);
 // GCRS to the true equator and equinox of date (frame of osculating elements).
 void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R);
 
@@ -36,7 +37,8 @@ void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R);
 orr_vec3 orr_astro_sun(orr_time t);
 orr_vec3 orr_astro_moon(orr_time t);
 
-// Constant-rate fallback frame: angle u (t - t0) about axis 3, r_ecef = R3(u (t - t0)) r; coincides with ecef at t0.
+// Constant-rate fallback frame: angle u (t - t0) about axis 3, r_ecef = R3(u (t - t0)) r; coincides with ecef
+// at t0.
 #define ORR_EARTH_RATE_RADPS 7.292115e-5
 void orr_astro_uniform_rotation(orr_time t, orr_time t0, orr_mat3 *R, orr_mat3 *dR);
 

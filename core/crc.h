@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CRC-24Q, the parity of modern navigation messages and RTCM. (CRC-32 of files is zlib's; the wire's is proto's own.)
+// CRC-24Q, the parity of modern navigation messages and RTCM. (CRC-32 of files is zlib's; the wire's is
+// proto's own.)
 #ifndef ORR_CORE_CRC_H
 #define ORR_CORE_CRC_H
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Talk that is neither result nor error. Nothing below src/cli prints: it hands lines to the caller's callback,
-// and the level is looked at before a line's arguments are evaluated.
+// Talk that is neither result nor error. Nothing below src/cli prints: it hands lines to the caller's
+// callback, and the level is looked at before a line's arguments are evaluated.
 #ifndef ORR_CORE_LOG_H
 #define ORR_CORE_LOG_H
 
 #include "core/status.h"
 
-typedef enum orr_log_level { ORR_LOG_ERROR = 0, ORR_LOG_WARN = 1, ORR_LOG_INFO = 2, ORR_LOG_DEBUG = 3 } orr_log_level;
+typedef enum orr_log_level {
+    ORR_LOG_ERROR = 0,
+    ORR_LOG_WARN = 1,
+    ORR_LOG_INFO = 2,
+    ORR_LOG_DEBUG = 3
+} orr_log_level;
 
 typedef struct orr_log {
     orr_log_level level;                                              // lines above it are not made
@@ -18,9 +23,9 @@ typedef struct orr_log {
 void orr_log_write(const orr_log *log, orr_log_level level, const char *fmt, ...) ORR_PRINTF(3, 4);
 
 // ORR_LOG(log, ORR_LOG_INFO, "read %s", name); log may be NULL.
-#define ORR_LOG(log, lvl, ...)                                                                                   \
-    do {                                                                                                         \
-        if ((log) != NULL && (lvl) <= (log)->level) orr_log_write((log), (lvl), __VA_ARGS__);                    \
+#define ORR_LOG(log, lvl, ...)                                                                               \
+    do {                                                                                                     \
+        if ((log) != NULL && (lvl) <= (log)->level) orr_log_write((log), (lvl), __VA_ARGS__);                \
     } while (0)
 
 #endif

@@ -8,8 +8,8 @@
 #include "core/status.h"
 
 typedef struct orr_outfile {
-    char *path; // where it shall be
-    char *temp; // where it is being made, in the same folder
+    char *path;   // where it shall be
+    char *temp;   // where it is being made, in the same folder
     FILE *stream; // NULL for files another library writes (ORR_OUTFILE_NAME_ONLY)
 } orr_outfile;
 

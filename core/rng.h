@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seeded random numbers, the same on every machine: counter-based, so that the k-th number of a stream is a pure
-// function of (seed, stream, k) and can be asked in any order.
+// Seeded random numbers, the same on every machine: counter-based, so that the k-th number of a stream is a
+// pure function of (seed, stream, k) and can be asked in any order.
 #ifndef ORR_CORE_RNG_H
 #define ORR_CORE_RNG_H
 

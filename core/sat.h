@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Satellite identity: a system letter and a number as IGS files write it ("G05", "R24", "E36", "C60", "J07", "I10",
-// "S20" (PRN 120), "L51" for low orbiters in SP3). One 16-bit value whose order is the order of tables.
+// Satellite identity: a system letter and a number as IGS files write it ("G05", "R24", "E36", "C60", "J07",
+// "I10", "S20" (PRN 120), "L51" for low orbiters in SP3). One 16-bit value whose order is the order of
+// tables.
 #ifndef ORR_CORE_SAT_H
 #define ORR_CORE_SAT_H
 
@@ -16,16 +17,17 @@ typedef uint16_t orr_sat; // (system index + 1) << 8 | number; 0 is "none"
 orr_sat orr_sat_make(char system, int number);
 static inline int orr_sat_number(orr_sat s) { return s & 0xff; }
 static inline int orr_sat_system_index(orr_sat s) { return (s >> 8) - 1; } // -1 for none
-char orr_sat_system(orr_sat s);                                           // '?' for none
-const char *orr_system_name(char system);                                 // "GPS", "GLONASS", ...; "?" if unknown
-// Exactly three characters: letter (blank means `blank_system`, e.g. 'G' in SP3-a; 0 refuses), two digits (a leading
-// blank counts as zero).
+char orr_sat_system(orr_sat s);                                            // '?' for none
+const char *orr_system_name(char system); // "GPS", "GLONASS", ...; "?" if unknown
+// Exactly three characters: letter (blank means `blank_system`, e.g. 'G' in SP3-a; 0 refuses), two digits (a
+// leading blank counts as zero).
 orr_sat orr_sat_parse3(const char s[3], char blank_system);
 // "G05" or "G5", any case, NUL-terminated; ORR_SAT_NONE if it is none.
 orr_sat orr_sat_parse(const char *text);
 char *orr_sat_text(orr_sat s, char buf[ORR_SAT_TEXT]); // "G05"; "---" for none
 
-// A user's list: "G05,R,E01-E09,C" (a letter alone means the whole system; "all"). Zero-initialised holds nothing.
+// A user's list: "G05,R,E01-E09,C" (a letter alone means the whole system; "all"). Zero-initialised holds
+// nothing.
 typedef struct orr_sat_set {
     uint64_t bit[ORR_N_SYSTEMS][2];
 } orr_sat_set;

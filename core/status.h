@@ -18,14 +18,14 @@
 
 typedef enum orr_status {
     ORR_OK = 0,
-    ORR_E_ARG,         // an argument outside its documented domain
-    ORR_E_IO,          // open, read, write, rename, socket
-    ORR_E_KIND,        // readable, but not the kind of file (or message) that was expected
-    ORR_E_FORMAT,      // the right kind, but bytes that its format does not allow
-    ORR_E_LIMIT,       // an explicit limit was passed (satellites, epochs, line length, expansion)
-    ORR_E_RANGE,       // an instant or place outside what the data cover
-    ORR_E_NODATA,      // covered, but there is no value (no such satellite, no valid arc)
-    ORR_E_NUMERIC,     // singular, or no convergence
+    ORR_E_ARG,     // an argument outside its documented domain
+    ORR_E_IO,      // open, read, write, rename, socket
+    ORR_E_KIND,    // readable, but not the kind of file (or message) that was expected
+    ORR_E_FORMAT,  // the right kind, but bytes that its format does not allow
+    ORR_E_LIMIT,   // an explicit limit was passed (satellites, epochs, line length, expansion)
+    ORR_E_RANGE,   // an instant or place outside what the data cover
+    ORR_E_NODATA,  // covered, but there is no value (no such satellite, no valid arc)
+    ORR_E_NUMERIC, // singular, or no convergence
     ORR_E_MEMORY,
     ORR_E_UNSUPPORTED, // understood and not offered
     ORR_E_INTERRUPTED, // the user asked to stop
@@ -38,26 +38,26 @@ const char *orr_status_name(orr_status s);
 typedef struct orr_diag {
     orr_status status;
     char file[256];
-    int64_t line;  // from 1
-    int column;    // from 1, in bytes
+    int64_t line;   // from 1
+    int column;     // from 1, in bytes
     char text[512]; // a sentence a user can act on, without a final newline
 } orr_diag;
 
-// Both return `s`, so that a caller writes `return orr_diag_set(diag, ORR_E_ARG, "...")`. A NULL diag is allowed.
-// Too long a text is cut with "...".
+// Both return `s`, so that a caller writes `return orr_diag_set(diag, ORR_E_ARG, "...")`. A NULL diag is
+// allowed. Too long a text is cut with "...".
 orr_status orr_diag_set(orr_diag *d, orr_status s, const char *fmt, ...) ORR_PRINTF(3, 4);
-orr_status orr_diag_at(orr_diag *d, orr_status s, const char *file, int64_t line, int column, const char *fmt, ...)
-    ORR_PRINTF(6, 7);
+orr_status orr_diag_at(orr_diag *d, orr_status s, const char *file, int64_t line, int column, const char *fmt,
+                       ...) ORR_PRINTF(6, 7);
 
-// Writes "file:line:column: sentence" (parts that are missing are left out) into buf of n bytes, NUL-terminated,
-// cut if need be. Returns buf.
+// Writes "file:line:column: sentence" (parts that are missing are left out) into buf of n bytes,
+// NUL-terminated, cut if need be. Returns buf.
 char *orr_diag_format(const orr_diag *d, char *buf, size_t n);
 
 // Complaints that did not stop the work. The first ORR_WARNINGS_KEPT are kept, all are counted.
 #define ORR_WARNINGS_KEPT 64
 typedef struct orr_warnings {
-    size_t count; // how many were raised
-    size_t kept;  // how many are in item[]
+    size_t count;   // how many were raised
+    size_t kept;    // how many are in item[]
     orr_diag *item; // grown on demand; freed by orr_warnings_free
 } orr_warnings;
 

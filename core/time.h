@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Time. Inside the program an instant is one integer: nanoseconds of the GPS scale since 1980-01-06T00:00:00 GPS.
-// It never steps and never rounds; UTC with its leap seconds and all other scales exist at the edges alone.
+// Time. Inside the program an instant is one integer: nanoseconds of the GPS scale since 1980-01-06T00:00:00
+// GPS. It never steps and never rounds; UTC with its leap seconds and all other scales exist at the edges
+// alone.
 #ifndef ORR_CORE_TIME_H
 #define ORR_CORE_TIME_H
 
@@ -27,7 +28,8 @@ typedef enum orr_scale {
 
 // Three-letter name as in SP3 and RINEX ("GPS", "UTC", "TAI", "GLO", "GAL", "BDT", "QZS", "IRN"; "TT ").
 const char *orr_scale_name(orr_scale s);
-orr_status orr_scale_parse(const char *name, size_t len, orr_scale *out); // case-insensitive, "BDS" and "QZSS" too
+orr_status orr_scale_parse(const char *name, size_t len,
+                           orr_scale *out); // case-insensitive, "BDS" and "QZSS" too
 
 // A date and time of day as written. second may be 60 in UTC and GLO where a leap second is inserted.
 typedef struct orr_civil {
@@ -35,8 +37,8 @@ typedef struct orr_civil {
     int32_t ns;                                 // 0 .. 999999999
 } orr_civil;
 
-// Leap seconds: from each entry's UTC day on (MJD), TAI - UTC is so many seconds. The table is data; the built-in
-// one carries the IERS bulletins known when it was written and says until when it is certain.
+// Leap seconds: from each entry's UTC day on (MJD), TAI - UTC is so many seconds. The table is data; the
+// built-in one carries the IERS bulletins known when it was written and says until when it is certain.
 typedef struct orr_leap_entry {
     int32_t mjd;
     int32_t tai_minus_utc_s;
@@ -55,9 +57,12 @@ void orr_leap_free(orr_leap_table *t);
 int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap);
 bool orr_leap_expired(orr_time t, const orr_leap_table *leap);
 
-// Checks every field (months, days, a 60th second only where the table has one). 24:00:00 is accepted and is the
-// next day's 00:00:00. ORR_E_ARG if it is no date, ORR_E_RANGE outside 1900..2250.
-orr_status orr_time_from_civil(const orr_civil *c, orr_scale scale, const orr_leap_table *leap, orr_time *out);
+// Checks every field (months, days, a 60th second only where the table has one). 24:00:00 is accepted and is
+// the next day's 00:00:00. ORR_E_ARG if it is no date, ORR_E_RANGE outside 1900..2250 and, in UTC and GLO,
+// before the table's first day (1972: UTC had no whole leap seconds before). The way back has no error:
+// before 1972 it holds the first entry.
+orr_status orr_time_from_civil(const orr_civil *c, orr_scale scale, const orr_leap_table *leap,
+                               orr_time *out);
 void orr_time_to_civil(orr_time t, orr_scale scale, const orr_leap_table *leap, orr_civil *out);
 
 // Day counts of the proleptic Gregorian calendar.
@@ -66,35 +71,38 @@ void orr_date_from_mjd(int32_t mjd, int *year, int *month, int *day);
 int orr_day_of_year(int year, int month, int day); // 1..366
 bool orr_is_leap_year(int year);
 
-// Modified Julian date of an instant in a scale, as whole day and fraction [0,1) (a UTC day with a leap second has
-// 86401 s; its fraction is of 86400 and the last second is held at the day's end, as ERFA's eraDtf2d quasi-JD).
+// Modified Julian date of an instant in a scale, as whole day and fraction [0,1). In UTC and GLO the fraction
+// is of 86400 s whatever the day's length, and a leap second is held at the day's end (ERFA's quasi-JD
+// stretches the day instead).
 void orr_time_mjd(orr_time t, orr_scale scale, const orr_leap_table *leap, int32_t *mjd, double *fraction);
 orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const orr_leap_table *leap);
 
-// GPS week (unlimited, no rollover) and seconds of week as nanoseconds [0, 604800e9). Negative weeks before 1980.
+// GPS week (unlimited, no rollover) and seconds of week as nanoseconds [0, 604800e9). Negative weeks before
+// 1980.
 void orr_time_week(orr_time t, int32_t *week, int64_t *ns_of_week);
 orr_time orr_time_from_week(int32_t week, int64_t ns_of_week);
-// The full week nearest to `near` whose low `bits` bits (10 for LNAV, 13 for CNAV/BDS, 12 for Galileo) are `truncated`.
+// The full week nearest to `near` whose low `bits` bits (10 for LNAV, 13 for CNAV/BDS, 12 for Galileo) are
+// `truncated`.
 int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
 
 // a - b in seconds; exact to half a nanosecond for |a - b| < 104 days.
-static inline double orr_time_diff_s(orr_time a, orr_time b)
-{
-    return (double)(a - b) * 1e-9;
-}
+static inline double orr_time_diff_s(orr_time a, orr_time b) { return (double)(a - b) * 1e-9; }
 // t + s seconds, rounded to the nearest nanosecond. |s| < 9e9.
 orr_time orr_time_add_s(orr_time t, double s);
 
-// Text. "2024-02-04T00:15:00" with up to `decimals` (0..9) digits of seconds, rounded to them, GPS scale unless told.
+// Text "2024-02-04T00:15:00" with `decimals` (0..9) digits of seconds, rounded to them. GPS time has no
+// suffix, UTC "Z", any other scale its name (" TAI"), so that orr_time_parse reads it back.
 #define ORR_TIME_TEXT 48
-char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_table *leap, char buf[ORR_TIME_TEXT]);
+char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_table *leap,
+                      char buf[ORR_TIME_TEXT]);
 // Shortest text that reads back exactly (as many decimals as needed), GPS scale, no suffix.
 char *orr_time_text(orr_time t, char buf[ORR_TIME_TEXT]);
-// Reads what the command line accepts: ISO 8601 date or date and time ('T' or blank between, seconds optional),
-// with an optional suffix " GPS", " UTC", "Z" (= UTC), " TAI", " GLO", " GAL", " BDT", " TT"; GPS without one;
-// "WWWW:SSSSSS.s" (GPS week and seconds); "YYYY-DDD" with an optional "Thh:mm[:ss]".
+// Reads what the command line accepts: ISO 8601 date or date and time ('T' or blank between, seconds
+// optional), with an optional suffix " GPS", " UTC", "Z" (= UTC), " TAI", " GLO", " GAL", " BDT", " TT"; GPS
+// without one; "WWWW:SSSSSS.s" (GPS week and seconds); "YYYY-DDD" with an optional "Thh:mm[:ss]".
 orr_status orr_time_parse(const char *text, const orr_leap_table *leap, orr_time *out, orr_diag *diag);
-// A length of time: "900", "900s", "15min", "2h", "1d", "0.1" -> nanoseconds.
+// A length of time, not negative: "900", "900s", "15min" (or "15m"), "2h", "1d", "0.1", "100ms", "us", "ns"
+// -> nanoseconds.
 orr_status orr_duration_parse(const char *text, int64_t *ns, orr_diag *diag);
 
 #endif

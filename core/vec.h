@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Three-vectors, 3x3 matrices, quaternions: plain values, all inline. Matrices are row-major m[row][col] and act on
-// columns, z = A x. A matrix named A_ba (or R_itrs_gcrs) maps components in the older frame a into the newer frame b
-// (passive), as the source's do.
+// Three-vectors, 3x3 matrices, quaternions: plain values, the small operations inline. Matrices are row-major
+// m[row][col] and act on columns, z = A x. A matrix named A_ba (or R_itrs_gcrs) maps components in the older
+// frame a into the newer frame b (passive), as the source's do.
 #ifndef ORR_CORE_VEC_H
 #define ORR_CORE_VEC_H
 
@@ -22,8 +22,14 @@ typedef struct orr_quat { // Hamilton convention, unit norm for rotations
 #define ORR_DEG_PER_RAD (180.0 / ORR_PI)
 
 static inline orr_vec3 orr_vec3_make(double x, double y, double z) { return (orr_vec3){x, y, z}; }
-static inline orr_vec3 orr_vec3_add(orr_vec3 a, orr_vec3 b) { return (orr_vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
-static inline orr_vec3 orr_vec3_sub(orr_vec3 a, orr_vec3 b) { return (orr_vec3){a.x - b.x, a.y - b.y, a.z - b.z}; }
+static inline orr_vec3 orr_vec3_add(orr_vec3 a, orr_vec3 b)
+{
+    return (orr_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+static inline orr_vec3 orr_vec3_sub(orr_vec3 a, orr_vec3 b)
+{
+    return (orr_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
 static inline orr_vec3 orr_vec3_scale(double k, orr_vec3 a) { return (orr_vec3){k * a.x, k * a.y, k * a.z}; }
 // a + k b
 static inline orr_vec3 orr_vec3_axpy(double k, orr_vec3 b, orr_vec3 a)
@@ -86,12 +92,14 @@ static inline orr_mat3 orr_mat3_scale(double k, const orr_mat3 *a)
         for (int j = 0; j < 3; j++) c.m[i][j] = k * a->m[i][j];
     return c;
 }
-// The source's hat: hat(w) = [0 w3 -w2; -w3 0 w1; w2 -w1 0] = -[w x], so that dA/dt = hat(w) A (Bogdanov 2015, eq. (1)).
+// The source's hat: hat(w) = [0 w3 -w2; -w3 0 w1; w2 -w1 0] = -[w x], so that dA/dt = hat(w) A (Bogdanov
+// 2015, eq. (1)).
 static inline orr_mat3 orr_mat3_hat(orr_vec3 w)
 {
     return (orr_mat3){{{0, w.z, -w.y}, {-w.z, 0, w.x}, {w.y, -w.x, 0}}};
 }
-// Passive rotations about axis 1, 2, 3 by angle (rad), as ERFA's eraRx/eraRy/eraRz: R3(a) = [c s 0; -s c 0; 0 0 1].
+// Passive rotations about axis 1, 2, 3 by angle (rad), as ERFA's eraRx/eraRy/eraRz: R3(a) = [c s 0; -s c 0; 0
+// 0 1].
 orr_mat3 orr_mat3_rot1(double a_rad);
 orr_mat3 orr_mat3_rot2(double a_rad);
 orr_mat3 orr_mat3_rot3(double a_rad);
@@ -102,7 +110,8 @@ orr_mat3 orr_mat3_from_rotvec(orr_vec3 g);
 orr_vec3 orr_rotvec_from_mat3(const orr_mat3 *a);
 
 // Quaternion of the same passive matrix: A = orr_mat3_from_quat(q). Product order is the matrices':
-// mat(q_cb (x) q_ba) ... orr_quat_mul(q_ba, q_cb) gives A_cb A_ba = A_ca (stated and tested in the unit test).
+// mat(q_cb (x) q_ba) ... orr_quat_mul(q_ba, q_cb) gives A_cb A_ba = A_ca (stated and tested in the unit
+// test).
 orr_quat orr_quat_from_mat3(const orr_mat3 *a);
 orr_mat3 orr_mat3_from_quat(orr_quat q);
 orr_quat orr_quat_mul(orr_quat a, orr_quat b); // Hamilton product

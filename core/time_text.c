@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Instants and lengths of time as people write them.
+#include <stdio.h>
+#include <string.h>
+
+#include "core/time.h"
+#include "core/time_internal.h"
+
+static bool digit(char c) { return c >= '0' && c <= '9'; }
+
+static const int32_t POWER10[10] = {1,      10,      100,      1000,      10000,
+                                    100000, 1000000, 10000000, 100000000, 1000000000};
+
+// ---- writing
+// --------------------------------------------------------------------------------------------------
+
+static void print(orr_time t, orr_scale scale, int decimals, const orr_leap_table *leap, const char *suffix,
+                  char buf[ORR_TIME_TEXT])
+{
+    orr_civil c;
+    orr_time_to_civil(t, scale, leap, &c);
+    int n = snprintf(buf, ORR_TIME_TEXT, "%04d-%02d-%02dT%02d:%02d:%02d", c.year, c.month, c.day, c.hour,
+                     c.minute, c.second);
+    if (decimals > 0)
+        n += snprintf(buf + n, ORR_TIME_TEXT - (size_t)n, ".%0*d", decimals,
+                      (int)(c.ns / POWER10[9 - decimals]));
+    snprintf(buf + n, ORR_TIME_TEXT - (size_t)n, "%s", suffix);
+}
+
+char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_table *leap,
+                      char buf[ORR_TIME_TEXT])
+{
+    if (decimals < 0) decimals = 0;
+    if (decimals > 9) decimals = 9;
+    // Rounded in the scale itself: TT alone differs from GPS by a part of a second.
+    int64_t q = POWER10[9 - decimals], part = scale == ORR_SCALE_TT ? INT64_C(184000000) : 0;
+    int64_t rest = (t % q + part % q + q) % q;
+    t += 2 * rest >= q ? q - rest : -rest;
+    char suffix[8] = "";
+    if (scale == ORR_SCALE_UTC)
+        snprintf(suffix, sizeof suffix, "Z");
+    else if (scale == ORR_SCALE_TT)
+        snprintf(suffix, sizeof suffix, " TT");
+    else if (scale != ORR_SCALE_GPS)
+        snprintf(suffix, sizeof suffix, " %s", orr_scale_name(scale));
+    print(t, scale, decimals, leap, suffix, buf);
+    return buf;
+}
+
+char *orr_time_text(orr_time t, char buf[ORR_TIME_TEXT])
+{
+    int64_t ns = t - orr_floor_div(t, ORR_NS_PER_S) * ORR_NS_PER_S;
+    int decimals = 0;
+    for (; ns != 0; decimals++) ns = ns * 10 % ORR_NS_PER_S;
+    print(t, ORR_SCALE_GPS, decimals, NULL, "", buf);
+    return buf;
+}
+
+// ---- reading
+// --------------------------------------------------------------------------------------------------
+
+// An unsigned integer of min to max digits (at most nine); moves *p on.
+static bool take_int(const char **p, int min, int max, int *out)
+{
+    int n = 0, v = 0;
+    while (n < max && digit((*p)[n])) v = 10 * v + ((*p)[n++] - '0');
+    if (n < min) return false;
+    *p += n;
+    *out = v;
+    return true;
+}
+
+// ".ddd" of at most nine digits, as nanoseconds; nothing there is zero.
+static bool take_fraction(const char **p, int32_t *ns)
+{
+    *ns = 0;
+    if (**p != '.' && **p != ',') return true;
+    const char *q = *p + 1;
+    int n = 0, v = 0;
+    while (digit(q[n])) {
+        if (n == 9) return false;
+        v = 10 * v + (q[n++] - '0');
+    }
+    if (n == 0) return false;
+    *ns = v * POWER10[9 - n];
+    *p = q + n;
+    return true;
+}
+
+#define FORMS                                                                                                \
+    "use 2024-02-04T00:15:00 (GPS time; with Z or UTC, TAI, TT, GLO, GAL, BDT for another scale), "          \
+    "2024-035T00:15 or "                                                                                     \
+    "week:seconds as in 2300:900"
+
+static orr_status refuse(orr_diag *diag, orr_status s, const char *text, const char *why)
+{
+    return orr_diag_set(diag, s, "\"%.60s\" is no time: %s", text, why);
+}
+
+static orr_status parse_week(const char *text, orr_time *out, orr_diag *diag)
+{
+    const char *p = text;
+    int week, second;
+    int32_t ns;
+    if (!take_int(&p, 1, 5, &week) || *p++ != ':' || !take_int(&p, 1, 6, &second) ||
+        !take_fraction(&p, &ns) || *p != '\0')
+        return refuse(diag, ORR_E_ARG, text, FORMS);
+    if (second >= ORR_S_PER_WEEK)
+        return refuse(diag, ORR_E_ARG, text, "a week has 604800 seconds, counted from 0");
+    if (week > 14091) return refuse(diag, ORR_E_RANGE, text, "the years 1900 to 2250 are understood");
+    *out = orr_time_from_week(week, second * ORR_NS_PER_S + ns);
+    return ORR_OK;
+}
+
+// "YYYY-MM-DD" or "YYYY-DDD"
+static bool take_date(const char **p, orr_civil *c, const char **why)
+{
+    if (!take_int(p, 4, 4, &c->year) || **p != '-') return false;
+    (*p)++;
+    const char *q = *p;
+    int doy;
+    if (take_int(&q, 3, 3, &doy) && !digit(*q) && *q != '-') {
+        if (doy < 1 || doy > (orr_is_leap_year(c->year) ? 366 : 365)) {
+            *why = "the year has no such day";
+            return false;
+        }
+        orr_date_from_mjd(orr_mjd_from_date(c->year, 1, 1) + doy - 1, &c->year, &c->month, &c->day);
+        *p = q;
+        return true;
+    }
+    if (!take_int(p, 1, 2, &c->month) || **p != '-') return false;
+    (*p)++;
+    return take_int(p, 1, 2, &c->day);
+}
+
+// "hh:mm", "hh:mm:ss", "hh:mm:ss.s"
+static bool take_clock(const char **p, orr_civil *c)
+{
+    if (!take_int(p, 1, 2, &c->hour) || **p != ':') return false;
+    (*p)++;
+    if (!take_int(p, 2, 2, &c->minute)) return false;
+    if (**p != ':') return true;
+    (*p)++;
+    return take_int(p, 2, 2, &c->second) && take_fraction(p, &c->ns);
+}
+
+orr_status orr_time_parse(const char *text, const orr_leap_table *leap, orr_time *out, orr_diag *diag)
+{
+    if (leap == NULL) leap = orr_leap_builtin();
+    const char *p = text;
+    while (digit(*p)) p++;
+    if (*p == ':') return parse_week(text, out, diag);
+
+    orr_civil c = {0};
+    orr_scale scale = ORR_SCALE_GPS;
+    const char *why = FORMS;
+    p = text;
+    if (!take_date(&p, &c, &why)) return refuse(diag, ORR_E_ARG, text, why);
+    if (((*p == 'T' || *p == 't') && digit(p[1])) || (*p == ' ' && digit(p[1]))) {
+        p++;
+        if (!take_clock(&p, &c)) return refuse(diag, ORR_E_ARG, text, FORMS);
+    }
+    while (*p == ' ') p++;
+    if ((*p == 'Z' || *p == 'z') && p[1] == '\0')
+        scale = ORR_SCALE_UTC;
+    else if (*p != '\0' && orr_scale_parse(p, strlen(p), &scale) != ORR_OK)
+        return refuse(diag, ORR_E_ARG, text, FORMS);
+
+    orr_status status = orr_time_from_civil(&c, scale, leap, out);
+    if (status == ORR_E_RANGE && c.year >= 1900 && c.year <= 2250)
+        return refuse(diag, status, text,
+                      "UTC and GLO have whole leap seconds since 1972-01-01 only; use GPS or TAI");
+    if (status == ORR_E_RANGE) return refuse(diag, status, text, "the years 1900 to 2250 are understood");
+    if (status != ORR_OK && c.second == 60)
+        return refuse(diag, status, text, "no leap second was inserted there, or the scale has none");
+    if (status != ORR_OK) return refuse(diag, status, text, "there is no such date or time of day");
+    return ORR_OK;
+}
+
+orr_status orr_duration_parse(const char *text, int64_t *ns, orr_diag *diag)
+{
+    static const struct {
+        const char *name;
+        int64_t ns;
+    } units[] = {
+        {"", INT64_C(1000000000)},
+        {"s", INT64_C(1000000000)},
+        {"ms", INT64_C(1000000)},
+        {"us", INT64_C(1000)},
+        {"ns", INT64_C(1)},
+        {"min", INT64_C(60000000000)},
+        {"m", INT64_C(60000000000)},
+        {"h", INT64_C(3600000000000)},
+        {"d", INT64_C(86400000000000)},
+    };
+    const char *p = text;
+    int whole = 0;
+    int32_t fraction = 0;
+    bool good = digit(*p) || *p == '.';
+    if (good && digit(*p)) good = take_int(&p, 1, 9, &whole);
+    good = good && take_fraction(&p, &fraction);
+    while (good && *p == ' ') p++;
+    for (size_t i = 0; good && i < sizeof units / sizeof units[0]; i++) {
+        if (strcmp(p, units[i].name) != 0) continue;
+        int64_t unit = units[i].ns;
+        if (whole > INT64_MAX / unit - 1)
+            return orr_diag_set(diag, ORR_E_RANGE, "\"%.60s\" is longer than 292 years", text);
+        // fraction is in 1e-9 of the unit; a part of a nanosecond is not dropped in silence
+        int64_t part =
+            unit >= ORR_NS_PER_S ? fraction * (unit / ORR_NS_PER_S) : fraction / (ORR_NS_PER_S / unit);
+        if (unit < ORR_NS_PER_S && fraction % (ORR_NS_PER_S / unit) != 0)
+            return orr_diag_set(diag, ORR_E_ARG, "\"%.60s\" is finer than a nanosecond", text);
+        *ns = whole * unit + part;
+        return ORR_OK;
+    }
+    return orr_diag_set(diag, ORR_E_ARG,
+                        "\"%.60s\" is no length of time; use 900, 900s, 15min, 2h, 1d or 0.1", text);
+}
