@@ -37,8 +37,8 @@ typedef struct orr_clock_node {
 typedef struct orr_orbit_node {
     orr_time t;
     orr_vec3 residual_m; // solution minus input, ecef
-    uint8_t source;      // index of the input file
-    uint8_t used;        // 0: rejected as an outlier, or superseded at a day joint
+    uint16_t source;     // index of the input file
+    uint16_t used;       // 0: rejected as an outlier, or superseded at a day joint
 } orr_orbit_node;
 
 typedef enum orr_event_kind {
