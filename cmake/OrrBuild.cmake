@@ -27,7 +27,8 @@ add_library(orr_flags INTERFACE)
 target_compile_options(orr_flags INTERFACE -ffp-contract=off -fno-math-errno
   -Wall -Wextra -Wpedantic -Wshadow -Wdouble-promotion
   $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla>)
-target_compile_definitions(orr_flags INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700)
+target_compile_definitions(orr_flags INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700
+  ORR_VERSION="${PROJECT_VERSION}")
 target_include_directories(orr_flags INTERFACE "${PROJECT_SOURCE_DIR}")
 if(ORR_WERROR)
   target_compile_options(orr_flags INTERFACE -Werror)

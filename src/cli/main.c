@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program: finds the command, reads its options, runs it.
+#include <stdlib.h>
+#include <string.h>
+
+#include "src/cli/internal.h"
+
+#define ORR_COMMAND(name) extern const orr_command orr_cmd_##name;
+#include "src/cli/commands.def"
+#undef ORR_COMMAND
+
+#define ORR_COMMAND(name) &orr_cmd_##name,
+static const orr_command *const commands[] = {
+#include "src/cli/commands.def"
+    NULL};
+#undef ORR_COMMAND
+enum { N_SLOTS = sizeof commands / sizeof commands[0] };
+
+static void write_log(void *user, orr_log_level level, const char *line)
+{
+    const orr_cli *c = user;
+    fprintf(stderr, "orrery %s: %s%s\n", c->command->name,
+            level == ORR_LOG_ERROR  ? "error: "
+            : level == ORR_LOG_WARN ? "warning: "
+                                    : "",
+            line);
+}
+
+static const orr_command *find_command(const char *name)
+{
+    for (size_t i = 0; commands[i] != NULL; i++)
+        if (strcmp(commands[i]->name, name) == 0) return commands[i];
+    return NULL;
+}
+
+static int unknown_command(const orr_cli *c, const char *name)
+{
+    const char *names[N_SLOTS];
+    size_t n = 0;
+    for (; commands[n] != NULL; n++) names[n] = commands[n]->name;
+    names[n++] = "help";
+    const char *near = orr_cli_nearest(name, names, n);
+    if (near != NULL) return orr_cli_usage(c, "there is no command '%s'; did you mean '%s'?", name, near);
+    return orr_cli_usage(c, "there is no command '%s'", name);
+}
+
+static int help(const orr_cli *c, const char *name)
+{
+    const orr_command *cmd = name != NULL ? find_command(name) : NULL;
+    if (name != NULL && cmd == NULL && strcmp(name, "help") != 0) return unknown_command(c, name);
+    if (cmd != NULL)
+        orr_cli_help_command(stdout, cmd);
+    else
+        orr_cli_help_program(stdout, commands);
+    return orr_cli_flush(c);
+}
+
+static int run(orr_cli *c, int n_words, char **words)
+{
+    orr_log log = {.level = ORR_LOG_WARN, .write = write_log, .user = c};
+    switch (orr_cli_args_parse(c, n_words, words)) {
+    case ORR_CLI_WRONG:
+        return ORR_EXIT_USAGE;
+    case ORR_CLI_HELP:
+        orr_cli_help_command(stdout, c->command);
+        return orr_cli_flush(c);
+    case ORR_CLI_RUN:
+        break;
+    }
+    c->quiet = orr_cli_given(c, "quiet");
+    if (orr_cli_given(c, "verbose")) log.level = ORR_LOG_DEBUG;
+    c->log = &log;
+    int status = c->command->run(c);
+    int flushed = orr_cli_flush(c);
+    return status != ORR_EXIT_OK ? status : flushed;
+}
+
+int main(int argc, char **argv)
+{
+    orr_cli c = {0};
+    if (argc < 2) {
+        orr_cli_help_program(stderr, commands);
+        return ORR_EXIT_USAGE;
+    }
+    const char *word = argv[1];
+    if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
+        puts("orrery " ORR_VERSION);
+        return orr_cli_flush(&c);
+    }
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) return help(&c, NULL);
+    if (strcmp(word, "help") == 0) return help(&c, argc > 2 ? argv[2] : NULL);
+    if (word[0] == '-') return orr_cli_usage(&c, "there is no option %s before a command", word);
+    c.command = find_command(word);
+    if (c.command == NULL) return unknown_command(&c, word);
+    int status = run(&c, argc - 2, argv + 2);
+    orr_cli_args_free(&c);
+    return status;
+}
