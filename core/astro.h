@@ -12,18 +12,23 @@ typedef struct orr_eop {
     double xp_rad, yp_rad; // pole
     double ut1_utc_s;
     double lod_s; // excess length of day
+    double xp_rate_radps,
+        yp_rate_radps; // of the pole; zero where unknown. 3 mas a day is 4 um/s at a satellite
 } orr_eop;
 
-// A series of them (daily, from an ERP file), ascending in MJD UTC.
+// A series of them (daily, from an ERP file), ascending in MJD UTC. Their lod_s and rates may be left zero.
 typedef struct orr_eop_series {
     size_t n;
     double *mjd_utc;
     orr_eop *value;
 } orr_eop_series;
 
-// Linear in the series (UT1 continuous across leap seconds); outside it, or with a NULL or empty series, the
-// IERS secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t - 2000) mas (t in years), UT1 - UTC =
-// LOD = 0 (IERS Conventions 2010, updated 2018, 7.1.4). *from_series (may be NULL) tells which it was.
+// Inside the series: cubic Hermite with slopes from the neighbours (no kink at a node; straight lines stay
+// straight), of UT1 - TAI and hence continuous across leap seconds; lod_s and the rates are the derivatives
+// of what is returned, so that orr_astro_gcrs_to_itrs's dR is the derivative of its R. Outside it, or with
+// NULL or fewer than two entries, the IERS secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t -
+// 2000) mas (t in years), UT1 - UTC = LOD = 0 (IERS Conventions 2010, updated 2018, 7.1.4). *from_series (may
+// be NULL) tells which it was.
 orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series);
 
 // R maps GCRS components to ITRS: r_itrs = R r_gcrs. dR is its full time derivative (1/s),
@@ -33,7 +38,8 @@ void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table
 // GCRS to the true equator and equinox of date (frame of osculating elements).
 void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R);
 
-// Geocentric positions in GCRS, metres. Sun: eraEpv00 (a few km); Moon: eraMoon98 (some km).
+// Geocentric positions in GCRS, metres. Sun: eraEpv00 (13 km at most in 1900-2100); Moon: eraMoon98 (some
+// km).
 orr_vec3 orr_astro_sun(orr_time t);
 orr_vec3 orr_astro_moon(orr_time t);
 

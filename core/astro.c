@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/astro.h"
+
+#include <erfa.h>
+#include <erfam.h>
+
+#include "core/time_internal.h"
+
+#define MJD_ZERO 2400000.5 // JD of MJD 0: the first part of every two-part date here
+#define MJD_J2000 51544.5
+
+typedef struct days {
+    double whole, fraction; // MJD
+} days;
+
+static days in_scale(orr_time t, orr_scale scale)
+{
+    int32_t mjd;
+    double fraction;
+    orr_time_mjd(t, scale, NULL, &mjd, &fraction);
+    return (days){mjd, fraction};
+}
+
+// ---- Earth orientation
+// ----------------------------------------------------------------------------------------
+
+static orr_eop secular_pole(orr_time t)
+{
+    days tt = in_scale(t, ORR_SCALE_TT);
+    double years = (tt.whole - MJD_J2000 + tt.fraction) / 365.25;
+    const double mas = ERFA_DAS2R * 1e-3, year_s = 365.25 * ORR_S_PER_DAY;
+    return (orr_eop){.xp_rad = (55.0 + 1.677 * years) * mas,
+                     .yp_rad = (320.5 + 3.460 * years) * mas,
+                     .xp_rate_radps = 1.677 * mas / year_s,
+                     .yp_rate_radps = 3.460 * mas / year_s};
+}
+
+// Slope at node i of a curve through (x, y): the mean of its two neighbours' chords weighted as a parabola
+// through the three points has it there; the end chord at an end.
+static double slope(const double *x, const double *y, int i, int n)
+{
+    if (i == 0) return (y[1] - y[0]) / (x[1] - x[0]);
+    if (i == n - 1) return (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
+    double h0 = x[i] - x[i - 1], h1 = x[i + 1] - x[i];
+    double d0 = (y[i] - y[i - 1]) / h0, d1 = (y[i + 1] - y[i]) / h1;
+    return (h1 * d0 + h0 * d1) / (h0 + h1);
+}
+
+// Cubic Hermite on [x[k], x[k+1]] of up to four points: value and derivative. It has no kink at a node, as a
+// chord has: a kink of the pole or of UT1 would pass into the velocity of every satellite.
+static double hermite(const double *x, const double *y, int k, int n, double at, double *derivative)
+{
+    double h = x[k + 1] - x[k], u = (at - x[k]) / h;
+    double m0 = h * slope(x, y, k, n), m1 = h * slope(x, y, k + 1, n), dy = y[k + 1] - y[k];
+    double c2 = 3 * dy - 2 * m0 - m1, c3 = m0 + m1 - 2 * dy;
+    *derivative = (m0 + u * (2 * c2 + u * 3 * c3)) / h;
+    return y[k] + u * (m0 + u * (c2 + u * c3));
+}
+
+static int leap_at_mjd(double mjd_utc, const orr_leap_table *leap)
+{
+    return orr_leap_of_day(leap, (int32_t)floor(mjd_utc));
+}
+
+orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series)
+{
+    if (leap == NULL) leap = orr_leap_builtin();
+    if (from_series != NULL) *from_series = false;
+    if (s == NULL || s->n < 2) return secular_pole(t);
+    // Everything against TAI, in which neither the abscissa nor UT1 steps.
+    days tai = in_scale(t, ORR_SCALE_TAI);
+    double at = tai.whole + tai.fraction;
+    size_t lo = 0, hi = s->n - 1;
+#define NODE(i) (s->mjd_utc[i] + leap_at_mjd(s->mjd_utc[i], leap) / (double)ORR_S_PER_DAY)
+    if (!(at >= NODE(0) && at <= NODE(hi))) return secular_pole(t);
+    while (hi - lo > 1) {
+        size_t mid = lo + (hi - lo) / 2;
+        if (at >= NODE(mid))
+            lo = mid;
+        else
+            hi = mid;
+    }
+    size_t first = lo > 0 ? lo - 1 : 0, last = hi + 1 < s->n ? hi + 1 : hi;
+    int n = (int)(last - first + 1), k = (int)(lo - first);
+    double x[4], xp[4], yp[4], ut1[4];
+    for (int i = 0; i < n; i++) {
+        size_t j = first + (size_t)i;
+        x[i] = NODE(j);
+        xp[i] = s->value[j].xp_rad;
+        yp[i] = s->value[j].yp_rad;
+        ut1[i] = s->value[j].ut1_utc_s - leap_at_mjd(s->mjd_utc[j], leap); // UT1 - TAI
+    }
+#undef NODE
+    orr_eop e;
+    double ut1_per_day;
+    e.xp_rad = hermite(x, xp, k, n, at, &e.xp_rate_radps);
+    e.yp_rad = hermite(x, yp, k, n, at, &e.yp_rate_radps);
+    e.ut1_utc_s = hermite(x, ut1, k, n, at, &ut1_per_day) + orr_leap_tai_minus_utc(t, leap);
+    e.xp_rate_radps /= ORR_S_PER_DAY;
+    e.yp_rate_radps /= ORR_S_PER_DAY;
+    e.lod_s = -ut1_per_day;
+    if (from_series != NULL) *from_series = true;
+    return e;
+}
+
+// ---- rotations
+// ------------------------------------------------------------------------------------------------
+
+static orr_mat3 from_erfa(double m[3][3])
+{
+    orr_mat3 a;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) a.m[i][j] = m[i][j];
+    return a;
+}
+
+// Bias, precession (IAU 2006) and nutation (IAU 2000B): GCRS to the true equator and equinox of date.
+static void bias_precession_nutation(days tt, double rbpn[3][3])
+{
+    double dpsi, deps, epsa, rb[3][3], rp[3][3], rbp[3][3], rn[3][3];
+    eraNut00b(MJD_ZERO + tt.whole, tt.fraction, &dpsi, &deps);
+    eraPn06(MJD_ZERO + tt.whole, tt.fraction, dpsi, deps, &epsa, rb, rp, rbp, rn, rbpn);
+}
+
+// GCRS to the celestial intermediate frame.
+static orr_mat3 to_cirs(days tt)
+{
+    double rbpn[3][3], x, y, rc2i[3][3];
+    bias_precession_nutation(tt, rbpn);
+    eraBpn2xy(rbpn, &x, &y);
+    double s = eraS06(MJD_ZERO + tt.whole, tt.fraction, x, y);
+    eraC2ixys(x, y, s, rc2i);
+    return from_erfa(rc2i);
+}
+
+// W(t) = R1(-yp) R2(-xp) R3(s'), IERS Conventions 2010, eq. (5.3) transposed, and its rate.
+static void polar_motion(days tt, const orr_eop *eop, orr_mat3 *w, orr_mat3 *dw)
+{
+    double sp = eraSp00(MJD_ZERO + tt.whole, tt.fraction), rpom[3][3];
+    eraPom00(eop->xp_rad, eop->yp_rad, sp, rpom);
+    *w = from_erfa(rpom);
+    // d/dt of small rotations about axes 1 and 2: first order in the pole is enough for a rate of 1e-13 rad/s
+    double x = eop->xp_rate_radps, y = eop->yp_rate_radps;
+    *dw = (orr_mat3){{{0, 0, x}, {0, 0, -y}, {-x, y, 0}}};
+}
+
+// ERA is 2 pi (0.7790572732640 + 1.00273781191135448 (JD(UT1) - 2451545)), Capitaine et al. 2000; UT1 runs
+// slower than TAI by LOD a day.
+#define ERA_RATE_RADPS (ERFA_D2PI * 1.00273781191135448 / ORR_S_PER_DAY)
+
+void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap, orr_mat3 *R,
+                            orr_mat3 *dR)
+{
+    days tt = in_scale(t, ORR_SCALE_TT), tai = in_scale(t, ORR_SCALE_TAI);
+    double ut1_minus_tai_s = eop->ut1_utc_s - orr_leap_tai_minus_utc(t, leap);
+    double era = eraEra00(MJD_ZERO + tai.whole, tai.fraction + ut1_minus_tai_s / ORR_S_PER_DAY);
+    orr_mat3 w, dw, spin = orr_mat3_rot3(era), q = to_cirs(tt);
+    polar_motion(tt, eop, &w, &dw);
+    orr_mat3 spin_q = orr_mat3_mul(&spin, &q);
+    *R = orr_mat3_mul(&w, &spin_q);
+    if (dR == NULL) return;
+    // The intermediate frame turns by at most 1e-11 rad/s and smoothly: over +-10 min a central difference
+    // errs by less than 1e-17 rad/s, a nanometre per second at the height of a GNSS satellite.
+    const double step_s = 600.0, step = step_s / ORR_S_PER_DAY;
+    orr_mat3 before = to_cirs((days){tt.whole, tt.fraction - step});
+    orr_mat3 after = to_cirs((days){tt.whole, tt.fraction + step});
+    before = orr_mat3_scale(-1.0, &before);
+    orr_mat3 dq = orr_mat3_add(&after, &before);
+    dq = orr_mat3_scale(0.5 / step_s, &dq);
+    double rate = ERA_RATE_RADPS * (1.0 - eop->lod_s / ORR_S_PER_DAY);
+    orr_mat3 hat = orr_mat3_hat((orr_vec3){0, 0, rate});
+    orr_mat3 turning = orr_mat3_mul(&hat, &spin_q), drifting = orr_mat3_mul(&spin, &dq);
+    orr_mat3 sum = orr_mat3_add(&turning, &drifting);
+    orr_mat3 of_spin = orr_mat3_mul(&w, &sum), of_pole = orr_mat3_mul(&dw, &spin_q);
+    *dR = orr_mat3_add(&of_spin, &of_pole);
+}
+
+void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R)
+{
+    double rbpn[3][3];
+    bias_precession_nutation(in_scale(t, ORR_SCALE_TT), rbpn);
+    *R = from_erfa(rbpn);
+}
+
+void orr_astro_uniform_rotation(orr_time t, orr_time t0, orr_mat3 *R, orr_mat3 *dR)
+{
+    *R = orr_mat3_rot3(ORR_EARTH_RATE_RADPS * orr_time_diff_s(t, t0));
+    if (dR == NULL) return;
+    orr_mat3 hat = orr_mat3_hat((orr_vec3){0, 0, ORR_EARTH_RATE_RADPS});
+    *dR = orr_mat3_mul(&hat, R);
+}
+
+// ---- Sun and Moon
+// ---------------------------------------------------------------------------------------------
+
+// Both series want TDB; TT differs by less than 2 ms, in which the Moon moves 2 m and the Sun 60 m.
+orr_vec3 orr_astro_sun(orr_time t)
+{
+    days tt = in_scale(t, ORR_SCALE_TT);
+    double heliocentric[2][3], barycentric[2][3];
+    // its warning, a date outside 1900-2100, means a slow loss of accuracy and not a failure
+    (void)eraEpv00(MJD_ZERO + tt.whole, tt.fraction, heliocentric, barycentric);
+    return orr_vec3_scale(-ERFA_DAU, (orr_vec3){heliocentric[0][0], heliocentric[0][1], heliocentric[0][2]});
+}
+
+orr_vec3 orr_astro_moon(orr_time t)
+{
+    days tt = in_scale(t, ORR_SCALE_TT);
+    double pv[2][3];
+    eraMoon98(MJD_ZERO + tt.whole, tt.fraction, pv);
+    return orr_vec3_scale(ERFA_DAU, (orr_vec3){pv[0][0], pv[0][1], pv[0][2]});
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/earth.h"
+
+#include <stdlib.h>
+
+#include "core/earth_shim.h"
+
+orr_vec3 orr_earth_to_ecef(orr_geodetic g)
+{
+    double r[3];
+    orr_shim_forward(g.lat_rad * ORR_DEG_PER_RAD, g.lon_rad * ORR_DEG_PER_RAD, g.height_m, r);
+    return (orr_vec3){r[0], r[1], r[2]};
+}
+
+orr_geodetic orr_earth_from_ecef(orr_vec3 r_m)
+{
+    double lat, lon, height;
+    orr_shim_reverse((double[3]){r_m.x, r_m.y, r_m.z}, &lat, &lon, &height);
+    if (lon <= -180.0) lon += 360.0; // GeographicLib keeps -180 for y = -0.0
+    return (orr_geodetic){lat * ORR_RAD_PER_DEG, lon * ORR_RAD_PER_DEG, height};
+}
+
+orr_mat3 orr_earth_enu_from_ecef(double lat_rad, double lon_rad)
+{
+    double sp = sin(lat_rad), cp = cos(lat_rad), sl = sin(lon_rad), cl = cos(lon_rad);
+    return (orr_mat3){{{-sl, cl, 0}, {-sp * cl, -sp * sl, cp}, {cp * cl, cp * sl, sp}}};
+}
+
+void orr_earth_radii(double lat_rad, double *meridian_m, double *normal_m)
+{
+    double s = sin(lat_rad), w2 = 1.0 - ORR_WGS84_E2 * s * s, w = sqrt(w2);
+    *normal_m = ORR_WGS84_A_M / w;
+    *meridian_m = ORR_WGS84_A_M * (1.0 - ORR_WGS84_E2) / (w2 * w);
+}
+
+void orr_earth_look(orr_vec3 site_m, orr_vec3 target_m, double *az_rad, double *el_rad, double *range_m)
+{
+    orr_geodetic g = orr_earth_from_ecef(site_m);
+    orr_mat3 a = orr_earth_enu_from_ecef(g.lat_rad, g.lon_rad);
+    orr_vec3 enu = orr_mat3_apply(&a, orr_vec3_sub(target_m, site_m));
+    double az = atan2(enu.x, enu.y);
+    if (az < 0) az += 2 * ORR_PI;
+    *az_rad = az < 2 * ORR_PI ? az : 0.0; // a tiny negative angle rounds up to the full circle
+    *el_rad = atan2(enu.z, hypot(enu.x, enu.y));
+    *range_m = orr_vec3_norm(enu);
+}
+
+orr_vec3 orr_earth_normal_gravitation(orr_vec3 r_m)
+{
+    double g[3];
+    orr_shim_normal_gravitation((double[3]){r_m.x, r_m.y, r_m.z}, g);
+    return (orr_vec3){g[0], g[1], g[2]};
+}
+
+double orr_earth_surface_gravity(double lat_rad)
+{
+    return orr_shim_surface_gravity(lat_rad * ORR_DEG_PER_RAD);
+}
+
+void orr_earth_geodesic_inverse(double lat1_rad, double lon1_rad, double lat2_rad, double lon2_rad,
+                                double *dist_m, double *az1_rad, double *az2_rad)
+{
+    double az1, az2;
+    orr_shim_geodesic_inverse(lat1_rad * ORR_DEG_PER_RAD, lon1_rad * ORR_DEG_PER_RAD,
+                              lat2_rad * ORR_DEG_PER_RAD, lon2_rad * ORR_DEG_PER_RAD, dist_m, &az1, &az2);
+    *az1_rad = az1 * ORR_RAD_PER_DEG;
+    *az2_rad = az2 * ORR_RAD_PER_DEG;
+}
+
+void orr_earth_geodesic_direct(double lat1_rad, double lon1_rad, double az1_rad, double dist_m,
+                               double *lat2_rad, double *lon2_rad, double *az2_rad)
+{
+    double lat2, lon2, az2;
+    orr_shim_geodesic_direct(lat1_rad * ORR_DEG_PER_RAD, lon1_rad * ORR_DEG_PER_RAD,
+                             az1_rad * ORR_DEG_PER_RAD, dist_m, &lat2, &lon2, &az2);
+    *lat2_rad = lat2 * ORR_RAD_PER_DEG;
+    *lon2_rad = lon2 * ORR_RAD_PER_DEG;
+    *az2_rad = az2 * ORR_RAD_PER_DEG;
+}
+
+struct orr_gravity_model {
+    void *shim;
+};
+
+orr_status orr_gravity_model_open(const char *name, const char *dir, orr_gravity_model **out, orr_diag *diag)
+{
+    *out = NULL;
+    orr_gravity_model *m = malloc(sizeof *m);
+    if (m == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for gravity model %s", name);
+    char why[300];
+    int no_memory;
+    m->shim = orr_shim_gravity_open(name, dir, why, sizeof why, &no_memory);
+    if (m->shim == NULL) {
+        free(m);
+        return orr_diag_set(diag, no_memory ? ORR_E_MEMORY : ORR_E_IO, "gravity model %s in folder %s: %s",
+                            name, dir, why);
+    }
+    *out = m;
+    return ORR_OK;
+}
+
+orr_vec3 orr_gravity_model_gravitation(const orr_gravity_model *m, orr_vec3 r_m)
+{
+    double g[3];
+    orr_shim_gravity(m->shim, (double[3]){r_m.x, r_m.y, r_m.z}, g);
+    return (orr_vec3){g[0], g[1], g[2]};
+}
+
+void orr_gravity_model_free(orr_gravity_model *m)
+{
+    if (m == NULL) return;
+    orr_shim_gravity_free(m->shim);
+    free(m);
+}
