@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text as the readers see it: views of bytes that someone else owns, lines of a block in memory, and the
+// fields of fixed-column formats. Nothing here copies or allocates, and nothing depends on the locale.
+// Columns count from 1 as the formats' own descriptions do; a field that reaches over the end of its line
+// reads as if padded with blanks.
+#ifndef ORR_CORE_CURSOR_H
+#define ORR_CORE_CURSOR_H
+
+#include "core/status.h"
+
+// n bytes at p, not NUL-terminated.
+typedef struct orr_view {
+    const char *p;
+    size_t n;
+} orr_view;
+
+#define ORR_LINE_MAX ((size_t)65536) // the longest line a reader takes unless it says otherwise
+
+// Walks the lines of a block. A line ends at LF, CR LF or the end of the block; the ends are not part of it.
+typedef struct orr_cursor {
+    const char *name; // of the file, for messages
+    const char *at, *end;
+    int64_t line;      // number of the line returned last, from 1; 0 before the first
+    size_t max_line;   // longer lines stop the walk
+    bool unterminated; // the line returned last ended with the block, without LF
+    bool too_long;     // the walk stopped at a line over max_line
+} orr_cursor;
+
+void orr_cursor_init(orr_cursor *c, const char *name, const char *text, size_t n); // max_line = ORR_LINE_MAX
+// The next line; false at the end and where a line is too long. Ask orr_cursor_status which of them it was.
+bool orr_cursor_next(orr_cursor *c, orr_view *line);
+// ORR_OK, or ORR_E_LIMIT with a sentence when the walk stopped at a line that is too long.
+orr_status orr_cursor_status(const orr_cursor *c, orr_diag *diag);
+// A message about the line returned last: file and line are filled in. The first returns s.
+orr_status orr_cursor_error(const orr_cursor *c, orr_diag *diag, orr_status s, int column, const char *fmt,
+                            ...) ORR_PRINTF(5, 6);
+void orr_cursor_warn(const orr_cursor *c, orr_warnings *w, int column, const char *fmt, ...) ORR_PRINTF(4, 5);
+
+// Views. Blanks are space and tab.
+orr_view orr_view_of(const char *nul_terminated);
+orr_view orr_view_cols(orr_view line, int col,
+                       int width);   // columns col .. col + width - 1, clipped to the line
+orr_view orr_view_rtrim(orr_view v); // without trailing blanks
+orr_view orr_view_trim(orr_view v);  // without leading and trailing blanks
+bool orr_view_is_blank(orr_view v);  // empty or blanks alone
+bool orr_view_equals(orr_view v, const char *s);
+bool orr_view_starts(orr_view v, const char *s);
+bool orr_view_contains(orr_view v, const char *s);
+// The character in a column; a blank for a tab and past the end.
+static inline char orr_view_char(orr_view line, int col)
+{
+    char c = (size_t)col <= line.n ? line.p[col - 1] : ' ';
+    return c == '\t' ? ' ' : c;
+}
+// Copies into buf of n bytes, NUL-terminated, cut if need be; control characters become '?', so that a file
+// cannot talk to a terminal. Returns buf.
+char *orr_view_copy(orr_view v, char *buf, size_t n);
+// The same into fresh memory (free with free()); NULL when there is none.
+char *orr_view_dup(orr_view v);
+// Cuts the next blank-separated word off *rest; false when only blanks are left.
+bool orr_view_word(orr_view *rest, orr_view *word);
+// Cuts the text before the next `separator` off *rest (all of it when there is none); false when nothing is
+// left, that is after the text behind the last separator was given. Start with rest->p not NULL.
+bool orr_view_split(orr_view *rest, char separator, orr_view *part);
+
+// What a numeric field held. On BLANK and BAD the output is untouched.
+typedef enum orr_field { ORR_FIELD_OK, ORR_FIELD_BLANK, ORR_FIELD_BAD } orr_field;
+
+// The number in columns col .. col + width - 1. Blanks (tabs too) may stand on both sides, not inside, except
+// as the sign of an exponent ("1.5D 02"). Exponent letters are D, d, E, e. The result is correctly rounded.
+// Fortran's asterisks, "nan", "inf" and numbers past the range of double are BAD. Fields over 128 characters
+// are BAD.
+orr_field orr_field_real(orr_view line, int col, int width, double *out);
+// An integer: optional sign and digits; BAD past int64.
+orr_field orr_field_int(orr_view line, int col, int width, int64_t *out);
+// The same with a range, for fields that are used as counts or indices: BAD outside [lo, hi].
+orr_field orr_field_int_in(orr_view line, int col, int width, int lo, int hi, int *out);
+// The same of a whole view, for words.
+orr_field orr_view_real(orr_view v, double *out);
+orr_field orr_view_int(orr_view v, int64_t *out);
+
+#endif
