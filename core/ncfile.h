@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The little that all products share: NetCDF-4 files with CF attributes, made whole or not at all, read with
+// distrust.
+//
+// Writing: orr_nc_create, then dimensions, variables (each defined and written by one call) and attributes in
+// any order, then orr_nc_commit. After a failure every later call on the writer is refused with the first
+// one's status, so that a caller may check the last one only; orr_nc_abort leaves nothing behind.
+//
+// Reading: a caller asks for each dimension with the most it will accept, then reads variables into memory of
+// the size that follows; a variable of another rank, shape or kind is an error that names it.
+//
+// Values are row-major; `shape` and `dims` run from the slowest index. The NetCDF library is not thread-safe:
+// one file at a time in a process.
+#ifndef ORR_CORE_NCFILE_H
+#define ORR_CORE_NCFILE_H
+
+#include "core/outfile.h"
+#include "core/status.h"
+
+#define ORR_NC_MAX_RANK 4
+#define ORR_NC_MAX_VALUES (UINT64_C(1) << 28) // of one variable, on reading
+
+typedef enum orr_nc_type {
+    ORR_NC_DOUBLE, // double
+    ORR_NC_INT64,  // int64_t
+    ORR_NC_INT32,  // int32_t
+    ORR_NC_UINT16, // uint16_t
+    ORR_NC_UINT8,  // uint8_t
+    ORR_NC_CHAR,   // char, fixed width text: the last dimension is its length
+    ORR_NC_FLOAT,  // float
+} orr_nc_type;
+
+typedef struct orr_nc_writer {
+    int id;
+    bool open;
+    orr_outfile file;
+    orr_status status; // first failure
+} orr_nc_writer;
+
+orr_status orr_nc_create(const char *path, orr_nc_writer *w, orr_diag *diag);
+orr_status orr_nc_put_dim(orr_nc_writer *w, const char *name, size_t len, orr_diag *diag);
+// Defines a variable over `rank` (0..ORR_NC_MAX_RANK) named dimensions and writes all of it, compressed where
+// that pays. units and long_name may be NULL (left out).
+orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
+                          const char *const dims[], const void *values, const char *units,
+                          const char *long_name, orr_diag *diag);
+// Attributes of variable `var`, of the file where var is NULL.
+orr_status orr_nc_put_att_text(orr_nc_writer *w, const char *var, const char *name, const char *text,
+                               orr_diag *diag);
+orr_status orr_nc_put_att_double(orr_nc_writer *w, const char *var, const char *name, const double *v,
+                                 size_t n, orr_diag *diag);
+orr_status orr_nc_put_att_int64(orr_nc_writer *w, const char *var, const char *name, const int64_t *v,
+                                size_t n, orr_diag *diag);
+
+// Where a product came from. Writes Conventions = "CF-1.8", title, source = "orrery <version>", history, and
+// for the inputs input_files and input_sha256, one a line each. The file name is kept, not its folder.
+typedef struct orr_nc_input {
+    const char *path;
+    const char *sha256; // orr_sha256_file
+} orr_nc_input;
+orr_status orr_nc_put_provenance(orr_nc_writer *w, const char *title, const char *history,
+                                 const orr_nc_input *input, size_t n_inputs, orr_diag *diag);
+
+orr_status orr_nc_commit(orr_nc_writer *w, orr_diag *diag); // ends w
+void orr_nc_abort(orr_nc_writer *w);                        // ends w; harmless after commit
+
+typedef struct orr_nc_reader {
+    int id;
+    bool open;
+    char path[256]; // for messages
+} orr_nc_reader;
+
+// ORR_E_IO if it cannot be opened, ORR_E_KIND if its first bytes are no NetCDF's, ORR_E_FORMAT if NetCDF
+// refuses it.
+orr_status orr_nc_open(const char *path, orr_nc_reader *r, orr_diag *diag);
+void orr_nc_close(orr_nc_reader *r);
+// Length of a dimension. ORR_E_KIND if there is none of the name, ORR_E_LIMIT if it is longer than max.
+orr_status orr_nc_get_dim(const orr_nc_reader *r, const char *name, size_t max, size_t *len, orr_diag *diag);
+bool orr_nc_has_var(const orr_nc_reader *r, const char *name);
+// Reads a whole variable into `out`, which has room for the product of shape[rank]. Numbers are converted to
+// `type`; ORR_E_FORMAT if one does not fit, or if rank, shape or kind (text or number) differ; ORR_E_KIND if
+// there is no such variable.
+orr_status orr_nc_get_var(const orr_nc_reader *r, const char *name, orr_nc_type type, int rank,
+                          const size_t shape[], void *out, orr_diag *diag);
+// The same into fresh memory (free()), at most ORR_NC_MAX_VALUES.
+orr_status orr_nc_alloc_var(const orr_nc_reader *r, const char *name, orr_nc_type type, int rank,
+                            const size_t shape[], void **out, orr_diag *diag);
+// Attributes of var (NULL: of the file). ORR_E_NODATA, without a message, if there is none of the name. A
+// text longer than n - 1 bytes is ORR_E_LIMIT. A number is a single one.
+orr_status orr_nc_get_att_text(const orr_nc_reader *r, const char *var, const char *name, char *buf, size_t n,
+                               orr_diag *diag);
+orr_status orr_nc_get_att_double(const orr_nc_reader *r, const char *var, const char *name, double *v,
+                                 orr_diag *diag);
+orr_status orr_nc_get_att_int64(const orr_nc_reader *r, const char *var, const char *name, int64_t *v,
+                                orr_diag *diag);
+
+#endif
