@@ -41,7 +41,8 @@ orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag 
     if (e->coef != NULL) memset(e->coef, 0, bytes);
     if (!ok || e->coef == NULL) {
         orr_ephemeris_free(e);
-        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for an orbit product of %zu segments", counts->n_segments);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for an orbit product of %zu segments",
+                            counts->n_segments);
     }
     *out = e;
     return ORR_OK;
@@ -68,12 +69,16 @@ void orr_ephemeris_free(orr_ephemeris *e)
 static uint32_t flag_of(orr_event_kind kind)
 {
     switch (kind) {
-    case ORR_EVENT_MANOEUVRE: return ORR_EPH_MANOEUVRE;
+    case ORR_EVENT_MANOEUVRE:
+        return ORR_EPH_MANOEUVRE;
     case ORR_EVENT_UMBRA:
-    case ORR_EVENT_PENUMBRA: return ORR_EPH_ECLIPSE;
-    case ORR_EVENT_GAP: return ORR_EPH_GAP;
+    case ORR_EVENT_PENUMBRA:
+        return ORR_EPH_ECLIPSE;
+    case ORR_EVENT_GAP:
+        return ORR_EPH_GAP;
     case ORR_EVENT_OUTLIER:
-    case ORR_EVENT_DAY_JUMP: break;
+    case ORR_EVENT_DAY_JUMP:
+        break;
     }
     return 0;
 }
@@ -114,11 +119,13 @@ orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
     for (size_t i = 0; i < sizeof e->slot / sizeof e->slot[0]; i++) e->slot[i] = -1;
     e->from = e->to = ORR_TIME_NONE;
     e->n_spans = 0;
-    e->clock_max_gap_ns = e->clock_max_gap_s < 9e8 ? (int64_t)(e->clock_max_gap_s * 1e9) : INT64_C(900000000000000000);
+    e->clock_max_gap_ns =
+        e->clock_max_gap_s < 9e8 ? (int64_t)(e->clock_max_gap_s * 1e9) : INT64_C(900000000000000000);
     for (size_t i = 0; i < e->n_sats; i++) {
         eph_sat *s = &e->sat[i];
         if (e->sat_id[i] >= sizeof e->slot / sizeof e->slot[0] || e->slot[e->sat_id[i]] >= 0)
-            return orr_diag_set(diag, ORR_E_FORMAT, "satellite %zu of the product has an identity that is wrong or taken", i);
+            return orr_diag_set(diag, ORR_E_FORMAT,
+                                "satellite %zu of the product has an identity that is wrong or taken", i);
         e->slot[e->sat_id[i]] = (int16_t)i;
         s->span = &e->span[e->n_spans];
         for (size_t k = 0; k < s->n_events; k++) {
@@ -138,7 +145,8 @@ orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
             summarise(e, s, a);
         }
     }
-    if (e->from == ORR_TIME_NONE) return orr_diag_set(diag, ORR_E_NODATA, "the product holds no orbit at all");
+    if (e->from == ORR_TIME_NONE)
+        return orr_diag_set(diag, ORR_E_NODATA, "the product holds no orbit at all");
     return ORR_OK;
 }
 

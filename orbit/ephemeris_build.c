@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the smoother's samples to the product: segments are fitted, checked against every sample, and the rest is
-// copied beside them.
+// From the smoother's samples to the product: segments are fitted, checked against every sample, and the rest
+// is copied beside them.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,8 @@
 static orr_status arc_error(orr_sat sat, const orr_orbit_arc *a, const char *what, orr_diag *diag)
 {
     char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
-    return orr_diag_set(diag, ORR_E_ARG, "%s, arc from %s: %s", orr_sat_text(sat, name), orr_time_text(a->t0, when), what);
+    return orr_diag_set(diag, ORR_E_ARG, "%s, arc from %s: %s", orr_sat_text(sat, name),
+                        orr_time_text(a->t0, when), what);
 }
 
 static orr_status check_arc(orr_sat sat, const orr_orbit_arc *a, const orr_orbit_arc *before, orr_diag *diag)
@@ -35,7 +36,8 @@ static orr_status count(const orr_orbit_solution *s, int degree, orr_ephemeris *
 {
     *c = (orr_ephemeris){.n_sats = s->n_sats, .n_sources = s->n_sources};
     if (s->n_sats > EPH_MAX_SATS)
-        return orr_diag_set(diag, ORR_E_LIMIT, "%zu satellites are more than a product's %d", s->n_sats, EPH_MAX_SATS);
+        return orr_diag_set(diag, ORR_E_LIMIT, "%zu satellites are more than a product's %d", s->n_sats,
+                            EPH_MAX_SATS);
     for (size_t i = 0; i < s->n_sats; i++) {
         const orr_orbit_sat *sat = &s->sat[i];
         if (i > 0 && sat->sat <= s->sat[i - 1].sat)
@@ -79,14 +81,15 @@ static void copy(const orr_orbit_solution *s, int degree, orr_ephemeris *e)
         for (size_t k = 0; k < from->n_arcs; k++) {
             const orr_orbit_arc *a = &from->arc[k];
             eph_arc *b = &e->arc[arc++];
-            *b = (eph_arc){.t0 = a->t0,
-                           .segment_ns = (int64_t)nearbyint(a->step_s * 1e9) * (int64_t)a->samples_per_segment,
-                           .n_segments = (a->n - 1) / a->samples_per_segment,
-                           .samples_per_segment = a->samples_per_segment,
-                           .degree = degree,
-                           .first_segment = segment,
-                           .first_sample = sample,
-                           .first_coef = segment * eph_block(degree)};
+            *b =
+                (eph_arc){.t0 = a->t0,
+                          .segment_ns = (int64_t)nearbyint(a->step_s * 1e9) * (int64_t)a->samples_per_segment,
+                          .n_segments = (a->n - 1) / a->samples_per_segment,
+                          .samples_per_segment = a->samples_per_segment,
+                          .degree = degree,
+                          .first_segment = segment,
+                          .first_sample = sample,
+                          .first_coef = segment * eph_block(degree)};
             segment += b->n_segments;
             for (size_t j = 0; j < a->n; j++) {
                 e->sigma[sample + j] = a->sample[j].sigma_m;
@@ -111,8 +114,8 @@ typedef struct misfit {
 } misfit;
 
 // Fits the segment that starts at sample[0] into rows of coef; worsens *m by its misfit.
-static void fit_segment(const eph_fit *f, const orr_orbit_sample *sample, double h, double *coef, double worst[2],
-                        size_t *worst_at)
+static void fit_segment(const eph_fit *f, const orr_orbit_sample *sample, double h, double *coef,
+                        double worst[2], size_t *worst_at)
 {
     size_t n = f->samples;
     double data[3 * (EPH_MAX_SAMPLES_PER_SEGMENT + 1)], c[EPH_MAX_DEGREE + 1];
@@ -129,7 +132,8 @@ static void fit_segment(const eph_fit *f, const orr_orbit_sample *sample, double
         for (int j = 0; j <= f->degree; j++) coef[j * EPH_LANES + (int)axis] = c[j];
         for (size_t i = 0; i < 2 * n; i++) {
             double s = -data[i];
-            for (int j = 0; j <= f->degree; j++) s += f->basis[i * (size_t)(f->degree + 1) + (size_t)j] * c[j];
+            for (int j = 0; j <= f->degree; j++)
+                s += f->basis[i * (size_t)(f->degree + 1) + (size_t)j] * c[j];
             err[i / n][i % n] += s * s;
         }
     }
@@ -141,7 +145,8 @@ static void fit_segment(const eph_fit *f, const orr_orbit_sample *sample, double
     }
 }
 
-static orr_status fit_all(const orr_orbit_solution *s, int degree, orr_ephemeris *e, misfit *m, orr_diag *diag)
+static orr_status fit_all(const orr_orbit_solution *s, int degree, orr_ephemeris *e, misfit *m,
+                          orr_diag *diag)
 {
     eph_fit f = {0};
     *m = (misfit){0};
@@ -161,9 +166,11 @@ static orr_status fit_all(const orr_orbit_solution *s, int degree, orr_ephemeris
             for (size_t g = 0; g < e->arc[arc].n_segments; g++) {
                 double worst[2] = {m->pos_m, m->vel_mps};
                 size_t at = SIZE_MAX, first = g * a->samples_per_segment;
-                fit_segment(&f, &a->sample[first], h, &e->coef[e->arc[arc].first_coef + g * eph_block(degree)], worst, &at);
+                fit_segment(&f, &a->sample[first], h,
+                            &e->coef[e->arc[arc].first_coef + g * eph_block(degree)], worst, &at);
                 if (at == SIZE_MAX) continue;
-                *m = (misfit){worst[0], worst[1], s->sat[i].sat, orr_time_add_s(a->t0, (double)(first + at) * a->step_s)};
+                *m = (misfit){worst[0], worst[1], s->sat[i].sat,
+                              orr_time_add_s(a->t0, (double)(first + at) * a->step_s)};
                 if (isnan(worst[0]) || isnan(worst[1])) break;
             }
         }
@@ -196,8 +203,8 @@ orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out,
     double longest_s;
     int can;
     shape(s, &longest_s, &can);
-    // Smooth motion of a GNSS satellite needs degree 6 on 15 min and 8 on an hour (measured); the ends of shadow need
-    // more. Start there and go up until it is good enough.
+    // Smooth motion of a GNSS satellite needs degree 6 on 15 min and 8 on an hour (measured); the ends of
+    // shadow need more. Start there and go up until it is good enough.
     int degree = longest_s <= 1000 ? 8 : longest_s <= 2000 ? 9 : longest_s <= 4000 ? 10 : 12;
     if (degree > can) degree = can;
     for (;; degree++) {
@@ -219,11 +226,12 @@ orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out,
     orr_status st = ORR_OK;
     if (!(m.pos_m <= EPH_MAX_POS_ERROR_M) || !(m.vel_mps <= EPH_MAX_VEL_ERROR_MPS)) {
         char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
-        st = orr_diag_set(diag, ORR_E_NUMERIC,
-                          "the segments miss the smoothed orbit by up to %.3g m and %.3g m/s (allowed: %.1g and %.1g), "
-                          "worst at %s of %s",
-                          m.pos_m, m.vel_mps, EPH_MAX_POS_ERROR_M, EPH_MAX_VEL_ERROR_MPS, orr_time_text(m.t, when),
-                          orr_sat_text(m.sat, name));
+        st = orr_diag_set(
+            diag, ORR_E_NUMERIC,
+            "the segments miss the smoothed orbit by up to %.3g m and %.3g m/s (allowed: %.1g and %.1g), "
+            "worst at %s of %s",
+            m.pos_m, m.vel_mps, EPH_MAX_POS_ERROR_M, EPH_MAX_VEL_ERROR_MPS, orr_time_text(m.t, when),
+            orr_sat_text(m.sat, name));
     }
     if (st == ORR_OK) st = eph_finish(e, diag);
     if (st != ORR_OK) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Evaluation: the product and a time in, states out. One routine does the arithmetic whoever asks, so that one
-// satellite and the whole constellation give the same bits.
+// Evaluation: the product and a time in, states out. One routine does the arithmetic whoever asks, so that
+// one satellite and the whole constellation give the same bits.
 #include <math.h>
 #include <string.h>
 
@@ -29,8 +29,8 @@ static void basis_at(basis *b, int degree, double x)
 }
 
 // Sums over the rows of one segment; the four lanes are independent, which the compiler turns into vectors.
-static void sum_rows(const double *restrict c, const basis *restrict b, int degree, double p[restrict EPH_LANES],
-                     double v[restrict EPH_LANES], double a[restrict EPH_LANES])
+static void sum_rows(const double *restrict c, const basis *restrict b, int degree,
+                     double p[restrict EPH_LANES], double v[restrict EPH_LANES], double a[restrict EPH_LANES])
 {
     for (int k = 0; k < EPH_LANES; k++) p[k] = v[k] = a[k] = 0.0;
     for (int j = degree; j >= 0; j--) {
@@ -72,8 +72,8 @@ static const eph_arc *arc_at(const eph_sat *s, orr_time t)
     return NULL;
 }
 
-static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_arc *a, size_t segment, int64_t rest_ns,
-                            orr_time t)
+static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_arc *a, size_t segment,
+                            int64_t rest_ns, orr_time t)
 {
     int64_t sample_ns = a->segment_ns / (int64_t)a->samples_per_segment;
     size_t k = (size_t)(rest_ns / sample_ns);
@@ -83,12 +83,13 @@ static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_
     return flags;
 }
 
-// True if the clock may be interpolated from node i to the next. SP3's event flag says that the clock jumped between
-// the epoch before and the flagged one (SP3-d, column 75).
+// True if the clock may be interpolated from node i to the next. SP3's event flag says that the clock jumped
+// between the epoch before and the flagged one (SP3-d, column 75).
 static bool clock_joined(const orr_ephemeris *e, const eph_sat *s, size_t i)
 {
     const orr_clock_node *c = &s->clock[i];
-    return i + 1 < s->n_clocks && c[1].t - c[0].t <= e->clock_max_gap_ns && (c[1].flags & ORR_EPH_CLOCK_EVENT) == 0;
+    return i + 1 < s->n_clocks && c[1].t - c[0].t <= e->clock_max_gap_ns &&
+           (c[1].flags & ORR_EPH_CLOCK_EVENT) == 0;
 }
 
 // Index of the last clock node not after t; t is not before the first.
@@ -124,10 +125,12 @@ static void clock_at(const orr_ephemeris *e, const eph_sat *s, orr_time t, orr_s
     double rate = (c[1].clock_s - c[0].clock_s) / ((double)(c[1].t - c[0].t) * 1e-9);
     out->clock_rate_sps = rate;
     out->clock_s = t == c[1].t ? c[1].clock_s : c[0].clock_s + rate * ((double)(t - c[0].t) * 1e-9);
-    out->flags |= ORR_EPH_CLOCK_VALID | ((c[0].flags | c[1].flags) & (ORR_EPH_CLOCK_EVENT | ORR_EPH_PREDICTED));
+    out->flags |=
+        ORR_EPH_CLOCK_VALID | ((c[0].flags | c[1].flags) & (ORR_EPH_CLOCK_EVENT | ORR_EPH_PREDICTED));
 }
 
-static void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_time t, basis *b, orr_sat_state *out)
+static void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_time t, basis *b,
+                     orr_sat_state *out)
 {
     const eph_sat *s = &e->sat[slot];
     int64_t rest_ns;

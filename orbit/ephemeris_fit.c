@@ -7,9 +7,12 @@
 #include "core/chebyshev.h"
 #include "orbit/ephemeris_impl.h"
 
-// How a velocity's misfit (times h) and an acceleration's (times h^2) count beside a position's. In units of the
-// segment an error of the polynomial's last terms is n and n^2 times larger in them.
-static double weight(int kind, int degree) { return kind == 0 ? 1.0 : kind == 1 ? 1.0 / degree : 1.0 / (degree * degree); }
+// How a velocity's misfit (times h) and an acceleration's (times h^2) count beside a position's. In units of
+// the segment an error of the polynomial's last terms is n and n^2 times larger in them.
+static double weight(int kind, int degree)
+{
+    return kind == 0 ? 1.0 : kind == 1 ? 1.0 / degree : 1.0 / (degree * degree);
+}
 
 int eph_fit_max_degree(size_t samples_per_segment)
 {
@@ -17,8 +20,8 @@ int eph_fit_max_degree(size_t samples_per_segment)
     return n < EPH_MIN_DEGREE ? EPH_MIN_DEGREE : n > EPH_MAX_DEGREE ? EPH_MAX_DEGREE : (int)n;
 }
 
-// Chebyshev coefficients of the quintics that have one end value 1 and the other five 0: hermite[j][k], k = position at
-// -1, +1, velocity at -1, +1, acceleration at -1, +1. By solving the 6 x 6 system of conditions.
+// Chebyshev coefficients of the quintics that have one end value 1 and the other five 0: hermite[j][k], k =
+// position at -1, +1, velocity at -1, +1, acceleration at -1, +1. By solving the 6 x 6 system of conditions.
 static void hermite_columns(double hermite[6][6])
 {
     double rows[6][6];
@@ -38,7 +41,8 @@ static void hermite_columns(double hermite[6][6])
     }
 }
 
-// Chebyshev coefficients of (1 - x^2)^3 T_k(x), which vanishes with two derivatives at both ends; length k + 7.
+// Chebyshev coefficients of (1 - x^2)^3 T_k(x), which vanishes with two derivatives at both ends; length k
+// + 7.
 static void bubble(size_t k, double *c)
 {
     size_t n = k + 7;
@@ -57,12 +61,13 @@ static void bubble(size_t k, double *c)
     }
 }
 
-// Least squares of the free part: on top of the quintic through the ends, bubbles over the misfit at all samples.
-// matrix = H E + N P (1 - B H E), where E picks the end values of the data.
-static orr_status solve(eph_fit *f, const double hermite[6][6], gsl_matrix *bn, gsl_vector *tau)
+// Least squares of the free part: on top of the quintic through the ends, bubbles over the misfit at all
+// samples. matrix = H E + N P (1 - B H E), where E picks the end values of the data.
+static orr_status solve(eph_fit *f, double hermite[6][6], gsl_matrix *bn, gsl_vector *tau)
 {
     size_t n = (size_t)f->degree + 1, rows = 3 * f->samples, free_n = n - 6, last = f->samples - 1;
-    const size_t end_column[6] = {0, last, f->samples, f->samples + last, 2 * f->samples, 2 * f->samples + last};
+    const size_t end_column[6] = {
+        0, last, f->samples, f->samples + last, 2 * f->samples, 2 * f->samples + last};
     for (size_t k = 0; k < 6; k++)
         for (size_t j = 0; j < 6; j++) f->matrix[j * rows + end_column[k]] = hermite[j][k];
     if (free_n == 0) return ORR_OK;
@@ -100,8 +105,8 @@ orr_status eph_fit_init(int degree, size_t samples_per_segment, eph_fit *f, orr_
 {
     size_t n = (size_t)degree + 1;
     *f = (eph_fit){.degree = degree, .samples = samples_per_segment + 1};
-    if (degree < EPH_MIN_DEGREE || degree > eph_fit_max_degree(samples_per_segment) || samples_per_segment < 1 ||
-        samples_per_segment > EPH_MAX_SAMPLES_PER_SEGMENT)
+    if (degree < EPH_MIN_DEGREE || degree > eph_fit_max_degree(samples_per_segment) ||
+        samples_per_segment < 1 || samples_per_segment > EPH_MAX_SAMPLES_PER_SEGMENT)
         return orr_diag_set(diag, ORR_E_ARG, "no fit of degree %d to %zu samples a segment", degree,
                             samples_per_segment);
     size_t rows = 3 * f->samples, free_n = n - 6;
@@ -115,12 +120,14 @@ orr_status eph_fit_init(int degree, size_t samples_per_segment, eph_fit *f, orr_
     } else {
         for (size_t i = 0; i < f->samples; i++) {
             double x = i == samples_per_segment ? 1.0 : 2.0 * (double)i / (double)samples_per_segment - 1.0;
-            orr_cheb_basis(degree, x, &f->basis[i * n], &f->basis[(f->samples + i) * n], &f->basis[(2 * f->samples + i) * n]);
+            orr_cheb_basis(degree, x, &f->basis[i * n], &f->basis[(f->samples + i) * n],
+                           &f->basis[(2 * f->samples + i) * n]);
         }
         double hermite[6][6];
         hermite_columns(hermite);
         s = solve(f, hermite, bn, tau);
-        if (s != ORR_OK) orr_diag_set(diag, s, "the fit of degree %d to %zu samples is singular", degree, f->samples);
+        if (s != ORR_OK)
+            orr_diag_set(diag, s, "the fit of degree %d to %zu samples is singular", degree, f->samples);
     }
     gsl_matrix_free(bn);
     gsl_vector_free(tau);
@@ -141,8 +148,8 @@ void eph_fit_apply(const eph_fit *f, const double *data, double *coef)
     double left[3 * (EPH_MAX_SAMPLES_PER_SEGMENT + 1)];
     memcpy(left, data, rows * sizeof *left);
     memset(coef, 0, n * sizeof *coef);
-    // Twice: the second turn takes up what the first lost to rounding of numbers of 1e7 m, so that neighbouring
-    // segments meet to nanometres.
+    // Twice: the second turn takes up what the first lost to rounding of numbers of 1e7 m, so that
+    // neighbouring segments meet to nanometres.
     for (int turn = 0; turn < 2; turn++) {
         for (size_t j = 0; j < n; j++) {
             double s = 0;
