@@ -7,8 +7,9 @@
 
 #include "orbit/ephemeris_impl.h"
 
-// Where a degree is good enough, the next one is not tried: a tenth of what is allowed.
-#define TARGET (1.0 / 10)
+// Where a degree does so well at the samples, the next one is not tried: between samples it can be a few
+// times worse.
+#define GOOD_ENOUGH (1.0 / 5)
 
 static orr_status arc_error(orr_sat sat, const orr_orbit_arc *a, const char *what, orr_diag *diag)
 {
@@ -31,8 +32,16 @@ static orr_status check_arc(orr_sat sat, const orr_orbit_arc *a, const orr_orbit
     return ORR_OK;
 }
 
-// Counts what the product will hold, for degree `degree` throughout.
-static orr_status count(const orr_orbit_solution *s, int degree, orr_ephemeris *c, orr_diag *diag)
+// An arc's segments as fitted, before there is a product to put them in.
+typedef struct fitted {
+    int degree;
+    double *coef;          // n_segments blocks
+    double pos_m, vel_mps; // largest misfit, and where
+    orr_time worst;
+} fitted;
+
+// Counts what the product will hold.
+static orr_status count(const orr_orbit_solution *s, orr_ephemeris *c, orr_diag *diag)
 {
     *c = (orr_ephemeris){.n_sats = s->n_sats, .n_sources = s->n_sources};
     if (s->n_sats > EPH_MAX_SATS)
@@ -53,14 +62,13 @@ static orr_status count(const orr_orbit_solution *s, int degree, orr_ephemeris *
             c->n_samples += sat->arc[k].n;
         }
     }
-    c->n_coefs = c->n_segments * eph_block(degree);
     return ORR_OK;
 }
 
-// Copies satellites, arcs, samples' flags and sigmas, clocks, nodes, events; everything but the coefficients.
-static void copy(const orr_orbit_solution *s, int degree, orr_ephemeris *e)
+// Copies satellites, fitted arcs, samples' flags and sigmas, clocks, nodes, events.
+static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *e)
 {
-    size_t arc = 0, clock = 0, node = 0, event = 0, segment = 0, sample = 0;
+    size_t arc = 0, clock = 0, node = 0, event = 0, segment = 0, sample = 0, coef = 0;
     for (size_t i = 0; i < s->n_sats; i++) {
         const orr_orbit_sat *from = &s->sat[i];
         e->sat_id[i] = from->sat;
@@ -80,17 +88,22 @@ static void copy(const orr_orbit_solution *s, int degree, orr_ephemeris *e)
         event += from->n_events;
         for (size_t k = 0; k < from->n_arcs; k++) {
             const orr_orbit_arc *a = &from->arc[k];
+            const fitted *f = &fit[arc];
             eph_arc *b = &e->arc[arc++];
             *b =
                 (eph_arc){.t0 = a->t0,
                           .segment_ns = (int64_t)nearbyint(a->step_s * 1e9) * (int64_t)a->samples_per_segment,
                           .n_segments = (a->n - 1) / a->samples_per_segment,
                           .samples_per_segment = a->samples_per_segment,
-                          .degree = degree,
+                          .degree = f->degree,
                           .first_segment = segment,
                           .first_sample = sample,
-                          .first_coef = segment * eph_block(degree)};
+                          .first_coef = coef};
+            memcpy(&e->coef[coef], f->coef, b->n_segments * eph_block(f->degree) * sizeof *e->coef);
+            coef += b->n_segments * eph_block(f->degree);
             segment += b->n_segments;
+            e->max_pos_error_m = fmax(e->max_pos_error_m, f->pos_m);
+            e->max_vel_error_mps = fmax(e->max_vel_error_mps, f->vel_mps);
             for (size_t j = 0; j < a->n; j++) {
                 e->sigma[sample + j] = a->sample[j].sigma_m;
                 e->sample_flags[sample + j] = a->sample[j + 1 < a->n ? j : j - 1].flags;
@@ -105,13 +118,6 @@ static void copy(const orr_orbit_solution *s, int degree, orr_ephemeris *e)
     memcpy(e->frame, s->frame, sizeof e->frame);
     e->options[sizeof e->options - 1] = e->frame[sizeof e->frame - 1] = '\0';
 }
-
-// Misfit of a build and where it was worst.
-typedef struct misfit {
-    double pos_m, vel_mps;
-    orr_sat sat;
-    orr_time t;
-} misfit;
 
 // Fits the segment that starts at sample[0] into rows of coef; worsens *m by its misfit.
 static void fit_segment(const eph_fit *f, const orr_orbit_sample *sample, double h, double *coef,
@@ -145,95 +151,103 @@ static void fit_segment(const eph_fit *f, const orr_orbit_sample *sample, double
     }
 }
 
-static orr_status fit_all(const orr_orbit_solution *s, int degree, orr_ephemeris *e, misfit *m,
-                          orr_diag *diag)
+// Fit operators of one number of samples a segment, made when first asked for.
+typedef struct operators {
+    size_t samples_per_segment;
+    eph_fit of[EPH_MAX_DEGREE + 1];
+} operators;
+
+static void operators_free(operators *o)
 {
-    eph_fit f = {0};
-    *m = (misfit){0};
+    for (int d = 0; d <= EPH_MAX_DEGREE; d++) eph_fit_free(&o->of[d]);
+    *o = (operators){0};
+}
+
+static orr_status operator_of(operators *o, int degree, size_t samples_per_segment, const eph_fit **f,
+                              orr_diag *diag)
+{
+    if (o->samples_per_segment != samples_per_segment) operators_free(o);
+    o->samples_per_segment = samples_per_segment;
+    *f = &o->of[degree];
+    return o->of[degree].matrix != NULL ? ORR_OK
+                                        : eph_fit_init(degree, samples_per_segment, &o->of[degree], diag);
+}
+
+// Fits all segments of an arc; gives up at the first that misses by more than limit (pos_m, vel_mps; NULL:
+// never).
+static bool fit_segments(const eph_fit *f, const orr_orbit_arc *a, const double limit[2], fitted *out)
+{
+    double worst[2] = {0}, h = 0.5 * a->step_s * (double)a->samples_per_segment;
+    for (size_t g = 0; g * a->samples_per_segment + 1 < a->n; g++) {
+        size_t at = SIZE_MAX, first = g * a->samples_per_segment;
+        fit_segment(f, &a->sample[first], h, &out->coef[g * eph_block(f->degree)], worst, &at);
+        if (at != SIZE_MAX) out->worst = a->t0 + (int64_t)(first + at) * (int64_t)nearbyint(a->step_s * 1e9);
+        if (isnan(worst[0]) || isnan(worst[1])) break;
+        if (limit != NULL && (worst[0] > limit[0] || worst[1] > limit[1])) return false;
+    }
+    out->degree = f->degree;
+    out->pos_m = worst[0];
+    out->vel_mps = worst[1];
+    return true;
+}
+
+// Smooth motion of a GNSS satellite needs degree 8 on 15 min and 11 on an hour; an edge of shadow needs all
+// that the samples carry. So the degree is each arc's own, the lowest that is good enough.
+static orr_status fit_arc(operators *o, orr_sat sat, const orr_orbit_arc *a, fitted *out, orr_diag *diag)
+{
+    static const double good[2] = {GOOD_ENOUGH * EPH_MAX_POS_ERROR_M, GOOD_ENOUGH * EPH_MAX_VEL_ERROR_MPS};
+    int highest = eph_fit_max_degree(a->samples_per_segment);
+    size_t segments = (a->n - 1) / a->samples_per_segment;
+    out->coef = calloc(segments * eph_block(highest), sizeof *out->coef);
+    if (out->coef == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the segments of an arc");
+    for (int degree = EPH_MIN_DEGREE;; degree++) {
+        const eph_fit *f;
+        orr_status st = operator_of(o, degree, a->samples_per_segment, &f, diag);
+        if (st != ORR_OK) return st;
+        if (fit_segments(f, a, degree < highest ? good : NULL, out)) break;
+    }
+    if (out->pos_m <= EPH_MAX_POS_ERROR_M && out->vel_mps <= EPH_MAX_VEL_ERROR_MPS) return ORR_OK;
+    char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
+    return orr_diag_set(
+        diag, ORR_E_NUMERIC,
+        "segments of %.15g s miss the smoothed orbit of %s by %.3g m and %.3g m/s (%.1g and %.1g are "
+        "allowed), worst near %s",
+        a->step_s * (double)a->samples_per_segment, orr_sat_text(sat, name), out->pos_m, out->vel_mps,
+        EPH_MAX_POS_ERROR_M, EPH_MAX_VEL_ERROR_MPS, orr_time_text(out->worst, when));
+}
+
+static orr_status fit_all(const orr_orbit_solution *s, fitted *fit, orr_ephemeris *counts, orr_diag *diag)
+{
+    operators o = {0};
     orr_status st = ORR_OK;
     size_t arc = 0;
     for (size_t i = 0; i < s->n_sats && st == ORR_OK; i++) {
         for (size_t k = 0; k < s->sat[i].n_arcs && st == ORR_OK; k++, arc++) {
             const orr_orbit_arc *a = &s->sat[i].arc[k];
-            int can = eph_fit_max_degree(a->samples_per_segment);
-            int d = degree < can ? degree : can; // coefficients above stay zero
-            if (f.degree != d || f.samples != a->samples_per_segment + 1) {
-                eph_fit_free(&f);
-                st = eph_fit_init(d, a->samples_per_segment, &f, diag);
-                if (st != ORR_OK) break;
-            }
-            double h = 0.5 * a->step_s * (double)a->samples_per_segment;
-            for (size_t g = 0; g < e->arc[arc].n_segments; g++) {
-                double worst[2] = {m->pos_m, m->vel_mps};
-                size_t at = SIZE_MAX, first = g * a->samples_per_segment;
-                fit_segment(&f, &a->sample[first], h,
-                            &e->coef[e->arc[arc].first_coef + g * eph_block(degree)], worst, &at);
-                if (at == SIZE_MAX) continue;
-                *m = (misfit){worst[0], worst[1], s->sat[i].sat,
-                              orr_time_add_s(a->t0, (double)(first + at) * a->step_s)};
-                if (isnan(worst[0]) || isnan(worst[1])) break;
-            }
+            st = fit_arc(&o, s->sat[i].sat, a, &fit[arc], diag);
+            counts->n_coefs += (a->n - 1) / a->samples_per_segment * eph_block(fit[arc].degree);
         }
     }
-    eph_fit_free(&f);
+    operators_free(&o);
     return st;
-}
-
-// The longest segment of the solution, in seconds, and the highest degree that its samples carry.
-static void shape(const orr_orbit_solution *s, double *longest_s, int *can)
-{
-    *longest_s = 0;
-    *can = EPH_MIN_DEGREE;
-    for (size_t i = 0; i < s->n_sats; i++) {
-        for (size_t k = 0; k < s->sat[i].n_arcs; k++) {
-            const orr_orbit_arc *a = &s->sat[i].arc[k];
-            double length = a->step_s * (double)a->samples_per_segment;
-            if (length > *longest_s) *longest_s = length;
-            int d = eph_fit_max_degree(a->samples_per_segment);
-            if (d > *can) *can = d;
-        }
-    }
 }
 
 orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out, orr_diag *diag)
 {
     orr_ephemeris counts, *e = NULL;
-    misfit m = {0};
     *out = NULL;
-    double longest_s;
-    int can;
-    shape(s, &longest_s, &can);
-    // Smooth motion of a GNSS satellite needs degree 6 on 15 min and 8 on an hour (measured); the ends of
-    // shadow need more. Start there and go up until it is good enough.
-    int degree = longest_s <= 1000 ? 8 : longest_s <= 2000 ? 9 : longest_s <= 4000 ? 10 : 12;
-    if (degree > can) degree = can;
-    for (;; degree++) {
-        orr_status st = count(s, degree, &counts, diag);
-        if (st == ORR_OK) st = eph_alloc(&counts, &e, diag);
-        if (st != ORR_OK) return st;
-        copy(s, degree, e);
-        st = fit_all(s, degree, e, &m, diag);
-        if (st != ORR_OK) {
-            orr_ephemeris_free(e);
-            return st;
-        }
-        bool good = m.pos_m <= TARGET * EPH_MAX_POS_ERROR_M && m.vel_mps <= TARGET * EPH_MAX_VEL_ERROR_MPS;
-        if (good || degree >= can) break;
-        orr_ephemeris_free(e);
+    orr_status st = count(s, &counts, diag);
+    if (st != ORR_OK) return st;
+    fitted *fit = calloc(counts.n_arcs + 1, sizeof *fit);
+    if (fit == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu arcs", counts.n_arcs);
+    st = fit_all(s, fit, &counts, diag);
+    if (st == ORR_OK) st = eph_alloc(&counts, &e, diag);
+    if (st == ORR_OK) {
+        copy(s, fit, e);
+        st = eph_finish(e, diag);
     }
-    e->max_pos_error_m = m.pos_m;
-    e->max_vel_error_mps = m.vel_mps;
-    orr_status st = ORR_OK;
-    if (!(m.pos_m <= EPH_MAX_POS_ERROR_M) || !(m.vel_mps <= EPH_MAX_VEL_ERROR_MPS)) {
-        char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
-        st = orr_diag_set(
-            diag, ORR_E_NUMERIC,
-            "the segments miss the smoothed orbit by up to %.3g m and %.3g m/s (allowed: %.1g and %.1g), "
-            "worst at %s of %s",
-            m.pos_m, m.vel_mps, EPH_MAX_POS_ERROR_M, EPH_MAX_VEL_ERROR_MPS, orr_time_text(m.t, when),
-            orr_sat_text(m.sat, name));
-    }
-    if (st == ORR_OK) st = eph_finish(e, diag);
+    for (size_t i = 0; i < counts.n_arcs; i++) free(fit[i].coef);
+    free(fit);
     if (st != ORR_OK) {
         orr_ephemeris_free(e);
         return st;
