@@ -14,7 +14,8 @@ orr_status orr_iono_site_at(orr_vec3 pos_m, orr_iono_site *out, orr_diag *diag)
     *out = (orr_iono_site){pos_m,
                            {a.m[0][0], a.m[0][1], a.m[0][2]},
                            {a.m[1][0], a.m[1][1], a.m[1][2]},
-                           {a.m[2][0], a.m[2][1], a.m[2][2]}};
+                           {a.m[2][0], a.m[2][1], a.m[2][2]},
+                           g};
     return ORR_OK;
 }
 

@@ -14,6 +14,7 @@
 typedef struct orr_iono_site {
     orr_vec3 pos_m;            // ecef
     orr_vec3 east, north, up;  // unit vectors, ecef
+    orr_geodetic geodetic;
 } orr_iono_site;
 // The origin and points below 6.2e6 m from it are no receiver: ORR_E_ARG.
 orr_status orr_iono_site_at(orr_vec3 pos_m, orr_iono_site *out, orr_diag *diag);
