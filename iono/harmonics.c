@@ -13,8 +13,8 @@ orr_status orr_harm_basis_init(int degree, orr_harm_basis *out, orr_diag *diag)
     size_t rows = (size_t)degree + 1, stride = (rows + 3) / 4 * 4;
     double *all = calloc(2 * rows * stride + stride, sizeof *all);
     if (all == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for spherical harmonics");
-    *out = (orr_harm_basis){degree, stride, 2 * rows * stride, rows * rows, all, all + rows * stride,
-                            all + 2 * rows * stride};
+    *out = (orr_harm_basis){
+        degree, stride, 2 * rows * stride, rows * rows, all, all + rows * stride, all + 2 * rows * stride};
     for (int m = 1; m <= degree; m++) out->sectoral[m] = m == 1 ? sqrt(3.0) : sqrt((2.0 * m + 1) / (2.0 * m));
     for (int k = 1; k <= degree; k++)
         for (int m = 0; m + k <= degree; m++) {
@@ -43,13 +43,10 @@ static void sectorals(const orr_harm_basis *b, double cos_lat, double *p)
 }
 
 // How many orders row k has, rounded up so that loops have no remainder; the surplus meets zero coefficients.
-static size_t row_width(const orr_harm_basis *b, int k)
-{
-    return ((size_t)(b->degree - k) + 4) / 4 * 4;
-}
+static size_t row_width(const orr_harm_basis *b, int k) { return ((size_t)(b->degree - k) + 4) / 4 * 4; }
 
-double orr_harm_eval(const orr_harm_basis *b, const double *coef, double sin_lat, double cos_lat, double sin_lon,
-                     double cos_lon)
+double orr_harm_eval(const orr_harm_basis *b, const double *coef, double sin_lat, double cos_lat,
+                     double sin_lon, double cos_lon)
 {
     double p0[ORR_HARM_MAX_ROW], p1[ORR_HARM_MAX_ROW], ca[ORR_HARM_MAX_ROW], sa[ORR_HARM_MAX_ROW];
     double *restrict cur = p0, *restrict old = p1;
@@ -61,7 +58,8 @@ double orr_harm_eval(const orr_harm_basis *b, const double *coef, double sin_lat
         sa[m] = coef[stride + m] * cur[m];
     }
     for (int k = 1; k <= b->degree; k++) {
-        const double *restrict alpha = b->alpha + (size_t)k * stride, *restrict beta = b->beta + (size_t)k * stride;
+        const double *restrict alpha = b->alpha + (size_t)k * stride, *restrict beta =
+                                                                          b->beta + (size_t)k * stride;
         const double *restrict c = coef + 2 * (size_t)k * stride, *restrict s = c + stride;
         size_t width = row_width(b, k);
         for (size_t m = 0; m < width; m++) {
@@ -86,7 +84,8 @@ double orr_harm_eval(const orr_harm_basis *b, const double *coef, double sin_lat
     return ca[0] + cos_lon * c1 - c2 + sin_lon * s1;
 }
 
-void orr_harm_row(const orr_harm_basis *b, double sin_lat, double cos_lat, double sin_lon, double cos_lon, double *row)
+void orr_harm_row(const orr_harm_basis *b, double sin_lat, double cos_lat, double sin_lon, double cos_lon,
+                  double *row)
 {
     double p0[ORR_HARM_MAX_ROW], p1[ORR_HARM_MAX_ROW], cm[ORR_HARM_MAX_ROW], sm[ORR_HARM_MAX_ROW];
     double *cur = p0, *old = p1;

@@ -14,7 +14,8 @@ static double vertical_s(const orr_klobuchar *k, orr_time t, double lat, double 
     int32_t week;
     int64_t ns;
     orr_time_week(t, &week, &ns);
-    double local = fmod(4.32e4 * lon + (double)(ns % ((int64_t)ORR_S_PER_DAY * ORR_NS_PER_S)) * 1e-9, ORR_S_PER_DAY);
+    double local =
+        fmod(4.32e4 * lon + (double)(ns % ((int64_t)ORR_S_PER_DAY * ORR_NS_PER_S)) * 1e-9, ORR_S_PER_DAY);
     if (local < 0) local += ORR_S_PER_DAY;
     double amplitude = 0, period = 0;
     for (int i = 3; i >= 0; i--) {
@@ -33,8 +34,8 @@ double orr_klobuchar_vertical_m(const orr_klobuchar *k, orr_time t, double lat_r
     return LIGHT_MPS * vertical_s(k, t, lat_rad / ORR_PI, lon_rad / ORR_PI);
 }
 
-double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad, double az_rad,
-                             double el_rad)
+double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad,
+                             double az_rad, double el_rad)
 {
     double el = el_rad / ORR_PI;
     double psi = 0.0137 / (el + 0.11) - 0.022;

@@ -9,10 +9,10 @@ typedef struct orr_klobuchar {
     double alpha[4], beta[4]; // s, s/semicircle, ..; as broadcast
 } orr_klobuchar;
 
-// Slant code delay on L1 (1575.42 MHz), metres, for a receiver at geodetic latitude and longitude and a satellite at
-// azimuth and elevation (el >= 0). The algorithm's own pierce point, obliquity and 5 ns night.
-double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad, double az_rad,
-                             double el_rad);
+// Slant code delay on L1 (1575.42 MHz), metres, for a receiver at geodetic latitude and longitude and a
+// satellite at azimuth and elevation (el >= 0). The algorithm's own pierce point, obliquity and 5 ns night.
+double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad,
+                             double az_rad, double el_rad);
 // The model's vertical delay on L1 at a pierce point, metres (obliquity 1).
 double orr_klobuchar_vertical_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad);
 

@@ -5,7 +5,8 @@
 
 double orr_mean_sun_lon(orr_time t, const orr_leap_table *leap)
 {
-    // UTC as a plain count of 86400 s days: across a leap second UT holds its pace to a second, 15" of longitude.
+    // UTC as a plain count of 86400 s days: across a leap second UT holds its pace to a second, 15" of
+    // longitude.
     int64_t utc = t - (int64_t)(orr_leap_tai_minus_utc(t, leap) - 19) * ORR_NS_PER_S;
     int64_t day = (int64_t)ORR_S_PER_DAY * ORR_NS_PER_S, rest = utc % day;
     if (rest < 0) rest += day;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Evaluation of TEC fields: what depends on time alone once an epoch, then rays without a trigonometric function but
-// those of their own pierce point.
+// Evaluation of TEC fields: what depends on time alone once an epoch, then rays without a trigonometric
+// function but those of their own pierce point.
 #include <string.h>
 
 #include "iono/tec_field_internal.h"
@@ -8,7 +8,7 @@
 // Into [-pi, pi].
 static double wrapped(double a) { return a - 2 * ORR_PI * floor((a + ORR_PI) / (2 * ORR_PI)); }
 
-// Largest k with t[k] <= t; the caller knows that t[0] <= t.
+// Largest k with t[k] <= t; 0 when there is none.
 static size_t epoch_before(const orr_tec_field *f, orr_time t)
 {
     size_t lo = 0, hi = f->n;
@@ -26,8 +26,8 @@ static orr_status not_covered(const orr_tec_field *f, orr_time t, orr_diag *diag
 {
     if (diag == NULL) return ORR_E_RANGE;
     char at[ORR_TIME_TEXT], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
-    return orr_diag_set(diag, ORR_E_RANGE, "%s covers %s to %s, not %s", f->source, orr_time_text(f->from, from),
-                        orr_time_text(f->to, to), orr_time_text(t, at));
+    return orr_diag_set(diag, ORR_E_RANGE, "%s covers %s to %s, not %s", f->source,
+                        orr_time_text(f->from, from), orr_time_text(f->to, to), orr_time_text(t, at));
 }
 
 orr_status orr_tec_field_at(const orr_tec_field *f, orr_time t, orr_tec_instant *out, orr_diag *diag)
@@ -48,10 +48,11 @@ orr_status orr_tec_field_at(const orr_tec_field *f, orr_time t, orr_tec_instant 
                 out->w = 0;
             } else
                 out->i1 = k + 1;
-        } else if (t != f->t[k])
+        } else if (t > f->t[k] && k + 1 < f->n)
             return not_covered(f, t, diag); // between sets that hold for intervals of their own
     }
-    // Sets that hold for an interval are sun-fixed by their own definition; between snapshots it is a matter of choice.
+    // Sets that hold for an interval are sun-fixed by their own definition; between snapshots it is a matter
+    // of choice.
     double p = f->t1[k] != ORR_TIME_NONE ? 1 : how == ORR_TEC_ROTATED ? f->options.rotation : 0;
     double east = orr_mean_sun_lon(t, f->options.leap);
     out->one = out->i0 == out->i1 || p == 1;
@@ -64,7 +65,8 @@ orr_status orr_tec_field_at(const orr_tec_field *f, orr_time t, orr_tec_instant 
         out->axes1 = out->one ? out->axes0 : orr_axes_turned(&f->geomagnetic, s1 + p * wrapped(sun - s1));
     }
     if (f->kind == TEC_HARMONICS && out->one) {
-        const double *restrict a = f->coef + out->i0 * f->basis.size, *restrict b = f->coef + out->i1 * f->basis.size;
+        const double *restrict a = f->coef + out->i0 * f->basis.size, *restrict b =
+                                                                          f->coef + out->i1 * f->basis.size;
         double w1 = out->w, w0 = 1 - w1;
         for (size_t i = 0; i < f->basis.size; i++) out->coef[i] = w0 * a[i] + w1 * b[i];
     }
@@ -133,19 +135,22 @@ static orr_status refuse(const orr_tec_instant *at, double v, double lat, double
     lat *= ORR_DEG_PER_RAD;
     lon *= ORR_DEG_PER_RAD;
     if (isnan(v))
-        return orr_diag_set(diag, ORR_E_NODATA, "%s has a hole at latitude %.2f, longitude %.2f", source, lat, lon);
-    return orr_diag_set(diag, ORR_E_RANGE, "%s does not reach latitude %.2f, longitude %.2f", source, lat, lon);
+        return orr_diag_set(diag, ORR_E_NODATA, "%s has a hole at latitude %.2f, longitude %.2f", source, lat,
+                            lon);
+    return orr_diag_set(diag, ORR_E_RANGE, "%s does not reach latitude %.2f, longitude %.2f", source, lat,
+                        lon);
 }
 
-static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat, double lon, orr_tec_value *out,
-                           orr_diag *diag)
+static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat, double lon,
+                           orr_tec_value *out, orr_diag *diag)
 {
     const orr_tec_field *f = at->field;
     double v;
     *out = (orr_tec_value){.sigma_tecu = (double)NAN};
     switch (f->kind) {
     case TEC_KLOBUCHAR:
-        v = orr_klobuchar_vertical_m(&f->klobuchar, at->t, lat, lon) / orr_iono_delay_m(1, 1575.42e6, ORR_MEASURES_CODE);
+        v = orr_klobuchar_vertical_m(&f->klobuchar, at->t, lat, lon) /
+            orr_iono_delay_m(1, 1575.42e6, ORR_MEASURES_CODE);
         break;
     case TEC_GRID:
         v = grid_between(&f->tec, at, lat, lon);
@@ -173,7 +178,8 @@ static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat,
         if (f->rms.sun_fixed) {
             orr_vec3 p = orr_mat3_apply(&at->axes0, unit);
             double beta = atan2(p.z, sqrt(p.x * p.x + p.y * p.y)), lon_s = atan2(p.y, p.x);
-            s = (1 - at->w) * grid_at(&f->rms, at->i0, beta, lon_s) + at->w * grid_at(&f->rms, at->i1, beta, lon_s);
+            s = (1 - at->w) * grid_at(&f->rms, at->i0, beta, lon_s) +
+                at->w * grid_at(&f->rms, at->i1, beta, lon_s);
         } else
             s = grid_between(&f->rms, at, lat, lon);
         if (s >= 0) out->sigma_tecu = s;
@@ -187,8 +193,8 @@ orr_status orr_tec_vertical(const orr_tec_instant *at, orr_vec3 unit, orr_tec_va
     return vertical(at, unit, lat, lon, out, diag);
 }
 
-orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *site, const orr_pierce *pierce,
-                                orr_tec_ray *out, orr_diag *diag)
+orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *site,
+                                const orr_pierce *pierce, orr_tec_ray *out, orr_diag *diag)
 {
     const orr_tec_field *f = at->field;
     orr_tec_value v;
@@ -198,8 +204,8 @@ orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *
     out->vtec_tecu = v.vtec_tecu;
     out->flags = v.flags;
     if (f->kind == TEC_KLOBUCHAR) {
-        out->stec_tecu = orr_klobuchar_delay_m(&f->klobuchar, at->t, site->geodetic.lat_rad, site->geodetic.lon_rad,
-                                               pierce->az_rad, pierce->el_rad) /
+        out->stec_tecu = orr_klobuchar_delay_m(&f->klobuchar, at->t, site->geodetic.lat_rad,
+                                               site->geodetic.lon_rad, pierce->az_rad, pierce->el_rad) /
                          orr_iono_delay_m(1, 1575.42e6, ORR_MEASURES_CODE);
         out->mapping = out->stec_tecu / out->vtec_tecu; // at least 5 ns by night: never 0 / 0
     } else {
@@ -210,8 +216,8 @@ orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *
     return ORR_OK;
 }
 
-orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m, orr_tec_ray *out,
-                        orr_diag *diag)
+orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
+                        orr_tec_ray *out, orr_diag *diag)
 {
     orr_pierce p;
     orr_status s = orr_pierce_ray(site, sat_m, at->field->shell_radius_m, &p, diag);

@@ -10,6 +10,8 @@
 
 #define MAX_EPOCHS 100000
 #define MAX_CELLS 20000000 // of all maps together
+// Maps are labelled in UT while some centres mean GPS time: the first and last one are held for so long.
+#define EDGE_HOLD_NS (60 * ORR_NS_PER_S)
 
 orr_tec_options orr_tec_default_options(void)
 {
@@ -25,25 +27,28 @@ orr_tec_options orr_tec_default_options(void)
 static orr_status refuse_options(const orr_tec_options *o, orr_diag *diag)
 {
     if (!(o->rotation >= 0 && o->rotation <= 1))
-        return orr_diag_set(diag, ORR_E_ARG, "a rotation fraction of %g; it lies between 0 and 1", o->rotation);
+        return orr_diag_set(diag, ORR_E_ARG, "a rotation fraction of %g; it lies between 0 and 1",
+                            o->rotation);
     if (!(fabs(o->pole_lat_deg) <= 90) || !(fabs(o->pole_lon_deg) <= 360))
-        return orr_diag_set(diag, ORR_E_ARG, "a geomagnetic pole at latitude %g, longitude %g", o->pole_lat_deg,
-                            o->pole_lon_deg);
+        return orr_diag_set(diag, ORR_E_ARG, "a geomagnetic pole at latitude %g, longitude %g",
+                            o->pole_lat_deg, o->pole_lon_deg);
     return ORR_OK;
 }
 
 // A field with its epochs, frame and mapping; nothing of its values yet.
-static orr_status begin(tec_kind kind, size_t n, double shell_radius_m, const char *source, const orr_tec_options *options,
-                        orr_tec_field **out, orr_diag *diag)
+static orr_status begin(tec_kind kind, size_t n, double shell_radius_m, const char *source,
+                        const orr_tec_options *options, orr_tec_field **out, orr_diag *diag)
 {
     *out = NULL;
     orr_tec_options o = options != NULL ? *options : orr_tec_default_options();
     orr_status s = refuse_options(&o, diag);
     if (s != ORR_OK) return s;
     if (source == NULL) source = "field";
-    if (n > MAX_EPOCHS) return orr_diag_set(diag, ORR_E_LIMIT, "%s: %zu epochs; %d are the limit", source, n, MAX_EPOCHS);
+    if (n > MAX_EPOCHS)
+        return orr_diag_set(diag, ORR_E_LIMIT, "%s: %zu epochs; %d are the limit", source, n, MAX_EPOCHS);
     if (!(shell_radius_m > 6.4e6 && shell_radius_m < 1e7))
-        return orr_diag_set(diag, ORR_E_FORMAT, "%s: an ionospheric shell of radius %g km", source, shell_radius_m / 1e3);
+        return orr_diag_set(diag, ORR_E_FORMAT, "%s: an ionospheric shell of radius %g km", source,
+                            shell_radius_m / 1e3);
     orr_tec_field *f = calloc(1, sizeof *f);
     if (f == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a TEC field");
     f->kind = kind;
@@ -71,8 +76,8 @@ static orr_status set_epoch(orr_tec_field *f, size_t k, orr_time t, orr_time t1,
 {
     char a[ORR_TIME_TEXT], b[ORR_TIME_TEXT];
     if (k > 0 && t <= f->t[k - 1])
-        return orr_diag_set(diag, ORR_E_FORMAT, "%s: the epoch %s does not follow %s", f->source, orr_time_text(t, a),
-                            orr_time_text(f->t[k - 1], b));
+        return orr_diag_set(diag, ORR_E_FORMAT, "%s: the epoch %s does not follow %s", f->source,
+                            orr_time_text(t, a), orr_time_text(f->t[k - 1], b));
     f->t[k] = t;
     f->t1[k] = t1;
     f->sun_east[k] = orr_mean_sun_lon(t, f->options.leap);
@@ -89,23 +94,26 @@ static orr_status check_maps(const orr_tec_maps *m, orr_diag *diag)
     if (m->n_maps == 0) return orr_diag_set(diag, ORR_E_NODATA, "%s: no TEC map in it", name);
     if (m->n_lat < 2 || m->n_lon < 2 || m->n_lat > MAX_CELLS || m->n_lon > MAX_CELLS ||
         m->n_lat * m->n_lon > MAX_CELLS / m->n_maps)
-        return orr_diag_set(diag, ORR_E_LIMIT, "%s: %zu maps of %zu x %zu cells", name, m->n_maps, m->n_lat, m->n_lon);
-    double lat1 = m->lat0_deg + m->dlat_deg * (double)(m->n_lat - 1), width = m->dlon_deg * (double)(m->n_lon - 1);
-    if (!(m->dlat_deg != 0) || !(m->dlon_deg > 0) || !(fabs(m->lat0_deg) <= 90.001) || !(fabs(lat1) <= 90.001) ||
-        !(fabs(m->lon0_deg) <= 360) || !(width <= 360.001))
-        return orr_diag_set(diag, ORR_E_FORMAT,
-                            "%s: a grid from latitude %g by %g (%zu rows), from longitude %g by %g (%zu columns)", name,
-                            m->lat0_deg, m->dlat_deg, m->n_lat, m->lon0_deg, m->dlon_deg, m->n_lon);
+        return orr_diag_set(diag, ORR_E_LIMIT, "%s: %zu maps of %zu x %zu cells", name, m->n_maps, m->n_lat,
+                            m->n_lon);
+    double lat1 = m->lat0_deg + m->dlat_deg * (double)(m->n_lat - 1),
+           width = m->dlon_deg * (double)(m->n_lon - 1);
+    if (!(m->dlat_deg != 0) || !(m->dlon_deg > 0) || !(fabs(m->lat0_deg) <= 90.001) ||
+        !(fabs(lat1) <= 90.001) || !(fabs(m->lon0_deg) <= 360) || !(width <= 360.001))
+        return orr_diag_set(
+            diag, ORR_E_FORMAT,
+            "%s: a grid from latitude %g by %g (%zu rows), from longitude %g by %g (%zu columns)", name,
+            m->lat0_deg, m->dlat_deg, m->n_lat, m->lon0_deg, m->dlon_deg, m->n_lon);
     for (size_t k = 0; k < m->n_maps; k++)
         for (size_t i = 0; i < m->n_lat * m->n_lon; i++) {
             double v = m->tec[k * m->n_lat * m->n_lon + i];
             if (v < 0 || isinf(v)) {
                 char when[ORR_TIME_TEXT];
-                return orr_diag_set(diag, ORR_E_FORMAT,
-                                    "%s: the map of %s says %.4g TECU at latitude %g, longitude %g; TEC is not negative",
-                                    name, orr_time_text(m->t[k], when), v,
-                                    m->lat0_deg + m->dlat_deg * (double)(i / m->n_lon),
-                                    m->lon0_deg + m->dlon_deg * (double)(i % m->n_lon));
+                return orr_diag_set(
+                    diag, ORR_E_FORMAT,
+                    "%s: the map of %s says %.4g TECU at latitude %g, longitude %g; TEC is not negative",
+                    name, orr_time_text(m->t[k], when), v, m->lat0_deg + m->dlat_deg * (double)(i / m->n_lon),
+                    m->lon0_deg + m->dlon_deg * (double)(i % m->n_lon));
             }
         }
     return ORR_OK;
@@ -130,26 +138,31 @@ static orr_status keep_grid(const orr_tec_maps *m, const double *value, tec_grid
     return ORR_OK;
 }
 
-orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_options *options, orr_tec_field **out,
-                                   orr_diag *diag)
+orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_options *options,
+                                   orr_tec_field **out, orr_diag *diag)
 {
     *out = NULL;
     orr_status s = check_maps(maps, diag);
     if (s != ORR_OK) return s;
     orr_tec_field *f;
     bool harmonic = options == NULL || options->spatial == ORR_TEC_HARMONIC;
-    s = begin(harmonic ? TEC_HARMONICS : TEC_GRID, maps->n_maps, maps->shell_radius_m, maps->source, options, &f, diag);
+    s = begin(harmonic ? TEC_HARMONICS : TEC_GRID, maps->n_maps, maps->shell_radius_m, maps->source, options,
+              &f, diag);
     if (s != ORR_OK) return s;
-    for (size_t k = 0; s == ORR_OK && k < maps->n_maps; k++) s = set_epoch(f, k, maps->t[k], ORR_TIME_NONE, diag);
+    for (size_t k = 0; s == ORR_OK && k < maps->n_maps; k++)
+        s = set_epoch(f, k, maps->t[k], ORR_TIME_NONE, diag);
+    f->from -= EDGE_HOLD_NS;
+    f->to += EDGE_HOLD_NS;
     if (s == ORR_OK) s = keep_grid(maps, maps->tec, &f->tec, diag); // harmonics need it where there are holes
     if (s == ORR_OK && maps->rms != NULL) s = keep_grid(maps, maps->rms, &f->rms, diag);
     if (s == ORR_OK && harmonic) {
         double north = fmax(maps->lat0_deg, maps->lat0_deg + maps->dlat_deg * (double)(maps->n_lat - 1));
         double south = fmin(maps->lat0_deg, maps->lat0_deg + maps->dlat_deg * (double)(maps->n_lat - 1));
         if (!f->tec.round || north < 80 || south > -80)
-            s = orr_diag_set(diag, ORR_E_UNSUPPORTED,
-                             "%s: maps of a region cannot be refitted to spherical harmonics; use the bilinear mode",
-                             f->source);
+            s = orr_diag_set(
+                diag, ORR_E_UNSUPPORTED,
+                "%s: maps of a region cannot be refitted to spherical harmonics; use the bilinear mode",
+                f->source);
         if (s == ORR_OK) s = orr_harm_basis_init(f->options.degree, &f->basis, diag);
         if (s == ORR_OK) {
             f->coef = calloc(f->n * f->basis.size, sizeof *f->coef);
@@ -165,13 +178,20 @@ orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_optio
     return ORR_OK;
 }
 
-// The coefficients' RMS as an RMS grid of the sun-fixed frame, terms taken as independent: files give no correlations.
+// The coefficients' RMS as an RMS grid of the sun-fixed frame, terms taken as independent: files give no
+// correlations.
 static orr_status grid_of_rms(orr_tec_field *f, orr_diag *diag)
 {
     enum { ROWS = 37, COLS = 72 };
     tec_grid *g = &f->rms;
-    *g = (tec_grid){.n_lat = ROWS, .n_lon = COLS, .lat0 = ORR_PI / 2, .dlat = -ORR_PI / (ROWS - 1), .lon0 = -ORR_PI,
-                    .dlon = 2 * ORR_PI / COLS, .round = true, .sun_fixed = true};
+    *g = (tec_grid){.n_lat = ROWS,
+                    .n_lon = COLS,
+                    .lat0 = ORR_PI / 2,
+                    .dlat = -ORR_PI / (ROWS - 1),
+                    .lon0 = -ORR_PI,
+                    .dlon = 2 * ORR_PI / COLS,
+                    .round = true,
+                    .sun_fixed = true};
     g->value = malloc(f->n * ROWS * COLS * sizeof *g->value);
     double *row = malloc(f->basis.n_coef * sizeof *row), *rms = malloc(f->basis.n_coef * sizeof *rms);
     if (g->value == NULL || row == NULL || rms == NULL) {
@@ -194,8 +214,8 @@ static orr_status grid_of_rms(orr_tec_field *f, orr_diag *diag)
     return ORR_OK;
 }
 
-orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_options *options, orr_tec_field **out,
-                                    orr_diag *diag)
+orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_options *options,
+                                    orr_tec_field **out, orr_diag *diag)
 {
     *out = NULL;
     const char *name = model->source != NULL ? model->source : "coefficients";
@@ -234,7 +254,8 @@ orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_op
                 f->coef[to] = set->value[from];
                 if (set->rms != NULL) f->coef_rms[to] = set->rms[from];
                 if (!isfinite(set->value[from]) && s == ORR_OK)
-                    s = orr_diag_set(diag, ORR_E_FORMAT, "%s: the coefficient (%d, %d) is no number", f->source, n, m);
+                    s = orr_diag_set(diag, ORR_E_FORMAT, "%s: the coefficient (%d, %d) is no number",
+                                     f->source, n, m);
             }
     }
     if (s == ORR_OK && with_rms) s = grid_of_rms(f, diag);
@@ -246,8 +267,9 @@ orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_op
     return ORR_OK;
 }
 
-orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, orr_time to, const char *source,
-                                        const orr_tec_options *options, orr_tec_field **out, orr_diag *diag)
+orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, orr_time to,
+                                        const char *source, const orr_tec_options *options,
+                                        orr_tec_field **out, orr_diag *diag)
 {
     orr_status s = begin(TEC_KLOBUCHAR, 0, ORR_SHELL_RADIUS_M, source, options, out, diag);
     if (s != ORR_OK) return s;
@@ -303,7 +325,8 @@ size_t orr_tec_field_sets(const orr_tec_field *f, int *degree)
     return f->n;
 }
 
-void orr_tec_field_set(const orr_tec_field *f, size_t k, orr_time *t, orr_time *t1, double *value, double *rms)
+void orr_tec_field_set(const orr_tec_field *f, size_t k, orr_time *t, orr_time *t1, double *value,
+                       double *rms)
 {
     *t = f->t[k];
     *t1 = f->t1[k];

@@ -23,15 +23,15 @@ struct orr_tec_field {
     orr_tec_options options;
     char source[256];
     size_t n;
-    orr_time *t, *t1;   // t1: ORR_TIME_NONE for snapshots
-    double *sun;        // geomagnetic longitude of the mean Sun at each epoch
-    double *sun_east;   // its geographic longitude
+    orr_time *t, *t1; // t1: ORR_TIME_NONE for snapshots
+    double *sun;      // geomagnetic longitude of the mean Sun at each epoch
+    double *sun_east; // its geographic longitude
     orr_mat3 geomagnetic;
     double shell_radius_m;
     orr_mapping mapping;
     orr_harm_basis basis;
-    double *coef;     // n arrays of basis.size
-    double *coef_rms; // or NULL
+    double *coef;      // n arrays of basis.size
+    double *coef_rms;  // or NULL
     tec_grid tec, rms; // value NULL where there is none
     orr_klobuchar klobuchar;
     orr_time from, to;
@@ -39,8 +39,8 @@ struct orr_tec_field {
     orr_tec_fit fit;
 };
 
-// Finds coefficients for every map, in the sun-fixed frame, into f->coef, and fills f->fit. f->t, sun, basis and
-// geomagnetic are set.
+// Finds coefficients for every map, in the sun-fixed frame, into f->coef, and fills f->fit. f->t, sun, basis
+// and geomagnetic are set.
 orr_status tec_fit_maps(const orr_tec_maps *maps, orr_tec_field *f, orr_diag *diag);
 
 #endif

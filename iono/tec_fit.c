@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refit of maps to spherical harmonics. The functions of one degree are closed under rotation, so all maps are fitted in
-// one set of axes that does not move (geomagnetic) and turned to the Sun afterwards: one normal matrix serves them
-// all, less the few cells that a map leaves out.
+// Refit of maps to spherical harmonics. The functions of one degree are closed under rotation, so all maps
+// are fitted in one set of axes that does not move (geomagnetic) and turned to the Sun afterwards: one normal
+// matrix serves them all, less the few cells that a map leaves out.
 #include <gsl/gsl_linalg.h>
 #include <stdlib.h>
 
 #include "iono/tec_field_internal.h"
 
 #define MAX_DESIGN 50000000 // doubles of the design matrix: 400 MB
-#define MAX_ROUNDS 8
+#define MAX_ROUNDS 25
 
 typedef struct work {
     size_t n, rows, cols, n_cells; // coefficients; grid without a doubled meridian
     double *design;                // [cell][n]
     double *normal, *full, *rhs;   // lower triangles, row-major
     double *x;
-    unsigned char *state;          // of a cell in the map at hand
+    unsigned char *state; // of a cell in the map at hand
 } work;
 enum { CELL_USED, CELL_CLIPPED, CELL_HELD, CELL_HOLE };
 
@@ -45,8 +45,10 @@ static orr_status work_init(const orr_tec_maps *maps, const orr_tec_field *f, wo
     *w = (work){.n = f->basis.n_coef, .rows = maps->n_lat, .cols = maps->n_lon - (span > 360 - 1e-6 ? 1 : 0)};
     w->n_cells = w->rows * w->cols;
     if (w->n_cells > MAX_DESIGN / w->n)
-        return orr_diag_set(diag, ORR_E_LIMIT, "%s: a grid of %zu cells is too large to refit to degree %d; "
-                            "the bilinear mode takes it", f->source, w->n_cells, f->basis.degree);
+        return orr_diag_set(diag, ORR_E_LIMIT,
+                            "%s: a grid of %zu cells is too large to refit to degree %d; "
+                            "the bilinear mode takes it",
+                            f->source, w->n_cells, f->basis.degree);
     w->design = malloc(w->n_cells * w->n * sizeof *w->design);
     w->normal = malloc(w->n * w->n * sizeof *w->normal);
     w->full = calloc(w->n * w->n, sizeof *w->full);
@@ -137,7 +139,9 @@ static orr_status fit_one(const orr_tec_maps *maps, orr_tec_field *f, size_t map
         } else if (from_full)
             add_row(w, w->normal, row, -1);
     }
-    // What is printed as 0 is only known to be at most half a unit: held at 0 where the fit would say more.
+    // What is printed as 0 is only known to be at most half a unit: such a cell counts, with that value, as
+    // long as the fit would say more (Newton's method for the one-sided sum of squares).
+    double bound = maps->unit_tecu / 2;
     for (int round = 0; round < MAX_ROUNDS; round++) {
         if (solve(w, scratch) != ORR_OK)
             return orr_diag_set(diag, ORR_E_NUMERIC,
@@ -145,15 +149,19 @@ static orr_status fit_one(const orr_tec_maps *maps, orr_tec_field *f, size_t map
                                 "a lower degree or the bilinear mode may do",
                                 f->source, orr_time_text(maps->t[map], when), used, f->basis.degree);
         size_t changed = 0;
-        for (size_t c = 0; c < w->n_cells; c++)
-            if (w->state[c] == CELL_CLIPPED && predicted(w, c) > maps->unit_tecu / 2) {
-                w->state[c] = CELL_HELD;
-                add_row(w, w->normal, w->design + c * n, 1);
-                changed++;
-            }
-        f->fit.n_held += changed;
+        for (size_t c = 0; c < w->n_cells; c++) {
+            if (w->state[c] != CELL_CLIPPED && w->state[c] != CELL_HELD) continue;
+            bool hold = predicted(w, c) > bound;
+            if (hold == (w->state[c] == CELL_HELD)) continue;
+            const double *row = w->design + c * n;
+            w->state[c] = hold ? CELL_HELD : CELL_CLIPPED;
+            add_row(w, w->normal, row, hold ? 1 : -1);
+            for (size_t i = 0; i < n; i++) w->rhs[i] += (hold ? bound : -bound) * row[i];
+            changed++;
+        }
         if (changed == 0) break;
     }
+    for (size_t c = 0; c < w->n_cells; c++) f->fit.n_held += w->state[c] == CELL_HELD;
     for (size_t c = 0; c < w->n_cells; c++) {
         if (w->state[c] != CELL_USED) continue;
         double r = predicted(w, c) - value_of(maps, w, map, c);
@@ -177,7 +185,8 @@ orr_status tec_fit_maps(const orr_tec_maps *maps, orr_tec_field *f, orr_diag *di
         if (scratch == NULL) s = orr_diag_set(diag, ORR_E_MEMORY, "no memory to refit maps");
     }
     f->fit = (orr_tec_fit){.degree = f->basis.degree};
-    for (size_t k = 0; s == ORR_OK && k < maps->n_maps; k++) s = fit_one(maps, f, k, &w, scratch, &sum_sq, diag);
+    for (size_t k = 0; s == ORR_OK && k < maps->n_maps; k++)
+        s = fit_one(maps, f, k, &w, scratch, &sum_sq, diag);
     if (s == ORR_OK && f->fit.n_cells > 0) f->fit.rms_tecu = sqrt(sum_sq / (double)f->fit.n_cells);
     f->fitted = s == ORR_OK;
     free(scratch);
