@@ -42,7 +42,7 @@ typedef struct orr_orbit_node {
 } orr_orbit_node;
 
 typedef enum orr_event_kind {
-    ORR_EVENT_MANOEUVRE = 1, // velocity (and f0) restarted within [t0, t1]
+    ORR_EVENT_MANOEUVRE = 1, // velocity and f0 restarted within [t0, t1]; value: change of velocity, m/s (0: not known)
     ORR_EVENT_UMBRA = 2,
     ORR_EVENT_PENUMBRA = 3, // partial shadow of the Earth
     ORR_EVENT_OUTLIER = 4,  // value: size of the rejected innovation, m

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/nodes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "orbit/ephemeris.h"
+
+void orr_nodes_free(orr_node_table *t)
+{
+    for (size_t i = 0; i < t->n_sats; i++) {
+        free(t->list[i].node);
+        free(t->list[i].clock);
+    }
+    free(t->list);
+    *t = (orr_node_table){0};
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static int by_sat(const void *a, const void *b)
+{
+    return (int)*(const orr_sat *)a - (int)*(const orr_sat *)b;
+}
+
+static int by_time_then_source(const void *a, const void *b)
+{
+    const orr_node *x = a, *y = b;
+    if (x->t != y->t) return x->t < y->t ? -1 : 1;
+    return (int)x->source - (int)y->source;
+}
+
+// Files in order of their first epochs, so that "later file" means what a reader expects whatever the order given.
+static void order_of_files(const orr_smoother_input *input, size_t n, size_t *order)
+{
+    for (size_t i = 0; i < n; i++) {
+        size_t k = i;
+        while (k > 0 && input[order[k - 1]].sp3->epoch[0] > input[i].sp3->epoch[0]) {
+            order[k] = order[k - 1];
+            k--;
+        }
+        order[k] = i;
+    }
+}
+
+static bool wanted_epoch(orr_time t, orr_time midnight, int64_t step_ns, const orr_smoother_options *o)
+{
+    if (step_ns > 0 && (t - midnight) % step_ns != 0) return false;
+    for (size_t i = 0; i < o->n_exclude; i++)
+        if (t >= o->exclude[i].from && t <= o->exclude[i].to) return false;
+    return true;
+}
+
+static orr_status gather_sat(const orr_smoother_input *input, const size_t *order, size_t n_inputs,
+                             const orr_smoother_options *o, orr_time midnight, orr_node_list *list)
+{
+    const int64_t step_ns = (int64_t)llround(o->node_step_s * 1e9);
+    size_t room = 0;
+    for (size_t f = 0; f < n_inputs; f++) room += input[f].sp3->n_epochs;
+    list->node = calloc(room, sizeof *list->node);
+    list->clock = calloc(room, sizeof *list->clock);
+    if (list->node == NULL || list->clock == NULL) return ORR_E_MEMORY;
+    for (size_t k = 0; k < n_inputs; k++) {
+        const orr_sp3 *sp3 = input[order[k]].sp3;
+        size_t s = 0;
+        while (s < sp3->n_sats && sp3->sat[s] != list->sat) s++;
+        if (s == sp3->n_sats) continue;
+        for (size_t e = 0; e < sp3->n_epochs; e++) {
+            const orr_sp3_record *r = &sp3->record[e * sp3->n_sats + s];
+            if (!wanted_epoch(sp3->epoch[e], midnight, step_ns, o)) continue;
+            if (isfinite(r->pos_m[0]) && isfinite(r->pos_m[1]) && isfinite(r->pos_m[2])) {
+                bool predicted = (r->flags & ORR_SP3_ORBIT_PREDICTED) != 0;
+                list->node[list->n_nodes++] = (orr_node){
+                    .t = sp3->epoch[e],
+                    .ecef_m = {r->pos_m[0], r->pos_m[1], r->pos_m[2]},
+                    .sigma_m = predicted ? o->sigma_predicted_m : o->sigma_m,
+                    .predicted = predicted,
+                    .manoeuvre = (r->flags & ORR_SP3_MANOEUVRE) != 0,
+                    .source = (uint16_t)order[k],
+                };
+            }
+            if (isfinite(r->clock_s)) {
+                uint32_t flags = 0;
+                if (r->flags & ORR_SP3_CLOCK_EVENT) flags |= ORR_EPH_CLOCK_EVENT;
+                if (r->flags & ORR_SP3_CLOCK_PREDICTED) flags |= ORR_EPH_PREDICTED;
+                list->clock[list->n_clocks++] = (orr_clock_node){sp3->epoch[e], r->clock_s, flags};
+            }
+        }
+    }
+    qsort(list->node, list->n_nodes, sizeof *list->node, by_time_then_source);
+    return ORR_OK;
+}
+
+// Clocks of files that overlap: an observed value beats a predicted one at the same instant, a later file an earlier
+// one; only at the very joint (one file's last, the next one's first epoch) both stay, left and right of a jump.
+static void order_clocks(orr_node_list *list)
+{
+    for (size_t i = 1; i < list->n_clocks; i++) // files come in order: nearly sorted, and stable
+        for (size_t k = i; k > 0 && list->clock[k - 1].t > list->clock[k].t; k--) {
+            orr_clock_node swap = list->clock[k];
+            list->clock[k] = list->clock[k - 1];
+            list->clock[k - 1] = swap;
+        }
+    size_t n = 0;
+    for (size_t i = 0; i < list->n_clocks; i++) {
+        orr_clock_node c = list->clock[i];
+        bool again = n > 0 && list->clock[n - 1].t == c.t;
+        if (!again) {
+            list->clock[n++] = c;
+            continue;
+        }
+        bool old_predicted = (list->clock[n - 1].flags & ORR_EPH_PREDICTED) != 0;
+        bool new_predicted = (c.flags & ORR_EPH_PREDICTED) != 0;
+        if (new_predicted && !old_predicted) continue;
+        bool overlap = (n >= 2 && list->clock[n - 2].t == c.t) || (old_predicted && !new_predicted);
+        if (overlap)
+            list->clock[n - 1] = c;
+        else
+            list->clock[n++] = c;
+    }
+    list->n_clocks = n;
+}
+
+// Same instant from several files: what one observed, another's prediction must not pull at.
+static size_t supersede_predictions(orr_node_list *list, double *largest_m)
+{
+    size_t same = 0;
+    for (size_t i = 0; i < list->n_nodes;) {
+        size_t j = i + 1;
+        bool observed = !list->node[i].predicted;
+        for (; j < list->n_nodes && list->node[j].t == list->node[i].t; j++) {
+            observed = observed || !list->node[j].predicted;
+            double d = orr_vec3_norm(orr_vec3_sub(list->node[j].ecef_m, list->node[i].ecef_m));
+            if (d > *largest_m) *largest_m = d;
+            same++;
+        }
+        for (size_t k = i; k < j; k++) list->node[k].superseded = observed && list->node[k].predicted;
+        i = j;
+    }
+    return same;
+}
+
+static double median_step(const orr_node_table *table, bool clocks)
+{
+    size_t room = 1, n = 0;
+    for (size_t i = 0; i < table->n_sats; i++) room += clocks ? table->list[i].n_clocks : table->list[i].n_nodes;
+    double *step = malloc(room * sizeof *step);
+    if (step == NULL) return 0;
+    for (size_t i = 0; i < table->n_sats; i++) {
+        const orr_node_list *l = &table->list[i];
+        size_t count = clocks ? l->n_clocks : l->n_nodes;
+        for (size_t k = 1; k < count; k++) {
+            double d = clocks ? orr_time_diff_s(l->clock[k].t, l->clock[k - 1].t)
+                              : orr_time_diff_s(l->node[k].t, l->node[k - 1].t);
+            if (d > 0) step[n++] = d;
+        }
+    }
+    qsort(step, n, sizeof *step, by_value);
+    double median = n > 0 ? step[n / 2] : 0;
+    free(step);
+    return median;
+}
+
+static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs, const orr_smoother_options *o,
+                                orr_sat **out, size_t *n_out)
+{
+    size_t room = 0, n = 0, kept = 0;
+    for (size_t f = 0; f < n_inputs; f++) room += input[f].sp3->n_sats;
+    orr_sat *sat = malloc((room + 1) * sizeof *sat);
+    if (sat == NULL) return ORR_E_MEMORY;
+    for (size_t f = 0; f < n_inputs; f++)
+        for (size_t s = 0; s < input[f].sp3->n_sats; s++)
+            if (o->sats == NULL || orr_sat_set_has(o->sats, input[f].sp3->sat[s])) sat[n++] = input[f].sp3->sat[s];
+    qsort(sat, n, sizeof *sat, by_sat);
+    for (size_t i = 0; i < n; i++)
+        if (kept == 0 || sat[kept - 1] != sat[i]) sat[kept++] = sat[i];
+    *out = sat;
+    *n_out = kept;
+    return ORR_OK;
+}
+
+orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, const orr_smoother_options *o,
+                             orr_node_table *out, orr_warnings *warnings, orr_diag *diag)
+{
+    *out = (orr_node_table){0};
+    if (n_inputs == 0 || n_inputs > UINT16_MAX)
+        return orr_diag_set(diag, ORR_E_ARG, "%zu input files; 1 to %d can be smoothed jointly", n_inputs, UINT16_MAX);
+    for (size_t f = 0; f < n_inputs; f++)
+        if (input[f].sp3->n_epochs == 0)
+            return orr_diag_set(diag, ORR_E_NODATA, "%s has no epochs", input[f].name);
+    size_t *order = malloc(n_inputs * sizeof *order), n_sats = 0;
+    orr_sat *sat = NULL;
+    if (order == NULL || union_of_sats(input, n_inputs, o, &sat, &n_sats) != ORR_OK) goto memory;
+    order_of_files(input, n_inputs, order);
+    orr_time first = input[order[0]].sp3->epoch[0];
+    orr_time day = ORR_S_PER_DAY * ORR_NS_PER_S;
+    orr_time midnight = first - (first % day + day) % day;
+
+    out->list = calloc(n_sats + 1, sizeof *out->list);
+    if (out->list == NULL) goto memory;
+    double largest_m = 0;
+    size_t same = 0;
+    out->from = INT64_MAX;
+    out->to = INT64_MIN;
+    for (size_t i = 0; i < n_sats; i++) {
+        orr_node_list *l = &out->list[out->n_sats++];
+        l->sat = sat[i];
+        if (gather_sat(input, order, n_inputs, o, midnight, l) != ORR_OK) goto memory;
+        order_clocks(l);
+        same += supersede_predictions(l, &largest_m);
+        if (l->n_nodes == 0) continue;
+        if (l->node[0].t < out->from) out->from = l->node[0].t;
+        if (l->node[l->n_nodes - 1].t > out->to) out->to = l->node[l->n_nodes - 1].t;
+    }
+    free(order);
+    free(sat);
+    if (out->to < out->from) {
+        orr_nodes_free(out);
+        return orr_diag_set(diag, ORR_E_NODATA, "no satellite position is left to smooth%s",
+                            o->n_exclude > 0 || o->node_step_s > 0 ? " after decimation and exclusion" : "");
+    }
+    for (size_t i = 0; i < out->n_sats; i++)
+        for (size_t k = 0; k < out->list[i].n_nodes; k++)
+            out->list[i].node[k].t_s = orr_time_diff_s(out->list[i].node[k].t, out->from);
+    if (same > 0)
+        orr_warnings_add(warnings, NULL, 0, 0,
+                         "%zu positions are given by two files for the same instant, apart by up to %.3f m: both are used "
+                         "with equal weight, but an observed one supersedes a predicted one",
+                         same, largest_m);
+    out->step_s = median_step(out, false);
+    out->clock_step_s = median_step(out, true);
+    return ORR_OK;
+memory:
+    free(order);
+    free(sat);
+    orr_nodes_free(out);
+    return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for the nodes");
+}

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/satellite.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "orbit/ephemeris.h"
+#include "orbit/events.h"
+#include "orbit/prior.h"
+#include "orbit/segment.h"
+
+#define MAX_PASSES 8
+#define LINEAR_M 30.0      // a node's velocity deviation times the node step below which (33) is linear to 0.1 mm
+#define MAX_APART_M 1.0    // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
+
+typedef struct work {
+    const orr_track_context *c;
+    const orr_node_table *table;
+    const orr_node *node; // of the satellite
+    size_t n;
+    orr_reference *ref;   // per node
+    orr_orbit_sat *out;
+    size_t arc_room;
+    orr_event_list events;
+    orr_satellite_report *report;
+} work;
+
+void orr_satellite_free(orr_orbit_sat *s)
+{
+    for (size_t i = 0; i < s->n_arcs; i++) free(s->arc[i].sample);
+    free(s->arc);
+    free(s->clock);
+    free(s->node);
+    free(s->event);
+    *s = (orr_orbit_sat){0};
+}
+
+static orr_time absolute(const work *w, double t_s) { return orr_time_add_s(orr_sky_origin(w->c->sky), t_s); }
+
+static void note(work *w, const char *text, double from_s)
+{
+    char when[ORR_TIME_TEXT];
+    if (w->report->note[0] == '\0')
+        snprintf(w->report->note, sizeof w->report->note, "%s (near %s)", text,
+                 orr_time_format(absolute(w, from_s), ORR_SCALE_GPS, 0, NULL, when));
+}
+
+static orr_vec3 smoothed_r(const orr_instant *at)
+{
+    return orr_vec3_add(at->r_m, orr_vec3_make(at->smoothed.x[0], at->smoothed.x[1], at->smoothed.x[2]));
+}
+static orr_vec3 smoothed_v(const orr_instant *at)
+{
+    return orr_vec3_add(at->v_mps, orr_vec3_make(at->smoothed.x[3], at->smoothed.x[4], at->smoothed.x[5]));
+}
+
+// The next pass starts from the smoothed states; rejected nodes no longer restart the a-priori. Returns the largest
+// velocity deviation met.
+static double take_references(const orr_track *t, const orr_arc_range *arc, orr_reference *ref)
+{
+    double largest = 0;
+    for (size_t k = arc->first; k <= arc->last; k++) {
+        const orr_instant *at = &t->at[k];
+        for (size_t i = at->first; i < at->first + at->n; i++) {
+            orr_vec3 dv = orr_vec3_sub(smoothed_v(at), ref[i].valid ? ref[i].v_mps : at->v_mps);
+            if (orr_vec3_norm(dv) > largest) largest = orr_vec3_norm(dv);
+            ref[i] = (orr_reference){true, smoothed_r(at), smoothed_v(at)};
+        }
+    }
+    return largest;
+}
+
+static uint32_t flags_between(const work *w, const orr_node *a, const orr_node *b)
+{
+    uint32_t flags = 0;
+    if (a->predicted || b->predicted) flags |= ORR_EPH_PREDICTED;
+    if (b->t_s - a->t_s > 2.0 * w->table->step_s + 1e-3) flags |= ORR_EPH_GAP;
+    return flags;
+}
+
+// Samples of the smoothed track [first, last] as an arc of the solution. scale is the ratio of real to formal sigma.
+static orr_status emit_arc(work *w, const orr_track *t, size_t first, size_t last, const orr_verdict *verdict, double scale)
+{
+    if (w->out->n_arcs == w->arc_room) {
+        size_t room = w->arc_room > 0 ? 2 * w->arc_room : 4;
+        orr_orbit_arc *arc = realloc(w->out->arc, room * sizeof *arc);
+        if (arc == NULL) return ORR_E_MEMORY;
+        w->out->arc = arc;
+        w->arc_room = room;
+    }
+    orr_orbit_arc arc = {.t0 = absolute(w, t->at[first].t_s),
+                         .step_s = t->step_s,
+                         .samples_per_segment = t->samples_per_segment};
+    arc.sample = malloc(t->n_samples * sizeof *arc.sample);
+    if (arc.sample == NULL) return ORR_E_MEMORY;
+    const orr_node *left = NULL, *right = NULL;
+    size_t next_instant = first;
+    for (size_t k = first; k <= last; k++) {
+        const orr_instant *at = &t->at[k];
+        for (size_t i = at->first; i < at->first + at->n; i++)
+            if (!w->node[i].superseded && !verdict[i].rejected) left = &w->node[i];
+        if (!at->sample) continue;
+        if (next_instant <= k) { // the next used node after this sample
+            right = NULL;
+            for (next_instant = k + 1; next_instant <= last && right == NULL; next_instant++)
+                for (size_t i = t->at[next_instant].first; i < t->at[next_instant].first + t->at[next_instant].n; i++)
+                    if (!w->node[i].superseded && !verdict[i].rejected) right = &w->node[i];
+            if (right != NULL) next_instant--;
+        }
+        orr_sky_point p;
+        orr_sky_at(w->c->sky, at->t_s, &p);
+        orr_vec3 r = smoothed_r(at), v = smoothed_v(at);
+        orr_vec3 a = orr_force_acceleration(w->c->force, &p, r);
+        a = orr_vec3_add(a, orr_mat3_apply(&at->axes, orr_vec3_make(at->smoothed.x[6], at->smoothed.x[7], at->smoothed.x[8])));
+        orr_orbit_sample *s = &arc.sample[arc.n++];
+        orr_sky_to_ecef(&p, r, v, &s->pos_m, &s->vel_mps);
+        s->acc_mps2 = orr_vec3_add(orr_mat3_apply(&p.R, a), orr_mat3_apply(&p.ddR, r));
+        s->acc_mps2 = orr_vec3_axpy(2.0, orr_mat3_apply(&p.dR, v), s->acc_mps2);
+        double variance = at->smoothed.P[0][0] + at->smoothed.P[1][1] + at->smoothed.P[2][2];
+        s->sigma_m = (float)(scale * sqrt(variance > 0 ? variance : 0));
+        s->flags = left != NULL && right != NULL ? flags_between(w, left, right) : 0;
+        if (orr_force_sunlight(r, p.sun_m) < 1) s->flags |= ORR_EPH_ECLIPSE;
+    }
+    w->out->arc[w->out->n_arcs++] = arc;
+    orr_status s = orr_events_eclipses(w->c->sky, &arc, &w->events);
+
+    // Nodes: residuals, gaps, joints of files.
+    const orr_node *used = NULL;
+    for (size_t k = first; k <= last && s == ORR_OK; k++) {
+        const orr_instant *at = &t->at[k];
+        orr_sky_point p;
+        if (at->n > 0) orr_sky_at(w->c->sky, at->t_s, &p);
+        for (size_t i = at->first; i < at->first + at->n && s == ORR_OK; i++) {
+            const orr_node *node = &w->node[i];
+            orr_orbit_node *o = &w->out->node[i];
+            o->residual_m = orr_vec3_sub(orr_mat3_apply(&p.R, smoothed_r(at)), node->ecef_m);
+            if (i > at->first && node->source != w->node[i - 1].source) {
+                double jump = orr_vec3_norm(orr_vec3_sub(node->ecef_m, w->node[i - 1].ecef_m));
+                s = orr_event_add(&w->events, ORR_EVENT_DAY_JUMP, node->t, node->t, jump);
+            }
+            if (node->superseded || s != ORR_OK) continue;
+            if (verdict[i].rejected) {
+                w->report->nodes_rejected++;
+                s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, node->t, node->t, orr_vec3_norm(o->residual_m));
+                continue;
+            }
+            o->used = 1;
+            w->report->nodes_used++;
+            w->report->residual_m2 += orr_vec3_dot(o->residual_m, o->residual_m);
+            if (used != NULL && (flags_between(w, used, node) & ORR_EPH_GAP))
+                s = orr_event_add(&w->events, ORR_EVENT_GAP, used->t, node->t, 0);
+            used = node;
+        }
+    }
+    return s;
+}
+
+static double real_over_formal(double chi2, size_t count) { return count > 0 ? sqrt(chi2 / (double)count) : 1.0; }
+
+// One arc again on a grid of its own, from from_s to to_s, which may reach beyond its nodes list[i0..i1).
+static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, size_t i1, const orr_verdict *verdict)
+{
+    orr_track t;
+    orr_status s = orr_track_init(w->c, from_s, to_s, w->table->step_s, w->node, i1, &t);
+    if (s != ORR_OK) return s;
+    for (size_t k = 0; k < t.n; k++) // nodes before the arc belong to another
+        if (t.at[k].first < i0) {
+            size_t skip = i0 - t.at[k].first;
+            t.at[k].n = t.at[k].n > skip ? t.at[k].n - skip : 0;
+            t.at[k].first = i0;
+        }
+    double chi2 = 0;
+    size_t count = 0;
+    s = orr_track_linearise(w->c, w->ref, &t);
+    if (s == ORR_OK) orr_filter_range(w->c, w->node, verdict, &t, 0, t.n - 1, &chi2, &count);
+    if (s == ORR_OK) s = orr_smooth_range(&t, 0, t.n - 1);
+    if (s == ORR_OK) s = emit_arc(w, &t, 0, t.n - 1, verdict, real_over_formal(chi2, count));
+    orr_track_free(&t);
+    return s;
+}
+
+// First and last node (half open) of an arc of the track.
+static void nodes_of(const orr_track *t, const orr_arc_range *arc, size_t *i0, size_t *i1)
+{
+    *i0 = t->at[arc->first].first;
+    *i1 = t->at[arc->last].first + t->at[arc->last].n;
+}
+
+static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *seg)
+{
+    double begin_s = 0;
+    orr_status s = ORR_OK;
+    for (size_t a = 0; a < seg->n_arcs && s == ORR_OK; a++) {
+        const orr_arc_range *arc = &seg->arc[a];
+        size_t i0, i1;
+        nodes_of(t, arc, &i0, &i1);
+        double from_s = a == 0 ? t->at[arc->first].t_s : begin_s, to_s = t->at[arc->last].t_s;
+        if (a + 1 < seg->n_arcs) { // a manoeuvre: both arcs reach to where they meet, if they do
+            const orr_instant *x = &t->at[arc->last], *y = &t->at[seg->arc[a + 1].first];
+            orr_reference before = {true, smoothed_r(x), smoothed_v(x)}, after = {true, smoothed_r(y), smoothed_v(y)};
+            double when = 0, apart = INFINITY, dv = 0;
+            s = orr_events_manoeuvre(w->c, x->t_s, before, y->t_s, after, &when, &apart, &dv);
+            if (s == ORR_OK) s = orr_event_add(&w->events, ORR_EVENT_MANOEUVRE, absolute(w, x->t_s), absolute(w, y->t_s), dv);
+            if (s != ORR_OK) break;
+            w->report->manoeuvres++;
+            bool meet = apart <= MAX_APART_M && y->t_s - x->t_s < 2.0 * w->table->step_s;
+            begin_s = meet ? when : y->t_s;
+            if (meet) to_s = when;
+        }
+        if (to_s <= from_s) continue;
+        bool whole = arc->first == 0 && arc->last == t->n - 1 && seg->n_arcs == 1;
+        if (whole) {
+            double chi2 = seg->scale * seg->scale;
+            s = emit_arc(w, t, 0, t->n - 1, seg->verdict, real_over_formal(chi2, 1));
+        } else {
+            s = smooth_alone(w, from_s, to_s, i0, i1, seg->verdict);
+        }
+    }
+    return s;
+}
+
+// Nodes list[i0..i1), no two of them further apart than the longest bridged gap.
+static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
+{
+    const orr_smoother_options *o = w->c->options;
+    double from_s = w->node[i0].t_s, to_s = w->node[i1 - 1].t_s;
+    if (!(to_s > from_s)) {
+        note(w, "a node alone is no orbit", from_s);
+        return ORR_OK;
+    }
+    orr_track t;
+    orr_segmentation seg = {0};
+    orr_status s = ORR_OK;
+    int most = o->passes > 0 ? o->passes : MAX_PASSES;
+    for (int pass = 1;; pass++) {
+        s = orr_track_init(w->c, from_s, to_s, w->table->step_s, w->node, i1, &t);
+        if (s != ORR_OK) return s;
+        s = orr_track_linearise(w->c, w->ref, &t);
+        if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, &t, &seg);
+        double largest = 0;
+        for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++) s = orr_smooth_range(&t, seg.arc[a].first, seg.arc[a].last);
+        if (s != ORR_OK) break;
+        for (size_t i = i0; i < i1; i++) w->ref[i].valid = w->ref[i].valid && !seg.verdict[i].rejected;
+        bool done = pass >= most;
+        if (!done || seg.n_arcs > 1) {
+            for (size_t a = 0; a < seg.n_arcs; a++)
+                largest = fmax(largest, take_references(&t, &seg.arc[a], w->ref));
+            if (o->passes == 0 && largest * w->table->step_s < LINEAR_M) done = true;
+        }
+        if (pass > w->report->passes) w->report->passes = pass;
+        if (done) break;
+        orr_segmentation_free(&seg);
+        orr_track_free(&t);
+    }
+    if (s == ORR_OK) s = emit_all(w, &t, &seg);
+    orr_segmentation_free(&seg);
+    orr_track_free(&t);
+    if (s == ORR_E_NUMERIC || s == ORR_E_NODATA) {
+        note(w, "these positions are no orbit that can be integrated", from_s);
+        return ORR_OK;
+    }
+    return s;
+}
+
+orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, const orr_node_list *list,
+                                orr_orbit_sat *out, orr_satellite_report *report)
+{
+    *out = (orr_orbit_sat){.sat = list->sat};
+    *report = (orr_satellite_report){0};
+    work w = {.c = c, .table = table, .node = list->node, .n = list->n_nodes, .out = out, .report = report};
+    out->node = calloc(list->n_nodes + 1, sizeof *out->node);
+    out->clock = malloc((list->n_clocks + 1) * sizeof *out->clock);
+    w.ref = calloc(list->n_nodes + 1, sizeof *w.ref);
+    orr_status s = ORR_E_MEMORY;
+    if (out->node == NULL || out->clock == NULL || w.ref == NULL) goto done;
+    memcpy(out->clock, list->clock, list->n_clocks * sizeof *out->clock);
+    out->n_clocks = list->n_clocks;
+    out->n_nodes = list->n_nodes;
+    for (size_t i = 0; i < list->n_nodes; i++)
+        out->node[i] = (orr_orbit_node){.t = list->node[i].t,
+                                        .residual_m = {(double)NAN, (double)NAN, (double)NAN},
+                                        .source = list->node[i].source};
+    orr_prior_sparse(c, list->node, list->n_nodes, table->step_s, w.ref);
+    s = ORR_OK;
+    for (size_t i = 0; i < list->n_nodes && s == ORR_OK;) {
+        size_t j = i + 1;
+        while (j < list->n_nodes && list->node[j].t_s - list->node[j - 1].t_s <= c->options->max_gap_s + 1e-3) j++;
+        s = smooth_stretch(&w, i, j);
+        if (j < list->n_nodes && s == ORR_OK)
+            s = orr_event_add(&w.events, ORR_EVENT_GAP, list->node[j - 1].t, list->node[j].t, 0);
+        i = j;
+    }
+    orr_events_sort(&w.events);
+    out->event = w.events.item;
+    out->n_events = w.events.n;
+done:
+    free(w.ref);
+    if (s != ORR_OK) orr_satellite_free(out);
+    return s;
+}
