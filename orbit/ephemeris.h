@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The orbit product: Chebyshev segments per satellite in ecef, clock nodes, events, provenance. Built once (seconds),
-// then evaluated at any instant (nanoseconds) as a pure function of (product, time): no allocation, no lock, no I/O.
-// Where there is no valid arc it says so and gives no number.
+// The orbit product: Chebyshev segments per satellite in ecef, clock nodes, events, provenance. Built once
+// (seconds), then evaluated at any instant (nanoseconds) as a pure function of (product, time): no
+// allocation, no lock, no I/O. Where there is no valid arc it says so and gives no number.
 #ifndef ORR_ORBIT_EPHEMERIS_H
 #define ORR_ORBIT_EPHEMERIS_H
 
@@ -11,13 +11,13 @@
 #include "core/vec.h"
 #include "orbit/solution.h"
 
-enum { // orr_sat_state.flags; the wire's STATES uses the same bits
-    ORR_EPH_CLOCK_VALID = 1u << 0,  // clock_s and clock_rate_sps are there
-    ORR_EPH_PREDICTED = 1u << 1,    // input was predicted, or bridged without input
-    ORR_EPH_MANOEUVRE = 1u << 2,    // within a manoeuvre's interval
-    ORR_EPH_CLOCK_EVENT = 1u << 3,  // the product flagged a clock event at a neighbouring node
-    ORR_EPH_ECLIPSE = 1u << 4,      // umbra or penumbra of the Earth
-    ORR_EPH_GAP = 1u << 5,          // between nodes further apart than twice the usual
+enum {                             // orr_sat_state.flags; the wire's STATES uses the same bits
+    ORR_EPH_CLOCK_VALID = 1u << 0, // clock_s and clock_rate_sps are there
+    ORR_EPH_PREDICTED = 1u << 1,   // input was predicted, or bridged without input
+    ORR_EPH_MANOEUVRE = 1u << 2,   // within a manoeuvre's interval
+    ORR_EPH_CLOCK_EVENT = 1u << 3, // the product flagged a clock event at a neighbouring node
+    ORR_EPH_ECLIPSE = 1u << 4,     // umbra or penumbra of the Earth
+    ORR_EPH_GAP = 1u << 5,         // between nodes further apart than twice the usual
 };
 
 // State of one satellite at one instant, ecef.
@@ -25,15 +25,17 @@ typedef struct orr_sat_state {
     orr_sat sat;
     uint32_t flags;
     orr_vec3 pos_m, vel_mps, acc_mps2;
-    double clock_s, clock_rate_sps; // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add 2 r.v / c^2)
-    float sigma_m;                  // 1-sigma of position, 3-D
-    orr_time valid_from, valid_to;  // the arc that was evaluated
+    double clock_s,
+        clock_rate_sps; // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add 2 r.v / c^2)
+    float sigma_m;      // 1-sigma of position, 3-D
+    orr_time valid_from, valid_to; // the arc that was evaluated
 } orr_sat_state;
 
 typedef struct orr_ephemeris orr_ephemeris;
 
-// Fits the segments (degree from the segment length, representation error below 0.1 mm and 1e-6 m/s or an error that
-// says where it is not). Ends of neighbouring segments agree in position, velocity and acceleration.
+// Fits the segments (degree from the segment length, representation error below 0.1 mm and 1e-6 m/s or an
+// error that says where it is not). Ends of neighbouring segments agree in position, velocity and
+// acceleration.
 orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out, orr_diag *diag);
 // NetCDF-4, CF-style (see docs/product.md). Writing is atomic.
 orr_status orr_ephemeris_save(const orr_ephemeris *e, const char *path, const char *history, orr_diag *diag);
@@ -45,8 +47,8 @@ size_t orr_ephemeris_satellites(const orr_ephemeris *e, const orr_sat **list);
 // First and last instant at which at least one satellite has an arc.
 void orr_ephemeris_span(const orr_ephemeris *e, orr_time *from, orr_time *to);
 
-// ORR_OK; ORR_E_RANGE outside the product's span; ORR_E_NODATA if the satellite is unknown or has no arc at t.
-// *out is untouched unless ORR_OK.
+// ORR_OK; ORR_E_RANGE outside the product's span; ORR_E_NODATA if the satellite is unknown or has no arc at
+// t. *out is untouched unless ORR_OK.
 orr_status orr_ephemeris_eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out);
 // All satellites that have an arc at t, ascending, into out[0..max); returns how many were written.
 size_t orr_ephemeris_eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max);

@@ -38,7 +38,10 @@ static double limb_at(const orr_sky *sky, double t_s, orr_vec3 ecef)
     return orr_force_limb_distance(orr_mat3_apply_t(&p.R, ecef), p.sun_m);
 }
 
-bool orr_events_in_shadow(const orr_sky *sky, double t_s, orr_vec3 ecef) { return limb_at(sky, t_s, ecef) < 1; }
+bool orr_events_in_shadow(const orr_sky *sky, double t_s, orr_vec3 ecef)
+{
+    return limb_at(sky, t_s, ecef) < 1;
+}
 
 // Limb distance between samples, the position by the cubic through both ends' states: metres off over 150 s.
 static double limb_between(const orr_sky *sky, const orr_orbit_arc *arc, double arc_s, double x_s)
@@ -80,19 +83,19 @@ orr_status orr_events_eclipses(const orr_sky *sky, const orr_orbit_arc *arc, orr
                 hi = mid;
         }
         if (now != SUN)
-            s = orr_event_add(l, now == DARK ? ORR_EVENT_UMBRA : ORR_EVENT_PENUMBRA, orr_time_add_s(arc->t0, begin),
-                              orr_time_add_s(arc->t0, hi), 0);
+            s = orr_event_add(l, now == DARK ? ORR_EVENT_UMBRA : ORR_EVENT_PENUMBRA,
+                              orr_time_add_s(arc->t0, begin), orr_time_add_s(arc->t0, hi), 0);
         now = light_of(limb_between(sky, arc, arc_s, hi));
         begin = x0 = hi;
     }
     if (now != SUN && s == ORR_OK)
-        s = orr_event_add(l, now == DARK ? ORR_EVENT_UMBRA : ORR_EVENT_PENUMBRA, orr_time_add_s(arc->t0, begin),
-                          orr_time_add_s(arc->t0, length), 0);
+        s = orr_event_add(l, now == DARK ? ORR_EVENT_UMBRA : ORR_EVENT_PENUMBRA,
+                          orr_time_add_s(arc->t0, begin), orr_time_add_s(arc->t0, length), 0);
     return s;
 }
 
-static orr_status separation(const orr_track_context *c, double a_s, orr_reference before, double b_s, orr_reference after,
-                             double t_s, orr_vec3 *dr, orr_vec3 *dv)
+static orr_status separation(const orr_track_context *c, double a_s, orr_reference before, double b_s,
+                             orr_reference after, double t_s, orr_vec3 *dr, orr_vec3 *dv)
 {
     orr_status s = orr_integrate(c->integrator, a_s, t_s - a_s, &before.r_m, &before.v_mps);
     if (s == ORR_OK) s = orr_integrate(c->integrator, b_s, t_s - b_s, &after.r_m, &after.v_mps);
@@ -104,7 +107,8 @@ static orr_status separation(const orr_track_context *c, double a_s, orr_referen
 orr_status orr_events_manoeuvre(const orr_track_context *c, double a_s, orr_reference before, double b_s,
                                 orr_reference after, double *when_s, double *apart_m, double *dv_mps)
 {
-    // dr grows almost linearly from the instant of the push: Newton's step on |dr|^2, held inside the interval.
+    // dr grows almost linearly from the instant of the push: Newton's step on |dr|^2, held inside the
+    // interval.
     double t = 0.5 * (a_s + b_s);
     orr_vec3 dr, dv;
     for (int i = 0; i < 20; i++) {

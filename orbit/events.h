@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Happenings along a smoothed satellite: eclipses, gaps, joints of files, and the instant of a manoeuvre. Room-internal.
+// Happenings along a smoothed satellite: eclipses, gaps, joints of files, and the instant of a manoeuvre.
+// Room-internal.
 #ifndef ORR_ORBIT_EVENTS_H
 #define ORR_ORBIT_EVENTS_H
 
@@ -19,8 +20,9 @@ orr_status orr_events_eclipses(const orr_sky *sky, const orr_orbit_arc *arc, orr
 // Whether a satellite at an ecef position is in either.
 bool orr_events_in_shadow(const orr_sky *sky, double t_s, orr_vec3 ecef_m);
 
-// Where two orbits, one known up to a_s, the other from b_s on, come nearest between: the instant of the manoeuvre that
-// joins them, how far apart they are then, and the change of velocity. States in integration axes at a_s and b_s.
+// Where two orbits, one known up to a_s, the other from b_s on, come nearest between: the instant of the
+// manoeuvre that joins them, how far apart they are then, and the change of velocity. States in integration
+// axes at a_s and b_s.
 orr_status orr_events_manoeuvre(const orr_track_context *c, double a_s, orr_reference before, double b_s,
                                 orr_reference after, double *when_s, double *apart_m, double *dv_mps);
 

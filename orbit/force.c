@@ -12,7 +12,7 @@ static orr_vec3 third_body(orr_vec3 r, orr_vec3 body, double gm)
 
 double orr_force_limb_distance(orr_vec3 r, orr_vec3 sun)
 {
-    if (orr_vec3_dot(r, sun) >= 0) return INFINITY; // the day side
+    if (orr_vec3_dot(r, sun) >= 0) return HUGE_VAL; // the day side
     orr_vec3 d = orr_vec3_sub(sun, r);
     double dn = orr_vec3_norm(d), rn = orr_vec3_norm(r);
     double cosine = -orr_vec3_dot(r, d) / (dn * rn);
@@ -30,9 +30,10 @@ double orr_force_sunlight(orr_vec3 r, orr_vec3 sun)
 
 orr_vec3 orr_force_acceleration(const orr_force *f, const orr_sky_point *p, orr_vec3 r)
 {
-    orr_vec3 a = f->earth.degree < 2
-                     ? orr_gravity_field_gravitation(&f->earth, r)
-                     : orr_mat3_apply_t(&p->R, orr_gravity_field_gravitation(&f->earth, orr_mat3_apply(&p->R, r)));
+    orr_vec3 a =
+        f->earth.degree < 2
+            ? orr_gravity_field_gravitation(&f->earth, r)
+            : orr_mat3_apply_t(&p->R, orr_gravity_field_gravitation(&f->earth, orr_mat3_apply(&p->R, r)));
     if (f->sun_moon) {
         a = orr_vec3_add(a, third_body(r, p->sun_m, ORR_GM_SUN));
         a = orr_vec3_add(a, third_body(r, p->moon_m, ORR_GM_MOON));

@@ -113,7 +113,8 @@ static double normalisation(int n, int m)
 orr_status orr_gravity_field_init(orr_gravity_field *f, int degree, bool zonal_only, orr_diag *diag)
 {
     if (degree < 0 || degree > ORR_GRAVITY_MAX_DEGREE)
-        return orr_diag_set(diag, ORR_E_ARG, "gravity degree %d is not in 0..%d", degree, ORR_GRAVITY_MAX_DEGREE);
+        return orr_diag_set(diag, ORR_E_ARG, "gravity degree %d is not in 0..%d", degree,
+                            ORR_GRAVITY_MAX_DEGREE);
     *f = (orr_gravity_field){.degree = degree, .order = zonal_only ? 0 : degree};
     f->c[0][0] = 1.0;
     for (size_t i = 0; i < sizeof egm96 / sizeof egm96[0]; i++) {
@@ -159,8 +160,10 @@ orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r)
         if (n == 1) continue;
         for (int m = 1; m <= (n < f->order ? n : f->order); m++) {
             double c = f->c[n][m], s = f->s[n][m], k = (double)((n - m + 1) * (n - m + 2));
-            ax += 0.5 * (-c * v[n + 1][m + 1] - s * w[n + 1][m + 1] + k * (c * v[n + 1][m - 1] + s * w[n + 1][m - 1]));
-            ay += 0.5 * (-c * w[n + 1][m + 1] + s * v[n + 1][m + 1] + k * (-c * w[n + 1][m - 1] + s * v[n + 1][m - 1]));
+            ax += 0.5 * (-c * v[n + 1][m + 1] - s * w[n + 1][m + 1] +
+                         k * (c * v[n + 1][m - 1] + s * w[n + 1][m - 1]));
+            ay += 0.5 * (-c * w[n + 1][m + 1] + s * v[n + 1][m + 1] +
+                         k * (-c * w[n + 1][m - 1] + s * v[n + 1][m - 1]));
             az += (n - m + 1) * (-c * v[n + 1][m] - s * w[n + 1][m]);
         }
         ax -= f->c[n][0] * v[n + 1][1];

@@ -12,7 +12,8 @@ struct orr_integrator {
     gsl_odeiv2_step *step;
 };
 
-orr_status orr_integrator_init(const orr_force *force, const orr_sky *sky, orr_integrator **out, orr_diag *diag)
+orr_status orr_integrator_init(const orr_force *force, const orr_sky *sky, orr_integrator **out,
+                               orr_diag *diag)
 {
     *out = NULL;
     orr_integrator *it = calloc(1, sizeof *it);
@@ -63,7 +64,8 @@ static bool crosses_penumbra(const orr_integrator *it, double t_s, double h_s, o
 {
     if (!(it->force->srp_mps2 > 0 || it->force->srp_mps2 < 0)) return false;
     double first = sunlight_at(it, t_s, r);
-    for (int k = 1; k <= 4; k++) { // a parabola follows the orbit to some km over a step, a hundredth of the shadow
+    for (int k = 1; k <= 4;
+         k++) { // a parabola follows the orbit to some km over a step, a hundredth of the shadow
         double dt = h_s * k / 4;
         orr_vec3 g = orr_vec3_scale(-ORR_EGM96_GM / pow(orr_vec3_norm(r), 3), r);
         orr_vec3 q = orr_vec3_axpy(dt, v, orr_vec3_axpy(0.5 * dt * dt, g, r));
@@ -84,11 +86,13 @@ orr_status orr_integrate(orr_integrator *it, double t_s, double h_s, orr_vec3 *r
         orr_vec3 q = orr_vec3_make(y[0], y[1], y[2]), w = orr_vec3_make(y[3], y[4], y[5]);
         if (!(orr_vec3_dot(q, q) > 1e12)) return ORR_E_NUMERIC;
         int fine = 1;
-        if (crosses_penumbra(it, start, big, q, w)) fine = (int)ceil(fabs(big) / ORR_INTEGRATE_PENUMBRA_STEP_S - 1e-9);
+        if (crosses_penumbra(it, start, big, q, w))
+            fine = (int)ceil(fabs(big) / ORR_INTEGRATE_PENUMBRA_STEP_S - 1e-9);
         if (fine < 1) fine = 1;
         for (int k = 0; k < fine; k++) {
             double h = big / fine;
-            if (gsl_odeiv2_step_apply(it->step, start + h * k, h, y, error, NULL, NULL, &system) != GSL_SUCCESS)
+            if (gsl_odeiv2_step_apply(it->step, start + h * k, h, y, error, NULL, NULL, &system) !=
+                GSL_SUCCESS)
                 return ORR_E_NUMERIC;
         }
     }

@@ -23,12 +23,13 @@ static void transit(const double F[6][ORR_NX], const double P[ORR_NX][ORR_NX], d
     memcpy(out[6], P[6], 3 * sizeof out[0]);
 }
 
-// Covariance that white noise in d(f0)/dt (qf) and dV/dt (qv) builds up over a step h: integrals of the powers of time,
-// with f0 acting on velocity through its axes.
+// Covariance that white noise in d(f0)/dt (qf) and dV/dt (qv) builds up over a step h: integrals of the
+// powers of time, with f0 acting on velocity through its axes.
 static void add_noise(double P[ORR_NX][ORR_NX], const orr_mat3 *axes, double h, double qf, double qv)
 {
     const double h2 = h * h, h3 = h2 * h;
-    const double rr = qf * h3 * h2 / 20 + qv * h3 / 3, rv = qf * h2 * h2 / 8 + qv * h2 / 2, vv = qf * h3 / 3 + qv * h;
+    const double rr = qf * h3 * h2 / 20 + qv * h3 / 3, rv = qf * h2 * h2 / 8 + qv * h2 / 2,
+                 vv = qf * h3 / 3 + qv * h;
     for (int i = 0; i < 3; i++) {
         P[i][i] += rr;
         P[i][3 + i] += rv;
@@ -45,8 +46,8 @@ static void add_noise(double P[ORR_NX][ORR_NX], const orr_mat3 *axes, double h, 
     }
 }
 
-void orr_kalman_predict(const orr_gauss *from, const orr_transition *t, double qf, double qv, const double shift[6],
-                        orr_gauss *to)
+void orr_kalman_predict(const orr_gauss *from, const orr_transition *t, double qf, double qv,
+                        const double shift[6], orr_gauss *to)
 {
     double T[ORR_NX][ORR_NX];
     transit(t->F, from->P, T);
@@ -147,8 +148,8 @@ static bool cholesky(const double P[ORR_NX][ORR_NX], double scale[ORR_NX], doubl
     return true;
 }
 
-orr_status orr_kalman_smooth(const orr_gauss *f, const orr_transition *t, const orr_gauss *pred, const orr_gauss *next,
-                             orr_gauss *out)
+orr_status orr_kalman_smooth(const orr_gauss *f, const orr_transition *t, const orr_gauss *pred,
+                             const orr_gauss *next, orr_gauss *out)
 {
     // Gain J = P F' Ppred^-1, from Ppred J' = F P column by column.
     double scale[ORR_NX], L[ORR_NX][ORR_NX], Jt[ORR_NX][ORR_NX];

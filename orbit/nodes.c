@@ -34,7 +34,8 @@ static int by_time_then_source(const void *a, const void *b)
     return (int)x->source - (int)y->source;
 }
 
-// Files in order of their first epochs, so that "later file" means what a reader expects whatever the order given.
+// Files in order of their first epochs, so that "later file" means what a reader expects whatever the order
+// given.
 static void order_of_files(const orr_smoother_input *input, size_t n, size_t *order)
 {
     for (size_t i = 0; i < n; i++) {
@@ -95,8 +96,9 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
     return ORR_OK;
 }
 
-// Clocks of files that overlap: an observed value beats a predicted one at the same instant, a later file an earlier
-// one; only at the very joint (one file's last, the next one's first epoch) both stay, left and right of a jump.
+// Clocks of files that overlap: an observed value beats a predicted one at the same instant, a later file an
+// earlier one; only at the very joint (one file's last, the next one's first epoch) both stay, left and right
+// of a jump.
 static void order_clocks(orr_node_list *list)
 {
     for (size_t i = 1; i < list->n_clocks; i++) // files come in order: nearly sorted, and stable
@@ -147,7 +149,8 @@ static size_t supersede_predictions(orr_node_list *list, double *largest_m)
 static double median_step(const orr_node_table *table, bool clocks)
 {
     size_t room = 1, n = 0;
-    for (size_t i = 0; i < table->n_sats; i++) room += clocks ? table->list[i].n_clocks : table->list[i].n_nodes;
+    for (size_t i = 0; i < table->n_sats; i++)
+        room += clocks ? table->list[i].n_clocks : table->list[i].n_nodes;
     double *step = malloc(room * sizeof *step);
     if (step == NULL) return 0;
     for (size_t i = 0; i < table->n_sats; i++) {
@@ -165,8 +168,8 @@ static double median_step(const orr_node_table *table, bool clocks)
     return median;
 }
 
-static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs, const orr_smoother_options *o,
-                                orr_sat **out, size_t *n_out)
+static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs,
+                                const orr_smoother_options *o, orr_sat **out, size_t *n_out)
 {
     size_t room = 0, n = 0, kept = 0;
     for (size_t f = 0; f < n_inputs; f++) room += input[f].sp3->n_sats;
@@ -174,7 +177,8 @@ static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs
     if (sat == NULL) return ORR_E_MEMORY;
     for (size_t f = 0; f < n_inputs; f++)
         for (size_t s = 0; s < input[f].sp3->n_sats; s++)
-            if (o->sats == NULL || orr_sat_set_has(o->sats, input[f].sp3->sat[s])) sat[n++] = input[f].sp3->sat[s];
+            if (o->sats == NULL || orr_sat_set_has(o->sats, input[f].sp3->sat[s]))
+                sat[n++] = input[f].sp3->sat[s];
     qsort(sat, n, sizeof *sat, by_sat);
     for (size_t i = 0; i < n; i++)
         if (kept == 0 || sat[kept - 1] != sat[i]) sat[kept++] = sat[i];
@@ -188,7 +192,8 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
 {
     *out = (orr_node_table){0};
     if (n_inputs == 0 || n_inputs > UINT16_MAX)
-        return orr_diag_set(diag, ORR_E_ARG, "%zu input files; 1 to %d can be smoothed jointly", n_inputs, UINT16_MAX);
+        return orr_diag_set(diag, ORR_E_ARG, "%zu input files; 1 to %d can be smoothed jointly", n_inputs,
+                            UINT16_MAX);
     for (size_t f = 0; f < n_inputs; f++)
         if (input[f].sp3->n_epochs == 0)
             return orr_diag_set(diag, ORR_E_NODATA, "%s has no epochs", input[f].name);
@@ -227,10 +232,11 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
         for (size_t k = 0; k < out->list[i].n_nodes; k++)
             out->list[i].node[k].t_s = orr_time_diff_s(out->list[i].node[k].t, out->from);
     if (same > 0)
-        orr_warnings_add(warnings, NULL, 0, 0,
-                         "%zu positions are given by two files for the same instant, apart by up to %.3f m: both are used "
-                         "with equal weight, but an observed one supersedes a predicted one",
-                         same, largest_m);
+        orr_warnings_add(
+            warnings, NULL, 0, 0,
+            "%zu positions are given by two files for the same instant, apart by up to %.3f m: both are used "
+            "with equal weight, but an observed one supersedes a predicted one",
+            same, largest_m);
     out->step_s = median_step(out, false);
     out->clock_step_s = median_step(out, true);
     return ORR_OK;

@@ -2,22 +2,23 @@
 #include "orbit/prior.h"
 
 #define WINDOW 10
+#define SAME_S 1e-6
 #define UNBROKEN_STEPS 2.5 // nodes further apart than so many steps do not share a polynomial
 
 // Derivative at x[at] of the polynomial through (x[i], y[i]), by the barycentric differentiation matrix.
 static orr_vec3 polynomial_slope(const double *x, const orr_vec3 *y, size_t n, size_t at)
 {
     orr_vec3 slope = {0, 0, 0};
-    double own = 0;
+    double own = 0; // rows of the matrix sum to zero
     for (size_t i = 0; i < n; i++) {
         if (i == at) continue;
-        double w = 1.0 / (x[at] - x[i]);
+        double d = 1.0 / (x[i] - x[at]);
         for (size_t k = 0; k < n; k++)
-            if (k != i && k != at) w *= (x[at] - x[k]) / (x[i] - x[k]);
-        slope = orr_vec3_axpy(-w, y[i], slope); // w_i/w_at/(x_at - x_i) with its sign
-        own += w;
+            if (k != i && k != at) d *= (x[at] - x[k]) / (x[i] - x[k]);
+        slope = orr_vec3_axpy(d, y[i], slope);
+        own -= d;
     }
-    return orr_vec3_scale(-1.0, orr_vec3_axpy(-own, y[at], slope));
+    return orr_vec3_axpy(own, y[at], slope);
 }
 
 // Circular motion at r towards (or from) another place of the same orbit, dt later (or, negative, earlier).
@@ -47,12 +48,12 @@ void orr_prior_sparse(const orr_track_context *c, const orr_node *list, size_t n
         orr_vec3 y[WINDOW];
         size_t lo = i, hi = i, count = 1, used = 0, at = 0; // indices of the window's ends in the list
         while (count < WINDOW) { // grow to the nearer side; the second node of an instant is passed over
-            double left = lo > 0 ? list[lo].t_s - list[lo - 1].t_s : INFINITY;
-            double right = hi + 1 < n ? list[hi + 1].t_s - list[hi].t_s : INFINITY;
+            double left = lo > 0 ? list[lo].t_s - list[lo - 1].t_s : HUGE_VAL;
+            double right = hi + 1 < n ? list[hi + 1].t_s - list[hi].t_s : HUGE_VAL;
             bool can_left = left <= broken_s, can_right = right <= broken_s;
             if (!can_left && !can_right) break;
-            double to_left = can_left ? list[i].t_s - list[lo - 1].t_s : INFINITY;
-            double to_right = can_right ? list[hi + 1].t_s - list[i].t_s : INFINITY;
+            double to_left = can_left ? list[i].t_s - list[lo - 1].t_s : HUGE_VAL;
+            double to_right = can_right ? list[hi + 1].t_s - list[i].t_s : HUGE_VAL;
             if (to_left <= to_right) {
                 lo--;
                 if (left > 0) count++;
@@ -61,12 +62,13 @@ void orr_prior_sparse(const orr_track_context *c, const orr_node *list, size_t n
                 if (right > 0) count++;
             }
         }
-        for (size_t k = lo; k <= hi && used < WINDOW; k++) {
-            if (used > 0 && !(list[k].t_s > list[i].t_s) && k != i && list[k].t_s >= list[i].t_s) continue;
-            if (used > 0 && k != i && (list[k].t_s - list[i].t_s) / node_step_s <= x[used - 1]) continue;
-            if (k == i && used > 0 && x[used - 1] >= 0) used--; // an earlier file's node of this very instant
+        for (size_t k = lo; k <= hi && used < WINDOW; k++) { // one node an instant
+            double from_i_s = list[k].t_s - list[i].t_s;
+            bool same_as_i = k != i && fabs(from_i_s) < SAME_S;
+            bool same_as_last = k > lo && k != i && list[k].t_s - list[k - 1].t_s < SAME_S;
+            if (same_as_i || same_as_last) continue;
             if (k == i) at = used;
-            x[used] = (list[k].t_s - list[i].t_s) / node_step_s;
+            x[used] = from_i_s / node_step_s;
             y[used++] = reference[k].r_m;
         }
         if (used >= 3) {
@@ -74,11 +76,13 @@ void orr_prior_sparse(const orr_track_context *c, const orr_node *list, size_t n
             reference[i].valid = true;
             continue;
         }
-        double dt_left = i > 0 ? list[i - 1].t_s - list[i].t_s : -INFINITY;
-        double dt_right = i + 1 < n ? list[i + 1].t_s - list[i].t_s : INFINITY;
+        double dt_left = i > 0 ? list[i - 1].t_s - list[i].t_s : -HUGE_VAL;
+        double dt_right = i + 1 < n ? list[i + 1].t_s - list[i].t_s : HUGE_VAL;
         if (dt_right <= -dt_left && dt_right > 0)
-            reference[i].valid = circular_velocity(reference[i].r_m, reference[i + 1].r_m, dt_right, &reference[i].v_mps);
+            reference[i].valid =
+                circular_velocity(reference[i].r_m, reference[i + 1].r_m, dt_right, &reference[i].v_mps);
         else if (dt_left < 0 && isfinite(dt_left))
-            reference[i].valid = circular_velocity(reference[i].r_m, reference[i - 1].r_m, dt_left, &reference[i].v_mps);
+            reference[i].valid =
+                circular_velocity(reference[i].r_m, reference[i - 1].r_m, dt_left, &reference[i].v_mps);
     }
 }

@@ -11,15 +11,15 @@
 #include "orbit/segment.h"
 
 #define MAX_PASSES 8
-#define LINEAR_M 30.0      // a node's velocity deviation times the node step below which (33) is linear to 0.1 mm
-#define MAX_APART_M 1.0    // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
+#define LINEAR_M 30.0 // a node's velocity deviation times the node step below which (33) is linear to 0.1 mm
+#define MAX_APART_M 1.0 // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
 
 typedef struct work {
     const orr_track_context *c;
     const orr_node_table *table;
     const orr_node *node; // of the satellite
     size_t n;
-    orr_reference *ref;   // per node
+    orr_reference *ref; // per node
     orr_orbit_sat *out;
     size_t arc_room;
     orr_event_list events;
@@ -55,8 +55,8 @@ static orr_vec3 smoothed_v(const orr_instant *at)
     return orr_vec3_add(at->v_mps, orr_vec3_make(at->smoothed.x[3], at->smoothed.x[4], at->smoothed.x[5]));
 }
 
-// The next pass starts from the smoothed states; rejected nodes no longer restart the a-priori. Returns the largest
-// velocity deviation met.
+// The next pass starts from the smoothed states; rejected nodes no longer restart the a-priori. Returns the
+// largest velocity deviation met.
 static double take_references(const orr_track *t, const orr_arc_range *arc, orr_reference *ref)
 {
     double largest = 0;
@@ -79,9 +79,31 @@ static uint32_t flags_between(const work *w, const orr_node *a, const orr_node *
     return flags;
 }
 
-// Samples of the smoothed track [first, last] as an arc of the solution. scale is the ratio of real to formal sigma.
-static orr_status emit_arc(work *w, const orr_track *t, size_t first, size_t last, const orr_verdict *verdict, double scale)
+// Ratio of real to formal sigma: residuals of the used nodes against their formal covariance sigma^2 E - P.
+// Only the ratio qf / sigma^2 shapes the orbit, so their common scale is free and has to come from the data.
+static double real_over_formal(const work *w, const orr_track *t, const orr_verdict *verdict)
 {
+    double chi2 = 0, formal2 = 0;
+    for (size_t k = 0; k < t->n; k++) {
+        const orr_instant *at = &t->at[k];
+        for (size_t i = at->first; i < at->first + at->n; i++) {
+            const orr_node *node = &w->node[i];
+            if (node->superseded || verdict[i].rejected) continue;
+            orr_vec3 x = orr_vec3_make(at->smoothed.x[0], at->smoothed.x[1], at->smoothed.x[2]);
+            orr_vec3 e = orr_vec3_sub(orr_track_measured(w->c, at, node), x);
+            double weight = 1.0 / (node->sigma_m * node->sigma_m);
+            chi2 += weight * orr_vec3_dot(e, e);
+            for (int j = 0; j < 3; j++) formal2 += 1.0 - weight * at->smoothed.P[j][j];
+        }
+    }
+    return formal2 > 0 ? sqrt(chi2 / formal2) : 1.0;
+}
+
+// Samples of the smoothed track as an arc of the solution.
+static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdict)
+{
+    const size_t first = 0, last = t->n - 1;
+    const double scale = real_over_formal(w, t, verdict);
     if (w->out->n_arcs == w->arc_room) {
         size_t room = w->arc_room > 0 ? 2 * w->arc_room : 4;
         orr_orbit_arc *arc = realloc(w->out->arc, room * sizeof *arc);
@@ -104,7 +126,8 @@ static orr_status emit_arc(work *w, const orr_track *t, size_t first, size_t las
         if (next_instant <= k) { // the next used node after this sample
             right = NULL;
             for (next_instant = k + 1; next_instant <= last && right == NULL; next_instant++)
-                for (size_t i = t->at[next_instant].first; i < t->at[next_instant].first + t->at[next_instant].n; i++)
+                for (size_t i = t->at[next_instant].first;
+                     i < t->at[next_instant].first + t->at[next_instant].n; i++)
                     if (!w->node[i].superseded && !verdict[i].rejected) right = &w->node[i];
             if (right != NULL) next_instant--;
         }
@@ -112,7 +135,8 @@ static orr_status emit_arc(work *w, const orr_track *t, size_t first, size_t las
         orr_sky_at(w->c->sky, at->t_s, &p);
         orr_vec3 r = smoothed_r(at), v = smoothed_v(at);
         orr_vec3 a = orr_force_acceleration(w->c->force, &p, r);
-        a = orr_vec3_add(a, orr_mat3_apply(&at->axes, orr_vec3_make(at->smoothed.x[6], at->smoothed.x[7], at->smoothed.x[8])));
+        a = orr_vec3_add(a, orr_mat3_apply(&at->axes, orr_vec3_make(at->smoothed.x[6], at->smoothed.x[7],
+                                                                    at->smoothed.x[8])));
         orr_orbit_sample *s = &arc.sample[arc.n++];
         orr_sky_to_ecef(&p, r, v, &s->pos_m, &s->vel_mps);
         s->acc_mps2 = orr_vec3_add(orr_mat3_apply(&p.R, a), orr_mat3_apply(&p.ddR, r));
@@ -142,7 +166,8 @@ static orr_status emit_arc(work *w, const orr_track *t, size_t first, size_t las
             if (node->superseded || s != ORR_OK) continue;
             if (verdict[i].rejected) {
                 w->report->nodes_rejected++;
-                s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, node->t, node->t, orr_vec3_norm(o->residual_m));
+                s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, node->t, node->t,
+                                  orr_vec3_norm(o->residual_m));
                 continue;
             }
             o->used = 1;
@@ -156,10 +181,9 @@ static orr_status emit_arc(work *w, const orr_track *t, size_t first, size_t las
     return s;
 }
 
-static double real_over_formal(double chi2, size_t count) { return count > 0 ? sqrt(chi2 / (double)count) : 1.0; }
-
 // One arc again on a grid of its own, from from_s to to_s, which may reach beyond its nodes list[i0..i1).
-static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, size_t i1, const orr_verdict *verdict)
+static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, size_t i1,
+                               const orr_verdict *verdict)
 {
     orr_track t;
     orr_status s = orr_track_init(w->c, from_s, to_s, w->table->step_s, w->node, i1, &t);
@@ -170,12 +194,10 @@ static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, s
             t.at[k].n = t.at[k].n > skip ? t.at[k].n - skip : 0;
             t.at[k].first = i0;
         }
-    double chi2 = 0;
-    size_t count = 0;
     s = orr_track_linearise(w->c, w->ref, &t);
-    if (s == ORR_OK) orr_filter_range(w->c, w->node, verdict, &t, 0, t.n - 1, &chi2, &count);
+    if (s == ORR_OK) orr_filter_track(w->c, w->node, verdict, &t);
     if (s == ORR_OK) s = orr_smooth_range(&t, 0, t.n - 1);
-    if (s == ORR_OK) s = emit_arc(w, &t, 0, t.n - 1, verdict, real_over_formal(chi2, count));
+    if (s == ORR_OK) s = emit_arc(w, &t, verdict);
     orr_track_free(&t);
     return s;
 }
@@ -198,10 +220,13 @@ static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *
         double from_s = a == 0 ? t->at[arc->first].t_s : begin_s, to_s = t->at[arc->last].t_s;
         if (a + 1 < seg->n_arcs) { // a manoeuvre: both arcs reach to where they meet, if they do
             const orr_instant *x = &t->at[arc->last], *y = &t->at[seg->arc[a + 1].first];
-            orr_reference before = {true, smoothed_r(x), smoothed_v(x)}, after = {true, smoothed_r(y), smoothed_v(y)};
-            double when = 0, apart = INFINITY, dv = 0;
+            orr_reference before = {true, smoothed_r(x), smoothed_v(x)},
+                          after = {true, smoothed_r(y), smoothed_v(y)};
+            double when = 0, apart = HUGE_VAL, dv = 0;
             s = orr_events_manoeuvre(w->c, x->t_s, before, y->t_s, after, &when, &apart, &dv);
-            if (s == ORR_OK) s = orr_event_add(&w->events, ORR_EVENT_MANOEUVRE, absolute(w, x->t_s), absolute(w, y->t_s), dv);
+            if (s == ORR_OK)
+                s = orr_event_add(&w->events, ORR_EVENT_MANOEUVRE, absolute(w, x->t_s), absolute(w, y->t_s),
+                                  dv);
             if (s != ORR_OK) break;
             w->report->manoeuvres++;
             bool meet = apart <= MAX_APART_M && y->t_s - x->t_s < 2.0 * w->table->step_s;
@@ -210,12 +235,7 @@ static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *
         }
         if (to_s <= from_s) continue;
         bool whole = arc->first == 0 && arc->last == t->n - 1 && seg->n_arcs == 1;
-        if (whole) {
-            double chi2 = seg->scale * seg->scale;
-            s = emit_arc(w, t, 0, t->n - 1, seg->verdict, real_over_formal(chi2, 1));
-        } else {
-            s = smooth_alone(w, from_s, to_s, i0, i1, seg->verdict);
-        }
+        s = whole ? emit_arc(w, t, seg->verdict) : smooth_alone(w, from_s, to_s, i0, i1, seg->verdict);
     }
     return s;
 }
@@ -239,7 +259,8 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         s = orr_track_linearise(w->c, w->ref, &t);
         if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, &t, &seg);
         double largest = 0;
-        for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++) s = orr_smooth_range(&t, seg.arc[a].first, seg.arc[a].last);
+        for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
+            s = orr_smooth_range(&t, seg.arc[a].first, seg.arc[a].last);
         if (s != ORR_OK) break;
         for (size_t i = i0; i < i1; i++) w->ref[i].valid = w->ref[i].valid && !seg.verdict[i].rejected;
         bool done = pass >= most;
@@ -263,8 +284,8 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
     return s;
 }
 
-orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, const orr_node_list *list,
-                                orr_orbit_sat *out, orr_satellite_report *report)
+orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table,
+                                const orr_node_list *list, orr_orbit_sat *out, orr_satellite_report *report)
 {
     *out = (orr_orbit_sat){.sat = list->sat};
     *report = (orr_satellite_report){0};
@@ -285,7 +306,8 @@ orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table
     s = ORR_OK;
     for (size_t i = 0; i < list->n_nodes && s == ORR_OK;) {
         size_t j = i + 1;
-        while (j < list->n_nodes && list->node[j].t_s - list->node[j - 1].t_s <= c->options->max_gap_s + 1e-3) j++;
+        while (j < list->n_nodes && list->node[j].t_s - list->node[j - 1].t_s <= c->options->max_gap_s + 1e-3)
+            j++;
         s = smooth_stretch(&w, i, j);
         if (j < list->n_nodes && s == ORR_OK)
             s = orr_event_add(&w.events, ORR_EVENT_GAP, list->node[j - 1].t, list->node[j].t, 0);

@@ -4,13 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-// An innovation is a failure when it exceeds THRESHOLD times what this satellite's innovations usually are relative to
-// their formal size, and FLOOR_M in metres: a centimetre model error in an eclipse is no outlier, a metre is.
+// An innovation is a failure when it exceeds THRESHOLD times what this satellite's innovations usually are
+// relative to their formal size, and FLOOR_M in metres: a centimetre model error in an eclipse is no outlier,
+// a metre is.
 #define THRESHOLD 12.0
-#define FLOOR_M 0.10
-#define YOUNG 4        // nodes that a fresh state needs before its predictions are trusted
-#define MAX_SKIPPED 3  // outliers in a row; more in a row is a manoeuvre
-#define CONFIRM 2      // good nodes that confirm that the skipped ones were outliers
+#define FLOOR_M 0.50
+#define YOUNG 4       // nodes that a fresh state needs before its predictions are trusted
+#define MAX_SKIPPED 3 // outliers in a row; more in a row is a manoeuvre
+#define CONFIRM 2     // good nodes that confirm that the skipped ones were outliers
 #define START_R_M 1e3
 #define START_V_MPS 1e2
 
@@ -53,8 +54,9 @@ static void predict_to(const work *w, size_t from, size_t to)
     }
 }
 
-// Takes in the nodes of an instant; with `test`, nodes that fail are rejected unless nothing but them is there, in which
-// case the state stays as predicted. Returns whether any node was taken. d2 collects normalised squares.
+// Takes in the nodes of an instant; with `test`, nodes that fail are rejected unless nothing but them is
+// there, in which case the state stays as predicted. Returns whether any node was taken. d2 collects
+// normalised squares.
 static bool take_nodes(const work *w, size_t instant, bool test, double *d2_sum, size_t *d2_count)
 {
     orr_instant *at = &w->t->at[instant];
@@ -119,8 +121,8 @@ static bool consistent(const work *w, size_t a, size_t b)
     return all;
 }
 
-// A failure soon after a start may be the fault of the start: looks for one or two of the young groups without which the
-// window agrees with one orbit, and rejects them.
+// A failure soon after a start may be the fault of the start: looks for one or two of the young groups
+// without which the window agrees with one orbit, and rejects them.
 static bool blame_young(const work *w, size_t a, size_t first_bad)
 {
     size_t end = first_bad + YOUNG < w->n ? first_bad + YOUNG : w->n;
@@ -140,8 +142,8 @@ static bool blame_young(const work *w, size_t a, size_t first_bad)
     return false;
 }
 
-// Runs one arc from group a; returns the group at which the next one begins (w->n at the end). *last is the last group of
-// the arc.
+// Runs one arc from group a; returns the group at which the next one begins (w->n at the end). *last is the
+// last group of the arc.
 static size_t run_arc(const work *w, size_t a, size_t *last)
 {
 restart:
@@ -221,7 +223,6 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     status = ORR_E_NODATA;
     if (w.n == 0) goto done;
     double scale2 = robust_scale2(&w, room);
-    out->scale = sqrt(scale2);
     w.scale2 = c->options->detect ? scale2 : 0;
     for (size_t a = 0; a < w.n;) {
         size_t last = a, next = run_arc(&w, a, &last), first = a;
@@ -238,17 +239,17 @@ done:
     return status;
 }
 
-void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict, orr_track *t,
-                      size_t first, size_t last, double *chi2, size_t *count)
+void orr_filter_track(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                      orr_track *t)
 {
-    work w = {.c = c, .list = list, .t = t, .verdict = (orr_verdict *)verdict};
-    start_at(&w, first);
-    size_t good = 0;
-    for (size_t k = first; k <= last; k++) {
-        if (k > first) predict_to(&w, k - 1, k);
-        if (t->at[k].n == 0) continue;
-        bool determined = good >= YOUNG && chi2 != NULL;
-        if (take_nodes(&w, k, false, determined ? chi2 : NULL, determined ? count : NULL)) good++;
+    work w = {.c = c,
+              .list = list,
+              .t = t,
+              .verdict = (orr_verdict *)verdict}; // without a scale nothing is tested or written
+    start_at(&w, 0);
+    for (size_t k = 0; k < t->n; k++) {
+        if (k > 0) predict_to(&w, k - 1, k);
+        if (t->at[k].n > 0) take_nodes(&w, k, false, NULL, NULL);
     }
 }
 

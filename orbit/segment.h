@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forward filter over a track, with its verdicts: which nodes are outliers, where a manoeuvre ends one arc and
-// begins the next. Room-internal.
+// The forward filter over a track, with its verdicts: which nodes are outliers, where a manoeuvre ends one
+// arc and begins the next. Room-internal.
 #ifndef ORR_ORBIT_SEGMENT_H
 #define ORR_ORBIT_SEGMENT_H
 
@@ -20,18 +20,17 @@ typedef struct orr_segmentation {
     size_t n_arcs;
     orr_arc_range *arc;   // ascending
     orr_verdict *verdict; // per node of the list
-    double scale;         // robust ratio of real to formal innovations
 } orr_segmentation;
 
-// Runs the filter, leaving predicted and filtered states in the track. ORR_E_MEMORY, ORR_E_NODATA (no usable node).
+// Runs the filter, leaving predicted and filtered states in the track. ORR_E_MEMORY, ORR_E_NODATA (no usable
+// node).
 orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, size_t n, orr_track *t,
                              orr_segmentation *out);
 void orr_segmentation_free(orr_segmentation *s);
 
-// The plain filter over instants [first, last] with the verdicts given; measurement noise as the nodes say. *chi2 and
-// *count (may be NULL) gather normalised squared innovations once the state is determined.
-void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict, orr_track *t,
-                      size_t first, size_t last, double *chi2, size_t *count);
+// The plain filter over the whole track with the verdicts given.
+void orr_filter_track(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                      orr_track *t);
 // The smoother back over the same range. ORR_E_NUMERIC.
 orr_status orr_smooth_range(orr_track *t, size_t first, size_t last);
 

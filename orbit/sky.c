@@ -8,7 +8,8 @@
 #define MARGIN_NODES 3 // so that the four-point window always has its neighbours
 #define N_SLOW 15      // 9 of the slow matrix, Sun, Moon
 
-// R(t) = R3(u t) N(t): what is left in N after the uniform turn is precession, nutation, pole and UT1, all small and slow.
+// R(t) = R3(u t) N(t): what is left in N after the uniform turn is precession, nutation, pole and UT1, all
+// small and slow.
 typedef struct slow_node {
     double q[N_SLOW];
 } slow_node;
@@ -30,8 +31,8 @@ void orr_sky_free(orr_sky *sky)
     free(sky);
 }
 
-orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop, orr_sky **out,
-                        bool *eop_known, orr_diag *diag)
+orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
+                        orr_sky **out, bool *eop_known, orr_diag *diag)
 {
     *out = NULL;
     if (to < from) return orr_diag_set(diag, ORR_E_ARG, "a span that ends before it begins");
@@ -45,8 +46,9 @@ orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const o
     sky->n = (size_t)(span_s / NODE_S) + 2 + 2 * MARGIN_NODES;
     sky->node = malloc(sky->n * sizeof *sky->node);
     if (sky->node == NULL) {
+        size_t n = sky->n;
         orr_sky_free(sky);
-        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu nodes of Earth rotation", sky->n);
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu nodes of Earth rotation", n);
     }
     bool known = true;
     for (size_t i = 0; i < sky->n; i++) {

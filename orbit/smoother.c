@@ -21,9 +21,9 @@ orr_smoother_options orr_smoother_defaults(void)
         .sigma_m = 0.025,
         .sigma_predicted_m = 0.10,
         .qf_m2ps5 = 1e-16,
-        .f0_sigma_mps2 = 1e-6,
+        .f0_sigma_mps2 = 1e-3, // diffuse: the first nodes decide
         .f0_axes = ORR_F0_RTN,
-        .max_gap_s = 6 * 3600.0,
+        .max_gap_s = 8 * 3600.0,
         .detect = true,
         .grid_s = 150,
         .jobs = 1,
@@ -38,7 +38,7 @@ orr_smoother_options orr_smoother_literal(void)
     o.sun_moon = false;
     o.srp_mps2 = 0;
     o.qf_m2ps5 = 0;
-    o.f0_sigma_mps2 = 1e-3; // f0 has to stand for J2, Sun and Moon as well
+    o.qv_m2ps3 = 1e-6; // q1..q3 stand for J2, Sun and Moon; larger values change nothing any more
     o.f0_axes = ORR_F0_ECEF;
     o.passes = 1;
     o.detect = false;
@@ -50,8 +50,10 @@ static orr_status check_options(const orr_smoother_options *o, orr_diag *diag)
     if (!(o->sigma_m > 0) || !(o->sigma_predicted_m > 0))
         return orr_diag_set(diag, ORR_E_ARG, "sigma of a node must be positive");
     if (!(o->qf_m2ps5 >= 0) || !(o->qv_m2ps3 >= 0) || !(o->f0_sigma_mps2 > 0))
-        return orr_diag_set(diag, ORR_E_ARG, "noise of f0 and velocity cannot be negative, and f0's sigma must be positive");
-    if (!(o->grid_s >= 1 && o->grid_s <= 900)) return orr_diag_set(diag, ORR_E_ARG, "grid of %g s is not in 1..900 s", o->grid_s);
+        return orr_diag_set(diag, ORR_E_ARG,
+                            "noise of f0 and velocity cannot be negative, and f0's sigma must be positive");
+    if (!(o->grid_s >= 1 && o->grid_s <= 900))
+        return orr_diag_set(diag, ORR_E_ARG, "grid of %g s is not in 1..900 s", o->grid_s);
     if (!(o->max_gap_s > 0 && o->max_gap_s <= 172800))
         return orr_diag_set(diag, ORR_E_ARG, "longest bridged gap of %g s is not in (0, 48 h]", o->max_gap_s);
     if (!(o->node_step_s >= 0)) return orr_diag_set(diag, ORR_E_ARG, "node step cannot be negative");
@@ -64,22 +66,25 @@ static void describe(const orr_smoother_options *o, char *buf, size_t n)
 {
     static const char *axes[] = {"RTN", "inertial", "ecef"};
     snprintf(buf, n,
-             "prior: sparse SP3; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; SRP: %g m/s2; sigma: %g m (predicted %g m); "
-             "f0: %s, qf %g m2/s5, a-priori %g m/s2; qv: %g m2/s3; node step: %g s; longest gap: %g s; detection: %s; passes: %d",
+             "prior: sparse SP3; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; SRP: %g m/s2; sigma: %g m "
+             "(predicted %g m); "
+             "f0: %s, qf %g m2/s5, a-priori %g m/s2; qv: %g m2/s3; node step: %g s; longest gap: %g s; "
+             "detection: %s; passes: %d",
              o->frame == ORR_SKY_GCRS ? "GCRS (IAU 2006/2000B)" : "uniform rotation", o->gravity_degree,
-             o->zonal_only ? " zonal" : "", o->sun_moon ? "yes" : "no", o->srp_mps2, o->sigma_m, o->sigma_predicted_m,
-             axes[o->f0_axes], o->qf_m2ps5, o->f0_sigma_mps2, o->qv_m2ps3, o->node_step_s, o->max_gap_s,
-             o->detect ? "yes" : "no", o->passes);
+             o->zonal_only ? " zonal" : "", o->sun_moon ? "yes" : "no", o->srp_mps2, o->sigma_m,
+             o->sigma_predicted_m, axes[o->f0_axes], o->qf_m2ps5, o->f0_sigma_mps2, o->qv_m2ps3,
+             o->node_step_s, o->max_gap_s, o->detect ? "yes" : "no", o->passes);
 }
 
-// Work shared by the threads: satellites are independent, each goes to whichever thread is free, into its own place.
+// Work shared by the threads: satellites are independent, each goes to whichever thread is free, into its own
+// place.
 typedef struct pool {
     const orr_smoother_options *options;
     const orr_sky *sky;
     const orr_force *force;
     const orr_node_table *table;
     const volatile int *cancel;
-    orr_orbit_sat *sat;            // per list of the table
+    orr_orbit_sat *sat; // per list of the table
     orr_satellite_report *report;
     orr_status *status;
     atomic_size_t next;
@@ -115,7 +120,8 @@ static void run_pool(pool *p, int jobs)
 }
 
 // Moves finished satellites into the solution and counts; what was left out is said.
-static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report *report, orr_warnings *warnings, orr_diag *diag)
+static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report *report,
+                          orr_warnings *warnings, orr_diag *diag)
 {
     double residual_m2 = 0;
     for (size_t i = 0; i < p->table->n_sats; i++) {
@@ -124,13 +130,16 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
         orr_sat_text(p->table->list[i].sat, name);
         if (p->status[i] != ORR_OK)
             return orr_diag_set(diag, p->status[i], "%s: %s", name,
-                                p->status[i] == ORR_E_INTERRUPTED ? "interrupted" : orr_status_name(p->status[i]));
-        if (r->note[0] != '\0') orr_warnings_add(warnings, NULL, 0, 0, "%s: %s; that stretch is left out", name, r->note);
+                                p->status[i] == ORR_E_INTERRUPTED ? "interrupted"
+                                                                  : orr_status_name(p->status[i]));
+        if (r->note[0] != '\0')
+            orr_warnings_add(warnings, NULL, 0, 0, "%s: %s; that stretch is left out", name, r->note);
         if (p->sat[i].n_arcs == 0) {
             if (p->table->list[i].n_nodes == 0)
                 orr_warnings_add(warnings, NULL, 0, 0, "%s: no positions; left out", name);
             else if (r->note[0] == '\0')
-                orr_warnings_add(warnings, NULL, 0, 0, "%s: its positions agree with no orbit; left out", name);
+                orr_warnings_add(warnings, NULL, 0, 0, "%s: its positions agree with no orbit; left out",
+                                 name);
             orr_satellite_free(&p->sat[i]);
             continue;
         }
@@ -167,9 +176,10 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     return ORR_OK;
 }
 
-orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs, const orr_smoother_options *options,
-                            const orr_log *log, const volatile int *cancel, orr_orbit_solution *out,
-                            orr_smoother_report *report, orr_warnings *warnings, orr_diag *diag)
+orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
+                            const orr_smoother_options *options, const orr_log *log,
+                            const volatile int *cancel, orr_orbit_solution *out, orr_smoother_report *report,
+                            orr_warnings *warnings, orr_diag *diag)
 {
     orr_smoother_report unused;
     if (report == NULL) report = &unused;
@@ -179,7 +189,8 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs, co
     orr_node_table table = {0};
     orr_sky *sky = NULL;
     orr_status s = check_options(options, diag);
-    if (s == ORR_OK) s = orr_gravity_field_init(&force.earth, options->gravity_degree, options->zonal_only, diag);
+    if (s == ORR_OK)
+        s = orr_gravity_field_init(&force.earth, options->gravity_degree, options->zonal_only, diag);
     if (s == ORR_OK) s = orr_nodes_collect(input, n_inputs, options, &table, warnings, diag);
     if (s != ORR_OK) return s;
     ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the smoother hands to the product: per satellite, arcs of equally spaced states, clock nodes, the input nodes
-// with their residuals, and events. Plain memory; no file knows of it. orbit/smoother.h makes it, orbit/ephemeris.h
-// turns it into Chebyshev segments.
+// What the smoother hands to the product: per satellite, arcs of equally spaced states, clock nodes, the
+// input nodes with their residuals, and events. Plain memory; no file knows of it. orbit/smoother.h makes it,
+// orbit/ephemeris.h turns it into Chebyshev segments.
 #ifndef ORR_ORBIT_SOLUTION_H
 #define ORR_ORBIT_SOLUTION_H
 
@@ -9,8 +9,8 @@
 #include "core/time.h"
 #include "core/vec.h"
 
-// State in ecef (ITRS) at one instant. acc is the second derivative of the ecef coordinates (what a receiver's
-// polynomial needs), not the specific force.
+// State in ecef (ITRS) at one instant. acc is the second derivative of the ecef coordinates (what a
+// receiver's polynomial needs), not the specific force.
 typedef struct orr_orbit_sample {
     orr_vec3 pos_m, vel_mps, acc_mps2;
     float sigma_m;  // 1-sigma of position, 3-D, scaled by the residuals
@@ -26,7 +26,8 @@ typedef struct orr_orbit_arc {
     orr_orbit_sample *sample;
 } orr_orbit_arc;
 
-// Clock node. Between neighbours not further apart than the product's max gap the clock is linear; never across a gap.
+// Clock node. Between neighbours not further apart than the product's max gap the clock is linear; never
+// across a gap.
 typedef struct orr_clock_node {
     orr_time t;
     double clock_s; // as the input product gives it (periodic relativity NOT included, the IGS convention)
@@ -42,7 +43,8 @@ typedef struct orr_orbit_node {
 } orr_orbit_node;
 
 typedef enum orr_event_kind {
-    ORR_EVENT_MANOEUVRE = 1, // velocity and f0 restarted within [t0, t1]; value: change of velocity, m/s (0: not known)
+    ORR_EVENT_MANOEUVRE =
+        1, // velocity and f0 restarted within [t0, t1]; value: change of velocity, m/s (0: not known)
     ORR_EVENT_UMBRA = 2,
     ORR_EVENT_PENUMBRA = 3, // partial shadow of the Earth
     ORR_EVENT_OUTLIER = 4,  // value: size of the rejected innovation, m
@@ -58,14 +60,14 @@ typedef struct orr_orbit_event {
 typedef struct orr_orbit_sat {
     orr_sat sat;
     size_t n_arcs, n_clocks, n_nodes, n_events;
-    orr_orbit_arc *arc;      // ascending, not overlapping
-    orr_clock_node *clock;   // ascending
-    orr_orbit_node *node;    // ascending in t
-    orr_orbit_event *event;  // ascending in t0
+    orr_orbit_arc *arc;     // ascending, not overlapping
+    orr_clock_node *clock;  // ascending
+    orr_orbit_node *node;   // ascending in t
+    orr_orbit_event *event; // ascending in t0
 } orr_orbit_sat;
 
 typedef struct orr_orbit_source {
-    char name[256];   // base name of the input
+    char name[256]; // base name of the input
     char sha256[65];
 } orr_orbit_source;
 
@@ -73,11 +75,11 @@ typedef struct orr_orbit_solution {
     size_t n_sats, n_sources;
     orr_orbit_sat *sat; // ascending
     orr_orbit_source *source;
-    double node_step_s;      // the usual step of input nodes
-    double clock_max_gap_s;  // longest interval that a clock is interpolated over
-    orr_time from, to;       // span of the input nodes
-    char options[1024];      // the settings in words, for provenance
-    char frame[64];          // input's coordinate system, e.g. "IGS20"
+    double node_step_s;     // the usual step of input nodes
+    double clock_max_gap_s; // longest interval that a clock is interpolated over
+    orr_time from, to;      // span of the input nodes
+    char options[1024];     // the settings in words, for provenance
+    char frame[64];         // input's coordinate system, e.g. "IGS20"
 } orr_orbit_solution;
 
 void orr_orbit_solution_free(orr_orbit_solution *s);

@@ -21,8 +21,8 @@ static size_t choose_segment(size_t intervals)
     return 0;
 }
 
-// Number of sample intervals over a span: the step divides node_step_s when the span is a multiple of it, so that nodes
-// fall on samples; else the span is cut into equal segments.
+// Number of sample intervals over a span: the step divides node_step_s when the span is a multiple of it, so
+// that nodes fall on samples; else the span is cut into equal segments.
 static size_t choose_intervals(double span_s, double node_step_s, double grid_s, size_t *per_segment)
 {
     double steps = node_step_s > 0 ? span_s / node_step_s : 0;
@@ -36,11 +36,12 @@ static size_t choose_intervals(double span_s, double node_step_s, double grid_s,
     return (size_t)(segments > 1 ? segments : 1) * ORR_SAMPLES_PER_SEGMENT;
 }
 
-orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s, double node_step_s, const orr_node *list,
-                          size_t n, orr_track *out)
+orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s, double node_step_s,
+                          const orr_node *list, size_t n, orr_track *out)
 {
     *out = (orr_track){0};
-    size_t intervals = choose_intervals(to_s - from_s, node_step_s, c->options->grid_s, &out->samples_per_segment);
+    size_t intervals =
+        choose_intervals(to_s - from_s, node_step_s, c->options->grid_s, &out->samples_per_segment);
     out->n_samples = intervals + 1;
     out->step_s = (to_s - from_s) / (double)intervals;
     out->at = calloc(out->n_samples + n, sizeof *out->at);
@@ -48,8 +49,8 @@ orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s
     size_t i = 0, k = 0;
     while (i < n && list[i].t_s < from_s - SAME_INSTANT_S) i++;
     while (k < out->n_samples || (i < n && list[i].t_s <= to_s + SAME_INSTANT_S)) {
-        double sample_s = k < out->n_samples ? from_s + out->step_s * (double)k : INFINITY;
-        double node_s = i < n && list[i].t_s <= to_s + SAME_INSTANT_S ? list[i].t_s : INFINITY;
+        double sample_s = k < out->n_samples ? from_s + out->step_s * (double)k : HUGE_VAL;
+        double node_s = i < n && list[i].t_s <= to_s + SAME_INSTANT_S ? list[i].t_s : HUGE_VAL;
         orr_instant *at = &out->at[out->n++];
         at->t_s = sample_s < node_s ? sample_s : node_s;
         if (fabs(sample_s - node_s) < SAME_INSTANT_S) at->t_s = node_s;
@@ -70,20 +71,25 @@ orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s
 static orr_mat3 f0_axes(const orr_track_context *c, double t_s, orr_vec3 r, orr_vec3 v)
 {
     switch (c->options->f0_axes) {
-    case ORR_F0_INERTIAL: return orr_mat3_identity();
+    case ORR_F0_INERTIAL:
+        return orr_mat3_identity();
     case ORR_F0_ECEF: {
         orr_sky_point p;
         orr_sky_force_point(c->sky, t_s, &p);
         return orr_mat3_transpose(&p.R);
     }
-    case ORR_F0_RTN: break;
+    case ORR_F0_RTN:
+        break;
     }
-    orr_vec3 radial = orr_vec3_unit(r), cross = orr_vec3_unit(orr_vec3_cross(r, v)), along = orr_vec3_cross(cross, radial);
-    return (orr_mat3){{{radial.x, along.x, cross.x}, {radial.y, along.y, cross.y}, {radial.z, along.z, cross.z}}};
+    orr_vec3 radial = orr_vec3_unit(r), cross = orr_vec3_unit(orr_vec3_cross(r, v)),
+             along = orr_vec3_cross(cross, radial);
+    return (orr_mat3){
+        {{radial.x, along.x, cross.x}, {radial.y, along.y, cross.y}, {radial.z, along.z, cross.z}}};
 }
 
-// Variational equations d_eta' = d_V, d_V' = G d_eta + B f0 (33)-(34) over one step, all nine columns by one classical
-// Runge-Kutta step with the gradient at begin, middle and end. At 150 s it errs by 4e-11 of the deviation.
+// Variational equations d_eta' = d_V, d_V' = G d_eta + B f0 (33)-(34) over one step, all nine columns by one
+// classical Runge-Kutta step with the gradient at begin, middle and end. At 150 s it errs by 4e-11 of the
+// deviation.
 static void variational_step(const orr_mat3 G[3], const orr_mat3 B[3], double h, double F[6][ORR_NX])
 {
     static const double along[4] = {0, 0.5, 0.5, 1}, weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
@@ -106,8 +112,8 @@ static void variational_step(const orr_mat3 G[3], const orr_mat3 B[3], double h,
     }
 }
 
-static void transition_between(const orr_track_context *c, double t_s, double h, orr_vec3 r0, orr_vec3 v0, orr_vec3 r1,
-                               orr_vec3 v1, orr_transition *out)
+static void transition_between(const orr_track_context *c, double t_s, double h, orr_vec3 r0, orr_vec3 v0,
+                               orr_vec3 r1, orr_vec3 v1, orr_transition *out)
 {
     // Middle of the step by the quintic through both ends' states and accelerations: metres off at most.
     orr_vec3 a0 = orr_integrator_acceleration(c->integrator, t_s, r0);
@@ -119,7 +125,8 @@ static void transition_between(const orr_track_context *c, double t_s, double h,
     vm = orr_vec3_axpy(-7.0 / 16, orr_vec3_add(v0, v1), vm);
     vm = orr_vec3_axpy(h / 32, orr_vec3_sub(a1, a0), vm);
 
-    orr_mat3 G[3] = {orr_force_central_gradient(r0), orr_force_central_gradient(rm), orr_force_central_gradient(r1)};
+    orr_mat3 G[3] = {orr_force_central_gradient(r0), orr_force_central_gradient(rm),
+                     orr_force_central_gradient(r1)};
     orr_mat3 B[3] = {f0_axes(c, t_s, r0, v0), f0_axes(c, t_s + h / 2, rm, vm), f0_axes(c, t_s + h, r1, v1)};
     variational_step(G, B, h, out->F);
     out->h_s = h;

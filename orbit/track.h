@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One stretch of one satellite on the filter's time grid: the a-priori trajectory with its transition matrices, and
-// room for what filter and smoother leave at every instant. Room-internal.
+// One stretch of one satellite on the filter's time grid: the a-priori trajectory with its transition
+// matrices, and room for what filter and smoother leave at every instant. Room-internal.
 #ifndef ORR_ORBIT_TRACK_H
 #define ORR_ORBIT_TRACK_H
 
@@ -19,12 +19,12 @@ typedef struct orr_reference {
 // An instant of the grid.
 typedef struct orr_instant {
     double t_s;
-    bool sample;          // on the uniform grid that the product takes its samples from
-    size_t first, n;      // nodes (indices into the list) at this instant; n = 0: none
-    orr_vec3 r_m, v_mps;  // a-priori state from which the next step departs
-    orr_mat3 axes;        // f0 axes to integration axes
-    orr_transition next;  // to the following instant
-    double shift[6];      // arriving minus departing a-priori state
+    bool sample;                             // on the uniform grid that the product takes its samples from
+    size_t first, n;                         // nodes (indices into the list) at this instant; n = 0: none
+    orr_vec3 r_m, v_mps;                     // a-priori state from which the next step departs
+    orr_mat3 axes;                           // f0 axes to integration axes
+    orr_transition next;                     // to the following instant
+    double shift[6];                         // arriving minus departing a-priori state
     orr_gauss predicted, filtered, smoothed; // of deviations from the departing state
 } orr_instant;
 
@@ -43,14 +43,15 @@ typedef struct orr_track_context {
     orr_integrator *integrator;
 } orr_track_context;
 
-// Grid from from_s to to_s: samples at most options->grid_s apart, commensurate with node_step_s where that is possible,
-// and all nodes list[0..n) that lie within. ORR_E_MEMORY.
-orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s, double node_step_s, const orr_node *list,
-                          size_t n, orr_track *out);
+// Grid from from_s to to_s: samples at most options->grid_s apart, commensurate with node_step_s where that
+// is possible, and all nodes list[0..n) that lie within. ORR_E_MEMORY.
+orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s, double node_step_s,
+                          const orr_node *list, size_t n, orr_track *out);
 void orr_track_free(orr_track *t);
 
-// A-priori trajectory: starts from the first valid reference (backwards to the grid's begin if need be), restarts at every
-// later one; reference[i] belongs to node list[i]. ORR_E_NUMERIC if it leaves sense, ORR_E_NODATA without any reference.
+// A-priori trajectory: starts from the first valid reference (backwards to the grid's begin if need be),
+// restarts at every later one; reference[i] belongs to node list[i]. ORR_E_NUMERIC if it leaves sense,
+// ORR_E_NODATA without any reference.
 orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *reference, orr_track *t);
 
 // Measured minus a-priori position of node `n` at instant `at`, integration axes.
