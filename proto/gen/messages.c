@@ -1,0 +1,552 @@
+// SPDX-License-Identifier: MIT
+// Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+// clang-format off
+#include "proto/gen/messages.h"
+
+const char *orr_msg_type_name(uint16_t type)
+{
+    switch (type) {
+    case 1: return "HELLO";
+    case 2: return "CAPS";
+    case 3: return "PING";
+    case 4: return "PONG";
+    case 5: return "ERROR";
+    case 6: return "POLL";
+    case 7: return "STATES";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_error_code_name(uint16_t value)
+{
+    switch (value) {
+    case 1: return "BAD_MAGIC";
+    case 2: return "BAD_LENGTH";
+    case 3: return "BAD_CRC";
+    case 4: return "BAD_VERSION";
+    case 5: return "UNKNOWN_TYPE";
+    case 6: return "BAD_PAYLOAD";
+    case 7: return "BAD_REQUEST";
+    case 8: return "LIMIT";
+    case 9: return "NOT_SERVED";
+    case 10: return "BUSY";
+    case 11: return "TIMEOUT";
+    case 12: return "CLOSING";
+    case 13: return "INTERNAL";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_answer_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "OK";
+    case 1: return "OUTSIDE_SPAN";
+    case 2: return "NO_ARC";
+    case 3: return "NOT_SERVED";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_state_flags_name(unsigned bit)
+{
+    switch (bit) {
+    case 0: return "CLOCK_VALID";
+    case 1: return "PREDICTED";
+    case 2: return "MANOEUVRE";
+    case 3: return "CLOCK_EVENT";
+    case 4: return "ECLIPSE";
+    case 5: return "GAP";
+    default: return NULL;
+    }
+}
+
+static inline void store_sat_id(uint8_t *p, const orr_msg_sat_id *m)
+{
+    orr_wire_store_u8(p + 0, m->system);
+    orr_wire_store_u8(p + 1, m->number);
+}
+
+static inline void load_sat_id(const uint8_t *p, orr_msg_sat_id *m)
+{
+    m->system = orr_wire_load_u8(p + 0);
+    m->number = orr_wire_load_u8(p + 1);
+}
+
+static inline void store_message_ref(uint8_t *p, const orr_msg_message_ref *m)
+{
+    orr_wire_store_u16(p + 0, m->type);
+}
+
+static inline void load_message_ref(const uint8_t *p, orr_msg_message_ref *m)
+{
+    m->type = orr_wire_load_u16(p + 0);
+}
+
+static inline void store_sat_state(uint8_t *p, const orr_msg_sat_state *m)
+{
+    store_sat_id(p + 0, &m->sat);
+    orr_wire_store_u8(p + 2, m->answer);
+    orr_wire_store_u8(p + 3, m->reserved);
+    orr_wire_store_u32(p + 4, m->flags);
+    orr_wire_store_f64(p + 8, m->pos_m[0]);
+    orr_wire_store_f64(p + 16, m->pos_m[1]);
+    orr_wire_store_f64(p + 24, m->pos_m[2]);
+    orr_wire_store_f64(p + 32, m->vel_mps[0]);
+    orr_wire_store_f64(p + 40, m->vel_mps[1]);
+    orr_wire_store_f64(p + 48, m->vel_mps[2]);
+    orr_wire_store_f64(p + 56, m->acc_mps2[0]);
+    orr_wire_store_f64(p + 64, m->acc_mps2[1]);
+    orr_wire_store_f64(p + 72, m->acc_mps2[2]);
+    orr_wire_store_f64(p + 80, m->clock_s);
+    orr_wire_store_f64(p + 88, m->clock_rate_sps);
+    orr_wire_store_i64(p + 96, m->valid_from);
+    orr_wire_store_i64(p + 104, m->valid_to);
+    orr_wire_store_f32(p + 112, m->sigma_m);
+}
+
+static inline void load_sat_state(const uint8_t *p, orr_msg_sat_state *m)
+{
+    load_sat_id(p + 0, &m->sat);
+    m->answer = orr_wire_load_u8(p + 2);
+    m->reserved = orr_wire_load_u8(p + 3);
+    m->flags = orr_wire_load_u32(p + 4);
+    m->pos_m[0] = orr_wire_load_f64(p + 8);
+    m->pos_m[1] = orr_wire_load_f64(p + 16);
+    m->pos_m[2] = orr_wire_load_f64(p + 24);
+    m->vel_mps[0] = orr_wire_load_f64(p + 32);
+    m->vel_mps[1] = orr_wire_load_f64(p + 40);
+    m->vel_mps[2] = orr_wire_load_f64(p + 48);
+    m->acc_mps2[0] = orr_wire_load_f64(p + 56);
+    m->acc_mps2[1] = orr_wire_load_f64(p + 64);
+    m->acc_mps2[2] = orr_wire_load_f64(p + 72);
+    m->clock_s = orr_wire_load_f64(p + 80);
+    m->clock_rate_sps = orr_wire_load_f64(p + 88);
+    m->valid_from = orr_wire_load_i64(p + 96);
+    m->valid_to = orr_wire_load_i64(p + 104);
+    m->sigma_m = orr_wire_load_f32(p + 112);
+}
+
+static void put_hello(orr_wire_writer *w, const orr_msg_hello *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u8(p + 0, m->major_min);
+    orr_wire_store_u8(p + 1, m->major_max);
+    orr_wire_put_bytes(w, m->name, 64);
+    orr_wire_put_bytes(w, m->version, 32);
+}
+
+static void get_hello(orr_wire_reader *r, orr_msg_hello *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    m->major_min = orr_wire_load_u8(p + 0);
+    m->major_max = orr_wire_load_u8(p + 1);
+    m->name = orr_wire_get_bytes(r, 64);
+    m->version = orr_wire_get_bytes(r, 32);
+}
+
+orr_wire_status orr_msg_hello_encode(const orr_msg_hello *m, orr_wire_writer *w)
+{
+    put_hello(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_hello_decode(const uint8_t *payload, size_t size, orr_msg_hello *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_hello(&r, m);
+    return r.status;
+}
+
+static void put_message_ref_list(orr_wire_writer *w, const orr_msg_message_ref_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 2 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 2 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_message_ref(p + 2 * (size_t)i, &list->item[i]);
+}
+
+static void get_message_ref_list(orr_wire_reader *r, orr_msg_message_ref_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 2) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_message_ref_next(const orr_msg_message_ref_list *list, orr_wire_iter *it, orr_msg_message_ref *out)
+{
+    return orr_msg_message_ref_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_message_ref_at(const orr_msg_message_ref_list *list, uint16_t index, orr_msg_message_ref *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_message_ref(p, out);
+    return true;
+}
+
+static void put_sat_id_list(orr_wire_writer *w, const orr_msg_sat_id_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 2 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 2 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_id(p + 2 * (size_t)i, &list->item[i]);
+}
+
+static void get_sat_id_list(orr_wire_reader *r, orr_msg_sat_id_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 2) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_sat_id_next(const orr_msg_sat_id_list *list, orr_wire_iter *it, orr_msg_sat_id *out)
+{
+    return orr_msg_sat_id_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_sat_id_at(const orr_msg_sat_id_list *list, uint16_t index, orr_msg_sat_id *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_sat_id(p, out);
+    return true;
+}
+
+static void put_caps(orr_wire_writer *w, const orr_msg_caps *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 26);
+    if (p == NULL) return;
+    orr_wire_store_u8(p + 0, m->major);
+    orr_wire_store_u8(p + 1, m->minor);
+    orr_wire_store_u32(p + 2, m->max_request);
+    orr_wire_store_u32(p + 6, m->max_epochs);
+    orr_wire_store_i64(p + 10, m->span_from);
+    orr_wire_store_i64(p + 18, m->span_to);
+    orr_wire_put_bytes(w, m->name, 64);
+    orr_wire_put_bytes(w, m->version, 32);
+    orr_wire_put_bytes(w, m->title, 128);
+    orr_wire_put_bytes(w, m->frame, 64);
+    put_message_ref_list(w, &m->requests, 64);
+    put_sat_id_list(w, &m->satellites, 800);
+}
+
+static void get_caps(orr_wire_reader *r, orr_msg_caps *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 26);
+    if (p == NULL) return;
+    m->major = orr_wire_load_u8(p + 0);
+    m->minor = orr_wire_load_u8(p + 1);
+    m->max_request = orr_wire_load_u32(p + 2);
+    m->max_epochs = orr_wire_load_u32(p + 6);
+    m->span_from = orr_wire_load_i64(p + 10);
+    m->span_to = orr_wire_load_i64(p + 18);
+    m->name = orr_wire_get_bytes(r, 64);
+    m->version = orr_wire_get_bytes(r, 32);
+    m->title = orr_wire_get_bytes(r, 128);
+    m->frame = orr_wire_get_bytes(r, 64);
+    get_message_ref_list(r, &m->requests, 64);
+    get_sat_id_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w)
+{
+    put_caps(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_caps_decode(const uint8_t *payload, size_t size, orr_msg_caps *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_caps(&r, m);
+    return r.status;
+}
+
+static void put_ping(orr_wire_writer *w, const orr_msg_ping *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 8);
+    if (p == NULL) return;
+    orr_wire_store_u64(p + 0, m->token);
+}
+
+static void get_ping(orr_wire_reader *r, orr_msg_ping *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 8);
+    if (p == NULL) return;
+    m->token = orr_wire_load_u64(p + 0);
+}
+
+orr_wire_status orr_msg_ping_encode(const orr_msg_ping *m, orr_wire_writer *w)
+{
+    put_ping(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_ping_decode(const uint8_t *payload, size_t size, orr_msg_ping *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_ping(&r, m);
+    return r.status;
+}
+
+static void put_pong(orr_wire_writer *w, const orr_msg_pong *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 8);
+    if (p == NULL) return;
+    orr_wire_store_u64(p + 0, m->token);
+}
+
+static void get_pong(orr_wire_reader *r, orr_msg_pong *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 8);
+    if (p == NULL) return;
+    m->token = orr_wire_load_u64(p + 0);
+}
+
+orr_wire_status orr_msg_pong_encode(const orr_msg_pong *m, orr_wire_writer *w)
+{
+    put_pong(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_pong_decode(const uint8_t *payload, size_t size, orr_msg_pong *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_pong(&r, m);
+    return r.status;
+}
+
+static void put_error(orr_wire_writer *w, const orr_msg_error *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->code);
+    orr_wire_store_u16(p + 2, m->request);
+    orr_wire_put_bytes(w, m->sentence, 512);
+}
+
+static void get_error(orr_wire_reader *r, orr_msg_error *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->code = orr_wire_load_u16(p + 0);
+    m->request = orr_wire_load_u16(p + 2);
+    m->sentence = orr_wire_get_bytes(r, 512);
+}
+
+orr_wire_status orr_msg_error_encode(const orr_msg_error *m, orr_wire_writer *w)
+{
+    put_error(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_error_decode(const uint8_t *payload, size_t size, orr_msg_error *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_error(&r, m);
+    return r.status;
+}
+
+static void put_poll(orr_wire_writer *w, const orr_msg_poll *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 20);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->count);
+    put_sat_id_list(w, &m->satellites, 800);
+}
+
+static void get_poll(orr_wire_reader *r, orr_msg_poll *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 20);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+    m->count = orr_wire_load_u32(p + 16);
+    get_sat_id_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_poll_encode(const orr_msg_poll *m, orr_wire_writer *w)
+{
+    put_poll(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_decode(const uint8_t *payload, size_t size, orr_msg_poll *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll(&r, m);
+    return r.status;
+}
+
+static void put_sat_state_list(orr_wire_writer *w, const orr_msg_sat_state_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 116 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 116 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_state(p + 116 * (size_t)i, &list->item[i]);
+}
+
+static void get_sat_state_list(orr_wire_reader *r, orr_msg_sat_state_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 116) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_sat_state_next(const orr_msg_sat_state_list *list, orr_wire_iter *it, orr_msg_sat_state *out)
+{
+    return orr_msg_sat_state_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_sat_state_at(const orr_msg_sat_state_list *list, uint16_t index, orr_msg_sat_state *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_sat_state(p, out);
+    return true;
+}
+
+static void put_states(orr_wire_writer *w, const orr_msg_states *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 17);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u32(p + 8, m->index);
+    orr_wire_store_u32(p + 12, m->count);
+    orr_wire_store_u8(p + 16, m->answer);
+    put_sat_state_list(w, &m->satellites, 800);
+}
+
+static void get_states(orr_wire_reader *r, orr_msg_states *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 17);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->index = orr_wire_load_u32(p + 8);
+    m->count = orr_wire_load_u32(p + 12);
+    m->answer = orr_wire_load_u8(p + 16);
+    get_sat_state_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_states_encode(const orr_msg_states *m, orr_wire_writer *w)
+{
+    put_states(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_msg_states *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_states(&r, m);
+    return r.status;
+}

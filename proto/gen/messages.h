@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+// clang-format off
+// Messages of Orrery, protocol 1.0.
+#ifndef ORR_MSG_GENERATED_H
+#define ORR_MSG_GENERATED_H
+
+#include <stdbool.h>
+
+#include "proto/wire.h"
+
+#define ORR_MSG_MAGIC_0 0x4fu
+#define ORR_MSG_MAGIC_1 0x52u
+#define ORR_MSG_MAGIC_2 0x52u
+#define ORR_MSG_MAGIC_3 0x59u
+#define ORR_MSG_MAJOR 1u
+#define ORR_MSG_MINOR 0u
+#define ORR_MSG_PORT 15754u
+#define ORR_MSG_MAX_PAYLOAD 1048576u
+#define ORR_MSG_MAX_SATELLITES 800u // satellites in one list (eight systems of 99 and a little)
+#define ORR_MSG_MAX_EPOCHS 86400u // epochs one POLL may ask for (a day at 1 Hz)
+#define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
+
+enum { // message types
+    ORR_MSG_TYPE_HELLO = 1,
+    ORR_MSG_TYPE_CAPS = 2,
+    ORR_MSG_TYPE_PING = 3,
+    ORR_MSG_TYPE_PONG = 4,
+    ORR_MSG_TYPE_ERROR = 5,
+    ORR_MSG_TYPE_POLL = 6,
+    ORR_MSG_TYPE_STATES = 7,
+};
+
+enum { // error_code (u16): Why a request was refused or a connection is being closed.
+    ORR_MSG_ERROR_CODE_BAD_MAGIC = 1, // the bytes are no frame of this protocol
+    ORR_MSG_ERROR_CODE_BAD_LENGTH = 2, // the payload length is above the limit
+    ORR_MSG_ERROR_CODE_BAD_CRC = 3, // the checksum does not match: bytes were lost or damaged
+    ORR_MSG_ERROR_CODE_BAD_VERSION = 4, // no common major version
+    ORR_MSG_ERROR_CODE_UNKNOWN_TYPE = 5, // no such message type in the server's version
+    ORR_MSG_ERROR_CODE_BAD_PAYLOAD = 6, // the payload is shorter than its fields, or a count in it is above its limit
+    ORR_MSG_ERROR_CODE_BAD_REQUEST = 7, // a value outside its domain, e.g. a step of zero with several epochs
+    ORR_MSG_ERROR_CODE_LIMIT = 8, // more epochs or satellites than one request may ask for
+    ORR_MSG_ERROR_CODE_NOT_SERVED = 9, // understood, but this scenario has nothing to answer it with
+    ORR_MSG_ERROR_CODE_BUSY = 10, // as many clients are connected as the server allows
+    ORR_MSG_ERROR_CODE_TIMEOUT = 11, // half a frame, or nothing, for longer than the server waits
+    ORR_MSG_ERROR_CODE_CLOSING = 12, // the server is shutting down
+    ORR_MSG_ERROR_CODE_INTERNAL = 13, // the server failed; its log says how
+};
+
+enum { // answer (u8): Whether there are numbers, and if not, why not.
+    ORR_MSG_ANSWER_OK = 0, // the numbers are there
+    ORR_MSG_ANSWER_OUTSIDE_SPAN = 1, // the instant is outside the served span
+    ORR_MSG_ANSWER_NO_ARC = 2, // the satellite has no valid arc at the instant
+    ORR_MSG_ANSWER_NOT_SERVED = 3, // the satellite is not among those served
+};
+
+// state_flags (u32): What holds for a satellite's state.
+#define ORR_MSG_STATE_FLAGS_CLOCK_VALID ((uint32_t)(UINT64_C(1) << 0)) // clock_s and clock_rate_sps are there (NAN otherwise)
+#define ORR_MSG_STATE_FLAGS_PREDICTED ((uint32_t)(UINT64_C(1) << 1)) // the input was predicted, or bridged without input
+#define ORR_MSG_STATE_FLAGS_MANOEUVRE ((uint32_t)(UINT64_C(1) << 2)) // within a manoeuvre's interval
+#define ORR_MSG_STATE_FLAGS_CLOCK_EVENT ((uint32_t)(UINT64_C(1) << 3)) // the input flagged a clock event at a neighbouring node
+#define ORR_MSG_STATE_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 4)) // in the umbra or penumbra of the Earth
+#define ORR_MSG_STATE_FLAGS_GAP ((uint32_t)(UINT64_C(1) << 5)) // between input nodes further apart than twice the usual
+
+// Names as in the specification; NULL for a value that it does not know.
+const char *orr_msg_type_name(uint16_t type);
+const char *orr_msg_error_code_name(uint16_t value);
+const char *orr_msg_answer_name(uint8_t value);
+const char *orr_msg_state_flags_name(unsigned bit);
+
+// A satellite as IGS files name it.
+typedef struct orr_msg_sat_id {
+    uint8_t system; // letter: G R E C J I S L
+    uint8_t number; // 1 to 99
+} orr_msg_sat_id;
+#define ORR_MSG_SAT_ID_SIZE 2u
+#define ORR_MSG_SAT_ID_LARGEST 2u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_id_next or orr_msg_sat_id_at.
+typedef struct orr_msg_sat_id_list {
+    uint16_t count;
+    const orr_msg_sat_id *item;
+    orr_wire_records wire;
+} orr_msg_sat_id_list;
+bool orr_msg_sat_id_next(const orr_msg_sat_id_list *list, orr_wire_iter *it, orr_msg_sat_id *out); // false at the end
+bool orr_msg_sat_id_at(const orr_msg_sat_id_list *list, uint16_t index, orr_msg_sat_id *out);   // false beyond the end
+
+// A message type.
+typedef struct orr_msg_message_ref {
+    uint16_t type; // as in the frame header
+} orr_msg_message_ref;
+#define ORR_MSG_MESSAGE_REF_SIZE 2u
+#define ORR_MSG_MESSAGE_REF_LARGEST 2u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_message_ref_next or orr_msg_message_ref_at.
+typedef struct orr_msg_message_ref_list {
+    uint16_t count;
+    const orr_msg_message_ref *item;
+    orr_wire_records wire;
+} orr_msg_message_ref_list;
+bool orr_msg_message_ref_next(const orr_msg_message_ref_list *list, orr_wire_iter *it, orr_msg_message_ref *out); // false at the end
+bool orr_msg_message_ref_at(const orr_msg_message_ref_list *list, uint16_t index, orr_msg_message_ref *out);   // false beyond the end
+
+// State of one satellite in the terrestrial frame of the input orbits (ecef). Numbers are NAN unless answer is OK.
+typedef struct orr_msg_sat_state {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC or NOT_SERVED
+    uint8_t reserved; // 0
+    uint32_t flags; // 0 unless answer is OK
+    double pos_m[3]; // position of the centre of mass
+    double vel_mps[3]; // [m/s] its first derivative (ecef)
+    double acc_mps2[3]; // [m/s2] its second derivative (ecef)
+    double clock_s; // clock offset, periodic relativity not included
+    double clock_rate_sps; // [s/s] its derivative
+    int64_t valid_from; // [ns] start of the arc that was evaluated
+    int64_t valid_to; // [ns] its end
+    float sigma_m; // 1-sigma of the position, 3-D
+} orr_msg_sat_state;
+#define ORR_MSG_SAT_STATE_SIZE 116u
+#define ORR_MSG_SAT_STATE_LARGEST 116u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_state_next or orr_msg_sat_state_at.
+typedef struct orr_msg_sat_state_list {
+    uint16_t count;
+    const orr_msg_sat_state *item;
+    orr_wire_records wire;
+} orr_msg_sat_state_list;
+bool orr_msg_sat_state_next(const orr_msg_sat_state_list *list, orr_wire_iter *it, orr_msg_sat_state *out); // false at the end
+bool orr_msg_sat_state_at(const orr_msg_sat_state_list *list, uint16_t index, orr_msg_sat_state *out);   // false beyond the end
+
+// Encoding appends the payload to the writer and returns its status. Decoding reads a payload; strings, blobs
+// and lists borrow its bytes; bytes after the last known field are of a later minor version and are ignored.
+
+// Opens a conversation. Optional, but a client that sends it learns what is served.
+typedef struct orr_msg_hello {
+    uint8_t major_min; // lowest major version the client speaks
+    uint8_t major_max; // highest
+    orr_wire_bytes name; // name of the client, for the server's log
+    orr_wire_bytes version; // its version
+} orr_msg_hello;
+#define ORR_MSG_HELLO_LARGEST 102u
+
+orr_wire_status orr_msg_hello_encode(const orr_msg_hello *m, orr_wire_writer *w);
+orr_wire_status orr_msg_hello_decode(const uint8_t *payload, size_t size, orr_msg_hello *m);
+
+// What the server is and what it serves.
+typedef struct orr_msg_caps {
+    uint8_t major; // version chosen for the conversation
+    uint8_t minor; // minor version of the server
+    uint32_t max_request; // bytes of payload it reads of one request
+    uint32_t max_epochs; // epochs one POLL may ask for
+    int64_t span_from; // [ns] start of the served span
+    int64_t span_to; // [ns] its end, inclusive
+    orr_wire_bytes name; // name of the server
+    orr_wire_bytes version; // its version
+    orr_wire_bytes title; // title of the scenario
+    orr_wire_bytes frame; // terrestrial frame of positions, e.g. IGS20
+    orr_msg_message_ref_list requests; // message types that it answers
+    orr_msg_sat_id_list satellites; // served satellites, in the order in which STATES lists them
+} orr_msg_caps;
+#define ORR_MSG_CAPS_LARGEST 2058u
+
+orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w);
+orr_wire_status orr_msg_caps_decode(const uint8_t *payload, size_t size, orr_msg_caps *m);
+
+// Asks for a sign of life; also keeps an idle connection open.
+typedef struct orr_msg_ping {
+    uint64_t token; // anything
+} orr_msg_ping;
+#define ORR_MSG_PING_SIZE 8u
+#define ORR_MSG_PING_LARGEST 8u
+
+orr_wire_status orr_msg_ping_encode(const orr_msg_ping *m, orr_wire_writer *w);
+orr_wire_status orr_msg_ping_decode(const uint8_t *payload, size_t size, orr_msg_ping *m);
+
+// The sign of life.
+typedef struct orr_msg_pong {
+    uint64_t token; // that of the PING
+} orr_msg_pong;
+#define ORR_MSG_PONG_SIZE 8u
+#define ORR_MSG_PONG_LARGEST 8u
+
+orr_wire_status orr_msg_pong_encode(const orr_msg_pong *m, orr_wire_writer *w);
+orr_wire_status orr_msg_pong_decode(const uint8_t *payload, size_t size, orr_msg_pong *m);
+
+// A refusal. Answers the request whose sequence number it bears; 0 where no request could be read.
+typedef struct orr_msg_error {
+    uint16_t code; // class of failure, for programs
+    uint16_t request; // message type of the refused request, 0 if none
+    orr_wire_bytes sentence; // what was wrong, for people
+} orr_msg_error;
+#define ORR_MSG_ERROR_LARGEST 518u
+
+orr_wire_status orr_msg_error_encode(const orr_msg_error *m, orr_wire_writer *w);
+orr_wire_status orr_msg_error_decode(const uint8_t *payload, size_t size, orr_msg_error *m);
+
+// Asks for satellite states at t, t + step, ..., t + (count - 1) step. The same POLL gets the same bytes, always.
+typedef struct orr_msg_poll {
+    int64_t t; // [ns] first epoch
+    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
+    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll;
+#define ORR_MSG_POLL_LARGEST 1624u
+
+orr_wire_status orr_msg_poll_encode(const orr_msg_poll *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_decode(const uint8_t *payload, size_t size, orr_msg_poll *m);
+
+// Satellite states at one epoch. A POLL is answered by count of these, index 0 to count - 1, the last one ends the answer.
+typedef struct orr_msg_states {
+    int64_t t; // [ns] the epoch
+    uint32_t index; // which epoch of the POLL, from 0
+    uint32_t count; // how many epochs the POLL asked for
+    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
+    orr_msg_sat_state_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_states;
+#define ORR_MSG_STATES_LARGEST 92821u
+
+orr_wire_status orr_msg_states_encode(const orr_msg_states *m, orr_wire_writer *w);
+orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_msg_states *m);
+
+#endif

@@ -1,0 +1,276 @@
+-- SPDX-License-Identifier: MIT
+-- Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+-- Wireshark dissector of Orrery, protocol 1.0, TCP port 15754.
+local orrery = Proto("orrery", "Orrery satellite states")
+local f = orrery.fields
+
+local crc_table = {}
+for i = 0, 255 do
+  local v = i
+  for _ = 1, 8 do
+    if v % 2 == 1 then v = bit.bxor(bit.rshift(v, 1), 0xEDB88320) else v = bit.rshift(v, 1) end
+  end
+  crc_table[i] = v
+end
+local function crc32(tvb)
+  local raw, crc = tvb:raw(), 0xFFFFFFFF
+  for i = 1, #raw do crc = bit.bxor(crc_table[bit.band(bit.bxor(crc, raw:byte(i)), 0xFF)], bit.rshift(crc, 8)) end
+  return bit.band(bit.bnot(crc), 0xFFFFFFFF) % 4294967296
+end
+
+-- A reader over a range that stops at its end: fields that are not there are not shown.
+local function reader(tvb, at, stop) return {tvb = tvb, at = at, stop = stop, ok = true} end
+local function take(r, n)
+  if not r.ok or r.at + n > r.stop then
+    r.ok = false
+    return nil
+  end
+  r.at = r.at + n
+  return r.tvb(r.at - n, n)
+end
+local function add(r, tree, field, n)
+  local range = take(r, n)
+  if range then tree:add_le(field, range) end
+  return range
+end
+local function add_text(r, tree, field)
+  local size = take(r, 2)
+  if not size then return end
+  local n = size:le_uint()
+  if n > 0 then
+    local range = take(r, n)
+    if range then tree:add(field, range) end
+  else
+    tree:add(field, size, "")
+  end
+end
+
+local types = {
+  [1] = "HELLO",
+  [2] = "CAPS",
+  [3] = "PING",
+  [4] = "PONG",
+  [5] = "ERROR",
+  [6] = "POLL",
+  [7] = "STATES",
+}
+local enum_error_code = {
+  [1] = "BAD_MAGIC",
+  [2] = "BAD_LENGTH",
+  [3] = "BAD_CRC",
+  [4] = "BAD_VERSION",
+  [5] = "UNKNOWN_TYPE",
+  [6] = "BAD_PAYLOAD",
+  [7] = "BAD_REQUEST",
+  [8] = "LIMIT",
+  [9] = "NOT_SERVED",
+  [10] = "BUSY",
+  [11] = "TIMEOUT",
+  [12] = "CLOSING",
+  [13] = "INTERNAL",
+}
+local enum_answer = {
+  [0] = "OK",
+  [1] = "OUTSIDE_SPAN",
+  [2] = "NO_ARC",
+  [3] = "NOT_SERVED",
+}
+
+f.sat_id_system = ProtoField.char("orrery.sat_id.system", "system")
+f.sat_id_number = ProtoField.uint8("orrery.sat_id.number", "number")
+f.message_ref_type = ProtoField.uint16("orrery.message_ref.type", "type")
+f.sat_state_answer = ProtoField.uint8("orrery.sat_state.answer", "answer", base.DEC, enum_answer)
+f.sat_state_reserved = ProtoField.uint8("orrery.sat_state.reserved", "reserved")
+f.sat_state_flags = ProtoField.uint32("orrery.sat_state.flags", "flags", base.HEX)
+f.sat_state_pos_m = ProtoField.double("orrery.sat_state.pos_m", "pos_m")
+f.sat_state_vel_mps = ProtoField.double("orrery.sat_state.vel_mps", "vel_mps [m/s]")
+f.sat_state_acc_mps2 = ProtoField.double("orrery.sat_state.acc_mps2", "acc_mps2 [m/s2]")
+f.sat_state_clock_s = ProtoField.double("orrery.sat_state.clock_s", "clock_s")
+f.sat_state_clock_rate_sps = ProtoField.double("orrery.sat_state.clock_rate_sps", "clock_rate_sps [s/s]")
+f.sat_state_valid_from = ProtoField.int64("orrery.sat_state.valid_from", "valid_from [ns]")
+f.sat_state_valid_to = ProtoField.int64("orrery.sat_state.valid_to", "valid_to [ns]")
+f.sat_state_sigma_m = ProtoField.float("orrery.sat_state.sigma_m", "sigma_m")
+f.hello_major_min = ProtoField.uint8("orrery.hello.major_min", "major_min")
+f.hello_major_max = ProtoField.uint8("orrery.hello.major_max", "major_max")
+f.hello_name = ProtoField.string("orrery.hello.name", "name")
+f.hello_version = ProtoField.string("orrery.hello.version", "version")
+f.caps_major = ProtoField.uint8("orrery.caps.major", "major")
+f.caps_minor = ProtoField.uint8("orrery.caps.minor", "minor")
+f.caps_max_request = ProtoField.uint32("orrery.caps.max_request", "max_request")
+f.caps_max_epochs = ProtoField.uint32("orrery.caps.max_epochs", "max_epochs")
+f.caps_span_from = ProtoField.int64("orrery.caps.span_from", "span_from [ns]")
+f.caps_span_to = ProtoField.int64("orrery.caps.span_to", "span_to [ns]")
+f.caps_name = ProtoField.string("orrery.caps.name", "name")
+f.caps_version = ProtoField.string("orrery.caps.version", "version")
+f.caps_title = ProtoField.string("orrery.caps.title", "title")
+f.caps_frame = ProtoField.string("orrery.caps.frame", "frame")
+f.ping_token = ProtoField.uint64("orrery.ping.token", "token", base.HEX)
+f.pong_token = ProtoField.uint64("orrery.pong.token", "token", base.HEX)
+f.error_code = ProtoField.uint16("orrery.error.code", "code", base.DEC, enum_error_code)
+f.error_request = ProtoField.uint16("orrery.error.request", "request")
+f.error_sentence = ProtoField.string("orrery.error.sentence", "sentence")
+f.poll_t = ProtoField.int64("orrery.poll.t", "t [ns]")
+f.poll_step = ProtoField.int64("orrery.poll.step", "step [ns]")
+f.poll_count = ProtoField.uint32("orrery.poll.count", "count")
+f.states_t = ProtoField.int64("orrery.states.t", "t [ns]")
+f.states_index = ProtoField.uint32("orrery.states.index", "index")
+f.states_count = ProtoField.uint32("orrery.states.count", "count")
+f.states_answer = ProtoField.uint8("orrery.states.answer", "answer", base.DEC, enum_answer)
+
+local function record_sat_id(r, tree)
+  add(r, tree, f.sat_id_system, 1)
+  add(r, tree, f.sat_id_number, 1)
+end
+
+local function record_message_ref(r, tree)
+  add(r, tree, f.message_ref_type, 2)
+end
+
+local function record_sat_state(r, tree)
+  record_sat_id(r, tree)
+  add(r, tree, f.sat_state_answer, 1)
+  add(r, tree, f.sat_state_reserved, 1)
+  add(r, tree, f.sat_state_flags, 4)
+  for _ = 1, 3 do add(r, tree, f.sat_state_pos_m, 8) end
+  for _ = 1, 3 do add(r, tree, f.sat_state_vel_mps, 8) end
+  for _ = 1, 3 do add(r, tree, f.sat_state_acc_mps2, 8) end
+  add(r, tree, f.sat_state_clock_s, 8)
+  add(r, tree, f.sat_state_clock_rate_sps, 8)
+  add(r, tree, f.sat_state_valid_from, 8)
+  add(r, tree, f.sat_state_valid_to, 8)
+  add(r, tree, f.sat_state_sigma_m, 4)
+end
+
+local function record_hello(r, tree)
+  add(r, tree, f.hello_major_min, 1)
+  add(r, tree, f.hello_major_max, 1)
+  add_text(r, tree, f.hello_name)
+  add_text(r, tree, f.hello_version)
+end
+
+local function record_caps(r, tree)
+  add(r, tree, f.caps_major, 1)
+  add(r, tree, f.caps_minor, 1)
+  add(r, tree, f.caps_max_request, 4)
+  add(r, tree, f.caps_max_epochs, 4)
+  add(r, tree, f.caps_span_from, 8)
+  add(r, tree, f.caps_span_to, 8)
+  add_text(r, tree, f.caps_name)
+  add_text(r, tree, f.caps_version)
+  add_text(r, tree, f.caps_title)
+  add_text(r, tree, f.caps_frame)
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_message_ref(one, tree:add(orrery, range, "requests " .. k))
+    end
+  end
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
+local function record_ping(r, tree)
+  add(r, tree, f.ping_token, 8)
+end
+
+local function record_pong(r, tree)
+  add(r, tree, f.pong_token, 8)
+end
+
+local function record_error(r, tree)
+  add(r, tree, f.error_code, 2)
+  add(r, tree, f.error_request, 2)
+  add_text(r, tree, f.error_sentence)
+end
+
+local function record_poll(r, tree)
+  add(r, tree, f.poll_t, 8)
+  add(r, tree, f.poll_step, 8)
+  add(r, tree, f.poll_count, 4)
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
+local function record_states(r, tree)
+  add(r, tree, f.states_t, 8)
+  add(r, tree, f.states_index, 4)
+  add(r, tree, f.states_count, 4)
+  add(r, tree, f.states_answer, 1)
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_state(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
+
+local decode = {
+  [1] = record_hello,
+  [2] = record_caps,
+  [3] = record_ping,
+  [4] = record_pong,
+  [5] = record_error,
+  [6] = record_poll,
+  [7] = record_states,
+}
+
+f.major = ProtoField.uint8("orrery.major", "Major version")
+f.minor = ProtoField.uint8("orrery.minor", "Minor version")
+f.type = ProtoField.uint16("orrery.type", "Type", base.DEC, types)
+f.sequence = ProtoField.uint32("orrery.sequence", "Sequence")
+f.length = ProtoField.uint32("orrery.length", "Payload length")
+f.crc = ProtoField.uint32("orrery.crc", "CRC-32", base.HEX)
+local bad_crc = ProtoExpert.new("orrery.bad_crc", "checksum does not match", expert.group.CHECKSUM, expert.severity.ERROR)
+orrery.experts = {bad_crc}
+
+local function one_frame(tvb, pinfo, tree)
+  local type, size = tvb(6, 2):le_uint(), tvb(12, 4):le_uint()
+  local name = types[type] or ("type " .. type)
+  local t = tree:add(orrery, tvb(0, 20 + size), "Orrery " .. name .. ", sequence " .. tvb(8, 4):le_uint())
+  t:add(f.major, tvb(4, 1))
+  t:add(f.minor, tvb(5, 1))
+  t:add_le(f.type, tvb(6, 2))
+  t:add_le(f.sequence, tvb(8, 4))
+  t:add_le(f.length, tvb(12, 4))
+  local r = reader(tvb, 16, 16 + size)
+  if decode[type] then decode[type](r, t) end
+  local sum = t:add_le(f.crc, tvb(16 + size, 4))
+  if crc32(tvb(0, 16 + size)) ~= tvb(16 + size, 4):le_uint() then sum:add_proto_expert_info(bad_crc) end
+  pinfo.cols.protocol = "Orrery"
+  pinfo.cols.info:append(" " .. name)
+  return 20 + size
+end
+
+function orrery.dissector(tvb, pinfo, tree)
+  if tvb:len() >= 4 and tvb(0, 4):raw() ~= "ORRY" then return 0 end
+  pinfo.cols.info:set("")
+  dissect_tcp_pdus(tvb, tree, 16, function(t) return 20 + t(12, 4):le_uint() end, one_frame)
+  return tvb:len()
+end
+
+DissectorTable.get("tcp.port"):add(15754, orrery)

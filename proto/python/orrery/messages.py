@@ -1,0 +1,317 @@
+# SPDX-License-Identifier: MIT
+# Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+# pylint: skip-file
+"""Messages of Orrery, protocol 1.0."""
+import enum
+
+from .codec import Field, Record
+
+MAGIC = b'ORRY'
+MAJOR = 1
+MINOR = 0
+PORT = 15754
+MAX_PAYLOAD = 1048576
+MAX_SATELLITES = 800  # satellites in one list (eight systems of 99 and a little)
+MAX_EPOCHS = 86400  # epochs one POLL may ask for (a day at 1 Hz)
+MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
+
+
+class ErrorCode(enum.IntEnum):
+    """Why a request was refused or a connection is being closed."""
+
+    BAD_MAGIC = 1  # the bytes are no frame of this protocol
+    BAD_LENGTH = 2  # the payload length is above the limit
+    BAD_CRC = 3  # the checksum does not match: bytes were lost or damaged
+    BAD_VERSION = 4  # no common major version
+    UNKNOWN_TYPE = 5  # no such message type in the server's version
+    BAD_PAYLOAD = 6  # the payload is shorter than its fields, or a count in it is above its limit
+    BAD_REQUEST = 7  # a value outside its domain, e.g. a step of zero with several epochs
+    LIMIT = 8  # more epochs or satellites than one request may ask for
+    NOT_SERVED = 9  # understood, but this scenario has nothing to answer it with
+    BUSY = 10  # as many clients are connected as the server allows
+    TIMEOUT = 11  # half a frame, or nothing, for longer than the server waits
+    CLOSING = 12  # the server is shutting down
+    INTERNAL = 13  # the server failed; its log says how
+
+
+class Answer(enum.IntEnum):
+    """Whether there are numbers, and if not, why not."""
+
+    OK = 0  # the numbers are there
+    OUTSIDE_SPAN = 1  # the instant is outside the served span
+    NO_ARC = 2  # the satellite has no valid arc at the instant
+    NOT_SERVED = 3  # the satellite is not among those served
+
+
+class StateFlags(enum.IntFlag):
+    """What holds for a satellite's state."""
+
+    CLOCK_VALID = 1  # clock_s and clock_rate_sps are there (NAN otherwise)
+    PREDICTED = 2  # the input was predicted, or bridged without input
+    MANOEUVRE = 4  # within a manoeuvre's interval
+    CLOCK_EVENT = 8  # the input flagged a clock event at a neighbouring node
+    ECLIPSE = 16  # in the umbra or penumbra of the Earth
+    GAP = 32  # between input nodes further apart than twice the usual
+
+
+class SatId(Record):
+    """A satellite as IGS files name it.
+
+    system: letter: G R E C J I S L
+    number: 1 to 99
+    """
+
+    LAYOUT = (
+        Field("system", "scalar", scalar="u8"),
+        Field("number", "scalar", scalar="u8"),
+    )
+
+    def __init__(self, system=0, number=0):
+        self.system = system
+        self.number = number
+
+
+class MessageRef(Record):
+    """A message type.
+
+    type: as in the frame header
+    """
+
+    LAYOUT = (
+        Field("type", "scalar", scalar="u16"),
+    )
+
+    def __init__(self, type=0):
+        self.type = type
+
+
+class SatState(Record):
+    """State of one satellite in the terrestrial frame of the input orbits (ecef). Numbers are NAN unless answer is OK.
+
+    sat: which satellite
+    answer: OK, NO_ARC or NOT_SERVED
+    reserved: 0
+    flags: 0 unless answer is OK
+    pos_m [m]: position of the centre of mass
+    vel_mps [m/s]: its first derivative (ecef)
+    acc_mps2 [m/s2]: its second derivative (ecef)
+    clock_s [s]: clock offset, periodic relativity not included
+    clock_rate_sps [s/s]: its derivative
+    valid_from [ns]: start of the arc that was evaluated
+    valid_to [ns]: its end
+    sigma_m [m]: 1-sigma of the position, 3-D
+    """
+
+    LAYOUT = (
+        Field("sat", "struct", record=SatId),
+        Field("answer", "scalar", scalar="u8"),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("flags", "scalar", scalar="u32"),
+        Field("pos_m", "array", scalar="f64", length=3),
+        Field("vel_mps", "array", scalar="f64", length=3),
+        Field("acc_mps2", "array", scalar="f64", length=3),
+        Field("clock_s", "scalar", scalar="f64"),
+        Field("clock_rate_sps", "scalar", scalar="f64"),
+        Field("valid_from", "scalar", scalar="i64"),
+        Field("valid_to", "scalar", scalar="i64"),
+        Field("sigma_m", "scalar", scalar="f32"),
+    )
+
+    def __init__(self, sat=None, answer=0, reserved=0, flags=0, pos_m=None, vel_mps=None, acc_mps2=None, clock_s=0.0, clock_rate_sps=0.0, valid_from=0, valid_to=0, sigma_m=0.0):
+        self.sat = SatId() if sat is None else sat
+        self.answer = answer
+        self.reserved = reserved
+        self.flags = flags
+        self.pos_m = [0.0] * 3 if pos_m is None else pos_m
+        self.vel_mps = [0.0] * 3 if vel_mps is None else vel_mps
+        self.acc_mps2 = [0.0] * 3 if acc_mps2 is None else acc_mps2
+        self.clock_s = clock_s
+        self.clock_rate_sps = clock_rate_sps
+        self.valid_from = valid_from
+        self.valid_to = valid_to
+        self.sigma_m = sigma_m
+
+
+class Hello(Record):
+    """Opens a conversation. Optional, but a client that sends it learns what is served.
+
+    major_min: lowest major version the client speaks
+    major_max: highest
+    name: name of the client, for the server's log
+    version: its version
+    """
+
+    TYPE = 1
+    LAYOUT = (
+        Field("major_min", "scalar", scalar="u8"),
+        Field("major_max", "scalar", scalar="u8"),
+        Field("name", "string", limit=64),
+        Field("version", "string", limit=32),
+    )
+
+    def __init__(self, major_min=0, major_max=0, name="", version=""):
+        self.major_min = major_min
+        self.major_max = major_max
+        self.name = name
+        self.version = version
+
+
+class Caps(Record):
+    """What the server is and what it serves.
+
+    major: version chosen for the conversation
+    minor: minor version of the server
+    max_request: bytes of payload it reads of one request
+    max_epochs: epochs one POLL may ask for
+    span_from [ns]: start of the served span
+    span_to [ns]: its end, inclusive
+    name: name of the server
+    version: its version
+    title: title of the scenario
+    frame: terrestrial frame of positions, e.g. IGS20
+    requests: message types that it answers
+    satellites: served satellites, in the order in which STATES lists them
+    """
+
+    TYPE = 2
+    LAYOUT = (
+        Field("major", "scalar", scalar="u8"),
+        Field("minor", "scalar", scalar="u8"),
+        Field("max_request", "scalar", scalar="u32"),
+        Field("max_epochs", "scalar", scalar="u32"),
+        Field("span_from", "scalar", scalar="i64"),
+        Field("span_to", "scalar", scalar="i64"),
+        Field("name", "string", limit=64),
+        Field("version", "string", limit=32),
+        Field("title", "string", limit=128),
+        Field("frame", "string", limit=64),
+        Field("requests", "list", record=MessageRef, limit=64),
+        Field("satellites", "list", record=SatId, limit=800),
+    )
+
+    def __init__(self, major=0, minor=0, max_request=0, max_epochs=0, span_from=0, span_to=0, name="", version="", title="", frame="", requests=None, satellites=None):
+        self.major = major
+        self.minor = minor
+        self.max_request = max_request
+        self.max_epochs = max_epochs
+        self.span_from = span_from
+        self.span_to = span_to
+        self.name = name
+        self.version = version
+        self.title = title
+        self.frame = frame
+        self.requests = [] if requests is None else requests
+        self.satellites = [] if satellites is None else satellites
+
+
+class Ping(Record):
+    """Asks for a sign of life; also keeps an idle connection open.
+
+    token: anything
+    """
+
+    TYPE = 3
+    LAYOUT = (
+        Field("token", "scalar", scalar="u64"),
+    )
+
+    def __init__(self, token=0):
+        self.token = token
+
+
+class Pong(Record):
+    """The sign of life.
+
+    token: that of the PING
+    """
+
+    TYPE = 4
+    LAYOUT = (
+        Field("token", "scalar", scalar="u64"),
+    )
+
+    def __init__(self, token=0):
+        self.token = token
+
+
+class Error(Record):
+    """A refusal. Answers the request whose sequence number it bears; 0 where no request could be read.
+
+    code: class of failure, for programs
+    request: message type of the refused request, 0 if none
+    sentence: what was wrong, for people
+    """
+
+    TYPE = 5
+    LAYOUT = (
+        Field("code", "scalar", scalar="u16"),
+        Field("request", "scalar", scalar="u16"),
+        Field("sentence", "string", limit=512),
+    )
+
+    def __init__(self, code=0, request=0, sentence=""):
+        self.code = code
+        self.request = request
+        self.sentence = sentence
+
+
+class Poll(Record):
+    """Asks for satellite states at t, t + step, ..., t + (count - 1) step. The same POLL gets the same bytes, always.
+
+    t [ns]: first epoch
+    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
+    count: epochs, 1 to MAX_EPOCHS
+    satellites: which, in the order of the answer; empty for all
+    """
+
+    TYPE = 6
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+        Field("count", "scalar", scalar="u32"),
+        Field("satellites", "list", record=SatId, limit=800),
+    )
+
+    def __init__(self, t=0, step=0, count=0, satellites=None):
+        self.t = t
+        self.step = step
+        self.count = count
+        self.satellites = [] if satellites is None else satellites
+
+
+class States(Record):
+    """Satellite states at one epoch. A POLL is answered by count of these, index 0 to count - 1, the last one ends the answer.
+
+    t [ns]: the epoch
+    index: which epoch of the POLL, from 0
+    count: how many epochs the POLL asked for
+    answer: OK, or OUTSIDE_SPAN with no satellites
+    satellites: those asked for, in that order; for all, those of CAPS
+    """
+
+    TYPE = 7
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("index", "scalar", scalar="u32"),
+        Field("count", "scalar", scalar="u32"),
+        Field("answer", "scalar", scalar="u8"),
+        Field("satellites", "list", record=SatState, limit=800),
+    )
+
+    def __init__(self, t=0, index=0, count=0, answer=0, satellites=None):
+        self.t = t
+        self.index = index
+        self.count = count
+        self.answer = answer
+        self.satellites = [] if satellites is None else satellites
+
+
+MESSAGES = {cls.TYPE: cls for cls in (
+    Hello,
+    Caps,
+    Ping,
+    Pong,
+    Error,
+    Poll,
+    States,
+)}
