@@ -6,7 +6,8 @@
 
 static const uint8_t magic[4] = {ORR_MSG_MAGIC_0, ORR_MSG_MAGIC_1, ORR_MSG_MAGIC_2, ORR_MSG_MAGIC_3};
 
-orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payload, orr_frame *f, size_t *used)
+orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payload, orr_frame *f,
+                                size_t *used)
 {
     *used = ORR_FRAME_OVERHEAD;
     if (n > 0 && memcmp(data, magic, n < sizeof magic ? n : sizeof magic) != 0) return ORR_WIRE_MAGIC;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The frame around every message (docs/protocol.md): 16 bytes of header, payload, CRC-32 over both, little-endian.
-//   0  magic "ORRY"   4  major u8   5  minor u8   6  type u16   8  sequence u32   12  payload length u32   16  payload
-// The header keeps this shape in all versions to come, so that any two versions can tell each other what they are.
+// The frame around every message (docs/protocol.md): 16 bytes of header, payload, CRC-32 over both,
+// little-endian.
+//   0  magic "ORRY"   4  major u8   5  minor u8   6  type u16   8  sequence u32   12  payload length u32   16
+//   payload
+// The header keeps this shape in all versions to come, so that any two versions can tell each other what they
+// are.
 #ifndef ORR_PROTO_FRAME_H
 #define ORR_PROTO_FRAME_H
 
@@ -21,13 +24,14 @@ typedef struct orr_frame {
 // Looks for one frame at the start of data[0..n). Returns
 //   ORR_WIRE_OK: *f is set, *used is its length;
 //   ORR_WIRE_MORE: *used is how many bytes are needed at least (so a buffer can be sized before they come);
-//   ORR_WIRE_MAGIC, _VERSION, _LENGTH (payload above max_payload), _CRC: the stream is lost; the header's fields are in *f
-//   except after ORR_WIRE_MAGIC.
+//   ORR_WIRE_MAGIC, _VERSION, _LENGTH (payload above max_payload), _CRC: the stream is lost; the header's
+//   fields are in *f except after ORR_WIRE_MAGIC.
 // A wrong magic, version or length is told from the header alone, without waiting for the rest.
-orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payload, orr_frame *f, size_t *used);
+orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payload, orr_frame *f,
+                                size_t *used);
 
-// Writes the header with a length still open; *start is to be given to orr_frame_end, which sets the length and appends
-// the checksum. Everything between the two is payload.
+// Writes the header with a length still open; *start is to be given to orr_frame_end, which sets the length
+// and appends the checksum. Everything between the two is payload.
 void orr_frame_begin(orr_wire_writer *w, uint16_t type, uint32_t sequence, size_t *start);
 void orr_frame_end(orr_wire_writer *w, size_t start);
 

@@ -4,19 +4,32 @@
 const char *orr_wire_status_text(orr_wire_status s)
 {
     switch (s) {
-    case ORR_WIRE_OK: return "no error";
-    case ORR_WIRE_MORE: return "the frame is not complete";
-    case ORR_WIRE_SHORT: return "the payload ends inside a field";
-    case ORR_WIRE_LIMIT: return "a length or count in the payload is above its limit";
-    case ORR_WIRE_SPACE: return "the message does not fit into the buffer";
-    case ORR_WIRE_MAGIC: return "the bytes are no frame of this protocol (wrong magic)";
-    case ORR_WIRE_VERSION: return "the frame is of another major version";
-    case ORR_WIRE_LENGTH: return "the payload length is above the limit";
-    case ORR_WIRE_CRC: return "the checksum does not match";
-    case ORR_WIRE_IO: return "reading or writing failed";
-    case ORR_WIRE_CLOSED: return "the peer closed the connection";
-    case ORR_WIRE_UNEXPECTED: return "the peer sent a frame that does not answer the request";
-    case ORR_WIRE_REFUSED: return "the peer refused the request";
+    case ORR_WIRE_OK:
+        return "no error";
+    case ORR_WIRE_MORE:
+        return "the frame is not complete";
+    case ORR_WIRE_SHORT:
+        return "the payload ends inside a field";
+    case ORR_WIRE_LIMIT:
+        return "a length or count in the payload is above its limit";
+    case ORR_WIRE_SPACE:
+        return "the message does not fit into the buffer";
+    case ORR_WIRE_MAGIC:
+        return "the bytes are no frame of this protocol (wrong magic)";
+    case ORR_WIRE_VERSION:
+        return "the frame is of another major version";
+    case ORR_WIRE_LENGTH:
+        return "the payload length is above the limit";
+    case ORR_WIRE_CRC:
+        return "the checksum does not match";
+    case ORR_WIRE_IO:
+        return "reading or writing failed";
+    case ORR_WIRE_CLOSED:
+        return "the peer closed the connection";
+    case ORR_WIRE_UNEXPECTED:
+        return "the peer sent a frame that does not answer the request";
+    case ORR_WIRE_REFUSED:
+        return "the peer refused the request";
     }
     return "unknown status";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The ground of the wire: bytes in and out of a caller's buffer, little-endian, every access checked against its end.
-// C99 and libc alone, no allocation, so that a generator's firmware can embed it. The codec in proto/gen is made on this.
+// The ground of the wire: bytes in and out of a caller's buffer, little-endian, every access checked against
+// its end. C99 and libc alone, no allocation, so that a generator's firmware can embed it. The codec in
+// proto/gen is made on this.
 #ifndef ORR_PROTO_WIRE_H
 #define ORR_PROTO_WIRE_H
 
@@ -47,7 +48,8 @@ typedef struct orr_wire_bytes {
     uint16_t size;
 } orr_wire_bytes;
 
-// Records of a list as they came: `stride` bytes each, or 0 where each stands behind its own u16 size. Borrowed.
+// Records of a list as they came: `stride` bytes each, or 0 where each stands behind its own u16 size.
+// Borrowed.
 typedef struct orr_wire_records {
     const uint8_t *data;
     size_t size;
@@ -120,7 +122,10 @@ static inline void orr_wire_store_u64(uint8_t *p, uint64_t v)
     p[7] = (uint8_t)(v >> 56);
 }
 static inline uint8_t orr_wire_load_u8(const uint8_t *p) { return p[0]; }
-static inline uint16_t orr_wire_load_u16(const uint8_t *p) { return (uint16_t)(p[0] | (uint16_t)(p[1] << 8)); }
+static inline uint16_t orr_wire_load_u16(const uint8_t *p)
+{
+    return (uint16_t)(p[0] | (uint16_t)(p[1] << 8));
+}
 static inline uint32_t orr_wire_load_u32(const uint8_t *p)
 {
     return (uint32_t)p[0] | ((uint32_t)p[1] << 8) | ((uint32_t)p[2] << 16) | ((uint32_t)p[3] << 24);

@@ -48,6 +48,11 @@ const char *orr_msg_answer_name(uint8_t value)
     }
 }
 
+bool orr_msg_error_code_closes(uint16_t value)
+{
+    return value == 1 || value == 2 || value == 3 || value == 4 || value == 10 || value == 11 || value == 12;
+}
+
 const char *orr_msg_state_flags_name(unsigned bit)
 {
     switch (bit) {
@@ -166,6 +171,7 @@ orr_wire_status orr_msg_hello_decode(const uint8_t *payload, size_t size, orr_ms
 static void put_message_ref_list(orr_wire_writer *w, const orr_msg_message_ref_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
@@ -222,6 +228,7 @@ bool orr_msg_message_ref_at(const orr_msg_message_ref_list *list, uint16_t index
 static void put_sat_id_list(orr_wire_writer *w, const orr_msg_sat_id_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
@@ -460,6 +467,7 @@ orr_wire_status orr_msg_poll_decode(const uint8_t *payload, size_t size, orr_msg
 static void put_sat_state_list(orr_wire_writer *w, const orr_msg_sat_state_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);

@@ -67,6 +67,11 @@ const char *orr_msg_type_name(uint16_t type);
 const char *orr_msg_error_code_name(uint16_t value);
 const char *orr_msg_answer_name(uint8_t value);
 const char *orr_msg_state_flags_name(unsigned bit);
+// Whether the connection closes after it.
+bool orr_msg_error_code_closes(uint16_t value);
+
+// Bytes of the largest payload of all messages.
+#define ORR_MSG_LARGEST 92821u
 
 // A satellite as IGS files name it.
 typedef struct orr_msg_sat_id {

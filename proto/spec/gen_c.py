@@ -71,7 +71,7 @@ class CWriter:
 
     def struct(self, s):
         out = [f"// {s.doc}", f"typedef struct {self.p}_{s.name} {{"]
-        out += [self.member(f) for f in s.fields]
+        out += [self.member(f) for f in s.fields] or ["    uint8_t nothing; // no fields: C wants a member"]
         out += [f"}} {self.p}_{s.name};"]
         if s.fixed:
             out.append(f"#define {self.up}_{s.name.upper()}_SIZE {s.size}u")
@@ -119,6 +119,9 @@ class CWriter:
                 f"const char *{p}_type_name(uint16_t type);"]
         out += [f"const char *{p}_{n}_name({CTYPE[e['is']]} value);" for n, e in s.enums.items()]
         out += [f"const char *{p}_{n}_name(unsigned bit);" for n in s.bits]
+        for n in self.closing():
+            out += ["// Whether the connection closes after it.", f"bool {p}_{n}_closes({CTYPE[s.enums[n]['is']]} value);"]
+        out += ["", "// Bytes of the largest payload of all messages.", f"#define {up}_LARGEST {max(m.largest for m in s.messages.values())}u"]
         out.append("")
         done = set()
         for struct in s.structs.values():
@@ -148,6 +151,10 @@ class CWriter:
                 out += self.list_type(record)
                 done.add(record)
         return out
+
+    def closing(self):
+        """Enums some values of which close a connection."""
+        return [n for n, e in self.spec.enums.items() if any(v.get("closes") for v in e["values"].values())]
 
     # ---- code -------------------------------------------------------------------------------------------------------
     def move(self, field, at, store):
@@ -253,12 +260,13 @@ class CWriter:
         item, name = self.record_name(record), f"{self.p}_{word}_list"
         fixed = scalar or record[1].fixed
         size = SCALARS[record[1]] if scalar else record[1].size
-        least = size if scalar else record[1].least
+        older = [] if scalar or not fixed else record[1].older_sizes  # what senders of earlier minor versions may send
         store = f"orr_wire_store_{word}(p + {size} * (size_t)i, list->item[i])" if scalar else \
             f"store_{word}(p + {size} * (size_t)i, &list->item[i])"
         load = f"*out = orr_wire_load_{word}(p)" if scalar else f"load_{word}(p, out)"
         out = [f"static void put_{word}_list(orr_wire_writer *w, const {name} *list, uint16_t max)", "{",
                "    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;",
+               "    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug",
                f"    uint8_t *p = orr_wire_room(w, {4 if fixed else 2});", "    if (p == NULL) return;",
                "    orr_wire_store_u16(p, list->count);"]
         if fixed:
@@ -277,7 +285,7 @@ class CWriter:
                 "    uint16_t count = orr_wire_load_u16(p);", "    if (count > max) {",
                 "        r->status = ORR_WIRE_LIMIT;", "        return;", "    }"]
         if fixed:
-            out += ["    uint16_t stride = orr_wire_load_u16(p + 2);", f"    if (count > 0 && stride < {least}) {{",
+            out += ["    uint16_t stride = orr_wire_load_u16(p + 2);", f"    if (count > 0 && {' && '.join([f'stride < {size}'] + [f'stride != {n}' for n in older])}) {{",
                     "        r->status = ORR_WIRE_SHORT;", "        return;", "    }",
                     "    p = orr_wire_take(r, (size_t)count * stride);", "    if (p == NULL) return;",
                     "    list->wire.size = (size_t)count * stride;", "    list->wire.stride = stride;"]
@@ -299,7 +307,7 @@ class CWriter:
                     "    if (index >= list->count) return false;", "    if (list->item != NULL) {",
                     "        *out = list->item[index];", "        return true;", "    }",
                     "    size_t stride = list->wire.stride;", "    const uint8_t *p = list->wire.data + index * stride;"]
-            if least < size:
+            if older:
                 out += [f"    uint8_t whole[{size}] = {{0}}; // an older sender's record is shorter: what it lacks reads as zero",
                         f"    if (stride < {size}) {{", "        memcpy(whole, p, stride);", "        p = whole;", "    }"]
             out += [f"    {load};", "    return true;", "}", ""]
@@ -320,6 +328,9 @@ class CWriter:
             out += [f"const char *{p}_{n}_name({CTYPE[e['is']]} value)", "{", "    switch (value) {"]
             out += [f"    case {v['value']}: return \"{k}\";" for k, v in e["values"].items()]
             out += ["    default: return NULL;", "    }", "}", ""]
+        for n in self.closing():
+            cases = " || ".join(f"value == {v['value']}" for v in s.enums[n]["values"].values() if v.get("closes"))
+            out += [f"bool {p}_{n}_closes({CTYPE[s.enums[n]['is']]} value)", "{", f"    return {cases};", "}", ""]
         for n, b in s.bits.items():
             out += [f"const char *{p}_{n}_name(unsigned bit)", "{", "    switch (bit) {"]
             out += [f"    case {v['bit']}: return \"{k}\";" for k, v in b["values"].items()]

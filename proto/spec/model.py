@@ -88,9 +88,10 @@ class Struct:
         return sum(f.type.size for f in self.fields) if self.fixed else None
 
     @property
-    def least(self):
-        """Bytes of a fixed record as the first minor version had it."""
-        return sum(f.type.size for f in self.fields if not f.since)
+    def older_sizes(self):
+        """Bytes of a fixed record as the minor versions before had it, without its present size."""
+        minors = sorted({f.since for f in self.fields})
+        return [sum(f.type.size for f in self.fields if f.since <= minor) for minor in minors[:-1]]
 
     @property
     def largest(self):

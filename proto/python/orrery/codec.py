@@ -78,10 +78,6 @@ class Record:
                 return None
         return code
 
-    @classmethod
-    def _least(cls):
-        return sum(_size(field) for field in cls.LAYOUT if not field.since)
-
     def _put(self, out, field, value):
         where = f"{type(self).__name__}.{field.name}"
         if field.kind == "scalar":
@@ -151,11 +147,10 @@ class Record:
         if not fixed:
             return [field.record.decode(reader.take(reader.unpack("H", 2)[0])) for _ in range(count)]
         stride = reader.unpack("H", 2)[0]
-        least = struct.calcsize(FORMATS[field.scalar]) if field.scalar else field.record._least()
-        if count and stride < least:
-            raise CodecError(f"{cls.__name__}.{field.name}: records of {stride} bytes, {least} wanted")
         raw = reader.take(count * stride)
         if field.scalar:
+            if count and stride < struct.calcsize(FORMATS[field.scalar]):
+                raise CodecError(f"{cls.__name__}.{field.name}: values of {stride} bytes")
             return [struct.unpack_from("<" + FORMATS[field.scalar], raw, k * stride)[0] for k in range(count)]
         return [field.record.decode(raw[k * stride:(k + 1) * stride]) for k in range(count)]
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "proto/client.h"
+
+void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity)
+{
+    memset(c, 0, sizeof *c);
+    c->io = io;
+    c->data = buffer;
+    c->capacity = capacity;
+}
+
+// Forgets the frame handed out last; what came behind it moves to the front.
+static void compact(orr_client *c)
+{
+    if (c->used == 0) return;
+    c->size -= c->used;
+    if (c->size > 0) memmove(c->data, c->data + c->used, c->size);
+    c->used = 0;
+}
+
+void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start)
+{
+    compact(c);
+    // Behind bytes that are already in (a pipelined answer), so that neither disturbs the other.
+    w->data = c->data + c->size;
+    w->size = 0;
+    w->capacity = c->capacity - c->size;
+    w->status = ORR_WIRE_OK;
+    orr_frame_begin(w, type, ++c->sequence, start);
+}
+
+orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start)
+{
+    orr_frame_end(w, start);
+    if (w->status != ORR_WIRE_OK) return w->status;
+    for (size_t done = 0; done < w->size;) {
+        ptrdiff_t n = c->io.write(c->io.user, w->data + done, w->size - done);
+        if (n <= 0 || (size_t)n > w->size - done) return ORR_WIRE_IO;
+        done += (size_t)n;
+    }
+    return ORR_WIRE_OK;
+}
+
+static orr_wire_status receive(orr_client *c, orr_frame *f)
+{
+    compact(c);
+    for (;;) {
+        size_t used;
+        orr_wire_status s = orr_frame_parse(c->data, c->size, ORR_MSG_MAX_PAYLOAD, f, &used);
+        if (s == ORR_WIRE_OK) c->used = used;
+        if (s != ORR_WIRE_MORE) return s;
+        if (used > c->capacity) return ORR_WIRE_SPACE;
+        ptrdiff_t n = c->io.read(c->io.user, c->data + c->size, c->capacity - c->size);
+        if (n == 0) return ORR_WIRE_CLOSED;
+        if (n < 0 || (size_t)n > c->capacity - c->size) return ORR_WIRE_IO;
+        c->size += (size_t)n;
+    }
+}
+
+orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f)
+{
+    orr_wire_status s = receive(c, f);
+    if (s != ORR_WIRE_OK) return s;
+    if (f->type == ORR_MSG_TYPE_ERROR && (f->sequence == c->sequence || f->sequence == 0)) {
+        orr_msg_error error;
+        s = orr_msg_error_decode(f->payload, f->size, &error);
+        if (s != ORR_WIRE_OK) return s;
+        c->error_code = error.code;
+        orr_wire_text_copy(error.sentence, c->sentence, sizeof c->sentence);
+        return ORR_WIRE_REFUSED;
+    }
+    return f->type == type && f->sequence == c->sequence ? ORR_WIRE_OK : ORR_WIRE_UNEXPECTED;
+}
+
+orr_wire_status orr_client_hello(orr_client *c, const char *name, const char *version, orr_msg_caps *caps)
+{
+    orr_msg_hello hello = {ORR_MSG_MAJOR, ORR_MSG_MAJOR, orr_wire_text(name), orr_wire_text(version)};
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_HELLO, &w, &start);
+    orr_msg_hello_encode(&hello, &w);
+    orr_wire_status s = orr_client_send(c, &w, start);
+    orr_frame f;
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_CAPS, &f);
+    return s == ORR_WIRE_OK ? orr_msg_caps_decode(f.payload, f.size, caps) : s;
+}
+
+orr_wire_status orr_client_ping(orr_client *c, uint64_t token)
+{
+    orr_msg_ping ping = {token};
+    orr_msg_pong pong;
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_PING, &w, &start);
+    orr_msg_ping_encode(&ping, &w);
+    orr_wire_status s = orr_client_send(c, &w, start);
+    orr_frame f;
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_PONG, &f);
+    if (s == ORR_WIRE_OK) s = orr_msg_pong_decode(f.payload, f.size, &pong);
+    return s == ORR_WIRE_OK && pong.token != token ? ORR_WIRE_UNEXPECTED : s;
+}
+
+orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL, &w, &start);
+    orr_msg_poll_encode(poll, &w);
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_STATES, &f);
+    return s == ORR_WIRE_OK ? orr_msg_states_decode(f.payload, f.size, states) : s;
+}

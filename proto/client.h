@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The client's side of a conversation, for a generator's firmware: C99 and libc alone, no allocation, no
+// clock, no socket. The caller supplies read and write callbacks (a socket, a UART, a test's pipe) and one
+// buffer.
+//
+//     orr_client c;
+//     static uint8_t buffer[32768];
+//     orr_client_init(&c, io, buffer, sizeof buffer);
+//     orr_msg_poll poll = {.t = t_ns, .count = 1};            // no satellites named: all
+//     if (orr_client_poll(&c, &poll) == ORR_WIRE_OK && orr_client_states(&c, &states) == ORR_WIRE_OK) {
+//         orr_wire_iter it = {0};
+//         while (orr_msg_sat_state_next(&states.satellites, &it, &sat)) use(&sat);
+//     }
+#ifndef ORR_PROTO_CLIENT_H
+#define ORR_PROTO_CLIENT_H
+
+#include "proto/frame.h"
+#include "proto/gen/messages.h"
+
+typedef struct orr_client_io {
+    void *user;
+    // Waits for at least one byte, reads at most n. Returns how many; 0 at the peer's end; negative on
+    // failure or timeout.
+    ptrdiff_t (*read)(void *user, uint8_t *data, size_t n);
+    // Writes at least one byte of n. Returns how many; 0 or negative on failure.
+    ptrdiff_t (*write)(void *user, const uint8_t *data, size_t n);
+} orr_client_io;
+
+#define ORR_CLIENT_SENTENCE 160
+
+typedef struct orr_client {
+    orr_client_io io;
+    uint8_t *data;
+    size_t capacity, size, used; // bytes of data that are filled; of the frame handed out last
+    uint32_t sequence;           // of the last request
+    uint16_t error_code;         // after ORR_WIRE_REFUSED: ORR_MSG_ERROR_CODE_*
+    char sentence[ORR_CLIENT_SENTENCE];
+} orr_client;
+
+// The buffer holds one frame at a time: ORR_FRAME_OVERHEAD plus the largest message that will be sent or
+// received (ORR_MSG_..._LARGEST; a STATES of n satellites takes ORR_MSG_STATES_LARGEST -
+// (ORR_MSG_MAX_SATELLITES - n) * ORR_MSG_SAT_STATE_SIZE). It must stay alive as long as the client.
+void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity);
+
+// Each sends one request and waits for its answer. What is decoded borrows the buffer until the next call.
+// Errors: ORR_WIRE_REFUSED (error_code, sentence), ORR_WIRE_SPACE, and those of frame and io; after any but
+// REFUSED, SPACE on sending, and LIMIT the connection is of no more use.
+orr_wire_status orr_client_hello(orr_client *c, const char *name, const char *version, orr_msg_caps *caps);
+orr_wire_status orr_client_ping(orr_client *c, uint64_t token);
+
+// Sends a POLL; its answers are then read by poll->count calls of orr_client_states (the last one has index +
+// 1 == count).
+orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll);
+orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states);
+
+// What the above are made of, for the other messages: begin, encode into *w, send; then wait for the next
+// frame of a type.
+void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);
+orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start);
+orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "proto/server.h"
+
+#include <stdio.h>
+
+// Appends an ERROR frame, or nothing and false where it does not fit.
+static bool put_error(orr_wire_writer *out, uint32_t sequence, uint16_t request, uint16_t code,
+                      const char *sentence)
+{
+    size_t mark = out->size, start;
+    orr_msg_error error = {code, request, orr_wire_text(sentence)};
+    orr_frame_begin(out, ORR_MSG_TYPE_ERROR, sequence, &start);
+    orr_msg_error_encode(&error, out);
+    orr_frame_end(out, start);
+    if (out->status == ORR_WIRE_OK) return true;
+    out->size = mark;
+    out->status = ORR_WIRE_OK;
+    return false;
+}
+
+void orr_server_error(orr_wire_writer *out, uint16_t code, const char *sentence)
+{
+    put_error(out, 0, 0, code, sentence);
+}
+
+static const orr_server_route *route_of(const orr_server *s, uint16_t type)
+{
+    for (size_t i = 0; i < s->n_routes; i++)
+        if (s->route[i].request == type) return &s->route[i];
+    return NULL;
+}
+
+// What a client calls itself goes into logs: printable ASCII only.
+static void note_client(orr_server_conn *c, const orr_msg_hello *hello)
+{
+    char name[65], version[33];
+    orr_wire_text_copy(hello->name, name, sizeof name);
+    orr_wire_text_copy(hello->version, version, sizeof version);
+    snprintf(c->client, sizeof c->client, "%s %s", name, version);
+    for (char *p = c->client; *p != '\0'; p++)
+        if (*p < ' ' || *p > '~') *p = '?';
+}
+
+static uint16_t begin_hello(orr_server_conn *c, const orr_frame *f, orr_server_refusal *why)
+{
+    orr_msg_hello hello;
+    orr_wire_status ws = orr_msg_hello_decode(f->payload, f->size, &hello);
+    if (ws != ORR_WIRE_OK) {
+        snprintf(why->sentence, sizeof why->sentence, "HELLO: %s", orr_wire_status_text(ws));
+        return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
+    }
+    note_client(c, &hello);
+    if (hello.major_min <= ORR_MSG_MAJOR && hello.major_max >= ORR_MSG_MAJOR) return 0;
+    snprintf(why->sentence, sizeof why->sentence, "this server speaks version %u, the client %u to %u",
+             ORR_MSG_MAJOR, (unsigned)hello.major_min, (unsigned)hello.major_max);
+    return ORR_MSG_ERROR_CODE_BAD_VERSION;
+}
+
+static uint16_t answer_hello(const orr_server *s, orr_wire_writer *w)
+{
+    orr_msg_message_ref types[64] = {{ORR_MSG_TYPE_HELLO}, {ORR_MSG_TYPE_PING}};
+    uint16_t n = 2;
+    for (size_t i = 0; i < s->n_routes && n < 64; i++) types[n++].type = s->route[i].request;
+    orr_msg_caps caps;
+    memset(&caps, 0, sizeof caps);
+    if (s->caps != NULL) s->caps(s->user, &caps);
+    caps.major = ORR_MSG_MAJOR;
+    caps.minor = ORR_MSG_MINOR;
+    caps.max_request = ORR_MSG_MAX_REQUEST;
+    caps.max_epochs = ORR_MSG_MAX_EPOCHS;
+    caps.requests.count = n;
+    caps.requests.item = types;
+    orr_msg_caps_encode(&caps, w);
+    return 0;
+}
+
+static uint16_t answer_ping(const orr_frame *f, orr_wire_writer *w)
+{
+    orr_msg_ping ping;
+    orr_msg_ping_decode(f->payload, f->size, &ping); // begin has seen that it decodes
+    orr_msg_pong pong = {ping.token};
+    orr_msg_pong_encode(&pong, w);
+    return 0;
+}
+
+static uint16_t begin(const orr_server *s, orr_server_conn *c, const orr_frame *f, orr_server_refusal *why)
+{
+    c->frames = 1;
+    c->index = 0;
+    if (f->type == ORR_MSG_TYPE_HELLO) return begin_hello(c, f, why);
+    if (f->type == ORR_MSG_TYPE_PING) {
+        orr_msg_ping ping;
+        orr_wire_status ws = orr_msg_ping_decode(f->payload, f->size, &ping);
+        if (ws == ORR_WIRE_OK) return 0;
+        snprintf(why->sentence, sizeof why->sentence, "PING: %s", orr_wire_status_text(ws));
+        return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
+    }
+    const orr_server_route *route = route_of(s, f->type);
+    if (route != NULL) return route->begin(s->user, f, &c->frames, why);
+    const char *name = orr_msg_type_name(f->type);
+    if (name == NULL)
+        snprintf(why->sentence, sizeof why->sentence, "unknown message type %u", (unsigned)f->type);
+    else
+        snprintf(why->sentence, sizeof why->sentence, "this server does not answer %s", name);
+    return name == NULL ? ORR_MSG_ERROR_CODE_UNKNOWN_TYPE : ORR_MSG_ERROR_CODE_NOT_SERVED;
+}
+
+static uint16_t answer(const orr_server *s, const orr_server_conn *c, const orr_frame *f, uint16_t *reply,
+                       orr_wire_writer *w, orr_server_refusal *why)
+{
+    const orr_server_route *route = NULL;
+    *reply = ORR_MSG_TYPE_CAPS;
+    if (f->type == ORR_MSG_TYPE_PING)
+        *reply = ORR_MSG_TYPE_PONG;
+    else if (f->type != ORR_MSG_TYPE_HELLO) {
+        route = route_of(s, f->type);
+        *reply = route->reply;
+    }
+    size_t start;
+    orr_frame_begin(w, *reply, f->sequence, &start);
+    uint16_t code = 0;
+    if (route != NULL)
+        code = route->answer(s->user, f, c->index, w, why);
+    else if (f->type == ORR_MSG_TYPE_PING)
+        code = answer_ping(f, w);
+    else
+        code = answer_hello(s, w);
+    if (code == 0) orr_frame_end(w, start);
+    return code;
+}
+
+static void refuse_stream(orr_wire_status status, const orr_frame *f, orr_wire_writer *out,
+                          orr_server_step *step)
+{
+    uint16_t code = ORR_MSG_ERROR_CODE_BAD_MAGIC;
+    snprintf(step->reason, sizeof step->reason, "%s", orr_wire_status_text(status));
+    if (status == ORR_WIRE_VERSION) {
+        code = ORR_MSG_ERROR_CODE_BAD_VERSION;
+        snprintf(step->reason, sizeof step->reason, "a frame of version %u, this server speaks %u",
+                 (unsigned)f->major, ORR_MSG_MAJOR);
+    } else if (status == ORR_WIRE_LENGTH) {
+        code = ORR_MSG_ERROR_CODE_BAD_LENGTH;
+        snprintf(step->reason, sizeof step->reason, "a payload of %lu bytes, a request may have %lu",
+                 (unsigned long)f->size, (unsigned long)ORR_MSG_MAX_REQUEST);
+    } else if (status == ORR_WIRE_CRC) {
+        code = ORR_MSG_ERROR_CODE_BAD_CRC;
+        snprintf(step->reason, sizeof step->reason,
+                 "the checksum of the frame with sequence %lu does not match", (unsigned long)f->sequence);
+    }
+    // If there is no room the connection closes without the sentence: the peer is not reading anyway.
+    put_error(out, 0, 0, code, step->reason);
+    step->closing = code;
+}
+
+// Answers the request under way as far as there is room. True when it is done with.
+static bool answer_some(const orr_server *s, orr_server_conn *c, const orr_frame *f, uint16_t refused,
+                        orr_server_refusal *why, orr_wire_writer *out, orr_server_step *step)
+{
+    while (refused == 0 && c->index < c->frames) {
+        size_t mark = out->size;
+        uint16_t reply;
+        refused = answer(s, c, f, &reply, out, why);
+        if (refused == 0 && out->status == ORR_WIRE_OK) {
+            c->index++;
+            continue;
+        }
+        orr_wire_status status = out->status;
+        out->size = mark;
+        out->status = ORR_WIRE_OK;
+        if (refused != 0) break;
+        if (status == ORR_WIRE_SPACE && mark > 0) {
+            step->busy = true;
+            return false;
+        }
+        refused = ORR_MSG_ERROR_CODE_INTERNAL; // it would not fit into an empty buffer either
+        snprintf(why->sentence, sizeof why->sentence, "the answer cannot be encoded: %s",
+                 orr_wire_status_text(status));
+    }
+    if (refused == 0) return true;
+    if (!put_error(out, f->sequence, f->type, refused, why->sentence)) {
+        step->busy = true; // asked again, the handler refuses again
+        return false;
+    }
+    c->refusals++;
+    if (orr_msg_error_code_closes(refused)) {
+        step->closing = refused;
+        snprintf(step->reason, sizeof step->reason, "%s", why->sentence);
+    }
+    return true;
+}
+
+void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, size_t n,
+                    orr_wire_writer *out, orr_server_step *step)
+{
+    memset(step, 0, sizeof *step);
+    while (step->closing == 0) {
+        orr_frame f;
+        size_t used;
+        bool under_way = c->frames > 0;
+        orr_wire_status status =
+            orr_frame_parse(in + step->consumed, n - step->consumed, ORR_MSG_MAX_REQUEST, &f, &used);
+        step->need = used;
+        if (status == ORR_WIRE_MORE) return;
+        if (status != ORR_WIRE_OK) {
+            refuse_stream(status, &f, out, step);
+            return;
+        }
+        orr_server_refusal why = {""};
+        uint16_t refused = 0;
+        if (!under_way) refused = begin(s, c, &f, &why);
+        if (!answer_some(s, c, &f, refused, &why, out, step)) {
+            if (refused != 0) c->frames = 0;
+            return;
+        }
+        c->frames = 0;
+        c->requests++;
+        step->consumed += used;
+    }
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A made-up answerer behind proto's handler table: n satellites whose numbers are simple functions of time.
+#ifndef ORR_TESTS_UNIT_PROTO_FAKE_H
+#define ORR_TESTS_UNIT_PROTO_FAKE_H
+
+#include "proto/server.h"
+#include "testing.h"
+
+typedef struct fake {
+    uint16_t n_sats;
+    unsigned begun, answered; // how often the handlers were called
+} fake;
+
+static inline orr_msg_sat_state fake_state(uint8_t number, int64_t t)
+{
+    orr_msg_sat_state s = {
+        .sat = {'G', number}, .flags = 1, .sigma_m = 0.5f, .valid_from = 0, .valid_to = 1000};
+    s.pos_m[0] = (double)t + number;
+    s.vel_mps[1] = number * 0.25;
+    return s;
+}
+
+static inline uint16_t fake_begin(void *user, const orr_frame *request, uint32_t *frames,
+                                  orr_server_refusal *why)
+{
+    fake *f = user;
+    f->begun++;
+    orr_msg_poll poll;
+    if (orr_msg_poll_decode(request->payload, request->size, &poll) != ORR_WIRE_OK) {
+        snprintf(why->sentence, sizeof why->sentence, "POLL cannot be read");
+        return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
+    }
+    if (poll.count == 0) {
+        snprintf(why->sentence, sizeof why->sentence, "no epochs asked for");
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    *frames = poll.count;
+    return 0;
+}
+
+static inline uint16_t fake_answer(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+                                   orr_server_refusal *why)
+{
+    fake *f = user;
+    f->answered++;
+    orr_msg_poll poll;
+    orr_msg_poll_decode(request->payload, request->size, &poll);
+    int64_t t = poll.t + index * poll.step;
+    if (t == 666) {
+        snprintf(why->sentence, sizeof why->sentence, "broken at 666");
+        return ORR_MSG_ERROR_CODE_INTERNAL;
+    }
+    orr_msg_sat_state sats[99];
+    for (uint16_t i = 0; i < f->n_sats; i++) sats[i] = fake_state((uint8_t)(i + 1), t);
+    orr_msg_states m = {t, index, poll.count, ORR_MSG_ANSWER_OK, {f->n_sats, sats, {NULL, 0, 0}}};
+    orr_msg_states_encode(&m, w);
+    return 0;
+}
+
+static inline void fake_caps(void *user, orr_msg_caps *caps)
+{
+    (void)user;
+    caps->name = orr_wire_text("fake");
+    caps->title = orr_wire_text("made up");
+    caps->span_from = -5;
+    caps->span_to = 1000;
+}
+
+static const orr_server_route fake_routes[] = {
+    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer}};
+
+static inline orr_server fake_server(fake *f) { return (orr_server){fake_routes, 1, fake_caps, f}; }
+
+#endif

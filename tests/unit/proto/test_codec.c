@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The generated codec against frames that are written down (docs/protocol.md) and against bytes that are no
+// messages.
+#include "proto/frame.h"
+#include "proto/gen/messages.h"
+#include "testing.h"
+#include "tests/golden/proto/frames.h"
+
+static orr_frame open_frame(const uint8_t *data, size_t n, uint16_t type, uint32_t sequence)
+{
+    orr_frame f;
+    size_t used;
+    assert_int_equal(orr_frame_parse(data, n, ORR_MSG_MAX_PAYLOAD, &f, &used), ORR_WIRE_OK);
+    assert_int_equal(used, n);
+    assert_int_equal(f.type, type);
+    assert_int_equal(f.sequence, sequence);
+    return f;
+}
+
+#define GOLDEN(name, type, sequence) open_frame(frame_##name, sizeof frame_##name, type, sequence)
+
+// Frames what was put between begin and end and compares it with the golden bytes.
+#define ASSERT_FRAME(name, type, sequence, encode, message)                                                  \
+    do {                                                                                                     \
+        uint8_t buf_[1024];                                                                                  \
+        orr_wire_writer w_ = {buf_, 0, sizeof buf_, ORR_WIRE_OK};                                            \
+        size_t start_;                                                                                       \
+        orr_frame_begin(&w_, type, sequence, &start_);                                                       \
+        assert_int_equal(encode(message, &w_), ORR_WIRE_OK);                                                 \
+        orr_frame_end(&w_, start_);                                                                          \
+        assert_int_equal(w_.size, sizeof frame_##name);                                                      \
+        assert_memory_equal(buf_, frame_##name, sizeof frame_##name);                                        \
+    } while (0)
+
+static void golden_ping(void **state)
+{
+    (void)state;
+    orr_msg_ping m = {UINT64_C(0x0123456789abcdef)}, d;
+    ASSERT_FRAME(ping, 3, 1, orr_msg_ping_encode, &m);
+    orr_frame f = GOLDEN(ping, 3, 1);
+    assert_int_equal(orr_msg_ping_decode(f.payload, f.size, &d), ORR_WIRE_OK);
+    assert_true(d.token == m.token);
+}
+
+static void golden_hello(void **state)
+{
+    (void)state;
+    orr_msg_hello m = {1, 1, orr_wire_text("gen"), orr_wire_text("2.1")}, d;
+    ASSERT_FRAME(hello, 1, 1, orr_msg_hello_encode, &m);
+    orr_frame f = GOLDEN(hello, 1, 1);
+    assert_int_equal(orr_msg_hello_decode(f.payload, f.size, &d), ORR_WIRE_OK);
+    char text[8];
+    assert_string_equal(orr_wire_text_copy(d.name, text, sizeof text), "gen");
+    assert_string_equal(orr_wire_text_copy(d.version, text, sizeof text), "2.1");
+    assert_string_equal(orr_wire_text_copy(d.version, text, 3), "2.");
+    assert_int_equal(d.major_min, 1);
+    assert_int_equal(d.major_max, 1);
+}
+
+static void golden_poll(void **state)
+{
+    (void)state;
+    const orr_msg_sat_id sats[2] = {{'G', 5}, {'E', 11}};
+    orr_msg_poll m = {INT64_C(1391040900000000000), 100000000, 2, {2, sats, {NULL, 0, 0}}}, d;
+    ASSERT_FRAME(poll, 6, 2, orr_msg_poll_encode, &m);
+    orr_frame f = GOLDEN(poll, 6, 2);
+    assert_int_equal(orr_msg_poll_decode(f.payload, f.size, &d), ORR_WIRE_OK);
+    assert_true(d.t == m.t && d.step == m.step && d.count == 2 && d.satellites.count == 2);
+    orr_msg_sat_id s;
+    orr_wire_iter it = {0, 0};
+    assert_true(orr_msg_sat_id_next(&d.satellites, &it, &s) && s.system == 'G' && s.number == 5);
+    assert_true(orr_msg_sat_id_next(&d.satellites, &it, &s) && s.system == 'E' && s.number == 11);
+    assert_false(orr_msg_sat_id_next(&d.satellites, &it, &s));
+    assert_false(orr_msg_sat_id_at(&d.satellites, 2, &s));
+    ASSERT_FRAME(poll, 6, 2, orr_msg_poll_encode, &d); // what was decoded can be sent on as it is
+}
+
+static void golden_states(void **state)
+{
+    (void)state;
+    const int64_t none = INT64_MIN;
+    const double nan_ = -(double)NAN; // any NAN goes out as the same bits
+    const orr_msg_sat_state sats[2] = {
+        {{'G', 5},
+         ORR_MSG_ANSWER_OK,
+         0,
+         ORR_MSG_STATE_FLAGS_CLOCK_VALID,
+         {15600000.25, -20100000.5, 7250000.125},
+         {1500.5, 250.25, -2750.125},
+         {-0.25, 0.5, -0.125},
+         -0.0001220703125,
+         0x1p-37,
+         INT64_C(1391040000000000000),
+         INT64_C(1391126400000000000),
+         0.0078125f},
+        {{'E', 11},
+         ORR_MSG_ANSWER_NO_ARC,
+         0,
+         0,
+         {nan_, nan_, nan_},
+         {nan_, nan_, nan_},
+         {nan_, nan_, nan_},
+         nan_,
+         nan_,
+         none,
+         none,
+         (float)nan_},
+    };
+    orr_msg_states m = {INT64_C(1391040900000000000), 0, 2, ORR_MSG_ANSWER_OK, {2, sats, {NULL, 0, 0}}}, d;
+    ASSERT_FRAME(states, 7, 2, orr_msg_states_encode, &m);
+    orr_frame f = GOLDEN(states, 7, 2);
+    assert_int_equal(orr_msg_states_decode(f.payload, f.size, &d), ORR_WIRE_OK);
+    assert_true(d.t == m.t && d.index == 0 && d.count == 2 && d.answer == ORR_MSG_ANSWER_OK);
+    orr_msg_sat_state s;
+    assert_true(orr_msg_sat_state_at(&d.satellites, 0, &s));
+    assert_memory_equal(&s.sat, &sats[0].sat, sizeof s.sat);
+    assert_true(s.answer == 0 && s.flags == 1 && s.pos_m[1] == -20100000.5 && s.vel_mps[2] == -2750.125);
+    assert_true(s.acc_mps2[0] == -0.25 && s.clock_s == -0.0001220703125 && s.clock_rate_sps == 0x1p-37);
+    assert_true(s.valid_from == sats[0].valid_from && s.valid_to == sats[0].valid_to &&
+                s.sigma_m == 0.0078125f);
+    assert_true(orr_msg_sat_state_at(&d.satellites, 1, &s));
+    assert_true(s.answer == ORR_MSG_ANSWER_NO_ARC && isnan(s.pos_m[0]) && isnan(s.sigma_m) &&
+                s.valid_to == none);
+}
+
+static void golden_error(void **state)
+{
+    (void)state;
+    orr_msg_error m = {ORR_MSG_ERROR_CODE_UNKNOWN_TYPE, 999, orr_wire_text("unknown message type 999")}, d;
+    ASSERT_FRAME(error, 5, 3, orr_msg_error_encode, &m);
+    orr_frame f = GOLDEN(error, 5, 3);
+    assert_int_equal(orr_msg_error_decode(f.payload, f.size, &d), ORR_WIRE_OK);
+    assert_true(d.code == 5 && d.request == 999 && d.sentence.size == 24);
+}
+
+static void caps_round_trip(void **state)
+{
+    (void)state;
+    const orr_msg_message_ref types[3] = {{1}, {3}, {6}};
+    const orr_msg_sat_id sats[2] = {{'R', 1}, {'J', 7}};
+    orr_msg_caps m = {1,
+                      0,
+                      2,
+                      3,
+                      -4,
+                      5,
+                      orr_wire_text("orrery"),
+                      orr_wire_text("0.1.0"),
+                      orr_wire_text("t"),
+                      orr_wire_text("IGS20"),
+                      {3, types, {NULL, 0, 0}},
+                      {2, sats, {NULL, 0, 0}}},
+                 d;
+    uint8_t buf[256];
+    orr_wire_writer w = {buf, 0, sizeof buf, ORR_WIRE_OK};
+    assert_int_equal(orr_msg_caps_encode(&m, &w), ORR_WIRE_OK);
+    assert_int_equal(orr_msg_caps_decode(buf, w.size, &d), ORR_WIRE_OK);
+    assert_true(d.major == 1 && d.minor == 0 && d.max_request == 2 && d.max_epochs == 3);
+    assert_true(d.span_from == -4 && d.span_to == 5 && d.requests.count == 3 && d.satellites.count == 2);
+    assert_true(d.frame.size == 5 && memcmp(d.frame.data, "IGS20", 5) == 0);
+    orr_msg_message_ref r;
+    assert_true(orr_msg_message_ref_at(&d.requests, 2, &r) && r.type == 6);
+    // every strict prefix is too short; a byte more is of a later version
+    for (size_t n = 0; n < w.size; n++) assert_int_equal(orr_msg_caps_decode(buf, n, &d), ORR_WIRE_SHORT);
+    buf[w.size] = 0xff;
+    assert_int_equal(orr_msg_caps_decode(buf, w.size + 1, &d), ORR_WIRE_OK);
+    // and a buffer that is too small is told, at every size
+    size_t whole = w.size;
+    for (size_t n = 0; n < whole; n++) {
+        orr_wire_writer small = {buf, 0, n, ORR_WIRE_OK};
+        assert_int_equal(orr_msg_caps_encode(&m, &small), ORR_WIRE_SPACE);
+    }
+}
+
+static void prefixes_are_short(void **state)
+{
+    (void)state;
+    orr_msg_states s;
+    orr_msg_poll p;
+    orr_frame f = GOLDEN(states, 7, 2);
+    for (uint32_t n = 0; n < f.size; n++)
+        assert_int_equal(orr_msg_states_decode(f.payload, n, &s), ORR_WIRE_SHORT);
+    f = GOLDEN(poll, 6, 2);
+    for (uint32_t n = 0; n < f.size; n++)
+        assert_int_equal(orr_msg_poll_decode(f.payload, n, &p), ORR_WIRE_SHORT);
+}
+
+static void limits(void **state)
+{
+    (void)state;
+    uint8_t b[64] = {0};
+    orr_msg_poll p;
+    orr_wire_store_u16(b + 20, ORR_MSG_MAX_SATELLITES + 1); // count of satellites
+    orr_wire_store_u16(b + 22, 2);
+    assert_int_equal(orr_msg_poll_decode(b, sizeof b, &p), ORR_WIRE_LIMIT);
+    orr_wire_store_u16(b + 20, 3);
+    orr_wire_store_u16(b + 22, 1); // records of one byte
+    assert_int_equal(orr_msg_poll_decode(b, sizeof b, &p), ORR_WIRE_SHORT);
+    orr_wire_store_u16(b + 22, 5); // records of a later version, three bytes longer
+    b[24] = 'G', b[25] = 1, b[29] = 'R', b[30] = 2;
+    assert_int_equal(orr_msg_poll_decode(b, sizeof b, &p), ORR_WIRE_OK);
+    orr_msg_sat_id s;
+    assert_true(orr_msg_sat_id_at(&p.satellites, 1, &s) && s.system == 'R' && s.number == 2);
+    orr_msg_sat_id many[ORR_MSG_MAX_SATELLITES + 1];
+    memset(many, 0, sizeof many);
+    static uint8_t big[4096];
+    orr_wire_writer w = {big, 0, sizeof big, ORR_WIRE_OK};
+    orr_msg_poll q = {0, 0, 1, {ORR_MSG_MAX_SATELLITES + 1, many, {NULL, 0, 0}}};
+    assert_int_equal(orr_msg_poll_encode(&q, &w), ORR_WIRE_LIMIT);
+    char text[70];
+    memset(text, 'x', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    orr_msg_hello h = {1, 1, orr_wire_text(text), orr_wire_text("")};
+    orr_wire_writer v = {big, 0, sizeof big, ORR_WIRE_OK};
+    assert_int_equal(orr_msg_hello_encode(&h, &v), ORR_WIRE_LIMIT);
+}
+
+// A small generator with a seed: the same bytes in every run.
+static uint32_t next_random(uint32_t *x)
+{
+    *x = *x * 1664525u + 1013904223u;
+    return *x >> 8;
+}
+
+// What decodes, encodes; and what was encoded decodes to the same bytes again.
+#define STABLE(name)                                                                                         \
+    do {                                                                                                     \
+        orr_msg_##name m_;                                                                                   \
+        if (orr_msg_##name##_decode(b, n, &m_) == ORR_WIRE_OK) {                                             \
+            uint8_t one_[600], two_[600];                                                                    \
+            orr_wire_writer w1_ = {one_, 0, sizeof one_, ORR_WIRE_OK},                                       \
+                            w2_ = {two_, 0, sizeof two_, ORR_WIRE_OK};                                       \
+            assert_int_equal(orr_msg_##name##_encode(&m_, &w1_), ORR_WIRE_OK);                               \
+            assert_true(w1_.size <= n);                                                                      \
+            assert_int_equal(orr_msg_##name##_decode(one_, w1_.size, &m_), ORR_WIRE_OK);                     \
+            assert_int_equal(orr_msg_##name##_encode(&m_, &w2_), ORR_WIRE_OK);                               \
+            assert_int_equal(w1_.size, w2_.size);                                                            \
+            assert_memory_equal(one_, two_, w1_.size);                                                       \
+            decoded++;                                                                                       \
+        }                                                                                                    \
+    } while (0)
+
+static void random_bytes(void **state)
+{
+    (void)state;
+    uint32_t x = 20240204;
+    int decoded = 0;
+    for (int k = 0; k < 20000; k++) {
+        uint8_t b[512];
+        size_t n = next_random(&x) % sizeof b;
+        unsigned sparse = next_random(&x) % 8; // mostly zeros: small counts and lengths, which go deeper
+        for (size_t i = 0; i < n; i++) b[i] = next_random(&x) % 8 < sparse ? 0 : (uint8_t)next_random(&x);
+        STABLE(hello);
+        STABLE(caps);
+        STABLE(ping);
+        STABLE(error);
+        STABLE(poll);
+        STABLE(states);
+    }
+    assert_true(decoded > 1000);
+}
+
+static void names(void **state)
+{
+    (void)state;
+    assert_string_equal(orr_msg_type_name(ORR_MSG_TYPE_STATES), "STATES");
+    assert_null(orr_msg_type_name(999));
+    assert_string_equal(orr_msg_answer_name(ORR_MSG_ANSWER_NO_ARC), "NO_ARC");
+    assert_string_equal(orr_msg_state_flags_name(4), "ECLIPSE");
+    assert_null(orr_msg_state_flags_name(31));
+    assert_true(orr_msg_error_code_closes(ORR_MSG_ERROR_CODE_BAD_CRC));
+    assert_false(orr_msg_error_code_closes(ORR_MSG_ERROR_CODE_UNKNOWN_TYPE));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(golden_ping),        cmocka_unit_test(golden_hello),
+        cmocka_unit_test(golden_poll),        cmocka_unit_test(golden_states),
+        cmocka_unit_test(golden_error),       cmocka_unit_test(caps_round_trip),
+        cmocka_unit_test(prefixes_are_short), cmocka_unit_test(limits),
+        cmocka_unit_test(random_bytes),       cmocka_unit_test(names),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fake.h"
+
+static uint8_t in[400000], out[400000], out2[400000];
+
+static size_t put_frame(uint8_t *buf, uint16_t type, uint32_t sequence, const void *payload, size_t n)
+{
+    orr_wire_writer w = {buf, 0, n + ORR_FRAME_OVERHEAD, ORR_WIRE_OK};
+    size_t start;
+    orr_frame_begin(&w, type, sequence, &start);
+    orr_wire_put_raw(&w, payload, n);
+    orr_frame_end(&w, start);
+    assert_int_equal(w.status, ORR_WIRE_OK);
+    return w.size;
+}
+
+static size_t put_poll(uint8_t *buf, uint32_t sequence, int64_t t, int64_t step, uint32_t count)
+{
+    uint8_t payload[64];
+    orr_wire_writer w = {payload, 0, sizeof payload, ORR_WIRE_OK};
+    orr_msg_poll m = {t, step, count, {0, NULL, {NULL, 0, 0}}};
+    assert_int_equal(orr_msg_poll_encode(&m, &w), ORR_WIRE_OK);
+    return put_frame(buf, ORR_MSG_TYPE_POLL, sequence, payload, w.size);
+}
+
+static orr_frame frame_at(const uint8_t *data, size_t n, size_t *at)
+{
+    orr_frame f;
+    size_t used;
+    assert_int_equal(orr_frame_parse(data + *at, n - *at, ORR_MSG_MAX_PAYLOAD, &f, &used), ORR_WIRE_OK);
+    *at += used;
+    return f;
+}
+
+static orr_msg_error error_at(const uint8_t *data, size_t n, size_t *at, uint32_t sequence)
+{
+    orr_frame f = frame_at(data, n, at);
+    orr_msg_error e;
+    assert_int_equal(f.type, ORR_MSG_TYPE_ERROR);
+    assert_int_equal(f.sequence, sequence);
+    assert_int_equal(orr_msg_error_decode(f.payload, f.size, &e), ORR_WIRE_OK);
+    assert_true(e.sentence.size > 10);
+    return e;
+}
+
+static void a_series_ends_clearly(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 3};
+    orr_server s = fake_server(&f);
+    orr_server_conn c = {0};
+    orr_server_step step;
+    size_t n = put_poll(in, 9, 100, 10, 4), at = 0;
+    orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+    orr_server_run(&s, &c, in, n, &w, &step);
+    assert_true(step.consumed == n && !step.busy && step.closing == 0);
+    for (uint32_t k = 0; k < 4; k++) {
+        orr_frame fr = frame_at(out, w.size, &at);
+        orr_msg_states m;
+        assert_int_equal(fr.type, ORR_MSG_TYPE_STATES);
+        assert_int_equal(fr.sequence, 9);
+        assert_int_equal(orr_msg_states_decode(fr.payload, fr.size, &m), ORR_WIRE_OK);
+        assert_true(m.index == k && m.count == 4 && m.t == 100 + 10 * k && m.satellites.count == 3);
+    }
+    assert_int_equal(at, w.size);
+    assert_true(c.requests == 1 && c.refusals == 0 && f.begun == 1);
+}
+
+static void byte_by_byte_and_all_at_once_agree(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 2};
+    orr_server s = fake_server(&f);
+    size_t n = 0;
+    n += put_frame(in + n, ORR_MSG_TYPE_PING, 1, "12345678", 8);
+    n += put_poll(in + n, 2, 5, 1, 2);
+    n += put_frame(in + n, 999, 3, "", 0);
+    n += put_poll(in + n, 4, 5, 1, 0);
+    n += put_frame(in + n, ORR_MSG_TYPE_PING, 5, "abcdefgh", 8);
+    orr_wire_writer all = {out, 0, sizeof out, ORR_WIRE_OK}, slow = {out2, 0, sizeof out2, ORR_WIRE_OK};
+    orr_server_conn c = {0}, d = {0};
+    orr_server_step step;
+    orr_server_run(&s, &c, in, n, &all, &step);
+    assert_true(step.consumed == n && c.requests == 5 && c.refusals == 2);
+    size_t from = 0;
+    for (size_t to = 1; to <= n; to++) {
+        orr_server_run(&s, &d, in + from, to - from, &slow, &step);
+        assert_int_equal(step.closing, 0);
+        from += step.consumed;
+        assert_true(to - from < step.need);
+    }
+    assert_int_equal(from, n);
+    assert_int_equal(all.size, slow.size);
+    assert_memory_equal(out, out2, all.size);
+    size_t at = 0;
+    orr_frame fr = frame_at(out, all.size, &at);
+    assert_true(fr.type == ORR_MSG_TYPE_PONG && memcmp(fr.payload, "12345678", 8) == 0);
+    frame_at(out, all.size, &at);
+    frame_at(out, all.size, &at);
+    orr_msg_error e = error_at(out, all.size, &at, 3);
+    assert_true(e.code == ORR_MSG_ERROR_CODE_UNKNOWN_TYPE && e.request == 999);
+    e = error_at(out, all.size, &at, 4);
+    assert_true(e.code == ORR_MSG_ERROR_CODE_BAD_REQUEST && e.request == ORR_MSG_TYPE_POLL);
+    fr = frame_at(out, all.size, &at);
+    assert_true(fr.type == ORR_MSG_TYPE_PONG && fr.sequence == 5); // the connection has lived on
+    assert_int_equal(at, all.size);
+}
+
+// However little room there is for output, the bytes that go out are the same.
+static void small_outputs_change_nothing(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 5};
+    orr_server s = fake_server(&f);
+    size_t n = put_poll(in, 1, 0, 7, 20), whole;
+    n += put_frame(in + n, 999, 2, "", 0);
+    n += put_frame(in + n, ORR_MSG_TYPE_PING, 3, "12345678", 8);
+    orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+    orr_server_conn c = {0};
+    orr_server_step step;
+    orr_server_run(&s, &c, in, n, &w, &step);
+    whole = w.size;
+    for (size_t room = 700; room < 4000; room += 97) { // one STATES of five satellites takes 625 bytes
+        orr_server_conn d = {0};
+        size_t from = 0, got = 0;
+        for (int rounds = 0; from < n; rounds++) {
+            assert_true(rounds < 100);
+            orr_wire_writer v = {out2 + got, 0, room, ORR_WIRE_OK};
+            orr_server_run(&s, &d, in + from, n - from, &v, &step);
+            assert_true(step.busy == (from + step.consumed < n));
+            from += step.consumed;
+            got += v.size;
+        }
+        assert_int_equal(got, whole);
+        assert_memory_equal(out, out2, whole);
+        assert_true(d.requests == 3 && d.refusals == 1);
+    }
+}
+
+static void an_answer_that_never_fits_is_refused(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 50};
+    orr_server s = fake_server(&f);
+    orr_server_conn c = {0};
+    orr_server_step step;
+    size_t n = put_poll(in, 1, 0, 0, 1), at = 0;
+    orr_wire_writer w = {out, 0, 1000, ORR_WIRE_OK};
+    orr_server_run(&s, &c, in, n, &w, &step);
+    assert_true(step.consumed == n && !step.busy);
+    assert_int_equal(error_at(out, w.size, &at, 1).code, ORR_MSG_ERROR_CODE_INTERNAL);
+}
+
+static void a_refusal_in_mid_series_ends_it(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 1};
+    orr_server s = fake_server(&f);
+    orr_server_conn c = {0};
+    orr_server_step step;
+    size_t n = put_poll(in, 1, 664, 1, 5), at = 0;
+    n += put_frame(in + n, ORR_MSG_TYPE_PING, 2, "12345678", 8);
+    orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+    orr_server_run(&s, &c, in, n, &w, &step);
+    assert_int_equal(frame_at(out, w.size, &at).type, ORR_MSG_TYPE_STATES);
+    assert_int_equal(frame_at(out, w.size, &at).type, ORR_MSG_TYPE_STATES);
+    assert_int_equal(error_at(out, w.size, &at, 1).code, ORR_MSG_ERROR_CODE_INTERNAL);
+    assert_int_equal(frame_at(out, w.size, &at).type, ORR_MSG_TYPE_PONG);
+    assert_int_equal(at, w.size);
+}
+
+static void hello_tells_what_is_served(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 1};
+    orr_server s = fake_server(&f);
+    orr_server_conn c = {0};
+    orr_server_step step;
+    uint8_t payload[100];
+    orr_wire_writer p = {payload, 0, sizeof payload, ORR_WIRE_OK}, w = {out, 0, sizeof out, ORR_WIRE_OK};
+    orr_msg_hello hello = {1, 3, orr_wire_text("gen\n\033[31m"), orr_wire_text("2")};
+    orr_msg_hello_encode(&hello, &p);
+    size_t n = put_frame(in, ORR_MSG_TYPE_HELLO, 1, payload, p.size), at = 0;
+    orr_server_run(&s, &c, in, n, &w, &step);
+    orr_frame fr = frame_at(out, w.size, &at);
+    orr_msg_caps caps;
+    assert_int_equal(orr_msg_caps_decode(fr.payload, fr.size, &caps), ORR_WIRE_OK);
+    assert_true(caps.major == 1 && caps.minor == 0 && caps.span_from == -5 && caps.span_to == 1000);
+    orr_msg_message_ref r;
+    assert_true(caps.requests.count == 3 && orr_msg_message_ref_at(&caps.requests, 2, &r) &&
+                r.type == ORR_MSG_TYPE_POLL);
+    assert_string_equal(c.client, "gen??[31m 2"); // a name goes into a log: no control characters
+    assert_int_equal(step.closing, 0);
+    // no common version: an ERROR, then the end
+    hello.major_min = 2;
+    p.size = 0;
+    orr_msg_hello_encode(&hello, &p);
+    n = put_frame(in, ORR_MSG_TYPE_HELLO, 7, payload, p.size), w.size = at = 0;
+    orr_server_run(&s, &c, in, n, &w, &step);
+    assert_int_equal(error_at(out, w.size, &at, 7).code, ORR_MSG_ERROR_CODE_BAD_VERSION);
+    assert_int_equal(step.closing, ORR_MSG_ERROR_CODE_BAD_VERSION);
+}
+
+static void broken_streams_close(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 1};
+    orr_server s = fake_server(&f);
+    const struct {
+        size_t byte;
+        uint8_t value;
+        uint16_t code;
+    } cases[] = {{0, 'X', ORR_MSG_ERROR_CODE_BAD_MAGIC},
+                 {4, 2, ORR_MSG_ERROR_CODE_BAD_VERSION},
+                 {15, 1, ORR_MSG_ERROR_CODE_BAD_LENGTH},
+                 {17, 'X', ORR_MSG_ERROR_CODE_BAD_CRC}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        orr_server_conn c = {0};
+        orr_server_step step;
+        size_t n = put_frame(in, ORR_MSG_TYPE_PING, 1, "12345678", 8), at = 0;
+        size_t m = put_frame(in + n, ORR_MSG_TYPE_PING, 2, "12345678", 8);
+        m += put_frame(in + n + m, ORR_MSG_TYPE_PING, 3, "12345678", 8);
+        in[n + cases[k].byte] = cases[k].value;
+        orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+        orr_server_run(&s, &c, in, n + m, &w, &step);
+        assert_int_equal(frame_at(out, w.size, &at).type,
+                         ORR_MSG_TYPE_PONG); // what came before it is answered
+        assert_int_equal(error_at(out, w.size, &at, 0).code, cases[k].code);
+        assert_int_equal(at, w.size); // what came behind it is not
+        assert_int_equal(step.closing, cases[k].code);
+        assert_true(strlen(step.reason) > 10);
+    }
+}
+
+static void short_payloads_and_server_messages(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 1};
+    orr_server s = fake_server(&f);
+    orr_server_conn c = {0};
+    orr_server_step step;
+    const struct {
+        uint16_t type, code;
+    } cases[] = {{ORR_MSG_TYPE_PING, ORR_MSG_ERROR_CODE_BAD_PAYLOAD},
+                 {ORR_MSG_TYPE_HELLO, ORR_MSG_ERROR_CODE_BAD_PAYLOAD},
+                 {ORR_MSG_TYPE_POLL, ORR_MSG_ERROR_CODE_BAD_PAYLOAD},
+                 {ORR_MSG_TYPE_STATES, ORR_MSG_ERROR_CODE_NOT_SERVED},
+                 {ORR_MSG_TYPE_ERROR, ORR_MSG_ERROR_CODE_NOT_SERVED},
+                 {0, ORR_MSG_ERROR_CODE_UNKNOWN_TYPE},
+                 {65535, ORR_MSG_ERROR_CODE_UNKNOWN_TYPE}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        size_t n = put_frame(in, cases[k].type, 40, "abc", 3), at = 0;
+        orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+        orr_server_run(&s, &c, in, n, &w, &step);
+        orr_msg_error e = error_at(out, w.size, &at, 40);
+        assert_int_equal(e.code, cases[k].code);
+        assert_int_equal(e.request, cases[k].type);
+        assert_true(step.consumed == n && step.closing == 0);
+    }
+}
+
+static void random_streams(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 2};
+    orr_server s = fake_server(&f);
+    uint32_t x = 99;
+    for (int k = 0; k < 3000; k++) {
+        orr_server_conn c = {0};
+        orr_server_step step;
+        size_t n = 0;
+        for (int i = 0; i < 3; i++) n += put_poll(in + n, (uint32_t)i, k, 1, (uint32_t)(k % 4));
+        for (int i = 0; i < k % 5; i++) {
+            x = x * 1664525u + 1013904223u;
+            in[(x >> 8) % n] ^= (uint8_t)(1u << (x >> 29));
+        }
+        orr_wire_writer w = {out, 0, ORR_SERVER_OUT, ORR_WIRE_OK};
+        orr_server_run(&s, &c, in, n, &w, &step);
+        assert_true(step.consumed <= n && w.size <= w.capacity);
+        size_t at = 0;
+        while (at < w.size) frame_at(out, w.size, &at); // whole frames only
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_series_ends_clearly),
+        cmocka_unit_test(byte_by_byte_and_all_at_once_agree),
+        cmocka_unit_test(small_outputs_change_nothing),
+        cmocka_unit_test(an_answer_that_never_fits_is_refused),
+        cmocka_unit_test(a_refusal_in_mid_series_ends_it),
+        cmocka_unit_test(hello_tells_what_is_served),
+        cmocka_unit_test(broken_streams_close),
+        cmocka_unit_test(short_payloads_and_server_messages),
+        cmocka_unit_test(random_streams),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
