@@ -172,7 +172,7 @@ static void a_list_without_records_is_a_bug_that_is_told(void **state)
 static void no_fields(void **state)
 {
     (void)state;
-    uint8_t b[4];
+    uint8_t b[4] = {0};
     orr_toy_nothing m;
     orr_wire_writer w = {b, 0, sizeof b, ORR_WIRE_OK};
     assert_int_equal(orr_toy_nothing_decode(b, 0, &m), ORR_WIRE_OK);
