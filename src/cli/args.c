@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/suggest.h"
 #include "src/cli/internal.h"
 
 typedef struct value {
@@ -62,7 +63,7 @@ static void unknown_option(const orr_cli *c, const char *name, size_t len)
     size_t n = 0;
     const orr_option *o;
     while (n < 64 && (o = option_at(c->command, n)) != NULL) candidate[n++] = o->name;
-    const char *near = orr_cli_nearest(word, candidate, n);
+    const char *near = orr_suggest_nearest(word, candidate, n);
     if (near != NULL)
         orr_cli_usage(c, "there is no option --%s; did you mean --%s?", word, near);
     else

@@ -20,7 +20,4 @@ void orr_cli_args_free(orr_cli *c);
 void orr_cli_help_command(FILE *f, const orr_command *command);
 void orr_cli_help_program(FILE *f, const orr_command *const *list); // ends with NULL
 
-// The candidate most like `word` if it is like enough to be meant, else NULL.
-const char *orr_cli_nearest(const char *word, const char *const *candidate, size_t n);
-
 #endif

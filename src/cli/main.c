@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/suggest.h"
 #include "src/cli/internal.h"
 
 #define ORR_COMMAND(name) extern const orr_command orr_cmd_##name;
@@ -39,7 +40,7 @@ static int unknown_command(const orr_cli *c, const char *name)
     size_t n = 0;
     for (; commands[n] != NULL; n++) names[n] = commands[n]->name;
     names[n++] = "help";
-    const char *near = orr_cli_nearest(name, names, n);
+    const char *near = orr_suggest_nearest(name, names, n);
     if (near != NULL) return orr_cli_usage(c, "there is no command '%s'; did you mean '%s'?", name, near);
     return orr_cli_usage(c, "there is no command '%s'", name);
 }

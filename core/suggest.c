@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Did you mean": the nearest known word by edit distance.
-#include <string.h>
+#include "core/suggest.h"
 
-#include "src/cli/internal.h"
+#include <string.h>
 
 enum { LONGEST = 40 };
 
@@ -27,7 +27,7 @@ static size_t distance(const char *a, const char *b)
     return d[na][nb];
 }
 
-const char *orr_cli_nearest(const char *word, const char *const *candidate, size_t n)
+const char *orr_suggest_nearest(const char *word, const char *const *candidate, size_t n)
 {
     size_t len = strlen(word), best = len / 3 + 1; // a third of the letters may be wrong
     const char *found = NULL;
