@@ -1,0 +1,589 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ingest/rinex_obs.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ingest/rinex_obs_private.h"
+
+struct orr_rinex_obs {
+    orr_input *in;
+    orr_rinex_obs_limits limits;
+    orr_warnings *warnings;
+    orr_rinex_obs_header h;
+    obs_header_state state;
+    orr_crinex *crinex; // NULL for plain files
+    orr_crinex_counts counts;
+    orr_rinex_obs_epoch e;
+    orr_sat sat[ORR_OBS_MAX_SATS];
+    double *value;
+    uint8_t *lli, *ssi;
+    size_t cells;
+    char **event_line; // as handed out
+    size_t n_event_lines, event_capacity;
+    uint64_t n_epochs, skipped;
+    orr_time last;
+    uint32_t warned; // WARNED_* and one bit a system
+};
+enum { WARNED_SYSTEM = 1u << 16, WARNED_EXTRA = 1u << 17, WARNED_ORDER = 1u << 18 };
+
+orr_rinex_obs_limits orr_rinex_obs_default_limits(void)
+{
+    return (orr_rinex_obs_limits){UINT64_C(64) << 30, 100000000, 100000, 999};
+}
+
+static void warn(orr_rinex_obs *r, int column, const char *what)
+{
+    orr_warnings_add(r->warnings, orr_input_name(r->in), orr_input_line_number(r->in), column, "%s", what);
+}
+
+static obs_context context(orr_rinex_obs *r, orr_diag *diag)
+{
+    return (obs_context){orr_input_name(r->in), orr_input_line_number(r->in), r->warnings, diag};
+}
+
+static orr_status no_memory(orr_diag *diag) { return orr_diag_set(diag, ORR_E_MEMORY, "out of memory"); }
+
+// ---- values ----
+
+// F14.3 as nearly all files have it: the point in column 11, three digits behind it. -1 if it needs the general reader.
+static int fast_value(const char *p, double *out)
+{
+    if (p[10] != '.') return -1;
+    int i = 0;
+    while (i < 10 && p[i] == ' ') i++;
+    bool minus = p[i] == '-';
+    if (minus) i++;
+    uint64_t v = 0;
+    for (; i < 10; i++) {
+        unsigned d = (unsigned)(unsigned char)p[i] - '0';
+        if (d > 9) return -1;
+        v = v * 10 + d;
+    }
+    unsigned a = (unsigned)(unsigned char)p[11] - '0', b = (unsigned)(unsigned char)p[12] - '0',
+             c = (unsigned)(unsigned char)p[13] - '0';
+    if (a > 9 || b > 9 || c > 9) return -1;
+    v = v * 1000 + a * 100 + b * 10 + c;
+    double x = (double)v / 1000.0; // both exact, so the quotient is correctly rounded
+    *out = minus ? -x : x;
+    return 0;
+}
+
+static uint8_t flag_digit(orr_rinex_obs *r, char c, int column)
+{
+    if (c >= '0' && c <= '9') return (uint8_t)(c - '0');
+    if (c != ' ' && c != '\t') warn(r, column, "a loss-of-lock or strength flag that is no digit: left out");
+    return 0;
+}
+
+// The observation that starts in column col (from 1) of the line into cell k. scale divides.
+static void take_value(orr_rinex_obs *r, orr_view line, size_t col, size_t k, double scale)
+{
+    r->value[k] = (double)NAN;
+    r->lli[k] = r->ssi[k] = 0;
+    if (line.n < col) return;
+    const char *p = line.p + col - 1;
+    size_t left = line.n - (col - 1);
+    double v = 0;
+    if (left < 14 || fast_value(p, &v) != 0) {
+        orr_view field = {p, left < 14 ? left : 14};
+        orr_field f = orr_view_real(field, &v);
+        if (f == ORR_FIELD_OK && left < 14 && !(field.n >= 4 && field.p[field.n - 4] == '.')) f = ORR_FIELD_BAD;
+        if (f == ORR_FIELD_BAD) {
+            warn(r, (int)col, "an observation that is not a number, or cut off: left out");
+            return;
+        }
+        if (f == ORR_FIELD_BLANK) v = 0;
+    }
+    if (v != 0) r->value[k] = v / scale; // 0.0 means missing, as blank does
+    if (left > 14) r->lli[k] = flag_digit(r, p[14], (int)col + 14);
+    if (left > 15) r->ssi[k] = flag_digit(r, p[15], (int)col + 15);
+}
+
+static orr_status make_room(orr_rinex_obs *r, size_t n_sats, orr_diag *diag)
+{
+    size_t stride = 1;
+    for (size_t s = 0; s < ORR_N_SYSTEMS; s++)
+        if (r->h.codes[s].n > stride) stride = r->h.codes[s].n;
+    size_t want = n_sats * stride;
+    if (want > r->cells) {
+        want += 8 * stride;
+        double *v = realloc(r->value, want * sizeof *v);
+        if (v != NULL) r->value = v;
+        uint8_t *l = realloc(r->lli, want);
+        if (l != NULL) r->lli = l;
+        uint8_t *s = realloc(r->ssi, want);
+        if (s != NULL) r->ssi = s;
+        if (v == NULL || l == NULL || s == NULL) return no_memory(diag);
+        r->cells = want;
+    }
+    r->e.stride = stride;
+    r->e.sat = r->sat;
+    r->e.value = r->value;
+    r->e.lli = r->lli;
+    r->e.ssi = r->ssi;
+    return ORR_OK;
+}
+
+// The satellite's list of types, or NULL (with one warning a system) where it cannot be read.
+static const orr_obs_codes *codes_of(orr_rinex_obs *r, orr_sat sat)
+{
+    if (sat == ORR_SAT_NONE) {
+        if (!(r->warned & WARNED_SYSTEM)) warn(r, 1, "a satellite that is not readable: left out");
+        return NULL;
+    }
+    int s = orr_sat_system_index(sat);
+    uint32_t bit = 1u << s;
+    if (r->h.codes[s].n == 0) {
+        if (!(r->warned & bit)) warn(r, 1, "a satellite of a system whose observation types the header lacks: left out");
+        r->warned |= bit;
+        return NULL;
+    }
+    if (r->h.system != 'M' && r->h.system != orr_sat_system(sat) && !(r->warned & WARNED_SYSTEM)) {
+        warn(r, 1, "satellites of another system than the first line says");
+        r->warned |= WARNED_SYSTEM;
+    }
+    return &r->h.codes[s];
+}
+
+static char blank_system(const orr_rinex_obs *r) { return r->h.system == 'M' ? 'G' : r->h.system; }
+
+// ---- epoch lines ----
+
+typedef struct epoch_head {
+    int flag, n;
+    orr_time t;
+    double clock;
+} epoch_head;
+
+static bool take_date(const orr_rinex_obs *r, orr_view line, epoch_head *head)
+{
+    bool v3 = r->h.version >= 3;
+    static const int col2[5] = {2, 5, 8, 11, 14}, col3[5] = {3, 8, 11, 14, 17};
+    const int *col = v3 ? col3 : col2;
+    orr_rinex_date d = {0};
+    int *field[5] = {&d.year, &d.month, &d.day, &d.hour, &d.minute};
+    for (int i = 0; i < 5; i++)
+        if (orr_field_int_in(line, col[i], i == 0 && v3 ? 4 : 2, 0, 9999, field[i]) != ORR_FIELD_OK) return false;
+    if (!orr_rinex_seconds(line, v3 ? 19 : 16, 11, &d.second_ps)) return false;
+    int more = 0; // 4.02: five further digits of the seconds
+    if (r->h.version >= 4.015 && orr_field_int_in(line, 58, 5, 0, 99999, &more) == ORR_FIELD_OK) d.second_ps += more;
+    return orr_rinex_time(&d, r->h.scale, &head->t) == ORR_OK;
+}
+
+static bool take_epoch_line(orr_rinex_obs *r, orr_view line, epoch_head *head)
+{
+    bool v3 = r->h.version >= 3;
+    *head = (epoch_head){.t = ORR_TIME_NONE, .clock = (double)NAN};
+    if (v3 ? orr_view_char(line, 1) != '>' : orr_view_char(line, 1) != ' ') return false;
+    orr_field f = orr_field_int_in(line, v3 ? 32 : 29, 1, 0, 6, &head->flag);
+    if (f == ORR_FIELD_BAD) return false;
+    if (orr_field_int_in(line, v3 ? 33 : 30, 3, 0, 999, &head->n) != ORR_FIELD_OK) return false;
+    if (head->flag >= 2 && head->flag <= 5 && orr_view_is_blank(orr_view_cols(line, 2, v3 ? 28 : 25))) return true;
+    if (!take_date(r, line, head)) return false;
+    if (head->flag >= 2 && head->flag <= 5) return true;
+    double clock = 0;
+    f = orr_field_real(line, v3 ? 42 : 69, v3 ? 15 : 12, &clock);
+    if (f == ORR_FIELD_BAD) warn(r, v3 ? 42 : 69, "the receiver clock offset is not a number: left out");
+    if (f == ORR_FIELD_OK) head->clock = clock;
+    return true;
+}
+
+// ---- events ----
+
+static orr_status keep_event_line(orr_rinex_obs *r, orr_view line, orr_diag *diag)
+{
+    if (r->n_event_lines >= r->limits.max_event_lines)
+        return orr_diag_at(diag, ORR_E_LIMIT, orr_input_name(r->in), orr_input_line_number(r->in), 0,
+                           "an event of more than %zu lines", r->limits.max_event_lines);
+    if (r->n_event_lines == r->event_capacity) {
+        size_t want = r->event_capacity * 2 + 16;
+        char **grown = realloc(r->event_line, want * sizeof *grown);
+        if (grown == NULL) return no_memory(diag);
+        r->event_line = grown;
+        r->event_capacity = want;
+    }
+    r->event_line[r->n_event_lines] = orr_view_dup(line);
+    if (r->event_line[r->n_event_lines] == NULL) return no_memory(diag);
+    r->n_event_lines++;
+    return ORR_OK;
+}
+
+static void drop_event_lines(orr_rinex_obs *r)
+{
+    for (size_t i = 0; i < r->n_event_lines; i++) free(r->event_line[i]);
+    r->n_event_lines = 0;
+}
+
+// A line of an event: kept for the caller, and applied where it is a header line.
+static orr_status take_event_line(orr_rinex_obs *r, orr_view line, orr_diag *diag)
+{
+    orr_status s = keep_event_line(r, line, diag);
+    if (s != ORR_OK) return s;
+    orr_view label = orr_rinex_label(line);
+    if (label.n == 0 || orr_view_equals(label, "COMMENT")) return ORR_OK;
+    obs_context c = context(r, diag);
+    if (!orr_crinex_note_types(&r->counts, line))
+        return orr_diag_at(diag, ORR_E_FORMAT, c.name, c.line, 1, "the number of observation types is not usable");
+    r->e.header_changed = true;
+    return orr_obs_header_line(&r->h, &r->state, line, &c);
+}
+
+static orr_status finish_event(orr_rinex_obs *r, orr_diag *diag)
+{
+    r->e.n_event_lines = r->n_event_lines;
+    r->e.event_line = (const char *const *)r->event_line;
+    if (!r->e.header_changed) return ORR_OK;
+    obs_context c = context(r, diag);
+    return orr_obs_header_check(&r->h, &r->state, &c);
+}
+
+// ---- satellites ----
+
+enum outcome { GOOD, DAMAGED, AT_END, FAILED };
+
+static void put_sat(orr_rinex_obs *r, orr_sat sat) { r->sat[r->e.n_sats++] = sat; }
+
+static enum outcome read_sats_v3(orr_rinex_obs *r, size_t n)
+{
+    orr_view line;
+    for (size_t i = 0; i < n; i++) {
+        if (!orr_input_line(r->in, &line)) return AT_END;
+        if (line.n > 0 && line.p[0] == '>') {
+            orr_input_unline(r->in);
+            warn(r, 1, "an epoch with fewer satellites than it announces: left out");
+            return DAMAGED;
+        }
+        orr_sat sat = line.n >= 3 ? orr_sat_parse3(line.p, blank_system(r)) : ORR_SAT_NONE;
+        const orr_obs_codes *codes = codes_of(r, sat);
+        if (codes == NULL) continue;
+        size_t base = r->e.n_sats * r->e.stride;
+        for (size_t j = 0; j < codes->n; j++) take_value(r, line, 4 + 16 * j, base + j, codes->scale[j]);
+        size_t used = 3 + 16 * codes->n;
+        if (line.n > used && !(r->warned & WARNED_EXTRA) &&
+            !orr_view_is_blank((orr_view){line.p + used, line.n - used})) {
+            warn(r, (int)used + 1, "more values than observation types: the rest is left out");
+            r->warned |= WARNED_EXTRA;
+        }
+        put_sat(r, sat);
+    }
+    return GOOD;
+}
+
+// The list of an epoch of RINEX 2, twelve a line; false where it is damaged.
+static enum outcome read_list_v2(orr_rinex_obs *r, orr_view line, size_t n, orr_sat *list)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (i > 0 && i % 12 == 0) {
+            if (!orr_input_line(r->in, &line)) return AT_END;
+            if (!orr_view_is_blank(orr_view_cols(line, 1, 32))) {
+                orr_input_unline(r->in);
+                return DAMAGED;
+            }
+        }
+        orr_view id = orr_view_cols(line, 33 + 3 * (int)(i % 12), 3);
+        if (id.n < 3 || orr_view_is_blank(id)) return DAMAGED;
+        list[i] = orr_sat_parse3(id.p, blank_system(r));
+        if (list[i] == ORR_SAT_NONE && (id.p[2] < '0' || id.p[2] > '9')) return DAMAGED;
+    }
+    return GOOD;
+}
+
+static enum outcome read_sats_v2(orr_rinex_obs *r, orr_view line, size_t n)
+{
+    orr_sat list[ORR_OBS_MAX_SATS];
+    enum outcome o = read_list_v2(r, line, n, list);
+    if (o == DAMAGED) warn(r, 33, "the satellite list of an epoch is damaged: the epoch is left out");
+    if (o != GOOD) return o;
+    size_t n_codes = r->state.v2_n;
+    for (size_t i = 0; i < n; i++) {
+        const orr_obs_codes *codes = codes_of(r, list[i]);
+        size_t base = r->e.n_sats * r->e.stride;
+        for (size_t j = 0; j < n_codes; j += 5) {
+            if (!orr_input_line(r->in, &line)) return AT_END;
+            if (codes == NULL) continue;
+            for (size_t k = j; k < n_codes && k < j + 5; k++)
+                take_value(r, line, 1 + 16 * (k - j), base + k, codes->scale[k]);
+        }
+        if (codes != NULL) put_sat(r, list[i]);
+    }
+    return GOOD;
+}
+
+// After damage: on to the next line that starts an epoch.
+static void resync(orr_rinex_obs *r)
+{
+    orr_view line;
+    orr_warnings *kept = r->warnings;
+    r->warnings = NULL; // what is tried on the way is no complaint
+    while (orr_input_line(r->in, &line)) {
+        epoch_head head;
+        if (!take_epoch_line(r, line, &head)) continue;
+        if (r->h.version < 3 && (head.t == ORR_TIME_NONE || head.n == 0)) continue;
+        orr_input_unline(r->in);
+        break;
+    }
+    r->warnings = kept;
+}
+
+// ---- the two sources of epochs ----
+
+static void begin_epoch(orr_rinex_obs *r)
+{
+    drop_event_lines(r);
+    r->e = (orr_rinex_obs_epoch){.t = ORR_TIME_NONE, .clock_offset_s = (double)NAN};
+}
+
+static orr_status end_epoch(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch, orr_diag *diag)
+{
+    if (++r->n_epochs > r->limits.max_epochs)
+        return orr_diag_at(diag, ORR_E_LIMIT, orr_input_name(r->in), r->e.line, 0, "more than %llu epochs",
+                           (unsigned long long)r->limits.max_epochs);
+    if (r->e.flag <= 1) {
+        if (r->last != ORR_TIME_NONE && r->e.t <= r->last && !(r->warned & WARNED_ORDER)) {
+            warn(r, 1, "an epoch that is not later than the one before (told once)");
+            r->warned |= WARNED_ORDER;
+        }
+        r->last = r->e.t;
+    }
+    *epoch = &r->e;
+    return ORR_OK;
+}
+
+static orr_status next_plain(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch, orr_diag *diag)
+{
+    orr_view line;
+    while (orr_input_line(r->in, &line)) {
+        if (orr_view_is_blank(line)) continue;
+        begin_epoch(r);
+        r->e.line = orr_input_line_number(r->in);
+        epoch_head head;
+        if (!take_epoch_line(r, line, &head)) {
+            warn(r, 1, "not an epoch line: skipping to the next");
+            r->skipped++;
+            resync(r);
+            continue;
+        }
+        r->e.flag = head.flag;
+        r->e.t = head.t;
+        r->e.clock_offset_s = head.clock;
+        size_t n = (size_t)head.n;
+        enum outcome o = GOOD;
+        if (head.flag >= 2 && head.flag <= 5) {
+            for (size_t i = 0; i < n && o == GOOD; i++) {
+                if (!orr_input_line(r->in, &line)) {
+                    o = AT_END;
+                    break;
+                }
+                orr_status s = take_event_line(r, line, diag);
+                if (s != ORR_OK) return s;
+            }
+            orr_status s = finish_event(r, diag);
+            if (s != ORR_OK) return s;
+            if (o == AT_END && orr_input_status(r->in, NULL) == ORR_OK) warn(r, 0, "the file ends within an event");
+            o = GOOD;
+        } else if (n > ORR_OBS_MAX_SATS) {
+            return orr_diag_at(diag, ORR_E_LIMIT, orr_input_name(r->in), r->e.line, 0,
+                               "an epoch of %zu satellites, the limit is %d", n, ORR_OBS_MAX_SATS);
+        } else {
+            orr_status s = make_room(r, n, diag);
+            if (s != ORR_OK) return s;
+            o = r->h.version >= 3 ? read_sats_v3(r, n) : read_sats_v2(r, line, n);
+        }
+        orr_status s = orr_input_status(r->in, diag);
+        if (s != ORR_OK) return s;
+        if (o == GOOD) return end_epoch(r, epoch, diag);
+        r->skipped++;
+        if (o == AT_END) {
+            warn(r, 0, "the file ends within an epoch: it is left out");
+            break;
+        }
+        resync(r);
+    }
+    *epoch = NULL;
+    return orr_input_status(r->in, diag);
+}
+
+static void take_decoded(orr_rinex_obs *r, const orr_crinex_epoch *d)
+{
+    for (size_t i = 0; i < d->n_sats; i++) {
+        orr_sat sat = orr_sat_parse3(d->sat[i], blank_system(r));
+        const orr_obs_codes *codes = codes_of(r, sat);
+        if (codes == NULL) continue;
+        size_t base = r->e.n_sats * r->e.stride, from = i * d->stride;
+        for (size_t j = 0; j < codes->n; j++) {
+            size_t k = base + j;
+            r->value[k] = (double)NAN;
+            r->lli[k] = r->ssi[k] = 0;
+            if (j >= d->n_codes[i]) continue;
+            int64_t v = d->value[from + j];
+            if (v != ORR_CRINEX_MISSING && v != 0) r->value[k] = (double)v / 1000.0 / codes->scale[j];
+            r->lli[k] = flag_digit(r, d->flags[2 * (from + j)], 0);
+            r->ssi[k] = flag_digit(r, d->flags[2 * (from + j) + 1], 0);
+        }
+        put_sat(r, sat);
+    }
+}
+
+static orr_status next_hatanaka(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch, orr_diag *diag)
+{
+    for (;;) {
+        const orr_crinex_epoch *d = NULL;
+        orr_status s = orr_crinex_next(r->crinex, &d, diag);
+        r->skipped = orr_crinex_skipped(r->crinex);
+        if (s != ORR_OK || d == NULL) {
+            *epoch = NULL;
+            return s;
+        }
+        begin_epoch(r);
+        r->e.line = d->line;
+        r->e.flag = d->flag;
+        epoch_head head;
+        orr_view text = orr_view_cols(d->text, 1, r->h.version >= 3 ? 41 : 32);
+        if (!take_epoch_line(r, text, &head) && !(d->is_event && d->n_event_lines == 0)) {
+            warn(r, 0, "a decoded epoch line that is not readable: the epoch is left out");
+            r->skipped++;
+            continue;
+        }
+        r->e.t = head.t;
+        if (d->is_event) {
+            for (size_t i = 0; i < d->n_event_lines; i++) {
+                s = d->flag == ORR_OBS_CYCLE_SLIP ? keep_event_line(r, d->event_line[i], diag)
+                                                  : take_event_line(r, d->event_line[i], diag);
+                if (s != ORR_OK) return s;
+            }
+            s = finish_event(r, diag);
+            if (s != ORR_OK) return s;
+            return end_epoch(r, epoch, diag);
+        }
+        s = make_room(r, d->n_sats, diag);
+        if (s != ORR_OK) return s;
+        if (d->has_clock) r->e.clock_offset_s = (double)d->clock * (r->h.version >= 3 ? 1e-12 : 1e-9);
+        take_decoded(r, d);
+        return end_epoch(r, epoch, diag);
+    }
+}
+
+orr_status orr_rinex_obs_next(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch, orr_diag *diag)
+{
+    *epoch = NULL;
+    return r->crinex != NULL ? next_hatanaka(r, epoch, diag) : next_plain(r, epoch, diag);
+}
+
+const orr_rinex_obs_header *orr_rinex_obs_header_of(const orr_rinex_obs *r) { return &r->h; }
+uint64_t orr_rinex_obs_skipped(const orr_rinex_obs *r) { return r->skipped; }
+
+// ---- opening ----
+
+static orr_status read_header(orr_rinex_obs *r, orr_diag *diag)
+{
+    orr_view line;
+    const char *name = orr_input_name(r->in);
+    orr_status s = ORR_OK;
+    if (!orr_input_line(r->in, &line)) {
+        s = orr_input_status(r->in, diag);
+        return s != ORR_OK ? s : orr_diag_at(diag, ORR_E_KIND, name, 1, 0, "the file is empty");
+    }
+    if (orr_crinex_is_first_line(line, &r->h.crinex_version)) {
+        r->h.hatanaka = true;
+        if (!orr_input_line(r->in, &line) || !orr_input_line(r->in, &line)) { // CRINEX PROG / DATE lies between
+            s = orr_input_status(r->in, diag);
+            return s != ORR_OK ? s : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the file ends within its header");
+        }
+    }
+    orr_rinex_first first;
+    s = orr_rinex_first_line(name, line, &first, diag);
+    obs_context c = context(r, diag);
+    if (s == ORR_OK) s = orr_obs_header_first(&r->h, &first, &c);
+    if (s == ORR_OK && r->h.hatanaka && (r->h.crinex_version >= 3) != (r->h.version >= 3))
+        warn(r, 1, "the Compact RINEX version does not belong to this RINEX version");
+    for (size_t i = 0; s == ORR_OK && !r->state.ended; i++) {
+        if (i > r->limits.max_header_lines)
+            return orr_diag_at(diag, ORR_E_LIMIT, name, 0, 0, "a header of more than %zu lines", r->limits.max_header_lines);
+        if (!orr_input_line(r->in, &line)) {
+            s = orr_input_status(r->in, diag);
+            return s != ORR_OK ? s : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the header has no END OF HEADER");
+        }
+        if (!r->h.hatanaka && r->h.version >= 3 && line.n > 1 && line.p[0] == '>' && line.p[1] == ' ')
+            return orr_diag_at(diag, ORR_E_FORMAT, name, orr_input_line_number(r->in), 1,
+                               "epochs begin before END OF HEADER");
+        c = context(r, diag);
+        s = orr_obs_header_line(&r->h, &r->state, line, &c);
+        if (s == ORR_OK && !orr_crinex_note_types(&r->counts, line))
+            s = orr_diag_at(diag, ORR_E_FORMAT, name, c.line, 1, "the number of observation types is not usable");
+    }
+    if (s != ORR_OK) return s;
+    c = context(r, diag);
+    s = orr_obs_header_check(&r->h, &r->state, &c);
+    if (s != ORR_OK) return s;
+    if (!(r->state.seen & OBS_SEEN_FIRST)) warn(r, 0, "the header has no TIME OF FIRST OBS: the system's own time is taken");
+    if (!(r->state.seen & OBS_SEEN_MARKER)) warn(r, 0, "the header has no MARKER NAME");
+    if (r->h.hatanaka) s = orr_crinex_open(r->in, r->h.crinex_version, &r->counts, r->warnings, &r->crinex, diag);
+    return s;
+}
+
+static orr_status open_input(orr_input *in, const orr_rinex_obs_limits *limits, orr_warnings *warnings,
+                             orr_rinex_obs **out, orr_diag *diag)
+{
+    orr_rinex_obs *r = calloc(1, sizeof *r);
+    if (r == NULL) {
+        orr_input_close(in);
+        return no_memory(diag);
+    }
+    r->in = in;
+    r->limits = limits != NULL ? *limits : orr_rinex_obs_default_limits();
+    r->warnings = warnings;
+    r->state.open_system = -1;
+    r->last = ORR_TIME_NONE;
+    orr_rinex_obs_header_init(&r->h);
+    orr_status s = read_header(r, diag);
+    if (s != ORR_OK) {
+        orr_rinex_obs_close(r);
+        r = NULL;
+    }
+    *out = r;
+    return s;
+}
+
+static orr_input_limits input_limits(const orr_rinex_obs_limits *limits)
+{
+    orr_input_limits l = orr_input_default_limits();
+    uint64_t max = limits != NULL ? limits->max_bytes : orr_rinex_obs_default_limits().max_bytes;
+    l.max_bytes = max > SIZE_MAX ? SIZE_MAX : (size_t)max;
+    return l;
+}
+
+orr_status orr_rinex_obs_open(const char *path, const orr_rinex_obs_limits *limits, orr_warnings *warnings,
+                              orr_rinex_obs **out, orr_diag *diag)
+{
+    *out = NULL;
+    orr_input_limits l = input_limits(limits);
+    orr_input *in = NULL;
+    orr_status s = orr_input_open(path, &l, &in, diag);
+    return s != ORR_OK ? s : open_input(in, limits, warnings, out, diag);
+}
+
+orr_status orr_rinex_obs_open_memory(const char *name, const char *text, size_t n, const orr_rinex_obs_limits *limits,
+                                     orr_warnings *warnings, orr_rinex_obs **out, orr_diag *diag)
+{
+    *out = NULL;
+    orr_input_limits l = input_limits(limits);
+    orr_input *in = NULL;
+    orr_status s = orr_input_open_bytes(name, text, n, &l, &in, diag);
+    return s != ORR_OK ? s : open_input(in, limits, warnings, out, diag);
+}
+
+void orr_rinex_obs_close(orr_rinex_obs *r)
+{
+    if (r == NULL) return;
+    drop_event_lines(r);
+    free(r->event_line);
+    free(r->value);
+    free(r->lli);
+    free(r->ssi);
+    orr_crinex_close(r->crinex);
+    orr_rinex_obs_header_free(&r->h);
+    orr_input_close(r->in);
+    free(r);
+}

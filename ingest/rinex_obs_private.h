@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inside of the observation reader: its state, header lines, the mapping of RINEX 2 types.
+#ifndef ORR_INGEST_RINEX_OBS_PRIVATE_H
+#define ORR_INGEST_RINEX_OBS_PRIVATE_H
+
+#include "ingest/crinex.h"
+#include "ingest/rinex.h"
+#include "ingest/rinex_obs.h"
+
+// Where header lines report to.
+typedef struct obs_context {
+    const char *name;
+    int64_t line;
+    orr_warnings *warnings;
+    orr_diag *diag;
+} obs_context;
+
+// What must be remembered between header lines.
+typedef struct obs_header_state {
+    int open_system;  // continuation of SYS / # / OBS TYPES: its index, -1 none
+    size_t open_want; // types still to come
+    size_t v2_want, v2_n;
+    char v2_type[ORR_OBS_MAX_CODES][4];
+    bool glonass_slots_open;
+    bool ended;
+    uint32_t seen; // OBS_SEEN_*
+} obs_header_state;
+enum { OBS_SEEN_MARKER = 1, OBS_SEEN_TYPES = 2, OBS_SEEN_FIRST = 4 };
+
+// Takes one header line. ORR_OK also where it only warned; an error refuses the file.
+orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, orr_view line, const obs_context *c);
+// After END OF HEADER (or an event): the lists must be complete; fills in the codes of RINEX 2.
+orr_status orr_obs_header_check(orr_rinex_obs_header *h, obs_header_state *st, const obs_context *c);
+// First line of the file (already parsed) into h.
+orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *first, const obs_context *c);
+
+// Appends a code; ORR_E_LIMIT, ORR_E_MEMORY.
+orr_status orr_obs_codes_add(orr_obs_codes *codes, const char *code, const char *original, orr_diag *diag);
+void orr_obs_codes_clear(orr_obs_codes *codes);
+// The RINEX 3 code that a RINEX 2 type of a system is taken for; "" if none. has(set, "P2") tells what the file has.
+void orr_obs_code_of_v2(char system, const char *type, const char (*set)[4], size_t n, char out[4]);
+
+#endif
