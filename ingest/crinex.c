@@ -13,7 +13,8 @@
 #define MAX_NUMBER INT64_C(100000000000000000)
 #define N_KEYS (32 * 100)
 
-// A difference sequence: d[0] is the last value, d[k] its k-th difference. level is how many differences are known.
+// A difference sequence: d[0] is the last value, d[k] its k-th difference. level is how many differences are
+// known.
 typedef struct arc {
     int8_t order; // -1: none
     int8_t level;
@@ -79,8 +80,8 @@ bool orr_crinex_note_types(orr_crinex_counts *counts, orr_view line)
     return true;
 }
 
-orr_status orr_crinex_open(orr_input *in, double version, const orr_crinex_counts *counts, orr_warnings *warnings,
-                           orr_crinex **out, orr_diag *diag)
+orr_status orr_crinex_open(orr_input *in, double version, const orr_crinex_counts *counts,
+                           orr_warnings *warnings, orr_crinex **out, orr_diag *diag)
 {
     *out = NULL;
     if (!(version >= 1 && version < 2) && !(version >= 3 && version < 4))
@@ -135,7 +136,8 @@ static const char *parse_integer(const char *p, const char *end, int64_t *out)
     return p;
 }
 
-// One number of a sequence: "3&value" starts one, a plain number is its next difference. NULL if the text is bad.
+// One number of a sequence: "3&value" starts one, a plain number is its next difference. NULL if the text is
+// bad.
 static const char *decode_number(arc *a, const char *p, const char *end)
 {
     if (end - p >= 2 && p[1] == '&') {
@@ -169,7 +171,10 @@ static void apply_text(char *text, const char *diff, size_t n)
     }
 }
 
-static bool is_init(const orr_crinex *c, orr_view line) { return line.n > 0 && line.p[0] == (c->v3 ? '>' : '&'); }
+static bool is_init(const orr_crinex *c, orr_view line)
+{
+    return line.n > 0 && line.p[0] == (c->v3 ? '>' : '&');
+}
 
 // The epoch line into c->text; false if it cannot be one.
 static bool take_epoch_text(orr_crinex *c, orr_view line)
@@ -338,7 +343,8 @@ static enum outcome decode_observations(orr_crinex *c, size_t n_sats)
     size_t list_at = c->v3 ? 41 : 32, stride = 1;
     for (size_t i = 0; i < 128; i++)
         if (c->counts->n[i] > stride) stride = c->counts->n[i];
-    if (n_sats > ORR_CRINEX_MAX_SATS) return warn(c, "an epoch with more satellites than the limit of 512"), DAMAGED;
+    if (n_sats > ORR_CRINEX_MAX_SATS)
+        return warn(c, "an epoch with more satellites than the limit of 512"), DAMAGED;
     if (!grow(c, n_sats, stride)) return NO_MEMORY;
     e->is_event = false;
     e->n_sats = n_sats;
@@ -354,7 +360,8 @@ static enum outcome decode_observations(orr_crinex *c, size_t n_sats)
         int key = key_of(id);
         if (key < 0) return warn(c, "the satellite list of an epoch is damaged"), DAMAGED;
         size_t n_codes = c->counts->n[c->v3 ? (unsigned char)id[0] : ' '];
-        if (n_codes == 0) return warn(c, "a satellite of a system whose observation types the header lacks"), DAMAGED;
+        if (n_codes == 0)
+            return warn(c, "a satellite of a system whose observation types the header lacks"), DAMAGED;
         if (c->state[key] != NULL && c->state[key]->epoch == c->count)
             return warn(c, "a satellite is listed twice in an epoch"), DAMAGED;
         sat_state *s = state_of(c, key, n_codes);
@@ -383,7 +390,7 @@ orr_status orr_crinex_next(orr_crinex *c, const orr_crinex_epoch **epoch, orr_di
     orr_view line;
     while (orr_input_line(c->in, &line)) {
         bool init = is_init(c, line);
-        if (!init && !c->synced) continue; // looking for a place to start again
+        if (!init && !c->synced) continue;              // looking for a place to start again
         if (!init && orr_view_is_blank(line)) continue; // no two epochs are the same: stray lines
         c->count++;
         c->epoch.line = orr_input_line_number(c->in);

@@ -19,8 +19,8 @@ static void put_line(writer *w, const char *text, size_t n)
     if (!w->failed && !w->write(w->user, text, n)) w->failed = true;
 }
 
-// A fixed-point number, right-aligned in `width` characters with `decimals` of them after the point; false if it
-// does not fit.
+// A fixed-point number, right-aligned in `width` characters with `decimals` of them after the point; false if
+// it does not fit.
 static bool put_fixed(char *out, int width, int decimals, int64_t value)
 {
     uint64_t u = value < 0 ? (uint64_t)-value : (uint64_t)value;
@@ -57,7 +57,8 @@ static void put_epoch_line(writer *w, const orr_crinex_epoch *e, bool v3)
     memcpy(line, e->text.p, n < 32 ? n : 32);
     for (size_t first = 0; first == 0 || first < e->n_sats; first += 12) {
         if (first > 0) memset(line, ' ', 80);
-        for (size_t i = first; i < e->n_sats && i < first + 12; i++) memcpy(line + 32 + 3 * (i - first), e->sat[i], 3);
+        for (size_t i = first; i < e->n_sats && i < first + 12; i++)
+            memcpy(line + 32 + 3 * (i - first), e->sat[i], 3);
         if (first == 0 && e->has_clock) put_fixed(line + 68, 12, 9, e->clock);
         put_line(w, line, 80);
     }
@@ -90,7 +91,8 @@ static bool put_satellite(writer *w, const orr_crinex_epoch *e, size_t i, bool v
     return true;
 }
 
-static orr_status copy_header(orr_input *in, writer *w, orr_crinex_counts *counts, double *version, orr_diag *diag)
+static orr_status copy_header(orr_input *in, writer *w, orr_crinex_counts *counts, double *version,
+                              orr_diag *diag)
 {
     orr_view line;
     const char *name = orr_input_name(in);
@@ -114,7 +116,8 @@ static orr_status copy_header(orr_input *in, writer *w, orr_crinex_counts *count
     return s != ORR_OK ? s : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the header has no END OF HEADER");
 }
 
-static orr_status expand(orr_input *in, orr_crinex_counts *counts, writer *w, orr_warnings *warnings, orr_diag *diag)
+static orr_status expand(orr_input *in, orr_crinex_counts *counts, writer *w, orr_warnings *warnings,
+                         orr_diag *diag)
 {
     double version = 0;
     orr_crinex *c = NULL;
@@ -129,8 +132,9 @@ static orr_status expand(orr_input *in, orr_crinex_counts *counts, writer *w, or
             for (size_t i = 0; i < e->n_event_lines && s == ORR_OK; i++) {
                 put_line(w, e->event_line[i].p, e->event_line[i].n);
                 if (!orr_crinex_note_types(counts, e->event_line[i]))
-                    s = orr_diag_at(diag, ORR_E_FORMAT, orr_input_name(in), e->line, 0,
-                                    "an event changes the number of observation types to one that is not usable");
+                    s = orr_diag_at(
+                        diag, ORR_E_FORMAT, orr_input_name(in), e->line, 0,
+                        "an event changes the number of observation types to one that is not usable");
             }
             continue;
         }

@@ -20,8 +20,8 @@ orr_status orr_rinex_first_line(const char *name, orr_view line, orr_rinex_first
     if (orr_field_real(line, 1, 20, &version) != ORR_FIELD_OK)
         return orr_diag_at(diag, ORR_E_FORMAT, name, 1, 1, "the RINEX version is not a number");
     if (version < 2 || version >= 5)
-        return orr_diag_at(diag, ORR_E_UNSUPPORTED, name, 1, 1, "RINEX version %.2f is not read (2.00 to 4.02 are)",
-                           version);
+        return orr_diag_at(diag, ORR_E_UNSUPPORTED, name, 1, 1,
+                           "RINEX version %.2f is not read (2.00 to 4.02 are)", version);
     out->version = version;
     // Column 21 is the type; in RINEX 3 a navigation file may say "N: GNSS NAV DATA" or "NAVIGATION DATA".
     out->type = (char)toupper((unsigned char)orr_view_char(line, 21));

@@ -17,9 +17,9 @@ typedef struct orr_rinex_first {
 // Reads "RINEX VERSION / TYPE". ORR_E_KIND with a sentence if it is none.
 orr_status orr_rinex_first_line(const char *name, orr_view line, orr_rinex_first *out, orr_diag *diag);
 
-// A date and time in fields of fixed columns: year (two digits: 80-99 are 1980-1999, 00-79 are 2000-2079), month, day, hour,
-// minute and seconds as picoseconds of the minute. Seconds 60.0 are the next minute, or the leap second where the
-// scale has one.
+// A date and time in fields of fixed columns: year (two digits: 80-99 are 1980-1999, 00-79 are 2000-2079),
+// month, day, hour, minute and seconds as picoseconds of the minute. Seconds 60.0 are the next minute, or the
+// leap second where the scale has one.
 typedef struct orr_rinex_date {
     int year, month, day, hour, minute;
     int64_t second_ps;

@@ -195,7 +195,7 @@ typedef struct orr_nav_limits {
     size_t max_bytes; // after decompression
     size_t max_records, max_header_lines;
 } orr_nav_limits;
-orr_nav_limits orr_nav_default_limits(void); // 2 GiB, 4 000 000, 100 000
+orr_nav_limits orr_nav_default_limits(void); // 2 GiB, 1 000 000, 100 000
 
 // Reads a whole file (plain, gzip, .Z by content). Bad records go one by one to `warnings` (may be NULL) and
 // are left out; a file that is no RINEX navigation file, or whose header cannot be used, is refused. limits

@@ -47,7 +47,8 @@ static orr_status no_memory(orr_diag *diag) { return orr_diag_set(diag, ORR_E_ME
 
 // ---- values ----
 
-// F14.3 as nearly all files have it: the point in column 11, three digits behind it. -1 if it needs the general reader.
+// F14.3 as nearly all files have it: the point in column 11, three digits behind it. -1 if it needs the
+// general reader.
 static int fast_value(const char *p, double *out)
 {
     if (p[10] != '.') return -1;
@@ -89,7 +90,8 @@ static void take_value(orr_rinex_obs *r, orr_view line, size_t col, size_t k, do
     if (left < 14 || fast_value(p, &v) != 0) {
         orr_view field = {p, left < 14 ? left : 14};
         orr_field f = orr_view_real(field, &v);
-        if (f == ORR_FIELD_OK && left < 14 && !(field.n >= 4 && field.p[field.n - 4] == '.')) f = ORR_FIELD_BAD;
+        if (f == ORR_FIELD_OK && left < 14 && !(field.n >= 4 && field.p[field.n - 4] == '.'))
+            f = ORR_FIELD_BAD;
         if (f == ORR_FIELD_BAD) {
             warn(r, (int)col, "an observation that is not a number, or cut off: left out");
             return;
@@ -136,7 +138,8 @@ static const orr_obs_codes *codes_of(orr_rinex_obs *r, orr_sat sat)
     int s = orr_sat_system_index(sat);
     uint32_t bit = 1u << s;
     if (r->h.codes[s].n == 0) {
-        if (!(r->warned & bit)) warn(r, 1, "a satellite of a system whose observation types the header lacks: left out");
+        if (!(r->warned & bit))
+            warn(r, 1, "a satellite of a system whose observation types the header lacks: left out");
         r->warned |= bit;
         return NULL;
     }
@@ -165,10 +168,12 @@ static bool take_date(const orr_rinex_obs *r, orr_view line, epoch_head *head)
     orr_rinex_date d = {0};
     int *field[5] = {&d.year, &d.month, &d.day, &d.hour, &d.minute};
     for (int i = 0; i < 5; i++)
-        if (orr_field_int_in(line, col[i], i == 0 && v3 ? 4 : 2, 0, 9999, field[i]) != ORR_FIELD_OK) return false;
+        if (orr_field_int_in(line, col[i], i == 0 && v3 ? 4 : 2, 0, 9999, field[i]) != ORR_FIELD_OK)
+            return false;
     if (!orr_rinex_seconds(line, v3 ? 19 : 16, 11, &d.second_ps)) return false;
     int more = 0; // 4.02: five further digits of the seconds
-    if (r->h.version >= 4.015 && orr_field_int_in(line, 58, 5, 0, 99999, &more) == ORR_FIELD_OK) d.second_ps += more;
+    if (r->h.version >= 4.015 && orr_field_int_in(line, 58, 5, 0, 99999, &more) == ORR_FIELD_OK)
+        d.second_ps += more;
     return orr_rinex_time(&d, r->h.scale, &head->t) == ORR_OK;
 }
 
@@ -180,7 +185,8 @@ static bool take_epoch_line(orr_rinex_obs *r, orr_view line, epoch_head *head)
     orr_field f = orr_field_int_in(line, v3 ? 32 : 29, 1, 0, 6, &head->flag);
     if (f == ORR_FIELD_BAD) return false;
     if (orr_field_int_in(line, v3 ? 33 : 30, 3, 0, 999, &head->n) != ORR_FIELD_OK) return false;
-    if (head->flag >= 2 && head->flag <= 5 && orr_view_is_blank(orr_view_cols(line, 2, v3 ? 28 : 25))) return true;
+    if (head->flag >= 2 && head->flag <= 5 && orr_view_is_blank(orr_view_cols(line, 2, v3 ? 28 : 25)))
+        return true;
     if (!take_date(r, line, head)) return false;
     if (head->flag >= 2 && head->flag <= 5) return true;
     double clock = 0;
@@ -225,7 +231,8 @@ static orr_status take_event_line(orr_rinex_obs *r, orr_view line, orr_diag *dia
     if (label.n == 0 || orr_view_equals(label, "COMMENT")) return ORR_OK;
     obs_context c = context(r, diag);
     if (!orr_crinex_note_types(&r->counts, line))
-        return orr_diag_at(diag, ORR_E_FORMAT, c.name, c.line, 1, "the number of observation types is not usable");
+        return orr_diag_at(diag, ORR_E_FORMAT, c.name, c.line, 1,
+                           "the number of observation types is not usable");
     r->e.header_changed = true;
     return orr_obs_header_line(&r->h, &r->state, line, &c);
 }
@@ -381,7 +388,8 @@ static orr_status next_plain(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch
             }
             orr_status s = finish_event(r, diag);
             if (s != ORR_OK) return s;
-            if (o == AT_END && orr_input_status(r->in, NULL) == ORR_OK) warn(r, 0, "the file ends within an event");
+            if (o == AT_END && orr_input_status(r->in, NULL) == ORR_OK)
+                warn(r, 0, "the file ends within an event");
             o = GOOD;
         } else if (n > ORR_OBS_MAX_SATS) {
             return orr_diag_at(diag, ORR_E_LIMIT, orr_input_name(r->in), r->e.line, 0,
@@ -487,9 +495,12 @@ static orr_status read_header(orr_rinex_obs *r, orr_diag *diag)
     }
     if (orr_crinex_is_first_line(line, &r->h.crinex_version)) {
         r->h.hatanaka = true;
-        if (!orr_input_line(r->in, &line) || !orr_input_line(r->in, &line)) { // CRINEX PROG / DATE lies between
+        if (!orr_input_line(r->in, &line) ||
+            !orr_input_line(r->in, &line)) { // CRINEX PROG / DATE lies between
             s = orr_input_status(r->in, diag);
-            return s != ORR_OK ? s : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the file ends within its header");
+            return s != ORR_OK
+                       ? s
+                       : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the file ends within its header");
         }
     }
     orr_rinex_first first;
@@ -500,10 +511,13 @@ static orr_status read_header(orr_rinex_obs *r, orr_diag *diag)
         warn(r, 1, "the Compact RINEX version does not belong to this RINEX version");
     for (size_t i = 0; s == ORR_OK && !r->state.ended; i++) {
         if (i > r->limits.max_header_lines)
-            return orr_diag_at(diag, ORR_E_LIMIT, name, 0, 0, "a header of more than %zu lines", r->limits.max_header_lines);
+            return orr_diag_at(diag, ORR_E_LIMIT, name, 0, 0, "a header of more than %zu lines",
+                               r->limits.max_header_lines);
         if (!orr_input_line(r->in, &line)) {
             s = orr_input_status(r->in, diag);
-            return s != ORR_OK ? s : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the header has no END OF HEADER");
+            return s != ORR_OK
+                       ? s
+                       : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the header has no END OF HEADER");
         }
         if (!r->h.hatanaka && r->h.version >= 3 && line.n > 1 && line.p[0] == '>' && line.p[1] == ' ')
             return orr_diag_at(diag, ORR_E_FORMAT, name, orr_input_line_number(r->in), 1,
@@ -511,15 +525,18 @@ static orr_status read_header(orr_rinex_obs *r, orr_diag *diag)
         c = context(r, diag);
         s = orr_obs_header_line(&r->h, &r->state, line, &c);
         if (s == ORR_OK && !orr_crinex_note_types(&r->counts, line))
-            s = orr_diag_at(diag, ORR_E_FORMAT, name, c.line, 1, "the number of observation types is not usable");
+            s = orr_diag_at(diag, ORR_E_FORMAT, name, c.line, 1,
+                            "the number of observation types is not usable");
     }
     if (s != ORR_OK) return s;
     c = context(r, diag);
     s = orr_obs_header_check(&r->h, &r->state, &c);
     if (s != ORR_OK) return s;
-    if (!(r->state.seen & OBS_SEEN_FIRST)) warn(r, 0, "the header has no TIME OF FIRST OBS: the system's own time is taken");
+    if (!(r->state.seen & OBS_SEEN_FIRST))
+        warn(r, 0, "the header has no TIME OF FIRST OBS: the system's own time is taken");
     if (!(r->state.seen & OBS_SEEN_MARKER)) warn(r, 0, "the header has no MARKER NAME");
-    if (r->h.hatanaka) s = orr_crinex_open(r->in, r->h.crinex_version, &r->counts, r->warnings, &r->crinex, diag);
+    if (r->h.hatanaka)
+        s = orr_crinex_open(r->in, r->h.crinex_version, &r->counts, r->warnings, &r->crinex, diag);
     return s;
 }
 
@@ -564,8 +581,9 @@ orr_status orr_rinex_obs_open(const char *path, const orr_rinex_obs_limits *limi
     return s != ORR_OK ? s : open_input(in, limits, warnings, out, diag);
 }
 
-orr_status orr_rinex_obs_open_memory(const char *name, const char *text, size_t n, const orr_rinex_obs_limits *limits,
-                                     orr_warnings *warnings, orr_rinex_obs **out, orr_diag *diag)
+orr_status orr_rinex_obs_open_memory(const char *name, const char *text, size_t n,
+                                     const orr_rinex_obs_limits *limits, orr_warnings *warnings,
+                                     orr_rinex_obs **out, orr_diag *diag)
 {
     *out = NULL;
     orr_input_limits l = input_limits(limits);

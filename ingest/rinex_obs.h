@@ -126,9 +126,10 @@ orr_status orr_rinex_obs_open_memory(const char *name, const char *text, size_t 
                                      orr_rinex_obs **out, orr_diag *diag);
 // As it stands after the last epoch handed out (events change it); valid until close.
 const orr_rinex_obs_header *orr_rinex_obs_header_of(const orr_rinex_obs *r);
-// The next epoch or event; *epoch NULL with ORR_OK at the end of the file. A value or a satellite that cannot be read is
-// reported to the warnings and left out; so is an epoch whose lines are damaged, and reading goes on at the next one; a
-// file cut in the middle of an epoch ends with a warning. After an error the reader can only be closed.
+// The next epoch or event; *epoch NULL with ORR_OK at the end of the file. A value or a satellite that cannot
+// be read is reported to the warnings and left out; so is an epoch whose lines are damaged, and reading goes
+// on at the next one; a file cut in the middle of an epoch ends with a warning. After an error the reader can
+// only be closed.
 orr_status orr_rinex_obs_next(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch, orr_diag *diag);
 uint64_t orr_rinex_obs_skipped(const orr_rinex_obs *r); // epochs left out so far
 void orr_rinex_obs_close(orr_rinex_obs *r);             // NULL is allowed

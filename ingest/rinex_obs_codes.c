@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of observation codes, and what the two-character types of RINEX 2 are taken for (RINEX 3.05, table 23 and 5.2).
+// Lists of observation codes, and what the two-character types of RINEX 2 are taken for (RINEX 3.05, table 23
+// and 5.2).
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,13 +19,15 @@ void orr_obs_codes_clear(orr_obs_codes *codes)
 orr_status orr_obs_codes_add(orr_obs_codes *codes, const char *code, const char *original, orr_diag *diag)
 {
     if (codes->n >= ORR_OBS_MAX_CODES)
-        return orr_diag_set(diag, ORR_E_LIMIT, "more than %d observation types of one system", ORR_OBS_MAX_CODES);
+        return orr_diag_set(diag, ORR_E_LIMIT, "more than %d observation types of one system",
+                            ORR_OBS_MAX_CODES);
     if (codes->code == NULL) {
         codes->code = calloc(ORR_OBS_MAX_CODES, sizeof *codes->code);
         codes->original = calloc(ORR_OBS_MAX_CODES, sizeof *codes->original);
         codes->scale = calloc(ORR_OBS_MAX_CODES, sizeof *codes->scale);
         codes->phase_shift_cyc = calloc(ORR_OBS_MAX_CODES, sizeof *codes->phase_shift_cyc);
-        if (codes->code == NULL || codes->original == NULL || codes->scale == NULL || codes->phase_shift_cyc == NULL) {
+        if (codes->code == NULL || codes->original == NULL || codes->scale == NULL ||
+            codes->phase_shift_cyc == NULL) {
             orr_obs_codes_clear(codes);
             return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
         }
@@ -45,8 +48,9 @@ static bool has(const char (*set)[4], size_t n, const char *type)
     return false;
 }
 
-// The tracking attribute of band `band` in a system; 0 if the pair is unknown. first is 'C' (code of a civil signal),
-// 'P' (precise code), or one of L, D, S, which are taken to come from the signal that the file's codes point to.
+// The tracking attribute of band `band` in a system; 0 if the pair is unknown. first is 'C' (code of a civil
+// signal), 'P' (precise code), or one of L, D, S, which are taken to come from the signal that the file's
+// codes point to.
 static char attribute(char system, char first, char band, const char (*set)[4], size_t n)
 {
     bool p2 = has(set, n, "P2"), c2 = has(set, n, "C2"), la = has(set, n, "LA");
@@ -80,7 +84,8 @@ void orr_obs_code_of_v2(char system, const char *type, const char (*set)[4], siz
     memset(out, 0, 4);
     if (type[0] == '\0' || type[1] == '\0' || type[2] != '\0') return;
     char first = type[0], band = type[1];
-    if (band == 'A' && (first == 'L' || first == 'S' || first == 'D') && system == 'G') { // 2.20: from C/A code
+    if (band == 'A' && (first == 'L' || first == 'S' || first == 'D') &&
+        system == 'G') { // 2.20: from C/A code
         out[0] = first;
         out[1] = '1';
         out[2] = 'C';
@@ -90,7 +95,8 @@ void orr_obs_code_of_v2(char system, const char *type, const char (*set)[4], siz
     char a = attribute(system, first, band, set, n);
     if (a == 0) return;
     out[0] = first == 'P' ? 'C' : first;
-    out[1] = system == 'C' && band == '1' ? '2' : band; // B1I is band 2 in RINEX 3, C1/C2 in the 2.12 of the day
+    out[1] =
+        system == 'C' && band == '1' ? '2' : band; // B1I is band 2 in RINEX 3, C1/C2 in the 2.12 of the day
     out[2] = a;
 }
 
@@ -121,7 +127,8 @@ void orr_rinex_obs_header_init(orr_rinex_obs_header *h)
     h->declared_sats = -1;
 }
 
-orr_status orr_rinex_obs_header_add_code(orr_rinex_obs_header *h, char system, const char *code, orr_diag *diag)
+orr_status orr_rinex_obs_header_add_code(orr_rinex_obs_header *h, char system, const char *code,
+                                         orr_diag *diag)
 {
     const char *at = system != '\0' ? strchr(ORR_SYSTEMS, system) : NULL;
     if (at == NULL) return orr_diag_set(diag, ORR_E_ARG, "'%c' is no satellite system", system);

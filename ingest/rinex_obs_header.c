@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Header lines of observation files, also those that come in events. What decides how the data are read (types, time
-// system, scale factors) is refused when damaged; the rest is reported and left at "not given".
+// Header lines of observation files, also those that come in events. What decides how the data are read
+// (types, time system, scale factors) is refused when damaged; the rest is reported and left at "not given".
 #include <math.h>
 #include <string.h>
 
@@ -34,17 +34,32 @@ orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *
                            "a RINEX file of type '%c', not of observations", first->type);
     h->version = first->version;
     char s = first->system == ' ' ? 'G' : first->system; // a blank is GPS in RINEX 2
-    if (s == 'T') return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41, "Transit (NNSS) observations are not read");
+    if (s == 'T')
+        return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
+                           "Transit (NNSS) observations are not read");
     if (s != 'M' && system_index(s) < 0)
-        return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41, "'%c' is no satellite system that is read", s);
+        return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
+                           "'%c' is no satellite system that is read", s);
     h->system = s;
     switch (s) {
-    case 'R': h->scale = ORR_SCALE_GLO; break;
-    case 'E': h->scale = ORR_SCALE_GAL; break;
-    case 'C': h->scale = ORR_SCALE_BDT; break;
-    case 'J': h->scale = ORR_SCALE_QZS; break;
-    case 'I': h->scale = ORR_SCALE_IRN; break;
-    default: h->scale = ORR_SCALE_GPS; break;
+    case 'R':
+        h->scale = ORR_SCALE_GLO;
+        break;
+    case 'E':
+        h->scale = ORR_SCALE_GAL;
+        break;
+    case 'C':
+        h->scale = ORR_SCALE_BDT;
+        break;
+    case 'J':
+        h->scale = ORR_SCALE_QZS;
+        break;
+    case 'I':
+        h->scale = ORR_SCALE_IRN;
+        break;
+    default:
+        h->scale = ORR_SCALE_GPS;
+        break;
     }
     return ORR_OK;
 }
@@ -93,7 +108,8 @@ static orr_status types_v3(orr_rinex_obs_header *h, obs_header_state *st, orr_vi
     }
     for (int i = 0; i < 13 && st->open_want > 0; i++) {
         char code[4];
-        if (!code_text(line, 8 + 4 * i, 3, code)) return refuse(c, 8 + 4 * i, "an observation type is missing or not readable");
+        if (!code_text(line, 8 + 4 * i, 3, code))
+            return refuse(c, 8 + 4 * i, "an observation type is missing or not readable");
         st->open_want--;
         if (st->open_system < 0) continue;
         orr_status s = orr_obs_codes_add(&h->codes[st->open_system], code, code, c->diag);
@@ -125,8 +141,10 @@ static orr_status scale_factor(orr_rinex_obs_header *h, orr_view line, const obs
 {
     int system = system_index(orr_view_char(line, 1)), factor = 1, n = 0;
     if (system < 0) return warn(c, 1, "a scale factor of a system that is not read"), ORR_OK;
-    if (orr_field_int_in(line, 3, 4, 1, 9999, &factor) != ORR_FIELD_OK) return refuse(c, 3, "the scale factor is not a number");
-    if (orr_field_int_in(line, 9, 2, 0, 99, &n) == ORR_FIELD_BAD) return refuse(c, 9, "the number of scaled types is not a number");
+    if (orr_field_int_in(line, 3, 4, 1, 9999, &factor) != ORR_FIELD_OK)
+        return refuse(c, 3, "the scale factor is not a number");
+    if (orr_field_int_in(line, 9, 2, 0, 99, &n) == ORR_FIELD_BAD)
+        return refuse(c, 9, "the number of scaled types is not a number");
     orr_obs_codes *codes = &h->codes[system];
     if (n == 0)
         for (size_t j = 0; j < codes->n; j++) codes->scale[j] = factor;
@@ -146,9 +164,13 @@ static void phase_shift(orr_rinex_obs_header *h, orr_view line, const obs_contex
     char code[4];
     double shift = 0;
     if (system < 0 || !code_text(line, 3, 3, code)) return; // continuation, or a system without known shifts
-    if (orr_field_real(line, 7, 8, &shift) == ORR_FIELD_BAD) return warn(c, 7, "the phase shift is not a number");
+    if (orr_field_real(line, 7, 8, &shift) == ORR_FIELD_BAD) {
+        warn(c, 7, "the phase shift is not a number");
+        return;
+    }
     int n_sats = 0;
-    if (orr_field_int_in(line, 17, 2, 0, 99, &n_sats) == ORR_FIELD_OK && n_sats > 0) return; // of some satellites only
+    if (orr_field_int_in(line, 17, 2, 0, 99, &n_sats) == ORR_FIELD_OK && n_sats > 0)
+        return; // of some satellites only
     orr_obs_codes *codes = &h->codes[system];
     for (size_t j = 0; j < codes->n; j++)
         if (strcmp(codes->code[j], code) == 0) codes->phase_shift_cyc[j] = shift;
@@ -183,9 +205,12 @@ static void glonass_bias(orr_rinex_obs_header *h, orr_view line, const obs_conte
 static void wavelength(orr_rinex_obs_header *h, orr_view line, const obs_context *c)
 {
     int l1 = 1, l2 = 1, n = 0;
-    if (orr_field_int_in(line, 1, 6, 0, 2, &l1) == ORR_FIELD_BAD || orr_field_int_in(line, 7, 6, 0, 2, &l2) == ORR_FIELD_BAD ||
-        orr_field_int_in(line, 13, 6, 0, 99, &n) == ORR_FIELD_BAD)
-        return warn(c, 1, "the wavelength factors are not readable");
+    if (orr_field_int_in(line, 1, 6, 0, 2, &l1) == ORR_FIELD_BAD ||
+        orr_field_int_in(line, 7, 6, 0, 2, &l2) == ORR_FIELD_BAD ||
+        orr_field_int_in(line, 13, 6, 0, 99, &n) == ORR_FIELD_BAD) {
+        warn(c, 1, "the wavelength factors are not readable");
+        return;
+    }
     if (n == 0) {
         h->wavelength = (orr_obs_wavelength){l1, l2};
         return;
@@ -208,15 +233,16 @@ static orr_status header_time(orr_rinex_obs_header *h, orr_view line, bool is_fi
     if (name.n > 0) {
         orr_scale scale;
         if (orr_scale_parse(name.p, name.n, &scale) != ORR_OK)
-            return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 49, "the time system \"%.*s\" is not known",
-                               (int)name.n, name.p);
+            return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 49,
+                               "the time system \"%.*s\" is not known", (int)name.n, name.p);
         if (is_first) h->scale = scale;
     }
     orr_rinex_date d = {0};
     int *field[5] = {&d.year, &d.month, &d.day, &d.hour, &d.minute};
     orr_time t = ORR_TIME_NONE;
     bool good = orr_rinex_seconds(line, 31, 13, &d.second_ps);
-    for (int i = 0; i < 5; i++) good = good && orr_field_int_in(line, 1 + 6 * i, 6, 0, 9999, field[i]) == ORR_FIELD_OK;
+    for (int i = 0; i < 5; i++)
+        good = good && orr_field_int_in(line, 1 + 6 * i, 6, 0, 9999, field[i]) == ORR_FIELD_OK;
     if (good) good = orr_rinex_time(&d, h->scale, &t) == ORR_OK;
     if (!good) warn(c, 1, "the time is not readable: the header line is left out");
     *(is_first ? &h->first : &h->last) = good ? t : ORR_TIME_NONE;
@@ -225,9 +251,33 @@ static orr_status header_time(orr_rinex_obs_header *h, orr_view line, bool is_fi
 }
 
 typedef enum label_id {
-    L_TYPES2, L_TYPES3, L_FIRST, L_LAST, L_SCALE, L_SHIFT, L_SLOTS, L_BIAS, L_WAVELENGTH, L_MARKER, L_NUMBER, L_TYPE,
-    L_OBSERVER, L_RECEIVER, L_ANTENNA, L_POSITION, L_HEN, L_XYZ, L_MASS, L_INTERVAL, L_CLOCK, L_LEAP, L_SATS, L_UNIT,
-    L_PGM, L_END, L_IGNORED
+    L_TYPES2,
+    L_TYPES3,
+    L_FIRST,
+    L_LAST,
+    L_SCALE,
+    L_SHIFT,
+    L_SLOTS,
+    L_BIAS,
+    L_WAVELENGTH,
+    L_MARKER,
+    L_NUMBER,
+    L_TYPE,
+    L_OBSERVER,
+    L_RECEIVER,
+    L_ANTENNA,
+    L_POSITION,
+    L_HEN,
+    L_XYZ,
+    L_MASS,
+    L_INTERVAL,
+    L_CLOCK,
+    L_LEAP,
+    L_SATS,
+    L_UNIT,
+    L_PGM,
+    L_END,
+    L_IGNORED
 } label_id;
 
 static const struct {
@@ -299,7 +349,8 @@ static void numbers(orr_rinex_obs_header *h, label_id id, orr_view line, const o
         if (three(line, c, v)) h->centre_of_mass_m = (orr_vec3){v[0], v[1], v[2]};
         break;
     case L_INTERVAL:
-        if (orr_field_real(line, 1, 10, &h->interval_s) == ORR_FIELD_BAD) warn(c, 1, "the interval is not a number");
+        if (orr_field_real(line, 1, 10, &h->interval_s) == ORR_FIELD_BAD)
+            warn(c, 1, "the interval is not a number");
         break;
     case L_CLOCK:
         if (orr_field_int(line, 1, 6, &n) == ORR_FIELD_BAD) warn(c, 1, "not a number");
@@ -310,7 +361,8 @@ static void numbers(orr_rinex_obs_header *h, label_id id, orr_view line, const o
         if (!h->has_leap) warn(c, 1, "the leap seconds are not a number");
         break;
     default:
-        if (orr_field_int_in(line, 1, 6, 0, 9999, &h->declared_sats) == ORR_FIELD_BAD) warn(c, 1, "not a number");
+        if (orr_field_int_in(line, 1, 6, 0, 9999, &h->declared_sats) == ORR_FIELD_BAD)
+            warn(c, 1, "not a number");
         break;
     }
 }
@@ -318,9 +370,15 @@ static void numbers(orr_rinex_obs_header *h, label_id id, orr_view line, const o
 static void texts(orr_rinex_obs_header *h, label_id id, orr_view line)
 {
     switch (id) {
-    case L_MARKER: text(line, 1, 60, h->marker_name, sizeof h->marker_name); break;
-    case L_NUMBER: text(line, 1, 20, h->marker_number, sizeof h->marker_number); break;
-    case L_TYPE: text(line, 1, 20, h->marker_type, sizeof h->marker_type); break;
+    case L_MARKER:
+        text(line, 1, 60, h->marker_name, sizeof h->marker_name);
+        break;
+    case L_NUMBER:
+        text(line, 1, 20, h->marker_number, sizeof h->marker_number);
+        break;
+    case L_TYPE:
+        text(line, 1, 20, h->marker_type, sizeof h->marker_type);
+        break;
     case L_OBSERVER:
         text(line, 1, 20, h->observer, sizeof h->observer);
         text(line, 21, 40, h->agency, sizeof h->agency);
@@ -334,7 +392,9 @@ static void texts(orr_rinex_obs_header *h, label_id id, orr_view line)
         text(line, 1, 20, h->antenna_number, sizeof h->antenna_number);
         text(line, 21, 20, h->antenna_type, sizeof h->antenna_type);
         break;
-    case L_UNIT: text(line, 1, 20, h->signal_unit, sizeof h->signal_unit); break;
+    case L_UNIT:
+        text(line, 1, 20, h->signal_unit, sizeof h->signal_unit);
+        break;
     default:
         text(line, 1, 20, h->program, sizeof h->program);
         text(line, 21, 20, h->run_by, sizeof h->run_by);
@@ -343,39 +403,67 @@ static void texts(orr_rinex_obs_header *h, label_id id, orr_view line)
     }
 }
 
-orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, orr_view line, const obs_context *c)
+orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, orr_view line,
+                               const obs_context *c)
 {
     orr_view label = orr_rinex_label(line);
     size_t i = 0, n = sizeof labels / sizeof labels[0];
     while (i < n && !orr_view_equals(label, labels[i].label)) i++;
     if (i == n) {
         if (!orr_view_is_blank(line))
-            orr_warnings_add(c->warnings, c->name, c->line, 61, "the header label \"%.*s\" is not known: the line is ignored",
+            orr_warnings_add(c->warnings, c->name, c->line, 61,
+                             "the header label \"%.*s\" is not known: the line is ignored",
                              (int)(label.n < 20 ? label.n : 20), label.p);
         return ORR_OK;
     }
     label_id id = labels[i].id;
     switch (id) {
-    case L_IGNORED: return ORR_OK;
-    case L_END: st->ended = true; return ORR_OK;
+    case L_IGNORED:
+        return ORR_OK;
+    case L_END:
+        st->ended = true;
+        return ORR_OK;
     case L_TYPES2:
         if (h->version >= 3) return refuse(c, 61, "observation types of RINEX 2 in a file of RINEX 3 or 4");
         return types_v2(st, line, c);
     case L_TYPES3:
         if (h->version < 3) return refuse(c, 61, "observation types of RINEX 3 in a file of RINEX 2");
         return types_v3(h, st, line, c);
-    case L_FIRST: st->seen |= OBS_SEEN_FIRST; return header_time(h, line, true, c);
-    case L_LAST: return header_time(h, line, false, c);
-    case L_SCALE: return scale_factor(h, line, c);
-    case L_SHIFT: phase_shift(h, line, c); return ORR_OK;
-    case L_SLOTS: glonass_slots(h, line, c); return ORR_OK;
-    case L_BIAS: glonass_bias(h, line, c); return ORR_OK;
-    case L_WAVELENGTH: wavelength(h, line, c); return ORR_OK;
-    case L_MARKER: st->seen |= OBS_SEEN_MARKER; texts(h, id, line); return ORR_OK;
-    case L_NUMBER: case L_TYPE: case L_OBSERVER: case L_RECEIVER: case L_ANTENNA: case L_UNIT: case L_PGM:
+    case L_FIRST:
+        st->seen |= OBS_SEEN_FIRST;
+        return header_time(h, line, true, c);
+    case L_LAST:
+        return header_time(h, line, false, c);
+    case L_SCALE:
+        return scale_factor(h, line, c);
+    case L_SHIFT:
+        phase_shift(h, line, c);
+        return ORR_OK;
+    case L_SLOTS:
+        glonass_slots(h, line, c);
+        return ORR_OK;
+    case L_BIAS:
+        glonass_bias(h, line, c);
+        return ORR_OK;
+    case L_WAVELENGTH:
+        wavelength(h, line, c);
+        return ORR_OK;
+    case L_MARKER:
+        st->seen |= OBS_SEEN_MARKER;
         texts(h, id, line);
         return ORR_OK;
-    default: numbers(h, id, line, c); return ORR_OK;
+    case L_NUMBER:
+    case L_TYPE:
+    case L_OBSERVER:
+    case L_RECEIVER:
+    case L_ANTENNA:
+    case L_UNIT:
+    case L_PGM:
+        texts(h, id, line);
+        return ORR_OK;
+    default:
+        numbers(h, id, line, c);
+        return ORR_OK;
     }
 }
 

@@ -28,7 +28,8 @@ typedef struct obs_header_state {
 enum { OBS_SEEN_MARKER = 1, OBS_SEEN_TYPES = 2, OBS_SEEN_FIRST = 4 };
 
 // Takes one header line. ORR_OK also where it only warned; an error refuses the file.
-orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, orr_view line, const obs_context *c);
+orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, orr_view line,
+                               const obs_context *c);
 // After END OF HEADER (or an event): the lists must be complete; fills in the codes of RINEX 2.
 orr_status orr_obs_header_check(orr_rinex_obs_header *h, obs_header_state *st, const obs_context *c);
 // First line of the file (already parsed) into h.
@@ -37,7 +38,8 @@ orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *
 // Appends a code; ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_obs_codes_add(orr_obs_codes *codes, const char *code, const char *original, orr_diag *diag);
 void orr_obs_codes_clear(orr_obs_codes *codes);
-// The RINEX 3 code that a RINEX 2 type of a system is taken for; "" if none. has(set, "P2") tells what the file has.
+// The RINEX 3 code that a RINEX 2 type of a system is taken for; "" if none. has(set, "P2") tells what the
+// file has.
 void orr_obs_code_of_v2(char system, const char *type, const char (*set)[4], size_t n, char out[4]);
 
 #endif
