@@ -8,7 +8,7 @@
 #include "orbit/force.h"
 
 #define ORR_INTEGRATE_MAX_STEP_S 300.0
-#define ORR_INTEGRATE_PENUMBRA_STEP_S 50.0
+#define ORR_INTEGRATE_PENUMBRA_STEP_S 15.0
 
 typedef struct orr_integrator orr_integrator; // one a thread
 
