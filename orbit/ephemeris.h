@@ -61,5 +61,7 @@ size_t orr_ephemeris_sources(const orr_ephemeris *e, const orr_orbit_source **li
 double orr_ephemeris_node_step_s(const orr_ephemeris *e);
 const char *orr_ephemeris_options(const orr_ephemeris *e);
 const char *orr_ephemeris_frame(const orr_ephemeris *e);
+// Largest difference between the segments and the samples that they were fitted to.
+void orr_ephemeris_representation(const orr_ephemeris *e, double *pos_m, double *vel_mps);
 
 #endif

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fields of known truth: constants, a bump that follows the Sun, refits of what is a low-degree expansion,
+// holes, clipped cells, epochs and refusals.
+#include "core/rng.h"
+#include "iono/sun_frame.h"
+#include "iono/tec_field.h"
+#include "testing.h"
+
+enum { ROWS = 71, COLS = 73 };
+
+typedef struct made {
+    orr_tec_maps maps;
+    double *tec, *rms;
+    orr_time *t;
+} made;
+
+// A degree-2 field fixed to the Sun (geographic pole): 20 + 15 cos(lat) cos(lon - sun) + 3 sin(lat).
+static double truth(double lat, double lon, orr_time t)
+{
+    return 20 + 15 * cos(lat) * cos(lon - orr_mean_sun_lon(t, NULL)) + 3 * sin(lat);
+}
+
+static made make(size_t n, double hours, bool rounded)
+{
+    made m = {.tec = malloc(n * ROWS * COLS * sizeof(double)),
+              .rms = malloc(n * ROWS * COLS * sizeof(double)),
+              .t = malloc(n * sizeof(orr_time))};
+    orr_time t0;
+    assert_int_equal(orr_time_parse("2024-02-04T00:00:00Z", NULL, &t0, NULL), ORR_OK);
+    for (size_t k = 0; k < n; k++) {
+        m.t[k] = orr_time_add_s(t0, 3600 * hours * (double)k);
+        for (size_t i = 0; i < ROWS * COLS; i++) {
+            double lat = (87.5 - 2.5 * (double)(i / COLS)) * ORR_RAD_PER_DEG;
+            double lon = (-180 + 5 * (double)(i % COLS)) * ORR_RAD_PER_DEG, v = truth(lat, lon, m.t[k]);
+            m.tec[k * ROWS * COLS + i] = rounded ? round(10 * v) / 10 : v;
+            m.rms[k * ROWS * COLS + i] = 2 + (double)k;
+        }
+    }
+    m.maps = (orr_tec_maps){n,   ROWS, COLS,  87.5,  -2.5,  -180, 5, ORR_SHELL_RADIUS_M,
+                            0.1, m.t,  m.tec, m.rms, "made"};
+    return m;
+}
+
+static void drop(made *m)
+{
+    free(m->tec);
+    free(m->rms);
+    free(m->t);
+}
+
+static orr_vec3 unit(double lat, double lon)
+{
+    return (orr_vec3){cos(lat) * cos(lon), cos(lat) * sin(lon), sin(lat)};
+}
+
+static double vtec(const orr_tec_field *f, orr_time t, double lat, double lon)
+{
+    orr_tec_instant *at = malloc(sizeof *at);
+    orr_tec_value v;
+    orr_diag d = {0};
+    ASSERT_OK(orr_tec_field_at(f, t, at, &d), d);
+    ASSERT_OK(orr_tec_vertical(at, unit(lat, lon), &v, &d), d);
+    free(at);
+    return v.vtec_tecu;
+}
+
+// What is an expansion of the degree is met exactly, at any place and, being fixed to the Sun, at any time,
+// whichever pole is taken for geomagnetic (the functions of a degree are closed under rotation). 1e-9: normal
+// equations.
+static void test_refit_exact(void **state)
+{
+    (void)state;
+    made m = make(3, 2, false);
+    const double poles[][2] = {{79, -71}, {90, 0}, {-20, 140}};
+    for (size_t i = 0; i < 3; i++) {
+        orr_tec_options o = orr_tec_default_options();
+        orr_diag d = {0};
+        o.degree = 4;
+        o.pole_lat_deg = poles[i][0];
+        o.pole_lon_deg = poles[i][1];
+        orr_tec_field *f;
+        ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+        const orr_tec_fit *fit = orr_tec_field_fit(f);
+        assert_true(fit->rms_tecu < 1e-9 && fit->max_tecu < 1e-8 && fit->n_cells == 3 * ROWS * 72);
+        for (size_t k = 0; k < 3; k++) ASSERT_NEAR(vtec(f, m.t[k], 0.3, 1), truth(0.3, 1, m.t[k]), 1e-9);
+        if (poles[i][0] == 90) { // sun-fixed about the axis that the truth turns about
+            orr_time mid = orr_time_add_s(m.t[0], 2345);
+            ASSERT_NEAR(vtec(f, mid, 0.3, 1), truth(0.3, 1, mid), 1e-9);
+            ASSERT_NEAR(vtec(f, mid, -1.2, -2), truth(-1.2, -2, mid), 1e-9);
+        }
+        orr_tec_field_free(f);
+    }
+    drop(&m);
+}
+
+// The three ways between epochs, of both kinds of field. cos(lon - sun) between maps 2 h apart, at a node of
+// the grid: ROTATED is exact for the harmonics (pole at the Earth's) and to the grid's chord for bilinear;
+// LINEAR errs by the chord of 30 degrees.
+static void test_between_epochs(void **state)
+{
+    (void)state;
+    made m = make(2, 2, false);
+    orr_time mid = orr_time_add_s(m.t[0], 3600), early = orr_time_add_s(m.t[0], 1800);
+    for (int bilinear = 0; bilinear < 2; bilinear++) {
+        orr_tec_options o = orr_tec_default_options();
+        orr_diag d = {0};
+        o.spatial = bilinear ? ORR_TEC_BILINEAR : ORR_TEC_HARMONIC;
+        o.degree = 3;
+        o.pole_lat_deg = 90;
+        o.pole_lon_deg = 0;
+        const double lat = 0, lon = 2.5 * 5 * ORR_RAD_PER_DEG * 0 + 40 * ORR_RAD_PER_DEG;
+        orr_tec_field *f;
+        ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+        ASSERT_NEAR(vtec(f, mid, lat, lon), truth(lat, lon, mid),
+                    bilinear ? 1e-5 : 1e-9); // 15 degrees are 3 cells
+        orr_tec_field_free(f);
+        o.temporal = ORR_TEC_LINEAR;
+        ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+        double want = (truth(lat, lon, m.t[0]) + truth(lat, lon, m.t[1])) / 2;
+        ASSERT_NEAR(vtec(f, mid, lat, lon), want, bilinear ? 1e-5 : 1e-9);
+        orr_tec_field_free(f);
+        o.temporal = ORR_TEC_NEAREST;
+        ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+        ASSERT_NEAR(vtec(f, early, lat, lon), truth(lat, lon, m.t[0]), bilinear ? 1e-5 : 1e-9);
+        ASSERT_NEAR(vtec(f, orr_time_add_s(mid, 60), lat, lon), truth(lat, lon, m.t[1]),
+                    bilinear ? 1e-5 : 1e-9);
+        orr_tec_field_free(f);
+        // A fraction of 0 is LINEAR; one in between lies in between here.
+        o.temporal = ORR_TEC_ROTATED;
+        o.rotation = 0;
+        ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+        ASSERT_NEAR(vtec(f, mid, lat, lon), want, bilinear ? 1e-5 : 1e-9);
+        orr_tec_field_free(f);
+    }
+    drop(&m);
+}
+
+static void test_rms_and_ray(void **state)
+{
+    (void)state;
+    made m = make(2, 1, true);
+    orr_tec_field *f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_tec_field_from_maps(&m.maps, NULL, &f, &d), d);
+    assert_true(orr_tec_field_fit(f)->rms_tecu <
+                0.03); // rounding to 0.1: 0.0289, less what 256 coefficients take up
+    orr_tec_instant *at = malloc(sizeof *at);
+    ASSERT_OK(orr_tec_field_at(f, orr_time_add_s(m.t[0], 900), at, &d), d);
+    orr_iono_site s;
+    ASSERT_OK(orr_iono_site_at(orr_earth_to_ecef((orr_geodetic){0.9, 0.3, 100}), &s, &d), d);
+    for (double el = 0.2; el < 1.57; el += 0.2) {
+        orr_pierce p;
+        orr_tec_ray r, same;
+        ASSERT_OK(orr_pierce_direction(&s, 1, el, ORR_SHELL_RADIUS_M, &p, &d), d);
+        ASSERT_OK(orr_tec_look_through(at, &s, &p, &r, &d), d);
+        orr_mapping map = orr_mapping_published(ORR_MAPPING_MSLM);
+        ASSERT_NEAR(r.mapping, orr_mapping_factor(&map, el), 1e-12);
+        ASSERT_NEAR(r.stec_tecu, r.mapping * r.vtec_tecu, 1e-12);
+        ASSERT_NEAR(r.sigma_tecu, r.mapping * 2.25, 1e-5); // maps of 2 and 3, a quarter of the way
+        ASSERT_NEAR(r.vtec_tecu, truth(p.lat_rad, p.lon_rad, at->t),
+                    0.15); // rounding, and a pole that is 11 degrees off
+        orr_vec3 sat = orr_vec3_axpy(
+            25e6, orr_vec3_unit(orr_vec3_sub(orr_vec3_scale(ORR_SHELL_RADIUS_M, p.unit), s.pos_m)), s.pos_m);
+        ASSERT_OK(orr_tec_look(at, &s, sat, &same, &d), d);
+        ASSERT_NEAR(same.stec_tecu, r.stec_tecu, 1e-9);
+    }
+    orr_tec_ray r;
+    assert_int_equal(orr_tec_look(at, &s, orr_vec3_scale(-20e6, s.up), &r, &d), ORR_E_RANGE);
+    free(at);
+    orr_tec_field_free(f);
+    drop(&m);
+}
+
+// A map of max(0, truth) as centres print it: the zeros do not spoil the rest, and the field is (nearly) 0
+// there.
+static void test_clipped_cells(void **state)
+{
+    (void)state;
+    made m = make(1, 1, false);
+    for (size_t i = 0; i < ROWS * COLS; i++) m.tec[i] = fmax(0, round(10 * (m.tec[i] - 12)) / 10);
+    orr_tec_field *f;
+    orr_diag d = {0};
+    orr_tec_options o = orr_tec_default_options();
+    ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+    const orr_tec_fit *fit = orr_tec_field_fit(f);
+    assert_true(fit->n_clipped > 300);
+    print_message("clipped %zu, held %zu: rms %.4f max %.3f\n", fit->n_clipped, fit->n_held, fit->rms_tecu,
+                  fit->max_tecu);
+    assert_true(fit->rms_tecu < 0.03);
+    assert_true(fit->max_tecu < 0.12);
+    for (size_t i = 0; i < ROWS * COLS; i += 7) {
+        double lat = (87.5 - 2.5 * (double)(i / COLS)) * ORR_RAD_PER_DEG,
+               lon = (-180 + 5 * (double)(i % COLS)) * ORR_RAD_PER_DEG;
+        ASSERT_NEAR(vtec(f, m.t[0], lat, lon), m.tec[i], 0.12);
+    }
+    orr_tec_field_free(f);
+    drop(&m);
+}
+
+static void test_holes(void **state)
+{
+    (void)state;
+    made m = make(2, 1, false);
+    for (size_t r = 30; r < 34; r++)
+        for (size_t c = 10; c < 14; c++) m.tec[r * COLS + c] = (double)NAN;
+    double lat = (87.5 - 2.5 * 31.5) * ORR_RAD_PER_DEG, lon = (-180 + 5 * 11.5) * ORR_RAD_PER_DEG;
+    for (int bilinear = 0; bilinear < 2; bilinear++) {
+        orr_tec_options o = orr_tec_default_options();
+        orr_diag d = {0};
+        o.spatial = bilinear ? ORR_TEC_BILINEAR : ORR_TEC_HARMONIC;
+        o.degree = 5;
+        orr_tec_field *f;
+        ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+        orr_tec_instant *at = malloc(sizeof *at);
+        orr_tec_value v;
+        ASSERT_OK(orr_tec_field_at(f, m.t[0], at, &d), d);
+        assert_int_equal(orr_tec_vertical(at, unit(lat, lon), &v, &d), ORR_E_NODATA);
+        assert_non_null(strstr(d.text, "hole"));
+        ASSERT_OK(orr_tec_vertical(at, unit(lat, lon + 1), &v, &d), d);
+        ASSERT_OK(orr_tec_field_at(f, m.t[1], at, &d), d); // the other map is whole
+        ASSERT_OK(orr_tec_vertical(at, unit(lat, lon), &v, &d), d);
+        free(at);
+        orr_tec_field_free(f);
+    }
+    // Hardly anything left: a sentence, and no field.
+    for (size_t i = 0; i < ROWS * COLS; i++)
+        if (i % 40 != 0) m.tec[i] = (double)NAN;
+    orr_tec_field *f;
+    orr_diag d = {0};
+    assert_int_equal(orr_tec_field_from_maps(&m.maps, NULL, &f, &d), ORR_E_NUMERIC);
+    assert_non_null(strstr(d.text, "too few"));
+    assert_null(f);
+    drop(&m);
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    made m = make(2, 1, false);
+    orr_tec_field *f;
+    orr_diag d = {0};
+    orr_tec_instant *at = malloc(sizeof *at);
+    orr_tec_options o = orr_tec_default_options();
+    o.degree = 3;
+    ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+    assert_int_equal(orr_tec_field_at(f, orr_time_add_s(m.t[0], -61), at, &d), ORR_E_RANGE);
+    assert_non_null(strstr(d.text, "covers"));
+    assert_int_equal(orr_tec_field_at(f, orr_time_add_s(m.t[1], 61), at, &d), ORR_E_RANGE);
+    ASSERT_OK(orr_tec_field_at(f, orr_time_add_s(m.t[0], -18), at, &d), d);
+    ASSERT_OK(orr_tec_field_at(f, orr_time_add_s(m.t[1], 18), at, &d), d);
+    orr_tec_field_free(f);
+    m.tec[100] = -0.1;
+    assert_int_equal(orr_tec_field_from_maps(&m.maps, &o, &f, &d), ORR_E_FORMAT);
+    assert_non_null(strstr(d.text, "not negative"));
+    m.tec[100] = 1;
+    orr_tec_maps region = m.maps;
+    region.n_lat = 20;
+    assert_int_equal(orr_tec_field_from_maps(&region, &o, &f, &d), ORR_E_UNSUPPORTED);
+    o.spatial = ORR_TEC_BILINEAR;
+    region.n_maps = 1;
+    ASSERT_OK(orr_tec_field_from_maps(&region, &o, &f, &d), d);
+    orr_tec_value v;
+    ASSERT_OK(orr_tec_field_at(f, m.t[0], at, &d), d);
+    ASSERT_OK(orr_tec_vertical(at, unit(60 * ORR_RAD_PER_DEG, 1), &v, &d), d);
+    assert_int_equal(orr_tec_vertical(at, unit(0, 1), &v, &d), ORR_E_RANGE);
+    orr_tec_field_free(f);
+    m.t[1] = m.t[0];
+    assert_int_equal(orr_tec_field_from_maps(&m.maps, &o, &f, &d), ORR_E_FORMAT);
+    o.rotation = 1.5;
+    assert_int_equal(orr_tec_field_from_maps(&m.maps, &o, &f, &d), ORR_E_ARG);
+    free(at);
+    drop(&m);
+}
+
+// Coefficients natively: a set of degree 2 gives the closed form; snapshots are linear in time; a set with an
+// end holds to it; the sets go out as they came.
+static void test_model(void **state)
+{
+    (void)state;
+    double a[9] = {20, 3 / sqrt(3), 15 / sqrt(3)}, b[9] = {30, 0, 15 / sqrt(3)}, back[9], rms[9] = {0.5};
+    orr_time t0, t, t1;
+    assert_int_equal(orr_time_parse("2024-02-04T00:00:00Z", NULL, &t0, NULL), ORR_OK);
+    orr_tec_coefficients sets[2] = {{t0, ORR_TIME_NONE, 2, 2, a, rms},
+                                    {orr_time_add_s(t0, 3600), ORR_TIME_NONE, 2, 2, b, rms}};
+    orr_tec_model model = {2, sets, 90, 0, ORR_SHELL_RADIUS_M, "made"};
+    orr_tec_field *f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_tec_field_from_model(&model, NULL, &f, &d), d);
+    ASSERT_NEAR(vtec(f, t0, 0.4, 1), truth(0.4, 1, t0), 1e-12);
+    orr_time mid = orr_time_add_s(t0, 900);
+    ASSERT_NEAR(vtec(f, mid, 0.4, 1),
+                22.5 + 0.75 * 3 * sin(0.4) + 15 * cos(0.4) * cos(1 - orr_mean_sun_lon(mid, NULL)), 1e-12);
+    orr_tec_instant *at = malloc(sizeof *at);
+    orr_tec_value v;
+    ASSERT_OK(orr_tec_field_at(f, mid, at, &d), d);
+    ASSERT_OK(orr_tec_vertical(at, unit(0.4, 1), &v, &d), d);
+    ASSERT_NEAR(v.sigma_tecu, 0.5, 1e-6);
+    int degree;
+    assert_int_equal(orr_tec_field_sets(f, &degree), 2);
+    assert_int_equal(degree, 2);
+    orr_tec_field_set(f, 1, &t, &t1, back, NULL);
+    for (int i = 0; i < 9; i++) ASSERT_NEAR(back[i], b[i], 0);
+    orr_tec_field_free(f);
+    sets[0].t1 = orr_time_add_s(t0, 1800);
+    sets[1].t1 = orr_time_add_s(t0, 7200);
+    ASSERT_OK(orr_tec_field_from_model(&model, NULL, &f, &d), d);
+    ASSERT_NEAR(vtec(f, mid, 0.4, 1), truth(0.4, 1, mid), 1e-12);
+    assert_int_equal(orr_tec_field_at(f, orr_time_add_s(t0, 2700), at, &d), ORR_E_RANGE);
+    ASSERT_NEAR(vtec(f, orr_time_add_s(t0, 7000), -1.5707, 0), 30, 0.01);
+    orr_tec_field_free(f);
+    // A negative expansion is clipped and says so.
+    a[0] = -5;
+    ASSERT_OK(orr_tec_field_from_model(&model, NULL, &f, &d), d);
+    ASSERT_OK(orr_tec_field_at(f, t0, at, &d), d);
+    ASSERT_OK(orr_tec_vertical(at, unit(0, 0), &v, &d), d);
+    assert_true(v.vtec_tecu == 0 && (v.flags & ORR_TEC_CLIPPED));
+    orr_tec_field_free(f);
+    free(at);
+}
+
+static void test_klobuchar_field(void **state)
+{
+    (void)state;
+    orr_klobuchar k = {{1.0245e-8, 1.4901e-8, -5.9605e-8, -1.1921e-7}, {88064, 49152, -131070, -458750}};
+    orr_time t0;
+    assert_int_equal(orr_time_parse("2024-02-04T10:00:00", NULL, &t0, NULL), ORR_OK);
+    orr_tec_field *f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_tec_field_from_klobuchar(&k, t0, orr_time_add_s(t0, 86400), "made", NULL, &f, &d), d);
+    orr_tec_instant *at = malloc(sizeof *at);
+    orr_iono_site s;
+    orr_pierce p;
+    orr_tec_ray r;
+    ASSERT_OK(orr_tec_field_at(f, t0, at, &d), d);
+    ASSERT_OK(orr_iono_site_at(orr_earth_to_ecef((orr_geodetic){0.9, 0.3, 100}), &s, &d), d);
+    ASSERT_OK(orr_pierce_direction(&s, 2, 0.5, ORR_SHELL_RADIUS_M, &p, &d), d);
+    ASSERT_OK(orr_tec_look_through(at, &s, &p, &r, &d), d);
+    ASSERT_NEAR(orr_iono_delay_m(r.stec_tecu, 1575.42e6, ORR_MEASURES_CODE),
+                orr_klobuchar_delay_m(&k, t0, 0.9, 0.3, 2, 0.5), 1e-6);
+    k.beta[2] = (double)NAN;
+    orr_tec_field_free(f);
+    assert_int_equal(orr_tec_field_from_klobuchar(&k, t0, t0, "made", NULL, &f, &d), ORR_E_FORMAT);
+    free(at);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_refit_exact), cmocka_unit_test(test_between_epochs),
+        cmocka_unit_test(test_rms_and_ray), cmocka_unit_test(test_clipped_cells),
+        cmocka_unit_test(test_holes),       cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_model),       cmocka_unit_test(test_klobuchar_field)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
