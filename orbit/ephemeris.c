@@ -83,24 +83,72 @@ static uint32_t flag_of(orr_event_kind kind)
     return 0;
 }
 
-// Flags of the arc's segments as far as they are the same throughout.
-static void summarise(orr_ephemeris *e, const eph_sat *s, const eph_arc *a)
+static int by_start(const void *a, const void *b)
 {
-    for (size_t i = 0; i < a->n_segments; i++) {
-        orr_time t0 = a->t0 + (int64_t)i * a->segment_ns, t1 = t0 + a->segment_ns;
-        const uint32_t *f = &e->sample_flags[a->first_sample + i * a->samples_per_segment];
-        eph_meta m = {.flags = f[0]};
-        for (size_t k = 1; k < a->samples_per_segment; k++) m.mixed |= f[k] != f[0];
-        for (size_t k = 0; k < s->n_spans; k++) {
-            const eph_span *span = &s->span[k];
-            if (span->t1 < t0 || span->t0 > t1) continue;
-            if (span->t0 <= t0 && span->t1 >= t1)
-                m.flags |= span->flag;
-            else
-                m.mixed = 1;
-        }
-        e->meta[a->first_segment + i] = m;
+    orr_time x = ((const eph_span *)a)->t0, y = ((const eph_span *)b)->t0;
+    return (x > y) - (x < y);
+}
+
+static void make_spans(orr_ephemeris *e, eph_sat *s)
+{
+    s->span = &e->span[e->n_spans];
+    s->n_spans = 0;
+    for (size_t k = 0; k < s->n_events; k++) {
+        uint32_t flag = flag_of(s->event[k].kind);
+        if (flag != 0)
+            s->span[s->n_spans++] = (eph_span){.t0 = s->event[k].t0, .t1 = s->event[k].t1, .flag = flag};
     }
+    if (s->n_spans > 1) qsort(s->span, s->n_spans, sizeof *s->span, by_start);
+    for (size_t k = 0; k < s->n_spans; k++) {
+        eph_span *p = &s->span[k];
+        p->reach = k > 0 && p[-1].reach > p->t1 ? p[-1].reach : p->t1;
+    }
+    e->n_spans += s->n_spans;
+}
+
+enum { MARKS = 3 }; // kinds of flags that spans set
+static const uint32_t mark_flag[MARKS] = {ORR_EPH_MANOEUVRE, ORR_EPH_ECLIPSE, ORR_EPH_GAP};
+
+// Adds the span to the arc's segments: those that it covers are counted in change[segment][mark] (+1 where
+// covering begins, -1 behind its end), those that it only touches are mixed.
+static void mark(const eph_arc *a, const eph_span *span, eph_meta *meta, int32_t (*change)[MARKS])
+{
+    if (span->t1 < a->t0 || span->t0 > a->t1) return;
+    int64_t last = (int64_t)a->n_segments - 1, L = a->segment_ns;
+    int64_t first = span->t0 <= a->t0 ? 0 : (span->t0 - a->t0) / L;
+    int64_t end = span->t1 >= a->t1 ? last : (span->t1 - a->t0) / L;
+    if (first > last) first = last;
+    if (span->t0 > a->t0 + first * L) meta[first++].mixed = 1;
+    if (first > end) return;
+    if (span->t1 < a->t0 + (end + 1) * L) meta[end--].mixed = 1;
+    if (first > end) return;
+    for (int m = 0; m < MARKS; m++) {
+        if (span->flag != mark_flag[m]) continue;
+        change[first][m]++;
+        change[end + 1][m]--;
+    }
+}
+
+// Flags of the arc's segments as far as they are the same throughout. One pass over spans and one over
+// segments.
+static orr_status summarise(orr_ephemeris *e, const eph_sat *s, const eph_arc *a, orr_diag *diag)
+{
+    int32_t(*change)[MARKS] = calloc(a->n_segments + 1, sizeof *change), now[MARKS] = {0};
+    if (change == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the flags of %zu segments", a->n_segments);
+    eph_meta *meta = &e->meta[a->first_segment];
+    for (size_t k = 0; k < s->n_spans; k++) mark(a, &s->span[k], meta, change);
+    for (size_t i = 0; i < a->n_segments; i++) {
+        const uint32_t *f = &e->sample_flags[a->first_sample + i * a->samples_per_segment];
+        meta[i].flags = f[0];
+        for (size_t k = 1; k < a->samples_per_segment; k++) meta[i].mixed |= f[k] != f[0];
+        for (int m = 0; m < MARKS; m++) {
+            now[m] += change[i][m];
+            if (now[m] > 0) meta[i].flags |= mark_flag[m];
+        }
+    }
+    free(change);
+    return ORR_OK;
 }
 
 // The usual step of clock nodes: the shortest of the first few, which gaps cannot spoil.
@@ -127,13 +175,7 @@ orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
             return orr_diag_set(diag, ORR_E_FORMAT,
                                 "satellite %zu of the product has an identity that is wrong or taken", i);
         e->slot[e->sat_id[i]] = (int16_t)i;
-        s->span = &e->span[e->n_spans];
-        for (size_t k = 0; k < s->n_events; k++) {
-            uint32_t flag = flag_of(s->event[k].kind);
-            if (flag == 0) continue;
-            s->span[s->n_spans++] = (eph_span){s->event[k].t0, s->event[k].t1, flag};
-            e->n_spans++;
-        }
+        make_spans(e, s);
         s->clock_per_ns = clock_rate_of_nodes(s);
         for (size_t k = 0; k < s->n_arcs; k++) {
             eph_arc *a = &s->arc[k];
@@ -142,7 +184,8 @@ orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
             a->dx_dt = 2e9 / (double)a->segment_ns;
             if (e->from == ORR_TIME_NONE || a->t0 < e->from) e->from = a->t0;
             if (e->to == ORR_TIME_NONE || a->t1 > e->to) e->to = a->t1;
-            summarise(e, s, a);
+            orr_status st = summarise(e, s, a, diag);
+            if (st != ORR_OK) return st;
         }
     }
     if (e->from == ORR_TIME_NONE)

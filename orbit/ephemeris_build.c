@@ -80,7 +80,10 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
                               .clock = &e->clock[clock],
                               .node = &e->node[node],
                               .event = &e->event[event]};
-        if (from->n_clocks > 0) memcpy(&e->clock[clock], from->clock, from->n_clocks * sizeof *from->clock);
+        for (size_t k = 0; k < from->n_clocks; k++) {
+            e->clock[clock + k] = from->clock[k];
+            e->clock[clock + k].flags &= EPH_CLOCK_FLAGS;
+        }
         if (from->n_nodes > 0) memcpy(&e->node[node], from->node, from->n_nodes * sizeof *from->node);
         if (from->n_events > 0) memcpy(&e->event[event], from->event, from->n_events * sizeof *from->event);
         clock += from->n_clocks;
@@ -106,7 +109,7 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
             e->max_vel_error_mps = fmax(e->max_vel_error_mps, f->vel_mps);
             for (size_t j = 0; j < a->n; j++) {
                 e->sigma[sample + j] = a->sample[j].sigma_m;
-                e->sample_flags[sample + j] = a->sample[j + 1 < a->n ? j : j - 1].flags;
+                e->sample_flags[sample + j] = a->sample[j + 1 < a->n ? j : j - 1].flags & EPH_STATE_FLAGS;
             }
             sample += a->n;
         }

@@ -78,8 +78,16 @@ static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_
     int64_t sample_ns = a->segment_ns / (int64_t)a->samples_per_segment;
     size_t k = (size_t)(rest_ns / sample_ns);
     uint32_t flags = e->sample_flags[a->first_sample + segment * a->samples_per_segment + k];
-    for (size_t i = 0; i < s->n_spans; i++)
-        if (t >= s->span[i].t0 && t <= s->span[i].t1) flags |= s->span[i].flag;
+    size_t low = 0, high = s->n_spans; // spans before `low` have begun, those from `high` on have not
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (s->span[mid].t0 <= t)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    while (low-- > 0 && s->span[low].reach >= t)
+        if (s->span[low].t1 >= t) flags |= s->span[low].flag;
     return flags;
 }
 
@@ -154,8 +162,7 @@ static void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_
     out->sigma_m = sigma[0] + part * (sigma[1] - sigma[0]);
 
     const eph_meta *m = &e->meta[a->first_segment + segment];
-    out->flags = m->flags;
-    if (m->mixed) out->flags |= mixed_flags(e, s, a, segment, rest_ns, t);
+    out->flags = m->mixed ? mixed_flags(e, s, a, segment, rest_ns, t) : m->flags;
     clock_at(e, s, t, out);
 }
 

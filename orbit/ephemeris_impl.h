@@ -13,6 +13,11 @@ enum {
     EPH_MAX_SATS = 1024,
     EPH_MAX_SAMPLES_PER_SEGMENT = 256,
 };
+#define EPH_PRODUCT "orrery orbit" // global attribute "product" of the file
+enum { EPH_FORMAT_VERSION = 1 };   // and "product_version"
+// What may hold of a sample; the rest of the flags belongs to clocks.
+#define EPH_STATE_FLAGS (ORR_EPH_PREDICTED | ORR_EPH_MANOEUVRE | ORR_EPH_ECLIPSE | ORR_EPH_GAP)
+#define EPH_CLOCK_FLAGS (ORR_EPH_CLOCK_EVENT | ORR_EPH_PREDICTED)
 #define EPH_MAX_POS_ERROR_M 1e-4 // what build allows between segments and samples
 #define EPH_MAX_VEL_ERROR_MPS 1e-6
 
@@ -29,9 +34,10 @@ typedef struct eph_arc {
     size_t first_coef; // index into coef[] of the arc's first segment
 } eph_arc;
 
-// A stretch of time that an event marks with a flag.
+// A stretch of time that an event marks with a flag; ascending in t0.
 typedef struct eph_span {
     orr_time t0, t1; // inclusive
+    orr_time reach;  // the latest t1 so far: before it, earlier spans may still hold
     uint32_t flag;
 } eph_span;
 

@@ -292,6 +292,7 @@ static void test_flags_and_sigma(void **state)
     orr_orbit_solution s = made_solution(2, 4, 900, 6);
     orr_orbit_sat *g = &s.sat[0];
     g->arc[0].sample[50].flags = ORR_EPH_PREDICTED; // 7500 to 7650 s
+    g->arc[0].sample[54].flags = ORR_EPH_PREDICTED; // 8100 to 8250 s: the first of a segment
     for (size_t i = 72; i < g->arc[0].n; i++) g->arc[0].sample[i].flags = ORR_EPH_GAP;
     orr_ephemeris *e = build(&s);
     assert_int_equal(flags_of(e, g->sat, 999.9), 0);
@@ -305,6 +306,8 @@ static void test_flags_and_sigma(void **state)
     assert_int_equal(flags_of(e, g->sat, 7500), ORR_EPH_PREDICTED);
     assert_int_equal(flags_of(e, g->sat, 7649.999), ORR_EPH_PREDICTED);
     assert_int_equal(flags_of(e, g->sat, 7650), 0);
+    assert_int_equal(flags_of(e, g->sat, 8100), ORR_EPH_PREDICTED);
+    assert_int_equal(flags_of(e, g->sat, 8250), 0);
     assert_int_equal(flags_of(e, g->sat, 10799.9), 0);
     assert_int_equal(flags_of(e, g->sat, 10800), ORR_EPH_GAP);
     assert_int_equal(flags_of(e, g->sat, 14400), ORR_EPH_GAP);
@@ -313,6 +316,47 @@ static void test_flags_and_sigma(void **state)
     ASSERT_NEAR((double)st.sigma_m, 0.01 + 0.0001 * (1225.0 / 150.0), 1e-8);
     assert_int_equal(orr_ephemeris_eval(e, g->sat, at(14400), &st), ORR_OK);
     ASSERT_NEAR((double)st.sigma_m, 0.01 + 0.0001 * 96, 1e-8);
+    orr_ephemeris_free(e);
+    made_solution_free(&s);
+}
+
+// Events that overlap, touch joints, cover many segments or lie partly outside, against the plain reading of
+// them.
+static void test_event_flags(void **state)
+{
+    (void)state;
+    orr_orbit_solution s = made_solution(1, 4, 900, 6);
+    orr_orbit_sat *g = &s.sat[0];
+    static const struct {
+        orr_event_kind kind;
+        double t0, t1;
+        uint32_t flag;
+    } event[] = {{ORR_EVENT_GAP, -500, 100, ORR_EPH_GAP},
+                 {ORR_EVENT_MANOEUVRE, 900, 1800, ORR_EPH_MANOEUVRE},
+                 {ORR_EVENT_PENUMBRA, 950, 9000, ORR_EPH_ECLIPSE},
+                 {ORR_EVENT_UMBRA, 1000, 1100, ORR_EPH_ECLIPSE},
+                 {ORR_EVENT_OUTLIER, 1200, 1200, 0},
+                 {ORR_EVENT_DAY_JUMP, 1250, 1250, 0},
+                 {ORR_EVENT_GAP, 2700, 5400, ORR_EPH_GAP},
+                 {ORR_EVENT_MANOEUVRE, 3000, 3000, ORR_EPH_MANOEUVRE},
+                 {ORR_EVENT_GAP, 5399.999999999, 13500, ORR_EPH_GAP},
+                 {ORR_EVENT_MANOEUVRE, 13500, 20000, ORR_EPH_MANOEUVRE}};
+    enum { N = sizeof event / sizeof event[0] };
+    g->event = realloc(g->event, sizeof(orr_orbit_event[N]));
+    g->n_events = N;
+    for (size_t i = 0; i < N; i++)
+        g->event[i] = (orr_orbit_event){.kind = event[i].kind, .t0 = at(event[i].t0), .t1 = at(event[i].t1)};
+    orr_ephemeris *e = build(&s);
+    for (double t = 0; t <= 14400; t += 12.5) {
+        for (int side = -1; side <= 1; side++) { // also a nanosecond beside
+            orr_time when = at(t) + side;
+            uint32_t want = 0;
+            for (size_t i = 0; i < N; i++)
+                if (when >= g->event[i].t0 && when <= g->event[i].t1) want |= event[i].flag;
+            if (when < at(0) || when > at(14400)) continue;
+            assert_int_equal(flags_of(e, g->sat, t + side * 1e-9), want);
+        }
+    }
     orr_ephemeris_free(e);
     made_solution_free(&s);
 }
@@ -357,6 +401,7 @@ int main(void)
         cmocka_unit_test(test_says_where_nothing_is),
         cmocka_unit_test(test_clocks),
         cmocka_unit_test(test_flags_and_sigma),
+        cmocka_unit_test(test_event_flags),
         cmocka_unit_test(test_reports),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
