@@ -85,7 +85,7 @@ orr_time orr_time_from_week(int32_t week, int64_t ns_of_week);
 // `truncated`.
 int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
 
-// a - b in seconds; exact to half a nanosecond for |a - b| < 104 days.
+// a - b in seconds; exact to half a nanosecond for |a - b| < 48 days.
 static inline double orr_time_diff_s(orr_time a, orr_time b) { return (double)(a - b) * 1e-9; }
 // t + s seconds, rounded to the nearest nanosecond. |s| < 9e9.
 orr_time orr_time_add_s(orr_time t, double s);
