@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "testing.h"
+
+#include <unistd.h>
+
+#include "core/earth.h"
+#include "core/rng.h"
+
+#define DEG ORR_RAD_PER_DEG
+
+static double dms(double d, double m, double s)
+{
+    return (d < 0 ? -1 : 1) * (fabs(d) + m / 60 + s / 3600) * DEG;
+}
+
+static orr_geodetic random_place(uint64_t k)
+{
+    return (orr_geodetic){asin(2 * orr_rng_uniform(7, 0, k) - 1), (2 * orr_rng_uniform(7, 1, k) - 1) * ORR_PI,
+                          -10000 + 4e7 * orr_rng_uniform(7, 2, k) * orr_rng_uniform(7, 3, k)};
+}
+
+static void geodetic_there_and_back(void **state)
+{
+    (void)state;
+    for (uint64_t k = 0; k < 10000; k++) {
+        orr_geodetic g = random_place(k), back = orr_earth_from_ecef(orr_earth_to_ecef(g));
+        ASSERT_NEAR(back.lat_rad, g.lat_rad, 2e-15);
+        ASSERT_NEAR(cos(g.lat_rad) * (back.lon_rad - g.lon_rad), 0, 2e-15);
+        ASSERT_NEAR(back.height_m, g.height_m, 2e-8); // 4.6e7 m in doubles
+    }
+    // poles, equator, date line
+    orr_vec3 p = orr_earth_to_ecef((orr_geodetic){ORR_PI / 2, 0, 0});
+    ASSERT_NEAR(p.z, 6356752.314245179, 1e-8); // NIMA TR8350.2, table 3.3: semi-minor axis 6356752.3142 m
+    ASSERT_NEAR(hypot(p.x, p.y), 0, 1e-9);
+    p = orr_earth_to_ecef((orr_geodetic){0, ORR_PI, 100});
+    ASSERT_NEAR(p.x, -6378237, 1e-8);
+    orr_geodetic g = orr_earth_from_ecef((orr_vec3){-7e6, -0.0, 0});
+    ASSERT_NEAR(g.lon_rad, ORR_PI, 0); // (-pi, pi]
+    g = orr_earth_from_ecef((orr_vec3){0, 0, -6356752.314245179 - 5});
+    ASSERT_NEAR(g.lat_rad, -ORR_PI / 2, 0);
+    ASSERT_NEAR(g.height_m, 5, 1e-8);
+}
+
+// The commands of the same library, as an oracle of our use of it (units, order, sign). They are separate
+// programs.
+static FILE *run(const char *command, const char *input)
+{
+    char path[] = "oracle-XXXXXX", line[256];
+    int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    FILE *f = fdopen(fd, "wb");
+    assert_non_null(f);
+    fputs(input, f);
+    fclose(f);
+    snprintf(line, sizeof line, "%s < %s", command, path);
+    FILE *p = popen(line, "r");
+    assert_non_null(p);
+    FILE *kept = tmpfile();
+    assert_non_null(kept);
+    for (int c; (c = getc(p)) != EOF;) putc(c, kept);
+    int rc = pclose(p);
+    remove(path);
+    if (rc != 0) {
+        fclose(kept);
+        return NULL;
+    }
+    rewind(kept);
+    return kept;
+}
+
+static bool have(const char *program)
+{
+    char line[128];
+    snprintf(line, sizeof line, "command -v %s >/dev/null", program);
+    return system(line) == 0;
+}
+
+static void geocentric_as_cartconvert(void **state)
+{
+    (void)state;
+    if (!have("CartConvert")) {
+        print_message("skipped: CartConvert (Debian package geographiclib-tools) is not here\n");
+        skip();
+    }
+    enum { N = 200 };
+    char *input = malloc(N * 100), *p = input;
+    assert_non_null(input);
+    for (uint64_t k = 0; k < N; k++) {
+        orr_geodetic g = random_place(k);
+        p += sprintf(p, "%.15f %.15f %.9f\n", g.lat_rad / DEG, g.lon_rad / DEG, g.height_m);
+    }
+    FILE *f = run("CartConvert -p 9", input);
+    assert_non_null(f);
+    for (uint64_t k = 0; k < N; k++) {
+        double x, y, z;
+        assert_int_equal(fscanf(f, "%lf %lf %lf", &x, &y, &z), 3);
+        orr_vec3 r = orr_earth_to_ecef(random_place(k));
+        ASSERT_NEAR(r.x, x, 5e-8);
+        ASSERT_NEAR(r.y, y, 5e-8);
+        ASSERT_NEAR(r.z, z, 5e-8);
+    }
+    fclose(f);
+    free(input);
+}
+
+// GeoConvert writes UTM, whose conformal scale and axes are another way to the same place: along the central
+// meridian of a zone the northing is 0.9996 times our meridian arc.
+static void meridian_arc_as_geoconvert(void **state)
+{
+    (void)state;
+    if (!have("GeoConvert")) {
+        print_message("skipped: GeoConvert (Debian package geographiclib-tools) is not here\n");
+        skip();
+    }
+    FILE *f = run("GeoConvert -u -p 6 -z 31", "0.000001 3\n10 3\n45.5 3\n60.25 3\n83 3\n");
+    assert_non_null(f);
+    const double lat[] = {0.000001, 10, 45.5, 60.25, 83};
+    for (int i = 0; i < 5; i++) {
+        char zone[16];
+        double easting, northing, dist, az1, az2;
+        assert_int_equal(fscanf(f, "%15s %lf %lf", zone, &easting, &northing), 3);
+        orr_earth_geodesic_inverse(0, 3 * DEG, lat[i] * DEG, 3 * DEG, &dist, &az1, &az2);
+        ASSERT_NEAR(easting, 500000, 1e-6);
+        ASSERT_NEAR(0.9996 * dist, northing, 2e-6);
+        ASSERT_NEAR(az1, 0, 1e-12);
+        // and the arc is the integral of the meridian radius (Simpson, 2000 panels)
+        double sum = 0;
+        for (int k = 0; k <= 2000; k++) {
+            double m, n;
+            orr_earth_radii(lat[i] * DEG * k / 2000, &m, &n);
+            sum += m * (k == 0 || k == 2000 ? 1 : k % 2 != 0 ? 4 : 2);
+        }
+        ASSERT_NEAR(sum * lat[i] * DEG / 6000, dist, 1e-6);
+    }
+    fclose(f);
+}
+
+static void radii_at_published_places(void **state)
+{
+    (void)state;
+    double m, n;
+    orr_earth_radii(0, &m, &n);
+    ASSERT_NEAR(n, 6378137.0, 0);
+    ASSERT_NEAR(m, 6335439.3272, 1e-4);
+    orr_earth_radii(ORR_PI / 2, &m, &n);
+    ASSERT_NEAR(m, 6399593.6258, 1e-4); // NIMA TR8350.2, table 3.3: polar radius of curvature
+    ASSERT_NEAR(m, n, 1e-8);
+}
+
+static void axes_at_a_place(void **state)
+{
+    (void)state;
+    for (uint64_t k = 0; k < 200; k++) {
+        orr_geodetic g = random_place(k);
+        orr_mat3 a = orr_earth_enu_from_ecef(g.lat_rad, g.lon_rad), t = orr_mat3_transpose(&a),
+                 e = orr_mat3_mul(&a, &t);
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) ASSERT_NEAR(e.m[i][j], i == j, 1e-15);
+        // moving up by 1 km is 1 km along Up; a step North is along North
+        orr_vec3 here = orr_earth_to_ecef(g),
+                 up = orr_earth_to_ecef((orr_geodetic){g.lat_rad, g.lon_rad, g.height_m + 1000});
+        orr_vec3 d = orr_mat3_apply(&a, orr_vec3_sub(up, here));
+        ASSERT_NEAR(d.z, 1000, 2e-8);
+        ASSERT_NEAR(hypot(d.x, d.y), 0, 3e-8);
+        double m, n;
+        orr_earth_radii(g.lat_rad, &m, &n);
+        orr_vec3 north = orr_earth_to_ecef((orr_geodetic){g.lat_rad + 1e-7, g.lon_rad, g.height_m});
+        d = orr_mat3_apply(&a, orr_vec3_sub(north, here));
+        ASSERT_NEAR(d.y / ((m + g.height_m) * 1e-7), 1, 1e-6);
+        ASSERT_NEAR(d.x, 0, 2e-8);
+    }
+}
+
+static void look_angles(void **state)
+{
+    (void)state;
+    orr_geodetic g = {50 * DEG, 30 * DEG, 200};
+    orr_vec3 site = orr_earth_to_ecef(g);
+    orr_mat3 a = orr_earth_enu_from_ecef(g.lat_rad, g.lon_rad);
+    for (int az_deg = 0; az_deg < 360; az_deg += 15) {
+        for (int el_deg = -75; el_deg <= 75; el_deg += 15) {
+            double ce = cos(el_deg * DEG);
+            orr_vec3 enu = {ce * sin(az_deg * DEG), ce * cos(az_deg * DEG), sin(el_deg * DEG)};
+            orr_vec3 target = orr_vec3_axpy(2e7, orr_mat3_apply_t(&a, enu), site);
+            double az, el, range;
+            orr_earth_look(site, target, &az, &el, &range);
+            assert_true(az >= 0 && az < 2 * ORR_PI);
+            ASSERT_NEAR(remainder(az - az_deg * DEG, 2 * ORR_PI), 0, 1e-14);
+            ASSERT_NEAR(el, el_deg * DEG, 1e-14);
+            ASSERT_NEAR(range, 2e7, 1e-7);
+        }
+    }
+}
+
+static orr_vec3 gravity(orr_vec3 r)
+{
+    orr_vec3 g = orr_earth_normal_gravitation(r);
+    const double u2 = 7.292115e-5 * 7.292115e-5;
+    return (orr_vec3){g.x + u2 * r.x, g.y + u2 * r.y, g.z};
+}
+
+static void normal_gravity_at_its_published_values(void **state)
+{
+    (void)state;
+    // NIMA TR8350.2, table 3.4: 9.7803253359 at the equator, 9.8321849378 at the poles
+    ASSERT_NEAR(orr_earth_surface_gravity(0), 9.7803253359, 5e-11);
+    ASSERT_NEAR(orr_earth_surface_gravity(ORR_PI / 2), 9.8321849378, 1e-10);
+    ASSERT_NEAR(orr_earth_surface_gravity(-ORR_PI / 2), 9.8321849378, 1e-10);
+    // Somigliana's closed form with its published constant k
+    for (int lat = 0; lat <= 90; lat += 5) {
+        double s2 = pow(sin(lat * DEG), 2);
+        double somigliana = 9.7803253359 * (1 + 0.00193185265241 * s2) / sqrt(1 - ORR_WGS84_E2 * s2);
+        ASSERT_NEAR(orr_earth_surface_gravity(lat * DEG), somigliana, 2e-10);
+        // the vector on the ellipsoid: that strength, straight down
+        orr_vec3 g = gravity(orr_earth_to_ecef((orr_geodetic){lat * DEG, 0.7, 0}));
+        orr_mat3 a = orr_earth_enu_from_ecef(lat * DEG, 0.7);
+        orr_vec3 enu = orr_mat3_apply(&a, g);
+        ASSERT_NEAR(enu.z, -orr_earth_surface_gravity(lat * DEG), 1e-13);
+        ASSERT_NEAR(hypot(enu.x, enu.y), 0, 1e-13);
+    }
+    // far away a point mass with J2
+    const double r = 2.66e7,
+                 j2 = 1.082629821e-3; // of the ellipsoid, Moritz 2000 gives 108263e-8 for GRS80's sister
+    orr_vec3 g = orr_earth_normal_gravitation((orr_vec3){r, 0, 0});
+    double expected = -ORR_WGS84_GM / (r * r) * (1 + 1.5 * j2 * pow(ORR_WGS84_A_M / r, 2));
+    ASSERT_NEAR(g.x / expected, 1, 2e-8); // J4 and the digits of J2
+}
+
+// A field has no curl and, outside the masses, no divergence.
+static void normal_gravitation_is_a_potential_field(void **state)
+{
+    (void)state;
+    const double h = 50;
+    for (uint64_t k = 0; k < 50; k++) {
+        orr_geodetic place = random_place(k);
+        place.height_m = fabs(place.height_m) + 1000;
+        orr_vec3 r = orr_earth_to_ecef(place);
+        double j[3][3];
+        for (int i = 0; i < 3; i++) {
+            orr_vec3 step = {i == 0 ? h : 0, i == 1 ? h : 0, i == 2 ? h : 0};
+            orr_vec3 d =
+                orr_vec3_scale(0.5 / h, orr_vec3_sub(orr_earth_normal_gravitation(orr_vec3_add(r, step)),
+                                                     orr_earth_normal_gravitation(orr_vec3_sub(r, step))));
+            j[0][i] = d.x;
+            j[1][i] = d.y;
+            j[2][i] = d.z;
+        }
+        // gradients are 3e-6 1/s2; 1e-14 m/s2 of rounding over 100 m, and h^2 terms of 3e-6 (h/r)^2
+        ASSERT_NEAR(j[0][0] + j[1][1] + j[2][2], 0, 1e-14);
+        ASSERT_NEAR(j[0][1] - j[1][0], 0, 1e-14);
+        ASSERT_NEAR(j[0][2] - j[2][0], 0, 1e-14);
+        ASSERT_NEAR(j[1][2] - j[2][1], 0, 1e-14);
+    }
+}
+
+static void geodesic_of_the_textbook(void **state)
+{
+    (void)state;
+    // Geoscience Australia's worked line, Flinders Peak to Buninyong, on GRS80: its flattening differs by
+    // 1e-11 of WGS 84's
+    double dist, az1, az2, lat, lon;
+    orr_earth_geodesic_inverse(dms(-37, 57, 3.72030), dms(144, 25, 29.52440), dms(-37, 39, 10.15610),
+                               dms(143, 55, 35.38390), &dist, &az1, &az2);
+    ASSERT_NEAR(dist, 54972.271, 6e-4);
+    ASSERT_NEAR(remainder(az1 - dms(306, 52, 5.37), 2 * ORR_PI), 0, 3e-8);
+    ASSERT_NEAR(remainder(az2 + ORR_PI - dms(127, 10, 25.07), 2 * ORR_PI), 0, 3e-8);
+    orr_earth_geodesic_direct(dms(-37, 57, 3.72030), dms(144, 25, 29.52440), az1, dist, &lat, &lon, &az2);
+    ASSERT_NEAR(lat, dms(-37, 39, 10.15610), 1e-14);
+    ASSERT_NEAR(lon, dms(143, 55, 35.38390), 1e-14);
+    for (uint64_t k = 0; k < 1000; k++) {
+        orr_geodetic a = random_place(k), b = random_place(k + 5000);
+        orr_earth_geodesic_inverse(a.lat_rad, a.lon_rad, b.lat_rad, b.lon_rad, &dist, &az1, &az2);
+        assert_true(dist <= 20003931.5); // half a meridian: no two points are further apart
+        orr_earth_geodesic_direct(a.lat_rad, a.lon_rad, az1, dist, &lat, &lon, &az2);
+        orr_vec3 p = orr_earth_to_ecef((orr_geodetic){lat, lon, 0}),
+                 q = orr_earth_to_ecef((orr_geodetic){b.lat_rad, b.lon_rad, 0});
+        ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(p, q)), 0, 1e-7);
+    }
+}
+
+// ---- gravity models in GeographicLib's format, made here ----
+
+static void write_model(const char *dir, const char *name, const char *meta, int degree, double c20)
+{
+    char path[300];
+    snprintf(path, sizeof path, "%s/%s.egm", dir, name);
+    FILE *f = fopen(path, "wb");
+    assert_non_null(f);
+    fputs(meta, f);
+    fclose(f);
+    snprintf(path, sizeof path, "%s/%s.egm.cof", dir, name);
+    f = fopen(path, "wb");
+    assert_non_null(f);
+    fwrite("ORRTEST1", 1, 8, f);
+    int32_t size[2] = {degree, degree};
+    fwrite(size, sizeof size, 1, f);
+    for (int m = 0; m <= degree; m++) // columns by order; cosines then sines (those of order 0 are left out)
+        for (int n = m; n <= degree; n++) {
+            double c = n == 2 && m == 0 ? c20 : 0;
+            fwrite(&c, sizeof c, 1, f);
+        }
+    for (int m = 1; m <= degree; m++)
+        for (int n = m; n <= degree; n++) {
+            double s = 0;
+            fwrite(&s, sizeof s, 1, f);
+        }
+    int32_t none[2] = {-1, -1};
+    fwrite(none, sizeof none, 1, f);
+    fclose(f);
+}
+
+static const char META[] =
+    "EGMF-1\nName orrtest\nPublisher test\nReleaseDate 2024-01-01\nDataVersion 1\n"
+    "ModelRadius 6378136.3\nModelMass 3.986004415e14\nAngularVelocity 7.292115e-5\n"
+    "ReferenceRadius 6378137\nReferenceMass 3.986004418e14\nFlattening 1/298.257223563\n"
+    "HeightOffset 0\nCorrectionMultiplier 1\nNormalization full\nID ORRTEST1\n";
+
+static void gravity_model_of_one_coefficient(void **state)
+{
+    (void)state;
+    char dir[] = "gravity-XXXXXX", path[64];
+    assert_non_null(mkdtemp(dir));
+    const double c20 = -4.84165371736e-4, gm = 3.986004415e14, a = 6378136.3, j2 = -c20 * sqrt(5);
+    write_model(dir, "good", META, 4, c20);
+    orr_gravity_model *m;
+    orr_diag d = {0};
+    ASSERT_OK(orr_gravity_model_open("good", dir, &m, &d), d);
+    for (uint64_t k = 0; k < 100; k++) {
+        orr_geodetic g = random_place(k);
+        orr_vec3 r = orr_earth_to_ecef((orr_geodetic){g.lat_rad, g.lon_rad, fabs(g.height_m)});
+        double n = orr_vec3_norm(r), q = 1.5 * j2 * a * a / (n * n), z2 = 5 * r.z * r.z / (n * n),
+               f = -gm / (n * n * n);
+        orr_vec3 got = orr_gravity_model_gravitation(m, r);
+        ASSERT_NEAR(got.x, f * r.x * (1 + q * (1 - z2)), 1e-13);
+        ASSERT_NEAR(got.y, f * r.y * (1 + q * (1 - z2)), 1e-13);
+        ASSERT_NEAR(got.z, f * r.z * (1 + q * (3 - z2)), 1e-13);
+    }
+    orr_gravity_model_free(m);
+    orr_gravity_model_free(NULL);
+
+    // refused with a sentence, no exception past the wall
+    d = (orr_diag){0};
+    assert_int_equal(orr_gravity_model_open("absent", dir, &m, &d), ORR_E_IO);
+    assert_null(m);
+    assert_non_null(strstr(d.text, "absent"));
+    write_model(dir, "bad", "this is no model\n", 4, c20);
+    d = (orr_diag){0};
+    assert_int_equal(orr_gravity_model_open("bad", dir, &m, &d), ORR_E_IO);
+    assert_true(d.text[0] != '\0');
+    snprintf(path, sizeof path, "%s/good.egm.cof", dir);
+    assert_int_equal(truncate(path, 50), 0);
+    d = (orr_diag){0};
+    assert_int_equal(orr_gravity_model_open("good", dir, &m, &d), ORR_E_IO);
+    assert_true(d.text[0] != '\0');
+    const char *names[] = {"good.egm", "good.egm.cof", "bad.egm", "bad.egm.cof"};
+    for (int i = 0; i < 4; i++) {
+        snprintf(path, sizeof path, "%s/%s", dir, names[i]);
+        remove(path);
+    }
+    rmdir(dir);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(geodetic_there_and_back),
+        cmocka_unit_test(geocentric_as_cartconvert),
+        cmocka_unit_test(meridian_arc_as_geoconvert),
+        cmocka_unit_test(radii_at_published_places),
+        cmocka_unit_test(axes_at_a_place),
+        cmocka_unit_test(look_angles),
+        cmocka_unit_test(normal_gravity_at_its_published_values),
+        cmocka_unit_test(normal_gravitation_is_a_potential_field),
+        cmocka_unit_test(geodesic_of_the_textbook),
+        cmocka_unit_test(gravity_model_of_one_coefficient),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
