@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/scenario.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define AT(member) offsetof(orr_scenario, member)
+
+static const orr_key keys[] = {
+    {.path = "title",
+     .kind = ORR_KEY_TEXT,
+     .offset = AT(title),
+     .help = "What this scenario is, in a line; clients are told."},
+    {.path = "orbit.product",
+     .kind = ORR_KEY_FILE,
+     .offset = AT(orbit.product),
+     .help = "Orbit product made by 'orrery orbit' (NetCDF). Either this or orbit.sp3."},
+    {.path = "orbit.sp3",
+     .kind = ORR_KEY_FILE,
+     .list = true,
+     .offset = AT(orbit.sp3),
+     .help = "Precise orbit files, smoothed jointly when the service starts (seconds)."},
+    {.path = "orbit.nodes",
+     .kind = ORR_KEY_REAL,
+     .offset = AT(orbit.nodes_s),
+     .min = 0,
+     .max = 86400,
+     .unit = "s",
+     .fallback = "0",
+     .help = "Of orbit.sp3: use only epochs that are multiples of this; 0 for all."},
+    {.path = "orbit.exclude",
+     .kind = ORR_KEY_INTERVAL,
+     .list = true,
+     .offset = AT(orbit.exclude),
+     .help = "Of orbit.sp3: stretches of time whose epochs are not used."},
+    {.path = "serve.listen",
+     .kind = ORR_KEY_TEXT,
+     .list = true,
+     .offset = AT(listen),
+     .help = "Where to listen: tcp://HOST:PORT (port 0: any free one) or unix:PATH. 'orrery serve --listen' "
+             "overrules it."},
+};
+
+static const orr_schema schema = {keys, sizeof keys / sizeof keys[0], sizeof(orr_scenario)};
+
+const orr_schema *orr_scenario_schema(void) { return &schema; }
+
+// What the table cannot say: which keys exclude or need each other.
+static orr_status check(const orr_scenario *s, const orr_yaml *y, orr_diag *diag)
+{
+    const orr_scenario_orbit *o = &s->orbit;
+    if (o->product != NULL && o->sp3.n > 0)
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "orbit.product and orbit.sp3 exclude each other");
+    if (o->product == NULL && o->sp3.n == 0)
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "no orbits: name an orbit.product or orbit.sp3");
+    if (o->product != NULL && (o->nodes_s > 0 || o->exclude.n > 0))
+        return orr_diag_at(
+            diag, ORR_E_FORMAT, y->name, 0, 0,
+            "orbit.nodes and orbit.exclude belong to orbit.sp3; a product is smoothed already");
+    return ORR_OK;
+}
+
+static orr_status bind(const orr_yaml *y, const char *folder, orr_scenario *out, orr_diag *diag)
+{
+    orr_status s = orr_schema_read(&schema, y, folder, out, diag);
+    if (s != ORR_OK) return s;
+    s = check(out, y, diag);
+    if (s != ORR_OK) orr_scenario_free(out);
+    return s;
+}
+
+orr_status orr_scenario_parse(const char *name, const char *text, size_t n, const char *folder,
+                              orr_scenario *out, orr_diag *diag)
+{
+    memset(out, 0, sizeof *out);
+    orr_yaml y;
+    orr_status s = orr_yaml_parse(name, text, n, &y, diag);
+    if (s != ORR_OK) return s;
+    s = bind(&y, folder, out, diag);
+    orr_yaml_free(&y);
+    return s;
+}
+
+orr_status orr_scenario_read(const char *path, orr_scenario *out, orr_diag *diag)
+{
+    memset(out, 0, sizeof *out);
+    orr_yaml y;
+    orr_status s = orr_yaml_read(path, &y, diag);
+    if (s != ORR_OK) return s;
+    const char *slash = strrchr(path, '/');
+    char *folder = strndup(path, slash == NULL ? 0 : slash == path ? 1 : (size_t)(slash - path));
+    if (folder == NULL)
+        s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    else
+        s = bind(&y, folder, out, diag);
+    free(folder);
+    orr_yaml_free(&y);
+    return s;
+}
+
+void orr_scenario_free(orr_scenario *s) { orr_schema_free(&schema, s); }

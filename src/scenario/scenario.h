@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scenario file: what one run of the service is made of. docs/scenario.md explains it; the table in
+// scenario.c is its schema. A new section is members here and rows there.
+#ifndef ORR_SCENARIO_SCENARIO_H
+#define ORR_SCENARIO_SCENARIO_H
+
+#include "src/scenario/schema.h"
+
+typedef struct orr_scenario_orbit {
+    char *product;     // an orbit product (NetCDF)
+    orr_text_list sp3; // or SP3 files, smoothed at start
+    double nodes_s;    // keep only epochs that are multiples of it; 0: all
+    orr_interval_list exclude;
+} orr_scenario_orbit;
+
+typedef struct orr_scenario {
+    char *title;
+    orr_scenario_orbit orbit;
+    orr_text_list listen; // URLs of serve.listen
+} orr_scenario;
+
+const orr_schema *orr_scenario_schema(void);
+
+// Reads and checks a scenario. Paths in it are relative to its folder. Errors: ORR_E_IO, ORR_E_FORMAT and
+// ORR_E_KIND with line, column and path, ORR_E_LIMIT, ORR_E_MEMORY. Free with orr_scenario_free.
+orr_status orr_scenario_read(const char *path, orr_scenario *out, orr_diag *diag);
+// The same from memory; files are relative to `folder`.
+orr_status orr_scenario_parse(const char *name, const char *text, size_t n, const char *folder,
+                              orr_scenario *out, orr_diag *diag);
+void orr_scenario_free(orr_scenario *s);
+
+#endif
