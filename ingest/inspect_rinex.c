@@ -31,7 +31,8 @@ static void nav_messages(const orr_nav *nav, orr_inspection *r)
         }
         if (at > 0) orr_inspect_fact_add(r, orr_system_name(ORR_SYSTEMS[s]), "%s", line);
     }
-    if (unhealthy > 0) orr_inspect_fact_add(r, "not usable", "%zu ephemerides by their health word", unhealthy);
+    if (unhealthy > 0)
+        orr_inspect_fact_add(r, "not usable", "%zu ephemerides by their health word", unhealthy);
 }
 
 static void nav_extras(const orr_nav *nav, orr_inspection *r)
@@ -51,7 +52,8 @@ static void nav_extras(const orr_nav *nav, orr_inspection *r)
     if (nav->n_eop > 0) orr_inspect_fact_add(r, "Earth orientation", "%zu", nav->n_eop);
     if (nav->has_leap)
         orr_inspect_fact_add(r, "leap seconds", "%d (%s)", nav->leap_s, orr_scale_name(nav->leap_scale));
-    if (nav->n_skipped > 0) orr_inspect_fact_add(r, "left out", "%zu damaged or unknown records", nav->n_skipped);
+    if (nav->n_skipped > 0)
+        orr_inspect_fact_add(r, "left out", "%zu damaged or unknown records", nav->n_skipped);
 }
 
 orr_status orr_inspect_rinex_nav(const char *path, orr_inspection *r, orr_diag *diag)
@@ -68,7 +70,8 @@ orr_status orr_inspect_rinex_nav(const char *path, orr_inspection *r, orr_diag *
         if (r->from == ORR_TIME_NONE || e->toc < r->from) r->from = e->toc;
         if (r->to == ORR_TIME_NONE || e->toc > r->to) r->to = e->toc;
     }
-    if (nav.program[0] != '\0') orr_inspect_fact_add(r, "made by", "%s %s %s", nav.program, nav.run_by, nav.date);
+    if (nav.program[0] != '\0')
+        orr_inspect_fact_add(r, "made by", "%s %s %s", nav.program, nav.run_by, nav.date);
     nav_messages(&nav, r);
     nav_extras(&nav, r);
     orr_nav_free(&nav);
@@ -87,7 +90,8 @@ typedef struct obs_tally {
     bool has_clock;
 } obs_tally;
 
-static void count_epoch(const orr_rinex_obs_header *h, const orr_rinex_obs_epoch *e, obs_tally *t, orr_inspection *r)
+static void count_epoch(const orr_rinex_obs_header *h, const orr_rinex_obs_epoch *e, obs_tally *t,
+                        orr_inspection *r)
 {
     if (e->flag > ORR_OBS_POWER_FAILURE) {
         t->events++;
@@ -109,7 +113,7 @@ static void count_epoch(const orr_rinex_obs_header *h, const orr_rinex_obs_epoch
         size_t n = h->codes[orr_sat_system_index(e->sat[i])].n;
         for (size_t j = 0; j < n; j++) {
             size_t k = i * e->stride + j;
-            t->values += !isnan(e->value[k]);
+            t->values += isnan(e->value[k]) ? 0 : 1;
             t->slips += (e->lli[k] & ORR_OBS_LLI_SLIP) != 0;
             t->half_cycles += (e->lli[k] & ORR_OBS_LLI_HALF_CYCLE) != 0;
         }
@@ -118,13 +122,16 @@ static void count_epoch(const orr_rinex_obs_header *h, const orr_rinex_obs_epoch
 
 static void obs_header_facts(const orr_rinex_obs_header *h, orr_inspection *r)
 {
-    if (h->hatanaka) orr_inspect_fact_add(r, "compressed", "Hatanaka %.1f of RINEX %.2f", h->crinex_version, h->version);
-    if (h->marker_name[0] != '\0') orr_inspect_fact_add(r, "marker", "%s %s", h->marker_name, h->marker_number);
+    if (h->hatanaka)
+        orr_inspect_fact_add(r, "compressed", "Hatanaka %.1f of RINEX %.2f", h->crinex_version, h->version);
+    if (h->marker_name[0] != '\0')
+        orr_inspect_fact_add(r, "marker", "%s %s", h->marker_name, h->marker_number);
     if (h->receiver_type[0] != '\0')
         orr_inspect_fact_add(r, "receiver", "%s, version %s", h->receiver_type, h->receiver_version);
     if (h->antenna_type[0] != '\0') orr_inspect_fact_add(r, "antenna", "%s", h->antenna_type);
     if (h->has_position)
-        orr_inspect_fact_add(r, "position", "%.4f %.4f %.4f m (ecef)", h->position_m.x, h->position_m.y, h->position_m.z);
+        orr_inspect_fact_add(r, "position", "%.4f %.4f %.4f m (ecef)", h->position_m.x, h->position_m.y,
+                             h->position_m.z);
 }
 
 static void obs_code_facts(const orr_rinex_obs_header *h, orr_inspection *r)
@@ -132,7 +139,7 @@ static void obs_code_facts(const orr_rinex_obs_header *h, orr_inspection *r)
     for (size_t s = 0; s < ORR_N_SYSTEMS; s++) {
         const orr_obs_codes *c = &h->codes[s];
         if (c->n == 0 || strchr(r->systems, ORR_SYSTEMS[s]) == NULL) continue;
-        char line[sizeof ((orr_inspect_fact *)0)->text] = "";
+        char line[sizeof((orr_inspect_fact *)0)->text] = "";
         size_t at = 0;
         for (size_t j = 0; j < c->n && at + 8 < sizeof line; j++)
             at += (size_t)snprintf(line + at, sizeof line - at, "%s%s", j > 0 ? " " : "",
@@ -144,11 +151,11 @@ static void obs_code_facts(const orr_rinex_obs_header *h, orr_inspection *r)
 static void obs_tally_facts(const obs_tally *t, uint64_t skipped, orr_inspection *r)
 {
     if (t->epochs > 0)
-        orr_inspect_fact_add(r, "observations", "%llu values, %.1f satellites an epoch", (unsigned long long)t->values,
-                             (double)t->sats / (double)t->epochs);
+        orr_inspect_fact_add(r, "observations", "%llu values, %.1f satellites an epoch",
+                             (unsigned long long)t->values, (double)t->sats / (double)t->epochs);
     if (t->slips + t->half_cycles > 0)
-        orr_inspect_fact_add(r, "flags", "%llu losses of lock, %llu half cycles", (unsigned long long)t->slips,
-                             (unsigned long long)t->half_cycles);
+        orr_inspect_fact_add(r, "flags", "%llu losses of lock, %llu half cycles",
+                             (unsigned long long)t->slips, (unsigned long long)t->half_cycles);
     if (t->power_failures > 0)
         orr_inspect_fact_add(r, "power failures", "%llu", (unsigned long long)t->power_failures);
     if (t->events > 0) orr_inspect_fact_add(r, "events", "%llu", (unsigned long long)t->events);
@@ -167,7 +174,8 @@ orr_status orr_inspect_rinex_obs(const char *path, orr_inspection *r, orr_diag *
     snprintf(r->version, sizeof r->version, "%.2f", h->version);
     r->satellites = 0;
     const orr_rinex_obs_epoch *e = NULL;
-    while (s == ORR_OK && (s = orr_rinex_obs_next(reader, &e, diag)) == ORR_OK && e != NULL) count_epoch(h, e, &t, r);
+    while (s == ORR_OK && (s = orr_rinex_obs_next(reader, &e, diag)) == ORR_OK && e != NULL)
+        count_epoch(h, e, &t, r);
     if (s == ORR_OK) {
         if (t.n_first < STEPS_LOOKED_AT) orr_inspect_epochs(r, t.first, t.n_first);
         r->epochs = (int64_t)t.epochs;
