@@ -136,6 +136,28 @@ void orr_records_free_texts(char **list, size_t n)
     free(list);
 }
 
+static int by_step(const void *a, const void *b)
+{
+    int64_t x = *(const int64_t *)a, y = *(const int64_t *)b;
+    return (x > y) - (x < y);
+}
+
+double orr_records_usual_step_s(const orr_time *t, size_t n, int64_t *scratch)
+{
+    if (n < 2) return NAN;
+    for (size_t i = 1; i < n; i++) scratch[i - 1] = t[i] - t[i - 1];
+    qsort(scratch, n - 1, sizeof *scratch, by_step);
+    size_t best = 0, most = 0;
+    for (size_t i = 0, run; i < n - 1; i += run) {
+        for (run = 1; i + run < n - 1 && scratch[i + run] == scratch[i];) run++;
+        if (run > most) {
+            most = run;
+            best = i;
+        }
+    }
+    return (double)scratch[best] / (double)ORR_NS_PER_S;
+}
+
 void orr_records_program_line(orr_view line, char program[21], char run_by[21], char date[21])
 {
     orr_view_copy(orr_view_trim(orr_view_cols(line, 1, 20)), program, 21);

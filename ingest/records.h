@@ -37,6 +37,10 @@ orr_status orr_records_add_text(char ***list, size_t *n, size_t *capacity, orr_v
                                 const orr_cursor *at, orr_diag *diag);
 void orr_records_free_texts(char **list, size_t n);
 
+// The most frequent step of ascending instants, seconds; of equally frequent ones the shortest. NAN for fewer
+// than two. `scratch` has room for n.
+double orr_records_usual_step_s(const orr_time *t, size_t n, int64_t *scratch);
+
 // "program", "run by", "date" of a RINEX-like "PGM / RUN BY / DATE" line (20 characters each).
 void orr_records_program_line(orr_view line, char program[21], char run_by[21], char date[21]);
 

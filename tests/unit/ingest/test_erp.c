@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Earth rotation files as three centres write them, on made text.
+#include "testing.h"
+
+#include "core/vec.h"
+#include "ingest/erp.h"
+#include "unit/ingest/made_text.h"
+
+#define UAS (1e-6 / 3600 * ORR_RAD_PER_DEG)
+
+static orr_status parse(const char *text, orr_erp *x, orr_warnings *w, orr_diag *d)
+{
+    *d = (orr_diag){0};
+    return orr_erp_parse("made", text, strlen(text), NULL, NULL, x, w, d);
+}
+
+static const char igs[] = "version 2\n"
+                          "Source: Xpole,Ypole,Xrt,Yrt,LOD: weighted average of centres;\n"
+                          "        UT1-UTC: integrated from the 5th day prior to Bull. A\n"
+                          "\n"
+                          "  MJD      Xpole   Ypole  UT1-UTC    LOD  Xsig  Ysig   UTsig  LODsig  Nr Nf Nt    "
+                          "Xrt    Yrt  Xrtsig  Yrtsig\n"
+                          "             (10**-6\")       (0.1 usec)    (10**-6\")     (0.1 usec)             "
+                          " (10**-6\"/d)    (10**-6\"/d)\n"
+                          "59830.50  301078  310229   -98409  -1857    22  10     135      23   7  1 31  "
+                          "-1430  -3058     66     55\n";
+
+static void test_igs(void **state)
+{
+    (void)state;
+    orr_erp x;
+    orr_diag d;
+    orr_warnings w = {0};
+    ASSERT_OK(parse(igs, &x, &w, &d), d);
+    assert_int_equal(w.count, 0);
+    assert_int_equal(x.series.n, 1);
+    ASSERT_NEAR(x.series.mjd_utc[0], 59830.5, 0);
+    ASSERT_NEAR(x.series.value[0].xp_rad, 301078 * UAS, 1e-20);
+    ASSERT_NEAR(x.series.value[0].yp_rad, 310229 * UAS, 1e-20);
+    ASSERT_NEAR(x.series.value[0].ut1_utc_s, -98409e-7, 1e-15);
+    ASSERT_NEAR(x.series.value[0].lod_s, -1857e-7, 1e-18);
+    ASSERT_NEAR(x.detail[0].xp_sdev_rad, 22 * UAS, 1e-22);
+    ASSERT_NEAR(x.detail[0].ut1_sdev_s, 135e-7, 1e-18);
+    ASSERT_NEAR(x.detail[0].lod_sdev_s, 23e-7, 1e-18);
+    ASSERT_NEAR(x.detail[0].xp_rate_radps, -1430 * UAS / 86400, 1e-22);
+    ASSERT_NEAR(x.detail[0].yp_rate_sdev_radps, 55 * UAS / 86400, 1e-22);
+    assert_int_equal(x.detail[0].n_receivers, 7);
+    assert_int_equal(x.detail[0].n_satellites, 31);
+    assert_true(isnan(x.detail[0].dpsi_rad));
+    orr_erp_free(&x);
+}
+
+static const char code[] = "VERSION 2\n"
+                           "CODE FINAL GNSS ERP INFORMATION                16-OCT-08 14:33\n"
+                           "---------------------------------------------------------------\n"
+                           "NUTATION MODEL       : IAU2000                  SUBDAILY POLE MODEL: IERS2000\n"
+                           "  MJD         X-P      Y-P   UT1UTC    LOD   S-X   S-Y  S-UT  S-LD  NR  NF  NT   "
+                           "X-RT   Y-RT  S-XR  S-YR C-XY C-XT C-YT   DPSI   DEPS  S-DP  S-DE\n"
+                           "              E-6\"     E-6\"    E-7S E-7S/D   E-6\"  E-6\" E-7S E-7S/D          "
+                           "       E-6\"/D      E-6\"/D    E-2  E-2  E-2    E-6\"   E-6\"  E-6\"  E-6\"\n"
+                           "54743.50   255584   210979 -4944934   3873     5     6     3    10 244   0  24  "
+                           "-2525  -2541    13    14    3    2  -11     17     18     0     0\n"
+                           "54744.50   253263   208651 -4948440   3324     5     5     7    21 244   0  24  "
+                           "-2116  -2114    13    13    2   -1    3      0      0     0     0\n";
+
+static void test_code(void **state)
+{
+    (void)state;
+    orr_erp x;
+    orr_diag d;
+    orr_warnings w = {0};
+    ASSERT_OK(parse(code, &x, &w, &d), d);
+    assert_int_equal(w.count, 0);
+    assert_string_equal(x.title, "CODE FINAL GNSS ERP INFORMATION                16-OCT-08 14:33");
+    assert_int_equal(x.series.n, 2);
+    ASSERT_NEAR(x.series.value[0].ut1_utc_s, -0.4944934, 1e-15);
+    ASSERT_NEAR(x.detail[0].yp_sdev_rad, 6 * UAS, 1e-22);
+    ASSERT_NEAR(x.detail[0].yp_rate_sdev_radps, 14 * UAS / 86400, 1e-24);
+    ASSERT_NEAR(x.detail[0].dpsi_rad, 17 * UAS, 1e-22); // behind three columns that are not kept
+    ASSERT_NEAR(x.detail[0].deps_rad, 18 * UAS, 1e-22);
+    orr_erp_free(&x);
+}
+
+// UT1 - TAI under a name of two words, as GFZ writes it; 37 s in 2024.
+static void test_ut1_tai(void **state)
+{
+    (void)state;
+    const char gfz[] =
+        "version 2\n"
+        "GFZ ERP-RESULTS\n"
+        "  MJD     Xpole  Ypole UT1 -TAI   LOD  Xsig Ysig UTsig LODsig Nr Nf Nt X-RT Y-RT X-RTsig Y-RTsig\n"
+        "          E-6\"   E-6\"   .1 us  .1 us/d E-6\" E-6\" .1 us .1 us/d           E-6\" E-6\" E-6\" "
+        "E-6\"\n"
+        "60582.500 225415 411006 -369409348 -301 4 4 11 11 128 99 78 520 -2158 16 17\n";
+    orr_erp x;
+    orr_diag d;
+    orr_warnings w = {0};
+    ASSERT_OK(parse(gfz, &x, &w, &d), d);
+    assert_int_equal(w.count, 0);
+    ASSERT_NEAR(x.series.value[0].ut1_utc_s, 37 - 36.9409348, 1e-12);
+    ASSERT_NEAR(x.series.value[0].lod_s, -301e-7, 1e-18);
+    ASSERT_NEAR(x.detail[0].yp_rate_sdev_radps, 17 * UAS / 86400, 1e-22);
+    orr_erp_free(&x);
+}
+
+// Several files one behind the other, out of order, one day twice: sorted, the later line kept, both said.
+static void test_several(void **state)
+{
+    (void)state;
+    char text[4096];
+    snprintf(text, sizeof text,
+             "%s%s59829.50  301079  310229   -98410  -1857    22  10     135      23   7  1 31  -1430  -3058 "
+             "    66     55\n"
+             "59830.50  999      310229   -98409  -1857    22  10     135      23   7  1 31  -1430  -3058    "
+             " 66     55\n",
+             code, igs);
+    orr_erp x;
+    orr_diag d;
+    orr_warnings w = {0};
+    ASSERT_OK(parse(text, &x, &w, &d), d);
+    assert_int_equal(x.series.n, 4);
+    assert_int_equal(w.count, 2);
+    for (size_t i = 1; i < 4; i++) assert_true(x.series.mjd_utc[i] > x.series.mjd_utc[i - 1]);
+    ASSERT_NEAR(x.series.value[3].xp_rad, 999 * UAS, 1e-20);
+    orr_erp_free(&x);
+    orr_warnings_free(&w);
+}
+
+static void test_merge(void **state)
+{
+    (void)state;
+    orr_erp x[2];
+    orr_eop_series s;
+    orr_diag d;
+    ASSERT_OK(parse(igs, &x[0], NULL, &d), d);
+    ASSERT_OK(parse(code, &x[1], NULL, &d), d);
+    x[1].series.mjd_utc[1] = 59830.5; // the same instant as the IGS file's
+    ASSERT_OK(orr_erp_merge(x, 2, &s, &d), d);
+    assert_int_equal(s.n, 2);
+    assert_true(s.mjd_utc[0] == 54743.5);
+    ASSERT_NEAR(s.value[1].xp_rad, 253263 * UAS, 1e-20); // of the later file in the list
+    orr_erp_series_free(&s);
+    ASSERT_OK(orr_erp_merge(x, 0, &s, &d), d);
+    assert_int_equal(s.n, 0);
+    orr_erp_free(&x[0]);
+    orr_erp_free(&x[1]);
+}
+
+static void assert_refused(const char *base, const char *from, const char *to, orr_status status,
+                           const char *words)
+{
+    made_text t = {0};
+    made_bytes(&t, base, strlen(base));
+    if (from != NULL) made_replace(&t, from, to);
+    orr_erp x;
+    orr_diag d;
+    assert_int_equal(parse(t.s, &x, NULL, &d), status);
+    if (strstr(d.text, words) == NULL) fail_msg("\"%s\" does not say \"%s\"", d.text, words);
+    assert_null(x.series.value);
+    made_free(&t);
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    assert_refused("", NULL, NULL, ORR_E_KIND, "empty");
+    assert_refused("something\n", NULL, NULL, ORR_E_KIND, "version 2");
+    assert_refused(igs, "version 2", "version 1", ORR_E_UNSUPPORTED, "version 1");
+    assert_refused(igs, "(10**-6", "(10**-5", ORR_E_FORMAT, "1e-5");
+    assert_refused(code, "E-6", "E-5", ORR_E_FORMAT, "1e-5");
+    assert_refused(igs, "UT1-UTC    LOD", "UT1R-UTC   LOD", ORR_E_UNSUPPORTED, "UT1R");
+    assert_refused(igs, "  LOD  Xsig", "  LODR Xsig", ORR_E_UNSUPPORTED, "LODR");
+    assert_refused(igs, "Xpole   Ypole", "Xpole   Xpole", ORR_E_FORMAT, "earlier");
+    assert_refused(igs, "  MJD      Xpole   Ypole", "  MJD      Apole   Ypole", ORR_E_FORMAT,
+                   "does not name");
+    assert_refused(igs, "310229", "******", ORR_E_FORMAT, "column 3");
+    assert_refused(igs, "301078", "9301078", ORR_E_FORMAT, "two arc seconds");
+    assert_refused(igs, "-98409", "-98409000", ORR_E_FORMAT, "cannot be");
+    assert_refused(igs, "59830.50", "5983.50", ORR_E_FORMAT, "Julian");
+    assert_refused(igs, "  -98409  -1857    22  10     135      23   7  1 31  -1430  -3058     66     55", "",
+                   ORR_E_FORMAT, "ends before");
+    assert_refused(igs, "59830.50", "59830.50x", ORR_E_FORMAT, "does not start with a date");
+    assert_refused("version 2\ntitle\n", NULL, NULL, ORR_E_FORMAT, "no line of");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_igs),     cmocka_unit_test(test_code),  cmocka_unit_test(test_ut1_tai),
+        cmocka_unit_test(test_several), cmocka_unit_test(test_merge), cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
