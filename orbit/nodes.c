@@ -27,11 +27,11 @@ static int by_sat(const void *a, const void *b)
     return (int)*(const orr_sat *)a - (int)*(const orr_sat *)b;
 }
 
-static int by_time_then_source(const void *a, const void *b)
+static int by_time_then_file(const void *a, const void *b)
 {
     const orr_node *x = a, *y = b;
     if (x->t != y->t) return x->t < y->t ? -1 : 1;
-    return (int)x->source - (int)y->source;
+    return (int)x->rank - (int)y->rank;
 }
 
 // Files in order of their first epochs, so that "later file" means what a reader expects whatever the order
@@ -82,6 +82,7 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
                     .predicted = predicted,
                     .manoeuvre = (r->flags & ORR_SP3_MANOEUVRE) != 0,
                     .source = (uint16_t)order[k],
+                    .rank = (uint16_t)k,
                 };
             }
             if (isfinite(r->clock_s)) {
@@ -92,7 +93,7 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
             }
         }
     }
-    qsort(list->node, list->n_nodes, sizeof *list->node, by_time_then_source);
+    qsort(list->node, list->n_nodes, sizeof *list->node, by_time_then_file);
     return ORR_OK;
 }
 

@@ -13,7 +13,8 @@ typedef struct orr_node {
     double sigma_m;
     bool predicted, manoeuvre;
     bool superseded; // another file observed what this one predicted
-    uint16_t source;
+    uint16_t source; // index of the input file
+    uint16_t rank;   // of the file in time
 } orr_node;
 
 typedef struct orr_node_list {

@@ -209,10 +209,27 @@ static void nodes_of(const orr_track *t, const orr_arc_range *arc, size_t *i0, s
     *i1 = t->at[arc->last].first + t->at[arc->last].n;
 }
 
+// Nodes that were rejected or that no arc holds: told as outliers, so that nothing is dropped in silence.
+static orr_status tell_left_out(work *w, const orr_track *t, const orr_segmentation *seg)
+{
+    orr_status s = ORR_OK;
+    for (size_t k = 0, a = 0; k < t->n; k++) {
+        while (a < seg->n_arcs && seg->arc[a].last < k) a++;
+        if (a < seg->n_arcs && seg->arc[a].first <= k) continue; // told with its arc
+        for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n && s == ORR_OK; i++) {
+            if (w->node[i].superseded) continue;
+            w->report->nodes_rejected++;
+            s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, w->node[i].t, w->node[i].t,
+                              seg->verdict[i].innovation_m);
+        }
+    }
+    return s;
+}
+
 static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *seg)
 {
     double begin_s = 0;
-    orr_status s = ORR_OK;
+    orr_status s = tell_left_out(w, t, seg);
     for (size_t a = 0; a < seg->n_arcs && s == ORR_OK; a++) {
         const orr_arc_range *arc = &seg->arc[a];
         size_t i0, i1;

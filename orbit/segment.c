@@ -9,9 +9,13 @@
 // a metre is.
 #define THRESHOLD 12.0
 #define FLOOR_M 0.50
+#define MAX_SCALE                                                                                            \
+    40.0 // what is worse than this many sigma everywhere (a metre by default) is not noise about an orbit
 #define YOUNG 4       // nodes that a fresh state needs before its predictions are trusted
 #define MAX_SKIPPED 3 // outliers in a row; more in a row is a manoeuvre
 #define CONFIRM 2     // good nodes that confirm that the skipped ones were outliers
+#define MIN_SPLIT                                                                                            \
+    4 // nodes of an arc that was split off: three make an orbit, the fourth confirms that it is one
 #define START_R_M 1e3
 #define START_V_MPS 1e2
 
@@ -126,13 +130,12 @@ static bool consistent(const work *w, size_t a, size_t b)
 static bool blame_young(const work *w, size_t a, size_t first_bad)
 {
     size_t end = first_bad + YOUNG < w->n ? first_bad + YOUNG : w->n;
-    if (end - a < YOUNG + 2) return false; // too few to tell
-    forgive(w, first_bad, end);
-    for (size_t i = a; i <= first_bad; i++)
-        for (size_t j = i; j <= first_bad; j++) { // j == i: one alone
-            if (j != i && end - a < YOUNG + 3) continue;
-            bool was_i = group_rejected(w, i), was_j = group_rejected(w, j);
-            if (was_i || was_j) continue;
+    if (end - a < YOUNG + 2) return false;                  // too few to tell
+    for (size_t apart = 0; apart <= first_bad - a; apart++) // one alone first, then pairs
+        for (size_t i = a; i + apart <= first_bad; i++) {
+            size_t j = i + apart;
+            if (apart > 0 && end - a < YOUNG + 3) continue;
+            if (group_rejected(w, i) || group_rejected(w, j)) continue; // blamed before
             reject_group(w, i, true, 0);
             reject_group(w, j, true, 0);
             if (consistent(w, a, end)) return true;
@@ -168,8 +171,8 @@ restart:
         good_after = 0;
         bool at_end = g + 1 == w->n;
         if (skipped <= MAX_SKIPPED && !(at_end && skipped >= 2)) continue;
-        if (good <= YOUNG && blame_young(w, a, first_bad)) goto restart;
         forgive(w, first_bad, w->n);
+        if (good <= YOUNG && blame_young(w, a, first_bad)) goto restart;
         *last = first_bad - 1;
         return first_bad;
     }
@@ -197,7 +200,8 @@ static double robust_scale2(const work *w, double *room)
     }
     if (n < 3) return 1.0;
     qsort(room, n, sizeof *room, by_value);
-    return room[n / 2] / 0.789;
+    double scale2 = room[n / 2] / 0.789;
+    return scale2 < MAX_SCALE * MAX_SCALE ? scale2 : MAX_SCALE * MAX_SCALE;
 }
 
 orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, size_t n, orr_track *t,
@@ -228,7 +232,11 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
         size_t last = a, next = run_arc(&w, a, &last), first = a;
         while (first < last && group_rejected(&w, first)) first++;
         while (last > first && group_rejected(&w, last)) last--;
-        if (last > first) out->arc[out->n_arcs++] = (orr_arc_range){w.g[first].instant, w.g[last].instant};
+        bool split = a > 0 || next < w.n;
+        size_t good = 0;
+        for (size_t g = first; g <= last; g++) good += !group_rejected(&w, g);
+        if (good >= (split ? MIN_SPLIT : 2))
+            out->arc[out->n_arcs++] = (orr_arc_range){w.g[first].instant, w.g[last].instant};
         a = next;
     }
     status = ORR_OK;

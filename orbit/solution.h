@@ -47,7 +47,7 @@ typedef enum orr_event_kind {
         1, // velocity and f0 restarted within [t0, t1]; value: change of velocity, m/s (0: not known)
     ORR_EVENT_UMBRA = 2,
     ORR_EVENT_PENUMBRA = 3, // partial shadow of the Earth
-    ORR_EVENT_OUTLIER = 4,  // value: size of the rejected innovation, m
+    ORR_EVENT_OUTLIER = 4,  // a node not used; value: its distance from the orbit, m (0: no orbit there)
     ORR_EVENT_GAP = 5,      // nodes further apart than twice the usual
     ORR_EVENT_DAY_JUMP = 6, // value: jump between input files at a joint, m
 } orr_event_kind;
