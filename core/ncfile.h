@@ -9,6 +9,9 @@
 // Reading: a caller asks for each dimension with the most it will accept, then reads variables into memory of
 // the size that follows; a variable of another rank, shape or kind is an error that names it.
 //
+// A file that we wrote ends with a seal (core/ncseal.h): damage is found and said before the NetCDF library
+// sees it.
+//
 // Values are row-major; `shape` and `dims` run from the slowest index. The NetCDF library is not thread-safe:
 // one file at a time in a process.
 #ifndef ORR_CORE_NCFILE_H

@@ -6,6 +6,7 @@
 #include <netcdf.h>
 
 #include "core/ncfile.h"
+#include "core/ncseal.h"
 
 // HDF5's signature, or "CDF" of the classic formats.
 static bool has_magic(const unsigned char *b, size_t n)
@@ -29,6 +30,8 @@ orr_status orr_nc_open(const char *path, orr_nc_reader *r, orr_diag *diag)
     if (bad) return orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be read: %s", strerror(e));
     if (n == 0) return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is empty");
     if (!has_magic(head, n)) return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is no NetCDF file");
+    orr_status s = orr_nc_check_seal(path, diag);
+    if (s != ORR_OK) return s;
     int rc = nc_open(path, NC_NOWRITE, &r->id);
     if (rc != NC_NOERR)
         return orr_diag_at(diag, ORR_E_FORMAT, path, 0, 0, "is damaged: NetCDF says \"%s\"", nc_strerror(rc));

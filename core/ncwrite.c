@@ -5,6 +5,7 @@
 #include <netcdf.h>
 
 #include "core/ncfile.h"
+#include "core/ncseal.h"
 
 static const nc_type NC_TYPE[] = {
     [ORR_NC_DOUBLE] = NC_DOUBLE, [ORR_NC_INT64] = NC_INT64, [ORR_NC_INT32] = NC_INT,
@@ -170,7 +171,8 @@ orr_status orr_nc_commit(orr_nc_writer *w, orr_diag *diag)
     int rc = nc_close(w->id);
     w->open = false;
     orr_status s =
-        rc == NC_NOERR ? orr_outfile_commit(&w->file, diag) : failed(w, rc, "file", w->file.path, diag);
+        rc == NC_NOERR ? orr_nc_seal(w->file.temp, diag) : failed(w, rc, "file", w->file.path, diag);
+    if (s == ORR_OK) s = orr_outfile_commit(&w->file, diag);
     orr_outfile_abort(&w->file);
     *w = (orr_nc_writer){0};
     return s;

@@ -180,60 +180,102 @@ static void other_kinds_are_named(void **state)
     remove("x.nc");
 }
 
-// Reads everything the sample has; any status will do, a crash or a hang will not.
-static void read_all(const char *path)
+// Opens and reads what the sample has; how it ends is the exit status of a child.
+static int read_all(const char *path)
 {
     orr_nc_reader r;
     orr_diag d = {0};
-    if (orr_nc_open(path, &r, &d) != ORR_OK) return;
+    orr_status s = orr_nc_open(path, &r, &d);
     size_t shape[2];
     void *p;
-    char text[64];
-    if (orr_nc_get_dim(&r, "row", 10000, &shape[0], &d) == ORR_OK &&
-        orr_nc_get_dim(&r, "column", 10000, &shape[1], &d) == ORR_OK) {
-        if (orr_nc_alloc_var(&r, "grid", ORR_NC_DOUBLE, 2, shape, &p, &d) == ORR_OK) free(p);
-        if (orr_nc_alloc_var(&r, "time", ORR_NC_INT64, 1, shape, &p, &d) == ORR_OK) free(p);
+    if (s == ORR_OK) s = orr_nc_get_dim(&r, "row", 10000, &shape[0], &d);
+    if (s == ORR_OK) s = orr_nc_get_dim(&r, "column", 10000, &shape[1], &d);
+    if (s == ORR_OK) {
+        s = orr_nc_alloc_var(&r, "grid", ORR_NC_DOUBLE, 2, shape, &p, &d);
+        free(p);
     }
-    (void)orr_nc_get_att_text(&r, NULL, "title", text, sizeof text, &d);
     orr_nc_close(&r);
+    if (s != ORR_OK && d.text[0] == '\0') return 99;
+    return (int)s;
 }
 
-// Damaged copies of a good file, each opened in a child process: the HDF5 library is not ours, and what it
-// makes of damaged bytes is to be known.
-static void damaged_files_do_not_bring_us_down(void **state)
+static int read_in_child(const char *path)
+{
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        alarm(20);
+        _exit(read_all(path));
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    if (!WIFEXITED(status)) fail_msg("%s: died of signal %d", path, WTERMSIG(status));
+    return WEXITSTATUS(status);
+}
+
+static unsigned char bytes[1 << 20], hurt[1 << 20];
+
+static size_t load(const char *path)
+{
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    size_t n = fread(bytes, 1, sizeof bytes, f);
+    fclose(f);
+    assert_true(n > 1000 && n < sizeof bytes);
+    return n;
+}
+
+// Any byte changed and any cut is found, before HDF5 is let near it.
+static void damaged_files_are_refused(void **state)
 {
     (void)state;
     orr_diag d = {0};
     ASSERT_OK(write_sample("a.nc", &d), d);
-    FILE *f = fopen("a.nc", "rb");
-    assert_non_null(f);
-    static unsigned char bytes[1 << 20], hurt[1 << 20];
-    size_t n = fread(bytes, 1, sizeof bytes, f);
-    fclose(f);
-    assert_true(n > 1000 && n < sizeof bytes);
-    enum { ROUNDS = 60 };
-    for (uint64_t k = 0; k < ROUNDS; k++) {
+    size_t n = load("a.nc");
+    const size_t seal = 80; // the last line
+    for (uint64_t k = 0; k < 400; k++) {
         memcpy(hurt, bytes, n);
-        size_t len = n;
-        if (k % 3 == 0)
-            len = (size_t)(orr_rng_u64(21, 0, k) % n); // cut
-        else
-            for (uint64_t i = 0; i < 1 + k % 7; i++)
-                hurt[orr_rng_u64(21, 1 + i, k) % n] ^= (unsigned char)(1 + orr_rng_u64(21, 100 + i, k) % 255);
-        put("hurt.nc", hurt, len);
-        pid_t child = fork();
-        assert_true(child >= 0);
-        if (child == 0) {
-            alarm(20);
-            read_all("hurt.nc");
-            _exit(0);
-        }
-        int status;
-        assert_int_equal(waitpid(child, &status, 0), child);
-        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-            fail_msg("round %d: status %#x", (int)k, (unsigned)status);
+        hurt[orr_rng_u64(21, 0, k) % (n - seal)] ^= (unsigned char)(1 + orr_rng_u64(21, 1, k) % 255);
+        put("hurt.nc", hurt, n);
+        orr_nc_reader r;
+        orr_status s = orr_nc_open("hurt.nc", &r, &d);
+        if (s == ORR_OK) fail_msg("round %d was opened", (int)k);
+        assert_true(s == ORR_E_FORMAT || s == ORR_E_KIND); // kind: the first bytes
+    }
+    for (uint64_t k = 0; k < 60; k++) {
+        put("hurt.nc", bytes, (size_t)(orr_rng_u64(22, 0, k) % (n - seal)));
+        int s = read_in_child("hurt.nc");
+        assert_true(s == ORR_E_FORMAT || s == ORR_E_KIND);
     }
     remove("hurt.nc");
+    remove("a.nc");
+}
+
+// The seal is one line that others read past; a file without one, from another program, is read as well.
+static void seals_do_not_keep_others_out(void **state)
+{
+    (void)state;
+    orr_diag d = {0};
+    ASSERT_OK(write_sample("a.nc", &d), d);
+    size_t n = load("a.nc");
+    assert_memory_equal(bytes + n - 80, "\norrery-sha256 ", 15);
+    assert_int_equal(bytes[n - 1], '\n');
+    put("open.nc", bytes, n - 80);
+    assert_int_equal(read_in_child("open.nc"), ORR_OK);
+    int id;
+    assert_int_equal(nc_open("a.nc", NC_NOWRITE, &id), NC_NOERR); // the library alone
+    assert_int_equal(nc_close(id), NC_NOERR);
+    // changed on purpose by another program, it loses its seal and is still read
+    assert_int_equal(nc_open("a.nc", NC_WRITE, &id), NC_NOERR);
+    assert_int_equal(nc_put_att_text(id, NC_GLOBAL, "title", 8, "Replaced"), NC_NOERR);
+    assert_int_equal(nc_close(id), NC_NOERR);
+    assert_int_equal(read_in_child("a.nc"), ORR_OK);
+    if (system("command -v ncdump >/dev/null") == 0) {
+        put("a.nc", bytes, n);
+        assert_int_equal(system("ncdump a.nc > dump.txt"), 0);
+        remove("dump.txt");
+    }
+    remove("open.nc");
     remove("a.nc");
 }
 
@@ -284,7 +326,8 @@ int main(void)
         cmocka_unit_test(what_differs_is_refused_with_its_name),
         cmocka_unit_test(a_bomb_is_not_unpacked),
         cmocka_unit_test(other_kinds_are_named),
-        cmocka_unit_test(damaged_files_do_not_bring_us_down),
+        cmocka_unit_test(damaged_files_are_refused),
+        cmocka_unit_test(seals_do_not_keep_others_out),
         cmocka_unit_test(failures_leave_nothing),
     };
     return cmocka_run_group_tests(tests, enter, leave);

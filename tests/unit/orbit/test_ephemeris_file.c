@@ -318,6 +318,8 @@ static void test_flipped_bytes(void **state)
     save_made(path);
     struct stat st;
     assert_int_equal(stat(path, &st), 0);
+    st.st_size -= 80; // without its seal (core/ncfile.h), which would find every one of them
+    assert_int_equal(truncate(path, st.st_size), 0);
     size_t refused = 0, read = 0;
     for (long at = 8; at < st.st_size; at += 61) {
         FILE *f = fopen(path, "r+b");
