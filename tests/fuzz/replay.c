@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stands in for libFuzzer where a test replays seeds: every file of the folders named, as it is, cut, and
+// with a fixed set of mutations. Nothing is judged here; a fault ends the program (under the sanitizers), a
+// hang meets ctest's limit.
+#include <dirent.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MUTATIONS 150
+#define MAX_SEED ((size_t)1 << 20)
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
+
+static uint64_t state;
+static uint64_t next_random(void) // splitmix64
+{
+    uint64_t z = (state += UINT64_C(0x9e3779b97f4a7c15));
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
+}
+
+// One of: a byte changed, a stretch removed, a stretch doubled, a digit put in, the end cut.
+static size_t mutate(uint8_t *p, size_t n, size_t capacity)
+{
+    static const uint8_t spice[] = "0123456789 -.EeDd&>\n\r\t\0\xff";
+    if (n == 0) return 0;
+    size_t at = (size_t)(next_random() % n), len = (size_t)(next_random() % 64) + 1;
+    if (len > n - at) len = n - at;
+    switch (next_random() % 5) {
+    case 0:
+        p[at] = (uint8_t)next_random();
+        return n;
+    case 1:
+        memmove(p + at, p + at + len, n - at - len);
+        return n - len;
+    case 2:
+        if (n + len > capacity) return n;
+        memmove(p + at + len, p + at, n - at);
+        return n + len;
+    case 3:
+        p[at] = spice[next_random() % (sizeof spice - 1)];
+        return n;
+    default:
+        return at;
+    }
+}
+
+static int replay(const char *path, size_t *n_run)
+{
+    static uint8_t seed[MAX_SEED], work[2 * MAX_SEED];
+    FILE *f = fopen(path, "rb");
+    if (f == NULL) return perror(path), 1;
+    size_t n = fread(seed, 1, sizeof seed, f);
+    fclose(f);
+    LLVMFuzzerTestOneInput(seed, n);
+    (*n_run)++;
+    for (int i = 0; i < MUTATIONS; i++) {
+        size_t m = n;
+        memcpy(work, seed, n);
+        for (uint64_t k = next_random() % 4; k < 4; k++) m = mutate(work, m, sizeof work);
+        LLVMFuzzerTestOneInput(work, m);
+        (*n_run)++;
+    }
+    return 0;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+int main(int argc, char **argv)
+{
+    size_t n_run = 0, n_files = 0;
+    int bad = 0;
+    for (int a = 1; a < argc; a++) {
+        char *name[4096];
+        size_t n = 0;
+        DIR *d = opendir(argv[a]);
+        if (d == NULL) return perror(argv[a]), 1;
+        for (struct dirent *e; n < 4096 && (e = readdir(d)) != NULL;)
+            if (e->d_name[0] != '.') name[n++] = strdup(e->d_name);
+        closedir(d);
+        qsort(name, n, sizeof name[0], compare_names); // the same order, so the same mutations, everywhere
+        for (size_t i = 0; i < n; i++) {
+            char path[4096];
+            snprintf(path, sizeof path, "%s/%s", argv[a], name[i]);
+            state = i;
+            bad |= replay(path, &n_run);
+            free(name[i]);
+        }
+        n_files += n;
+    }
+    printf("%zu seeds, %zu inputs\n", n_files, n_run);
+    return bad || n_files == 0;
+}
