@@ -65,7 +65,7 @@ const char *orr_signal_band_pairs(char system)
     case 'E':
         return "15171816";
     case 'C':
-        return "26271615121756";
+        return "26271615121765";
     case 'J':
         return "1215";
     case 'I':
