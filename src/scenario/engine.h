@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One epoch of everything: what a scenario is made of, prepared once, then asked at any instant. Asking is a
+// pure function of (engine, question): no allocation, no lock, no I/O; many may ask at once.
+#ifndef ORR_SCENARIO_ENGINE_H
+#define ORR_SCENARIO_ENGINE_H
+
+#include "core/log.h"
+#include "orbit/ephemeris.h"
+#include "src/scenario/scenario.h"
+
+// Whether there are numbers, and if not, why not. The wire's `answer` has the same values.
+typedef enum orr_answer {
+    ORR_ANSWER_OK = 0,
+    ORR_ANSWER_OUTSIDE_SPAN = 1, // the instant is outside the span
+    ORR_ANSWER_NO_ARC = 2,       // the satellite has no valid arc at the instant
+    ORR_ANSWER_NOT_SERVED = 3,   // the satellite is not in the product
+} orr_answer;
+
+typedef struct orr_engine orr_engine;
+
+// Prepares a scenario: loads the product, or reads and smooths the SP3 files (seconds; `cancel`, which may be
+// NULL, ends that with ORR_E_INTERRUPTED). Errors: those of the readers, with their file and line. Free with
+// orr_engine_close.
+orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const volatile int *cancel,
+                           orr_warnings *warnings, orr_engine **out, orr_diag *diag);
+// The same from an orbit product alone.
+orr_status orr_engine_open_product(const char *path, orr_engine **out, orr_diag *diag);
+// Takes the ephemeris over.
+orr_status orr_engine_from_ephemeris(orr_ephemeris *e, const char *title, orr_engine **out, orr_diag *diag);
+void orr_engine_close(orr_engine *e);
+
+const char *orr_engine_title(const orr_engine *e);
+const char *orr_engine_frame(const orr_engine *e);                       // of positions, e.g. "IGS20"
+void orr_engine_span(const orr_engine *e, orr_time *from, orr_time *to); // both inclusive
+size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list); // ascending
+
+// States of n satellites at t into state[0..n) and answer[0..n); sats NULL: of all (n = their number, in
+// their order). ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN (then nothing is written). Where answer[i] is not
+// OK only state[i].sat is set.
+orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
+                             orr_sat_state *state, orr_answer *answer);
+
+#endif

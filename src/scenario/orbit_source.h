@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The orbit section of a scenario as an ephemeris: SP3 files read, smoothed jointly, fitted.
+#ifndef ORR_SCENARIO_ORBIT_SOURCE_H
+#define ORR_SCENARIO_ORBIT_SOURCE_H
+
+#include "core/log.h"
+#include "orbit/ephemeris.h"
+#include "src/scenario/scenario.h"
+
+// Errors: those of the SP3 reader (file, line, column), of the smoother and of the fit.
+orr_status orr_orbit_source_smooth(const orr_scenario_orbit *o, const orr_log *log,
+                                   const volatile int *cancel, orr_warnings *warnings, orr_ephemeris **out,
+                                   orr_diag *diag);
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the service answers with: the handler table of proto filled from a scenario's engine. A new kind of
+// request is a pair of functions here and a row in the table.
+#ifndef ORR_SERVICE_ANSWERS_H
+#define ORR_SERVICE_ANSWERS_H
+
+#include "proto/server.h"
+#include "src/scenario/engine.h"
+
+typedef struct orr_answers orr_answers;
+
+// `engine` must outlive it. ORR_E_LIMIT if it has more satellites than a message can list; ORR_E_MEMORY.
+orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag);
+const orr_server *orr_answers_server(const orr_answers *a);
+void orr_answers_close(orr_answers *a);
+
+orr_msg_sat_id orr_answers_sat_id(orr_sat sat);
+
+#endif

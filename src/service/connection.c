@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One client: bytes between its socket and the server's state machine. Replies go out by a direct write from
+// the read event, so that an answered request costs one wait, one read and one write; only what the socket
+// does not take waits for a write event, and as long as something waits nothing more is read: a slow client
+// holds one output buffer, no more.
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "src/service/internal.h"
+
+_Static_assert(ORR_CONN_OUT >= ORR_SERVER_OUT, "an answer must fit into an empty output buffer");
+
+static const double linger_s = 0.5;
+
+typedef enum conn_state {
+    CONN_OPEN,
+    CONN_ENDING, // no more requests; closes its side when the output is sent
+    CONN_LINGER, // its side is closed; waits for the peer's end, so that what was sent is not lost by a reset
+} conn_state;
+
+struct orr_conn {
+    orr_service *service;
+    int fd;
+    conn_state state;
+    bool peer_done; // the peer will send nothing more
+    struct event *on_read, *on_write;
+    orr_server_conn conn;
+    uint8_t *in, *out;
+    size_t in_size, in_capacity, out_at, out_size;
+    bool busy;        // an answer is not finished
+    bool half;        // the input holds the beginning of a frame
+    int64_t since_ns; // what the deadline counts from
+    int64_t last_ns;  // last complete request
+    char peer[160];
+    orr_conn *next, *prev;
+};
+
+orr_conn *orr_conn_next(const orr_conn *c) { return c->next; }
+
+void orr_conn_close(orr_conn *c)
+{
+    orr_service *s = c->service;
+    if (c->prev != NULL)
+        c->prev->next = c->next;
+    else
+        s->conns = c->next;
+    if (c->next != NULL) c->next->prev = c->prev;
+    s->n_conns--;
+    ORR_LOG(s->log, ORR_LOG_DEBUG, "%s gone after %llu requests", c->peer,
+            (unsigned long long)c->conn.requests);
+    if (c->on_read != NULL) event_free(c->on_read);
+    if (c->on_write != NULL) event_free(c->on_write);
+    close(c->fd);
+    free(c->in);
+    free(c->out);
+    free(c);
+}
+
+static bool has_output(const orr_conn *c) { return c->out_at < c->out_size; }
+
+// Sends what the socket takes. False: the connection has been closed.
+static bool flush(orr_conn *c)
+{
+    while (has_output(c)) {
+        ssize_t n = send(c->fd, c->out + c->out_at, c->out_size - c->out_at, MSG_NOSIGNAL);
+        if (n > 0) {
+            c->out_at += (size_t)n;
+            c->since_ns = 0; // progress: the stall is counted anew
+        } else if (n < 0 && errno == EINTR) {
+            continue;
+        } else if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+            break;
+        } else {
+            ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: %s", c->peer, strerror(errno));
+            orr_conn_close(c);
+            return false;
+        }
+    }
+    if (!has_output(c)) c->out_at = c->out_size = 0;
+    return true;
+}
+
+static void end(orr_conn *c)
+{
+    if (c->state != CONN_OPEN) return;
+    c->state = CONN_ENDING;
+    c->in_size = 0;
+    c->busy = false;
+    c->since_ns = 0;
+}
+
+// Puts an ERROR behind the output, if there is room, and ends.
+static void end_with(orr_conn *c, uint16_t code, const char *sentence)
+{
+    if (c->state != CONN_OPEN) return;
+    orr_wire_writer w = {c->out, c->out_size, ORR_CONN_OUT, ORR_WIRE_OK};
+    orr_server_error(&w, code, sentence);
+    c->out_size = w.size;
+    end(c);
+}
+
+// Answers what is in the input, as far as the output buffer allows.
+static void answer(orr_conn *c)
+{
+    orr_wire_writer w = {c->out, c->out_size, ORR_CONN_OUT, ORR_WIRE_OK};
+    orr_server_step step;
+    uint64_t before = c->conn.requests;
+    orr_server_run(c->service->server, &c->conn, c->in, c->in_size, &w, &step);
+    c->out_size = w.size;
+    c->busy = step.busy;
+    c->in_size -= step.consumed;
+    if (c->in_size > 0 && step.consumed > 0) memmove(c->in, c->in + step.consumed, c->in_size);
+    bool half = c->in_size > 0 && !c->busy;
+    if (half && !c->half) c->since_ns = 0;
+    c->half = half;
+    if (c->conn.requests != before) {
+        c->last_ns = orr_service_now_ns();
+        c->since_ns = 0;
+    }
+    if (step.closing != 0) {
+        const char *name = orr_msg_error_code_name(step.closing);
+        ORR_LOG(c->service->log, ORR_LOG_WARN, "%s%s%s: closing: %s (%s)", c->peer,
+                c->conn.client[0] != '\0' ? ", " : "", c->conn.client, step.reason,
+                name != NULL ? name : "?");
+        end(c);
+        return;
+    }
+    size_t need = step.need;
+    if (!step.busy && need > c->in_capacity) { // a request above the usual; its length has been checked
+        uint8_t *grown = realloc(c->in, need);
+        if (grown == NULL) {
+            end_with(c, ORR_MSG_ERROR_CODE_INTERNAL, "the server is out of memory");
+            return;
+        }
+        c->in = grown;
+        c->in_capacity = need;
+    }
+}
+
+// What to wait for next; also closes when all is done. The connection may be gone afterwards.
+static void settle(orr_conn *c)
+{
+    if (c->state == CONN_OPEN && c->peer_done && !c->busy && !has_output(c)) {
+        orr_conn_close(c);
+        return;
+    }
+    if (c->state == CONN_ENDING && !has_output(c)) {
+        if (c->peer_done) {
+            orr_conn_close(c);
+            return;
+        }
+        shutdown(c->fd, SHUT_WR);
+        c->state = CONN_LINGER;
+        c->since_ns = 0;
+    }
+    bool write = has_output(c) || c->busy;
+    bool read = !write && !c->peer_done;
+    if (write)
+        event_add(c->on_write, NULL);
+    else
+        event_del(c->on_write);
+    if (read)
+        event_add(c->on_read, NULL);
+    else
+        event_del(c->on_read);
+}
+
+static void work(orr_conn *c)
+{
+    for (int turn = 0; turn < ORR_CONN_TURNS; turn++) {
+        if (!flush(c)) return;
+        if (has_output(c) || c->state != CONN_OPEN) break;
+        if (turn > 0 && !c->busy) break; // the input has been looked at to its end
+        answer(c);
+    }
+    if (!flush(c)) return;
+    settle(c);
+}
+
+static void on_read(evutil_socket_t fd, short what, void *user)
+{
+    (void)what;
+    orr_conn *c = user;
+    uint8_t waste[4096];
+    bool open = c->state == CONN_OPEN;
+    ssize_t n =
+        recv(fd, open ? c->in + c->in_size : waste, open ? c->in_capacity - c->in_size : sizeof waste, 0);
+    if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return;
+    if (n < 0 || (n == 0 && c->state == CONN_LINGER)) {
+        orr_conn_close(c);
+        return;
+    }
+    if (!open) return;
+    if (n == 0) c->peer_done = true; // it may still be reading
+    c->in_size += (size_t)n;
+    work(c);
+}
+
+static void on_write(evutil_socket_t fd, short what, void *user)
+{
+    (void)fd;
+    (void)what;
+    work(user);
+}
+
+void orr_conn_open(orr_service *s, int fd, const char *peer)
+{
+    orr_conn *c = calloc(1, sizeof *c);
+    if (c == NULL) {
+        close(fd);
+        return;
+    }
+    c->service = s;
+    c->fd = fd;
+    c->next = s->conns;
+    if (s->conns != NULL) s->conns->prev = c;
+    s->conns = c;
+    s->n_conns++;
+    size_t n = strlen(peer) < sizeof c->peer ? strlen(peer) : sizeof c->peer - 1;
+    memcpy(c->peer, peer, n);
+    c->in = malloc(ORR_CONN_IN);
+    c->in_capacity = ORR_CONN_IN;
+    c->out = malloc(ORR_CONN_OUT);
+    c->on_read = event_new(s->base, fd, EV_READ | EV_PERSIST, on_read, c);
+    c->on_write = event_new(s->base, fd, EV_WRITE | EV_PERSIST, on_write, c);
+    c->last_ns = orr_service_now_ns();
+    if (c->in == NULL || c->out == NULL || c->on_read == NULL || c->on_write == NULL) {
+        ORR_LOG(s->log, ORR_LOG_ERROR, "out of memory for %s", c->peer);
+        orr_conn_close(c);
+        return;
+    }
+    ORR_LOG(s->log, ORR_LOG_DEBUG, "%s connected", c->peer);
+    if (s->n_conns > s->options.max_clients) {
+        ORR_LOG(s->log, ORR_LOG_WARN, "%s refused: %d clients are connected", c->peer,
+                s->options.max_clients);
+        end_with(c, ORR_MSG_ERROR_CODE_BUSY, "as many clients are connected as this server allows");
+    }
+    work(c);
+}
+
+void orr_conn_sweep(orr_conn *c, int64_t now_ns)
+{
+    const orr_service_options *o = &c->service->options;
+    if (c->since_ns == 0) { // something has happened since the last look
+        c->since_ns = now_ns;
+        return;
+    }
+    double waited = (double)(now_ns - c->since_ns) * 1e-9, quiet = (double)(now_ns - c->last_ns) * 1e-9;
+    const char *why = NULL;
+    if (c->state == CONN_LINGER) {
+        if (waited > linger_s) orr_conn_close(c);
+        return;
+    }
+    if (has_output(c) || c->busy) {
+        if (waited <= o->stall_s) return;
+        ORR_LOG(c->service->log, ORR_LOG_WARN, "%s closed: it takes no answers", c->peer);
+        orr_conn_close(c); // it would not read an ERROR either
+        return;
+    }
+    if (c->in_size > 0 && waited > o->half_frame_s)
+        why = "half a frame, and no more for too long";
+    else if (c->in_size == 0 && c->conn.requests == 0 && quiet > o->first_s)
+        why = "no request since the connection opened";
+    else if (c->in_size == 0 && c->conn.requests > 0 && quiet > o->idle_s)
+        why = "no request for too long";
+    if (why == NULL) return;
+    ORR_LOG(c->service->log, ORR_LOG_WARN, "%s: closing: %s", c->peer, why);
+    end_with(c, ORR_MSG_ERROR_CODE_TIMEOUT, why);
+    work(c);
+}
+
+void orr_conn_drain(orr_conn *c, int64_t now_ns)
+{
+    if (c->state == CONN_LINGER)
+        orr_conn_sweep(c, now_ns);
+    else if (c->state == CONN_OPEN && !c->busy && !has_output(c)) {
+        end_with(c, ORR_MSG_ERROR_CODE_CLOSING, "the server is shutting down");
+        work(c);
+    }
+}

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/service/service.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "src/service/internal.h"
+#include "src/service/url.h"
+
+enum { MAX_URLS = 16, BACKLOG = 128 };
+static const double sweep_s = 0.2; // how finely time-outs are kept
+
+struct listener {
+    orr_service *service;
+    int fd;
+    orr_url url;
+    char text[ORR_URL_TEXT];
+    ino_t inode; // of a Unix socket's file: only our own is removed
+    struct event *on_accept;
+    bool paused;
+};
+
+orr_service_options orr_service_defaults(void)
+{
+    return (orr_service_options){.max_clients = 256,
+                                 .first_s = 30,
+                                 .idle_s = 600,
+                                 .half_frame_s = 10,
+                                 .stall_s = 30,
+                                 .drain_s = 5,
+                                 .signals = true};
+}
+
+int64_t orr_service_now_ns(void)
+{
+    struct timespec ts;
+    clock_gettime(CLOCK_MONOTONIC, &ts);
+    return (int64_t)ts.tv_sec * 1000000000 + ts.tv_nsec;
+}
+
+static void name_peer(const struct listener *l, const struct sockaddr *a, socklen_t n, int fd, char *buf,
+                      size_t size)
+{
+    char host[96], port[8];
+    if (l->url.is_unix)
+        snprintf(buf, size, "client %d on %.100s", fd, l->text);
+    else if (getnameinfo(a, n, host, sizeof host, port, sizeof port, NI_NUMERICHOST | NI_NUMERICSERV) == 0)
+        snprintf(buf, size, "client %s:%s", host, port);
+    else
+        snprintf(buf, size, "client %d", fd);
+}
+
+static void on_accept(evutil_socket_t fd, short what, void *user)
+{
+    (void)what;
+    struct listener *l = user;
+    struct sockaddr_storage a;
+    socklen_t n = sizeof a;
+    int client = accept4(fd, (struct sockaddr *)&a, &n, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (client < 0) {
+        if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
+            // The connection stays in the queue and the event would fire again at once: look again at the
+            // next sweep.
+            ORR_LOG(l->service->log, ORR_LOG_WARN, "cannot accept a client: %s", strerror(errno));
+            event_del(l->on_accept);
+            l->paused = true;
+        }
+        return;
+    }
+    int one = 1;
+    if (!l->url.is_unix) setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+    char peer[160];
+    name_peer(l, (struct sockaddr *)&a, n, client, peer, sizeof peer);
+    orr_conn_open(l->service, client, peer);
+}
+
+static void stop_listening(orr_service *s)
+{
+    for (size_t i = 0; i < s->n_listeners; i++) {
+        struct listener *l = &s->listener[i];
+        if (l->on_accept != NULL) event_free(l->on_accept);
+        l->on_accept = NULL;
+        if (l->fd < 0) continue;
+        close(l->fd);
+        l->fd = -1;
+        struct stat st;
+        if (l->url.is_unix && lstat(l->url.path, &st) == 0 && S_ISSOCK(st.st_mode) && st.st_ino == l->inode)
+            unlink(l->url.path);
+    }
+}
+
+static void on_sweep(evutil_socket_t fd, short what, void *user)
+{
+    (void)fd;
+    (void)what;
+    orr_service *s = user;
+    int64_t now = orr_service_now_ns();
+    for (orr_conn *c = s->conns, *next; c != NULL; c = next) {
+        next = orr_conn_next(c);
+        if (s->draining)
+            orr_conn_drain(c, now);
+        else
+            orr_conn_sweep(c, now);
+    }
+    if (s->draining && (s->conns == NULL || now > s->drain_until_ns)) {
+        if (s->conns != NULL)
+            ORR_LOG(s->log, ORR_LOG_WARN, "%d clients did not take their answers in time", s->n_conns);
+        event_base_loopbreak(s->base);
+        return;
+    }
+    for (size_t i = 0; i < s->n_listeners; i++) {
+        struct listener *l = &s->listener[i];
+        if (l->paused && l->on_accept != NULL) event_add(l->on_accept, NULL);
+        l->paused = false;
+    }
+}
+
+static void sweep_every(orr_service *s, double seconds)
+{
+    struct timeval tv = {.tv_sec = 0, .tv_usec = (suseconds_t)(seconds * 1e6)};
+    event_add(s->on_sweep, &tv);
+}
+
+static void on_stop(evutil_socket_t fd, short what, void *user)
+{
+    orr_service *s = user;
+    if ((what & EV_SIGNAL) == 0) {
+        char waste[16];
+        if (read(fd, waste, sizeof waste) < 0 && errno == EAGAIN) return;
+    }
+    if (s->draining) { // the second time: at once
+        event_base_loopbreak(s->base);
+        return;
+    }
+    s->draining = true;
+    s->drain_until_ns = orr_service_now_ns() + (int64_t)(s->options.drain_s * 1e9);
+    stop_listening(s);
+    ORR_LOG(s->log, ORR_LOG_INFO, "stopping, %d clients connected", s->n_conns);
+    sweep_every(s, 0.02);
+    on_sweep(-1, 0, s);
+}
+
+static orr_status add_listener(orr_service *s, const char *text, orr_diag *diag)
+{
+    struct listener *l = &s->listener[s->n_listeners];
+    l->service = s;
+    orr_url url;
+    orr_status status = orr_url_parse(text, &url, diag);
+    if (status == ORR_OK) status = orr_url_listen(&url, BACKLOG, &l->fd, &l->url, diag);
+    if (status != ORR_OK) return status;
+    s->n_listeners++; // from here on closed by stop_listening
+    struct stat st;
+    if (l->url.is_unix && lstat(l->url.path, &st) == 0) l->inode = st.st_ino;
+    orr_url_text(&l->url, l->text);
+    if (!orr_url_is_local(&l->url))
+        ORR_LOG(s->log, ORR_LOG_WARN, "%s can be reached from other machines, without authentication",
+                l->text);
+    l->on_accept = event_new(s->base, l->fd, EV_READ | EV_PERSIST, on_accept, l);
+    if (l->on_accept == NULL || event_add(l->on_accept, NULL) != 0)
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    return ORR_OK;
+}
+
+static orr_status add_events(orr_service *s, orr_diag *diag)
+{
+    s->on_sweep = event_new(s->base, -1, EV_PERSIST, on_sweep, s);
+    s->on_stop = event_new(s->base, s->stop_pipe[0], EV_READ | EV_PERSIST, on_stop, s);
+    bool good = s->on_sweep != NULL && s->on_stop != NULL && event_add(s->on_stop, NULL) == 0;
+    if (good && s->options.signals) {
+        s->on_int = event_new(s->base, SIGINT, EV_SIGNAL | EV_PERSIST, on_stop, s);
+        s->on_term = event_new(s->base, SIGTERM, EV_SIGNAL | EV_PERSIST, on_stop, s);
+        good = s->on_int != NULL && s->on_term != NULL && event_add(s->on_int, NULL) == 0 &&
+               event_add(s->on_term, NULL) == 0;
+    }
+    if (!good) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    sweep_every(s, sweep_s);
+    return ORR_OK;
+}
+
+orr_status orr_service_open(const orr_service_options *options, const orr_server *server, const orr_log *log,
+                            orr_service **out, orr_diag *diag)
+{
+    static const char *const fallback[] = {"tcp://"};
+    const char *const *url = options->n_urls > 0 ? options->url : fallback;
+    size_t n = options->n_urls > 0 ? options->n_urls : 1;
+    if (n > MAX_URLS) return orr_diag_set(diag, ORR_E_LIMIT, "at most %d addresses to listen on", MAX_URLS);
+    orr_service *s = calloc(1, sizeof *s);
+    if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    s->options = *options;
+    s->server = server;
+    s->log = log;
+    s->stop_pipe[0] = s->stop_pipe[1] = -1;
+    s->listener = calloc(n, sizeof *s->listener);
+    s->base = event_base_new();
+    orr_status status = ORR_OK;
+    if (s->listener == NULL || s->base == NULL)
+        status = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    else if (pipe(s->stop_pipe) != 0)
+        status = orr_diag_set(diag, ORR_E_IO, "no pipe: %s", strerror(errno));
+    if (status == ORR_OK) {
+        for (int i = 0; i < 2; i++) {
+            fcntl(s->stop_pipe[i], F_SETFL, O_NONBLOCK);
+            fcntl(s->stop_pipe[i], F_SETFD, FD_CLOEXEC);
+        }
+        status = add_events(s, diag);
+    }
+    for (size_t i = 0; status == ORR_OK && i < n; i++) status = add_listener(s, url[i], diag);
+    if (status != ORR_OK) {
+        orr_service_close(s);
+        return status;
+    }
+    *out = s;
+    return ORR_OK;
+}
+
+const char *orr_service_url(const orr_service *s, size_t i)
+{
+    return i < s->n_listeners ? s->listener[i].text : NULL;
+}
+
+orr_status orr_service_run(orr_service *s, orr_diag *diag)
+{
+    if (event_base_dispatch(s->base) < 0) return orr_diag_set(diag, ORR_E_IO, "the event loop failed");
+    return ORR_OK;
+}
+
+void orr_service_stop(orr_service *s)
+{
+    // A full pipe means that it has been told already.
+    ssize_t n = write(s->stop_pipe[1], "s", 1);
+    (void)n;
+}
+
+void orr_service_close(orr_service *s)
+{
+    if (s == NULL) return;
+    while (s->conns != NULL) orr_conn_close(s->conns);
+    if (s->listener != NULL) stop_listening(s);
+    struct event *events[] = {s->on_stop, s->on_sweep, s->on_int, s->on_term};
+    for (size_t i = 0; i < sizeof events / sizeof events[0]; i++)
+        if (events[i] != NULL) event_free(events[i]);
+    if (s->base != NULL) event_base_free(s->base);
+    for (int i = 0; i < 2; i++)
+        if (s->stop_pipe[i] >= 0) close(s->stop_pipe[i]);
+    free(s->listener);
+    free(s);
+}

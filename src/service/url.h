@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a service is: tcp://HOST:PORT or unix:PATH, read, written, listened on and connected to.
+#ifndef ORR_SERVICE_URL_H
+#define ORR_SERVICE_URL_H
+
+#include "core/status.h"
+
+#define ORR_URL_TEXT 300
+
+typedef struct orr_url {
+    bool is_unix;
+    char host[128]; // of TCP; without the brackets of IPv6
+    uint16_t port;
+    char path[108]; // of Unix: sun_path with its NUL
+} orr_url;
+
+// "tcp://127.0.0.1:4000", "tcp://[::1]:4000", "tcp://localhost" (the default port), "tcp://:0" (loopback, any
+// port), "unix:/run/orrery.sock". ORR_E_ARG with a sentence otherwise.
+orr_status orr_url_parse(const char *text, orr_url *out, orr_diag *diag);
+char *orr_url_text(const orr_url *u, char buf[ORR_URL_TEXT]);
+
+// A non-blocking listening socket. *bound is the URL with the port that was given. A Unix socket file that
+// nobody listens on is replaced; one in use, and a file that is no socket, are refused. ORR_E_IO with a
+// sentence.
+orr_status orr_url_listen(const orr_url *u, int backlog, int *fd, orr_url *bound, orr_diag *diag);
+// Whether every peer of the bound socket is on this machine.
+bool orr_url_is_local(const orr_url *u);
+// A connected blocking socket whose reads and writes fail after timeout_s without progress. ORR_E_IO.
+orr_status orr_url_connect(const orr_url *u, double timeout_s, int *fd, orr_diag *diag);
+
+#endif

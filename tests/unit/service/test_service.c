@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The service over real sockets with a made-up answerer: what clients may do to it, and what it does about
+// them.
+#include "src/service/service.h"
+
+#include <errno.h>
+#include <pthread.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "fake.h"
+#include "src/service/dial.h"
+#include "src/service/url.h"
+
+typedef struct bench {
+    fake fake;
+    orr_server server;
+    orr_service *service;
+    pthread_t thread;
+    orr_log log;
+    pthread_mutex_t lock;
+    char talk[8000]; // what was logged
+} bench;
+
+static void note(void *user, orr_log_level level, const char *line)
+{
+    (void)level;
+    bench *b = user;
+    pthread_mutex_lock(&b->lock);
+    size_t n = strlen(b->talk);
+    snprintf(b->talk + n, sizeof b->talk - n, "%s\n", line);
+    pthread_mutex_unlock(&b->lock);
+}
+
+static bool was_said(bench *b, const char *words)
+{
+    pthread_mutex_lock(&b->lock);
+    bool found = strstr(b->talk, words) != NULL;
+    pthread_mutex_unlock(&b->lock);
+    return found;
+}
+
+static void *serve(void *user)
+{
+    bench *b = user;
+    orr_diag diag = {0};
+    return orr_service_run(b->service, &diag) == ORR_OK ? NULL : user;
+}
+
+static orr_service_options quick_options(void)
+{
+    orr_service_options o = orr_service_defaults();
+    static const char *const url[] = {"tcp://127.0.0.1:0"};
+    o.url = url;
+    o.n_urls = 1;
+    o.signals = false;
+    return o;
+}
+
+static bench *start(orr_service_options o, uint16_t n_sats)
+{
+    bench *b = calloc(1, sizeof *b);
+    b->fake.n_sats = n_sats;
+    b->server = fake_server(&b->fake);
+    b->log = (orr_log){ORR_LOG_WARN, note, b};
+    pthread_mutex_init(&b->lock, NULL);
+    orr_diag diag = {0};
+    ASSERT_OK(orr_service_open(&o, &b->server, &b->log, &b->service, &diag), diag);
+    assert_int_equal(pthread_create(&b->thread, NULL, serve, b), 0);
+    return b;
+}
+
+static void finish(bench *b)
+{
+    void *result;
+    orr_service_stop(b->service);
+    pthread_join(b->thread, &result);
+    assert_null(result);
+    orr_service_close(b->service);
+    free(b);
+}
+
+static orr_dial *dial(const bench *b)
+{
+    orr_dial *d;
+    orr_diag diag = {0};
+    ASSERT_OK(orr_dial_open(orr_service_url(b->service, 0), 10, &d, &diag), diag);
+    return d;
+}
+
+static int raw(const bench *b)
+{
+    orr_url u;
+    orr_diag diag = {0};
+    int fd;
+    assert_int_equal(orr_url_parse(orr_service_url(b->service, 0), &u, &diag), ORR_OK);
+    ASSERT_OK(orr_url_connect(&u, 10, &fd, &diag), diag);
+    return fd;
+}
+
+// All bytes until the server closes.
+static size_t read_to_end(int fd, uint8_t *buf, size_t n)
+{
+    size_t have = 0;
+    for (;;) {
+        ssize_t got = recv(fd, buf + have, n - have, 0);
+        assert_true(got >= 0); // not a reset, not a time-out
+        if (got == 0) return have;
+        have += (size_t)got;
+    }
+}
+
+static uint16_t error_code(const uint8_t *data, size_t n)
+{
+    orr_frame f;
+    size_t used;
+    orr_msg_error e;
+    if (orr_frame_parse(data, n, ORR_MSG_MAX_PAYLOAD, &f, &used) != ORR_WIRE_OK ||
+        f.type != ORR_MSG_TYPE_ERROR || orr_msg_error_decode(f.payload, f.size, &e) != ORR_WIRE_OK)
+        return 0;
+    return e.code;
+}
+
+static size_t poll_frame(uint8_t *buf, size_t n, int64_t t, uint32_t count)
+{
+    orr_wire_writer w = {buf, 0, n, ORR_WIRE_OK};
+    orr_msg_poll m = {.t = t, .step = 1, .count = count};
+    size_t start_;
+    orr_frame_begin(&w, ORR_MSG_TYPE_POLL, 1, &start_);
+    orr_msg_poll_encode(&m, &w);
+    orr_frame_end(&w, start_);
+    return w.size;
+}
+
+static void conversation(void **state)
+{
+    (void)state;
+    bench *b = start(quick_options(), 10);
+    orr_dial *d = dial(b);
+    orr_msg_caps caps;
+    assert_int_equal(orr_client_hello(&d->client, "test", "1", &caps), ORR_WIRE_OK);
+    assert_int_equal(orr_client_ping(&d->client, 7), ORR_WIRE_OK);
+    orr_msg_poll poll = {.t = 100, .step = 10, .count = 2000}; // far more than a socket buffer
+    assert_int_equal(orr_client_poll(&d->client, &poll), ORR_WIRE_OK);
+    for (uint32_t k = 0; k < poll.count; k++) {
+        orr_msg_states m;
+        orr_msg_sat_state s;
+        assert_int_equal(orr_client_states(&d->client, &m), ORR_WIRE_OK);
+        assert_true(m.index == k && m.satellites.count == 10 && orr_msg_sat_state_at(&m.satellites, 9, &s));
+        assert_true(s.pos_m[0] == (double)(100 + 10 * (int64_t)k + 10));
+    }
+    assert_int_equal(orr_client_ping(&d->client, 8), ORR_WIRE_OK);
+    orr_dial_close(d);
+    finish(b);
+}
+
+static void garbage_is_told_and_closed(void **state)
+{
+    (void)state;
+    bench *b = start(quick_options(), 1);
+    uint8_t buf[2000];
+    int fd = raw(b);
+    assert_int_equal(send(fd, "GET / HTTP/1.1\r\nHost: x\r\n\r\n", 27, 0), 27);
+    assert_int_equal(error_code(buf, read_to_end(fd, buf, sizeof buf)), ORR_MSG_ERROR_CODE_BAD_MAGIC);
+    close(fd);
+    fd = raw(b);
+    size_t n = poll_frame(buf, sizeof buf, 1, 1);
+    buf[20] ^= 1;
+    assert_int_equal(send(fd, buf, n, 0), (ssize_t)n);
+    assert_int_equal(error_code(buf, read_to_end(fd, buf, sizeof buf)), ORR_MSG_ERROR_CODE_BAD_CRC);
+    close(fd);
+    fd = raw(b);
+    n = poll_frame(buf, sizeof buf, 1, 1);
+    orr_wire_store_u32(buf + 12, 0x7fffffff);
+    assert_int_equal(send(fd, buf, 16, 0), 16); // an impossible length is not waited for
+    assert_int_equal(error_code(buf, read_to_end(fd, buf, sizeof buf)), ORR_MSG_ERROR_CODE_BAD_LENGTH);
+    close(fd);
+    assert_true(was_said(b, "BAD_MAGIC") && was_said(b, "BAD_CRC") && was_said(b, "BAD_LENGTH"));
+    finish(b);
+}
+
+static void half_frames_and_silence_time_out(void **state)
+{
+    (void)state;
+    orr_service_options o = quick_options();
+    o.half_frame_s = 0.3;
+    o.first_s = 0.6;
+    o.idle_s = 0.9;
+    bench *b = start(o, 1);
+    uint8_t buf[2000], frame[100];
+    size_t n = poll_frame(frame, sizeof frame, 1, 1);
+    int half = raw(b), silent = raw(b), idle = raw(b);
+    assert_int_equal(send(half, frame, n - 1, 0), (ssize_t)n - 1);
+    assert_int_equal(send(idle, frame, n, 0), (ssize_t)n);
+    assert_int_equal(error_code(buf, read_to_end(half, buf, sizeof buf)), ORR_MSG_ERROR_CODE_TIMEOUT);
+    assert_int_equal(error_code(buf, read_to_end(silent, buf, sizeof buf)), ORR_MSG_ERROR_CODE_TIMEOUT);
+    n = read_to_end(idle, buf, sizeof buf);
+    orr_frame f;
+    size_t used;
+    assert_int_equal(orr_frame_parse(buf, n, ORR_MSG_MAX_PAYLOAD, &f, &used),
+                     ORR_WIRE_OK); // its answer, then the time-out
+    assert_int_equal(error_code(buf + used, n - used), ORR_MSG_ERROR_CODE_TIMEOUT);
+    close(half), close(silent), close(idle);
+    finish(b);
+}
+
+static void a_client_that_does_not_read(void **state)
+{
+    (void)state;
+    orr_service_options o = quick_options();
+    o.stall_s = 0.5;
+    bench *b = start(o, 90);
+    uint8_t frame[100], buf[100000];
+    size_t n = poll_frame(frame, sizeof frame, 1, 86400); // 900 MB, if it were let
+    int lazy = raw(b);
+    assert_int_equal(send(lazy, frame, n, 0), (ssize_t)n);
+    orr_dial *d = dial(b); // others are served meanwhile
+    for (int k = 0; k < 50; k++) assert_int_equal(orr_client_ping(&d->client, 1), ORR_WIRE_OK);
+    orr_dial_close(d);
+    struct timespec nap = {0, 50000000};
+    for (int k = 0; k < 200 && !was_said(b, "takes no answers"); k++) nanosleep(&nap, NULL);
+    assert_true(was_said(b, "takes no answers"));
+    while (recv(lazy, buf, sizeof buf, 0) > 0) continue;
+    close(lazy);
+    finish(b);
+}
+
+static void disconnects_in_mid_answer(void **state)
+{
+    (void)state;
+    bench *b = start(quick_options(), 50);
+    uint8_t frame[100], buf[1000];
+    size_t n = poll_frame(frame, sizeof frame, 1, 5000);
+    for (int k = 0; k < 20; k++) {
+        int fd = raw(b);
+        assert_int_equal(send(fd, frame, n, 0), (ssize_t)n);
+        assert_true(recv(fd, buf, sizeof buf, 0) > 0);
+        if (k % 2 == 0) { // with a reset
+            struct linger hard = {1, 0};
+            setsockopt(fd, SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
+        }
+        close(fd);
+    }
+    orr_dial *d = dial(b);
+    assert_int_equal(orr_client_ping(&d->client, 1), ORR_WIRE_OK);
+    orr_dial_close(d);
+    finish(b);
+}
+
+static void too_many_clients(void **state)
+{
+    (void)state;
+    orr_service_options o = quick_options();
+    o.max_clients = 2;
+    bench *b = start(o, 1);
+    orr_dial *one = dial(b), *two = dial(b);
+    assert_int_equal(orr_client_ping(&one->client, 1), ORR_WIRE_OK);
+    assert_int_equal(orr_client_ping(&two->client, 1), ORR_WIRE_OK);
+    orr_dial *three = dial(b);
+    orr_frame f;
+    assert_int_equal(orr_client_answer(&three->client, ORR_MSG_TYPE_PONG, &f), ORR_WIRE_REFUSED);
+    assert_int_equal(three->client.error_code, ORR_MSG_ERROR_CODE_BUSY);
+    orr_dial_close(three);
+    orr_dial_close(one); // a place becomes free
+    struct timespec nap = {0, 20000000};
+    bool served = false;
+    for (int k = 0; k < 100 && !served; k++) {
+        orr_dial *again = dial(b);
+        served = orr_client_ping(&again->client, 2) == ORR_WIRE_OK;
+        orr_dial_close(again);
+        nanosleep(&nap, NULL);
+    }
+    assert_true(served);
+    orr_dial_close(two);
+    finish(b);
+}
+
+static void a_half_closed_client_gets_its_answer(void **state)
+{
+    (void)state;
+    bench *b = start(quick_options(), 3);
+    uint8_t frame[100], buf[100000];
+    size_t n = poll_frame(frame, sizeof frame, 1, 100);
+    int fd = raw(b);
+    assert_int_equal(send(fd, frame, n, 0), (ssize_t)n);
+    shutdown(fd, SHUT_WR);
+    assert_int_equal(read_to_end(fd, buf, sizeof buf), 100 * (20 + 21 + 3 * 116));
+    close(fd);
+    finish(b);
+}
+
+// Stopping lets a client that reads have the whole of its answer, and tells the idle.
+static void stopping_drains(void **state)
+{
+    (void)state;
+    bench *b = start(quick_options(), 90);
+    orr_dial *busy = dial(b), *idle = dial(b);
+    assert_int_equal(orr_client_ping(&idle->client, 1), ORR_WIRE_OK);
+    orr_msg_poll poll = {.t = 100, .step = 10, .count = 3000}; // 30 MB
+    orr_msg_states m;
+    assert_int_equal(orr_client_poll(&busy->client, &poll), ORR_WIRE_OK);
+    assert_int_equal(orr_client_states(&busy->client, &m), ORR_WIRE_OK);
+    orr_service_stop(b->service);
+    for (uint32_t k = 1; k < poll.count; k++) {
+        assert_int_equal(orr_client_states(&busy->client, &m), ORR_WIRE_OK);
+        assert_int_equal(m.index, k);
+    }
+    orr_frame f;
+    assert_int_equal(orr_client_answer(&busy->client, ORR_MSG_TYPE_PONG, &f), ORR_WIRE_REFUSED);
+    assert_int_equal(busy->client.error_code, ORR_MSG_ERROR_CODE_CLOSING);
+    assert_int_equal(orr_client_answer(&idle->client, ORR_MSG_TYPE_PONG, &f), ORR_WIRE_REFUSED);
+    assert_int_equal(idle->client.error_code, ORR_MSG_ERROR_CODE_CLOSING);
+    assert_int_equal(orr_client_answer(&idle->client, ORR_MSG_TYPE_PONG, &f), ORR_WIRE_CLOSED);
+    orr_dial_close(busy);
+    orr_dial_close(idle);
+    void *result;
+    pthread_join(b->thread, &result);
+    assert_null(result);
+    orr_service_close(b->service);
+    free(b);
+}
+
+static void addresses_that_cannot_be_listened_on(void **state)
+{
+    (void)state;
+    bench *b = start(quick_options(), 1);
+    const char *const url[] = {"tcp://127.0.0.1:0", orr_service_url(b->service, 0)}, *const bad[] = {
+                                                                                         "tcp://127.0.0.1:x"};
+    orr_service_options o = quick_options();
+    orr_service *s;
+    orr_diag diag = {0};
+    o.url = url;
+    o.n_urls = 2;
+    assert_int_equal(orr_service_open(&o, &b->server, NULL, &s, &diag), ORR_E_IO);
+    assert_non_null(strstr(diag.text, "another program"));
+    o.url = bad;
+    o.n_urls = 1;
+    assert_int_equal(orr_service_open(&o, &b->server, NULL, &s, &diag), ORR_E_ARG);
+    finish(b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(conversation),
+        cmocka_unit_test(garbage_is_told_and_closed),
+        cmocka_unit_test(half_frames_and_silence_time_out),
+        cmocka_unit_test(a_client_that_does_not_read),
+        cmocka_unit_test(disconnects_in_mid_answer),
+        cmocka_unit_test(too_many_clients),
+        cmocka_unit_test(a_half_closed_client_gets_its_answer),
+        cmocka_unit_test(stopping_drains),
+        cmocka_unit_test(addresses_that_cannot_be_listened_on),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
