@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kepler elements of the product's satellites as functions of time (Bogdanov 2015, section 6, Figs 8-9).
+#ifndef ORR_ORBIT_ELEMENTS_H
+#define ORR_ORBIT_ELEMENTS_H
+
+#include "orbit/ephemeris.h"
+#include "orbit/kepler.h"
+#include "orbit/sky.h"
+
+typedef enum orr_elements_frame {
+    ORR_ELEMENTS_DATE,  // true equator and equinox of date: what inclination over the Earth means
+    ORR_ELEMENTS_J2000, // GCRS
+    ORR_ELEMENTS_ECEF,  // axes of ecef, frozen at the instant: longitude of the node over the ground
+} orr_elements_frame;
+
+typedef enum orr_elements_method {
+    ORR_ELEMENTS_STATE,           // osculating, from (r, v) of the product
+    ORR_ELEMENTS_THREE_POSITIONS, // the source's method, see orr_kepler_from_positions for its limits
+    ORR_ELEMENTS_MEAN,            // osculating averaged over one revolution centred on the instant
+} orr_elements_method;
+
+typedef struct orr_elements_options {
+    orr_elements_frame frame;
+    orr_elements_method method;
+    double spacing_s;          // of the three positions; 0: 300 s
+    const orr_eop_series *eop; // NULL: IERS' secular pole
+} orr_elements_options;
+
+// Elements of a satellite at t. Besides the statuses of orr_ephemeris_eval: ORR_E_NODATA also where the
+// method needs instants outside the arc (three positions: t +- spacing; mean: half a revolution to each
+// side).
+orr_status orr_elements_at(const orr_ephemeris *e, orr_sat sat, orr_time t, const orr_elements_options *o,
+                           orr_kepler *out);
+
+#endif
