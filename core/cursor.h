@@ -77,6 +77,8 @@ orr_field orr_field_int(orr_view line, int col, int width, int64_t *out);
 orr_field orr_field_int_in(orr_view line, int col, int width, int lo, int hi, int *out);
 // The same of a whole view, for words.
 orr_field orr_view_real(orr_view v, double *out);
+// number * 10^power, rounded once: for fields in other units than ours (1e-6 s, km).
+orr_field orr_view_real_e(orr_view v, int power, double *out);
 orr_field orr_view_int(orr_view v, int64_t *out);
 
 #endif

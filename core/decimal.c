@@ -32,7 +32,9 @@ double orr_decimal_long(const char *digits, size_t n, int exp10)
     return strtod(text, NULL);
 }
 
-orr_field orr_view_real(orr_view v, double *out)
+orr_field orr_view_real(orr_view v, double *out) { return orr_view_real_e(v, 0, out); }
+
+orr_field orr_view_real_e(orr_view v, int power, double *out)
 {
     const char *p = v.p, *end = v.p + v.n;
     while (p < end && (*p == ' ' || *p == '\t')) p++;
@@ -46,12 +48,12 @@ orr_field orr_view_real(orr_view v, double *out)
     while (p < end && (unsigned)(unsigned char)*p - '0' <= 9)
         m = m * 10 + ((unsigned)(unsigned char)*p++ - '0');
     size_t n_digits = (size_t)(p - first);
-    int scale = 0;
+    int scale = power;
     if (p < end && *p == '.') {
         const char *fraction = ++p;
         while (p < end && (unsigned)(unsigned char)*p - '0' <= 9)
             m = m * 10 + ((unsigned)(unsigned char)*p++ - '0');
-        scale = (int)(fraction - p);
+        scale -= (int)(p - fraction);
         n_digits += (size_t)(p - fraction);
     }
     if (n_digits == 0) return ORR_FIELD_BAD;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "ingest/inspect.h"
 #include "src/cli/cli.h"
@@ -35,8 +36,16 @@ static int print_json(const orr_cli *c, const char *path, const orr_inspection *
     for (const char *s = r->systems; *s != '\0'; s++) json_array_append_new(systems, json_stringn(s, 1));
     for (size_t i = 0; i < r->warnings.kept; i++)
         json_array_append_new(warnings, json_text(orr_diag_format(&r->warnings.item[i], text, sizeof text)));
-    for (size_t i = 0; i < r->n_facts; i++)
-        json_object_set_new(facts, r->fact[i].label, json_text(r->fact[i].text));
+    for (size_t i = 0; i < r->n_facts; i++) {
+        // A fact without a label goes on with the one before.
+        snprintf(text, sizeof text, "%s", r->fact[i].text);
+        size_t first = i;
+        while (i + 1 < r->n_facts && r->fact[i + 1].label[0] == '\0') {
+            size_t n = strlen(text);
+            snprintf(text + n, sizeof text - n, "\n%s", r->fact[++i].text);
+        }
+        json_object_set_new(facts, r->fact[first].label, json_text(text));
+    }
     json_object_set_new(j, "file", json_text(path));
     json_object_set_new(j, "kind", json_string(orr_kind_token(r->kind)));
     json_object_set_new(j, "version", r->version[0] != '\0' ? json_text(r->version) : json_null());
