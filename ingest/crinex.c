@@ -128,8 +128,8 @@ static const char *parse_integer(const char *p, const char *end, int64_t *out)
     for (; p < end; p++) {
         unsigned d = (unsigned)(unsigned char)*p - '0';
         if (d > 9) break;
+        if (p - first == 18) return NULL;
         v = v * 10 + (int64_t)d;
-        if (p - first > 17) return NULL;
     }
     if (p == first || v > MAX_NUMBER) return NULL;
     *out = minus ? -v : v;
