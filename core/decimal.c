@@ -7,10 +7,66 @@
 #include <string.h>
 
 #include "core/cursor.h"
+#include "core/decimal_powers.h"
 
 // Powers of ten that a double holds exactly.
 static const double exact_power[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+// a * b as two words. C17 has no type of 128 bits.
+static void multiply(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
+{
+    uint64_t al = (uint32_t)a, ah = a >> 32, bl = (uint32_t)b, bh = b >> 32;
+    uint64_t ll = al * bl, lh = al * bh, hl = ah * bl, hh = ah * bh;
+    uint64_t middle = (ll >> 32) + (uint32_t)lh + (uint32_t)hl;
+    *low = middle << 32 | (uint32_t)ll;
+    *high = hh + (lh >> 32) + (hl >> 32) + (middle >> 32);
+}
+
+static int leading_zeros(uint64_t v) // of v != 0
+{
+    int n = 0;
+    for (int step = 32; step > 0; step /= 2)
+        if (v >> (64 - step) == 0) {
+            v <<= step;
+            n += step;
+        }
+    return n;
+}
+
+// Lemire 2021, "Number Parsing at a Gigabyte per Second", sections 5 to 8: the product of the mantissa with
+// 128 bits of the power decides the rounding, but for rare cases in which it says so itself (false).
+static bool scale_by_product(uint64_t mantissa, int exp10, double *out)
+{
+    if (exp10 < ORR_DECIMAL_POWER_MIN || exp10 > ORR_DECIMAL_POWER_MAX) return false;
+    const uint64_t *power = five_to[exp10 - ORR_DECIMAL_POWER_MIN];
+    int zeros = leading_zeros(mantissa);
+    mantissa <<= zeros;
+    uint64_t high, low;
+    multiply(mantissa, power[0], &high, &low);
+    if ((high & 0x1ff) == 0x1ff) { // the bits below those we keep are all ones: the next word may carry
+        uint64_t more, rest;
+        multiply(mantissa, power[1], &more, &rest);
+        low += more;
+        if (low < more) high++;
+        if (low == UINT64_MAX) return false;
+    }
+    int upper = (int)(high >> 63), shift = upper + 9;
+    uint64_t m = high >> shift; // 53 bits and one for rounding
+    // floor(exp10 log2(10)) by a fraction that is exact for exponents of double.
+    int e = ((217706 * exp10) >> 16) + 63 + upper - zeros + 1023;
+    if (e <= 0 || e >= 2046) return false;
+    // Half way between two numbers: to the even one. Only these powers can have exact halves.
+    if (low <= 1 && exp10 >= -4 && exp10 <= 23 && (m & 3) == 1 && m << shift == high) m &= ~UINT64_C(1);
+    m = (m + (m & 1)) >> 1;
+    if (m >= UINT64_C(1) << 53) {
+        m = UINT64_C(1) << 52;
+        e++;
+    }
+    uint64_t bits = (uint64_t)e << 52 | (m & ((UINT64_C(1) << 52) - 1));
+    memcpy(out, &bits, sizeof bits);
+    return true;
+}
 
 double orr_decimal_scale(uint64_t mantissa, int exp10)
 {
@@ -18,6 +74,9 @@ double orr_decimal_scale(uint64_t mantissa, int exp10)
     // numbers accurately", section 3).
     if (mantissa <= UINT64_C(1) << 53 && exp10 >= -22 && exp10 <= 22)
         return exp10 < 0 ? (double)mantissa / exact_power[-exp10] : (double)mantissa * exact_power[exp10];
+    double x;
+    if (mantissa == 0) return 0;
+    if (scale_by_product(mantissa, exp10, &x)) return x;
     char text[48];
     int n = snprintf(text, sizeof text, "%" PRIu64, mantissa);
     return orr_decimal_long(text, (size_t)n, exp10);

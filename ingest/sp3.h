@@ -5,6 +5,8 @@
 #ifndef ORR_INGEST_SP3_H
 #define ORR_INGEST_SP3_H
 
+#include <stdio.h>
+
 #include "core/sat.h"
 #include "core/status.h"
 #include "core/time.h"
@@ -81,5 +83,7 @@ orr_status orr_sp3_alloc(size_t n_sats, size_t n_epochs, orr_sp3 *out, orr_diag 
 // where sp3->correlation is not NULL.
 // "-" is stdout. Atomic.
 orr_status orr_sp3_write(const orr_sp3 *sp3, const char *path, orr_diag *diag);
+// The same to an open stream, which stays open; on refusal part of the text may have been written.
+orr_status orr_sp3_print(const orr_sp3 *sp3, FILE *stream, orr_diag *diag);
 
 #endif

@@ -275,19 +275,23 @@ static orr_status write_all(const writer *w)
     return ORR_OK;
 }
 
-orr_status orr_sp3_write(const orr_sp3 *sp3, const char *path, orr_diag *diag)
+orr_status orr_sp3_print(const orr_sp3 *sp3, FILE *stream, orr_diag *diag)
 {
     writer w = {.sp3 = sp3,
+                .f = stream,
                 .diag = diag,
                 .log_pos_base = sp3->pos_vel_base > 1 ? log(sp3->pos_vel_base) : (double)NAN,
                 .log_clock_base = sp3->clock_base > 1 ? log(sp3->clock_base) : (double)NAN};
     orr_status st = check(&w);
-    if (st != ORR_OK) return st;
+    return st == ORR_OK ? write_all(&w) : st;
+}
+
+orr_status orr_sp3_write(const orr_sp3 *sp3, const char *path, orr_diag *diag)
+{
     orr_outfile f = {0};
-    st = orr_outfile_open(path, &f, diag);
+    orr_status st = orr_outfile_open(path, &f, diag);
     if (st != ORR_OK) return st;
-    w.f = f.stream;
-    st = write_all(&w);
+    st = orr_sp3_print(sp3, f.stream, diag);
     if (st != ORR_OK) {
         orr_outfile_abort(&f);
         return st;
