@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/attitude.h"
+
+#define SLOW_BETA (0.1 * ORR_RAD_PER_DEG)
+#define NEAR_TURN (5.0 * ORR_RAD_PER_DEG)
+
+orr_status orr_attitude_nominal(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_attitude *out)
+{
+    orr_vec3 z = orr_vec3_scale(-1, orr_vec3_unit(r)), to_sun = orr_vec3_unit(orr_vec3_sub(sun, r));
+    orr_vec3 y = orr_vec3_cross(z, to_sun), normal = orr_vec3_unit(orr_vec3_cross(r, v));
+    if (!(orr_vec3_norm(y) > 1e-9)) return ORR_E_NUMERIC;
+    y = orr_vec3_unit(y);
+    orr_vec3 x = orr_vec3_cross(y, z), along = orr_vec3_cross(normal, orr_vec3_unit(r));
+    out->body = (orr_mat3){{{x.x, x.y, x.z}, {y.x, y.y, y.z}, {z.x, z.y, z.z}}};
+    orr_vec3 s = orr_vec3_unit(sun);
+    out->beta_rad = asin(orr_vec3_dot(s, normal));
+    // About Z (down), along-track turned by yaw gives X; Z x along is the direction of positive yaw.
+    out->yaw_rad = atan2(orr_vec3_dot(x, orr_vec3_cross(z, along)), orr_vec3_dot(x, along));
+    double from_noon = acos(fmin(1, fmax(-1, orr_vec3_dot(orr_vec3_unit(r), s))));
+    bool near = from_noon < NEAR_TURN || from_noon > ORR_PI - NEAR_TURN;
+    out->noon_or_midnight = near && fabs(out->beta_rad) < SLOW_BETA;
+    out->sunlight = orr_force_sunlight(r, sun);
+    return ORR_OK;
+}
+
+orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude, const char *code1, double f1,
+                              const char *code2, double f2, orr_vec3 *offset)
+{
+    const orr_antex_frequency *a = orr_antex_find_frequency(antenna, code1);
+    if (a == NULL) return ORR_E_NODATA;
+    orr_vec3 body = {a->offset_m[0], a->offset_m[1], a->offset_m[2]};
+    if (code2 != NULL) {
+        const orr_antex_frequency *b = orr_antex_find_frequency(antenna, code2);
+        if (b == NULL) return ORR_E_NODATA;
+        double w = f1 * f1 / (f1 * f1 - f2 * f2);
+        body = orr_vec3_axpy(1 - w, (orr_vec3){b->offset_m[0], b->offset_m[1], b->offset_m[2]}, orr_vec3_scale(w, body));
+    }
+    *offset = orr_mat3_apply_t(&attitude->body, body);
+    return ORR_OK;
+}

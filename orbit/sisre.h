@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Broadcast ephemerides judged against a precise orbit: errors along the radius, the track and across it, of the clock, and
+// their weighting in a ranging signal (signal-in-space ranging error, Montenbruck et al. 2015, GPS Solutions 19:321).
+#ifndef ORR_ORBIT_SISRE_H
+#define ORR_ORBIT_SISRE_H
+
+#include "ingest/sp3.h"
+#include "orbit/attitude.h"
+#include "orbit/broadcast.h"
+
+typedef struct orr_sisre_sample {
+    orr_sat sat;
+    orr_time t;
+    double radial_m, along_m, cross_m; // broadcast minus precise, centres of mass
+    double clock_m;                    // c times the clock difference less the system's median at that epoch; NAN without
+    double sisre_m;                    // NAN without a clock
+    double age_s;                      // t - toe
+} orr_sisre_sample;
+
+typedef struct orr_sisre_sum { // of one system; all RMS
+    char system;
+    size_t n_sats, n, n_clock, n_outliers; // outliers (above outlier_m) are counted and kept out of the RMS
+    double radial_m, along_m, cross_m, clock_m, orbit_3d_m, sisre_m, sisre_95_m;
+    orr_sat worst;
+    double worst_m; // 3-D RMS of the worst satellite
+    bool antex;     // phase-centre offsets of all its satellites were known
+} orr_sisre_sum;
+
+typedef struct orr_sisre_options {
+    orr_broadcast_choice choice;
+    const orr_antex *antex; // NULL: offsets are taken as zero, and the radial error carries them
+    double outlier_m;       // 3-D orbit error above which a sample is an outlier; 0: 50 m
+} orr_sisre_options;
+
+// Every satellite of the SP3 at every epoch that has a precise position and an allowed broadcast record. *samples is
+// allocated (free it), sums[8] in the order of ORR_SYSTEMS. GLONASS is brought to ITRF. ORR_E_NODATA when nothing matches.
+orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o, orr_sisre_sample **samples,
+                         size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS], orr_diag *diag);
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery sisre: broadcast ephemerides against a precise orbit.
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "orbit/sisre.h"
+#include "src/cli/cli.h"
+
+static void print_number(double x, const char *after)
+{
+    if (isfinite(x))
+        printf("%.4f%s", x, after);
+    else
+        printf("null%s", after);
+}
+
+static void print_json(const orr_sisre_sum sums[ORR_N_SYSTEMS])
+{
+    const char *comma = "";
+    printf("{\"systems\": {");
+    for (int k = 0; k < ORR_N_SYSTEMS; k++) {
+        const orr_sisre_sum *s = &sums[k];
+        char worst[ORR_SAT_TEXT];
+        if (s->n == 0) continue;
+        printf("%s\n  \"%c\": {\"satellites\": %zu, \"n\": %zu, \"outliers\": %zu, \"antex\": %s, \"radial_m\": ", comma, s->system,
+               s->n_sats, s->n, s->n_outliers, s->antex ? "true" : "false");
+        print_number(s->radial_m, ", \"along_m\": ");
+        print_number(s->along_m, ", \"cross_m\": ");
+        print_number(s->cross_m, ", \"orbit_3d_m\": ");
+        print_number(s->orbit_3d_m, ", \"clock_m\": ");
+        print_number(s->clock_m, ", \"sisre_m\": ");
+        print_number(s->sisre_m, ", \"sisre_95_m\": ");
+        print_number(s->sisre_95_m, ", ");
+        printf("\"worst\": \"%s\", \"worst_3d_m\": %.4f}", orr_sat_text(s->worst, worst), s->worst_m);
+        comma = ",";
+    }
+    printf("\n}}\n");
+}
+
+static void print_table(const orr_sisre_sum sums[ORR_N_SYSTEMS], bool antex)
+{
+    printf("Broadcast minus precise, RMS in metres%s\n\n", antex ? " (phase centres by ANTEX)" : "");
+    printf("system    sats  samples  radial   along   cross   3-D     clock   SISRE   95 %%    worst          outliers\n");
+    for (int k = 0; k < ORR_N_SYSTEMS; k++) {
+        const orr_sisre_sum *s = &sums[k];
+        char worst[ORR_SAT_TEXT];
+        if (s->n == 0) continue;
+        printf("%-8s %5zu %8zu %7.2f %7.2f %7.2f %7.2f ", orr_system_name(s->system), s->n_sats, s->n, s->radial_m, s->along_m,
+               s->cross_m, s->orbit_3d_m);
+        if (isfinite(s->sisre_m))
+            printf("%7.2f %7.2f %7.2f", s->clock_m, s->sisre_m, s->sisre_95_m);
+        else
+            printf("%7s %7s %7s", "-", "-", "-");
+        printf("   %s %7.2f m %6zu%s\n", orr_sat_text(s->worst, worst), s->worst_m, s->n_outliers,
+               antex && !s->antex ? "   (some satellites not in ANTEX)" : "");
+    }
+    if (!antex)
+        printf("\nWithout --antex the radial error holds the distance of the antenna from the centre of mass (0.5 to 3 m).\n");
+}
+
+static int run(orr_cli *c)
+{
+    orr_diag diag = {0};
+    orr_warnings warnings = {0};
+    orr_nav nav = {0};
+    orr_sp3 truth = {0};
+    orr_antex antex = {0};
+    orr_sisre_options o = {.choice = orr_broadcast_choice_default()};
+    orr_sisre_sum sums[ORR_N_SYSTEMS];
+    orr_sisre_sample *samples = NULL;
+    size_t n = 0;
+    const char *antex_path = orr_cli_text(c, "antex", NULL);
+    o.choice.causal = orr_cli_given(c, "causal");
+    orr_status s = orr_nav_read(c->operand[0], NULL, &nav, &warnings, &diag);
+    if (s == ORR_OK) s = orr_sp3_read(c->operand[1], NULL, &truth, &warnings, &diag);
+    if (s == ORR_OK && antex_path != NULL) {
+        s = orr_antex_read(antex_path, NULL, &antex, &warnings, &diag);
+        o.antex = &antex;
+    }
+    if (s == ORR_OK) s = orr_sisre_run(&nav, &truth, &o, &samples, &n, sums, &diag);
+    orr_cli_warnings(c, &warnings);
+    if (s == ORR_OK && orr_cli_given(c, "json")) print_json(sums);
+    if (s == ORR_OK && !orr_cli_given(c, "json")) print_table(sums, antex_path != NULL);
+    free(samples);
+    orr_nav_free(&nav);
+    orr_sp3_free(&truth);
+    orr_antex_free(&antex);
+    orr_warnings_free(&warnings);
+    return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+}
+
+static const orr_option options[] = {
+    {.name = "antex", .kind = ORR_OPT_TEXT, .value = "FILE",
+     .help = "ANTEX file: brings the broadcast phase centre to the centre of mass that SP3 gives."},
+    {.name = "causal", .kind = ORR_OPT_FLAG, .help = "Use only records transmitted by the instant, as a receiver has them."},
+    {.name = "json", .kind = ORR_OPT_FLAG, .help = "One JSON object instead of a table."},
+};
+
+const orr_command orr_cmd_sisre = {
+    .name = "sisre",
+    .group = "Orbits",
+    .summary = "judge broadcast ephemerides by a precise orbit",
+    .operands = "NAV SP3",
+    .min_operands = 2,
+    .max_operands = 2,
+    .about = "Evaluates the navigation file's best record for every satellite and epoch of the SP3 file and tells the errors "
+             "along the radius, the track and across it, of the clock, and what of them a range sees (SISRE, Montenbruck et "
+             "al. 2015).\n\n"
+             "Clocks are compared after the system's median at each epoch is taken away. GLONASS is brought from the "
+             "realisation of PZ-90 in force to ITRF.",
+    .example = "orrery sisre BRDC00IGS_R_20201770000_01D_MN.rnx.gz GRG0MGXFIN_20201770000_01D_15M_ORB.SP3.gz --antex igs20.atx",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};
