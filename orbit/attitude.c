@@ -23,8 +23,8 @@ orr_status orr_attitude_nominal(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_attitu
     return ORR_OK;
 }
 
-orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude, const char *code1, double f1,
-                              const char *code2, double f2, orr_vec3 *offset)
+orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude,
+                              const char *code1, double f1, const char *code2, double f2, orr_vec3 *offset)
 {
     const orr_antex_frequency *a = orr_antex_find_frequency(antenna, code1);
     if (a == NULL) return ORR_E_NODATA;
@@ -33,7 +33,8 @@ orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitu
         const orr_antex_frequency *b = orr_antex_find_frequency(antenna, code2);
         if (b == NULL) return ORR_E_NODATA;
         double w = f1 * f1 / (f1 * f1 - f2 * f2);
-        body = orr_vec3_axpy(1 - w, (orr_vec3){b->offset_m[0], b->offset_m[1], b->offset_m[2]}, orr_vec3_scale(w, body));
+        body = orr_vec3_axpy(1 - w, (orr_vec3){b->offset_m[0], b->offset_m[1], b->offset_m[2]},
+                             orr_vec3_scale(w, body));
     }
     *offset = orr_mat3_apply_t(&attitude->body, body);
     return ORR_OK;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a navigation satellite stands in space, and where its antenna is: nominal yaw steering and phase-centre offsets.
+// How a navigation satellite stands in space, and where its antenna is: nominal yaw steering and phase-centre
+// offsets.
 #ifndef ORR_ORBIT_ATTITUDE_H
 #define ORR_ORBIT_ATTITUDE_H
 
@@ -7,22 +8,25 @@
 #include "orbit/force.h"
 
 typedef struct orr_attitude {
-    orr_mat3 body;      // ecef (or whatever axes r and the Sun were given in) to body: X towards the Sun's side, Y along
-                        // the panels' axis, Z to the Earth's centre (IGS convention)
-    double beta_rad;    // elevation of the Sun above the orbital plane
-    double yaw_rad;     // from the along-track direction (of the inertial motion) to X, about Z
-    bool noon_or_midnight; // |beta| below 0.1 deg within 5 deg of noon or midnight: the nominal turn is faster than satellites turn
-    double sunlight;    // 1 in the Sun, 0 in umbra
+    orr_mat3 body; // ecef (or whatever axes r and the Sun were given in) to body: X towards the Sun's side, Y
+                   // along the panels' axis, Z to the Earth's centre (IGS convention)
+    double beta_rad;       // elevation of the Sun above the orbital plane
+    double yaw_rad;        // from the along-track direction (of the inertial motion) to X, about Z
+    bool noon_or_midnight; // |beta| below 0.1 deg within 5 deg of noon or midnight: the nominal turn is
+                           // faster than satellites turn
+    double sunlight;       // 1 in the Sun, 0 in umbra
 } orr_attitude;
 
-// Nominal yaw steering at r moving with v_inertial (velocity in the inertial sense resolved in the same axes: for ecef
-// v + u x r) under a Sun at sun_m. Real satellites depart from it in eclipses and around noon: flagged, not modelled.
-// ORR_E_NUMERIC where Sun, satellite and Earth stand in line.
+// Nominal yaw steering at r moving with v_inertial (velocity in the inertial sense resolved in the same axes:
+// for ecef v + u x r) under a Sun at sun_m. Real satellites depart from it in eclipses and around noon:
+// flagged, not modelled. ORR_E_NUMERIC where Sun, satellite and Earth stand in line.
 orr_status orr_attitude_nominal(orr_vec3 r_m, orr_vec3 v_inertial_mps, orr_vec3 sun_m, orr_attitude *out);
 
-// Offset of the phase centre from the centre of mass, in the axes that r was given in, for one frequency code ("G01") or,
-// with a second one, for their ionosphere-free combination; carriers in Hz. ORR_E_NODATA where ANTEX has no such frequency.
-orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude, const char *code1, double f1_hz,
-                              const char *code2, double f2_hz, orr_vec3 *offset_m);
+// Offset of the phase centre from the centre of mass, in the axes that r was given in, for one frequency code
+// ("G01") or, with a second one, for their ionosphere-free combination; carriers in Hz. ORR_E_NODATA where
+// ANTEX has no such frequency.
+orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude,
+                              const char *code1, double f1_hz, const char *code2, double f2_hz,
+                              orr_vec3 *offset_m);
 
 #endif

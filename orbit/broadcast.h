@@ -27,11 +27,11 @@ typedef struct orr_broadcast_state {
 orr_status orr_broadcast_eval(const orr_nav_eph *eph, orr_time t, orr_broadcast_state *out);
 
 typedef struct orr_broadcast_choice {
-    double max_age_s; // |t - toe|; 0: by system (GPS, QZSS 2 h or half the fit interval, Galileo 4 h, BeiDou
+    double max_age_s; // |t - toe|; 0: by system (GPS, QZSS 2 h or half the fit interval, Galileo 2 h, BeiDou
                       // 1 h + 3 min, NavIC 2 h, GLONASS 15 min + 3 min, SBAS 6 min)
-    bool healthy; // records whose health word forbids use are passed over
+    bool healthy;     // records whose health word forbids use are passed over
     bool causal;  // only records transmitted by t, as a receiver has them; unknown transmission counts as toe
-                 // - 2 h (GLONASS and SBAS: toe)
+                  // - 2 h (GLONASS and SBAS: toe)
     int message;  // orr_nav_message to insist on; 0: the legacy one where there is one (LNAV, I/NAV, D1/D2)
     int32_t iode; // issue to insist on; ORR_NAV_NO_IOD: any
 } orr_broadcast_choice;

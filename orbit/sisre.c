@@ -6,8 +6,8 @@
 
 #define OUTLIER_M 50.0
 
-// Weights of radial (with clock) and of along and cross-track errors in a range seen from the ground, and the pair of carriers
-// that orbit and clock of the message refer to.
+// Weights of radial (with clock) and of along and cross-track errors in a range seen from the ground, and the
+// pair of carriers that orbit and clock of the message refer to.
 typedef struct system_facts {
     double w_radial, w_across;
     const char *code1, *code2;
@@ -23,14 +23,37 @@ static const system_facts *facts_of(char system)
     static const system_facts qzss = {0.99, 1 / 11.2, "J01", "J02", 1575.42e6, 1227.60e6};
     static const system_facts navic = {0.99, 1 / 11.2, "I05", NULL, 1176.45e6, 0};
     switch (system) {
-    case 'G': return &gps;
-    case 'R': return &glonass;
-    case 'E': return &galileo;
-    case 'C': return &beidou;
-    case 'J': return &qzss;
-    case 'I': return &navic;
-    default: return NULL;
+    case 'G':
+        return &gps;
+    case 'R':
+        return &glonass;
+    case 'E':
+        return &galileo;
+    case 'C':
+        return &beidou;
+    case 'J':
+        return &qzss;
+    case 'I':
+        return &navic;
+    default:
+        return NULL;
     }
+}
+
+// Broadcast clocks belong to the pair of signals of their message, precise ones to the pair that the analysis
+// centres use: Galileo I/NAV's E1/E5b against E1/E5a, BeiDou's B3I against B1I/B3I. The message's own group
+// delays bridge the two.
+static double to_precise_pair_s(const orr_nav_eph *eph)
+{
+    const orr_nav_delays *d = &eph->delay;
+    double shift = 0;
+    if (orr_sat_system(eph->sat) == 'E' && eph->message == ORR_NAV_INAV)
+        shift = d->bgd_e5a_e1_s - d->bgd_e5b_e1_s;
+    if (orr_sat_system(eph->sat) == 'C') {
+        const double b1 = 1561.098e6, b3 = 1268.52e6;
+        shift = -b1 * b1 / (b1 * b1 - b3 * b3) * d->tgd_s;
+    }
+    return isfinite(shift) ? shift : 0;
 }
 
 // Sun in ecef at an epoch, shared by all satellites.
@@ -42,9 +65,11 @@ static orr_vec3 sun_in_ecef(orr_time t)
     return orr_mat3_apply(&R, orr_astro_sun(t));
 }
 
-// One satellite at one epoch; the clock is still without its system's offset. false if there is no allowed record.
+// One satellite at one epoch; the clock is still without its system's offset. false if there is no allowed
+// record.
 static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat sat, orr_time t, orr_vec3 sun,
-                      const orr_sisre_options *o, const system_facts *f, bool *offset_known, orr_sisre_sample *out)
+                      const orr_sisre_options *o, const system_facts *f, bool *offset_known,
+                      orr_sisre_sample *out)
 {
     const orr_nav_eph *eph = orr_broadcast_select(nav, sat, t, &o->choice);
     orr_broadcast_state s;
@@ -57,19 +82,22 @@ static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat s
     const orr_antex_antenna *antenna = o->antex != NULL ? orr_antex_find_sat(o->antex, sat, t) : NULL;
     orr_attitude attitude;
     orr_vec3 offset = {0, 0, 0};
-    bool known = antenna != NULL && orr_attitude_nominal(precise, v, sun, &attitude) == ORR_OK &&
-                 orr_antenna_offset(antenna, &attitude, f->code1, f->f1_hz, f->code2, f->f2_hz, &offset) == ORR_OK;
+    bool known =
+        antenna != NULL && orr_attitude_nominal(precise, v, sun, &attitude) == ORR_OK &&
+        orr_antenna_offset(antenna, &attitude, f->code1, f->f1_hz, f->code2, f->f2_hz, &offset) == ORR_OK;
     *offset_known = *offset_known && known;
     const orr_vec3 e = orr_vec3_sub(orr_vec3_sub(s.pos_m, offset), precise);
     const orr_vec3 radial = orr_vec3_unit(precise), cross = orr_vec3_unit(orr_vec3_cross(precise, v));
-    *out = (orr_sisre_sample){.sat = sat, .t = t,
+    *out = (orr_sisre_sample){.sat = sat,
+                              .t = t,
                               .radial_m = orr_vec3_dot(e, radial),
                               .along_m = orr_vec3_dot(e, orr_vec3_cross(cross, radial)),
                               .cross_m = orr_vec3_dot(e, cross),
-                              .clock_m = (double)NAN, .sisre_m = (double)NAN,
+                              .clock_m = (double)NAN,
+                              .sisre_m = (double)NAN,
                               .age_s = orr_time_diff_s(t, eph->toe)};
     if (isfinite(truth->clock_s)) {
-        double clock = s.clock_s;
+        double clock = s.clock_s + to_precise_pair_s(eph);
         if (orr_sat_system(sat) == 'R') // its parameters hold the periodic relativity, IGS clocks do not
             clock += 2 * orr_vec3_dot(s.pos_m, v) / (ORR_SPEED_OF_LIGHT * ORR_SPEED_OF_LIGHT);
         out->clock_m = ORR_SPEED_OF_LIGHT * (clock - truth->clock_s);
@@ -98,8 +126,9 @@ static void remove_system_offset(orr_sisre_sample *s, size_t n, double *room)
             const system_facts *f = facts_of(ORR_SYSTEMS[k]);
             s[i].clock_m -= median;
             double range = f->w_radial * s[i].radial_m - s[i].clock_m;
-            s[i].sisre_m = sqrt(range * range +
-                                f->w_across * f->w_across * (s[i].along_m * s[i].along_m + s[i].cross_m * s[i].cross_m));
+            s[i].sisre_m =
+                sqrt(range * range +
+                     f->w_across * f->w_across * (s[i].along_m * s[i].along_m + s[i].cross_m * s[i].cross_m));
         }
     }
 }
@@ -154,8 +183,9 @@ static void sum_up(const orr_sisre_sample *s, size_t n, double outlier_m, double
     }
 }
 
-orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o, orr_sisre_sample **samples,
-                         size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS], orr_diag *diag)
+orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o,
+                         orr_sisre_sample **samples, size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS],
+                         orr_diag *diag)
 {
     *samples = NULL;
     *n = 0;
@@ -167,7 +197,8 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
         free(room);
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu comparisons", room_n);
     }
-    for (int k = 0; k < ORR_N_SYSTEMS; k++) sums[k] = (orr_sisre_sum){.system = ORR_SYSTEMS[k], .antex = true};
+    for (int k = 0; k < ORR_N_SYSTEMS; k++)
+        sums[k] = (orr_sisre_sum){.system = ORR_SYSTEMS[k], .antex = true};
     for (size_t e = 0; e < truth->n_epochs; e++) {
         const orr_vec3 sun = sun_in_ecef(truth->epoch[e]);
         size_t first = *n;
@@ -180,11 +211,14 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
         }
         remove_system_offset(s + first, *n - first, room);
     }
-    for (int k = 0; k < ORR_N_SYSTEMS; k++) sum_up(s, *n, o->outlier_m > 0 ? o->outlier_m : OUTLIER_M, room, &sums[k]);
+    for (int k = 0; k < ORR_N_SYSTEMS; k++)
+        sum_up(s, *n, o->outlier_m > 0 ? o->outlier_m : OUTLIER_M, room, &sums[k]);
     free(room);
     if (*n == 0) {
         free(s);
-        return orr_diag_set(diag, ORR_E_NODATA, "no satellite has both a precise position and a usable broadcast record at one epoch");
+        return orr_diag_set(
+            diag, ORR_E_NODATA,
+            "no satellite has both a precise position and a usable broadcast record at one epoch");
     }
     *samples = s;
     return ORR_OK;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Broadcast ephemerides judged against a precise orbit: errors along the radius, the track and across it, of the clock, and
-// their weighting in a ranging signal (signal-in-space ranging error, Montenbruck et al. 2015, GPS Solutions 19:321).
+// Broadcast ephemerides judged against a precise orbit: errors along the radius, the track and across it, of
+// the clock, and their weighting in a ranging signal (signal-in-space ranging error, Montenbruck et al. 2015,
+// GPS Solutions 19:321).
 #ifndef ORR_ORBIT_SISRE_H
 #define ORR_ORBIT_SISRE_H
 
@@ -12,9 +13,9 @@ typedef struct orr_sisre_sample {
     orr_sat sat;
     orr_time t;
     double radial_m, along_m, cross_m; // broadcast minus precise, centres of mass
-    double clock_m;                    // c times the clock difference less the system's median at that epoch; NAN without
-    double sisre_m;                    // NAN without a clock
-    double age_s;                      // t - toe
+    double clock_m; // c times the clock difference less the system's median at that epoch; NAN without
+    double sisre_m; // NAN without a clock
+    double age_s;   // t - toe
 } orr_sisre_sample;
 
 typedef struct orr_sisre_sum { // of one system; all RMS
@@ -32,9 +33,11 @@ typedef struct orr_sisre_options {
     double outlier_m;       // 3-D orbit error above which a sample is an outlier; 0: 50 m
 } orr_sisre_options;
 
-// Every satellite of the SP3 at every epoch that has a precise position and an allowed broadcast record. *samples is
-// allocated (free it), sums[8] in the order of ORR_SYSTEMS. GLONASS is brought to ITRF. ORR_E_NODATA when nothing matches.
-orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o, orr_sisre_sample **samples,
-                         size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS], orr_diag *diag);
+// Every satellite of the SP3 at every epoch that has a precise position and an allowed broadcast record.
+// *samples is allocated (free it), sums[8] in the order of ORR_SYSTEMS. GLONASS is brought to ITRF.
+// ORR_E_NODATA when nothing matches.
+orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o,
+                         orr_sisre_sample **samples, size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS],
+                         orr_diag *diag);
 
 #endif

@@ -22,8 +22,9 @@ static void print_json(const orr_sisre_sum sums[ORR_N_SYSTEMS])
         const orr_sisre_sum *s = &sums[k];
         char worst[ORR_SAT_TEXT];
         if (s->n == 0) continue;
-        printf("%s\n  \"%c\": {\"satellites\": %zu, \"n\": %zu, \"outliers\": %zu, \"antex\": %s, \"radial_m\": ", comma, s->system,
-               s->n_sats, s->n, s->n_outliers, s->antex ? "true" : "false");
+        printf("%s\n  \"%c\": {\"satellites\": %zu, \"n\": %zu, \"outliers\": %zu, \"antex\": %s, "
+               "\"radial_m\": ",
+               comma, s->system, s->n_sats, s->n, s->n_outliers, s->antex ? "true" : "false");
         print_number(s->radial_m, ", \"along_m\": ");
         print_number(s->along_m, ", \"cross_m\": ");
         print_number(s->cross_m, ", \"orbit_3d_m\": ");
@@ -40,13 +41,14 @@ static void print_json(const orr_sisre_sum sums[ORR_N_SYSTEMS])
 static void print_table(const orr_sisre_sum sums[ORR_N_SYSTEMS], bool antex)
 {
     printf("Broadcast minus precise, RMS in metres%s\n\n", antex ? " (phase centres by ANTEX)" : "");
-    printf("system    sats  samples  radial   along   cross   3-D     clock   SISRE   95 %%    worst          outliers\n");
+    printf("system    sats  samples  radial   along   cross   3-D     clock   SISRE   95 %%    worst         "
+           " outliers\n");
     for (int k = 0; k < ORR_N_SYSTEMS; k++) {
         const orr_sisre_sum *s = &sums[k];
         char worst[ORR_SAT_TEXT];
         if (s->n == 0) continue;
-        printf("%-8s %5zu %8zu %7.2f %7.2f %7.2f %7.2f ", orr_system_name(s->system), s->n_sats, s->n, s->radial_m, s->along_m,
-               s->cross_m, s->orbit_3d_m);
+        printf("%-8s %5zu %8zu %7.2f %7.2f %7.2f %7.2f ", orr_system_name(s->system), s->n_sats, s->n,
+               s->radial_m, s->along_m, s->cross_m, s->orbit_3d_m);
         if (isfinite(s->sisre_m))
             printf("%7.2f %7.2f %7.2f", s->clock_m, s->sisre_m, s->sisre_95_m);
         else
@@ -55,7 +57,8 @@ static void print_table(const orr_sisre_sum sums[ORR_N_SYSTEMS], bool antex)
                antex && !s->antex ? "   (some satellites not in ANTEX)" : "");
     }
     if (!antex)
-        printf("\nWithout --antex the radial error holds the distance of the antenna from the centre of mass (0.5 to 3 m).\n");
+        printf("\nWithout --antex the radial error holds the distance of the antenna from the centre of mass "
+               "(0.5 to 3 m).\n");
 }
 
 static int run(orr_cli *c)
@@ -70,6 +73,7 @@ static int run(orr_cli *c)
     orr_sisre_sample *samples = NULL;
     size_t n = 0;
     const char *antex_path = orr_cli_text(c, "antex", NULL);
+    o.choice.max_age_s = (double)orr_cli_duration_ns(c, "max-age", 0) * 1e-9;
     o.choice.causal = orr_cli_given(c, "causal");
     orr_status s = orr_nav_read(c->operand[0], NULL, &nav, &warnings, &diag);
     if (s == ORR_OK) s = orr_sp3_read(c->operand[1], NULL, &truth, &warnings, &diag);
@@ -90,9 +94,18 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "antex", .kind = ORR_OPT_TEXT, .value = "FILE",
+    {.name = "antex",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
      .help = "ANTEX file: brings the broadcast phase centre to the centre of mass that SP3 gives."},
-    {.name = "causal", .kind = ORR_OPT_FLAG, .help = "Use only records transmitted by the instant, as a receiver has them."},
+    {.name = "causal",
+     .kind = ORR_OPT_FLAG,
+     .help = "Use only records transmitted by the instant, as a receiver has them."},
+    {.name = "max-age",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "Longest |t - toe| of a record; by default what the systems' documents give (GPS 2 h, Galileo 4 "
+             "h, GLONASS 18 min ...)."},
     {.name = "json", .kind = ORR_OPT_FLAG, .help = "One JSON object instead of a table."},
 };
 
@@ -103,12 +116,16 @@ const orr_command orr_cmd_sisre = {
     .operands = "NAV SP3",
     .min_operands = 2,
     .max_operands = 2,
-    .about = "Evaluates the navigation file's best record for every satellite and epoch of the SP3 file and tells the errors "
-             "along the radius, the track and across it, of the clock, and what of them a range sees (SISRE, Montenbruck et "
+    .about = "Evaluates the navigation file's best record for every satellite and epoch of the SP3 file and "
+             "tells the errors "
+             "along the radius, the track and across it, of the clock, and what of them a range sees (SISRE, "
+             "Montenbruck et "
              "al. 2015).\n\n"
-             "Clocks are compared after the system's median at each epoch is taken away. GLONASS is brought from the "
+             "Clocks are compared after the system's median at each epoch is taken away. GLONASS is brought "
+             "from the "
              "realisation of PZ-90 in force to ITRF.",
-    .example = "orrery sisre BRDC00IGS_R_20201770000_01D_MN.rnx.gz GRG0MGXFIN_20201770000_01D_15M_ORB.SP3.gz --antex igs20.atx",
+    .example = "orrery sisre BRDC00IGS_R_20201770000_01D_MN.rnx.gz GRG0MGXFIN_20201770000_01D_15M_ORB.SP3.gz "
+               "--antex igs20.atx",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,
