@@ -247,6 +247,7 @@ static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *
             if (s != ORR_OK) break;
             w->report->manoeuvres++;
             bool meet = apart <= MAX_APART_M && y->t_s - x->t_s < 2.0 * w->table->step_s;
+            when = round(when * 1e3) * 1e-3; // arcs of whole milliseconds have steps of whole nanoseconds
             begin_s = meet ? when : y->t_s;
             if (meet) to_s = when;
         }

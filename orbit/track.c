@@ -22,14 +22,21 @@ static size_t choose_segment(size_t intervals)
 }
 
 // Number of sample intervals over a span: the step divides node_step_s when the span is a multiple of it, so
-// that nodes fall on samples; else the span is cut into equal segments.
+// that nodes fall on samples; else the least number whose step is a whole number of nanoseconds, as the
+// product wants it. A span of whole milliseconds has one at most a quarter above the least (2^a 5^b, a and b
+// up to 6).
 static size_t choose_intervals(double span_s, double node_step_s, double grid_s, size_t *per_segment)
 {
     double steps = node_step_s > 0 ? span_s / node_step_s : 0;
     if (steps >= 1 && fabs(steps - round(steps)) * node_step_s < SAME_INSTANT_S) {
         size_t n = (size_t)round(steps) * (size_t)ceil(node_step_s / grid_s - 1e-9);
         *per_segment = choose_segment(n);
-        if (*per_segment > 0) return n;
+        if (*per_segment > 0 && llround(span_s * 1e9) % (int64_t)n == 0) return n;
+    }
+    size_t least = (size_t)fmax(ceil(span_s / grid_s - 1e-9), 2);
+    for (size_t n = least; n <= 4 * least; n++) {
+        *per_segment = choose_segment(n);
+        if (*per_segment > 0 && llround(span_s * 1e9) % (int64_t)n == 0) return n;
     }
     *per_segment = ORR_SAMPLES_PER_SEGMENT;
     double segments = ceil(span_s / (grid_s * ORR_SAMPLES_PER_SEGMENT) - 1e-9);
