@@ -202,9 +202,9 @@ static orr_status check(antex_reader *r, const orr_antex_antenna *a, int declare
     r->at_end_of_antenna = true;
     if (a->type[0] == '\0') return bad(r, why, 61, "an antenna without TYPE / SERIAL NO");
     if (a->n_frequencies == 0) return bad(r, why, 61, "an antenna without frequencies");
-    if (declared >= 0 && (size_t)declared != a->n_frequencies)
-        return orr_cursor_error(&r->c, why, ORR_E_FORMAT, 61, "the antenna names %d frequencies and has %zu",
-                                declared, a->n_frequencies);
+    if (declared >= 0 && (size_t)declared != a->n_frequencies) // what is there can be used all the same
+        orr_cursor_warn(&r->c, r->warnings, 61, "the antenna %s names %d frequencies and has %zu", a->type,
+                        declared, a->n_frequencies);
     if (a->valid_from != ORR_TIME_NONE && a->valid_until != ORR_TIME_NONE && a->valid_until < a->valid_from)
         return bad(r, why, 61, "the antenna's validity ends before it starts");
     return ORR_OK;

@@ -19,6 +19,7 @@ void orr_clk_free(orr_clk *x)
     if (x == NULL) return;
     free_series(x->sat, x->n_sats);
     free_series(x->receiver, x->n_receivers);
+    free(x->epoch);
     *x = (orr_clk){0};
 }
 
@@ -201,6 +202,8 @@ static orr_status count_epochs(clk_reader *r)
         return orr_cursor_error(&r->c, r->diag, ORR_E_MEMORY, 0, "no memory for %zu epochs", n);
     x->interval_s = orr_records_usual_step_s(e->t, n, scratch);
     free(scratch);
+    x->epoch = e->t;
+    e->t = NULL;
     return ORR_OK;
 }
 

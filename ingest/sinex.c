@@ -85,10 +85,11 @@ static orr_status site(sinex_reader *r, orr_view line)
     copy(line, 10, 9, s.domes, sizeof s.domes);
     copy(line, 22, 22, s.description, sizeof s.description);
     if (s.code[0] == '\0') return bad(r, 2, "a site without a code");
-    if (!angle(orr_view_cols(line, 45, 11), &s.lon_deg) || !angle(orr_view_cols(line, 57, 11), &s.lat_deg))
+    if (!angle(orr_view_cols(line, 45, 11), &s.lon_deg) || !angle(orr_view_cols(line, 57, 11), &s.lat_deg) ||
+        orr_field_real(line, 69, 7, &s.height_m) == ORR_FIELD_BAD) {
+        s.lon_deg = s.lat_deg = s.height_m = NAN;
         orr_cursor_warn(&r->c, r->warnings, 45, "the approximate place of %s is malformed", s.code);
-    if (orr_field_real(line, 69, 7, &s.height_m) == ORR_FIELD_BAD)
-        orr_cursor_warn(&r->c, r->warnings, 69, "the approximate height of %s is malformed", s.code);
+    }
     orr_status st = orr_records_grow(&x->site, x->n_sites, &r->capacity_sites, sizeof s,
                                      r->limits.max_records, "sites", &r->c, r->diag);
     if (st == ORR_OK) x->site[x->n_sites++] = s;

@@ -178,8 +178,6 @@ static void test_one_bad_antenna(void **state)
     assert_left_out("    4.60    0.50\n", "    4.60\n", "only 4 of the 5");
     assert_left_out("    4.60    0.50\n", "    4.60    0.50    0.60\n", "more than the 5");
     assert_left_out("NOAZI   10.70", "  0.0   10.70", "NOAZI");
-    assert_left_out("     2                                                      # OF FREQ",
-                    "     3                                                      # OF FREQ", "names 3");
     assert_left_out("     0.0   4.0   1.0", "     0.0   4.0   3.0", "no grid");
     assert_left_out("VALID FROM", "WALID FROM", "no label");
     assert_left_out("2009     3    24", "2009     3    32", "no date");
@@ -189,6 +187,23 @@ static void test_one_bad_antenna(void **state)
                     "    97.0                                                    DAZI", "circle");
     assert_left_out("   180.0   18.00", "   170.0   18.00", "row 4 of 6");
     assert_left_out("    279.00     -1.50", "    279.00    -1.5.0", "NORTH / EAST / UP");
+}
+
+static void test_count_of_frequencies(void **state)
+{
+    (void)state;
+    orr_antex x;
+    orr_diag d;
+    orr_warnings w = {0};
+    made_text t = whole();
+    made_replace(&t, "     2                                                      # OF FREQ",
+                 "     3                                                      # OF FREQ");
+    ASSERT_OK(parse(&t, &x, &w, &d), d);
+    assert_int_equal(x.n_antennas, 3);
+    assert_int_equal(w.count, 1);
+    assert_non_null(strstr(w.item[0].text, "names 3 frequencies and has 2"));
+    orr_antex_free(&x);
+    orr_warnings_free(&w);
 }
 
 static void assert_refused(made_text *t, orr_status status, const char *words)
@@ -232,9 +247,8 @@ static void test_refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reads_everything),
-        cmocka_unit_test(test_receiver),
-        cmocka_unit_test(test_one_bad_antenna),
+        cmocka_unit_test(test_reads_everything), cmocka_unit_test(test_receiver),
+        cmocka_unit_test(test_one_bad_antenna),  cmocka_unit_test(test_count_of_frequencies),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
