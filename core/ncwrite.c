@@ -77,7 +77,8 @@ orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, 
     int rc = nc_def_var(w->id, name, NC_TYPE[type], rank, dim, &var);
     // shuffle groups the bytes of equal weight, which makes doubles of one kind compress; level 4 is zlib's
     // knee
-    if (rc == NC_NOERR && count >= COMPRESS_FROM_VALUES) rc = nc_def_var_deflate(w->id, var, 1, 1, 4);
+    if (rc == NC_NOERR && count >= COMPRESS_FROM_VALUES && !w->uncompressed)
+        rc = nc_def_var_deflate(w->id, var, 1, 1, 4);
     if (rc == NC_NOERR && units != NULL) rc = nc_put_att_text(w->id, var, "units", strlen(units), units);
     if (rc == NC_NOERR && long_name != NULL)
         rc = nc_put_att_text(w->id, var, "long_name", strlen(long_name), long_name);

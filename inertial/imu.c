@@ -25,18 +25,22 @@ void orr_imu_free(orr_imu *m)
 
 #define MAX_SAMPLES 50000000u
 
-orr_status orr_imu_allocate(orr_imu *m, size_t n, bool instantaneous, bool carried, orr_diag *diag)
+orr_status orr_imu_allocate(orr_imu *m, size_t n, size_t truth_every, bool instantaneous, bool carried,
+                            orr_diag *diag)
 {
     if (n == 0 || n > MAX_SAMPLES)
         return orr_diag_set(diag, ORR_E_LIMIT,
                             "%zu inertial samples; a run has 1 to %u of them: change its length or rate", n,
                             MAX_SAMPLES);
+    if (truth_every == 0) return orr_diag_set(diag, ORR_E_ARG, "truth at every 0th sample");
+    size_t truths = n / truth_every + 1;
     m->n = n;
+    m->truth_every = truth_every;
     m->dtheta_rad = malloc(n * sizeof *m->dtheta_rad);
     m->dv_mps = malloc(n * sizeof *m->dv_mps);
-    m->r_m = malloc((n + 1) * sizeof *m->r_m);
-    m->v_mps = malloc((n + 1) * sizeof *m->v_mps);
-    m->q_be = malloc((n + 1) * sizeof *m->q_be);
+    m->r_m = malloc(truths * sizeof *m->r_m);
+    m->v_mps = malloc(truths * sizeof *m->v_mps);
+    m->q_be = malloc(truths * sizeof *m->q_be);
     m->gyro_radps = instantaneous ? malloc((n + 1) * sizeof *m->gyro_radps) : NULL;
     m->accel_mps2 = instantaneous ? malloc((n + 1) * sizeof *m->accel_mps2) : NULL;
     m->carried_r_m = carried ? malloc((n + 1) * sizeof *m->carried_r_m) : NULL;
@@ -51,10 +55,11 @@ orr_status orr_imu_allocate(orr_imu *m, size_t n, bool instantaneous, bool carri
 
 orr_mat3 orr_inertial_from_ecef(double t_s) { return orr_mat3_rot3(-ORR_INERTIAL_EARTH_RATE_RADPS * t_s); }
 
-void orr_imu_true_state(const orr_imu *m, size_t j, orr_vec3 *r_m, orr_vec3 *v_mps,
+void orr_imu_true_state(const orr_imu *m, size_t edge, orr_vec3 *r_m, orr_vec3 *v_mps,
                         orr_mat3 *body_from_inertial)
 {
-    orr_mat3 R = orr_inertial_from_ecef(orr_imu_edge_s(m, j)), Rt = orr_mat3_transpose(&R);
+    size_t j = edge / m->truth_every;
+    orr_mat3 R = orr_inertial_from_ecef(orr_imu_edge_s(m, edge)), Rt = orr_mat3_transpose(&R);
     orr_mat3 B = orr_mat3_from_quat(m->q_be[j]);
     double u = ORR_INERTIAL_EARTH_RATE_RADPS;
     orr_vec3 v =

@@ -36,8 +36,11 @@ typedef struct orr_imu {
     int knot_degree; // 3: a navigator's groups must end at knots; 5: smooth enough to pass over them
     orr_vec3 *dtheta_rad, *dv_mps;     // [n] increments over [t_j, t_j+1], body axes
     orr_vec3 *gyro_radps, *accel_mps2; // [n + 1] instantaneous readings; NULL unless asked for
-    orr_vec3 *r_m, *v_mps; // [n + 1] truth: ecef position, velocity relative to the Earth in ecef axes
-    orr_quat *q_be;        // [n + 1] truth: body from ecef
+    size_t truth_every; // truth stands at edges 0, truth_every, 2 truth_every, ...: 1 as generated, more in
+                        // files
+    orr_vec3 *r_m,
+        *v_mps;     // [n / truth_every + 1] truth: ecef position, velocity relative to the Earth in ecef axes
+    orr_quat *q_be; // [n / truth_every + 1] truth: body from ecef
     // The state a navigator starts from at t_0, inertial axes; for approach 1 the velocity is that of its own
     // step.
     orr_vec3 start_r_m, start_v_mps;
@@ -46,7 +49,8 @@ typedef struct orr_imu {
 } orr_imu;
 
 void orr_imu_free(orr_imu *m);
-orr_status orr_imu_allocate(orr_imu *m, size_t n, bool instantaneous, bool carried, orr_diag *diag);
+orr_status orr_imu_allocate(orr_imu *m, size_t n, size_t truth_every, bool instantaneous, bool carried,
+                            orr_diag *diag);
 static inline double orr_imu_edge_s(const orr_imu *m, size_t j)
 {
     return m->begin_s + (double)j / m->rate_hz;
@@ -54,7 +58,7 @@ static inline double orr_imu_edge_s(const orr_imu *m, size_t j)
 
 // Matrix from ecef to the inertial axes at t_s after t0: r_inertial = R r_ecef (R3(-u t)).
 orr_mat3 orr_inertial_from_ecef(double t_s);
-// True inertial state at edge j, from the truth arrays.
+// True inertial state at edge j, from the truth arrays; j is a multiple of truth_every.
 void orr_imu_true_state(const orr_imu *m, size_t j, orr_vec3 *r_m, orr_vec3 *v_mps,
                         orr_mat3 *body_from_inertial);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inertial/navigator.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -233,6 +234,11 @@ static orr_status near_earth(orr_vec3 r_m, double t_s, orr_diag *diag)
 static orr_status run_one_step(const orr_imu *imu, const orr_navigator *nav,
                                orr_status (*visit)(void *, const orr_nav_state *), void *user, orr_diag *diag)
 {
+    if (nav->hold_vertical && imu->truth_every != 1)
+        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
+                            "holding the vertical channel needs the truth at every sample; make the readings "
+                            "with the truth's "
+                            "rate equal to theirs");
     orr_one_step s;
     orr_one_step_start(&s, nav->frame, nav->project_mid, 1.0 / imu->rate_hz, nav->gravity, imu->begin_s,
                        imu->start_r_m, imu->start_v_mps, imu->start_q_bi);
@@ -284,4 +290,19 @@ orr_status orr_navigate(const orr_imu *imu, const orr_navigator *nav,
             multi_sample_group(imu, nav, s, j, n, &b);
         j += n;
     }
+}
+
+void orr_navigate_from(const orr_imu *imu, const orr_navigator *nav, orr_nav_state *state, size_t to)
+{
+    assert(nav->samples >= 1 && nav->samples <= MAX && to <= imu->n);
+    double c[MAX + 1][MAX][MAX] = {{{0}}};
+    for (int n = 1; n <= MAX; n++) orr_increment_polynomial(n, c[n]);
+    body b = {.r = state->r_m, .v = state->v_mps, .q = orr_quat_from_mat3(&state->A_bi)};
+    for (size_t j = state->edge; j < to;) {
+        size_t n = orr_navigator_group(imu, j, nav->samples);
+        if (n > to - j) n = to - j;
+        reference_group(imu, nav, c, j, n, &b);
+        j += n;
+    }
+    *state = (orr_nav_state){to, orr_imu_edge_s(imu, to), b.r, b.v, orr_mat3_from_quat(orr_quat_unit(b.q))};
 }

@@ -44,6 +44,10 @@ orr_status orr_navigate(const orr_imu *imu, const orr_navigator *nav,
                         orr_status (*visit)(void *user, const orr_nav_state *state), void *user,
                         orr_diag *diag);
 
+// The reference navigator from a given state to edge `to` (at most imu->n); nav->samples is 1..5, checked by
+// an assertion.
+void orr_navigate_from(const orr_imu *imu, const orr_navigator *nav, orr_nav_state *state, size_t to);
+
 // Number of samples in the group that starts at sample j: `wanted` at most, shorter where a knot of a cubic
 // trajectory would come inside (a knot within a sample counts as the nearer edge), and the groups between two
 // knots as equal as they can be.

@@ -8,6 +8,7 @@
 
 typedef struct orr_null_report {
     double duration_s;
+    size_t compared; // edges where truth was there to compare with
     double max_3d_m, max_horizontal_m, max_vertical_m, final_3d_m;
     double max_xi1_m; // along axis 1 of the inertial frame, as the source's Figs 1-2
     double max_velocity_mps, max_attitude_rad;

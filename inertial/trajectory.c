@@ -186,21 +186,27 @@ orr_status orr_trajectory_resample(const orr_trajectory *in, double step_s,
     double span = in->end_s - in->begin_s;
     if (!(step_s > 0.0) || !(span > 0.0) || span / step_s > (double)ORR_USPLINE_MAX_INTERVALS)
         return orr_diag_set(diag, ORR_E_ARG, "cannot sample %g s of motion every %g s", span, step_s);
-    size_t n = (size_t)ceil(span / step_s - 1e-9) + 1;
-    double *t = malloc(n * sizeof *t);
-    orr_vec3 *r = malloc(n * sizeof *r);
-    orr_quat *q = malloc(n * sizeof *q);
+    // A spline through its knots alone is free at the ends; samples half-way between the outer knots bind it.
+    size_t knots = (size_t)ceil(span / step_s - 1e-9) + 1, n = 0;
+    const size_t outer = 6;
+    double *t = malloc((knots + 2 * outer) * sizeof *t);
+    orr_vec3 *r = malloc((knots + 2 * outer) * sizeof *r);
+    orr_quat *q = malloc((knots + 2 * outer) * sizeof *q);
     orr_status status = ORR_OK;
     if (t == NULL || r == NULL || q == NULL) {
-        status = orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu samples of a trajectory", n);
+        status = orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu samples of a trajectory", knots);
     } else {
-        for (size_t k = 0; k < n; k++) {
-            orr_motion m;
-            t[k] = in->begin_s + step_s * (double)k;
-            in->evaluate(in->self, t[k], &m); // the last sample may lie a fraction of a step behind the end
-            if (change != NULL) change(user, t[k], &m);
-            r[k] = m.r_m;
-            q[k] = m.q_be;
+        for (size_t k = 0; k < knots; k++) {
+            bool between = (k < outer || k + 1 + outer >= knots) && k + 1 < knots;
+            for (int half = 0; half <= (between ? 1 : 0); half++, n++) {
+                orr_motion m;
+                t[n] = in->begin_s + step_s * ((double)k + 0.5 * half);
+                in->evaluate(in->self, t[n],
+                             &m); // the last sample may lie a fraction of a step behind the end
+                if (change != NULL) change(user, t[n], &m);
+                r[n] = m.r_m;
+                q[n] = m.q_be;
+            }
         }
         orr_spline_plan plan = {.degree = 5, .knot_step_s = step_s, .roughness = 1e-8};
         orr_spline_samples samples = {.n_r = n, .r_t_s = t, .r_m = r, .n_q = n, .q_t_s = t, .q_be = q};

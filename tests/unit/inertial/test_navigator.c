@@ -63,7 +63,7 @@ static void approach_1_with_its_own_navigator(void **state)
                     .approach = 1, .frame = (orr_nav_frame)frame, .project_mid = mid, .closed_loop = closed};
                 orr_navigator nav = {
                     .kind = ORR_NAVIGATOR_ONE_STEP, .frame = (orr_nav_frame)frame, .project_mid = mid};
-                orr_null_report r = run(&tr, 3600, 100, mode, nav);
+                orr_null_report r = run(&tr, 900, 100, mode, nav);
                 ASSERT_NEAR(r.max_3d_m, 0, 5e-5);
                 ASSERT_NEAR(r.max_attitude_rad, 0, 1e-12);
                 assert_int_equal(r.replayed, closed);
