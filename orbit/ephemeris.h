@@ -26,7 +26,7 @@ typedef struct orr_sat_state {
     uint32_t flags;
     orr_vec3 pos_m, vel_mps, acc_mps2;
     double clock_s,
-        clock_rate_sps; // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add 2 r.v / c^2)
+        clock_rate_sps; // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add -2 r.v / c^2)
     float sigma_m;      // 1-sigma of position, 3-D
     orr_time valid_from, valid_to; // the arc that was evaluated
 } orr_sat_state;

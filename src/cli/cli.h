@@ -59,6 +59,7 @@ typedef struct orr_command {
 struct orr_cli {
     const orr_command *command;
     const orr_log *log;
+    const char *call; // the command line as typed, for a product's history
     int n_operands;
     char *const *operand;
     bool quiet; // no summaries and no progress on stderr: errors and warnings alone

@@ -56,6 +56,13 @@ static int help(const orr_cli *c, const char *name)
     return orr_cli_flush(c);
 }
 
+// "orrery orbit -o day.nc day.sp3", cut if it is very long.
+static void join_call(int argc, char *const *argv, char *call, size_t n)
+{
+    size_t at = (size_t)snprintf(call, n, "orrery");
+    for (int i = 1; i < argc && at < n; i++) at += (size_t)snprintf(call + at, n - at, " %s", argv[i]);
+}
+
 static int run(orr_cli *c, int n_words, char **words)
 {
     orr_log log = {.level = ORR_LOG_WARN, .write = write_log, .user = c};
@@ -93,6 +100,9 @@ int main(int argc, char **argv)
     if (word[0] == '-') return orr_cli_usage(&c, "there is no option %s before a command", word);
     c.command = find_command(word);
     if (c.command == NULL) return unknown_command(&c, word);
+    char call[4096];
+    join_call(argc, argv, call, sizeof call);
+    c.call = call;
     int status = run(&c, argc - 2, argv + 2);
     orr_cli_args_free(&c);
     return status;

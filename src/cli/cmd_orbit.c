@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery orbit: SP3 files in, an orbit product out.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "core/sha256.h"
+#include "ingest/erp.h"
+#include "orbit/ephemeris.h"
+#include "orbit/smoother.h"
+#include "src/cli/cli.h"
+
+static const orr_option options[] = {
+    {.name = "output",
+     .letter = 'o',
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .required = true,
+     .help = "the product, a NetCDF-4 file; it appears whole or not at all"},
+    {.name = "nodes",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "use only epochs that are multiples of S from midnight of the first file; all by default"},
+    {.name = "exclude",
+     .kind = ORR_OPT_INTERVAL,
+     .value = "FROM/TO",
+     .repeated = true,
+     .help = "do not use nodes of this interval, its ends included"},
+    {.name = "sat",
+     .kind = ORR_OPT_SATS,
+     .value = "LIST",
+     .help = "satellites, e.g. G05,R,E01-E09; all by default"},
+    {.name = "erp",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .repeated = true,
+     .help = "Earth rotation parameters; without them IERS' secular pole and UT1 = UTC"},
+    {.name = "max-gap",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "longest stretch without nodes that is bridged; 8 h by default"},
+    {.name = "jobs",
+     .letter = 'j',
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 1,
+     .max = 256,
+     .help = "threads; the machine's cores by default. The product does not depend on it"},
+    {.name = "method",
+     .kind = ORR_OPT_CHOICE,
+     .value = "default|literal",
+     .help = "literal: the smoother as the dissertation has it (two-body prior in uniformly turning axes, "
+             "constant f0); the options below change one setting of the chosen method"},
+    {.name = "frame",
+     .kind = ORR_OPT_CHOICE,
+     .value = "gcrs|uniform",
+     .help = "axes that the orbit is integrated in"},
+    {.name = "gravity",
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 0,
+     .max = 12,
+     .help = "degree of the gravity field, 0 is the central term alone"},
+    {.name = "sun-moon", .kind = ORR_OPT_CHOICE, .value = "yes|no", .help = "attraction of Sun and Moon"},
+    {.name = "srp",
+     .kind = ORR_OPT_REAL,
+     .value = "A",
+     .min = -1e-6,
+     .max = 1e-6,
+     .help = "radiation pressure at 1 au, m/s2"},
+    {.name = "f0",
+     .kind = ORR_OPT_CHOICE,
+     .value = "rtn|inertial|ecef",
+     .help = "axes of the empirical acceleration"},
+    {.name = "qf",
+     .kind = ORR_OPT_REAL,
+     .value = "Q",
+     .min = 0,
+     .max = 1,
+     .help = "its random walk, m2/s5; 0 keeps it constant"},
+    {.name = "qv",
+     .kind = ORR_OPT_REAL,
+     .value = "Q",
+     .min = 0,
+     .max = 1,
+     .help = "white noise of acceleration, m2/s3"},
+    {.name = "sigma",
+     .kind = ORR_OPT_REAL,
+     .value = "M",
+     .min = 1e-6,
+     .max = 1e4,
+     .help = "standard deviation of a node's coordinate, m"},
+    {.name = "passes",
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 0,
+     .max = 8,
+     .help = "linearisations, 0 until converged"},
+    {.name = "detect",
+     .kind = ORR_OPT_CHOICE,
+     .value = "yes|no",
+     .help = "find outliers and manoeuvres by innovation (flags of the input are always heeded)"},
+};
+
+// What a run holds, so that one place frees it.
+typedef struct work {
+    size_t n;
+    orr_sp3 *sp3;
+    orr_smoother_input *input;
+    orr_erp *erp;
+    size_t n_erp;
+    orr_eop_series eop;
+    orr_interval *exclude;
+    orr_orbit_solution solution;
+    orr_smoother_report report;
+    orr_ephemeris *ephemeris;
+    double read_s, smooth_s, fit_s, write_s;
+} work;
+
+static double now_s(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void work_free(work *w)
+{
+    for (size_t i = 0; i < w->n && w->sp3 != NULL; i++) orr_sp3_free(&w->sp3[i]);
+    for (size_t i = 0; i < w->n_erp && w->erp != NULL; i++) orr_erp_free(&w->erp[i]);
+    free(w->sp3);
+    free(w->input);
+    free(w->erp);
+    free(w->exclude);
+    orr_erp_series_free(&w->eop);
+    orr_orbit_solution_free(&w->solution);
+    orr_ephemeris_free(w->ephemeris);
+}
+
+static orr_status read_inputs(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
+{
+    w->n = (size_t)c->n_operands;
+    w->sp3 = calloc(w->n, sizeof *w->sp3);
+    w->input = calloc(w->n, sizeof *w->input);
+    if (w->sp3 == NULL || w->input == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", w->n);
+    orr_status s = ORR_OK;
+    for (size_t i = 0; i < w->n && s == ORR_OK; i++) {
+        const char *path = c->operand[i], *slash = strrchr(path, '/');
+        orr_cli_progress(c, "reading", i, w->n);
+        snprintf(w->input[i].name, sizeof w->input[i].name, "%s", slash != NULL ? slash + 1 : path);
+        s = orr_sp3_read(path, NULL, &w->sp3[i], warnings, diag);
+        if (s == ORR_OK) s = orr_sha256_file(path, w->input[i].sha256, diag);
+        w->input[i].sp3 = &w->sp3[i];
+    }
+    orr_cli_progress(c, "reading", w->n, w->n);
+    return s;
+}
+
+static orr_status read_erps(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
+{
+    size_t n = orr_cli_count(c, "erp");
+    if (n == 0) return ORR_OK;
+    w->erp = calloc(n, sizeof *w->erp);
+    if (w->erp == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n);
+    for (; w->n_erp < n; w->n_erp++) {
+        orr_status s =
+            orr_erp_read(orr_cli_text_at(c, "erp", w->n_erp), NULL, NULL, &w->erp[w->n_erp], warnings, diag);
+        if (s != ORR_OK) return s;
+    }
+    return orr_erp_merge(w->erp, n, &w->eop, diag);
+}
+
+static bool says(const orr_cli *c, const char *option, const char *word, bool otherwise)
+{
+    const char *text = orr_cli_text(c, option, NULL);
+    return text != NULL ? strcmp(text, word) == 0 : otherwise;
+}
+
+static orr_status make_options(const orr_cli *c, work *w, orr_smoother_options *o, orr_diag *diag)
+{
+    *o = says(c, "method", "literal", false) ? orr_smoother_literal() : orr_smoother_defaults();
+    if (orr_cli_given(c, "frame")) o->frame = says(c, "frame", "gcrs", true) ? ORR_SKY_GCRS : ORR_SKY_UNIFORM;
+    o->gravity_degree = (int)orr_cli_int(c, "gravity", o->gravity_degree);
+    o->sun_moon = says(c, "sun-moon", "yes", o->sun_moon);
+    o->srp_mps2 = orr_cli_real(c, "srp", o->srp_mps2);
+    if (orr_cli_given(c, "f0"))
+        o->f0_axes = says(c, "f0", "rtn", true)    ? ORR_F0_RTN
+                     : says(c, "f0", "ecef", true) ? ORR_F0_ECEF
+                                                   : ORR_F0_INERTIAL;
+    o->qf_m2ps5 = orr_cli_real(c, "qf", o->qf_m2ps5);
+    o->qv_m2ps3 = orr_cli_real(c, "qv", o->qv_m2ps3);
+    o->sigma_m = orr_cli_real(c, "sigma", o->sigma_m);
+    o->passes = (int)orr_cli_int(c, "passes", o->passes);
+    o->detect = says(c, "detect", "yes", o->detect);
+    o->node_step_s = (double)orr_cli_duration_ns(c, "nodes", 0) * 1e-9;
+    o->max_gap_s = (double)orr_cli_duration_ns(c, "max-gap", (int64_t)(o->max_gap_s * 1e9)) * 1e-9;
+    o->sats = orr_cli_sats(c, "sat");
+    o->eop = w->eop.n > 0 ? &w->eop : NULL;
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    o->jobs = (int)orr_cli_int(c, "jobs", cores > 1 ? cores : 1);
+    o->n_exclude = orr_cli_count(c, "exclude");
+    w->exclude = calloc(o->n_exclude + 1, sizeof *w->exclude);
+    if (w->exclude == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for intervals");
+    for (size_t i = 0; i < o->n_exclude; i++)
+        orr_cli_interval_at(c, "exclude", i, &w->exclude[i].from, &w->exclude[i].to);
+    o->exclude = w->exclude;
+    return ORR_OK;
+}
+
+static orr_status smooth_and_write(orr_cli *c, work *w, const orr_smoother_options *o, orr_warnings *warnings,
+                                   orr_diag *diag)
+{
+    const char *path = orr_cli_text(c, "output", NULL);
+    double t0 = now_s();
+    orr_status s =
+        orr_smoother_run(w->input, w->n, o, c->log, NULL, &w->solution, &w->report, warnings, diag);
+    double t1 = now_s();
+    if (s == ORR_OK) s = orr_ephemeris_build(&w->solution, &w->ephemeris, diag);
+    double t2 = now_s();
+    if (s == ORR_OK) {
+        orr_cli_hold(c);
+        s = orr_ephemeris_save(w->ephemeris, path, c->call, diag);
+        orr_cli_release(c);
+    }
+    w->smooth_s = t1 - t0;
+    w->fit_s = t2 - t1;
+    w->write_s = now_s() - t2;
+    return s;
+}
+
+// What happened to one system's satellites.
+typedef struct tally {
+    size_t sats, used, rejected, manoeuvres, gaps, eclipses;
+    double residual2;
+} tally;
+
+static tally tally_system(const orr_orbit_solution *s, char system)
+{
+    tally t = {0};
+    for (size_t i = 0; i < s->n_sats; i++) {
+        const orr_orbit_sat *sat = &s->sat[i];
+        if (orr_sat_system(sat->sat) != system) continue;
+        t.sats++;
+        for (size_t k = 0; k < sat->n_nodes; k++) {
+            if (!sat->node[k].used) continue;
+            t.used++;
+            t.residual2 += orr_vec3_dot(sat->node[k].residual_m, sat->node[k].residual_m);
+        }
+        t.rejected += sat->n_nodes;
+        orr_time shadow_end = ORR_TIME_NONE; // penumbra, umbra and penumbra in a row are one eclipse
+        for (size_t k = 0; k < sat->n_events; k++) {
+            const orr_orbit_event *e = &sat->event[k];
+            t.manoeuvres += e->kind == ORR_EVENT_MANOEUVRE;
+            t.gaps += e->kind == ORR_EVENT_GAP;
+            if (e->kind != ORR_EVENT_UMBRA && e->kind != ORR_EVENT_PENUMBRA) continue;
+            t.eclipses += shadow_end == ORR_TIME_NONE || e->t0 - shadow_end > ORR_NS_PER_S;
+            shadow_end = e->t1;
+        }
+    }
+    t.rejected -= t.used;
+    return t;
+}
+
+static void say_summary(const orr_cli *c, const work *w)
+{
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    const orr_orbit_solution *s = &w->solution;
+    double pos, vel;
+    orr_ephemeris_representation(w->ephemeris, &pos, &vel);
+    orr_cli_say(c, "%s: %s to %s (GPS time), nodes every %g s", orr_cli_text(c, "output", ""),
+                orr_time_text(s->from, from), orr_time_text(s->to, to), s->node_step_s);
+    orr_cli_say(c, "%-9s %5s %8s %12s %9s %10s %5s %9s", "system", "sats", "nodes", "residual mm", "left out",
+                "manoeuvres", "gaps", "eclipses");
+    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
+        tally t = tally_system(s, *system);
+        if (t.sats == 0) continue;
+        orr_cli_say(c, "%-9s %5zu %8zu %12.3f %9zu %10zu %5zu %9zu", orr_system_name(*system), t.sats, t.used,
+                    t.used > 0 ? 1e3 * sqrt(t.residual2 / (double)t.used) : 0.0, t.rejected, t.manoeuvres,
+                    t.gaps, t.eclipses);
+    }
+    orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s",
+                w->report.eop_known ? "as given" : "secular pole, UT1 = UTC", 1e3 * pos, vel);
+    orr_cli_say(c, "read %.2f s, smoothed %.2f s, fitted %.2f s, written %.2f s", w->read_s, w->smooth_s,
+                w->fit_s, w->write_s);
+}
+
+static int run(orr_cli *c)
+{
+    work w = {0};
+    orr_diag diag = {0};
+    orr_warnings warnings = {0};
+    orr_smoother_options o;
+    double t0 = now_s();
+    orr_status s = read_inputs(c, &w, &warnings, &diag);
+    if (s == ORR_OK) s = read_erps(c, &w, &warnings, &diag);
+    w.read_s = now_s() - t0;
+    if (s == ORR_OK) s = make_options(c, &w, &o, &diag);
+    if (s == ORR_OK) s = smooth_and_write(c, &w, &o, &warnings, &diag);
+    orr_cli_warnings(c, &warnings);
+    if (s == ORR_OK) say_summary(c, &w);
+    int status = s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+    orr_warnings_free(&warnings);
+    work_free(&w);
+    return status;
+}
+
+const orr_command orr_cmd_orbit = {
+    .name = "orbit",
+    .group = "Orbits",
+    .summary = "smooth SP3 files into an orbit product",
+    .operands = "SP3...",
+    .min_operands = 1,
+    .max_operands = -1,
+    .about =
+        "Files of consecutive days are smoothed jointly, in whatever order they are named. The product holds "
+        "Chebyshev "
+        "segments of position, clock nodes, standard deviations, flags, events and the names and SHA-256 of "
+        "its inputs; "
+        "'ncdump -h' shows how to evaluate it, 'orrery states' prints from it, 'orrery compare' judges it.",
+    .example = "orrery orbit -o day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
+               "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T12:45 "
+               "day1.sp3 day2.sp3 day3.sp3",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line: every kind of option, in every way of writing it, and what is said of wrong ones.
+#include "testing.h"
+
+#include <unistd.h>
+
+#include "src/cli/internal.h"
+
+static const orr_option options[] = {
+    {.name = "output", .letter = 'o', .kind = ORR_OPT_TEXT, .value = "FILE", .help = "h"},
+    {.name = "count", .letter = 'n', .kind = ORR_OPT_INT, .value = "N", .min = 1, .max = 10, .help = "h"},
+    {.name = "lat", .kind = ORR_OPT_REAL, .value = "DEG", .min = -90, .max = 90, .help = "h"},
+    {.name = "at", .kind = ORR_OPT_TIME, .value = "T", .help = "h"},
+    {.name = "exclude", .kind = ORR_OPT_INTERVAL, .value = "FROM/TO", .repeated = true, .help = "h"},
+    {.name = "step", .kind = ORR_OPT_DURATION, .value = "S", .help = "h"},
+    {.name = "sat", .kind = ORR_OPT_SATS, .value = "LIST", .help = "h"},
+    {.name = "format", .kind = ORR_OPT_CHOICE, .value = "csv|sp3", .help = "h"},
+    {.name = "json", .kind = ORR_OPT_FLAG, .help = "h"},
+};
+static const orr_option needed[] = {
+    {.name = "output", .letter = 'o', .kind = ORR_OPT_TEXT, .value = "FILE", .required = true, .help = "h"}};
+static const orr_command command = {.name = "try",
+                                    .group = "g",
+                                    .summary = "s",
+                                    .operands = "FILE...",
+                                    .min_operands = 1,
+                                    .max_operands = 3,
+                                    .option = options,
+                                    .n_options = sizeof options / sizeof options[0]};
+static const orr_command strict = {
+    .name = "strict", .group = "g", .summary = "s", .max_operands = 0, .option = needed, .n_options = 1};
+
+// Splits at blanks and parses; the words stay alive until the next call.
+static orr_cli_parse_result parse(orr_cli *c, const orr_command *cmd, const char *line)
+{
+    static char text[512], *words[32];
+    int n = 0;
+    snprintf(text, sizeof text, "%s", line);
+    for (char *w = strtok(text, " "); w != NULL; w = strtok(NULL, " ")) words[n++] = w;
+    *c = (orr_cli){.command = cmd};
+    return orr_cli_args_parse(c, n, words);
+}
+
+// What parse says on stderr, kept in a file for the time.
+static char said[2048];
+static orr_cli_parse_result parse_wrong(const orr_command *cmd, const char *line)
+{
+    orr_cli c;
+    FILE *f = tmpfile();
+    assert_non_null(f);
+    fflush(stderr);
+    int keep = dup(2);
+    dup2(fileno(f), 2);
+    orr_cli_parse_result r = parse(&c, cmd, line);
+    fflush(stderr);
+    dup2(keep, 2);
+    close(keep);
+    rewind(f);
+    said[fread(said, 1, sizeof said - 1, f)] = '\0';
+    fclose(f);
+    orr_cli_args_free(&c);
+    return r;
+}
+
+static void test_values(void **state)
+{
+    (void)state;
+    orr_cli c;
+    assert_int_equal(parse(&c, &command,
+                           "a.nc -o out.csv --count=7 --lat -12.5 b.nc --at 2024-02-04T00:15:00 --step 15min "
+                           "--sat G05,R --format sp3 --json --exclude 2024-02-04/2024-02-05 --exclude "
+                           "2024-02-06T01:00/2024-02-06T02:00 -"),
+                     ORR_CLI_RUN);
+    assert_int_equal(c.n_operands, 3);
+    assert_string_equal(c.operand[0], "a.nc");
+    assert_string_equal(c.operand[1], "b.nc");
+    assert_string_equal(c.operand[2], "-");
+    assert_string_equal(orr_cli_text(&c, "output", NULL), "out.csv");
+    assert_int_equal(orr_cli_int(&c, "count", 3), 7);
+    ASSERT_NEAR(orr_cli_real(&c, "lat", 0), -12.5, 0);
+    assert_int_equal(orr_cli_duration_ns(&c, "step", 0), 900 * ORR_NS_PER_S);
+    const orr_sat_set *sats = orr_cli_sats(&c, "sat");
+    assert_true(orr_sat_set_has(sats, orr_sat_make('G', 5)) && orr_sat_set_has(sats, orr_sat_make('R', 24)));
+    assert_false(orr_sat_set_has(sats, orr_sat_make('G', 6)));
+    assert_string_equal(orr_cli_text(&c, "format", "csv"), "sp3");
+    assert_true(orr_cli_given(&c, "json") && !orr_cli_given(&c, "quiet"));
+    assert_int_equal(orr_cli_count(&c, "exclude"), 2);
+    orr_time from, to, at = orr_cli_time(&c, "at", 0);
+    orr_cli_interval_at(&c, "exclude", 0, &from, &to);
+    assert_true(at - from == 900 * ORR_NS_PER_S && to - from == ORR_S_PER_DAY * ORR_NS_PER_S);
+    orr_cli_interval_at(&c, "exclude", 1, &from, &to);
+    assert_true(to - from == 3600 * ORR_NS_PER_S);
+    orr_cli_args_free(&c);
+}
+
+static void test_absent_and_short(void **state)
+{
+    (void)state;
+    orr_cli c;
+    assert_int_equal(parse(&c, &command, "-oout -n 2 -q -- --json"), ORR_CLI_RUN);
+    assert_string_equal(orr_cli_text(&c, "output", NULL), "out");
+    assert_int_equal(orr_cli_int(&c, "count", 3), 2);
+    assert_int_equal(c.n_operands, 1);
+    assert_string_equal(c.operand[0], "--json"); // behind "--" all words are operands
+    assert_false(orr_cli_given(&c, "json"));
+    assert_true(orr_cli_given(&c, "quiet"));
+    assert_null(orr_cli_sats(&c, "sat"));
+    assert_int_equal(orr_cli_time(&c, "at", 42), 42);
+    assert_int_equal(orr_cli_count(&c, "exclude"), 0);
+    assert_null(orr_cli_text(&c, "format", NULL));
+    orr_cli_args_free(&c);
+    assert_int_equal(parse(&c, &command, "--nonsense-comes-later -h"), ORR_CLI_WRONG);
+    orr_cli_args_free(&c);
+    assert_int_equal(parse(&c, &command, "-h --nonsense"),
+                     ORR_CLI_HELP); // help wins over what is missing or wrong behind it
+    orr_cli_args_free(&c);
+}
+
+static void test_wrong(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *line, *word; // a word that the sentence must have
+    } wrong[] = {
+        {"a --otput x", "--output"},
+        {"a --count 11", "between 1 and 10"},
+        {"a --count 3.5", "whole number"},
+        {"a --count", "needs a value"},
+        {"a --count 1 --count 2", "twice"},
+        {"a --at --json", "needs a value"},
+        {"a --lat 91", "between -90 and 90"},
+        {"a --lat nan", "number"},
+        {"a --lat 5x", "number"},
+        {"a --at yesterday", "--at"},
+        {"a --exclude 2024-02-05", "FROM/TO"},
+        {"a --exclude 2024-02-05/2024-02-04", "before it begins"},
+        {"a --step 0", "longer than nothing"},
+        {"a --step -5", "--step"},
+        {"a --sat Q5", "--sat"},
+        {"a --format json", "csv|sp3"},
+        {"a --format cs", "csv|sp3"},
+        {"a --json=1", "takes no value"},
+        {"a -x", "-x"},
+        {"--json", "FILE... is needed"},
+        {"a b c d", "'d'"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        assert_int_equal(parse_wrong(&command, wrong[i].line), ORR_CLI_WRONG);
+        if (strstr(said, wrong[i].word) == NULL || strstr(said, "orrery try --help") == NULL)
+            fail_msg("of '%s' it says '%s', without '%s'", wrong[i].line, said, wrong[i].word);
+    }
+    assert_int_equal(parse_wrong(&strict, ""), ORR_CLI_WRONG);
+    assert_non_null(strstr(said, "--output FILE is needed"));
+    assert_int_equal(parse_wrong(&strict, "-o x y"), ORR_CLI_WRONG);
+    assert_non_null(strstr(said, "one word too many"));
+}
+
+// Help names every option of the table.
+static void test_help(void **state)
+{
+    (void)state;
+    char text[8192];
+    FILE *f = tmpfile();
+    assert_non_null(f);
+    orr_cli_help_command(f, &command);
+    rewind(f);
+    text[fread(text, 1, sizeof text - 1, f)] = '\0';
+    fclose(f);
+    for (size_t i = 0; i < command.n_options; i++) assert_non_null(strstr(text, options[i].name));
+    for (size_t i = 0; i < ORR_CLI_COMMON_OPTIONS; i++)
+        assert_non_null(strstr(text, orr_cli_common_options[i].name));
+    assert_non_null(strstr(text, "may be repeated"));
+    for (const char *p = text; *p != '\0';) {
+        size_t len = strcspn(p, "\n");
+        assert_true(len <= 110);
+        p += len + (p[len] == '\n');
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_absent_and_short),
+        cmocka_unit_test(test_wrong),
+        cmocka_unit_test(test_help),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
