@@ -19,7 +19,7 @@ orr_fusion_options orr_fusion_default_options(void)
                                 .knot_s = 3600,
                                 .thin_s = 120,
                                 .sample_tecu = 1,
-                                .walk_tecu = {2, 2, 2},
+                                .walk_tecu = {2, 1, 0.5},
                                 .start_tecu = {10, 5, 5},
                                 .code_systems = "G",
                                 .code_tecu = 1.5,

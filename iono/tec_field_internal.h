@@ -3,6 +3,7 @@
 #ifndef ORR_IONO_TEC_FIELD_INTERNAL_H
 #define ORR_IONO_TEC_FIELD_INTERNAL_H
 
+#include "core/ncfile.h"
 #include "iono/sun_frame.h"
 #include "iono/tec_field.h"
 
@@ -42,5 +43,9 @@ struct orr_tec_field {
 // Finds coefficients for every map, in the sun-fixed frame, into f->coef, and fills f->fit. f->t, sun, basis
 // and geomagnetic are set.
 orr_status tec_fit_maps(const orr_tec_maps *maps, orr_tec_field *f, orr_diag *diag);
+
+// A field inside a product file.
+orr_status tec_field_put(orr_nc_writer *w, const orr_tec_field *f, orr_diag *diag);
+orr_status tec_field_get(const orr_nc_reader *r, orr_tec_field **out, orr_diag *diag);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A station's day for the tests of the fusion: phases, published maps, biases, and positions straight from a 5-minute SP3
-// file (Lagrange through ten points: millimetres, where a hundred metres would do).
+// A station's day for the tests of the fusion: phases, published maps, biases, and positions straight from a
+// 5-minute SP3 file (Lagrange through ten points: millimetres, where a hundred metres would do).
 #ifndef ORR_TESTS_IONO_STATION_DAY_H
 #define ORR_TESTS_IONO_STATION_DAY_H
 
@@ -23,7 +23,8 @@ static bool sp3_position(void *user, orr_sat sat, orr_time t, orr_vec3 *pos)
     const orr_sp3 *x = user;
     size_t s = 0, k;
     while (s < x->n_sats && x->sat[s] != sat) s++;
-    if (s == x->n_sats || x->n_epochs < POINTS || t < x->epoch[0] || t > x->epoch[x->n_epochs - 1]) return false;
+    if (s == x->n_sats || x->n_epochs < POINTS || t < x->epoch[0] || t > x->epoch[x->n_epochs - 1])
+        return false;
     size_t lo = 0, hi = x->n_epochs;
     while (hi - lo > 1) {
         size_t mid = (lo + hi) / 2;
@@ -67,7 +68,8 @@ static inline bool station_day_read(station_day *day)
     char path[512];
     orr_diag d = {0};
     memset(day, 0, sizeof *day);
-    if (!orr_test_data(DAY_OBS, path, sizeof path) || !orr_test_data(DAY_SP3, path, sizeof path)) return false;
+    if (!orr_test_data(DAY_OBS, path, sizeof path) || !orr_test_data(DAY_SP3, path, sizeof path))
+        return false;
     ASSERT_OK(orr_sp3_read(path, NULL, &day->sp3, NULL, &d), d);
     if (!orr_test_data(DAY_MAPS, path, sizeof path)) return false;
     ASSERT_OK(orr_tec_field_open(path, NULL, &day->field, NULL, &d), d);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fig. 10 of Bogdanov 2015: two receivers 3.7 km apart see the same curve. No orbit is needed: centred geometry-free
-// phases of the same satellite and arc, epochs within 0.1 s (their clocks drift by milliseconds).
+// Fig. 10 of Bogdanov 2015: two receivers 3.7 km apart see the same curve. No orbit is needed: centred
+// geometry-free phases of the same satellite and arc, epochs within 0.1 s (their clocks drift by
+// milliseconds).
 #include "iono/phase_tec.h"
 #include "testing.h"
 
@@ -27,10 +28,11 @@ static void test_pair(void **state)
             high = fmax(high, c.point[k].a_tecu);
         }
         swing = fmax(swing, high - low);
-        print_message("%s %3zu epochs, swing %5.2f TECU, RMS difference %.4f TECU\n", orr_sat_text(c.curve[i].sat, text),
-                      c.curve[i].n, high - low, c.curve[i].rms_tecu);
+        print_message("%s %3zu epochs, swing %5.2f TECU, RMS difference %.4f TECU\n",
+                      orr_sat_text(c.curve[i].sat, text), c.curve[i].n, high - low, c.curve[i].rms_tecu);
     }
-    print_message("baseline %.0f m, %zu curves, pooled RMS %.4f TECU\n", c.baseline_m, c.n_curves, c.rms_tecu);
+    print_message("baseline %.0f m, %zu curves, pooled RMS %.4f TECU\n", c.baseline_m, c.n_curves,
+                  c.rms_tecu);
     assert_true(c.n_curves >= 6);
     assert_true(c.n_points >= 500);
     assert_true(swing > 1); // there is something to agree on

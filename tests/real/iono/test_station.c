@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mid-latitude station at solar maximum, all day: both methods of fusion against the model, against codes that they did
-// not use, and against arcs that they did not see.
+// A mid-latitude station at solar maximum, all day: both methods of fusion against the model, against codes
+// that they did not use, and against arcs that they did not see.
+#include <unistd.h>
+
+#include "iono/session.h"
 #include "station_day.h"
 
 static void show(const orr_fusion *f, const orr_phase_tec *p)
@@ -12,18 +15,20 @@ static void show(const orr_fusion *f, const orr_phase_tec *p)
             repaired += p->sat[s].arcs.slip[k].verdict == ORR_SLIP_REPAIRED;
             steps += (p->sat[s].arcs.slip[k].causes & ORR_SLIP_STEP) != 0;
         }
-    print_message("%s: %zu satellites, %zu arcs (%zu slips, %zu repaired, %zu steps), %zu samples: RMS %.3f TECU, against the "
-                  "model %.3f; Galileo codes %s: std %.3f TECU over %zu arcs; unit sigma %.3f, inflation %.1f\n",
-                  orr_fusion_method_name(f->method), p->n_sats, f->n_arcs, slips, repaired, steps, f->n_samples,
-                  f->residual_tecu, f->model_residual_tecu, f->galileo_withheld ? "withheld" : "used", f->galileo_std_tecu,
-                  f->galileo_n, f->unit_sigma, f->inflation);
+    print_message(
+        "%s: %zu satellites, %zu arcs (%zu slips, %zu repaired, %zu steps), %zu samples: RMS %.3f TECU, "
+        "against the "
+        "model %.3f; Galileo codes %s: std %.3f TECU over %zu arcs; unit sigma %.3f, inflation %.1f\n",
+        orr_fusion_method_name(f->method), p->n_sats, f->n_arcs, slips, repaired, steps, f->n_samples,
+        f->residual_tecu, f->model_residual_tecu, f->galileo_withheld ? "withheld" : "used",
+        f->galileo_std_tecu, f->galileo_n, f->unit_sigma, f->inflation);
     for (size_t b = 0; b < f->n_band; b++)
         if (f->band[b].n > 0)
-            print_message("  %2.0f-%2.0f deg %6zu samples RMS %.3f TECU\n", f->band[b].from_deg, f->band[b].to_deg, f->band[b].n,
-                          f->band[b].rms_tecu);
+            print_message("  %2.0f-%2.0f deg %6zu samples RMS %.3f TECU\n", f->band[b].from_deg,
+                          f->band[b].to_deg, f->band[b].n, f->band[b].rms_tecu);
     for (size_t g = 0; g < f->n_groups; g++)
-        print_message("  receiver %c %s-%s: %.2f +- %.2f TECU\n", f->group[g].system, f->group[g].range[0], f->group[g].range[1],
-                      f->group[g].receiver_tecu, f->group[g].sigma_tecu);
+        print_message("  receiver %c %s-%s: %.2f +- %.2f TECU\n", f->group[g].system, f->group[g].range[0],
+                      f->group[g].range[1], f->group[g].receiver_tecu, f->group[g].sigma_tecu);
 }
 
 static void test_thesis(void **state)
@@ -62,13 +67,167 @@ static void test_leave_one_out(void **state)
     orr_leave_out l;
     orr_diag d = {0};
     ASSERT_OK(orr_fusion_leave_one_out(&day->phase, day->field, &day->biases, 1, NULL, 3600, &l, &d), d);
-    print_message("leave one arc out, %zu arcs: corrected %.3f TECU, plain field %.3f TECU\n", l.n_arcs, l.corrected_tecu,
-                  l.plain_tecu);
+    print_message("leave one arc out, %zu arcs: corrected %.3f TECU, plain field %.3f TECU\n", l.n_arcs,
+                  l.corrected_tecu, l.plain_tecu);
     for (int b = 0; b < ORR_FUSION_BANDS; b++)
         if (l.band[b].n > 0)
-            print_message("  %2.0f-%2.0f deg %6zu samples: corrected %.3f, plain %.3f\n", l.band[b].from_deg, l.band[b].to_deg,
-                          l.band[b].n, l.band[b].corrected_tecu, l.band[b].plain_tecu);
+            print_message("  %2.0f-%2.0f deg %6zu samples: corrected %.3f, plain %.3f\n", l.band[b].from_deg,
+                          l.band[b].to_deg, l.band[b].n, l.band[b].corrected_tecu, l.band[b].plain_tecu);
     assert_true(l.corrected_tecu < l.plain_tecu);
+}
+
+// What becomes of a session in a file, and what it says at the station itself: the phase's curve and one
+// constant an arc.
+static void test_session(void **state)
+{
+    station_day *day = *state;
+    if (day == NULL) SKIP_NO_DATA(DAY_OBS);
+    orr_diag d = {0};
+    orr_fusion f;
+    ASSERT_OK(orr_fuse(&day->phase, day->field, &day->biases, 1, NULL, &f, &d), d);
+    char path[512];
+    orr_tec_field *field;
+    assert_true(orr_test_data(DAY_MAPS, path, sizeof path));
+    ASSERT_OK(orr_tec_field_open(path, NULL, &field, NULL, &d), d);
+    orr_session made, s;
+    ASSERT_OK(orr_session_make(&day->phase, &f, field, 300, &made, &d), d);
+    char file[] = "/tmp/orrery-session-XXXXXX";
+    int fd = mkstemp(file);
+    assert_true(fd >= 0);
+    close(fd);
+    const char *inputs[] = {path};
+    ASSERT_OK(orr_session_save(&made, file, "a test", inputs, 1, &d), d);
+    ASSERT_OK(orr_session_load(file, &s, &d), d);
+    unlink(file);
+    print_message("small scale: sigma %.3f TECU, length %.0f km, time %.0f s; %zu arcs, %zu samples\n",
+                  s.small.sigma_tecu, s.small.length_m / 1e3, s.small.time_s, s.n_arcs, s.n_samples);
+    assert_int_equal(s.n_samples, made.n_samples);
+    assert_memory_equal(s.sample, made.sample, s.n_samples * sizeof *s.sample);
+    assert_int_equal(s.n_arcs, f.n_arcs);
+
+    // Every arc of every satellite, sample by sample, against the phases.
+    size_t compared = 0;
+    for (size_t a = 0; a < f.n_arcs; a++) {
+        const orr_fused_arc *arc = &f.arc[a];
+        const orr_phase_sat *sat = &day->phase.sat[arc->sat_index];
+        double low = 1e9, high = -1e9;
+        for (size_t i = 0; i < sat->n; i += 5) {
+            if (sat->arcs.arc_of[i] != (int)arc->arc) continue;
+            orr_vec3 pos;
+            orr_realisation r;
+            size_t n;
+            assert_true(sp3_position(&day->sp3, sat->sat, sat->t[i], &pos));
+            ASSERT_OK(orr_session_realise(&s, sat->t[i], s.site.pos_m, &sat->sat, &pos, 1, NULL, &r, &n, &d),
+                      d);
+            assert_int_equal(n, 1);
+            assert_int_equal(r.origin, ORR_ORIGIN_FUSED);
+            double constant = r.stec_tecu - sat->gf_tecu[i];
+            low = fmin(low, constant);
+            high = fmax(high, constant);
+            compared++;
+        }
+        assert_true(high - low < 1e-6);
+    }
+    print_message("%zu realisations: fused minus phase is one constant an arc to 1e-6 TECU\n", compared);
+    assert_true(compared > 10000);
+
+    // Between samples the curve goes on without a corner to speak of; a place 20 km away is alike but not the
+    // same, and the same seed gives the same bytes.
+    const orr_session_arc *arc = &s.arc[0];
+    orr_time t = s.sample[arc->first + arc->n / 2].t + 7 * ORR_NS_PER_S;
+    orr_vec3 pos, away = orr_vec3_axpy(20e3, s.site.east, s.site.pos_m);
+    assert_true(sp3_position(&day->sp3, arc->sat, t, &pos));
+    orr_realisation home, near, again, other;
+    size_t n;
+    orr_transfer_options o = {.seed = 5, .noise = true};
+    ASSERT_OK(orr_session_realise(&s, t, s.site.pos_m, &arc->sat, &pos, 1, &o, &home, &n, &d), d);
+    ASSERT_OK(orr_session_realise(&s, t, away, &arc->sat, &pos, 1, &o, &near, &n, &d), d);
+    ASSERT_OK(orr_session_realise(&s, t, away, &arc->sat, &pos, 1, &o, &again, &n, &d), d);
+    o.seed = 6;
+    ASSERT_OK(orr_session_realise(&s, t, away, &arc->sat, &pos, 1, &o, &other, &n, &d), d);
+    assert_int_equal(near.origin, ORR_ORIGIN_TRANSFERRED);
+    assert_memory_equal(&near.stec_tecu, &again.stec_tecu, sizeof(double)); // (structs have padding)
+    assert_memory_equal(&near.sigma_tecu, &again.sigma_tecu, sizeof(double));
+    assert_true(near.stec_tecu != other.stec_tecu);
+    assert_true(fabs(near.stec_tecu - home.stec_tecu) < 3 && near.stec_tecu != home.stec_tecu);
+    orr_session_free(&s);
+    orr_session_free(&made);
+    orr_fusion_free(&f, &day->phase);
+}
+
+// One satellite is withheld in turn and its vertical residual predicted from the others by distance; the
+// error by the distance of the nearest ray. And the made structure has the variance of the station's.
+static void test_transfer(void **state)
+{
+    station_day *day = *state;
+    if (day == NULL) SKIP_NO_DATA(DAY_OBS);
+    orr_diag d = {0};
+    orr_fusion f;
+    ASSERT_OK(orr_fuse(&day->phase, day->field, &day->biases, 1, NULL, &f, &d), d);
+    char path[512];
+    orr_tec_field *field;
+    assert_true(orr_test_data(DAY_MAPS, path, sizeof path));
+    ASSERT_OK(orr_tec_field_open(path, NULL, &field, NULL, &d), d);
+    orr_session s;
+    ASSERT_OK(orr_session_make(&day->phase, &f, field, 300, &s, &d), d);
+    enum { BINS = 8 };
+    static const double edge[BINS + 1] = {0, 50, 100, 150, 200, 300, 400, 600, 2000};
+    double predicted[BINS] = {0}, plain[BINS] = {0}, made[BINS] = {0}, count[BINS] = {0},
+           radius = ORR_SHELL_RADIUS_M / 1e3;
+    double all_made = 0, all_seen = 0, n_all = 0;
+    for (size_t a = 0; a < s.n_arcs; a++)
+        for (size_t i = 40; i + 40 < s.arc[a].n; i += 40) { // every 20 minutes, ends left out
+            const orr_session_sample *x = &s.sample[s.arc[a].first + i];
+            if (x->el_rad < 20 * ORR_RAD_PER_DEG) continue;
+            orr_vec3 pos;
+            assert_true(sp3_position(&day->sp3, s.arc[a].sat, x->t, &pos));
+            double nearest = 1e9;
+            for (size_t b = 0; b < s.n_arcs; b++) {
+                const orr_session_sample *first = &s.sample[s.arc[b].first], *last = first + s.arc[b].n - 1;
+                if (s.arc[b].sat == s.arc[a].sat || x->t < first->t || x->t > last->t) continue;
+                for (const orr_session_sample *y = first; y <= last; y++)
+                    if (y->t == x->t)
+                        nearest = fmin(nearest, radius * orr_vec3_norm(orr_vec3_sub(x->pierce, y->pierce)));
+            }
+            // The satellite under a name that the station never saw: it must be predicted from the others
+            // alone.
+            size_t kept_n = s.arc[a].n;
+            orr_sat stranger = orr_sat_make('L', 99);
+            s.arc[a].n = 0;
+            orr_realisation r, m;
+            size_t n;
+            orr_transfer_options o = {.seed = 11, .noise = false};
+            ASSERT_OK(orr_session_realise(&s, x->t, s.site.pos_m, &stranger, &pos, 1, &o, &r, &n, &d), d);
+            o.noise = true;
+            o.seed = 1000 * a + i;
+            ASSERT_OK(orr_session_realise(&s, x->t, s.site.pos_m, &stranger, &pos, 1, &o, &m, &n, &d), d);
+            s.arc[a].n = kept_n;
+            assert_int_equal(r.origin, ORR_ORIGIN_NOISE);
+            double v = x->stec_tecu / x->mapping, smooth = v - x->residual_tecu;
+            int bin = 0;
+            while (bin < BINS - 1 && nearest >= edge[bin + 1]) bin++;
+            predicted[bin] += (r.vtec_tecu - v) * (r.vtec_tecu - v);
+            plain[bin] += x->residual_tecu * x->residual_tecu;
+            made[bin] += (m.vtec_tecu - smooth) * (m.vtec_tecu - smooth);
+            count[bin]++;
+            all_made += (m.vtec_tecu - smooth) * (m.vtec_tecu - smooth);
+            all_seen += x->residual_tecu * x->residual_tecu;
+            n_all++;
+        }
+    print_message(
+        "nearest ray, km      n  predicted  corrected field  made structure (TECU, vertical, RMS)\n");
+    for (int b = 0; b < BINS; b++)
+        if (count[b] > 0)
+            print_message("%6.0f-%-6.0f %8.0f %10.3f %16.3f %15.3f\n", edge[b], edge[b + 1], count[b],
+                          sqrt(predicted[b] / count[b]), sqrt(plain[b] / count[b]), sqrt(made[b] / count[b]));
+    print_message("structure made %.3f TECU, seen %.3f TECU\n", sqrt(all_made / n_all),
+                  sqrt(all_seen / n_all));
+    assert_true(sqrt(predicted[0] / count[0]) < sqrt(plain[0] / count[0])); // near rays tell something
+    // Alike within 25 %: residuals above 20 degrees are smaller than all day's average, samples are
+    // correlated.
+    assert_true(fabs(sqrt(all_made / all_seen) - 1) < 0.25);
+    orr_session_free(&s);
+    orr_fusion_free(&f, &day->phase);
 }
 
 static int setup(void **state)
@@ -87,6 +246,7 @@ static int teardown(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_thesis), cmocka_unit_test(test_joint),
-                                       cmocka_unit_test(test_leave_one_out)};
+                                       cmocka_unit_test(test_leave_one_out), cmocka_unit_test(test_session),
+                                       cmocka_unit_test(test_transfer)};
     return cmocka_run_group_tests(tests, setup, teardown);
 }
