@@ -50,8 +50,8 @@ def lzw(data, width=16, block=True, clear_at=None):
 
 
 def sp3(version, sats, epochs, scale="GPS", velocity=False, extra=False):
-    ids = [(f" {s[1:]:>2}" if version == "a" else s) for s in sats]
-    lines = [f"#{version}{'V' if velocity else 'P'}2024  2  4  0  0  0.00000000 {epochs:7d} d+D   TEST  FIT TEST",
+    ids = [(f"{int(s[1:]):3d}" if version == "a" else s) for s in sats]
+    lines = [f"#{version}{'V' if velocity else 'P'}2024  2  4  0  0  0.00000000 {epochs:7d}   d+D  TEST FIT TEST",
              "## 2300      0.00000000   900.00000000 60344 0.0000000000000"]
     rows = max(5, (len(ids) + 16) // 17)
     for r in range(rows):
@@ -70,12 +70,13 @@ def sp3(version, sats, epochs, scale="GPS", velocity=False, extra=False):
             a = 0.13 * e + k
             p = [26000 * math.cos(a), 26000 * math.sin(a) * 0.6, 26000 * math.sin(a) * 0.8]
             tail = " 18 18 18 219 EP  MP"[:13 + 7 * (k % 2)] if extra else ""
-            clock = 999999.999999 if k == 1 else 12.5 * k
+            clock = 999999.999999 if k == 1 else 12.5 * k - 3.000001 * e
             lines.append(f"P{s}{p[0]:14.6f}{p[1]:14.6f}{p[2]:14.6f}{clock:14.6f}{tail}".rstrip())
             if extra:
-                lines.append("EP    55   55  222 9999999  1234567 -5000000        0 10000000       -1       12")
+                lines.append("EP    55   55   55     223  1234567 -5000000        0 10000000       -1       12")
             if velocity:
-                lines.append(f"V{s}{-30000 * math.sin(a):14.6f}{18000 * math.cos(a):14.6f}{0:14.6f}{999999.999999:14.6f}")
+                lines.append(f"V{s}{30000 * math.sin(a):14.6f}{18000 * math.cos(a):14.6f}{0:14.6f}{999999.999999:14.6f}"
+                             + (" 14 14 14 191" if extra else ""))
                 if extra:
                     lines.append("EV    22   22   22     111  1234567 -5000000        0 10000000       -1       12")
     return ("\n".join(lines + ["EOF", ""])).encode()
