@@ -293,7 +293,7 @@ static orr_status corr_to_system_time(const header_context *c)
     if (orr_field_int_in(c->line, 1, 6, 0, 9999, &d.year) != ORR_FIELD_OK ||
         orr_field_int_in(c->line, 7, 6, 1, 12, &d.month) != ORR_FIELD_OK ||
         orr_field_int_in(c->line, 13, 6, 1, 31, &d.day) != ORR_FIELD_OK ||
-        orr_field_real(c->line, 22, 19, &tau) != ORR_FIELD_OK ||
+        orr_field_real(c->line, 19, 42, &tau) != ORR_FIELD_OK ||
         orr_rinex_time(&d, ORR_SCALE_UTC, &t) != ORR_OK)
         return leave_out(c, 1, "a correction to system time that is not readable");
     return add_sto(c, "GLUT", tau, 0, t);
