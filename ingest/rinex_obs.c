@@ -88,12 +88,14 @@ static void take_value(orr_rinex_obs *r, orr_view line, size_t col, size_t k, do
     size_t left = line.n - (col - 1);
     double v = 0;
     if (left < 14 || fast_value(p, &v) != 0) {
+        // The point has its place: elsewhere the columns have slipped, and a digit may belong to the
+        // neighbour. Only cycle slip records (flag 6) come with fewer decimals, cut at the end of the line.
         orr_view field = {p, left < 14 ? left : 14};
         orr_field f = orr_view_real(field, &v);
-        if (f == ORR_FIELD_OK && left < 14 && !(field.n >= 4 && field.p[field.n - 4] == '.'))
-            f = ORR_FIELD_BAD;
+        size_t want = r->e.flag == ORR_OBS_CYCLE_SLIP ? 12 : 14;
+        if (f == ORR_FIELD_OK && (field.n < want || field.p[10] != '.')) f = ORR_FIELD_BAD;
         if (f == ORR_FIELD_BAD) {
-            warn(r, (int)col, "an observation that is not a number, or cut off: left out");
+            warn(r, (int)col, "an observation that is not a number in its columns, or cut off: left out");
             return;
         }
         if (f == ORR_FIELD_BLANK) v = 0;
@@ -182,8 +184,11 @@ static bool take_epoch_line(orr_rinex_obs *r, orr_view line, epoch_head *head)
     bool v3 = r->h.version >= 3;
     *head = (epoch_head){.t = ORR_TIME_NONE, .clock = (double)NAN};
     if (v3 ? orr_view_char(line, 1) != '>' : orr_view_char(line, 1) != ' ') return false;
+    static const int blank2[] = {4, 7, 10, 13, 27, 28}, blank3[] = {2, 7, 10, 13, 16, 31};
+    for (int i = 0; i < 6; i++) // anything there, and the columns have slipped
+        if (orr_view_char(line, v3 ? blank3[i] : blank2[i]) != ' ') return false;
     orr_field f = orr_field_int_in(line, v3 ? 32 : 29, 1, 0, 6, &head->flag);
-    if (f == ORR_FIELD_BAD) return false;
+    if (f == ORR_FIELD_BAD || (f == ORR_FIELD_BLANK && v3)) return false;
     if (orr_field_int_in(line, v3 ? 33 : 30, 3, 0, 999, &head->n) != ORR_FIELD_OK) return false;
     if (head->flag >= 2 && head->flag <= 5 && orr_view_is_blank(orr_view_cols(line, 2, v3 ? 28 : 25)))
         return true;
@@ -326,8 +331,10 @@ static void resync(orr_rinex_obs *r)
     r->warnings = NULL; // what is tried on the way is no complaint
     while (orr_input_line(r->in, &line)) {
         epoch_head head;
-        if (!take_epoch_line(r, line, &head)) continue;
-        if (r->h.version < 3 && (head.t == ORR_TIME_NONE || head.n == 0)) continue;
+        bool starts = r->h.version >= 3
+                          ? line.n > 0 && line.p[0] == '>' // whatever it is, it is told of
+                          : take_epoch_line(r, line, &head) && head.t != ORR_TIME_NONE && head.n > 0;
+        if (!starts) continue;
         orr_input_unline(r->in);
         break;
     }

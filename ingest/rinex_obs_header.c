@@ -150,9 +150,15 @@ static orr_status scale_factor(orr_rinex_obs_header *h, orr_view line, const obs
         for (size_t j = 0; j < codes->n; j++) codes->scale[j] = factor;
     for (int i = 0; i < n && i < 12; i++) {
         char code[4];
-        if (!code_text(line, 12 + 4 * i, 3, code)) return refuse(c, 12 + 4 * i, "a scaled type is missing");
-        for (size_t j = 0; j < codes->n; j++)
-            if (strcmp(codes->code[j], code) == 0) codes->scale[j] = factor;
+        size_t found = 0;
+        bool readable = code_text(line, 12 + 4 * i, 3, code);
+        for (size_t j = 0; readable && j < codes->n; j++) {
+            if (strcmp(codes->code[j], code) != 0) continue;
+            codes->scale[j] = factor;
+            found++;
+        }
+        if (found == 0)
+            return refuse(c, 12 + 4 * i, "a scaled observation type that the system does not have");
     }
     if (n > 12) warn(c, 9, "only the first 12 types of a scale factor line are read");
     return ORR_OK;

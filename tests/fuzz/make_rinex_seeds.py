@@ -99,7 +99,7 @@ def obs_files():
     v3 = head("     3.05           OBSERVATION DATA    M", "RINEX VERSION / TYPE") + head("MADE", "MARKER NAME")
     v3 += head("G   15 C1C L1C D1C S1C C2W L2W D2W S2W C5Q L5Q D5Q S5Q C1L", "SYS / # / OBS TYPES") + head("       L1L S1L", "SYS / # / OBS TYPES")
     v3 += head("R    2 C1C L1C", "SYS / # / OBS TYPES") + head("E    2 C1X L1X", "SYS / # / OBS TYPES")
-    v3 += head("G  100  2 C1C L1C", "SYS / SCALE FACTOR") + head("G L1C  0.25000", "SYS / PHASE SHIFT")
+    v3 += head("G  100   2 C1C L1C", "SYS / SCALE FACTOR") + head("G L1C  0.25000", "SYS / PHASE SHIFT")
     v3 += head("  2 R01  1 R02 -4", "GLONASS SLOT / FRQ #") + head(" C1C    0.000 C2C    0.000", "GLONASS COD/PHS/BIS")
     v3 += head("    30.000", "INTERVAL") + head("  2024    02    04    00    00    0.0000000     GPS", "TIME OF FIRST OBS") + head("", "END OF HEADER")
     v3 += "> 2024 02 04 00 00  0.0000000  0  3      -0.000123456789\nG01" + values(15) + "\nR02" + values(2) + "\nE11" + values(2) + "\n"
