@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 128 leading bits of 5^q, high word first: cut for q >= 0, one more than cut for q < 0 (so that the product with a
-// mantissa is never too small there). Any big-integer calculator gives them: 5^q 2^k or ceil(2^k / 5^-q) with k so that
-// the result has 128 bits. Included by decimal.c alone.
+// The 128 leading bits of 5^q, high word first: cut for q >= 0, one more than cut for q < 0 (so that the
+// product with a mantissa is never too small there). Any big-integer calculator gives them: 5^q 2^k or
+// ceil(2^k / 5^-q) with k so that the result has 128 bits. Included by decimal.c alone.
 #define ORR_DECIMAL_POWER_MIN (-64)
 #define ORR_DECIMAL_POWER_MAX 40
 // clang-format off

@@ -157,7 +157,7 @@ static double clock_rate_of_nodes(const eph_sat *s)
     int64_t step = 0;
     for (size_t i = 1; i < s->n_clocks && i < 32; i++) {
         int64_t d = s->clock[i].t - s->clock[i - 1].t;
-        if (step == 0 || d < step) step = d;
+        if (d > 0 && (step == 0 || d < step)) step = d;
     }
     return step > 0 ? 1.0 / (double)step : 0.0;
 }

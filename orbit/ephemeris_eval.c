@@ -96,7 +96,7 @@ static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_
 static bool clock_joined(const orr_ephemeris *e, const eph_sat *s, size_t i)
 {
     const orr_clock_node *c = &s->clock[i];
-    return i + 1 < s->n_clocks && c[1].t - c[0].t <= e->clock_max_gap_ns &&
+    return i + 1 < s->n_clocks && c[1].t > c[0].t && c[1].t - c[0].t <= e->clock_max_gap_ns &&
            (c[1].flags & ORR_EPH_CLOCK_EVENT) == 0;
 }
 

@@ -216,9 +216,10 @@ static orr_status read_clocks(const file *f, orr_ephemeris *e)
         if (t[i] < -TIME_LIMIT || t[i] > TIME_LIMIT || !isfinite(bias[i]))
             s = wrong(f, "a clock node is impossible");
     }
+    // Where two files meet, both have a clock for the instant: left and right of a jump.
     for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++)
         for (size_t k = 1; k < e->sat[i].n_clocks && s == ORR_OK; k++)
-            if (e->sat[i].clock[k].t <= e->sat[i].clock[k - 1].t)
+            if (e->sat[i].clock[k].t < e->sat[i].clock[k - 1].t)
                 s = wrong(f, "clock nodes do not ascend in time");
     free(t);
     free(bias);

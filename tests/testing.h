@@ -18,18 +18,18 @@
 #include <string.h>
 
 // |a - b| <= tol, with the numbers shown when it is not; NAN never passes.
-#define ASSERT_NEAR(a, b, tol)                                                                                   \
-    do {                                                                                                         \
-        double a_ = (a), b_ = (b), tol_ = (tol);                                                                 \
-        if (!(fabs(a_ - b_) <= tol_))                                                                            \
-            fail_msg("%s = %.17g, %s = %.17g, apart by %.3g > %.3g", #a, a_, #b, b_, fabs(a_ - b_), tol_);       \
+#define ASSERT_NEAR(a, b, tol)                                                                               \
+    do {                                                                                                     \
+        double a_ = (a), b_ = (b), tol_ = (tol);                                                             \
+        if (!(fabs(a_ - b_) <= tol_))                                                                        \
+            fail_msg("%s = %.17g, %s = %.17g, apart by %.3g > %.3g", #a, a_, #b, b_, fabs(a_ - b_), tol_);   \
     } while (0)
 
 // status expression must be ORR_OK; shows the diagnostic otherwise.
-#define ASSERT_OK(expr, diag)                                                                                    \
-    do {                                                                                                         \
-        orr_status s_ = (expr);                                                                                  \
-        if (s_ != ORR_OK) fail_msg("%s: %s (%s)", #expr, orr_status_name(s_), (diag).text);                      \
+#define ASSERT_OK(expr, diag)                                                                                \
+    do {                                                                                                     \
+        orr_status s_ = (expr);                                                                              \
+        if (s_ != ORR_OK) fail_msg("%s: %s (%s)", #expr, orr_status_name(s_), (diag).text);                  \
     } while (0)
 
 // Path below ORRERY_DATA into buf; false where the data are absent (the test then calls SKIP_NO_DATA()).
@@ -43,10 +43,10 @@ static inline bool orr_test_data(const char *name, char *buf, size_t n)
     fclose(f);
     return true;
 }
-#define SKIP_NO_DATA(name)                                                                                       \
-    do {                                                                                                         \
-        print_message("skipped: %s is not here (set ORRERY_DATA)\n", (name));                                    \
-        skip();                                                                                                  \
+#define SKIP_NO_DATA(name)                                                                                   \
+    do {                                                                                                     \
+        print_message("skipped: %s is not here (set ORRERY_DATA)\n", (name));                                \
+        skip();                                                                                              \
     } while (0)
 
 #endif

@@ -102,7 +102,7 @@ static orr_status take_scalar(builder *b, struct fy_event *e, const struct fy_ma
     if (e->scalar.tag != NULL)
         return refuse(b, ORR_E_FORMAT, mark, "tags (!...) have no meaning in a scenario");
     if (wants_key(b)) return take_key(b, e, mark);
-    orr_yaml_node *node;
+    orr_yaml_node *node = NULL;
     orr_status s = add_node(b, ORR_YAML_TEXT, mark, &node);
     if (s != ORR_OK) return s;
     bool has_nul;
@@ -122,7 +122,7 @@ static orr_status open_node(builder *b, orr_yaml_kind kind, bool tagged, const s
     if (tagged) return refuse(b, ORR_E_FORMAT, mark, "tags (!...) have no meaning in a scenario");
     if (wants_key(b)) return refuse(b, ORR_E_FORMAT, mark, "a key must be a plain word");
     if (++b->depth > ORR_YAML_MAX_DEPTH) return refuse(b, ORR_E_LIMIT, mark, "nested too deeply");
-    orr_yaml_node *node;
+    orr_yaml_node *node = NULL;
     orr_status s = add_node(b, kind, mark, &node);
     if (s == ORR_OK) b->open = node;
     return s;

@@ -271,10 +271,38 @@ static void hourly_nodes(void **state)
     orr_ephemeris_free(e);
 }
 
+// Clocks are linear between nodes: at a node they are the truth rounded to a picosecond, also where two files
+// meet.
+static void check_clocks(const orr_ephemeris *e)
+{
+    for (size_t k = 0; k < orr_sample_truth_count(truth); k++) {
+        orr_sat sat = orr_sample_truth_sat(truth, k)->sat;
+        for (int i = 0; i <= 3 * 96; i++) {
+            orr_time at = orr_time_add_s(orr_sample_start(), i * 900.0);
+            orr_sat_state got;
+            orr_vec3 r;
+            double clock;
+            if (!orr_sample_has_clock(sat, at) || !orr_sample_has_position(sat, at)) continue;
+            assert_int_equal(orr_sample_truth_at(truth, k, at, &r, NULL, &clock), ORR_OK);
+            assert_int_equal(orr_ephemeris_eval(e, sat, at, &got), ORR_OK);
+            if ((got.flags & ORR_EPH_CLOCK_VALID) == 0) continue; // beside a gap or a reset
+            ASSERT_NEAR(got.clock_s, clock, 0.501e-12);
+            assert_true(isfinite(got.clock_rate_sps));
+        }
+    }
+}
+
 static void three_days_with_their_events(void **state)
 {
     (void)state;
+    orr_diag d = {0};
     orr_ephemeris *e = smooth(DAYS, 3, 0);
+    check_clocks(e);
+    ASSERT_OK(orr_ephemeris_save(e, "truth-test.nc", "a test", &d), d);
+    orr_ephemeris_free(e);
+    ASSERT_OK(orr_ephemeris_load("truth-test.nc", &e, &d), d); // all below holds for the product as a file
+    remove("truth-test.nc");
+    check_clocks(e);
     // across both midnights
     for (const char *system = "GRE"; *system != '\0'; system++) {
         tally t = compare(e, *system, 22, 50, "E24"); // it is gone on the third day

@@ -15,7 +15,8 @@ static void same(double v, int decimals)
     // v * 10^decimals is rounded once before it is rounded to a whole number, so the last digit may be off by
     // one where printf sees a near tie; a zero has no sign here.
     double last = pow(10, -decimals);
-    if (!(fabs(strtod(mine, NULL) - strtod(theirs, NULL)) <= 1.001 * last + 4e-16 * fabs(v)) || strlen(mine) > strlen(theirs))
+    if (!(fabs(strtod(mine, NULL) - strtod(theirs, NULL)) <= 1.001 * last + 4e-16 * fabs(v)) ||
+        strlen(mine) > strlen(theirs))
         fail_msg("%.17g with %d decimals: '%s', printf has '%s'", v, decimals, mine, theirs);
     ASSERT_NEAR(strtod(mine, NULL), v, 0.5001 * last + 4e-16 * fabs(v));
 }
