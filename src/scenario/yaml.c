@@ -189,22 +189,44 @@ static orr_status parse_events(builder *b, const char *text, size_t n, struct fy
     return s;
 }
 
-// Control characters are no YAML, and libfyaml's scanner should not have to be the judge of binary files.
+// Bytes of the UTF-8 character at p (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF); 0 if it
+// is none.
+static size_t utf8_length(const unsigned char *p, size_t n)
+{
+    if (p[0] < 0x80) return 1;
+    size_t len = p[0] >= 0xf0 ? 4 : p[0] >= 0xe0 ? 3 : 2;
+    if (p[0] < 0xc2 || p[0] > 0xf4 || len > n) return 0;
+    for (size_t i = 1; i < len; i++)
+        if ((p[i] & 0xc0) != 0x80) return 0;
+    if ((p[0] == 0xe0 && p[1] < 0xa0) || (p[0] == 0xed && p[1] > 0x9f)) return 0;
+    if ((p[0] == 0xf0 && p[1] < 0x90) || (p[0] == 0xf4 && p[1] > 0x8f)) return 0;
+    return len;
+}
+
+// What libfyaml's scanner should not have to be the judge of: binary files, broken UTF-8 (it can wait for
+// ever for the end of a line that holds some), directives.
 static orr_status check_bytes(const orr_yaml *y, const char *text, size_t n, orr_diag *diag)
 {
     if (n > ORR_YAML_MAX_BYTES)
         return orr_diag_at(diag, ORR_E_LIMIT, y->name, 0, 0, "a scenario of more than %d MiB",
                            ORR_YAML_MAX_BYTES >> 20);
     int64_t line = 1;
-    size_t start = 0;
-    for (size_t i = 0; i < n; i++) {
-        unsigned char c = (unsigned char)text[i];
-        if (c == '\n') {
+    const unsigned char *p = (const unsigned char *)text;
+    for (size_t i = 0, start = 0, len; i < n; i += len) {
+        int column = (int)(i - start) + 1;
+        len = utf8_length(p + i, n - i);
+        if (len == 0)
+            return orr_diag_at(diag, ORR_E_FORMAT, y->name, line, column, "byte 0x%02x is no UTF-8 text",
+                               p[i]);
+        if (p[i] == '%' && i == start)
+            return orr_diag_at(diag, ORR_E_FORMAT, y->name, line, column,
+                               "directives (%%...) have no meaning in a scenario");
+        if (p[i] == '\n') {
             line++;
             start = i + 1;
-        } else if ((c < ' ' && c != '\t' && c != '\r') || c == 0x7f) {
-            return orr_diag_at(diag, ORR_E_FORMAT, y->name, line, (int)(i - start) + 1,
-                               "a control character (byte 0x%02x): this is no scenario text", c);
+        } else if ((p[i] < ' ' && p[i] != '\t' && p[i] != '\r') || p[i] == 0x7f) {
+            return orr_diag_at(diag, ORR_E_FORMAT, y->name, line, column,
+                               "a control character (byte 0x%02x): this is no scenario text", p[i]);
         }
     }
     return ORR_OK;

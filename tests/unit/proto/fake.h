@@ -4,7 +4,7 @@
 #define ORR_TESTS_UNIT_PROTO_FAKE_H
 
 #include "proto/server.h"
-#include "testing.h"
+#include <stdio.h>
 
 typedef struct fake {
     uint16_t n_sats;

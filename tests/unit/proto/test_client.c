@@ -4,6 +4,7 @@
 #include "proto/client.h"
 
 #include "fake.h"
+#include "testing.h"
 
 // A wire: what the client writes is answered at once; what it reads comes `chunk` bytes at a time.
 typedef struct wire {

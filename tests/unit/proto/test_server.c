@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fake.h"
+#include "testing.h"
 
 static uint8_t in[400000], out[400000], out2[400000];
 

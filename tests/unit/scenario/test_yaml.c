@@ -70,6 +70,12 @@ static void refusals_say_where(void **state)
         {"a: 1\n---\nb: 2\n", ORR_E_FORMAT, 2, "second document"},
         {"[1, 2]: 3\n", ORR_E_FORMAT, 1, "plain word"},
         {"a: \x01\n", ORR_E_FORMAT, 1, "control character"},
+        {"a: b\n%YAML 1.2\n", ORR_E_FORMAT, 2, "directives"},
+        {"a: \xc3(\n", ORR_E_FORMAT, 1, "no UTF-8"},            // a broken pair
+        {"a: \xc0\x80\n", ORR_E_FORMAT, 1, "no UTF-8"},         // overlong
+        {"a: \xed\xa0\x80\n", ORR_E_FORMAT, 1, "no UTF-8"},     // a surrogate
+        {"a: \xf4\x90\x80\x80\n", ORR_E_FORMAT, 1, "no UTF-8"}, // beyond U+10FFFF
+        {"a: \xe2\x82", ORR_E_FORMAT, 1, "no UTF-8"},           // cut
         {"a: \"x\\0y\"\n", ORR_E_FORMAT, 1, "NUL"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

@@ -13,6 +13,7 @@
 #include "fake.h"
 #include "src/service/dial.h"
 #include "src/service/url.h"
+#include "testing.h"
 
 typedef struct bench {
     fake fake;

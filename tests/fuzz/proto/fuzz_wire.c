@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames, payloads and the server's state machine over bytes of anyone. The first byte chooses what is done
+// with the rest; where a frame is wanted its checksum is made right, or no input would get past it.
+#include <stdlib.h>
+
+#include "proto/client.h"
+#include "proto/crc32.h"
+#include "proto/server.h"
+#include "tests/unit/proto/fake.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
+
+#define MUST(condition)                                                                                      \
+    do {                                                                                                     \
+        if (!(condition)) abort();                                                                           \
+    } while (0)
+
+// What decodes can be read to its end, encodes, and decodes to the same bytes again.
+#define AGAIN(name)                                                                                          \
+    do {                                                                                                     \
+        orr_msg_##name m_;                                                                                   \
+        if (orr_msg_##name##_decode(data, n, &m_) != ORR_WIRE_OK) break;                                     \
+        static uint8_t one_[1 << 20], two_[1 << 20];                                                         \
+        orr_wire_writer a_ = {one_, 0, sizeof one_, ORR_WIRE_OK}, b_ = {two_, 0, sizeof two_, ORR_WIRE_OK};  \
+        MUST(orr_msg_##name##_encode(&m_, &a_) == ORR_WIRE_OK && a_.size <= n);                              \
+        MUST(orr_msg_##name##_decode(one_, a_.size, &m_) == ORR_WIRE_OK);                                    \
+        MUST(orr_msg_##name##_encode(&m_, &b_) == ORR_WIRE_OK && b_.size == a_.size);                        \
+        MUST(memcmp(one_, two_, a_.size) == 0);                                                              \
+    } while (0)
+
+static void decode_all(const uint8_t *data, size_t n)
+{
+    AGAIN(hello);
+    AGAIN(caps);
+    AGAIN(ping);
+    AGAIN(pong);
+    AGAIN(error);
+    AGAIN(poll);
+    AGAIN(states);
+    orr_msg_states m;
+    if (orr_msg_states_decode(data, n, &m) != ORR_WIRE_OK) return;
+    orr_msg_sat_state s;
+    orr_wire_iter it = {0, 0};
+    uint16_t seen = 0;
+    while (orr_msg_sat_state_next(&m.satellites, &it, &s)) seen++;
+    MUST(seen == m.satellites.count);
+}
+
+static uint8_t stream[1 << 17], out[ORR_SERVER_OUT];
+
+// Whole frames alone may come out, however the input is cut.
+static void serve(const uint8_t *data, size_t n, size_t chunk)
+{
+    fake f = {.n_sats = 2};
+    orr_server s = fake_server(&f);
+    orr_server_conn c = {0};
+    size_t have = 0, from = 0;
+    for (int rounds = 0; rounds < 2000; rounds++) {
+        size_t more = n - from < chunk ? n - from : chunk;
+        memcpy(stream + have, data + from, more);
+        have += more;
+        from += more;
+        orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+        orr_server_step step;
+        orr_server_run(&s, &c, stream, have, &w, &step);
+        MUST(step.consumed <= have && w.size <= w.capacity && w.status == ORR_WIRE_OK);
+        MUST(step.need <= ORR_FRAME_OVERHEAD + ORR_MSG_MAX_REQUEST);
+        for (size_t at = 0, used; at < w.size; at += used) {
+            orr_frame fr;
+            MUST(orr_frame_parse(out + at, w.size - at, ORR_MSG_MAX_PAYLOAD, &fr, &used) == ORR_WIRE_OK);
+        }
+        have -= step.consumed;
+        memmove(stream, stream + step.consumed, have);
+        if (step.closing != 0 || (from == n && !step.busy)) return;
+    }
+}
+
+// The bytes as payloads of frames that are well made: [type, length, payload]...
+static void serve_framed(const uint8_t *data, size_t n)
+{
+    static uint8_t framed[1 << 16];
+    orr_wire_writer w = {framed, 0, sizeof framed, ORR_WIRE_OK};
+    while (n >= 2 && w.size + 300 < sizeof framed) {
+        size_t size = data[1] < n - 2 ? data[1] : n - 2, start;
+        orr_frame_begin(&w, data[0] % 10, (uint32_t)n, &start);
+        orr_wire_put_raw(&w, data + 2, size);
+        orr_frame_end(&w, start);
+        data += 2 + size;
+        n -= 2 + size;
+    }
+    MUST(w.status == ORR_WIRE_OK);
+    serve(framed, w.size, w.size > 0 ? w.size : 1);
+}
+
+typedef struct source {
+    const uint8_t *data;
+    size_t n;
+} source;
+
+static ptrdiff_t give(void *user, uint8_t *data, size_t n)
+{
+    source *s = user;
+    size_t m = s->n < n ? s->n : n;
+    if (m > 7) m = 7;
+    memcpy(data, s->data, m);
+    s->data += m;
+    s->n -= m;
+    return (ptrdiff_t)m;
+}
+
+static ptrdiff_t swallow(void *user, const uint8_t *data, size_t n)
+{
+    (void)user;
+    (void)data;
+    return (ptrdiff_t)n;
+}
+
+static void answer_client(const uint8_t *data, size_t n)
+{
+    static uint8_t buffer[2048];
+    source s = {data, n};
+    orr_client c;
+    orr_client_init(&c, (orr_client_io){&s, give, swallow}, buffer, sizeof buffer);
+    orr_msg_caps caps;
+    (void)orr_client_hello(&c, "fuzz", "1", &caps);
+    orr_msg_poll poll = {.count = 2, .step = 1};
+    orr_msg_states m;
+    (void)orr_client_poll(&c, &poll);
+    while (orr_client_states(&c, &m) == ORR_WIRE_OK) continue;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
+{
+    if (n < 1 || n > 60000) return 0;
+    uint8_t what = data[0];
+    data++;
+    n--;
+    switch (what % 4) {
+    case 0:
+        decode_all(data, n);
+        break;
+    case 1:
+        serve(data, n, (size_t)what + 1);
+        break;
+    case 2:
+        serve_framed(data, n);
+        break;
+    default:
+        answer_client(data, n);
+        break;
+    }
+    return 0;
+}
