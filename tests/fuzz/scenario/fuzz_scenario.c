@@ -7,6 +7,11 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
+// libfyaml 0.7.12 loses a block of 2 KiB for a quoted text with dozens of escaped quotes. Once a file at
+// start, bounded by the file's size, and not ours to mend: our own leaks are still found.
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void) { return "leak:libfyaml.so"; }
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
     orr_scenario s;
