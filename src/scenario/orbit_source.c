@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "core/sha256.h"
+#include "ingest/erp.h"
 
 enum { MAX_FILES = 400 };
 
@@ -30,14 +31,31 @@ static orr_status read_all(const orr_scenario_orbit *o, const orr_log *log, orr_
     return ORR_OK;
 }
 
-static orr_status smooth(const orr_scenario_orbit *o, const orr_smoother_input *input, const orr_log *log,
-                         const volatile int *cancel, orr_warnings *warnings, orr_ephemeris **out,
-                         orr_diag *diag)
+static orr_status read_erps(const orr_scenario_orbit *o, orr_eop_series *eop, orr_warnings *warnings,
+                            orr_diag *diag)
+{
+    size_t n = 0;
+    orr_erp *erp = calloc(o->erp.n, sizeof *erp);
+    orr_status s = erp == NULL ? orr_diag_set(diag, ORR_E_MEMORY, "out of memory") : ORR_OK;
+    for (; s == ORR_OK && n < o->erp.n; n++) {
+        s = orr_erp_read(o->erp.item[n], NULL, NULL, &erp[n], warnings, diag);
+        if (s != ORR_OK) break;
+    }
+    if (s == ORR_OK) s = orr_erp_merge(erp, n, eop, diag);
+    for (size_t i = 0; i < n; i++) orr_erp_free(&erp[i]);
+    free(erp);
+    return s;
+}
+
+static orr_status smooth(const orr_scenario_orbit *o, const orr_smoother_input *input,
+                         const orr_eop_series *eop, const orr_log *log, const volatile int *cancel,
+                         orr_warnings *warnings, orr_ephemeris **out, orr_diag *diag)
 {
     orr_smoother_options options = orr_smoother_defaults();
     options.node_step_s = o->nodes_s;
     options.exclude = o->exclude.item;
     options.n_exclude = o->exclude.n;
+    options.eop = eop->n > 0 ? eop : NULL;
     long cpus = sysconf(_SC_NPROCESSORS_ONLN);
     options.jobs = cpus > 0 && cpus < 64 ? (int)cpus : 1;
     orr_orbit_solution solution = {0};
@@ -56,7 +74,7 @@ orr_status orr_orbit_source_smooth(const orr_scenario_orbit *o, const orr_log *l
                                    const volatile int *cancel, orr_warnings *warnings, orr_ephemeris **out,
                                    orr_diag *diag)
 {
-    if (o->sp3.n > MAX_FILES)
+    if (o->sp3.n > MAX_FILES || o->erp.n > MAX_FILES)
         return orr_diag_set(diag, ORR_E_LIMIT, "orbit.sp3 names %zu files, at most %d are smoothed at once",
                             o->sp3.n, MAX_FILES);
     orr_sp3 *sp3 = calloc(o->sp3.n, sizeof *sp3);
@@ -65,7 +83,10 @@ orr_status orr_orbit_source_smooth(const orr_scenario_orbit *o, const orr_log *l
     orr_status s = ORR_OK;
     if (sp3 == NULL || input == NULL) s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     if (s == ORR_OK) s = read_all(o, log, sp3, input, &n_read, warnings, diag);
-    if (s == ORR_OK) s = smooth(o, input, log, cancel, warnings, out, diag);
+    orr_eop_series eop = {0};
+    if (s == ORR_OK && o->erp.n > 0) s = read_erps(o, &eop, warnings, diag);
+    if (s == ORR_OK) s = smooth(o, input, &eop, log, cancel, warnings, out, diag);
+    orr_erp_series_free(&eop);
     for (size_t i = 0; i < n_read; i++) orr_sp3_free(&sp3[i]);
     free(sp3);
     free(input);

@@ -10,16 +10,21 @@ static const orr_key keys[] = {
     {.path = "title",
      .kind = ORR_KEY_TEXT,
      .offset = AT(title),
-     .help = "What this scenario is, in a line; clients are told."},
+     .help = "what this scenario is, in a line; clients are told"},
     {.path = "orbit.product",
      .kind = ORR_KEY_FILE,
      .offset = AT(orbit.product),
-     .help = "Orbit product made by 'orrery orbit' (NetCDF). Either this or orbit.sp3."},
+     .help = "orbit product made by 'orrery orbit' (NetCDF). Either this or orbit.sp3"},
     {.path = "orbit.sp3",
      .kind = ORR_KEY_FILE,
      .list = true,
      .offset = AT(orbit.sp3),
-     .help = "Precise orbit files, smoothed jointly when the service starts (seconds)."},
+     .help = "precise orbit files, smoothed jointly when the service starts (seconds)"},
+    {.path = "orbit.erp",
+     .kind = ORR_KEY_FILE,
+     .list = true,
+     .offset = AT(orbit.erp),
+     .help = "of orbit.sp3: Earth rotation parameters; without them IERS' secular pole and UT1 = UTC"},
     {.path = "orbit.nodes",
      .kind = ORR_KEY_REAL,
      .offset = AT(orbit.nodes_s),
@@ -27,17 +32,17 @@ static const orr_key keys[] = {
      .max = 86400,
      .unit = "s",
      .fallback = "0",
-     .help = "Of orbit.sp3: use only epochs that are multiples of this; 0 for all."},
+     .help = "of orbit.sp3: use only epochs that are multiples of this; 0 for all"},
     {.path = "orbit.exclude",
      .kind = ORR_KEY_INTERVAL,
      .list = true,
      .offset = AT(orbit.exclude),
-     .help = "Of orbit.sp3: stretches of time whose epochs are not used."},
+     .help = "of orbit.sp3: stretches of time whose epochs are not used"},
     {.path = "serve.listen",
      .kind = ORR_KEY_TEXT,
      .list = true,
      .offset = AT(listen),
-     .help = "Where to listen: tcp://HOST:PORT (port 0: any free one) or unix:PATH. 'orrery serve --listen' "
+     .help = "where to listen: tcp://HOST:PORT (port 0: any free one) or unix:PATH. 'orrery serve --listen' "
              "overrules it."},
 };
 
@@ -55,10 +60,10 @@ static orr_status check(const orr_scenario *s, const orr_yaml *y, orr_diag *diag
     if (o->product == NULL && o->sp3.n == 0)
         return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
                            "no orbits: name an orbit.product or orbit.sp3");
-    if (o->product != NULL && (o->nodes_s > 0 || o->exclude.n > 0))
+    if (o->product != NULL && (o->nodes_s > 0 || o->exclude.n > 0 || o->erp.n > 0))
         return orr_diag_at(
             diag, ORR_E_FORMAT, y->name, 0, 0,
-            "orbit.nodes and orbit.exclude belong to orbit.sp3; a product is smoothed already");
+            "orbit.nodes, orbit.exclude and orbit.erp belong to orbit.sp3; a product is smoothed already");
     return ORR_OK;
 }
 
