@@ -26,7 +26,8 @@ void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *
     w->size = 0;
     w->capacity = c->capacity - c->size;
     w->status = ORR_WIRE_OK;
-    orr_frame_begin(w, type, ++c->sequence, start);
+    if (++c->sequence == 0) c->sequence = 1; // 0 is the server's, for an ERROR that answers no request
+    orr_frame_begin(w, type, c->sequence, start);
 }
 
 orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start)

@@ -146,7 +146,7 @@ static const orr_option options[] = {
      .value = "N",
      .min = 1,
      .max = 10000,
-     .help = "clients at once; one more is told BUSY. default 256"},
+     .help = "clients at once; one more is told BUSY; 256 by default"},
     {.name = "help-scenario", .kind = ORR_OPT_FLAG, .help = "print all keys of a scenario file, and end"},
 };
 

@@ -43,7 +43,7 @@ static const orr_key keys[] = {
      .list = true,
      .offset = AT(listen),
      .help = "where to listen: tcp://HOST:PORT (port 0: any free one) or unix:PATH. 'orrery serve --listen' "
-             "overrules it."},
+             "overrules it"},
 };
 
 static const orr_schema schema = {keys, sizeof keys / sizeof keys[0], sizeof(orr_scenario)};

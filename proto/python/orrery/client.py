@@ -116,7 +116,7 @@ class Client:
         return next(iter(list(self.poll(t, satellites=satellites))))
 
     def _send(self, message):
-        self._sequence = (self._sequence + 1) % 2**32
+        self._sequence = self._sequence % (2**32 - 1) + 1  # never 0: that is the server's
         self._sock.sendall(frame.make(message.TYPE, self._sequence, message.encode()))
 
     def _receive(self, wanted):

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A signal generator's side in miniature: proto's client, built as for firmware, over callbacks of its own.
+// Asks a service for everything at its span's start and in the middle and prints what a test can compare.
+//   firmware HOST PORT
+#include <arpa/inet.h>
+#include <inttypes.h>
+#include <netinet/in.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include "proto/client.h"
+
+static ptrdiff_t take(void *user, uint8_t *data, size_t n) { return recv(*(int *)user, data, n, 0); }
+static ptrdiff_t put(void *user, const uint8_t *data, size_t n)
+{
+    return send(*(int *)user, data, n, MSG_NOSIGNAL);
+}
+
+static int give_up(const orr_client *c, const char *what, orr_wire_status s)
+{
+    fprintf(stderr, "%s: %s %s\n", what, orr_wire_status_text(s), s == ORR_WIRE_REFUSED ? c->sentence : "");
+    return 1;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3) return 2;
+    struct sockaddr_in a = {.sin_family = AF_INET, .sin_port = htons((uint16_t)atoi(argv[2]))};
+    struct timeval patience = {.tv_sec = 20};
+    int fd = socket(AF_INET, SOCK_STREAM, 0);
+    if (inet_pton(AF_INET, argv[1], &a.sin_addr) != 1 || connect(fd, (struct sockaddr *)&a, sizeof a) != 0)
+        return 1;
+    setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+
+    static uint8_t buffer[32768];
+    orr_client c;
+    orr_client_init(&c, (orr_client_io){&fd, take, put}, buffer, sizeof buffer);
+    orr_msg_caps caps;
+    orr_wire_status s = orr_client_hello(&c, "firmware", "1", &caps);
+    if (s != ORR_WIRE_OK) return give_up(&c, "HELLO", s);
+    int64_t from = caps.span_from, to = caps.span_to;
+    printf("satellites %u\n", (unsigned)caps.satellites.count);
+    s = orr_client_ping(&c, 99);
+    if (s != ORR_WIRE_OK) return give_up(&c, "PING", s);
+    orr_msg_poll poll = {.t = from, .step = (to - from) / 2, .count = 2};
+    s = orr_client_poll(&c, &poll);
+    if (s != ORR_WIRE_OK) return give_up(&c, "POLL", s);
+    for (uint32_t k = 0; k < poll.count; k++) {
+        orr_msg_states m;
+        s = orr_client_states(&c, &m);
+        if (s != ORR_WIRE_OK) return give_up(&c, "STATES", s);
+        orr_msg_sat_state x;
+        orr_wire_iter it = {0, 0};
+        while (orr_msg_sat_state_next(&m.satellites, &it, &x))
+            printf("%" PRId64 " %c%02u %a %a %a\n", m.t, x.sat.system, (unsigned)x.sat.number, x.pos_m[0],
+                   x.vel_mps[1], x.acc_mps2[2]);
+    }
+    close(fd);
+    return 0;
+}

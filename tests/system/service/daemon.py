@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A real service for tests: started on loopback, waited for by its ready line, stopped by its pid."""
+import atexit
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "proto/python"))
+ORRERY, FIRMWARE = sys.argv[1:3]
+SAMPLE = ROOT / "samples/ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"
+PATIENCE_S = 90  # sanitizers are slow; nothing waits for it when all is well
+
+WORK = pathlib.Path(tempfile.mkdtemp(prefix="orrery-service-"))
+atexit.register(shutil.rmtree, WORK, True)
+
+
+def orrery(*args, **kwargs):
+    """Runs the program to its end."""
+    return subprocess.run([ORRERY, *map(str, args)], capture_output=True, text=True, timeout=PATIENCE_S, check=False, **kwargs)
+
+
+def product():
+    """An orbit product of ten satellites of the made constellation, made once."""
+    path = WORK / "day.nc"
+    if not path.exists():
+        done = orrery("orbit", "-o", path, "--sat", "G01-G06,R01-R02,E01-E02", SAMPLE)
+        if done.returncode != 0:
+            raise RuntimeError(f"orrery orbit: {done.stderr}")
+    return path
+
+
+class Daemon:
+    """`with Daemon(product()) as d:` serves on d.urls until the end of the block."""
+
+    def __init__(self, what, *args, listen=("tcp://127.0.0.1:0",), cwd=None):
+        words = [ORRERY, "serve", str(what), *args]
+        for url in listen:
+            words += ["--listen", url]
+        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=cwd)
+        self.lines, self.urls = [], []
+        self._ready = threading.Event()
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+        if not self._ready.wait(PATIENCE_S) or not self.urls:
+            self.process.kill()
+            self.process.wait()
+            raise RuntimeError("the service did not become ready: " + "".join(self.lines))
+
+    def _read(self):
+        for line in self.process.stderr:
+            self.lines.append(line)
+            match = re.match(r"orrery serve: ready on (.*) \(", line)
+            if match:
+                self.urls = match.group(1).split(" ")
+                self._ready.set()
+        self._ready.set()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.stop()
+
+    def stop(self, with_signal=signal.SIGTERM):
+        """Its exit status."""
+        self.process.send_signal(with_signal)
+        try:
+            status = self.process.wait(PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            status = self.process.wait()
+        self._reader.join(PATIENCE_S)
+        self.process.stderr.close()
+        self.process.stdout.close()
+        return status
+
+    def said(self, words):
+        return any(words in line for line in self.lines)

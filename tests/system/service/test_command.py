@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""orrery serve and orrery poll as commands: starting, refusing to start, stopping, and what they print."""
+import json
+import os
+import signal
+import socket
+import subprocess
+import time
+import unittest
+
+from daemon import ORRERY, PATIENCE_S, ROOT, SAMPLE, WORK, Daemon, orrery, product  # first: it sets the path
+
+import orrery as client_package
+from orrery import messages
+
+
+def write(name, text):
+    path = WORK / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+class Starting(unittest.TestCase):
+    def refused(self, status, words, what, *args):
+        done = orrery("serve", what, *args)
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertNotIn("ready", done.stderr)
+        self.assertIn(words, done.stderr)
+
+    def test_scenarios_that_are_none(self):
+        self.refused(1, "bad1.yaml:2:3: unknown key 'orbit.prodcut'; did you mean 'orbit.product'?",
+                     write("bad1.yaml", "orbit:\n  prodcut: day.nc\n"))
+        self.refused(1, "bad2.yaml", write("bad2.yaml", "orbit: [a\nb: c\n"))
+        self.refused(1, "not YAML", WORK / "bad2.yaml")
+        self.refused(1, "no orbits", write("bad3.yaml", "title: nothing\n"))
+        self.refused(1, "nonexistent.yaml", WORK / "nonexistent.yaml")
+        self.refused(1, str(WORK / "missing.sp3"), write("bad4.yaml", "orbit: {sp3: missing.sp3}\n"))
+        self.refused(1, "bad1.yaml: is no NetCDF file", write("no-product.yaml", "orbit: {product: bad1.yaml}\n"))
+        (WORK / "binary").write_bytes(bytes(range(256)))
+        self.refused(1, "control character", WORK / "binary")
+        (WORK / "fake.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
+        self.refused(1, "fake.nc", WORK / "fake.nc")
+        self.refused(1, "", WORK)
+
+    def test_addresses_that_are_none(self):
+        self.refused(2, "is no address", product(), "--listen", "127.0.0.1:80")
+        self.refused(2, "at most 65535", product(), "--listen", "tcp://127.0.0.1:99999")
+        self.assertEqual(orrery("serve").returncode, 2)
+        self.assertEqual(orrery("poll", "nowhere").returncode, 2)
+
+    def test_a_port_in_use(self):
+        with Daemon(product(), listen=("tcp://127.0.0.1:0", f"unix:{WORK}/used.sock")) as d:
+            for url in d.urls:
+                self.refused(1, "another program is listening there", product(), "--listen", url)
+            with client_package.Client(d.urls[1]) as c:  # and the first one has not lost its socket
+                c.ping()
+
+    def test_a_socket_left_by_a_killed_server(self):
+        url = f"unix:{WORK}/left.sock"
+        d = Daemon(product(), listen=(url,))
+        self.assertNotEqual(d.stop(signal.SIGKILL), 0)
+        self.assertTrue((WORK / "left.sock").exists())
+        with Daemon(product(), listen=(url,)) as again:
+            with client_package.Client(url) as c:
+                c.ping()
+            self.assertEqual(again.stop(), 0)
+        self.assertFalse((WORK / "left.sock").exists())
+        write("plain.sock", "not a socket")
+        self.refused(1, "no socket", product(), "--listen", f"unix:{WORK}/plain.sock")
+        self.assertEqual((WORK / "plain.sock").read_text(), "not a socket")
+
+    def test_a_scenario_of_sp3_files(self):
+        here = WORK / "scenarios"
+        here.mkdir()
+        relative = os.path.relpath(SAMPLE, here)
+        path = write("scenarios/day.yaml", f"title: A made day\norbit:\n  sp3: [{relative}]\n  nodes: 3600\n"
+                     f"serve:\n  listen: unix:{WORK}/scenario.sock\n")
+        with Daemon(path, listen=(), cwd="/") as d:  # paths are the scenario's, wherever the program is started
+            self.assertEqual(d.urls, [f"unix:{WORK}/scenario.sock"])
+            with client_package.Client(d.urls[0]) as c:
+                self.assertEqual((c.caps.title, len(c.satellites)), ("A made day", 80))
+                self.assertEqual(sum(s.answer == 0 for s in c.states(c.span[0] + 10**12).satellites), 80)
+
+    def test_help_of_scenarios_stands_in_the_docs(self):
+        done = orrery("serve", "--help-scenario")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(f"```\n{done.stdout}```", (ROOT / "docs/scenario.md").read_text(encoding="utf-8"))
+
+
+class Stopping(unittest.TestCase):
+    def test_signals(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            d = Daemon(product(), listen=("tcp://127.0.0.1:0", f"unix:{WORK}/stop.sock"))
+            with client_package.Client(d.urls[0]):
+                self.assertEqual(d.stop(number), 0)
+            self.assertFalse((WORK / "stop.sock").exists())
+
+    def test_answers_under_way_are_finished(self):
+        d = Daemon(product())
+        with client_package.Client(d.urls[0], timeout_s=PATIENCE_S) as c:
+            answers = c.poll(c.span[0], 0.1, 8000)  # 10 MB: more than the buffers of a socket hold
+            next(answers)
+            d.process.send_signal(signal.SIGTERM)
+            time.sleep(0.1)
+            self.assertIsNone(d.process.poll())
+            self.assertEqual(sum(1 for _ in answers), 7999)
+            with self.assertRaises((client_package.Refused, client_package.ProtocolError, OSError)):
+                c.ping()
+        self.assertEqual(d.stop(), 0)
+
+    def test_a_client_that_does_not_read_does_not_hold_it(self):
+        d = Daemon(product())
+        with client_package.Client(d.urls[0]) as c:
+            c._send(messages.Poll(c.span[0], 1, 80000, []))
+            time.sleep(0.2)
+            begin = time.monotonic()
+            self.assertEqual(d.stop(), 0)
+            self.assertLess(time.monotonic() - begin, PATIENCE_S / 2)
+        self.assertTrue(d.said("did not take their answers"))
+
+
+class Polling(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.daemon = Daemon(product())
+        cls.url = cls.daemon.urls[0]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.stop()
+
+    def test_json(self):
+        done = orrery("poll", self.url, "--at", "2025-03-21T06:00:00.5", "--step", "0.1", "--count", 3, "--sat", "G02,E,C05", "--json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        epochs = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([e["t"] for e in epochs], [f"2025-03-21T06:00:00.{k}" for k in (5, 6, 7)])
+        self.assertEqual([s["sat"] for s in epochs[0]["satellites"]], ["G02", "E01", "E02", "C05"])
+        self.assertEqual(epochs[0]["satellites"][3], {"sat": "C05", "answer": "NOT_SERVED"})
+        with client_package.Client(self.url) as c:
+            for e, m in zip(epochs, c.poll("2025-03-21T06:00:00.5", 0.1, 3, ["G02", "E01", "E02"])):
+                for j, s in zip(e["satellites"], m.satellites):
+                    self.assertEqual((j["pos_m"], j["vel_mps"], j["acc_mps2"]), (s.pos_m, s.vel_mps, s.acc_mps2))
+                    self.assertEqual((j["clock_s"], j["sigma_m"]), (s.clock_s, s.sigma_m))
+                    self.assertIn("CLOCK_VALID", j["flags"])
+
+    def test_table(self):
+        done = orrery("poll", self.url)  # the start of the span
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = done.stdout.splitlines()
+        self.assertTrue(lines[0].startswith("2025-03-21T00:00:00 GPS"))
+        self.assertEqual([line[:3] for line in lines[2:]], ["G01", "G02", "G03", "G04", "G05", "G06", "R01", "R02", "E01", "E02"])
+
+    def test_where_there_is_nothing(self):
+        done = orrery("poll", self.url, "--at", "2030-01-01")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("outside the served span", done.stdout)
+        self.assertIn("serves 2025-03-21T00:00:00 to 2025-03-22T00:00:00", done.stderr)
+        self.assertEqual(orrery("poll", self.url, "--sat", "C").returncode, 1)
+        self.assertEqual(orrery("poll", self.url, "--count", 2).returncode, 2)
+        self.assertEqual(orrery("poll", f"unix:{WORK}/nobody.sock").returncode, 1)
+
+    def test_real_time(self):
+        begin = time.monotonic()
+        done = orrery("poll", self.url, "--realtime", "--step", "0.1", "--count", 6, "--sat", "G01", "--json")
+        self.assertEqual((done.returncode, len(done.stdout.splitlines())), (0, 6))
+        self.assertGreater(time.monotonic() - begin, 0.49)
+
+    def test_a_server_of_another_kind(self):
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            process = subprocess.Popen([ORRERY, "poll", f"tcp://127.0.0.1:{server.getsockname()[1]}", "--timeout", "5"],
+                                       stderr=subprocess.PIPE, text=True)
+            peer, _ = server.accept()
+            with peer:
+                peer.recv(1000)
+                peer.sendall(b"HTTP/1.1 400 Bad Request\r\n\r\n")
+                _, talk = process.communicate(timeout=PATIENCE_S)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("no Orrery service", talk)
+
+    def test_a_silent_server(self):
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            done = orrery("poll", f"tcp://127.0.0.1:{server.getsockname()[1]}", "--timeout", "0.3")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no answer", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["test_command"])
