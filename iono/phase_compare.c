@@ -29,9 +29,9 @@ static size_t matches(const orr_phase_sat *a, const orr_phase_sat *b, double mat
 }
 
 orr_status orr_phase_compare(const orr_phase_tec *a, const orr_phase_tec *b, double match_s,
-                             size_t min_samples, orr_comparison *out, orr_diag *diag)
+                             size_t min_samples, orr_curves *out, orr_diag *diag)
 {
-    *out = (orr_comparison){.baseline_m = orr_vec3_norm(orr_vec3_sub(a->site.pos_m, b->site.pos_m))};
+    *out = (orr_curves){.baseline_m = orr_vec3_norm(orr_vec3_sub(a->site.pos_m, b->site.pos_m))};
     size_t room = 0, arcs = 0, longest = 0;
     for (size_t s = 0; s < a->n_sats; s++) {
         room += a->sat[s].n;
@@ -44,7 +44,7 @@ orr_status orr_phase_compare(const orr_phase_tec *a, const orr_phase_tec *b, dou
     match *m = malloc((longest + 1) * sizeof *m);
     if (out->point == NULL || out->curve == NULL || m == NULL) {
         free(m);
-        orr_comparison_free(out);
+        orr_curves_free(out);
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory to compare stations");
     }
     double pooled = 0;
@@ -85,7 +85,7 @@ orr_status orr_phase_compare(const orr_phase_tec *a, const orr_phase_tec *b, dou
     }
     free(m);
     if (out->n_points == 0) {
-        orr_comparison_free(out);
+        orr_curves_free(out);
         return orr_diag_set(diag, ORR_E_NODATA,
                             "%s and %s have no common arc of %zu epochs (same satellite, epochs within %g s)",
                             a->marker, b->marker, min_samples, match_s);
@@ -94,9 +94,9 @@ orr_status orr_phase_compare(const orr_phase_tec *a, const orr_phase_tec *b, dou
     return ORR_OK;
 }
 
-void orr_comparison_free(orr_comparison *c)
+void orr_curves_free(orr_curves *c)
 {
     free(c->curve);
     free(c->point);
-    *c = (orr_comparison){0};
+    *c = (orr_curves){0};
 }

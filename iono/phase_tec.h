@@ -74,16 +74,16 @@ typedef struct orr_curve {
     size_t first, n; // in the point array
     double rms_tecu; // of a - b
 } orr_curve;
-typedef struct orr_comparison {
+typedef struct orr_curves {
     size_t n_curves, n_points;
     orr_curve *curve;
     orr_curve_point *point;
     double rms_tecu; // pooled
     double baseline_m;
-} orr_comparison;
+} orr_curves;
 // ORR_E_NODATA when there are no common arcs; ORR_E_MEMORY.
 orr_status orr_phase_compare(const orr_phase_tec *a, const orr_phase_tec *b, double match_s,
-                             size_t min_samples, orr_comparison *out, orr_diag *diag);
-void orr_comparison_free(orr_comparison *c);
+                             size_t min_samples, orr_curves *out, orr_diag *diag);
+void orr_curves_free(orr_curves *c);
 
 #endif

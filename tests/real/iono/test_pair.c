@@ -17,7 +17,7 @@ static void test_pair(void **state)
     orr_diag d = {0};
     ASSERT_OK(orr_phase_tec_read(a, NULL, &p, NULL, &d), d);
     ASSERT_OK(orr_phase_tec_read(b, NULL, &q, NULL, &d), d);
-    orr_comparison c;
+    orr_curves c;
     ASSERT_OK(orr_phase_compare(&p, &q, 0.1, 20, &c, &d), d);
     double swing = 0;
     for (size_t i = 0; i < c.n_curves; i++) {
@@ -38,7 +38,7 @@ static void test_pair(void **state)
     assert_true(swing > 1); // there is something to agree on
     assert_true(c.rms_tecu <= 0.08);
     ASSERT_NEAR(c.baseline_m, 3500, 400); // headers know the places to some hundred metres
-    orr_comparison_free(&c);
+    orr_curves_free(&c);
     assert_int_equal(orr_phase_compare(&p, &q, 0.1, 5000, &c, &d), ORR_E_NODATA);
     assert_non_null(strstr(d.text, "common arc"));
     orr_phase_tec_free(&p);
