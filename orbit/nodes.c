@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "orbit/bridge.h"
 #include "orbit/ephemeris.h"
 
 void orr_nodes_free(orr_node_table *t)
@@ -188,6 +189,19 @@ static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs
     return ORR_OK;
 }
 
+static orr_status bridge_all(const orr_smoother_options *o, orr_node_table *t, orr_diag *diag)
+{
+    for (size_t i = 0; i < t->n_sats; i++) {
+        orr_node_list *l = &t->list[i];
+        if (orr_bridge_nodes(o->nav, t->from, t->step_s, o->extend_to, l) != ORR_OK) {
+            orr_nodes_free(t);
+            return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for the nodes of the bridge");
+        }
+        if (l->n_nodes > 0 && l->node[l->n_nodes - 1].t > t->to) t->to = l->node[l->n_nodes - 1].t;
+    }
+    return ORR_OK;
+}
+
 orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, const orr_smoother_options *o,
                              orr_node_table *out, orr_warnings *warnings, orr_diag *diag)
 {
@@ -240,7 +254,7 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
             same, largest_m);
     out->step_s = median_step(out, false);
     out->clock_step_s = median_step(out, true);
-    return ORR_OK;
+    return o->bridge ? bridge_all(o, out, diag) : ORR_OK;
 memory:
     free(order);
     free(sat);

@@ -12,6 +12,7 @@ typedef struct orr_node {
     orr_vec3 ecef_m;
     double sigma_m;
     bool predicted, manoeuvre;
+    bool bridge;     // not of an input file: a broadcast position where the files have none
     bool superseded; // another file observed what this one predicted
     uint16_t source; // index of the input file
     uint16_t rank;   // of the file in time

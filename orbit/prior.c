@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/prior.h"
 
+#include "orbit/broadcast.h"
+
 #define WINDOW 10
 #define SAME_S 1e-6
 #define UNBROKEN_STEPS 2.5 // nodes further apart than so many steps do not share a polynomial
@@ -84,5 +86,22 @@ void orr_prior_sparse(const orr_track_context *c, const orr_node *list, size_t n
         else if (dt_left < 0 && isfinite(dt_left))
             reference[i].valid =
                 circular_velocity(reference[i].r_m, reference[i - 1].r_m, dt_left, &reference[i].v_mps);
+    }
+}
+
+void orr_prior_broadcast(const orr_track_context *c, orr_sat sat, const orr_node *list, size_t n,
+                         double node_step_s, orr_reference *reference)
+{
+    const orr_broadcast_choice choice = orr_broadcast_choice_default();
+    orr_prior_sparse(c, list, n, node_step_s, reference);
+    for (size_t i = 0; i < n; i++) {
+        orr_broadcast_state s;
+        orr_sky_point p;
+        const orr_nav_eph *eph = orr_broadcast_select(c->options->nav, sat, list[i].t, &choice);
+        if (eph == NULL || orr_broadcast_eval(eph, list[i].t, &s) != ORR_OK) continue;
+        if (orr_sat_system(sat) == 'R') s.pos_m = orr_broadcast_pz90_to_itrf(s.pos_m, list[i].t);
+        orr_sky_at(c->sky, list[i].t_s, &p);
+        orr_sky_from_ecef(&p, s.pos_m, s.vel_mps, &reference[i].r_m, &reference[i].v_mps);
+        reference[i].valid = true;
     }
 }

@@ -17,13 +17,14 @@
 typedef struct work {
     const orr_track_context *c;
     const orr_node_table *table;
-    const orr_node *node; // of the satellite
+    orr_node *node; // of the satellite
     size_t n;
     orr_reference *ref; // per node
     orr_orbit_sat *out;
     size_t arc_room;
     orr_event_list events;
     orr_satellite_report *report;
+    double scale; // real to formal sigma of the last arc
 } work;
 
 void orr_satellite_free(orr_orbit_sat *s)
@@ -71,11 +72,17 @@ static double take_references(const orr_track *t, const orr_arc_range *arc, orr_
     return largest;
 }
 
+// A node of an input file that counts.
+static bool precise(const orr_node *n) { return !n->superseded && !n->bridge; }
+
 static uint32_t flags_between(const work *w, const orr_node *a, const orr_node *b)
 {
     uint32_t flags = 0;
     if (a->predicted || b->predicted) flags |= ORR_EPH_PREDICTED;
-    if (b->t_s - a->t_s > 2.0 * w->table->step_s + 1e-3) flags |= ORR_EPH_GAP;
+    if (b->t_s - a->t_s > 2.0 * w->table->step_s + 1e-3) {
+        flags |= ORR_EPH_GAP;
+        if (w->c->options->bridge) flags |= ORR_EPH_PREDICTED;
+    }
     return flags;
 }
 
@@ -88,7 +95,7 @@ static double real_over_formal(const work *w, const orr_track *t, const orr_verd
         const orr_instant *at = &t->at[k];
         for (size_t i = at->first; i < at->first + at->n; i++) {
             const orr_node *node = &w->node[i];
-            if (node->superseded || verdict[i].rejected) continue;
+            if (node->superseded || node->bridge || verdict[i].rejected) continue;
             orr_vec3 x = orr_vec3_make(at->smoothed.x[0], at->smoothed.x[1], at->smoothed.x[2]);
             orr_vec3 e = orr_vec3_sub(orr_track_measured(w->c, at, node), x);
             double weight = 1.0 / (node->sigma_m * node->sigma_m);
@@ -104,6 +111,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
 {
     const size_t first = 0, last = t->n - 1;
     const double scale = real_over_formal(w, t, verdict);
+    w->scale = scale;
     if (w->out->n_arcs == w->arc_room) {
         size_t room = w->arc_room > 0 ? 2 * w->arc_room : 4;
         orr_orbit_arc *arc = realloc(w->out->arc, room * sizeof *arc);
@@ -121,14 +129,14 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
     for (size_t k = first; k <= last; k++) {
         const orr_instant *at = &t->at[k];
         for (size_t i = at->first; i < at->first + at->n; i++)
-            if (!w->node[i].superseded && !verdict[i].rejected) left = &w->node[i];
+            if (precise(&w->node[i]) && !verdict[i].rejected) left = &w->node[i];
         if (!at->sample) continue;
         if (next_instant <= k) { // the next used node after this sample
             right = NULL;
             for (next_instant = k + 1; next_instant <= last && right == NULL; next_instant++)
                 for (size_t i = t->at[next_instant].first;
                      i < t->at[next_instant].first + t->at[next_instant].n; i++)
-                    if (!w->node[i].superseded && !verdict[i].rejected) right = &w->node[i];
+                    if (precise(&w->node[i]) && !verdict[i].rejected) right = &w->node[i];
             if (right != NULL) next_instant--;
         }
         orr_sky_point p;
@@ -143,7 +151,8 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
         s->acc_mps2 = orr_vec3_axpy(2.0, orr_mat3_apply(&p.dR, v), s->acc_mps2);
         double variance = at->smoothed.P[0][0] + at->smoothed.P[1][1] + at->smoothed.P[2][2];
         s->sigma_m = (float)(scale * sqrt(variance > 0 ? variance : 0));
-        s->flags = left != NULL && right != NULL ? flags_between(w, left, right) : 0;
+        s->flags = left != NULL && right != NULL ? flags_between(w, left, right)
+                                                 : ORR_EPH_PREDICTED; // beyond the last node
         if (orr_force_sunlight(r, p.sun_m) < 1) s->flags |= ORR_EPH_ECLIPSE;
     }
     w->out->arc[w->out->n_arcs++] = arc;
@@ -163,7 +172,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
                 double jump = orr_vec3_norm(orr_vec3_sub(node->ecef_m, w->node[i - 1].ecef_m));
                 s = orr_event_add(&w->events, ORR_EVENT_DAY_JUMP, node->t, node->t, jump);
             }
-            if (node->superseded || s != ORR_OK) continue;
+            if (!precise(node) || s != ORR_OK) continue;
             if (verdict[i].rejected) {
                 w->report->nodes_rejected++;
                 s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, node->t, node->t,
@@ -217,7 +226,7 @@ static orr_status tell_left_out(work *w, const orr_track *t, const orr_segmentat
         while (a < seg->n_arcs && seg->arc[a].last < k) a++;
         if (a < seg->n_arcs && seg->arc[a].first <= k) continue; // told with its arc
         for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n && s == ORR_OK; i++) {
-            if (w->node[i].superseded) continue;
+            if (!precise(&w->node[i])) continue;
             w->report->nodes_rejected++;
             s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, w->node[i].t, w->node[i].t,
                               seg->verdict[i].innovation_m);
@@ -302,12 +311,54 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
     return s;
 }
 
-orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table,
-                                const orr_node_list *list, orr_orbit_sat *out, orr_satellite_report *report)
+static orr_status smooth_all(work *w)
+{
+    const orr_track_context *c = w->c;
+    if (c->options->nav != NULL)
+        orr_prior_broadcast(c, w->out->sat, w->node, w->n, w->table->step_s, w->ref);
+    else
+        orr_prior_sparse(c, w->node, w->n, w->table->step_s, w->ref);
+    orr_status s = ORR_OK;
+    for (size_t i = 0; i < w->n && s == ORR_OK;) {
+        size_t j = i + 1;
+        while (j < w->n && w->node[j].t_s - w->node[j - 1].t_s <= c->options->max_gap_s + 1e-3) j++;
+        s = smooth_stretch(w, i, j);
+        if (j < w->n && s == ORR_OK)
+            s = orr_event_add(&w->events, ORR_EVENT_GAP, w->node[j - 1].t, w->node[j].t, 0);
+        i = j;
+    }
+    return s;
+}
+
+static void forget_arcs(work *w)
+{
+    for (size_t i = 0; i < w->out->n_arcs; i++) free(w->out->arc[i].sample);
+    w->out->n_arcs = 0;
+    w->events.n = 0;
+    *w->report = (orr_satellite_report){0};
+}
+
+// Nodes of the bridge are no input: they leave the list that the product keeps.
+static void drop_bridge(work *w)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < w->n; i++)
+        if (!w->node[i].bridge) w->out->node[n++] = w->out->node[i];
+    w->out->n_nodes = n;
+}
+
+orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, orr_node_list *list,
+                                orr_orbit_sat *out, orr_satellite_report *report)
 {
     *out = (orr_orbit_sat){.sat = list->sat};
     *report = (orr_satellite_report){0};
-    work w = {.c = c, .table = table, .node = list->node, .n = list->n_nodes, .out = out, .report = report};
+    work w = {.c = c,
+              .table = table,
+              .node = list->node,
+              .n = list->n_nodes,
+              .out = out,
+              .report = report,
+              .scale = 1};
     out->node = calloc(list->n_nodes + 1, sizeof *out->node);
     out->clock = malloc((list->n_clocks + 1) * sizeof *out->clock);
     w.ref = calloc(list->n_nodes + 1, sizeof *w.ref);
@@ -316,20 +367,28 @@ orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table
     memcpy(out->clock, list->clock, list->n_clocks * sizeof *out->clock);
     out->n_clocks = list->n_clocks;
     out->n_nodes = list->n_nodes;
-    for (size_t i = 0; i < list->n_nodes; i++)
+    bool bridged = false;
+    for (size_t i = 0; i < list->n_nodes; i++) {
         out->node[i] = (orr_orbit_node){.t = list->node[i].t,
                                         .residual_m = {(double)NAN, (double)NAN, (double)NAN},
                                         .source = list->node[i].source};
-    orr_prior_sparse(c, list->node, list->n_nodes, table->step_s, w.ref);
-    s = ORR_OK;
-    for (size_t i = 0; i < list->n_nodes && s == ORR_OK;) {
-        size_t j = i + 1;
-        while (j < list->n_nodes && list->node[j].t_s - list->node[j - 1].t_s <= c->options->max_gap_s + 1e-3)
-            j++;
-        s = smooth_stretch(&w, i, j);
-        if (j < list->n_nodes && s == ORR_OK)
-            s = orr_event_add(&w.events, ORR_EVENT_GAP, list->node[j - 1].t, list->node[j].t, 0);
-        i = j;
+        bridged = bridged || list->node[i].bridge;
+        w.node[i].superseded = w.node[i].superseded || w.node[i].bridge;
+    }
+    s = smooth_all(&w);
+    if (s == ORR_OK && bridged) {
+        // The formal sigmas of precise nodes are larger than the truth by 1/scale; those of the bridge, which
+        // are true, have to be stretched likewise before the two are weighed against each other.
+        double scale = w.scale > 1e-4 ? w.scale : 1e-4;
+        for (size_t i = 0; i < w.n; i++)
+            if (w.node[i].bridge) {
+                w.node[i].superseded = false;
+                w.node[i].sigma_m /= scale;
+            }
+        forget_arcs(&w);
+        for (size_t i = 0; i < w.n; i++) out->node[i].used = 0;
+        s = smooth_all(&w);
+        drop_bridge(&w);
     }
     orr_events_sort(&w.events);
     out->event = w.events.item;

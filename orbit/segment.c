@@ -75,7 +75,7 @@ static bool take_nodes(const work *w, size_t instant, bool test, double *d2_sum,
             w->verdict[i].innovation_m = length;
             continue;
         }
-        if (d2_sum != NULL) {
+        if (d2_sum != NULL && !node->bridge) {
             *d2_sum += d2;
             ++*d2_count;
         }

@@ -24,6 +24,7 @@ orr_smoother_options orr_smoother_defaults(void)
         .f0_sigma_mps2 = 1e-3, // diffuse: the first nodes decide
         .f0_axes = ORR_F0_RTN,
         .max_gap_s = 8 * 3600.0,
+        .extend_to = ORR_TIME_NONE,
         .detect = true,
         .grid_s = 150,
         .jobs = 1,
@@ -57,6 +58,8 @@ static orr_status check_options(const orr_smoother_options *o, orr_diag *diag)
     if (!(o->max_gap_s > 0 && o->max_gap_s <= 172800))
         return orr_diag_set(diag, ORR_E_ARG, "longest bridged gap of %g s is not in (0, 48 h]", o->max_gap_s);
     if (!(o->node_step_s >= 0)) return orr_diag_set(diag, ORR_E_ARG, "node step cannot be negative");
+    if (o->bridge && o->nav == NULL)
+        return orr_diag_set(diag, ORR_E_ARG, "bridging needs broadcast ephemerides");
     if (o->passes < 0 || o->jobs < 1 || o->jobs > 256)
         return orr_diag_set(diag, ORR_E_ARG, "passes must be 0 or more, jobs 1 to 256");
     return ORR_OK;
@@ -66,10 +69,13 @@ static void describe(const orr_smoother_options *o, char *buf, size_t n)
 {
     static const char *axes[] = {"RTN", "inertial", "ecef"};
     snprintf(buf, n,
-             "prior: sparse SP3; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; SRP: %g m/s2; sigma: %g m "
+             "prior: %s; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; SRP: %g m/s2; sigma: %g m "
              "(predicted %g m); "
              "f0: %s, qf %g m2/s5, a-priori %g m/s2; qv: %g m2/s3; node step: %g s; longest gap: %g s; "
              "detection: %s; passes: %d",
+             o->nav == NULL ? "sparse SP3"
+             : o->bridge    ? "broadcast, bridging"
+                            : "broadcast",
              o->frame == ORR_SKY_GCRS ? "GCRS (IAU 2006/2000B)" : "uniform rotation", o->gravity_degree,
              o->zonal_only ? " zonal" : "", o->sun_moon ? "yes" : "no", o->srp_mps2, o->sigma_m,
              o->sigma_predicted_m, axes[o->f0_axes], o->qf_m2ps5, o->f0_sigma_mps2, o->qv_m2ps3,

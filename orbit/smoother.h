@@ -6,6 +6,7 @@
 #define ORR_ORBIT_SMOOTHER_H
 
 #include "core/log.h"
+#include "ingest/rinex_nav.h"
 #include "ingest/sp3.h"
 #include "orbit/sky.h"
 #include "orbit/solution.h"
@@ -41,6 +42,11 @@ typedef struct orr_smoother_options {
     const orr_sat_set *sats;   // NULL: all
     double max_gap_s;          // longest stretch without nodes that is bridged; an arc ends at a longer one
     const orr_eop_series *eop; // NULL: IERS' secular pole, UT1 = UTC
+    // broadcast orbits
+    const orr_nav *nav; // a-priori variant A: states at the nodes from broadcast ephemerides where there are
+                        // any; NULL: variant B, from the nodes alone
+    bool bridge; // with nav: hours without nodes are bridged at broadcast quality, flagged as predicted
+    orr_time extend_to; // with bridge: how far beyond the last node; ORR_TIME_NONE: not
     // working
     int passes;    // linearisations: 0 until converged (at most 8), else exactly so many
     bool detect;   // outliers and manoeuvres by innovation (flags are always heeded)
