@@ -7,7 +7,8 @@
 #include "orbit/broadcast.h"
 
 #define MIN_COMMON 8
-#define CORRELATED_S 7200.0 // an upload's error lasts about so long
+#define STRANGER_M 50e3
+#define CORRELATED_S 43200.0 // an upload's error lasts about so long
 
 // Rows: radial, along, cross in ecef, of the inertial motion.
 static orr_mat3 local_axes(orr_vec3 r, orr_vec3 v_ecef)
@@ -17,12 +18,28 @@ static orr_mat3 local_axes(orr_vec3 r, orr_vec3 v_ecef)
     return (orr_mat3){{{u.x, u.y, u.z}, {t.x, t.y, t.z}, {w.x, w.y, w.z}}};
 }
 
-static bool broadcast_at(const orr_nav *nav, orr_sat sat, orr_time t, orr_vec3 *r, orr_mat3 *axes)
+// Navigation files hold records of one satellite under another's name: a record has to pass within STRANGER_M
+// of the precise node nearest to its own toe (a broadcast orbit is good for kilometres over hours).
+static bool own_record(const orr_nav_eph *eph, const orr_node_list *list)
 {
+    const orr_node *nearest = NULL;
+    for (size_t i = 0; i < list->n_nodes; i++)
+        if (!list->node[i].bridge &&
+            (nearest == NULL || llabs(list->node[i].t - eph->toe) < llabs(nearest->t - eph->toe)))
+            nearest = &list->node[i];
+    orr_broadcast_state s;
+    return nearest != NULL && orr_broadcast_eval(eph, nearest->t, &s) == ORR_OK &&
+           orr_vec3_norm(orr_vec3_sub(s.pos_m, nearest->ecef_m)) < STRANGER_M;
+}
+
+static bool broadcast_at(const orr_nav *nav, const orr_node_list *list, orr_time t, orr_vec3 *r,
+                         orr_mat3 *axes)
+{
+    const orr_sat sat = list->sat;
     orr_broadcast_choice choice = orr_broadcast_choice_default();
     orr_broadcast_state s;
     const orr_nav_eph *eph = orr_broadcast_select(nav, sat, t, &choice);
-    if (eph == NULL || orr_broadcast_eval(eph, t, &s) != ORR_OK) return false;
+    if (eph == NULL || !own_record(eph, list) || orr_broadcast_eval(eph, t, &s) != ORR_OK) return false;
     if (orr_sat_system(sat) == 'R') s.pos_m = orr_broadcast_pz90_to_itrf(s.pos_m, t);
     *r = s.pos_m;
     *axes = local_axes(s.pos_m, s.vel_mps);
@@ -37,7 +54,7 @@ static bool calibrate(const orr_nav *nav, const orr_node_list *list, orr_vec3 *o
     for (size_t i = 0; i < list->n_nodes; i++) {
         orr_vec3 r;
         orr_mat3 axes;
-        if (list->node[i].predicted || !broadcast_at(nav, list->sat, list->node[i].t, &r, &axes)) continue;
+        if (list->node[i].predicted || !broadcast_at(nav, list, list->node[i].t, &r, &axes)) continue;
         orr_vec3 d = orr_mat3_apply(&axes, orr_vec3_sub(r, list->node[i].ecef_m));
         sum = orr_vec3_add(sum, d);
         squares += orr_vec3_dot(d, d);
@@ -78,7 +95,7 @@ orr_status orr_bridge_nodes(const orr_nav *nav, orr_time origin, double step_s, 
         for (orr_time t = node[i].t + step; last ? t <= next : t < next; t += step) {
             orr_vec3 r;
             orr_mat3 axes;
-            if (list->n_nodes == room || !broadcast_at(nav, list->sat, t, &r, &axes)) continue;
+            if (list->n_nodes == room || !broadcast_at(nav, list, t, &r, &axes)) continue;
             node[list->n_nodes++] = (orr_node){.t = t,
                                                .t_s = orr_time_diff_s(t, origin),
                                                .ecef_m = orr_vec3_sub(r, orr_mat3_apply_t(&axes, offset)),

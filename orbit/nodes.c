@@ -53,7 +53,7 @@ static bool wanted_epoch(orr_time t, orr_time midnight, int64_t step_ns, const o
 {
     if (step_ns > 0 && (t - midnight) % step_ns != 0) return false;
     for (size_t i = 0; i < o->n_exclude; i++)
-        if (t >= o->exclude[i].from && t <= o->exclude[i].to) return false;
+        if (t >= o->exclude[i].from && t < o->exclude[i].to) return false;
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include "orbit/broadcast.h"
 
 #define WINDOW 10
+#define WRONG_RECORD_M 1e3
 #define SAME_S 1e-6
 #define UNBROKEN_STEPS 2.5 // nodes further apart than so many steps do not share a polynomial
 
@@ -100,6 +101,8 @@ void orr_prior_broadcast(const orr_track_context *c, orr_sat sat, const orr_node
         const orr_nav_eph *eph = orr_broadcast_select(c->options->nav, sat, list[i].t, &choice);
         if (eph == NULL || orr_broadcast_eval(eph, list[i].t, &s) != ORR_OK) continue;
         if (orr_sat_system(sat) == 'R') s.pos_m = orr_broadcast_pz90_to_itrf(s.pos_m, list[i].t);
+        // Navigation files hold records of one satellite under another's name: a node knows better.
+        if (orr_vec3_norm(orr_vec3_sub(s.pos_m, list[i].ecef_m)) > WRONG_RECORD_M) continue;
         orr_sky_at(c->sky, list[i].t_s, &p);
         orr_sky_from_ecef(&p, s.pos_m, s.vel_mps, &reference[i].r_m, &reference[i].v_mps);
         reference[i].valid = true;

@@ -11,7 +11,7 @@
 #include "orbit/segment.h"
 
 #define MAX_PASSES 8
-#define LINEAR_M 30.0 // a node's velocity deviation times the node step below which (33) is linear to 0.1 mm
+#define LINEAR_M 30.0   // deviation (of velocity: times the node step) below which (33) is linear to 0.1 mm
 #define MAX_APART_M 1.0 // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
 
 typedef struct work {
@@ -57,16 +57,18 @@ static orr_vec3 smoothed_v(const orr_instant *at)
 }
 
 // The next pass starts from the smoothed states; rejected nodes no longer restart the a-priori. Returns the
-// largest velocity deviation met.
-static double take_references(const orr_track *t, const orr_arc_range *arc, orr_reference *ref)
+// largest deviation met, metres: of position, or of velocity times the node step.
+static double take_references(const work *w, const orr_track *t, const orr_arc_range *arc)
 {
     double largest = 0;
     for (size_t k = arc->first; k <= arc->last; k++) {
         const orr_instant *at = &t->at[k];
         for (size_t i = at->first; i < at->first + at->n; i++) {
-            orr_vec3 dv = orr_vec3_sub(smoothed_v(at), ref[i].valid ? ref[i].v_mps : at->v_mps);
-            if (orr_vec3_norm(dv) > largest) largest = orr_vec3_norm(dv);
-            ref[i] = (orr_reference){true, smoothed_r(at), smoothed_v(at)};
+            orr_reference *ref = &w->ref[i];
+            orr_vec3 dr = orr_vec3_sub(smoothed_r(at), ref->valid ? ref->r_m : at->r_m);
+            orr_vec3 dv = orr_vec3_sub(smoothed_v(at), ref->valid ? ref->v_mps : at->v_mps);
+            largest = fmax(largest, fmax(orr_vec3_norm(dr), orr_vec3_norm(dv) * w->table->step_s));
+            *ref = (orr_reference){true, smoothed_r(at), smoothed_v(at)};
         }
     }
     return largest;
@@ -293,8 +295,8 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         bool done = pass >= most;
         if (!done || seg.n_arcs > 1) {
             for (size_t a = 0; a < seg.n_arcs; a++)
-                largest = fmax(largest, take_references(&t, &seg.arc[a], w->ref));
-            if (o->passes == 0 && largest * w->table->step_s < LINEAR_M) done = true;
+                largest = fmax(largest, take_references(w, &t, &seg.arc[a]));
+            if (o->passes == 0 && largest < LINEAR_M) done = true;
         }
         if (pass > w->report->passes) w->report->passes = pass;
         if (done) break;

@@ -53,7 +53,8 @@ static void predict_to(const work *w, size_t from, size_t to)
     const orr_smoother_options *o = w->c->options;
     for (size_t k = from; k < to; k++) {
         orr_instant *a = &w->t->at[k], *b = &w->t->at[k + 1];
-        orr_kalman_predict(&a->filtered, &a->next, o->qf_m2ps5, o->qv_m2ps3, b->shift, &b->predicted);
+        orr_kalman_predict(&a->filtered, &a->next, a->noise * o->qf_m2ps5, o->qv_m2ps3, b->shift,
+                           &b->predicted);
         b->filtered = b->predicted;
     }
 }

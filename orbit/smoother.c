@@ -89,6 +89,7 @@ typedef struct pool {
     const orr_sky *sky;
     const orr_force *force;
     const orr_node_table *table;
+    bool eop_known;
     const volatile int *cancel;
     orr_orbit_sat *sat; // per list of the table
     orr_satellite_report *report;
@@ -101,7 +102,7 @@ static void *worker(void *arg)
     pool *p = arg;
     orr_integrator *it = NULL;
     orr_status ready = orr_integrator_init(p->force, p->sky, &it, NULL);
-    const orr_track_context c = {p->options, p->sky, p->force, it};
+    const orr_track_context c = {p->options, p->sky, p->force, it, p->eop_known};
     for (;;) {
         size_t i = atomic_fetch_add(&p->next, 1);
         if (i >= p->table->n_sats) break;
@@ -202,7 +203,12 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);
     s = orr_sky_init(table.from, table.to, options->frame, options->eop, &sky, &report->eop_known, diag);
 
-    pool p = {.options = options, .sky = sky, .force = &force, .table = &table, .cancel = cancel};
+    pool p = {.options = options,
+              .sky = sky,
+              .force = &force,
+              .table = &table,
+              .eop_known = report->eop_known,
+              .cancel = cancel};
     p.sat = calloc(table.n_sats + 1, sizeof *p.sat);
     p.report = calloc(table.n_sats + 1, sizeof *p.report);
     p.status = calloc(table.n_sats + 1, sizeof *p.status);

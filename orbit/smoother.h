@@ -18,7 +18,7 @@ typedef enum orr_f0_axes { // axes in which the empirical acceleration f0 is (ne
 } orr_f0_axes;
 
 typedef struct orr_interval {
-    orr_time from, to; // both inclusive
+    orr_time from, to; // from <= t < to, so that neighbouring intervals add up
 } orr_interval;
 
 typedef struct orr_smoother_options {

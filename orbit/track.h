@@ -19,12 +19,13 @@ typedef struct orr_reference {
 // An instant of the grid.
 typedef struct orr_instant {
     double t_s;
-    bool sample;                             // on the uniform grid that the product takes its samples from
-    size_t first, n;                         // nodes (indices into the list) at this instant; n = 0: none
-    orr_vec3 r_m, v_mps;                     // a-priori state from which the next step departs
-    orr_mat3 axes;                           // f0 axes to integration axes
-    orr_transition next;                     // to the following instant
-    double shift[6];                         // arriving minus departing a-priori state
+    bool sample;         // on the uniform grid that the product takes its samples from
+    size_t first, n;     // nodes (indices into the list) at this instant; n = 0: none
+    orr_vec3 r_m, v_mps; // a-priori state from which the next step departs
+    orr_mat3 axes;       // f0 axes to integration axes
+    orr_transition next; // to the following instant
+    double noise;    // factor of qf over the next step; above 1 in long gaps without Earth-orientation data
+    double shift[6]; // arriving minus departing a-priori state
     orr_gauss predicted, filtered, smoothed; // of deviations from the departing state
 } orr_instant;
 
@@ -41,6 +42,7 @@ typedef struct orr_track_context {
     const orr_sky *sky;
     const orr_force *force;
     orr_integrator *integrator;
+    bool eop_known; // Earth orientation came from data, not from the secular pole
 } orr_track_context;
 
 // Grid from from_s to to_s: samples at most options->grid_s apart, commensurate with node_step_s where that

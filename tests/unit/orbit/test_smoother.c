@@ -233,7 +233,7 @@ static void gaps_are_bridged_flagged_and_worth_their_sigma(void **state)
         orr_sp3 f;
         made_sp3(&sky, all, 3, 0, DAY, 3, &f);
         orr_interval out = {orr_time_add_s(sky.t0, 36000 + 900),
-                            orr_time_add_s(sky.t0, 36000 + hours[n] * 3600)};
+                            orr_time_add_s(sky.t0, 36900 + hours[n] * 3600)};
         orr_smoother_options o = orr_smoother_defaults();
         o.exclude = &out;
         o.n_exclude = 1;
@@ -430,7 +430,7 @@ static void bad_options_and_empty_input_are_said(void **state)
     o.sigma_m = 0;
     assert_int_equal(run(&f, 1, &o, &s, NULL, NULL, &d), ORR_E_ARG);
     o = orr_smoother_defaults();
-    orr_interval all_day = {f.epoch[0], f.epoch[f.n_epochs - 1]};
+    orr_interval all_day = {f.epoch[0], f.epoch[f.n_epochs - 1] + 1};
     o.exclude = &all_day;
     o.n_exclude = 1;
     assert_int_equal(run(&f, 1, &o, &s, NULL, NULL, &d), ORR_E_NODATA);
