@@ -247,3 +247,5 @@ void orr_ephemeris_representation(const orr_ephemeris *e, double *pos_m, double 
     *pos_m = e->max_pos_error_m;
     *vel_mps = e->max_vel_error_mps;
 }
+
+size_t orr_ephemeris_shortened(const orr_ephemeris *e) { return e->n_shortened; }

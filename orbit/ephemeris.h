@@ -33,9 +33,10 @@ typedef struct orr_sat_state {
 
 typedef struct orr_ephemeris orr_ephemeris;
 
-// Fits the segments (degree from the segment length, representation error below 0.1 mm and 1e-6 m/s or an
-// error that says where it is not). Ends of neighbouring segments agree in position, velocity and
-// acceleration.
+// Fits the segments: the degree is what the arc needs for 0.1 mm and 1e-6 m/s at its samples; an arc too
+// rough for any degree (as the literal smoother makes them) gets shorter segments, down to one a sample. Ends
+// of neighbouring segments agree in position, velocity and acceleration. Errors: ORR_E_ARG (a solution that
+// contradicts itself), ORR_E_NUMERIC (samples that are no numbers), ORR_E_NODATA, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out, orr_diag *diag);
 // NetCDF-4, CF-style (see docs/product.md). Writing is atomic.
 orr_status orr_ephemeris_save(const orr_ephemeris *e, const char *path, const char *history, orr_diag *diag);
@@ -63,5 +64,7 @@ const char *orr_ephemeris_options(const orr_ephemeris *e);
 const char *orr_ephemeris_frame(const orr_ephemeris *e);
 // Largest difference between the segments and the samples that they were fitted to.
 void orr_ephemeris_representation(const orr_ephemeris *e, double *pos_m, double *vel_mps);
+// Arcs whose segments orr_ephemeris_build had to make shorter than asked (0 for a product from a file).
+size_t orr_ephemeris_shortened(const orr_ephemeris *e);
 
 #endif

@@ -29,14 +29,25 @@ static orr_status check_arc(orr_sat sat, const orr_orbit_arc *a, const orr_orbit
     if (before != NULL &&
         a->t0 < before->t0 + (int64_t)(before->n - 1) * (int64_t)nearbyint(before->step_s * 1e9))
         return arc_error(sat, a, "it begins before the one before it ends", diag);
+    for (size_t i = 0; i < a->n; i++) {
+        const orr_orbit_sample *p = &a->sample[i];
+        double sum = p->pos_m.x + p->pos_m.y + p->pos_m.z + p->vel_mps.x + p->vel_mps.y + p->vel_mps.z +
+                     p->acc_mps2.x + p->acc_mps2.y + p->acc_mps2.z;
+        if (isfinite(sum) && p->sigma_m >= 0) continue;
+        char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
+        return orr_diag_set(diag, ORR_E_NUMERIC, "the smoothed orbit of %s at %s is no number",
+                            orr_sat_text(sat, name),
+                            orr_time_text(orr_time_add_s(a->t0, (double)i * a->step_s), when));
+    }
     return ORR_OK;
 }
 
 // An arc's segments as fitted, before there is a product to put them in.
 typedef struct fitted {
     int degree;
-    double *coef;          // n_segments blocks
-    double pos_m, vel_mps; // largest misfit, and where
+    size_t samples_per_segment; // the arc's, or fewer
+    double *coef;               // n_segments blocks
+    double pos_m, vel_mps;      // largest misfit, and where
     orr_time worst;
 } fitted;
 
@@ -58,7 +69,6 @@ static orr_status count(const orr_orbit_solution *s, orr_ephemeris *c, orr_diag 
         for (size_t k = 0; k < sat->n_arcs; k++) {
             orr_status st = check_arc(sat->sat, &sat->arc[k], k > 0 ? &sat->arc[k - 1] : NULL, diag);
             if (st != ORR_OK) return st;
-            c->n_segments += (sat->arc[k].n - 1) / sat->arc[k].samples_per_segment;
             c->n_samples += sat->arc[k].n;
         }
     }
@@ -95,13 +105,14 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
             eph_arc *b = &e->arc[arc++];
             *b =
                 (eph_arc){.t0 = a->t0,
-                          .segment_ns = (int64_t)nearbyint(a->step_s * 1e9) * (int64_t)a->samples_per_segment,
-                          .n_segments = (a->n - 1) / a->samples_per_segment,
-                          .samples_per_segment = a->samples_per_segment,
+                          .segment_ns = (int64_t)nearbyint(a->step_s * 1e9) * (int64_t)f->samples_per_segment,
+                          .n_segments = (a->n - 1) / f->samples_per_segment,
+                          .samples_per_segment = f->samples_per_segment,
                           .degree = f->degree,
                           .first_segment = segment,
                           .first_sample = sample,
                           .first_coef = coef};
+            e->n_shortened += f->samples_per_segment < a->samples_per_segment;
             memcpy(&e->coef[coef], f->coef, b->n_segments * eph_block(f->degree) * sizeof *e->coef);
             coef += b->n_segments * eph_block(f->degree);
             segment += b->n_segments;
@@ -148,9 +159,8 @@ static void fit_segment(const eph_fit *f, const orr_orbit_sample *sample, double
     }
     for (size_t i = 0; i < n; i++) {
         double pos = sqrt(err[0][i]), vel = sqrt(err[1][i]) / h;
-        // Written so that NAN counts as worst of all.
-        if (!(pos <= worst[0])) worst[0] = pos, *worst_at = i;
-        if (!(vel <= worst[1])) worst[1] = vel, *worst_at = i;
+        if (pos > worst[0]) worst[0] = pos, *worst_at = i;
+        if (vel > worst[1]) worst[1] = vel, *worst_at = i;
     }
 }
 
@@ -176,47 +186,57 @@ static orr_status operator_of(operators *o, int degree, size_t samples_per_segme
                                         : eph_fit_init(degree, samples_per_segment, &o->of[degree], diag);
 }
 
-// Fits all segments of an arc; gives up at the first that misses by more than limit (pos_m, vel_mps; NULL:
-// never).
+// Fits all segments of an arc, as long as the operator says; gives up at the first that misses by more than
+// limit (pos_m, vel_mps; NULL: never).
 static bool fit_segments(const eph_fit *f, const orr_orbit_arc *a, const double limit[2], fitted *out)
 {
-    double worst[2] = {0}, h = 0.5 * a->step_s * (double)a->samples_per_segment;
-    for (size_t g = 0; g * a->samples_per_segment + 1 < a->n; g++) {
-        size_t at = SIZE_MAX, first = g * a->samples_per_segment;
+    size_t per_segment = f->samples - 1;
+    double worst[2] = {0}, h = 0.5 * a->step_s * (double)per_segment;
+    for (size_t g = 0; g * per_segment + 1 < a->n; g++) {
+        size_t at = SIZE_MAX, first = g * per_segment;
         fit_segment(f, &a->sample[first], h, &out->coef[g * eph_block(f->degree)], worst, &at);
         if (at != SIZE_MAX) out->worst = a->t0 + (int64_t)(first + at) * (int64_t)nearbyint(a->step_s * 1e9);
-        if (isnan(worst[0]) || isnan(worst[1])) break;
         if (limit != NULL && (worst[0] > limit[0] || worst[1] > limit[1])) return false;
     }
     out->degree = f->degree;
+    out->samples_per_segment = per_segment;
     out->pos_m = worst[0];
     out->vel_mps = worst[1];
     return true;
 }
 
-// Smooth motion of a GNSS satellite needs degree 8 on 15 min and 11 on an hour; an edge of shadow needs all
-// that the samples carry. So the degree is each arc's own, the lowest that is good enough.
-static orr_status fit_arc(operators *o, orr_sat sat, const orr_orbit_arc *a, fitted *out, orr_diag *diag)
+// With segments of so many samples: the lowest degree that is good enough, else the highest.
+static orr_status fit_with(operators *o, const orr_orbit_arc *a, size_t per_segment, fitted *out,
+                           orr_diag *diag)
 {
     static const double good[2] = {GOOD_ENOUGH * EPH_MAX_POS_ERROR_M, GOOD_ENOUGH * EPH_MAX_VEL_ERROR_MPS};
-    int highest = eph_fit_max_degree(a->samples_per_segment);
-    size_t segments = (a->n - 1) / a->samples_per_segment;
-    out->coef = calloc(segments * eph_block(highest), sizeof *out->coef);
+    int highest = eph_fit_max_degree(per_segment);
+    free(out->coef);
+    out->coef = calloc((a->n - 1) / per_segment * eph_block(highest), sizeof *out->coef);
     if (out->coef == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the segments of an arc");
     for (int degree = EPH_MIN_DEGREE;; degree++) {
         const eph_fit *f;
-        orr_status st = operator_of(o, degree, a->samples_per_segment, &f, diag);
+        orr_status st = operator_of(o, degree, per_segment, &f, diag);
         if (st != ORR_OK) return st;
-        if (fit_segments(f, a, degree < highest ? good : NULL, out)) break;
+        if (fit_segments(f, a, degree < highest ? good : NULL, out)) return ORR_OK;
     }
-    if (out->pos_m <= EPH_MAX_POS_ERROR_M && out->vel_mps <= EPH_MAX_VEL_ERROR_MPS) return ORR_OK;
-    char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
-    return orr_diag_set(
-        diag, ORR_E_NUMERIC,
-        "segments of %.15g s miss the smoothed orbit of %s by %.3g m and %.3g m/s (%.1g and %.1g are "
-        "allowed), worst near %s",
-        a->step_s * (double)a->samples_per_segment, orr_sat_text(sat, name), out->pos_m, out->vel_mps,
-        EPH_MAX_POS_ERROR_M, EPH_MAX_VEL_ERROR_MPS, orr_time_text(out->worst, when));
+}
+
+// Smooth motion of a GNSS satellite needs degree 8 on 15 min and 11 on an hour; an edge of shadow needs all
+// that the samples carry. So the degree is each arc's own. An orbit that is rougher than that (noise in the
+// place of forces) is met at its samples by segments of few of them, at last by quintics from one sample to
+// the next.
+static orr_status fit_arc(operators *o, orr_sat sat, const orr_orbit_arc *a, fitted *out, orr_diag *diag)
+{
+    for (size_t per_segment = a->samples_per_segment; per_segment >= 1; per_segment--) {
+        if (a->samples_per_segment % per_segment != 0) continue;
+        orr_status st = fit_with(o, a, per_segment, out, diag);
+        if (st != ORR_OK) return st;
+        if (out->pos_m <= EPH_MAX_POS_ERROR_M && out->vel_mps <= EPH_MAX_VEL_ERROR_MPS) return ORR_OK;
+    }
+    char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT]; // only rounding is left: numbers of no orbit
+    return orr_diag_set(diag, ORR_E_NUMERIC, "no segment meets the smoothed orbit of %s near %s",
+                        orr_sat_text(sat, name), orr_time_text(out->worst, when));
 }
 
 static orr_status fit_all(const orr_orbit_solution *s, fitted *fit, orr_ephemeris *counts, orr_diag *diag)
@@ -228,7 +248,9 @@ static orr_status fit_all(const orr_orbit_solution *s, fitted *fit, orr_ephemeri
         for (size_t k = 0; k < s->sat[i].n_arcs && st == ORR_OK; k++, arc++) {
             const orr_orbit_arc *a = &s->sat[i].arc[k];
             st = fit_arc(&o, s->sat[i].sat, a, &fit[arc], diag);
-            counts->n_coefs += (a->n - 1) / a->samples_per_segment * eph_block(fit[arc].degree);
+            if (st != ORR_OK) break;
+            counts->n_segments += (a->n - 1) / fit[arc].samples_per_segment;
+            counts->n_coefs += (a->n - 1) / fit[arc].samples_per_segment * eph_block(fit[arc].degree);
         }
     }
     operators_free(&o);

@@ -92,20 +92,25 @@ static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_
 }
 
 // True if the clock may be interpolated from node i to the next. SP3's event flag says that the clock jumped
-// between the epoch before and the flagged one (SP3-d, column 75).
+// between the epoch before and the flagged one (SP3-d, column 75). Two nodes at one instant are where files
+// join with different clocks: there it jumps.
 static bool clock_joined(const orr_ephemeris *e, const eph_sat *s, size_t i)
 {
+    if (i + 1 >= s->n_clocks) return false;
     const orr_clock_node *c = &s->clock[i];
-    return i + 1 < s->n_clocks && c[1].t > c[0].t && c[1].t - c[0].t <= e->clock_max_gap_ns &&
-           (c[1].flags & ORR_EPH_CLOCK_EVENT) == 0;
+    int64_t step_ns = c[1].t - c[0].t;
+    return step_ns > 0 && step_ns <= e->clock_max_gap_ns && (c[1].flags & ORR_EPH_CLOCK_EVENT) == 0;
 }
 
 // Index of the last clock node not after t; t is not before the first.
 static size_t clock_before(const eph_sat *s, orr_time t)
 {
+    enum { WALK = 4 }; // a few nodes more or less than even spacing has: days' joints
     size_t last = s->n_clocks - 1;
     double guess = (double)(t - s->clock[0].t) * s->clock_per_ns;
     size_t i = guess < (double)last ? (size_t)guess : last;
+    for (int k = 0; k < WALK && i > 0 && s->clock[i].t > t; k++) i--;
+    for (int k = 0; k < WALK && i < last && s->clock[i + 1].t <= t; k++) i++;
     if (s->clock[i].t <= t && (i == last || t < s->clock[i + 1].t)) return i;
     size_t low = 0, high = s->n_clocks; // clock[low].t <= t < clock[high].t
     while (high - low > 1) {
@@ -123,10 +128,11 @@ static void clock_at(const orr_ephemeris *e, const eph_sat *s, orr_time t, orr_s
     out->clock_s = out->clock_rate_sps = (double)NAN;
     if (s->n_clocks == 0 || t < s->clock[0].t) return;
     size_t i = clock_before(s, t);
-    bool at_node = s->clock[i].t == t;
     if (!clock_joined(e, s, i)) {
         // The end of a stretch still has a clock: its last node, with the rate that leads there.
-        if (!at_node || i == 0 || !clock_joined(e, s, i - 1)) return;
+        if (s->clock[i].t != t) return;
+        while (i > 0 && s->clock[i - 1].t == t) i--;
+        if (i == 0 || !clock_joined(e, s, i - 1)) return;
         i--;
     }
     const orr_clock_node *c = &s->clock[i];

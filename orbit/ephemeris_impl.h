@@ -74,6 +74,7 @@ struct orr_ephemeris {
     orr_orbit_source *source;
     double node_step_s, clock_max_gap_s;
     int64_t clock_max_gap_ns;
+    size_t n_shortened;                        // arcs
     double max_pos_error_m, max_vel_error_mps; // of the segments against the samples they were fitted to
     orr_time from, to;
     char options[1024], frame[64];

@@ -61,7 +61,7 @@ typedef struct orr_orbit_sat {
     orr_sat sat;
     size_t n_arcs, n_clocks, n_nodes, n_events;
     orr_orbit_arc *arc;     // ascending, not overlapping
-    orr_clock_node *clock;  // ascending
+    orr_clock_node *clock;  // ascending; two at one instant where files join: it jumps there
     orr_orbit_node *node;   // ascending in t
     orr_orbit_event *event; // ascending in t0
 } orr_orbit_sat;

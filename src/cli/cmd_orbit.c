@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery orbit: SP3 files in, an orbit product out.
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +11,7 @@
 #include "orbit/ephemeris.h"
 #include "orbit/smoother.h"
 #include "src/cli/cli.h"
+#include "src/cli/orbit_summary.h"
 
 static const orr_option options[] = {
     {.name = "output",
@@ -49,6 +49,7 @@ static const orr_option options[] = {
      .min = 1,
      .max = 256,
      .help = "threads; the machine's cores by default. The product does not depend on it"},
+    {.name = "json", .kind = ORR_OPT_FLAG, .help = "print the summary as a JSON object on stdout"},
     {.name = "method",
      .kind = ORR_OPT_CHOICE,
      .value = "default|literal",
@@ -117,7 +118,7 @@ typedef struct work {
     orr_orbit_solution solution;
     orr_smoother_report report;
     orr_ephemeris *ephemeris;
-    double read_s, smooth_s, fit_s, write_s;
+    orbit_seconds seconds;
 } work;
 
 static double now_s(void)
@@ -226,66 +227,10 @@ static orr_status smooth_and_write(orr_cli *c, work *w, const orr_smoother_optio
         s = orr_ephemeris_save(w->ephemeris, path, c->call, diag);
         orr_cli_release(c);
     }
-    w->smooth_s = t1 - t0;
-    w->fit_s = t2 - t1;
-    w->write_s = now_s() - t2;
+    w->seconds.smooth = t1 - t0;
+    w->seconds.fit = t2 - t1;
+    w->seconds.write = now_s() - t2;
     return s;
-}
-
-// What happened to one system's satellites.
-typedef struct tally {
-    size_t sats, used, rejected, manoeuvres, gaps, eclipses;
-    double residual2;
-} tally;
-
-static tally tally_system(const orr_orbit_solution *s, char system)
-{
-    tally t = {0};
-    for (size_t i = 0; i < s->n_sats; i++) {
-        const orr_orbit_sat *sat = &s->sat[i];
-        if (orr_sat_system(sat->sat) != system) continue;
-        t.sats++;
-        for (size_t k = 0; k < sat->n_nodes; k++) {
-            if (!sat->node[k].used) continue;
-            t.used++;
-            t.residual2 += orr_vec3_dot(sat->node[k].residual_m, sat->node[k].residual_m);
-        }
-        t.rejected += sat->n_nodes;
-        orr_time shadow_end = ORR_TIME_NONE; // penumbra, umbra and penumbra in a row are one eclipse
-        for (size_t k = 0; k < sat->n_events; k++) {
-            const orr_orbit_event *e = &sat->event[k];
-            t.manoeuvres += e->kind == ORR_EVENT_MANOEUVRE;
-            t.gaps += e->kind == ORR_EVENT_GAP;
-            if (e->kind != ORR_EVENT_UMBRA && e->kind != ORR_EVENT_PENUMBRA) continue;
-            t.eclipses += shadow_end == ORR_TIME_NONE || e->t0 - shadow_end > ORR_NS_PER_S;
-            shadow_end = e->t1;
-        }
-    }
-    t.rejected -= t.used;
-    return t;
-}
-
-static void say_summary(const orr_cli *c, const work *w)
-{
-    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
-    const orr_orbit_solution *s = &w->solution;
-    double pos, vel;
-    orr_ephemeris_representation(w->ephemeris, &pos, &vel);
-    orr_cli_say(c, "%s: %s to %s (GPS time), nodes every %g s", orr_cli_text(c, "output", ""),
-                orr_time_text(s->from, from), orr_time_text(s->to, to), s->node_step_s);
-    orr_cli_say(c, "%-9s %5s %8s %12s %9s %10s %5s %9s", "system", "sats", "nodes", "residual mm", "left out",
-                "manoeuvres", "gaps", "eclipses");
-    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
-        tally t = tally_system(s, *system);
-        if (t.sats == 0) continue;
-        orr_cli_say(c, "%-9s %5zu %8zu %12.3f %9zu %10zu %5zu %9zu", orr_system_name(*system), t.sats, t.used,
-                    t.used > 0 ? 1e3 * sqrt(t.residual2 / (double)t.used) : 0.0, t.rejected, t.manoeuvres,
-                    t.gaps, t.eclipses);
-    }
-    orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s",
-                w->report.eop_known ? "as given" : "secular pole, UT1 = UTC", 1e3 * pos, vel);
-    orr_cli_say(c, "read %.2f s, smoothed %.2f s, fitted %.2f s, written %.2f s", w->read_s, w->smooth_s,
-                w->fit_s, w->write_s);
 }
 
 static int run(orr_cli *c)
@@ -297,12 +242,12 @@ static int run(orr_cli *c)
     double t0 = now_s();
     orr_status s = read_inputs(c, &w, &warnings, &diag);
     if (s == ORR_OK) s = read_erps(c, &w, &warnings, &diag);
-    w.read_s = now_s() - t0;
+    w.seconds.read = now_s() - t0;
     if (s == ORR_OK) s = make_options(c, &w, &o, &diag);
     if (s == ORR_OK) s = smooth_and_write(c, &w, &o, &warnings, &diag);
     orr_cli_warnings(c, &warnings);
-    if (s == ORR_OK) say_summary(c, &w);
-    int status = s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+    int status = s == ORR_OK ? orbit_summary_print(c, &w.solution, &w.report, w.ephemeris, &w.seconds)
+                             : orr_cli_fail(c, &diag);
     orr_warnings_free(&warnings);
     work_free(&w);
     return status;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery states: a table of satellite states out of an orbit product.
 #include <stdlib.h>
+#include <string.h>
 
 #include "src/cli/cli.h"
 #include "src/cli/states_write.h"
@@ -60,10 +61,12 @@ static int write_states(orr_cli *c, const orr_ephemeris *e, const states_request
     const char *format = orr_cli_text(c, "format", "csv");
     states_count count = {0};
     orr_diag diag = {0};
-    orr_cli_hold(c);
+    bool file =
+        strcmp(q->path, "-") != 0; // on stdout there is nothing to clean up: an interrupt may act at once
+    if (file) orr_cli_hold(c);
     orr_status s = format[0] == 's' ? states_write_sp3(e, q, &count, &diag)
                                     : states_write_table(e, q, format[0] == 'j', &count, &diag);
-    orr_cli_release(c);
+    if (file) orr_cli_release(c);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (count.missing > 0)
         orr_cli_say(c, "%zu states; %zu times a satellite had no orbit at an instant and is left out",

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Calling the program from tests: where it is, where samples and real data are, and a folder to work in."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+ORRERY = os.environ.get("ORRERY", str(ROOT / "build/dev/bin/orrery"))
+DATA = pathlib.Path(os.environ.get("ORRERY_DATA") or ROOT / "../shared/data")
+
+
+def sample(name):
+    return str(ROOT / "samples" / name)
+
+
+def data(name):
+    """A real file; the test is skipped, and says so, where the data are not."""
+    path = DATA / name
+    if not path.exists():
+        raise unittest.SkipTest(f"{name} is not here (set ORRERY_DATA)")
+    return str(path)
+
+
+def run(*args, status=0, timeout=240, **kwargs):
+    """Runs orrery; the exit status must be as told, or the test fails with what the program said."""
+    done = subprocess.run([ORRERY, *map(str, args)], capture_output=True, text=True, timeout=timeout, check=False, **kwargs)
+    if done.returncode != status:
+        raise AssertionError(f"orrery {' '.join(map(str, args))}: status {done.returncode}, not {status}\n{done.stderr}")
+    return done
+
+
+def run_json(*args, **kwargs):
+    return json.loads(run(*args, **kwargs).stdout)
+
+
+class Folder(unittest.TestCase):
+    """A test case with a folder of its own, `self.path(name)`, removed afterwards."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="orrery-test-"))
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    @classmethod
+    def path(cls, name):
+        return str(cls.folder / name)
+
+    def left(self):
+        """Names of what is in the folder."""
+        return sorted(p.name for p in self.folder.iterdir())
