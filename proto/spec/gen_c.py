@@ -22,7 +22,15 @@ def crc_tables(count=16):
     return tables
 
 
-def crc_header(source):
+def fold_constant(power):
+    """x^power mod the polynomial, as a carry-less multiplication of reflected words wants it: reflected, shifted by one."""
+    value = 1
+    for _ in range(power):
+        value = (value << 1) ^ (0x104C11DB7 if value & 0x80000000 else 0)
+    return int(f"{value & 0xFFFFFFFF:032b}"[::-1], 2) << 1
+
+
+def crc_header():
     out = [line.format(source="the polynomial 0xEDB88320") for line in HEAD]
     out += ["#ifndef ORR_PROTO_GEN_CRC32_TABLE_H", "#define ORR_PROTO_GEN_CRC32_TABLE_H", "", "#include <stdint.h>", "",
             "#ifdef ORR_CRC32_SMALL", "#define ORR_CRC32_TABLES 1", "#else", "#define ORR_CRC32_TABLES 16", "#endif", "",
@@ -34,7 +42,9 @@ def crc_header(source):
         for at in range(0, 256, 8):
             out.append("        " + ", ".join(f"0x{v:08x}" for v in table[at:at + 8]) + ",")
         out.append("    },")
-    out += ["#endif", "};", "", "#endif"]
+    out += ["#endif", "};", "", "// x^n mod the polynomial, reflected and shifted by one, for folding by carry-less multiplication."]
+    out += [f"#define ORR_CRC32_FOLD_{n} UINT64_C(0x{fold_constant(n):09x})" for n in (544, 480, 160, 96)]
+    out += ["", "#endif"]
     return "\n".join(out) + "\n"
 
 

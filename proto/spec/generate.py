@@ -76,7 +76,7 @@ def outputs(spec):
     return {
         "proto/gen/messages.h": c.header(),
         "proto/gen/messages.c": c.code(),
-        "proto/gen/crc32_table.h": gen_c.crc_header(SOURCE),
+        "proto/gen/crc32_table.h": gen_c.crc_header(),
         "proto/gen/orrery.lua": gen_lua.Lua(spec, SOURCE).module(),
         "proto/python/orrery/messages.py": messages_text,
         "docs/protocol.md": gen_docs.page(spec, page.read_text(encoding="utf-8")),

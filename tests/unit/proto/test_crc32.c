@@ -25,11 +25,11 @@ static void published_value(void **state)
 static void all_lengths_and_cuts(void **state)
 {
     (void)state;
-    uint8_t data[67];
+    uint8_t data[333]; // across the lengths where other ways of computing begin
     for (size_t i = 0; i < sizeof data; i++) data[i] = (uint8_t)(i * 37 + 11);
     for (size_t n = 0; n <= sizeof data; n++) {
         assert_int_equal(orr_crc32(0, data, n), by_definition(data, n));
-        for (size_t cut = 0; cut <= n; cut++) // in two pieces it is the same
+        for (size_t cut = n % 7; cut <= n; cut += 7) // in two pieces it is the same
             assert_int_equal(orr_crc32(orr_crc32(0, data, cut), data + cut, n - cut), by_definition(data, n));
     }
 }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A poll of all satellites over TCP loopback, beside a bare echo of the same reply size: one client, one
+// request at a time, both in turns of the same run, so that the machine's mood is the same for both. The echo
+// answers a request of the same length with a prepared reply and looks at nothing; its client only counts
+// bytes. The poll's client checks the frame and its checksum as any client does.
+#include <poll.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "src/scenario/engine.h"
+#include "src/service/answers.h"
+#include "src/service/dial.h"
+#include "src/service/service.h"
+#include "src/service/url.h"
+
+enum { ROUNDS = 60, TURN = 250, WARM_UP = 500 };
+
+static double now_us(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return 1e6 * (double)t.tv_sec + 1e-3 * (double)t.tv_nsec;
+}
+
+static void must(bool good, const char *what)
+{
+    if (good) return;
+    fprintf(stderr, "bench_poll: %s\n", what);
+    exit(1);
+}
+
+static bool recv_all(int fd, uint8_t *data, size_t n)
+{
+    for (size_t have = 0; have < n;) {
+        ssize_t got = recv(fd, data + have, n - have, 0);
+        if (got <= 0) return false;
+        have += (size_t)got;
+    }
+    return true;
+}
+
+typedef struct echo {
+    int listener;
+    size_t request, reply;
+    uint8_t data[ORR_DIAL_BUFFER];
+} echo;
+
+static void *run_echo(void *user)
+{
+    echo *e = user;
+    uint8_t request[256];
+    struct pollfd ready = {.fd = e->listener, .events = POLLIN}; // the listener does not block
+    must(poll(&ready, 1, 10000) == 1, "no client");
+    int fd = accept(e->listener, NULL, NULL);
+    while (recv_all(fd, request, e->request))
+        if (send(fd, e->data, e->reply, MSG_NOSIGNAL) != (ssize_t)e->reply) break;
+    close(fd);
+    return NULL;
+}
+
+static void *run_service(void *user)
+{
+    orr_diag diag = {0};
+    return orr_service_run(user, &diag) == ORR_OK ? NULL : user;
+}
+
+static double one_poll(orr_dial *d, int64_t t, size_t *reply)
+{
+    orr_msg_poll poll = {.t = t, .count = 1};
+    orr_msg_states m;
+    double begin = now_us();
+    must(orr_client_poll(&d->client, &poll) == ORR_WIRE_OK &&
+             orr_client_states(&d->client, &m) == ORR_WIRE_OK,
+         "no answer");
+    double took = now_us() - begin;
+    must(m.satellites.count > 0 && m.answer == ORR_MSG_ANSWER_OK, "no satellites");
+    *reply = d->client.used;
+    return took;
+}
+
+static double one_echo(int fd, const echo *e)
+{
+    static uint8_t data[ORR_DIAL_BUFFER], request[256];
+    double begin = now_us();
+    must(send(fd, request, e->request, MSG_NOSIGNAL) == (ssize_t)e->request && recv_all(fd, data, e->reply),
+         "no echo");
+    return now_us() - begin;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static int connect_to(const char *text)
+{
+    orr_url u;
+    orr_diag diag = {0};
+    int fd;
+    must(orr_url_parse(text, &u, &diag) == ORR_OK && orr_url_connect(&u, 10, &fd, &diag) == ORR_OK,
+         diag.text);
+    return fd;
+}
+
+static orr_engine *one_day(void)
+{
+    static const char text[] = "orbit: {sp3: ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz}\n";
+    orr_scenario scenario;
+    orr_engine *e;
+    orr_diag diag = {0};
+    must(orr_scenario_parse("bench", text, strlen(text), ORR_SOURCE_DIR "/samples", &scenario, &diag) ==
+             ORR_OK,
+         diag.text);
+    must(orr_engine_open(&scenario, NULL, NULL, NULL, &e, &diag) == ORR_OK, diag.text);
+    orr_scenario_free(&scenario);
+    return e;
+}
+
+int main(void)
+{
+    static double poll_us[ROUNDS * TURN], echo_us[ROUNDS * TURN];
+    static echo e;
+    static const char *const url[] = {"tcp://127.0.0.1:0"};
+    orr_diag diag = {0};
+    orr_engine *engine = one_day();
+    orr_answers *answers;
+    orr_service *service;
+    orr_service_options options = orr_service_defaults();
+    options.url = url;
+    options.n_urls = 1;
+    options.signals = false;
+    must(orr_answers_open(engine, &answers, &diag) == ORR_OK, diag.text);
+    must(orr_service_open(&options, orr_answers_server(answers), NULL, &service, &diag) == ORR_OK, diag.text);
+    pthread_t service_thread, echo_thread;
+    pthread_create(&service_thread, NULL, run_service, service);
+    orr_dial *d;
+    must(orr_dial_open(orr_service_url(service, 0), 10, &d, &diag) == ORR_OK, diag.text);
+    orr_time from, to;
+    orr_engine_span(engine, &from, &to);
+
+    for (int k = 0; k < WARM_UP; k++) one_poll(d, from + k, &e.reply);
+    e.request = ORR_FRAME_OVERHEAD + 24; // a POLL that names no satellite
+    orr_url loopback, bound;
+    char text[ORR_URL_TEXT];
+    must(orr_url_parse(url[0], &loopback, &diag) == ORR_OK &&
+             orr_url_listen(&loopback, 1, &e.listener, &bound, &diag) == ORR_OK,
+         diag.text);
+    pthread_create(&echo_thread, NULL, run_echo, &e);
+    int fd = connect_to(orr_url_text(&bound, text));
+    for (int k = 0; k < WARM_UP; k++) one_echo(fd, &e);
+
+    size_t n = 0;
+    for (int round = 0; round < ROUNDS; round++) {
+        for (int k = 0; k < TURN; k++)
+            poll_us[n + (size_t)k] = one_poll(d, from + (int64_t)(n + (size_t)k) * 5000000000, &e.reply);
+        for (int k = 0; k < TURN; k++) echo_us[n + (size_t)k] = one_echo(fd, &e);
+        n += TURN;
+    }
+    qsort(poll_us, n, sizeof poll_us[0], ascending);
+    qsort(echo_us, n, sizeof echo_us[0], ascending);
+    const orr_sat *sats;
+    printf("poll of %zu satellites, %zu bytes, TCP loopback, %zu round trips each\n",
+           orr_engine_satellites(engine, &sats), e.reply, n);
+    printf("  %-10s %8s %8s\n", "", "p50 us", "p99 us");
+    printf("  %-10s %8.1f %8.1f\n", "poll", poll_us[n / 2], poll_us[n * 99 / 100]);
+    printf("  %-10s %8.1f %8.1f\n", "bare echo", echo_us[n / 2], echo_us[n * 99 / 100]);
+    printf("  %-10s %8.2f %8.2f\n", "ratio", poll_us[n / 2] / echo_us[n / 2],
+           poll_us[n * 99 / 100] / echo_us[n * 99 / 100]);
+
+    close(fd);
+    orr_dial_close(d);
+    pthread_join(echo_thread, NULL);
+    orr_service_stop(service);
+    pthread_join(service_thread, NULL);
+    orr_service_close(service);
+    orr_answers_close(answers);
+    orr_engine_close(engine);
+    close(e.listener);
+    return 0;
+}
