@@ -12,6 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "bench/bench.h"
 #include "src/scenario/engine.h"
 #include "src/service/answers.h"
 #include "src/service/dial.h"
@@ -122,7 +123,7 @@ static orr_engine *one_day(void)
     return e;
 }
 
-int main(void)
+void bench_poll(bench *b)
 {
     static double poll_us[ROUNDS * TURN], echo_us[ROUNDS * TURN];
     static echo e;
@@ -143,35 +144,32 @@ int main(void)
     must(orr_dial_open(orr_service_url(service, 0), 10, &d, &diag) == ORR_OK, diag.text);
     orr_time from, to;
     orr_engine_span(engine, &from, &to);
-
     for (int k = 0; k < WARM_UP; k++) one_poll(d, from + k, &e.reply);
+
     e.request = ORR_FRAME_OVERHEAD + 24; // a POLL that names no satellite
     orr_url loopback, bound;
     char text[ORR_URL_TEXT];
-    must(orr_url_parse(url[0], &loopback, &diag) == ORR_OK &&
-             orr_url_listen(&loopback, 1, &e.listener, &bound, &diag) == ORR_OK,
-         diag.text);
+    must(orr_url_parse(url[0], &loopback, &diag) == ORR_OK, diag.text);
+    must(orr_url_listen(&loopback, 1, &e.listener, &bound, &diag) == ORR_OK, diag.text);
     pthread_create(&echo_thread, NULL, run_echo, &e);
     int fd = connect_to(orr_url_text(&bound, text));
     for (int k = 0; k < WARM_UP; k++) one_echo(fd, &e);
 
-    size_t n = 0;
-    for (int round = 0; round < ROUNDS; round++) {
-        for (int k = 0; k < TURN; k++)
-            poll_us[n + (size_t)k] = one_poll(d, from + (int64_t)(n + (size_t)k) * 5000000000, &e.reply);
-        for (int k = 0; k < TURN; k++) echo_us[n + (size_t)k] = one_echo(fd, &e);
-        n += TURN;
+    int n = 0;
+    for (int round = 0; round < ROUNDS; round++, n += TURN) {
+        for (int k = n; k < n + TURN; k++) poll_us[k] = one_poll(d, from + k * INT64_C(5000000000), &e.reply);
+        for (int k = n; k < n + TURN; k++) echo_us[k] = one_echo(fd, &e);
     }
-    qsort(poll_us, n, sizeof poll_us[0], ascending);
-    qsort(echo_us, n, sizeof echo_us[0], ascending);
+    qsort(poll_us, ROUNDS * TURN, sizeof poll_us[0], ascending);
+    qsort(echo_us, ROUNDS * TURN, sizeof echo_us[0], ascending);
     const orr_sat *sats;
-    printf("poll of %zu satellites, %zu bytes, TCP loopback, %zu round trips each\n",
-           orr_engine_satellites(engine, &sats), e.reply, n);
-    printf("  %-10s %8s %8s\n", "", "p50 us", "p99 us");
-    printf("  %-10s %8.1f %8.1f\n", "poll", poll_us[n / 2], poll_us[n * 99 / 100]);
-    printf("  %-10s %8.1f %8.1f\n", "bare echo", echo_us[n / 2], echo_us[n * 99 / 100]);
-    printf("  %-10s %8.2f %8.2f\n", "ratio", poll_us[n / 2] / echo_us[n / 2],
-           poll_us[n * 99 / 100] / echo_us[n * 99 / 100]);
+    char name[80];
+    snprintf(name, sizeof name, "poll of %zu satellites, %zu bytes, p50",
+             orr_engine_satellites(engine, &sats), e.reply);
+    bench_group(b, "service over TCP loopback");
+    bench_row(b, name, poll_us[n / 2], echo_us[n / 2], "us", "bare echo of that size");
+    bench_row(b, "the same, p99", poll_us[n * 99 / 100], echo_us[n * 99 / 100], "us",
+              "bare echo of that size");
 
     close(fd);
     orr_dial_close(d);
@@ -182,5 +180,4 @@ int main(void)
     orr_answers_close(answers);
     orr_engine_close(engine);
     close(e.listener);
-    return 0;
 }
