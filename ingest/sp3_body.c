@@ -122,6 +122,10 @@ static int record_sat(sp3_parser *p, orr_view line, orr_status *st)
     *st = ORR_OK;
     char three[3] = {orr_view_char(line, 2), orr_view_char(line, 3), orr_view_char(line, 4)};
     orr_sat sat = orr_sat_parse3(three, 'G');
+    if (sat == ORR_SAT_NONE && sp3_is_sat_like(three)) {
+        sp3_fault_note(p, SP3_UNKNOWN_SAT);
+        return -1;
+    }
     if (sat == ORR_SAT_NONE) {
         report_bad(p, 2, "the satellite of this record cannot be read");
         return -1;

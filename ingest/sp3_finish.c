@@ -131,6 +131,7 @@ static void tell_faults(sp3_parser *p)
         [SP3_IMPLAUSIBLE] = "positions inside the Earth or more than a million km away, kept as written",
         [SP3_TAIL] = "records with text beyond column 80, which is not read",
         [SP3_JUNK] = "blank or dotted lines, which are none of the format, passed over",
+        [SP3_UNKNOWN_SAT] = "records of satellites of a system that is not known, left out",
         [SP3_MINUTE_60] = "epochs with minute 60, taken as the next hour",
         [SP3_STRAY_RECORD] = "records whose epoch is not known, left out",
     };

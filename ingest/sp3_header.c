@@ -101,6 +101,13 @@ static orr_status read_line_2(sp3_parser *p, orr_view line)
     return ORR_OK;
 }
 
+bool sp3_is_sat_like(const char three[3])
+{
+    char letter = (char)(three[0] | 0x20);
+    return letter >= 'a' && letter <= 'z' && three[1] >= '0' && three[1] <= '9' && three[2] >= '0' &&
+           three[2] <= '9';
+}
+
 static bool is_filler(orr_view id)
 {
     for (size_t i = 0; i < id.n; i++)
@@ -125,18 +132,22 @@ static orr_status read_satellites(sp3_parser *p, orr_view line)
         char three[3] = {orr_view_char(line, col), orr_view_char(line, col + 1),
                          orr_view_char(line, col + 2)};
         orr_sat sat = orr_sat_parse3(three, 'G');
-        if (sat == ORR_SAT_NONE) {
+        bool unknown = sat == ORR_SAT_NONE && sp3_is_sat_like(three);
+        if (unknown)
+            orr_cursor_warn(&p->c, p->warnings, col, "%.3s is of a system that is not known; left out",
+                            three);
+        if (sat == ORR_SAT_NONE && !unknown) {
             char text[4];
             return orr_cursor_error(&p->c, p->diag, ORR_E_FORMAT, col,
                                     "'%s' in the list of satellites is none",
                                     orr_view_copy(id, text, sizeof text));
         }
         if (three[0] == ' ' && p->out->version >= 'c') sp3_fault_note(p, SP3_BLANK_SYSTEM);
-        orr_status st;
+        orr_status st = ORR_OK;
         size_t known = p->out->n_sats;
-        int index = sp3_sat_index(p, sat, &st);
-        if (index < 0) return st;
-        if (p->out->n_sats == known)
+        int index = unknown ? -1 : sp3_sat_index(p, sat, &st);
+        if (index < 0 && !unknown) return st;
+        if (p->out->n_sats == known && !unknown)
             orr_cursor_warn(&p->c, p->warnings, col, "%.3s is twice in the list of satellites", id.p);
         if (p->n_listed == p->listed_capacity) {
             size_t n = p->listed_capacity == 0 ? 128 : 2 * p->listed_capacity;
@@ -162,7 +173,8 @@ static orr_status read_accuracies(sp3_parser *p, orr_view line)
             orr_cursor_warn(&p->c, p->warnings, col, "this accuracy cannot be read; taken as unknown");
         if (f != ORR_FIELD_OK || exponent == 0) continue;
         if (p->n_accuracies < p->n_listed) {
-            p->out->accuracy_exp[p->listed[p->n_accuracies]] = (uint8_t)exponent;
+            int16_t sat = p->listed[p->n_accuracies];
+            if (sat >= 0) p->out->accuracy_exp[sat] = (uint8_t)exponent;
         } else {
             orr_cursor_warn(&p->c, p->warnings, col,
                             "an accuracy for satellite %zu of the list, which has only %zu: left out",

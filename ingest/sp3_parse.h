@@ -19,6 +19,7 @@ typedef enum sp3_fault {
     SP3_TAIL,         // text beyond column 80
     SP3_JUNK,         // line without a letter or digit: dots, blanks
     SP3_STRAY_RECORD, // record after a line that cannot be read, before the next epoch
+    SP3_UNKNOWN_SAT,  // a satellite of a system that has no letter here
     SP3_MINUTE_60,    // 16:60 for 17:00
     SP3_N_FAULTS
 } sp3_fault;
@@ -72,6 +73,8 @@ orr_status sp3_add_correlations(sp3_parser *p);
 // Year, month, day, hour, minute in columns 4-7, 9-10, ... and seconds in 21-31, as lines 1 and * have them.
 // The minute may be 60.
 bool sp3_read_civil(orr_view line, orr_civil *out, int *column);
+// A letter and two digits, whatever system the letter may stand for.
+bool sp3_is_sat_like(const char three[3]);
 void sp3_clear_records(orr_sp3_record *r, size_t n);
 
 #endif

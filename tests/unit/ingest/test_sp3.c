@@ -392,6 +392,25 @@ static void test_oddities_of_text(void **state)
     done(&t);
 }
 
+// A constellation that has no letter here yet is left out, and said so; the rest of the file is as good as
+// ever.
+static void test_unknown_system(void **state)
+{
+    (void)state;
+    sp3_text t = {0};
+    sp3_add_header(&t, "#dP", "GPS", 1, "X01G07");
+    sp3_add_epoch_line(&t, 0, 0, 0);
+    sp3_add(&t, "PX01" POS "      1.000000\nPX02" POS "      1.000000\nPG07" POS "      2.000000\nEOF\n");
+    ASSERT_OK(parse(&t), diag);
+    assert_int_equal(sp3.n_sats, 1);
+    assert_int_equal(sp3.sat[0], orr_sat_make('G', 7));
+    assert_int_equal(sp3.accuracy_exp[0], 2); // the second place of the list
+    ASSERT_NEAR(at(0, 0)->clock_s, 2e-6, 0);
+    assert_int_equal(warnings.count, 2);
+    assert_true(warned("X01") && warned("2 in all"));
+    done(&t);
+}
+
 static void test_refused(void **state)
 {
     (void)state;
@@ -408,7 +427,7 @@ static void test_refused(void **state)
         {"#dP2024  2  4  0  0  0.00000000       1 ORBIT IGS20 FIT TEST\nEOF\n", ORR_E_FORMAT},
         {"#dP2024  2  4  0  0  0.00000000       1 ORBIT IGS20 FIT TEST\n*  2024  2  4  0  0  0.0\nEOF\n",
          ORR_E_FORMAT},
-        {"#dP2024  2  4  0  0  0.00000000       1 ORBIT IGS20 FIT TEST\n+    1   Q01\n", ORR_E_FORMAT},
+        {"#dP2024  2  4  0  0  0.00000000       1 ORBIT IGS20 FIT TEST\n+    1   Q?1\n", ORR_E_FORMAT},
         {"#dP2024  2  4  0  0  0.00000000       1 ORBIT IGS20 FIT TEST\n@@ what is this\n", ORR_E_FORMAT},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -466,6 +485,7 @@ int main(void)
         cmocka_unit_test(test_damaged_records),
         cmocka_unit_test(test_cut),
         cmocka_unit_test(test_oddities_of_text),
+        cmocka_unit_test(test_unknown_system),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_limits),
     };
