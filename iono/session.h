@@ -8,7 +8,7 @@
 
 #include "iono/fusion.h"
 
-#define ORR_SESSION_MAX_SATS 256 // of one question
+#define ORR_SESSION_MAX_SATS 800 // of one question
 
 typedef struct orr_session_arc {
     orr_sat sat;

@@ -164,6 +164,14 @@ orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m
         k[i * m + i] = variance / (f * f) + 1e-9;
         y[i] = ray[i].residual;
     }
+    // Where no arc vouches for a ray, it is known as well as arcs are on the whole.
+    double typical = 0, arcs = 0;
+    for (size_t i = 0; i < m; i++)
+        if (!isnan(ray[i].sigma)) {
+            typical += ray[i].sigma * ray[i].sigma;
+            arcs++;
+        }
+    typical = arcs > 0 ? sqrt(typical / arcs) : 0;
     factor(k, m);
     solve_lower(k, m, y);
     bool home = orr_vec3_norm(orr_vec3_sub(site_m, s->site.pos_m)) < SAME_SITE_M;
@@ -195,7 +203,7 @@ orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m
             r->flags |= ORR_TEC_CLIPPED;
         }
         r->stec_tecu = r->mapping * r->vtec_tecu;
-        double bias = own != NULL && !isnan(own->sigma) ? own->sigma : 0;
+        double bias = own != NULL && !isnan(own->sigma) ? own->sigma : typical;
         r->sigma_tecu = sqrt(bias * bias + r->mapping * r->mapping * left);
     }
     return ORR_OK;

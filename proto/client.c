@@ -110,6 +110,22 @@ orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll)
     return orr_client_send(c, &w, start);
 }
 
+orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_DELAYS, &w, &start);
+    orr_msg_poll_delays_encode(poll, &w);
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *delays)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_DELAYS, &f);
+    return s == ORR_WIRE_OK ? orr_msg_delays_decode(f.payload, f.size, delays) : s;
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states)
 {
     orr_frame f;

@@ -53,6 +53,11 @@ orr_wire_status orr_client_ping(orr_client *c, uint64_t token);
 orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll);
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states);
 
+// The same of ionospheric delays: poll->count calls of orr_client_delays. A poll whose receiver_m is NAN,
+// NAN, NAN asks for the scenario's own receiver.
+orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll);
+orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *delays);
+
 // What the above are made of, for the other messages: begin, encode into *w, send; then wait for the next
 // frame of a type.
 void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);

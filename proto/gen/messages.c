@@ -13,6 +13,8 @@ const char *orr_msg_type_name(uint16_t type)
     case 5: return "ERROR";
     case 6: return "POLL";
     case 7: return "STATES";
+    case 12: return "POLL_DELAYS";
+    case 13: return "DELAYS";
     default: return NULL;
     }
 }
@@ -44,6 +46,19 @@ const char *orr_msg_answer_name(uint8_t value)
     case 1: return "OUTSIDE_SPAN";
     case 2: return "NO_ARC";
     case 3: return "NOT_SERVED";
+    case 4: return "BELOW_HORIZON";
+    case 5: return "NO_VALUE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_tec_origin_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "FIELD";
+    case 1: return "FUSED";
+    case 2: return "TRANSFERRED";
+    case 3: return "NOISE";
     default: return NULL;
     }
 }
@@ -51,6 +66,14 @@ const char *orr_msg_answer_name(uint8_t value)
 bool orr_msg_error_code_closes(uint16_t value)
 {
     return value == 1 || value == 2 || value == 3 || value == 4 || value == 10 || value == 11 || value == 12;
+}
+
+const char *orr_msg_delay_flags_name(unsigned bit)
+{
+    switch (bit) {
+    case 0: return "CLIPPED";
+    default: return NULL;
+    }
 }
 
 const char *orr_msg_state_flags_name(unsigned bit)
@@ -130,6 +153,48 @@ static inline void load_sat_state(const uint8_t *p, orr_msg_sat_state *m)
     m->valid_from = orr_wire_load_i64(p + 96);
     m->valid_to = orr_wire_load_i64(p + 104);
     m->sigma_m = orr_wire_load_f32(p + 112);
+}
+
+static inline void store_sat_delay(uint8_t *p, const orr_msg_sat_delay *m)
+{
+    store_sat_id(p + 0, &m->sat);
+    orr_wire_store_u8(p + 2, m->answer);
+    orr_wire_store_u8(p + 3, m->origin);
+    orr_wire_store_u8(p + 4, m->flags);
+    orr_wire_store_u8(p + 5, m->reserved);
+    orr_wire_store_f64(p + 6, m->az_rad);
+    orr_wire_store_f64(p + 14, m->el_rad);
+    orr_wire_store_f64(p + 22, m->pierce_lat_rad);
+    orr_wire_store_f64(p + 30, m->pierce_lon_rad);
+    orr_wire_store_f64(p + 38, m->mapping);
+    orr_wire_store_f64(p + 46, m->stec_tecu);
+    orr_wire_store_f64(p + 54, m->model_stec_tecu);
+    orr_wire_store_f64(p + 62, m->delay_m[0]);
+    orr_wire_store_f64(p + 70, m->delay_m[1]);
+    orr_wire_store_f64(p + 78, m->delay_m[2]);
+    orr_wire_store_f64(p + 86, m->delay_m[3]);
+    orr_wire_store_f32(p + 94, m->sigma_tecu);
+}
+
+static inline void load_sat_delay(const uint8_t *p, orr_msg_sat_delay *m)
+{
+    load_sat_id(p + 0, &m->sat);
+    m->answer = orr_wire_load_u8(p + 2);
+    m->origin = orr_wire_load_u8(p + 3);
+    m->flags = orr_wire_load_u8(p + 4);
+    m->reserved = orr_wire_load_u8(p + 5);
+    m->az_rad = orr_wire_load_f64(p + 6);
+    m->el_rad = orr_wire_load_f64(p + 14);
+    m->pierce_lat_rad = orr_wire_load_f64(p + 22);
+    m->pierce_lon_rad = orr_wire_load_f64(p + 30);
+    m->mapping = orr_wire_load_f64(p + 38);
+    m->stec_tecu = orr_wire_load_f64(p + 46);
+    m->model_stec_tecu = orr_wire_load_f64(p + 54);
+    m->delay_m[0] = orr_wire_load_f64(p + 62);
+    m->delay_m[1] = orr_wire_load_f64(p + 70);
+    m->delay_m[2] = orr_wire_load_f64(p + 78);
+    m->delay_m[3] = orr_wire_load_f64(p + 86);
+    m->sigma_tecu = orr_wire_load_f32(p + 94);
 }
 
 static void put_hello(orr_wire_writer *w, const orr_msg_hello *m)
@@ -556,5 +621,209 @@ orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_m
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_states(&r, m);
+    return r.status;
+}
+
+static void put_f64_list(orr_wire_writer *w, const orr_msg_f64_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 8 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 8 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) orr_wire_store_f64(p + 8 * (size_t)i, list->item[i]);
+}
+
+static void get_f64_list(orr_wire_reader *r, orr_msg_f64_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 8) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_f64_next(const orr_msg_f64_list *list, orr_wire_iter *it, double *out)
+{
+    return orr_msg_f64_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_f64_at(const orr_msg_f64_list *list, uint16_t index, double *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    *out = orr_wire_load_f64(p);
+    return true;
+}
+
+static void put_poll_delays(orr_wire_writer *w, const orr_msg_poll_delays *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 44);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->count);
+    orr_wire_store_f64(p + 20, m->receiver_m[0]);
+    orr_wire_store_f64(p + 28, m->receiver_m[1]);
+    orr_wire_store_f64(p + 36, m->receiver_m[2]);
+    put_f64_list(w, &m->carriers_hz, 4);
+    put_sat_id_list(w, &m->satellites, 800);
+}
+
+static void get_poll_delays(orr_wire_reader *r, orr_msg_poll_delays *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 44);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+    m->count = orr_wire_load_u32(p + 16);
+    m->receiver_m[0] = orr_wire_load_f64(p + 20);
+    m->receiver_m[1] = orr_wire_load_f64(p + 28);
+    m->receiver_m[2] = orr_wire_load_f64(p + 36);
+    get_f64_list(r, &m->carriers_hz, 4);
+    get_sat_id_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_poll_delays_encode(const orr_msg_poll_delays *m, orr_wire_writer *w)
+{
+    put_poll_delays(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_delays_decode(const uint8_t *payload, size_t size, orr_msg_poll_delays *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll_delays(&r, m);
+    return r.status;
+}
+
+static void put_sat_delay_list(orr_wire_writer *w, const orr_msg_sat_delay_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 98 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 98 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_delay(p + 98 * (size_t)i, &list->item[i]);
+}
+
+static void get_sat_delay_list(orr_wire_reader *r, orr_msg_sat_delay_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 98) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_sat_delay_next(const orr_msg_sat_delay_list *list, orr_wire_iter *it, orr_msg_sat_delay *out)
+{
+    return orr_msg_sat_delay_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_sat_delay_at(const orr_msg_sat_delay_list *list, uint16_t index, orr_msg_sat_delay *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_sat_delay(p, out);
+    return true;
+}
+
+static void put_delays(orr_wire_writer *w, const orr_msg_delays *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 41);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u32(p + 8, m->index);
+    orr_wire_store_u32(p + 12, m->count);
+    orr_wire_store_u8(p + 16, m->answer);
+    orr_wire_store_f64(p + 17, m->receiver_m[0]);
+    orr_wire_store_f64(p + 25, m->receiver_m[1]);
+    orr_wire_store_f64(p + 33, m->receiver_m[2]);
+    put_f64_list(w, &m->carriers_hz, 4);
+    put_sat_delay_list(w, &m->satellites, 800);
+}
+
+static void get_delays(orr_wire_reader *r, orr_msg_delays *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 41);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->index = orr_wire_load_u32(p + 8);
+    m->count = orr_wire_load_u32(p + 12);
+    m->answer = orr_wire_load_u8(p + 16);
+    m->receiver_m[0] = orr_wire_load_f64(p + 17);
+    m->receiver_m[1] = orr_wire_load_f64(p + 25);
+    m->receiver_m[2] = orr_wire_load_f64(p + 33);
+    get_f64_list(r, &m->carriers_hz, 4);
+    get_sat_delay_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_delays_encode(const orr_msg_delays *m, orr_wire_writer *w)
+{
+    put_delays(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_msg_delays *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_delays(&r, m);
     return r.status;
 }

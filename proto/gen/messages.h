@@ -17,6 +17,7 @@
 #define ORR_MSG_MINOR 0u
 #define ORR_MSG_PORT 15754u
 #define ORR_MSG_MAX_PAYLOAD 1048576u
+#define ORR_MSG_MAX_CARRIERS 4u // carriers one POLL_DELAYS may name
 #define ORR_MSG_MAX_SATELLITES 800u // satellites in one list (eight systems of 99 and a little)
 #define ORR_MSG_MAX_EPOCHS 86400u // epochs one POLL may ask for (a day at 1 Hz)
 #define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
@@ -29,6 +30,8 @@ enum { // message types
     ORR_MSG_TYPE_ERROR = 5,
     ORR_MSG_TYPE_POLL = 6,
     ORR_MSG_TYPE_STATES = 7,
+    ORR_MSG_TYPE_POLL_DELAYS = 12,
+    ORR_MSG_TYPE_DELAYS = 13,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -52,7 +55,19 @@ enum { // answer (u8): Whether there are numbers, and if not, why not.
     ORR_MSG_ANSWER_OUTSIDE_SPAN = 1, // the instant is outside the served span
     ORR_MSG_ANSWER_NO_ARC = 2, // the satellite has no valid arc at the instant
     ORR_MSG_ANSWER_NOT_SERVED = 3, // the satellite is not among those served
+    ORR_MSG_ANSWER_BELOW_HORIZON = 4, // the satellite is below the receiver's horizon
+    ORR_MSG_ANSWER_NO_VALUE = 5, // the ionosphere has a hole where the ray pierces it
 };
+
+enum { // tec_origin (u8): What a delay came from.
+    ORR_MSG_TEC_ORIGIN_FIELD = 0, // the field alone: maps, coefficients or the broadcast model
+    ORR_MSG_TEC_ORIGIN_FUSED = 1, // the session's own carrier phases of the satellite, levelled
+    ORR_MSG_TEC_ORIGIN_TRANSFERRED = 2, // the field, corrected, and the session's residual of the satellite carried to another ray
+    ORR_MSG_TEC_ORIGIN_NOISE = 3, // the field, corrected, what neighbouring rays tell, and seeded noise: the station did not see the satellite
+};
+
+// delay_flags (u8): What holds for a delay.
+#define ORR_MSG_DELAY_FLAGS_CLIPPED ((uint8_t)(UINT64_C(1) << 0)) // the content came out negative and is given as 0
 
 // state_flags (u32): What holds for a satellite's state.
 #define ORR_MSG_STATE_FLAGS_CLOCK_VALID ((uint32_t)(UINT64_C(1) << 0)) // clock_s and clock_rate_sps are there (NAN otherwise)
@@ -66,6 +81,8 @@ enum { // answer (u8): Whether there are numbers, and if not, why not.
 const char *orr_msg_type_name(uint16_t type);
 const char *orr_msg_error_code_name(uint16_t value);
 const char *orr_msg_answer_name(uint8_t value);
+const char *orr_msg_tec_origin_name(uint8_t value);
+const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
 // Whether the connection closes after it.
 bool orr_msg_error_code_closes(uint16_t value);
@@ -135,6 +152,36 @@ typedef struct orr_msg_sat_state_list {
 } orr_msg_sat_state_list;
 bool orr_msg_sat_state_next(const orr_msg_sat_state_list *list, orr_wire_iter *it, orr_msg_sat_state *out); // false at the end
 bool orr_msg_sat_state_at(const orr_msg_sat_state_list *list, uint16_t index, orr_msg_sat_state *out);   // false beyond the end
+
+// The ionosphere between a receiver and one satellite. Numbers are NAN unless answer is OK.
+typedef struct orr_msg_sat_delay {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC, NOT_SERVED, BELOW_HORIZON or NO_VALUE
+    uint8_t origin; // what it came from
+    uint8_t flags; // 0 unless answer is OK
+    uint8_t reserved; // 0
+    double az_rad; // azimuth, clockwise from North
+    double el_rad; // elevation above the ellipsoidal horizon
+    double pierce_lat_rad; // geocentric latitude of the pierce point
+    double pierce_lon_rad; // its longitude, East
+    double mapping; // slant over vertical
+    double stec_tecu; // [TECU] slant total electron content
+    double model_stec_tecu; // [TECU] the part of the field as it is
+    double delay_m[4]; // delay of a code on each carrier asked for, NAN beyond them; a carrier phase is early by it
+    float sigma_tecu; // [TECU] 1-sigma of stec_tecu, NAN where unknown
+} orr_msg_sat_delay;
+#define ORR_MSG_SAT_DELAY_SIZE 98u
+#define ORR_MSG_SAT_DELAY_LARGEST 98u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_delay_next or orr_msg_sat_delay_at.
+typedef struct orr_msg_sat_delay_list {
+    uint16_t count;
+    const orr_msg_sat_delay *item;
+    orr_wire_records wire;
+} orr_msg_sat_delay_list;
+bool orr_msg_sat_delay_next(const orr_msg_sat_delay_list *list, orr_wire_iter *it, orr_msg_sat_delay *out); // false at the end
+bool orr_msg_sat_delay_at(const orr_msg_sat_delay_list *list, uint16_t index, orr_msg_sat_delay *out);   // false beyond the end
 
 // Encoding appends the payload to the writer and returns its status. Decoding reads a payload; strings, blobs
 // and lists borrow its bytes; bytes after the last known field are of a later minor version and are ignored.
@@ -226,5 +273,44 @@ typedef struct orr_msg_states {
 
 orr_wire_status orr_msg_states_encode(const orr_msg_states *m, orr_wire_writer *w);
 orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_msg_states *m);
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_f64_next or orr_msg_f64_at.
+typedef struct orr_msg_f64_list {
+    uint16_t count;
+    const double *item;
+    orr_wire_records wire;
+} orr_msg_f64_list;
+bool orr_msg_f64_next(const orr_msg_f64_list *list, orr_wire_iter *it, double *out); // false at the end
+bool orr_msg_f64_at(const orr_msg_f64_list *list, uint16_t index, double *out);   // false beyond the end
+
+// Asks for ionospheric delays at t, t + step, ..., t + (count - 1) step. The same POLL_DELAYS gets the same bytes, always.
+typedef struct orr_msg_poll_delays {
+    int64_t t; // [ns] first epoch
+    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
+    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    double receiver_m[3]; // receiver (ecef); NAN for the scenario's own
+    orr_msg_f64_list carriers_hz; // [Hz] carriers to give delays for; empty for 1575.42 MHz
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll_delays;
+#define ORR_MSG_POLL_DELAYS_LARGEST 1684u
+
+orr_wire_status orr_msg_poll_delays_encode(const orr_msg_poll_delays *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_delays_decode(const uint8_t *payload, size_t size, orr_msg_poll_delays *m);
+
+// Ionospheric delays at one epoch. A POLL_DELAYS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+typedef struct orr_msg_delays {
+    int64_t t; // [ns] the epoch
+    uint32_t index; // which epoch of the POLL_DELAYS, from 0
+    uint32_t count; // how many epochs it asked for
+    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
+    double receiver_m[3]; // the receiver that was taken (ecef)
+    orr_msg_f64_list carriers_hz; // [Hz] the carriers of delay_m
+    orr_msg_sat_delay_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_delays;
+#define ORR_MSG_DELAYS_LARGEST 78481u
+
+orr_wire_status orr_msg_delays_encode(const orr_msg_delays *m, orr_wire_writer *w);
+orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_msg_delays *m);
 
 #endif

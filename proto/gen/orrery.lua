@@ -53,6 +53,8 @@ local types = {
   [5] = "ERROR",
   [6] = "POLL",
   [7] = "STATES",
+  [12] = "POLL_DELAYS",
+  [13] = "DELAYS",
 }
 local enum_error_code = {
   [1] = "BAD_MAGIC",
@@ -74,6 +76,14 @@ local enum_answer = {
   [1] = "OUTSIDE_SPAN",
   [2] = "NO_ARC",
   [3] = "NOT_SERVED",
+  [4] = "BELOW_HORIZON",
+  [5] = "NO_VALUE",
+}
+local enum_tec_origin = {
+  [0] = "FIELD",
+  [1] = "FUSED",
+  [2] = "TRANSFERRED",
+  [3] = "NOISE",
 }
 
 f.sat_id_system = ProtoField.char("orrery.sat_id.system", "system")
@@ -90,6 +100,19 @@ f.sat_state_clock_rate_sps = ProtoField.double("orrery.sat_state.clock_rate_sps"
 f.sat_state_valid_from = ProtoField.int64("orrery.sat_state.valid_from", "valid_from [ns]")
 f.sat_state_valid_to = ProtoField.int64("orrery.sat_state.valid_to", "valid_to [ns]")
 f.sat_state_sigma_m = ProtoField.float("orrery.sat_state.sigma_m", "sigma_m")
+f.sat_delay_answer = ProtoField.uint8("orrery.sat_delay.answer", "answer", base.DEC, enum_answer)
+f.sat_delay_origin = ProtoField.uint8("orrery.sat_delay.origin", "origin", base.DEC, enum_tec_origin)
+f.sat_delay_flags = ProtoField.uint8("orrery.sat_delay.flags", "flags", base.HEX)
+f.sat_delay_reserved = ProtoField.uint8("orrery.sat_delay.reserved", "reserved")
+f.sat_delay_az_rad = ProtoField.double("orrery.sat_delay.az_rad", "az_rad")
+f.sat_delay_el_rad = ProtoField.double("orrery.sat_delay.el_rad", "el_rad")
+f.sat_delay_pierce_lat_rad = ProtoField.double("orrery.sat_delay.pierce_lat_rad", "pierce_lat_rad")
+f.sat_delay_pierce_lon_rad = ProtoField.double("orrery.sat_delay.pierce_lon_rad", "pierce_lon_rad")
+f.sat_delay_mapping = ProtoField.double("orrery.sat_delay.mapping", "mapping")
+f.sat_delay_stec_tecu = ProtoField.double("orrery.sat_delay.stec_tecu", "stec_tecu [TECU]")
+f.sat_delay_model_stec_tecu = ProtoField.double("orrery.sat_delay.model_stec_tecu", "model_stec_tecu [TECU]")
+f.sat_delay_delay_m = ProtoField.double("orrery.sat_delay.delay_m", "delay_m")
+f.sat_delay_sigma_tecu = ProtoField.float("orrery.sat_delay.sigma_tecu", "sigma_tecu [TECU]")
 f.hello_major_min = ProtoField.uint8("orrery.hello.major_min", "major_min")
 f.hello_major_max = ProtoField.uint8("orrery.hello.major_max", "major_max")
 f.hello_name = ProtoField.string("orrery.hello.name", "name")
@@ -116,6 +139,17 @@ f.states_t = ProtoField.int64("orrery.states.t", "t [ns]")
 f.states_index = ProtoField.uint32("orrery.states.index", "index")
 f.states_count = ProtoField.uint32("orrery.states.count", "count")
 f.states_answer = ProtoField.uint8("orrery.states.answer", "answer", base.DEC, enum_answer)
+f.poll_delays_t = ProtoField.int64("orrery.poll_delays.t", "t [ns]")
+f.poll_delays_step = ProtoField.int64("orrery.poll_delays.step", "step [ns]")
+f.poll_delays_count = ProtoField.uint32("orrery.poll_delays.count", "count")
+f.poll_delays_receiver_m = ProtoField.double("orrery.poll_delays.receiver_m", "receiver_m")
+f.poll_delays_carriers_hz = ProtoField.double("orrery.poll_delays.carriers_hz", "carriers_hz [Hz]")
+f.delays_t = ProtoField.int64("orrery.delays.t", "t [ns]")
+f.delays_index = ProtoField.uint32("orrery.delays.index", "index")
+f.delays_count = ProtoField.uint32("orrery.delays.count", "count")
+f.delays_answer = ProtoField.uint8("orrery.delays.answer", "answer", base.DEC, enum_answer)
+f.delays_receiver_m = ProtoField.double("orrery.delays.receiver_m", "receiver_m")
+f.delays_carriers_hz = ProtoField.double("orrery.delays.carriers_hz", "carriers_hz [Hz]")
 
 local function record_sat_id(r, tree)
   add(r, tree, f.sat_id_system, 1)
@@ -139,6 +173,23 @@ local function record_sat_state(r, tree)
   add(r, tree, f.sat_state_valid_from, 8)
   add(r, tree, f.sat_state_valid_to, 8)
   add(r, tree, f.sat_state_sigma_m, 4)
+end
+
+local function record_sat_delay(r, tree)
+  record_sat_id(r, tree)
+  add(r, tree, f.sat_delay_answer, 1)
+  add(r, tree, f.sat_delay_origin, 1)
+  add(r, tree, f.sat_delay_flags, 1)
+  add(r, tree, f.sat_delay_reserved, 1)
+  add(r, tree, f.sat_delay_az_rad, 8)
+  add(r, tree, f.sat_delay_el_rad, 8)
+  add(r, tree, f.sat_delay_pierce_lat_rad, 8)
+  add(r, tree, f.sat_delay_pierce_lon_rad, 8)
+  add(r, tree, f.sat_delay_mapping, 8)
+  add(r, tree, f.sat_delay_stec_tecu, 8)
+  add(r, tree, f.sat_delay_model_stec_tecu, 8)
+  for _ = 1, 4 do add(r, tree, f.sat_delay_delay_m, 8) end
+  add(r, tree, f.sat_delay_sigma_tecu, 4)
 end
 
 local function record_hello(r, tree)
@@ -228,6 +279,61 @@ local function record_states(r, tree)
   end
 end
 
+local function record_poll_delays(r, tree)
+  add(r, tree, f.poll_delays_t, 8)
+  add(r, tree, f.poll_delays_step, 8)
+  add(r, tree, f.poll_delays_count, 4)
+  for _ = 1, 3 do add(r, tree, f.poll_delays_receiver_m, 8) end
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      add(one, tree, f.poll_delays_carriers_hz, 8)
+    end
+  end
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
+local function record_delays(r, tree)
+  add(r, tree, f.delays_t, 8)
+  add(r, tree, f.delays_index, 4)
+  add(r, tree, f.delays_count, 4)
+  add(r, tree, f.delays_answer, 1)
+  for _ = 1, 3 do add(r, tree, f.delays_receiver_m, 8) end
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      add(one, tree, f.delays_carriers_hz, 8)
+    end
+  end
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_delay(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
 
 local decode = {
   [1] = record_hello,
@@ -237,6 +343,8 @@ local decode = {
   [5] = record_error,
   [6] = record_poll,
   [7] = record_states,
+  [12] = record_poll_delays,
+  [13] = record_delays,
 }
 
 f.major = ProtoField.uint8("orrery.major", "Major version")

@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "src/cli/cli.h"
+#include "src/cli/poll_delays.h"
 #include "src/service/dial.h"
 
 typedef struct poll_job {
@@ -21,6 +22,8 @@ typedef struct poll_job {
     char frame[65];
     uint64_t numbers; // satellites that had a state
     bool outside;     // an epoch was outside the span
+    bool delays;      // ask for delays instead of states
+    orr_delay_poll delay;
 } poll_job;
 
 static const char *sat_name(orr_msg_sat_id id, char buf[8])
@@ -168,6 +171,15 @@ static orr_status receive(poll_job *p, uint32_t count, orr_diag *diag)
 
 static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
 {
+    if (p->delays) {
+        p->delay.poll.step = p->step_ns;
+        p->delay.poll.satellites.count = p->n_ids;
+        p->delay.poll.satellites.item = p->id;
+        orr_status s = orr_delay_poll_run(&p->delay, p->d, t, count, diag);
+        p->numbers = p->delay.numbers;
+        p->outside = p->delay.outside;
+        return s;
+    }
     orr_msg_poll poll = {
         .t = t, .step = p->step_ns, .count = count, .satellites = {.count = p->n_ids, .item = p->id}};
     orr_wire_status ws = orr_client_poll(&p->d->client, &poll);
@@ -252,7 +264,7 @@ static int poll_service(poll_job *p)
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (p->numbers > 0) return ORR_EXIT_OK;
     if (p->outside) return orr_cli_failf(c, "nothing there: %s serves %s to %s", p->d->url, from, to);
-    return orr_cli_failf(c, "no satellite has a state there");
+    return orr_cli_failf(c, p->delays ? "no satellite has a delay there" : "no satellite has a state there");
 }
 
 static int run(orr_cli *c)
@@ -264,6 +276,10 @@ static int run(orr_cli *c)
                   .count = orr_cli_int(c, "count", realtime ? -1 : 1)};
     if (p.count > 1 && !orr_cli_given(c, "step"))
         return orr_cli_usage(c, "--count %lld needs a --step", (long long)p.count);
+    p.delays = orr_cli_given(c, "delays");
+    p.delay.json = p.json;
+    int asked = orr_delay_poll_ask(c, &p.delay);
+    if (asked != ORR_EXIT_OK) return asked;
     orr_diag diag = {0};
     orr_status s = orr_dial_open(
         c->operand[0], (double)orr_cli_duration_ns(c, "timeout", 10 * ORR_NS_PER_S) * 1e-9, &p.d, &diag);
@@ -296,6 +312,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_SATS,
      .value = "LIST",
      .help = "satellites: G05,R,E01-E09. Default: all that are served"},
+    ORR_POLL_DELAY_OPTIONS,
     {.name = "realtime",
      .kind = ORR_OPT_FLAG,
      .help = "ask for one epoch a step of real time, as a signal generator does"},
@@ -319,10 +336,15 @@ const orr_command orr_cmd_poll = {
              "relativity not "
              "included) and 1-sigma of the position. Where a satellite has no valid arc, or the time is "
              "outside the served "
-             "span, it says so instead of a number; exit status 1 if there was no number at all.",
+             "span, it says so instead of a number; exit status 1 if there was no number at all.\n\n"
+             "With --delays: azimuth, elevation, pierce point, slant electron content and the delay of a "
+             "code on each carrier "
+             "(a carrier phase is early by as much), and what it came from.",
     .example = "orrery poll tcp://127.0.0.1:15754 --at 2024-02-04T12:00:00 --sat G05,E\n"
                "orrery poll unix:/tmp/orrery.sock --step 0.1 --count 100 --json\n"
-               "orrery poll tcp://127.0.0.1:15754 --step 0.1 --realtime --sat G",
+               "orrery poll tcp://127.0.0.1:15754 --step 0.1 --realtime --sat G\n"
+               "orrery poll tcp://127.0.0.1:15754 --delays --receiver 52.28,17.07,124 --carrier 1575.42 "
+               "--carrier 1176.45",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -5,10 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "src/scenario/iono_source.h"
 #include "src/scenario/orbit_source.h"
 
 struct orr_engine {
     orr_ephemeris *eph;
+    orr_iono_source *iono; // NULL: none
     char title[128];
     orr_time from, to;
     const orr_sat *sat; // borrowed from eph
@@ -56,13 +58,21 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
         status = orr_orbit_source_smooth(&s->orbit, log, cancel, warnings, &eph, diag);
         if (title == NULL) title = base_name(s->orbit.sp3.item[0]);
     }
-    return status == ORR_OK ? orr_engine_from_ephemeris(eph, title, out, diag) : status;
+    if (status == ORR_OK) status = orr_engine_from_ephemeris(eph, title, out, diag);
+    if (status != ORR_OK) return status;
+    status = orr_iono_source_open(s, &(*out)->iono, warnings, diag);
+    if (status != ORR_OK) {
+        orr_engine_close(*out);
+        *out = NULL;
+    }
+    return status;
 }
 
 void orr_engine_close(orr_engine *e)
 {
     if (e == NULL) return;
     orr_ephemeris_free(e->eph);
+    orr_iono_source_close(e->iono);
     free(e);
 }
 
@@ -122,5 +132,54 @@ orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sat
         else
             answer[i] = is_served(e, sats[i]) ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NOT_SERVED;
     }
+    return ORR_ANSWER_OK;
+}
+
+bool orr_engine_has_ionosphere(const orr_engine *e) { return e->iono != NULL; }
+
+bool orr_engine_receiver(const orr_engine *e, orr_vec3 *receiver_m)
+{
+    return e->iono != NULL && orr_iono_source_receiver(e->iono, receiver_m);
+}
+
+orr_answer orr_engine_delays(const orr_engine *e, orr_time t, orr_vec3 receiver_m, const orr_sat *sats,
+                             size_t n, orr_realisation *delay, orr_answer *answer)
+{
+    orr_sat sat[ORR_SESSION_MAX_SATS];
+    orr_vec3 pos[ORR_SESSION_MAX_SATS];
+    size_t place[ORR_SESSION_MAX_SATS], known = 0, got = 0;
+    if (e->iono == NULL || t < e->from || t > e->to || n > ORR_SESSION_MAX_SATS)
+        return ORR_ANSWER_OUTSIDE_SPAN;
+    if (sats == NULL) sats = e->sat;
+    for (size_t i = 0; i < n; i++) {
+        orr_sat_state state;
+        delay[i] = (orr_realisation){.sat = sats[i]};
+        if (orr_ephemeris_eval(e->eph, sats[i], t, &state) != ORR_OK) {
+            answer[i] = is_served(e, sats[i]) ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NOT_SERVED;
+            continue;
+        }
+        double az, el, range;
+        orr_earth_look(receiver_m, state.pos_m, &az, &el, &range);
+        if (!(el >= 0)) {
+            answer[i] = ORR_ANSWER_BELOW_HORIZON;
+            continue;
+        }
+        answer[i] = ORR_ANSWER_NO_VALUE; // until there is one
+        delay[i].pierce.az_rad = az;
+        delay[i].pierce.el_rad = el;
+        sat[known] = sats[i];
+        pos[known] = state.pos_m;
+        place[known++] = i;
+    }
+    // Results come in the order asked, those without a value left out.
+    orr_realisation found[ORR_SESSION_MAX_SATS];
+    if (known > 0 &&
+        orr_iono_source_realise(e->iono, t, receiver_m, sat, pos, known, found, &got, NULL) != ORR_OK)
+        return ORR_ANSWER_OUTSIDE_SPAN;
+    for (size_t k = 0, g = 0; k < known && g < got; k++)
+        if (sat[k] == found[g].sat) {
+            delay[place[k]] = found[g++];
+            answer[place[k]] = ORR_ANSWER_OK;
+        }
     return ORR_ANSWER_OK;
 }

@@ -5,15 +5,18 @@
 #define ORR_SCENARIO_ENGINE_H
 
 #include "core/log.h"
+#include "iono/session.h"
 #include "orbit/ephemeris.h"
 #include "src/scenario/scenario.h"
 
 // Whether there are numbers, and if not, why not. The wire's `answer` has the same values.
 typedef enum orr_answer {
     ORR_ANSWER_OK = 0,
-    ORR_ANSWER_OUTSIDE_SPAN = 1, // the instant is outside the span
-    ORR_ANSWER_NO_ARC = 2,       // the satellite has no valid arc at the instant
-    ORR_ANSWER_NOT_SERVED = 3,   // the satellite is not in the product
+    ORR_ANSWER_OUTSIDE_SPAN = 1,  // the instant is outside the span
+    ORR_ANSWER_NO_ARC = 2,        // the satellite has no valid arc at the instant
+    ORR_ANSWER_NOT_SERVED = 3,    // the satellite is not in the product
+    ORR_ANSWER_BELOW_HORIZON = 4, // the receiver does not see the satellite
+    ORR_ANSWER_NO_VALUE = 5,      // the ionosphere has a hole where the ray pierces it
 } orr_answer;
 
 typedef struct orr_engine orr_engine;
@@ -39,5 +42,15 @@ size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list); // asce
 // OK only state[i].sat is set.
 orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
                              orr_sat_state *state, orr_answer *answer);
+
+// Whether the scenario has an ionosphere; and its own receiver (ecef), false where it has none.
+bool orr_engine_has_ionosphere(const orr_engine *e);
+bool orr_engine_receiver(const orr_engine *e, orr_vec3 *receiver_m);
+// Ionospheric delays from a receiver to n satellites at t into delay[0..n) and answer[0..n), n <=
+// ORR_SESSION_MAX_SATS; sats NULL: of all. ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN where orbits or
+// ionosphere do not cover t (then nothing is written). Where answer[i] is not OK only delay[i].sat is set,
+// and az and el of the pierce point for NO_VALUE.
+orr_answer orr_engine_delays(const orr_engine *e, orr_time t, orr_vec3 receiver_m, const orr_sat *sats,
+                             size_t n, orr_realisation *delay, orr_answer *answer);
 
 #endif

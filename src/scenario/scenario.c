@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scenario/scenario.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,6 +39,36 @@ static const orr_key keys[] = {
      .list = true,
      .offset = AT(orbit.exclude),
      .help = "of orbit.sp3: stretches of time whose epochs are not used"},
+    {.path = "ionosphere.field",
+     .kind = ORR_KEY_FILE,
+     .offset = AT(iono.field),
+     .help = "TEC field: IONEX maps, Bernese coefficients (.ION), or a RINEX navigation file (Klobuchar)"},
+    {.path = "ionosphere.session",
+     .kind = ORR_KEY_FILE,
+     .offset = AT(iono.session),
+     .help = "session made by 'orrery iono' (NetCDF); it holds its field. Either this or ionosphere.field"},
+    {.path = "ionosphere.seed",
+     .kind = ORR_KEY_INT,
+     .offset = AT(iono.seed),
+     .min = 0,
+     .max = 9007199254740992.0,
+     .fallback = "1",
+     .help = "of ionosphere.session: seed of the noise; the same seed gives the same delays"},
+    {.path = "ionosphere.noise",
+     .kind = ORR_KEY_BOOL,
+     .offset = AT(iono.noise),
+     .fallback = "yes",
+     .help =
+         "of ionosphere.session: fill what the station did not see with noise of the structure that it saw"},
+    {.path = "receiver.position",
+     .kind = ORR_KEY_REAL,
+     .list = true,
+     .offset = AT(receiver),
+     .min = -500000,
+     .max = 500000,
+     .help = "receiver that questions without one mean: latitude and longitude in degrees (geodetic), height "
+             "in metres. "
+             "Default: the station of ionosphere.session"},
     {.path = "serve.listen",
      .kind = ORR_KEY_TEXT,
      .list = true,
@@ -64,6 +95,19 @@ static orr_status check(const orr_scenario *s, const orr_yaml *y, orr_diag *diag
         return orr_diag_at(
             diag, ORR_E_FORMAT, y->name, 0, 0,
             "orbit.nodes, orbit.exclude and orbit.erp belong to orbit.sp3; a product is smoothed already");
+    if (s->iono.field != NULL && s->iono.session != NULL)
+        return orr_diag_at(
+            diag, ORR_E_FORMAT, y->name, 0, 0,
+            "ionosphere.field and ionosphere.session exclude each other; a session holds its field");
+    const orr_real_list *r = &s->receiver;
+    if (r->n != 0 && r->n != 3)
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "receiver.position has %zu numbers; latitude, longitude and height are wanted",
+                           r->n);
+    if (r->n == 3 && (fabs(r->item[0]) > 90 || fabs(r->item[1]) > 360))
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "receiver.position: latitude %g, longitude %g is no place", r->item[0],
+                           r->item[1]);
     return ORR_OK;
 }
 

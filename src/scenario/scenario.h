@@ -14,10 +14,19 @@ typedef struct orr_scenario_orbit {
     orr_interval_list exclude;
 } orr_scenario_orbit;
 
+typedef struct orr_scenario_iono {
+    char *field;   // IONEX maps, Bernese coefficients, or a navigation file (Klobuchar)
+    char *session; // or a session made by 'orrery iono'
+    int64_t seed;  // of the noise where the session's station saw nothing
+    bool noise;
+} orr_scenario_iono;
+
 typedef struct orr_scenario {
     char *title;
     orr_scenario_orbit orbit;
-    orr_text_list listen; // URLs of serve.listen
+    orr_scenario_iono iono;
+    orr_real_list receiver; // geodetic latitude and longitude in degrees, ellipsoidal height in metres
+    orr_text_list listen;   // URLs of serve.listen
 } orr_scenario;
 
 const orr_schema *orr_scenario_schema(void);

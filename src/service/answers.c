@@ -9,7 +9,9 @@
 _Static_assert((int)ORR_ANSWER_OK == ORR_MSG_ANSWER_OK &&
                    (int)ORR_ANSWER_OUTSIDE_SPAN == ORR_MSG_ANSWER_OUTSIDE_SPAN &&
                    (int)ORR_ANSWER_NO_ARC == ORR_MSG_ANSWER_NO_ARC &&
-                   (int)ORR_ANSWER_NOT_SERVED == ORR_MSG_ANSWER_NOT_SERVED,
+                   (int)ORR_ANSWER_NOT_SERVED == ORR_MSG_ANSWER_NOT_SERVED &&
+                   (int)ORR_ANSWER_BELOW_HORIZON == ORR_MSG_ANSWER_BELOW_HORIZON &&
+                   (int)ORR_ANSWER_NO_VALUE == ORR_MSG_ANSWER_NO_VALUE,
                "the engine's answers are the wire's");
 _Static_assert(ORR_EPH_CLOCK_VALID == 1u << 0 && ORR_EPH_PREDICTED == 1u << 1 &&
                    ORR_EPH_MANOEUVRE == 1u << 2 && ORR_EPH_CLOCK_EVENT == 1u << 3 &&
@@ -26,6 +28,8 @@ struct orr_answers {
     orr_sat_state state[ORR_MSG_MAX_SATELLITES];
     orr_answer answer[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_state wire[ORR_MSG_MAX_SATELLITES];
+    orr_realisation delay[ORR_MSG_MAX_SATELLITES];
+    orr_msg_sat_delay wire_delay[ORR_MSG_MAX_SATELLITES];
 };
 
 orr_msg_sat_id orr_answers_sat_id(orr_sat sat)
@@ -39,6 +43,50 @@ static uint16_t refuse(orr_server_refusal *why, uint16_t code, const char *sente
     return code;
 }
 
+// What every kind of POLL asks alike: epochs and satellites. `name` is for the sentence.
+static uint16_t check_poll(const char *name, int64_t t, int64_t step, uint32_t count,
+                           const orr_msg_sat_id_list *satellites, orr_server_refusal *why)
+{
+    const char *wrong = NULL;
+    int64_t last;
+    if (count == 0)
+        wrong = "count is 0, no epoch is asked for";
+    else if (count > ORR_MSG_MAX_EPOCHS) {
+        snprintf(why->sentence, sizeof why->sentence, "%s: %lu epochs, at most %u may be asked for at once",
+                 name, (unsigned long)count, ORR_MSG_MAX_EPOCHS);
+        return ORR_MSG_ERROR_CODE_LIMIT;
+    } else if (count > 1 && step == 0)
+        wrong = "step is 0, but count is more than 1";
+    else if (__builtin_mul_overflow(step, (int64_t)count - 1, &last) ||
+             __builtin_add_overflow(t, last, &last))
+        wrong = "its last epoch is beyond what a time can be";
+    if (wrong != NULL) {
+        snprintf(why->sentence, sizeof why->sentence, "%s: %s", name, wrong);
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    orr_msg_sat_id id;
+    orr_wire_iter it = {0};
+    while (orr_msg_sat_id_next(satellites, &it, &id)) {
+        if (orr_sat_make((char)id.system, id.number) != ORR_SAT_NONE) continue;
+        snprintf(why->sentence, sizeof why->sentence,
+                 "%s: satellite %u of the list (system 0x%02x, number %u) is none", name, (unsigned)it.index,
+                 (unsigned)id.system, (unsigned)id.number);
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    return 0;
+}
+
+static uint16_t check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why)
+{
+    if (ws == ORR_WIRE_OK) return 0;
+    if (ws == ORR_WIRE_LIMIT) {
+        snprintf(why->sentence, sizeof why->sentence, "%s: more members than a list may have", name);
+        return ORR_MSG_ERROR_CODE_LIMIT;
+    }
+    snprintf(why->sentence, sizeof why->sentence, "%s: %s", name, orr_wire_status_text(ws));
+    return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
+}
+
 static uint16_t begin_poll(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why)
 {
     (void)user;
@@ -46,35 +94,10 @@ static uint16_t begin_poll(void *user, const orr_frame *request, uint32_t *frame
     orr_wire_status ws = orr_msg_poll_decode(request->payload, request->size, &poll);
     if (ws == ORR_WIRE_LIMIT)
         return refuse(why, ORR_MSG_ERROR_CODE_LIMIT, "POLL: more satellites than a list may have");
-    if (ws != ORR_WIRE_OK) {
-        snprintf(why->sentence, sizeof why->sentence, "POLL: %s", orr_wire_status_text(ws));
-        return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
-    }
-    if (poll.count == 0)
-        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL: count is 0, no epoch is asked for");
-    if (poll.count > ORR_MSG_MAX_EPOCHS) {
-        snprintf(why->sentence, sizeof why->sentence, "POLL: %lu epochs, at most %u may be asked for at once",
-                 (unsigned long)poll.count, ORR_MSG_MAX_EPOCHS);
-        return ORR_MSG_ERROR_CODE_LIMIT;
-    }
-    if (poll.count > 1 && poll.step == 0)
-        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL: step is 0, but count is more than 1");
-    int64_t last;
-    if (__builtin_mul_overflow(poll.step, (int64_t)poll.count - 1, &last) ||
-        __builtin_add_overflow(poll.t, last, &last))
-        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
-                      "POLL: its last epoch is beyond what a time can be");
-    orr_msg_sat_id id;
-    orr_wire_iter it = {0};
-    while (orr_msg_sat_id_next(&poll.satellites, &it, &id)) {
-        if (orr_sat_make((char)id.system, id.number) != ORR_SAT_NONE) continue;
-        snprintf(why->sentence, sizeof why->sentence,
-                 "POLL: satellite %u of the list (system 0x%02x, number %u) is none", (unsigned)it.index,
-                 (unsigned)id.system, (unsigned)id.number);
-        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
-    }
+    uint16_t code = check_decoded("POLL", ws, why);
+    if (code == 0) code = check_poll("POLL", poll.t, poll.step, poll.count, &poll.satellites, why);
     *frames = poll.count;
-    return 0;
+    return code;
 }
 
 static void fill(const orr_sat_state *s, orr_answer answer, orr_msg_sat_state *m)
@@ -128,6 +151,120 @@ static uint16_t answer_poll(void *user, const orr_frame *request, uint32_t index
     return 0;
 }
 
+// --- Ionospheric delays ---
+
+_Static_assert((int)ORR_ORIGIN_FIELD == ORR_MSG_TEC_ORIGIN_FIELD &&
+                   (int)ORR_ORIGIN_FUSED == ORR_MSG_TEC_ORIGIN_FUSED &&
+                   (int)ORR_ORIGIN_TRANSFERRED == ORR_MSG_TEC_ORIGIN_TRANSFERRED &&
+                   (int)ORR_ORIGIN_NOISE == ORR_MSG_TEC_ORIGIN_NOISE &&
+                   ORR_TEC_CLIPPED == ORR_MSG_DELAY_FLAGS_CLIPPED,
+               "origins and flags of delays are the wire's");
+_Static_assert(ORR_MSG_MAX_SATELLITES <= ORR_SESSION_MAX_SATS, "one question holds as many as a message");
+
+// The receiver of a question: its own, or the scenario's.
+static bool receiver_of(const orr_answers *a, const orr_msg_poll_delays *poll, orr_vec3 *out)
+{
+    const double *r = poll->receiver_m;
+    if (isnan(r[0]) && isnan(r[1]) && isnan(r[2])) return orr_engine_receiver(a->engine, out);
+    *out = (orr_vec3){r[0], r[1], r[2]};
+    return true;
+}
+
+static uint16_t begin_delays(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why)
+{
+    const orr_answers *a = user;
+    orr_msg_poll_delays poll;
+    uint16_t code =
+        check_decoded("POLL_DELAYS", orr_msg_poll_delays_decode(request->payload, request->size, &poll), why);
+    if (code == 0) code = check_poll("POLL_DELAYS", poll.t, poll.step, poll.count, &poll.satellites, why);
+    if (code != 0) return code;
+    if (!orr_engine_has_ionosphere(a->engine))
+        return refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED,
+                      "POLL_DELAYS: this scenario has no ionosphere (ionosphere.field, ionosphere.session)");
+    orr_vec3 receiver;
+    if (!receiver_of(a, &poll, &receiver))
+        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+                      "POLL_DELAYS: it names no receiver, and neither does the scenario (receiver.position)");
+    double r = orr_vec3_norm(receiver);
+    if (!(r > 6.2e6 && r < 6.8e6)) {
+        snprintf(why->sentence, sizeof why->sentence,
+                 "POLL_DELAYS: a receiver %.0f km from the Earth's centre; between 6200 and 6800 km, below "
+                 "the ionosphere's "
+                 "shell, one is possible",
+                 isfinite(r) ? r / 1e3 : -1.0);
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    double hz;
+    orr_wire_iter it = {0};
+    while (orr_msg_f64_next(&poll.carriers_hz, &it, &hz))
+        if (!(hz >= 1e8 && hz <= 3e10))
+            return refuse(
+                why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+                "POLL_DELAYS: a carrier outside 100 MHz to 30 GHz, for which 40.3 TEC/f^2 does not hold");
+    *frames = poll.count;
+    return 0;
+}
+
+static void fill_delay(const orr_realisation *d, orr_answer answer, const double *hz, uint16_t n_hz,
+                       orr_msg_sat_delay *m)
+{
+    *m = (orr_msg_sat_delay){.sat = orr_answers_sat_id(d->sat), .answer = (uint8_t)answer};
+    m->az_rad = m->el_rad = m->pierce_lat_rad = m->pierce_lon_rad = m->mapping = m->stec_tecu =
+        m->model_stec_tecu = NAN;
+    m->sigma_tecu = NAN;
+    for (int k = 0; k < 4; k++) m->delay_m[k] = NAN;
+    if (answer != ORR_ANSWER_OK) return; // never a number where there is none
+    m->origin = (uint8_t)d->origin;
+    m->flags = (uint8_t)d->flags;
+    m->az_rad = d->pierce.az_rad;
+    m->el_rad = d->pierce.el_rad;
+    m->pierce_lat_rad = d->pierce.lat_rad;
+    m->pierce_lon_rad = d->pierce.lon_rad;
+    m->mapping = d->mapping;
+    m->stec_tecu = d->stec_tecu;
+    m->model_stec_tecu = d->model_stec_tecu;
+    m->sigma_tecu = (float)d->sigma_tecu;
+    for (uint16_t k = 0; k < n_hz; k++)
+        m->delay_m[k] = orr_iono_delay_m(d->stec_tecu, hz[k], ORR_MEASURES_CODE);
+}
+
+static uint16_t answer_delays(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+                              orr_server_refusal *why)
+{
+    (void)why;
+    orr_answers *a = user;
+    orr_msg_poll_delays poll;
+    orr_msg_poll_delays_decode(request->payload, request->size,
+                               &poll); // begin_delays has seen that it decodes
+    double hz[ORR_MSG_MAX_CARRIERS] = {1575.42e6};
+    uint16_t n_hz = poll.carriers_hz.count, n = poll.satellites.count;
+    for (uint16_t k = 0; k < n_hz; k++) orr_msg_f64_at(&poll.carriers_hz, k, &hz[k]);
+    if (n_hz == 0) n_hz = 1;
+    for (uint16_t i = 0; i < n; i++) {
+        orr_msg_sat_id id;
+        orr_msg_sat_id_at(&poll.satellites, i, &id);
+        a->sat[i] = orr_sat_make((char)id.system, id.number);
+    }
+    const orr_sat *sats = n > 0 ? a->sat : NULL;
+    if (n == 0) n = a->n_ids;
+    orr_vec3 receiver = {0};
+    receiver_of(a, &poll, &receiver);
+    orr_msg_delays m = {.t = poll.t + poll.step * (int64_t)index,
+                        .index = index,
+                        .count = poll.count,
+                        .receiver_m = {receiver.x, receiver.y, receiver.z},
+                        .carriers_hz = {.count = n_hz, .item = hz}};
+    orr_answer answer = orr_engine_delays(a->engine, m.t, receiver, sats, n, a->delay, a->answer);
+    m.answer = (uint8_t)answer;
+    if (answer == ORR_ANSWER_OK) {
+        for (uint16_t i = 0; i < n; i++) fill_delay(&a->delay[i], a->answer[i], hz, n_hz, &a->wire_delay[i]);
+        m.satellites.count = n;
+        m.satellites.item = a->wire_delay;
+    }
+    orr_msg_delays_encode(&m, w);
+    return 0;
+}
+
 static void fill_caps(void *user, orr_msg_caps *caps)
 {
     const orr_answers *a = user;
@@ -142,6 +279,7 @@ static void fill_caps(void *user, orr_msg_caps *caps)
 
 static const orr_server_route routes[] = {
     {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll},
+    {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, begin_delays, answer_delays},
 };
 
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag)

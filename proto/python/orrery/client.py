@@ -115,6 +115,27 @@ class Client:
         """The States of one epoch."""
         return next(iter(list(self.poll(t, satellites=satellites))))
 
+    def poll_delays(self, t, receiver_m=None, carriers_hz=(), step_s=0.0, count=1, satellites=()):
+        """Yields the Delays of `count` epochs, as poll does. receiver_m: x, y, z (ecef), None for the scenario's own; carriers_hz:
+        at most four, empty for 1575.42 MHz."""
+        if isinstance(t, str):
+            t = gpstime.from_text(t)
+        step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
+        place = [float("nan")] * 3 if receiver_m is None else [float(x) for x in receiver_m]
+        while count > 0:
+            n = min(count, self.caps.max_epochs)
+            self._send(messages.PollDelays(t, step, n, place, [float(f) for f in carriers_hz], sats))
+            for index in range(n):
+                delays = self._receive(messages.Delays)
+                if delays.index != index or delays.count != n:
+                    raise ProtocolError("an epoch of the answer is missing")
+                yield delays
+            t, count = t + n * step, count - n
+
+    def delays(self, t, receiver_m=None, carriers_hz=(), satellites=()):
+        """The Delays of one epoch."""
+        return next(iter(list(self.poll_delays(t, receiver_m, carriers_hz, satellites=satellites))))
+
     def _send(self, message):
         self._sequence = self._sequence % (2**32 - 1) + 1  # never 0: that is the server's
         self._sock.sendall(frame.make(message.TYPE, self._sequence, message.encode()))

@@ -11,6 +11,7 @@ MAJOR = 1
 MINOR = 0
 PORT = 15754
 MAX_PAYLOAD = 1048576
+MAX_CARRIERS = 4  # carriers one POLL_DELAYS may name
 MAX_SATELLITES = 800  # satellites in one list (eight systems of 99 and a little)
 MAX_EPOCHS = 86400  # epochs one POLL may ask for (a day at 1 Hz)
 MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
@@ -41,6 +42,23 @@ class Answer(enum.IntEnum):
     OUTSIDE_SPAN = 1  # the instant is outside the served span
     NO_ARC = 2  # the satellite has no valid arc at the instant
     NOT_SERVED = 3  # the satellite is not among those served
+    BELOW_HORIZON = 4  # the satellite is below the receiver's horizon
+    NO_VALUE = 5  # the ionosphere has a hole where the ray pierces it
+
+
+class TecOrigin(enum.IntEnum):
+    """What a delay came from."""
+
+    FIELD = 0  # the field alone: maps, coefficients or the broadcast model
+    FUSED = 1  # the session's own carrier phases of the satellite, levelled
+    TRANSFERRED = 2  # the field, corrected, and the session's residual of the satellite carried to another ray
+    NOISE = 3  # the field, corrected, what neighbouring rays tell, and seeded noise: the station did not see the satellite
+
+
+class DelayFlags(enum.IntFlag):
+    """What holds for a delay."""
+
+    CLIPPED = 1  # the content came out negative and is given as 0
 
 
 class StateFlags(enum.IntFlag):
@@ -130,6 +148,59 @@ class SatState(Record):
         self.valid_from = valid_from
         self.valid_to = valid_to
         self.sigma_m = sigma_m
+
+
+class SatDelay(Record):
+    """The ionosphere between a receiver and one satellite. Numbers are NAN unless answer is OK.
+
+    sat: which satellite
+    answer: OK, NO_ARC, NOT_SERVED, BELOW_HORIZON or NO_VALUE
+    origin: what it came from
+    flags: 0 unless answer is OK
+    reserved: 0
+    az_rad [rad]: azimuth, clockwise from North
+    el_rad [rad]: elevation above the ellipsoidal horizon
+    pierce_lat_rad [rad]: geocentric latitude of the pierce point
+    pierce_lon_rad [rad]: its longitude, East
+    mapping: slant over vertical
+    stec_tecu [TECU]: slant total electron content
+    model_stec_tecu [TECU]: the part of the field as it is
+    delay_m [m]: delay of a code on each carrier asked for, NAN beyond them; a carrier phase is early by it
+    sigma_tecu [TECU]: 1-sigma of stec_tecu, NAN where unknown
+    """
+
+    LAYOUT = (
+        Field("sat", "struct", record=SatId),
+        Field("answer", "scalar", scalar="u8"),
+        Field("origin", "scalar", scalar="u8"),
+        Field("flags", "scalar", scalar="u8"),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("az_rad", "scalar", scalar="f64"),
+        Field("el_rad", "scalar", scalar="f64"),
+        Field("pierce_lat_rad", "scalar", scalar="f64"),
+        Field("pierce_lon_rad", "scalar", scalar="f64"),
+        Field("mapping", "scalar", scalar="f64"),
+        Field("stec_tecu", "scalar", scalar="f64"),
+        Field("model_stec_tecu", "scalar", scalar="f64"),
+        Field("delay_m", "array", scalar="f64", length=4),
+        Field("sigma_tecu", "scalar", scalar="f32"),
+    )
+
+    def __init__(self, sat=None, answer=0, origin=0, flags=0, reserved=0, az_rad=0.0, el_rad=0.0, pierce_lat_rad=0.0, pierce_lon_rad=0.0, mapping=0.0, stec_tecu=0.0, model_stec_tecu=0.0, delay_m=None, sigma_tecu=0.0):
+        self.sat = SatId() if sat is None else sat
+        self.answer = answer
+        self.origin = origin
+        self.flags = flags
+        self.reserved = reserved
+        self.az_rad = az_rad
+        self.el_rad = el_rad
+        self.pierce_lat_rad = pierce_lat_rad
+        self.pierce_lon_rad = pierce_lon_rad
+        self.mapping = mapping
+        self.stec_tecu = stec_tecu
+        self.model_stec_tecu = model_stec_tecu
+        self.delay_m = [0.0] * 4 if delay_m is None else delay_m
+        self.sigma_tecu = sigma_tecu
 
 
 class Hello(Record):
@@ -306,6 +377,69 @@ class States(Record):
         self.satellites = [] if satellites is None else satellites
 
 
+class PollDelays(Record):
+    """Asks for ionospheric delays at t, t + step, ..., t + (count - 1) step. The same POLL_DELAYS gets the same bytes, always.
+
+    t [ns]: first epoch
+    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
+    count: epochs, 1 to MAX_EPOCHS
+    receiver_m [m]: receiver (ecef); NAN for the scenario's own
+    carriers_hz [Hz]: carriers to give delays for; empty for 1575.42 MHz
+    satellites: which, in the order of the answer; empty for all
+    """
+
+    TYPE = 12
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+        Field("count", "scalar", scalar="u32"),
+        Field("receiver_m", "array", scalar="f64", length=3),
+        Field("carriers_hz", "list", scalar="f64", limit=4),
+        Field("satellites", "list", record=SatId, limit=800),
+    )
+
+    def __init__(self, t=0, step=0, count=0, receiver_m=None, carriers_hz=None, satellites=None):
+        self.t = t
+        self.step = step
+        self.count = count
+        self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
+        self.carriers_hz = [] if carriers_hz is None else carriers_hz
+        self.satellites = [] if satellites is None else satellites
+
+
+class Delays(Record):
+    """Ionospheric delays at one epoch. A POLL_DELAYS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+
+    t [ns]: the epoch
+    index: which epoch of the POLL_DELAYS, from 0
+    count: how many epochs it asked for
+    answer: OK, or OUTSIDE_SPAN with no satellites
+    receiver_m [m]: the receiver that was taken (ecef)
+    carriers_hz [Hz]: the carriers of delay_m
+    satellites: those asked for, in that order; for all, those of CAPS
+    """
+
+    TYPE = 13
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("index", "scalar", scalar="u32"),
+        Field("count", "scalar", scalar="u32"),
+        Field("answer", "scalar", scalar="u8"),
+        Field("receiver_m", "array", scalar="f64", length=3),
+        Field("carriers_hz", "list", scalar="f64", limit=4),
+        Field("satellites", "list", record=SatDelay, limit=800),
+    )
+
+    def __init__(self, t=0, index=0, count=0, answer=0, receiver_m=None, carriers_hz=None, satellites=None):
+        self.t = t
+        self.index = index
+        self.count = count
+        self.answer = answer
+        self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
+        self.carriers_hz = [] if carriers_hz is None else carriers_hz
+        self.satellites = [] if satellites is None else satellites
+
+
 MESSAGES = {cls.TYPE: cls for cls in (
     Hello,
     Caps,
@@ -314,4 +448,6 @@ MESSAGES = {cls.TYPE: cls for cls in (
     Error,
     Poll,
     States,
+    PollDelays,
+    Delays,
 )}

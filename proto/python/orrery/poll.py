@@ -4,11 +4,12 @@
     python3 -m orrery.poll tcp://127.0.0.1:15754 --rate 10 --seconds 3 --sat G05 E11
 """
 import argparse
+import math
 import sys
 import time
 
 from . import client, codec, gpstime
-from .messages import Answer, StateFlags
+from .messages import Answer, StateFlags, TecOrigin
 
 
 def rows(states):
@@ -34,6 +35,19 @@ def show(states):
         print(line.rstrip())
 
 
+def show_delays(delays):
+    print(f"{gpstime.to_text(delays.t)} GPS")
+    if delays.answer != Answer.OK:
+        print("  outside the served span")
+        return
+    print(f"sat {'az deg':>8} {'el deg':>8} {'TECU':>9} " + " ".join(f"{f'm@{f / 1e6:.2f}':>10}" for f in delays.carriers_hz) + "  from")
+    for s in delays.satellites:
+        if s.answer != Answer.OK:
+            continue  # most are below the horizon
+        print(f"{client.sat_name(s.sat)} {math.degrees(s.az_rad):8.2f} {math.degrees(s.el_rad):8.2f} {s.stec_tecu:9.3f} " +
+              " ".join(f"{d:10.4f}" for d, _ in zip(s.delay_m, delays.carriers_hz)) + f"  {TecOrigin(s.origin).name.lower()}")
+
+
 def main():
     parser = argparse.ArgumentParser(prog="python3 -m orrery.poll", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -42,6 +56,11 @@ def main():
     parser.add_argument("--sat", nargs="+", default=[], metavar="SAT", help="satellites, e.g. G05 E11 (default: all)")
     parser.add_argument("--rate", type=float, default=1.0, help="epochs a second (default 1)")
     parser.add_argument("--seconds", type=float, help="poll in real time for so long (default: one epoch)")
+    parser.add_argument("--delays", action="store_true", help="ionospheric delays instead of states")
+    parser.add_argument("--receiver", nargs=3, type=float, metavar=("X", "Y", "Z"),
+                        help="with --delays: the receiver in metres, ecef (default: the scenario's own)")
+    parser.add_argument("--carrier", nargs="+", type=float, default=[], metavar="MHZ",
+                        help="with --delays: up to four carriers (default 1575.42)")
     args = parser.parse_args()
     if not 0 < args.rate <= 1e6:
         parser.error("--rate is more than 0")
@@ -51,7 +70,11 @@ def main():
             count = max(1, round(args.seconds * args.rate)) if args.seconds else 1
             start = time.monotonic()
             for k in range(count):
-                show(c.states(t0 + round(k / args.rate * gpstime.NS_PER_S), args.sat))
+                t = t0 + round(k / args.rate * gpstime.NS_PER_S)
+                if args.delays:
+                    show_delays(c.delays(t, args.receiver, [1e6 * f for f in args.carrier], args.sat))
+                else:
+                    show(c.states(t, args.sat))
                 if k + 1 < count:
                     time.sleep(max(0.0, start + (k + 1) / args.rate - time.monotonic()))
     except (OSError, ValueError, client.ProtocolError, client.Refused, codec.CodecError) as error:

@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""orrery tec and orrery iono on a real station's day, and on what they must refuse."""
+import csv
+import gzip
+import io
+import json
+import os
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "service"))
+from daemon import WORK, orrery  # noqa: E402
+
+DATA = pathlib.Path(os.environ.get("ORRERY_DATA", ""))
+DAY = DATA / "2024-035"
+OBS = DAY / "BOR100POL_R_20240350000_01D_30S_MO.crx.gz"
+MAPS = DAY / "COD0OPSFIN_20240350000_01D_01H_GIM.INX.gz"
+SP3 = DAY / "COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"
+BIAS = DAY / "COD0OPSFIN_20240350000_01D_01D_OSB.BIA.gz"
+NAV = DAY / "BRDC00CNE_R_20240350000_01D_GN.rnx.gz"
+PAIR = DATA / "2005-092-pair"
+
+
+def orbit():
+    path = WORK / "day.nc"
+    if not path.exists():
+        done = orrery("orbit", "-o", path, "--nodes", "900", SP3)
+        assert done.returncode == 0, done.stderr
+    return path
+
+
+@unittest.skipUnless(OBS.exists(), "no real data (ORRERY_DATA)")
+class Station(unittest.TestCase):
+    def ok(self, *args):
+        done = orrery(*args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def refused(self, words, *args, status=1):
+        done = orrery(*args)
+        self.assertEqual(done.returncode, status, done.stderr)
+        for word in words if isinstance(words, list) else [words]:
+            self.assertIn(word, done.stderr)
+
+    def test_tec_at_a_place(self):
+        rows = list(csv.DictReader(io.StringIO(self.ok("tec", MAPS, "--at", "2024-02-04T12:00:00Z", "--lat", 50, "--lon", 15))))
+        self.assertEqual(len(rows), 1)
+        with gzip.open(MAPS, "rt", errors="replace") as f:  # the 13th map's cell, read by hand
+            text = f.read()
+        one = text.split("START OF TEC MAP")[13].split("    50.0-180.0 180.0   5.0 450.0")[1].split("LAT/LON")[1]
+        values = one.split("\n", 1)[1].split()[:73]
+        self.assertAlmostEqual(float(rows[0]["vtec_tecu"]), int(values[39]) / 10, delta=0.08)
+        ray = json.loads(self.ok("tec", MAPS, "--at", "2024-02-04T12:00", "--lat", 52, "--lon", 17, "--el", 30, "--format", "json"))[0]
+        self.assertAlmostEqual(ray["delay_m"], 40.3e16 * ray["stec_tecu"] / 1575.42e6**2, places=4)
+        self.assertAlmostEqual(ray["stec_tecu"], ray["mapping"] * ray["vtec_tecu"], places=2)
+
+    def test_tec_files(self):
+        maps, ion = WORK / "g.INX", WORK / "g.ION"
+        self.ok("tec", MAPS, "--grid", "--format", "ionex", "-o", maps)
+        self.ok("tec", MAPS, "--format", "ion", "-o", ion)
+        place = ["--at", "2024-02-04T07:20", "--lat", "-20", "--lon", "-60"]
+        values = [float(list(csv.DictReader(io.StringIO(self.ok("tec", f, *place))))[0]["vtec_tecu"]) for f in (MAPS, ion, maps)]
+        self.assertAlmostEqual(values[0], values[1], delta=1e-3)  # the .ION's epochs are as the maps': 4 decimals are printed
+        self.assertAlmostEqual(values[0], values[2], delta=0.1)   # printed to 0.1 and fitted again
+        self.ok("tec", NAV, "--at", "2024-02-04T07:20", "--lat", 0, "--lon", 0)
+        self.refused("covers", "tec", MAPS, "--at", "2024-02-06T00:00", "--lat", 0, "--lon", 0)
+        self.refused("below the horizon", "tec", MAPS, "--at", "2024-02-04T07:20", "--lat", 0, "--lon", 0, "--el", "-3")
+        self.refused("neither an IONEX", "tec", OBS, "--at", "2024-02-04T07:20", "--lat", 0, "--lon", 0)
+        self.refused("where?", "tec", MAPS, "--at", "2024-02-04T07:20", status=2)
+
+    def test_fusion(self):
+        session = WORK / "session.nc"
+        joint = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--biases", BIAS, "-o", session, "--json",
+                                   "--explain", "--csv", WORK / "s.csv"))
+        thesis = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--method", "thesis", "--json"))
+        print(f"thesis {thesis['residual']['rms_tecu']} TECU, joint {joint['residual']['rms_tecu']} TECU, "
+              f"Galileo codes {joint['galileo_code']['std_tecu']} TECU", file=sys.stderr)
+        self.assertEqual((thesis["method"], joint["method"]), ("thesis", "joint"))
+        self.assertLessEqual(thesis["residual"]["rms_tecu"], 2.2)
+        self.assertLessEqual(joint["residual"]["rms_tecu"], 1.0)
+        self.assertTrue(joint["galileo_code"]["withheld"])
+        self.assertLessEqual(joint["galileo_code"]["std_tecu"], 1.5)
+        self.assertEqual(joint["arcs"], len(joint["arc_list"]))
+        self.assertGreater(joint["arcs"], 100)
+        self.assertEqual(sum(b["n"] for b in joint["residual"]["by_elevation"]), joint["samples"])
+        self.assertTrue(all(s["verdict"] in ("break", "repaired", "none", "outlier") and s["causes"] for s in joint["slip_list"]))
+        with open(WORK / "s.csv", newline="") as f:
+            rows = list(csv.DictReader(f))
+        self.assertEqual(len(rows), joint["samples"])
+        self.assertEqual({r["sat"][0] for r in rows}, set("GRE"))
+        # Galileo's codes may be used, and other stations' orbits may be broadcast ones.
+        used = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--biases", BIAS, "--code", "GE", "--json"))
+        self.assertFalse(used["galileo_code"]["withheld"])
+        nav = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", NAV, "--json"))
+        self.assertLessEqual(nav["residual"]["rms_tecu"], 1.2)  # GPS alone, metres off: as good
+        self.assertIsNone(nav["galileo_code"]["std_tecu"])
+
+    def test_pair(self):
+        a, b = PAIR / "07590920.05o.gz", PAIR / "30400920.05o.gz"
+        got = json.loads(self.ok("iono", a, "--compare", b, "--json"))
+        print(f"pair: {got['rms_tecu']} TECU over {got['epochs']} epochs", file=sys.stderr)
+        self.assertLessEqual(got["rms_tecu"], 0.08)
+        rows = list(csv.DictReader(io.StringIO(self.ok("iono", a, "--compare", b))))
+        self.assertEqual(len(rows), got["epochs"])
+        for name in {r["curve"] for r in rows}:
+            self.assertAlmostEqual(sum(float(r["a_tecu"]) for r in rows if r["curve"] == name), 0, places=1)
+        self.refused("no common arc", "iono", a, "--compare", OBS)
+
+    def test_refusals(self):
+        plain = PAIR / "07590920.05o.gz"
+        with gzip.open(plain, "rt") as f:
+            text = f.read()
+        single = WORK / "single.05o"
+        single.write_text(text.replace("     4    L1    C1    L2    P2  ", "     4    L1    C1    S1    S2  "))
+        args = ["--field", MAPS, "--orbit", orbit()]
+        self.refused(["single.05o", "two frequencies"], "iono", single, *args)
+        nowhere = WORK / "nowhere.05o"
+        nowhere.write_text("".join(line + "\n" for line in text.split("\n") if "APPROX POSITION" not in line))
+        self.refused("no position", "iono", nowhere, *args)
+        self.refused("known position", "iono", plain, *args)  # another year's orbit
+        self.refused("covers", "iono", OBS, "--field", DATA / "odd/ionex/split-2.19i.gz", "--orbit", orbit())
+        self.refused("--orbit", "iono", OBS, "--field", MAPS, status=2)
+        self.refused("neither an orbit product", "iono", OBS, "--field", MAPS, "--orbit", MAPS)
+        self.refused("no X,Y,Z", "iono", OBS, *args, "--position", "1,2")
+        self.refused("not on the Earth", "iono", OBS, *args, "--position", "1,2,3")
+        self.refused("--code", "iono", OBS, *args, "--code", "xyz", status=2)
+
+    def test_odd_maps(self):
+        for path in sorted((DATA / "odd/ionex").glob("*.gz")):
+            done = orrery("tec", path, "--grid", "--bilinear", "--format", "ionex", "-o", WORK / "odd.INX")
+            self.assertIn(done.returncode, (0, 1), path.name)
+            if done.returncode == 1:
+                self.assertRegex(done.stderr, "orrery tec: .{20}", path.name)
+
+    def test_maps_with_faults(self):
+        with gzip.open(MAPS, "rt", errors="replace") as f:
+            text = f.read()
+        first = text.index("LAT/LON1/LON2/DLON/H") + len("LAT/LON1/LON2/DLON/H\n")
+        negative, hole = WORK / "negative.INX", WORK / "hole.INX"
+        negative.write_text(text[:first] + "   -7" + text[first + 5:])
+        self.refused("not negative", "tec", negative, "--at", "2024-02-04T00:00", "--lat", 87.5, "--lon", -180)
+        row = text.index("    50.0-180.0 180.0   5.0 450.0")
+        cells = text.index("\n", row) + 1
+        hole.write_text(text[:cells] + " 9999" * 16 + text[cells + 80:])
+        self.refused("hole", "tec", hole, "--at", "2024-02-04T00:30", "--lat", 50, "--lon", -150)
+        self.refused("hole", "tec", hole, "--at", "2024-02-04T00:30", "--lat", 50, "--lon", -150, "--bilinear")
+        self.ok("tec", hole, "--at", "2024-02-04T02:30", "--lat", 50, "--lon", -150)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
