@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/decimal.h"
+#include "core/digits.h"
 #include "ingest/rinex_nav_private.h"
 
 #define WEEK_NS (INT64_C(604800) * ORR_NS_PER_S)
@@ -36,10 +38,33 @@ static bool has_exponent(orr_view v, int digits)
     return false;
 }
 
+// D19.12 as nearly all files have it: sign, digit, point, twelve digits, letter, sign, two digits. False: not
+// so.
+static bool read_d19_12(const char *p, double *out)
+{
+    char letter = (char)(p[15] | 0x20);
+    if (p[2] != '.' || (letter != 'd' && letter != 'e') || (p[16] != '-' && p[16] != '+')) return false;
+    bool minus = p[0] == '-' || p[1] == '-';
+    uint64_t high = orr_digits_load(p + 3), low = orr_digits_load(p + 7) >> 32 << 32;
+    unsigned lead = (unsigned)(unsigned char)p[1] - '0', e1 = (unsigned)(unsigned char)p[17] - '0',
+             e2 = (unsigned)(unsigned char)p[18] - '0';
+    if (p[1] == ' ' || (p[1] == '-' && p[0] == ' ')) lead = 0; // ".123D+01": no digit before the point
+    if ((p[0] != ' ' && p[0] != '-') || (p[0] == '-' && p[1] == ' ') || lead > 9 || e1 > 9 || e2 > 9)
+        return false;
+    if (!orr_digits_all(high) || !orr_digits_all(low)) return false;
+    uint64_t m =
+        lead * UINT64_C(1000000000000) + orr_digits_value(high) * UINT64_C(10000) + orr_digits_value(low);
+    int e = (int)(10 * e1 + e2);
+    double x = m == 0 ? 0 : orr_decimal_scale(m, (p[16] == '-' ? -e : e) - 12);
+    *out = minus ? -x : x;
+    return true;
+}
+
 bool orr_nav_field(const nav_lines *r, size_t line, int column, double *out, nav_fault *f)
 {
     *out = (double)NAN;
     const nav_line *l = &r->line[line];
+    if (l->text.n >= (size_t)column + 18 && read_d19_12(l->text.p + column - 1, out)) return true;
     orr_view v = orr_view_cols(l->text, column, 19);
     orr_field got = orr_view_real(v, out);
     if (got == ORR_FIELD_BLANK) return true;

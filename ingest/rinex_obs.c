@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/digits.h"
 #include "ingest/rinex_obs_private.h"
 
 struct orr_rinex_obs {
@@ -52,20 +53,21 @@ static orr_status no_memory(orr_diag *diag) { return orr_diag_set(diag, ORR_E_ME
 static int fast_value(const char *p, double *out)
 {
     if (p[10] != '.') return -1;
-    int i = 0;
-    while (i < 10 && p[i] == ' ') i++;
-    bool minus = p[i] == '-';
-    if (minus) i++;
+    uint64_t part = orr_digits_load(p + 6) >> 40 << 40; // bytes 11 to 13
+    unsigned first = 0;
+    while (first < 10 && p[first] == ' ') first++;
+    bool minus = p[first] == '-';
+    first += minus;
     uint64_t v = 0;
-    for (; i < 10; i++) {
-        unsigned d = (unsigned)(unsigned char)p[i] - '0';
+    for (; first < 2; first++) { // the two highest digits, seldom there
+        unsigned d = (unsigned)(unsigned char)p[first] - '0';
         if (d > 9) return -1;
         v = v * 10 + d;
     }
-    unsigned a = (unsigned)(unsigned char)p[11] - '0', b = (unsigned)(unsigned char)p[12] - '0',
-             c = (unsigned)(unsigned char)p[13] - '0';
-    if (a > 9 || b > 9 || c > 9) return -1;
-    v = v * 1000 + a * 100 + b * 10 + c;
+    uint64_t whole = orr_digits_load(p + 2);
+    if (first > 2) whole = first < 10 ? whole >> 8 * (first - 2) << 8 * (first - 2) : 0;
+    if (!orr_digits_all(whole) || !orr_digits_all(part)) return -1;
+    v = (v * 100000000 + orr_digits_value(whole)) * 1000 + orr_digits_value(part);
     double x = (double)v / 1000.0; // both exact, so the quotient is correctly rounded
     *out = minus ? -x : x;
     return 0;
