@@ -216,6 +216,9 @@ int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near)
 
 orr_time orr_time_add_s(orr_time t, double s)
 {
+    if (!(fabs(s) < 9.2e9)) return s < 0 ? -INT64_MAX : INT64_MAX; // NAN too
     double whole = floor(s);
-    return t + (int64_t)whole * ORR_NS_PER_S + llround((s - whole) * 1e9);
+    int64_t ns = (int64_t)whole * ORR_NS_PER_S + llround((s - whole) * 1e9);
+    if (ns > 0) return t > INT64_MAX - ns ? INT64_MAX : t + ns;
+    return t < -INT64_MAX - ns ? -INT64_MAX : t + ns;
 }

@@ -87,7 +87,7 @@ int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
 
 // a - b in seconds; exact to half a nanosecond for |a - b| < 48 days.
 static inline double orr_time_diff_s(orr_time a, orr_time b) { return (double)(a - b) * 1e-9; }
-// t + s seconds, rounded to the nearest nanosecond. |s| < 9e9.
+// t + s seconds, rounded to the nearest nanosecond; a sum beyond the axis is its end, never ORR_TIME_NONE.
 orr_time orr_time_add_s(orr_time t, double s);
 
 // Text "2024-02-04T00:15:00" with `decimals` (0..9) digits of seconds, rounded to them. GPS time has no

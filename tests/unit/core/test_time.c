@@ -367,7 +367,11 @@ static void adding_seconds(void **state)
     orr_time t = at(2024, 2, 4, 0, 0, 0, ORR_SCALE_GPS);
     assert_int_equal(orr_time_add_s(t, 0.1) - t, 100000000);
     assert_int_equal(orr_time_add_s(t, -0.1) - t, -100000000);
-    assert_int_equal(orr_time_add_s(t, 8.9e9) - t, INT64_C(8900000000000000000));
+    assert_int_equal(orr_time_add_s(0, 8.9e9), INT64_C(8900000000000000000));
+    assert_int_equal(orr_time_add_s(t, 8.9e9), INT64_MAX);
+    assert_int_equal(orr_time_add_s(t, -1e300), -INT64_MAX);
+    assert_int_equal(orr_time_add_s(t, INFINITY), INT64_MAX);
+    assert_int_not_equal(orr_time_add_s(t, (double)NAN), ORR_TIME_NONE);
     assert_int_equal(orr_time_add_s(t, -1e-9) - t, -1);
     for (uint64_t k = 0; k < 1000; k++) {
         int64_t ns = (int64_t)(orr_rng_u64(4, 0, k) % UINT64_C(8294400000000000)) -

@@ -192,9 +192,9 @@ static void second_unit_on_a_lever_arm(void **state)
     ASSERT_OK(orr_null_test(&imu, &reference, NULL, NULL, &r, &diag), diag);
     ASSERT_NEAR(r.max_3d_m, 0, 2e-5);
     orr_imu_free(&imu);
+    orr_trajectory_free(&second);
     mounting.C_21.m[0][0] = 2;
     assert_int_equal(orr_trajectory_mounted(&tr, &mounting, &second, &diag), ORR_E_ARG);
-    orr_trajectory_free(&second);
     orr_trajectory_free(&tr);
 }
 
