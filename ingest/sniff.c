@@ -27,7 +27,7 @@ static const struct {
     [ORR_KIND_ANTEX] = {"antex", "ANTEX antenna phase centres"},
     [ORR_KIND_NMEA] = {"nmea", "NMEA 0183 sentences"},
     [ORR_KIND_TABLE] = {"table", "a table of numbers"},
-    [ORR_KIND_NETCDF] = {"netcdf", "a NetCDF file"},
+    [ORR_KIND_NETCDF] = {"netcdf", "NetCDF data"},
     [ORR_KIND_LEAPS] = {"leap-seconds", "a list of leap seconds"},
 };
 
