@@ -129,23 +129,35 @@ static void order_clocks(orr_node_list *list)
     list->n_clocks = n;
 }
 
-// Same instant from several files: what one observed, another's prediction must not pull at.
+// Same instant from several files: what one observed, another's prediction must not pull at. Counts the
+// positions of instants that overlap; where files merely join (one shared instant alone) there is nothing to
+// tell here.
 static size_t supersede_predictions(orr_node_list *list, double *largest_m)
 {
-    size_t same = 0;
+    size_t overlapping = 0, run = 0;
+    double largest_of_run = 0;
     for (size_t i = 0; i < list->n_nodes;) {
         size_t j = i + 1;
         bool observed = !list->node[i].predicted;
         for (; j < list->n_nodes && list->node[j].t == list->node[i].t; j++) {
             observed = observed || !list->node[j].predicted;
             double d = orr_vec3_norm(orr_vec3_sub(list->node[j].ecef_m, list->node[i].ecef_m));
-            if (d > *largest_m) *largest_m = d;
-            same++;
+            largest_of_run = fmax(largest_of_run, d);
         }
         for (size_t k = i; k < j; k++) list->node[k].superseded = observed && list->node[k].predicted;
+        if (j - i > 1) {
+            run++;
+        } else {
+            run = 0;
+            largest_of_run = 0;
+        }
+        if (run >= 2) {
+            overlapping += run == 2 ? 2 : 1;
+            *largest_m = fmax(*largest_m, largest_of_run);
+        }
         i = j;
     }
-    return same;
+    return overlapping;
 }
 
 static double median_step(const orr_node_table *table, bool clocks)
@@ -247,11 +259,11 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
         for (size_t k = 0; k < out->list[i].n_nodes; k++)
             out->list[i].node[k].t_s = orr_time_diff_s(out->list[i].node[k].t, out->from);
     if (same > 0)
-        orr_warnings_add(
-            warnings, NULL, 0, 0,
-            "%zu positions are given by two files for the same instant, apart by up to %.3f m: both are used "
-            "with equal weight, but an observed one supersedes a predicted one",
-            same, largest_m);
+        orr_warnings_add(warnings, NULL, 0, 0,
+                         "files overlap: %zu positions are given twice, apart by up to %.3f m; both are used "
+                         "with equal weight, but an "
+                         "observed one supersedes a predicted one",
+                         same, largest_m);
     out->step_s = median_step(out, false);
     out->clock_step_s = median_step(out, true);
     return o->bridge ? bridge_all(o, out, diag) : ORR_OK;
