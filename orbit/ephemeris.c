@@ -30,6 +30,7 @@ orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag 
     TAKE(sigma, e->n_samples);
     TAKE(sample_flags, e->n_samples);
     TAKE(clock, e->n_clocks);
+    TAKE(rate, e->n_clocks);
     TAKE(node, e->n_nodes);
     TAKE(event, e->n_events);
     TAKE(span, e->n_events);
@@ -59,6 +60,7 @@ void orr_ephemeris_free(orr_ephemeris *e)
     free(e->sigma);
     free(e->sample_flags);
     free(e->clock);
+    free(e->rate);
     free(e->node);
     free(e->event);
     free(e->span);
@@ -162,13 +164,30 @@ static double clock_rate_of_nodes(const eph_sat *s)
     return step > 0 ? 1.0 / (double)step : 0.0;
 }
 
+// Lines between clock nodes. None where nodes are too far apart, nor where SP3's event flag says that the
+// clock jumped between the epoch before and the flagged one (SP3-d, column 75), nor between two nodes at one
+// instant: there files join with different clocks.
+static void make_rates(const orr_ephemeris *e, eph_sat *s)
+{
+    int64_t max_ns = e->clock_max_gap_s < 9e8 ? (int64_t)(e->clock_max_gap_s * 1e9) : INT64_MAX;
+    s->rate = &e->rate[s->clock - e->clock];
+    for (size_t i = 0; i < s->n_clocks; i++) {
+        const orr_clock_node *c = &s->clock[i];
+        s->rate[i] = (eph_clock){.t = c->t, .clock_s = c->clock_s};
+        if (i + 1 == s->n_clocks || (c[1].flags & ORR_EPH_CLOCK_EVENT) != 0) continue;
+        int64_t step_ns = c[1].t - c[0].t;
+        if (step_ns <= 0 || step_ns > max_ns) continue;
+        s->rate[i].rate_sps = (c[1].clock_s - c[0].clock_s) / ((double)step_ns * 1e-9);
+        s->rate[i].flags = ORR_EPH_CLOCK_VALID | ((c[0].flags | c[1].flags) & EPH_CLOCK_FLAGS);
+    }
+}
+
 orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
 {
     for (size_t i = 0; i < sizeof e->slot / sizeof e->slot[0]; i++) e->slot[i] = -1;
     e->from = e->to = ORR_TIME_NONE;
     e->n_spans = 0;
-    e->clock_max_gap_ns =
-        e->clock_max_gap_s < 9e8 ? (int64_t)(e->clock_max_gap_s * 1e9) : INT64_C(900000000000000000);
+    e->wide = eph_machine_is_wide();
     for (size_t i = 0; i < e->n_sats; i++) {
         eph_sat *s = &e->sat[i];
         if (e->sat_id[i] >= sizeof e->slot / sizeof e->slot[0] || e->slot[e->sat_id[i]] >= 0)
@@ -176,6 +195,7 @@ orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
                                 "satellite %zu of the product has an identity that is wrong or taken", i);
         e->slot[e->sat_id[i]] = (int16_t)i;
         make_spans(e, s);
+        make_rates(e, s);
         s->clock_per_ns = clock_rate_of_nodes(s);
         for (size_t k = 0; k < s->n_arcs; k++) {
             eph_arc *a = &s->arc[k];

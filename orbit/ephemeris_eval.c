@@ -6,46 +6,67 @@
 
 #include "orbit/ephemeris_impl.h"
 
+// Rows of coefficients as the vector unit has them. Lanes are independent and nothing is contracted, so that
+// the bits do not depend on how wide the machine is.
+typedef double lanes __attribute__((vector_size(EPH_LANES * sizeof(double)), may_alias));
+#define INLINE static inline __attribute__((always_inline))
+
 // T_j and its first two derivatives at one x.
 typedef struct basis {
     double x;
-    int degree; // -1: nothing yet
-    double t[EPH_MAX_DEGREE + 1], d[EPH_MAX_DEGREE + 1], dd[EPH_MAX_DEGREE + 1];
+    int degree;
+    double t[EPH_MAX_DEGREE + 2], d[EPH_MAX_DEGREE + 2], dd[EPH_MAX_DEGREE + 2];
 } basis;
 
-static void basis_at(basis *b, int degree, double x)
+// By steps of two, T_j+2 = (4 x^2 - 2) T_j - T_j-2 and its derivatives: two short chains instead of one long.
+INLINE void basis_at(basis *b, int degree, double x)
 {
-    if (b->degree >= degree && b->x == x) return;
-    double x2 = 2.0 * x;
+    double x8 = 8.0 * x, x16 = 16.0 * x, xx = x * x, c = 4.0 * xx - 2.0;
     b->x = x;
     b->degree = degree;
     b->t[0] = 1.0, b->d[0] = 0.0, b->dd[0] = 0.0;
     b->t[1] = x, b->d[1] = 1.0, b->dd[1] = 0.0;
-    for (int j = 1; j < degree; j++) {
-        b->t[j + 1] = x2 * b->t[j] - b->t[j - 1];
-        b->d[j + 1] = (x2 * b->d[j] + 2.0 * b->t[j]) - b->d[j - 1];
-        b->dd[j + 1] = (x2 * b->dd[j] + 4.0 * b->d[j]) - b->dd[j - 1];
+    b->t[2] = 2.0 * xx - 1.0, b->d[2] = 4.0 * x, b->dd[2] = 4.0;
+    b->t[3] = (c - 1.0) * x, b->d[3] = 12.0 * xx - 3.0, b->dd[3] = 24.0 * x;
+    for (int j = 4; j <= degree; j++) {
+        double t = b->t[j - 2], d = b->d[j - 2];
+        b->t[j] = c * t - b->t[j - 4];
+        b->d[j] = c * d + (x8 * t - b->d[j - 4]);
+        b->dd[j] = c * b->dd[j - 2] + ((x16 * d + 8.0 * t) - b->dd[j - 4]);
     }
 }
 
-// Sums over the rows of one segment; the four lanes are independent, which the compiler turns into vectors.
-static void sum_rows(const double *restrict c, const basis *restrict b, int degree,
-                     double p[restrict EPH_LANES], double v[restrict EPH_LANES], double a[restrict EPH_LANES])
+// Sums over the rows of one segment. The two largest terms come last, so that the small ones are not rounded
+// to them, and the sum can begin before the basis is complete.
+INLINE void sum_rows(const double *coef, const basis *b, int degree, double dx, orr_sat_state *out)
 {
-    for (int k = 0; k < EPH_LANES; k++) p[k] = v[k] = a[k] = 0.0;
-    for (int j = degree; j >= 0; j--) {
-        double t = b->t[j], d = b->d[j], dd = b->dd[j];
-        for (int k = 0; k < EPH_LANES; k++) {
-            double cj = c[j * EPH_LANES + k];
-            p[k] += t * cj;
-            v[k] += d * cj;
-            a[k] += dd * cj;
-        }
+    const lanes *c = (const lanes *)(const void *)coef;
+    lanes p = b->t[2] * c[2], v = b->d[2] * c[2], a = b->dd[2] * c[2];
+    for (int j = 3; j <= degree; j++) {
+        p += b->t[j] * c[j];
+        v += b->d[j] * c[j];
+        a += b->dd[j] * c[j];
     }
+    p += b->t[1] * c[1];
+    v += c[1];
+    p += c[0];
+    v *= dx;
+    a *= dx * dx;
+    out->pos_m = (orr_vec3){p[0], p[1], p[2]};
+    out->vel_mps = (orr_vec3){v[0], v[1], v[2]};
+    out->acc_mps2 = (orr_vec3){a[0], a[1], a[2]};
 }
 
-// Index of the segment at t and the rest within it, without a division.
-static size_t segment_at(const eph_arc *a, orr_time t, int64_t *rest_ns)
+// Where t lies in an arc.
+typedef struct place {
+    size_t segment, sample; // the sample is counted in the segment
+    int64_t rest_ns;        // since the segment's begin
+    double x;               // in the segment, [-1, 1]
+    float part;             // way from the sample to the next, [0, 1]
+} place;
+
+// Without a division.
+INLINE void place_at(const eph_arc *a, orr_time t, place *p)
 {
     int64_t dt = t - a->t0;
     int64_t i = (int64_t)((double)dt * a->per_segment_ns), last = (int64_t)a->n_segments - 1;
@@ -58,8 +79,14 @@ static size_t segment_at(const eph_arc *a, orr_time t, int64_t *rest_ns)
         i++;
         rest -= a->segment_ns;
     }
-    *rest_ns = rest;
-    return (size_t)i;
+    p->segment = (size_t)i;
+    p->rest_ns = rest;
+    p->x = (double)(2 * rest - a->segment_ns) * a->per_segment_ns;
+    double u = 0.5 * (p->x + 1.0) * (double)(int64_t)a->samples_per_segment;
+    int64_t k = (int64_t)u, last_sample = (int64_t)a->samples_per_segment - 1;
+    k = k < last_sample ? k : last_sample;
+    p->sample = (size_t)k;
+    p->part = (float)(u - (double)k);
 }
 
 // The arc that holds t, the later one where two meet; NULL in a gap.
@@ -91,31 +118,20 @@ static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_
     return flags;
 }
 
-// True if the clock may be interpolated from node i to the next. SP3's event flag says that the clock jumped
-// between the epoch before and the flagged one (SP3-d, column 75). Two nodes at one instant are where files
-// join with different clocks: there it jumps.
-static bool clock_joined(const orr_ephemeris *e, const eph_sat *s, size_t i)
-{
-    if (i + 1 >= s->n_clocks) return false;
-    const orr_clock_node *c = &s->clock[i];
-    int64_t step_ns = c[1].t - c[0].t;
-    return step_ns > 0 && step_ns <= e->clock_max_gap_ns && (c[1].flags & ORR_EPH_CLOCK_EVENT) == 0;
-}
-
 // Index of the last clock node not after t; t is not before the first.
 static size_t clock_before(const eph_sat *s, orr_time t)
 {
     enum { WALK = 4 }; // a few nodes more or less than even spacing has: days' joints
     size_t last = s->n_clocks - 1;
-    double guess = (double)(t - s->clock[0].t) * s->clock_per_ns;
+    double guess = (double)(t - s->rate[0].t) * s->clock_per_ns;
     size_t i = guess < (double)last ? (size_t)guess : last;
-    for (int k = 0; k < WALK && i > 0 && s->clock[i].t > t; k++) i--;
-    for (int k = 0; k < WALK && i < last && s->clock[i + 1].t <= t; k++) i++;
-    if (s->clock[i].t <= t && (i == last || t < s->clock[i + 1].t)) return i;
+    for (int k = 0; k < WALK && i > 0 && s->rate[i].t > t; k++) i--;
+    for (int k = 0; k < WALK && i < last && s->rate[i + 1].t <= t; k++) i++;
+    if (s->rate[i].t <= t && (i == last || t < s->rate[i + 1].t)) return i;
     size_t low = 0, high = s->n_clocks; // clock[low].t <= t < clock[high].t
     while (high - low > 1) {
         size_t mid = low + (high - low) / 2;
-        if (s->clock[mid].t <= t)
+        if (s->rate[mid].t <= t)
             low = mid;
         else
             high = mid;
@@ -123,56 +139,42 @@ static size_t clock_before(const eph_sat *s, orr_time t)
     return low;
 }
 
-static void clock_at(const orr_ephemeris *e, const eph_sat *s, orr_time t, orr_sat_state *out)
+// The end of a stretch still has a clock: its last node, with the rate that leads there.
+static const eph_clock *stretch_end(const eph_sat *s, size_t i, orr_time t)
+{
+    if (s->rate[i].t != t) return NULL;
+    while (i > 0 && s->rate[i - 1].t == t) i--;
+    return i > 0 && s->rate[i - 1].flags != 0 ? &s->rate[i - 1] : NULL;
+}
+
+INLINE void clock_at(const eph_sat *s, orr_time t, orr_sat_state *out)
 {
     out->clock_s = out->clock_rate_sps = (double)NAN;
-    if (s->n_clocks == 0 || t < s->clock[0].t) return;
+    if (s->n_clocks == 0 || t < s->rate[0].t) return;
     size_t i = clock_before(s, t);
-    if (!clock_joined(e, s, i)) {
-        // The end of a stretch still has a clock: its last node, with the rate that leads there.
-        if (s->clock[i].t != t) return;
-        while (i > 0 && s->clock[i - 1].t == t) i--;
-        if (i == 0 || !clock_joined(e, s, i - 1)) return;
-        i--;
-    }
-    const orr_clock_node *c = &s->clock[i];
-    double rate = (c[1].clock_s - c[0].clock_s) / ((double)(c[1].t - c[0].t) * 1e-9);
-    out->clock_rate_sps = rate;
-    out->clock_s = t == c[1].t ? c[1].clock_s : c[0].clock_s + rate * ((double)(t - c[0].t) * 1e-9);
-    out->flags |=
-        ORR_EPH_CLOCK_VALID | ((c[0].flags | c[1].flags) & (ORR_EPH_CLOCK_EVENT | ORR_EPH_PREDICTED));
+    const eph_clock *c = &s->rate[i];
+    if (c->flags == 0 && (c = stretch_end(s, i, t)) == NULL) return;
+    out->clock_rate_sps = c->rate_sps;
+    out->clock_s = c->clock_s + c->rate_sps * ((double)(t - c->t) * 1e-9);
+    out->flags |= c->flags;
 }
 
-static void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_time t, basis *b,
-                     orr_sat_state *out)
+INLINE void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_time t, const place *at,
+                     const basis *b, orr_sat_state *out)
 {
     const eph_sat *s = &e->sat[slot];
-    int64_t rest_ns;
-    size_t segment = segment_at(a, t, &rest_ns);
-    double x = (double)(2 * rest_ns - a->segment_ns) * a->per_segment_ns;
-    basis_at(b, a->degree, x);
-    double p[EPH_LANES], v[EPH_LANES], acc[EPH_LANES];
-    sum_rows(&e->coef[a->first_coef + segment * eph_block(a->degree)], b, a->degree, p, v, acc);
-    double dx = a->dx_dt, dx2 = dx * dx;
+    sum_rows(&e->coef[a->first_coef + at->segment * eph_block(a->degree)], b, a->degree, a->dx_dt, out);
     out->sat = e->sat_id[slot];
-    out->pos_m = (orr_vec3){p[0], p[1], p[2]};
-    out->vel_mps = (orr_vec3){v[0] * dx, v[1] * dx, v[2] * dx};
-    out->acc_mps2 = (orr_vec3){acc[0] * dx2, acc[1] * dx2, acc[2] * dx2};
     out->valid_from = a->t0;
     out->valid_to = a->t1;
-
-    double u = 0.5 * (x + 1.0) * (double)a->samples_per_segment;
-    size_t last = a->samples_per_segment - 1, k = u < 0 ? 0 : u < (double)last ? (size_t)u : last;
-    const float *sigma = &e->sigma[a->first_sample + segment * a->samples_per_segment + k];
-    float part = (float)(u - (double)k);
-    out->sigma_m = sigma[0] + part * (sigma[1] - sigma[0]);
-
-    const eph_meta *m = &e->meta[a->first_segment + segment];
-    out->flags = m->mixed ? mixed_flags(e, s, a, segment, rest_ns, t) : m->flags;
-    clock_at(e, s, t, out);
+    const float *sigma = &e->sigma[a->first_sample + at->segment * a->samples_per_segment + at->sample];
+    out->sigma_m = sigma[0] + at->part * (sigma[1] - sigma[0]);
+    const eph_meta *m = &e->meta[a->first_segment + at->segment];
+    out->flags = m->mixed ? mixed_flags(e, s, a, at->segment, at->rest_ns, t) : m->flags;
+    clock_at(s, t, out);
 }
 
-orr_status orr_ephemeris_eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
+INLINE orr_status eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
 {
     if (t < e->from || t > e->to) return ORR_E_RANGE;
     if (sat >= sizeof e->slot / sizeof e->slot[0] || e->slot[sat] < 0) return ORR_E_NODATA;
@@ -180,20 +182,67 @@ orr_status orr_ephemeris_eval(const orr_ephemeris *e, orr_sat sat, orr_time t, o
     const eph_arc *a = arc_at(&e->sat[slot], t);
     if (a == NULL) return ORR_E_NODATA;
     basis b;
-    b.degree = -1;
-    state_at(e, slot, a, t, &b, out);
+    place at;
+    place_at(a, t, &at);
+    basis_at(&b, a->degree, at.x);
+    state_at(e, slot, a, t, &at, &b, out);
     return ORR_OK;
+}
+
+INLINE size_t eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max)
+{
+    if (t < e->from || t > e->to) return 0;
+    size_t n = 0;
+    basis b = {.degree = -1};
+    place at = {0};
+    const eph_arc *before = NULL; // arcs of the same shape share the place and the basis
+    for (size_t i = 0; i < e->n_sats && n < max; i++) {
+        const eph_arc *a = arc_at(&e->sat[i], t);
+        if (a == NULL) continue;
+        if (before == NULL || a->t0 != before->t0 || a->segment_ns != before->segment_ns ||
+            a->n_segments != before->n_segments || a->samples_per_segment != before->samples_per_segment)
+            place_at(a, t, &at);
+        before = a;
+        if (b.degree < a->degree || b.x != at.x) basis_at(&b, a->degree, at.x);
+        state_at(e, i, a, t, &at, &b, &out[n++]);
+    }
+    return n;
+}
+
+static orr_status eval_plain(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
+{
+    return eval(e, sat, t, out);
+}
+static size_t eval_all_plain(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max)
+{
+    return eval_all(e, t, out, max);
+}
+
+#if defined(__x86_64__)
+// The same again for machines whose vectors hold four doubles.
+__attribute__((target("avx2"))) static orr_status eval_wide(const orr_ephemeris *e, orr_sat sat, orr_time t,
+                                                            orr_sat_state *out)
+{
+    return eval(e, sat, t, out);
+}
+__attribute__((target("avx2"))) static size_t eval_all_wide(const orr_ephemeris *e, orr_time t,
+                                                            orr_sat_state *out, size_t max)
+{
+    return eval_all(e, t, out, max);
+}
+bool eph_machine_is_wide(void) { return __builtin_cpu_supports("avx2") != 0; }
+#else
+#define eval_wide eval_plain
+#define eval_all_wide eval_all_plain
+bool eph_machine_is_wide(void) { return false; }
+#endif
+
+orr_status orr_ephemeris_eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
+{
+    return e->wide ? eval_wide(e, sat, t, out) : eval_plain(e, sat, t, out);
 }
 
 size_t orr_ephemeris_eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max)
 {
-    size_t n = 0;
-    basis b;
-    b.degree = -1;
-    if (t < e->from || t > e->to) return 0;
-    for (size_t i = 0; i < e->n_sats && n < max; i++) {
-        const eph_arc *a = arc_at(&e->sat[i], t);
-        if (a != NULL) state_at(e, i, a, t, &b, &out[n++]);
-    }
-    return n;
+    return e->wide ? eval_all_wide(e, t, out, max) : eval_all_plain(e, t, out, max);
 }

@@ -48,10 +48,19 @@ typedef struct eph_meta {
     uint32_t mixed;
 } eph_meta;
 
+// A clock node and the line to the next one.
+typedef struct eph_clock {
+    orr_time t;
+    double clock_s, rate_sps;
+    uint32_t
+        flags; // of the clock between the two nodes, ORR_EPH_CLOCK_VALID among them; 0: it has none there
+} eph_clock;
+
 typedef struct eph_sat {
     size_t n_arcs, n_clocks, n_nodes, n_events, n_spans;
     eph_arc *arc;
     orr_clock_node *clock;
+    eph_clock *rate; // as many as clock
     orr_orbit_node *node;
     orr_orbit_event *event;
     eph_span *span;
@@ -68,12 +77,13 @@ struct orr_ephemeris {
     float *sigma;
     uint32_t *sample_flags; // the last of an arc repeats the one before it
     orr_clock_node *clock;
+    eph_clock *rate;
     orr_orbit_node *node;
     orr_orbit_event *event;
     eph_span *span;
     orr_orbit_source *source;
     double node_step_s, clock_max_gap_s;
-    int64_t clock_max_gap_ns;
+    bool wide;                                 // evaluate with four-lane vectors; same bits
     size_t n_shortened;                        // arcs
     double max_pos_error_m, max_vel_error_mps; // of the segments against the samples they were fitted to
     orr_time from, to;
@@ -86,6 +96,7 @@ orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag 
 // Derives everything that is not in the file from what is: spans, flags of segments, slots, span of time.
 // Satellites' and arcs' own fields, counts and indices must be set and consistent.
 orr_status eph_finish(orr_ephemeris *e, orr_diag *diag);
+bool eph_machine_is_wide(void);
 static inline size_t eph_block(int degree) { return (size_t)(degree + 1) * EPH_LANES; } // doubles a segment
 
 // The fit of one segment's coordinate as a matrix: coefficients = matrix * data.

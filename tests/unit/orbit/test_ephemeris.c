@@ -3,6 +3,7 @@
 // gaps, clocks and flags.
 #include "testing.h"
 
+#include "orbit/ephemeris_impl.h"
 #include "unit/orbit/made_orbit.h"
 
 static orr_ephemeris *build(const orr_orbit_solution *s)
@@ -178,6 +179,29 @@ static void test_one_and_all_agree(void **state)
     assert_int_equal(orr_ephemeris_eval_all(e, at(1000), all, 5), 5);
     orr_ephemeris_free(e);
     s.sat[9].n_arcs = 1;
+    made_solution_free(&s);
+}
+
+// Machines with wide vectors and without them give the same bits.
+static void test_width_does_not_matter(void **state)
+{
+    (void)state;
+    if (!eph_machine_is_wide()) skip();
+    orr_orbit_solution s = made_solution(20, 2, 900, 6);
+    orr_ephemeris *e = build(&s);
+    orr_sat_state wide[20], plain[20];
+    memset(wide, 0, sizeof wide);
+    memset(plain, 0, sizeof plain);
+    for (double t = 0; t <= 7200; t += 13.7) {
+        e->wide = true;
+        assert_int_equal(orr_ephemeris_eval_all(e, at(t), wide, 20), 20);
+        e->wide = false;
+        assert_int_equal(orr_ephemeris_eval_all(e, at(t), plain, 20), 20);
+        assert_memory_equal(wide, plain, sizeof wide);
+        assert_int_equal(orr_ephemeris_eval(e, plain[3].sat, at(t), &plain[3]), ORR_OK);
+        assert_memory_equal(&wide[3], &plain[3], sizeof wide[3]);
+    }
+    orr_ephemeris_free(e);
     made_solution_free(&s);
 }
 
@@ -433,6 +457,7 @@ int main(void)
         cmocka_unit_test(test_refuses_wrong_solutions),
         cmocka_unit_test(test_joints),
         cmocka_unit_test(test_one_and_all_agree),
+        cmocka_unit_test(test_width_does_not_matter),
         cmocka_unit_test(test_says_where_nothing_is),
         cmocka_unit_test(test_clocks),
         cmocka_unit_test(test_flags_and_sigma),
