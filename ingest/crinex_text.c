@@ -121,12 +121,14 @@ static orr_status expand(orr_input *in, orr_crinex_counts *counts, writer *w, or
 {
     double version = 0;
     orr_crinex *c = NULL;
+    uint64_t n_epochs = 0;
     orr_status s = copy_header(in, w, counts, &version, diag);
     if (s == ORR_OK) s = orr_crinex_open(in, version, counts, warnings, &c, diag);
     while (s == ORR_OK && !w->failed) {
         const orr_crinex_epoch *e = NULL;
         s = orr_crinex_next(c, &e, diag);
         if (s != ORR_OK || e == NULL) break;
+        n_epochs++;
         if (e->is_event) {
             put_line(w, e->text.p, e->text.n);
             for (size_t i = 0; i < e->n_event_lines && s == ORR_OK; i++) {
@@ -144,6 +146,9 @@ static orr_status expand(orr_input *in, orr_crinex_counts *counts, writer *w, or
                 s = orr_diag_at(diag, ORR_E_FORMAT, orr_input_name(in), e->line, 0,
                                 "a value of satellite %s does not fit into RINEX's F14.3", e->sat[i]);
     }
+    if (s == ORR_OK && n_epochs == 0 && c != NULL && orr_crinex_skipped(c) > 0)
+        s = orr_diag_at(diag, ORR_E_FORMAT, orr_input_name(in), orr_input_line_number(in), 0,
+                        "no epoch of the file can be decoded");
     orr_crinex_close(c);
     if (s == ORR_OK && w->failed) s = orr_diag_set(diag, ORR_E_IO, "the output could not be written");
     return s;

@@ -45,6 +45,7 @@ typedef struct reader {
     bool v2, v4;
     char system; // of RINEX 2 records
     bool have;   // a line was read ahead
+    nav_fault first_fault;
     orr_view ahead;
 } reader;
 
@@ -153,7 +154,7 @@ static bool next_record(reader *r, nav_lines *rec)
 
 static orr_status skip(reader *r, const nav_lines *rec, const nav_fault *f, const char *what)
 {
-    r->nav->n_skipped++;
+    if (r->nav->n_skipped++ == 0) r->first_fault = *f;
     (void)rec;
     orr_warnings_add(r->w, r->c.name, f->line, f->column, "%s: the %s is left out", f->text, what);
     return ORR_OK;
@@ -238,6 +239,17 @@ static int compare_eph(const void *va, const void *vb)
     return c != 0 ? c : compare_time(a->line, b->line);
 }
 
+// A file of damage alone is refused; one that is but a header is told of.
+static orr_status nothing_read(const reader *r)
+{
+    const nav_fault *f = &r->first_fault;
+    if (r->nav->n_skipped > 0)
+        return orr_diag_at(r->diag, ORR_E_FORMAT, r->c.name, f->line, f->column,
+                           "none of the %zu records can be read; the first: %s", r->nav->n_skipped, f->text);
+    orr_warnings_add(r->w, r->c.name, r->c.line, 0, "the file has no records");
+    return ORR_OK;
+}
+
 orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr_nav_limits *limits,
                          orr_nav *out, orr_warnings *warnings, orr_diag *diag)
 {
@@ -255,6 +267,7 @@ orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr
             s = orr_cursor_error(&r.c, diag, ORR_E_LIMIT, 0, "more than %zu records", r.limits.max_records);
     }
     if (s == ORR_OK) s = orr_cursor_status(&r.c, diag);
+    if (s == ORR_OK && out->n_eph + out->n_iono + out->n_sto + out->n_eop == 0) s = nothing_read(&r);
     if (s != ORR_OK) {
         orr_nav_free(out);
         return s;

@@ -198,9 +198,9 @@ typedef struct orr_nav_limits {
 orr_nav_limits orr_nav_default_limits(void); // 2 GiB, 1 000 000, 100 000
 
 // Reads a whole file (plain, gzip, .Z by content). Bad records go one by one to `warnings` (may be NULL) and
-// are left out; a file that is no RINEX navigation file, or whose header cannot be used, is refused. limits
-// may be NULL. Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY, ORR_E_UNSUPPORTED
-// (version).
+// are left out; a file that is no RINEX navigation file, whose header cannot be used, or of which no record
+// can be read, is refused. limits may be NULL. Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT,
+// ORR_E_MEMORY, ORR_E_UNSUPPORTED (version).
 orr_status orr_nav_read(const char *path, const orr_nav_limits *limits, orr_nav *out, orr_warnings *warnings,
                         orr_diag *diag);
 // The same from memory (already decompressed); `name` is for messages.

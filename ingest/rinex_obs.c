@@ -27,7 +27,7 @@ struct orr_rinex_obs {
     orr_time last;
     uint32_t warned; // WARNED_* and one bit a system
 };
-enum { WARNED_SYSTEM = 1u << 16, WARNED_EXTRA = 1u << 17, WARNED_ORDER = 1u << 18 };
+enum { WARNED_SYSTEM = 1u << 16, WARNED_EXTRA = 1u << 17, WARNED_ORDER = 1u << 18, WARNED_EMPTY = 1u << 19 };
 
 orr_rinex_obs_limits orr_rinex_obs_default_limits(void)
 {
@@ -269,6 +269,11 @@ static enum outcome read_sats_v3(orr_rinex_obs *r, size_t n)
             warn(r, 1, "an epoch with fewer satellites than it announces: left out");
             return DAMAGED;
         }
+        if (orr_view_is_blank(line)) {
+            warn(r, 1, "a blank line among an epoch's satellites: passed over");
+            i--;
+            continue;
+        }
         orr_sat sat = line.n >= 3 ? orr_sat_parse3(line.p, blank_system(r)) : ORR_SAT_NONE;
         const orr_obs_codes *codes = codes_of(r, sat);
         if (codes == NULL) continue;
@@ -485,7 +490,14 @@ static orr_status next_hatanaka(orr_rinex_obs *r, const orr_rinex_obs_epoch **ep
 orr_status orr_rinex_obs_next(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch, orr_diag *diag)
 {
     *epoch = NULL;
-    return r->crinex != NULL ? next_hatanaka(r, epoch, diag) : next_plain(r, epoch, diag);
+    orr_status s = r->crinex != NULL ? next_hatanaka(r, epoch, diag) : next_plain(r, epoch, diag);
+    if (s != ORR_OK || *epoch != NULL || r->n_epochs > 0) return s;
+    if (r->skipped > 0) // of damage alone nobody should make an empty day
+        return orr_diag_at(diag, ORR_E_FORMAT, orr_input_name(r->in), orr_input_line_number(r->in), 0,
+                           "no epoch of the file can be read");
+    if (!(r->warned & WARNED_EMPTY)) warn(r, 0, "the file has no epochs");
+    r->warned |= WARNED_EMPTY;
+    return ORR_OK;
 }
 
 const orr_rinex_obs_header *orr_rinex_obs_header_of(const orr_rinex_obs *r) { return &r->h; }

@@ -36,14 +36,14 @@ static const verdict table[] = {
     {"brdc0130.22g.gz", ORR_OK, 0, -1, 23, 1104, NULL},
     {"invalid-but-accepted.n.gz", ORR_OK, 0, -1, 2, 3,
      NULL}, // 3.05 whose GLONASS lacks the fourth line: readable
-    {"missing-run-by-400.n.gz", ORR_OK, 0, -1, 0, 0,
-     NULL}, // a header without PGM / RUN BY / DATE and no records
+    {"missing-run-by-400.n.gz", ORR_OK, 1, -1, 0, 0,
+     "no records"}, // a header without PGM / RUN BY / DATE and no records
     // Navigation: damage
     {"unknown-key-header.n.gz", ORR_OK, 1, -1, 0, 0, "header label \"UNKNOWN\""},
     {"wrong-format.n.gz", ORR_OK, 2, -1, 0, 0, "ionosphere parameter is not a number"},
-    {"wrong-type-GPS.n.gz", ORR_OK, 1, -1, 0, 0, "message \"XXXX\""}, // the one record is left out
-    {"wrong-type-Glonass.n.gz", ORR_OK, 1, -1, 0, 0, "message \"XXXX\""},
-    {"wrong-type-QZSS.n.gz", ORR_OK, 1, -1, 0, 0, "message \"XXXX\""},
+    {"wrong-type-GPS.n.gz", ORR_E_FORMAT, 0, -1, 0, 0, "message \"XXXX\""},
+    {"wrong-type-Glonass.n.gz", ORR_E_FORMAT, 0, -1, 0, 0, "message \"XXXX\""},
+    {"wrong-type-QZSS.n.gz", ORR_E_FORMAT, 0, -1, 0, 0, "message \"XXXX\""},
     // Observations: readable
     {"aaaa0000.00o.gz", ORR_OK, 0, 2, 26, -1, NULL},
     {"aiub0000.00o.gz", ORR_OK, 0, 6, 6, -1,
@@ -82,8 +82,8 @@ static const verdict table[] = {
     {"unknown-event-flag-3.00o.gz", ORR_OK, 1, 6, 6, -1,
      "not an epoch line"}, // flag 8: its lines are passed over
     {"badclkrst_U_20190320000_10M_10M_MO.crx.gz", ORR_OK, 2, 2, 12, -1, "clock offset"},
-    {"truncateB_U_20190320000_15M_30S_MO.crx.gz", ORR_OK, 2, 0, 0, -1,
-     "cannot be decoded"}, // cut in its first epoch
+    {"truncateB_U_20190320000_15M_30S_MO.crx.gz", ORR_E_FORMAT, 0, 0, 0, -1,
+     "no epoch"}, // cut in its first epoch
     // Refused
     {"custom-system.01o.gz", ORR_E_UNSUPPORTED, 0, 0, 0, -1, "'K' is no satellite system"},
     {"test_input_rinex2_obs_SystemTransit.06o.gz", ORR_E_UNSUPPORTED, 0, 0, 0, -1, "Transit"},

@@ -323,7 +323,8 @@ static void bad_records_one_by_one(void **state)
     for (size_t n = 200; n <= good.n; n++) {
         orr_nav cut;
         orr_diag diag = {0};
-        ASSERT_OK(orr_nav_parse("cut.nav", good.p, n, NULL, &cut, NULL, &diag), diag);
+        orr_status s = orr_nav_parse("cut.nav", good.p, n, NULL, &cut, NULL, &diag);
+        assert_true(s == ORR_OK || s == ORR_E_FORMAT); // the one record cannot be read: refused
         for (size_t i = 0; i < cut.n_eph; i++) {
             assert_orbit(&cut.eph[i]);
             assert_true(cut.eph[i].transmission == ORR_TIME_NONE ||
