@@ -7,6 +7,8 @@
 
 #define AT(member) offsetof(orr_scenario, member)
 
+#include "src/scenario/motion_records.def"
+
 static const orr_key keys[] = {
     {.path = "title",
      .kind = ORR_KEY_TEXT,
@@ -69,6 +71,7 @@ static const orr_key keys[] = {
      .help = "receiver that questions without one mean: latitude and longitude in degrees (geodetic), height "
              "in metres. "
              "Default: the station of ionosphere.session"},
+#include "src/scenario/motion.def"
     {.path = "serve.listen",
      .kind = ORR_KEY_TEXT,
      .list = true,
@@ -88,9 +91,10 @@ static orr_status check(const orr_scenario *s, const orr_yaml *y, orr_diag *diag
     if (o->product != NULL && o->sp3.n > 0)
         return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
                            "orbit.product and orbit.sp3 exclude each other");
-    if (o->product == NULL && o->sp3.n == 0)
+    // A flight alone is a scenario too: for inertial readings without satellites.
+    if (o->product == NULL && o->sp3.n == 0 && s->motion.kind == ORR_MOTION_NONE)
         return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
-                           "no orbits: name an orbit.product or orbit.sp3");
+                           "no orbits and no trajectory: name an orbit.product or orbit.sp3, or a trajectory.kind");
     if (o->product != NULL && (o->nodes_s > 0 || o->exclude.n > 0 || o->erp.n > 0))
         return orr_diag_at(
             diag, ORR_E_FORMAT, y->name, 0, 0,

@@ -4,6 +4,7 @@
 #ifndef ORR_SCENARIO_SCENARIO_H
 #define ORR_SCENARIO_SCENARIO_H
 
+#include "src/scenario/motion.h"
 #include "src/scenario/schema.h"
 
 typedef struct orr_scenario_orbit {
@@ -25,6 +26,7 @@ typedef struct orr_scenario {
     char *title;
     orr_scenario_orbit orbit;
     orr_scenario_iono iono;
+    orr_scenario_motion motion;
     orr_real_list receiver; // geodetic latitude and longitude in degrees, ellipsoidal height in metres
     orr_text_list listen;   // URLs of serve.listen
 } orr_scenario;
