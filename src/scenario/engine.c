@@ -51,6 +51,10 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
     orr_ephemeris *eph;
     const char *title = s->title;
     orr_status status;
+    if (s->orbit.product == NULL && s->orbit.sp3.n == 0)
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "the scenario has a trajectory but no satellites to serve: name an orbit.product or "
+                            "orbit.sp3 ('orrery imu' does without)");
     if (s->orbit.product != NULL) {
         status = orr_ephemeris_load(s->orbit.product, &eph, diag);
         if (title == NULL) title = base_name(s->orbit.product);
