@@ -51,15 +51,26 @@ static inline bool read_f14_6(const char *s, int64_t *v)
     return sound && all_digits(whole) && all_digits(part);
 }
 
-// A field of four: number * 10^power. ORR_FIELD_BLANK leaves *out alone.
-static inline orr_field read_value(orr_view line, int col, double per_unit, int power, double *out)
+// A field of four: number * 10^power. ORR_FIELD_BLANK leaves *out alone. *free is set where it stands
+// elsewhere.
+static inline orr_field read_value(orr_view line, int col, double per_unit, int power, double *out,
+                                   bool *free)
 {
     int64_t v;
     if (line.n >= (size_t)col + 13 && read_f14_6(line.p + col - 1, &v)) {
         *out = (double)v / per_unit; // both exact, one rounding
         return ORR_FIELD_OK;
     }
+    *free = true;
     return orr_view_real_e(orr_view_cols(line, col, 14), power, out);
+}
+
+// Whether all these columns are blank.
+static bool all_blank(orr_view line, const int *column, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (orr_view_char(line, column[i]) != ' ') return false;
+    return true;
 }
 
 static void report_bad(sp3_parser *p, int column, const char *what)
@@ -72,6 +83,8 @@ static void report_bad(sp3_parser *p, int column, const char *what)
 static void read_exponents(sp3_parser *p, orr_view line, float *xyz, float xyz_unit, float *clock,
                            float clock_unit)
 {
+    static const int between[] = {61, 64, 67, 70, 74, 77, 78};
+    if (!all_blank(line, between, sizeof between / sizeof *between)) sp3_fault_note(p, SP3_BETWEEN);
     for (int i = 0; i < 4; i++) {
         int col = 62 + 3 * i, width = i < 3 ? 2 : 3, n = 0;
         switch (orr_field_int_in(line, col, width, -99, i < 3 ? 99 : 999, &n)) {
@@ -141,19 +154,36 @@ static int record_sat(sp3_parser *p, orr_view line, orr_status *st)
 static bool read_four(sp3_parser *p, orr_view line, double per_unit, int power, double per_clock,
                       int clock_power, double xyz[3], double *clock)
 {
+    bool free = false, free_clock = false;
     for (int i = 0; i < 3; i++) {
-        orr_field f = read_value(line, 5 + 14 * i, per_unit, power, &xyz[i]);
+        orr_field f = read_value(line, 5 + 14 * i, per_unit, power, &xyz[i], &free);
         if (f != ORR_FIELD_OK) {
             report_bad(p, 5 + 14 * i,
                        f == ORR_FIELD_BLANK ? "a coordinate is missing" : "a coordinate cannot be read");
             return false;
         }
     }
-    if (xyz[0] == 0 && xyz[1] == 0 && xyz[2] == 0) xyz[0] = xyz[1] = xyz[2] = NAN;
-    if (read_value(line, 47, per_clock, clock_power, clock) == ORR_FIELD_BAD) {
+    if (xyz[0] == 0 && xyz[1] == 0 && xyz[2] == 0) {
+        xyz[0] = xyz[1] = xyz[2] = NAN;
+        free = false; // a missing position is missing however many noughts it has
+    }
+    orr_field f = read_value(line, 47, per_clock, clock_power, clock, &free_clock);
+    if (f == ORR_FIELD_BAD) {
         report_bad(p, 47, "the clock cannot be read");
         return false;
     }
+    // "999999." is allowed, and no clock at all; any other number elsewhere than the file's own columns means
+    // that a character was lost or gained, and with it perhaps a digit.
+    free = free || (free_clock && f == ORR_FIELD_OK && fabs(*clock) * per_clock < 999999e6);
+    if (!p->has_style) {
+        p->has_style = true;
+        p->in_columns = !free;
+    }
+    if (free && p->in_columns) {
+        report_bad(p, 5, "numbers are not in their columns (a character lost or gained?)");
+        return false;
+    }
+    if (free) sp3_fault_note(p, SP3_FREE);
     // Six nines before the point mean "none", whatever stands behind it; and a satellite that is not there at
     // all is zeros throughout in files of version a.
     if (fabs(*clock) * per_clock >= 999999e6 || (isnan(xyz[0]) && *clock == 0)) *clock = NAN;
@@ -231,6 +261,8 @@ static orr_status read_correlations(sp3_parser *p, orr_view line)
     orr_sp3_correlation *c = &o->correlation[(size_t)(p->row - o->record) + (size_t)p->last_sat];
     static const int sdev_col[4] = {5, 10, 15, 20}, corr_col[6] = {28, 37, 46, 55, 64, 73};
     float sdev[4], *corr = velocity ? c->v : c->p;
+    static const int between[] = {3, 4, 9, 14, 19, 27, 36, 45, 54, 63, 72};
+    if (!all_blank(line, between, sizeof between / sizeof *between)) sp3_fault_note(p, SP3_BETWEEN);
     for (int i = 0; i < 4; i++) {
         int n = 0, most = i < 3 ? 9999 : 9999999;
         orr_field f = orr_field_int_in(line, sdev_col[i], i < 3 ? 4 : 7, 0, most, &n);

@@ -132,6 +132,8 @@ static void tell_faults(sp3_parser *p)
         [SP3_TAIL] = "records with text beyond column 80, which is not read",
         [SP3_JUNK] = "blank or dotted lines, which are none of the format, passed over",
         [SP3_UNKNOWN_SAT] = "records of satellites of a system that is not known, left out",
+        [SP3_BETWEEN] = "records with something between the fields (a character lost or gained?)",
+        [SP3_FREE] = "records whose numbers are not in the columns of F14.6, read all the same",
         [SP3_MINUTE_60] = "epochs with minute 60, taken as the next hour",
         [SP3_STRAY_RECORD] = "records whose epoch is not known, left out",
     };

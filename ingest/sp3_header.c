@@ -36,6 +36,13 @@ bool sp3_read_civil(orr_view line, orr_civil *out, int *column)
         int col, width, lo, hi;
     } field[5] = {{4, 4, 1, 9999}, {9, 2, 1, 12}, {12, 2, 1, 31}, {15, 2, 0, 24}, {18, 2, 0, 60}};
     int v[5];
+    // A character lost or gained shifts the rest; two-digit fields would then be read by halves.
+    static const int between[] = {8, 11, 14, 17, 20};
+    for (int i = 0; i < 5; i++)
+        if (orr_view_char(line, between[i]) != ' ') {
+            *column = between[i];
+            return false;
+        }
     for (int i = 0; i < 5; i++)
         if (orr_field_int_in(line, field[i].col, field[i].width, field[i].lo, field[i].hi, &v[i]) !=
             ORR_FIELD_OK) {

@@ -20,6 +20,8 @@ typedef enum sp3_fault {
     SP3_JUNK,         // line without a letter or digit: dots, blanks
     SP3_STRAY_RECORD, // record after a line that cannot be read, before the next epoch
     SP3_UNKNOWN_SAT,  // a satellite of a system that has no letter here
+    SP3_BETWEEN,      // something between the fields of columns 61-80, or of EP and EV
+    SP3_FREE,         // numbers not in the columns of F14.6, in a file that begins so
     SP3_MINUTE_60,    // 16:60 for 17:00
     SP3_N_FAULTS
 } sp3_fault;
@@ -50,8 +52,9 @@ typedef struct sp3_parser {
     orr_sp3_record *row; // of the epoch now, NULL before the first and after a line that cannot be read
     ptrdiff_t last_sat;  // of the record before, for EP and EV; -1 for none
     bool last_is_velocity;
-    bool ended;           // EOF was seen
-    size_t n_good, n_bad; // records
+    bool ended;                 // EOF was seen
+    bool has_style, in_columns; // of the first record: its numbers stand as F14.6 has them
+    size_t n_good, n_bad;       // records
     orr_diag first_bad;
     size_t fault_count[SP3_N_FAULTS];
     int64_t fault_line[SP3_N_FAULTS];

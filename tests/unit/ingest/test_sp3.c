@@ -394,6 +394,52 @@ static void test_oddities_of_text(void **state)
 
 // A constellation that has no letter here yet is left out, and said so; the rest of the file is as good as
 // ever.
+static void test_shifted_columns(void **state)
+{
+    (void)state;
+    // A lost digit or blank moves the rest of the line: half a number must not be taken for a whole one.
+    static const struct {
+        const char *line; // where "PG01  12345.678901 -20000.000001    100.500000      1.000000" would stand
+        const char *words;
+        bool read;
+    } cases[] = {
+        {"PG01  1234.678901 -20000.000001    100.500000      1.000000", "not in their columns", false},
+        {"PG01  12345.67890 -20000.000001    100.500000      1.000000", "not in their columns", false},
+        {"PG01   12345.678901 -20000.000001    100.500000      1.000000", "cannot be read", false},
+        {"PG01  12345.678901 -20000.000001    100.500000      1.00000", "not in their columns", false},
+        {"PG01  12345.678901 -20000.000001    100.500000      1.000000 1  18 18 219", "", true},
+        {"PG01  12345.678901 -20000.000001    100.500000      1.000000 18 18 18219", "between the fields",
+         true},
+        {"PG01  12345.678901 -20000.000001    100.500000      1.000000 18 18 18 219EP", "between the fields",
+         true},
+        {"PG01  12345.678901 -20000.000001    100.500000      1.000000 18 18 18 219    M",
+         "between the fields", true},
+        {"PG01      0.00000       0.000000      0.000000 999999.", "", false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        sp3_text t = {0};
+        sp3_add_header(&t, "#dP", "GPS", 2, "G01");
+        sp3_add_epoch_line(&t, 0, 0, 0);
+        sp3_add(&t, "PG01" POS "      1.000000\n");
+        sp3_add_epoch_line(&t, 0, 15, 0);
+        sp3_add(&t, "%s\nEOF\n", cases[i].line);
+        ASSERT_OK(parse(&t), diag);
+        bool read = !isnan(at(1, 0)->pos_m[0]);
+        bool told = cases[i].words[0] == '\0' ? warnings.count == 0 : warned(cases[i].words);
+        if (read != cases[i].read || !told) fail_msg("%s: %s", cases[i].line, read ? "read" : "left out");
+        done(&t);
+    }
+    // The same in an epoch line: 12 must not become 2.
+    sp3_text t = {0};
+    sp3_add_header(&t, "#dP", "GPS", 2, "G01");
+    sp3_add(&t, "*  2024 12 10 12 30  0.00000000\nPG01" POS "\n*  2024 2 10 12 45  0.00000000\nPG01" POS
+                "\nEOF\n");
+    ASSERT_OK(parse(&t), diag);
+    assert_int_equal(sp3.n_epochs, 1);
+    assert_true(warned("no date and time"));
+    done(&t);
+}
+
 static void test_unknown_system(void **state)
 {
     (void)state;
@@ -485,6 +531,7 @@ int main(void)
         cmocka_unit_test(test_damaged_records),
         cmocka_unit_test(test_cut),
         cmocka_unit_test(test_oddities_of_text),
+        cmocka_unit_test(test_shifted_columns),
         cmocka_unit_test(test_unknown_system),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_limits),
