@@ -45,32 +45,39 @@ static void sectorals(const orr_harm_basis *b, double cos_lat, double *p)
 // How many orders row k has, rounded up so that loops have no remainder; the surplus meets zero coefficients.
 static size_t row_width(const orr_harm_basis *b, int k) { return ((size_t)(b->degree - k) + 4) / 4 * 4; }
 
+// One step of the recurrence for all orders of row k, from rows k - 1 (cur) and k - 2 (old, which is
+// overwritten), and what the row adds to the sums. Plain loops over arrays that do not overlap: the compiler
+// makes vectors of them.
+static void add_row(size_t width, double x, const double *restrict alpha, const double *restrict beta,
+                    const double *restrict c, const double *restrict s, const double *restrict cur,
+                    double *restrict old, double *restrict ca, double *restrict sa)
+{
+    for (size_t m = 0; m < width; m++) {
+        double p = alpha[m] * x * cur[m] - beta[m] * old[m];
+        old[m] = p;
+        ca[m] += c[m] * p;
+        sa[m] += s[m] * p;
+    }
+}
+
 double orr_harm_eval(const orr_harm_basis *b, const double *coef, double sin_lat, double cos_lat,
                      double sin_lon, double cos_lon)
 {
-    double p0[ORR_HARM_MAX_ROW], p1[ORR_HARM_MAX_ROW], ca[ORR_HARM_MAX_ROW], sa[ORR_HARM_MAX_ROW];
-    double *restrict cur = p0, *restrict old = p1;
+    double even[ORR_HARM_MAX_ROW], odd[ORR_HARM_MAX_ROW], ca[ORR_HARM_MAX_ROW], sa[ORR_HARM_MAX_ROW];
     size_t stride = b->stride;
-    sectorals(b, cos_lat, cur);
+    sectorals(b, cos_lat, even);
     for (size_t m = 0; m < stride; m++) {
-        old[m] = 0;
-        ca[m] = coef[m] * cur[m];
-        sa[m] = coef[stride + m] * cur[m];
+        odd[m] = 0;
+        ca[m] = coef[m] * even[m];
+        sa[m] = coef[stride + m] * even[m];
     }
     for (int k = 1; k <= b->degree; k++) {
-        const double *restrict alpha = b->alpha + (size_t)k * stride, *restrict beta =
-                                                                          b->beta + (size_t)k * stride;
-        const double *restrict c = coef + 2 * (size_t)k * stride, *restrict s = c + stride;
-        size_t width = row_width(b, k);
-        for (size_t m = 0; m < width; m++) {
-            double p = alpha[m] * sin_lat * cur[m] - beta[m] * old[m];
-            old[m] = p;
-            ca[m] += c[m] * p;
-            sa[m] += s[m] * p;
-        }
-        double *swap = cur;
-        cur = old;
-        old = swap;
+        const double *alpha = b->alpha + (size_t)k * stride, *beta = b->beta + (size_t)k * stride;
+        const double *c = coef + 2 * (size_t)k * stride;
+        if (k % 2 == 1)
+            add_row(row_width(b, k), sin_lat, alpha, beta, c, c + stride, even, odd, ca, sa);
+        else
+            add_row(row_width(b, k), sin_lat, alpha, beta, c, c + stride, odd, even, ca, sa);
     }
     // sum_m (ca cos m s + sa sin m s) by Clenshaw: one multiplication an order, no table of cosines.
     double twice = 2 * cos_lon, c1 = 0, c2 = 0, s1 = 0, s2 = 0;

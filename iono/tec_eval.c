@@ -68,55 +68,73 @@ orr_status orr_tec_field_at(const orr_tec_field *f, orr_time t, orr_tec_instant 
         const double *restrict a = f->coef + out->i0 * f->basis.size, *restrict b =
                                                                           f->coef + out->i1 * f->basis.size;
         double w1 = out->w, w0 = 1 - w1;
-        for (size_t i = 0; i < f->basis.size; i++) out->coef[i] = w0 * a[i] + w1 * b[i];
+        double *restrict c = out->coef;
+        for (size_t i = 0; i < f->basis.size; i++) c[i] = w0 * a[i] + w1 * b[i];
     }
     return ORR_OK;
 }
 
-// Bilinear in one map. NAN in a hole, -1 outside a regional map.
-static double grid_at(const tec_grid *g, size_t map, double lat, double lon)
+// Row of a latitude and how far it is to the next; false outside a regional map.
+static bool grid_row(const tec_grid *g, double lat, size_t *row, double *part)
 {
-    double r = (lat - g->lat0) / g->dlat, c = (lon - g->lon0) / g->dlon;
-    double last = (double)(g->n_lat - 1), edge = fabs(g->lat0 + last * g->dlat);
+    double r = (lat - g->lat0) * g->per_lat, last = (double)(g->n_lat - 1);
     if (r < 0) { // beyond the last row but this side of the pole: the row's own values
-        if (fabs(g->lat0) < 80 * ORR_RAD_PER_DEG && r < -1e-6) return -1;
+        if (!g->north_cap && r < -1e-6) return false;
         r = 0;
-    }
-    if (r > last) {
-        if (edge < 80 * ORR_RAD_PER_DEG && r > last + 1e-6) return -1;
+    } else if (r > last) {
+        if (!g->south_cap && r > last + 1e-6) return false;
         r = last;
     }
-    double turn = 2 * ORR_PI / g->dlon;
-    c -= turn * floor(c / turn + 1e-12);
+    *row = (size_t)r;
+    if (*row > g->n_lat - 2) *row = g->n_lat - 2;
+    *part = r - (double)*row;
+    return true;
+}
+
+static bool grid_col(const tec_grid *g, double lon, size_t *c0, size_t *c1, double *part)
+{
+    double c = (lon - g->lon0) * g->per_lon;
+    c -= g->turn * floor(c * g->per_turn + 1e-12);
     if (c < 0) c = 0;
     if (!g->round && c > (double)(g->n_lon - 1)) {
-        if (c > (double)(g->n_lon - 1) + 1e-6) return -1;
+        if (c > (double)(g->n_lon - 1) + 1e-6) return false;
         c = (double)(g->n_lon - 1);
     }
-    size_t r0 = (size_t)r, c0 = (size_t)c;
-    if (r0 > g->n_lat - 2) r0 = g->n_lat - 2;
-    if (!g->round && c0 > g->n_lon - 2) c0 = g->n_lon - 2;
-    if (c0 >= g->n_lon) c0 = g->n_lon - 1;
-    size_t c1 = c0 + 1 < g->n_lon ? c0 + 1 : 0;
-    double p = r - (double)r0, q = c - (double)c0;
+    size_t k = (size_t)c;
+    if (!g->round && k > g->n_lon - 2) k = g->n_lon - 2;
+    if (k >= g->n_lon) k = g->n_lon - 1;
+    *c0 = k;
+    *c1 = k + 1 < g->n_lon ? k + 1 : 0;
+    *part = c - (double)k;
+    return true;
+}
+
+// Bilinear in one map. NAN in a hole, -1 outside a regional map.
+static double grid_at(const tec_grid *g, size_t map, size_t r0, double p, double lon)
+{
+    size_t c0, c1;
+    double q;
+    if (!grid_col(g, lon, &c0, &c1, &q)) return -1;
     const float *row0 = g->value + (map * g->n_lat + r0) * g->n_lon, *row1 = row0 + g->n_lon;
-    double v = 0;
-    if (p < 1) { // a neighbour without weight may be a hole
-        if (q < 1) v += (1 - p) * (1 - q) * (double)row0[c0];
-        if (q > 0) v += (1 - p) * q * (double)row0[c1];
-    }
-    if (p > 0) {
-        if (q < 1) v += p * (1 - q) * (double)row1[c0];
-        if (q > 0) v += p * q * (double)row1[c1];
-    }
+    double a = (double)row0[c0], b = (double)row0[c1], c = (double)row1[c0], d = (double)row1[c1];
+    if (!g->holes) return (1 - p) * ((1 - q) * a + q * b) + p * ((1 - q) * c + q * d);
+    double v = 0; // a neighbour without weight may be a hole
+    if (p < 1 && q < 1) v += (1 - p) * (1 - q) * a;
+    if (p < 1 && q > 0) v += (1 - p) * q * b;
+    if (p > 0 && q < 1) v += p * (1 - q) * c;
+    if (p > 0 && q > 0) v += p * q * d;
     return v;
 }
 
-static double grid_between(const tec_grid *g, const orr_tec_instant *at, double lat, double lon)
+static double grid_between(const tec_grid *g, const orr_tec_instant *at, double lat, double lon, double turn0,
+                           double turn1)
 {
-    double v0 = grid_at(g, at->i0, lat, lon + at->turn0_rad);
-    if (at->w == 0 || at->i0 == at->i1 || v0 < 0 || isnan(v0)) return v0;
-    double v1 = grid_at(g, at->i1, lat, lon + at->turn1_rad);
+    size_t r0;
+    double p;
+    if (!grid_row(g, lat, &r0, &p)) return -1;
+    double v0 = grid_at(g, at->i0, r0, p, lon + turn0);
+    if (at->w == 0 || v0 < 0 || isnan(v0)) return v0;
+    double v1 = grid_at(g, at->i1, r0, p, lon + turn1);
     return v1 < 0 || isnan(v1) ? v1 : (1 - at->w) * v0 + at->w * v1;
 }
 
@@ -153,12 +171,12 @@ static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat,
             orr_iono_delay_m(1, 1575.42e6, ORR_MEASURES_CODE);
         break;
     case TEC_GRID:
-        v = grid_between(&f->tec, at, lat, lon);
+        v = grid_between(&f->tec, at, lat, lon, at->turn0_rad, at->turn1_rad);
         if (v < 0 || isnan(v)) return refuse(at, v, lat, lon, diag);
         break;
     default:
         if (f->tec.holes) { // an expansion says something everywhere; the maps it comes from did not
-            double seen = grid_between(&f->tec, at, lat, lon);
+            double seen = grid_between(&f->tec, at, lat, lon, at->turn0_rad, at->turn1_rad);
             if (isnan(seen)) return refuse(at, seen, lat, lon, diag);
         }
         if (at->one)
@@ -177,11 +195,9 @@ static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat,
         double s;
         if (f->rms.sun_fixed) {
             orr_vec3 p = orr_mat3_apply(&at->axes0, unit);
-            double beta = atan2(p.z, sqrt(p.x * p.x + p.y * p.y)), lon_s = atan2(p.y, p.x);
-            s = (1 - at->w) * grid_at(&f->rms, at->i0, beta, lon_s) +
-                at->w * grid_at(&f->rms, at->i1, beta, lon_s);
+            s = grid_between(&f->rms, at, atan2(p.z, sqrt(p.x * p.x + p.y * p.y)), atan2(p.y, p.x), 0, 0);
         } else
-            s = grid_between(&f->rms, at, lat, lon);
+            s = grid_between(&f->rms, at, lat, lon, at->turn0_rad, at->turn1_rad);
         if (s >= 0) out->sigma_tecu = s;
     }
     return ORR_OK;

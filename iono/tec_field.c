@@ -119,6 +119,17 @@ static orr_status check_maps(const orr_tec_maps *m, orr_diag *diag)
     return ORR_OK;
 }
 
+void tec_grid_finish(tec_grid *g)
+{
+    double last = g->lat0 + g->dlat * (double)(g->n_lat - 1), near = 80 * ORR_RAD_PER_DEG;
+    g->per_lat = 1 / g->dlat;
+    g->per_lon = 1 / g->dlon;
+    g->turn = 2 * ORR_PI / g->dlon;
+    g->per_turn = 1 / g->turn;
+    g->north_cap = fabs(g->lat0) >= near; // "north" is the first row, whichever pole it is at
+    g->south_cap = fabs(last) >= near;
+}
+
 static orr_status keep_grid(const orr_tec_maps *m, const double *value, tec_grid *g, orr_diag *diag)
 {
     size_t n = m->n_maps * m->n_lat * m->n_lon;
@@ -129,6 +140,7 @@ static orr_status keep_grid(const orr_tec_maps *m, const double *value, tec_grid
                     .lon0 = m->lon0_deg * ORR_RAD_PER_DEG,
                     .dlon = m->dlon_deg * ORR_RAD_PER_DEG};
     g->round = m->dlon_deg * (double)m->n_lon > 360 - 1e-6;
+    tec_grid_finish(g);
     g->value = malloc(n * sizeof *g->value);
     if (g->value == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for maps");
     for (size_t i = 0; i < n; i++) {
@@ -192,6 +204,7 @@ static orr_status grid_of_rms(orr_tec_field *f, orr_diag *diag)
                     .dlon = 2 * ORR_PI / COLS,
                     .round = true,
                     .sun_fixed = true};
+    tec_grid_finish(g);
     g->value = malloc(f->n * ROWS * COLS * sizeof *g->value);
     double *row = malloc(f->basis.n_coef * sizeof *row), *rms = malloc(f->basis.n_coef * sizeof *rms);
     if (g->value == NULL || row == NULL || rms == NULL) {

@@ -12,9 +12,11 @@ typedef enum tec_kind { TEC_HARMONICS, TEC_GRID, TEC_KLOBUCHAR } tec_kind;
 // Regular grid, [map][lat][lon], as floats (values have four digits at most).
 typedef struct tec_grid {
     size_t n_lat, n_lon;
-    double lat0, dlat, lon0, dlon; // rad
-    bool round;                    // goes all round in longitude
-    bool sun_fixed;                // axes are the sun-fixed geomagnetic ones (RMS of coefficients)
+    double lat0, dlat, lon0, dlon;           // rad
+    double per_lat, per_lon, turn, per_turn; // 1 / steps; columns all round, and their inverse
+    bool north_cap, south_cap;               // the first and last row stand for what is beyond them
+    bool round;                              // goes all round in longitude
+    bool sun_fixed;                          // axes are the sun-fixed geomagnetic ones (RMS of coefficients)
     bool holes;
     float *value;
 } tec_grid;
@@ -39,6 +41,9 @@ struct orr_tec_field {
     bool fitted;
     orr_tec_fit fit;
 };
+
+// Fills what follows from the steps.
+void tec_grid_finish(tec_grid *g);
 
 // Finds coefficients for every map, in the sun-fixed frame, into f->coef, and fills f->fit. f->t, sun, basis
 // and geomagnetic are set.

@@ -106,6 +106,7 @@ static orr_status get_grid(const orr_nc_reader *r, size_t n, const char *name, t
     g->dlon = v[3];
     g->sun_fixed = v[4] != 0;
     g->round = v[5] != 0;
+    tec_grid_finish(g);
     for (size_t i = 0; i < n * g->n_lat * g->n_lon; i++)
         if (isnan(g->value[i])) g->holes = true;
     return ORR_OK;
