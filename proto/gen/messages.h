@@ -313,4 +313,7 @@ typedef struct orr_msg_delays {
 orr_wire_status orr_msg_delays_encode(const orr_msg_delays *m, orr_wire_writer *w);
 orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_msg_delays *m);
 
+// All messages, for code that does the same with each.
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_delays) X(delays)
+
 #endif

@@ -149,7 +149,8 @@ class CWriter:
             name = f"{p}_{message.name}"
             out += [f"orr_wire_status {name}_encode(const {name} *m, orr_wire_writer *w);",
                     f"orr_wire_status {name}_decode(const uint8_t *payload, size_t size, {name} *m);", ""]
-        out.append("#endif")
+        names = " ".join(f"X({m.name})" for m in s.messages.values())
+        out += ["// All messages, for code that does the same with each.", f"#define {up}_EACH(X) {names}", "", "#endif"]
         return "\n".join(out) + "\n"
 
     def lists_before(self, struct, done):

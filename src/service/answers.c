@@ -107,8 +107,9 @@ static void fill(const orr_sat_state *s, orr_answer answer, orr_msg_sat_state *m
     m->reserved = 0;
     if (answer != ORR_ANSWER_OK) { // never a number where there is none
         m->flags = 0;
-        for (int k = 0; k < 3; k++) m->pos_m[k] = m->vel_mps[k] = m->acc_mps2[k] = NAN;
-        m->clock_s = m->clock_rate_sps = NAN;
+        const double none = (double)NAN;
+        for (int k = 0; k < 3; k++) m->pos_m[k] = m->vel_mps[k] = m->acc_mps2[k] = none;
+        m->clock_s = m->clock_rate_sps = none;
         m->sigma_m = NAN;
         m->valid_from = m->valid_to = ORR_TIME_NONE;
         return;

@@ -45,7 +45,7 @@ static inline uint16_t fake_answer(void *user, const orr_frame *request, uint32_
     f->answered++;
     orr_msg_poll poll;
     orr_msg_poll_decode(request->payload, request->size, &poll);
-    int64_t t = poll.t + index * poll.step;
+    int64_t t = (int64_t)((uint64_t)poll.t + index * (uint64_t)poll.step); // of anyone: may wrap
     if (t == 666) {
         snprintf(why->sentence, sizeof why->sentence, "broken at 666");
         return ORR_MSG_ERROR_CODE_INTERNAL;

@@ -250,12 +250,8 @@ static void random_bytes(void **state)
         size_t n = next_random(&x) % sizeof b;
         unsigned sparse = next_random(&x) % 8; // mostly zeros: small counts and lengths, which go deeper
         for (size_t i = 0; i < n; i++) b[i] = next_random(&x) % 8 < sparse ? 0 : (uint8_t)next_random(&x);
-        STABLE(hello);
-        STABLE(caps);
-        STABLE(ping);
-        STABLE(error);
-        STABLE(poll);
-        STABLE(states);
+#define ONE(name) STABLE(name);
+        ORR_MSG_EACH(ONE)
     }
     assert_true(decoded > 1000);
 }
