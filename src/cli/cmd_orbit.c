@@ -28,7 +28,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_INTERVAL,
      .value = "FROM/TO",
      .repeated = true,
-     .help = "do not use nodes of this interval, its ends included"},
+     .help = "do not use nodes from FROM on and before TO; of the same instant twice, that one"},
     {.name = "sat",
      .kind = ORR_OPT_SATS,
      .value = "LIST",
@@ -206,8 +206,11 @@ static orr_status make_options(const orr_cli *c, work *w, orr_smoother_options *
     o->n_exclude = orr_cli_count(c, "exclude");
     w->exclude = calloc(o->n_exclude + 1, sizeof *w->exclude);
     if (w->exclude == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for intervals");
-    for (size_t i = 0; i < o->n_exclude; i++)
-        orr_cli_interval_at(c, "exclude", i, &w->exclude[i].from, &w->exclude[i].to);
+    for (size_t i = 0; i < o->n_exclude; i++) {
+        orr_interval *x = &w->exclude[i];
+        orr_cli_interval_at(c, "exclude", i, &x->from, &x->to);
+        if (x->to == x->from) x->to++; // an interval holds its begin and not its end
+    }
     o->exclude = w->exclude;
     return ORR_OK;
 }
@@ -267,7 +270,7 @@ const orr_command orr_cmd_orbit = {
         "its inputs; "
         "'ncdump -h' shows how to evaluate it, 'orrery states' prints from it, 'orrery compare' judges it.",
     .example = "orrery orbit -o day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
-               "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T12:45 "
+               "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T13:00 "
                "day1.sp3 day2.sp3 day3.sp3",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
