@@ -4,7 +4,21 @@
 #include <ctype.h>
 #include <math.h>
 
-orr_view orr_rinex_label(orr_view line) { return orr_view_trim(orr_view_cols(line, 61, 20)); }
+// Columns are characters: names in UTF-8 push the label to the right. (A byte of Latin-1 is a column by itself.)
+static int bytes_more_than_columns(orr_view line)
+{
+    int more = 0;
+    for (size_t i = 1; i < line.n && i < (size_t)(60 + more); i++) {
+        unsigned char before = (unsigned char)line.p[i - 1], c = (unsigned char)line.p[i];
+        more += (c & 0xc0) == 0x80 && before >= 0x80;
+    }
+    return more;
+}
+
+orr_view orr_rinex_label(orr_view line)
+{
+    return orr_view_trim(orr_view_cols(line, 61 + bytes_more_than_columns(line), 20));
+}
 
 orr_status orr_rinex_first_line(const char *name, orr_view line, orr_rinex_first *out, orr_diag *diag)
 {
