@@ -110,6 +110,8 @@ static orr_status row(bias_reader *r, orr_view line, const char *obs1, const cha
     if (b.sat == ORR_SAT_NONE &&
         (b.station[0] == '\0' || b.system == '\0' || strchr(ORR_SYSTEMS, b.system) == NULL))
         return bias_leave_out(r, 1, "a bias of neither a satellite nor a station");
+    if (r->c.unterminated && line.n < 47) // a value at the very end of a file may be half of one
+        return bias_leave_out(r, (int)line.n, "the file ends inside a line");
     double v;
     if (orr_field_real(line, 27, 9, &v) != ORR_FIELD_OK)
         return bias_leave_out(r, 27, "the value of a bias is no number");

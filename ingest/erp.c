@@ -190,6 +190,9 @@ static orr_status read_row(erp_reader *r, orr_view line)
         has[k] = true;
     }
     bool more = orr_view_word(&rest, &word);
+    if (r->c.unterminated && n < r->n_columns) // its last number may be half of one
+        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 0,
+                                "the file ends inside a line: it is cut short");
     if (!has[C_MJD] || !has[C_X] || !has[C_Y] || !(has[C_UT1_UTC] || has[C_UT1_TAI]))
         return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "the line ends before the pole and UT1");
     if ((more || n < r->n_columns) && !r->other_count_said) {

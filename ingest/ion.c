@@ -18,7 +18,7 @@ typedef struct ion_reader {
     orr_warnings *warnings;
     orr_diag *diag;
     orr_read_limits limits;
-    size_t capacity_models, coefficients;
+    size_t capacity_models, coefficients, row_length;
     char title[81];
 } ion_reader;
 
@@ -285,6 +285,12 @@ static orr_status read_header(ion_reader *r, orr_ion_model *m)
 static orr_status read_row(ion_reader *r, orr_ion_model *m, orr_view line, size_t *capacity)
 {
     orr_ion_coefficient k = {.rms_tecu = NAN};
+    // Rows are of one length: a shorter one at the very end of a file may hold half a number.
+    size_t length = orr_view_rtrim(line).n;
+    if (r->c.unterminated && length < r->row_length)
+        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 0,
+                                "the file ends inside a row: it is cut short");
+    r->row_length = length;
     int64_t n, o;
     orr_view rest = line, word;
     static const char *const what[] = {"degree", "order", "value"};

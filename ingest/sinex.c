@@ -240,8 +240,9 @@ orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const o
     }
     if (s == ORR_OK) s = orr_cursor_status(&r.c, diag);
     if (s == ORR_OK && first) s = orr_cursor_error(&r.c, diag, ORR_E_KIND, 0, "the file is empty");
-    if (s == ORR_OK && inside && block != OTHER)
-        s = orr_cursor_error(&r.c, diag, ORR_E_FORMAT, 0, "the file ends inside a block: it is cut short");
+    if (s == ORR_OK && (inside || (!ended && out->n_estimates == 0)))
+        s = orr_cursor_error(&r.c, diag, ORR_E_FORMAT, 0,
+                             "the file ends inside a block or before its coordinates: it is cut short");
     if (s == ORR_OK && !ended) orr_cursor_warn(&r.c, warnings, 0, "the file ends without %%ENDSNX");
     if (s == ORR_OK) s = check(&r);
     if (s != ORR_OK) orr_sinex_free(out);

@@ -170,6 +170,19 @@ static void test_code_dcb(void **state)
     orr_bias_free(&x);
 }
 
+static void test_code_dcb_cut(void **state)
+{
+    (void)state;
+    size_t last = (size_t)(strstr(dcb, "G     ABPO") - dcb);
+    for (size_t n = last; n < last + 47; n++) { // inside the last line
+        orr_bias_set x;
+        orr_diag d = {0};
+        ASSERT_OK(orr_bias_parse("cut", dcb, n, NULL, &x, NULL, &d), d);
+        assert_int_equal(x.n, 2);
+        orr_bias_free(&x);
+    }
+}
+
 // The titles that CODE used through the years.
 static void test_dcb_periods(void **state)
 {
@@ -265,9 +278,10 @@ static void test_refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sinex),     cmocka_unit_test(test_one_bad_line),
-        cmocka_unit_test(test_code_dcb),  cmocka_unit_test(test_dcb_periods),
-        cmocka_unit_test(test_dcb_daily), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_sinex),       cmocka_unit_test(test_one_bad_line),
+        cmocka_unit_test(test_code_dcb),    cmocka_unit_test(test_code_dcb_cut),
+        cmocka_unit_test(test_dcb_periods), cmocka_unit_test(test_dcb_daily),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -183,11 +183,30 @@ static void test_refusals(void **state)
     assert_refused("version 2\ntitle\n", NULL, NULL, ORR_E_FORMAT, "no line of");
 }
 
+// Cut at any byte of its last line a file is refused, or has lost that line whole or only blanks of it.
+static void test_cut_short(void **state)
+{
+    (void)state;
+    size_t n = strlen(code), start = n - 1;
+    while (code[start - 1] != '\n') start--;
+    for (size_t k = start; k <= n; k++) {
+        orr_erp x;
+        orr_diag d = {0};
+        if (orr_erp_parse("cut", code, k, NULL, NULL, &x, NULL, &d) != ORR_OK) continue;
+        if (x.series.n == 2) ASSERT_NEAR(x.series.value[1].ut1_utc_s, -0.4948440, 1e-15);
+        orr_erp_free(&x);
+    }
+    orr_erp x;
+    orr_diag d = {0};
+    assert_int_equal(orr_erp_parse("cut", code, start + 30, NULL, NULL, &x, NULL, &d), ORR_E_FORMAT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_igs),     cmocka_unit_test(test_code),  cmocka_unit_test(test_ut1_tai),
-        cmocka_unit_test(test_several), cmocka_unit_test(test_merge), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_igs),       cmocka_unit_test(test_code),  cmocka_unit_test(test_ut1_tai),
+        cmocka_unit_test(test_several),   cmocka_unit_test(test_merge), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_cut_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -120,6 +120,7 @@ static void test_refusals(void **state)
     assert_refused("24:035:43200 m   ", "24:366:99999 m   ", ORR_E_FORMAT, "no date");
     assert_refused("24:035:43200 m   ", "24:035:43200 km  ", ORR_E_FORMAT, "not in m");
     assert_refused("UNE   0.0624", "ABC   0.0624", ORR_E_FORMAT, "neither UNE");
+    assert_refused(strstr(text, "+SOLUTION/ESTIMATE"), "", ORR_E_FORMAT, "before its coordinates");
     assert_refused("-SOLUTION/ESTIMATE\n%ENDSNX\n", "", ORR_E_FORMAT, "cut short");
 }
 
