@@ -62,7 +62,10 @@ static inline orr_field read_value(orr_view line, int col, double per_unit, int 
         return ORR_FIELD_OK;
     }
     *free = true;
-    return orr_view_real_e(orr_view_cols(line, col, 14), power, out);
+    orr_view field = orr_view_cols(line, col, 14);
+    for (size_t i = 0; i < field.n; i++)
+        if ((field.p[i] | 0x20) >= 'a') return ORR_FIELD_BAD; // an F field has no exponent
+    return orr_view_real_e(field, power, out);
 }
 
 // Whether all these columns are blank.
@@ -96,6 +99,8 @@ static void read_exponents(sp3_parser *p, orr_view line, float *xyz, float xyz_u
         case ORR_FIELD_OK:
             break;
         }
+        // Integers end in the last column of their field; a blank there is a digit that was lost.
+        if (orr_view_char(line, col + width - 1) == ' ') sp3_fault_note(p, SP3_BETWEEN);
         double base = i < 3 ? p->out->pos_vel_base : p->out->clock_base;
         if (!(base > 0)) sp3_fault_note(p, SP3_NO_BASE);
         float value = n < 0   ? base > 0 ? (float)pow(base, n) : NAN
@@ -168,7 +173,8 @@ static bool read_four(sp3_parser *p, orr_view line, double per_unit, int power, 
         free = false; // a missing position is missing however many noughts it has
     }
     orr_field f = read_value(line, 47, per_clock, clock_power, clock, &free_clock);
-    if (f == ORR_FIELD_BAD) {
+    // Numbers above the word for "none" would be clocks of a second and more: not of any satellite.
+    if (f == ORR_FIELD_BAD || (f == ORR_FIELD_OK && fabs(*clock) * per_clock >= 1e12)) {
         report_bad(p, 47, "the clock cannot be read");
         return false;
     }
@@ -237,7 +243,7 @@ static orr_status read_velocity(sp3_parser *p, orr_view line)
     r->clock_rate_sps = rate;
     r->flags |= SP3_SEEN_V;
     if (line.n > 60) read_exponents(p, line, r->vel_sdev_mps, 1e-7f, &r->clock_rate_sdev_sps, 1e-16f);
-    p->out->has_velocity = true;
+    p->out->has_velocity = p->seen_velocity = true;
     p->n_good++;
     p->last_sat = sat;
     p->last_is_velocity = true;

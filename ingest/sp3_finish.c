@@ -195,6 +195,32 @@ static void compare_with_header(sp3_parser *p)
                          (double)step / 1e9);
 }
 
+// Each epoch should have a line for each satellite of the list, with noughts where there is nothing to say.
+static void tell_holes(sp3_parser *p)
+{
+    const orr_sp3 *o = p->out;
+    size_t holes = 0, first_e = 0, first_s = 0, no_velocity = 0;
+    for (size_t e = 0; e < o->n_epochs; e++)
+        for (size_t s = 0; s < o->n_sats; s++) {
+            uint8_t flags = o->record[e * p->stride + s].flags;
+            if (o->has_velocity && (flags & (SP3_SEEN_P | SP3_SEEN_V)) == SP3_SEEN_P) no_velocity++;
+            if (o->n_records[s] == 0 || (flags & SP3_SEEN_P) != 0) continue;
+            if (holes++ == 0) {
+                first_e = e;
+                first_s = s;
+            }
+        }
+    char sat[ORR_SAT_TEXT], t[ORR_TIME_TEXT];
+    if (holes > 0)
+        orr_warnings_add(
+            p->warnings, p->c.name, 0, 0,
+            "%zu records are not there, of satellites that have others (%s at %s GPS time the first)", holes,
+            orr_sat_text(o->sat[first_s], sat), orr_time_text(o->epoch[first_e], t));
+    if (no_velocity > 0 && p->seen_velocity)
+        orr_warnings_add(p->warnings, p->c.name, 0, 0,
+                         "%zu positions have no velocity record, though others have", no_velocity);
+}
+
 // A clock of exactly nothing in all epochs is more often a missing one than a perfect one.
 static void tell_zero_clocks(sp3_parser *p)
 {
@@ -243,8 +269,9 @@ orr_status sp3_finish(sp3_parser *p)
             o->n_records[s] += (o->record[e * p->stride + s].flags & SP3_SEEN_P) != 0;
     tell_faults(p);
     compare_with_header(p);
+    tell_holes(p);
     tell_zero_clocks(p);
-    bool velocity = false;
+    bool velocity = p->seen_velocity;
     for (size_t i = 0; i < o->n_epochs * p->stride; i++) {
         velocity = velocity || (o->record[i].flags & SP3_SEEN_V) != 0;
         o->record[i].flags &= (uint8_t) ~(SP3_SEEN_P | SP3_SEEN_V);

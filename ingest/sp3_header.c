@@ -115,6 +115,14 @@ bool sp3_is_sat_like(const char three[3])
            three[2] <= '9';
 }
 
+// The lists end at column 60; something behind it belongs to another line whose beginning was lost.
+static void check_list_end(sp3_parser *p, orr_view line)
+{
+    if (!orr_view_is_blank(orr_view_cols(line, 61, 1 << 20)))
+        orr_cursor_warn(&p->c, p->warnings, 61,
+                        "this list ends at column 60; what stands behind it is not read");
+}
+
 static bool is_filler(orr_view id)
 {
     for (size_t i = 0; i < id.n; i++)
@@ -132,6 +140,7 @@ static orr_status read_satellites(sp3_parser *p, orr_view line)
             orr_cursor_warn(&p->c, p->warnings, 3, "the header's number of satellites cannot be read");
         }
     }
+    check_list_end(p, line);
     for (int i = 0; i < 17; i++) {
         int col = 10 + 3 * i;
         orr_view id = orr_view_cols(line, col, 3);
@@ -173,9 +182,11 @@ static orr_status read_satellites(sp3_parser *p, orr_view line)
 // "++         7  6  5": an accuracy exponent for each place of the list of satellites.
 static orr_status read_accuracies(sp3_parser *p, orr_view line)
 {
+    check_list_end(p, line);
     for (int i = 0; i < 17; i++, p->n_accuracies++) {
         int exponent = 0, col = 10 + 3 * i;
         orr_field f = orr_field_int_in(line, col, 3, 0, 255, &exponent);
+        if (f == ORR_FIELD_OK && orr_view_char(line, col + 2) == ' ') f = ORR_FIELD_BAD; // shifted
         if (f == ORR_FIELD_BAD)
             orr_cursor_warn(&p->c, p->warnings, col, "this accuracy cannot be read; taken as unknown");
         if (f != ORR_FIELD_OK || exponent == 0) continue;

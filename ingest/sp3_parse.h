@@ -51,7 +51,7 @@ typedef struct sp3_parser {
     // Where we are.
     orr_sp3_record *row; // of the epoch now, NULL before the first and after a line that cannot be read
     ptrdiff_t last_sat;  // of the record before, for EP and EV; -1 for none
-    bool last_is_velocity;
+    bool last_is_velocity, seen_velocity;
     bool ended;                 // EOF was seen
     bool has_style, in_columns; // of the first record: its numbers stand as F14.6 has them
     size_t n_good, n_bad;       // records

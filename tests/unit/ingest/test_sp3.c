@@ -407,13 +407,16 @@ static void test_shifted_columns(void **state)
         {"PG01  12345.67890 -20000.000001    100.500000      1.000000", "not in their columns", false},
         {"PG01   12345.678901 -20000.000001    100.500000      1.000000", "cannot be read", false},
         {"PG01  12345.678901 -20000.000001    100.500000      1.00000", "not in their columns", false},
-        {"PG01  12345.678901 -20000.000001    100.500000      1.000000 1  18 18 219", "", true},
+        {"PG01  12345.678901 -20000.000001    100.500000      1.000000 1  18 18 219", "between the fields",
+         true},
         {"PG01  12345.678901 -20000.000001    100.500000      1.000000 18 18 18219", "between the fields",
          true},
         {"PG01  12345.678901 -20000.000001    100.500000      1.000000 18 18 18 219EP", "between the fields",
          true},
         {"PG01  12345.678901 -20000.000001    100.500000      1.000000 18 18 18 219    M",
          "between the fields", true},
+        {"PG01  12345.678901 -20000.000001    100.500000    21.999E99", "clock cannot be read", false},
+        {"PG01  12345.678901 -20000.000001    100.500000 9999999.999999", "clock cannot be read", false},
         {"PG01      0.00000       0.000000      0.000000 999999.", "", false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -429,6 +432,16 @@ static void test_shifted_columns(void **state)
         if (read != cases[i].read || !told) fail_msg("%s: %s", cases[i].line, read ? "read" : "left out");
         done(&t);
     }
+    // A line that is lost altogether.
+    sp3_text hole = {0};
+    sp3_add_header(&hole, "#dV", "GPS", 2, "G01");
+    sp3_add_epoch_line(&hole, 0, 0, 0);
+    sp3_add(&hole, "PG01" POS "\n");
+    sp3_add_epoch_line(&hole, 0, 15, 0);
+    sp3_add(&hole, "VG01" POS "\nEOF\n");
+    ASSERT_OK(parse(&hole), diag);
+    assert_true(warned("1 records are not there") && warned("1 positions have no velocity"));
+    done(&hole);
     // The same in an epoch line: 12 must not become 2.
     sp3_text t = {0};
     sp3_add_header(&t, "#dP", "GPS", 2, "G01");
