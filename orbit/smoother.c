@@ -166,14 +166,15 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
 static orr_status describe_sources(const orr_smoother_input *input, size_t n, const orr_smoother_options *o,
                                    const orr_node_table *table, orr_orbit_solution *out)
 {
-    out->source = calloc(n, sizeof *out->source);
+    out->source = calloc(n + o->n_also, sizeof *out->source);
     out->sat = calloc(table->n_sats + 1, sizeof *out->sat);
     if (out->source == NULL || out->sat == NULL) return ORR_E_MEMORY;
     for (size_t i = 0; i < n; i++) {
         snprintf(out->source[i].name, sizeof out->source[i].name, "%s", input[i].name);
         snprintf(out->source[i].sha256, sizeof out->source[i].sha256, "%s", input[i].sha256);
     }
-    out->n_sources = n;
+    for (size_t i = 0; i < o->n_also; i++) out->source[n + i] = o->also[i];
+    out->n_sources = n + o->n_also;
     out->node_step_s = table->step_s;
     out->clock_max_gap_s = CLOCK_GAP_STEPS * table->clock_step_s;
     out->from = table->from;

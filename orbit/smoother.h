@@ -47,6 +47,10 @@ typedef struct orr_smoother_options {
                         // any; NULL: variant B, from the nodes alone
     bool bridge; // with nav: hours without nodes are bridged at broadcast quality, flagged as predicted
     orr_time extend_to; // with bridge: how far beyond the last node; ORR_TIME_NONE: not
+    // provenance: files that the options came from (ERP, navigation); they follow the inputs in the
+    // solution's sources
+    const orr_orbit_source *also;
+    size_t n_also;
     // working
     int passes;    // linearisations: 0 until converged (at most 8), else exactly so many
     bool detect;   // outliers and manoeuvres by innovation (flags are always heeded)

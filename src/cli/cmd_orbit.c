@@ -28,7 +28,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_INTERVAL,
      .value = "FROM/TO",
      .repeated = true,
-     .help = "do not use nodes from FROM on and before TO; of the same instant twice, that one"},
+     .help = "do not use nodes from FROM on and before TO; where the two are the same, that instant's"},
     {.name = "sat",
      .kind = ORR_OPT_SATS,
      .value = "LIST",
@@ -38,6 +38,18 @@ static const orr_option options[] = {
      .value = "FILE",
      .repeated = true,
      .help = "Earth rotation parameters; without them IERS' secular pole and UT1 = UTC"},
+    {.name = "nav",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .repeated = true,
+     .help = "RINEX navigation file: the a-priori orbit comes from broadcast ephemerides (variant A)"},
+    {.name = "bridge",
+     .kind = ORR_OPT_FLAG,
+     .help = "with --nav: bridge hours without nodes at broadcast quality, flagged as predicted"},
+    {.name = "extend-to",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "with --bridge: go on beyond the last node up to T"},
     {.name = "max-gap",
      .kind = ORR_OPT_DURATION,
      .value = "S",
@@ -114,6 +126,11 @@ typedef struct work {
     orr_erp *erp;
     size_t n_erp;
     orr_eop_series eop;
+    orr_nav *nav;
+    size_t n_nav;
+    orr_nav all_nav;
+    orr_orbit_source *also; // provenance of the two kinds above
+    size_t n_also;
     orr_interval *exclude;
     orr_orbit_solution solution;
     orr_smoother_report report;
@@ -135,6 +152,10 @@ static void work_free(work *w)
     free(w->sp3);
     free(w->input);
     free(w->erp);
+    for (size_t i = 0; i < w->n_nav && w->nav != NULL; i++) orr_nav_free(&w->nav[i]);
+    orr_nav_free(&w->all_nav);
+    free(w->nav);
+    free(w->also);
     free(w->exclude);
     orr_erp_series_free(&w->eop);
     orr_orbit_solution_free(&w->solution);
@@ -161,18 +182,37 @@ static orr_status read_inputs(const orr_cli *c, work *w, orr_warnings *warnings,
     return s;
 }
 
-static orr_status read_erps(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
+static orr_status note_source(work *w, const char *path, orr_diag *diag)
 {
-    size_t n = orr_cli_count(c, "erp");
-    if (n == 0) return ORR_OK;
-    w->erp = calloc(n, sizeof *w->erp);
-    if (w->erp == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n);
-    for (; w->n_erp < n; w->n_erp++) {
-        orr_status s =
-            orr_erp_read(orr_cli_text_at(c, "erp", w->n_erp), NULL, NULL, &w->erp[w->n_erp], warnings, diag);
-        if (s != ORR_OK) return s;
+    const char *slash = strrchr(path, '/');
+    orr_orbit_source *s = &w->also[w->n_also++];
+    snprintf(s->name, sizeof s->name, "%s", slash != NULL ? slash + 1 : path);
+    return orr_sha256_file(path, s->sha256, diag);
+}
+
+// Earth rotation and navigation files: what the options are made of.
+static orr_status read_others(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
+{
+    size_t n_erp = orr_cli_count(c, "erp"), n_nav = orr_cli_count(c, "nav");
+    w->erp = calloc(n_erp + 1, sizeof *w->erp);
+    w->nav = calloc(n_nav + 1, sizeof *w->nav);
+    w->also = calloc(n_erp + n_nav + 1, sizeof *w->also);
+    if (w->erp == NULL || w->nav == NULL || w->also == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n_erp + n_nav);
+    orr_status s = ORR_OK;
+    for (; w->n_erp < n_erp && s == ORR_OK; w->n_erp++) {
+        const char *path = orr_cli_text_at(c, "erp", w->n_erp);
+        s = orr_erp_read(path, NULL, NULL, &w->erp[w->n_erp], warnings, diag);
+        if (s == ORR_OK) s = note_source(w, path, diag);
     }
-    return orr_erp_merge(w->erp, n, &w->eop, diag);
+    for (; w->n_nav < n_nav && s == ORR_OK; w->n_nav++) {
+        const char *path = orr_cli_text_at(c, "nav", w->n_nav);
+        s = orr_nav_read(path, NULL, &w->nav[w->n_nav], warnings, diag);
+        if (s == ORR_OK) s = note_source(w, path, diag);
+    }
+    if (s == ORR_OK && n_erp > 0) s = orr_erp_merge(w->erp, n_erp, &w->eop, diag);
+    if (s == ORR_OK && n_nav > 0) s = orr_nav_merge_eph(w->nav, n_nav, &w->all_nav, diag);
+    return s;
 }
 
 static bool says(const orr_cli *c, const char *option, const char *word, bool otherwise)
@@ -201,6 +241,13 @@ static orr_status make_options(const orr_cli *c, work *w, orr_smoother_options *
     o->max_gap_s = (double)orr_cli_duration_ns(c, "max-gap", (int64_t)(o->max_gap_s * 1e9)) * 1e-9;
     o->sats = orr_cli_sats(c, "sat");
     o->eop = w->eop.n > 0 ? &w->eop : NULL;
+    o->nav = w->n_nav > 0 ? &w->all_nav : NULL;
+    o->bridge = orr_cli_given(c, "bridge");
+    o->extend_to = orr_cli_time(c, "extend-to", ORR_TIME_NONE);
+    if (orr_cli_given(c, "extend-to") && !o->bridge)
+        return orr_diag_set(diag, ORR_E_ARG, "--extend-to goes with --bridge");
+    o->also = w->also;
+    o->n_also = w->n_also;
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
     o->jobs = (int)orr_cli_int(c, "jobs", cores > 1 ? cores : 1);
     o->n_exclude = orr_cli_count(c, "exclude");
@@ -244,7 +291,7 @@ static int run(orr_cli *c)
     orr_smoother_options o;
     double t0 = now_s();
     orr_status s = read_inputs(c, &w, &warnings, &diag);
-    if (s == ORR_OK) s = read_erps(c, &w, &warnings, &diag);
+    if (s == ORR_OK) s = read_others(c, &w, &warnings, &diag);
     w.seconds.read = now_s() - t0;
     if (s == ORR_OK) s = make_options(c, &w, &o, &diag);
     if (s == ORR_OK) s = smooth_and_write(c, &w, &o, &warnings, &diag);

@@ -86,7 +86,7 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
                     residual_mm(&t), t.rejected, t.manoeuvres, t.gaps, t.eclipses);
     }
     joints j = tally_joints(s);
-    if (j.n > 0)
+    if (j.n > 0 && j.worst != ORR_SAT_NONE)
         orr_cli_say(c, "days join %zu times: the files differ there by %.1f mm RMS, %.1f mm at most (%s)",
                     j.n, 1e3 * j.rms_m, 1e3 * j.max_m, orr_sat_text(j.worst, name));
     orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s",

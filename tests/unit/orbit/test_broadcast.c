@@ -271,6 +271,22 @@ static void group_delays_follow_the_message(void **state)
     assert_int_equal(orr_broadcast_group_delay(&e, "5", &d), ORR_E_ARG);
 }
 
+// Two stations' files: what both recorded is one record, order is by satellite and toe.
+static void files_merge_into_one(void **state)
+{
+    (void)state;
+    orr_nav_eph a[2] = {made("G05", ORR_NAV_LNAV), made("G07", ORR_NAV_LNAV)};
+    orr_nav_eph b[2] = {made("G05", ORR_NAV_LNAV), made("G05", ORR_NAV_LNAV)};
+    b[1].toe = orr_time_add_s(b[1].toe, 7200);
+    orr_nav in[2] = {{.n_eph = 2, .eph = a}, {.n_eph = 2, .eph = b}}, out;
+    orr_diag d = {0};
+    ASSERT_OK(orr_nav_merge_eph(in, 2, &out, &d), d);
+    assert_int_equal(out.n_eph, 3);
+    assert_true(out.eph[0].sat == a[0].sat && out.eph[1].sat == a[0].sat && out.eph[2].sat == a[1].sat);
+    assert_true(out.eph[0].toe < out.eph[1].toe);
+    orr_nav_free(&out);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -284,6 +300,7 @@ int main(void)
         cmocka_unit_test(week_ends_do_not_show),
         cmocka_unit_test(pz90_realisations_change_on_their_days),
         cmocka_unit_test(group_delays_follow_the_message),
+        cmocka_unit_test(files_merge_into_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
