@@ -33,9 +33,12 @@ __attribute__((target("pclmul,sse2"))) static size_t fold_bulk(uint32_t *crc, co
         d = fold_by(d, far, _mm_loadu_si128(p + 3));
     }
     a = fold_by(fold_by(fold_by(a, near, b), near, c), near, d);
+    size_t done = 64 * blocks;
+    for (; n - done >= 16; done += 16)
+        a = fold_by(a, near, _mm_loadu_si128((const __m128i *)(const void *)(data + done)));
     _mm_storeu_si128((__m128i *)(void *)rest, a);
     *crc = 0;
-    return 64 * blocks;
+    return done;
 }
 #endif
 
