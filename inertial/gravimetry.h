@@ -6,6 +6,10 @@
 
 #include "inertial/navigator.h"
 
+// Gravity terms of one instant, in the units of the struct below.
+void orr_gravity_terms(const orr_gravity *g, const orr_motion *m, double *disturbance_mgal,
+                       double *eotvos_mgal, double *vertical_mps2);
+
 // Truth at every `every`-th sample edge of a run.
 typedef struct orr_gravimetry {
     size_t n, every;

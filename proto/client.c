@@ -126,6 +126,38 @@ orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *delays)
     return s == ORR_WIRE_OK ? orr_msg_delays_decode(f.payload, f.size, delays) : s;
 }
 
+orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *poll)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_IMU, &w, &start);
+    orr_msg_poll_imu_encode(poll, &w);
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *imu)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_IMU, &f);
+    return s == ORR_WIRE_OK ? orr_msg_imu_decode(f.payload, f.size, imu) : s;
+}
+
+orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *poll)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_TRUTH, &w, &start);
+    orr_msg_poll_truth_encode(poll, &w);
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *truth)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_TRUTH, &f);
+    return s == ORR_WIRE_OK ? orr_msg_truth_decode(f.payload, f.size, truth) : s;
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states)
 {
     orr_frame f;

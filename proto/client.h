@@ -57,6 +57,11 @@ orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states);
 // NAN, NAN asks for the scenario's own receiver.
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll);
 orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *delays);
+// The same of inertial increments and of the true motion.
+orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *poll);
+orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *imu);
+orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *poll);
+orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *truth);
 
 // What the above are made of, for the other messages: begin, encode into *w, send; then wait for the next
 // frame of a type.

@@ -15,6 +15,10 @@ const char *orr_msg_type_name(uint16_t type)
     case 7: return "STATES";
     case 12: return "POLL_DELAYS";
     case 13: return "DELAYS";
+    case 16: return "POLL_IMU";
+    case 17: return "IMU";
+    case 18: return "POLL_TRUTH";
+    case 19: return "TRUTH";
     default: return NULL;
     }
 }
@@ -825,5 +829,221 @@ orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_m
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_delays(&r, m);
+    return r.status;
+}
+
+static void put_poll_imu(orr_wire_writer *w, const orr_msg_poll_imu *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 22);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->count);
+    orr_wire_store_u16(p + 20, m->unit);
+}
+
+static void get_poll_imu(orr_wire_reader *r, orr_msg_poll_imu *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 22);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+    m->count = orr_wire_load_u32(p + 16);
+    m->unit = orr_wire_load_u16(p + 20);
+}
+
+orr_wire_status orr_msg_poll_imu_encode(const orr_msg_poll_imu *m, orr_wire_writer *w)
+{
+    put_poll_imu(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_imu_decode(const uint8_t *payload, size_t size, orr_msg_poll_imu *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll_imu(&r, m);
+    return r.status;
+}
+
+static void put_imu(orr_wire_writer *w, const orr_msg_imu *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 76);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t0);
+    orr_wire_store_i64(p + 8, m->t1);
+    orr_wire_store_u32(p + 16, m->index);
+    orr_wire_store_u32(p + 20, m->count);
+    orr_wire_store_u16(p + 24, m->unit);
+    orr_wire_store_u8(p + 26, m->answer);
+    orr_wire_store_u8(p + 27, m->reserved);
+    orr_wire_store_f64(p + 28, m->dtheta_rad[0]);
+    orr_wire_store_f64(p + 36, m->dtheta_rad[1]);
+    orr_wire_store_f64(p + 44, m->dtheta_rad[2]);
+    orr_wire_store_f64(p + 52, m->dv_mps[0]);
+    orr_wire_store_f64(p + 60, m->dv_mps[1]);
+    orr_wire_store_f64(p + 68, m->dv_mps[2]);
+}
+
+static void get_imu(orr_wire_reader *r, orr_msg_imu *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 76);
+    if (p == NULL) return;
+    m->t0 = orr_wire_load_i64(p + 0);
+    m->t1 = orr_wire_load_i64(p + 8);
+    m->index = orr_wire_load_u32(p + 16);
+    m->count = orr_wire_load_u32(p + 20);
+    m->unit = orr_wire_load_u16(p + 24);
+    m->answer = orr_wire_load_u8(p + 26);
+    m->reserved = orr_wire_load_u8(p + 27);
+    m->dtheta_rad[0] = orr_wire_load_f64(p + 28);
+    m->dtheta_rad[1] = orr_wire_load_f64(p + 36);
+    m->dtheta_rad[2] = orr_wire_load_f64(p + 44);
+    m->dv_mps[0] = orr_wire_load_f64(p + 52);
+    m->dv_mps[1] = orr_wire_load_f64(p + 60);
+    m->dv_mps[2] = orr_wire_load_f64(p + 68);
+}
+
+orr_wire_status orr_msg_imu_encode(const orr_msg_imu *m, orr_wire_writer *w)
+{
+    put_imu(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_imu_decode(const uint8_t *payload, size_t size, orr_msg_imu *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_imu(&r, m);
+    return r.status;
+}
+
+static void put_poll_truth(orr_wire_writer *w, const orr_msg_poll_truth *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 22);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->count);
+    orr_wire_store_u16(p + 20, m->unit);
+}
+
+static void get_poll_truth(orr_wire_reader *r, orr_msg_poll_truth *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 22);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+    m->count = orr_wire_load_u32(p + 16);
+    m->unit = orr_wire_load_u16(p + 20);
+}
+
+orr_wire_status orr_msg_poll_truth_encode(const orr_msg_poll_truth *m, orr_wire_writer *w)
+{
+    put_poll_truth(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_truth_decode(const uint8_t *payload, size_t size, orr_msg_poll_truth *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll_truth(&r, m);
+    return r.status;
+}
+
+static void put_truth(orr_wire_writer *w, const orr_msg_truth *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 220);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u32(p + 8, m->index);
+    orr_wire_store_u32(p + 12, m->count);
+    orr_wire_store_u16(p + 16, m->unit);
+    orr_wire_store_u8(p + 18, m->answer);
+    orr_wire_store_u8(p + 19, m->reserved);
+    orr_wire_store_f64(p + 20, m->pos_m[0]);
+    orr_wire_store_f64(p + 28, m->pos_m[1]);
+    orr_wire_store_f64(p + 36, m->pos_m[2]);
+    orr_wire_store_f64(p + 44, m->vel_mps[0]);
+    orr_wire_store_f64(p + 52, m->vel_mps[1]);
+    orr_wire_store_f64(p + 60, m->vel_mps[2]);
+    orr_wire_store_f64(p + 68, m->acc_mps2[0]);
+    orr_wire_store_f64(p + 76, m->acc_mps2[1]);
+    orr_wire_store_f64(p + 84, m->acc_mps2[2]);
+    orr_wire_store_f64(p + 92, m->attitude[0]);
+    orr_wire_store_f64(p + 100, m->attitude[1]);
+    orr_wire_store_f64(p + 108, m->attitude[2]);
+    orr_wire_store_f64(p + 116, m->attitude[3]);
+    orr_wire_store_f64(p + 124, m->heading_rad);
+    orr_wire_store_f64(p + 132, m->pitch_rad);
+    orr_wire_store_f64(p + 140, m->roll_rad);
+    orr_wire_store_f64(p + 148, m->rate_radps[0]);
+    orr_wire_store_f64(p + 156, m->rate_radps[1]);
+    orr_wire_store_f64(p + 164, m->rate_radps[2]);
+    orr_wire_store_f64(p + 172, m->force_mps2[0]);
+    orr_wire_store_f64(p + 180, m->force_mps2[1]);
+    orr_wire_store_f64(p + 188, m->force_mps2[2]);
+    orr_wire_store_f64(p + 196, m->disturbance_mgal);
+    orr_wire_store_f64(p + 204, m->eotvos_mgal);
+    orr_wire_store_f64(p + 212, m->vertical_mps2);
+}
+
+static void get_truth(orr_wire_reader *r, orr_msg_truth *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 220);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->index = orr_wire_load_u32(p + 8);
+    m->count = orr_wire_load_u32(p + 12);
+    m->unit = orr_wire_load_u16(p + 16);
+    m->answer = orr_wire_load_u8(p + 18);
+    m->reserved = orr_wire_load_u8(p + 19);
+    m->pos_m[0] = orr_wire_load_f64(p + 20);
+    m->pos_m[1] = orr_wire_load_f64(p + 28);
+    m->pos_m[2] = orr_wire_load_f64(p + 36);
+    m->vel_mps[0] = orr_wire_load_f64(p + 44);
+    m->vel_mps[1] = orr_wire_load_f64(p + 52);
+    m->vel_mps[2] = orr_wire_load_f64(p + 60);
+    m->acc_mps2[0] = orr_wire_load_f64(p + 68);
+    m->acc_mps2[1] = orr_wire_load_f64(p + 76);
+    m->acc_mps2[2] = orr_wire_load_f64(p + 84);
+    m->attitude[0] = orr_wire_load_f64(p + 92);
+    m->attitude[1] = orr_wire_load_f64(p + 100);
+    m->attitude[2] = orr_wire_load_f64(p + 108);
+    m->attitude[3] = orr_wire_load_f64(p + 116);
+    m->heading_rad = orr_wire_load_f64(p + 124);
+    m->pitch_rad = orr_wire_load_f64(p + 132);
+    m->roll_rad = orr_wire_load_f64(p + 140);
+    m->rate_radps[0] = orr_wire_load_f64(p + 148);
+    m->rate_radps[1] = orr_wire_load_f64(p + 156);
+    m->rate_radps[2] = orr_wire_load_f64(p + 164);
+    m->force_mps2[0] = orr_wire_load_f64(p + 172);
+    m->force_mps2[1] = orr_wire_load_f64(p + 180);
+    m->force_mps2[2] = orr_wire_load_f64(p + 188);
+    m->disturbance_mgal = orr_wire_load_f64(p + 196);
+    m->eotvos_mgal = orr_wire_load_f64(p + 204);
+    m->vertical_mps2 = orr_wire_load_f64(p + 212);
+}
+
+orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w)
+{
+    put_truth(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_truth(&r, m);
     return r.status;
 }

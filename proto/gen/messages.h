@@ -32,6 +32,10 @@ enum { // message types
     ORR_MSG_TYPE_STATES = 7,
     ORR_MSG_TYPE_POLL_DELAYS = 12,
     ORR_MSG_TYPE_DELAYS = 13,
+    ORR_MSG_TYPE_POLL_IMU = 16,
+    ORR_MSG_TYPE_IMU = 17,
+    ORR_MSG_TYPE_POLL_TRUTH = 18,
+    ORR_MSG_TYPE_TRUTH = 19,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -313,7 +317,78 @@ typedef struct orr_msg_delays {
 orr_wire_status orr_msg_delays_encode(const orr_msg_delays *m, orr_wire_writer *w);
 orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_msg_delays *m);
 
+// Asks for ideal inertial increments over [t, t + step], [t + step, t + 2 step], ... count of them. The same POLL_IMU gets the same bytes, always.
+typedef struct orr_msg_poll_imu {
+    int64_t t; // [ns] begin of the first interval
+    int64_t step; // [ns] length of an interval; 0 for that of the scenario's imu.rate
+    uint32_t count; // intervals, 1 to MAX_EPOCHS
+    uint16_t unit; // which inertial unit of the scenario; 0 is the trajectory's own point
+} orr_msg_poll_imu;
+#define ORR_MSG_POLL_IMU_SIZE 22u
+#define ORR_MSG_POLL_IMU_LARGEST 22u
+
+orr_wire_status orr_msg_poll_imu_encode(const orr_msg_poll_imu *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_imu_decode(const uint8_t *payload, size_t size, orr_msg_poll_imu *m);
+
+// Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). A POLL_IMU is answered by count of these.
+typedef struct orr_msg_imu {
+    int64_t t0; // [ns] begin of the interval
+    int64_t t1; // [ns] its end
+    uint32_t index; // which interval, from 0
+    uint32_t count; // how many intervals were asked for
+    uint16_t unit; // the unit asked for
+    uint8_t answer; // OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    uint8_t reserved; // 0
+    double dtheta_rad[3]; // integral of the absolute angular rate
+    double dv_mps[3]; // [m/s] integral of the specific force; at rest +g upward
+} orr_msg_imu;
+#define ORR_MSG_IMU_SIZE 76u
+#define ORR_MSG_IMU_LARGEST 76u
+
+orr_wire_status orr_msg_imu_encode(const orr_msg_imu *m, orr_wire_writer *w);
+orr_wire_status orr_msg_imu_decode(const uint8_t *payload, size_t size, orr_msg_imu *m);
+
+// Asks for the true motion of an inertial unit at t, t + step, ..., t + (count - 1) step. The same POLL_TRUTH gets the same bytes, always.
+typedef struct orr_msg_poll_truth {
+    int64_t t; // [ns] first epoch
+    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
+    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    uint16_t unit; // which inertial unit of the scenario; 0 is the trajectory's own point
+} orr_msg_poll_truth;
+#define ORR_MSG_POLL_TRUTH_SIZE 22u
+#define ORR_MSG_POLL_TRUTH_LARGEST 22u
+
+orr_wire_status orr_msg_poll_truth_encode(const orr_msg_poll_truth *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_truth_decode(const uint8_t *payload, size_t size, orr_msg_poll_truth *m);
+
+// True motion and gravity at one epoch. A POLL_TRUTH is answered by count of these.
+typedef struct orr_msg_truth {
+    int64_t t; // [ns] the epoch
+    uint32_t index; // which epoch, from 0
+    uint32_t count; // how many epochs were asked for
+    uint16_t unit; // the unit asked for
+    uint8_t answer; // OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    uint8_t reserved; // 0
+    double pos_m[3]; // position (ecef)
+    double vel_mps[3]; // [m/s] velocity relative to the Earth (ecef)
+    double acc_mps2[3]; // [m/s2] second derivative of the position (ecef)
+    double attitude[4]; // quaternion w x y z of body from ecef: v_body = conj(q) v_ecef q
+    double heading_rad; // clockwise from true North, 0 to 2 pi
+    double pitch_rad; // nose up
+    double roll_rad; // right wing down
+    double rate_radps[3]; // [rad/s] absolute angular rate, body axes
+    double force_mps2[3]; // [m/s2] specific force, body axes
+    double disturbance_mgal; // [mGal] gravity disturbance, stronger gravity positive
+    double eotvos_mgal; // [mGal] Eotvoes term: what the motion takes off the weight
+    double vertical_mps2; // [m/s2] rate of the vertical velocity over the ellipsoid
+} orr_msg_truth;
+#define ORR_MSG_TRUTH_SIZE 220u
+#define ORR_MSG_TRUTH_LARGEST 220u
+
+orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w);
+orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m);
+
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_delays) X(delays)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
 
 #endif

@@ -55,6 +55,10 @@ local types = {
   [7] = "STATES",
   [12] = "POLL_DELAYS",
   [13] = "DELAYS",
+  [16] = "POLL_IMU",
+  [17] = "IMU",
+  [18] = "POLL_TRUTH",
+  [19] = "TRUTH",
 }
 local enum_error_code = {
   [1] = "BAD_MAGIC",
@@ -150,6 +154,41 @@ f.delays_count = ProtoField.uint32("orrery.delays.count", "count")
 f.delays_answer = ProtoField.uint8("orrery.delays.answer", "answer", base.DEC, enum_answer)
 f.delays_receiver_m = ProtoField.double("orrery.delays.receiver_m", "receiver_m")
 f.delays_carriers_hz = ProtoField.double("orrery.delays.carriers_hz", "carriers_hz [Hz]")
+f.poll_imu_t = ProtoField.int64("orrery.poll_imu.t", "t [ns]")
+f.poll_imu_step = ProtoField.int64("orrery.poll_imu.step", "step [ns]")
+f.poll_imu_count = ProtoField.uint32("orrery.poll_imu.count", "count")
+f.poll_imu_unit = ProtoField.uint16("orrery.poll_imu.unit", "unit")
+f.imu_t0 = ProtoField.int64("orrery.imu.t0", "t0 [ns]")
+f.imu_t1 = ProtoField.int64("orrery.imu.t1", "t1 [ns]")
+f.imu_index = ProtoField.uint32("orrery.imu.index", "index")
+f.imu_count = ProtoField.uint32("orrery.imu.count", "count")
+f.imu_unit = ProtoField.uint16("orrery.imu.unit", "unit")
+f.imu_answer = ProtoField.uint8("orrery.imu.answer", "answer", base.DEC, enum_answer)
+f.imu_reserved = ProtoField.uint8("orrery.imu.reserved", "reserved")
+f.imu_dtheta_rad = ProtoField.double("orrery.imu.dtheta_rad", "dtheta_rad")
+f.imu_dv_mps = ProtoField.double("orrery.imu.dv_mps", "dv_mps [m/s]")
+f.poll_truth_t = ProtoField.int64("orrery.poll_truth.t", "t [ns]")
+f.poll_truth_step = ProtoField.int64("orrery.poll_truth.step", "step [ns]")
+f.poll_truth_count = ProtoField.uint32("orrery.poll_truth.count", "count")
+f.poll_truth_unit = ProtoField.uint16("orrery.poll_truth.unit", "unit")
+f.truth_t = ProtoField.int64("orrery.truth.t", "t [ns]")
+f.truth_index = ProtoField.uint32("orrery.truth.index", "index")
+f.truth_count = ProtoField.uint32("orrery.truth.count", "count")
+f.truth_unit = ProtoField.uint16("orrery.truth.unit", "unit")
+f.truth_answer = ProtoField.uint8("orrery.truth.answer", "answer", base.DEC, enum_answer)
+f.truth_reserved = ProtoField.uint8("orrery.truth.reserved", "reserved")
+f.truth_pos_m = ProtoField.double("orrery.truth.pos_m", "pos_m")
+f.truth_vel_mps = ProtoField.double("orrery.truth.vel_mps", "vel_mps [m/s]")
+f.truth_acc_mps2 = ProtoField.double("orrery.truth.acc_mps2", "acc_mps2 [m/s2]")
+f.truth_attitude = ProtoField.double("orrery.truth.attitude", "attitude")
+f.truth_heading_rad = ProtoField.double("orrery.truth.heading_rad", "heading_rad")
+f.truth_pitch_rad = ProtoField.double("orrery.truth.pitch_rad", "pitch_rad")
+f.truth_roll_rad = ProtoField.double("orrery.truth.roll_rad", "roll_rad")
+f.truth_rate_radps = ProtoField.double("orrery.truth.rate_radps", "rate_radps [rad/s]")
+f.truth_force_mps2 = ProtoField.double("orrery.truth.force_mps2", "force_mps2 [m/s2]")
+f.truth_disturbance_mgal = ProtoField.double("orrery.truth.disturbance_mgal", "disturbance_mgal [mGal]")
+f.truth_eotvos_mgal = ProtoField.double("orrery.truth.eotvos_mgal", "eotvos_mgal [mGal]")
+f.truth_vertical_mps2 = ProtoField.double("orrery.truth.vertical_mps2", "vertical_mps2 [m/s2]")
 
 local function record_sat_id(r, tree)
   add(r, tree, f.sat_id_system, 1)
@@ -334,6 +373,53 @@ local function record_delays(r, tree)
   end
 end
 
+local function record_poll_imu(r, tree)
+  add(r, tree, f.poll_imu_t, 8)
+  add(r, tree, f.poll_imu_step, 8)
+  add(r, tree, f.poll_imu_count, 4)
+  add(r, tree, f.poll_imu_unit, 2)
+end
+
+local function record_imu(r, tree)
+  add(r, tree, f.imu_t0, 8)
+  add(r, tree, f.imu_t1, 8)
+  add(r, tree, f.imu_index, 4)
+  add(r, tree, f.imu_count, 4)
+  add(r, tree, f.imu_unit, 2)
+  add(r, tree, f.imu_answer, 1)
+  add(r, tree, f.imu_reserved, 1)
+  for _ = 1, 3 do add(r, tree, f.imu_dtheta_rad, 8) end
+  for _ = 1, 3 do add(r, tree, f.imu_dv_mps, 8) end
+end
+
+local function record_poll_truth(r, tree)
+  add(r, tree, f.poll_truth_t, 8)
+  add(r, tree, f.poll_truth_step, 8)
+  add(r, tree, f.poll_truth_count, 4)
+  add(r, tree, f.poll_truth_unit, 2)
+end
+
+local function record_truth(r, tree)
+  add(r, tree, f.truth_t, 8)
+  add(r, tree, f.truth_index, 4)
+  add(r, tree, f.truth_count, 4)
+  add(r, tree, f.truth_unit, 2)
+  add(r, tree, f.truth_answer, 1)
+  add(r, tree, f.truth_reserved, 1)
+  for _ = 1, 3 do add(r, tree, f.truth_pos_m, 8) end
+  for _ = 1, 3 do add(r, tree, f.truth_vel_mps, 8) end
+  for _ = 1, 3 do add(r, tree, f.truth_acc_mps2, 8) end
+  for _ = 1, 4 do add(r, tree, f.truth_attitude, 8) end
+  add(r, tree, f.truth_heading_rad, 8)
+  add(r, tree, f.truth_pitch_rad, 8)
+  add(r, tree, f.truth_roll_rad, 8)
+  for _ = 1, 3 do add(r, tree, f.truth_rate_radps, 8) end
+  for _ = 1, 3 do add(r, tree, f.truth_force_mps2, 8) end
+  add(r, tree, f.truth_disturbance_mgal, 8)
+  add(r, tree, f.truth_eotvos_mgal, 8)
+  add(r, tree, f.truth_vertical_mps2, 8)
+end
+
 
 local decode = {
   [1] = record_hello,
@@ -345,6 +431,10 @@ local decode = {
   [7] = record_states,
   [12] = record_poll_delays,
   [13] = record_delays,
+  [16] = record_poll_imu,
+  [17] = record_imu,
+  [18] = record_poll_truth,
+  [19] = record_truth,
 }
 
 f.major = ProtoField.uint8("orrery.major", "Major version")

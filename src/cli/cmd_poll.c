@@ -9,6 +9,7 @@
 
 #include "src/cli/cli.h"
 #include "src/cli/poll_delays.h"
+#include "src/cli/poll_motion.h"
 #include "src/service/dial.h"
 
 typedef struct poll_job {
@@ -24,6 +25,7 @@ typedef struct poll_job {
     bool outside;     // an epoch was outside the span
     bool delays;      // ask for delays instead of states
     orr_delay_poll delay;
+    orr_motion_poll motion; // or inertial increments, or the true motion
 } poll_job;
 
 static const char *sat_name(orr_msg_sat_id id, char buf[8])
@@ -171,6 +173,12 @@ static orr_status receive(poll_job *p, uint32_t count, orr_diag *diag)
 
 static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
 {
+    if (p->motion.imu || p->motion.truth) {
+        orr_status s = orr_motion_poll_run(&p->motion, p->d, t, p->step_ns, count, diag);
+        p->numbers = p->motion.numbers;
+        p->outside = p->motion.outside;
+        return s;
+    }
     if (p->delays) {
         p->delay.poll.step = p->step_ns;
         p->delay.poll.satellites.count = p->n_ids;
@@ -263,6 +271,7 @@ static int poll_service(poll_job *p)
     orr_status s = orr_cli_given(c, "realtime") ? ask_in_real_time(p, &diag) : ask_all(p, most, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (p->numbers > 0) return ORR_EXIT_OK;
+    if (p->motion.imu || p->motion.truth) return orr_cli_failf(c, "the trajectory does not reach there");
     if (p->outside) return orr_cli_failf(c, "nothing there: %s serves %s to %s", p->d->url, from, to);
     return orr_cli_failf(c, p->delays ? "no satellite has a delay there" : "no satellite has a state there");
 }
@@ -274,11 +283,12 @@ static int run(orr_cli *c)
                   .json = orr_cli_given(c, "json"),
                   .step_ns = orr_cli_duration_ns(c, "step", ORR_NS_PER_S),
                   .count = orr_cli_int(c, "count", realtime ? -1 : 1)};
-    if (p.count > 1 && !orr_cli_given(c, "step"))
+    if (p.count > 1 && !orr_cli_given(c, "step") && !orr_cli_given(c, "imu"))
         return orr_cli_usage(c, "--count %lld needs a --step", (long long)p.count);
     p.delays = orr_cli_given(c, "delays");
     p.delay.json = p.json;
     int asked = orr_delay_poll_ask(c, &p.delay);
+    if (asked == ORR_EXIT_OK) asked = orr_motion_poll_ask(c, &p.motion);
     if (asked != ORR_EXIT_OK) return asked;
     orr_diag diag = {0};
     orr_status s = orr_dial_open(
@@ -313,6 +323,7 @@ static const orr_option options[] = {
      .value = "LIST",
      .help = "satellites: G05,R,E01-E09. Default: all that are served"},
     ORR_POLL_DELAY_OPTIONS,
+    ORR_POLL_MOTION_OPTIONS,
     {.name = "realtime",
      .kind = ORR_OPT_FLAG,
      .help = "ask for one epoch a step of real time, as a signal generator does"},

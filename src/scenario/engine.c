@@ -5,12 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inertial/gravimetry.h"
+#include "inertial/sensors.h"
 #include "src/scenario/iono_source.h"
 #include "src/scenario/orbit_source.h"
 
 struct orr_engine {
     orr_ephemeris *eph;
     orr_iono_source *iono; // NULL: none
+    orr_moving moving;     // n_units 0: none
     char title[128];
     orr_time from, to;
     const orr_sat *sat; // borrowed from eph
@@ -52,9 +55,10 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
     const char *title = s->title;
     orr_status status;
     if (s->orbit.product == NULL && s->orbit.sp3.n == 0)
-        return orr_diag_set(diag, ORR_E_NODATA,
-                            "the scenario has a trajectory but no satellites to serve: name an orbit.product or "
-                            "orbit.sp3 ('orrery imu' does without)");
+        return orr_diag_set(
+            diag, ORR_E_NODATA,
+            "the scenario has a trajectory but no satellites to serve: name an orbit.product or "
+            "orbit.sp3 ('orrery imu' does without)");
     if (s->orbit.product != NULL) {
         status = orr_ephemeris_load(s->orbit.product, &eph, diag);
         if (title == NULL) title = base_name(s->orbit.product);
@@ -65,6 +69,8 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
     if (status == ORR_OK) status = orr_engine_from_ephemeris(eph, title, out, diag);
     if (status != ORR_OK) return status;
     status = orr_iono_source_open(s, &(*out)->iono, warnings, diag);
+    if (status == ORR_OK && s->motion.kind != ORR_MOTION_NONE)
+        status = orr_moving_open(&s->motion, (*out)->from, warnings, &(*out)->moving, diag);
     if (status != ORR_OK) {
         orr_engine_close(*out);
         *out = NULL;
@@ -77,6 +83,7 @@ void orr_engine_close(orr_engine *e)
     if (e == NULL) return;
     orr_ephemeris_free(e->eph);
     orr_iono_source_close(e->iono);
+    if (e->moving.n_units > 0) orr_moving_free(&e->moving);
     free(e);
 }
 
@@ -185,5 +192,33 @@ orr_answer orr_engine_delays(const orr_engine *e, orr_time t, orr_vec3 receiver_
             delay[place[k]] = found[g++];
             answer[place[k]] = ORR_ANSWER_OK;
         }
+    return ORR_ANSWER_OK;
+}
+
+size_t orr_engine_units(const orr_engine *e) { return e->moving.n_units; }
+double orr_engine_imu_rate(const orr_engine *e) { return e->moving.rate_hz; }
+bool orr_engine_imu_physical(const orr_engine *e) { return e->moving.mode.approach == 2; }
+
+orr_answer orr_engine_imu(const orr_engine *e, size_t unit, orr_time t0, orr_time t1, orr_vec3 *dtheta_rad,
+                          orr_vec3 *dv_mps)
+{
+    const orr_trajectory *tr = orr_moving_unit(&e->moving, unit);
+    double from_s = orr_time_diff_s(t0, tr->t0), to_s = orr_time_diff_s(t1, tr->t0);
+    if (!(from_s >= tr->begin_s - 1e-9 && to_s <= tr->end_s + 1e-9)) return ORR_ANSWER_OUTSIDE_SPAN;
+    orr_sensors_increment(tr, e->moving.gravity, e->moving.mode.quadrature, e->moving.mode.order, from_s,
+                          to_s, dtheta_rad, dv_mps);
+    return ORR_ANSWER_OK;
+}
+
+orr_answer orr_engine_truth(const orr_engine *e, size_t unit, orr_time t, orr_truth *out)
+{
+    const orr_trajectory *tr = orr_moving_unit(&e->moving, unit);
+    double t_s = orr_time_diff_s(t, tr->t0);
+    if (!(t_s >= tr->begin_s - 1e-9 && t_s <= tr->end_s + 1e-9)) return ORR_ANSWER_OUTSIDE_SPAN;
+    tr->evaluate(tr->self, t_s, &out->motion);
+    out->angles = orr_motion_angles(&out->motion);
+    orr_sensors_instant(tr, e->moving.gravity, t_s, &out->rate_radps, &out->force_mps2);
+    orr_gravity_terms(e->moving.gravity, &out->motion, &out->disturbance_mgal, &out->eotvos_mgal,
+                      &out->vertical_mps2);
     return ORR_ANSWER_OK;
 }

@@ -7,6 +7,7 @@
 #include "core/log.h"
 #include "iono/session.h"
 #include "orbit/ephemeris.h"
+#include "src/scenario/motion.h"
 #include "src/scenario/scenario.h"
 
 // Whether there are numbers, and if not, why not. The wire's `answer` has the same values.
@@ -52,5 +53,25 @@ bool orr_engine_receiver(const orr_engine *e, orr_vec3 *receiver_m);
 // and az and el of the pierce point for NO_VALUE.
 orr_answer orr_engine_delays(const orr_engine *e, orr_time t, orr_vec3 receiver_m, const orr_sat *sats,
                              size_t n, orr_realisation *delay, orr_answer *answer);
+
+// Inertial units of the scenario's trajectory: 0 without one, else 1 (its own point) and those named.
+size_t orr_engine_units(const orr_engine *e);
+// The scenario's rate of readings (Hz), and whether they are physical (approach 2): only such exist over any
+// interval.
+double orr_engine_imu_rate(const orr_engine *e);
+bool orr_engine_imu_physical(const orr_engine *e);
+// Increments of unit k < orr_engine_units over [t0, t1], t0 < t1: ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN
+// of the trajectory.
+orr_answer orr_engine_imu(const orr_engine *e, size_t unit, orr_time t0, orr_time t1, orr_vec3 *dtheta_rad,
+                          orr_vec3 *dv_mps);
+
+// True motion and gravity terms of a unit.
+typedef struct orr_truth {
+    orr_motion motion;
+    orr_angles angles;
+    orr_vec3 rate_radps, force_mps2; // absolute rate and specific force, body axes
+    double disturbance_mgal, eotvos_mgal, vertical_mps2;
+} orr_truth;
+orr_answer orr_engine_truth(const orr_engine *e, size_t unit, orr_time t, orr_truth *out);
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/service/answers.h"
 
+#include "src/service/answers_motion.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -281,6 +283,8 @@ static void fill_caps(void *user, orr_msg_caps *caps)
 static const orr_server_route routes[] = {
     {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll},
     {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, begin_delays, answer_delays},
+    {ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, orr_answers_begin_imu, orr_answers_imu},
+    {ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, orr_answers_begin_truth, orr_answers_truth},
 };
 
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag)
@@ -302,3 +306,4 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
 
 const orr_server *orr_answers_server(const orr_answers *a) { return &a->server; }
 void orr_answers_close(orr_answers *a) { free(a); }
+const orr_engine *orr_answers_engine(const void *user) { return ((const orr_answers *)user)->engine; }

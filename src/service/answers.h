@@ -16,4 +16,7 @@ void orr_answers_close(orr_answers *a);
 
 orr_msg_sat_id orr_answers_sat_id(orr_sat sat);
 
+// Of the handlers: the engine behind `user`.
+const orr_engine *orr_answers_engine(const void *user);
+
 #endif

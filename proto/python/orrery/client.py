@@ -136,6 +136,38 @@ class Client:
         """The Delays of one epoch."""
         return next(iter(list(self.poll_delays(t, receiver_m, carriers_hz, satellites=satellites))))
 
+    def poll_imu(self, t, step_s=0.0, count=1, unit=0):
+        """Yields the Imu increments over `count` intervals of step_s from t on (0: the scenario's own interval; then one request
+        asks for them all)."""
+        if isinstance(t, str):
+            t = gpstime.from_text(t)
+        step = round(step_s * gpstime.NS_PER_S)
+        while count > 0:
+            n = min(count, self.caps.max_epochs)
+            self._send(messages.PollImu(t, step, n, unit))
+            last = None
+            for index in range(n):
+                last = self._receive(messages.Imu)
+                if last.index != index or last.count != n:
+                    raise ProtocolError("an interval of the answer is missing")
+                yield last
+            t, count = last.t1, count - n
+
+    def poll_truth(self, t, step_s=0.0, count=1, unit=0):
+        """Yields the Truth of a unit at `count` epochs, as poll does."""
+        if isinstance(t, str):
+            t = gpstime.from_text(t)
+        step = round(step_s * gpstime.NS_PER_S)
+        while count > 0:
+            n = min(count, self.caps.max_epochs)
+            self._send(messages.PollTruth(t, step, n, unit))
+            for index in range(n):
+                truth = self._receive(messages.Truth)
+                if truth.index != index or truth.count != n:
+                    raise ProtocolError("an epoch of the answer is missing")
+                yield truth
+            t, count = t + n * step, count - n
+
     def _send(self, message):
         self._sequence = self._sequence % (2**32 - 1) + 1  # never 0: that is the server's
         self._sock.sendall(frame.make(message.TYPE, self._sequence, message.encode()))

@@ -440,6 +440,159 @@ class Delays(Record):
         self.satellites = [] if satellites is None else satellites
 
 
+class PollImu(Record):
+    """Asks for ideal inertial increments over [t, t + step], [t + step, t + 2 step], ... count of them. The same POLL_IMU gets the same bytes, always.
+
+    t [ns]: begin of the first interval
+    step [ns]: length of an interval; 0 for that of the scenario's imu.rate
+    count: intervals, 1 to MAX_EPOCHS
+    unit: which inertial unit of the scenario; 0 is the trajectory's own point
+    """
+
+    TYPE = 16
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+        Field("count", "scalar", scalar="u32"),
+        Field("unit", "scalar", scalar="u16"),
+    )
+
+    def __init__(self, t=0, step=0, count=0, unit=0):
+        self.t = t
+        self.step = step
+        self.count = count
+        self.unit = unit
+
+
+class Imu(Record):
+    """Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). A POLL_IMU is answered by count of these.
+
+    t0 [ns]: begin of the interval
+    t1 [ns]: its end
+    index: which interval, from 0
+    count: how many intervals were asked for
+    unit: the unit asked for
+    answer: OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    reserved: 0
+    dtheta_rad [rad]: integral of the absolute angular rate
+    dv_mps [m/s]: integral of the specific force; at rest +g upward
+    """
+
+    TYPE = 17
+    LAYOUT = (
+        Field("t0", "scalar", scalar="i64"),
+        Field("t1", "scalar", scalar="i64"),
+        Field("index", "scalar", scalar="u32"),
+        Field("count", "scalar", scalar="u32"),
+        Field("unit", "scalar", scalar="u16"),
+        Field("answer", "scalar", scalar="u8"),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("dtheta_rad", "array", scalar="f64", length=3),
+        Field("dv_mps", "array", scalar="f64", length=3),
+    )
+
+    def __init__(self, t0=0, t1=0, index=0, count=0, unit=0, answer=0, reserved=0, dtheta_rad=None, dv_mps=None):
+        self.t0 = t0
+        self.t1 = t1
+        self.index = index
+        self.count = count
+        self.unit = unit
+        self.answer = answer
+        self.reserved = reserved
+        self.dtheta_rad = [0.0] * 3 if dtheta_rad is None else dtheta_rad
+        self.dv_mps = [0.0] * 3 if dv_mps is None else dv_mps
+
+
+class PollTruth(Record):
+    """Asks for the true motion of an inertial unit at t, t + step, ..., t + (count - 1) step. The same POLL_TRUTH gets the same bytes, always.
+
+    t [ns]: first epoch
+    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
+    count: epochs, 1 to MAX_EPOCHS
+    unit: which inertial unit of the scenario; 0 is the trajectory's own point
+    """
+
+    TYPE = 18
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+        Field("count", "scalar", scalar="u32"),
+        Field("unit", "scalar", scalar="u16"),
+    )
+
+    def __init__(self, t=0, step=0, count=0, unit=0):
+        self.t = t
+        self.step = step
+        self.count = count
+        self.unit = unit
+
+
+class Truth(Record):
+    """True motion and gravity at one epoch. A POLL_TRUTH is answered by count of these.
+
+    t [ns]: the epoch
+    index: which epoch, from 0
+    count: how many epochs were asked for
+    unit: the unit asked for
+    answer: OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    reserved: 0
+    pos_m [m]: position (ecef)
+    vel_mps [m/s]: velocity relative to the Earth (ecef)
+    acc_mps2 [m/s2]: second derivative of the position (ecef)
+    attitude: quaternion w x y z of body from ecef: v_body = conj(q) v_ecef q
+    heading_rad [rad]: clockwise from true North, 0 to 2 pi
+    pitch_rad [rad]: nose up
+    roll_rad [rad]: right wing down
+    rate_radps [rad/s]: absolute angular rate, body axes
+    force_mps2 [m/s2]: specific force, body axes
+    disturbance_mgal [mGal]: gravity disturbance, stronger gravity positive
+    eotvos_mgal [mGal]: Eotvoes term: what the motion takes off the weight
+    vertical_mps2 [m/s2]: rate of the vertical velocity over the ellipsoid
+    """
+
+    TYPE = 19
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("index", "scalar", scalar="u32"),
+        Field("count", "scalar", scalar="u32"),
+        Field("unit", "scalar", scalar="u16"),
+        Field("answer", "scalar", scalar="u8"),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("pos_m", "array", scalar="f64", length=3),
+        Field("vel_mps", "array", scalar="f64", length=3),
+        Field("acc_mps2", "array", scalar="f64", length=3),
+        Field("attitude", "array", scalar="f64", length=4),
+        Field("heading_rad", "scalar", scalar="f64"),
+        Field("pitch_rad", "scalar", scalar="f64"),
+        Field("roll_rad", "scalar", scalar="f64"),
+        Field("rate_radps", "array", scalar="f64", length=3),
+        Field("force_mps2", "array", scalar="f64", length=3),
+        Field("disturbance_mgal", "scalar", scalar="f64"),
+        Field("eotvos_mgal", "scalar", scalar="f64"),
+        Field("vertical_mps2", "scalar", scalar="f64"),
+    )
+
+    def __init__(self, t=0, index=0, count=0, unit=0, answer=0, reserved=0, pos_m=None, vel_mps=None, acc_mps2=None, attitude=None, heading_rad=0.0, pitch_rad=0.0, roll_rad=0.0, rate_radps=None, force_mps2=None, disturbance_mgal=0.0, eotvos_mgal=0.0, vertical_mps2=0.0):
+        self.t = t
+        self.index = index
+        self.count = count
+        self.unit = unit
+        self.answer = answer
+        self.reserved = reserved
+        self.pos_m = [0.0] * 3 if pos_m is None else pos_m
+        self.vel_mps = [0.0] * 3 if vel_mps is None else vel_mps
+        self.acc_mps2 = [0.0] * 3 if acc_mps2 is None else acc_mps2
+        self.attitude = [0.0] * 4 if attitude is None else attitude
+        self.heading_rad = heading_rad
+        self.pitch_rad = pitch_rad
+        self.roll_rad = roll_rad
+        self.rate_radps = [0.0] * 3 if rate_radps is None else rate_radps
+        self.force_mps2 = [0.0] * 3 if force_mps2 is None else force_mps2
+        self.disturbance_mgal = disturbance_mgal
+        self.eotvos_mgal = eotvos_mgal
+        self.vertical_mps2 = vertical_mps2
+
+
 MESSAGES = {cls.TYPE: cls for cls in (
     Hello,
     Caps,
@@ -450,4 +603,8 @@ MESSAGES = {cls.TYPE: cls for cls in (
     States,
     PollDelays,
     Delays,
+    PollImu,
+    Imu,
+    PollTruth,
+    Truth,
 )}

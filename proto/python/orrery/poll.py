@@ -48,6 +48,22 @@ def show_delays(delays):
               " ".join(f"{d:10.4f}" for d, _ in zip(s.delay_m, delays.carriers_hz)) + f"  {TecOrigin(s.origin).name.lower()}")
 
 
+def show_motion(c, t, step_s, unit):
+    """Truth at t and the increments that follow."""
+    truth, imu = next(iter(list(c.poll_truth(t, unit=unit)))), next(iter(list(c.poll_imu(t, step_s, unit=unit))))
+    print(f"{gpstime.to_text(t)} GPS  unit {unit}")
+    if truth.answer != Answer.OK:
+        print("  outside the trajectory's span")
+        return
+    print("  position m     " + " ".join(f"{x:15.4f}" for x in truth.pos_m))
+    print("  velocity m/s   " + " ".join(f"{x:15.6f}" for x in truth.vel_mps))
+    print("  heading pitch roll deg " + " ".join(f"{math.degrees(a):10.5f}" for a in (truth.heading_rad, truth.pitch_rad, truth.roll_rad)))
+    print(f"  gravity disturbance {truth.disturbance_mgal:.3f} mGal, Eotvoes {truth.eotvos_mgal:.3f} mGal")
+    if imu.answer == Answer.OK:
+        print(f"  increments over {(imu.t1 - imu.t0) * 1e-9:g} s: rad " + " ".join(f"{x:.9e}" for x in imu.dtheta_rad) +
+              ", m/s " + " ".join(f"{x:.9e}" for x in imu.dv_mps))
+
+
 def main():
     parser = argparse.ArgumentParser(prog="python3 -m orrery.poll", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -61,6 +77,8 @@ def main():
                         help="with --delays: the receiver in metres, ecef (default: the scenario's own)")
     parser.add_argument("--carrier", nargs="+", type=float, default=[], metavar="MHZ",
                         help="with --delays: up to four carriers (default 1575.42)")
+    parser.add_argument("--imu", action="store_true", help="true motion and inertial increments instead of states")
+    parser.add_argument("--unit", type=int, default=0, help="with --imu: which inertial unit (default 0)")
     args = parser.parse_args()
     if not 0 < args.rate <= 1e6:
         parser.error("--rate is more than 0")
@@ -71,7 +89,9 @@ def main():
             start = time.monotonic()
             for k in range(count):
                 t = t0 + round(k / args.rate * gpstime.NS_PER_S)
-                if args.delays:
+                if args.imu:
+                    show_motion(c, t, 0.0, args.unit)
+                elif args.delays:
                     show_delays(c.delays(t, args.receiver, [1e6 * f for f in args.carrier], args.sat))
                 else:
                     show(c.states(t, args.sat))
