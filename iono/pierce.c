@@ -90,7 +90,7 @@ orr_status orr_mapping_parse(const char *name, orr_mapping_kind *out, orr_diag *
 
 double orr_mapping_factor(const orr_mapping *m, double el_rad)
 {
-    if (!(el_rad >= 0 && el_rad <= ORR_PI / 2)) return NAN;
+    if (!(el_rad >= 0 && el_rad <= ORR_PI / 2)) return (double)NAN;
     if (m->kind == ORR_MAPPING_NONE) return 1;
     double s = m->alpha == 1 ? m->ratio * cos(el_rad) : m->ratio * sin(m->alpha * (ORR_PI / 2 - el_rad));
     return 1 / sqrt(1 - s * s);

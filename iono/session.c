@@ -87,7 +87,7 @@ static orr_status learn_length(orr_session *s, orr_diag *diag)
     free(now);
     free(at);
     // One-parameter fit of sigma^2 exp(-d / L), weighted by counts: the sum of squares over a ladder of L.
-    double variance = s->small.sigma_tecu * s->small.sigma_tecu, best = INFINITY;
+    double variance = s->small.sigma_tecu * s->small.sigma_tecu, best = (double)INFINITY;
     s->small.length_m = 300e3;
     for (double l = 20e3; l < 3000e3; l *= 1.1) {
         double sum = 0, n = 0;

@@ -28,6 +28,9 @@ void orr_tec_fit_say(const orr_cli *c, const orr_tec_field *f)
     const orr_tec_fit *fit = orr_tec_field_fit(f);
     if (fit == NULL) return;
     orr_cli_say(
-        c, "%s: degree %d meets %zu cells to %.4f TECU RMS, %.3f TECU at most (%zu cells of 0 left out)",
-        orr_tec_field_source(f), fit->degree, fit->n_cells, fit->rms_tecu, fit->max_tecu, fit->n_clipped);
+        c, "%s: degree %d meets %zu cells to %.4f TECU RMS, %.3f TECU at most (%zu cells of 0 left out)%s",
+        orr_tec_field_source(f), fit->degree, fit->n_cells, fit->rms_tecu, fit->max_tecu, fit->n_clipped,
+        fit->rms_tecu > 0.1
+            ? "; these maps are no expansion of that degree: --bilinear takes them as they are"
+            : "");
 }

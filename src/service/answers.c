@@ -213,9 +213,9 @@ static void fill_delay(const orr_realisation *d, orr_answer answer, const double
 {
     *m = (orr_msg_sat_delay){.sat = orr_answers_sat_id(d->sat), .answer = (uint8_t)answer};
     m->az_rad = m->el_rad = m->pierce_lat_rad = m->pierce_lon_rad = m->mapping = m->stec_tecu =
-        m->model_stec_tecu = NAN;
+        m->model_stec_tecu = (double)NAN;
     m->sigma_tecu = NAN;
-    for (int k = 0; k < 4; k++) m->delay_m[k] = NAN;
+    for (int k = 0; k < 4; k++) m->delay_m[k] = (double)NAN;
     if (answer != ORR_ANSWER_OK) return; // never a number where there is none
     m->origin = (uint8_t)d->origin;
     m->flags = (uint8_t)d->flags;
