@@ -210,7 +210,9 @@ static orr_status read_mirror(table_reader *r, orr_view rest)
 static orr_status read_station(table_reader *r, orr_view rest)
 {
     orr_view w;
-    if (!orr_view_word(&rest, &w) || w.n != 9) return bad(r, "expected: station and nine characters");
+    bool sound = orr_view_word(&rest, &w) && w.n == 9;
+    for (size_t i = 0; sound && i < w.n; i++) sound = isalnum((unsigned char)w.p[i]) != 0;
+    if (!sound) return bad(r, "expected: station and nine letters or digits");
     orr_status s = orr_records_grow(&r->a->station, r->a->n_stations, &r->a->capacity_stations,
                                     sizeof *r->a->station, MAX_LINES, "stations", &r->c, r->diag);
     if (s == ORR_OK) orr_view_copy(w, r->a->station[r->a->n_stations++], sizeof *r->a->station);

@@ -161,13 +161,13 @@ class Fetch(unittest.TestCase):
         path.write_text("\n".join(lines) + "\n" + extra)
         return path
 
-    def command(self, *args, stall="1"):
+    def command(self, *args, stall="20"):
         return [ORRERY, "fetch", DAY, "--products", "ionex", "--cache", str(self.cache), "--archives",
                 str(pathlib.Path(self.folder.name) / "archives.txt"), "--backoff", "0.05", "--stall", stall, *args]
 
-    def run_fetch(self, *args, expect=0):
+    def run_fetch(self, *args, expect=0, stall="20"):
         env = dict(os.environ, HOME=self.folder.name, no_proxy="*")
-        r = subprocess.run(self.command(*args), capture_output=True, text=True, timeout=60, env=env)
+        r = subprocess.run(self.command(*args, stall=stall), capture_output=True, text=True, timeout=60, env=env)
         self.assertEqual(r.returncode, expect, r.stderr + r.stdout)
         return r
 
@@ -276,7 +276,7 @@ class Fetch(unittest.TestCase):
 
     def test_slow_is_given_up_and_resumed(self):
         self.table("slow")
-        r = self.run_fetch()
+        r = self.run_fetch(stall="1")
         self.assert_fetched(r)
         self.assertIn("too slow", r.stderr)
         self.assertEqual(self.asked("slow")[1][2], "bytes=5000-")

@@ -182,6 +182,7 @@ static void test_users_table(void **state)
     assert_refused("\nmirror x sp3 nowhere\n", 2, "URL");
     assert_refused("mirror x sp3 http://h/ password=1\n", 1, "login");
     assert_refused("miror x\n", 1, "starts with");
+    assert_refused("station ../BOR100\n", 1, "nine letters");
     assert_refused("# nothing\n", 0, "no name");
 }
 
