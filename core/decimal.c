@@ -54,7 +54,8 @@ static bool scale_by_product(uint64_t mantissa, int exp10, double *out)
     int upper = (int)(high >> 63), shift = upper + 9;
     uint64_t m = high >> shift; // 53 bits and one for rounding
     // floor(exp10 log2(10)) by a fraction that is exact for exponents of double.
-    int e = ((217706 * exp10) >> 16) + 63 + upper - zeros + 1023;
+    int log2 = (217706 * exp10 - (exp10 < 0 ? 65535 : 0)) / 65536;
+    int e = log2 + 63 + upper - zeros + 1023;
     if (e <= 0 || e >= 2046) return false;
     // Half way between two numbers: to the even one. Only these powers can have exact halves.
     if (low <= 1 && exp10 >= -4 && exp10 <= 23 && (m & 3) == 1 && m << shift == high) m &= ~UINT64_C(1);
@@ -138,7 +139,7 @@ orr_field orr_view_real_e(orr_view v, int power, double *out)
     if (n_digits <= 19) {
         x = orr_decimal_scale(m, scale);
     } else { // m may have overflowed: take the digits themselves
-        char digits[128];
+        char digits[128] = {0};
         size_t n = 0;
         for (const char *q = first; q < mantissa_end; q++)
             if (*q != '.') digits[n++] = *q;
