@@ -80,9 +80,10 @@ static void grid_fill(grid *g, const orr_sp3 *sp3, size_t sat)
     }
 }
 
-static bool truth_velocity(const grid *g, const orr_sp3_record *r, orr_time t, orr_vec3 *v, bool *derived)
+static bool truth_velocity(const grid *g, const orr_sp3_record *r, orr_time t, bool derive, orr_vec3 *v,
+                           bool *derived)
 {
-    if (!isnan(r->vel_mps[0]) && !isnan(r->vel_mps[1]) && !isnan(r->vel_mps[2])) {
+    if (!derive && !isnan(r->vel_mps[0]) && !isnan(r->vel_mps[1]) && !isnan(r->vel_mps[2])) {
         *v = (orr_vec3){r->vel_mps[0], r->vel_mps[1], r->vel_mps[2]};
         return true;
     }
@@ -127,8 +128,8 @@ static int place_of(const orr_orbit_node *node, size_t n, orr_time t, int64_t us
     return from_first >= INNER_NS && to_last >= INNER_NS ? ORR_COMPARE_INNER : ORR_COMPARE_PLACES;
 }
 
-static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, differences *d, orr_comparison *out,
-                          orr_diag *diag)
+static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, bool derive, differences *d,
+                          orr_comparison *out, orr_diag *diag)
 {
     grid g;
     orr_status s = sp3->n_epochs > 0 ? grid_init(sp3, &g, diag) : ORR_OK;
@@ -155,7 +156,8 @@ static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, difference
             difference x = {
                 .sat = sp3->sat[k], .place = place_of(node, n_nodes, t, usual_ns), .t = t, .vel_mps = v};
             x.pos_m = orr_vec3_sub(state.pos_m, (orr_vec3){r->pos_m[0], r->pos_m[1], r->pos_m[2]});
-            if (truth_velocity(&g, r, t, &v, &out->vel_derived)) x.vel_mps = orr_vec3_sub(state.vel_mps, v);
+            if (truth_velocity(&g, r, t, derive, &v, &out->vel_derived))
+                x.vel_mps = orr_vec3_sub(state.vel_mps, v);
             if (x.place == ORR_COMPARE_PLACES) out->between++;
             s = add(d, &x, diag);
         }
@@ -237,14 +239,15 @@ static orr_status by_satellite(const differences *d, orr_comparison *out, orr_di
     return ORR_OK;
 }
 
-orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths, orr_comparison *out,
-                       orr_diag *diag)
+orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths, bool derive_velocity,
+                       orr_comparison *out, orr_diag *diag)
 {
     differences d = {0};
     double *size = NULL;
     *out = (orr_comparison){0};
     orr_status s = ORR_OK;
-    for (size_t i = 0; i < n_truths && s == ORR_OK; i++) s = collect(e, &truth[i], &d, out, diag);
+    for (size_t i = 0; i < n_truths && s == ORR_OK; i++)
+        s = collect(e, &truth[i], derive_velocity, &d, out, diag);
     if (s == ORR_OK && d.n == 0)
         s = orr_diag_set(diag, ORR_E_NODATA,
                          "nothing to compare: of the truth's positions %zu are at epochs that the product "

@@ -45,11 +45,13 @@ typedef struct orr_comparison {
     bool vel_derived; // some velocities of the truth came from its positions (orbit/velocity_filter.h)
 } orr_comparison;
 
-// Adds up all epochs of all truths. Velocities of the truth are its V records, else derived from its
-// positions within each file. ORR_E_NODATA where not one epoch can be compared. Free with
-// orr_comparison_free.
-orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths, orr_comparison *out,
-                       orr_diag *diag);
+// Adds up all epochs of all truths. Velocities of the truth are its V records, else (or with derive_velocity
+// everywhere) derived from its positions within each file. V records are not always the derivatives of the
+// positions beside them: NGA's of 2015 differ from those by 6e-5 m/s, a rotation of 2.8e-12 rad/s about an
+// axis fixed in inertial space (precession and nutation). ORR_E_NODATA where not one epoch can be compared.
+// Free with orr_comparison_free.
+orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths, bool derive_velocity,
+                       orr_comparison *out, orr_diag *diag);
 void orr_comparison_free(orr_comparison *c);
 
 #endif

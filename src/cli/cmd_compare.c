@@ -119,7 +119,9 @@ static int compare(orr_cli *c, const orr_ephemeris *e, orr_sp3 *truth, size_t n)
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     orr_comparison x;
-    if (orr_compare(e, truth, n, &x, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
+    if (orr_compare(e, truth, n, strcmp(orr_cli_text(c, "velocity", "records"), "positions") == 0, &x,
+                    &diag) != ORR_OK)
+        return orr_cli_fail(c, &diag);
     int status = ORR_EXIT_OK;
     if (orr_cli_given(c, "json"))
         status = print_json(c, &x);
@@ -144,6 +146,11 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
+    {.name = "velocity",
+     .kind = ORR_OPT_CHOICE,
+     .value = "records|positions",
+     .help =
+         "the truth's velocity: its V records where it has them (the default), or always from its positions"},
     {.name = "json", .kind = ORR_OPT_FLAG, .help = "print a JSON object instead of a table"},
 };
 
@@ -163,6 +170,9 @@ const orr_command orr_cmd_compare = {
              "truth's own positions within about an hour, in axes that do not rotate (good to 5e-7 m/s; near "
              "a file's ends, where "
              "the positions lie on one side, the rounding of SP3 makes it 1e-5 m/s).\n\n"
+             "V records are not always the derivatives of the positions beside them (some centres leave out "
+             "the turning of the "
+             "equator, 6e-5 m/s): --velocity positions tells.\n\n"
              "JSON keys: systems.G.inner.{n,satellites,rms_mm,p95_mm,max_mm,vel_n,vel_rms_mps,mean_mm}, the "
              "same for edge and gap "
              "and for each system; satellites; left_out.",

@@ -88,7 +88,7 @@ static void test_places_and_numbers(void **state)
         }
     }
     orr_comparison x;
-    ASSERT_OK(orr_compare(e, &truth, 1, &x, &diag), diag);
+    ASSERT_OK(orr_compare(e, &truth, 1, false, &x, &diag), diag);
     // Of 145 epochs 49 are nodes (every third). Inner: 2:00 to 10:00 is 97 epochs, of which 33 are nodes.
     // Edge: up to 0:45 and from 11:15, 10 epochs each, 4 of them nodes.
     const orr_compare_stats *in = stats_of(&x, 'G', ORR_COMPARE_INNER),
@@ -142,7 +142,7 @@ static void test_velocities(void **state)
     orr_ephemeris *e = made_product(&s);
     orr_sp3 truth = made_truth(3);
     orr_comparison x;
-    ASSERT_OK(orr_compare(e, &truth, 1, &x, &diag), diag);
+    ASSERT_OK(orr_compare(e, &truth, 1, false, &x, &diag), diag);
     const orr_compare_stats *g = stats_of(&x, 'G', ORR_COMPARE_INNER);
     assert_true(x.vel_derived);
     assert_int_equal(g->n_vel, g->n);
@@ -155,9 +155,12 @@ static void test_velocities(void **state)
         double *vel = truth.record[i * 3].vel_mps;
         vel[0] = v.x - 3e-5, vel[1] = v.y + 4e-5, vel[2] = v.z;
     }
-    ASSERT_OK(orr_compare(e, &truth, 1, &x, &diag), diag);
+    ASSERT_OK(orr_compare(e, &truth, 1, false, &x, &diag), diag);
     ASSERT_NEAR(stats_of(&x, 'G', ORR_COMPARE_INNER)->vel_rms_mps, 5e-5, 1e-7);
     ASSERT_NEAR(stats_of(&x, 'R', ORR_COMPARE_INNER)->vel_rms_mps, 0, 1e-7);
+    orr_comparison_free(&x);
+    ASSERT_OK(orr_compare(e, &truth, 1, true, &x, &diag), diag); // the records are not looked at
+    ASSERT_NEAR(stats_of(&x, 'G', ORR_COMPARE_INNER)->vel_rms_mps, 0, 1e-7);
     orr_comparison_free(&x);
     truth_free(&truth);
     orr_ephemeris_free(e);
@@ -174,16 +177,16 @@ static void test_nothing_to_compare(void **state)
     orr_comparison x;
     // Other days: the product has no orbit there.
     for (size_t i = 0; i < EPOCHS; i++) truth.epoch[i] += INT64_C(7) * ORR_S_PER_DAY * ORR_NS_PER_S;
-    assert_int_equal(orr_compare(e, &truth, 1, &x, &diag), ORR_E_NODATA);
+    assert_int_equal(orr_compare(e, &truth, 1, false, &x, &diag), ORR_E_NODATA);
     assert_non_null(strstr(diag.text, "435"));
     // Nothing but what went in.
     for (size_t i = 0; i < EPOCHS; i++) truth.epoch[i] -= INT64_C(7) * ORR_S_PER_DAY * ORR_NS_PER_S;
     for (size_t i = 0; i < EPOCHS; i++)
         for (size_t k = 0; k < 3 && i % 3 != 0; k++) truth.record[i * 3 + k].pos_m[1] = (double)NAN;
     for (size_t i = 0; i < EPOCHS; i++) truth.record[i * 3 + 2].pos_m[0] = (double)NAN;
-    assert_int_equal(orr_compare(e, &truth, 1, &x, &diag), ORR_E_NODATA);
+    assert_int_equal(orr_compare(e, &truth, 1, false, &x, &diag), ORR_E_NODATA);
     truth.n_epochs = 0;
-    assert_int_equal(orr_compare(e, &truth, 1, &x, &diag), ORR_E_NODATA);
+    assert_int_equal(orr_compare(e, &truth, 1, false, &x, &diag), ORR_E_NODATA);
     truth_free(&truth);
     orr_ephemeris_free(e);
     made_solution_free(&s);
