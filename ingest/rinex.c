@@ -4,7 +4,8 @@
 #include <ctype.h>
 #include <math.h>
 
-// Columns are characters: names in UTF-8 push the label to the right. (A byte of Latin-1 is a column by itself.)
+// Columns are characters: names in UTF-8 push the label to the right. (A byte of Latin-1 is a column by
+// itself.)
 static int bytes_more_than_columns(orr_view line)
 {
     int more = 0;

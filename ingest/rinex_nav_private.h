@@ -48,6 +48,9 @@ bool orr_nav_epoch(const nav_lines *r, size_t line, bool v2, orr_scale scale, or
 // The instant with `sow_s` seconds of the system's week that is nearest to `near`.
 orr_time orr_nav_of_week(double sow_s, char system, orr_time near);
 
+// Nanoseconds since a week of the system began.
+int64_t orr_nav_ns_of_week(orr_time t, char system);
+
 // One ephemeris; message NONE: find it from the system. Warnings take what does not spoil the record.
 bool orr_nav_take_eph(const nav_lines *r, bool v2, char system, orr_nav_message message, orr_nav_eph *e,
                       nav_fault *f);

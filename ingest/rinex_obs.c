@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Epochs of observation files, plain and decoded from Hatanaka; rinex_obs_open.c opens and closes.
 #include "ingest/rinex_obs.h"
 
 #include <math.h>
@@ -7,42 +8,6 @@
 
 #include "core/digits.h"
 #include "ingest/rinex_obs_private.h"
-
-struct orr_rinex_obs {
-    orr_input *in;
-    orr_rinex_obs_limits limits;
-    orr_warnings *warnings;
-    orr_rinex_obs_header h;
-    obs_header_state state;
-    orr_crinex *crinex; // NULL for plain files
-    orr_crinex_counts counts;
-    orr_rinex_obs_epoch e;
-    orr_sat sat[ORR_OBS_MAX_SATS];
-    double *value;
-    uint8_t *lli, *ssi;
-    size_t cells;
-    char **event_line; // as handed out
-    size_t n_event_lines, event_capacity;
-    uint64_t n_epochs, skipped;
-    orr_time last;
-    uint32_t warned; // WARNED_* and one bit a system
-};
-enum { WARNED_SYSTEM = 1u << 16, WARNED_EXTRA = 1u << 17, WARNED_ORDER = 1u << 18, WARNED_EMPTY = 1u << 19 };
-
-orr_rinex_obs_limits orr_rinex_obs_default_limits(void)
-{
-    return (orr_rinex_obs_limits){UINT64_C(64) << 30, 100000000, 100000, 999};
-}
-
-static void warn(orr_rinex_obs *r, int column, const char *what)
-{
-    orr_warnings_add(r->warnings, orr_input_name(r->in), orr_input_line_number(r->in), column, "%s", what);
-}
-
-static obs_context context(orr_rinex_obs *r, orr_diag *diag)
-{
-    return (obs_context){orr_input_name(r->in), orr_input_line_number(r->in), r->warnings, diag};
-}
 
 static orr_status no_memory(orr_diag *diag) { return orr_diag_set(diag, ORR_E_MEMORY, "out of memory"); }
 
@@ -76,7 +41,8 @@ static int fast_value(const char *p, double *out)
 static uint8_t flag_digit(orr_rinex_obs *r, char c, int column)
 {
     if (c >= '0' && c <= '9') return (uint8_t)(c - '0');
-    if (c != ' ' && c != '\t') warn(r, column, "a loss-of-lock or strength flag that is no digit: left out");
+    if (c != ' ' && c != '\t')
+        orr_obs_warn(r, column, "a loss-of-lock or strength flag that is no digit: left out");
     return 0;
 }
 
@@ -97,7 +63,8 @@ static void take_value(orr_rinex_obs *r, orr_view line, size_t col, size_t k, do
         size_t want = r->e.flag == ORR_OBS_CYCLE_SLIP ? 12 : 14;
         if (f == ORR_FIELD_OK && (field.n < want || field.p[10] != '.')) f = ORR_FIELD_BAD;
         if (f == ORR_FIELD_BAD) {
-            warn(r, (int)col, "an observation that is not a number in its columns, or cut off: left out");
+            orr_obs_warn(r, (int)col,
+                         "an observation that is not a number in its columns, or cut off: left out");
             return;
         }
         if (f == ORR_FIELD_BLANK) v = 0;
@@ -136,19 +103,19 @@ static orr_status make_room(orr_rinex_obs *r, size_t n_sats, orr_diag *diag)
 static const orr_obs_codes *codes_of(orr_rinex_obs *r, orr_sat sat)
 {
     if (sat == ORR_SAT_NONE) {
-        if (!(r->warned & WARNED_SYSTEM)) warn(r, 1, "a satellite that is not readable: left out");
+        if (!(r->warned & WARNED_SYSTEM)) orr_obs_warn(r, 1, "a satellite that is not readable: left out");
         return NULL;
     }
     int s = orr_sat_system_index(sat);
     uint32_t bit = 1u << s;
     if (r->h.codes[s].n == 0) {
         if (!(r->warned & bit))
-            warn(r, 1, "a satellite of a system whose observation types the header lacks: left out");
+            orr_obs_warn(r, 1, "a satellite of a system whose observation types the header lacks: left out");
         r->warned |= bit;
         return NULL;
     }
     if (r->h.system != 'M' && r->h.system != orr_sat_system(sat) && !(r->warned & WARNED_SYSTEM)) {
-        warn(r, 1, "satellites of another system than the first line says");
+        orr_obs_warn(r, 1, "satellites of another system than the first line says");
         r->warned |= WARNED_SYSTEM;
     }
     return &r->h.codes[s];
@@ -198,7 +165,8 @@ static bool take_epoch_line(orr_rinex_obs *r, orr_view line, epoch_head *head)
     if (head->flag >= 2 && head->flag <= 5) return true;
     double clock = 0;
     f = orr_field_real(line, v3 ? 42 : 69, v3 ? 15 : 12, &clock);
-    if (f == ORR_FIELD_BAD) warn(r, v3 ? 42 : 69, "the receiver clock offset is not a number: left out");
+    if (f == ORR_FIELD_BAD)
+        orr_obs_warn(r, v3 ? 42 : 69, "the receiver clock offset is not a number: left out");
     if (f == ORR_FIELD_OK) head->clock = clock;
     return true;
 }
@@ -223,7 +191,7 @@ static orr_status keep_event_line(orr_rinex_obs *r, orr_view line, orr_diag *dia
     return ORR_OK;
 }
 
-static void drop_event_lines(orr_rinex_obs *r)
+void orr_obs_drop_event_lines(orr_rinex_obs *r)
 {
     for (size_t i = 0; i < r->n_event_lines; i++) free(r->event_line[i]);
     r->n_event_lines = 0;
@@ -236,7 +204,7 @@ static orr_status take_event_line(orr_rinex_obs *r, orr_view line, orr_diag *dia
     if (s != ORR_OK) return s;
     orr_view label = orr_rinex_label(line);
     if (label.n == 0 || orr_view_equals(label, "COMMENT")) return ORR_OK;
-    obs_context c = context(r, diag);
+    obs_context c = orr_obs_context(r, diag);
     if (!orr_crinex_note_types(&r->counts, line))
         return orr_diag_at(diag, ORR_E_FORMAT, c.name, c.line, 1,
                            "the number of observation types is not usable");
@@ -249,7 +217,7 @@ static orr_status finish_event(orr_rinex_obs *r, orr_diag *diag)
     r->e.n_event_lines = r->n_event_lines;
     r->e.event_line = (const char *const *)r->event_line;
     if (!r->e.header_changed) return ORR_OK;
-    obs_context c = context(r, diag);
+    obs_context c = orr_obs_context(r, diag);
     return orr_obs_header_check(&r->h, &r->state, &c);
 }
 
@@ -266,11 +234,11 @@ static enum outcome read_sats_v3(orr_rinex_obs *r, size_t n)
         if (!orr_input_line(r->in, &line)) return AT_END;
         if (line.n > 0 && line.p[0] == '>') {
             orr_input_unline(r->in);
-            warn(r, 1, "an epoch with fewer satellites than it announces: left out");
+            orr_obs_warn(r, 1, "an epoch with fewer satellites than it announces: left out");
             return DAMAGED;
         }
         if (orr_view_is_blank(line)) {
-            warn(r, 1, "a blank line among an epoch's satellites: passed over");
+            orr_obs_warn(r, 1, "a blank line among an epoch's satellites: passed over");
             i--;
             continue;
         }
@@ -282,7 +250,7 @@ static enum outcome read_sats_v3(orr_rinex_obs *r, size_t n)
         size_t used = 3 + 16 * codes->n;
         if (line.n > used && !(r->warned & WARNED_EXTRA) &&
             !orr_view_is_blank((orr_view){line.p + used, line.n - used})) {
-            warn(r, (int)used + 1, "more values than observation types: the rest is left out");
+            orr_obs_warn(r, (int)used + 1, "more values than observation types: the rest is left out");
             r->warned |= WARNED_EXTRA;
         }
         put_sat(r, sat);
@@ -313,7 +281,7 @@ static enum outcome read_sats_v2(orr_rinex_obs *r, orr_view line, size_t n)
 {
     orr_sat list[ORR_OBS_MAX_SATS];
     enum outcome o = read_list_v2(r, line, n, list);
-    if (o == DAMAGED) warn(r, 33, "the satellite list of an epoch is damaged: the epoch is left out");
+    if (o == DAMAGED) orr_obs_warn(r, 33, "the satellite list of an epoch is damaged: the epoch is left out");
     if (o != GOOD) return o;
     size_t n_codes = r->state.v2_n;
     for (size_t i = 0; i < n; i++) {
@@ -352,7 +320,7 @@ static void resync(orr_rinex_obs *r)
 
 static void begin_epoch(orr_rinex_obs *r)
 {
-    drop_event_lines(r);
+    orr_obs_drop_event_lines(r);
     r->e = (orr_rinex_obs_epoch){.t = ORR_TIME_NONE, .clock_offset_s = (double)NAN};
 }
 
@@ -363,7 +331,7 @@ static orr_status end_epoch(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch,
                            (unsigned long long)r->limits.max_epochs);
     if (r->e.flag <= 1) {
         if (r->last != ORR_TIME_NONE && r->e.t <= r->last && !(r->warned & WARNED_ORDER)) {
-            warn(r, 1, "an epoch that is not later than the one before (told once)");
+            orr_obs_warn(r, 1, "an epoch that is not later than the one before (told once)");
             r->warned |= WARNED_ORDER;
         }
         r->last = r->e.t;
@@ -381,7 +349,7 @@ static orr_status next_plain(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch
         r->e.line = orr_input_line_number(r->in);
         epoch_head head;
         if (!take_epoch_line(r, line, &head)) {
-            warn(r, 1, "not an epoch line: skipping to the next");
+            orr_obs_warn(r, 1, "not an epoch line: skipping to the next");
             r->skipped++;
             resync(r);
             continue;
@@ -403,7 +371,7 @@ static orr_status next_plain(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch
             orr_status s = finish_event(r, diag);
             if (s != ORR_OK) return s;
             if (o == AT_END && orr_input_status(r->in, NULL) == ORR_OK)
-                warn(r, 0, "the file ends within an event");
+                orr_obs_warn(r, 0, "the file ends within an event");
             o = GOOD;
         } else if (n > ORR_OBS_MAX_SATS) {
             return orr_diag_at(diag, ORR_E_LIMIT, orr_input_name(r->in), r->e.line, 0,
@@ -418,7 +386,7 @@ static orr_status next_plain(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch
         if (o == GOOD) return end_epoch(r, epoch, diag);
         r->skipped++;
         if (o == AT_END) {
-            warn(r, 0, "the file ends within an epoch: it is left out");
+            orr_obs_warn(r, 0, "the file ends within an epoch: it is left out");
             break;
         }
         resync(r);
@@ -464,7 +432,7 @@ static orr_status next_hatanaka(orr_rinex_obs *r, const orr_rinex_obs_epoch **ep
         epoch_head head;
         orr_view text = orr_view_cols(d->text, 1, r->h.version >= 3 ? 41 : 32);
         if (!take_epoch_line(r, text, &head) && !(d->is_event && d->n_event_lines == 0)) {
-            warn(r, 0, "a decoded epoch line that is not readable: the epoch is left out");
+            orr_obs_warn(r, 0, "a decoded epoch line that is not readable: the epoch is left out");
             r->skipped++;
             continue;
         }
@@ -495,134 +463,10 @@ orr_status orr_rinex_obs_next(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoc
     if (r->skipped > 0) // of damage alone nobody should make an empty day
         return orr_diag_at(diag, ORR_E_FORMAT, orr_input_name(r->in), orr_input_line_number(r->in), 0,
                            "no epoch of the file can be read");
-    if (!(r->warned & WARNED_EMPTY)) warn(r, 0, "the file has no epochs");
+    if (!(r->warned & WARNED_EMPTY)) orr_obs_warn(r, 0, "the file has no epochs");
     r->warned |= WARNED_EMPTY;
     return ORR_OK;
 }
 
 const orr_rinex_obs_header *orr_rinex_obs_header_of(const orr_rinex_obs *r) { return &r->h; }
 uint64_t orr_rinex_obs_skipped(const orr_rinex_obs *r) { return r->skipped; }
-
-// ---- opening ----
-
-static orr_status read_header(orr_rinex_obs *r, orr_diag *diag)
-{
-    orr_view line;
-    const char *name = orr_input_name(r->in);
-    orr_status s = ORR_OK;
-    if (!orr_input_line(r->in, &line)) {
-        s = orr_input_status(r->in, diag);
-        return s != ORR_OK ? s : orr_diag_at(diag, ORR_E_KIND, name, 1, 0, "the file is empty");
-    }
-    if (orr_crinex_is_first_line(line, &r->h.crinex_version)) {
-        r->h.hatanaka = true;
-        if (!orr_input_line(r->in, &line) ||
-            !orr_input_line(r->in, &line)) { // CRINEX PROG / DATE lies between
-            s = orr_input_status(r->in, diag);
-            return s != ORR_OK
-                       ? s
-                       : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the file ends within its header");
-        }
-    }
-    orr_rinex_first first;
-    s = orr_rinex_first_line(name, line, &first, diag);
-    obs_context c = context(r, diag);
-    if (s == ORR_OK) s = orr_obs_header_first(&r->h, &first, &c);
-    if (s == ORR_OK && r->h.hatanaka && (r->h.crinex_version >= 3) != (r->h.version >= 3))
-        warn(r, 1, "the Compact RINEX version does not belong to this RINEX version");
-    for (size_t i = 0; s == ORR_OK && !r->state.ended; i++) {
-        if (i > r->limits.max_header_lines)
-            return orr_diag_at(diag, ORR_E_LIMIT, name, 0, 0, "a header of more than %zu lines",
-                               r->limits.max_header_lines);
-        if (!orr_input_line(r->in, &line)) {
-            s = orr_input_status(r->in, diag);
-            return s != ORR_OK
-                       ? s
-                       : orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "the header has no END OF HEADER");
-        }
-        if (!r->h.hatanaka && r->h.version >= 3 && line.n > 1 && line.p[0] == '>' && line.p[1] == ' ')
-            return orr_diag_at(diag, ORR_E_FORMAT, name, orr_input_line_number(r->in), 1,
-                               "epochs begin before END OF HEADER");
-        c = context(r, diag);
-        s = orr_obs_header_line(&r->h, &r->state, line, &c);
-        if (s == ORR_OK && !orr_crinex_note_types(&r->counts, line))
-            s = orr_diag_at(diag, ORR_E_FORMAT, name, c.line, 1,
-                            "the number of observation types is not usable");
-    }
-    if (s != ORR_OK) return s;
-    c = context(r, diag);
-    s = orr_obs_header_check(&r->h, &r->state, &c);
-    if (s != ORR_OK) return s;
-    if (!(r->state.seen & OBS_SEEN_FIRST))
-        warn(r, 0, "the header has no TIME OF FIRST OBS: the system's own time is taken");
-    if (!(r->state.seen & OBS_SEEN_MARKER)) warn(r, 0, "the header has no MARKER NAME");
-    if (r->h.hatanaka)
-        s = orr_crinex_open(r->in, r->h.crinex_version, &r->counts, r->warnings, &r->crinex, diag);
-    return s;
-}
-
-static orr_status open_input(orr_input *in, const orr_rinex_obs_limits *limits, orr_warnings *warnings,
-                             orr_rinex_obs **out, orr_diag *diag)
-{
-    orr_rinex_obs *r = calloc(1, sizeof *r);
-    if (r == NULL) {
-        orr_input_close(in);
-        return no_memory(diag);
-    }
-    r->in = in;
-    r->limits = limits != NULL ? *limits : orr_rinex_obs_default_limits();
-    r->warnings = warnings;
-    r->state.open_system = -1;
-    r->last = ORR_TIME_NONE;
-    orr_rinex_obs_header_init(&r->h);
-    orr_status s = read_header(r, diag);
-    if (s != ORR_OK) {
-        orr_rinex_obs_close(r);
-        r = NULL;
-    }
-    *out = r;
-    return s;
-}
-
-static orr_input_limits input_limits(const orr_rinex_obs_limits *limits)
-{
-    orr_input_limits l = orr_input_default_limits();
-    uint64_t max = limits != NULL ? limits->max_bytes : orr_rinex_obs_default_limits().max_bytes;
-    l.max_bytes = max > SIZE_MAX ? SIZE_MAX : (size_t)max;
-    return l;
-}
-
-orr_status orr_rinex_obs_open(const char *path, const orr_rinex_obs_limits *limits, orr_warnings *warnings,
-                              orr_rinex_obs **out, orr_diag *diag)
-{
-    *out = NULL;
-    orr_input_limits l = input_limits(limits);
-    orr_input *in = NULL;
-    orr_status s = orr_input_open(path, &l, &in, diag);
-    return s != ORR_OK ? s : open_input(in, limits, warnings, out, diag);
-}
-
-orr_status orr_rinex_obs_open_memory(const char *name, const char *text, size_t n,
-                                     const orr_rinex_obs_limits *limits, orr_warnings *warnings,
-                                     orr_rinex_obs **out, orr_diag *diag)
-{
-    *out = NULL;
-    orr_input_limits l = input_limits(limits);
-    orr_input *in = NULL;
-    orr_status s = orr_input_open_bytes(name, text, n, &l, &in, diag);
-    return s != ORR_OK ? s : open_input(in, limits, warnings, out, diag);
-}
-
-void orr_rinex_obs_close(orr_rinex_obs *r)
-{
-    if (r == NULL) return;
-    drop_event_lines(r);
-    free(r->event_line);
-    free(r->value);
-    free(r->lli);
-    free(r->ssi);
-    orr_crinex_close(r->crinex);
-    orr_rinex_obs_header_free(&r->h);
-    orr_input_close(r->in);
-    free(r);
-}

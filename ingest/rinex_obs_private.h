@@ -21,11 +21,45 @@ typedef struct obs_header_state {
     size_t open_want; // types still to come
     size_t v2_want, v2_n;
     char v2_type[ORR_OBS_MAX_CODES][4];
-    bool glonass_slots_open;
     bool ended;
     uint32_t seen; // OBS_SEEN_*
 } obs_header_state;
 enum { OBS_SEEN_MARKER = 1, OBS_SEEN_TYPES = 2, OBS_SEEN_FIRST = 4 };
+
+struct orr_rinex_obs {
+    orr_input *in;
+    orr_rinex_obs_limits limits;
+    orr_warnings *warnings;
+    orr_rinex_obs_header h;
+    obs_header_state state;
+    orr_crinex *crinex; // NULL for plain files
+    orr_crinex_counts counts;
+    orr_rinex_obs_epoch e;
+    orr_sat sat[ORR_OBS_MAX_SATS];
+    double *value;
+    uint8_t *lli, *ssi;
+    size_t cells;
+    char **event_line; // as handed out
+    size_t n_event_lines, event_capacity;
+    uint64_t n_epochs, skipped;
+    orr_time last;
+    uint32_t warned; // WARNED_* and one bit a system
+};
+enum { WARNED_SYSTEM = 1u << 16, WARNED_EXTRA = 1u << 17, WARNED_ORDER = 1u << 18, WARNED_EMPTY = 1u << 19 };
+
+// A complaint about the line read last, and the place for header lines.
+static inline void orr_obs_warn(orr_rinex_obs *r, int column, const char *what)
+{
+    orr_warnings_add(r->warnings, orr_input_name(r->in), orr_input_line_number(r->in), column, "%s", what);
+}
+
+static inline obs_context orr_obs_context(orr_rinex_obs *r, orr_diag *diag)
+{
+    return (obs_context){orr_input_name(r->in), orr_input_line_number(r->in), r->warnings, diag};
+}
+
+// Frees the lines of the last event.
+void orr_obs_drop_event_lines(orr_rinex_obs *r);
 
 // Takes one header line. ORR_OK also where it only warned; an error refuses the file.
 orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, orr_view line,
