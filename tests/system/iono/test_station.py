@@ -5,13 +5,17 @@ import csv
 import gzip
 import io
 import json
+import math
 import os
 import pathlib
 import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "service"))
-from daemon import WORK, orrery  # noqa: E402
+from daemon import WORK, Daemon, orrery  # noqa: E402
+
+import orrery as client_package  # noqa: E402
+from orrery import messages  # noqa: E402
 
 DATA = pathlib.Path(os.environ.get("ORRERY_DATA", ""))
 DAY = DATA / "2024-035"
@@ -90,12 +94,37 @@ class Station(unittest.TestCase):
             rows = list(csv.DictReader(f))
         self.assertEqual(len(rows), joint["samples"])
         self.assertEqual({r["sat"][0] for r in rows}, set("GRE"))
+        self.served(session, rows)
         # Galileo's codes may be used, and other stations' orbits may be broadcast ones.
         used = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--biases", BIAS, "--code", "GE", "--json"))
         self.assertFalse(used["galileo_code"]["withheld"])
         nav = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", NAV, "--json"))
         self.assertLessEqual(nav["residual"]["rms_tecu"], 1.2)  # GPS alone, metres off: as good
         self.assertIsNone(nav["galileo_code"]["std_tecu"])
+
+    def served(self, session, rows):
+        """The session on the wire: at the station the fused curve, 30 km away alike, noise where the station saw nothing."""
+        scenario = WORK / "session.yaml"
+        scenario.write_text(f"orbit: {{product: {orbit()}}}\nionosphere: {{session: {session}, seed: 3}}\n")
+        noon = [r for r in rows if r["t_gps"] == "2024-02-04T12:00:00"]
+        self.assertGreater(len(noon), 15)
+        with Daemon(scenario) as d, client_package.Client(d.urls[0]) as c:
+            home = {client_package.client.sat_name(s.sat): s for s in c.delays("2024-02-04T12:00:00").satellites}
+            for r in noon:
+                s = home[r["sat"]]
+                self.assertEqual(s.origin, messages.TecOrigin.FUSED)
+                self.assertAlmostEqual(s.stec_tecu, float(r["stec_tecu"]), places=5)
+                self.assertAlmostEqual(math.degrees(s.el_rad), float(r["el_deg"]), places=3)
+            own = c.delays("2024-02-04T12:00:00").receiver_m
+            away = [own[0] - 9.2e3, own[1] + 28.6e3, own[2]]
+            near = {client_package.client.sat_name(s.sat): s for s in c.delays("2024-02-04T12:00:00", away).satellites}
+            for r in noon:
+                self.assertEqual(near[r["sat"]].origin, messages.TecOrigin.TRANSFERRED)
+                self.assertAlmostEqual(near[r["sat"]].stec_tecu, home[r["sat"]].stec_tecu, delta=6)
+            unseen = [s for s in home.values() if s.answer == messages.Answer.OK and s.origin == messages.TecOrigin.NOISE]
+            self.assertTrue(unseen)
+            self.assertGreater(min(s.sigma_tecu for s in unseen), 0.3)
+            self.assertEqual(c.delays("2024-02-04T12:00:00", away).encode(), c.delays("2024-02-04T12:00:00", away).encode())
 
     def test_pair(self):
         a, b = PAIR / "07590920.05o.gz", PAIR / "30400920.05o.gz"
