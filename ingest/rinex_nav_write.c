@@ -187,7 +187,7 @@ static void put_sto(FILE *f, const orr_nav *nav, size_t i)
     }
     static const char *const utc[] = {"UTC(NIST)", "UTC(USNO)",       "UTC(SU)",
                                       "UTC(BIPM)", "UTC(Europe Lab)", "UTC(CRL)"};
-    char id[4] = "";
+    char id[12] = "";
     for (int k = 0; k < 6; k++)
         if (strcmp(s->utc_id, utc[k]) == 0) snprintf(id, sizeof id, "%2d", k + 1);
     put_header(f, "TIME SYSTEM CORR", "%-4.4s %17.10E%16.9E %6lld %4d %-5.5s %s", s->code, s->a0_s, s->a1_sps,
