@@ -100,6 +100,16 @@ static bool starts_nocase(const char *p, size_t n, const char *s)
     return n >= k && strncasecmp(p, s, k) == 0;
 }
 
+// Text whose lines end with CR alone would be one line to every reader.
+static orr_status refuse_bare_cr(const char *name, const char *p, size_t n, orr_diag *diag)
+{
+    if (n > HEAD) n = HEAD;
+    if (n == 0 || memchr(p, '\r', n - 1) == NULL || memchr(p, '\n', n) != NULL || memchr(p, '\0', n) != NULL)
+        return ORR_OK;
+    return orr_diag_at(diag, ORR_E_KIND, name, 0, 0,
+                       "lines end with CR alone, as on old Macintoshes: turn them into LF (tr '\\r' '\\n')");
+}
+
 // A server's answer (login form, "404 not found") saved under the name of the file that was asked for.
 static orr_status refuse_web_page(const char *name, const char *p, size_t n, orr_diag *diag)
 {
@@ -111,7 +121,7 @@ static orr_status refuse_web_page(const char *name, const char *p, size_t n, orr
         p++;
         n--;
     }
-    if (n == 0 || *p != '<') return ORR_OK;
+    if (n == 0 || *p != '<') return refuse_bare_cr(name, p, n, diag);
     static const char *const opening[] = {"<!doctype", "<html",   "<head", "<body",
                                           "<!--",      "<script", "<title"};
     bool page = false;

@@ -270,6 +270,8 @@ static void test_not_data(void **state)
         assert_non_null(strstr(expect_refusal(z, zn, NULL, ORR_E_KIND), "web page"));
         free(z);
     }
+    assert_non_null(strstr(expect_refusal("one\rtwo\rthree", 13, NULL, ORR_E_KIND), "CR alone"));
+    expect_text("one\r", 4, "one\r", 4); // cut inside CR LF
     assert_non_null(strstr(expect_refusal("PK\x03\x04....", 8, NULL, ORR_E_KIND), "zip"));
     orr_diag d = {0};
     orr_bytes b;
