@@ -38,7 +38,7 @@ void orr_sensors_instant(const orr_trajectory *tr, const orr_gravity *g, double 
 }
 
 // Where gravitation comes from in a quadrature: from the field, or (field NULL, track set) from a parabola in
-// time through three values of normal gravitation a step apart. That errs by 1e-13 m/s^2 at 100 Hz and halves
+// time through three of its values a step apart. That errs by 1e-13 m/s^2 at 100 Hz and halves
 // the work.
 typedef struct pull {
     const orr_gravity *field;
@@ -107,22 +107,25 @@ void orr_sensors_increment(const orr_trajectory *tr, const orr_gravity *g, orr_q
     increment(tr, &p, quadrature, order, from_s, to_s, dtheta_rad, dv_mps);
 }
 
-// All increments of a run. Steps of up to 20 m in plain normal gravity take the parabola through their edges.
+// All increments of a run. Steps of up to 20 m in plain normal gravity, of up to 5 m in one with a
+// profile or map (whose cells are a hundred times that), take the parabola through their edges.
 static void fill_increments(const orr_trajectory *tr, const orr_gravity *g, orr_imu *imu)
 {
     orr_vec3 track[3];
+    bool even = orr_gravity_parts_view(g).n_masses == 0; // a mass may be so near that a parabola is none
     pull p = {.field = g, .track = NULL, .step_s = 1.0 / imu->rate_hz};
     for (size_t j = 0; j < imu->n; j++) {
         p.from_s = orr_imu_edge_s(imu, j);
         // The middle value is that of the step's begin; at the first step the parabola is one place late.
-        bool smooth = g == NULL && imu->n >= 2 && orr_vec3_norm(imu->v_mps[j]) * p.step_s < 20.0;
+        bool smooth =
+            even && imu->n >= 2 && orr_vec3_norm(imu->v_mps[j]) * p.step_s < (g == NULL ? 20.0 : 5.0);
         if (smooth && p.track == NULL) {
             size_t from = j == 0 ? 0 : j - 1;
-            for (size_t k = 0; k < 3; k++) track[k] = orr_earth_normal_gravitation(imu->r_m[from + k]);
+            for (size_t k = 0; k < 3; k++) track[k] = orr_gravity_gravitation(g, imu->r_m[from + k]);
         } else if (smooth && j >= 2) {
             track[0] = track[1];
             track[1] = track[2];
-            track[2] = orr_earth_normal_gravitation(imu->r_m[j + 1]);
+            track[2] = orr_gravity_gravitation(g, imu->r_m[j + 1]);
         }
         if (j == 0) p.from_s += p.step_s;
         p.track = smooth ? track : NULL;

@@ -167,7 +167,10 @@ static orr_status make_telemetry(const orr_scenario_motion *m, orr_time fallback
     return s;
 }
 
-static orr_status make_gravity(const orr_scenario_motion *m, orr_moving *out, orr_diag *diag)
+static void transfer_profile(const orr_mat3 *C, orr_gravity_parts *p);
+
+static orr_status make_gravity(const orr_scenario_motion *m, const orr_mat3 *C, orr_moving *out,
+                               orr_diag *diag)
 {
     orr_gravity_parts p = {0};
     orr_gravity_file file;
@@ -184,6 +187,7 @@ static orr_status make_gravity(const orr_scenario_motion *m, orr_moving *out, or
     if (m->profile_distance_m.n != m->profile_mgal.n)
         s = orr_diag_set(diag, ORR_E_FORMAT, "gravity.profile has %zu distances and %zu values",
                          m->profile_distance_m.n, m->profile_mgal.n);
+    if (C != NULL) transfer_profile(C, &p);
     p.n_profile = m->profile_distance_m.n;
     p.profile_distance_m = m->profile_distance_m.item;
     p.profile_mgal = m->profile_mgal.item;
@@ -238,12 +242,29 @@ static orr_status mount_units(const orr_scenario_motion *m, orr_moving *out, orr
     return ORR_OK;
 }
 
-static orr_status transfer(const orr_scenario_motion *m, orr_trajectory *tr, orr_diag *diag)
+// A gravity profile goes with the flight: its begin and direction turn as places do.
+static void transfer_profile(const orr_mat3 *C, orr_gravity_parts *p)
+{
+    double lat, lon, azimuth, length;
+    orr_earth_geodesic_direct(p->profile_lat_rad, p->profile_lon_rad, p->profile_azimuth_rad, 1e4, &lat, &lon,
+                              &azimuth);
+    orr_vec3 a = orr_earth_to_ecef((orr_geodetic){p->profile_lat_rad, p->profile_lon_rad, 0.0});
+    orr_vec3 b = orr_earth_to_ecef((orr_geodetic){lat, lon, 0.0});
+    orr_geodetic from = orr_earth_from_ecef(orr_mat3_apply_t(C, a)),
+                 to = orr_earth_from_ecef(orr_mat3_apply_t(C, b));
+    p->profile_lat_rad = from.lat_rad;
+    p->profile_lon_rad = from.lon_rad;
+    orr_earth_geodesic_inverse(from.lat_rad, from.lon_rad, to.lat_rad, to.lon_rad, &length,
+                               &p->profile_azimuth_rad, &azimuth);
+}
+
+static orr_status transfer(const orr_scenario_motion *m, orr_trajectory *tr, orr_mat3 *C_out, orr_diag *diag)
 {
     orr_vec3 to = orr_earth_to_ecef((orr_geodetic){m->to_lat_deg * DEG, m->to_lon_deg * DEG, 0.0});
     if (m->to_lat_deg > 90.0 - 1e-9 || m->to_lat_deg < -90.0 + 1e-9) to.x = to.y = 0.0; // the pole itself
     orr_mat3 C = orr_polar_rotation(orr_trajectory_middle(tr), to, m->to_azimuth_deg * DEG);
     orr_trajectory moved;
+    *C_out = C;
     orr_status s = orr_polar_transfer(tr, &C, 0.0, &moved, diag);
     if (s != ORR_OK) return s;
     orr_trajectory_free(tr);
@@ -271,8 +292,9 @@ orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start
     default:
         return orr_diag_set(diag, ORR_E_NODATA, "the scenario has no trajectory (trajectory.kind)");
     }
-    if (s == ORR_OK && m->transfer) s = transfer(m, &out->trajectory, diag);
-    if (s == ORR_OK) s = make_gravity(m, out, diag);
+    orr_mat3 C;
+    if (s == ORR_OK && m->transfer) s = transfer(m, &out->trajectory, &C, diag);
+    if (s == ORR_OK) s = make_gravity(m, m->transfer ? &C : NULL, out, diag);
     if (s == ORR_OK) s = mount_units(m, out, diag);
     out->rate_hz = m->rate_hz;
     out->mode = (orr_imu_mode){.approach = m->approach + 1,
