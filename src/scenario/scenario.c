@@ -93,8 +93,9 @@ static orr_status check(const orr_scenario *s, const orr_yaml *y, orr_diag *diag
                            "orbit.product and orbit.sp3 exclude each other");
     // A flight alone is a scenario too: for inertial readings without satellites.
     if (o->product == NULL && o->sp3.n == 0 && s->motion.kind == ORR_MOTION_NONE)
-        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
-                           "no orbits and no trajectory: name an orbit.product or orbit.sp3, or a trajectory.kind");
+        return orr_diag_at(
+            diag, ORR_E_FORMAT, y->name, 0, 0,
+            "no orbits and no trajectory: name an orbit.product or orbit.sp3, or a trajectory.kind");
     if (o->product != NULL && (o->nodes_s > 0 || o->exclude.n > 0 || o->erp.n > 0))
         return orr_diag_at(
             diag, ORR_E_FORMAT, y->name, 0, 0,

@@ -75,7 +75,9 @@ static void clean_log(void **state)
         orr_trajectory tr;
         orr_fit_report rep;
         ASSERT_OK(orr_trajectory_from_telemetry(0, &k->log, &o, &tr, &rep, &diag), diag);
-        for (size_t i = 0; i < rep.n_excluded; i++) print_message("%d %s %g\n", rep.excluded[i].attitude, orr_fault_name(rep.excluded[i].fault), rep.excluded[i].t_s);
+        for (size_t i = 0; i < rep.n_excluded; i++)
+            print_message("%d %s %g\n", rep.excluded[i].attitude, orr_fault_name(rep.excluded[i].fault),
+                          rep.excluded[i].t_s);
         assert_int_equal(rep.n_excluded, 0);
         assert_int_equal(rep.positions_used, 1200);
         ASSERT_NEAR(rep.position_knot_s, 1.0, 1e-12);
