@@ -22,7 +22,7 @@ static void put(draft *d, int first, int n, uint32_t value)
 static void put_split(draft *d, int first1, int n1, int first2, int n2, uint32_t value)
 {
     put(d, first1, n1, value >> n2);
-    put(d, first2, n2, n2 == 32 ? value : value & ((UINT32_C(1) << n2) - 1));
+    put(d, first2, n2, value & ((UINT32_C(1) << n2) - 1));
 }
 
 // value / lsb as an integer of n bits; the first failure is kept.

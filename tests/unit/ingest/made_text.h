@@ -15,6 +15,7 @@ typedef struct made_text {
 
 static inline void made_bytes(made_text *t, const char *p, size_t n)
 {
+    if (n > (size_t)1 << 30) abort(); // nobody makes that; the optimiser is told so
     if (t->n + n + 1 > t->capacity) {
         t->capacity = 2 * (t->n + n + 1);
         char *s = realloc(t->s, t->capacity);
