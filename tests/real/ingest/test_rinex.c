@@ -52,7 +52,7 @@ static void code_and_phase_agree(void **state)
             track now = {e->t, v[c1], v[l1] * LIGHT_MPS / L1_HZ,
                          isnan(v[l2]) ? (double)NAN : v[l1] * LIGHT_MPS / L1_HZ - v[l2] * LIGHT_MPS / L2_HZ};
             track *b = &last[orr_sat_number(e->sat[i])];
-            if (now.t - b->t == 30 * ORR_NS_PER_S && b->t != ORR_TIME_NONE) {
+            if (b->t != ORR_TIME_NONE && now.t - b->t == 30 * ORR_NS_PER_S) {
                 if (e->lli[i * e->stride + (size_t)l1] & ORR_OBS_LLI_SLIP) {
                     n_slips++;
                 } else {
