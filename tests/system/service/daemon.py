@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "proto/python"))
@@ -82,4 +83,10 @@ class Daemon:
         return status
 
     def said(self, words):
-        return any(words in line for line in self.lines)
+        """Whether its log has the words; what it does at this moment may take a while to get there."""
+        end = time.monotonic() + PATIENCE_S / 3
+        while not any(words in line for line in list(self.lines)):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.02)
+        return True
