@@ -58,6 +58,10 @@ def main():
             expect("\x1b" not in done.stderr, f"{name}: escape sequences reach the terminal")
         expect(run(folder).returncode == 1, "a folder")
         expect(run(folder / "nowhere").returncode == 1, "no such file")
+        log = folder / "log.csv"
+        log.write_text("t,lat,lon\n" + "".join(f"{k},{k / 7:.3f},,\n" for k in range(50)) + "51,1\n", encoding="utf-8")
+        report = json.loads(run("--json", log).stdout)
+        expect((report["kind"], report["records"], len(report["warnings"])) == ("table", 51, 1), f"a table: {report}")
         done = run(golden / "c.sp3", folder / "empty", golden / "d.sp3")
         expect(done.returncode == 1 and done.stdout.count("SP3 orbits") == 2, "one of three files is refused")
     expect(run().returncode == 2 and run("--nonsense", "x").returncode == 2, "asked wrongly")
