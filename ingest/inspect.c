@@ -45,6 +45,10 @@ void orr_inspection_free(orr_inspection *r)
 orr_status orr_inspect(const char *path, orr_inspection *out, orr_diag *diag)
 {
     orr_inspection_init(out);
+    if (orr_inspect_is_zip(path)) {
+        out->kind = ORR_KIND_ZIP;
+        return orr_inspect_zip(path, out, diag);
+    }
     orr_input *in = NULL;
     orr_status st = orr_input_open(path, NULL, &in, diag);
     if (st != ORR_OK) return st;

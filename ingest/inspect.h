@@ -40,6 +40,10 @@ orr_status orr_inspect(const char *path, orr_inspection *out, orr_diag *diag);
 void orr_inspection_init(orr_inspection *r);
 void orr_inspection_free(orr_inspection *r);
 
+// Archives are looked at before anything is opened: they are no text, whatever is in them.
+bool orr_inspect_is_zip(const char *path);
+orr_status orr_inspect_zip(const char *path, orr_inspection *r, orr_diag *diag);
+
 // For the kinds' functions, orr_status orr_inspect_<name>(const char *path, orr_inspection *r, orr_diag
 // *diag): kind and version are set already (a function may refine the version), the rest is as
 // orr_inspection_init left it.

@@ -29,6 +29,7 @@ static const struct {
     [ORR_KIND_TABLE] = {"table", "a table of numbers"},
     [ORR_KIND_NETCDF] = {"netcdf", "NetCDF data"},
     [ORR_KIND_LEAPS] = {"leap-seconds", "a list of leap seconds"},
+    [ORR_KIND_ZIP] = {"zip", "a zip archive"},
 };
 
 const char *orr_kind_name(orr_kind k) { return k < ORR_KIND_N ? kinds[k].name : kinds[0].name; }

@@ -29,6 +29,7 @@ typedef enum orr_kind {
     ORR_KIND_TABLE,  // numbers or words in columns (CSV, blanks): telemetry
     ORR_KIND_NETCDF, // NetCDF or HDF5: a product of ours
     ORR_KIND_LEAPS,  // IERS leap-seconds.list
+    ORR_KIND_ZIP,    // an archive of files; told of, not read through
     ORR_KIND_N
 } orr_kind;
 

@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 KEYS = {"kind": str, "version": (str, type(None)), "from": (str, type(None)), "to": (str, type(None)),
         "interval_s": (float, int, type(None)), "systems": list, "satellites": (int, type(None)),
@@ -62,6 +63,14 @@ def main():
         log.write_text("t,lat,lon\n" + "".join(f"{k},{k / 7:.3f},,\n" for k in range(50)) + "51,1\n", encoding="utf-8")
         report = json.loads(run("--json", log).stdout)
         expect((report["kind"], report["records"], len(report["warnings"])) == ("table", 51, 1), f"a table: {report}")
+        archive = folder / "logs.zip"
+        with zipfile.ZipFile(archive, "w") as z:
+            z.writestr("a.txt", "1 2 3\n")
+            z.writestr("b.txt", "4 5 6\n")
+        report = json.loads(run("--json", archive).stdout)
+        expect((report["kind"], report["records"]) == ("zip", 2), f"an archive: {report}")
+        archive.write_bytes(archive.read_bytes()[:-30])
+        expect(run(archive).returncode == 1, "a cut archive")
         done = run(golden / "c.sp3", folder / "empty", golden / "d.sp3")
         expect(done.returncode == 1 and done.stdout.count("SP3 orbits") == 2, "one of three files is refused")
     expect(run().returncode == 2 and run("--nonsense", "x").returncode == 2, "asked wrongly")
