@@ -242,8 +242,9 @@ static void put_events(file *f, const orr_ephemeris *e)
     COLUMN(int64_t, e->n_events, e->event[i].t1,
            time_var(f, "event_end", "event", column, "end of the event"));
     COLUMN(double, e->n_events, e->event[i].value,
-           put(f, "event_value", ORR_NC_DOUBLE, "event", column, "m",
-               "size of a rejected node's miss or of a jump at a day's joint; 0 for other kinds"));
+           put(f, "event_value", ORR_NC_DOUBLE, "event", column, NULL,
+               "size of a rejected node's miss or of a jump at a day's joint, m; change of velocity at a "
+               "manoeuvre, m/s; 0 for other kinds"));
 }
 
 static void put_sources(file *f, const orr_ephemeris *e)
