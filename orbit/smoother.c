@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/smoother.h"
 
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/parallel.h"
 #include "orbit/satellite.h"
 
 #define CLOCK_GAP_STEPS 1.5 // clocks are interpolated between neighbours of the usual step only
@@ -117,15 +117,6 @@ static void *worker(void *arg)
     return NULL;
 }
 
-static void run_pool(pool *p, int jobs)
-{
-    pthread_t thread[256];
-    int started = 0;
-    while (started < jobs - 1 && pthread_create(&thread[started], NULL, worker, p) == 0) started++;
-    worker(p); // this thread works too, and alone if no other could be started
-    for (int i = 0; i < started; i++) pthread_join(thread[i], NULL);
-}
-
 // Moves finished satellites into the solution and counts; what was left out is said.
 static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report *report,
                           orr_warnings *warnings, orr_diag *diag)
@@ -217,7 +208,7 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, out);
     if (s == ORR_E_MEMORY) orr_diag_set(diag, s, "out of memory for %zu satellites", table.n_sats);
     if (s == ORR_OK) {
-        run_pool(&p, options->jobs);
+        orr_parallel_run(options->jobs, worker, &p);
         s = collect(&p, out, report, warnings, diag);
         for (size_t i = 0; i < table.n_sats; i++) orr_satellite_free(&p.sat[i]);
     }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several threads at one worker: each takes tasks by an atomic counter of the caller's, so results do not
+// depend on how many there are.
+#ifndef ORR_CORE_PARALLEL_H
+#define ORR_CORE_PARALLEL_H
+
+#include <stddef.h>
+
+// Runs task(user, i) for i = 0..n-1 on up to `jobs` threads (the caller's own is one of them; 1 to 256), and
+// returns when all are done. Tasks must be independent. If no thread can be started the caller's does all.
+void orr_parallel_each(size_t n, int jobs, void (*task)(void *user, size_t i), void *user);
+// The same, one level lower: `worker(user)` on up to `jobs` threads; for workers that keep something of their
+// own.
+void orr_parallel_run(int jobs, void *(*worker)(void *user), void *user);
+
+#endif
