@@ -59,19 +59,34 @@ static const parameter lnav[] = {
 
 static double *field(orr_nav_eph *e, const parameter *p) { return (double *)(void *)((char *)e + p->offset); }
 
-static orr_status gather(orr_time t0, double window_s, orr_navfit_source source, void *user, window *w,
+static orr_status gather(orr_time from, orr_time to, orr_navfit_source source, void *user, window *w,
                          orr_diag *diag)
 {
-    double step = window_s / 24 < 300 ? window_s / 24 : 300;
-    int half = (int)floor(window_s / 2 / step + 1e-9);
+    double length_s = orr_time_diff_s(to, from);
+    int n = length_s > 24 * 300.0 ? (int)ceil(length_s / 300 - 1e-9) : 24;
     w->n = 0;
-    for (int k = -half; k <= half && w->n < MAX_POSITIONS; k++) {
-        orr_time t = orr_time_add_s(t0, k * step);
+    for (int k = 0; k <= n && w->n < MAX_POSITIONS; k++) {
+        orr_time t = orr_time_add_s(from, length_s * k / n);
         if (source(user, t, &w->pos[w->n]) == ORR_OK) w->t[w->n++] = t;
     }
     if (w->n >= 9) return ORR_OK;
     return orr_diag_set(diag, ORR_E_NODATA,
-                        "only %zu positions of the window of %g s are in the orbit product", w->n, window_s);
+                        "only %zu positions of the window of %g s are in the orbit product", w->n, length_s);
+}
+
+// A window of so many seconds, and the parameters' instant within it or not further outside than it is long.
+static orr_status check_window(orr_time t0, orr_time from, orr_time to, double least_s, double most_s,
+                               orr_diag *diag)
+{
+    double length_s = orr_time_diff_s(to, from);
+    if (!(length_s >= least_s && length_s <= most_s))
+        return orr_diag_set(diag, ORR_E_ARG, "a fit window of %g s is not in %g..%g s", length_s, least_s,
+                            most_s);
+    if (orr_time_diff_s(from, t0) > length_s || orr_time_diff_s(t0, to) > length_s)
+        return orr_diag_set(
+            diag, ORR_E_ARG,
+            "the instant of the parameters is further outside the fit window than it is long");
+    return ORR_OK;
 }
 
 static orr_status residuals(const orr_nav_eph *e, const window *w, double *out, double *rms_m, double *max_m)
@@ -156,22 +171,50 @@ static orr_status round_to_field(orr_nav_eph *e, const parameter *p, orr_diag *d
 
 static double wrap(double a) { return remainder(a, 2 * ORR_PI); } // [-pi, pi]: the field's semicircles
 
-// Elements at toe from the positions about it: inertial axes that coincide with ecef at toe, velocity by a
-// five-point rule.
+// Position and velocity in the middle of the window, in inertial axes that coincide with ecef at t0: the
+// derivative of the polynomial through the five positions that are closest together (there may be gaps).
+// Returns which position it is.
+static size_t middle_state(const window *w, orr_time t0, double earth_rate, orr_vec3 *r, orr_vec3 *v)
+{
+    size_t first = 0;
+    double best = HUGE_VAL;
+    for (size_t i = 0; i + 5 <= w->n; i++) {
+        double span = orr_time_diff_s(w->t[i + 4], w->t[i]),
+               aside = fabs((double)i + 2 - 0.5 * (double)(w->n - 1));
+        if (span + 1e-3 * aside < best) best = span + 1e-3 * aside, first = i;
+    }
+    const size_t mid = first + 2;
+    double x[5];
+    orr_vec3 in[5];
+    for (size_t k = 0; k < 5; k++) {
+        orr_mat3 back = orr_mat3_rot3(-earth_rate * orr_time_diff_s(w->t[first + k], t0));
+        in[k] = orr_mat3_apply(&back, w->pos[first + k]);
+        x[k] = orr_time_diff_s(w->t[first + k], w->t[mid]);
+    }
+    *r = in[2];
+    *v = (orr_vec3){0, 0, 0};
+    for (size_t k = 0; k < 5; k++) { // Lagrange's basis: l_k'(0), the node at 0 being in[2]
+        double slope = 0;
+        if (k == 2) {
+            for (size_t j = 0; j < 5; j++)
+                if (j != 2) slope -= 1 / x[j];
+        } else {
+            slope = 1 / x[k];
+            for (size_t j = 0; j < 5; j++)
+                if (j != k && j != 2) slope *= x[j] / (x[j] - x[k]);
+        }
+        *v = orr_vec3_axpy(slope, in[k], *v);
+    }
+    return mid;
+}
+
+// Elements at toe from a state in the window, wherever toe is.
 static orr_status first_guess(orr_nav_eph *e, const window *w, double gm, double earth_rate)
 {
-    size_t mid = w->n / 2;
-    if (mid < 2 || mid + 2 >= w->n) return ORR_E_NODATA;
-    double h = orr_time_diff_s(w->t[mid + 1], w->t[mid]);
-    orr_vec3 in[5], v = {0, 0, 0};
-    static const double rule[5] = {1.0 / 12, -8.0 / 12, 0, 8.0 / 12, -1.0 / 12};
-    for (int k = 0; k < 5; k++) {
-        orr_mat3 back = orr_mat3_rot3(-earth_rate * orr_time_diff_s(w->t[mid - 2 + (size_t)k], e->toe));
-        in[k] = orr_mat3_apply(&back, w->pos[mid - 2 + (size_t)k]);
-        v = orr_vec3_axpy(rule[k] / h, in[k], v);
-    }
+    orr_vec3 r, v;
+    size_t mid = middle_state(w, e->toe, earth_rate, &r, &v);
     orr_kepler el;
-    orr_status s = orr_kepler_from_state(in[2], v, gm, &el);
+    orr_status s = orr_kepler_from_state(r, v, gm, &el);
     if (s != ORR_OK) return s;
     double dt = orr_time_diff_s(w->t[mid], e->toe);
     orr_nav_kepler *k = &e->kepler;
@@ -186,18 +229,20 @@ static orr_status first_guess(orr_nav_eph *e, const window *w, double gm, double
     return ORR_OK;
 }
 
-orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, double window_s, orr_navfit_source source, void *user,
-                           orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag)
+orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, orr_time from, orr_time to, double fit_interval_h,
+                           orr_navfit_source source, void *user, orr_nav_eph *eph, orr_navfit_report *report,
+                           orr_diag *diag)
 {
     window w;
-    if (!(window_s >= 1800 && window_s <= 21600))
-        return orr_diag_set(diag, ORR_E_ARG, "a fit window of %g s is not in 1800..21600 s", window_s);
+    orr_status s = check_window(toe, from, to, 1800, 21600, diag);
+    if (s != ORR_OK) return s;
+    if (!(fit_interval_h > 0)) return orr_diag_set(diag, ORR_E_ARG, "a fit interval of %g h", fit_interval_h);
     int32_t week;
     int64_t sow_ns;
     orr_time_week(toe, &week, &sow_ns);
     if (sow_ns % (16 * ORR_NS_PER_S) != 0)
         return orr_diag_set(diag, ORR_E_ARG, "toe is transmitted in steps of 16 s of the week");
-    orr_status s = gather(toe, window_s, source, user, &w, diag);
+    s = gather(from, to, source, user, &w, diag);
     if (s != ORR_OK) return s;
     orr_nav_eph e = {.sat = sat,
                      .kind = ORR_NAV_KEPLER,
@@ -206,7 +251,7 @@ orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, double window_s, orr_navfi
                      .toc = toe,
                      .transmission = ORR_TIME_NONE,
                      .week = week,
-                     .fit_interval_h = window_s / 3600,
+                     .fit_interval_h = fit_interval_h,
                      .iode = ORR_NAV_NO_IOD,
                      .iodc = ORR_NAV_NO_IOD};
     e.kepler.toe_sow_s = (double)sow_ns * 1e-9;
@@ -290,13 +335,30 @@ static orr_status search_lattice(orr_nav_eph *e, const window *w)
     return s;
 }
 
-orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, double window_s, orr_navfit_source source, void *user,
-                              orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag)
+// State at tb: that of the window's middle, carried to tb by the message's own model.
+static orr_status glonass_guess(orr_nav_eph *e, const window *w)
+{
+    orr_vec3 r, v;
+    size_t mid = middle_state(w, w->t[w->n / 2], 0, &r, &v);
+    orr_nav_eph there = *e;
+    there.toe = w->t[mid];
+    there.glonass.pos_m = r, there.glonass.vel_mps = v;
+    there.glonass.acc_mps2 = lunisolar(there.toe, r);
+    orr_broadcast_state at_tb;
+    orr_status s = orr_broadcast_eval(&there, e->toe, &at_tb);
+    if (s != ORR_OK) return s;
+    e->glonass.pos_m = at_tb.pos_m;
+    e->glonass.vel_mps = at_tb.vel_mps;
+    e->glonass.acc_mps2 = lunisolar(e->toe, at_tb.pos_m);
+    return ORR_OK;
+}
+
+orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time to, orr_navfit_source source,
+                              void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag)
 {
     window w;
-    if (!(window_s >= 600 && window_s <= 7200))
-        return orr_diag_set(diag, ORR_E_ARG, "a fit window of %g s is not in 600..7200 s", window_s);
-    orr_status s = gather(tb, window_s, source, user, &w, diag);
+    orr_status s = check_window(tb, from, to, 600, 7200, diag);
+    if (s == ORR_OK) s = gather(from, to, source, user, &w, diag);
     if (s != ORR_OK) return s;
     orr_nav_eph e = {.sat = sat,
                      .kind = ORR_NAV_GLONASS,
@@ -309,12 +371,8 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, double window_s, orr_nav
                      .iode = ORR_NAV_NO_IOD,
                      .iodc = ORR_NAV_NO_IOD};
     e.glonass.frame_time_s = e.glonass.delta_tau_s = e.glonass.ura = (double)NAN;
-    size_t mid = w.n / 2;
-    double h = orr_time_diff_s(w.t[mid + 1], w.t[mid - 1]);
-    e.glonass.pos_m = w.pos[mid];
-    e.glonass.vel_mps = orr_vec3_scale(1 / h, orr_vec3_sub(w.pos[mid + 1], w.pos[mid - 1]));
-    e.glonass.acc_mps2 = lunisolar(tb, w.pos[mid]);
-    s = converge(&e, &w, glonass, 6, ITERATIONS);
+    s = glonass_guess(&e, &w);
+    if (s == ORR_OK) s = converge(&e, &w, glonass, 6, ITERATIONS);
     if (s == ORR_OK) s = residuals(&e, &w, NULL, &report->fit_rms_m, NULL);
     for (size_t k = 6; k < 9 && s == ORR_OK; k++) s = round_to_field(&e, &glonass[k], diag);
     if (s == ORR_OK) s = converge(&e, &w, glonass, 6, ITERATIONS);
@@ -329,7 +387,7 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, double window_s, orr_nav
     return ORR_OK;
 }
 
-orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, double window_s,
+orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                             orr_nav_eph *eph, double *rms_s, orr_diag *diag)
 {
     const bool is_glonass = eph->kind == ORR_NAV_GLONASS;
@@ -337,11 +395,10 @@ orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, do
     double x[25], y[25], sx = 0, sy = 0, sxx = 0, sxy = 0, sum = 0;
     int n = 0;
     for (int k = 0; k <= points; k++) {
-        double dt = window_s * ((double)k / points - 0.5);
+        orr_time t = orr_time_add_s(from, orr_time_diff_s(to, from) * k / points);
+        double dt = orr_time_diff_s(t, t0);
         orr_sat_state s;
-        if (orr_ephemeris_eval(e, sat, orr_time_add_s(t0, dt), &s) != ORR_OK ||
-            !(s.flags & ORR_EPH_CLOCK_VALID))
-            continue;
+        if (orr_ephemeris_eval(e, sat, t, &s) != ORR_OK || !(s.flags & ORR_EPH_CLOCK_VALID)) continue;
         double clock = s.clock_s;
         if (is_glonass) {
             orr_vec3 v =

@@ -17,26 +17,37 @@ typedef struct orr_navfit_report {
     double fit_rms_m;    // the same before quantisation
 } orr_navfit_report;
 
-// LNAV: the fifteen Kepler parameters at toe by least squares over [toe - window/2, toe + window/2]
-// (IS-GPS-200N table 20-III), positions every 300 s or 1/24 of the window, whichever is less, each parameter
-// rounded in turn to its LSB and the rest fitted again. On success eph holds kepler (quantised), toe, toc,
-// week, fit_interval_h (the window), kind and message; the caller sets clock, issue, health. window_s: 7200
-// or 14400 as the fit interval flag knows them, any from 1800 to 21600. ORR_E_NODATA if the source has fewer
-// than 9 positions in the window; ORR_E_RANGE if a parameter does not fit its field.
-orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, double window_s, orr_navfit_source source, void *user,
-                           orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
+// The window [from, to] is where the orbit is known; it need not be centred on the parameters' instant (toe,
+// tb), which may stand at its edge or outside it by no more than its length: at the ends of a product the
+// window is shifted inward. Positions are taken at most 300 s apart, in 24 intervals at least, both ends
+// included; instants where the source has nothing (a gap) are left out. Whatever happens within the window,
+// one smooth orbit is fitted: after a manoeuvre the fit is what it is, and report.max_m tells.
+//
+// Common errors: ORR_E_ARG (length of the window, instant), ORR_E_NODATA if the source has fewer than 9
+// positions in the window, ORR_E_RANGE with the field's name if a parameter does not fit its field,
+// ORR_E_NUMERIC where the positions are no such orbit.
 
-// GLONASS: position and velocity at tb by least squares over tb +- window/2 (1800 s), with the lunisolar
-// acceleration of Sun and Moon at tb, all on their LSBs (2^-11 km, 2^-20 km/s, 2^-30 km/s^2); of the lattice
-// points next to the solution the one that fits best. Positions are PZ-90.11 (taken equal to ITRF). The
-// caller sets clock, channel, health.
-orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, double window_s, orr_navfit_source source, void *user,
-                              orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
+// LNAV: the fifteen Kepler parameters at toe (a multiple of 16 s of the week) by least squares over [from,
+// to], 1800 to 21600 s (IS-GPS-200N table 20-III), each parameter rounded in turn to its LSB and the rest
+// fitted again. On success eph holds kepler (quantised), toe, toc, week, fit_interval_h (as given: what
+// subframe 2 will promise; the window may be another), kind and message; the caller sets clock, issue,
+// health.
+orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, orr_time from, orr_time to, double fit_interval_h,
+                           orr_navfit_source source, void *user, orr_nav_eph *eph, orr_navfit_report *report,
+                           orr_diag *diag);
 
-// Clock polynomial of the product about t0 over +- window/2: af0 and af1 (af2 = 0), rounded to LNAV's or
-// GLONASS' LSBs. GLONASS' parameters get the periodic relativity that its message has to hold. *rms_s is what
-// is left. ORR_E_NODATA with fewer than two clock values in the window.
-orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, double window_s,
+// GLONASS: position and velocity at tb by least squares over [from, to], 600 to 7200 s (usually tb +- 900 s),
+// with the lunisolar acceleration of Sun and Moon at tb, all on their LSBs (2^-11 km, 2^-20 km/s, 2^-30
+// km/s^2); of the lattice points next to the solution the one that fits best. Positions are PZ-90.11 (taken
+// equal to ITRF). The caller sets clock, channel, health.
+orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time to, orr_navfit_source source,
+                              void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
+
+// Clock polynomial at t0 from the product's clock over [from, to] (t0 within or outside): af0 and af1 (af2 =
+// 0), rounded to LNAV's or GLONASS' LSBs by eph->kind, which is set before. GLONASS' parameters get the
+// periodic relativity that its message has to hold. *rms_s (may be NULL) is what is left. ORR_E_NODATA with
+// fewer than two clock values in the window.
+orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                             orr_nav_eph *eph, double *rms_s, orr_diag *diag);
 
 // The product's satellite as a source: its centre of mass plus a constant offset in body axes of nominal
