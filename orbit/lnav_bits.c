@@ -237,12 +237,6 @@ orr_status orr_lnav_encode_almanac(const orr_lnav_almanac *a, const orr_lnav_how
 {
     static const int page4[8] = {2, 3, 4, 5, 7, 8, 9, 10};
     draft d = {.diag = diag};
-    if (a == NULL) {
-        for (int k = 61; k <= 300; k++) d.bit[k] = (uint8_t)(k % 2);
-        put_page(&d, 0);
-        *subframe = 5, *page = 0;
-        return seal(&d, 5, how, out);
-    }
     if (a->number < 1 || a->number > 32)
         return orr_diag_set(diag, ORR_E_ARG, "LNAV almanacs are of satellites 1 to 32");
     *subframe = a->number <= 24 ? 5 : 4;
@@ -262,6 +256,17 @@ orr_status orr_lnav_encode_almanac(const orr_lnav_almanac *a, const orr_lnav_how
     put(&d, 279, 11, quantised(&d, "af1", a->af1_sps, ldexp(1, -38), 11, true));
     put(&d, 290, 3, af0 & 7);
     return seal(&d, *subframe, how, out);
+}
+
+orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_how *how,
+                                 orr_lnav_subframe *out, orr_diag *diag)
+{
+    draft d = {.diag = diag};
+    if (subframe != 4 && subframe != 5)
+        return orr_diag_set(diag, ORR_E_ARG, "subframe %d has no pages", subframe);
+    for (int k = 69; k <= 300; k++) d.bit[k] = (uint8_t)(k % 2);
+    put_page(&d, sv_id);
+    return seal(&d, subframe, how, out);
 }
 
 orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t health[32],

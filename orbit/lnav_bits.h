@@ -45,10 +45,14 @@ typedef struct orr_lnav_almanac {
     uint32_t health; // 8 bits
 } orr_lnav_almanac;
 // Page of an almanac: subframe 5 pages 1-24 for satellites 1-24, subframe 4 (pages 2-5, 7-10) for 25-32.
-// *subframe and *page tell which. A NULL almanac makes the dummy page of alternating ones and zeros
-// (satellite number 0).
+// *subframe and *page tell which.
 orr_status orr_lnav_encode_almanac(const orr_lnav_almanac *almanac, const orr_lnav_how *how, int *subframe,
                                    int *page, orr_lnav_subframe *out, orr_diag *diag);
+// A page of subframe 4 or 5 without content: ones and zeros in turn behind its identity (20.3.3.5.1): 0 in
+// place of a satellite that is not there, else the page's own number of table 20-V (57 for page 1 of subframe
+// 4, ...).
+orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_how *how,
+                                 orr_lnav_subframe *out, orr_diag *diag);
 // Subframe 5 page 25 (number = 5): toa, week, health of 1-24. Subframe 4 page 25 (number = 4): configurations
 // and health of 25-32.
 orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t health[32],

@@ -12,13 +12,13 @@
 #include "orbit/navfit.h"
 
 typedef struct orr_navset_options {
-    double window_s;            // LNAV: 7200 or 14400
-    const orr_sat_set *sats;    // NULL: all of GPS and GLONASS
-    const orr_antex *antex;     // antennas' phase centres; NULL: the centre of mass, as STATES gives it
-    const orr_bias_set *bias;   // group delays and GLONASS' L1 clocks; NULL: none
-    const orr_nav *nav;         // GLONASS channels, Klobuchar; NULL: no channels, Klobuchar of zeros
-    bool zero_clocks;           // satellites without a clock get one of zero; otherwise they are left out
-    int jobs;                   // threads
+    double window_s;          // LNAV: 7200 or 14400
+    const orr_sat_set *sats;  // NULL: all of GPS and GLONASS
+    const orr_antex *antex;   // antennas' phase centres; NULL: the centre of mass, as STATES gives it
+    const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: none
+    const orr_nav *nav;       // GLONASS channels, Klobuchar; NULL: channels of the nominal plan, no Klobuchar
+    bool zero_clocks;         // satellites without a clock get one of zero; otherwise they are left out
+    int jobs;                 // threads
     const volatile int *cancel; // may be NULL
 } orr_navset_options;
 orr_navset_options orr_navset_defaults(void); // 2 h, all satellites, nothing else, one thread
@@ -30,6 +30,7 @@ enum {                              // orr_navset_item.notes
     ORR_NAVSET_NO_CLOCK = 1u << 2,   // the product has no clock: zero is sent
     ORR_NAVSET_NO_ANTENNA = 1u << 3, // ANTEX was given, but knows no antenna: centre of mass
     ORR_NAVSET_NO_DELAY = 1u << 4,   // biases were given, but not this satellite's: TGD or delta tau of zero
+    ORR_NAVSET_NOMINAL_CHANNEL = 1u << 5, // GLONASS: the channel is the nominal one of the slot
 };
 
 // One set of immediate data.
@@ -57,5 +58,12 @@ size_t orr_navset_items(const orr_navset *set, orr_sat sat,
                         const orr_navset_item **list); // ascending in from
 // The set on the air at t; NULL if there is none.
 const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_time t);
+
+// Klobuchar's coefficients as page 18 sends them (s, s/semicircle, ...); false where none were given: then
+// zeros.
+bool orr_navset_klobuchar(const orr_navset *set, double alpha[4], double beta[4]);
+// All sets as a navigation file that orr_nav_write can write: satellite by satellite, with Klobuchar and the
+// leap seconds. program, run_by and date are the caller's to fill. Free with orr_nav_free.
+orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *diag);
 
 #endif

@@ -261,11 +261,14 @@ static void almanacs_read_back_on_their_pages(void **state)
     }
     orr_lnav_how how = {.tow_count = 5};
     orr_lnav_subframe s;
-    int subframe = 0, page = 0;
     orr_diag d = {0};
-    ASSERT_OK(orr_lnav_encode_almanac(NULL, &how, &subframe, &page, &s, &d), d);
+    ASSERT_OK(orr_lnav_encode_spare(5, 0, &how, &s, &d), d);
     assert_true(parity_holds(&s));
+    assert_int_equal(get(&s, 50, 3), 5);
+    assert_int_equal(get(&s, 61, 2), 1);
     assert_int_equal(get(&s, 63, 6), 0);
+    assert_int_equal(get(&s, 91, 24), 0xaaaaaa); // odd bits are ones: 91 is
+    assert_int_equal(orr_lnav_encode_spare(3, 0, &how, &s, &d), ORR_E_ARG);
 }
 
 static void health_pages_read_back(void **state)
