@@ -23,19 +23,38 @@ orr_status orr_attitude_nominal(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_attitu
     return ORR_OK;
 }
 
+const orr_antenna_pair *orr_antenna_pair_of(char system)
+{
+    static const orr_antenna_pair pairs[] = {
+        {"G01", "G02", 1575.42e6, 1227.60e6}, {"R01", "R02", 1602.0e6, 1246.0e6},
+        {"E01", "E05", 1575.42e6, 1176.45e6}, {"C02", "C06", 1561.098e6, 1268.52e6},
+        {"J01", "J02", 1575.42e6, 1227.60e6}, {"I05", "I09", 1176.45e6, 2492.028e6},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
+        if (pairs[i].code1[0] == system) return &pairs[i];
+    return NULL;
+}
+
+orr_status orr_antenna_offset_body(const orr_antex_antenna *antenna, const char *code1, double f1,
+                                   const char *code2, double f2, double offset_m[3])
+{
+    const orr_antex_frequency *a = orr_antex_find_frequency(antenna, code1), *b = NULL;
+    double w = 1;
+    if (code2 != NULL) {
+        b = orr_antex_find_frequency(antenna, code2);
+        w = f1 * f1 / (f1 * f1 - f2 * f2);
+    }
+    if (a == NULL || (code2 != NULL && b == NULL)) return ORR_E_NODATA;
+    for (int i = 0; i < 3; i++)
+        offset_m[i] = b == NULL ? a->offset_m[i] : w * a->offset_m[i] + (1 - w) * b->offset_m[i];
+    return ORR_OK;
+}
+
 orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude,
                               const char *code1, double f1, const char *code2, double f2, orr_vec3 *offset)
 {
-    const orr_antex_frequency *a = orr_antex_find_frequency(antenna, code1);
-    if (a == NULL) return ORR_E_NODATA;
-    orr_vec3 body = {a->offset_m[0], a->offset_m[1], a->offset_m[2]};
-    if (code2 != NULL) {
-        const orr_antex_frequency *b = orr_antex_find_frequency(antenna, code2);
-        if (b == NULL) return ORR_E_NODATA;
-        double w = f1 * f1 / (f1 * f1 - f2 * f2);
-        body = orr_vec3_axpy(1 - w, (orr_vec3){b->offset_m[0], b->offset_m[1], b->offset_m[2]},
-                             orr_vec3_scale(w, body));
-    }
-    *offset = orr_mat3_apply_t(&attitude->body, body);
-    return ORR_OK;
+    double body[3];
+    orr_status s = orr_antenna_offset_body(antenna, code1, f1, code2, f2, body);
+    if (s == ORR_OK) *offset = orr_mat3_apply_t(&attitude->body, (orr_vec3){body[0], body[1], body[2]});
+    return s;
 }

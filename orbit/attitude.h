@@ -22,9 +22,21 @@ typedef struct orr_attitude {
 // flagged, not modelled. ORR_E_NUMERIC where Sun, satellite and Earth stand in line.
 orr_status orr_attitude_nominal(orr_vec3 r_m, orr_vec3 v_inertial_mps, orr_vec3 sun_m, orr_attitude *out);
 
-// Offset of the phase centre from the centre of mass, in the axes that r was given in, for one frequency code
-// ("G01") or, with a second one, for their ionosphere-free combination; carriers in Hz. ORR_E_NODATA where
+// Two carriers whose ionosphere-free combination a system's precise clocks belong to, as ANTEX names them.
+// What GLONASS' channels have in common is the ratio of their carriers, 9/7, and no more is needed.
+typedef struct orr_antenna_pair {
+    char code1[4], code2[4]; // "G01", "G02"
+    double f1_hz, f2_hz;
+} orr_antenna_pair;
+// GPS and QZSS L1/L2, GLONASS G1/G2, Galileo E1/E5a, BeiDou B1I/B3I, NavIC L5/S; NULL for other systems.
+const orr_antenna_pair *orr_antenna_pair_of(char system);
+
+// Offset of the phase centre from the centre of mass in body axes (X, Y, Z of orr_attitude.body), for one
+// frequency code or, with code2, for their ionosphere-free combination; carriers in Hz. ORR_E_NODATA where
 // ANTEX has no such frequency.
+orr_status orr_antenna_offset_body(const orr_antex_antenna *antenna, const char *code1, double f1_hz,
+                                   const char *code2, double f2_hz, double offset_m[3]);
+// The same in the axes that r was given in.
 orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude,
                               const char *code1, double f1_hz, const char *code2, double f2_hz,
                               orr_vec3 *offset_m);
