@@ -5,7 +5,10 @@
 #include <string.h>
 
 #include "orbit/bridge.h"
+#include "orbit/clock_check.h"
 #include "orbit/ephemeris.h"
+
+#define CLOCK_GAP_STEPS 1.5 // clocks are interpolated between neighbours of the usual step only
 
 void orr_nodes_free(orr_node_table *t)
 {
@@ -266,6 +269,12 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
                          same, largest_m);
     out->step_s = median_step(out, false);
     out->clock_step_s = median_step(out, true);
+    out->clock_max_gap_s = CLOCK_GAP_STEPS * out->clock_step_s;
+    for (size_t i = 0; i < out->n_sats && o->detect; i++)
+        if (orr_clock_check(&out->list[i], out->clock_max_gap_s, warnings) != ORR_OK) {
+            orr_nodes_free(out);
+            return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for the clocks");
+        }
     return o->bridge ? bridge_all(o, out, diag) : ORR_OK;
 memory:
     free(order);

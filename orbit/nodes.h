@@ -30,7 +30,7 @@ typedef struct orr_node_table {
     orr_node_list *list; // ascending in sat
     orr_time from, to;   // of all nodes
     double step_s;       // the usual distance of neighbouring nodes: the median over all satellites
-    double clock_step_s;
+    double clock_step_s, clock_max_gap_s; // likewise of clocks; the longest that one is interpolated over
 } orr_node_table;
 
 // ORR_E_NODATA when nothing is left after decimation and exclusion.

@@ -9,8 +9,6 @@
 #include "core/parallel.h"
 #include "orbit/satellite.h"
 
-#define CLOCK_GAP_STEPS 1.5 // clocks are interpolated between neighbours of the usual step only
-
 orr_smoother_options orr_smoother_defaults(void)
 {
     return (orr_smoother_options){
@@ -167,7 +165,7 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     for (size_t i = 0; i < o->n_also; i++) out->source[n + i] = o->also[i];
     out->n_sources = n + o->n_also;
     out->node_step_s = table->step_s;
-    out->clock_max_gap_s = CLOCK_GAP_STEPS * table->clock_step_s;
+    out->clock_max_gap_s = table->clock_max_gap_s;
     out->from = table->from;
     out->to = table->to;
     describe(o, out->options, sizeof out->options);

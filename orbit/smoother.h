@@ -53,7 +53,7 @@ typedef struct orr_smoother_options {
     size_t n_also;
     // working
     int passes;    // linearisations: 0 until converged (at most 8), else exactly so many
-    bool detect;   // outliers and manoeuvres by innovation (flags are always heeded)
+    bool detect;   // outliers and manoeuvres by innovation, wrong clocks (flags are always heeded)
     double grid_s; // longest step of the filter
     int jobs;      // threads; 1 and more. Results do not depend on it
 } orr_smoother_options;
