@@ -15,7 +15,7 @@ typedef struct orr_navset_options {
     double window_s;          // LNAV: 7200 or 14400
     const orr_sat_set *sats;  // NULL: all of GPS and GLONASS
     const orr_antex *antex;   // antennas' phase centres; NULL: the centre of mass, as STATES gives it
-    const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: none
+    const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: all zero
     const orr_nav *nav;       // GLONASS channels, Klobuchar; NULL: channels of the nominal plan, no Klobuchar
     bool zero_clocks;         // satellites without a clock get one of zero; otherwise they are left out
     int jobs;                 // threads
@@ -31,6 +31,8 @@ enum {                              // orr_navset_item.notes
     ORR_NAVSET_NO_ANTENNA = 1u << 3, // ANTEX was given, but knows no antenna: centre of mass
     ORR_NAVSET_NO_DELAY = 1u << 4,   // biases were given, but not this satellite's: TGD or delta tau of zero
     ORR_NAVSET_NOMINAL_CHANNEL = 1u << 5, // GLONASS: the channel is the nominal one of the slot
+    ORR_NAVSET_CLOCK_JUMP =
+        1u << 6, // the clock departs from a straight line by more than 10 ns RMS: unhealthy
 };
 
 // One set of immediate data.

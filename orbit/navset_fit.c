@@ -8,6 +8,7 @@
 #include "core/astro.h"
 #include "orbit/attitude.h"
 #include "orbit/navset_impl.h"
+#include "orbit/signal_delay.h"
 
 #define LEAST_WINDOW 3 // a third of the window has to have an orbit
 
@@ -16,6 +17,9 @@
 // The user range accuracy that every set is given, m: LNAV's index 0, GLONASS' F_T = 1.
 #define LNAV_ACCURACY_M 2.0
 #define GLONASS_F_T 1
+// LSBs of TGD, and of tau_n and delta tau_n.
+#define LNAV_TGD_LSB_S 0x1p-31
+#define GLONASS_LSB_S 0x1p-30
 // What the fit interval flag 0 stands for.
 #define LNAV_FIT_INTERVAL_H 4
 
@@ -109,6 +113,36 @@ static void fill_glonass(orr_nav_eph *eph, const navset_slot *slot, int channel,
     g->health_flags = HEALTH_TOLD | (out ? HEALTH_L : HEALTH_ALMANAC);
 }
 
+// On the lattice of a field of so many bits with a sign; false if it does not fit.
+static bool round_to(double value, double lsb, int bits, double *out)
+{
+    double whole = round(value / lsb);
+    *out = whole * lsb;
+    return fabs(whole) < ldexp(1.0, bits - 1);
+}
+
+// Group delays, and for GLONASS the clock of L1, which its message is of.
+static void add_delays(const orr_bias_set *bias, orr_navset_item *item)
+{
+    orr_nav_eph *eph = &item->eph;
+    double tgd, shift, delta_tau;
+    bool fits;
+    if (bias == NULL) return;
+    if (orr_sat_system(eph->sat) == 'R') {
+        fits = orr_signal_glonass(bias, eph->sat, eph->toe, &shift, &delta_tau) == ORR_OK &&
+               round_to(delta_tau, GLONASS_LSB_S, 5, &delta_tau);
+        if (fits) {
+            round_to(eph->af0_s + shift, GLONASS_LSB_S, 22, &eph->af0_s);
+            eph->glonass.delta_tau_s = delta_tau;
+        }
+    } else {
+        fits = orr_signal_tgd(bias, eph->sat, eph->toe, &tgd) == ORR_OK &&
+               round_to(tgd, LNAV_TGD_LSB_S, 8, &tgd);
+        if (fits) eph->delay.tgd_s = tgd;
+    }
+    if (!fits) item->notes |= ORR_NAVSET_NO_DELAY;
+}
+
 // The set of one slot; ORR_E_NODATA where there is nothing to send.
 static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, const navset_slot *slot,
                            int channel, navset_satellite *sat, orr_diag *diag)
@@ -150,6 +184,7 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         fill_glonass(&item.eph, slot, channel, out);
     else
         fill_lnav(&item.eph, slot, out);
+    add_delays(o->bias, &item);
     sat->item[sat->n++] = item;
     return ORR_OK;
 }
