@@ -36,11 +36,12 @@ static void say_what_is_missing(const navset_satellite *s, orr_warnings *warning
     char name[ORR_SAT_TEXT];
     orr_sat_text(s->sat, name);
     if (s->no_clock > 0)
-        orr_warnings_add(warnings, NULL, 0, 0, "%s: no clock for %zu of its sets; they are left out", name,
+        orr_warnings_add(warnings, NULL, 0, 0,
+                         "%s: the product has no clock for %zu of its sets; they are left out", name,
                          s->no_clock);
     if (s->not_fitted > 0)
-        orr_warnings_add(warnings, NULL, 0, 0, "%s: %zu of its sets could not be fitted and are left out: %s",
-                         name, s->not_fitted, s->why);
+        orr_warnings_add(warnings, NULL, 0, 0, "%s: %zu of its sets are left out: %s", name, s->not_fitted,
+                         s->why);
 }
 
 // Moves satellites that have sets into the result; the others' memory is freed.

@@ -11,6 +11,8 @@
 #include "orbit/signal_delay.h"
 
 #define LEAST_WINDOW 3 // a third of the window has to have an orbit
+#define CLOCK_LIMIT_S                                                                                        \
+    1e-8 // caesium clocks stay within 2 ns of a line for four hours; a reset is microseconds
 
 // "Bad data, satellite temporarily out" (IS-GPS-200N 20.3.3.3.1.4 and table 20-VIII).
 #define LNAV_OUT 0x3cu
@@ -68,10 +70,23 @@ static bool has_manoeuvre(const orr_ephemeris *e, orr_sat sat, orr_time from, or
     return false;
 }
 
-static orr_status fit_orbit(const orr_ephemeris *e, orr_sat sat, const navset_slot *slot,
-                            orr_navset_item *item, orr_time from, orr_time to, orr_diag *diag)
+// The ionosphere-free phase centre of the system's usual pair; false where ANTEX does not have it.
+static bool antenna_offset(const orr_antex *antex, orr_sat sat, orr_time t, double offset_m[3])
+{
+    const orr_antex_antenna *antenna = orr_antex_find_sat(antex, sat, t);
+    const orr_antenna_pair *pair = orr_antenna_pair_of(orr_sat_system(sat));
+    return antenna != NULL && pair != NULL &&
+           orr_antenna_offset_body(antenna, pair->code1, pair->f1_hz, pair->code2, pair->f2_hz, offset_m) ==
+               ORR_OK;
+}
+
+static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o, orr_sat sat,
+                            const navset_slot *slot, orr_time from, orr_time to, orr_navset_item *item,
+                            orr_diag *diag)
 {
     orr_navfit_product source = {.ephemeris = e, .sat = sat};
+    if (o->antex != NULL && !antenna_offset(o->antex, sat, slot->reference, source.offset_m))
+        item->notes |= ORR_NAVSET_NO_ANTENNA;
     if (orr_sat_system(sat) == 'R')
         return orr_navfit_glonass(sat, slot->reference, from, to, orr_navfit_from_product, &source,
                                   &item->eph, &item->report, diag);
@@ -161,7 +176,7 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         return ORR_E_NODATA;
     }
     if (from != slot->window_from || to != slot->window_to) item.notes |= ORR_NAVSET_SHIFTED;
-    orr_status s = fit_orbit(e, sat->sat, slot, &item, from, to, diag);
+    orr_status s = fit_orbit(e, o, sat->sat, slot, from, to, &item, diag);
     if (s != ORR_OK) {
         sat->not_fitted++;
         return s;
@@ -176,9 +191,10 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         item.clock_rms_s = (double)NAN;
         item.notes |= ORR_NAVSET_NO_CLOCK;
     }
-    const bool out =
-        has_manoeuvre(e, sat->sat, from < item.from ? from : item.from, to > item.to ? to : item.to);
-    if (out) item.notes |= ORR_NAVSET_MANOEUVRE;
+    if (item.clock_rms_s > CLOCK_LIMIT_S) item.notes |= ORR_NAVSET_CLOCK_JUMP;
+    if (has_manoeuvre(e, sat->sat, from < item.from ? from : item.from, to > item.to ? to : item.to))
+        item.notes |= ORR_NAVSET_MANOEUVRE;
+    const bool out = (item.notes & (ORR_NAVSET_MANOEUVRE | ORR_NAVSET_CLOCK_JUMP)) != 0;
     item.eph.transmission = item.from;
     if (orr_sat_system(sat->sat) == 'R')
         fill_glonass(&item.eph, slot, channel, out);

@@ -24,7 +24,7 @@ static void add(tally *t, orr_sat sat, const orr_navset_item *item)
     t->nominal += (item->notes & ORR_NAVSET_NOMINAL_CHANNEL) != 0;
     t->no_antenna += (item->notes & ORR_NAVSET_NO_ANTENNA) != 0;
     t->no_delay += (item->notes & ORR_NAVSET_NO_DELAY) != 0;
-    if (isfinite(item->clock_rms_s)) {
+    if (isfinite(item->clock_rms_s) && item->eph.health == 0) { // what is sent as unhealthy is not to be used
         t->clocks++;
         t->clock_s2 += item->clock_rms_s * item->clock_rms_s;
     }
@@ -71,9 +71,10 @@ void navfit_say(const orr_cli *c, const orr_navset *set)
         orr_cli_say(c, "%zu GLONASS sets have the nominal channel of their slot; --nav tells the true ones",
                     nominal);
     if (no_antenna > 0)
-        orr_cli_say(c, "%zu sets are of the centre of mass: ANTEX does not know the antenna", no_antenna);
+        orr_cli_say(c, "%zu sets are of the centre of mass: ANTEX does not have the antenna", no_antenna);
     if (no_delay > 0)
-        orr_cli_say(c, "%zu sets have no group delay: the biases do not hold the satellite", no_delay);
+        orr_cli_say(c, "%zu sets have no group delay: the biases do not have it, or not within its field",
+                    no_delay);
 }
 
 static json_t *number(double x) { return isfinite(x) ? json_real(x) : json_null(); }
@@ -95,9 +96,10 @@ static json_t *json_notes(uint32_t notes)
     static const struct {
         uint32_t bit;
         const char *word;
-    } word[] = {{ORR_NAVSET_MANOEUVRE, "manoeuvre"}, {ORR_NAVSET_SHIFTED, "shifted"},
-                {ORR_NAVSET_NO_CLOCK, "no clock"},   {ORR_NAVSET_NO_ANTENNA, "no antenna"},
-                {ORR_NAVSET_NO_DELAY, "no delay"},   {ORR_NAVSET_NOMINAL_CHANNEL, "nominal channel"}};
+    } word[] = {{ORR_NAVSET_MANOEUVRE, "manoeuvre"},  {ORR_NAVSET_SHIFTED, "shifted"},
+                {ORR_NAVSET_NO_CLOCK, "no clock"},    {ORR_NAVSET_NO_ANTENNA, "no antenna"},
+                {ORR_NAVSET_NO_DELAY, "no delay"},    {ORR_NAVSET_NOMINAL_CHANNEL, "nominal channel"},
+                {ORR_NAVSET_CLOCK_JUMP, "clock jump"}};
     json_t *list = json_array();
     for (size_t k = 0; k < sizeof word / sizeof word[0]; k++)
         if (notes & word[k].bit) json_array_append_new(list, json_string(word[k].word));
