@@ -26,9 +26,25 @@ typedef struct orr_elements_options {
     const orr_eop_series *eop; // NULL: IERS' secular pole
 } orr_elements_options;
 
-// Elements of a satellite at t. Besides the statuses of orr_ephemeris_eval: ORR_E_NODATA also where the
-// method needs instants outside the arc (three positions: t +- spacing; mean: half a revolution to each
-// side).
+// The Earth's rotation about an instant as a method needs it: the same for every satellite, and the dearer
+// part of an answer (12 us for STATE, 36 for THREE_POSITIONS, 200 for MEAN; a satellite takes 0.5, 1 and
+// 50 us). Made once, then read by any number of satellites. Contents are elements.c's business.
+#define ORR_ELEMENTS_DEGREE 16
+typedef struct orr_elements_axes {
+    orr_time t;
+    orr_elements_options o; // the series of o.eop is borrowed
+    orr_mat3 R[3], dR;      // GCRS to ITRS: at t (the middle one) and at t -+ spacing; derivative at t
+    orr_mat3 wanted;        // GCRS to the axes of the elements at t
+    double series[12][ORR_ELEMENTS_DEGREE + 1]; // of MEAN: rotation and its rate over a revolution
+} orr_elements_axes;
+void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_elements_axes *out);
+
+// Elements of a satellite at the axes' instant. Besides the statuses of orr_ephemeris_eval: ORR_E_NODATA also
+// where the method needs instants outside the arc (three positions: t +- spacing; mean: half a revolution to
+// each side).
+orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
+                           orr_kepler *out);
+// Both for one satellite.
 orr_status orr_elements_at(const orr_ephemeris *e, orr_sat sat, orr_time t, const orr_elements_options *o,
                            orr_kepler *out);
 
