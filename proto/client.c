@@ -110,6 +110,22 @@ orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll)
     return orr_client_send(c, &w, start);
 }
 
+orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *poll)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_ELEMENTS, &w, &start);
+    orr_msg_poll_elements_encode(poll, &w);
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *elements)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_ELEMENTS, &f);
+    return s == ORR_WIRE_OK ? orr_msg_elements_decode(f.payload, f.size, elements) : s;
+}
+
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll)
 {
     orr_wire_writer w;

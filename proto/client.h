@@ -53,6 +53,9 @@ orr_wire_status orr_client_ping(orr_client *c, uint64_t token);
 orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll);
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states);
 
+// The same of Kepler elements: poll->count calls of orr_client_elements.
+orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *poll);
+orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *elements);
 // The same of ionospheric delays: poll->count calls of orr_client_delays. A poll whose receiver_m is NAN,
 // NAN, NAN asks for the scenario's own receiver.
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll);

@@ -162,7 +162,10 @@ static bool answer_some(const orr_server *s, orr_server_conn *c, const orr_frame
         refused = answer(s, c, f, &reply, out, why);
         if (refused == 0 && out->status == ORR_WIRE_OK) {
             c->index++;
-            continue;
+            const orr_server_route *route = route_of(s, f->type);
+            if (route == NULL || !route->slow || c->index == c->frames) continue;
+            step->busy = step->yield = true;
+            return false;
         }
         orr_wire_status status = out->status;
         out->size = mark;

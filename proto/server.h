@@ -24,6 +24,7 @@ typedef struct orr_server_route {
     uint16_t (*begin)(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why);
     uint16_t (*answer)(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
                        orr_server_refusal *why);
+    bool slow; // a frame may take milliseconds: only one is made at a time, so that others have their turn
 } orr_server_route;
 
 // Shared by all connections, read only. HELLO and PING are answered here; caps fills the span, names, title,
@@ -46,6 +47,7 @@ typedef struct orr_server_step {
     size_t consumed; // bytes of the input that are done with
     size_t need; // the input must grow to so many bytes (counted from `consumed`) before there is more to do
     bool busy;   // stopped for want of room: call again with the rest of the input once output has been sent
+    bool yield;  // with busy: stopped after a frame of a slow kind; serve others first
     uint16_t closing; // not 0: close the connection once the output is sent; an ORR_MSG_ERROR_CODE_*
     char reason[ORR_SERVER_SENTENCE];
 } orr_server_step;

@@ -13,6 +13,8 @@ const char *orr_msg_type_name(uint16_t type)
     case 5: return "ERROR";
     case 6: return "POLL";
     case 7: return "STATES";
+    case 8: return "POLL_ELEMENTS";
+    case 9: return "ELEMENTS";
     case 12: return "POLL_DELAYS";
     case 13: return "DELAYS";
     case 16: return "POLL_IMU";
@@ -52,6 +54,26 @@ const char *orr_msg_answer_name(uint8_t value)
     case 3: return "NOT_SERVED";
     case 4: return "BELOW_HORIZON";
     case 5: return "NO_VALUE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_elements_frame_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "DATE";
+    case 1: return "J2000";
+    case 2: return "ECEF";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_elements_method_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "STATE";
+    case 1: return "THREE_POSITIONS";
+    case 2: return "MEAN";
     default: return NULL;
     }
 }
@@ -157,6 +179,36 @@ static inline void load_sat_state(const uint8_t *p, orr_msg_sat_state *m)
     m->valid_from = orr_wire_load_i64(p + 96);
     m->valid_to = orr_wire_load_i64(p + 104);
     m->sigma_m = orr_wire_load_f32(p + 112);
+}
+
+static inline void store_sat_elements(uint8_t *p, const orr_msg_sat_elements *m)
+{
+    store_sat_id(p + 0, &m->sat);
+    orr_wire_store_u8(p + 2, m->answer);
+    orr_wire_store_u8(p + 3, m->reserved);
+    orr_wire_store_u32(p + 4, m->flags);
+    orr_wire_store_f64(p + 8, m->a_m);
+    orr_wire_store_f64(p + 16, m->e);
+    orr_wire_store_f64(p + 24, m->i_rad);
+    orr_wire_store_f64(p + 32, m->raan_rad);
+    orr_wire_store_f64(p + 40, m->argp_rad);
+    orr_wire_store_f64(p + 48, m->m_rad);
+    orr_wire_store_f64(p + 56, m->u_rad);
+}
+
+static inline void load_sat_elements(const uint8_t *p, orr_msg_sat_elements *m)
+{
+    load_sat_id(p + 0, &m->sat);
+    m->answer = orr_wire_load_u8(p + 2);
+    m->reserved = orr_wire_load_u8(p + 3);
+    m->flags = orr_wire_load_u32(p + 4);
+    m->a_m = orr_wire_load_f64(p + 8);
+    m->e = orr_wire_load_f64(p + 16);
+    m->i_rad = orr_wire_load_f64(p + 24);
+    m->raan_rad = orr_wire_load_f64(p + 32);
+    m->argp_rad = orr_wire_load_f64(p + 40);
+    m->m_rad = orr_wire_load_f64(p + 48);
+    m->u_rad = orr_wire_load_f64(p + 56);
 }
 
 static inline void store_sat_delay(uint8_t *p, const orr_msg_sat_delay *m)
@@ -625,6 +677,145 @@ orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_m
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_states(&r, m);
+    return r.status;
+}
+
+static void put_poll_elements(orr_wire_writer *w, const orr_msg_poll_elements *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 22);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->count);
+    orr_wire_store_u8(p + 20, m->frame);
+    orr_wire_store_u8(p + 21, m->method);
+    put_sat_id_list(w, &m->satellites, 800);
+}
+
+static void get_poll_elements(orr_wire_reader *r, orr_msg_poll_elements *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 22);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+    m->count = orr_wire_load_u32(p + 16);
+    m->frame = orr_wire_load_u8(p + 20);
+    m->method = orr_wire_load_u8(p + 21);
+    get_sat_id_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_poll_elements_encode(const orr_msg_poll_elements *m, orr_wire_writer *w)
+{
+    put_poll_elements(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_elements_decode(const uint8_t *payload, size_t size, orr_msg_poll_elements *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll_elements(&r, m);
+    return r.status;
+}
+
+static void put_sat_elements_list(orr_wire_writer *w, const orr_msg_sat_elements_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 64 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 64 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_elements(p + 64 * (size_t)i, &list->item[i]);
+}
+
+static void get_sat_elements_list(orr_wire_reader *r, orr_msg_sat_elements_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 64) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_sat_elements_next(const orr_msg_sat_elements_list *list, orr_wire_iter *it, orr_msg_sat_elements *out)
+{
+    return orr_msg_sat_elements_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t index, orr_msg_sat_elements *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_sat_elements(p, out);
+    return true;
+}
+
+static void put_elements(orr_wire_writer *w, const orr_msg_elements *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 19);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u32(p + 8, m->index);
+    orr_wire_store_u32(p + 12, m->count);
+    orr_wire_store_u8(p + 16, m->answer);
+    orr_wire_store_u8(p + 17, m->frame);
+    orr_wire_store_u8(p + 18, m->method);
+    put_sat_elements_list(w, &m->satellites, 800);
+}
+
+static void get_elements(orr_wire_reader *r, orr_msg_elements *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 19);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->index = orr_wire_load_u32(p + 8);
+    m->count = orr_wire_load_u32(p + 12);
+    m->answer = orr_wire_load_u8(p + 16);
+    m->frame = orr_wire_load_u8(p + 17);
+    m->method = orr_wire_load_u8(p + 18);
+    get_sat_elements_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_elements_encode(const orr_msg_elements *m, orr_wire_writer *w)
+{
+    put_elements(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr_msg_elements *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_elements(&r, m);
     return r.status;
 }
 

@@ -30,6 +30,8 @@ enum { // message types
     ORR_MSG_TYPE_ERROR = 5,
     ORR_MSG_TYPE_POLL = 6,
     ORR_MSG_TYPE_STATES = 7,
+    ORR_MSG_TYPE_POLL_ELEMENTS = 8,
+    ORR_MSG_TYPE_ELEMENTS = 9,
     ORR_MSG_TYPE_POLL_DELAYS = 12,
     ORR_MSG_TYPE_DELAYS = 13,
     ORR_MSG_TYPE_POLL_IMU = 16,
@@ -60,7 +62,19 @@ enum { // answer (u8): Whether there are numbers, and if not, why not.
     ORR_MSG_ANSWER_NO_ARC = 2, // the satellite has no valid arc at the instant
     ORR_MSG_ANSWER_NOT_SERVED = 3, // the satellite is not among those served
     ORR_MSG_ANSWER_BELOW_HORIZON = 4, // the satellite is below the receiver's horizon
-    ORR_MSG_ANSWER_NO_VALUE = 5, // the ionosphere has a hole where the ray pierces it
+    ORR_MSG_ANSWER_NO_VALUE = 5, // the ionosphere has a hole where the ray pierces it, or the arc is too short for the method
+};
+
+enum { // elements_frame (u8): Axes that Kepler elements refer to.
+    ORR_MSG_ELEMENTS_FRAME_DATE = 0, // true equator and equinox of date
+    ORR_MSG_ELEMENTS_FRAME_J2000 = 1, // GCRS
+    ORR_MSG_ELEMENTS_FRAME_ECEF = 2, // axes of ecef, frozen at the epoch
+};
+
+enum { // elements_method (u8): How Kepler elements are made.
+    ORR_MSG_ELEMENTS_METHOD_STATE = 0, // osculating, from position and velocity
+    ORR_MSG_ELEMENTS_METHOD_THREE_POSITIONS = 1, // the plane through three positions 300 s apart; a is off by about 2 km
+    ORR_MSG_ELEMENTS_METHOD_MEAN = 2, // osculating averaged over one revolution centred on the epoch
 };
 
 enum { // tec_origin (u8): What a delay came from.
@@ -85,6 +99,8 @@ enum { // tec_origin (u8): What a delay came from.
 const char *orr_msg_type_name(uint16_t type);
 const char *orr_msg_error_code_name(uint16_t value);
 const char *orr_msg_answer_name(uint8_t value);
+const char *orr_msg_elements_frame_name(uint8_t value);
+const char *orr_msg_elements_method_name(uint8_t value);
 const char *orr_msg_tec_origin_name(uint8_t value);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
@@ -156,6 +172,33 @@ typedef struct orr_msg_sat_state_list {
 } orr_msg_sat_state_list;
 bool orr_msg_sat_state_next(const orr_msg_sat_state_list *list, orr_wire_iter *it, orr_msg_sat_state *out); // false at the end
 bool orr_msg_sat_state_at(const orr_msg_sat_state_list *list, uint16_t index, orr_msg_sat_state *out);   // false beyond the end
+
+// Kepler elements of one satellite. Numbers are NAN unless answer is OK.
+typedef struct orr_msg_sat_elements {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC, NOT_SERVED, or NO_VALUE where the arc is too short for the method
+    uint8_t reserved; // 0
+    uint32_t flags; // of the state at the epoch; 0 unless answer is OK
+    double a_m; // semi-major axis
+    double e; // eccentricity
+    double i_rad; // inclination
+    double raan_rad; // right ascension of the ascending node, 0 to 2 pi
+    double argp_rad; // argument of perigee; ill-determined in near-circular orbits
+    double m_rad; // mean anomaly; likewise
+    double u_rad; // argument of latitude
+} orr_msg_sat_elements;
+#define ORR_MSG_SAT_ELEMENTS_SIZE 64u
+#define ORR_MSG_SAT_ELEMENTS_LARGEST 64u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_elements_next or orr_msg_sat_elements_at.
+typedef struct orr_msg_sat_elements_list {
+    uint16_t count;
+    const orr_msg_sat_elements *item;
+    orr_wire_records wire;
+} orr_msg_sat_elements_list;
+bool orr_msg_sat_elements_next(const orr_msg_sat_elements_list *list, orr_wire_iter *it, orr_msg_sat_elements *out); // false at the end
+bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t index, orr_msg_sat_elements *out);   // false beyond the end
 
 // The ionosphere between a receiver and one satellite. Numbers are NAN unless answer is OK.
 typedef struct orr_msg_sat_delay {
@@ -278,6 +321,35 @@ typedef struct orr_msg_states {
 orr_wire_status orr_msg_states_encode(const orr_msg_states *m, orr_wire_writer *w);
 orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_msg_states *m);
 
+// Asks for Kepler elements at t, t + step, ..., t + (count - 1) step. The same POLL_ELEMENTS gets the same bytes, always.
+typedef struct orr_msg_poll_elements {
+    int64_t t; // [ns] first epoch
+    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
+    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    uint8_t frame; // axes that the elements refer to
+    uint8_t method; // how they are made
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll_elements;
+#define ORR_MSG_POLL_ELEMENTS_LARGEST 1626u
+
+orr_wire_status orr_msg_poll_elements_encode(const orr_msg_poll_elements *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_elements_decode(const uint8_t *payload, size_t size, orr_msg_poll_elements *m);
+
+// Kepler elements at one epoch. A POLL_ELEMENTS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+typedef struct orr_msg_elements {
+    int64_t t; // [ns] the epoch
+    uint32_t index; // which epoch of the POLL_ELEMENTS, from 0
+    uint32_t count; // how many epochs it asked for
+    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
+    uint8_t frame; // as asked
+    uint8_t method; // as asked
+    orr_msg_sat_elements_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_elements;
+#define ORR_MSG_ELEMENTS_LARGEST 51223u
+
+orr_wire_status orr_msg_elements_encode(const orr_msg_elements *m, orr_wire_writer *w);
+orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr_msg_elements *m);
+
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_f64_next or orr_msg_f64_at.
 typedef struct orr_msg_f64_list {
@@ -389,6 +461,6 @@ orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w)
 orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m);
 
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
 
 #endif

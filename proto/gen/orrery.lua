@@ -53,6 +53,8 @@ local types = {
   [5] = "ERROR",
   [6] = "POLL",
   [7] = "STATES",
+  [8] = "POLL_ELEMENTS",
+  [9] = "ELEMENTS",
   [12] = "POLL_DELAYS",
   [13] = "DELAYS",
   [16] = "POLL_IMU",
@@ -83,6 +85,16 @@ local enum_answer = {
   [4] = "BELOW_HORIZON",
   [5] = "NO_VALUE",
 }
+local enum_elements_frame = {
+  [0] = "DATE",
+  [1] = "J2000",
+  [2] = "ECEF",
+}
+local enum_elements_method = {
+  [0] = "STATE",
+  [1] = "THREE_POSITIONS",
+  [2] = "MEAN",
+}
 local enum_tec_origin = {
   [0] = "FIELD",
   [1] = "FUSED",
@@ -104,6 +116,16 @@ f.sat_state_clock_rate_sps = ProtoField.double("orrery.sat_state.clock_rate_sps"
 f.sat_state_valid_from = ProtoField.int64("orrery.sat_state.valid_from", "valid_from [ns]")
 f.sat_state_valid_to = ProtoField.int64("orrery.sat_state.valid_to", "valid_to [ns]")
 f.sat_state_sigma_m = ProtoField.float("orrery.sat_state.sigma_m", "sigma_m")
+f.sat_elements_answer = ProtoField.uint8("orrery.sat_elements.answer", "answer", base.DEC, enum_answer)
+f.sat_elements_reserved = ProtoField.uint8("orrery.sat_elements.reserved", "reserved")
+f.sat_elements_flags = ProtoField.uint32("orrery.sat_elements.flags", "flags", base.HEX)
+f.sat_elements_a_m = ProtoField.double("orrery.sat_elements.a_m", "a_m")
+f.sat_elements_e = ProtoField.double("orrery.sat_elements.e", "e")
+f.sat_elements_i_rad = ProtoField.double("orrery.sat_elements.i_rad", "i_rad")
+f.sat_elements_raan_rad = ProtoField.double("orrery.sat_elements.raan_rad", "raan_rad")
+f.sat_elements_argp_rad = ProtoField.double("orrery.sat_elements.argp_rad", "argp_rad")
+f.sat_elements_m_rad = ProtoField.double("orrery.sat_elements.m_rad", "m_rad")
+f.sat_elements_u_rad = ProtoField.double("orrery.sat_elements.u_rad", "u_rad")
 f.sat_delay_answer = ProtoField.uint8("orrery.sat_delay.answer", "answer", base.DEC, enum_answer)
 f.sat_delay_origin = ProtoField.uint8("orrery.sat_delay.origin", "origin", base.DEC, enum_tec_origin)
 f.sat_delay_flags = ProtoField.uint8("orrery.sat_delay.flags", "flags", base.HEX)
@@ -143,6 +165,17 @@ f.states_t = ProtoField.int64("orrery.states.t", "t [ns]")
 f.states_index = ProtoField.uint32("orrery.states.index", "index")
 f.states_count = ProtoField.uint32("orrery.states.count", "count")
 f.states_answer = ProtoField.uint8("orrery.states.answer", "answer", base.DEC, enum_answer)
+f.poll_elements_t = ProtoField.int64("orrery.poll_elements.t", "t [ns]")
+f.poll_elements_step = ProtoField.int64("orrery.poll_elements.step", "step [ns]")
+f.poll_elements_count = ProtoField.uint32("orrery.poll_elements.count", "count")
+f.poll_elements_frame = ProtoField.uint8("orrery.poll_elements.frame", "frame", base.DEC, enum_elements_frame)
+f.poll_elements_method = ProtoField.uint8("orrery.poll_elements.method", "method", base.DEC, enum_elements_method)
+f.elements_t = ProtoField.int64("orrery.elements.t", "t [ns]")
+f.elements_index = ProtoField.uint32("orrery.elements.index", "index")
+f.elements_count = ProtoField.uint32("orrery.elements.count", "count")
+f.elements_answer = ProtoField.uint8("orrery.elements.answer", "answer", base.DEC, enum_answer)
+f.elements_frame = ProtoField.uint8("orrery.elements.frame", "frame", base.DEC, enum_elements_frame)
+f.elements_method = ProtoField.uint8("orrery.elements.method", "method", base.DEC, enum_elements_method)
 f.poll_delays_t = ProtoField.int64("orrery.poll_delays.t", "t [ns]")
 f.poll_delays_step = ProtoField.int64("orrery.poll_delays.step", "step [ns]")
 f.poll_delays_count = ProtoField.uint32("orrery.poll_delays.count", "count")
@@ -212,6 +245,20 @@ local function record_sat_state(r, tree)
   add(r, tree, f.sat_state_valid_from, 8)
   add(r, tree, f.sat_state_valid_to, 8)
   add(r, tree, f.sat_state_sigma_m, 4)
+end
+
+local function record_sat_elements(r, tree)
+  record_sat_id(r, tree)
+  add(r, tree, f.sat_elements_answer, 1)
+  add(r, tree, f.sat_elements_reserved, 1)
+  add(r, tree, f.sat_elements_flags, 4)
+  add(r, tree, f.sat_elements_a_m, 8)
+  add(r, tree, f.sat_elements_e, 8)
+  add(r, tree, f.sat_elements_i_rad, 8)
+  add(r, tree, f.sat_elements_raan_rad, 8)
+  add(r, tree, f.sat_elements_argp_rad, 8)
+  add(r, tree, f.sat_elements_m_rad, 8)
+  add(r, tree, f.sat_elements_u_rad, 8)
 end
 
 local function record_sat_delay(r, tree)
@@ -314,6 +361,43 @@ local function record_states(r, tree)
       if not range then break end
       local one = reader(r.tvb, r.at - n, r.at)
       record_sat_state(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
+local function record_poll_elements(r, tree)
+  add(r, tree, f.poll_elements_t, 8)
+  add(r, tree, f.poll_elements_step, 8)
+  add(r, tree, f.poll_elements_count, 4)
+  add(r, tree, f.poll_elements_frame, 1)
+  add(r, tree, f.poll_elements_method, 1)
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
+local function record_elements(r, tree)
+  add(r, tree, f.elements_t, 8)
+  add(r, tree, f.elements_index, 4)
+  add(r, tree, f.elements_count, 4)
+  add(r, tree, f.elements_answer, 1)
+  add(r, tree, f.elements_frame, 1)
+  add(r, tree, f.elements_method, 1)
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_elements(one, tree:add(orrery, range, "satellites " .. k))
     end
   end
 end
@@ -429,6 +513,8 @@ local decode = {
   [5] = record_error,
   [6] = record_poll,
   [7] = record_states,
+  [8] = record_poll_elements,
+  [9] = record_elements,
   [12] = record_poll_delays,
   [13] = record_delays,
   [16] = record_poll_imu,

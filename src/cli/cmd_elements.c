@@ -8,8 +8,8 @@
 #include "core/ncfile.h"
 #include "core/outfile.h"
 #include "ingest/erp.h"
-#include "orbit/elements.h"
 #include "src/cli/cli.h"
+#include "src/cli/elements_rows.h"
 
 typedef struct row {
     orr_time t;
@@ -50,10 +50,12 @@ static orr_status collect(const orr_cli *c, const orr_ephemeris *e, const orr_el
     orr_status s = ORR_OK;
     for (orr_time at = from; at <= to && s == ORR_OK; at += step) {
         if (after != ORR_TIME_NONE && at <= after) continue;
+        orr_elements_axes axes;
+        orr_elements_axes_at(at, o, &axes);
         for (size_t i = 0; i < n && s == ORR_OK; i++) {
             row r = {.t = at, .sat = list[i]};
             if (wanted != NULL && !orr_sat_set_has(wanted, list[i])) continue;
-            if (orr_elements_at(e, list[i], at, o, &r.k) == ORR_OK) s = add_row(t, r, diag);
+            if (orr_elements_of(e, list[i], &axes, &r.k) == ORR_OK) s = add_row(t, r, diag);
         }
     }
     return s;
@@ -63,14 +65,10 @@ static double degrees(double rad) { return rad * ORR_DEG_PER_RAD; }
 
 static void print_csv(FILE *f, const table *t)
 {
-    char time[ORR_TIME_TEXT], sat[ORR_SAT_TEXT];
-    fputs("t_gps,sat,a_m,e,i_deg,raan_deg,argp_deg,m_deg,u_deg\n", f);
-    for (size_t i = 0; i < t->n; i++) {
-        const orr_kepler *k = &t->item[i].k;
-        fprintf(f, "%s,%s,%.4f,%.12f,%.10f,%.10f,%.10f,%.10f,%.10f\n", orr_time_text(t->item[i].t, time),
-                orr_sat_text(t->item[i].sat, sat), k->a_m, k->e, degrees(k->i_rad), degrees(k->raan_rad),
-                degrees(k->argp_rad), degrees(k->m_rad), degrees(k->u_rad));
-    }
+    char sat[ORR_SAT_TEXT];
+    orr_elements_csv_head(f);
+    for (size_t i = 0; i < t->n; i++)
+        orr_elements_csv_row(f, t->item[i].t, orr_sat_text(t->item[i].sat, sat), &t->item[i].k);
 }
 
 static void print_json(FILE *f, const table *t)
@@ -144,20 +142,6 @@ static orr_status write_nc(const char *path, const table *t, const char *about, 
     return s;
 }
 
-static orr_elements_frame frame_of(const char *word)
-{
-    return strcmp(word, "j2000") == 0  ? ORR_ELEMENTS_J2000
-           : strcmp(word, "ecef") == 0 ? ORR_ELEMENTS_ECEF
-                                       : ORR_ELEMENTS_DATE;
-}
-
-static orr_elements_method method_of(const char *word)
-{
-    return strcmp(word, "mean") == 0              ? ORR_ELEMENTS_MEAN
-           : strcmp(word, "three-positions") == 0 ? ORR_ELEMENTS_THREE_POSITIONS
-                                                  : ORR_ELEMENTS_STATE;
-}
-
 static orr_status read_eop(const orr_cli *c, orr_erp *erp, orr_elements_options *o, orr_warnings *w,
                            orr_diag *diag)
 {
@@ -189,8 +173,8 @@ static int run(orr_cli *c)
     const char *format = orr_cli_text(c, "format", "csv"), *path = orr_cli_text(c, "output", "-");
     if (strcmp(format, "nc") == 0 && strcmp(path, "-") == 0)
         return orr_cli_usage(c, "--format nc needs a file: -o FILE");
-    orr_elements_options o = {.frame = frame_of(orr_cli_text(c, "frame", "date")),
-                              .method = method_of(orr_cli_text(c, "method", "state")),
+    orr_elements_options o = {.frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),
+                              .method = orr_elements_method_of(orr_cli_text(c, "method", "state")),
                               .spacing_s =
                                   (double)orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) * 1e-9};
     orr_cli_hold(c);
@@ -228,7 +212,7 @@ static const orr_option options[] = {
      .help = "Satellites, e.g. G05,R or all; all by default."},
     {.name = "method",
      .kind = ORR_OPT_CHOICE,
-     .value = "state|three-positions|mean",
+     .value = ORR_ELEMENTS_METHODS,
      .help = "state (default): osculating, from position and velocity. three-positions: the plane through "
              "three positions "
              "--spacing apart and the standard formulas; the plane is good to 4e-6 deg, but a is off by "
@@ -236,7 +220,7 @@ static const orr_option options[] = {
              "argp with it. mean: osculating averaged over one revolution."},
     {.name = "frame",
      .kind = ORR_OPT_CHOICE,
-     .value = "date|j2000|ecef",
+     .value = ORR_ELEMENTS_FRAMES,
      .help = "date (default): true equator and equinox of date. j2000: GCRS. ecef: Earth-fixed axes of the "
              "instant."},
     {.name = "step", .kind = ORR_OPT_DURATION, .value = "S", .help = "Distance of rows; 60 s by default."},

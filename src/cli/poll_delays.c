@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/poll_delays.h"
 
-#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "core/earth.h"
+#include "src/cli/poll_json.h"
 
 int orr_delay_poll_ask(const orr_cli *c, orr_delay_poll *out)
 {
     size_t n = orr_cli_count(c, "carrier");
-    if (!orr_cli_given(c, "delays")) {
+    out->asked = orr_cli_given(c, "delays");
+    if (!out->asked) {
         if (n > 0 || orr_cli_given(c, "receiver"))
             return orr_cli_usage(c, "--receiver and --carrier go with --delays");
         return ORR_EXIT_OK;
@@ -48,63 +49,47 @@ int orr_delay_poll_ask(const orr_cli *c, orr_delay_poll *out)
     return ORR_EXIT_OK;
 }
 
-static json_t *number(double v) { return isfinite(v) ? json_real(v) : json_null(); }
-static json_t *name(const char *text) { return text != NULL ? json_string(text) : json_null(); }
-
 static json_t *json_of(const orr_msg_sat_delay *s, uint16_t n_hz)
 {
-    char id[8];
     json_t *j = json_object();
-    snprintf(id, sizeof id, "%c%02u", s->sat.system, (unsigned)s->sat.number);
-    json_object_set_new(j, "sat", json_string(id));
-    json_object_set_new(j, "answer", name(orr_msg_answer_name(s->answer)));
+    json_object_set_new(j, "sat", orr_poll_json_sat(s->sat));
+    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(s->answer)));
     if (s->answer != ORR_MSG_ANSWER_OK) return j;
-    json_object_set_new(j, "origin", name(orr_msg_tec_origin_name(s->origin)));
-    json_t *flags = json_array(), *delay = json_array();
-    for (unsigned bit = 0; bit < 8; bit++)
-        if ((s->flags >> bit & 1u) != 0 && orr_msg_delay_flags_name(bit) != NULL)
-            json_array_append_new(flags, json_string(orr_msg_delay_flags_name(bit)));
-    for (uint16_t k = 0; k < n_hz && k < 4; k++) json_array_append_new(delay, number(s->delay_m[k]));
-    json_object_set_new(j, "flags", flags);
-    json_object_set_new(j, "az_deg", number(s->az_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "el_deg", number(s->el_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "pierce_lat_deg", number(s->pierce_lat_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "pierce_lon_deg", number(s->pierce_lon_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "mapping", number(s->mapping));
-    json_object_set_new(j, "stec_tecu", number(s->stec_tecu));
-    json_object_set_new(j, "model_stec_tecu", number(s->model_stec_tecu));
-    json_object_set_new(j, "sigma_tecu", number((double)s->sigma_tecu));
-    json_object_set_new(j, "delay_m", delay);
+    json_object_set_new(j, "origin", orr_poll_json_name(orr_msg_tec_origin_name(s->origin)));
+    json_object_set_new(j, "flags", orr_poll_json_bits(s->flags, orr_msg_delay_flags_name));
+    json_object_set_new(j, "az_deg", orr_poll_json_number(s->az_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "el_deg", orr_poll_json_number(s->el_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "pierce_lat_deg", orr_poll_json_number(s->pierce_lat_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "pierce_lon_deg", orr_poll_json_number(s->pierce_lon_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "mapping", orr_poll_json_number(s->mapping));
+    json_object_set_new(j, "stec_tecu", orr_poll_json_number(s->stec_tecu));
+    json_object_set_new(j, "model_stec_tecu", orr_poll_json_number(s->model_stec_tecu));
+    json_object_set_new(j, "sigma_tecu", orr_poll_json_number((double)s->sigma_tecu));
+    json_object_set_new(j, "delay_m", orr_poll_json_vector(s->delay_m, n_hz < 4 ? n_hz : 4));
     return j;
 }
 
 static void print_json(const orr_msg_delays *m)
 {
-    char text[ORR_TIME_TEXT];
-    json_t *j = json_object(), *sats = json_array(), *place = json_array(), *carriers = json_array();
-    json_object_set_new(j, "t", json_string(orr_time_text(m->t, text)));
-    json_object_set_new(j, "answer", name(orr_msg_answer_name(m->answer)));
-    for (int k = 0; k < 3; k++) json_array_append_new(place, number(m->receiver_m[k]));
+    json_t *j = json_object(), *sats = json_array(), *carriers = json_array();
+    json_object_set_new(j, "t", orr_poll_json_time(m->t));
+    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(m->answer)));
     double hz;
     for (orr_wire_iter it = {0}; orr_msg_f64_next(&m->carriers_hz, &it, &hz);)
-        json_array_append_new(carriers, number(hz));
-    json_object_set_new(j, "receiver_m", place);
+        json_array_append_new(carriers, orr_poll_json_number(hz));
+    json_object_set_new(j, "receiver_m", orr_poll_json_vector(m->receiver_m, 3));
     json_object_set_new(j, "carriers_hz", carriers);
     orr_msg_sat_delay s;
     for (orr_wire_iter it = {0}; orr_msg_sat_delay_next(&m->satellites, &it, &s);)
         json_array_append_new(sats, json_of(&s, m->carriers_hz.count));
     json_object_set_new(j, "satellites", sats);
-    json_dumpf(j, stdout, JSON_COMPACT | JSON_REAL_PRECISION(17));
-    putchar('\n');
-    json_decref(j);
+    orr_poll_json_print(j);
 }
 
 static const char *answer_words(uint8_t answer)
 {
-    static const char *const words[] = {
-        "ok",         "outside the served span", "no valid arc",
-        "not served", "below the horizon",       "a hole in the ionosphere's maps"};
-    return answer < sizeof words / sizeof *words ? words[answer] : "unknown answer";
+    return answer == ORR_MSG_ANSWER_NO_VALUE ? "a hole in the ionosphere's maps"
+                                             : orr_poll_answer_words(answer);
 }
 
 static void print_table(const orr_msg_delays *m)

@@ -21,14 +21,15 @@
     }
 
 typedef struct orr_delay_poll {
-    orr_msg_poll_delays poll; // t and count are set by orr_poll_delays
+    bool asked;
+    orr_msg_poll_delays poll; // t and count are set by orr_delay_poll_run
     double hz[ORR_MSG_MAX_CARRIERS];
     bool json;
     uint64_t numbers; // satellites that had a delay
     bool outside;
 } orr_delay_poll;
 
-// Reads --receiver and --carrier; an exit status.
+// Reads --delays, --receiver and --carrier; an exit status.
 int orr_delay_poll_ask(const orr_cli *c, orr_delay_poll *out);
 // Asks for count epochs from t on and prints them.
 orr_status orr_delay_poll_run(orr_delay_poll *p, orr_dial *d, orr_time t, uint32_t count, orr_diag *diag);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/poll_motion.h"
 
-#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "core/vec.h"
+#include "src/cli/poll_json.h"
 
 int orr_motion_poll_ask(const orr_cli *c, orr_motion_poll *out)
 {
@@ -14,31 +14,9 @@ int orr_motion_poll_ask(const orr_cli *c, orr_motion_poll *out)
                              .unit = (uint16_t)orr_cli_int(c, "unit", 0),
                              .step_ns = orr_cli_given(c, "step") ? orr_cli_duration_ns(c, "step", 0) : 0,
                              .json = orr_cli_given(c, "json")};
-    if (out->imu + out->truth + orr_cli_given(c, "delays") > 1)
-        return orr_cli_usage(c, "--imu, --truth and --delays exclude each other");
     if (!out->imu && !out->truth && orr_cli_given(c, "unit"))
         return orr_cli_usage(c, "--unit goes with --imu or --truth");
     return ORR_EXIT_OK;
-}
-
-static json_t *number(double v) { return isfinite(v) ? json_real(v) : json_null(); }
-static json_t *vector(const double *v, int n)
-{
-    json_t *a = json_array();
-    for (int k = 0; k < n; k++) json_array_append_new(a, number(v[k]));
-    return a;
-}
-static json_t *when(orr_time t)
-{
-    char text[ORR_TIME_TEXT];
-    return json_string(orr_time_text(t, text));
-}
-
-static void print_object(json_t *j)
-{
-    json_dumpf(j, stdout, JSON_COMPACT | JSON_REAL_PRECISION(17));
-    putchar('\n');
-    json_decref(j);
 }
 
 static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
@@ -46,15 +24,15 @@ static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
     bool ok = m->answer == ORR_MSG_ANSWER_OK;
     if (p->json) {
         json_t *j = json_object();
-        json_object_set_new(j, "t0", when(m->t0));
-        json_object_set_new(j, "t1", when(m->t1));
+        json_object_set_new(j, "t0", orr_poll_json_time(m->t0));
+        json_object_set_new(j, "t1", orr_poll_json_time(m->t1));
         json_object_set_new(j, "unit", json_integer(m->unit));
         json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->answer)));
         if (ok) {
-            json_object_set_new(j, "dtheta_rad", vector(m->dtheta_rad, 3));
-            json_object_set_new(j, "dv_mps", vector(m->dv_mps, 3));
+            json_object_set_new(j, "dtheta_rad", orr_poll_json_vector(m->dtheta_rad, 3));
+            json_object_set_new(j, "dv_mps", orr_poll_json_vector(m->dv_mps, 3));
         }
-        print_object(j);
+        orr_poll_json_print(j);
         return;
     }
     char text[ORR_TIME_TEXT];
@@ -70,24 +48,24 @@ static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
 static void truth_json(const orr_msg_truth *m)
 {
     json_t *j = json_object();
-    json_object_set_new(j, "t", when(m->t));
+    json_object_set_new(j, "t", orr_poll_json_time(m->t));
     json_object_set_new(j, "unit", json_integer(m->unit));
     json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->answer)));
     if (m->answer == ORR_MSG_ANSWER_OK) {
-        json_object_set_new(j, "pos_m", vector(m->pos_m, 3));
-        json_object_set_new(j, "vel_mps", vector(m->vel_mps, 3));
-        json_object_set_new(j, "acc_mps2", vector(m->acc_mps2, 3));
-        json_object_set_new(j, "attitude", vector(m->attitude, 4));
-        json_object_set_new(j, "heading_rad", number(m->heading_rad));
-        json_object_set_new(j, "pitch_rad", number(m->pitch_rad));
-        json_object_set_new(j, "roll_rad", number(m->roll_rad));
-        json_object_set_new(j, "rate_radps", vector(m->rate_radps, 3));
-        json_object_set_new(j, "force_mps2", vector(m->force_mps2, 3));
-        json_object_set_new(j, "disturbance_mgal", number(m->disturbance_mgal));
-        json_object_set_new(j, "eotvos_mgal", number(m->eotvos_mgal));
-        json_object_set_new(j, "vertical_mps2", number(m->vertical_mps2));
+        json_object_set_new(j, "pos_m", orr_poll_json_vector(m->pos_m, 3));
+        json_object_set_new(j, "vel_mps", orr_poll_json_vector(m->vel_mps, 3));
+        json_object_set_new(j, "acc_mps2", orr_poll_json_vector(m->acc_mps2, 3));
+        json_object_set_new(j, "attitude", orr_poll_json_vector(m->attitude, 4));
+        json_object_set_new(j, "heading_rad", orr_poll_json_number(m->heading_rad));
+        json_object_set_new(j, "pitch_rad", orr_poll_json_number(m->pitch_rad));
+        json_object_set_new(j, "roll_rad", orr_poll_json_number(m->roll_rad));
+        json_object_set_new(j, "rate_radps", orr_poll_json_vector(m->rate_radps, 3));
+        json_object_set_new(j, "force_mps2", orr_poll_json_vector(m->force_mps2, 3));
+        json_object_set_new(j, "disturbance_mgal", orr_poll_json_number(m->disturbance_mgal));
+        json_object_set_new(j, "eotvos_mgal", orr_poll_json_number(m->eotvos_mgal));
+        json_object_set_new(j, "vertical_mps2", orr_poll_json_number(m->vertical_mps2));
     }
-    print_object(j);
+    orr_poll_json_print(j);
 }
 
 static void show_truth(const orr_motion_poll *p, const orr_msg_truth *m)

@@ -7,11 +7,13 @@
 
 #include "inertial/gravimetry.h"
 #include "inertial/sensors.h"
+#include "ingest/erp.h"
 #include "src/scenario/iono_source.h"
 #include "src/scenario/orbit_source.h"
 
 struct orr_engine {
     orr_ephemeris *eph;
+    orr_eop_series eop;    // what the orbits were smoothed with; n 0: IERS' secular pole
     orr_iono_source *iono; // NULL: none
     orr_moving moving;     // n_units 0: none
     char title[128];
@@ -52,6 +54,7 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
                            orr_warnings *warnings, orr_engine **out, orr_diag *diag)
 {
     orr_ephemeris *eph;
+    orr_eop_series eop = {0};
     const char *title = s->title;
     orr_status status;
     if (s->orbit.product == NULL && s->orbit.sp3.n == 0)
@@ -63,11 +66,15 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
         status = orr_ephemeris_load(s->orbit.product, &eph, diag);
         if (title == NULL) title = base_name(s->orbit.product);
     } else {
-        status = orr_orbit_source_smooth(&s->orbit, log, cancel, warnings, &eph, diag);
+        status = orr_orbit_source_smooth(&s->orbit, log, cancel, warnings, &eph, &eop, diag);
         if (title == NULL) title = base_name(s->orbit.sp3.item[0]);
     }
     if (status == ORR_OK) status = orr_engine_from_ephemeris(eph, title, out, diag);
-    if (status != ORR_OK) return status;
+    if (status != ORR_OK) {
+        orr_erp_series_free(&eop);
+        return status;
+    }
+    (*out)->eop = eop;
     status = orr_iono_source_open(s, &(*out)->iono, warnings, diag);
     if (status == ORR_OK && s->motion.kind != ORR_MOTION_NONE)
         status = orr_moving_open(&s->motion, (*out)->from, warnings, &(*out)->moving, diag);
@@ -82,6 +89,7 @@ void orr_engine_close(orr_engine *e)
 {
     if (e == NULL) return;
     orr_ephemeris_free(e->eph);
+    orr_erp_series_free(&e->eop);
     orr_iono_source_close(e->iono);
     if (e->moving.n_units > 0) orr_moving_free(&e->moving);
     free(e);
@@ -142,6 +150,30 @@ orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sat
             answer[i] = ORR_ANSWER_OK;
         else
             answer[i] = is_served(e, sats[i]) ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NOT_SERVED;
+    }
+    return ORR_ANSWER_OK;
+}
+
+orr_answer orr_engine_elements(const orr_engine *e, orr_time t, orr_elements_frame frame,
+                               orr_elements_method method, const orr_sat *sats, size_t n, orr_kepler *out,
+                               uint32_t *flags, orr_answer *answer)
+{
+    if (t < e->from || t > e->to) return ORR_ANSWER_OUTSIDE_SPAN;
+    const orr_elements_options options = {
+        .frame = frame, .method = method, .eop = e->eop.n > 0 ? &e->eop : NULL};
+    orr_elements_axes axes;
+    orr_elements_axes_at(t, &options, &axes);
+    if (sats == NULL) sats = e->sat;
+    for (size_t i = 0; i < n; i++) {
+        orr_sat_state state;
+        if (orr_ephemeris_eval(e->eph, sats[i], t, &state) != ORR_OK)
+            answer[i] = is_served(e, sats[i]) ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NOT_SERVED;
+        else if (orr_elements_of(e->eph, sats[i], &axes, &out[i]) != ORR_OK)
+            answer[i] = ORR_ANSWER_NO_VALUE;
+        else {
+            answer[i] = ORR_ANSWER_OK;
+            flags[i] = state.flags;
+        }
     }
     return ORR_ANSWER_OK;
 }

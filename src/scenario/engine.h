@@ -6,7 +6,7 @@
 
 #include "core/log.h"
 #include "iono/session.h"
-#include "orbit/ephemeris.h"
+#include "orbit/elements.h"
 #include "src/scenario/motion.h"
 #include "src/scenario/scenario.h"
 
@@ -17,7 +17,7 @@ typedef enum orr_answer {
     ORR_ANSWER_NO_ARC = 2,        // the satellite has no valid arc at the instant
     ORR_ANSWER_NOT_SERVED = 3,    // the satellite is not in the product
     ORR_ANSWER_BELOW_HORIZON = 4, // the receiver does not see the satellite
-    ORR_ANSWER_NO_VALUE = 5,      // the ionosphere has a hole where the ray pierces it
+    ORR_ANSWER_NO_VALUE = 5,      // a hole in the ionosphere's maps; an arc too short for the method
 } orr_answer;
 
 typedef struct orr_engine orr_engine;
@@ -43,6 +43,13 @@ size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list); // asce
 // OK only state[i].sat is set.
 orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
                              orr_sat_state *state, orr_answer *answer);
+
+// Kepler elements of n satellites at t into out[0..n), their states' flags into flags[0..n), and
+// answer[0..n); sats NULL: of all. ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN (then nothing is written). Where
+// answer[i] is not OK (NO_VALUE: the method needs instants outside the arc) out[i] and flags[i] are not set.
+orr_answer orr_engine_elements(const orr_engine *e, orr_time t, orr_elements_frame frame,
+                               orr_elements_method method, const orr_sat *sats, size_t n, orr_kepler *out,
+                               uint32_t *flags, orr_answer *answer);
 
 // Whether the scenario has an ionosphere; and its own receiver (ecef), false where it has none.
 bool orr_engine_has_ionosphere(const orr_engine *e);

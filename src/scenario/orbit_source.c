@@ -72,8 +72,9 @@ static orr_status smooth(const orr_scenario_orbit *o, const orr_smoother_input *
 
 orr_status orr_orbit_source_smooth(const orr_scenario_orbit *o, const orr_log *log,
                                    const volatile int *cancel, orr_warnings *warnings, orr_ephemeris **out,
-                                   orr_diag *diag)
+                                   orr_eop_series *eop, orr_diag *diag)
 {
+    *eop = (orr_eop_series){0};
     if (o->sp3.n > MAX_FILES || o->erp.n > MAX_FILES)
         return orr_diag_set(diag, ORR_E_LIMIT, "orbit.sp3 names %zu files, at most %d are smoothed at once",
                             o->sp3.n, MAX_FILES);
@@ -83,10 +84,9 @@ orr_status orr_orbit_source_smooth(const orr_scenario_orbit *o, const orr_log *l
     orr_status s = ORR_OK;
     if (sp3 == NULL || input == NULL) s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     if (s == ORR_OK) s = read_all(o, log, sp3, input, &n_read, warnings, diag);
-    orr_eop_series eop = {0};
-    if (s == ORR_OK && o->erp.n > 0) s = read_erps(o, &eop, warnings, diag);
-    if (s == ORR_OK) s = smooth(o, input, &eop, log, cancel, warnings, out, diag);
-    orr_erp_series_free(&eop);
+    if (s == ORR_OK && o->erp.n > 0) s = read_erps(o, eop, warnings, diag);
+    if (s == ORR_OK) s = smooth(o, input, eop, log, cancel, warnings, out, diag);
+    if (s != ORR_OK) orr_erp_series_free(eop);
     for (size_t i = 0; i < n_read; i++) orr_sp3_free(&sp3[i]);
     free(sp3);
     free(input);

@@ -3,13 +3,15 @@
 #ifndef ORR_SCENARIO_ORBIT_SOURCE_H
 #define ORR_SCENARIO_ORBIT_SOURCE_H
 
+#include "core/astro.h"
 #include "core/log.h"
 #include "orbit/ephemeris.h"
 #include "src/scenario/scenario.h"
 
-// Errors: those of the SP3 reader (file, line, column), of the smoother and of the fit.
+// Errors: those of the SP3 reader (file, line, column), of the smoother and of the fit. *eop is the Earth
+// orientation that was used, n = 0 without orbit.erp; free it with orr_erp_series_free.
 orr_status orr_orbit_source_smooth(const orr_scenario_orbit *o, const orr_log *log,
                                    const volatile int *cancel, orr_warnings *warnings, orr_ephemeris **out,
-                                   orr_diag *diag);
+                                   orr_eop_series *eop, orr_diag *diag);
 
 #endif

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/service/answers.h"
 
+#include "src/service/answers_delays.h"
+#include "src/service/answers_elements.h"
 #include "src/service/answers_motion.h"
+#include "src/service/answers_private.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,34 +23,19 @@ _Static_assert(ORR_EPH_CLOCK_VALID == 1u << 0 && ORR_EPH_PREDICTED == 1u << 1 &&
                    ORR_EPH_ECLIPSE == 1u << 4 && ORR_EPH_GAP == 1u << 5,
                "the ephemeris' flags are the wire's");
 
-struct orr_answers {
-    const orr_engine *engine;
-    orr_server server;
-    orr_msg_sat_id id[ORR_MSG_MAX_SATELLITES]; // of all served
-    uint16_t n_ids;
-    // Room for one epoch; the loop is one thread's, so one room is enough.
-    orr_sat sat[ORR_MSG_MAX_SATELLITES];
-    orr_sat_state state[ORR_MSG_MAX_SATELLITES];
-    orr_answer answer[ORR_MSG_MAX_SATELLITES];
-    orr_msg_sat_state wire[ORR_MSG_MAX_SATELLITES];
-    orr_realisation delay[ORR_MSG_MAX_SATELLITES];
-    orr_msg_sat_delay wire_delay[ORR_MSG_MAX_SATELLITES];
-};
-
 orr_msg_sat_id orr_answers_sat_id(orr_sat sat)
 {
     return (orr_msg_sat_id){(uint8_t)orr_sat_system(sat), (uint8_t)orr_sat_number(sat)};
 }
 
-static uint16_t refuse(orr_server_refusal *why, uint16_t code, const char *sentence)
+uint16_t orr_answers_refuse(orr_server_refusal *why, uint16_t code, const char *sentence)
 {
     snprintf(why->sentence, sizeof why->sentence, "%s", sentence);
     return code;
 }
 
-// What every kind of POLL asks alike: epochs and satellites. `name` is for the sentence.
-static uint16_t check_poll(const char *name, int64_t t, int64_t step, uint32_t count,
-                           const orr_msg_sat_id_list *satellites, orr_server_refusal *why)
+uint16_t orr_answers_check_poll(const char *name, int64_t t, int64_t step, uint32_t count,
+                                const orr_msg_sat_id_list *satellites, orr_server_refusal *why)
 {
     const char *wrong = NULL;
     int64_t last;
@@ -78,7 +66,7 @@ static uint16_t check_poll(const char *name, int64_t t, int64_t step, uint32_t c
     return 0;
 }
 
-static uint16_t check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why)
+uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why)
 {
     if (ws == ORR_WIRE_OK) return 0;
     if (ws == ORR_WIRE_LIMIT) {
@@ -89,15 +77,28 @@ static uint16_t check_decoded(const char *name, orr_wire_status ws, orr_server_r
     return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
 }
 
+const orr_sat *orr_answers_asked(orr_answers *a, const orr_msg_sat_id_list *satellites, uint16_t *n)
+{
+    *n = satellites->count > 0 ? satellites->count : a->n_ids;
+    for (uint16_t i = 0; i < satellites->count; i++) {
+        orr_msg_sat_id id;
+        orr_msg_sat_id_at(satellites, i, &id);
+        a->sat[i] = orr_sat_make((char)id.system, id.number);
+    }
+    return satellites->count > 0 ? a->sat : NULL;
+}
+
 static uint16_t begin_poll(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why)
 {
     (void)user;
     orr_msg_poll poll;
     orr_wire_status ws = orr_msg_poll_decode(request->payload, request->size, &poll);
     if (ws == ORR_WIRE_LIMIT)
-        return refuse(why, ORR_MSG_ERROR_CODE_LIMIT, "POLL: more satellites than a list may have");
-    uint16_t code = check_decoded("POLL", ws, why);
-    if (code == 0) code = check_poll("POLL", poll.t, poll.step, poll.count, &poll.satellites, why);
+        return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_LIMIT,
+                                  "POLL: more satellites than a list may have");
+    uint16_t code = orr_answers_check_decoded("POLL", ws, why);
+    if (code == 0)
+        code = orr_answers_check_poll("POLL", poll.t, poll.step, poll.count, &poll.satellites, why);
     *frames = poll.count;
     return code;
 }
@@ -134,14 +135,8 @@ static uint16_t answer_poll(void *user, const orr_frame *request, uint32_t index
     orr_answers *a = user;
     orr_msg_poll poll;
     orr_msg_poll_decode(request->payload, request->size, &poll); // begin_poll has seen that it decodes
-    uint16_t n = poll.satellites.count;
-    for (uint16_t i = 0; i < n; i++) {
-        orr_msg_sat_id id;
-        orr_msg_sat_id_at(&poll.satellites, i, &id);
-        a->sat[i] = orr_sat_make((char)id.system, id.number);
-    }
-    const orr_sat *sats = n > 0 ? a->sat : NULL;
-    if (n == 0) n = a->n_ids;
+    uint16_t n;
+    const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
     orr_msg_states m = {.t = poll.t + poll.step * (int64_t)index, .index = index, .count = poll.count};
     orr_answer answer = orr_engine_states(a->engine, m.t, sats, n, a->state, a->answer);
     m.answer = (uint8_t)answer;
@@ -151,120 +146,6 @@ static uint16_t answer_poll(void *user, const orr_frame *request, uint32_t index
         m.satellites.item = a->wire;
     }
     orr_msg_states_encode(&m, w);
-    return 0;
-}
-
-// --- Ionospheric delays ---
-
-_Static_assert((int)ORR_ORIGIN_FIELD == ORR_MSG_TEC_ORIGIN_FIELD &&
-                   (int)ORR_ORIGIN_FUSED == ORR_MSG_TEC_ORIGIN_FUSED &&
-                   (int)ORR_ORIGIN_TRANSFERRED == ORR_MSG_TEC_ORIGIN_TRANSFERRED &&
-                   (int)ORR_ORIGIN_NOISE == ORR_MSG_TEC_ORIGIN_NOISE &&
-                   ORR_TEC_CLIPPED == ORR_MSG_DELAY_FLAGS_CLIPPED,
-               "origins and flags of delays are the wire's");
-_Static_assert(ORR_MSG_MAX_SATELLITES <= ORR_SESSION_MAX_SATS, "one question holds as many as a message");
-
-// The receiver of a question: its own, or the scenario's.
-static bool receiver_of(const orr_answers *a, const orr_msg_poll_delays *poll, orr_vec3 *out)
-{
-    const double *r = poll->receiver_m;
-    if (isnan(r[0]) && isnan(r[1]) && isnan(r[2])) return orr_engine_receiver(a->engine, out);
-    *out = (orr_vec3){r[0], r[1], r[2]};
-    return true;
-}
-
-static uint16_t begin_delays(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why)
-{
-    const orr_answers *a = user;
-    orr_msg_poll_delays poll;
-    uint16_t code =
-        check_decoded("POLL_DELAYS", orr_msg_poll_delays_decode(request->payload, request->size, &poll), why);
-    if (code == 0) code = check_poll("POLL_DELAYS", poll.t, poll.step, poll.count, &poll.satellites, why);
-    if (code != 0) return code;
-    if (!orr_engine_has_ionosphere(a->engine))
-        return refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED,
-                      "POLL_DELAYS: this scenario has no ionosphere (ionosphere.field, ionosphere.session)");
-    orr_vec3 receiver;
-    if (!receiver_of(a, &poll, &receiver))
-        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
-                      "POLL_DELAYS: it names no receiver, and neither does the scenario (receiver.position)");
-    double r = orr_vec3_norm(receiver);
-    if (!(r > 6.2e6 && r < 6.8e6)) {
-        snprintf(why->sentence, sizeof why->sentence,
-                 "POLL_DELAYS: a receiver %.0f km from the Earth's centre; between 6200 and 6800 km, below "
-                 "the ionosphere's "
-                 "shell, one is possible",
-                 isfinite(r) ? r / 1e3 : -1.0);
-        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
-    }
-    double hz;
-    orr_wire_iter it = {0};
-    while (orr_msg_f64_next(&poll.carriers_hz, &it, &hz))
-        if (!(hz >= 1e8 && hz <= 3e10))
-            return refuse(
-                why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
-                "POLL_DELAYS: a carrier outside 100 MHz to 30 GHz, for which 40.3 TEC/f^2 does not hold");
-    *frames = poll.count;
-    return 0;
-}
-
-static void fill_delay(const orr_realisation *d, orr_answer answer, const double *hz, uint16_t n_hz,
-                       orr_msg_sat_delay *m)
-{
-    *m = (orr_msg_sat_delay){.sat = orr_answers_sat_id(d->sat), .answer = (uint8_t)answer};
-    m->az_rad = m->el_rad = m->pierce_lat_rad = m->pierce_lon_rad = m->mapping = m->stec_tecu =
-        m->model_stec_tecu = (double)NAN;
-    m->sigma_tecu = NAN;
-    for (int k = 0; k < 4; k++) m->delay_m[k] = (double)NAN;
-    if (answer != ORR_ANSWER_OK) return; // never a number where there is none
-    m->origin = (uint8_t)d->origin;
-    m->flags = (uint8_t)d->flags;
-    m->az_rad = d->pierce.az_rad;
-    m->el_rad = d->pierce.el_rad;
-    m->pierce_lat_rad = d->pierce.lat_rad;
-    m->pierce_lon_rad = d->pierce.lon_rad;
-    m->mapping = d->mapping;
-    m->stec_tecu = d->stec_tecu;
-    m->model_stec_tecu = d->model_stec_tecu;
-    m->sigma_tecu = (float)d->sigma_tecu;
-    for (uint16_t k = 0; k < n_hz; k++)
-        m->delay_m[k] = orr_iono_delay_m(d->stec_tecu, hz[k], ORR_MEASURES_CODE);
-}
-
-static uint16_t answer_delays(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
-                              orr_server_refusal *why)
-{
-    (void)why;
-    orr_answers *a = user;
-    orr_msg_poll_delays poll;
-    orr_msg_poll_delays_decode(request->payload, request->size,
-                               &poll); // begin_delays has seen that it decodes
-    double hz[ORR_MSG_MAX_CARRIERS] = {1575.42e6};
-    uint16_t n_hz = poll.carriers_hz.count, n = poll.satellites.count;
-    for (uint16_t k = 0; k < n_hz; k++) orr_msg_f64_at(&poll.carriers_hz, k, &hz[k]);
-    if (n_hz == 0) n_hz = 1;
-    for (uint16_t i = 0; i < n; i++) {
-        orr_msg_sat_id id;
-        orr_msg_sat_id_at(&poll.satellites, i, &id);
-        a->sat[i] = orr_sat_make((char)id.system, id.number);
-    }
-    const orr_sat *sats = n > 0 ? a->sat : NULL;
-    if (n == 0) n = a->n_ids;
-    orr_vec3 receiver = {0};
-    receiver_of(a, &poll, &receiver);
-    orr_msg_delays m = {.t = poll.t + poll.step * (int64_t)index,
-                        .index = index,
-                        .count = poll.count,
-                        .receiver_m = {receiver.x, receiver.y, receiver.z},
-                        .carriers_hz = {.count = n_hz, .item = hz}};
-    orr_answer answer = orr_engine_delays(a->engine, m.t, receiver, sats, n, a->delay, a->answer);
-    m.answer = (uint8_t)answer;
-    if (answer == ORR_ANSWER_OK) {
-        for (uint16_t i = 0; i < n; i++) fill_delay(&a->delay[i], a->answer[i], hz, n_hz, &a->wire_delay[i]);
-        m.satellites.count = n;
-        m.satellites.item = a->wire_delay;
-    }
-    orr_msg_delays_encode(&m, w);
     return 0;
 }
 
@@ -281,10 +162,12 @@ static void fill_caps(void *user, orr_msg_caps *caps)
 }
 
 static const orr_server_route routes[] = {
-    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll},
-    {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, begin_delays, answer_delays},
-    {ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, orr_answers_begin_imu, orr_answers_imu},
-    {ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, orr_answers_begin_truth, orr_answers_truth},
+    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll, false},
+    {ORR_MSG_TYPE_POLL_ELEMENTS, ORR_MSG_TYPE_ELEMENTS, orr_answers_begin_elements, orr_answers_elements,
+     true},
+    {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, orr_answers_begin_delays, orr_answers_delays, false},
+    {ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, orr_answers_begin_imu, orr_answers_imu, false},
+    {ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, orr_answers_begin_truth, orr_answers_truth, false},
 };
 
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag)

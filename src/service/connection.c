@@ -31,6 +31,7 @@ struct orr_conn {
     uint8_t *in, *out;
     size_t in_size, in_capacity, out_at, out_size;
     bool busy;        // an answer is not finished
+    bool yield;       // and takes long: others come first
     bool half;        // the input holds the beginning of a frame
     int64_t since_ns; // what the deadline counts from
     int64_t last_ns;  // last complete request
@@ -111,6 +112,7 @@ static void answer(orr_conn *c)
     orr_server_run(c->service->server, &c->conn, c->in, c->in_size, &w, &step);
     c->out_size = w.size;
     c->busy = step.busy;
+    c->yield = step.yield;
     c->in_size -= step.consumed;
     if (c->in_size > 0 && step.consumed > 0) memmove(c->in, c->in + step.consumed, c->in_size);
     bool half = c->in_size > 0 && !c->busy;
@@ -173,7 +175,7 @@ static void work(orr_conn *c)
     for (int turn = 0; turn < ORR_CONN_TURNS; turn++) {
         if (!flush(c)) return;
         if (has_output(c) || c->state != CONN_OPEN) break;
-        if (turn > 0 && !c->busy) break; // the input has been looked at to its end
+        if (turn > 0 && (!c->busy || c->yield)) break; // the input has been looked at to its end
         answer(c);
     }
     if (!flush(c)) return;

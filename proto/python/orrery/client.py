@@ -115,6 +115,28 @@ class Client:
         """The States of one epoch."""
         return next(iter(list(self.poll(t, satellites=satellites))))
 
+    def poll_elements(self, t, step_s=0.0, count=1, frame="DATE", method="STATE", satellites=()):
+        """Yields the Elements of `count` epochs, as poll does. frame: DATE, J2000 or ECEF; method: STATE, THREE_POSITIONS or
+        MEAN (names, or values of ElementsFrame and ElementsMethod)."""
+        if isinstance(t, str):
+            t = gpstime.from_text(t)
+        axes = messages.ElementsFrame[frame.upper()] if isinstance(frame, str) else frame
+        way = messages.ElementsMethod[method.upper().replace("-", "_")] if isinstance(method, str) else method
+        step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
+        while count > 0:
+            n = min(count, self.caps.max_epochs)
+            self._send(messages.PollElements(t, step, n, axes, way, sats))
+            for index in range(n):
+                elements = self._receive(messages.Elements)
+                if elements.index != index or elements.count != n:
+                    raise ProtocolError("an epoch of the answer is missing")
+                yield elements
+            t, count = t + n * step, count - n
+
+    def elements(self, t, frame="DATE", method="STATE", satellites=()):
+        """The Elements of one epoch."""
+        return next(iter(list(self.poll_elements(t, frame=frame, method=method, satellites=satellites))))
+
     def poll_delays(self, t, receiver_m=None, carriers_hz=(), step_s=0.0, count=1, satellites=()):
         """Yields the Delays of `count` epochs, as poll does. receiver_m: x, y, z (ecef), None for the scenario's own; carriers_hz:
         at most four, empty for 1575.42 MHz."""

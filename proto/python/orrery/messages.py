@@ -43,7 +43,23 @@ class Answer(enum.IntEnum):
     NO_ARC = 2  # the satellite has no valid arc at the instant
     NOT_SERVED = 3  # the satellite is not among those served
     BELOW_HORIZON = 4  # the satellite is below the receiver's horizon
-    NO_VALUE = 5  # the ionosphere has a hole where the ray pierces it
+    NO_VALUE = 5  # the ionosphere has a hole where the ray pierces it, or the arc is too short for the method
+
+
+class ElementsFrame(enum.IntEnum):
+    """Axes that Kepler elements refer to."""
+
+    DATE = 0  # true equator and equinox of date
+    J2000 = 1  # GCRS
+    ECEF = 2  # axes of ecef, frozen at the epoch
+
+
+class ElementsMethod(enum.IntEnum):
+    """How Kepler elements are made."""
+
+    STATE = 0  # osculating, from position and velocity
+    THREE_POSITIONS = 1  # the plane through three positions 300 s apart; a is off by about 2 km
+    MEAN = 2  # osculating averaged over one revolution centred on the epoch
 
 
 class TecOrigin(enum.IntEnum):
@@ -148,6 +164,50 @@ class SatState(Record):
         self.valid_from = valid_from
         self.valid_to = valid_to
         self.sigma_m = sigma_m
+
+
+class SatElements(Record):
+    """Kepler elements of one satellite. Numbers are NAN unless answer is OK.
+
+    sat: which satellite
+    answer: OK, NO_ARC, NOT_SERVED, or NO_VALUE where the arc is too short for the method
+    reserved: 0
+    flags: of the state at the epoch; 0 unless answer is OK
+    a_m [m]: semi-major axis
+    e: eccentricity
+    i_rad [rad]: inclination
+    raan_rad [rad]: right ascension of the ascending node, 0 to 2 pi
+    argp_rad [rad]: argument of perigee; ill-determined in near-circular orbits
+    m_rad [rad]: mean anomaly; likewise
+    u_rad [rad]: argument of latitude
+    """
+
+    LAYOUT = (
+        Field("sat", "struct", record=SatId),
+        Field("answer", "scalar", scalar="u8"),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("flags", "scalar", scalar="u32"),
+        Field("a_m", "scalar", scalar="f64"),
+        Field("e", "scalar", scalar="f64"),
+        Field("i_rad", "scalar", scalar="f64"),
+        Field("raan_rad", "scalar", scalar="f64"),
+        Field("argp_rad", "scalar", scalar="f64"),
+        Field("m_rad", "scalar", scalar="f64"),
+        Field("u_rad", "scalar", scalar="f64"),
+    )
+
+    def __init__(self, sat=None, answer=0, reserved=0, flags=0, a_m=0.0, e=0.0, i_rad=0.0, raan_rad=0.0, argp_rad=0.0, m_rad=0.0, u_rad=0.0):
+        self.sat = SatId() if sat is None else sat
+        self.answer = answer
+        self.reserved = reserved
+        self.flags = flags
+        self.a_m = a_m
+        self.e = e
+        self.i_rad = i_rad
+        self.raan_rad = raan_rad
+        self.argp_rad = argp_rad
+        self.m_rad = m_rad
+        self.u_rad = u_rad
 
 
 class SatDelay(Record):
@@ -377,6 +437,69 @@ class States(Record):
         self.satellites = [] if satellites is None else satellites
 
 
+class PollElements(Record):
+    """Asks for Kepler elements at t, t + step, ..., t + (count - 1) step. The same POLL_ELEMENTS gets the same bytes, always.
+
+    t [ns]: first epoch
+    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
+    count: epochs, 1 to MAX_EPOCHS
+    frame: axes that the elements refer to
+    method: how they are made
+    satellites: which, in the order of the answer; empty for all
+    """
+
+    TYPE = 8
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+        Field("count", "scalar", scalar="u32"),
+        Field("frame", "scalar", scalar="u8"),
+        Field("method", "scalar", scalar="u8"),
+        Field("satellites", "list", record=SatId, limit=800),
+    )
+
+    def __init__(self, t=0, step=0, count=0, frame=0, method=0, satellites=None):
+        self.t = t
+        self.step = step
+        self.count = count
+        self.frame = frame
+        self.method = method
+        self.satellites = [] if satellites is None else satellites
+
+
+class Elements(Record):
+    """Kepler elements at one epoch. A POLL_ELEMENTS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+
+    t [ns]: the epoch
+    index: which epoch of the POLL_ELEMENTS, from 0
+    count: how many epochs it asked for
+    answer: OK, or OUTSIDE_SPAN with no satellites
+    frame: as asked
+    method: as asked
+    satellites: those asked for, in that order; for all, those of CAPS
+    """
+
+    TYPE = 9
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("index", "scalar", scalar="u32"),
+        Field("count", "scalar", scalar="u32"),
+        Field("answer", "scalar", scalar="u8"),
+        Field("frame", "scalar", scalar="u8"),
+        Field("method", "scalar", scalar="u8"),
+        Field("satellites", "list", record=SatElements, limit=800),
+    )
+
+    def __init__(self, t=0, index=0, count=0, answer=0, frame=0, method=0, satellites=None):
+        self.t = t
+        self.index = index
+        self.count = count
+        self.answer = answer
+        self.frame = frame
+        self.method = method
+        self.satellites = [] if satellites is None else satellites
+
+
 class PollDelays(Record):
     """Asks for ionospheric delays at t, t + step, ..., t + (count - 1) step. The same POLL_DELAYS gets the same bytes, always.
 
@@ -601,6 +724,8 @@ MESSAGES = {cls.TYPE: cls for cls in (
     Error,
     Poll,
     States,
+    PollElements,
+    Elements,
     PollDelays,
     Delays,
     PollImu,

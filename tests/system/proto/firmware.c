@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A signal generator's side in miniature: proto's client, built as for firmware, over callbacks of its own.
-// Asks a service for everything at its span's start and in the middle and prints what a test can compare.
+// Asks a service for all states at its span's start and in the middle, and for what else it serves in the
+// middle, and prints what a test can compare.
 //   firmware HOST PORT
 #include <arpa/inet.h>
 #include <inttypes.h>
@@ -58,6 +59,16 @@ int main(int argc, char **argv)
             printf("%" PRId64 " %c%02u %a %a %a\n", m.t, x.sat.system, (unsigned)x.sat.number, x.pos_m[0],
                    x.vel_mps[1], x.acc_mps2[2]);
     }
+    orr_msg_poll_elements ask = {.t = from + (to - from) / 2, .count = 1};
+    s = orr_client_poll_elements(&c, &ask);
+    if (s != ORR_WIRE_OK) return give_up(&c, "POLL_ELEMENTS", s);
+    orr_msg_elements e;
+    s = orr_client_elements(&c, &e);
+    if (s != ORR_WIRE_OK) return give_up(&c, "ELEMENTS", s);
+    orr_msg_sat_elements k;
+    orr_wire_iter it = {0, 0};
+    while (orr_msg_sat_elements_next(&e.satellites, &it, &k))
+        printf("elements %c%02u %a %a %a\n", k.sat.system, (unsigned)k.sat.number, k.a_m, k.i_rad, k.u_rad);
     close(fd);
     return 0;
 }

@@ -185,8 +185,12 @@ class Clients(unittest.TestCase):
         with orrery.Client(self.tcp) as client:
             expected = [f"{m.t} {orrery.sat_name(s.sat)} {s.pos_m[0].hex()} {s.vel_mps[1].hex()} {s.acc_mps2[2].hex()}"
                         for m in client.poll(self.start, 43200, 2) for s in m.satellites]
-        words = [line.split() for line in lines[1:]]
+            middle = client.elements(self.start + 43200 * NS)
+            elements = [f"{orrery.sat_name(s.sat)} {s.a_m.hex()} {s.i_rad.hex()} {s.u_rad.hex()}" for s in middle.satellites]
+        words = [line.split() for line in lines[1:] if not line.startswith("elements")]
         self.assertEqual([f"{w[0]} {w[1]} " + " ".join(float.fromhex(x).hex() for x in w[2:]) for w in words], expected)
+        words = [line.split() for line in lines if line.startswith("elements")]
+        self.assertEqual([f"{w[1]} " + " ".join(float.fromhex(x).hex() for x in w[2:]) for w in words], elements)
 
     def test_the_module_that_polls(self):
         done = subprocess.run(["python3", "-B", "-m", "orrery.poll", self.tcp, "--sat", "G01", "E02", "--rate", "10", "--seconds",

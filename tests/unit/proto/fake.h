@@ -67,7 +67,7 @@ static inline void fake_caps(void *user, orr_msg_caps *caps)
 }
 
 static const orr_server_route fake_routes[] = {
-    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer}};
+    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer, false}};
 
 static inline orr_server fake_server(fake *f) { return (orr_server){fake_routes, 1, fake_caps, f}; }
 

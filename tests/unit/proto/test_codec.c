@@ -133,6 +133,37 @@ static void golden_error(void **state)
     assert_true(d.code == 5 && d.request == 999 && d.sentence.size == 24);
 }
 
+static void golden_elements(void **state)
+{
+    (void)state;
+    const orr_msg_sat_id r07 = {'R', 7};
+    orr_msg_poll_elements p = {INT64_C(1391040900000000000),
+                               0,
+                               1,
+                               ORR_MSG_ELEMENTS_FRAME_J2000,
+                               ORR_MSG_ELEMENTS_METHOD_MEAN,
+                               {1, &r07, {NULL, 0, 0}}},
+                          q;
+    ASSERT_FRAME(poll_elements, 8, 4, orr_msg_poll_elements_encode, &p);
+    orr_frame f = GOLDEN(poll_elements, 8, 4);
+    assert_int_equal(orr_msg_poll_elements_decode(f.payload, f.size, &q), ORR_WIRE_OK);
+    assert_true(q.t == p.t && q.count == 1 && q.frame == 1 && q.method == 2 && q.satellites.count == 1);
+    const double none = (double)NAN;
+    const orr_msg_sat_elements sats[2] = {
+        {{'R', 7}, ORR_MSG_ANSWER_OK, 0, 17, 25508000.5, 0x1p-10, 1.125, 0.5, 6.25, 3.5, 3.46875},
+        {{'E', 11}, ORR_MSG_ANSWER_NO_VALUE, 0, 0, none, none, none, none, none, none, none}};
+    orr_msg_elements m = {p.t, 0, 1, ORR_MSG_ANSWER_OK, 1, 2, {2, sats, {NULL, 0, 0}}}, d;
+    ASSERT_FRAME(elements, 9, 4, orr_msg_elements_encode, &m);
+    f = GOLDEN(elements, 9, 4);
+    assert_int_equal(orr_msg_elements_decode(f.payload, f.size, &d), ORR_WIRE_OK);
+    orr_msg_sat_elements s;
+    assert_true(orr_msg_sat_elements_at(&d.satellites, 0, &s));
+    assert_true(s.flags == 17 && s.a_m == 25508000.5 && s.e == 0x1p-10 && s.i_rad == 1.125);
+    assert_true(s.raan_rad == 0.5 && s.argp_rad == 6.25 && s.m_rad == 3.5 && s.u_rad == 3.46875);
+    assert_true(orr_msg_sat_elements_at(&d.satellites, 1, &s));
+    assert_true(s.answer == ORR_MSG_ANSWER_NO_VALUE && isnan(s.a_m) && isnan(s.u_rad));
+}
+
 static void caps_round_trip(void **state)
 {
     (void)state;
@@ -271,11 +302,12 @@ static void names(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(golden_ping),        cmocka_unit_test(golden_hello),
-        cmocka_unit_test(golden_poll),        cmocka_unit_test(golden_states),
-        cmocka_unit_test(golden_error),       cmocka_unit_test(caps_round_trip),
-        cmocka_unit_test(prefixes_are_short), cmocka_unit_test(limits),
-        cmocka_unit_test(random_bytes),       cmocka_unit_test(names),
+        cmocka_unit_test(golden_ping),     cmocka_unit_test(golden_hello),
+        cmocka_unit_test(golden_poll),     cmocka_unit_test(golden_states),
+        cmocka_unit_test(golden_error),    cmocka_unit_test(golden_elements),
+        cmocka_unit_test(caps_round_trip), cmocka_unit_test(prefixes_are_short),
+        cmocka_unit_test(limits),          cmocka_unit_test(random_bytes),
+        cmocka_unit_test(names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -67,6 +67,29 @@ static void a_series_ends_clearly(void **state)
     assert_true(c.requests == 1 && c.refusals == 0 && f.begun == 1);
 }
 
+// Of a slow kind one frame is made a call; the answer is the same.
+static void a_slow_kind_lets_others_in(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 3};
+    const orr_server_route slow = {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer, true};
+    orr_server s = fake_server(&f), t = s;
+    t.route = &slow;
+    orr_server_conn c = {0}, d = {0};
+    orr_server_step step;
+    size_t n = put_poll(in, 9, 100, 10, 4), calls = 0;
+    orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK}, v = {out2, 0, sizeof out2, ORR_WIRE_OK};
+    orr_server_run(&s, &c, in, n, &w, &step);
+    assert_false(step.yield);
+    do {
+        orr_server_run(&t, &d, in, n, &v, &step);
+        calls++;
+        assert_true(calls * w.size == 4 * v.size && step.yield == step.busy);
+    } while (step.busy);
+    assert_true(calls == 4 && step.consumed == n && d.requests == 1);
+    assert_memory_equal(out, out2, w.size);
+}
+
 static void byte_by_byte_and_all_at_once_agree(void **state)
 {
     (void)state;
@@ -287,6 +310,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_series_ends_clearly),
+        cmocka_unit_test(a_slow_kind_lets_others_in),
         cmocka_unit_test(byte_by_byte_and_all_at_once_agree),
         cmocka_unit_test(small_outputs_change_nothing),
         cmocka_unit_test(an_answer_that_never_fits_is_refused),

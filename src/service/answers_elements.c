@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/service/answers_elements.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "src/service/answers_private.h"
+
+_Static_assert((int)ORR_ELEMENTS_DATE == ORR_MSG_ELEMENTS_FRAME_DATE &&
+                   (int)ORR_ELEMENTS_J2000 == ORR_MSG_ELEMENTS_FRAME_J2000 &&
+                   (int)ORR_ELEMENTS_ECEF == ORR_MSG_ELEMENTS_FRAME_ECEF &&
+                   (int)ORR_ELEMENTS_STATE == ORR_MSG_ELEMENTS_METHOD_STATE &&
+                   (int)ORR_ELEMENTS_THREE_POSITIONS == ORR_MSG_ELEMENTS_METHOD_THREE_POSITIONS &&
+                   (int)ORR_ELEMENTS_MEAN == ORR_MSG_ELEMENTS_METHOD_MEAN,
+               "frames and methods are the wire's");
+
+uint16_t orr_answers_begin_elements(void *user, const orr_frame *request, uint32_t *frames,
+                                    orr_server_refusal *why)
+{
+    (void)user;
+    orr_msg_poll_elements poll;
+    orr_wire_status ws = orr_msg_poll_elements_decode(request->payload, request->size, &poll);
+    uint16_t code = orr_answers_check_decoded("POLL_ELEMENTS", ws, why);
+    if (code == 0)
+        code = orr_answers_check_poll("POLL_ELEMENTS", poll.t, poll.step, poll.count, &poll.satellites, why);
+    if (code != 0) return code;
+    if (orr_msg_elements_frame_name(poll.frame) == NULL ||
+        orr_msg_elements_method_name(poll.method) == NULL) {
+        snprintf(
+            why->sentence, sizeof why->sentence,
+            "POLL_ELEMENTS: there is no frame %u or no method %u; frames are 0 (DATE) to 2 (ECEF), methods "
+            "0 (STATE) to 2 (MEAN)",
+            (unsigned)poll.frame, (unsigned)poll.method);
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    *frames = poll.count;
+    return 0;
+}
+
+static void fill(orr_sat sat, orr_answer answer, const orr_kepler *k, uint32_t flags, orr_msg_sat_elements *m)
+{
+    *m = (orr_msg_sat_elements){.sat = orr_answers_sat_id(sat), .answer = (uint8_t)answer};
+    m->a_m = m->e = m->i_rad = m->raan_rad = m->argp_rad = m->m_rad = m->u_rad = (double)NAN;
+    if (answer != ORR_ANSWER_OK) return; // never a number where there is none
+    m->flags = flags;
+    m->a_m = k->a_m;
+    m->e = k->e;
+    m->i_rad = k->i_rad;
+    m->raan_rad = k->raan_rad;
+    m->argp_rad = k->argp_rad;
+    m->m_rad = k->m_rad;
+    m->u_rad = k->u_rad;
+}
+
+uint16_t orr_answers_elements(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+                              orr_server_refusal *why)
+{
+    (void)why;
+    orr_answers *a = user;
+    orr_msg_poll_elements poll;
+    orr_msg_poll_elements_decode(request->payload, request->size,
+                                 &poll); // its begin has seen that it decodes
+    uint16_t n;
+    const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
+    orr_msg_elements m = {.t = poll.t + poll.step * (int64_t)index,
+                          .index = index,
+                          .count = poll.count,
+                          .frame = poll.frame,
+                          .method = poll.method};
+    orr_answer answer =
+        orr_engine_elements(a->engine, m.t, (orr_elements_frame)poll.frame, (orr_elements_method)poll.method,
+                            sats, n, a->kepler, a->flags, a->answer);
+    m.answer = (uint8_t)answer;
+    if (answer == ORR_ANSWER_OK) {
+        if (sats == NULL) orr_engine_satellites(a->engine, &sats);
+        for (uint16_t i = 0; i < n; i++)
+            fill(sats[i], a->answer[i], &a->kepler[i], a->flags[i], &a->wire_elements[i]);
+        m.satellites.count = n;
+        m.satellites.item = a->wire_elements;
+    }
+    orr_msg_elements_encode(&m, w);
+    return 0;
+}

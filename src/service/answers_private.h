@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the handlers of the service share: the engine, room for one epoch, and the questions that every POLL
+// by satellites is asked alike.
+#ifndef ORR_SERVICE_ANSWERS_PRIVATE_H
+#define ORR_SERVICE_ANSWERS_PRIVATE_H
+
+#include "src/service/answers.h"
+
+struct orr_answers {
+    const orr_engine *engine;
+    orr_server server;
+    orr_msg_sat_id id[ORR_MSG_MAX_SATELLITES]; // of all served
+    uint16_t n_ids;
+    // Room for one epoch; the loop is one thread's, so one room is enough.
+    orr_sat sat[ORR_MSG_MAX_SATELLITES];
+    orr_answer answer[ORR_MSG_MAX_SATELLITES];
+    orr_sat_state state[ORR_MSG_MAX_SATELLITES];
+    orr_msg_sat_state wire[ORR_MSG_MAX_SATELLITES];
+    orr_realisation delay[ORR_MSG_MAX_SATELLITES];
+    orr_msg_sat_delay wire_delay[ORR_MSG_MAX_SATELLITES];
+    orr_kepler kepler[ORR_MSG_MAX_SATELLITES];
+    uint32_t flags[ORR_MSG_MAX_SATELLITES];
+    orr_msg_sat_elements wire_elements[ORR_MSG_MAX_SATELLITES];
+};
+
+// Writes the sentence and returns the code.
+uint16_t orr_answers_refuse(orr_server_refusal *why, uint16_t code, const char *sentence);
+// Whether a payload was decoded, and what every kind of POLL asks alike, epochs and satellites: 0 or a code.
+// `name` is for the sentence.
+uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why);
+uint16_t orr_answers_check_poll(const char *name, int64_t t, int64_t step, uint32_t count,
+                                const orr_msg_sat_id_list *satellites, orr_server_refusal *why);
+// The satellites that a checked list names, NULL for all served; *n of them.
+const orr_sat *orr_answers_asked(orr_answers *a, const orr_msg_sat_id_list *satellites, uint16_t *n);
+
+#endif
