@@ -201,7 +201,10 @@ orr_broadcast_choice orr_broadcast_choice_default(void)
     return (orr_broadcast_choice){.healthy = true, .iode = ORR_NAV_NO_IOD};
 }
 
-static double usual_age_s(const orr_nav_eph *e)
+// Galileo's elements are fitted to what follows toe: on 2020-06-24 they held to 0.9 m RMS from half an hour
+// before toe to three hours after, and erred by 2 m an hour before, 5 m at an hour and a half, 11 m at two.
+// GPS and BeiDou are as good before toe as after.
+static double usual_age_s(const orr_nav_eph *e, bool ahead)
 {
     switch (orr_sat_system(e->sat)) {
     case 'R':
@@ -209,7 +212,7 @@ static double usual_age_s(const orr_nav_eph *e)
     case 'S':
         return 6 * 60;
     case 'E':
-        return 4 * 3600;
+        return ahead ? 1800 : 4 * 3600;
     case 'C':
         return 3600 + 3 * 60;
     case 'G':
@@ -225,8 +228,8 @@ static bool allowed(const orr_nav_eph *e, orr_time t, const orr_broadcast_choice
     if (c->healthy && !orr_nav_eph_usable(e)) return false;
     if (c->iode != ORR_NAV_NO_IOD && e->iode != c->iode) return false;
     if (c->message != 0 ? e->message != c->message : is_cnav(e) || e->message == ORR_NAV_FNAV) return false;
-    double age = fabs(orr_time_diff_s(t, e->toe));
-    if (!(age <= (c->max_age_s > 0 ? c->max_age_s : usual_age_s(e)))) return false;
+    const double age = orr_time_diff_s(t, e->toe);
+    if (!(fabs(age) <= (c->max_age_s > 0 ? c->max_age_s : usual_age_s(e, age < 0)))) return false;
     if (c->causal) {
         orr_time known = e->transmission;
         if (known == ORR_TIME_NONE)

@@ -27,8 +27,9 @@ typedef struct orr_broadcast_state {
 orr_status orr_broadcast_eval(const orr_nav_eph *eph, orr_time t, orr_broadcast_state *out);
 
 typedef struct orr_broadcast_choice {
-    double max_age_s; // |t - toe|; 0: by system (GPS, QZSS 2 h or half the fit interval, Galileo 2 h, BeiDou
-                      // 1 h + 3 min, NavIC 2 h, GLONASS 15 min + 3 min, SBAS 6 min)
+    double max_age_s; // |t - toe|; 0: by system (GPS, QZSS 2 h or half the fit interval, Galileo from half an
+                      // hour before toe to 4 h after, BeiDou 1 h + 3 min, NavIC 2 h, GLONASS 15 min + 3 min,
+                      // SBAS 6 min)
     bool healthy;     // records whose health word forbids use are passed over
     bool causal;  // only records transmitted by t, as a receiver has them; unknown transmission counts as toe
                   // - 2 h (GLONASS and SBAS: toe)

@@ -4,10 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define OUTLIER_M 50.0
+#include "orbit/gravity_field.h"
+#include "orbit/signal_delay.h"
 
-// Weights of radial (with clock) and of along and cross-track errors in a range seen from the ground, and the
-// pair of carriers that orbit and clock of the message refer to.
+#define OUTLIER_M 50.0
+#define LEAST_CLOCKS 4 // of a system at an epoch: the median of fewer is mostly what is to be judged
+
+// Weights of radial (with clock) and of along and cross-track errors in a range seen from the ground, of
+// medium orbits, and the carriers whose phase centre the message's orbit is that of.
 typedef struct system_facts {
     double w_radial, w_across;
     const char *code1, *code2;
@@ -40,20 +44,28 @@ static const system_facts *facts_of(char system)
     }
 }
 
+// From 36000 km the Earth is smaller.
+static void weights(const system_facts *f, orr_orbit_class orbit, double *radial, double *across)
+{
+    *radial = orbit == ORR_ORBIT_MEO ? f->w_radial : 0.99;
+    *across = orbit == ORR_ORBIT_MEO ? f->w_across : 1 / 11.2;
+}
+
+static orr_orbit_class class_of(orr_vec3 r, orr_vec3 v_inertial)
+{
+    const double a = 1 / (2 / orr_vec3_norm(r) - orr_vec3_dot(v_inertial, v_inertial) / ORR_EGM96_GM);
+    if (!(a > 4e7)) return ORR_ORBIT_MEO;
+    const orr_vec3 normal = orr_vec3_unit(orr_vec3_cross(r, v_inertial));
+    return normal.z > cos(15 * ORR_RAD_PER_DEG) ? ORR_ORBIT_GEO : ORR_ORBIT_IGSO;
+}
+
 // Broadcast clocks belong to the pair of signals of their message, precise ones to the pair that the analysis
-// centres use: Galileo I/NAV's E1/E5b against E1/E5a, BeiDou's B3I against B1I/B3I. The message's own group
-// delays bridge the two.
+// centres use. Where the message does not tell the way from one to the other, as GLONASS before RINEX 3.05
+// and where delta tau was not received, the difference stays in the clock errors.
 static double to_precise_pair_s(const orr_nav_eph *eph)
 {
-    const orr_nav_delays *d = &eph->delay;
-    double shift = 0;
-    if (orr_sat_system(eph->sat) == 'E' && eph->message == ORR_NAV_INAV)
-        shift = d->bgd_e5a_e1_s - d->bgd_e5b_e1_s;
-    if (orr_sat_system(eph->sat) == 'C') {
-        const double b1 = 1561.098e6, b3 = 1268.52e6;
-        shift = -b1 * b1 / (b1 * b1 - b3 * b3) * d->tgd_s;
-    }
-    return isfinite(shift) ? shift : 0;
+    double shift;
+    return orr_signal_broadcast_to_product(eph, &shift) == ORR_OK ? shift : 0;
 }
 
 // Sun in ecef at an epoch, shared by all satellites.
@@ -68,8 +80,7 @@ static orr_vec3 sun_in_ecef(orr_time t)
 // One satellite at one epoch; the clock is still without its system's offset. false if there is no allowed
 // record.
 static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat sat, orr_time t, orr_vec3 sun,
-                      const orr_sisre_options *o, const system_facts *f, bool *offset_known,
-                      orr_sisre_sample *out)
+                      const orr_sisre_options *o, const system_facts *f, orr_sisre_sample *out)
 {
     const orr_nav_eph *eph = orr_broadcast_select(nav, sat, t, &o->choice);
     orr_broadcast_state s;
@@ -85,7 +96,6 @@ static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat s
     bool known =
         antenna != NULL && orr_attitude_nominal(precise, v, sun, &attitude) == ORR_OK &&
         orr_antenna_offset(antenna, &attitude, f->code1, f->f1_hz, f->code2, f->f2_hz, &offset) == ORR_OK;
-    *offset_known = *offset_known && known;
     const orr_vec3 e = orr_vec3_sub(orr_vec3_sub(s.pos_m, offset), precise);
     const orr_vec3 radial = orr_vec3_unit(precise), cross = orr_vec3_unit(orr_vec3_cross(precise, v));
     *out = (orr_sisre_sample){.sat = sat,
@@ -95,7 +105,9 @@ static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat s
                               .cross_m = orr_vec3_dot(e, cross),
                               .clock_m = (double)NAN,
                               .sisre_m = (double)NAN,
-                              .age_s = orr_time_diff_s(t, eph->toe)};
+                              .age_s = orr_time_diff_s(t, eph->toe),
+                              .orbit = class_of(s.pos_m, v),
+                              .antenna = known};
     if (isfinite(truth->clock_s)) {
         double clock = s.clock_s + to_precise_pair_s(eph);
         if (orr_sat_system(sat) == 'R') // its parameters hold the periodic relativity, IGS clocks do not
@@ -118,17 +130,22 @@ static void remove_system_offset(orr_sisre_sample *s, size_t n, double *room)
         size_t m = 0;
         for (size_t i = 0; i < n; i++)
             if (orr_sat_system_index(s[i].sat) == k && isfinite(s[i].clock_m)) room[m++] = s[i].clock_m;
-        if (m == 0) continue;
+        if (m < LEAST_CLOCKS) {
+            for (size_t i = 0; i < n && m > 0; i++)
+                if (orr_sat_system_index(s[i].sat) == k) s[i].clock_m = (double)NAN;
+            continue;
+        }
         qsort(room, m, sizeof *room, by_value);
         double median = m % 2 == 1 ? room[m / 2] : 0.5 * (room[m / 2 - 1] + room[m / 2]);
         for (size_t i = 0; i < n; i++) {
             if (orr_sat_system_index(s[i].sat) != k) continue;
             const system_facts *f = facts_of(ORR_SYSTEMS[k]);
+            double w_radial, w_across;
+            weights(f, s[i].orbit, &w_radial, &w_across);
             s[i].clock_m -= median;
-            double range = f->w_radial * s[i].radial_m - s[i].clock_m;
-            s[i].sisre_m =
-                sqrt(range * range +
-                     f->w_across * f->w_across * (s[i].along_m * s[i].along_m + s[i].cross_m * s[i].cross_m));
+            const double range = w_radial * s[i].radial_m - s[i].clock_m;
+            const double across2 = s[i].along_m * s[i].along_m + s[i].cross_m * s[i].cross_m;
+            s[i].sisre_m = sqrt(range * range + w_across * w_across * across2);
         }
     }
 }
@@ -142,20 +159,24 @@ static void sum_up(const orr_sisre_sample *s, size_t n, double outlier_m, double
 {
     double per_sat[256] = {0};
     size_t count[256] = {0}, m = 0;
-    double r2 = 0, a2 = 0, c2 = 0, t2 = 0, u2 = 0;
+    bool unknown[256] = {0};
+    double r1 = 0, r2 = 0, a2 = 0, c2 = 0, t2 = 0, u2 = 0;
     for (size_t i = 0; i < n; i++) {
         if (orr_sat_system(s[i].sat) != sum->system) continue;
+        if (sum->orbit != ORR_ORBIT_CLASSES && s[i].orbit != sum->orbit) continue;
         double d = size_3d(&s[i]);
         if (d > outlier_m) {
             sum->n_outliers++;
             continue;
         }
         sum->n++;
+        r1 += s[i].radial_m;
         r2 += s[i].radial_m * s[i].radial_m;
         a2 += s[i].along_m * s[i].along_m;
         c2 += s[i].cross_m * s[i].cross_m;
         per_sat[orr_sat_number(s[i].sat)] += d * d;
         count[orr_sat_number(s[i].sat)]++;
+        if (!s[i].antenna) unknown[orr_sat_number(s[i].sat)] = true;
         if (!isfinite(s[i].clock_m)) continue;
         t2 += s[i].clock_m * s[i].clock_m;
         u2 += s[i].sisre_m * s[i].sisre_m;
@@ -165,6 +186,7 @@ static void sum_up(const orr_sisre_sample *s, size_t n, double outlier_m, double
     double N = (double)sum->n;
     sum->radial_m = sqrt(r2 / N), sum->along_m = sqrt(a2 / N), sum->cross_m = sqrt(c2 / N);
     sum->orbit_3d_m = sqrt((r2 + a2 + c2) / N);
+    sum->radial_mean_m = r1 / N;
     sum->n_clock = m;
     sum->clock_m = sum->sisre_m = sum->sisre_95_m = (double)NAN;
     if (m > 0) {
@@ -175,6 +197,7 @@ static void sum_up(const orr_sisre_sample *s, size_t n, double outlier_m, double
     for (int k = 0; k < 256; k++) {
         if (count[k] == 0) continue;
         sum->n_sats++;
+        if (!unknown[k]) sum->n_antennas++;
         double rms = sqrt(per_sat[k] / (double)count[k]);
         if (rms > sum->worst_m) {
             sum->worst_m = rms;
@@ -198,7 +221,7 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu comparisons", room_n);
     }
     for (int k = 0; k < ORR_N_SYSTEMS; k++)
-        sums[k] = (orr_sisre_sum){.system = ORR_SYSTEMS[k], .antex = true};
+        sums[k] = (orr_sisre_sum){.system = ORR_SYSTEMS[k], .orbit = ORR_ORBIT_CLASSES};
     for (size_t e = 0; e < truth->n_epochs; e++) {
         const orr_vec3 sun = sun_in_ecef(truth->epoch[e]);
         size_t first = *n;
@@ -206,8 +229,7 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
             const orr_sp3_record *r = &truth->record[e * truth->n_sats + i];
             const system_facts *f = facts_of(orr_sat_system(truth->sat[i]));
             if (f == NULL || !isfinite(r->pos_m[0])) continue;
-            bool *known = &sums[orr_sat_system_index(truth->sat[i])].antex;
-            if (sample_at(nav, r, truth->sat[i], truth->epoch[e], sun, o, f, known, &s[*n])) ++*n;
+            if (sample_at(nav, r, truth->sat[i], truth->epoch[e], sun, o, f, &s[*n])) ++*n;
         }
         remove_system_offset(s + first, *n - first, room);
     }
@@ -221,5 +243,16 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
             "no satellite has both a precise position and a usable broadcast record at one epoch");
     }
     *samples = s;
+    return ORR_OK;
+}
+
+orr_status orr_sisre_sum_orbit(const orr_sisre_sample *samples, size_t n, char system, orr_orbit_class orbit,
+                               double outlier_m, orr_sisre_sum *out)
+{
+    double *room = malloc((n + 1) * sizeof *room);
+    if (room == NULL) return ORR_E_MEMORY;
+    *out = (orr_sisre_sum){.system = system, .orbit = orbit};
+    sum_up(samples, n, outlier_m > 0 ? outlier_m : OUTLIER_M, room, out);
+    free(room);
     return ORR_OK;
 }

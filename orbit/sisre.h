@@ -9,28 +9,40 @@
 #include "orbit/attitude.h"
 #include "orbit/broadcast.h"
 
+typedef enum orr_orbit_class { // geosynchronous ones inclined by more or by less than 15 deg, and the rest
+    ORR_ORBIT_MEO,
+    ORR_ORBIT_IGSO,
+    ORR_ORBIT_GEO,
+    ORR_ORBIT_CLASSES // how many; "any" where a class is asked for
+} orr_orbit_class;
+
 typedef struct orr_sisre_sample {
     orr_sat sat;
     orr_time t;
     double radial_m, along_m, cross_m; // broadcast minus precise, centres of mass
-    double clock_m; // c times the clock difference less the system's median at that epoch; NAN without
+    double clock_m; // c times the clock difference less the system's median at that epoch; NAN without, and
+                    // where fewer than four of the system's satellites have one
     double sisre_m; // NAN without a clock
     double age_s;   // t - toe
+    orr_orbit_class orbit;
+    bool antenna; // its phase centre was known; otherwise the offset is in the errors, mostly in the radial
+                  // one
 } orr_sisre_sample;
 
-typedef struct orr_sisre_sum { // of one system; all RMS
+typedef struct orr_sisre_sum { // of one system, or of one kind of orbit in it; all RMS but the mean
     char system;
-    size_t n_sats, n, n_clock, n_outliers; // outliers (above outlier_m) are counted and kept out of the RMS
-    double radial_m, along_m, cross_m, clock_m, orbit_3d_m, sisre_m, sisre_95_m;
+    orr_orbit_class orbit;                 // ORR_ORBIT_CLASSES: all of the system
+    size_t n_sats, n, n_clock, n_outliers; // outliers (above outlier_m) are counted and kept out of the rest
+    size_t n_antennas;                     // satellites whose phase centre was known throughout
+    double radial_m, along_m, cross_m, clock_m, orbit_3d_m, sisre_m, sisre_95_m, radial_mean_m;
     orr_sat worst;
     double worst_m; // 3-D RMS of the worst satellite
-    bool antex;     // phase-centre offsets of all its satellites were known
 } orr_sisre_sum;
 
 typedef struct orr_sisre_options {
     orr_broadcast_choice choice;
     const orr_antex *antex; // NULL: offsets are taken as zero, and the radial error carries them
-    double outlier_m;       // 3-D orbit error above which a sample is an outlier; 0: 50 m
+    double outlier_m;       // 3-D orbit error above which a sample is an outlier; 0: 50 m (here and below)
 } orr_sisre_options;
 
 // Every satellite of the SP3 at every epoch that has a precise position and an allowed broadcast record.
@@ -39,5 +51,8 @@ typedef struct orr_sisre_options {
 orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o,
                          orr_sisre_sample **samples, size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS],
                          orr_diag *diag);
+// The same sum over one kind of orbit; out->n is 0 where there is none. ORR_E_MEMORY.
+orr_status orr_sisre_sum_orbit(const orr_sisre_sample *samples, size_t n, char system, orr_orbit_class orbit,
+                               double outlier_m, orr_sisre_sum *out);
 
 #endif

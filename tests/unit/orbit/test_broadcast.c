@@ -226,6 +226,23 @@ static void the_nearest_healthy_allowed_record_is_chosen(void **state)
     assert_null(orr_broadcast_select(&nav, orr_sat_parse("G06"), toe, &c));
 }
 
+// Galileo's elements serve what follows their toe.
+static void galileo_is_not_used_long_before_its_toe(void **state)
+{
+    (void)state;
+    orr_nav_eph e = made("E11", ORR_NAV_INAV);
+    const orr_nav nav = {.n_eph = 1, .eph = &e};
+    orr_broadcast_choice c = orr_broadcast_choice_default();
+    assert_ptr_equal(orr_broadcast_select(&nav, e.sat, orr_time_add_s(e.toe, 3.9 * 3600), &c), &e);
+    assert_ptr_equal(orr_broadcast_select(&nav, e.sat, orr_time_add_s(e.toe, -1700), &c), &e);
+    assert_null(orr_broadcast_select(&nav, e.sat, orr_time_add_s(e.toe, -1900), &c));
+    c.max_age_s = 7200; // the caller's word counts on both sides
+    assert_ptr_equal(orr_broadcast_select(&nav, e.sat, orr_time_add_s(e.toe, -1900), &c), &e);
+    e = made("G05", ORR_NAV_LNAV);
+    c = orr_broadcast_choice_default();
+    assert_ptr_equal(orr_broadcast_select(&nav, e.sat, orr_time_add_s(e.toe, -7000), &c), &e);
+}
+
 // A week's end is an instant like any other: toe late on Saturday, t early on Sunday.
 static void week_ends_do_not_show(void **state)
 {
@@ -297,6 +314,7 @@ int main(void)
         cmocka_unit_test(glonass_runs_both_ways_and_its_derivatives_hold),
         cmocka_unit_test(geo_is_a_parabola),
         cmocka_unit_test(the_nearest_healthy_allowed_record_is_chosen),
+        cmocka_unit_test(galileo_is_not_used_long_before_its_toe),
         cmocka_unit_test(week_ends_do_not_show),
         cmocka_unit_test(pz90_realisations_change_on_their_days),
         cmocka_unit_test(group_delays_follow_the_message),
