@@ -134,30 +134,64 @@ static void glonass_motion(const double y[6], const orr_vec3 *lunisolar, double 
     dy[5] = -k * y[2] - j * y[2] * (3 - q) + lunisolar->z;
 }
 
-static orr_status eval_glonass(const orr_nav_glonass *g, double tk, orr_broadcast_state *out)
+// Runge-Kutta 4 over tk in equal steps of a minute or less (the ICD's own step).
+static orr_status advance(double y[6], const orr_vec3 *lunisolar, double tk)
 {
-    double y[6] = {g->pos_m.x, g->pos_m.y, g->pos_m.z, g->vel_mps.x, g->vel_mps.y, g->vel_mps.z}, dy[6];
-    const double radius = orr_vec3_norm(g->pos_m);
-    if (!(radius > 6.4e6 && radius < 1e9)) return ORR_E_NUMERIC;
     int steps = (int)ceil(fabs(tk) / 60.0);
     double h = steps > 0 ? tk / steps : 0;
     for (int n = 0; n < steps; n++) {
         double k[4][6], t[6];
-        glonass_motion(y, &g->acc_mps2, k[0]);
+        glonass_motion(y, lunisolar, k[0]);
         for (int i = 0; i < 6; i++) t[i] = y[i] + 0.5 * h * k[0][i];
-        glonass_motion(t, &g->acc_mps2, k[1]);
+        glonass_motion(t, lunisolar, k[1]);
         for (int i = 0; i < 6; i++) t[i] = y[i] + 0.5 * h * k[1][i];
-        glonass_motion(t, &g->acc_mps2, k[2]);
+        glonass_motion(t, lunisolar, k[2]);
         for (int i = 0; i < 6; i++) t[i] = y[i] + h * k[2][i];
-        glonass_motion(t, &g->acc_mps2, k[3]);
+        glonass_motion(t, lunisolar, k[3]);
         for (int i = 0; i < 6; i++) y[i] += h / 6 * (k[0][i] + 2 * k[1][i] + 2 * k[2][i] + k[3][i]);
         if (!(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] > 4e13)) return ORR_E_NUMERIC;
     }
+    return ORR_OK;
+}
+
+static orr_status glonass_start(const orr_nav_glonass *g, double y[6])
+{
+    y[0] = g->pos_m.x, y[1] = g->pos_m.y, y[2] = g->pos_m.z;
+    y[3] = g->vel_mps.x, y[4] = g->vel_mps.y, y[5] = g->vel_mps.z;
+    const double radius = orr_vec3_norm(g->pos_m);
+    return radius > 6.4e6 && radius < 1e9 ? ORR_OK : ORR_E_NUMERIC;
+}
+
+static orr_status eval_glonass(const orr_nav_glonass *g, double tk, orr_broadcast_state *out)
+{
+    double y[6], dy[6];
+    orr_status s = glonass_start(g, y);
+    if (s == ORR_OK) s = advance(y, &g->acc_mps2, tk);
+    if (s != ORR_OK) return s;
     glonass_motion(y, &g->acc_mps2, dy);
     out->pos_m = orr_vec3_make(y[0], y[1], y[2]);
     out->vel_mps = orr_vec3_make(y[3], y[4], y[5]);
     out->acc_mps2 = orr_vec3_make(dy[3], dy[4], dy[5]);
     out->relativity_s = 0;
+    return ORR_OK;
+}
+
+orr_status orr_broadcast_glonass_track(const orr_nav_glonass *g, const double *tk, size_t n, orr_vec3 *pos)
+{
+    double y[6], at;
+    size_t later = 0;
+    while (later < n && tk[later] < 0) later++;
+    for (int side = 0; side < 2; side++) { // forward from tb, then backward
+        orr_status s = glonass_start(g, y);
+        at = 0;
+        for (size_t k = 0; k < (side == 0 ? n - later : later) && s == ORR_OK; k++) {
+            size_t i = side == 0 ? later + k : later - 1 - k;
+            s = advance(y, &g->acc_mps2, tk[i] - at);
+            at = tk[i];
+            pos[i] = orr_vec3_make(y[0], y[1], y[2]);
+        }
+        if (s != ORR_OK) return s;
+    }
     return ORR_OK;
 }
 

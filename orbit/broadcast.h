@@ -26,6 +26,12 @@ typedef struct orr_broadcast_state {
 // A.4.4.11.
 orr_status orr_broadcast_eval(const orr_nav_eph *eph, orr_time t, orr_broadcast_state *out);
 
+// Positions by a GLONASS record at n instants, tk_s[] ascending seconds after toe, in one sweep to either
+// side instead of from tb every time. The steps differ, and with them the truncation of Runge-Kutta 4:
+// orr_broadcast_eval gives the same within 1.5 mm over half an hour, 3 mm over 70 min.
+orr_status orr_broadcast_glonass_track(const orr_nav_glonass *g, const double *tk_s, size_t n,
+                                       orr_vec3 *pos_m);
+
 typedef struct orr_broadcast_choice {
     double max_age_s; // |t - toe|; 0: by system (GPS, QZSS 2 h or half the fit interval, Galileo from half an
                       // hour before toe to 4 h after, BeiDou 1 h + 3 min, NavIC 2 h, GLONASS 15 min + 3 min,

@@ -27,19 +27,22 @@ typedef struct orr_navfit_report {
 // positions in the window, ORR_E_RANGE with the field's name if a parameter does not fit its field,
 // ORR_E_NUMERIC where the positions are no such orbit.
 
-// LNAV: the fifteen Kepler parameters at toe (a multiple of 16 s of the week) by least squares over [from,
-// to], 1800 to 21600 s (IS-GPS-200N table 20-III), each parameter rounded in turn to its LSB and the rest
-// fitted again. On success eph holds kepler (quantised), toe, toc, week, fit_interval_h (as given: what
+// LNAV (GPS, QZSS): the fifteen Kepler parameters at toe (a multiple of 16 s of the week) by least squares
+// over [from, to], 1800 to 21600 s (IS-GPS-200N table 20-III); then, of all values that the message can send,
+// those that together fit best (integer least squares, see orbit/lattice.h). What a short window cannot tell
+// stays near the usual: rates to what the Earth's flattening causes, harmonics to zero, with weights of a
+// centimetre. A rate or harmonic whose best value its field cannot hold is kept at the field's end and the
+// rest fitted again. On success eph holds kepler (quantised), toe, toc, week, fit_interval_h (as given: what
 // subframe 2 will promise; the window may be another), kind and message; the caller sets clock, issue,
 // health.
 orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, orr_time from, orr_time to, double fit_interval_h,
                            orr_navfit_source source, void *user, orr_nav_eph *eph, orr_navfit_report *report,
                            orr_diag *diag);
 
-// GLONASS: position and velocity at tb by least squares over [from, to], 600 to 7200 s (usually tb +- 900 s),
-// with the lunisolar acceleration of Sun and Moon at tb, all on their LSBs (2^-11 km, 2^-20 km/s, 2^-30
-// km/s^2); of the lattice points next to the solution the one that fits best. Positions are PZ-90.11 (taken
-// equal to ITRF). The caller sets clock, channel, health.
+// GLONASS: position, velocity and acceleration at tb by least squares over [from, to], 600 to 7200 s (usually
+// tb +- 900 s), the acceleration starting from that of Sun and Moon at tb; then the best values on their LSBs
+// (2^-11 km, 2^-20 km/s, 2^-30 km/s^2), as above. Positions are PZ-90.11 (taken equal to ITRF). The caller
+// sets clock, channel, health.
 orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time to, orr_navfit_source source,
                               void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the fits of LNAV, GLONASS and the almanac share: the window of positions, where they start from, and
+// the two steps of each: linear least squares, and the nearest point of the lattice.
+#ifndef ORR_ORBIT_NAVFIT_IMPL_H
+#define ORR_ORBIT_NAVFIT_IMPL_H
+
+#include "orbit/lattice.h"
+#include "orbit/navfit.h"
+
+#define ORR_NAVFIT_POSITIONS 128
+#define ORR_NAVFIT_ROWS (3 * ORR_NAVFIT_POSITIONS + ORR_LATTICE_MAX)
+
+typedef struct orr_navfit_window {
+    size_t n;
+    orr_time t[ORR_NAVFIT_POSITIONS];
+    orr_vec3 pos[ORR_NAVFIT_POSITIONS];
+} orr_navfit_window;
+
+// ORR_E_ARG unless from..to is so long, and t0 within it or no further outside than it is long.
+orr_status orr_navfit_check_window(orr_time t0, orr_time from, orr_time to, double least_s, double most_s,
+                                   orr_diag *diag);
+// Positions every step_s or less, in 24 intervals at least, at most ORR_NAVFIT_POSITIONS; ORR_E_NODATA with
+// fewer than 9.
+orr_status orr_navfit_gather(orr_time from, orr_time to, double step_s, orr_navfit_source source, void *user,
+                             orr_navfit_window *w, orr_diag *diag);
+// Position and velocity in the middle of the window, in axes that turn with -earth_rate against ecef and
+// coincide with it at t0 (0: ecef): the derivative of the polynomial through the five positions that are
+// closest together. Returns which position it is.
+size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_rate, orr_vec3 *r,
+                         orr_vec3 *v);
+
+// Linear least squares |A x - b|, A rows x n row-major, by Householder's QR. On return the upper n x n of A
+// is R and the first n of b are Q^T b, so that a lattice search can go on from there. x may be NULL.
+orr_status orr_navfit_solve(size_t rows, size_t n, double *A, double *b, double *x);
+
+// A field as the interface documents define it.
+typedef struct orr_navfit_field {
+    const char *name;
+    double lsb;
+    int bits;                                                            // two's complement unless unsigned
+    enum { ORR_FIELD_SIGNED, ORR_FIELD_UNSIGNED, ORR_FIELD_ANGLE } kind; // an angle may turn over
+} orr_navfit_field;
+// The nearest value of the field to `whole` LSBs (a whole number); ORR_E_RANGE with the name if it is none.
+orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag);
+
+// orr_broadcast_eval of the record against the window.
+orr_status orr_navfit_judge(const orr_nav_eph *e, const orr_navfit_window *w, double *rms_m, double *max_m);
+
+#endif
