@@ -3,9 +3,6 @@
 
 #define BITS 85
 #define CHECK_BITS 8
-#define SEMICIRCLE ORR_PI
-#define MOSCOW_H 3
-#define FRAME_S 30
 
 // A string while it is being filled: one entry a bit, numbered 85..1 as the ICD numbers them.
 typedef struct draft {
@@ -48,10 +45,10 @@ static void put_signed(draft *d, int highest, int n, const char *name, double va
 
 // An angle in semicircles. Half a turn itself cannot be sent: the field's last value stands for it, within an
 // LSB.
-static void put_angle(draft *d, int highest, int n, const char *name, double rad)
+static void put_angle(draft *d, int highest, int n, const char *name, double rad, double lsb)
 {
-    double lsb = SEMICIRCLE * ldexp(1.0, 1 - n), a = remainder(rad, 2 * SEMICIRCLE);
-    if (fabs(a) > SEMICIRCLE - lsb) a = copysign(SEMICIRCLE - lsb, a);
+    double a = remainder(rad, 2 * ORR_PI);
+    if (fabs(a) > ORR_PI - lsb) a = copysign(ORR_PI - lsb, a);
     put_signed(d, highest, n, name, a, lsb);
 }
 
@@ -93,50 +90,8 @@ static orr_status seal(draft *d, int string, orr_glonass_string *out)
     return ORR_OK;
 }
 
-// Day and time of day in Moscow, three hours ahead of UTC; a leap second is 02:59:60.
-static int32_t moscow(orr_time t, orr_civil *c)
-{
-    orr_time_to_civil(t, ORR_SCALE_UTC, NULL, c);
-    int32_t mjd = orr_mjd_from_date(c->year, c->month, c->day) + (c->hour + MOSCOW_H >= 24);
-    c->hour = (c->hour + MOSCOW_H) % 24;
-    return mjd;
-}
-
-orr_time orr_glonass_day(orr_time t)
-{
-    orr_civil c;
-    return orr_time_from_mjd(moscow(t, &c) - 1, (24.0 - MOSCOW_H) / 24, ORR_SCALE_UTC, NULL);
-}
-
-orr_status orr_glonass_calendar(orr_time t, int *n4, int *nt, orr_diag *diag)
-{
-    orr_civil c;
-    int32_t mjd = moscow(t, &c);
-    int year, month, day;
-    orr_date_from_mjd(mjd, &year, &month, &day);
-    if (year < 1996 || year > 2119)
-        return orr_diag_set(diag, ORR_E_RANGE, "N_4 counts the years 1996 to 2119, not %d", year);
-    *n4 = (year - 1996) / 4 + 1;
-    *nt = mjd - orr_mjd_from_date(1996 + 4 * (*n4 - 1), 1, 1) + 1;
-    return ORR_OK;
-}
-
-int orr_glonass_frame(orr_time t_k)
-{
-    orr_civil c;
-    moscow(t_k, &c);
-    if (c.ns != 0 || c.second % FRAME_S != 0 || c.second == 60) return 0;
-    return (c.hour * 3600 + c.minute * 60 + c.second) / FRAME_S % 5 + 1;
-}
-
-int orr_glonass_almanac_slot(int frame, int string)
-{
-    if (frame < 1 || frame > 5 || string < 6 || string > 15 || (frame == 5 && string > 13)) return 0;
-    return 5 * (frame - 1) + (string - 6) / 2 + 1;
-}
-
-// RINEX 3.05, table A10, status flags: M in bits 7-8, P4 6, P3 5, P2 4, P1 2-3, P 0-1; health flags: l_n in
-// bit 0.
+// RINEX 3.05, table A10, status flags: M in bits 7-8, P4 6, P3 5, P2 4, P1 2-3, P 0-1. All zero is a blank
+// field. Its health flags are left alone: writers number their bits from either end.
 void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, orr_glonass_immediate *out)
 {
     static const int interval_min[4] = {0, 30, 45, 60};
@@ -149,12 +104,11 @@ void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, orr_glonass_
                                    .l_n = eph->health != 0,
                                    .f_t = g->ura >= 0 && g->ura <= 15 ? (int)g->ura : 15,
                                    .e_n_days = g->age_days >= 0 && g->age_days <= 31 ? (int)g->age_days : 31};
-    if (!g->has_flags) return;
+    if (!g->has_flags || g->status_flags == 0) return;
     out->m = (int)(g->status_flags >> 7 & 3u);
     out->p4 = g->status_flags >> 6 & 1u;
     out->p1_min = interval_min[g->status_flags >> 2 & 3u];
     out->p = (int)(g->status_flags & 3u);
-    out->l_n = g->health_flags & 1u;
 }
 
 static void put_axis(draft *d, const char *const name[3], double pos_m, double vel_mps, double acc_mps2)
@@ -168,7 +122,7 @@ static orr_status fill_1(draft *d, const orr_nav_eph *e, const orr_glonass_immed
 {
     static const char *const name[3] = {"x_n", "x_n'", "x_n''"};
     orr_civil c;
-    moscow(im->t_k, &c);
+    orr_glonass_clock(im->t_k, &c);
     if (orr_glonass_frame(im->t_k) == 0)
         return orr_diag_set(d->diag, ORR_E_ARG, "t_k: a frame begins at second 0 or 30 of UTC");
     if (im->p1_min != 0 && im->p1_min != 30 && im->p1_min != 45 && im->p1_min != 60)
@@ -176,7 +130,7 @@ static orr_status fill_1(draft *d, const orr_nav_eph *e, const orr_glonass_immed
     put(d, 78, 2, im->p1_min == 0 ? 0 : (uint32_t)im->p1_min / 15 - 1);
     put(d, 76, 5, (uint32_t)c.hour);
     put(d, 71, 6, (uint32_t)c.minute);
-    put(d, 65, 1, c.second == FRAME_S);
+    put(d, 65, 1, c.second == 30);
     put_axis(d, name, e->glonass.pos_m.x, e->glonass.vel_mps.x, e->glonass.acc_mps2.x);
     return ORR_OK;
 }
@@ -185,7 +139,7 @@ static orr_status fill_2(draft *d, const orr_nav_eph *e, const orr_glonass_immed
 {
     static const char *const name[3] = {"y_n", "y_n'", "y_n''"};
     orr_civil c;
-    moscow(e->toe, &c);
+    orr_glonass_clock(e->toe, &c);
     uint32_t t_b = (uint32_t)(c.hour * 60 + c.minute) / 15;
     if (c.ns != 0 || c.second != 0 || c.minute % 15 != 0 || t_b == 0)
         return orr_diag_set(d->diag, ORR_E_RANGE, "t_b is sent as 15, 30 .. 1425 min of the day in Moscow");
@@ -271,18 +225,18 @@ static void fill_even(draft *d, const orr_glonass_almanac *a)
     put(d, 80, 1, a->operational);
     put_unsigned(d, 79, 2, "M_n", a->type, 1);
     put_unsigned(d, 77, 5, "n", a->number, 1);
-    put_signed(d, 72, 10, "tau_n", a->tau_s, ldexp(1, -18));
-    put_angle(d, 62, 21, "lambda_n", a->lambda_rad);
-    put_signed(d, 41, 18, "delta i_n", a->delta_i_rad, SEMICIRCLE * ldexp(1, -20));
-    put_unsigned(d, 23, 15, "epsilon_n", a->e, ldexp(1, -20));
+    put_signed(d, 72, 10, "tau_n", a->tau_s, ORR_GLONASS_ALM_TAU_LSB_S);
+    put_angle(d, 62, 21, "lambda_n", a->lambda_rad, ORR_GLONASS_ALM_ANGLE_LSB_RAD);
+    put_signed(d, 41, 18, "delta i_n", a->delta_i_rad, ORR_GLONASS_ALM_ANGLE_LSB_RAD);
+    put_unsigned(d, 23, 15, "epsilon_n", a->e, ORR_GLONASS_ALM_E_LSB);
 }
 
 static void fill_odd(draft *d, const orr_glonass_almanac *a) // channels below zero are 32 more (table 4.10)
 {
-    put_angle(d, 80, 16, "omega_n", a->omega_rad);
-    put_unsigned(d, 64, 21, "t_lambda_n", a->t_lambda_s, ldexp(1, -5));
-    put_signed(d, 43, 22, "delta T_n", a->delta_t_s, ldexp(1, -9));
-    put_signed(d, 21, 7, "delta T_n'", a->delta_t_rate, ldexp(1, -14));
+    put_angle(d, 80, 16, "omega_n", a->omega_rad, ORR_GLONASS_ALM_OMEGA_LSB_RAD);
+    put_unsigned(d, 64, 21, "t_lambda_n", a->t_lambda_s, ORR_GLONASS_ALM_T_LAMBDA_LSB_S);
+    put_signed(d, 43, 22, "delta T_n", a->delta_t_s, ORR_GLONASS_ALM_DELTA_T_LSB_S);
+    put_signed(d, 21, 7, "delta T_n'", a->delta_t_rate, ORR_GLONASS_ALM_RATE_LSB);
     if (a->channel < -7 || a->channel > 24) refuse(d, "H_n", a->channel, 5);
     put(d, 14, 5, (uint32_t)(a->channel + 32) % 32);
 }

@@ -11,6 +11,7 @@
 
 #include "ingest/rinex_nav.h"
 #include "orbit/almanac_glonass.h"
+#include "orbit/glonass_time.h"
 
 typedef struct orr_glonass_string {
     uint8_t data[11]; // bit 85 is the highest of data[0]; the lowest three of data[10] are 0
@@ -29,8 +30,8 @@ typedef struct orr_glonass_immediate {
     int e_n_days; // E_n: 0..31, age of the data
 } orr_glonass_immediate;
 
-// What a record itself says of them: E_n; F_T, M, P, P1, P4 and l_n where it has the flags of RINEX 3.05.
-// Where it does not: F_T 15 (none), M 1, P 0, P1 30 min, P4 0, l_n by the health word. P3 follows from t_k
+// What a record itself says of them: E_n (31 where it does not), F_T (15: none), l_n by its health word; M,
+// P, P1 and P4 by the status flags of RINEX 3.05, or else 1, 0, 30 min and 0. P3 follows from t_k
 // (orr_glonass_frame).
 void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, orr_glonass_immediate *out);
 
@@ -64,17 +65,6 @@ typedef struct orr_glonass_utc {
 } orr_glonass_utc;
 orr_status orr_glonass_encode_utc(const orr_glonass_utc *utc, int string, bool l_n, orr_glonass_string *out,
                                   orr_diag *diag);
-
-// Frame of the superframe, 1..5, that begins at t_k: superframes are counted from the begin of the day in
-// Moscow (the ICD leaves that open; receivers go by the satellites' numbers). 0 where no frame begins.
-int orr_glonass_frame(orr_time t_k);
-// Slot 1..24 whose almanac string 6..15 of frame 1..5 carries; 0 for strings that carry none.
-int orr_glonass_almanac_slot(int frame, int string);
-
-// Begin (00:00) of the day in Moscow that holds t, and N_4 and N_T of that day (1996-01-01 is day 1 of
-// interval 1). ORR_E_RANGE before 1996 and after 2119, where N_4 ends.
-orr_time orr_glonass_day(orr_time t);
-orr_status orr_glonass_calendar(orr_time t, int *n4, int *nt, orr_diag *diag);
 
 // All checksums C_1..C_7 and C_sigma of table 4.13 are zero. No error of one or two bits passes.
 bool orr_glonass_check(const orr_glonass_string *s);
