@@ -386,6 +386,28 @@ static void days_and_frames_are_of_moscow(void **state)
     assert_int_equal(orr_glonass_almanac_slot(5, 14), 0);
 }
 
+// A record without flags (before RINEX 3.05, or blank) makes no claims; one with them is repeated.
+static void what_a_record_says_is_taken(void **state)
+{
+    (void)state;
+    orr_nav_eph e = random_record(1);
+    orr_glonass_immediate im;
+    orr_time fifth = utc(2024, 2, 4, 0, 2, 0), first = fifth + (orr_time)30 * ORR_NS_PER_S;
+    e.health = UINT32_MAX; // blank
+    e.glonass.ura = e.glonass.age_days = (double)NAN;
+    orr_glonass_immediate_of(&e, fifth, &im);
+    assert_true(im.t_k == fifth && im.l_n && !im.p3 && !im.p4);
+    assert_true(im.f_t == 15 && im.e_n_days == 31 && im.p1_min == 30 && im.m == 1 && im.p == 0);
+    e.glonass.has_flags = true; // with a blank word
+    orr_glonass_immediate_of(&e, first, &im);
+    assert_true(im.p3 && im.p1_min == 30 && im.m == 1 && im.p == 0);
+    e.health = 0, e.glonass.ura = 3, e.glonass.age_days = 1;
+    e.glonass.status_flags = 2u << 7 | 1u << 6 | 3u << 2 | 2u;
+    orr_glonass_immediate_of(&e, first, &im);
+    assert_true(!im.l_n && im.p4 && im.f_t == 3 && im.e_n_days == 1);
+    assert_true(im.p1_min == 60 && im.m == 2 && im.p == 2);
+}
+
 static void refused(const orr_nav_eph *e, const orr_glonass_immediate *im, int string, orr_status status,
                     const char *name)
 {
@@ -481,6 +503,7 @@ int main(void)
         cmocka_unit_test(check_bits_of_received_strings_hold),
         cmocka_unit_test(every_small_error_is_noticed),
         cmocka_unit_test(days_and_frames_are_of_moscow),
+        cmocka_unit_test(what_a_record_says_is_taken),
         cmocka_unit_test(what_does_not_fit_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
