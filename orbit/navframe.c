@@ -111,17 +111,16 @@ static orr_status lnav_frame(const orr_navset *set, orr_sat sat, orr_time t, orr
 
 // --- GLONASS ---
 
-// Begin of the UTC half minute that holds t, and of the next one (31 s later where a leap second is
-// inserted).
+// Begin of the UTC half minute that holds t, and of the next one, 31 s later where a leap second is inserted.
 static void utc_half_minute(orr_time t, orr_time *from, orr_time *to)
 {
-    int32_t mjd;
-    double fraction;
-    orr_time_mjd(t, ORR_SCALE_UTC, NULL, &mjd, &fraction);
-    const int k =
-        (int)floor(fraction * 2880 + 1e-8); // 1e-8 of a half minute is what a double of a day leaves
-    *from = orr_time_from_mjd(mjd, k / 2880.0, ORR_SCALE_UTC, NULL);
-    *to = orr_time_from_mjd(mjd + (k + 1) / 2880, (k + 1) % 2880 / 2880.0, ORR_SCALE_UTC, NULL);
+    orr_civil c;
+    orr_time_to_civil(t, ORR_SCALE_UTC, NULL, &c);
+    const int into = c.second >= 30 ? c.second - 30 : c.second; // 23:59:60 is 30 s into the second half
+    *from = t - into * ORR_NS_PER_S - c.ns;
+    *to = *from + FRAME_NS;
+    orr_time_to_civil(*to, ORR_SCALE_UTC, NULL, &c);
+    if (c.second == 60) *to += ORR_NS_PER_S;
 }
 
 // KP: the leap second at the end of the quarter that holds t.
