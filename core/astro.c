@@ -24,17 +24,6 @@ static days in_scale(orr_time t, orr_scale scale)
 // ---- Earth orientation
 // ----------------------------------------------------------------------------------------
 
-static orr_eop secular_pole(orr_time t)
-{
-    days tt = in_scale(t, ORR_SCALE_TT);
-    double years = (tt.whole - MJD_J2000 + tt.fraction) / 365.25;
-    const double mas = ERFA_DAS2R * 1e-3, year_s = 365.25 * ORR_S_PER_DAY;
-    return (orr_eop){.xp_rad = (55.0 + 1.677 * years) * mas,
-                     .yp_rad = (320.5 + 3.460 * years) * mas,
-                     .xp_rate_radps = 1.677 * mas / year_s,
-                     .yp_rate_radps = 3.460 * mas / year_s};
-}
-
 // Slope at node i of a curve through (x, y): the mean of its two neighbours' chords weighted as a parabola
 // through the three points has it there; the end chord at an end.
 static double slope(const double *x, const double *y, int i, int n)
@@ -62,35 +51,76 @@ static int leap_at_mjd(double mjd_utc, const orr_leap_table *leap)
     return orr_leap_of_day(leap, (int32_t)floor(mjd_utc));
 }
 
-orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series)
+// UT1 - TAI by the leap seconds alone, and its slope per day. A leap second is inserted when UT1 - UTC nears
+// -0.6 s, so that UT1 crosses the middle of the step; between such instants it is a smooth curve. Three years
+// after the last one UT1 - UTC is taken as 0. Right to 0.4 s, and above all without a step: UTC's own would
+// turn the Earth by a second.
+static double ut1_by_leaps(double tai_day, const orr_leap_table *leap, double *per_day)
 {
-    if (leap == NULL) leap = orr_leap_builtin();
-    if (from_series != NULL) *from_series = false;
-    if (s == NULL || s->n < 2) return secular_pole(t);
-    // Everything against TAI, in which neither the abscissa nor UT1 steps.
-    days tai = in_scale(t, ORR_SCALE_TAI);
-    double at = tai.whole + tai.fraction;
-    size_t lo = 0, hi = s->n - 1;
-#define NODE(i) (s->mjd_utc[i] + leap_at_mjd(s->mjd_utc[i], leap) / (double)ORR_S_PER_DAY)
-    if (!(at >= NODE(0) && at <= NODE(hi))) return secular_pole(t);
-    while (hi - lo > 1) {
-        size_t mid = lo + (hi - lo) / 2;
-        if (at >= NODE(mid))
-            lo = mid;
-        else
-            hi = mid;
+    const double settled_days = 1096;
+    const size_t n = leap->n;
+    const double end = leap->entry[n - 1].mjd, settled = -leap->entry[n - 1].tai_minus_utc_s;
+    *per_day = 0;
+    if (n < 2 || tai_day >= end + settled_days) return settled;
+    if (tai_day < leap->entry[1].mjd)
+        return -(leap->entry[0].tai_minus_utc_s + leap->entry[1].tai_minus_utc_s) / 2.0;
+    size_t k = 1;
+    while (k + 1 < n && leap->entry[k + 1].mjd <= tai_day) k++;
+    // Up to four points about the interval [k, k + 1], the place three years after the last step being one of
+    // them.
+    double x[4], y[4];
+    int m = 0, at = 0;
+    for (size_t i = k > 1 ? k - 1 : 1; i <= k + 2 && i <= n; i++) {
+        if (i == k) at = m;
+        x[m] = i < n ? leap->entry[i].mjd : end + settled_days;
+        y[m++] =
+            i < n ? -(leap->entry[i - 1].tai_minus_utc_s + leap->entry[i].tai_minus_utc_s) / 2.0 : settled;
     }
-    size_t first = lo > 0 ? lo - 1 : 0, last = hi + 1 < s->n ? hi + 1 : hi;
+    if (k == n - 1) { // towards the settled place with a slope that ends there
+        double h = x[at + 1] - x[at], u = (tai_day - x[at]) / h, m0 = h * slope(x, y, at, m),
+               dy = y[at + 1] - y[at];
+        double c2 = 3 * dy - 2 * m0, c3 = m0 - 2 * dy;
+        *per_day = (m0 + u * (2 * c2 + u * 3 * c3)) / h;
+        return y[at] + u * (m0 + u * (c2 + u * c3));
+    }
+    return hermite(x, y, at, m, tai_day, per_day);
+}
+
+// The Earth's orientation as far as it is known without measurements.
+static orr_eop unmeasured(orr_time t, const orr_leap_table *leap)
+{
+    days tt = in_scale(t, ORR_SCALE_TT), tai = in_scale(t, ORR_SCALE_TAI);
+    double years = (tt.whole - MJD_J2000 + tt.fraction) / 365.25, ut1_per_day;
+    const double mas = ERFA_DAS2R * 1e-3, year_s = 365.25 * ORR_S_PER_DAY;
+    double ut1_minus_tai_s = ut1_by_leaps(tai.whole + tai.fraction, leap, &ut1_per_day);
+    return (orr_eop){.xp_rad = (55.0 + 1.677 * years) * mas,
+                     .yp_rad = (320.5 + 3.460 * years) * mas,
+                     .ut1_utc_s = ut1_minus_tai_s + orr_leap_tai_minus_utc(t, leap),
+                     .lod_s = -ut1_per_day,
+                     .xp_rate_radps = 1.677 * mas / year_s,
+                     .yp_rate_radps = 3.460 * mas / year_s};
+}
+
+// The time of a series' node as days of TAI, in which neither the abscissa nor UT1 steps.
+static double node_tai(const orr_eop_series *s, size_t i, const orr_leap_table *leap)
+{
+    return s->mjd_utc[i] + leap_at_mjd(s->mjd_utc[i], leap) / (double)ORR_S_PER_DAY;
+}
+
+// Between nodes lo and lo + 1; `at` in days of TAI.
+static orr_eop inside_series(const orr_eop_series *s, size_t lo, double at, orr_time t,
+                             const orr_leap_table *leap)
+{
+    size_t first = lo > 0 ? lo - 1 : 0, last = lo + 2 < s->n ? lo + 2 : lo + 1;
     int n = (int)(last - first + 1), k = (int)(lo - first);
     double x[4], xp[4], yp[4], ut1[4];
     for (int i = 0; i < n; i++) {
         size_t j = first + (size_t)i;
-        x[i] = NODE(j);
+        x[i] = node_tai(s, j, leap);
         xp[i] = s->value[j].xp_rad;
         yp[i] = s->value[j].yp_rad;
         ut1[i] = s->value[j].ut1_utc_s - leap_at_mjd(s->mjd_utc[j], leap); // UT1 - TAI
     }
-#undef NODE
     orr_eop e;
     double ut1_per_day;
     e.xp_rad = hermite(x, xp, k, n, at, &e.xp_rate_radps);
@@ -99,8 +129,61 @@ orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *le
     e.xp_rate_radps /= ORR_S_PER_DAY;
     e.yp_rate_radps /= ORR_S_PER_DAY;
     e.lod_s = -ut1_per_day;
-    if (from_series != NULL) *from_series = true;
     return e;
+}
+
+#define FORGET_DAYS 10.0
+
+// How a quantity leaves the series: what it differed by at the end stays, its slope is forgotten in ten days.
+static double carried(double difference, double slope_difference, double dt, double *slope)
+{
+    double rest = exp(-fabs(dt) / FORGET_DAYS);
+    *slope = slope_difference * rest;
+    return difference + slope_difference * FORGET_DAYS * (1 - rest) * (dt < 0 ? -1 : 1);
+}
+
+// Beyond a series' end, dt days from it: no step and no kink.
+static orr_eop beyond_series(const orr_eop *end, orr_time t_end, double dt, orr_time t,
+                             const orr_leap_table *leap)
+{
+    const orr_eop base = unmeasured(t_end, leap);
+    orr_eop e = unmeasured(t, leap);
+    double slope;
+    e.xp_rad += carried(end->xp_rad - base.xp_rad, (end->xp_rate_radps - base.xp_rate_radps) * ORR_S_PER_DAY,
+                        dt, &slope);
+    e.xp_rate_radps += slope / ORR_S_PER_DAY;
+    e.yp_rad += carried(end->yp_rad - base.yp_rad, (end->yp_rate_radps - base.yp_rate_radps) * ORR_S_PER_DAY,
+                        dt, &slope);
+    e.yp_rate_radps += slope / ORR_S_PER_DAY;
+    e.ut1_utc_s += carried(end->ut1_utc_s - base.ut1_utc_s, base.lod_s - end->lod_s, dt, &slope);
+    e.lod_s -= slope;
+    return e;
+}
+
+orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series)
+{
+    if (leap == NULL) leap = orr_leap_builtin();
+    if (from_series != NULL) *from_series = false;
+    if (s == NULL || s->n < 2) return unmeasured(t, leap);
+    days tai = in_scale(t, ORR_SCALE_TAI);
+    const double at = tai.whole + tai.fraction;
+    size_t lo = 0, hi = s->n - 1;
+    const double first = node_tai(s, 0, leap), last = node_tai(s, hi, leap);
+    if (at < first || at > last) {
+        const double x = at < first ? first : last;
+        const orr_time t_end = orr_time_add_s(t, (x - at) * ORR_S_PER_DAY);
+        const orr_eop end = inside_series(s, at < first ? 0 : hi - 1, x, t_end, leap);
+        return beyond_series(&end, t_end, at - x, t, leap);
+    }
+    while (hi - lo > 1) {
+        size_t mid = lo + (hi - lo) / 2;
+        if (at >= node_tai(s, mid, leap))
+            lo = mid;
+        else
+            hi = mid;
+    }
+    if (from_series != NULL) *from_series = true;
+    return inside_series(s, lo, at, t, leap);
 }
 
 // ---- rotations

@@ -25,10 +25,12 @@ typedef struct orr_eop_series {
 
 // Inside the series: cubic Hermite with slopes from the neighbours (no kink at a node; straight lines stay
 // straight), of UT1 - TAI and hence continuous across leap seconds; lod_s and the rates are the derivatives
-// of what is returned, so that orr_astro_gcrs_to_itrs's dR is the derivative of its R. Outside it, or with
-// NULL or fewer than two entries, the IERS secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t -
-// 2000) mas (t in years), UT1 - UTC = LOD = 0 (IERS Conventions 2010, updated 2018, 7.1.4). *from_series (may
-// be NULL) tells which it was.
+// of what is returned, so that orr_astro_gcrs_to_itrs's dR is the derivative of its R. With NULL or fewer
+// than two entries the IERS secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t - 2000) mas (t
+// in years; IERS Conventions 2010, updated 2018, 7.1.4), and UT1 as the leap seconds tell it: a smooth curve
+// through the middle of each step, right to 0.4 s; UT1 - UTC = LOD = 0 from three years after the last one
+// on. Before and after a series its last value and slope are carried on, the slope for some ten days.
+// *from_series (may be NULL) tells whether the series covers t.
 orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series);
 
 // R maps GCRS components to ITRS: r_itrs = R r_gcrs. dR is its full time derivative (1/s),

@@ -216,12 +216,28 @@ static void series_and_its_ends(void **state)
     orr_eop a = orr_eop_at(&series, midnight - 1, NULL, NULL), b = orr_eop_at(&series, midnight, NULL, NULL);
     ASSERT_NEAR(b.ut1_utc_s - a.ut1_utc_s, 1, 1e-12);
     ASSERT_NEAR(b.ut1_utc_s, value[2].ut1_utc_s, 1e-12);
-    // outside: the secular pole, and told so
-    e = orr_eop_at(&series, utc(2017, 1, 2, 1), NULL, &inside);
+    // beyond the end: no step and no kink, and told so
+    orr_time end = utc(2017, 1, 2, 0);
+    a = orr_eop_at(&series, end - ORR_NS_PER_S, NULL, &inside);
+    assert_true(inside);
+    b = orr_eop_at(&series, end + ORR_NS_PER_S, NULL, &inside);
+    assert_false(inside);
+    ASSERT_NEAR(b.xp_rad - a.xp_rad, 2 * a.xp_rate_radps, 1e-17);
+    ASSERT_NEAR(b.yp_rad - a.yp_rad, 2 * a.yp_rate_radps, 1e-17);
+    ASSERT_NEAR(b.ut1_utc_s - a.ut1_utc_s, -2 * a.lod_s / 86400, 1e-11);
+    ASSERT_NEAR(b.xp_rate_radps, a.xp_rate_radps,
+                1e-17); // 1e-8 rad a day, of which ten days forget 2e-6 in 2 s
+    ASSERT_NEAR(b.lod_s, a.lod_s, 1e-8);
+    // long after: the slope of the secular pole, and the derivative is the derivative
+    a = orr_eop_at(&series, end + 90 * 86400 * ORR_NS_PER_S, NULL, NULL);
+    b = orr_eop_at(&series, end + 91 * 86400 * ORR_NS_PER_S, NULL, NULL);
+    ASSERT_NEAR(b.xp_rad - a.xp_rad, 1.677e-3 * AS / 365.25, 1e-11);
+    ASSERT_NEAR(b.ut1_utc_s - a.ut1_utc_s, -(a.lod_s + b.lod_s) / 2, 1e-9);
+    // without a series the secular pole
+    e = orr_eop_at(NULL, utc(2017, 1, 2, 1), NULL, &inside);
     assert_false(inside);
     ASSERT_NEAR(e.xp_rad, (55.0 + 1.677 * 17.003538) * 1e-3 * AS, 1e-14);
     ASSERT_NEAR(e.yp_rad, (320.5 + 3.460 * 17.003538) * 1e-3 * AS, 1e-14);
-    assert_true(e.ut1_utc_s == 0 && e.lod_s == 0);
     orr_eop later = orr_eop_at(NULL, utc(2018, 1, 2, 1), NULL, &inside);
     assert_false(inside);
     ASSERT_NEAR(later.xp_rad - e.xp_rad, e.xp_rate_radps * 365 * 86400, 1e-16);
@@ -229,6 +245,41 @@ static void series_and_its_ends(void **state)
     const orr_eop_series empty = {0};
     (void)orr_eop_at(&empty, noon, NULL, &inside);
     assert_false(inside);
+}
+
+// Without a series the Earth turns on evenly where UTC steps, UT1 stays within 0.4 s of what it was (IERS EOP
+// C04), its derivative is its derivative, and from 2020 on UT1 is UTC.
+static void ut1_without_a_series_has_no_step(void **state)
+{
+    (void)state;
+    static const struct {
+        int year, month, day;
+        double ut1_utc_s;
+    } published[] = {{2000, 1, 1, 0.3555}, {2003, 1, 1, -0.2894}, {2006, 1, 1, 0.3389},
+                     {2009, 1, 1, 0.4073}, {2012, 7, 1, 0.4130},  {2015, 7, 1, 0.3238},
+                     {2017, 1, 1, 0.5914}, {2021, 1, 1, -0.1757}, {2024, 1, 1, 0.0088}};
+    for (size_t k = 0; k < sizeof published / sizeof published[0]; k++) {
+        orr_time t = utc(published[k].year, published[k].month, published[k].day, 0);
+        ASSERT_NEAR(orr_eop_at(NULL, t, NULL, NULL).ut1_utc_s, published[k].ut1_utc_s, 0.4);
+    }
+    const orr_leap_table *leap = orr_leap_builtin();
+    for (size_t k = 2; k < leap->n; k++) {
+        orr_time t = orr_time_from_mjd(leap->entry[k].mjd, 0, ORR_SCALE_UTC, NULL);
+        orr_mat3 before, after;
+        orr_eop a = orr_eop_at(NULL, t - 1, NULL, NULL), b = orr_eop_at(NULL, t, NULL, NULL);
+        orr_astro_gcrs_to_itrs(t - 1, &a, NULL, &before, NULL);
+        orr_astro_gcrs_to_itrs(t, &b, NULL, &after, NULL);
+        ASSERT_NEAR(largest(&before, &after), 0, 1e-11); // 1 ns of rotation and the rounding of days
+        ASSERT_NEAR(a.lod_s, b.lod_s, 1e-9);
+    }
+    for (int year = 1973; year < 2030; year++) {
+        orr_time t = utc(year, 3, 10, 0);
+        orr_eop a = orr_eop_at(NULL, t, NULL, NULL),
+                b = orr_eop_at(NULL, t + 86400 * ORR_NS_PER_S, NULL, NULL);
+        ASSERT_NEAR(b.ut1_utc_s - a.ut1_utc_s, -(a.lod_s + b.lod_s) / 2, 1e-6);
+        assert_true(fabs(a.lod_s) < 0.006);
+        if (year >= 2020) assert_true(a.ut1_utc_s == 0 && a.lod_s == 0);
+    }
 }
 
 // No kink at a node: the rates from both sides agree.
@@ -272,6 +323,7 @@ int main(void)
         cmocka_unit_test(sun_and_moon_at_erfas_check_values),
         cmocka_unit_test(a_total_eclipse),
         cmocka_unit_test(series_and_its_ends),
+        cmocka_unit_test(ut1_without_a_series_has_no_step),
         cmocka_unit_test(series_is_smooth_at_its_nodes),
         cmocka_unit_test(uniform_rotation_coincides_at_its_start),
     };
