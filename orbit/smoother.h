@@ -41,7 +41,7 @@ typedef struct orr_smoother_options {
     size_t n_exclude;
     const orr_sat_set *sats;   // NULL: all
     double max_gap_s;          // longest stretch without nodes that is bridged; an arc ends at a longer one
-    const orr_eop_series *eop; // NULL: IERS' secular pole, UT1 = UTC
+    const orr_eop_series *eop; // NULL: IERS' secular pole, UT1 by the leap seconds
     // broadcast orbits
     const orr_nav *nav; // a-priori variant A: states at the nodes from broadcast ephemerides where there are
                         // any; NULL: variant B, from the nodes alone

@@ -37,7 +37,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .repeated = true,
-     .help = "Earth rotation parameters; without them IERS' secular pole and UT1 = UTC"},
+     .help = "Earth rotation parameters; without them IERS' secular pole, and UT1 by the leap seconds"},
     {.name = "nav",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",

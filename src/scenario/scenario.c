@@ -27,7 +27,8 @@ static const orr_key keys[] = {
      .kind = ORR_KEY_FILE,
      .list = true,
      .offset = AT(orbit.erp),
-     .help = "of orbit.sp3: Earth rotation parameters; without them IERS' secular pole and UT1 = UTC"},
+     .help = "of orbit.sp3: Earth rotation parameters; without them IERS' secular pole, and UT1 by the leap "
+             "seconds"},
     {.path = "orbit.nodes",
      .kind = ORR_KEY_REAL,
      .offset = AT(orbit.nodes_s),
