@@ -59,6 +59,14 @@ orr_vec3 orr_lnav_position(const orr_nav_kepler *k, double tk, orr_vec3 d[ORR_LN
     return pos;
 }
 
+void orr_lnav_by_elements(const orr_nav_kepler *k, orr_vec3 d[ORR_LNAV_N])
+{
+    const double cw = cos(k->omega_rad), sw = sin(k->omega_rad);
+    const orr_vec3 ex = d[ORR_LNAV_EX], ey = d[ORR_LNAV_EY];
+    d[ORR_LNAV_EX] = orr_vec3_axpy(sw, ey, orr_vec3_scale(cw, ex));
+    d[ORR_LNAV_EY] = orr_vec3_axpy(k->e * cw, ey, orr_vec3_axpy(-k->e * sw, ex, d[ORR_LNAV_LAMBDA]));
+}
+
 void orr_lnav_secular(double a, double e, double i, double *omega_dot, double *delta_n)
 {
     const double j2 = 1.0826e-3, re = 6378137.0, ci = cos(i), x = 1 - e * e;

@@ -34,6 +34,9 @@ enum {
 // for 0 <= e < 1. d[j] is the derivative with respect to parameter j (metres per its SI unit); d may be NULL.
 orr_vec3 orr_lnav_position(const orr_nav_kepler *k, double tk_s, orr_vec3 d[ORR_LNAV_N]);
 
+// Derivatives with respect to e, omega and M0 in the places of EX, EY and LAMBDA: what is transmitted.
+void orr_lnav_by_elements(const orr_nav_kepler *k, orr_vec3 d[ORR_LNAV_N]);
+
 // Rates of the node, and of the mean argument of latitude beyond sqrt(mu/a^3) (omega stands still in the
 // model), that the Earth's flattening causes (Kaula 1966, 3.74): where a fit starts from, and what it stays
 // near to where its window says nothing.

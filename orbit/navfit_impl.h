@@ -43,6 +43,20 @@ typedef struct orr_navfit_field {
 // The nearest value of the field to `whole` LSBs (a whole number); ORR_E_RANGE with the name if it is none.
 orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag);
 
+// The product's clock over a window as a line about t0.
+#define ORR_NAVFIT_CLOCKS 25
+typedef struct orr_navfit_line {
+    int n;
+    double dt_s[ORR_NAVFIT_CLOCKS], value[ORR_NAVFIT_CLOCKS]; // since t0; s
+    double mean_dt_s, mean, slope;
+} orr_navfit_line;
+// relativity: with the periodic term, as GLONASS' parameters have to hold it. ORR_E_NODATA with fewer than
+// two values.
+orr_status orr_navfit_clock_line(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
+                                 bool relativity, orr_navfit_line *line, orr_diag *diag);
+// What is left of the values after value + slope dt.
+double orr_navfit_line_rms(const orr_navfit_line *line, double value, double slope);
+
 // orr_broadcast_eval of the record against the window.
 orr_status orr_navfit_judge(const orr_nav_eph *e, const orr_navfit_window *w, double *rms_m, double *max_m);
 

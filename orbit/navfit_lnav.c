@@ -75,13 +75,15 @@ typedef struct problem {
     double A[ORR_NAVFIT_ROWS * N], b[ORR_NAVFIT_ROWS];
 } problem;
 
-// Jacobian in units of the parameters' LSBs, and residuals, of k over the window.
-static void linearise(problem *q, const orr_nav_eph *e)
+// Jacobian in units of the parameters' LSBs, and residuals, over the window; by the elements that are sent,
+// or by their regular combinations.
+static void linearise(problem *q, const orr_nav_eph *e, bool by_elements)
 {
     for (size_t i = 0; i < q->w->n; i++) {
         orr_vec3 d[N];
         orr_vec3 r =
             orr_vec3_sub(q->w->pos[i], orr_lnav_position(&e->kepler, orr_time_diff_s(q->w->t[i], e->toe), d));
+        if (by_elements) orr_lnav_by_elements(&e->kepler, d);
         double *row = &q->A[3 * i * N];
         for (size_t j = 0; j < N; j++) {
             row[j] = d[j].x * table[j].field.lsb;
@@ -130,7 +132,7 @@ static orr_status gauss_newton(problem *q, orr_nav_eph *e)
     for (int it = 0; it < ITERATIONS && moved > CONVERGED_M; it++) {
         double x[N], p[N], sum = 0;
         to_array(k, p);
-        linearise(q, e);
+        linearise(q, e, false);
         for (size_t j = 0; j < N; j++)
             if (table[j].usual > 0) (void)pull(q, j, q->weight_m[j], table[j].usual, q->target[j] - p[j]);
         orr_status s = orr_navfit_solve(q->rows, N, q->A, q->b, x);
@@ -169,18 +171,6 @@ static bool hold_in_fields(problem *q, const orr_nav_kepler *k)
     return any;
 }
 
-// The columns of e, omega and M0 from those of their regular combinations.
-static void to_elements(problem *q, const orr_nav_kepler *k)
-{
-    const double cw = cos(k->omega_rad), sw = sin(k->omega_rad),
-                 unit = table[OMEGA].field.lsb / table[E].field.lsb;
-    for (size_t i = 0; i < 3 * q->w->n; i++) {
-        double *row = &q->A[i * N], ex = row[ORR_LNAV_EX], ey = row[ORR_LNAV_EY];
-        row[E] = cw * ex + sw * ey / unit;
-        row[OMEGA] = k->e * (cw * ey - sw * ex * unit) + row[M0];
-    }
-}
-
 // The nearest lattice point by the linear model about the parameters rounded one by one.
 static orr_status to_lattice(problem *q, orr_nav_eph *e, orr_diag *diag)
 {
@@ -191,8 +181,7 @@ static orr_status to_lattice(problem *q, orr_nav_eph *e, orr_diag *diag)
         p[j] = whole[j] * table[j].field.lsb;
     }
     from_array(p, &e->kepler);
-    linearise(q, e);
-    to_elements(q, &e->kepler);
+    linearise(q, e, true);
     for (size_t j = 0; j < N; j++) {
         double by = fitted[j] - p[j], reach = table[j].reach;
         if (table[j].usual > 0) reach = fmin(reach, fmax(field_end(j) - fabs(fitted[j]), 0) / 20);
