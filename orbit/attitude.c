@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/attitude.h"
 
-#define SLOW_BETA (0.1 * ORR_RAD_PER_DEG)
-#define NEAR_TURN (5.0 * ORR_RAD_PER_DEG)
+#define SLOWEST_TURN_RADPS (0.10 * ORR_RAD_PER_DEG)
+
+orr_vec3 orr_attitude_sun(orr_time t)
+{
+    orr_mat3 R;
+    orr_eop eop = orr_eop_at(NULL, t, NULL, NULL);
+    orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
+    return orr_mat3_apply(&R, orr_astro_sun(t));
+}
+
+static void set_body(orr_vec3 x, orr_vec3 y, orr_vec3 z, orr_attitude *out)
+{
+    out->body = (orr_mat3){{{x.x, x.y, x.z}, {y.x, y.y, y.z}, {z.x, z.y, z.z}}};
+}
 
 orr_status orr_attitude_nominal(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_attitude *out)
 {
@@ -11,16 +23,29 @@ orr_status orr_attitude_nominal(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_attitu
     if (!(orr_vec3_norm(y) > 1e-9)) return ORR_E_NUMERIC;
     y = orr_vec3_unit(y);
     orr_vec3 x = orr_vec3_cross(y, z), along = orr_vec3_cross(normal, orr_vec3_unit(r));
-    out->body = (orr_mat3){{{x.x, x.y, x.z}, {y.x, y.y, y.z}, {z.x, z.y, z.z}}};
+    set_body(x, y, z, out);
     orr_vec3 s = orr_vec3_unit(sun);
     out->beta_rad = asin(orr_vec3_dot(s, normal));
     // About Z (down), along-track turned by yaw gives X; Z x along is the direction of positive yaw.
     out->yaw_rad = atan2(orr_vec3_dot(x, orr_vec3_cross(z, along)), orr_vec3_dot(x, along));
-    double from_noon = acos(fmin(1, fmax(-1, orr_vec3_dot(orr_vec3_unit(r), s))));
-    bool near = from_noon < NEAR_TURN || from_noon > ORR_PI - NEAR_TURN;
-    out->noon_or_midnight = near && fabs(out->beta_rad) < SLOW_BETA;
+    // tan(yaw) = -tan(beta) / sin(mu), mu from midnight, grows by n.
+    const double n = orr_vec3_norm(orr_vec3_cross(r, v)) / orr_vec3_dot(r, r);
+    const double across = tan(out->beta_rad);
+    const double sin_mu = -orr_vec3_dot(s, along) / cos(out->beta_rad);
+    const double cos_mu = -orr_vec3_dot(s, orr_vec3_unit(r)) / cos(out->beta_rad);
+    out->yaw_rate_radps = n * across * cos_mu / (sin_mu * sin_mu + across * across);
+    const bool too_fast = n > SLOWEST_TURN_RADPS * fabs(across);
+    out->fast_turn = too_fast && fabs(asin(fmin(1, fabs(sin_mu)))) < n * ORR_PI / SLOWEST_TURN_RADPS;
     out->sunlight = orr_force_sunlight(r, sun);
     return ORR_OK;
+}
+
+void orr_attitude_orbit_normal(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_attitude *out)
+{
+    const orr_vec3 z = orr_vec3_scale(-1, orr_vec3_unit(r)), normal = orr_vec3_unit(orr_vec3_cross(r, v));
+    *out = (orr_attitude){.beta_rad = asin(orr_vec3_dot(orr_vec3_unit(sun), normal)),
+                          .sunlight = orr_force_sunlight(r, sun)};
+    set_body(orr_vec3_cross(normal, orr_vec3_unit(r)), orr_vec3_scale(-1, normal), z, out);
 }
 
 const orr_antenna_pair *orr_antenna_pair_of(char system)

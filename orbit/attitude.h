@@ -12,15 +12,25 @@ typedef struct orr_attitude {
                    // along the panels' axis, Z to the Earth's centre (IGS convention)
     double beta_rad;       // elevation of the Sun above the orbital plane
     double yaw_rad;        // from the along-track direction (of the inertial motion) to X, about Z
-    bool noon_or_midnight; // |beta| below 0.1 deg within 5 deg of noon or midnight: the nominal turn is
-                           // faster than satellites turn
-    double sunlight;       // 1 in the Sun, 0 in umbra
+    double yaw_rate_radps; // of the nominal law
+    bool fast_turn;  // near noon or midnight, where the nominal law asks for a turn that satellites cannot
+                     // follow (below)
+    double sunlight; // 1 in the Sun, 0 in umbra
 } orr_attitude;
 
+// The Sun's place in ecef, metres, with the secular pole and UT1 = UTC: a second of UT1 turns it by 0.004
+// deg.
+orr_vec3 orr_attitude_sun(orr_time t);
+
 // Nominal yaw steering at r moving with v_inertial (velocity in the inertial sense resolved in the same axes:
-// for ecef v + u x r) under a Sun at sun_m. Real satellites depart from it in eclipses and around noon:
-// flagged, not modelled. ORR_E_NUMERIC where Sun, satellite and Earth stand in line.
+// for ecef v + u x r) under a Sun at sun_m. Real satellites depart from it in eclipses and around noon and
+// midnight: flagged, not modelled. They turn by 0.10 deg/s (GPS IIA; Kouba 2009) to 0.25 (GLONASS-M); the
+// flag is set where the law's fastest turn, n / tan(beta), is above 0.10 deg/s, for the half hour before and
+// after noon or midnight that 180 deg take then. ORR_E_NUMERIC where Sun, satellite and Earth stand in line.
 orr_status orr_attitude_nominal(orr_vec3 r_m, orr_vec3 v_inertial_mps, orr_vec3 sun_m, orr_attitude *out);
+// Orbit-normal mode: X along the track whatever the Sun does, yaw 0, never a fast turn. Geostationary
+// satellites of BeiDou and QZSS fly so (Montenbruck et al. 2015, Adv. Space Res. 56:1015).
+void orr_attitude_orbit_normal(orr_vec3 r_m, orr_vec3 v_inertial_mps, orr_vec3 sun_m, orr_attitude *out);
 
 // Two carriers whose ionosphere-free combination a system's precise clocks belong to, as ANTEX names them.
 // What GLONASS' channels have in common is the ratio of their carriers, 9/7, and no more is needed.

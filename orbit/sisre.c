@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "orbit/gravity_field.h"
 #include "orbit/signal_delay.h"
 
 #define OUTLIER_M 50.0
@@ -51,14 +50,6 @@ static void weights(const system_facts *f, orr_orbit_class orbit, double *radial
     *across = orbit == ORR_ORBIT_MEO ? f->w_across : 1 / 11.2;
 }
 
-static orr_orbit_class class_of(orr_vec3 r, orr_vec3 v_inertial)
-{
-    const double a = 1 / (2 / orr_vec3_norm(r) - orr_vec3_dot(v_inertial, v_inertial) / ORR_EGM96_GM);
-    if (!(a > 4e7)) return ORR_ORBIT_MEO;
-    const orr_vec3 normal = orr_vec3_unit(orr_vec3_cross(r, v_inertial));
-    return normal.z > cos(15 * ORR_RAD_PER_DEG) ? ORR_ORBIT_GEO : ORR_ORBIT_IGSO;
-}
-
 // Broadcast clocks belong to the pair of signals of their message, precise ones to the pair that the analysis
 // centres use. Where the message does not tell the way from one to the other, as GLONASS before RINEX 3.05
 // and where delta tau was not received, the difference stays in the clock errors.
@@ -66,15 +57,6 @@ static double to_precise_pair_s(const orr_nav_eph *eph)
 {
     double shift;
     return orr_signal_broadcast_to_product(eph, &shift) == ORR_OK ? shift : 0;
-}
-
-// Sun in ecef at an epoch, shared by all satellites.
-static orr_vec3 sun_in_ecef(orr_time t)
-{
-    orr_mat3 R;
-    orr_eop eop = orr_eop_at(NULL, t, NULL, NULL);
-    orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
-    return orr_mat3_apply(&R, orr_astro_sun(t));
 }
 
 // One satellite at one epoch; the clock is still without its system's offset. false if there is no allowed
@@ -106,7 +88,7 @@ static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat s
                               .clock_m = (double)NAN,
                               .sisre_m = (double)NAN,
                               .age_s = orr_time_diff_s(t, eph->toe),
-                              .orbit = class_of(s.pos_m, v),
+                              .orbit = orr_orbit_class_of(s.pos_m, v),
                               .antenna = known};
     if (isfinite(truth->clock_s)) {
         double clock = s.clock_s + to_precise_pair_s(eph);
@@ -223,7 +205,7 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
     for (int k = 0; k < ORR_N_SYSTEMS; k++)
         sums[k] = (orr_sisre_sum){.system = ORR_SYSTEMS[k], .orbit = ORR_ORBIT_CLASSES};
     for (size_t e = 0; e < truth->n_epochs; e++) {
-        const orr_vec3 sun = sun_in_ecef(truth->epoch[e]);
+        const orr_vec3 sun = orr_attitude_sun(truth->epoch[e]);
         size_t first = *n;
         for (size_t i = 0; i < truth->n_sats; i++) {
             const orr_sp3_record *r = &truth->record[e * truth->n_sats + i];

@@ -8,13 +8,7 @@
 #include "ingest/sp3.h"
 #include "orbit/attitude.h"
 #include "orbit/broadcast.h"
-
-typedef enum orr_orbit_class { // geosynchronous ones inclined by more or by less than 15 deg, and the rest
-    ORR_ORBIT_MEO,
-    ORR_ORBIT_IGSO,
-    ORR_ORBIT_GEO,
-    ORR_ORBIT_CLASSES // how many; "any" where a class is asked for
-} orr_orbit_class;
+#include "orbit/orbit_class.h"
 
 typedef struct orr_sisre_sample {
     orr_sat sat;

@@ -37,7 +37,15 @@ static void yaw_is_the_closed_form(void **state)
             const orr_vec3 x = {1, 0, 0}, y = {0, 1, 0};
             const orr_vec3 z = orr_vec3_cross(orr_mat3_apply_t(&a.body, x), orr_mat3_apply_t(&a.body, y));
             ASSERT_NEAR(orr_vec3_dot(z, orr_vec3_unit(r)), -1, 1e-12);
-            assert_false(a.noon_or_midnight);
+            assert_false(a.fast_turn);
+            // The rate is the yaw's own change as mu grows by n.
+            orr_attitude before, after;
+            place((mu - 0.01) * DEG, beta * DEG, &r, &v, &sun);
+            assert_int_equal(orr_attitude_nominal(r, v, sun, &before), ORR_OK);
+            place((mu + 0.01) * DEG, beta * DEG, &r, &v, &sun);
+            assert_int_equal(orr_attitude_nominal(r, v, sun, &after), ORR_OK);
+            const double n = 3874 / 2.656e7, turn = remainder(after.yaw_rad - before.yaw_rad, 2 * ORR_PI);
+            ASSERT_NEAR(a.yaw_rate_radps, turn / (0.02 * DEG) * n, 1e-3 * fabs(a.yaw_rate_radps) + 1e-3 * n);
         }
 }
 
@@ -46,21 +54,43 @@ static void turns_and_shadow_are_flagged(void **state)
     (void)state;
     orr_vec3 r, v, sun;
     orr_attitude a;
+    // 0.10 deg/s are 12 times the mean motion: exceeded at noon for beta below 4.8 deg, and 180 deg of it
+    // take half an hour, 15 deg of orbit. The Earth is 13.9 deg wide from there.
     const struct {
         double mu, beta, light;
         bool turn;
-    } k[] = {{2, 0.05, 0, true},   {182, 0.05, 1, true}, {2, 0.5, 0, false},
-             {90, 0.05, 1, false}, {10, 0.5, 0, false},  {20, 0.5, 1, false},
-             {0, 14, 1, false},    {0, 12, 0, false}}; // the Earth is 13.9 deg wide from there
+    } k[] = {{2, 0.05, 0, true},  {182, 0.05, 1, true}, {14, 0.5, 0.5, true}, {166, 4, 1, true},
+             {16, 0.5, 1, false}, {2, 5, 0, false},     {90, 0.05, 1, false}, {182, 5, 1, false},
+             {0, 14, 0.5, false}, {0, 12, 0, false}};
     for (size_t i = 0; i < sizeof k / sizeof k[0]; i++) {
         place(k[i].mu * DEG, k[i].beta * DEG + 1e-9, &r, &v, &sun);
         assert_int_equal(orr_attitude_nominal(r, v, sun, &a), ORR_OK);
-        assert_int_equal(a.noon_or_midnight, k[i].turn);
-        if (k[i].mu != 0 || k[i].beta < 13) ASSERT_NEAR(a.sunlight, k[i].light, 1e-12);
-        if (k[i].beta > 13) assert_true(a.sunlight > 0); // penumbra or light
+        assert_int_equal(a.fast_turn, k[i].turn);
+        if (k[i].light != 0.5)
+            ASSERT_NEAR(a.sunlight, k[i].light, 1e-12);
+        else
+            assert_true(a.sunlight > 0 && a.sunlight <= 1); // at the shadow's border
     }
     place(0, 0, &r, &v, &sun); // in line: no yaw can be told
     assert_int_equal(orr_attitude_nominal(r, v, sun, &a), ORR_E_NUMERIC);
+}
+
+static void orbit_normal_does_not_look_at_the_sun(void **state)
+{
+    (void)state;
+    orr_vec3 r, v, sun;
+    orr_attitude a, steered;
+    place(200 * DEG, 10 * DEG, &r, &v, &sun);
+    orr_attitude_orbit_normal(r, v, sun, &a);
+    assert_int_equal(orr_attitude_nominal(r, v, sun, &steered), ORR_OK);
+    ASSERT_NEAR(a.beta_rad, steered.beta_rad, 1e-15);
+    ASSERT_NEAR(a.yaw_rad, 0, 0);
+    ASSERT_NEAR(orr_mat3_apply(&a.body, orr_vec3_unit(v)).x, 1,
+                1e-12); // a circular orbit: v is along the track
+    ASSERT_NEAR(orr_mat3_apply(&a.body, orr_vec3_unit(r)).z, -1, 1e-12);
+    const orr_vec3 y = {0, 1, 0};
+    ASSERT_NEAR(orr_mat3_apply_t(&a.body, y).z, -1, 1e-12);
+    assert_false(a.fast_turn);
 }
 
 static void offsets_turn_with_the_body(void **state)
@@ -102,6 +132,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(yaw_is_the_closed_form),
         cmocka_unit_test(turns_and_shadow_are_flagged),
+        cmocka_unit_test(orbit_normal_does_not_look_at_the_sun),
         cmocka_unit_test(offsets_turn_with_the_body),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
