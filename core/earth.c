@@ -89,11 +89,12 @@ orr_status orr_gravity_model_open(const char *name, const char *dir, orr_gravity
     if (m == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for gravity model %s", name);
     char why[300];
     int no_memory;
-    m->shim = orr_shim_gravity_open(name, dir, why, sizeof why, &no_memory);
+    m->shim = orr_shim_gravity_open(name, dir != NULL ? dir : "", why, sizeof why, &no_memory);
     if (m->shim == NULL) {
         free(m);
-        return orr_diag_set(diag, no_memory ? ORR_E_MEMORY : ORR_E_IO, "gravity model %s in folder %s: %s",
-                            name, dir, why);
+        return orr_diag_set(diag, no_memory ? ORR_E_MEMORY : ORR_E_IO, "gravity model %s in %s%s: %s", name,
+                            dir != NULL ? "folder " : "GeographicLib's own folder", dir != NULL ? dir : "",
+                            why);
     }
     *out = m;
     return ORR_OK;

@@ -7,6 +7,8 @@
 
 #include "inertial/local_map.h"
 
+#define POLE_CIRCLE_M 100.0
+
 // A value with two time derivatives; the rules below are those of differentiation.
 typedef struct jet {
     double v, d, dd;
@@ -166,6 +168,27 @@ static void evaluate_analytic(const void *self, double t_s, orr_motion *out)
     orr_rates_from_quat(p, d1, d2, &out->q_be, &out->w_radps, &out->wdot_radps2);
 }
 
+// Headings are against North, which turns about at a pole. Between two looks the way is taken as straight.
+static orr_status check_poles(const orr_trajectory *tr, orr_diag *diag)
+{
+    const double span_s = tr->end_s - tr->begin_s, n = fmin(ceil(span_s) + 1.0, 1e5), step_s = span_s / n;
+    for (double k = 0; k < n; k++) {
+        orr_motion m;
+        double t_s = tr->begin_s + (k + 0.5) * step_s;
+        evaluate_analytic(tr->self, t_s, &m);
+        double v2 = m.v_mps.x * m.v_mps.x + m.v_mps.y * m.v_mps.y;
+        double dt = v2 > 0.0 ? -(m.r_m.x * m.v_mps.x + m.r_m.y * m.v_mps.y) / v2 : 0.0;
+        dt = fmin(fmax(dt, -0.5 * step_s), 0.5 * step_s);
+        if (!(hypot(m.r_m.x + dt * m.v_mps.x, m.r_m.y + dt * m.v_mps.y) >= POLE_CIRCLE_M))
+            return orr_diag_set(
+                diag, ORR_E_ARG,
+                "%.1f s after the start the motion comes within %g m of a pole, where a heading "
+                "turns about at once (a transfer carries a trajectory there)",
+                t_s + dt, POLE_CIRCLE_M);
+    }
+    return ORR_OK;
+}
+
 orr_status orr_trajectory_analytic(orr_time t0, double begin_s, double end_s, const orr_analytic_plan *plan,
                                    orr_trajectory *out, orr_diag *diag)
 {
@@ -175,10 +198,8 @@ orr_status orr_trajectory_analytic(orr_time t0, double begin_s, double end_s, co
     if (plan->n_terms > ORR_ANALYTIC_MAX_TERMS)
         return orr_diag_set(diag, ORR_E_ARG, "%zu motions are summed; the limit is %d", plan->n_terms,
                             ORR_ANALYTIC_MAX_TERMS);
-    if (!(fabs(plan->origin.lat_rad) < ORR_RAD_PER_DEG * 89.9999))
-        return orr_diag_set(diag, ORR_E_ARG,
-                            "latitude %.6f deg: a heading needs a place off the poles (a polar transfer "
-                            "moves a trajectory there)",
+    if (!(fabs(plan->origin.lat_rad) <= 0.5 * ORR_PI))
+        return orr_diag_set(diag, ORR_E_ARG, "latitude %.6f deg is past a pole",
                             plan->origin.lat_rad * ORR_DEG_PER_RAD);
     bool moves = false;
     for (size_t k = 0; k < plan->n_terms; k++) {
@@ -201,5 +222,7 @@ orr_status orr_trajectory_analytic(orr_time t0, double begin_s, double end_s, co
                             .evaluate = evaluate_analytic,
                             .destroy = free,
                             .self = a};
-    return ORR_OK;
+    orr_status s = check_poles(out, diag);
+    if (s != ORR_OK) orr_trajectory_free(out);
+    return s;
 }

@@ -36,8 +36,8 @@ typedef struct orr_analytic_plan {
     orr_analytic_term term[ORR_ANALYTIC_MAX_TERMS];
 } orr_analytic_plan;
 
-// The origin may not lie within 1e-4 deg of a pole, where no heading exists (orr_polar_transfer carries a
-// trajectory there). Errors: ORR_E_ARG, ORR_E_MEMORY.
+// The motion may not come within 100 m of a pole, where headings turn about at once (orr_polar_transfer
+// carries a trajectory there). Errors: ORR_E_ARG, ORR_E_MEMORY.
 orr_status orr_trajectory_analytic(orr_time t0, double begin_s, double end_s, const orr_analytic_plan *plan,
                                    orr_trajectory *out, orr_diag *diag);
 

@@ -10,6 +10,8 @@
 // Distances along a profile are arcs of a sphere of this radius; the profile's file and its use share it.
 #define PROFILE_RADIUS_M 6371000.0
 
+#define LAST_LATITUDE (0.5 * ORR_PI + 1e-9) // a pole, and the rounding of degrees
+
 struct orr_gravity {
     orr_gravity_parts parts; // its arrays are the following copies
     orr_point_mass *mass;
@@ -82,6 +84,10 @@ static orr_status make_map(const orr_gravity_parts *p, orr_gravity *g, orr_diag 
                             p->n_lon);
     orr_status s = check_axis(p->map_lat_rad, p->n_lat, "latitudes", diag);
     if (s == ORR_OK) s = check_axis(p->map_lon_rad, p->n_lon, "longitudes", diag);
+    if (s == ORR_OK &&
+        !(p->map_lat_rad[0] >= -LAST_LATITUDE && p->map_lat_rad[p->n_lat - 1] <= LAST_LATITUDE))
+        s = orr_diag_set(diag, ORR_E_ARG, "a gravity map from latitude %.6g to %.6g deg reaches past a pole",
+                         p->map_lat_rad[0] * ORR_DEG_PER_RAD, p->map_lat_rad[p->n_lat - 1] * ORR_DEG_PER_RAD);
     if (s == ORR_OK) s = check_values(p->map_mgal, p->n_lat * p->n_lon, diag);
     if (s != ORR_OK) return s;
     g->parts.map_lat_rad = copy_numbers(g, p->map_lat_rad, p->n_lat);

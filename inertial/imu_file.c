@@ -122,6 +122,9 @@ static void truth_free(truth *t)
 
 static orr_status truth_gather(const orr_imu *imu, size_t every, truth *t, orr_diag *diag)
 {
+    if (every > imu->n)
+        return orr_diag_set(diag, ORR_E_ARG,
+                            "truth at every %zu-th of %zu samples would be one instant alone", every, imu->n);
     if (every % imu->truth_every != 0)
         return orr_diag_set(diag, ORR_E_ARG, "the truth is there at every %zu-th sample, not at every %zu-th",
                             imu->truth_every, every);
@@ -266,6 +269,22 @@ static orr_status read_mode(const orr_nc_reader *r, orr_imu *imu, orr_diag *diag
     return s;
 }
 
+static bool is_unit(orr_quat q) { return fabs(orr_quat_dot(q, q) - 1.0) < 1e-6; }
+
+// A comparison with what is no number would find nothing wrong.
+static orr_status check_truth(const orr_nc_reader *r, const orr_imu *imu, orr_diag *diag)
+{
+    for (size_t k = 0; k < imu->n / imu->truth_every + 1; k++)
+        if (!isfinite(orr_vec3_norm(imu->r_m[k])) || !isfinite(orr_vec3_norm(imu->v_mps[k])) ||
+            !is_unit(imu->q_be[k]))
+            return orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0,
+                               "the truth of instant %zu is no place, velocity and attitude", k);
+    if (!isfinite(orr_vec3_norm(imu->start_r_m)) || !isfinite(orr_vec3_norm(imu->start_v_mps)) ||
+        !is_unit(imu->start_q_bi))
+        return orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0, "the start is no place, velocity and attitude");
+    return ORR_OK;
+}
+
 static orr_status read_series(const orr_nc_reader *r, orr_imu *imu, orr_diag *diag)
 {
     size_t n = imu->n, steps[2] = {n, 3}, edges[2] = {n + 1, 3}, truths[2] = {n / imu->truth_every + 1, 3},
@@ -289,7 +308,7 @@ static orr_status read_series(const orr_nc_reader *r, orr_imu *imu, orr_diag *di
     for (size_t j = 0; j < n; j++)
         if (!isfinite(orr_vec3_norm(imu->dtheta_rad[j])) || !isfinite(orr_vec3_norm(imu->dv_mps[j])))
             return orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0, "reading %zu is not finite", j);
-    return ORR_OK;
+    return check_truth(r, imu, diag);
 }
 
 static orr_status read_gravimetry(const orr_nc_reader *r, orr_imu_file *f, orr_diag *diag)
@@ -422,7 +441,10 @@ orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_diag *diag)
             orr_time_text(imu->t0, t0));
     fprintf(f,
             "t_s,dtheta_x_rad,dtheta_y_rad,dtheta_z_rad,dv_x_mps,dv_y_mps,dv_z_mps,lat_deg,lon_deg,height_m,"
-            "v_east_mps,v_north_mps,v_up_mps,heading_deg,pitch_deg,roll_deg\n");
+            "v_east_mps,v_north_mps,v_up_mps,heading_deg,pitch_deg,roll_deg%s\n",
+            imu->gyro_radps != NULL ? ",gyro_x_radps,gyro_y_radps,gyro_z_radps,accel_x_mps2,accel_y_mps2,"
+                                      "accel_z_mps2"
+                                    : "");
     if (imu->truth_every != 1)
         return orr_diag_set(diag, ORR_E_ARG, "CSV needs the truth at every sample, not at every %zu-th",
                             imu->truth_every);
@@ -435,11 +457,14 @@ orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_diag *diag)
             th = imu->dtheta_rad[j - 1];
             dv = imu->dv_mps[j - 1];
         }
-        fprintf(f,
-                "%.9f,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.11f,%.11f,%.6f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n",
+        fprintf(f, "%.9f,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.11f,%.11f,%.6f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f",
                 orr_imu_edge_s(imu, j), th.x, th.y, th.z, dv.x, dv.y, dv.z, g.lat_rad * ORR_DEG_PER_RAD,
                 g.lon_rad * ORR_DEG_PER_RAD, g.height_m, v.x, v.y, v.z, a.heading_rad * ORR_DEG_PER_RAD,
                 a.pitch_rad * ORR_DEG_PER_RAD, a.roll_rad * ORR_DEG_PER_RAD);
+        if (imu->gyro_radps != NULL)
+            fprintf(f, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", imu->gyro_radps[j].x, imu->gyro_radps[j].y,
+                    imu->gyro_radps[j].z, imu->accel_mps2[j].x, imu->accel_mps2[j].y, imu->accel_mps2[j].z);
+        fputc('\n', f);
     }
     return ferror(f) ? orr_diag_set(diag, ORR_E_IO, "the readings could not be written: %s", strerror(errno))
                      : ORR_OK;

@@ -36,7 +36,8 @@ typedef struct orr_imu_file {
 orr_status orr_imu_read(const char *path, const char *model_dir, orr_imu_file *out, orr_diag *diag);
 void orr_imu_file_free(orr_imu_file *f);
 
-// One line per edge: time, increments since the edge before, position, velocity, angles. Errors: ORR_E_IO.
+// One line per edge: time, increments since the edge before, position, velocity, angles, and the
+// instantaneous readings where there are any. Errors: ORR_E_IO.
 orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_diag *diag);
 
 #endif

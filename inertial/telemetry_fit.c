@@ -75,6 +75,18 @@ static void fill_positions(const orr_telemetry_log *log, telemetry_series *s, or
 
 static double or_zero(double x) { return isnan(x) ? 0.0 : x; }
 
+static const char *fault_words(orr_fault f)
+{
+    static const char *const words[] = {"the row before again",
+                                        "times that do not ascend",
+                                        "values that stand still while the body moves",
+                                        "far off the motion around them",
+                                        "beyond a silence that parts the log",
+                                        "not finite",
+                                        ""};
+    return words[f];
+}
+
 static orr_status find_faults(telemetry_series *s, const orr_fit_options *o, orr_fit_report *report,
                               orr_diag *diag)
 {
@@ -86,13 +98,17 @@ static orr_status find_faults(telemetry_series *s, const orr_fit_options *o, orr
     if (status == ORR_OK) status = telemetry_mark_jumps(s, s->attitude ? 0.5 * o->jump_rad : o->jump_m, diag);
     if (status != ORR_OK) return status;
     size_t need = 8;
-    if (s->n_good < need)
-        return orr_diag_set(diag, ORR_E_NODATA,
-                            "%zu of %zu rows of %s can be used, and a trajectory needs %zu: is this the "
-                            "right file, and are its "
-                            "columns and units declared rightly?",
-                            s->n_good, s->n, s->attitude ? "attitude" : "position", need);
-    return ORR_OK;
+    if (s->n_good >= need) return ORR_OK;
+    size_t count[ORR_FAULTS + 1] = {0}, worst = 0;
+    for (size_t i = 0; i < s->n; i++) count[s->fault[i]]++;
+    for (size_t f = 1; f < ORR_FAULTS; f++)
+        if (count[f] > count[worst]) worst = f;
+    return orr_diag_set(
+        diag, ORR_E_NODATA,
+        "%zu of %zu rows of %s can be used, and a trajectory needs %zu (%zu rows: %s); is this "
+        "the right file, and are its columns and units declared rightly?",
+        s->n_good, s->n, s->attitude ? "attitude" : "position", need, count[worst],
+        fault_words((orr_fault)worst));
 }
 
 // Knot step: p usual intervals, on the grid.

@@ -32,19 +32,26 @@ static int by_place(const void *a, const void *b)
     return (p->lon > q->lon) - (p->lon < q->lon);
 }
 
-// Numbers of a row; -1 where one is none.
-static int numbers(orr_view line, double v[4])
+// Fields of a row (at most 4 are counted) and how many of them are numbers. An empty field is one, so that a
+// row with a hole does not pass for a shorter one.
+typedef struct row {
+    int fields, numbers;
+    double v[4];
+} row;
+
+static row read_row(orr_view line)
 {
-    int n = 0;
-    for (size_t i = 0; i < line.n && n <= 3;) {
-        while (i < line.n && strchr(", ;\t", line.p[i]) != NULL) i++;
-        size_t from = i;
-        while (i < line.n && strchr(", ;\t", line.p[i]) == NULL) i++;
-        if (i == from) break;
-        if (orr_view_real((orr_view){line.p + from, i - from}, &v[n]) != ORR_FIELD_OK) return -1;
-        n++;
+    char separator = memchr(line.p, ',', line.n) != NULL   ? ','
+                     : memchr(line.p, ';', line.n) != NULL ? ';'
+                                                           : ' ';
+    row r = {0};
+    orr_view field;
+    while (r.fields < 4 &&
+           (separator == ' ' ? orr_view_word(&line, &field) : orr_view_split(&line, separator, &field))) {
+        r.numbers += orr_view_real(field, &r.v[r.fields]) == ORR_FIELD_OK;
+        r.fields++;
     }
-    return n;
+    return r;
 }
 
 static orr_status read_points(orr_input *in, point **out, size_t *n, int *per_row, orr_diag *diag)
@@ -54,16 +61,14 @@ static orr_status read_points(orr_input *in, point **out, size_t *n, int *per_ro
     bool first = true;
     while (orr_input_line(in, &line)) {
         orr_view v = orr_view_trim(line);
-        double x[4] = {0};
         if (v.n == 0 || v.p[0] == '#') continue;
-        int k = numbers(v, x);
-        if (k < 0 && first) {
-            first = false;
-            continue; // a header
-        }
+        row r = read_row(v);
+        bool header = first && r.numbers == 0;
         first = false;
+        if (header) continue;
+        int k = r.numbers;
         if (*per_row == 0) *per_row = k;
-        if ((k != 2 && k != 3) || k != *per_row)
+        if ((k != 2 && k != 3) || k != *per_row || k != r.fields)
             return orr_diag_at(diag, ORR_E_FORMAT, orr_input_name(in), orr_input_line_number(in), 0,
                                "a row of gravity has two numbers (distance in m, mGal) or three (latitude, "
                                "longitude, mGal), the "
@@ -78,7 +83,7 @@ static orr_status read_points(orr_input *in, point **out, size_t *n, int *per_ro
                 return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu points of gravity", room);
             *out = more;
         }
-        (*out)[(*n)++] = k == 2 ? (point){x[0], 0.0, x[1]} : (point){x[0], x[1], x[2]};
+        (*out)[(*n)++] = k == 2 ? (point){r.v[0], 0.0, r.v[1]} : (point){r.v[0], r.v[1], r.v[2]};
     }
     orr_status s = orr_input_status(in, diag);
     if (s == ORR_OK && *n == 0)
@@ -136,6 +141,21 @@ static const char *first_of(const orr_nc_reader *r, const char *const name[3])
     return name[0];
 }
 
+// From North to South, as many maps lie, to ascending latitudes.
+static void turn_over(orr_gravity_file *f)
+{
+    for (size_t i = 0, k = f->n_lat - 1; i < k; i++, k--) {
+        double lat = f->lat_rad[i];
+        f->lat_rad[i] = f->lat_rad[k];
+        f->lat_rad[k] = lat;
+        for (size_t j = 0; j < f->n_lon; j++) {
+            double *a = &f->mgal[i * f->n_lon + j], *b = &f->mgal[k * f->n_lon + j], value = *a;
+            *a = *b;
+            *b = value;
+        }
+    }
+}
+
 static orr_status read_netcdf(const char *path, orr_gravity_file *f, orr_diag *diag)
 {
     static const char *const lats[3] = {"lat", "latitude", "y"}, *const lons[3] = {"lon", "longitude", "x"},
@@ -158,6 +178,7 @@ static orr_status read_netcdf(const char *path, orr_gravity_file *f, orr_diag *d
     if (s != ORR_OK) return s;
     for (size_t k = 0; k < f->n_lat; k++) f->lat_rad[k] *= ORR_RAD_PER_DEG;
     for (size_t k = 0; k < f->n_lon; k++) f->lon_rad[k] *= ORR_RAD_PER_DEG;
+    if (f->n_lat > 1 && f->lat_rad[0] > f->lat_rad[f->n_lat - 1]) turn_over(f);
     return ORR_OK;
 }
 

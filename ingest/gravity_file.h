@@ -10,14 +10,15 @@ typedef struct orr_gravity_file {
     size_t n_profile; // 0: a map
     double *distance_m;
     size_t n_lat, n_lon;
-    double *lat_rad, *lon_rad; // ascending
+    double *lat_rad, *lon_rad; // lat ascends; lon as in the file (text: ascends)
     double *mgal;              // [n_profile], or [n_lat][n_lon]
 } orr_gravity_file;
 
-// Text: two or three numbers a row, divided by commas, semicolons or blanks; a header row and lines of '#'
-// are skipped. NetCDF: variables lat and lon (or latitude, longitude; degrees) and disturbance (or
-// gravity_disturbance, mgal). Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT with the line, ORR_E_LIMIT,
-// ORR_E_MEMORY.
+// Text: two or three numbers a row, divided by commas, semicolons or blanks; a first row without any number
+// and lines of '#' are skipped. NetCDF: variables lat and lon (or latitude, longitude, y, x; degrees, on
+// dimensions of their names, latitudes in either direction) and disturbance (or gravity_disturbance, mgal)
+// over (lat, lon). Whether distances ascend and values can be is for orr_gravity_make to say. Errors:
+// ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT with the line, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_gravity_file_read(const char *path, orr_gravity_file *out, orr_diag *diag);
 void orr_gravity_file_free(orr_gravity_file *f);
 

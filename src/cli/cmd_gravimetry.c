@@ -2,6 +2,7 @@
 // orrery gravimetry: the gravity disturbance back from readings and trajectory.
 #include <jansson.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/outfile.h"
 #include "inertial/imu_file.h"
@@ -17,8 +18,9 @@ static orr_status write_csv(const char *path, const orr_gravimetry_result *r, co
                       "vertical_mps2\n");
     for (size_t k = 0; k < r->n; k++)
         fprintf(f.stream, "%.6f,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", r->t_s[k], r->recovered_mgal[k],
-                r->true_mgal[k], r->recovered_filtered_mgal[k], r->true_filtered_mgal[k], t->eotvos_mgal[k],
-                t->vertical_mps2[k]);
+                r->true_mgal[k], r->recovered_filtered_mgal[k], r->true_filtered_mgal[k],
+                0.5 * (t->eotvos_mgal[k] + t->eotvos_mgal[k + 1]),
+                0.5 * (t->vertical_mps2[k] + t->vertical_mps2[k + 1]));
     return orr_outfile_commit(&f, diag);
 }
 
@@ -26,6 +28,9 @@ static int run(orr_cli *c)
 {
     orr_diag diag = {0};
     orr_imu_file f;
+    const char *path = orr_cli_text(c, "csv", NULL);
+    const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_given(c, "json");
+    if (csv_only && json) return orr_cli_usage(c, "only one of --csv - and --json can go to standard output");
     orr_gravimetry_result r;
     orr_status s = orr_imu_read(c->operand[0], orr_cli_text(c, "gravity-folder", NULL), &f, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
@@ -36,14 +41,13 @@ static int run(orr_cli *c)
     double sigma_s = (double)orr_cli_duration_ns(c, "filter", 10 * ORR_NS_PER_S) * 1e-9;
     s = orr_gravimetry_recover(&f.imu, &f.gravimetry, sigma_s, &r, &diag);
     if (s == ORR_OK) {
-        const char *path = orr_cli_text(c, "csv", NULL);
         if (path != NULL) s = write_csv(path, &r, &f.gravimetry, &diag);
         double low = r.true_mgal[0], high = low;
         for (size_t k = 0; k < r.n; k++) {
             low = r.true_mgal[k] < low ? r.true_mgal[k] : low;
             high = r.true_mgal[k] > high ? r.true_mgal[k] : high;
         }
-        if (s == ORR_OK && orr_cli_given(c, "json")) {
+        if (s == ORR_OK && json) {
             json_t *j = json_pack("{s:f, s:f, s:{s:f, s:f}, s:{s:f, s:f, s:f}, s:I}", "duration_s",
                                   r.t_s[r.n - 1] - r.t_s[0], "filter_s", sigma_s, "true", "min_mgal", low,
                                   "max_mgal", high, "difference", "raw_rms_mgal", r.raw_rms_mgal,
@@ -52,7 +56,7 @@ static int run(orr_cli *c)
             json_dumpf(j, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
             putchar('\n');
             json_decref(j);
-        } else if (s == ORR_OK) {
+        } else if (s == ORR_OK && !csv_only) {
             printf("true disturbance      %.3f to %.3f mGal\n", low, high);
             printf("recovered, unfiltered %.3g mGal r.m.s. off\n", r.raw_rms_mgal);
             printf("after Gaussian %g s   %.3g mGal r.m.s. off, %.3g mGal at most\n", sigma_s,
@@ -69,7 +73,10 @@ static const orr_option options[] = {
      .kind = ORR_OPT_DURATION,
      .value = "S",
      .help = "Standard deviation of the Gaussian filter. Default 10 s."},
-    {.name = "csv", .kind = ORR_OPT_TEXT, .value = "FILE", .help = "The series; - for standard output."},
+    {.name = "csv",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "The series; - for standard output, instead of the table."},
     {.name = "gravity-folder",
      .kind = ORR_OPT_TEXT,
      .value = "DIR",

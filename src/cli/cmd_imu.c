@@ -9,6 +9,8 @@
 #include "inertial/sensors.h"
 #include "src/cli/moving.h"
 
+#define MAX_INPUTS 4 // a scenario, two logs, a file of gravity
+
 static void mode_options(const orr_cli *c, const orr_moving *v, orr_imu_request *q)
 {
     orr_imu_mode *m = &q->mode;
@@ -25,24 +27,25 @@ static void mode_options(const orr_cli *c, const orr_moving *v, orr_imu_request 
     m->order = (int)orr_cli_int(c, "order", m->order);
 }
 
-static size_t truth_every(const orr_cli *c, const orr_imu_request *q)
+// Readings from one instant of truth to the next: as many as the wished rate says, at most all of them.
+static size_t truth_every(const orr_cli *c, const orr_imu *imu)
 {
-    double wish = orr_cli_real(c, "truth-rate", q->mode.approach == 1 ? q->rate_hz : fmin(q->rate_hz, 20.0));
-    double k = floor(q->rate_hz / wish + 1e-9);
-    return k < 1.0 ? 1 : (size_t)k;
+    double wish =
+        orr_cli_real(c, "truth-rate", imu->mode.approach == 1 ? imu->rate_hz : fmin(imu->rate_hz, 20.0));
+    double k = floor(imu->rate_hz / wish + 1e-9);
+    return k < 1.0 ? 1 : k < (double)imu->n ? (size_t)k : imu->n;
 }
 
-// The command line, for the file's history.
-static void history(const orr_cli *c, char *buf, size_t n)
+static bool is_csv(const char *path)
 {
-    snprintf(buf, n, "orrery %s %s", c->command->name, c->n_operands > 0 ? c->operand[0] : "--telemetry");
+    size_t n = strlen(path);
+    return strcmp(path, "-") == 0 || (n > 4 && strcmp(path + n - 4, ".csv") == 0);
 }
 
 static orr_status write_file(orr_cli *c, const char *path, const orr_imu *imu, const orr_gravimetry *truth,
                              const orr_moving *v, const orr_scenario *sc, size_t every, orr_diag *diag)
 {
-    size_t n = strlen(path);
-    if (strcmp(path, "-") == 0 || (n > 4 && strcmp(path + n - 4, ".csv") == 0)) {
+    if (is_csv(path)) {
         orr_outfile f;
         orr_status s = orr_outfile_open(path, &f, diag);
         if (s != ORR_OK) return s;
@@ -51,20 +54,20 @@ static orr_status write_file(orr_cli *c, const char *path, const orr_imu *imu, c
         orr_outfile_abort(&f);
         return s;
     }
-    char hex[3][ORR_SHA256_HEX], words[512];
-    orr_nc_input input[3];
+    char hex[MAX_INPUTS][ORR_SHA256_HEX];
+    orr_nc_input input[MAX_INPUTS];
     size_t n_inputs = 0;
     if (c->n_operands > 0) input[n_inputs++].path = c->operand[0];
-    for (size_t k = 0; k < sc->motion.logs.n && n_inputs < 3; k++)
+    for (size_t k = 0; k < sc->motion.logs.n && k < 2; k++)
         input[n_inputs++].path = sc->motion.logs.item[k].file;
+    if (sc->motion.gravity_file != NULL) input[n_inputs++].path = sc->motion.gravity_file;
     for (size_t k = 0; k < n_inputs; k++) {
         orr_status s = orr_sha256_file(input[k].path, hex[k], diag);
         if (s != ORR_OK) return s;
         input[k].sha256 = hex[k];
     }
-    history(c, words, sizeof words);
     orr_imu_labels labels = {.title = sc->title,
-                             .history = words,
+                             .history = c->call,
                              .gravity_model_name = v->model != NULL ? sc->motion.model : NULL,
                              .gravity_model_dir = v->model != NULL ? sc->motion.model_folder : NULL,
                              .input = input,
@@ -76,6 +79,9 @@ static orr_status write_file(orr_cli *c, const char *path, const orr_imu *imu, c
 static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
 {
     orr_diag diag = {0};
+    const char *path = orr_cli_text(c, "output", "imu.nc");
+    if (is_csv(path) && orr_cli_given(c, "truth-rate"))
+        return orr_cli_usage(c, "--truth-rate is of NetCDF files; CSV has the truth beside every reading");
     size_t unit = (size_t)orr_cli_int(c, "unit", 0);
     if (unit >= v->n_units)
         return orr_cli_usage(c, "there is no unit %zu; the scenario has 0 to %zu", unit, v->n_units - 1);
@@ -92,8 +98,7 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
     orr_cli_hold(c);
     orr_status s = orr_imu_generate(tr, &q, &imu, &diag);
     if (s == ORR_OK) {
-        size_t every = truth_every(c, &q);
-        const char *path = orr_cli_text(c, "output", "imu.nc");
+        size_t every = truth_every(c, &imu);
         s = orr_gravimetry_truth(tr, v->gravity, &imu,
                                  ((size_t)nearbyint(fmax(1.0, q.rate_hz / 10.0)) + every - 1) / every * every,
                                  &truth, &diag);
@@ -182,7 +187,9 @@ static const orr_option options[] = {
      .value = "HZ",
      .min = 0.001,
      .max = 100000,
-     .help = "Of the truth in the file. Default 20 Hz with approach 2, every sample with approach 1."},
+     .help =
+         "Of the truth in a NetCDF file. Default 20 Hz with approach 2, every sample with approach 1; CSV "
+         "has every sample."},
 };
 
 const orr_command orr_cmd_imu = {

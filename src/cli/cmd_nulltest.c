@@ -96,13 +96,17 @@ static int run(orr_cli *c)
 {
     orr_diag diag = {0};
     orr_imu_file f;
+    const char *path = orr_cli_text(c, "csv", NULL);
+    const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_given(c, "json");
+    if (csv_only && json) return orr_cli_usage(c, "only one of --csv - and --json can go to standard output");
+    if (orr_cli_given(c, "samples") && strcmp(orr_cli_text(c, "navigator", "reference"), "reference") != 0)
+        return orr_cli_usage(c, "--samples is of the reference navigator");
     orr_status s = orr_imu_read(c->operand[0], orr_cli_text(c, "gravity-folder", NULL), &f, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     orr_navigator nav = choose(c, &f);
     orr_null_report r;
     orr_outfile out = {0};
     series csv = {.every = orr_cli_int(c, "every", 1)};
-    const char *path = orr_cli_text(c, "csv", NULL);
     if (path != NULL) {
         s = orr_outfile_open(path, &out, &diag);
         csv.stream = out.stream;
@@ -116,9 +120,9 @@ static int run(orr_cli *c)
         else
             orr_outfile_abort(&out);
     }
-    if (s == ORR_OK && orr_cli_given(c, "json"))
+    if (s == ORR_OK && json)
         print_json(&f, &nav, &r);
-    else if (s == ORR_OK)
+    else if (s == ORR_OK && !csv_only)
         print_table(&f, &nav, &r);
     orr_imu_file_free(&f);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
@@ -151,7 +155,7 @@ static const orr_option options[] = {
     {.name = "csv",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "The differences over time; - for standard output."},
+     .help = "The differences over time; - for standard output, instead of the table."},
     {.name = "every",
      .kind = ORR_OPT_INT,
      .value = "N",

@@ -22,6 +22,11 @@ static int run(orr_cli *c)
         const orr_trajectory *tr = orr_moving_unit(&v, unit);
         double rate = orr_cli_real(c, "rate", 1.0), n = floor((tr->end_s - tr->begin_s) * rate + 1e-6);
         char t0[ORR_TIME_TEXT];
+        // Milliseconds where they are all of it; a rounded time would move the body along its way.
+        int decimals = fabs(1000.0 / rate - nearbyint(1000.0 / rate)) < 1e-9 * 1000.0 / rate &&
+                               fabs(1000.0 * tr->begin_s - nearbyint(1000.0 * tr->begin_s)) < 1e-6
+                           ? 3
+                           : 9;
         fprintf(f.stream, "# t in seconds after %s GPS\n", orr_time_text(tr->t0, t0));
         fprintf(
             f.stream,
@@ -33,7 +38,7 @@ static int run(orr_cli *c)
             orr_geodetic g = orr_earth_from_ecef(m.r_m);
             orr_angles a = orr_motion_angles(&m);
             orr_vec3 u = orr_motion_velocity_enu(&m);
-            fprintf(f.stream, "%.3f,%.10f,%.10f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", t,
+            fprintf(f.stream, "%.*f,%.10f,%.10f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", decimals, t,
                     g.lat_rad * ORR_DEG_PER_RAD, g.lon_rad * ORR_DEG_PER_RAD, g.height_m,
                     a.heading_rad * ORR_DEG_PER_RAD, a.pitch_rad * ORR_DEG_PER_RAD,
                     a.roll_rad * ORR_DEG_PER_RAD, u.x, u.y, u.z);

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -35,6 +36,25 @@ def run(*args, status=0, timeout=240, **kwargs):
 
 def run_json(*args, **kwargs):
     return json.loads(run(*args, **kwargs).stdout)
+
+
+def dump(path):
+    """Variables and numeric global attributes of a NetCDF file as nested lists, through ncdump."""
+    text = subprocess.run(["ncdump", "-p", "9,17", path], capture_output=True, text=True, check=True).stdout
+    head, body = text.split("\ndata:\n")
+    dims = {k: int(v) for k, v in re.findall(r"^\t(\w+) = (\d+) ;", head, re.M)}
+    shapes = {k: [dims[d.strip()] for d in v.split(",")] for k, v in re.findall(r"^\t\w+ (\w+)\(([^)]*)\) ;", head, re.M)}
+    out = {k: float(v) for k, v in re.findall(r"^\t\t:(\w+) = (-?[\d.e+-]+)L* ;", head, re.M)}
+    for name, values in re.findall(r"^ (\w+) =(.*?) ;$", body, re.M | re.S):
+        if '"' in values:
+            out[name] = re.findall(r'"([^"]*)"', values)
+            continue
+        items = [v.strip() for v in values.split(",")]
+        flat = [float(v) if re.search(r"[.en]", v) else int(v) for v in items]
+        for n in reversed(shapes[name][1:]):
+            flat = [flat[i:i + n] for i in range(0, len(flat), n)]
+        out[name] = flat
+    return out
 
 
 class Folder(unittest.TestCase):
