@@ -459,8 +459,9 @@ orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_diag *diag)
         }
         fprintf(f, "%.9f,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.11f,%.11f,%.6f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f",
                 orr_imu_edge_s(imu, j), th.x, th.y, th.z, dv.x, dv.y, dv.z, g.lat_rad * ORR_DEG_PER_RAD,
-                g.lon_rad * ORR_DEG_PER_RAD, g.height_m, v.x, v.y, v.z, a.heading_rad * ORR_DEG_PER_RAD,
-                a.pitch_rad * ORR_DEG_PER_RAD, a.roll_rad * ORR_DEG_PER_RAD);
+                g.lon_rad * ORR_DEG_PER_RAD, g.height_m, v.x, v.y, v.z,
+                orr_heading_shown_deg(a.heading_rad, 9), a.pitch_rad * ORR_DEG_PER_RAD,
+                a.roll_rad * ORR_DEG_PER_RAD);
         if (imu->gyro_radps != NULL)
             fprintf(f, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", imu->gyro_radps[j].x, imu->gyro_radps[j].y,
                     imu->gyro_radps[j].z, imu->accel_mps2[j].x, imu->accel_mps2[j].y, imu->accel_mps2[j].z);

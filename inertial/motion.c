@@ -40,6 +40,12 @@ orr_angles orr_motion_angles(const orr_motion *m)
     return orr_angles_from_body_enu(&L);
 }
 
+double orr_heading_shown_deg(double heading_rad, int decimals)
+{
+    double unit = pow(10.0, -decimals), deg = nearbyint(heading_rad * ORR_DEG_PER_RAD / unit) * unit;
+    return deg < 360.0 - 0.5 * unit ? deg + 0.0 : 0.0;
+}
+
 orr_vec3 orr_motion_velocity_enu(const orr_motion *m)
 {
     orr_mat3 E = enu_at(m->r_m);

@@ -32,6 +32,8 @@ orr_mat3 orr_body_from_enu(orr_angles a);
 // taken 0.
 orr_angles orr_angles_from_body_enu(const orr_mat3 *L);
 orr_angles orr_motion_angles(const orr_motion *m);
+// Its heading in degrees as a table with so many decimals may show it: in [0, 360) after rounding too.
+double orr_heading_shown_deg(double heading_rad, int decimals);
 
 // Velocity relative to the Earth in East, North, Up at the body.
 orr_vec3 orr_motion_velocity_enu(const orr_motion *m);

@@ -40,7 +40,7 @@ static int run(orr_cli *c)
             orr_vec3 u = orr_motion_velocity_enu(&m);
             fprintf(f.stream, "%.*f,%.10f,%.10f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", decimals, t,
                     g.lat_rad * ORR_DEG_PER_RAD, g.lon_rad * ORR_DEG_PER_RAD, g.height_m,
-                    a.heading_rad * ORR_DEG_PER_RAD, a.pitch_rad * ORR_DEG_PER_RAD,
+                    orr_heading_shown_deg(a.heading_rad, 6), a.pitch_rad * ORR_DEG_PER_RAD,
                     a.roll_rad * ORR_DEG_PER_RAD, u.x, u.y, u.z);
         }
         s = orr_outfile_commit(&f, &diag);

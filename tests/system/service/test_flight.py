@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One service for a whole flight: satellites, true motion and inertial readings by time, on one clock. What the wire says has
 to agree with itself: turning and accelerating as the readings say leads from one truth to the next."""
+import csv
 import json
 import math
 import unittest
@@ -88,6 +89,20 @@ class Flight(unittest.TestCase):
             self.assertAlmostEqual(reading.dtheta_rad[k] * RATE_HZ, truth.rate_radps[k], delta=1e-5)
             self.assertAlmostEqual(reading.dv_mps[k] * RATE_HZ, truth.force_mps2[k], delta=1e-3)
         self.assertAlmostEqual(truth.force_mps2[2], 9.81, delta=1.5)  # a bank of 20 deg adds 0.6, turbulence the rest
+
+    def test_a_file_of_readings_says_the_same(self):
+        """orrery imu of the same scenario: its rows are what the service answers, to the rounding of an instant after 20 s, 3.6e-15 s
+        at each end of a step, times 10 m/s2."""
+        for unit in (0, 1):
+            done = program("imu", WORK / "flight.yaml", "-q", "--unit", unit, "-o", "-")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            rows = list(csv.DictReader(done.stdout.splitlines()[1:]))
+            for k in (1, 777, 2000):
+                reading = next(self.client.poll_imu(self.start + (k - 1) * NS // RATE_HZ, unit=unit))
+                self.assertEqual(reading.t1, self.start + k * NS // RATE_HZ)
+                for i, axis in enumerate("xyz"):
+                    self.assertAlmostEqual(float(rows[k][f"dtheta_{axis}_rad"]), reading.dtheta_rad[i], delta=1e-15)
+                    self.assertAlmostEqual(float(rows[k][f"dv_{axis}_mps"]), reading.dv_mps[i], delta=7.2e-14)
 
     def test_the_second_unit_is_an_arm_away(self):
         t = self.start + 150 * NS
