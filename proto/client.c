@@ -126,6 +126,22 @@ orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *elements)
     return s == ORR_WIRE_OK ? orr_msg_elements_decode(f.payload, f.size, elements) : s;
 }
 
+orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *poll)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_NAVDATA, &w, &start);
+    orr_msg_poll_navdata_encode(poll, &w);
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *navdata)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_NAVDATA, &f);
+    return s == ORR_WIRE_OK ? orr_msg_navdata_decode(f.payload, f.size, navdata) : s;
+}
+
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll)
 {
     orr_wire_writer w;

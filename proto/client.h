@@ -56,6 +56,10 @@ orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states);
 // The same of Kepler elements: poll->count calls of orr_client_elements.
 orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *poll);
 orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *elements);
+// The same of broadcast data: poll->count calls of orr_client_navdata. 32 GPS and 24 GLONASS satellites take
+// ORR_FRAME_OVERHEAD + 33 KiB of buffer, each satellite at most 2 + ORR_MSG_SAT_NAVDATA_LARGEST.
+orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *poll);
+orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *navdata);
 // The same of ionospheric delays: poll->count calls of orr_client_delays. A poll whose receiver_m is NAN,
 // NAN, NAN asks for the scenario's own receiver.
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll);

@@ -171,8 +171,10 @@ static bool answer_some(const orr_server *s, orr_server_conn *c, const orr_frame
         out->size = mark;
         out->status = ORR_WIRE_OK;
         if (refused != 0) break;
-        if (status == ORR_WIRE_SPACE && mark > 0) {
+        bool grows = c->can_grow && out->capacity < ORR_SERVER_OUT;
+        if (status == ORR_WIRE_SPACE && (mark > 0 || grows)) {
             step->busy = true;
+            step->room = mark == 0 ? ORR_SERVER_OUT : 0;
             return false;
         }
         refused = ORR_MSG_ERROR_CODE_INTERNAL; // it would not fit into an empty buffer either

@@ -38,6 +38,7 @@ typedef struct orr_server {
 
 // One connection; zero-initialise.
 typedef struct orr_server_conn {
+    bool can_grow;          // its owner can make the output larger: step.room then asks for that
     uint32_t index, frames; // of the answer under way; frames is 0 when there is none
     char client[100];       // "name version" as HELLO gave them, printable; empty before
     uint64_t requests, refusals;
@@ -47,13 +48,16 @@ typedef struct orr_server_step {
     size_t consumed; // bytes of the input that are done with
     size_t need; // the input must grow to so many bytes (counted from `consumed`) before there is more to do
     bool busy;   // stopped for want of room: call again with the rest of the input once output has been sent
-    bool yield;  // with busy: stopped after a frame of a slow kind; serve others first
+    size_t
+        room; // with busy, if not 0: the output must have such a capacity, a frame did not fit into it empty
+    bool yield;       // with busy: stopped after a frame of a slow kind; serve others first
     uint16_t closing; // not 0: close the connection once the output is sent; an ORR_MSG_ERROR_CODE_*
     char reason[ORR_SERVER_SENTENCE];
 } orr_server_step;
 
 // Answers as many complete requests of in[0..n) as fit into `out` (which may already hold bytes; whole frames
-// only are appended). The output's capacity must be ORR_SERVER_OUT at least, or an answer may never fit.
+// only are appended). The output's capacity must be ORR_SERVER_OUT at least, or, of a connection that can
+// grow, able to become that; otherwise an answer may never fit.
 #define ORR_SERVER_OUT (ORR_FRAME_OVERHEAD + ORR_MSG_LARGEST)
 void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, size_t n,
                     orr_wire_writer *out, orr_server_step *step);

@@ -15,6 +15,8 @@ const char *orr_msg_type_name(uint16_t type)
     case 7: return "STATES";
     case 8: return "POLL_ELEMENTS";
     case 9: return "ELEMENTS";
+    case 10: return "POLL_NAVDATA";
+    case 11: return "NAVDATA";
     case 12: return "POLL_DELAYS";
     case 13: return "DELAYS";
     case 16: return "POLL_IMU";
@@ -54,6 +56,16 @@ const char *orr_msg_answer_name(uint8_t value)
     case 3: return "NOT_SERVED";
     case 4: return "BELOW_HORIZON";
     case 5: return "NO_VALUE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_nav_message_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "NONE";
+    case 1: return "LNAV";
+    case 2: return "FDMA";
     default: return NULL;
     }
 }
@@ -111,6 +123,20 @@ const char *orr_msg_state_flags_name(unsigned bit)
     case 3: return "CLOCK_EVENT";
     case 4: return "ECLIPSE";
     case 5: return "GAP";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_nav_notes_name(unsigned bit)
+{
+    switch (bit) {
+    case 0: return "MANOEUVRE";
+    case 1: return "SHIFTED";
+    case 2: return "NO_CLOCK";
+    case 3: return "NO_ANTENNA";
+    case 4: return "NO_DELAY";
+    case 5: return "NOMINAL_CHANNEL";
+    case 6: return "CLOCK_JUMP";
     default: return NULL;
     }
 }
@@ -209,6 +235,347 @@ static inline void load_sat_elements(const uint8_t *p, orr_msg_sat_elements *m)
     m->argp_rad = orr_wire_load_f64(p + 40);
     m->m_rad = orr_wire_load_f64(p + 48);
     m->u_rad = orr_wire_load_f64(p + 56);
+}
+
+static void put_nav_page(orr_wire_writer *w, const orr_msg_nav_page *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 12);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u8(p + 8, m->number);
+    orr_wire_store_u8(p + 9, m->page);
+    orr_wire_store_u16(p + 10, m->bits);
+    orr_wire_put_bytes(w, m->data, 38);
+}
+
+static void get_nav_page(orr_wire_reader *r, orr_msg_nav_page *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 12);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->number = orr_wire_load_u8(p + 8);
+    m->page = orr_wire_load_u8(p + 9);
+    m->bits = orr_wire_load_u16(p + 10);
+    m->data = orr_wire_get_bytes(r, 38);
+}
+
+static inline void store_lnav_set(uint8_t *p, const orr_msg_lnav_set *m)
+{
+    orr_wire_store_f64(p + 0, m->sqrt_a_sqrtm);
+    orr_wire_store_f64(p + 8, m->e);
+    orr_wire_store_f64(p + 16, m->m0_rad);
+    orr_wire_store_f64(p + 24, m->i0_rad);
+    orr_wire_store_f64(p + 32, m->omega0_rad);
+    orr_wire_store_f64(p + 40, m->omega_rad);
+    orr_wire_store_f64(p + 48, m->delta_n_radps);
+    orr_wire_store_f64(p + 56, m->idot_radps);
+    orr_wire_store_f64(p + 64, m->omega_dot_radps);
+    orr_wire_store_f64(p + 72, m->cuc_rad);
+    orr_wire_store_f64(p + 80, m->cus_rad);
+    orr_wire_store_f64(p + 88, m->crc_m);
+    orr_wire_store_f64(p + 96, m->crs_m);
+    orr_wire_store_f64(p + 104, m->cic_rad);
+    orr_wire_store_f64(p + 112, m->cis_rad);
+    orr_wire_store_f64(p + 120, m->tgd_s);
+}
+
+static inline void load_lnav_set(const uint8_t *p, orr_msg_lnav_set *m)
+{
+    m->sqrt_a_sqrtm = orr_wire_load_f64(p + 0);
+    m->e = orr_wire_load_f64(p + 8);
+    m->m0_rad = orr_wire_load_f64(p + 16);
+    m->i0_rad = orr_wire_load_f64(p + 24);
+    m->omega0_rad = orr_wire_load_f64(p + 32);
+    m->omega_rad = orr_wire_load_f64(p + 40);
+    m->delta_n_radps = orr_wire_load_f64(p + 48);
+    m->idot_radps = orr_wire_load_f64(p + 56);
+    m->omega_dot_radps = orr_wire_load_f64(p + 64);
+    m->cuc_rad = orr_wire_load_f64(p + 72);
+    m->cus_rad = orr_wire_load_f64(p + 80);
+    m->crc_m = orr_wire_load_f64(p + 88);
+    m->crs_m = orr_wire_load_f64(p + 96);
+    m->cic_rad = orr_wire_load_f64(p + 104);
+    m->cis_rad = orr_wire_load_f64(p + 112);
+    m->tgd_s = orr_wire_load_f64(p + 120);
+}
+
+static inline void store_glonass_set(uint8_t *p, const orr_msg_glonass_set *m)
+{
+    orr_wire_store_f64(p + 0, m->pos_m[0]);
+    orr_wire_store_f64(p + 8, m->pos_m[1]);
+    orr_wire_store_f64(p + 16, m->pos_m[2]);
+    orr_wire_store_f64(p + 24, m->vel_mps[0]);
+    orr_wire_store_f64(p + 32, m->vel_mps[1]);
+    orr_wire_store_f64(p + 40, m->vel_mps[2]);
+    orr_wire_store_f64(p + 48, m->acc_mps2[0]);
+    orr_wire_store_f64(p + 56, m->acc_mps2[1]);
+    orr_wire_store_f64(p + 64, m->acc_mps2[2]);
+    orr_wire_store_f64(p + 72, m->delta_tau_s);
+    orr_wire_store_i8(p + 80, m->channel);
+    orr_wire_store_u8(p + 81, m->reserved);
+}
+
+static inline void load_glonass_set(const uint8_t *p, orr_msg_glonass_set *m)
+{
+    m->pos_m[0] = orr_wire_load_f64(p + 0);
+    m->pos_m[1] = orr_wire_load_f64(p + 8);
+    m->pos_m[2] = orr_wire_load_f64(p + 16);
+    m->vel_mps[0] = orr_wire_load_f64(p + 24);
+    m->vel_mps[1] = orr_wire_load_f64(p + 32);
+    m->vel_mps[2] = orr_wire_load_f64(p + 40);
+    m->acc_mps2[0] = orr_wire_load_f64(p + 48);
+    m->acc_mps2[1] = orr_wire_load_f64(p + 56);
+    m->acc_mps2[2] = orr_wire_load_f64(p + 64);
+    m->delta_tau_s = orr_wire_load_f64(p + 72);
+    m->channel = orr_wire_load_i8(p + 80);
+    m->reserved = orr_wire_load_u8(p + 81);
+}
+
+static void put_lnav_set_list(orr_wire_writer *w, const orr_msg_lnav_set_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 128 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 128 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_lnav_set(p + 128 * (size_t)i, &list->item[i]);
+}
+
+static void get_lnav_set_list(orr_wire_reader *r, orr_msg_lnav_set_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 128) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_lnav_set_next(const orr_msg_lnav_set_list *list, orr_wire_iter *it, orr_msg_lnav_set *out)
+{
+    return orr_msg_lnav_set_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_msg_lnav_set *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_lnav_set(p, out);
+    return true;
+}
+
+static void put_glonass_set_list(orr_wire_writer *w, const orr_msg_glonass_set_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 82 : list->wire.stride);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    p = orr_wire_room(w, 82 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_glonass_set(p + 82 * (size_t)i, &list->item[i]);
+}
+
+static void get_glonass_set_list(orr_wire_reader *r, orr_msg_glonass_set_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2);
+    if (count > 0 && stride < 82) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_glonass_set_next(const orr_msg_glonass_set_list *list, orr_wire_iter *it, orr_msg_glonass_set *out)
+{
+    return orr_msg_glonass_set_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_glonass_set_at(const orr_msg_glonass_set_list *list, uint16_t index, orr_msg_glonass_set *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_glonass_set(p, out);
+    return true;
+}
+
+static void put_nav_page_list(orr_wire_writer *w, const orr_msg_nav_page_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    for (uint16_t i = 0; i < list->count; i++) {
+        size_t start = w->size;
+        if (orr_wire_room(w, 2) == NULL) return;
+        put_nav_page(w, &list->item[i]);
+        if (w->status != ORR_WIRE_OK) return;
+        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
+    }
+}
+
+static void get_nav_page_list(orr_wire_reader *r, orr_msg_nav_page_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    size_t start = r->at;
+    p = r->data + r->at;
+    for (uint16_t i = 0; i < count; i++) { // every record is read once, so that reading it later cannot fail
+        const uint8_t *q = orr_wire_take(r, 2);
+        if (q == NULL) return;
+        uint16_t size = orr_wire_load_u16(q);
+        q = orr_wire_take(r, size);
+        if (q == NULL) return;
+        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};
+        orr_msg_nav_page record;
+        memset(&record, 0, sizeof record);
+        get_nav_page(&one, &record);
+        if (one.status != ORR_WIRE_OK) {
+            r->status = one.status;
+            return;
+        }
+    }
+    list->wire.size = r->at - start;
+    list->wire.stride = 0;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_nav_page_next(const orr_msg_nav_page_list *list, orr_wire_iter *it, orr_msg_nav_page *out)
+{
+    if (it->index >= list->count) return false;
+    memset(out, 0, sizeof *out);
+    if (list->item != NULL) {
+        *out = list->item[it->index++];
+        return true;
+    }
+    const uint8_t *p = list->wire.data + it->at;
+    uint16_t size = orr_wire_load_u16(p);
+    orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
+    get_nav_page(&one, out);
+    it->at += (size_t)2 + size;
+    it->index++;
+    return one.status == ORR_WIRE_OK;
+}
+
+static void put_sat_navdata(orr_wire_writer *w, const orr_msg_sat_navdata *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 124);
+    if (p == NULL) return;
+    store_sat_id(p + 0, &m->sat);
+    orr_wire_store_u8(p + 2, m->answer);
+    orr_wire_store_u8(p + 3, m->message);
+    orr_wire_store_u32(p + 4, m->notes);
+    orr_wire_store_i64(p + 8, m->set_from);
+    orr_wire_store_i64(p + 16, m->set_to);
+    orr_wire_store_i64(p + 24, m->toe);
+    orr_wire_store_i64(p + 32, m->toc);
+    orr_wire_store_i32(p + 40, m->week);
+    orr_wire_store_i16(p + 44, m->iode);
+    orr_wire_store_i16(p + 46, m->iodc);
+    orr_wire_store_u32(p + 48, m->health);
+    orr_wire_store_f64(p + 52, m->accuracy_m);
+    orr_wire_store_f64(p + 60, m->fit_rms_m);
+    orr_wire_store_f64(p + 68, m->fit_max_m);
+    orr_wire_store_f64(p + 76, m->clock_rms_s);
+    orr_wire_store_f64(p + 84, m->af0_s);
+    orr_wire_store_f64(p + 92, m->af1_sps);
+    orr_wire_store_f64(p + 100, m->af2_sps2);
+    orr_wire_store_i64(p + 108, m->frame_from);
+    orr_wire_store_i64(p + 116, m->frame_to);
+    put_lnav_set_list(w, &m->kepler, 1);
+    put_glonass_set_list(w, &m->glonass, 1);
+    put_nav_page_list(w, &m->pages, 15);
+}
+
+static void get_sat_navdata(orr_wire_reader *r, orr_msg_sat_navdata *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 124);
+    if (p == NULL) return;
+    load_sat_id(p + 0, &m->sat);
+    m->answer = orr_wire_load_u8(p + 2);
+    m->message = orr_wire_load_u8(p + 3);
+    m->notes = orr_wire_load_u32(p + 4);
+    m->set_from = orr_wire_load_i64(p + 8);
+    m->set_to = orr_wire_load_i64(p + 16);
+    m->toe = orr_wire_load_i64(p + 24);
+    m->toc = orr_wire_load_i64(p + 32);
+    m->week = orr_wire_load_i32(p + 40);
+    m->iode = orr_wire_load_i16(p + 44);
+    m->iodc = orr_wire_load_i16(p + 46);
+    m->health = orr_wire_load_u32(p + 48);
+    m->accuracy_m = orr_wire_load_f64(p + 52);
+    m->fit_rms_m = orr_wire_load_f64(p + 60);
+    m->fit_max_m = orr_wire_load_f64(p + 68);
+    m->clock_rms_s = orr_wire_load_f64(p + 76);
+    m->af0_s = orr_wire_load_f64(p + 84);
+    m->af1_sps = orr_wire_load_f64(p + 92);
+    m->af2_sps2 = orr_wire_load_f64(p + 100);
+    m->frame_from = orr_wire_load_i64(p + 108);
+    m->frame_to = orr_wire_load_i64(p + 116);
+    get_lnav_set_list(r, &m->kepler, 1);
+    get_glonass_set_list(r, &m->glonass, 1);
+    get_nav_page_list(r, &m->pages, 15);
 }
 
 static inline void store_sat_delay(uint8_t *p, const orr_msg_sat_delay *m)
@@ -816,6 +1183,149 @@ orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_elements(&r, m);
+    return r.status;
+}
+
+static void put_poll_navdata(orr_wire_writer *w, const orr_msg_poll_navdata *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 20);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->count);
+    put_sat_id_list(w, &m->satellites, 800);
+}
+
+static void get_poll_navdata(orr_wire_reader *r, orr_msg_poll_navdata *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 20);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+    m->count = orr_wire_load_u32(p + 16);
+    get_sat_id_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_poll_navdata_encode(const orr_msg_poll_navdata *m, orr_wire_writer *w)
+{
+    put_poll_navdata(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_navdata_decode(const uint8_t *payload, size_t size, orr_msg_poll_navdata *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll_navdata(&r, m);
+    return r.status;
+}
+
+static void put_sat_navdata_list(orr_wire_writer *w, const orr_msg_sat_navdata_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    for (uint16_t i = 0; i < list->count; i++) {
+        size_t start = w->size;
+        if (orr_wire_room(w, 2) == NULL) return;
+        put_sat_navdata(w, &list->item[i]);
+        if (w->status != ORR_WIRE_OK) return;
+        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
+    }
+}
+
+static void get_sat_navdata_list(orr_wire_reader *r, orr_msg_sat_navdata_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    size_t start = r->at;
+    p = r->data + r->at;
+    for (uint16_t i = 0; i < count; i++) { // every record is read once, so that reading it later cannot fail
+        const uint8_t *q = orr_wire_take(r, 2);
+        if (q == NULL) return;
+        uint16_t size = orr_wire_load_u16(q);
+        q = orr_wire_take(r, size);
+        if (q == NULL) return;
+        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};
+        orr_msg_sat_navdata record;
+        memset(&record, 0, sizeof record);
+        get_sat_navdata(&one, &record);
+        if (one.status != ORR_WIRE_OK) {
+            r->status = one.status;
+            return;
+        }
+    }
+    list->wire.size = r->at - start;
+    list->wire.stride = 0;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_sat_navdata_next(const orr_msg_sat_navdata_list *list, orr_wire_iter *it, orr_msg_sat_navdata *out)
+{
+    if (it->index >= list->count) return false;
+    memset(out, 0, sizeof *out);
+    if (list->item != NULL) {
+        *out = list->item[it->index++];
+        return true;
+    }
+    const uint8_t *p = list->wire.data + it->at;
+    uint16_t size = orr_wire_load_u16(p);
+    orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
+    get_sat_navdata(&one, out);
+    it->at += (size_t)2 + size;
+    it->index++;
+    return one.status == ORR_WIRE_OK;
+}
+
+static void put_navdata(orr_wire_writer *w, const orr_msg_navdata *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 17);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u32(p + 8, m->index);
+    orr_wire_store_u32(p + 12, m->count);
+    orr_wire_store_u8(p + 16, m->answer);
+    put_sat_navdata_list(w, &m->satellites, 800);
+}
+
+static void get_navdata(orr_wire_reader *r, orr_msg_navdata *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 17);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->index = orr_wire_load_u32(p + 8);
+    m->count = orr_wire_load_u32(p + 12);
+    m->answer = orr_wire_load_u8(p + 16);
+    get_sat_navdata_list(r, &m->satellites, 800);
+}
+
+orr_wire_status orr_msg_navdata_encode(const orr_msg_navdata *m, orr_wire_writer *w)
+{
+    put_navdata(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_navdata_decode(const uint8_t *payload, size_t size, orr_msg_navdata *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_navdata(&r, m);
     return r.status;
 }
 

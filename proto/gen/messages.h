@@ -20,6 +20,7 @@
 #define ORR_MSG_MAX_CARRIERS 4u // carriers one POLL_DELAYS may name
 #define ORR_MSG_MAX_SATELLITES 800u // satellites in one list (eight systems of 99 and a little)
 #define ORR_MSG_MAX_EPOCHS 86400u // epochs one POLL may ask for (a day at 1 Hz)
+#define ORR_MSG_MAX_PAGES 15u // subframes or strings in one frame of a navigation message
 #define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
 
 enum { // message types
@@ -32,6 +33,8 @@ enum { // message types
     ORR_MSG_TYPE_STATES = 7,
     ORR_MSG_TYPE_POLL_ELEMENTS = 8,
     ORR_MSG_TYPE_ELEMENTS = 9,
+    ORR_MSG_TYPE_POLL_NAVDATA = 10,
+    ORR_MSG_TYPE_NAVDATA = 11,
     ORR_MSG_TYPE_POLL_DELAYS = 12,
     ORR_MSG_TYPE_DELAYS = 13,
     ORR_MSG_TYPE_POLL_IMU = 16,
@@ -65,6 +68,12 @@ enum { // answer (u8): Whether there are numbers, and if not, why not.
     ORR_MSG_ANSWER_NO_VALUE = 5, // the ionosphere has a hole where the ray pierces it, or the arc is too short for the method
 };
 
+enum { // nav_message (u8): A navigation message.
+    ORR_MSG_NAV_MESSAGE_NONE = 0, // none
+    ORR_MSG_NAV_MESSAGE_LNAV = 1, // GPS legacy navigation message: IS-GPS-200, subframes of 300 bits in 6 s
+    ORR_MSG_NAV_MESSAGE_FDMA = 2, // GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
+};
+
 enum { // elements_frame (u8): Axes that Kepler elements refer to.
     ORR_MSG_ELEMENTS_FRAME_DATE = 0, // true equator and equinox of date
     ORR_MSG_ELEMENTS_FRAME_J2000 = 1, // GCRS
@@ -95,20 +104,31 @@ enum { // tec_origin (u8): What a delay came from.
 #define ORR_MSG_STATE_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 4)) // in the umbra or penumbra of the Earth
 #define ORR_MSG_STATE_FLAGS_GAP ((uint32_t)(UINT64_C(1) << 5)) // between input nodes further apart than twice the usual
 
+// nav_notes (u32): What should be known of a broadcast set.
+#define ORR_MSG_NAV_NOTES_MANOEUVRE ((uint32_t)(UINT64_C(1) << 0)) // a manoeuvre within the window: marked unhealthy
+#define ORR_MSG_NAV_NOTES_SHIFTED ((uint32_t)(UINT64_C(1) << 1)) // the orbit begins or ends within the window: fitted to the nearest full one
+#define ORR_MSG_NAV_NOTES_NO_CLOCK ((uint32_t)(UINT64_C(1) << 2)) // the product has no clock: zero is sent
+#define ORR_MSG_NAV_NOTES_NO_ANTENNA ((uint32_t)(UINT64_C(1) << 3)) // the scenario's ANTEX file does not know the antenna: the centre of mass is described
+#define ORR_MSG_NAV_NOTES_NO_DELAY ((uint32_t)(UINT64_C(1) << 4)) // the scenario's biases do not have the satellite: a group delay of zero is sent
+#define ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 5)) // GLONASS: the frequency channel is the nominal one of the slot
+#define ORR_MSG_NAV_NOTES_CLOCK_JUMP ((uint32_t)(UINT64_C(1) << 6)) // the clock departs from a straight line by more than 10 ns RMS: marked unhealthy
+
 // Names as in the specification; NULL for a value that it does not know.
 const char *orr_msg_type_name(uint16_t type);
 const char *orr_msg_error_code_name(uint16_t value);
 const char *orr_msg_answer_name(uint8_t value);
+const char *orr_msg_nav_message_name(uint8_t value);
 const char *orr_msg_elements_frame_name(uint8_t value);
 const char *orr_msg_elements_method_name(uint8_t value);
 const char *orr_msg_tec_origin_name(uint8_t value);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
+const char *orr_msg_nav_notes_name(unsigned bit);
 // Whether the connection closes after it.
 bool orr_msg_error_code_closes(uint16_t value);
 
 // Bytes of the largest payload of all messages.
-#define ORR_MSG_LARGEST 92821u
+#define ORR_MSG_LARGEST 924819u
 
 // A satellite as IGS files name it.
 typedef struct orr_msg_sat_id {
@@ -199,6 +219,117 @@ typedef struct orr_msg_sat_elements_list {
 } orr_msg_sat_elements_list;
 bool orr_msg_sat_elements_next(const orr_msg_sat_elements_list *list, orr_wire_iter *it, orr_msg_sat_elements *out); // false at the end
 bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t index, orr_msg_sat_elements *out);   // false beyond the end
+
+// A subframe or string as it is sent, bit by bit.
+typedef struct orr_msg_nav_page {
+    int64_t t; // [ns] begin of its first bit
+    uint8_t number; // subframe 1-5, string 1-15
+    uint8_t page; // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe
+    uint16_t bits; // 300 or 85
+    orr_wire_bytes data; // the first bit in time is the highest of the first byte; what is left of the last is 0
+} orr_msg_nav_page;
+#define ORR_MSG_NAV_PAGE_LARGEST 52u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_nav_page_next.
+typedef struct orr_msg_nav_page_list {
+    uint16_t count;
+    const orr_msg_nav_page *item;
+    orr_wire_records wire;
+} orr_msg_nav_page_list;
+bool orr_msg_nav_page_next(const orr_msg_nav_page_list *list, orr_wire_iter *it, orr_msg_nav_page *out); // false at the end
+
+// What subframes 1 to 3 hold beside clock and issue, on the message's lattice (IS-GPS-200N tables 20-I and 20-III).
+typedef struct orr_msg_lnav_set {
+    double sqrt_a_sqrtm; // [sqrt(m)] root of the semi-major axis
+    double e; // eccentricity
+    double m0_rad; // mean anomaly at toe
+    double i0_rad; // inclination at toe
+    double omega0_rad; // longitude of the node at the week's begin
+    double omega_rad; // argument of perigee
+    double delta_n_radps; // [rad/s] mean motion difference
+    double idot_radps; // [rad/s] rate of the inclination
+    double omega_dot_radps; // [rad/s] rate of the node
+    double cuc_rad; // cosine term of the argument of latitude
+    double cus_rad; // its sine term
+    double crc_m; // cosine term of the radius
+    double crs_m; // its sine term
+    double cic_rad; // cosine term of the inclination
+    double cis_rad; // its sine term
+    double tgd_s; // group delay differential
+} orr_msg_lnav_set;
+#define ORR_MSG_LNAV_SET_SIZE 128u
+#define ORR_MSG_LNAV_SET_LARGEST 128u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_lnav_set_next or orr_msg_lnav_set_at.
+typedef struct orr_msg_lnav_set_list {
+    uint16_t count;
+    const orr_msg_lnav_set *item;
+    orr_wire_records wire;
+} orr_msg_lnav_set_list;
+bool orr_msg_lnav_set_next(const orr_msg_lnav_set_list *list, orr_wire_iter *it, orr_msg_lnav_set *out); // false at the end
+bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_msg_lnav_set *out);   // false beyond the end
+
+// What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
+typedef struct orr_msg_glonass_set {
+    double pos_m[3]; // position at toe (t_b), PZ-90
+    double vel_mps[3]; // [m/s] velocity at toe
+    double acc_mps2[3]; // [m/s2] acceleration by Sun and Moon
+    double delta_tau_s; // L2 behind L1
+    int8_t channel; // frequency channel -7 to 6
+    uint8_t reserved; // 0
+} orr_msg_glonass_set;
+#define ORR_MSG_GLONASS_SET_SIZE 82u
+#define ORR_MSG_GLONASS_SET_LARGEST 82u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_glonass_set_next or orr_msg_glonass_set_at.
+typedef struct orr_msg_glonass_set_list {
+    uint16_t count;
+    const orr_msg_glonass_set *item;
+    orr_wire_records wire;
+} orr_msg_glonass_set_list;
+bool orr_msg_glonass_set_next(const orr_msg_glonass_set_list *list, orr_wire_iter *it, orr_msg_glonass_set *out); // false at the end
+bool orr_msg_glonass_set_at(const orr_msg_glonass_set_list *list, uint16_t index, orr_msg_glonass_set *out);   // false beyond the end
+
+// What one satellite sends. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
+typedef struct orr_msg_sat_navdata {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not fit its field)
+    uint8_t message; // LNAV or FDMA; NONE unless answer is OK
+    uint32_t notes; // 0 unless answer is OK
+    int64_t set_from; // [ns] the set is sent from then on
+    int64_t set_to; // [ns] and before then
+    int64_t toe; // [ns] reference of the orbit
+    int64_t toc; // [ns] reference of the clock
+    int32_t week; // GPS week of toe; -1 for GLONASS
+    int16_t iode; // issue of the orbit; -1 for GLONASS
+    int16_t iodc; // issue of the clock; -1 for GLONASS
+    uint32_t health; // LNAV: six bits, 0 is good; GLONASS: 1 for unfit
+    double accuracy_m; // LNAV: user range accuracy that is sent; NAN for GLONASS
+    double fit_rms_m; // 3-D RMS of the rounded set against the orbit, over its window
+    double fit_max_m; // largest of these distances
+    double clock_rms_s; // the same of the clock; NAN with NO_CLOCK
+    double af0_s; // clock at toc; GLONASS: -tau_n
+    double af1_sps; // [s/s] its rate; GLONASS: gamma_n
+    double af2_sps2; // [s/s2] its second coefficient; 0 for GLONASS
+    int64_t frame_from; // [ns] begin of the frame of the message that holds the epoch
+    int64_t frame_to; // [ns] its end: the next frame's begin
+    orr_msg_lnav_set_list kepler; // of LNAV: one
+    orr_msg_glonass_set_list glonass; // of FDMA: one
+    orr_msg_nav_page_list pages; // all of the frame: five subframes, or fifteen strings
+} orr_msg_sat_navdata;
+#define ORR_MSG_SAT_NAVDATA_LARGEST 1154u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_navdata_next.
+typedef struct orr_msg_sat_navdata_list {
+    uint16_t count;
+    const orr_msg_sat_navdata *item;
+    orr_wire_records wire;
+} orr_msg_sat_navdata_list;
+bool orr_msg_sat_navdata_next(const orr_msg_sat_navdata_list *list, orr_wire_iter *it, orr_msg_sat_navdata *out); // false at the end
 
 // The ionosphere between a receiver and one satellite. Numbers are NAN unless answer is OK.
 typedef struct orr_msg_sat_delay {
@@ -350,6 +481,31 @@ typedef struct orr_msg_elements {
 orr_wire_status orr_msg_elements_encode(const orr_msg_elements *m, orr_wire_writer *w);
 orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr_msg_elements *m);
 
+// Asks for the broadcast data at t, t + step, ..., t + (count - 1) step; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+typedef struct orr_msg_poll_navdata {
+    int64_t t; // [ns] first epoch
+    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
+    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll_navdata;
+#define ORR_MSG_POLL_NAVDATA_LARGEST 1624u
+
+orr_wire_status orr_msg_poll_navdata_encode(const orr_msg_poll_navdata *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_navdata_decode(const uint8_t *payload, size_t size, orr_msg_poll_navdata *m);
+
+// Broadcast data at one epoch. A POLL_NAVDATA is answered by count of these, index 0 to count - 1, the last one ends the answer.
+typedef struct orr_msg_navdata {
+    int64_t t; // [ns] the epoch
+    uint32_t index; // which epoch of the POLL_NAVDATA, from 0
+    uint32_t count; // how many epochs it asked for
+    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
+    orr_msg_sat_navdata_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_navdata;
+#define ORR_MSG_NAVDATA_LARGEST 924819u
+
+orr_wire_status orr_msg_navdata_encode(const orr_msg_navdata *m, orr_wire_writer *w);
+orr_wire_status orr_msg_navdata_decode(const uint8_t *payload, size_t size, orr_msg_navdata *m);
+
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_f64_next or orr_msg_f64_at.
 typedef struct orr_msg_f64_list {
@@ -461,6 +617,6 @@ orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w)
 orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m);
 
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
 
 #endif

@@ -55,6 +55,8 @@ local types = {
   [7] = "STATES",
   [8] = "POLL_ELEMENTS",
   [9] = "ELEMENTS",
+  [10] = "POLL_NAVDATA",
+  [11] = "NAVDATA",
   [12] = "POLL_DELAYS",
   [13] = "DELAYS",
   [16] = "POLL_IMU",
@@ -84,6 +86,11 @@ local enum_answer = {
   [3] = "NOT_SERVED",
   [4] = "BELOW_HORIZON",
   [5] = "NO_VALUE",
+}
+local enum_nav_message = {
+  [0] = "NONE",
+  [1] = "LNAV",
+  [2] = "FDMA",
 }
 local enum_elements_frame = {
   [0] = "DATE",
@@ -126,6 +133,53 @@ f.sat_elements_raan_rad = ProtoField.double("orrery.sat_elements.raan_rad", "raa
 f.sat_elements_argp_rad = ProtoField.double("orrery.sat_elements.argp_rad", "argp_rad")
 f.sat_elements_m_rad = ProtoField.double("orrery.sat_elements.m_rad", "m_rad")
 f.sat_elements_u_rad = ProtoField.double("orrery.sat_elements.u_rad", "u_rad")
+f.nav_page_t = ProtoField.int64("orrery.nav_page.t", "t [ns]")
+f.nav_page_number = ProtoField.uint8("orrery.nav_page.number", "number")
+f.nav_page_page = ProtoField.uint8("orrery.nav_page.page", "page")
+f.nav_page_bits = ProtoField.uint16("orrery.nav_page.bits", "bits")
+f.nav_page_data = ProtoField.bytes("orrery.nav_page.data", "data")
+f.lnav_set_sqrt_a_sqrtm = ProtoField.double("orrery.lnav_set.sqrt_a_sqrtm", "sqrt_a_sqrtm [sqrt(m)]")
+f.lnav_set_e = ProtoField.double("orrery.lnav_set.e", "e")
+f.lnav_set_m0_rad = ProtoField.double("orrery.lnav_set.m0_rad", "m0_rad")
+f.lnav_set_i0_rad = ProtoField.double("orrery.lnav_set.i0_rad", "i0_rad")
+f.lnav_set_omega0_rad = ProtoField.double("orrery.lnav_set.omega0_rad", "omega0_rad")
+f.lnav_set_omega_rad = ProtoField.double("orrery.lnav_set.omega_rad", "omega_rad")
+f.lnav_set_delta_n_radps = ProtoField.double("orrery.lnav_set.delta_n_radps", "delta_n_radps [rad/s]")
+f.lnav_set_idot_radps = ProtoField.double("orrery.lnav_set.idot_radps", "idot_radps [rad/s]")
+f.lnav_set_omega_dot_radps = ProtoField.double("orrery.lnav_set.omega_dot_radps", "omega_dot_radps [rad/s]")
+f.lnav_set_cuc_rad = ProtoField.double("orrery.lnav_set.cuc_rad", "cuc_rad")
+f.lnav_set_cus_rad = ProtoField.double("orrery.lnav_set.cus_rad", "cus_rad")
+f.lnav_set_crc_m = ProtoField.double("orrery.lnav_set.crc_m", "crc_m")
+f.lnav_set_crs_m = ProtoField.double("orrery.lnav_set.crs_m", "crs_m")
+f.lnav_set_cic_rad = ProtoField.double("orrery.lnav_set.cic_rad", "cic_rad")
+f.lnav_set_cis_rad = ProtoField.double("orrery.lnav_set.cis_rad", "cis_rad")
+f.lnav_set_tgd_s = ProtoField.double("orrery.lnav_set.tgd_s", "tgd_s")
+f.glonass_set_pos_m = ProtoField.double("orrery.glonass_set.pos_m", "pos_m")
+f.glonass_set_vel_mps = ProtoField.double("orrery.glonass_set.vel_mps", "vel_mps [m/s]")
+f.glonass_set_acc_mps2 = ProtoField.double("orrery.glonass_set.acc_mps2", "acc_mps2 [m/s2]")
+f.glonass_set_delta_tau_s = ProtoField.double("orrery.glonass_set.delta_tau_s", "delta_tau_s")
+f.glonass_set_channel = ProtoField.int8("orrery.glonass_set.channel", "channel")
+f.glonass_set_reserved = ProtoField.uint8("orrery.glonass_set.reserved", "reserved")
+f.sat_navdata_answer = ProtoField.uint8("orrery.sat_navdata.answer", "answer", base.DEC, enum_answer)
+f.sat_navdata_message = ProtoField.uint8("orrery.sat_navdata.message", "message", base.DEC, enum_nav_message)
+f.sat_navdata_notes = ProtoField.uint32("orrery.sat_navdata.notes", "notes", base.HEX)
+f.sat_navdata_set_from = ProtoField.int64("orrery.sat_navdata.set_from", "set_from [ns]")
+f.sat_navdata_set_to = ProtoField.int64("orrery.sat_navdata.set_to", "set_to [ns]")
+f.sat_navdata_toe = ProtoField.int64("orrery.sat_navdata.toe", "toe [ns]")
+f.sat_navdata_toc = ProtoField.int64("orrery.sat_navdata.toc", "toc [ns]")
+f.sat_navdata_week = ProtoField.int32("orrery.sat_navdata.week", "week")
+f.sat_navdata_iode = ProtoField.int16("orrery.sat_navdata.iode", "iode")
+f.sat_navdata_iodc = ProtoField.int16("orrery.sat_navdata.iodc", "iodc")
+f.sat_navdata_health = ProtoField.uint32("orrery.sat_navdata.health", "health")
+f.sat_navdata_accuracy_m = ProtoField.double("orrery.sat_navdata.accuracy_m", "accuracy_m")
+f.sat_navdata_fit_rms_m = ProtoField.double("orrery.sat_navdata.fit_rms_m", "fit_rms_m")
+f.sat_navdata_fit_max_m = ProtoField.double("orrery.sat_navdata.fit_max_m", "fit_max_m")
+f.sat_navdata_clock_rms_s = ProtoField.double("orrery.sat_navdata.clock_rms_s", "clock_rms_s")
+f.sat_navdata_af0_s = ProtoField.double("orrery.sat_navdata.af0_s", "af0_s")
+f.sat_navdata_af1_sps = ProtoField.double("orrery.sat_navdata.af1_sps", "af1_sps [s/s]")
+f.sat_navdata_af2_sps2 = ProtoField.double("orrery.sat_navdata.af2_sps2", "af2_sps2 [s/s2]")
+f.sat_navdata_frame_from = ProtoField.int64("orrery.sat_navdata.frame_from", "frame_from [ns]")
+f.sat_navdata_frame_to = ProtoField.int64("orrery.sat_navdata.frame_to", "frame_to [ns]")
 f.sat_delay_answer = ProtoField.uint8("orrery.sat_delay.answer", "answer", base.DEC, enum_answer)
 f.sat_delay_origin = ProtoField.uint8("orrery.sat_delay.origin", "origin", base.DEC, enum_tec_origin)
 f.sat_delay_flags = ProtoField.uint8("orrery.sat_delay.flags", "flags", base.HEX)
@@ -176,6 +230,13 @@ f.elements_count = ProtoField.uint32("orrery.elements.count", "count")
 f.elements_answer = ProtoField.uint8("orrery.elements.answer", "answer", base.DEC, enum_answer)
 f.elements_frame = ProtoField.uint8("orrery.elements.frame", "frame", base.DEC, enum_elements_frame)
 f.elements_method = ProtoField.uint8("orrery.elements.method", "method", base.DEC, enum_elements_method)
+f.poll_navdata_t = ProtoField.int64("orrery.poll_navdata.t", "t [ns]")
+f.poll_navdata_step = ProtoField.int64("orrery.poll_navdata.step", "step [ns]")
+f.poll_navdata_count = ProtoField.uint32("orrery.poll_navdata.count", "count")
+f.navdata_t = ProtoField.int64("orrery.navdata.t", "t [ns]")
+f.navdata_index = ProtoField.uint32("orrery.navdata.index", "index")
+f.navdata_count = ProtoField.uint32("orrery.navdata.count", "count")
+f.navdata_answer = ProtoField.uint8("orrery.navdata.answer", "answer", base.DEC, enum_answer)
 f.poll_delays_t = ProtoField.int64("orrery.poll_delays.t", "t [ns]")
 f.poll_delays_step = ProtoField.int64("orrery.poll_delays.step", "step [ns]")
 f.poll_delays_count = ProtoField.uint32("orrery.poll_delays.count", "count")
@@ -259,6 +320,98 @@ local function record_sat_elements(r, tree)
   add(r, tree, f.sat_elements_argp_rad, 8)
   add(r, tree, f.sat_elements_m_rad, 8)
   add(r, tree, f.sat_elements_u_rad, 8)
+end
+
+local function record_nav_page(r, tree)
+  add(r, tree, f.nav_page_t, 8)
+  add(r, tree, f.nav_page_number, 1)
+  add(r, tree, f.nav_page_page, 1)
+  add(r, tree, f.nav_page_bits, 2)
+  add_text(r, tree, f.nav_page_data)
+end
+
+local function record_lnav_set(r, tree)
+  add(r, tree, f.lnav_set_sqrt_a_sqrtm, 8)
+  add(r, tree, f.lnav_set_e, 8)
+  add(r, tree, f.lnav_set_m0_rad, 8)
+  add(r, tree, f.lnav_set_i0_rad, 8)
+  add(r, tree, f.lnav_set_omega0_rad, 8)
+  add(r, tree, f.lnav_set_omega_rad, 8)
+  add(r, tree, f.lnav_set_delta_n_radps, 8)
+  add(r, tree, f.lnav_set_idot_radps, 8)
+  add(r, tree, f.lnav_set_omega_dot_radps, 8)
+  add(r, tree, f.lnav_set_cuc_rad, 8)
+  add(r, tree, f.lnav_set_cus_rad, 8)
+  add(r, tree, f.lnav_set_crc_m, 8)
+  add(r, tree, f.lnav_set_crs_m, 8)
+  add(r, tree, f.lnav_set_cic_rad, 8)
+  add(r, tree, f.lnav_set_cis_rad, 8)
+  add(r, tree, f.lnav_set_tgd_s, 8)
+end
+
+local function record_glonass_set(r, tree)
+  for _ = 1, 3 do add(r, tree, f.glonass_set_pos_m, 8) end
+  for _ = 1, 3 do add(r, tree, f.glonass_set_vel_mps, 8) end
+  for _ = 1, 3 do add(r, tree, f.glonass_set_acc_mps2, 8) end
+  add(r, tree, f.glonass_set_delta_tau_s, 8)
+  add(r, tree, f.glonass_set_channel, 1)
+  add(r, tree, f.glonass_set_reserved, 1)
+end
+
+local function record_sat_navdata(r, tree)
+  record_sat_id(r, tree)
+  add(r, tree, f.sat_navdata_answer, 1)
+  add(r, tree, f.sat_navdata_message, 1)
+  add(r, tree, f.sat_navdata_notes, 4)
+  add(r, tree, f.sat_navdata_set_from, 8)
+  add(r, tree, f.sat_navdata_set_to, 8)
+  add(r, tree, f.sat_navdata_toe, 8)
+  add(r, tree, f.sat_navdata_toc, 8)
+  add(r, tree, f.sat_navdata_week, 4)
+  add(r, tree, f.sat_navdata_iode, 2)
+  add(r, tree, f.sat_navdata_iodc, 2)
+  add(r, tree, f.sat_navdata_health, 4)
+  add(r, tree, f.sat_navdata_accuracy_m, 8)
+  add(r, tree, f.sat_navdata_fit_rms_m, 8)
+  add(r, tree, f.sat_navdata_fit_max_m, 8)
+  add(r, tree, f.sat_navdata_clock_rms_s, 8)
+  add(r, tree, f.sat_navdata_af0_s, 8)
+  add(r, tree, f.sat_navdata_af1_sps, 8)
+  add(r, tree, f.sat_navdata_af2_sps2, 8)
+  add(r, tree, f.sat_navdata_frame_from, 8)
+  add(r, tree, f.sat_navdata_frame_to, 8)
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_lnav_set(one, tree:add(orrery, range, "kepler " .. k))
+    end
+  end
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_glonass_set(one, tree:add(orrery, range, "glonass " .. k))
+    end
+  end
+  do
+    local count, stride = take(r, 2), nil
+    for k = 1, count and count:le_uint() or 0 do
+      local stride = take(r, 2)
+      if not stride then break end
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_nav_page(one, tree:add(orrery, range, "pages " .. k))
+    end
+  end
 end
 
 local function record_sat_delay(r, tree)
@@ -402,6 +555,41 @@ local function record_elements(r, tree)
   end
 end
 
+local function record_poll_navdata(r, tree)
+  add(r, tree, f.poll_navdata_t, 8)
+  add(r, tree, f.poll_navdata_step, 8)
+  add(r, tree, f.poll_navdata_count, 4)
+  do
+    local count, stride = take(r, 2), take(r, 2)
+    for k = 1, (count and stride) and count:le_uint() or 0 do
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
+local function record_navdata(r, tree)
+  add(r, tree, f.navdata_t, 8)
+  add(r, tree, f.navdata_index, 4)
+  add(r, tree, f.navdata_count, 4)
+  add(r, tree, f.navdata_answer, 1)
+  do
+    local count, stride = take(r, 2), nil
+    for k = 1, count and count:le_uint() or 0 do
+      local stride = take(r, 2)
+      if not stride then break end
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_sat_navdata(one, tree:add(orrery, range, "satellites " .. k))
+    end
+  end
+end
+
 local function record_poll_delays(r, tree)
   add(r, tree, f.poll_delays_t, 8)
   add(r, tree, f.poll_delays_step, 8)
@@ -515,6 +703,8 @@ local decode = {
   [7] = record_states,
   [8] = record_poll_elements,
   [9] = record_elements,
+  [10] = record_poll_navdata,
+  [11] = record_navdata,
   [12] = record_poll_delays,
   [13] = record_delays,
   [16] = record_poll_imu,

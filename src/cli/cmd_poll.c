@@ -7,6 +7,7 @@
 #include "src/cli/poll_delays.h"
 #include "src/cli/poll_elements.h"
 #include "src/cli/poll_motion.h"
+#include "src/cli/poll_navdata.h"
 #include "src/cli/poll_states.h"
 
 typedef struct poll_job {
@@ -22,6 +23,7 @@ typedef struct poll_job {
     orr_state_poll states;
     orr_delay_poll delays; // instead of states, if asked for; likewise the others
     orr_element_poll elements;
+    orr_navdata_poll navdata;
     orr_motion_poll motion; // inertial increments, or the true motion
 } poll_job;
 
@@ -47,6 +49,12 @@ static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
         s = orr_element_poll_run(&p->elements, p->d, t, count, diag);
         p->numbers = p->elements.numbers;
         p->outside = p->elements.outside;
+    } else if (p->navdata.asked) {
+        p->navdata.poll.step = p->step_ns;
+        p->navdata.poll.satellites = satellites;
+        s = orr_navdata_poll_run(&p->navdata, p->d, t, count, diag);
+        p->numbers = p->navdata.numbers;
+        p->outside = p->navdata.outside;
     } else {
         const orr_msg_poll poll = {.t = t, .step = p->step_ns, .count = count, .satellites = satellites};
         s = orr_state_poll_run(&p->states, p->d, &poll, diag);
@@ -140,7 +148,7 @@ static int poll_service(poll_job *p)
 
 static int run(orr_cli *c)
 {
-    static const char *const kinds[] = {"delays", "elements", "imu", "truth"};
+    static const char *const kinds[] = {"delays", "elements", "imu", "navdata", "truth"};
     bool realtime = orr_cli_given(c, "realtime"), json = orr_cli_given(c, "json");
     poll_job p = {.c = c,
                   .step_ns = orr_cli_duration_ns(c, "step", ORR_NS_PER_S),
@@ -152,13 +160,16 @@ static int run(orr_cli *c)
         return orr_cli_usage(c, "--count %lld needs a --step", (long long)p.count);
     size_t n_kinds = 0;
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) n_kinds += orr_cli_given(c, kinds[i]);
-    if (n_kinds > 1) return orr_cli_usage(c, "--delays, --elements, --imu and --truth exclude each other");
+    if (n_kinds > 1)
+        return orr_cli_usage(c, "--delays, --elements, --navdata, --imu and --truth exclude each other");
     int asked = orr_delay_poll_ask(c, &p.delays);
     if (asked == ORR_EXIT_OK) asked = orr_element_poll_ask(c, &p.elements);
+    if (asked == ORR_EXIT_OK) asked = orr_navdata_poll_ask(c, &p.navdata);
     if (asked == ORR_EXIT_OK) asked = orr_motion_poll_ask(c, &p.motion);
     if (asked != ORR_EXIT_OK) return asked;
     if (p.delays.asked) p.what = "a delay";
     if (p.elements.asked) p.what = "elements";
+    if (p.navdata.asked) p.what = "broadcast data";
     orr_diag diag = {0};
     orr_status s = orr_dial_open(
         c->operand[0], (double)orr_cli_duration_ns(c, "timeout", 10 * ORR_NS_PER_S) * 1e-9, &p.d, &diag);
@@ -193,6 +204,7 @@ static const orr_option options[] = {
      .help = "satellites: G05,R,E01-E09. Default: all that are served"},
     ORR_POLL_DELAY_OPTIONS,
     ORR_POLL_ELEMENT_OPTIONS,
+    ORR_POLL_NAVDATA_OPTIONS,
     ORR_POLL_MOTION_OPTIONS,
     {.name = "realtime",
      .kind = ORR_OPT_FLAG,
@@ -209,26 +221,31 @@ static const orr_option options[] = {
 const orr_command orr_cmd_poll = {
     .name = "poll",
     .group = "Service",
-    .summary = "ask a service for satellite states",
+    .summary = "ask a service for satellite states and more",
     .operands = "URL",
     .min_operands = 1,
     .max_operands = 1,
-    .about = "Prints position and velocity in the terrestrial frame of the orbits, clock offset (periodic "
-             "relativity not "
-             "included) and 1-sigma of the position. Where a satellite has no valid arc, or the time is "
-             "outside the served "
-             "span, it says so instead of a number; exit status 1 if there was no number at all.\n\n"
-             "With --delays: azimuth, elevation, pierce point, slant electron content and the delay of a "
-             "code on each carrier "
-             "(a carrier phase is early by as much), and what it came from.\n\n"
-             "With --elements: Kepler elements as CSV, in the columns of `orrery elements`; cells are blank "
-             "where a satellite has none.",
+    .about =
+        "Prints position and velocity in the terrestrial frame of the orbits, clock offset (periodic "
+        "relativity not "
+        "included) and 1-sigma of the position. Where a satellite has no valid arc, or the time is "
+        "outside the served "
+        "span, it says so instead of a number; exit status 1 if there was no number at all.\n\n"
+        "With --delays: azimuth, elevation, pierce point, slant electron content and the delay of a "
+        "code on each carrier "
+        "(a carrier phase is early by as much), and what it came from.\n\n"
+        "With --elements: Kepler elements as CSV, in the columns of `orrery elements`; cells are blank "
+        "where a satellite has none.\n\n"
+        "With --navdata: what GPS and GLONASS satellites broadcast, fitted to the orbits that are served "
+        "(as `orrery navfit` does): the sets as CSV, or with --pages the bits. Asked every 30 s it is "
+        "all that they send.",
     .example = "orrery poll tcp://127.0.0.1:15754 --at 2024-02-04T12:00:00 --sat G05,E\n"
                "orrery poll unix:/tmp/orrery.sock --step 0.1 --count 100 --json\n"
                "orrery poll tcp://127.0.0.1:15754 --step 0.1 --realtime --sat G\n"
                "orrery poll tcp://127.0.0.1:15754 --delays --receiver 52.28,17.07,124 --carrier 1575.42 "
                "--carrier 1176.45\n"
-               "orrery poll tcp://127.0.0.1:15754 --elements --method mean --step 3600 --count 12 --sat G05",
+               "orrery poll tcp://127.0.0.1:15754 --elements --method mean --step 3600 --count 12 --sat G05\n"
+               "orrery poll tcp://127.0.0.1:15754 --navdata --pages --step 30 --count 25 --sat G05,R07",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -100,8 +100,7 @@ static orr_status prepare(orr_cli *c, const char *path, orr_scenario *scenario, 
     bool product = false;
     orr_status s = is_product(path, &product, diag);
     if (s != ORR_OK) return s;
-    if (product) return orr_engine_open_product(path, e, diag);
-    s = orr_scenario_read(path, scenario, diag);
+    s = product ? orr_scenario_of_product(path, scenario, diag) : orr_scenario_read(path, scenario, diag);
     if (s != ORR_OK) return s;
     if (scenario->orbit.sp3.n > 0)
         orr_cli_say(c, "smoothing %zu file%s", scenario->orbit.sp3.n, scenario->orbit.sp3.n == 1 ? "" : "s");
@@ -153,18 +152,20 @@ static const orr_option options[] = {
 const orr_command orr_cmd_serve = {
     .name = "serve",
     .group = "Service",
-    .summary = "answer polls for satellite states over TCP or a Unix socket",
+    .summary = "answer polls for satellite states and more over TCP or a Unix socket",
     .operands = "SCENARIO.yaml|PRODUCT.nc",
     .min_operands = 0,
     .max_operands = 1,
-    .about = "Prepares the scenario (smoothing SP3 files takes seconds), then says 'ready on URL' on stderr "
-             "and answers "
-             "until SIGTERM or SIGINT. Polls are answered by their time tag: the same poll gets the same "
-             "bytes, from any "
-             "client, any number of times.\n\n"
-             "Listens on this machine alone unless told otherwise; there is no authentication. "
-             "docs/protocol.md describes "
-             "the messages, docs/scenario.md the file.",
+    .about =
+        "Prepares the scenario (smoothing SP3 files and fitting broadcast data to them take about a second a "
+        "day), then says 'ready on URL' on stderr "
+        "and answers "
+        "until SIGTERM or SIGINT. Polls are answered by their time tag: the same poll gets the same "
+        "bytes, from any "
+        "client, any number of times.\n\n"
+        "Listens on this machine alone unless told otherwise; there is no authentication. "
+        "docs/protocol.md describes "
+        "the messages, docs/scenario.md the file.",
     .example = "orrery serve samples/constellation.yaml --listen tcp://127.0.0.1:15754\n"
                "orrery serve day.nc --listen unix:/tmp/orrery.sock",
     .n_options = sizeof options / sizeof options[0],

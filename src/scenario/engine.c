@@ -9,11 +9,14 @@
 #include "inertial/sensors.h"
 #include "ingest/erp.h"
 #include "src/scenario/iono_source.h"
+#include "src/scenario/nav_source.h"
 #include "src/scenario/orbit_source.h"
 
 struct orr_engine {
     orr_ephemeris *eph;
-    orr_eop_series eop;    // what the orbits were smoothed with; n 0: IERS' secular pole
+    orr_eop_series eop; // what the orbits were smoothed with; n 0: IERS' secular pole
+    orr_navset *navset; // NULL: none, and why
+    char no_navdata[ORR_NAV_SOURCE_WHY];
     orr_iono_source *iono; // NULL: none
     orr_moving moving;     // n_units 0: none
     char title[128];
@@ -31,6 +34,7 @@ orr_status orr_engine_from_ephemeris(orr_ephemeris *eph, const char *title, orr_
     }
     e->eph = eph;
     snprintf(e->title, sizeof e->title, "%s", title);
+    snprintf(e->no_navdata, sizeof e->no_navdata, "no broadcast data were made");
     orr_ephemeris_span(eph, &e->from, &e->to);
     e->n_sats = orr_ephemeris_satellites(eph, &e->sat);
     *out = e;
@@ -41,13 +45,6 @@ static const char *base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
     return slash != NULL ? slash + 1 : path;
-}
-
-orr_status orr_engine_open_product(const char *path, orr_engine **out, orr_diag *diag)
-{
-    orr_ephemeris *eph;
-    orr_status s = orr_ephemeris_load(path, &eph, diag);
-    return s == ORR_OK ? orr_engine_from_ephemeris(eph, base_name(path), out, diag) : s;
 }
 
 orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const volatile int *cancel,
@@ -75,7 +72,9 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
         return status;
     }
     (*out)->eop = eop;
-    status = orr_iono_source_open(s, &(*out)->iono, warnings, diag);
+    status = orr_nav_source_build(s, (*out)->eph, log, cancel, warnings, &(*out)->navset, (*out)->no_navdata,
+                                  diag);
+    if (status == ORR_OK) status = orr_iono_source_open(s, &(*out)->iono, warnings, diag);
     if (status == ORR_OK && s->motion.kind != ORR_MOTION_NONE)
         status = orr_moving_open(&s->motion, (*out)->from, warnings, &(*out)->moving, diag);
     if (status != ORR_OK) {
@@ -89,6 +88,7 @@ void orr_engine_close(orr_engine *e)
 {
     if (e == NULL) return;
     orr_ephemeris_free(e->eph);
+    orr_navset_free(e->navset);
     orr_erp_series_free(&e->eop);
     orr_iono_source_close(e->iono);
     if (e->moving.n_units > 0) orr_moving_free(&e->moving);
@@ -174,6 +174,26 @@ orr_answer orr_engine_elements(const orr_engine *e, orr_time t, orr_elements_fra
             answer[i] = ORR_ANSWER_OK;
             flags[i] = state.flags;
         }
+    }
+    return ORR_ANSWER_OK;
+}
+
+const char *orr_engine_no_navdata(const orr_engine *e) { return e->navset != NULL ? NULL : e->no_navdata; }
+
+orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
+                              const orr_navset_item **set, orr_navframe *frame, orr_answer *answer)
+{
+    if (e->navset == NULL || t < e->from || t > e->to) return ORR_ANSWER_OUTSIDE_SPAN;
+    if (sats == NULL) sats = e->sat;
+    for (size_t i = 0; i < n; i++) {
+        const orr_navset_item *list;
+        set[i] = NULL;
+        answer[i] = ORR_ANSWER_NOT_SERVED;
+        if (orr_navset_items(e->navset, sats[i], &list) == 0) continue;
+        const orr_navset_item *item = orr_navset_at(e->navset, sats[i], t);
+        orr_status s = item == NULL ? ORR_E_NODATA : orr_navframe_at(e->navset, sats[i], t, &frame[i], NULL);
+        if (s == ORR_OK) set[i] = item;
+        answer[i] = s == ORR_OK ? ORR_ANSWER_OK : s == ORR_E_NODATA ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NO_VALUE;
     }
     return ORR_ANSWER_OK;
 }

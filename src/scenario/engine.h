@@ -7,6 +7,7 @@
 #include "core/log.h"
 #include "iono/session.h"
 #include "orbit/elements.h"
+#include "orbit/navframe.h"
 #include "src/scenario/motion.h"
 #include "src/scenario/scenario.h"
 
@@ -17,19 +18,18 @@ typedef enum orr_answer {
     ORR_ANSWER_NO_ARC = 2,        // the satellite has no valid arc at the instant
     ORR_ANSWER_NOT_SERVED = 3,    // the satellite is not in the product
     ORR_ANSWER_BELOW_HORIZON = 4, // the receiver does not see the satellite
-    ORR_ANSWER_NO_VALUE = 5,      // a hole in the ionosphere's maps; an arc too short for the method
+    ORR_ANSWER_NO_VALUE = 5, // a hole in the ionosphere's maps; an arc too short for the method; a value that
+                             // does not fit its field
 } orr_answer;
 
 typedef struct orr_engine orr_engine;
 
-// Prepares a scenario: loads the product, or reads and smooths the SP3 files (seconds; `cancel`, which may be
-// NULL, ends that with ORR_E_INTERRUPTED). Errors: those of the readers, with their file and line. Free with
-// orr_engine_close.
+// Prepares a scenario: loads the product, or reads and smooths the SP3 files, and fits broadcast data to them
+// (seconds; `cancel`, which may be NULL, ends that with ORR_E_INTERRUPTED). Errors: those of the readers,
+// with their file and line. Free with orr_engine_close.
 orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const volatile int *cancel,
                            orr_warnings *warnings, orr_engine **out, orr_diag *diag);
-// The same from an orbit product alone.
-orr_status orr_engine_open_product(const char *path, orr_engine **out, orr_diag *diag);
-// Takes the ephemeris over.
+// Of an ephemeris alone, which it takes over: states and elements.
 orr_status orr_engine_from_ephemeris(orr_ephemeris *e, const char *title, orr_engine **out, orr_diag *diag);
 void orr_engine_close(orr_engine *e);
 
@@ -50,6 +50,16 @@ orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sat
 orr_answer orr_engine_elements(const orr_engine *e, orr_time t, orr_elements_frame frame,
                                orr_elements_method method, const orr_sat *sats, size_t n, orr_kepler *out,
                                uint32_t *flags, orr_answer *answer);
+
+// NULL where the engine has broadcast data, else a sentence that tells why it has none.
+const char *orr_engine_no_navdata(const orr_engine *e);
+// What satellites send at t: their sets on the air into set[0..n) (borrowed), the frames of their messages
+// that hold t into frame[0..n), and answer[0..n); sats NULL: of all. ORR_ANSWER_OK, or
+// ORR_ANSWER_OUTSIDE_SPAN (then nothing is written). Where answer[i] is not OK set[i] is NULL and frame[i]
+// not set: NOT_SERVED for systems without such data and satellites that could not be fitted, NO_ARC where the
+// satellite sends nothing then.
+orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
+                              const orr_navset_item **set, orr_navframe *frame, orr_answer *answer);
 
 // Whether the scenario has an ionosphere; and its own receiver (ecef), false where it has none.
 bool orr_engine_has_ionosphere(const orr_engine *e);

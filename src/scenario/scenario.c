@@ -42,6 +42,35 @@ static const orr_key keys[] = {
      .list = true,
      .offset = AT(orbit.exclude),
      .help = "of orbit.sp3: stretches of time whose epochs are not used"},
+    {.path = "navdata.window",
+     .kind = ORR_KEY_CHOICE,
+     .offset = AT(navdata.window),
+     .choices = "2h|4h|none",
+     .fallback = "2h",
+     .help = "how much of the orbit one fitted GPS set describes; none: no broadcast data, the service "
+             "starts sooner"},
+    {.path = "navdata.antex",
+     .kind = ORR_KEY_FILE,
+     .offset = AT(navdata.antex),
+     .help = "ANTEX file: broadcast data describe the antennas' phase centres; without it the centres of "
+             "mass, as STATES does"},
+    {.path = "navdata.bias",
+     .kind = ORR_KEY_FILE,
+     .offset = AT(navdata.bias),
+     .help = "Bias-SINEX file with absolute biases: group delays; without it they are sent as zero"},
+    {.path = "navdata.nav",
+     .kind = ORR_KEY_FILE,
+     .list = true,
+     .offset = AT(navdata.nav),
+     .help = "RINEX navigation files to take GLONASS' frequency channels and Klobuchar's coefficients from; "
+             "without them "
+             "the nominal channels, and the coefficients of ionosphere.field if it has them"},
+    {.path = "navdata.zero_clocks",
+     .kind = ORR_KEY_BOOL,
+     .offset = AT(navdata.zero_clocks),
+     .fallback = "no",
+     .help = "send a clock of zero for satellites whose clock the orbits do not know; they are left out "
+             "otherwise"},
     {.path = "ionosphere.field",
      .kind = ORR_KEY_FILE,
      .offset = AT(iono.field),
@@ -101,6 +130,11 @@ static orr_status check(const orr_scenario *s, const orr_yaml *y, orr_diag *diag
         return orr_diag_at(
             diag, ORR_E_FORMAT, y->name, 0, 0,
             "orbit.nodes, orbit.exclude and orbit.erp belong to orbit.sp3; a product is smoothed already");
+    const orr_scenario_navdata *n = &s->navdata;
+    if (n->window == ORR_NAVDATA_NONE &&
+        (n->antex != NULL || n->bias != NULL || n->nav.n > 0 || n->zero_clocks))
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "navdata.window is none, the other keys of navdata have nothing to act on");
     if (s->iono.field != NULL && s->iono.session != NULL)
         return orr_diag_at(
             diag, ORR_E_FORMAT, y->name, 0, 0,
@@ -153,6 +187,17 @@ orr_status orr_scenario_read(const char *path, orr_scenario *out, orr_diag *diag
     free(folder);
     orr_yaml_free(&y);
     return s;
+}
+
+orr_status orr_scenario_of_product(const char *path, orr_scenario *out, orr_diag *diag)
+{
+    const orr_yaml empty = {0};
+    orr_status s = orr_schema_read(&schema, &empty, NULL, out, diag);
+    if (s != ORR_OK) return s;
+    out->orbit.product = strdup(path);
+    if (out->orbit.product != NULL) return ORR_OK;
+    orr_scenario_free(out);
+    return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
 }
 
 void orr_scenario_free(orr_scenario *s) { orr_schema_free(&schema, s); }

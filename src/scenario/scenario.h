@@ -23,9 +23,19 @@ typedef struct orr_scenario_iono {
     bool noise;
 } orr_scenario_iono;
 
+typedef enum orr_navdata_window { ORR_NAVDATA_2H, ORR_NAVDATA_4H, ORR_NAVDATA_NONE } orr_navdata_window;
+
+typedef struct orr_scenario_navdata {
+    int window; // orr_navdata_window
+    char *antex, *bias;
+    orr_text_list nav;
+    bool zero_clocks;
+} orr_scenario_navdata;
+
 typedef struct orr_scenario {
     char *title;
     orr_scenario_orbit orbit;
+    orr_scenario_navdata navdata;
     orr_scenario_iono iono;
     orr_scenario_motion motion;
     orr_real_list receiver; // geodetic latitude and longitude in degrees, ellipsoidal height in metres
@@ -40,6 +50,8 @@ orr_status orr_scenario_read(const char *path, orr_scenario *out, orr_diag *diag
 // The same from memory; files are relative to `folder`.
 orr_status orr_scenario_parse(const char *name, const char *text, size_t n, const char *folder,
                               orr_scenario *out, orr_diag *diag);
+// A product alone, the rest as the table's defaults have it.
+orr_status orr_scenario_of_product(const char *path, orr_scenario *out, orr_diag *diag);
 void orr_scenario_free(orr_scenario *s);
 
 #endif

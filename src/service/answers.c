@@ -4,6 +4,7 @@
 #include "src/service/answers_delays.h"
 #include "src/service/answers_elements.h"
 #include "src/service/answers_motion.h"
+#include "src/service/answers_navdata.h"
 #include "src/service/answers_private.h"
 
 #include <math.h>
@@ -165,6 +166,7 @@ static const orr_server_route routes[] = {
     {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll, false},
     {ORR_MSG_TYPE_POLL_ELEMENTS, ORR_MSG_TYPE_ELEMENTS, orr_answers_begin_elements, orr_answers_elements,
      true},
+    {ORR_MSG_TYPE_POLL_NAVDATA, ORR_MSG_TYPE_NAVDATA, orr_answers_begin_navdata, orr_answers_navdata, true},
     {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, orr_answers_begin_delays, orr_answers_delays, false},
     {ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, orr_answers_begin_imu, orr_answers_imu, false},
     {ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, orr_answers_begin_truth, orr_answers_truth, false},

@@ -6,6 +6,16 @@
 
 #include "src/service/answers.h"
 
+// Room for the broadcast data of one epoch: what the engine says, and what the wire's lists point at.
+typedef struct orr_answers_nav {
+    const orr_navset_item *set[ORR_MSG_MAX_SATELLITES];
+    orr_navframe frame[ORR_MSG_MAX_SATELLITES];
+    orr_msg_lnav_set lnav[ORR_MSG_MAX_SATELLITES];
+    orr_msg_glonass_set glonass[ORR_MSG_MAX_SATELLITES];
+    orr_msg_nav_page page[ORR_MSG_MAX_SATELLITES][ORR_MSG_MAX_PAGES];
+    orr_msg_sat_navdata wire[ORR_MSG_MAX_SATELLITES];
+} orr_answers_nav;
+
 struct orr_answers {
     const orr_engine *engine;
     orr_server server;
@@ -21,6 +31,7 @@ struct orr_answers {
     orr_kepler kepler[ORR_MSG_MAX_SATELLITES];
     uint32_t flags[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_elements wire_elements[ORR_MSG_MAX_SATELLITES];
+    orr_answers_nav nav;
 };
 
 // Writes the sentence and returns the code.

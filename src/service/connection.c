@@ -11,8 +11,6 @@
 
 #include "src/service/internal.h"
 
-_Static_assert(ORR_CONN_OUT >= ORR_SERVER_OUT, "an answer must fit into an empty output buffer");
-
 static const double linger_s = 0.5;
 
 typedef enum conn_state {
@@ -29,7 +27,7 @@ struct orr_conn {
     struct event *on_read, *on_write;
     orr_server_conn conn;
     uint8_t *in, *out;
-    size_t in_size, in_capacity, out_at, out_size;
+    size_t in_size, in_capacity, out_at, out_size, out_capacity;
     bool busy;        // an answer is not finished
     bool yield;       // and takes long: others come first
     bool half;        // the input holds the beginning of a frame
@@ -97,16 +95,25 @@ static void end(orr_conn *c)
 static void end_with(orr_conn *c, uint16_t code, const char *sentence)
 {
     if (c->state != CONN_OPEN) return;
-    orr_wire_writer w = {c->out, c->out_size, ORR_CONN_OUT, ORR_WIRE_OK};
+    orr_wire_writer w = {c->out, c->out_size, c->out_capacity, ORR_WIRE_OK};
     orr_server_error(&w, code, sentence);
     c->out_size = w.size;
     end(c);
 }
 
+static bool grow(uint8_t **data, size_t *capacity, size_t need)
+{
+    uint8_t *grown = realloc(*data, need);
+    if (grown == NULL) return false;
+    *data = grown;
+    *capacity = need;
+    return true;
+}
+
 // Answers what is in the input, as far as the output buffer allows.
 static void answer(orr_conn *c)
 {
-    orr_wire_writer w = {c->out, c->out_size, ORR_CONN_OUT, ORR_WIRE_OK};
+    orr_wire_writer w = {c->out, c->out_size, c->out_capacity, ORR_WIRE_OK};
     orr_server_step step;
     uint64_t before = c->conn.requests;
     orr_server_run(c->service->server, &c->conn, c->in, c->in_size, &w, &step);
@@ -130,16 +137,10 @@ static void answer(orr_conn *c)
         end(c);
         return;
     }
-    size_t need = step.need;
-    if (!step.busy && need > c->in_capacity) { // a request above the usual; its length has been checked
-        uint8_t *grown = realloc(c->in, need);
-        if (grown == NULL) {
-            end_with(c, ORR_MSG_ERROR_CODE_INTERNAL, "the server is out of memory");
-            return;
-        }
-        c->in = grown;
-        c->in_capacity = need;
-    }
+    // A request above the usual, whose length has been checked, or an answer; both have their limits.
+    if ((!step.busy && step.need > c->in_capacity && !grow(&c->in, &c->in_capacity, step.need)) ||
+        (step.room > c->out_capacity && !grow(&c->out, &c->out_capacity, step.room)))
+        end_with(c, ORR_MSG_ERROR_CODE_INTERNAL, "the server is out of memory");
 }
 
 // What to wait for next; also closes when all is done. The connection may be gone afterwards.
@@ -226,6 +227,8 @@ void orr_conn_open(orr_service *s, int fd, const char *peer)
     c->in = malloc(ORR_CONN_IN);
     c->in_capacity = ORR_CONN_IN;
     c->out = malloc(ORR_CONN_OUT);
+    c->out_capacity = ORR_CONN_OUT;
+    c->conn.can_grow = true;
     c->on_read = event_new(s->base, fd, EV_READ | EV_PERSIST, on_read, c);
     c->on_write = event_new(s->base, fd, EV_WRITE | EV_PERSIST, on_write, c);
     c->last_ns = orr_service_now_ns();

@@ -8,7 +8,7 @@
 #include "src/service/service.h"
 
 enum {
-    ORR_CONN_OUT = 128 << 10, // output of a connection: one largest frame, or many small ones a write
+    ORR_CONN_OUT = 128 << 10, // output at first: many frames a write; grows up to one largest frame
     ORR_CONN_IN = 4096,       // input at first; grows up to one largest request
     ORR_CONN_TURNS = 8,       // output buffers filled before others have their turn
 };

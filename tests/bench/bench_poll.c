@@ -135,7 +135,8 @@ static int connect_to(const char *text)
 
 static orr_engine *one_day(void)
 {
-    static const char text[] = "orbit: {sp3: ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz}\n";
+    static const char text[] = "orbit: {sp3: ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz}\n"
+                               "navdata: {window: none}\n";
     orr_scenario scenario;
     orr_engine *e;
     orr_diag diag = {0};

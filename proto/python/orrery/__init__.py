@@ -11,7 +11,7 @@
 """
 from .client import Client, ProtocolError, Refused, sat_id, sat_name
 from .gpstime import from_datetime, from_text, to_datetime, to_text
-from .messages import Answer, ElementsFrame, ElementsMethod, ErrorCode, StateFlags
+from .messages import Answer, ElementsFrame, ElementsMethod, ErrorCode, NavMessage, NavNotes, StateFlags
 
-__all__ = ["Answer", "Client", "ElementsFrame", "ElementsMethod", "ErrorCode", "ProtocolError", "Refused", "StateFlags",
-           "from_datetime", "from_text", "sat_id", "sat_name", "to_datetime", "to_text"]
+__all__ = ["Answer", "Client", "ElementsFrame", "ElementsMethod", "ErrorCode", "NavMessage", "NavNotes", "ProtocolError",
+           "Refused", "StateFlags", "from_datetime", "from_text", "sat_id", "sat_name", "to_datetime", "to_text"]

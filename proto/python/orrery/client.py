@@ -137,6 +137,27 @@ class Client:
         """The Elements of one epoch."""
         return next(iter(list(self.poll_elements(t, frame=frame, method=method, satellites=satellites))))
 
+    def poll_navdata(self, t, step_s=0.0, count=1, satellites=()):
+        """Yields the Navdata of `count` epochs, as poll does: the broadcast sets on the air, and all subframes or strings of the
+        frames that hold each epoch. Asked every 30 s it is the whole of what GPS satellites send, and GLONASS' too (whose frames
+        begin at multiples of 30 s of UTC: take those whose frame_from is new)."""
+        if isinstance(t, str):
+            t = gpstime.from_text(t)
+        step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
+        while count > 0:
+            n = min(count, self.caps.max_epochs)
+            self._send(messages.PollNavdata(t, step, n, sats))
+            for index in range(n):
+                navdata = self._receive(messages.Navdata)
+                if navdata.index != index or navdata.count != n:
+                    raise ProtocolError("an epoch of the answer is missing")
+                yield navdata
+            t, count = t + n * step, count - n
+
+    def navdata(self, t, satellites=()):
+        """The Navdata of one epoch."""
+        return next(iter(list(self.poll_navdata(t, satellites=satellites))))
+
     def poll_delays(self, t, receiver_m=None, carriers_hz=(), step_s=0.0, count=1, satellites=()):
         """Yields the Delays of `count` epochs, as poll does. receiver_m: x, y, z (ecef), None for the scenario's own; carriers_hz:
         at most four, empty for 1575.42 MHz."""

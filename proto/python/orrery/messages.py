@@ -14,6 +14,7 @@ MAX_PAYLOAD = 1048576
 MAX_CARRIERS = 4  # carriers one POLL_DELAYS may name
 MAX_SATELLITES = 800  # satellites in one list (eight systems of 99 and a little)
 MAX_EPOCHS = 86400  # epochs one POLL may ask for (a day at 1 Hz)
+MAX_PAGES = 15  # subframes or strings in one frame of a navigation message
 MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
 
 
@@ -44,6 +45,14 @@ class Answer(enum.IntEnum):
     NOT_SERVED = 3  # the satellite is not among those served
     BELOW_HORIZON = 4  # the satellite is below the receiver's horizon
     NO_VALUE = 5  # the ionosphere has a hole where the ray pierces it, or the arc is too short for the method
+
+
+class NavMessage(enum.IntEnum):
+    """A navigation message."""
+
+    NONE = 0  # none
+    LNAV = 1  # GPS legacy navigation message: IS-GPS-200, subframes of 300 bits in 6 s
+    FDMA = 2  # GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
 
 
 class ElementsFrame(enum.IntEnum):
@@ -86,6 +95,18 @@ class StateFlags(enum.IntFlag):
     CLOCK_EVENT = 8  # the input flagged a clock event at a neighbouring node
     ECLIPSE = 16  # in the umbra or penumbra of the Earth
     GAP = 32  # between input nodes further apart than twice the usual
+
+
+class NavNotes(enum.IntFlag):
+    """What should be known of a broadcast set."""
+
+    MANOEUVRE = 1  # a manoeuvre within the window: marked unhealthy
+    SHIFTED = 2  # the orbit begins or ends within the window: fitted to the nearest full one
+    NO_CLOCK = 4  # the product has no clock: zero is sent
+    NO_ANTENNA = 8  # the scenario's ANTEX file does not know the antenna: the centre of mass is described
+    NO_DELAY = 16  # the scenario's biases do not have the satellite: a group delay of zero is sent
+    NOMINAL_CHANNEL = 32  # GLONASS: the frequency channel is the nominal one of the slot
+    CLOCK_JUMP = 64  # the clock departs from a straight line by more than 10 ns RMS: marked unhealthy
 
 
 class SatId(Record):
@@ -208,6 +229,203 @@ class SatElements(Record):
         self.argp_rad = argp_rad
         self.m_rad = m_rad
         self.u_rad = u_rad
+
+
+class NavPage(Record):
+    """A subframe or string as it is sent, bit by bit.
+
+    t [ns]: begin of its first bit
+    number: subframe 1-5, string 1-15
+    page: LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe
+    bits: 300 or 85
+    data: the first bit in time is the highest of the first byte; what is left of the last is 0
+    """
+
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("number", "scalar", scalar="u8"),
+        Field("page", "scalar", scalar="u8"),
+        Field("bits", "scalar", scalar="u16"),
+        Field("data", "bytes", limit=38),
+    )
+
+    def __init__(self, t=0, number=0, page=0, bits=0, data=b""):
+        self.t = t
+        self.number = number
+        self.page = page
+        self.bits = bits
+        self.data = data
+
+
+class LnavSet(Record):
+    """What subframes 1 to 3 hold beside clock and issue, on the message's lattice (IS-GPS-200N tables 20-I and 20-III).
+
+    sqrt_a_sqrtm [sqrt(m)]: root of the semi-major axis
+    e: eccentricity
+    m0_rad [rad]: mean anomaly at toe
+    i0_rad [rad]: inclination at toe
+    omega0_rad [rad]: longitude of the node at the week's begin
+    omega_rad [rad]: argument of perigee
+    delta_n_radps [rad/s]: mean motion difference
+    idot_radps [rad/s]: rate of the inclination
+    omega_dot_radps [rad/s]: rate of the node
+    cuc_rad [rad]: cosine term of the argument of latitude
+    cus_rad [rad]: its sine term
+    crc_m [m]: cosine term of the radius
+    crs_m [m]: its sine term
+    cic_rad [rad]: cosine term of the inclination
+    cis_rad [rad]: its sine term
+    tgd_s [s]: group delay differential
+    """
+
+    LAYOUT = (
+        Field("sqrt_a_sqrtm", "scalar", scalar="f64"),
+        Field("e", "scalar", scalar="f64"),
+        Field("m0_rad", "scalar", scalar="f64"),
+        Field("i0_rad", "scalar", scalar="f64"),
+        Field("omega0_rad", "scalar", scalar="f64"),
+        Field("omega_rad", "scalar", scalar="f64"),
+        Field("delta_n_radps", "scalar", scalar="f64"),
+        Field("idot_radps", "scalar", scalar="f64"),
+        Field("omega_dot_radps", "scalar", scalar="f64"),
+        Field("cuc_rad", "scalar", scalar="f64"),
+        Field("cus_rad", "scalar", scalar="f64"),
+        Field("crc_m", "scalar", scalar="f64"),
+        Field("crs_m", "scalar", scalar="f64"),
+        Field("cic_rad", "scalar", scalar="f64"),
+        Field("cis_rad", "scalar", scalar="f64"),
+        Field("tgd_s", "scalar", scalar="f64"),
+    )
+
+    def __init__(self, sqrt_a_sqrtm=0.0, e=0.0, m0_rad=0.0, i0_rad=0.0, omega0_rad=0.0, omega_rad=0.0, delta_n_radps=0.0, idot_radps=0.0, omega_dot_radps=0.0, cuc_rad=0.0, cus_rad=0.0, crc_m=0.0, crs_m=0.0, cic_rad=0.0, cis_rad=0.0, tgd_s=0.0):
+        self.sqrt_a_sqrtm = sqrt_a_sqrtm
+        self.e = e
+        self.m0_rad = m0_rad
+        self.i0_rad = i0_rad
+        self.omega0_rad = omega0_rad
+        self.omega_rad = omega_rad
+        self.delta_n_radps = delta_n_radps
+        self.idot_radps = idot_radps
+        self.omega_dot_radps = omega_dot_radps
+        self.cuc_rad = cuc_rad
+        self.cus_rad = cus_rad
+        self.crc_m = crc_m
+        self.crs_m = crs_m
+        self.cic_rad = cic_rad
+        self.cis_rad = cis_rad
+        self.tgd_s = tgd_s
+
+
+class GlonassSet(Record):
+    """What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
+
+    pos_m [m]: position at toe (t_b), PZ-90
+    vel_mps [m/s]: velocity at toe
+    acc_mps2 [m/s2]: acceleration by Sun and Moon
+    delta_tau_s [s]: L2 behind L1
+    channel: frequency channel -7 to 6
+    reserved: 0
+    """
+
+    LAYOUT = (
+        Field("pos_m", "array", scalar="f64", length=3),
+        Field("vel_mps", "array", scalar="f64", length=3),
+        Field("acc_mps2", "array", scalar="f64", length=3),
+        Field("delta_tau_s", "scalar", scalar="f64"),
+        Field("channel", "scalar", scalar="i8"),
+        Field("reserved", "scalar", scalar="u8"),
+    )
+
+    def __init__(self, pos_m=None, vel_mps=None, acc_mps2=None, delta_tau_s=0.0, channel=0, reserved=0):
+        self.pos_m = [0.0] * 3 if pos_m is None else pos_m
+        self.vel_mps = [0.0] * 3 if vel_mps is None else vel_mps
+        self.acc_mps2 = [0.0] * 3 if acc_mps2 is None else acc_mps2
+        self.delta_tau_s = delta_tau_s
+        self.channel = channel
+        self.reserved = reserved
+
+
+class SatNavdata(Record):
+    """What one satellite sends. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
+
+    sat: which satellite
+    answer: OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not fit its field)
+    message: LNAV or FDMA; NONE unless answer is OK
+    notes: 0 unless answer is OK
+    set_from [ns]: the set is sent from then on
+    set_to [ns]: and before then
+    toe [ns]: reference of the orbit
+    toc [ns]: reference of the clock
+    week: GPS week of toe; -1 for GLONASS
+    iode: issue of the orbit; -1 for GLONASS
+    iodc: issue of the clock; -1 for GLONASS
+    health: LNAV: six bits, 0 is good; GLONASS: 1 for unfit
+    accuracy_m [m]: LNAV: user range accuracy that is sent; NAN for GLONASS
+    fit_rms_m [m]: 3-D RMS of the rounded set against the orbit, over its window
+    fit_max_m [m]: largest of these distances
+    clock_rms_s [s]: the same of the clock; NAN with NO_CLOCK
+    af0_s [s]: clock at toc; GLONASS: -tau_n
+    af1_sps [s/s]: its rate; GLONASS: gamma_n
+    af2_sps2 [s/s2]: its second coefficient; 0 for GLONASS
+    frame_from [ns]: begin of the frame of the message that holds the epoch
+    frame_to [ns]: its end: the next frame's begin
+    kepler: of LNAV: one
+    glonass: of FDMA: one
+    pages: all of the frame: five subframes, or fifteen strings
+    """
+
+    LAYOUT = (
+        Field("sat", "struct", record=SatId),
+        Field("answer", "scalar", scalar="u8"),
+        Field("message", "scalar", scalar="u8"),
+        Field("notes", "scalar", scalar="u32"),
+        Field("set_from", "scalar", scalar="i64"),
+        Field("set_to", "scalar", scalar="i64"),
+        Field("toe", "scalar", scalar="i64"),
+        Field("toc", "scalar", scalar="i64"),
+        Field("week", "scalar", scalar="i32"),
+        Field("iode", "scalar", scalar="i16"),
+        Field("iodc", "scalar", scalar="i16"),
+        Field("health", "scalar", scalar="u32"),
+        Field("accuracy_m", "scalar", scalar="f64"),
+        Field("fit_rms_m", "scalar", scalar="f64"),
+        Field("fit_max_m", "scalar", scalar="f64"),
+        Field("clock_rms_s", "scalar", scalar="f64"),
+        Field("af0_s", "scalar", scalar="f64"),
+        Field("af1_sps", "scalar", scalar="f64"),
+        Field("af2_sps2", "scalar", scalar="f64"),
+        Field("frame_from", "scalar", scalar="i64"),
+        Field("frame_to", "scalar", scalar="i64"),
+        Field("kepler", "list", record=LnavSet, limit=1),
+        Field("glonass", "list", record=GlonassSet, limit=1),
+        Field("pages", "list", record=NavPage, limit=15),
+    )
+
+    def __init__(self, sat=None, answer=0, message=0, notes=0, set_from=0, set_to=0, toe=0, toc=0, week=0, iode=0, iodc=0, health=0, accuracy_m=0.0, fit_rms_m=0.0, fit_max_m=0.0, clock_rms_s=0.0, af0_s=0.0, af1_sps=0.0, af2_sps2=0.0, frame_from=0, frame_to=0, kepler=None, glonass=None, pages=None):
+        self.sat = SatId() if sat is None else sat
+        self.answer = answer
+        self.message = message
+        self.notes = notes
+        self.set_from = set_from
+        self.set_to = set_to
+        self.toe = toe
+        self.toc = toc
+        self.week = week
+        self.iode = iode
+        self.iodc = iodc
+        self.health = health
+        self.accuracy_m = accuracy_m
+        self.fit_rms_m = fit_rms_m
+        self.fit_max_m = fit_max_m
+        self.clock_rms_s = clock_rms_s
+        self.af0_s = af0_s
+        self.af1_sps = af1_sps
+        self.af2_sps2 = af2_sps2
+        self.frame_from = frame_from
+        self.frame_to = frame_to
+        self.kepler = [] if kepler is None else kepler
+        self.glonass = [] if glonass is None else glonass
+        self.pages = [] if pages is None else pages
 
 
 class SatDelay(Record):
@@ -500,6 +718,57 @@ class Elements(Record):
         self.satellites = [] if satellites is None else satellites
 
 
+class PollNavdata(Record):
+    """Asks for the broadcast data at t, t + step, ..., t + (count - 1) step; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+
+    t [ns]: first epoch
+    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
+    count: epochs, 1 to MAX_EPOCHS
+    satellites: which, in the order of the answer; empty for all
+    """
+
+    TYPE = 10
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+        Field("count", "scalar", scalar="u32"),
+        Field("satellites", "list", record=SatId, limit=800),
+    )
+
+    def __init__(self, t=0, step=0, count=0, satellites=None):
+        self.t = t
+        self.step = step
+        self.count = count
+        self.satellites = [] if satellites is None else satellites
+
+
+class Navdata(Record):
+    """Broadcast data at one epoch. A POLL_NAVDATA is answered by count of these, index 0 to count - 1, the last one ends the answer.
+
+    t [ns]: the epoch
+    index: which epoch of the POLL_NAVDATA, from 0
+    count: how many epochs it asked for
+    answer: OK, or OUTSIDE_SPAN with no satellites
+    satellites: those asked for, in that order; for all, those of CAPS
+    """
+
+    TYPE = 11
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("index", "scalar", scalar="u32"),
+        Field("count", "scalar", scalar="u32"),
+        Field("answer", "scalar", scalar="u8"),
+        Field("satellites", "list", record=SatNavdata, limit=800),
+    )
+
+    def __init__(self, t=0, index=0, count=0, answer=0, satellites=None):
+        self.t = t
+        self.index = index
+        self.count = count
+        self.answer = answer
+        self.satellites = [] if satellites is None else satellites
+
+
 class PollDelays(Record):
     """Asks for ionospheric delays at t, t + step, ..., t + (count - 1) step. The same POLL_DELAYS gets the same bytes, always.
 
@@ -726,6 +995,8 @@ MESSAGES = {cls.TYPE: cls for cls in (
     States,
     PollElements,
     Elements,
+    PollNavdata,
+    Navdata,
     PollDelays,
     Delays,
     PollImu,

@@ -69,6 +69,23 @@ int main(int argc, char **argv)
     orr_wire_iter it = {0, 0};
     while (orr_msg_sat_elements_next(&e.satellites, &it, &k))
         printf("elements %c%02u %a %a %a\n", k.sat.system, (unsigned)k.sat.number, k.a_m, k.i_rad, k.u_rad);
+    orr_msg_poll_navdata which = {.t = ask.t, .count = 1};
+    s = orr_client_poll_navdata(&c, &which);
+    if (s != ORR_WIRE_OK) return give_up(&c, "POLL_NAVDATA", s);
+    orr_msg_navdata n;
+    s = orr_client_navdata(&c, &n);
+    if (s != ORR_WIRE_OK) return give_up(&c, "NAVDATA", s);
+    orr_msg_sat_navdata b;
+    it = (orr_wire_iter){0, 0};
+    while (orr_msg_sat_navdata_next(&n.satellites, &it, &b)) {
+        orr_msg_nav_page p;
+        orr_wire_iter in = {0, 0};
+        while (orr_msg_nav_page_next(&b.pages, &in, &p)) {
+            printf("navdata %c%02u %u ", b.sat.system, (unsigned)b.sat.number, (unsigned)p.number);
+            for (uint16_t i = 0; i < p.data.size; i++) printf("%02x", p.data.data[i]);
+            putchar('\n');
+        }
+    }
     close(fd);
     return 0;
 }

@@ -187,10 +187,14 @@ class Clients(unittest.TestCase):
                         for m in client.poll(self.start, 43200, 2) for s in m.satellites]
             middle = client.elements(self.start + 43200 * NS)
             elements = [f"{orrery.sat_name(s.sat)} {s.a_m.hex()} {s.i_rad.hex()} {s.u_rad.hex()}" for s in middle.satellites]
-        words = [line.split() for line in lines[1:] if not line.startswith("elements")]
+            pages = [f"{orrery.sat_name(s.sat)} {p.number} {p.data.hex()}"
+                     for s in client.navdata(self.start + 43200 * NS).satellites for p in s.pages]
+        words = [line.split() for line in lines[1:] if not line.startswith(("elements", "navdata"))]
         self.assertEqual([f"{w[0]} {w[1]} " + " ".join(float.fromhex(x).hex() for x in w[2:]) for w in words], expected)
         words = [line.split() for line in lines if line.startswith("elements")]
         self.assertEqual([f"{w[1]} " + " ".join(float.fromhex(x).hex() for x in w[2:]) for w in words], elements)
+        self.assertEqual([line[8:] for line in lines if line.startswith("navdata")], pages)
+        self.assertEqual(len(pages), 6 * 5 + 2 * 15)
 
     def test_the_module_that_polls(self):
         done = subprocess.run(["python3", "-B", "-m", "orrery.poll", self.tcp, "--sat", "G01", "E02", "--rate", "10", "--seconds",

@@ -164,6 +164,85 @@ static void golden_elements(void **state)
     assert_true(s.answer == ORR_MSG_ANSWER_NO_VALUE && isnan(s.a_m) && isnan(s.u_rad));
 }
 
+// Lists of variable and of fixed records within records of variable size, blobs, and lists of none.
+static void golden_navdata(void **state)
+{
+    (void)state;
+    static const uint8_t bits[11] = {0x08, 0xbb, 0xb8, 0xc8, 0x57, 0x80, 0x0e, 0xd3, 0x3e, 0xc0, 0xa8};
+    const int64_t none = INT64_MIN, t = INT64_C(1391040900000000000), s_ns = 1000000000;
+    const double nan_ = (double)NAN;
+    const orr_msg_nav_page page = {t - 12 * s_ns, 1, 2, 85, {bits, sizeof bits}};
+    const orr_msg_glonass_set g = {.pos_m = {15180980.46875, -15362846.6796875, 13572087.890625},
+                                   .vel_mps = {1565.1702880859375, -1001.896858215332, -2898.8704681396484},
+                                   .acc_mps2 = {0, -1e3 * 0x1p-30, -4e3 * 0x1p-30},
+                                   .delta_tau_s = 0x1p-29,
+                                   .channel = 5};
+    const orr_msg_sat_navdata sats[2] = {{.sat = {'R', 7},
+                                          .message = ORR_MSG_NAV_MESSAGE_FDMA,
+                                          .notes = ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL,
+                                          .set_from = t - 882 * s_ns,
+                                          .set_to = t + 918 * s_ns,
+                                          .toe = t + 18 * s_ns,
+                                          .toc = t + 18 * s_ns,
+                                          .week = -1,
+                                          .iode = -1,
+                                          .iodc = -1,
+                                          .accuracy_m = nan_,
+                                          .fit_rms_m = 0.25,
+                                          .fit_max_m = 0.5,
+                                          .clock_rms_s = 0x1p-32,
+                                          .af0_s = -0x1p-30,
+                                          .frame_from = t - 12 * s_ns,
+                                          .frame_to = t + 18 * s_ns,
+                                          .glonass = {1, &g, {NULL, 0, 0}},
+                                          .pages = {1, &page, {NULL, 0, 0}}},
+                                         {.sat = {'E', 11},
+                                          .answer = ORR_MSG_ANSWER_NOT_SERVED,
+                                          .set_from = none,
+                                          .set_to = none,
+                                          .toe = none,
+                                          .toc = none,
+                                          .week = -1,
+                                          .iode = -1,
+                                          .iodc = -1,
+                                          .accuracy_m = nan_,
+                                          .fit_rms_m = nan_,
+                                          .fit_max_m = nan_,
+                                          .clock_rms_s = nan_,
+                                          .af0_s = nan_,
+                                          .af1_sps = nan_,
+                                          .af2_sps2 = nan_,
+                                          .frame_from = none,
+                                          .frame_to = none}};
+    orr_msg_navdata m = {t, 0, 1, ORR_MSG_ANSWER_OK, {2, sats, {NULL, 0, 0}}}, d;
+    ASSERT_FRAME(navdata, 11, 5, orr_msg_navdata_encode, &m);
+    orr_frame f = GOLDEN(navdata, 11, 5);
+    assert_int_equal(orr_msg_navdata_decode(f.payload, f.size, &d), ORR_WIRE_OK);
+    ASSERT_FRAME(navdata, 11, 5, orr_msg_navdata_encode, &d); // what was decoded can be sent on as it is
+    orr_msg_sat_navdata s;
+    orr_msg_glonass_set glonass;
+    orr_msg_lnav_set lnav;
+    orr_msg_nav_page p;
+    orr_wire_iter it = {0, 0}, in = {0, 0};
+    assert_true(orr_msg_sat_navdata_next(&d.satellites, &it, &s));
+    assert_true(s.message == 2 && s.notes == 32 && s.toe == t + 18 * s_ns && s.week == -1 && s.iodc == -1);
+    assert_true(isnan(s.accuracy_m) && s.fit_max_m == 0.5 && s.af0_s == -0x1p-30 && s.frame_to == s.toe);
+    assert_true(s.kepler.count == 0 && !orr_msg_lnav_set_at(&s.kepler, 0, &lnav));
+    assert_true(orr_msg_glonass_set_at(&s.glonass, 0, &glonass));
+    assert_true(glonass.pos_m[1] == g.pos_m[1] && glonass.acc_mps2[2] == g.acc_mps2[2]);
+    assert_true(glonass.delta_tau_s == 0x1p-29 && glonass.channel == 5);
+    assert_true(orr_msg_nav_page_next(&s.pages, &in, &p) && p.t == page.t && p.number == 1 && p.bits == 85);
+    assert_int_equal(p.data.size, sizeof bits);
+    assert_memory_equal(p.data.data, bits, sizeof bits);
+    assert_false(orr_msg_nav_page_next(&s.pages, &in, &p));
+    assert_true(orr_msg_sat_navdata_next(&d.satellites, &it, &s));
+    assert_true(s.answer == ORR_MSG_ANSWER_NOT_SERVED && s.toe == none && isnan(s.af0_s) &&
+                s.pages.count == 0);
+    assert_false(orr_msg_sat_navdata_next(&d.satellites, &it, &s));
+    for (uint32_t n = 0; n < f.size; n++)
+        assert_int_equal(orr_msg_navdata_decode(f.payload, n, &d), ORR_WIRE_SHORT);
+}
+
 static void caps_round_trip(void **state)
 {
     (void)state;
@@ -302,12 +381,12 @@ static void names(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(golden_ping),     cmocka_unit_test(golden_hello),
-        cmocka_unit_test(golden_poll),     cmocka_unit_test(golden_states),
-        cmocka_unit_test(golden_error),    cmocka_unit_test(golden_elements),
-        cmocka_unit_test(caps_round_trip), cmocka_unit_test(prefixes_are_short),
-        cmocka_unit_test(limits),          cmocka_unit_test(random_bytes),
-        cmocka_unit_test(names),
+        cmocka_unit_test(golden_ping),        cmocka_unit_test(golden_hello),
+        cmocka_unit_test(golden_poll),        cmocka_unit_test(golden_states),
+        cmocka_unit_test(golden_error),       cmocka_unit_test(golden_elements),
+        cmocka_unit_test(golden_navdata),     cmocka_unit_test(caps_round_trip),
+        cmocka_unit_test(prefixes_are_short), cmocka_unit_test(limits),
+        cmocka_unit_test(random_bytes),       cmocka_unit_test(names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

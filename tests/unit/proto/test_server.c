@@ -175,6 +175,32 @@ static void an_answer_that_never_fits_is_refused(void **state)
     assert_int_equal(error_at(out, w.size, &at, 1).code, ORR_MSG_ERROR_CODE_INTERNAL);
 }
 
+// A connection that can grow is asked to, and then has the whole answer.
+static void an_answer_that_does_not_fit_asks_for_room(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 50};
+    orr_server s = fake_server(&f);
+    orr_server_conn c = {.can_grow = true}, d = {0};
+    orr_server_step step;
+    static uint8_t large[ORR_SERVER_OUT];
+    size_t n = put_frame(in, ORR_MSG_TYPE_PING, 7, "12345678", 8);
+    n += put_poll(in + n, 1, 0, 1, 2);
+    orr_wire_writer w = {out, 0, 1000, ORR_WIRE_OK}, v = {large, 0, sizeof large, ORR_WIRE_OK};
+    orr_server_run(&s, &c, in, n, &w, &step);
+    assert_true(step.busy && step.room == 0 && w.size == 28); // the PONG goes first
+    size_t from = step.consumed;
+    w.size = 0;
+    orr_server_run(&s, &c, in + from, n - from, &w, &step);
+    assert_true(step.busy && step.room == ORR_SERVER_OUT && step.consumed == 0 && w.size == 0);
+    orr_server_run(&s, &c, in + from, n - from, &v, &step);
+    assert_true(!step.busy && step.room == 0 && from + step.consumed == n && c.refusals == 0);
+    orr_wire_writer whole = {out2, 0, sizeof out2, ORR_WIRE_OK};
+    orr_server_run(&s, &d, in + from, n - from, &whole, &step);
+    assert_int_equal(whole.size, v.size);
+    assert_memory_equal(out2, large, v.size);
+}
+
 static void a_refusal_in_mid_series_ends_it(void **state)
 {
     (void)state;
@@ -314,6 +340,7 @@ int main(void)
         cmocka_unit_test(byte_by_byte_and_all_at_once_agree),
         cmocka_unit_test(small_outputs_change_nothing),
         cmocka_unit_test(an_answer_that_never_fits_is_refused),
+        cmocka_unit_test(an_answer_that_does_not_fit_asks_for_room),
         cmocka_unit_test(a_refusal_in_mid_series_ends_it),
         cmocka_unit_test(hello_tells_what_is_served),
         cmocka_unit_test(broken_streams_close),

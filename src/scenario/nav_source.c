@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/nav_source.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { MAX_FILES = 400 };
+
+// What the files say, and what the navset is shown of it: all ephemerides, and the ionosphere of the first
+// file that has GPS' own.
+typedef struct files {
+    orr_antex antex;
+    orr_bias_set bias;
+    orr_nav *nav;
+    size_t n_nav;
+    orr_nav merged, shown;
+} files;
+
+static void files_free(files *f)
+{
+    for (size_t i = 0; i < f->n_nav; i++) orr_nav_free(&f->nav[i]);
+    free(f->nav);
+    orr_nav_free(&f->merged);
+    orr_bias_free(&f->bias);
+    orr_antex_free(&f->antex);
+}
+
+static bool has_klobuchar(const orr_nav *nav)
+{
+    for (size_t i = 0; i < nav->n_iono; i++)
+        if (nav->iono[i].kind == ORR_NAV_KLOBUCHAR && nav->iono[i].system == 'G') return true;
+    return false;
+}
+
+// The navigation files of navdata.nav, and that of ionosphere.field if it is one.
+static orr_status read_navs(const orr_scenario *s, files *f, orr_warnings *warnings, orr_diag *diag)
+{
+    const orr_text_list *list = &s->navdata.nav;
+    if (list->n > MAX_FILES)
+        return orr_diag_set(diag, ORR_E_LIMIT, "navdata.nav names %zu files, at most %d are read", list->n,
+                            MAX_FILES);
+    f->nav = calloc(list->n + 1, sizeof *f->nav);
+    if (f->nav == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    orr_status status = ORR_OK;
+    for (size_t i = 0; i < list->n && status == ORR_OK; i++) {
+        status = orr_nav_read(list->item[i], NULL, &f->nav[f->n_nav], warnings, diag);
+        f->n_nav += status == ORR_OK;
+    }
+    size_t named = f->n_nav;
+    if (status == ORR_OK && s->iono.field != NULL) {
+        orr_diag other = {0};
+        status = orr_nav_read(s->iono.field, NULL, &f->nav[f->n_nav], NULL, &other);
+        f->n_nav += status == ORR_OK;
+        if (status == ORR_E_KIND) status = ORR_OK; // maps or coefficients
+        if (status != ORR_OK && diag != NULL) *diag = other;
+    }
+    // Ephemerides (GLONASS' channels) of the files that are named for it, or else of the ionosphere's.
+    if (status == ORR_OK && f->n_nav > 0)
+        status = orr_nav_merge_eph(f->nav, named > 0 ? named : f->n_nav, &f->merged, diag);
+    if (status != ORR_OK) return status;
+    f->shown = f->merged;
+    for (size_t i = 0; i < f->n_nav && f->shown.n_iono == 0; i++)
+        if (has_klobuchar(&f->nav[i])) {
+            f->shown.iono = f->nav[i].iono;
+            f->shown.n_iono = f->nav[i].n_iono;
+        }
+    return ORR_OK;
+}
+
+static orr_status read_all(const orr_scenario *s, files *f, orr_navset_options *o, orr_warnings *warnings,
+                           orr_diag *diag)
+{
+    const orr_scenario_navdata *n = &s->navdata;
+    orr_status status = ORR_OK;
+    if (n->antex != NULL) {
+        status = orr_antex_read(n->antex, NULL, &f->antex, warnings, diag);
+        o->antex = &f->antex;
+    }
+    if (status == ORR_OK && n->bias != NULL) {
+        status = orr_bias_read(n->bias, NULL, &f->bias, warnings, diag);
+        o->bias = &f->bias;
+    }
+    if (status == ORR_OK) status = read_navs(s, f, warnings, diag);
+    if (f->n_nav > 0) o->nav = &f->shown;
+    return status;
+}
+
+static double now_s(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+orr_status orr_nav_source_build(const orr_scenario *s, const orr_ephemeris *e, const orr_log *log,
+                                const volatile int *cancel, orr_warnings *warnings, orr_navset **out,
+                                char why[ORR_NAV_SOURCE_WHY], orr_diag *diag)
+{
+    *out = NULL;
+    snprintf(why, ORR_NAV_SOURCE_WHY, "the scenario wants no broadcast data (navdata.window: none)");
+    if (s->navdata.window == ORR_NAVDATA_NONE) return ORR_OK;
+    files f = {0};
+    orr_navset_options o = orr_navset_defaults();
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    o.window_s = s->navdata.window == ORR_NAVDATA_4H ? 14400 : 7200;
+    o.zero_clocks = s->navdata.zero_clocks;
+    o.jobs = cores > 0 && cores < 64 ? (int)cores : 1;
+    o.cancel = cancel;
+    double begin_s = now_s();
+    orr_diag inner = {0};
+    orr_status status = read_all(s, &f, &o, warnings, &inner);
+    if (status == ORR_OK) {
+        status = orr_navset_build(e, &o, out, warnings, &inner);
+        if (status == ORR_E_NODATA) { // no fault of the scenario: the rest of it is served
+            snprintf(why, ORR_NAV_SOURCE_WHY, "%s", inner.text);
+            ORR_LOG(log, ORR_LOG_INFO, "no broadcast data: %s", why);
+            status = ORR_OK;
+        }
+    }
+    files_free(&f);
+    if (status != ORR_OK && diag != NULL) *diag = inner;
+    if (*out != NULL) {
+        const orr_sat *list;
+        ORR_LOG(log, ORR_LOG_INFO, "fitted broadcast data of %zu satellites in %.1f s",
+                orr_navset_satellites(*out, &list), now_s() - begin_s);
+    }
+    return status;
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/service/answers_navdata.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "src/service/answers_private.h"
+
+_Static_assert((uint32_t)ORR_NAVSET_MANOEUVRE == ORR_MSG_NAV_NOTES_MANOEUVRE &&
+                   (uint32_t)ORR_NAVSET_SHIFTED == ORR_MSG_NAV_NOTES_SHIFTED &&
+                   (uint32_t)ORR_NAVSET_NO_CLOCK == ORR_MSG_NAV_NOTES_NO_CLOCK &&
+                   (uint32_t)ORR_NAVSET_NO_ANTENNA == ORR_MSG_NAV_NOTES_NO_ANTENNA &&
+                   (uint32_t)ORR_NAVSET_NO_DELAY == ORR_MSG_NAV_NOTES_NO_DELAY &&
+                   (uint32_t)ORR_NAVSET_NOMINAL_CHANNEL == ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL &&
+                   (uint32_t)ORR_NAVSET_CLOCK_JUMP == ORR_MSG_NAV_NOTES_CLOCK_JUMP,
+               "the navset's notes are the wire's");
+_Static_assert(ORR_MSG_MAX_PAGES == ORR_NAVFRAME_PIECES, "one list holds a frame");
+
+uint16_t orr_answers_begin_navdata(void *user, const orr_frame *request, uint32_t *frames,
+                                   orr_server_refusal *why)
+{
+    const orr_answers *a = user;
+    orr_msg_poll_navdata poll;
+    orr_wire_status ws = orr_msg_poll_navdata_decode(request->payload, request->size, &poll);
+    uint16_t code = orr_answers_check_decoded("POLL_NAVDATA", ws, why);
+    if (code == 0)
+        code = orr_answers_check_poll("POLL_NAVDATA", poll.t, poll.step, poll.count, &poll.satellites, why);
+    if (code != 0) return code;
+    const char *none = orr_engine_no_navdata(a->engine);
+    if (none != NULL) {
+        snprintf(why->sentence, sizeof why->sentence, "POLL_NAVDATA: %.220s", none);
+        return ORR_MSG_ERROR_CODE_NOT_SERVED;
+    }
+    *frames = poll.count;
+    return 0;
+}
+
+static void fill_lnav(const orr_nav_eph *eph, orr_msg_lnav_set *m)
+{
+    const orr_nav_kepler *k = &eph->kepler;
+    *m = (orr_msg_lnav_set){.sqrt_a_sqrtm = k->sqrt_a_sqrtm,
+                            .e = k->e,
+                            .m0_rad = k->m0_rad,
+                            .i0_rad = k->i0_rad,
+                            .omega0_rad = k->omega0_rad,
+                            .omega_rad = k->omega_rad,
+                            .delta_n_radps = k->delta_n_radps,
+                            .idot_radps = k->idot_radps,
+                            .omega_dot_radps = k->omega_dot_radps,
+                            .cuc_rad = k->cuc_rad,
+                            .cus_rad = k->cus_rad,
+                            .crc_m = k->crc_m,
+                            .crs_m = k->crs_m,
+                            .cic_rad = k->cic_rad,
+                            .cis_rad = k->cis_rad,
+                            .tgd_s = eph->delay.tgd_s};
+}
+
+static void put(double to[3], orr_vec3 v)
+{
+    to[0] = v.x;
+    to[1] = v.y;
+    to[2] = v.z;
+}
+
+static void fill_glonass(const orr_nav_glonass *g, orr_msg_glonass_set *m)
+{
+    *m = (orr_msg_glonass_set){.delta_tau_s = g->delta_tau_s, .channel = (int8_t)g->freq_channel};
+    put(m->pos_m, g->pos_m);
+    put(m->vel_mps, g->vel_mps);
+    put(m->acc_mps2, g->acc_mps2);
+}
+
+static void fill_pages(const orr_navframe *f, orr_msg_nav_page *m)
+{
+    for (uint8_t k = 0; k < f->n; k++) {
+        const orr_navframe_piece *p = &f->piece[k];
+        m[k] = (orr_msg_nav_page){.t = p->t,
+                                  .number = p->number,
+                                  .page = p->page,
+                                  .bits = p->bits,
+                                  .data = {p->data, (uint16_t)((p->bits + 7) / 8)}};
+    }
+}
+
+static void fill(orr_answers_nav *room, uint16_t i, orr_sat sat, orr_answer answer)
+{
+    orr_msg_sat_navdata *m = &room->wire[i];
+    *m = (orr_msg_sat_navdata){.sat = orr_answers_sat_id(sat), .answer = (uint8_t)answer};
+    m->set_from = m->set_to = m->toe = m->toc = m->frame_from = m->frame_to = ORR_TIME_NONE;
+    m->week = m->iode = m->iodc = -1;
+    m->accuracy_m = m->fit_rms_m = m->fit_max_m = m->clock_rms_s = (double)NAN;
+    m->af0_s = m->af1_sps = m->af2_sps2 = (double)NAN;
+    if (answer != ORR_ANSWER_OK) return; // never a number where there is none
+    const orr_navset_item *set = room->set[i];
+    const orr_nav_eph *eph = &set->eph;
+    const orr_navframe *frame = &room->frame[i];
+    m->notes = set->notes;
+    m->set_from = set->from;
+    m->set_to = set->to;
+    m->toe = eph->toe;
+    m->toc = eph->toc;
+    m->week = eph->week;
+    m->iode = (int16_t)eph->iode;
+    m->iodc = (int16_t)eph->iodc;
+    m->health = eph->health;
+    m->accuracy_m = eph->accuracy_m;
+    m->fit_rms_m = set->report.rms_m;
+    m->fit_max_m = set->report.max_m;
+    m->clock_rms_s = set->clock_rms_s;
+    m->af0_s = eph->af0_s;
+    m->af1_sps = eph->af1_sps;
+    m->af2_sps2 = eph->af2_sps2;
+    m->frame_from = frame->from;
+    m->frame_to = frame->to;
+    if (eph->kind == ORR_NAV_KEPLER) {
+        m->message = ORR_MSG_NAV_MESSAGE_LNAV;
+        fill_lnav(eph, &room->lnav[i]);
+        m->kepler.count = 1;
+        m->kepler.item = &room->lnav[i];
+    } else {
+        m->message = ORR_MSG_NAV_MESSAGE_FDMA;
+        fill_glonass(&eph->glonass, &room->glonass[i]);
+        m->glonass.count = 1;
+        m->glonass.item = &room->glonass[i];
+    }
+    fill_pages(frame, room->page[i]);
+    m->pages.count = frame->n;
+    m->pages.item = room->page[i];
+}
+
+uint16_t orr_answers_navdata(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+                             orr_server_refusal *why)
+{
+    (void)why;
+    orr_answers *a = user;
+    orr_msg_poll_navdata poll;
+    orr_msg_poll_navdata_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
+    uint16_t n;
+    const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
+    orr_msg_navdata m = {.t = poll.t + poll.step * (int64_t)index, .index = index, .count = poll.count};
+    orr_answer answer = orr_engine_navdata(a->engine, m.t, sats, n, a->nav.set, a->nav.frame, a->answer);
+    m.answer = (uint8_t)answer;
+    if (answer == ORR_ANSWER_OK) {
+        if (sats == NULL) orr_engine_satellites(a->engine, &sats);
+        for (uint16_t i = 0; i < n; i++) fill(&a->nav, i, sats[i], a->answer[i]);
+        m.satellites.count = n;
+        m.satellites.item = a->nav.wire;
+    }
+    orr_msg_navdata_encode(&m, w);
+    return 0;
+}

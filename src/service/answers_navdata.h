@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Handlers of POLL_NAVDATA, a row of the table in answers.c.
+#ifndef ORR_SERVICE_ANSWERS_NAVDATA_H
+#define ORR_SERVICE_ANSWERS_NAVDATA_H
+
+#include "proto/server.h"
+
+uint16_t orr_answers_begin_navdata(void *user, const orr_frame *request, uint32_t *frames,
+                                   orr_server_refusal *why);
+uint16_t orr_answers_navdata(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+                             orr_server_refusal *why);
+
+#endif

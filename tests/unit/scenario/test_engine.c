@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine of a product alone: elements and broadcast data are what orbit/ says of the same product, and
+// where there is nothing it says why.
+#include "src/scenario/engine.h"
+
+#include <unistd.h>
+
+#include "testing.h"
+#include "unit/orbit/made_orbit.h"
+
+#define PRODUCT ORR_BINARY_DIR "/engine.nc"
+
+// n satellites of the made constellation (G01, R01, E01, G02, ...) over `hours`, those of `only` if not 0.
+static void write_product(size_t n, double hours, char only)
+{
+    orr_diag diag = {0};
+    orr_orbit_solution s = made_solution(n, hours, 900, 6);
+    if (only != 0) {
+        size_t kept = 0;
+        for (size_t i = 0; i < s.n_sats; i++)
+            if (orr_sat_system(s.sat[i].sat) == only) {
+                orr_orbit_sat swap = s.sat[kept];
+                s.sat[kept++] = s.sat[i];
+                s.sat[i] = swap;
+            }
+        s.n_sats = kept;
+    }
+    orr_ephemeris *e = NULL;
+    ASSERT_OK(orr_ephemeris_build(&s, &e, &diag), diag);
+    ASSERT_OK(orr_ephemeris_save(e, PRODUCT, "made for a test", &diag), diag);
+    orr_ephemeris_free(e);
+    s.n_sats = n;
+    made_solution_free(&s);
+}
+
+static orr_status open_product(const volatile int *cancel, orr_navdata_window window, orr_engine **e,
+                               orr_diag *diag)
+{
+    orr_scenario s;
+    ASSERT_OK(orr_scenario_of_product(PRODUCT, &s, diag), *diag);
+    s.navdata.window = (int)window;
+    orr_status status = orr_engine_open(&s, NULL, cancel, NULL, e, diag);
+    orr_scenario_free(&s);
+    return status;
+}
+
+static orr_time at(double t_s) { return orr_time_add_s(made_midnight, t_s); }
+
+static void elements_are_those_of_the_orbits(void **state)
+{
+    (void)state;
+    write_product(6, 24, 0);
+    orr_engine *e;
+    orr_ephemeris *p;
+    orr_diag diag = {0};
+    ASSERT_OK(open_product(NULL, ORR_NAVDATA_NONE, &e, &diag), diag);
+    ASSERT_OK(orr_ephemeris_load(PRODUCT, &p, &diag), diag);
+    const orr_sat asked[4] = {orr_sat_make('R', 2), orr_sat_make('G', 1), orr_sat_make('G', 9),
+                              orr_sat_make('R', 2)};
+    orr_kepler k[6];
+    uint32_t flags[6];
+    orr_answer answer[6];
+    for (int m = ORR_ELEMENTS_STATE; m <= ORR_ELEMENTS_MEAN; m++) {
+        const orr_elements_options o = {.frame = ORR_ELEMENTS_J2000, .method = (orr_elements_method)m};
+        assert_int_equal(orr_engine_elements(e, at(43000), ORR_ELEMENTS_J2000, (orr_elements_method)m, asked,
+                                             4, k, flags, answer),
+                         ORR_ANSWER_OK);
+        assert_int_equal(answer[2], ORR_ANSWER_NOT_SERVED);
+        for (size_t i = 0; i < 4; i++) {
+            orr_kepler want;
+            if (i == 2) continue;
+            assert_int_equal(orr_elements_at(p, asked[i], at(43000), &o, &want), ORR_OK);
+            assert_int_equal(answer[i], ORR_ANSWER_OK);
+            assert_true(k[i].a_m == want.a_m && k[i].e == want.e && k[i].u_rad == want.u_rad);
+        }
+        // All of them, in their order; near the begin the means have no value.
+        assert_int_equal(orr_engine_elements(e, at(400), ORR_ELEMENTS_DATE, (orr_elements_method)m, NULL, 6,
+                                             k, flags, answer),
+                         ORR_ANSWER_OK);
+        for (size_t i = 0; i < 6; i++)
+            assert_int_equal(answer[i], m == ORR_ELEMENTS_MEAN ? ORR_ANSWER_NO_VALUE : ORR_ANSWER_OK);
+    }
+    // The made eclipse of 1060 to 4000 s is the state's flag.
+    assert_int_equal(
+        orr_engine_elements(e, at(2000), ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, NULL, 6, k, flags, answer),
+        ORR_ANSWER_OK);
+    assert_true((flags[0] & ORR_EPH_ECLIPSE) != 0);
+    assert_int_equal(
+        orr_engine_elements(e, at(-1), ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, NULL, 6, k, flags, answer),
+        ORR_ANSWER_OUTSIDE_SPAN);
+    orr_ephemeris_free(p);
+    orr_engine_close(e);
+}
+
+static void navdata_are_those_of_the_navset(void **state)
+{
+    (void)state;
+    write_product(6, 12, 0); // G01 G02 R01 R02 E01 E02
+    orr_engine *e;
+    orr_ephemeris *p;
+    orr_navset *set;
+    orr_diag diag = {0};
+    ASSERT_OK(open_product(NULL, ORR_NAVDATA_2H, &e, &diag), diag);
+    ASSERT_OK(orr_ephemeris_load(PRODUCT, &p, &diag), diag);
+    const orr_navset_options o = orr_navset_defaults();
+    ASSERT_OK(orr_navset_build(p, &o, &set, NULL, &diag), diag);
+    assert_null(orr_engine_no_navdata(e));
+    const orr_sat *sat;
+    size_t n = orr_engine_satellites(e, &sat), sent = 0;
+    const orr_navset_item *item[6];
+    orr_answer answer[6];
+    for (double t_s = 1; t_s < 12 * 3600; t_s += 997.3) {
+        static orr_navframe frame[6], want;
+        memset(frame, 0, sizeof frame);
+        assert_int_equal(orr_engine_navdata(e, at(t_s), NULL, n, item, frame, answer), ORR_ANSWER_OK);
+        for (size_t i = 0; i < n; i++) {
+            const orr_navset_item *list; // none of Galileo, nor of orbits without J2 by GLONASS' model
+            if (orr_navset_items(set, sat[i], &list) == 0) {
+                assert_true(orr_sat_system(sat[i]) != 'G');
+                assert_true(answer[i] == ORR_ANSWER_NOT_SERVED && item[i] == NULL);
+                continue;
+            }
+            const orr_navset_item *there = orr_navset_at(set, sat[i], at(t_s));
+            assert_int_equal(answer[i], there != NULL ? ORR_ANSWER_OK : ORR_ANSWER_NO_ARC);
+            if (there == NULL) continue;
+            memset(&want, 0, sizeof want);
+            ASSERT_OK(orr_navframe_at(set, sat[i], at(t_s), &want, &diag), diag);
+            assert_true(want.n == frame[i].n && want.from == frame[i].from);
+            for (size_t k = 0; k < want.n; k++)
+                assert_memory_equal(want.piece[k].data, frame[i].piece[k].data, ORR_NAVFRAME_BYTES);
+            assert_true(item[i]->from == there->from && item[i]->eph.toe == there->eph.toe);
+            sent++;
+        }
+    }
+    assert_true(sent > 80);
+    assert_int_equal(orr_engine_navdata(e, at(43201), NULL, n, item, NULL, answer), ORR_ANSWER_OUTSIDE_SPAN);
+    orr_navset_free(set);
+    orr_ephemeris_free(p);
+    orr_engine_close(e);
+}
+
+static void what_is_not_there_is_told(void **state)
+{
+    (void)state;
+    orr_engine *e;
+    orr_diag diag = {0};
+    write_product(6, 6, 'E');
+    ASSERT_OK(open_product(NULL, ORR_NAVDATA_2H, &e, &diag), diag); // the rest of it is served
+    assert_non_null(strstr(orr_engine_no_navdata(e), "GPS or GLONASS"));
+    orr_engine_close(e);
+    write_product(6, 6, 0);
+    ASSERT_OK(open_product(NULL, ORR_NAVDATA_NONE, &e, &diag), diag);
+    assert_non_null(strstr(orr_engine_no_navdata(e), "navdata.window"));
+    orr_engine_close(e);
+    // An interrupt ends the preparation, and leaves nothing behind.
+    const volatile int stop = 1;
+    e = NULL;
+    assert_int_equal(open_product(&stop, ORR_NAVDATA_2H, &e, &diag), ORR_E_INTERRUPTED);
+    assert_null(e);
+    unlink(PRODUCT);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(elements_are_those_of_the_orbits),
+        cmocka_unit_test(navdata_are_those_of_the_navset),
+        cmocka_unit_test(what_is_not_there_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
