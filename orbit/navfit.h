@@ -30,8 +30,8 @@ typedef struct orr_navfit_report {
 // LNAV (GPS, QZSS): the fifteen Kepler parameters at toe (a multiple of 16 s of the week) by least squares
 // over [from, to], 1800 to 21600 s (IS-GPS-200N table 20-III); then, of all values that the message can send,
 // those that together fit best (integer least squares, see orbit/lattice.h). What a short window cannot tell
-// stays near the usual: rates to what the Earth's flattening causes, harmonics to zero, with weights of a
-// centimetre. A rate or harmonic whose best value its field cannot hold is kept at the field's end and the
+// stays near the usual: rates to what the Earth's flattening causes, harmonics to zero, with weights of
+// millimetres. A rate or harmonic whose best value its field cannot hold is kept at the field's end and the
 // rest fitted again. On success eph holds kepler (quantised), toe, toc, week, fit_interval_h (as given: what
 // subframe 2 will promise; the window may be another), kind and message; the caller sets clock, issue,
 // health.

@@ -18,8 +18,9 @@
 // What a window cannot tell (harmonics from a twentieth of a revolution) stays near to what is usual: a
 // deviation of so much costs as much as PULL_M in one coordinate. The lattice has directions in which next to
 // nothing changes for thousands of LSBs; along them the search may only go so far from the solution that the
-// model's curvature (a Delta^2/2) stays about a millimetre: `reach`, which costs as much as REACH_M.
-#define PULL_M 1e-2
+// model's curvature (a Delta^2/2) stays about a millimetre: `reach`, which costs as much as REACH_M. HOLD_M
+// keeps a parameter where it is whatever the orbit says.
+#define PULL_M 3e-3
 #define HOLD_M 1e4
 #define REACH_M 1e-2
 typedef struct parameter {
@@ -43,8 +44,8 @@ static const parameter table[N] = {
     {{"Crs", P2(5), 16, ORR_FIELD_SIGNED}, 300, 100},
     {{"Cuc", P2(29), 16, ORR_FIELD_SIGNED}, 1e-5, 1e-5},
     {{"Cus", P2(29), 16, ORR_FIELD_SIGNED}, 1e-5, 1e-5},
-    {{"Cic", P2(29), 16, ORR_FIELD_SIGNED}, 1e-6, 1e-5},
-    {{"Cis", P2(29), 16, ORR_FIELD_SIGNED}, 1e-6, 1e-5},
+    {{"Cic", P2(29), 16, ORR_FIELD_SIGNED}, 1e-5, 1e-5},
+    {{"Cis", P2(29), 16, ORR_FIELD_SIGNED}, 1e-5, 1e-5},
 };
 enum { E = ORR_LNAV_EX, OMEGA = ORR_LNAV_EY, M0 = ORR_LNAV_LAMBDA };
 
