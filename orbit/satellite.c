@@ -11,7 +11,10 @@
 #include "orbit/segment.h"
 
 #define MAX_PASSES 8
-#define LINEAR_M 30.0   // deviation (of velocity: times the node step) below which (33) is linear to 0.1 mm
+#define LINEAR_M 30.0     // deviation (of velocity: times the node step) below which (33) is linear to 0.1 mm
+#define LEAST_FREEDOM 1.0 // measurements beyond what an arc's state takes up, to judge their noise by
+#define LEAST_PUSH_MPS                                                                                       \
+    0.01                // files that differ by metres differ by less; station keeping takes ten times as much
 #define MAX_APART_M 1.0 // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
 
 typedef struct work {
@@ -24,7 +27,7 @@ typedef struct work {
     size_t arc_room;
     orr_event_list events;
     orr_satellite_report *report;
-    double scale; // real to formal sigma of the last arc
+    double scale; // real to formal sigma of the last arc that told; 1 before
 } work;
 
 void orr_satellite_free(orr_orbit_sat *s)
@@ -90,6 +93,7 @@ static uint32_t flags_between(const work *w, const orr_node *a, const orr_node *
 
 // Ratio of real to formal sigma: residuals of the used nodes against their formal covariance sigma^2 E - P.
 // Only the ratio qf / sigma^2 shapes the orbit, so their common scale is free and has to come from the data.
+// Two or three nodes, which an orbit meets whatever they are, tell nothing: then it stays as it was.
 static double real_over_formal(const work *w, const orr_track *t, const orr_verdict *verdict)
 {
     double chi2 = 0, formal2 = 0;
@@ -105,7 +109,7 @@ static double real_over_formal(const work *w, const orr_track *t, const orr_verd
             for (int j = 0; j < 3; j++) formal2 += 1.0 - weight * at->smoothed.P[j][j];
         }
     }
-    return formal2 > 0 ? sqrt(chi2 / formal2) : 1.0;
+    return formal2 > LEAST_FREEDOM ? sqrt(chi2 / formal2) : w->scale;
 }
 
 // Samples of the smoothed track as an arc of the solution.
@@ -173,6 +177,8 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
             if (i > at->first && node->source != w->node[i - 1].source) {
                 double jump = orr_vec3_norm(orr_vec3_sub(node->ecef_m, w->node[i - 1].ecef_m));
                 s = orr_event_add(&w->events, ORR_EVENT_DAY_JUMP, node->t, node->t, jump);
+            } else if (verdict[i].jump_m > 0) {
+                s = orr_event_add(&w->events, ORR_EVENT_DAY_JUMP, node->t, node->t, verdict[i].jump_m);
             }
             if (!precise(node) || s != ORR_OK) continue;
             if (verdict[i].rejected) {
@@ -220,6 +226,23 @@ static void nodes_of(const orr_track *t, const orr_arc_range *arc, size_t *i0, s
     *i1 = t->at[arc->last].first + t->at[arc->last].n;
 }
 
+// How far a node is from the orbit of the nearest arc, carried on to its instant; 0 where there is none near
+// enough to tell.
+static double distance_from_orbit(const work *w, const orr_track *t, const orr_segmentation *seg, size_t k,
+                                  const orr_node *node)
+{
+    const orr_instant *end = NULL;
+    for (size_t a = 0; a < seg->n_arcs; a++) {
+        const orr_instant *x = &t->at[seg->arc[a].last < k ? seg->arc[a].last : seg->arc[a].first];
+        if (end == NULL || fabs(x->t_s - node->t_s) < fabs(end->t_s - node->t_s)) end = x;
+    }
+    if (end == NULL || fabs(end->t_s - node->t_s) > w->c->options->max_gap_s) return 0;
+    orr_instant there = {.r_m = smoothed_r(end), .v_mps = smoothed_v(end)};
+    if (orr_integrate(w->c->integrator, end->t_s, node->t_s - end->t_s, &there.r_m, &there.v_mps) != ORR_OK)
+        return 0;
+    return orr_vec3_norm(orr_track_measured(w->c, &there, node));
+}
+
 // Nodes that were rejected or that no arc holds: told as outliers, so that nothing is dropped in silence.
 static orr_status tell_left_out(work *w, const orr_track *t, const orr_segmentation *seg)
 {
@@ -231,10 +254,44 @@ static orr_status tell_left_out(work *w, const orr_track *t, const orr_segmentat
             if (!precise(&w->node[i])) continue;
             w->report->nodes_rejected++;
             s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, w->node[i].t, w->node[i].t,
-                              seg->verdict[i].innovation_m);
+                              distance_from_orbit(w, t, seg, k, &w->node[i]));
         }
     }
     return s;
+}
+
+// Whether two files that go on differently part the arcs here, rather than a push: no flag says so, and the
+// velocities are as near as those of two solutions for one orbit.
+static bool only_files_part(const work *w, const orr_instant *x, const orr_instant *y, double dv_mps)
+{
+    const orr_node *left = &w->node[x->first + x->n - 1], *right = &w->node[y->first];
+    return left->source != right->source && !right->manoeuvre && dv_mps < LEAST_PUSH_MPS;
+}
+
+// Where the arc that ends at x and the one that begins at y part. At a manoeuvre both reach to where they
+// meet, if they do; else there is nothing between them. Where files part them, the earlier one holds up to
+// the later one's begin.
+static orr_status part_arcs(work *w, const orr_instant *x, const orr_instant *y, double *to_s,
+                            double *begin_s)
+{
+    orr_reference before = {true, smoothed_r(x), smoothed_v(x)}, after = {true, smoothed_r(y), smoothed_v(y)};
+    double when = 0, apart = HUGE_VAL, dv = 0;
+    orr_status s = orr_events_manoeuvre(w->c, x->t_s, before, y->t_s, after, &when, &apart, &dv);
+    if (s != ORR_OK) return s;
+    const bool near = y->t_s - x->t_s < 2.0 * w->table->step_s;
+    if (near && only_files_part(w, x, y, dv)) {
+        s = orr_integrate(w->c->integrator, x->t_s, y->t_s - x->t_s, &before.r_m, &before.v_mps);
+        *to_s = *begin_s = y->t_s;
+        if (s != ORR_OK) return s;
+        return orr_event_add(&w->events, ORR_EVENT_DAY_JUMP, absolute(w, y->t_s), absolute(w, y->t_s),
+                             orr_vec3_norm(orr_vec3_sub(after.r_m, before.r_m)));
+    }
+    w->report->manoeuvres++;
+    const bool meet = near && apart <= MAX_APART_M;
+    *begin_s = y->t_s;
+    if (meet)
+        *to_s = *begin_s = round(when * 1e3) * 1e-3; // whole milliseconds have steps of whole nanoseconds
+    return orr_event_add(&w->events, ORR_EVENT_MANOEUVRE, absolute(w, x->t_s), absolute(w, y->t_s), dv);
 }
 
 static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *seg)
@@ -246,21 +303,9 @@ static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *
         size_t i0, i1;
         nodes_of(t, arc, &i0, &i1);
         double from_s = a == 0 ? t->at[arc->first].t_s : begin_s, to_s = t->at[arc->last].t_s;
-        if (a + 1 < seg->n_arcs) { // a manoeuvre: both arcs reach to where they meet, if they do
-            const orr_instant *x = &t->at[arc->last], *y = &t->at[seg->arc[a + 1].first];
-            orr_reference before = {true, smoothed_r(x), smoothed_v(x)},
-                          after = {true, smoothed_r(y), smoothed_v(y)};
-            double when = 0, apart = HUGE_VAL, dv = 0;
-            s = orr_events_manoeuvre(w->c, x->t_s, before, y->t_s, after, &when, &apart, &dv);
-            if (s == ORR_OK)
-                s = orr_event_add(&w->events, ORR_EVENT_MANOEUVRE, absolute(w, x->t_s), absolute(w, y->t_s),
-                                  dv);
+        if (a + 1 < seg->n_arcs) {
+            s = part_arcs(w, &t->at[arc->last], &t->at[seg->arc[a + 1].first], &to_s, &begin_s);
             if (s != ORR_OK) break;
-            w->report->manoeuvres++;
-            bool meet = apart <= MAX_APART_M && y->t_s - x->t_s < 2.0 * w->table->step_s;
-            when = round(when * 1e3) * 1e-3; // arcs of whole milliseconds have steps of whole nanoseconds
-            begin_s = meet ? when : y->t_s;
-            if (meet) to_s = when;
         }
         if (to_s <= from_s) continue;
         bool whole = arc->first == 0 && arc->last == t->n - 1 && seg->n_arcs == 1;

@@ -16,12 +16,19 @@
 #define CONFIRM 2     // good nodes that confirm that the skipped ones were outliers
 #define MIN_SPLIT                                                                                            \
     4 // nodes of an arc that was split off: three make an orbit, the fourth confirms that it is one
+// A day's orbit that goes on elsewhere than the last one ended is no manoeuvre: continuity is preferred, and
+// the filter is given some nodes to go over from one to the other. What is further apart than this is not the
+// same orbit.
+#define JUMP_M 5.0
+#define SETTLE 8
 #define START_R_M 1e3
 #define START_V_MPS 1e2
 
 typedef struct group { // the usable nodes of one instant
     size_t instant;
     bool manoeuvre; // flagged
+    bool joint;     // another file begins
+    bool settling;  // soon after a joint where the files go on elsewhere
 } group;
 
 typedef struct work {
@@ -41,6 +48,8 @@ void orr_segmentation_free(orr_segmentation *s)
     *s = (orr_segmentation){0};
 }
 
+#define UNTESTED HUGE_VAL
+
 static void start_at(const work *w, size_t instant)
 {
     orr_instant *at = &w->t->at[instant];
@@ -59,11 +68,12 @@ static void predict_to(const work *w, size_t from, size_t to)
     }
 }
 
-// Takes in the nodes of an instant; with `test`, nodes that fail are rejected unless nothing but them is
-// there, in which case the state stays as predicted. Returns whether any node was taken. d2 collects
-// normalised squares.
-static bool take_nodes(const work *w, size_t instant, bool test, double *d2_sum, size_t *d2_count)
+// Takes in the nodes of an instant; those that fail the test are rejected, and where nothing else is there
+// the state stays as predicted. Innovations up to floor_m pass untested (UNTESTED: all do). Returns whether
+// any node was taken. d2 collects normalised squares.
+static bool take_nodes(const work *w, size_t instant, double floor_m, double *d2_sum, size_t *d2_count)
 {
+    const bool test = isfinite(floor_m) && w->scale2 > 0;
     orr_instant *at = &w->t->at[instant];
     bool taken = false;
     for (size_t i = at->first; i < at->first + at->n; i++) {
@@ -71,9 +81,8 @@ static bool take_nodes(const work *w, size_t instant, bool test, double *d2_sum,
         if (node->superseded || w->verdict[i].rejected) continue;
         orr_vec3 z = orr_track_measured(w->c, at, node);
         double length = 0, d2 = orr_kalman_innovation2(&at->filtered, z, node->sigma_m, &length);
-        if (test && w->scale2 > 0 && length > FLOOR_M && d2 > THRESHOLD * THRESHOLD * w->scale2) {
+        if (test && length > floor_m && d2 > THRESHOLD * THRESHOLD * w->scale2) {
             w->verdict[i].rejected = true;
-            w->verdict[i].innovation_m = length;
             continue;
         }
         if (d2_sum != NULL && !node->bridge) {
@@ -94,11 +103,11 @@ static void forgive(const work *w, size_t g_from, size_t g_to)
     }
 }
 
-static void reject_group(const work *w, size_t g, bool rejected, double innovation_m)
+static void reject_group(const work *w, size_t g, bool rejected)
 {
     const orr_instant *at = &w->t->at[w->g[g].instant];
     for (size_t i = at->first; i < at->first + at->n; i++)
-        if (!w->list[i].superseded) w->verdict[i] = (orr_verdict){rejected, rejected ? innovation_m : 0};
+        if (!w->list[i].superseded) w->verdict[i] = (orr_verdict){.rejected = rejected};
 }
 
 static bool group_rejected(const work *w, size_t g)
@@ -115,13 +124,13 @@ static bool consistent(const work *w, size_t a, size_t b)
     while (a < b && group_rejected(w, a)) a++;
     if (a == b) return false;
     start_at(w, w->g[a].instant);
-    take_nodes(w, w->g[a].instant, false, NULL, NULL);
+    take_nodes(w, w->g[a].instant, UNTESTED, NULL, NULL);
     bool all = true;
     for (size_t g = a + 1; g < b && all; g++) {
         predict_to(w, w->g[g - 1].instant, w->g[g].instant);
         if (group_rejected(w, g)) continue;
-        all = take_nodes(w, w->g[g].instant, true, NULL, NULL);
-        if (!all) reject_group(w, g, false, 0);
+        all = take_nodes(w, w->g[g].instant, FLOOR_M, NULL, NULL);
+        if (!all) reject_group(w, g, false);
     }
     return all;
 }
@@ -137,23 +146,53 @@ static bool blame_young(const work *w, size_t a, size_t first_bad)
             size_t j = i + apart;
             if (apart > 0 && end - a < YOUNG + 3) continue;
             if (group_rejected(w, i) || group_rejected(w, j)) continue; // blamed before
-            reject_group(w, i, true, 0);
-            reject_group(w, j, true, 0);
+            reject_group(w, i, true);
+            reject_group(w, j, true);
             if (consistent(w, a, end)) return true;
-            reject_group(w, i, false, 0);
-            reject_group(w, j, false, 0);
+            reject_group(w, i, false);
+            reject_group(w, j, false);
         }
     return false;
+}
+
+// The joint of files, if there is one in the arc from group a on, that a failure came soon after; else a.
+static size_t joint_before(const work *w, size_t a, size_t first_bad)
+{
+    for (size_t g = first_bad; g > a && first_bad - g <= MAX_SKIPPED; g--)
+        if (w->g[g].joint) return g;
+    return a;
+}
+
+// Lets the first nodes of a file be anywhere within JUMP_M of what the one before predicts, or no longer.
+static void settle(const work *w, size_t joint, bool settling)
+{
+    for (size_t g = joint; g < w->n && g < joint + SETTLE; g++) w->g[g].settling = settling;
+}
+
+// How far apart two files' orbits are, as the filter sees it while it goes over; kept with the joint's first
+// node.
+static void measure_jump(const work *w, size_t g)
+{
+    const orr_instant *at = &w->t->at[w->g[g].instant];
+    size_t joint = g, i = at->first;
+    double length = 0;
+    while (i + 1 < at->first + at->n && w->list[i].superseded) i++;
+    orr_kalman_innovation2(&at->filtered, orr_track_measured(w->c, at, &w->list[i]), w->list[i].sigma_m,
+                           &length);
+    while (!w->g[joint].joint) joint--;
+    orr_verdict *v = &w->verdict[w->t->at[w->g[joint].instant].first];
+    v->jump_m = fmax(v->jump_m, length);
 }
 
 // Runs one arc from group a; returns the group at which the next one begins (w->n at the end). *last is the
 // last group of the arc.
 static size_t run_arc(const work *w, size_t a, size_t *last)
 {
+    size_t failed_before = a; // where it went wrong before a joint was allowed for
 restart:
     while (a + 1 < w->n && group_rejected(w, a)) a++;
     start_at(w, w->g[a].instant);
-    take_nodes(w, w->g[a].instant, false, NULL, NULL);
+    take_nodes(w, w->g[a].instant, UNTESTED, NULL, NULL);
     size_t good = 1, first_bad = 0, skipped = 0, good_after = 0;
     for (size_t g = a + 1; g < w->n; g++) {
         if (w->g[g].manoeuvre) {
@@ -162,7 +201,8 @@ restart:
         }
         predict_to(w, w->g[g - 1].instant, w->g[g].instant);
         if (group_rejected(w, g)) continue; // blamed before
-        if (take_nodes(w, w->g[g].instant, true, NULL, NULL)) {
+        if (w->g[g].settling) measure_jump(w, g);
+        if (take_nodes(w, w->g[g].instant, w->g[g].settling ? JUMP_M : FLOOR_M, NULL, NULL)) {
             good++;
             if (skipped > 0 && ++good_after >= CONFIRM) skipped = 0;
             continue;
@@ -174,6 +214,17 @@ restart:
         if (skipped <= MAX_SKIPPED && !(at_end && skipped >= 2)) continue;
         forgive(w, first_bad, w->n);
         if (good <= YOUNG && blame_young(w, a, first_bad)) goto restart;
+        size_t joint = joint_before(w, a, first_bad);
+        if (joint > a) {
+            bool in_vain = w->g[joint].settling;
+            settle(w, joint, !in_vain);
+            if (!in_vain) {
+                failed_before = first_bad;
+                goto restart;
+            }
+            first_bad = failed_before; // the files are further apart, or there is more than a joint
+            forgive(w, joint, w->n);
+        }
         *last = first_bad - 1;
         return first_bad;
     }
@@ -196,7 +247,7 @@ static double robust_scale2(const work *w, double *room)
         if (g > 0) predict_to(w, w->g[g - 1].instant, w->g[g].instant);
         double sum = 0;
         size_t count = 0;
-        take_nodes(w, w->g[g].instant, false, &sum, &count);
+        take_nodes(w, w->g[g].instant, UNTESTED, &sum, &count);
         if (g >= YOUNG && count > 0) room[n++] = sum / (double)count;
     }
     if (n < 3) return 1.0;
@@ -217,13 +268,20 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     orr_status status = ORR_E_MEMORY;
     if (w.g == NULL || out->verdict == NULL || out->arc == NULL || room == NULL) goto done;
     w.verdict = out->verdict;
+    uint16_t file = 0;
     for (size_t k = 0; k < t->n; k++) {
         bool usable = false, flagged = false;
+        uint16_t source = file;
         for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n; i++) {
-            usable = usable || !list[i].superseded;
-            flagged = flagged || (!list[i].superseded && list[i].manoeuvre);
+            if (list[i].superseded) continue;
+            usable = true;
+            flagged = flagged || list[i].manoeuvre;
+            if (!list[i].bridge) source = list[i].source;
         }
-        if (usable) w.g[w.n++] = (group){k, flagged};
+        if (!usable) continue;
+        w.g[w.n] = (group){.instant = k, .manoeuvre = flagged, .joint = w.n > 0 && source != file};
+        w.n++;
+        file = source;
     }
     status = ORR_E_NODATA;
     if (w.n == 0) goto done;
@@ -233,7 +291,8 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
         size_t last = a, next = run_arc(&w, a, &last), first = a;
         while (first < last && group_rejected(&w, first)) first++;
         while (last > first && group_rejected(&w, last)) last--;
-        bool split = a > 0 || next < w.n;
+        // What a flag set apart needs no confirmation.
+        bool split = (a > 0 && !w.g[a].manoeuvre) || (next < w.n && !w.g[next].manoeuvre);
         size_t good = 0;
         for (size_t g = first; g <= last; g++) good += !group_rejected(&w, g);
         if (good >= (split ? MIN_SPLIT : 2))
@@ -258,7 +317,7 @@ void orr_filter_track(const orr_track_context *c, const orr_node *list, const or
     start_at(&w, 0);
     for (size_t k = 0; k < t->n; k++) {
         if (k > 0) predict_to(&w, k - 1, k);
-        if (t->at[k].n > 0) take_nodes(&w, k, false, NULL, NULL);
+        if (t->at[k].n > 0) take_nodes(&w, k, UNTESTED, NULL, NULL);
     }
 }
 

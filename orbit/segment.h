@@ -8,7 +8,8 @@
 
 typedef struct orr_verdict { // one per node
     bool rejected;
-    double innovation_m; // length of the rejected innovation, 0 else
+    double
+        jump_m; // where another file begins and goes on elsewhere: how far from what the one before predicts
 } orr_verdict;
 
 // An arc: instants of the track between its first and last node, both inclusive.

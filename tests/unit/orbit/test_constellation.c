@@ -208,7 +208,7 @@ static void many_satellites_go_all_the_way(void **state)
     orr_sp3 made, read;
     orr_diag d = {0};
     make_many(sat, class, &made);
-    char path[] = "constellation-XXXXXX";
+    char path[] = "/tmp/orrery-constellation-XXXXXX";
     const int fd = mkstemp(path);
     assert_true(fd >= 0);
     close(fd);
