@@ -52,6 +52,24 @@ static void order_of_files(const orr_smoother_input *input, size_t n, size_t *or
     }
 }
 
+// The same bytes given twice are no second opinion. Returns how many files are left.
+static size_t pass_over_twins(const orr_smoother_input *input, size_t n, size_t *order,
+                              orr_warnings *warnings)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < n; i++) {
+        const orr_smoother_input *x = &input[order[i]];
+        size_t k = 0;
+        while (k < kept && (x->sha256[0] == '\0' || strcmp(input[order[k]].sha256, x->sha256) != 0)) k++;
+        if (k < kept)
+            orr_warnings_add(warnings, x->name, 0, 0, "the same content as %s; used once",
+                             input[order[k]].name);
+        else
+            order[kept++] = order[i];
+    }
+    return kept;
+}
+
 static bool wanted_epoch(orr_time t, orr_time midnight, int64_t step_ns, const orr_smoother_options *o)
 {
     if (step_ns > 0 && (t - midnight) % step_ns != 0) return false;
@@ -231,6 +249,7 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
     orr_sat *sat = NULL;
     if (order == NULL || union_of_sats(input, n_inputs, o, &sat, &n_sats) != ORR_OK) goto memory;
     order_of_files(input, n_inputs, order);
+    n_inputs = pass_over_twins(input, n_inputs, order, warnings);
     orr_time first = input[order[0]].sp3->epoch[0];
     orr_time day = ORR_S_PER_DAY * ORR_NS_PER_S;
     orr_time midnight = first - (first % day + day) % day;

@@ -37,7 +37,12 @@ orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const o
     *out = NULL;
     if (to < from) return orr_diag_set(diag, ORR_E_ARG, "a span that ends before it begins");
     double span_s = orr_time_diff_s(to, from);
-    if (span_s > 10.0 * 366 * 86400) return orr_diag_set(diag, ORR_E_ARG, "a span of more than ten years");
+    if (span_s > 10.0 * 366 * 86400) {
+        char begin[ORR_TIME_TEXT], end[ORR_TIME_TEXT];
+        return orr_diag_set(diag, ORR_E_ARG,
+                            "the positions reach from %s to %s; a product holds ten years at most",
+                            orr_time_text(from, begin), orr_time_text(to, end));
+    }
     orr_sky *sky = calloc(1, sizeof *sky);
     if (sky == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     sky->origin = from;

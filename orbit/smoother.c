@@ -120,6 +120,8 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
                           orr_warnings *warnings, orr_diag *diag)
 {
     double residual_m2 = 0;
+    size_t n_absent = 0;
+    char absent[ORR_SAT_TEXT] = "";
     for (size_t i = 0; i < p->table->n_sats; i++) {
         const orr_satellite_report *r = &p->report[i];
         char name[ORR_SAT_TEXT];
@@ -131,9 +133,9 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
         if (r->note[0] != '\0')
             orr_warnings_add(warnings, NULL, 0, 0, "%s: %s; that stretch is left out", name, r->note);
         if (p->sat[i].n_arcs == 0) {
-            if (p->table->list[i].n_nodes == 0)
-                orr_warnings_add(warnings, NULL, 0, 0, "%s: no positions; left out", name);
-            else if (r->note[0] == '\0')
+            if (p->table->list[i].n_nodes == 0) {
+                if (n_absent++ == 0) memcpy(absent, name, sizeof absent);
+            } else if (r->note[0] == '\0')
                 orr_warnings_add(warnings, NULL, 0, 0, "%s: its positions agree with no orbit; left out",
                                  name);
             orr_satellite_free(&p->sat[i]);
@@ -148,6 +150,9 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
         out->sat[out->n_sats++] = p->sat[i];
         p->sat[i] = (orr_orbit_sat){0};
     }
+    if (n_absent > 0)
+        orr_warnings_add(warnings, NULL, 0, 0,
+                         "satellites without any position to smooth: %zu (%s the first)", n_absent, absent);
     report->residual_rms_m = report->nodes_used > 0 ? sqrt(residual_m2 / (double)report->nodes_used) : 0;
     return out->n_sats > 0 ? ORR_OK : orr_diag_set(diag, ORR_E_NODATA, "no satellite could be smoothed");
 }

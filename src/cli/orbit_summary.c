@@ -6,9 +6,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "src/cli/orbit_events.h"
+
 // What happened to one system's satellites.
 typedef struct tally {
-    size_t sats, used, rejected, manoeuvres, gaps, eclipses;
+    size_t sats, used, rejected;
+    orbit_event_counts events;
     double residual2;
 } tally;
 
@@ -25,15 +28,7 @@ static tally tally_system(const orr_orbit_solution *s, char system)
             t.used++;
             t.residual2 += orr_vec3_dot(sat->node[k].residual_m, sat->node[k].residual_m);
         }
-        orr_time shadow_end = ORR_TIME_NONE; // penumbra, umbra and penumbra in a row are one eclipse
-        for (size_t k = 0; k < sat->n_events; k++) {
-            const orr_orbit_event *e = &sat->event[k];
-            t.manoeuvres += e->kind == ORR_EVENT_MANOEUVRE;
-            t.gaps += e->kind == ORR_EVENT_GAP;
-            if (e->kind != ORR_EVENT_UMBRA && e->kind != ORR_EVENT_PENUMBRA) continue;
-            t.eclipses += shadow_end == ORR_TIME_NONE || e->t0 - shadow_end > ORR_NS_PER_S;
-            shadow_end = e->t1;
-        }
+        orbit_events_count(sat->event, sat->n_events, &t.events);
     }
     return t;
 }
@@ -69,6 +64,23 @@ static joints tally_joints(const orr_orbit_solution *s)
     return j;
 }
 
+// Manoeuvres first, then what was left out, then gaps: as many as a reader will read.
+static void say_events(const orr_cli *c, const orr_orbit_solution *s)
+{
+    enum { SHOWN = 12 };
+    static const orr_event_kind order[] = {ORR_EVENT_MANOEUVRE, ORR_EVENT_OUTLIER, ORR_EVENT_GAP};
+    char text[256];
+    size_t told = 0;
+    for (size_t k = 0; k < sizeof order / sizeof order[0]; k++)
+        for (size_t i = 0; i < s->n_sats; i++)
+            for (size_t j = 0; j < s->sat[i].n_events; j++) {
+                const orr_orbit_event *e = &s->sat[i].event[j];
+                if (e->kind != order[k] || !orbit_event_text(s->sat[i].sat, e, text, sizeof text)) continue;
+                if (told++ < SHOWN) orr_cli_say(c, "%s", text);
+            }
+    if (told > SHOWN) orr_cli_say(c, "and %zu more such events; --json tells all", told - SHOWN);
+}
+
 static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
                       const orr_ephemeris *e, const orbit_seconds *seconds)
 {
@@ -83,13 +95,14 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
         tally t = tally_system(s, *system);
         if (t.sats == 0) continue;
         orr_cli_say(c, "%-9s %5zu %8zu %12.3f %9zu %10zu %5zu %9zu", orr_system_name(*system), t.sats, t.used,
-                    residual_mm(&t), t.rejected, t.manoeuvres, t.gaps, t.eclipses);
+                    residual_mm(&t), t.rejected, t.events.manoeuvres, t.events.gaps, t.events.eclipses);
     }
+    say_events(c, s);
     joints j = tally_joints(s);
     if (j.n > 0 && j.worst != ORR_SAT_NONE)
         orr_cli_say(
-            c, "%zu nodes are given by two files, which differ there by %.1f mm RMS, %.1f mm at most (%s)",
-            j.n, 1e3 * j.rms_m, 1e3 * j.max_m, orr_sat_text(j.worst, name));
+            c, "where files join or overlap they differ by %.1f mm RMS, %.1f mm at most (%s; %zu places)",
+            1e3 * j.rms_m, 1e3 * j.max_m, orr_sat_text(j.worst, name), j.n);
     orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s",
                 report->eop_known ? "as given" : "secular pole, UT1 by the leap seconds", 1e3 * pos, vel);
     size_t rough = orr_ephemeris_shortened(e);
@@ -116,12 +129,35 @@ static json_t *json_systems(const orr_orbit_solution *s)
         json_object_set_new(o, "nodes", json_count(t.used));
         json_object_set_new(o, "left_out", json_count(t.rejected));
         json_object_set_new(o, "residual_rms_mm", json_real(residual_mm(&t)));
-        json_object_set_new(o, "manoeuvres", json_count(t.manoeuvres));
-        json_object_set_new(o, "gaps", json_count(t.gaps));
-        json_object_set_new(o, "eclipses", json_count(t.eclipses));
+        json_object_set_new(o, "manoeuvres", json_count(t.events.manoeuvres));
+        json_object_set_new(o, "gaps", json_count(t.events.gaps));
+        json_object_set_new(o, "eclipses", json_count(t.events.eclipses));
         json_object_set_new(systems, key, o);
     }
     return systems;
+}
+
+// All but eclipses, which are many and follow from the orbit.
+static json_t *json_events(const orr_orbit_solution *s)
+{
+    char text[ORR_TIME_TEXT];
+    json_t *all = json_array();
+    for (size_t i = 0; i < s->n_sats; i++)
+        for (size_t k = 0; k < s->sat[i].n_events; k++) {
+            const orr_orbit_event *e = &s->sat[i].event[k];
+            if (e->kind == ORR_EVENT_UMBRA || e->kind == ORR_EVENT_PENUMBRA) continue;
+            json_t *o = json_object();
+            json_object_set_new(o, "sat", json_string(orr_sat_text(s->sat[i].sat, text)));
+            json_object_set_new(o, "kind", json_string(orbit_event_name(e->kind)));
+            json_object_set_new(o, "from", json_string(orr_time_text(e->t0, text)));
+            json_object_set_new(o, "to", json_string(orr_time_text(e->t1, text)));
+            if (e->kind == ORR_EVENT_MANOEUVRE)
+                json_object_set_new(o, "change_mps", json_real(e->value));
+            else if (e->kind != ORR_EVENT_GAP && e->value > 0)
+                json_object_set_new(o, "size_m", json_real(e->value));
+            json_array_append_new(all, o);
+        }
+    return all;
 }
 
 static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
@@ -140,6 +176,7 @@ static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_s
     json_object_set_new(jumps, "rms_mm", json_real(1e3 * joint.rms_m));
     json_object_set_new(jumps, "max_mm", json_real(1e3 * joint.max_m));
     json_object_set_new(j, "day_jumps", jumps);
+    json_object_set_new(j, "events", json_events(s));
     json_object_set_new(j, "earth_rotation_given", json_boolean(report->eop_known));
     json_object_set_new(j, "segment_error_mm", json_real(1e3 * pos));
     json_object_set_new(j, "segment_error_mps", json_real(vel));

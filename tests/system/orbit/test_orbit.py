@@ -160,6 +160,15 @@ class ThreeDays(Folder):
         self.assertEqual(int(self.state("G10", "2025-03-22T13:00")["flags"]) & 4, 0)
         self.assertEqual({k: v["manoeuvres"] for k, v in self.summary["systems"].items()}, {"G": 1, "R": 0, "E": 0})
 
+    def test_events_are_told_one_by_one(self):
+        told = {kind: [e for e in self.summary["events"] if e["kind"] == kind] for kind in ("manoeuvre", "gap", "jump")}
+        self.assertEqual([e["sat"] for e in told["manoeuvre"]], ["G10"])
+        self.assertTrue(told["manoeuvre"][0]["from"] <= "2025-03-22T14:10" <= told["manoeuvre"][0]["to"])
+        self.assertGreater(told["manoeuvre"][0]["change_mps"], 0.01)
+        self.assertEqual([e["sat"] for e in told["gap"]], ["R08"])
+        self.assertEqual(len(told["jump"]), self.summary["day_jumps"]["n"])
+        self.assertIn("1 manoeuvre, ", run("inspect", self.product).stdout)
+
     def test_vanished_satellite(self):
         self.assertIsNotNone(self.state("E24", "2025-03-21T23:59"))
         self.assertIsNone(self.state("E24", "2025-03-22T02:00"))

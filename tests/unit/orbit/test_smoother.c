@@ -143,9 +143,9 @@ static void outliers_are_reported_and_not_followed(void **state)
 {
     (void)state;
     const double size[] = {1.0, 100.0};
-    const size_t where[] = {1, 40, 41, 90, 96}; // young, inside, next to each other, near and at the end
+    const size_t where[] = {1, 40, 41, 90, 96, 0}; // young, inside, next to each other, near and at the ends
     for (int k = 0; k < 2; k++)
-        for (size_t n = 0; n < 5; n++) {
+        for (size_t n = 0; n < 6; n++) {
             orr_sp3 f;
             made_sp3(&sky, all, 3, 0, DAY, 3, &f);
             orr_time bad = orr_time_add_s(sky.t0, 900.0 * (double)where[n]);
@@ -318,6 +318,116 @@ static void midnight_is_continuous_and_its_jump_reported(void **state)
     made_sp3_free(&f[1]);
 }
 
+// A day that goes on 0.8 m elsewhere, with no instant in common: nobody pushed the satellite. One orbit goes
+// over from one file to the other, and the jump is told.
+static void files_that_disagree_by_a_metre_are_no_manoeuvre(void **state)
+{
+    (void)state;
+    orr_sp3 f[2];
+    made_sp3(&sky, all, 3, 0, DAY - 3, 3, &f[0]);
+    made_sp3(&sky, all, 3, DAY, 2 * DAY, 3, &f[1]);
+    for (size_t e = 0; e < f[1].n_epochs; e++)
+        for (size_t i = 0; i < 3; i++) f[1].record[e * 3 + i].pos_m[2] += 0.8;
+    orr_orbit_solution s;
+    orr_smoother_report report;
+    orr_diag d = {0};
+    orr_smoother_options o = orr_smoother_defaults();
+    ASSERT_OK(run(f, 2, &o, &s, &report, NULL, &d), d);
+    assert_int_equal(report.nodes_rejected + report.manoeuvres, 0);
+    for (size_t i = 0; i < 3; i++) {
+        const orr_orbit_event *e = NULL;
+        assert_int_equal(made_find(&s, all[i]->sat)->n_arcs, 1);
+        assert_int_equal(count_events(&s, all[i]->sat, ORR_EVENT_DAY_JUMP, &e), 1);
+        assert_true(e->t0 == f[1].epoch[0]);
+        // The first day's prediction errs by centimetres, and what follows the first node adds to it.
+        assert_true(e->value > 0.7 && e->value < 2.0);
+        double rms, max;
+        made_compare(&sky, all[i], &s, 7200, 70000, &rms, &max);
+        ASSERT_NEAR(max, 0, 3e-3); // four hours before midnight next to nothing of the jump is left
+    }
+    orr_orbit_solution_free(&s);
+    made_sp3_free(&f[0]);
+    made_sp3_free(&f[1]);
+}
+
+// Half an hour after a joint, or with the joint in its very interval, a push remains a push.
+static void a_push_near_a_joint_is_found(void **state)
+{
+    (void)state;
+    const made_truth *const with[] = {&pushed};
+    const size_t joint[] = {132, 135, 138, 141}; // the push is between epochs 138 and 141
+    for (size_t n = 0; n < 4; n++) {
+        orr_sp3 f[2];
+        made_sp3(&sky, with, 1, 0, joint[n] - 3, 3, &f[0]);
+        made_sp3(&sky, with, 1, joint[n], DAY, 3, &f[1]);
+        orr_orbit_solution s;
+        orr_smoother_report report;
+        orr_diag d = {0};
+        orr_smoother_options o = orr_smoother_defaults();
+        ASSERT_OK(run(f, 2, &o, &s, &report, NULL, &d), d);
+        assert_int_equal(report.manoeuvres, 1);
+        assert_int_equal(report.nodes_rejected, 0);
+        const orr_orbit_event *e = NULL;
+        assert_int_equal(count_events(&s, pushed.sat, ORR_EVENT_MANOEUVRE, &e), 1);
+        ASSERT_NEAR(e->value, 0.10, 0.001);
+        assert_int_equal(count_events(&s, pushed.sat, ORR_EVENT_DAY_JUMP, NULL), 0);
+        orr_orbit_solution_free(&s);
+        made_sp3_free(&f[0]);
+        made_sp3_free(&f[1]);
+    }
+}
+
+// Three nodes before a flagged manoeuvre are an orbit; without the flag they are too few to tell and left
+// out, with what they are off the orbit after it.
+static void a_flag_sets_apart_what_is_short(void **state)
+{
+    (void)state;
+    const made_truth *const with[] = {&pushed};
+    for (int flagged = 0; flagged < 2; flagged++) {
+        orr_sp3 f;
+        made_sp3(&sky, with, 1, 132, DAY, 3, &f); // 11:00, 11:15, 11:30, push at 11:37:30
+        if (flagged) f.record[3].flags |= ORR_SP3_MANOEUVRE;
+        orr_orbit_solution s;
+        orr_smoother_report report;
+        orr_diag d = {0};
+        orr_smoother_options o = orr_smoother_defaults();
+        ASSERT_OK(run(&f, 1, &o, &s, &report, NULL, &d), d);
+        const orr_orbit_event *e = NULL;
+        assert_int_equal(report.nodes_rejected, flagged ? 0 : 3);
+        assert_int_equal(report.manoeuvres, flagged ? 1 : 0);
+        assert_int_equal(count_events(&s, pushed.sat, ORR_EVENT_OUTLIER, &e), flagged ? 0 : 3);
+        double rms, max;
+        made_compare(&sky, &pushed, &s, 39600, 41400, &rms, &max);
+        if (flagged)
+            ASSERT_NEAR(max, 0, 0.01); // three nodes alone
+        else                           // 7.5 min before a push of 0.1 m/s
+            assert_true(e->t0 == f.epoch[2] && e->value > 30 && e->value < 60);
+        orr_orbit_solution_free(&s);
+        made_sp3_free(&f);
+    }
+}
+
+static void a_file_given_twice_counts_once(void **state)
+{
+    (void)state;
+    orr_sp3 f;
+    made_sp3(&sky, all, 3, 0, DAY, 3, &f);
+    orr_smoother_input in[2] = {{.sp3 = &f, .name = "a", .sha256 = "0123"},
+                                {.sp3 = &f, .name = "b", .sha256 = "0123"}};
+    orr_smoother_options o = orr_smoother_defaults();
+    orr_orbit_solution s;
+    orr_smoother_report report;
+    orr_warnings w = {0};
+    orr_diag d = {0};
+    ASSERT_OK(orr_smoother_run(in, 2, &o, NULL, NULL, &s, &report, &w, &d), d);
+    assert_int_equal(report.nodes_used, 3 * 97);
+    assert_int_equal(w.count, 1);
+    assert_non_null(strstr(w.item[0].text, "same content"));
+    orr_orbit_solution_free(&s);
+    orr_warnings_free(&w);
+    made_sp3_free(&f);
+}
+
 static void predictions_yield_to_observations(void **state)
 {
     (void)state;
@@ -379,6 +489,9 @@ static void satellites_come_and_go(void **state)
     assert_non_null(two); // two nodes make an orbit, and its sigma says what it is worth
     made_compare(&sky, &glonass, &s, 0, 86400, &rms, &max);
     assert_true(max < 5 * (double)two->arc[0].sample[two->arc[0].n / 2].sigma_m + 0.01);
+    // They are met whatever they are, so that nothing tells their noise but what was assumed of it: 2.5 cm a
+    // coordinate.
+    ASSERT_NEAR((double)two->arc[0].sample[0].sigma_m, 0.025 * sqrt(3), 0.002);
     orr_orbit_solution_free(&s);
     orr_warnings_free(&w);
     made_sp3_free(&f);
@@ -469,6 +582,10 @@ int main(void)
         cmocka_unit_test(gaps_are_bridged_flagged_and_worth_their_sigma),
         cmocka_unit_test(too_long_a_gap_ends_the_arc),
         cmocka_unit_test(midnight_is_continuous_and_its_jump_reported),
+        cmocka_unit_test(files_that_disagree_by_a_metre_are_no_manoeuvre),
+        cmocka_unit_test(a_push_near_a_joint_is_found),
+        cmocka_unit_test(a_flag_sets_apart_what_is_short),
+        cmocka_unit_test(a_file_given_twice_counts_once),
         cmocka_unit_test(predictions_yield_to_observations),
         cmocka_unit_test(satellites_come_and_go),
         cmocka_unit_test(threads_do_not_change_a_bit),
