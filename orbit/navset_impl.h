@@ -45,7 +45,8 @@ bool navset_channel(const orr_nav *nav, orr_sat sat, orr_time t, int *channel, b
 
 // Almanacs of one day of GPS time: what is sent on it.
 typedef struct navset_day {
-    orr_time from, to;
+    orr_time from, to, noon;
+    bool fitted_lnav, fitted_glonass; // or borrowed from another day
     uint32_t toa_s;       // LNAV: seconds of the week, a multiple of 4096
     int32_t week;         // of toa
     orr_time glonass_day; // any instant of the almanac's day in Moscow
