@@ -9,6 +9,7 @@
 #include "orbit/navset_impl.h"
 
 #define DAY_NS (ORR_S_PER_DAY * ORR_NS_PER_S)
+#define CLOCK_NS (7200 * ORR_NS_PER_S)
 #define TOA_STEP_S 4096
 #define NOT_THERE 63   // all ones: "more than one thing is wrong" (IS-GPS-200N table 20-VIII)
 #define DATA_BAD 0xe0u // the three bits that an almanac has beside: all data are bad (table 20-VII)
@@ -20,7 +21,8 @@ static uint8_t health_of(const orr_navset *set, orr_sat sat, const navset_day *d
     size_t n = orr_navset_items(set, sat, &item);
     uint8_t health = NOT_THERE;
     for (size_t k = 0; k < n; k++)
-        if (item[k].to > day->from && item[k].from < day->to && health != 0) health = (uint8_t)(item[k].eph.health & 63);
+        if (item[k].to > day->from && item[k].from < day->to && health != 0)
+            health = (uint8_t)(item[k].eph.health & 63);
     return health;
 }
 
@@ -41,13 +43,13 @@ typedef struct work {
     orr_navset *set;
 } work;
 
-// A day of the orbit about noon, moved inward at the product's ends.
-static void window_about(const orr_navset *set, orr_time noon, orr_time *from, orr_time *to)
+// So much of the orbit about an instant, moved inward at the product's ends.
+static void window_about(const orr_navset *set, orr_time t, int64_t length, orr_time *from, orr_time *to)
 {
-    *from = noon - DAY_NS / 2;
-    *to = noon + DAY_NS / 2;
-    if (*to > set->to) *to = set->to, *from = set->to - DAY_NS;
-    if (*from < set->from) *from = set->from, *to = set->from + DAY_NS;
+    *from = t - length / 2;
+    *to = t + length / 2;
+    if (*to > set->to) *to = set->to, *from = set->to - length;
+    if (*from < set->from) *from = set->from, *to = set->from + length;
     if (*to > set->to) *to = set->to;
 }
 
@@ -56,9 +58,12 @@ static bool lnav_almanac(const work *w, navset_day *day, orr_sat sat, orr_lnav_a
     orr_navfit_product source = {.ephemeris = w->e, .sat = sat};
     orr_navfit_report report;
     orr_time from, to, toa = orr_time_from_week(day->week, day->toa_s * ORR_NS_PER_S);
-    window_about(w->set, day->noon, &from, &to);
-    if (orr_almanac_lnav_fit(sat, toa, from, to, orr_navfit_from_product, &source, a, &report, NULL) != ORR_OK)
+    window_about(w->set, day->noon, DAY_NS, &from, &to);
+    if (orr_almanac_lnav_fit(sat, toa, from, to, orr_navfit_from_product, &source, a, &report, NULL) !=
+        ORR_OK)
         return false;
+    window_about(w->set, toa, CLOCK_NS, &from,
+                 &to); // short: a reset elsewhere on the day is none of its business
     orr_status s = orr_almanac_lnav_clock(w->e, sat, toa, from, to, a, NULL, NULL);
     if (s != ORR_OK && !(s == ORR_E_NODATA && w->o->zero_clocks)) return false;
     const uint8_t health = day->lnav_health[orr_sat_number(sat) - 1];
@@ -104,15 +109,17 @@ static size_t count(const bool *has, size_t n)
     return sum;
 }
 
-// A day of which too little is there to fit sends the almanacs of the nearest day that has some, as real satellites send
-// those of days before.
+// A day of which too little is there to fit sends the almanacs of the nearest day that has some, as real
+// satellites send those of days before.
 static void borrow(orr_navset *set, navset_day *day)
 {
     const navset_day *lnav = NULL, *glonass = NULL;
     for (size_t k = 0; k < set->n_days; k++) {
         const navset_day *d = &set->day[k];
-        if (d->fitted_lnav && (lnav == NULL || llabs(d->from - day->from) < llabs(lnav->from - day->from))) lnav = d;
-        if (d->fitted_glonass && (glonass == NULL || llabs(d->from - day->from) < llabs(glonass->from - day->from)))
+        if (d->fitted_lnav && (lnav == NULL || llabs(d->from - day->from) < llabs(lnav->from - day->from)))
+            lnav = d;
+        if (d->fitted_glonass &&
+            (glonass == NULL || llabs(d->from - day->from) < llabs(glonass->from - day->from)))
             glonass = d;
     }
     if (lnav != NULL && !day->fitted_lnav) {
@@ -120,7 +127,8 @@ static void borrow(orr_navset *set, navset_day *day)
         for (int k = 0; k < 32; k++) day->has_lnav[k] = lnav->has_lnav[k], day->lnav[k] = lnav->lnav[k];
     }
     if (glonass != NULL && !day->fitted_glonass)
-        for (int k = 0; k < 24; k++) day->has_glonass[k] = glonass->has_glonass[k], day->glonass[k] = glonass->glonass[k];
+        for (int k = 0; k < 24; k++)
+            day->has_glonass[k] = glonass->has_glonass[k], day->glonass[k] = glonass->glonass[k];
     day->glonass_day = glonass != NULL && !day->fitted_glonass ? glonass->noon : day->noon;
 }
 

@@ -47,9 +47,9 @@ bool navset_channel(const orr_nav *nav, orr_sat sat, orr_time t, int *channel, b
 typedef struct navset_day {
     orr_time from, to, noon;
     bool fitted_lnav, fitted_glonass; // or borrowed from another day
-    uint32_t toa_s;       // LNAV: seconds of the week, a multiple of 4096
-    int32_t week;         // of toa
-    orr_time glonass_day; // any instant of the almanac's day in Moscow
+    uint32_t toa_s;                   // LNAV: seconds of the week, a multiple of 4096
+    int32_t week;                     // of toa
+    orr_time glonass_day;             // any instant of the almanac's day in Moscow
     bool has_lnav[32], has_glonass[24];
     uint8_t lnav_health[32]; // six bits; 63 for what is not there
     orr_lnav_almanac lnav[32];

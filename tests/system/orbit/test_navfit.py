@@ -163,6 +163,76 @@ class Made(Folder):
         self.assertGreater(len(errors), 500)
         self.assertLess(rms, 0.5)  # the bar of +-15 minutes
 
+    def test_a_superframe_holds_almanac_ionosphere_and_time(self):
+        stream = next(self.streams[s] for s in sorted(self.streams) if s[0] == "G")
+        fourth = {p["page"]: navdata.lnav_subframe(p["hex"]) for p in stream if p["number"] == 4}
+        fifth = {p["page"]: navdata.lnav_subframe(p["hex"]) for p in stream if p["number"] == 5}
+        self.assertEqual((sorted(fourth), sorted(fifth)), (list(range(1, 26)), list(range(1, 26))))
+        page = fourth[18]
+        self.assertEqual((page.unsigned((63, 6)), page.signed((241, 8)), page.signed((271, 8))), (56, 18, 18))
+        # The last leap second so far came at the end of 2016-12-31: week 1929, day 7.
+        self.assertEqual((page.unsigned((249, 8)), page.unsigned((257, 8))), (1929 % 256, 7))
+        sent = {s for s in self.streams if s[0] == "G"}
+        told = {}
+        for page in [*fourth.values(), *(fifth[k] for k in range(1, 25))]:
+            almanac = navdata.lnav_almanac(page)
+            if almanac:
+                told[f"G{almanac['number']:02d}"] = almanac
+        self.assertEqual(set(told), sent)
+        worst = 0.0
+        for sat, almanac in told.items():
+            position, clock, _ = navdata.lnav_position(almanac, self.from_s % 604800)
+            true, true_clock = self.truth[sat, self.from_s]
+            worst = max(worst, math.dist(position, true))
+            if true_clock is not None and not almanac["health"]:
+                self.assertLess(abs(clock - true_clock), 2e-6)  # the LSB is 1 us
+        print(f"LNAV almanac: worst {worst:.0f} m")
+        self.assertLess(worst, 5000)  # 900 to 3600 m, IS-GPS-200N table 20-XVIII for the first day
+        healthy = {f"G{k + 1:02d}" for k in range(24)
+                   if fifth[25].unsigned((30 * (3 + k // 4) + 1 + 6 * (k % 4), 6)) == 0}
+        self.assertEqual(healthy, {s for s in told if int(s[1:]) <= 24 and told[s]["health"] == 0})
+
+    def test_a_glonass_superframe_holds_all_almanacs(self):
+        sat = next(s for s in sorted(self.streams) if s[0] == "R")
+        strings = {}
+        for piece in self.streams[sat]:
+            strings[piece["page"], piece["number"]] = navdata.glonass_string(piece["hex"])
+        told = {}
+        for frame in range(1, 6):
+            for even in range(6, 16 if frame < 5 else 14, 2):
+                a, b = strings[frame, even], strings[frame, even + 1]
+                u, g = navdata.glonass_unsigned, navdata.glonass_signed
+                slot = u(a, 77, 73)
+                if slot == 0:  # no almanac
+                    self.assertEqual(a[80], 0)
+                    continue
+                self.assertEqual(slot, (frame - 1) * 5 + (even - 6) // 2 + 1)
+                told[f"R{slot:02d}"] = {"lambda": g(a, 62, 42) * 2**-20 * 180, "tau": g(a, 72, 63) * 2**-18, "healthy": a[80],
+                                        "t": u(b, 64, 44) / 32}
+        self.assertEqual(set(told), {s for s in self.streams if s[0] == "R"})
+        day_of_almanac = navdata.glonass_unsigned(strings[1, 5], 80, 70)
+        self.assertEqual(day_of_almanac, self.nt)
+        midnight = seconds(self.day()) - 3 * 3600 + self.leap_s  # of that day in Moscow
+        worst, passed = 0.0, 0
+        for sat, almanac in told.items():
+            t = midnight + almanac["t"]
+            if t < seconds(self.day()):  # before the product's begin
+                continue
+            t = round(t, 6)
+            row = next(csv.DictReader(run("states", self.product, "--sat", sat, "--from", text_of(t), "--to", text_of(t))
+                                      .stdout.splitlines()))
+            x, y, z = (float(row[k]) for k in ("x_m", "y_m", "z_m"))
+            self.assertGreater(float(row["vz_mps"]), 0)  # an ascending node
+            along = math.radians((math.degrees(math.atan2(y, x)) - almanac["lambda"] + 180) % 360 - 180) * math.hypot(x, y)
+            worst = max(worst, math.hypot(along, z))
+            self.assertTrue(almanac["healthy"])
+            self.assertLess(abs(almanac["tau"] + float(row["clock_s"])), 4e-6)  # the LSB is 3.8 us
+            passed += 1
+        print(f"GLONASS almanac: {passed} nodes, worst {worst:.0f} m")
+        self.assertGreater(passed, 10)
+        # The ICD's algorithm falls back by 4.8 km at each node; the fit halves that between before and after.
+        self.assertLess(worst, 5000)
+
     def test_the_report_says_what_the_bits_hold(self):
         self.assertIn("GPS", self.said)
         systems = self.report["systems"]
