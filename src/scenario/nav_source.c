@@ -87,6 +87,19 @@ static orr_status read_all(const orr_scenario *s, files *f, orr_navset_options *
     return status;
 }
 
+// What the fit has to say of satellites, marked as being of the broadcast data: their orbits are served.
+static orr_status build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
+                        orr_warnings *warnings, orr_diag *diag)
+{
+    orr_warnings own = {0};
+    orr_status status = orr_navset_build(e, o, out, &own, diag);
+    for (size_t i = 0; i < own.kept; i++)
+        orr_warnings_add(warnings, NULL, 0, 0, "broadcast data: %s", own.item[i].text);
+    if (warnings != NULL) warnings->count += own.count - own.kept;
+    orr_warnings_free(&own);
+    return status;
+}
+
 static double now_s(void)
 {
     struct timespec t;
@@ -112,7 +125,7 @@ orr_status orr_nav_source_build(const orr_scenario *s, const orr_ephemeris *e, c
     orr_diag inner = {0};
     orr_status status = read_all(s, &f, &o, warnings, &inner);
     if (status == ORR_OK) {
-        status = orr_navset_build(e, &o, out, warnings, &inner);
+        status = build(e, &o, out, warnings, &inner);
         if (status == ORR_E_NODATA) { // no fault of the scenario: the rest of it is served
             snprintf(why, ORR_NAV_SOURCE_WHY, "%s", inner.text);
             ORR_LOG(log, ORR_LOG_INFO, "no broadcast data: %s", why);

@@ -42,12 +42,15 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "frames.pcap"
         capture(path, [(0, frames["hello"]), (0, frames["poll"]), (1, states[:100]), (1, states[100:] + frames["error"]),
+                       (1, frames["elements"] + frames["navdata"]),
                        (0, bytes(bad))], spec["protocol"]["port"])
         done = subprocess.run([tshark, "-X", f"lua_script:{ROOT}/proto/gen/orrery.lua", "-r", str(path), "-V", "-O", "orrery"],
                               capture_output=True, text=True, timeout=60, check=False)
     wanted = ["Orrery HELLO, sequence 1", "name: gen", "Orrery POLL, sequence 2", "step [ns]: 100000000", "system: 'E'",
               "Orrery STATES, sequence 2", "pos_m: -20100000.5", "answer: NO_ARC (2)", "valid_to [ns]: -9223372036854775808",
-              "Orrery ERROR, sequence 3", "code: UNKNOWN_TYPE (5)", "sentence: unknown message type 999", "Orrery PING, sequence 1"]
+              "Orrery ERROR, sequence 3", "code: UNKNOWN_TYPE (5)", "sentence: unknown message type 999",
+              "Orrery ELEMENTS, sequence 4", "method: MEAN (2)", "answer: NO_VALUE (5)", "Orrery NAVDATA, sequence 5",
+              "message: FDMA (2)", "channel: 5", "bits: 85", "08bbb8c857800ed33ec0a8", "answer: NOT_SERVED (3)", "Orrery PING, sequence 1"]
     at = 0
     for text in wanted:  # in this order
         found = done.stdout.find(text, at)
