@@ -21,6 +21,14 @@ static const signal_pair pairs[] = {
 
 static double gamma_of(const signal_pair *p) { return p->f1_hz * p->f1_hz / (p->f2_hz * p->f2_hz); }
 
+// Of the system's first pair.
+static double usual_gamma(char system)
+{
+    size_t i = 0;
+    while (pairs[i].system != system) i++; // callers ask for systems of the table alone
+    return gamma_of(&pairs[i]);
+}
+
 static orr_time held_to_span(const orr_bias_set *x, orr_time t)
 {
     const orr_time day = ORR_S_PER_DAY * ORR_NS_PER_S;
@@ -98,14 +106,13 @@ orr_status orr_signal_broadcast_to_product(const orr_nav_eph *eph, double *shift
         break;
     case 'C': // B3I lags by nothing behind the message's clock, by -gamma/(gamma - 1) TGD1 behind B1I/B3I
         if (eph->message == ORR_NAV_D1 || eph->message == ORR_NAV_D2) {
-            const double g = gamma_of(&pairs[4]);
+            const double g = usual_gamma('C');
             shift = -g / (g - 1) * d->tgd_s;
         }
         break;
-    case 'R': { // L1 lags by nothing behind the message's clock, by delta tau / (gamma - 1) behind L1/L2
-        shift = eph->glonass.delta_tau_s / (gamma_of(&pairs[1]) - 1);
+    case 'R': // L1 lags by nothing behind the message's clock, by delta tau / (gamma - 1) behind L1/L2
+        shift = eph->glonass.delta_tau_s / (usual_gamma('R') - 1);
         break;
-    }
     default:
         break;
     }

@@ -160,12 +160,40 @@ static void what_clocks_do_is_let_be(void **state)
     orr_ephemeris_free(e);
 }
 
+// Files of two days whose clocks differ: each side keeps its own, the second holds from the joint on, and
+// that is no fault of either.
+static void a_joint_of_files_is_no_jump(void **state)
+{
+    (void)state;
+    const made_truth *const all[] = {&gps};
+    orr_sp3 f[2];
+    orr_orbit_solution s;
+    orr_warnings w = {0};
+    orr_diag d = {0};
+    orr_ephemeris *e = NULL;
+    const orr_smoother_options o = orr_smoother_defaults();
+    made_sp3(&sky, all, 1, 0, 36, 3, &f[0]); // 00:00 to 03:00, 03:00 to 06:00
+    made_sp3(&sky, all, 1, 36, 72, 3, &f[1]);
+    for (size_t i = 0; i < f[1].n_epochs; i++) f[1].record[i].clock_s += 500e-9;
+    const orr_smoother_input in[2] = {{.sp3 = &f[0], .name = "first.sp3"},
+                                      {.sp3 = &f[1], .name = "second.sp3"}};
+    ASSERT_OK(orr_smoother_run(in, 2, &o, NULL, NULL, &s, NULL, &w, &d), d);
+    ASSERT_OK(orr_ephemeris_build(&s, &e, &d), d);
+    assert_int_equal(w.count, 0);
+    for (double t = 0; t <= 21600; t += 450) assert_true(clock_at(e, t, 10799, 500e-9));
+    orr_ephemeris_free(e);
+    orr_orbit_solution_free(&s);
+    made_sp3_free(&f[0]);
+    made_sp3_free(&f[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_wrong_value_is_left_out),
         cmocka_unit_test(a_jump_is_not_interpolated_across),
         cmocka_unit_test(what_clocks_do_is_let_be),
+        cmocka_unit_test(a_joint_of_files_is_no_jump),
     };
     return cmocka_run_group_tests(tests, make_truth, drop_truth);
 }

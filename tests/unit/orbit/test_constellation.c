@@ -153,6 +153,45 @@ static void gaps_are_bridged_anywhere(void **state)
     }
 }
 
+// Geosynchronous satellites are pushed back to their places every few weeks, by centimetres to metres a
+// second.
+static void station_keeping_is_found_and_placed(void **state)
+{
+    (void)state;
+    static made_truth pushed[3];
+    const double push[] = {0.05, 0.3, 2.0}, when = 9 * 3600.0 + 20 * 60 + 50; // kicks are given every 50 s
+    const made_truth *all[3];
+    for (int k = 0; k < 3; k++) {
+        const int like = 4 + k; // IGSO, GEO, QZSS
+        made_orbit(&sky, truth[like].sat, class_of[like].a_m, class_of[like].e, class_of[like].incl,
+                   0.7 * like, 2.0 + 0.9 * like, 2e-8, when, push[k], &pushed[k]);
+        all[k] = &pushed[k];
+    }
+    orr_sp3 f;
+    orr_orbit_solution s;
+    orr_smoother_report report;
+    const orr_smoother_options o = orr_smoother_defaults();
+    made_sp3(&sky, all, 3, 0, DAY, 3, &f);
+    run(&f, &o, &s, &report);
+    assert_int_equal(report.manoeuvres, 3);
+    assert_int_equal(report.nodes_rejected, 0);
+    for (int k = 0; k < 3; k++) {
+        const orr_orbit_sat *sat = made_find(&s, pushed[k].sat);
+        double rms, max;
+        assert_int_equal(sat->n_arcs, 2);
+        // The velocity between the arcs is known to 1e-5 m/s: a part of the push in time.
+        ASSERT_NEAR(orr_time_diff_s(sat->arc[1].t0, sky.t0), when, 1.0 + 0.1 / push[k]);
+        for (size_t i = 0; i < sat->n_events; i++)
+            if (sat->event[i].kind == ORR_EVENT_MANOEUVRE) ASSERT_NEAR(sat->event[i].value, push[k], 0.001);
+        made_compare(&sky, &pushed[k], &s, 7200, 8 * 3600, &rms, &max);
+        ASSERT_NEAR(max, 0, 3e-3);
+        made_compare(&sky, &pushed[k], &s, 11 * 3600, 79200, &rms, &max);
+        ASSERT_NEAR(max, 0, 3e-3);
+    }
+    orr_orbit_solution_free(&s);
+    made_sp3_free(&f);
+}
+
 // G01-G36, R01-R30, E01-E36, C01-C45, J01-J07, S20-S25: 160 in all, those of a system on its classes' orbits
 // in turn. Every tenth appears at 02:00, every other tenth vanishes at 04:00.
 static size_t name_many(orr_sat *sat, int *class)
@@ -266,6 +305,7 @@ int main(void)
         cmocka_unit_test(every_kind_of_orbit_is_smoothed),
         cmocka_unit_test(outliers_are_not_followed_anywhere),
         cmocka_unit_test(gaps_are_bridged_anywhere),
+        cmocka_unit_test(station_keeping_is_found_and_placed),
         cmocka_unit_test(many_satellites_go_all_the_way),
     };
     return cmocka_run_group_tests(tests, make_truth, drop_truth);
