@@ -189,6 +189,13 @@ static orr_status open_stage(orr_stage *bottom, const orr_input_limits *limits, 
     return ORR_OK;
 }
 
+// Spreadsheets begin a text with UTF-8's byte order mark, which is none of it.
+#define MARK_LENGTH 3
+static size_t mark_length(const char *text, size_t n)
+{
+    return n >= MARK_LENGTH && memcmp(text, "\xEF\xBB\xBF", MARK_LENGTH) == 0 ? MARK_LENGTH : 0;
+}
+
 // Room for lines, and the first bytes looked at.
 static orr_status start_stream(orr_input *in, orr_diag *diag)
 {
@@ -209,6 +216,7 @@ static orr_status start_stream(orr_input *in, orr_diag *diag)
         }
         in->to += got;
     }
+    in->from = mark_length(in->buf, in->to);
     return refuse_web_page(in->name, in->buf, in->to, diag);
 }
 
@@ -390,6 +398,10 @@ static orr_status read_whole(orr_stage *bottom, size_t hint, const orr_input_lim
         }
     }
     if (st == ORR_OK) st = refuse_web_page(in->name, b.text, b.n, diag);
+    if (st == ORR_OK && mark_length(b.text, b.n) > 0) {
+        b.n -= mark_length(b.text, b.n);
+        memmove(b.text, b.text + MARK_LENGTH, b.n);
+    }
     orr_input_close(in);
     if (st != ORR_OK) {
         free(b.text);

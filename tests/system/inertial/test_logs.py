@@ -83,6 +83,7 @@ class Logs(Folder):
                 (self.log(text(rows).split("\n", 1)[1], "seven.csv"),),
                 (self.log(text(rows).replace(",", ";"), "semi.csv"),),
                 (self.log(text(rows).replace(",", "\t").replace("\n", "\r\n"), "tabs.csv"),),
+                (self.log("\ufeff" + text(rows), "spreadsheet.csv"),),
                 (self.log(gzip.compress(text(rows).encode()), "log.csv.gz"),),
                 (self.log("# columns: t,lat,lon,height,heading,pitch,roll\n# more\n\n" + text(rows).split("\n", 1)[1], "comment.csv"),),
                 (self.log(text([(r[1], r[2], "x", r[0], *r[3:]) for r in rows], "lat,lon,note,t,h,yaw,pitch,roll"), "order.csv"),),

@@ -8,6 +8,7 @@ import math
 import pathlib
 import re
 import signal
+import struct
 import subprocess
 import sys
 import time
@@ -188,6 +189,32 @@ class Readings(Folder):
         self.assertEqual(summary["values"], len(rows))
         self.assertAlmostEqual(summary["true"]["max_mgal"], max(r["true_mgal"] for r in rows), delta=1e-6)
         self.assertLess(summary["difference"]["filtered_rms_mgal"], 0.01)
+
+    def test_spherical_harmonics_and_their_folder(self):
+        """A model of its central term alone, whose pull is closed: a unit at rest reads it, and the file of readings finds it again."""
+        gm, lat = 3.9e14, math.radians(50)
+        models = pathlib.Path(self.path("models"))
+        models.mkdir()
+        (models / "central.egm").write_text(
+            "EGMF-1\nName central\nPublisher test\nReleaseDate 2024-01-01\nDataVersion 1\nModelRadius 6378137\n"
+            f"ModelMass {gm}\nAngularVelocity 7.292115e-5\nReferenceRadius 6378137\nReferenceMass 3.986004418e14\n"
+            "Flattening 1/298.257223563\nHeightOffset 0\nCorrectionMultiplier 1\nNormalization full\nID ORRTEST1\n", encoding="ascii")
+        (models / "central.egm.cof").write_bytes(b"ORRTEST1" + struct.pack("<2i6d3d2i", 2, 2, *[0.0] * 9, -1, -1))
+        path, nc = self.still(extra="gravity: {model: central, folder: models}\n"), self.path("central.nc")
+        run("imu", "-q", path, "-o", nc)
+        r = ecef(lat, math.radians(20), 0)
+        size, axis = math.hypot(*r), math.hypot(*r[:2])
+        up = gm / size ** 3 * (axis * math.cos(lat) + r[2] * math.sin(lat)) - EARTH_RATE ** 2 * axis * math.cos(lat)
+        north = gm / size ** 3 * (r[2] * math.cos(lat) - axis * math.sin(lat)) + EARTH_RATE ** 2 * axis * math.sin(lat)
+        f = dump(nc)
+        self.assertAlmostEqual(f["dv_mps"][0][2] * 100, up, delta=1e-12)
+        self.assertAlmostEqual(f["dv_mps"][0][1] * 100, north, delta=1e-12)
+        self.assertAlmostEqual(f["gravity_disturbance"][0], 1e5 * (up - normal_gravity(lat)), delta=1e-4)
+        self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-6)
+        models.rename(self.path("elsewhere"))
+        for command in ("nulltest", "gravimetry"):
+            self.assertIn("central", run(command, nc, status=1).stderr)
+            run(command, nc, "--gravity-folder", self.path("elsewhere"))
 
     def test_track_reads_back(self):
         """What track prints, read as a log, is the same flight: also at a rate whose times are no milliseconds."""

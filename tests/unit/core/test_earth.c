@@ -5,6 +5,7 @@
 
 #include "core/earth.h"
 #include "core/rng.h"
+#include "gravity_model.h"
 
 #define DEG ORR_RAD_PER_DEG
 
@@ -278,50 +279,15 @@ static void geodesic_of_the_textbook(void **state)
     }
 }
 
-// ---- gravity models in GeographicLib's format, made here ----
-
-static void write_model(const char *dir, const char *name, const char *meta, int degree, double c20)
-{
-    char path[300];
-    snprintf(path, sizeof path, "%s/%s.egm", dir, name);
-    FILE *f = fopen(path, "wb");
-    assert_non_null(f);
-    fputs(meta, f);
-    fclose(f);
-    snprintf(path, sizeof path, "%s/%s.egm.cof", dir, name);
-    f = fopen(path, "wb");
-    assert_non_null(f);
-    fwrite("ORRTEST1", 1, 8, f);
-    int32_t size[2] = {degree, degree};
-    fwrite(size, sizeof size, 1, f);
-    for (int m = 0; m <= degree; m++) // columns by order; cosines then sines (those of order 0 are left out)
-        for (int n = m; n <= degree; n++) {
-            double c = n == 2 && m == 0 ? c20 : 0;
-            fwrite(&c, sizeof c, 1, f);
-        }
-    for (int m = 1; m <= degree; m++)
-        for (int n = m; n <= degree; n++) {
-            double s = 0;
-            fwrite(&s, sizeof s, 1, f);
-        }
-    int32_t none[2] = {-1, -1};
-    fwrite(none, sizeof none, 1, f);
-    fclose(f);
-}
-
-static const char META[] =
-    "EGMF-1\nName orrtest\nPublisher test\nReleaseDate 2024-01-01\nDataVersion 1\n"
-    "ModelRadius 6378136.3\nModelMass 3.986004415e14\nAngularVelocity 7.292115e-5\n"
-    "ReferenceRadius 6378137\nReferenceMass 3.986004418e14\nFlattening 1/298.257223563\n"
-    "HeightOffset 0\nCorrectionMultiplier 1\nNormalization full\nID ORRTEST1\n";
-
 static void gravity_model_of_one_coefficient(void **state)
 {
     (void)state;
     char dir[] = "gravity-XXXXXX", path[64];
     assert_non_null(mkdtemp(dir));
     const double c20 = -4.84165371736e-4, gm = 3.986004415e14, a = 6378136.3, j2 = -c20 * sqrt(5);
-    write_model(dir, "good", META, 4, c20);
+    test_model made = {.degree = 4, .gm_m3ps2 = gm, .radius_m = a};
+    made.c[2][0] = c20;
+    test_model_write(dir, "good", &made);
     orr_gravity_model *m;
     orr_diag d = {0};
     ASSERT_OK(orr_gravity_model_open("good", dir, &m, &d), d);
@@ -343,7 +309,15 @@ static void gravity_model_of_one_coefficient(void **state)
     assert_int_equal(orr_gravity_model_open("absent", dir, &m, &d), ORR_E_IO);
     assert_null(m);
     assert_non_null(strstr(d.text, "absent"));
-    write_model(dir, "bad", "this is no model\n", 4, c20);
+    // without a folder it is looked for where GeographicLib keeps its own, and the sentence says so
+    d = (orr_diag){0};
+    assert_int_equal(orr_gravity_model_open("absent", NULL, &m, &d), ORR_E_IO);
+    assert_non_null(strstr(d.text, "absent"));
+    assert_null(strstr(d.text, "null"));
+    test_model_write(dir, "bad", &made);
+    FILE *f = test_model_file(dir, "bad", ".egm");
+    fputs("this is no model\n", f);
+    fclose(f);
     d = (orr_diag){0};
     assert_int_equal(orr_gravity_model_open("bad", dir, &m, &d), ORR_E_IO);
     assert_true(d.text[0] != '\0');
@@ -352,11 +326,8 @@ static void gravity_model_of_one_coefficient(void **state)
     d = (orr_diag){0};
     assert_int_equal(orr_gravity_model_open("good", dir, &m, &d), ORR_E_IO);
     assert_true(d.text[0] != '\0');
-    const char *names[] = {"good.egm", "good.egm.cof", "bad.egm", "bad.egm.cof"};
-    for (int i = 0; i < 4; i++) {
-        snprintf(path, sizeof path, "%s/%s", dir, names[i]);
-        remove(path);
-    }
+    test_model_remove(dir, "good");
+    test_model_remove(dir, "bad");
     rmdir(dir);
 }
 
