@@ -92,6 +92,57 @@ static void gps_of_2010(void **state)
     assert_true(without.sum[G].sisre_m > 1.1 * j.sum[G].sisre_m);
 }
 
+// The control segment has its own idea of where antennas are: 0.952 m (IIA), 1.614 m (IIR) and 0 (IIR-B and
+// M) from the centre of mass towards the Earth, where igs05 has 2.3 to 2.7, 0.9 to 1.3 and 0.6 to 0.8. The
+// mean radial error of each satellite, igs05's offset added back, must give just that: frame, antenna,
+// attitude and sign in one. Left are the orbit's own means and the ionosphere-free combination of equal L1
+// and L2 offsets, which is the same.
+static void gps_antennas_are_the_control_segments(void **state)
+{
+    (void)state;
+    char path[3][512];
+    if (!orr_test_data("2010-182/brdc1820.10n.gz", path[0], sizeof path[0]) ||
+        !orr_test_data("2010-182/igs15904.sp3.gz", path[1], sizeof path[1]) ||
+        !orr_test_data("antex/igs05.atx.gz", path[2], sizeof path[2])) {
+        SKIP_NO_DATA("2010-182");
+        return;
+    }
+    orr_nav nav;
+    orr_sp3 sp3;
+    orr_antex antex;
+    orr_diag d = {0};
+    ASSERT_OK(orr_nav_read(path[0], NULL, &nav, NULL, &d), d);
+    ASSERT_OK(orr_sp3_read(path[1], NULL, &sp3, NULL, &d), d);
+    ASSERT_OK(orr_antex_read(path[2], NULL, &antex, NULL, &d), d);
+    const orr_sisre_options o = {.choice = orr_broadcast_choice_default(), .antex = &antex};
+    orr_sisre_sum sums[ORR_N_SYSTEMS];
+    orr_sisre_sample *s = NULL;
+    size_t n = 0;
+    ASSERT_OK(orr_sisre_run(&nav, &sp3, &o, &s, &n, sums, &d), d);
+    int judged_sats = 0;
+    for (int p = 1; p <= 32; p++) {
+        double sum = 0;
+        size_t m = 0;
+        for (size_t i = 0; i < n; i++) {
+            if (s[i].sat != orr_sat_make('G', p) || fabs(s[i].radial_m) > 50) continue;
+            sum += s[i].radial_m;
+            m++;
+        }
+        const orr_antex_antenna *a = orr_antex_find_sat(&antex, orr_sat_make('G', p), sp3.epoch[0]);
+        if (m < 48 || a == NULL) continue;
+        const double theirs = orr_antex_find_frequency(a, "G01")->offset_m[2] - sum / (double)m;
+        const bool iia = strncmp(a->type, "BLOCK IIA", 9) == 0,
+                   iir = strncmp(a->type, "BLOCK IIR-A", 11) == 0;
+        ASSERT_NEAR(theirs, iia ? 0.952 : iir ? 1.614 : 0, 0.25);
+        judged_sats++;
+    }
+    assert_int_equal(judged_sats, 30);
+    free(s);
+    orr_nav_free(&nav);
+    orr_sp3_free(&sp3);
+    orr_antex_free(&antex);
+}
+
 static void glonass_of_2009(void **state)
 {
     (void)state;
@@ -179,6 +230,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gps_of_2010),
+        cmocka_unit_test(gps_antennas_are_the_control_segments),
         cmocka_unit_test(glonass_of_2009),
         cmocka_unit_test(gps_glonass_galileo_of_2020),
         cmocka_unit_test(beidou_and_qzss_of_2020),
