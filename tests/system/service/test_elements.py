@@ -6,11 +6,13 @@ import csv
 import io
 import json
 import math
+import os
+import pathlib
 import threading
 import time
 import unittest
 
-from daemon import PATIENCE_S, Daemon, orrery as program, product  # first: it sets the path
+from daemon import PATIENCE_S, ROOT, WORK, Daemon, orrery as program, product  # first: it sets the path
 
 import orrery
 from orrery import frame, messages
@@ -138,6 +140,31 @@ class Elements(unittest.TestCase):
         thread.join()
         self.assertEqual(seen, list(range(3000)))
         self.assertLess(answered, 3000)
+
+
+class EarthOrientation(unittest.TestCase):
+    """What orbit.erp says of the Earth's rotation is what the elements are made with."""
+
+    def test_the_scenario_s_own(self):
+        data = pathlib.Path(os.environ.get("ORRERY_DATA") or ROOT / "../shared/data") / "2008-279"
+        sp3, erp = data / "COD15000.EPH.Z", data / "COD15007.ERP.Z"
+        if not sp3.exists():
+            self.skipTest("2008-279 is not here (set ORRERY_DATA)")
+        made = program("orbit", "-o", WORK / "erp.nc", "--erp", erp, sp3)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        (WORK / "erp.yaml").write_text(f"orbit: {{sp3: {sp3}, erp: {erp}}}\nnavdata: {{window: none}}\n", encoding="utf-8")
+        at = "2008-10-05T12:00:00"
+        with Daemon(WORK / "erp.yaml") as daemon:
+            over = program("poll", daemon.urls[0], "--elements", "--at", at).stdout
+        told = program("elements", WORK / "erp.nc", "--erp", erp, "--from", at, "--to", at).stdout
+        untold = program("elements", WORK / "erp.nc", "--from", at, "--to", at).stdout
+        self.assertEqual(len(over.splitlines()), 47)
+        for a, b, c in zip(rows(over), rows(told), rows(untold), strict=True):
+            self.assertEqual(a["sat"], b["sat"])
+            self.assertAlmostEqual(float(a["raan_deg"]), float(b["raan_deg"]), delta=1e-9)  # the product rounds its coefficients
+            self.assertAlmostEqual(float(a["i_deg"]), float(b["i_deg"]), delta=1e-9)
+            # leap seconds alone tell UT1 to some tenths of a second; 10 ms are 4e-5 deg of the node
+            self.assertGreater(abs(float(a["raan_deg"]) - float(c["raan_deg"])), 4e-5)
 
 
 if __name__ == "__main__":
