@@ -133,10 +133,12 @@ static bool take_date(const char **p, orr_civil *c, const char **why)
     return take_int(p, 1, 2, &c->day);
 }
 
-// "hh:mm", "hh:mm:ss", "hh:mm:ss.s"
+// "hh", "hh:mm", "hh:mm:ss", "hh:mm:ss.s"
 static bool take_clock(const char **p, orr_civil *c)
 {
-    if (!take_int(p, 1, 2, &c->hour) || **p != ':') return false;
+    const char *begin = *p;
+    if (!take_int(p, 1, 2, &c->hour)) return false;
+    if (**p != ':') return *p - begin == 2;
     (*p)++;
     if (!take_int(p, 2, 2, &c->minute)) return false;
     if (**p != ':') return true;

@@ -66,6 +66,21 @@ static bool calibrate(const orr_nav *nav, const orr_node_list *list, orr_vec3 *o
     return *sigma > 0;
 }
 
+// No record is worth anything a day after the last one's toe.
+static orr_time last_record(const orr_nav *nav, orr_sat sat)
+{
+    orr_time last = INT64_MIN;
+    for (size_t i = 0; i < nav->n_eph; i++)
+        if (nav->eph[i].sat == sat && nav->eph[i].toe > last) last = nav->eph[i].toe;
+    return last == INT64_MIN ? last : last + ORR_S_PER_DAY * ORR_NS_PER_S;
+}
+
+static orr_time earlier(orr_time a, orr_time b, orr_time least)
+{
+    orr_time x = a < b ? a : b;
+    return x > least ? x : least;
+}
+
 static int by_time(const void *a, const void *b)
 {
     const orr_node *x = a, *y = b;
@@ -83,7 +98,8 @@ orr_status orr_bridge_nodes(const orr_nav *nav, orr_time origin, double step_s, 
     const int64_t step = (int64_t)llround(step_s * 1e9);
     const double correlated = fmax(1.0, CORRELATED_S / step_s);
     orr_time end = list->node[precise - 1].t;
-    if (extend_to != ORR_TIME_NONE && extend_to > end) end = extend_to;
+    if (extend_to != ORR_TIME_NONE && extend_to > end)
+        end = earlier(extend_to, last_record(nav, list->sat), end);
     size_t room = precise + (size_t)((end - list->node[0].t) / step) + 2;
     orr_node *node = realloc(list->node, room * sizeof *node);
     if (node == NULL) return ORR_E_MEMORY;

@@ -10,8 +10,8 @@
 // further apart than twice that, and from the last precise node to extend_to (ORR_TIME_NONE: not). From the
 // broadcast positions the mean offset from the precise ones along radius, track and across is taken away
 // (antenna offset, frame), and sigma_m of the new nodes is the RMS of what is left, times the root of the
-// number of nodes over which a broadcast error stays the same (two hours of them). A satellite without eight
-// common instants is not bridged. ORR_E_MEMORY.
+// number of nodes over which a broadcast error stays the same (twelve hours of them). A satellite without
+// eight common instants is not bridged. ORR_E_MEMORY.
 orr_status orr_bridge_nodes(const orr_nav *nav, orr_time origin, double step_s, orr_time extend_to,
                             orr_node_list *list);
 

@@ -222,16 +222,33 @@ static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs
     return ORR_OK;
 }
 
-static orr_status bridge_all(const orr_smoother_options *o, orr_node_table *t, orr_diag *diag)
+static orr_status bridge_all(const orr_smoother_options *o, orr_node_table *t, orr_warnings *warnings,
+                             orr_diag *diag)
 {
+    const orr_time asked = o->extend_to;
+    char when[ORR_TIME_TEXT], name[ORR_SAT_TEXT] = "";
+    size_t n_short = 0;
+    if (asked != ORR_TIME_NONE && asked <= t->to)
+        orr_warnings_add(warnings, NULL, 0, 0, "nothing to extend: the positions reach to %s",
+                         orr_time_text(t->to, when));
     for (size_t i = 0; i < t->n_sats; i++) {
         orr_node_list *l = &t->list[i];
-        if (orr_bridge_nodes(o->nav, t->from, t->step_s, o->extend_to, l) != ORR_OK) {
+        if (orr_bridge_nodes(o->nav, t->from, t->step_s, asked, l) != ORR_OK) {
             orr_nodes_free(t);
             return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for the nodes of the bridge");
         }
-        if (l->n_nodes > 0 && l->node[l->n_nodes - 1].t > t->to) t->to = l->node[l->n_nodes - 1].t;
+        if (l->n_nodes == 0) continue;
+        const orr_time end = l->node[l->n_nodes - 1].t;
+        if (end > t->to) t->to = end;
+        if (asked != ORR_TIME_NONE && orr_time_diff_s(asked, end) > t->step_s && n_short++ == 0)
+            orr_sat_text(l->sat, name);
     }
+    if (n_short > 0)
+        orr_warnings_add(
+            warnings, NULL, 0, 0,
+            "satellites that end earlier than asked, for want of broadcast ephemerides: %zu (%s the first); "
+            "the product reaches to %s",
+            n_short, name, orr_time_text(t->to, when));
     return ORR_OK;
 }
 
@@ -275,7 +292,9 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
     if (out->to < out->from) {
         orr_nodes_free(out);
         return orr_diag_set(diag, ORR_E_NODATA, "no satellite position is left to smooth%s",
-                            o->n_exclude > 0 || o->node_step_s > 0 ? " after decimation and exclusion" : "");
+                            n_sats == 0                              ? ": no file has any of the satellites"
+                            : o->n_exclude > 0 || o->node_step_s > 0 ? " after decimation and exclusion"
+                                                                     : "");
     }
     for (size_t i = 0; i < out->n_sats; i++)
         for (size_t k = 0; k < out->list[i].n_nodes; k++)
@@ -294,7 +313,7 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
             orr_nodes_free(out);
             return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for the clocks");
         }
-    return o->bridge ? bridge_all(o, out, diag) : ORR_OK;
+    return o->bridge ? bridge_all(o, out, warnings, diag) : ORR_OK;
 memory:
     free(order);
     free(sat);

@@ -90,10 +90,11 @@ void orr_prior_sparse(const orr_track_context *c, const orr_node *list, size_t n
     }
 }
 
-void orr_prior_broadcast(const orr_track_context *c, orr_sat sat, const orr_node *list, size_t n,
-                         double node_step_s, orr_reference *reference)
+size_t orr_prior_broadcast(const orr_track_context *c, orr_sat sat, const orr_node *list, size_t n,
+                           double node_step_s, orr_reference *reference)
 {
     const orr_broadcast_choice choice = orr_broadcast_choice_default();
+    size_t found = 0;
     orr_prior_sparse(c, list, n, node_step_s, reference);
     for (size_t i = 0; i < n; i++) {
         orr_broadcast_state s;
@@ -106,5 +107,7 @@ void orr_prior_broadcast(const orr_track_context *c, orr_sat sat, const orr_node
         orr_sky_at(c->sky, list[i].t_s, &p);
         orr_sky_from_ecef(&p, s.pos_m, s.vel_mps, &reference[i].r_m, &reference[i].v_mps);
         reference[i].valid = true;
+        found++;
     }
+    return found;
 }

@@ -15,8 +15,8 @@ void orr_prior_sparse(const orr_track_context *c, const orr_node *list, size_t n
                       orr_reference *reference);
 
 // Variant A: position and velocity of the broadcast orbit, where the navigation file has a record; the rest
-// as above.
-void orr_prior_broadcast(const orr_track_context *c, orr_sat sat, const orr_node *list, size_t n,
-                         double node_step_s, orr_reference *reference);
+// as above. Returns how many nodes have a broadcast state.
+size_t orr_prior_broadcast(const orr_track_context *c, orr_sat sat, const orr_node *list, size_t n,
+                           double node_step_s, orr_reference *reference);
 
 #endif

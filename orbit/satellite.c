@@ -362,7 +362,8 @@ static orr_status smooth_all(work *w)
 {
     const orr_track_context *c = w->c;
     if (c->options->nav != NULL)
-        orr_prior_broadcast(c, w->out->sat, w->node, w->n, w->table->step_s, w->ref);
+        w->report->from_broadcast =
+            orr_prior_broadcast(c, w->out->sat, w->node, w->n, w->table->step_s, w->ref);
     else
         orr_prior_sparse(c, w->node, w->n, w->table->step_s, w->ref);
     orr_status s = ORR_OK;

@@ -8,6 +8,7 @@
 
 typedef struct orr_satellite_report {
     size_t nodes_used, nodes_rejected, manoeuvres;
+    size_t from_broadcast; // nodes whose a-priori state is a broadcast one
     int passes;
     double residual_m2; // sum of squares over used nodes, 3-D
     char note[256];     // why something was left out; empty if nothing was

@@ -115,13 +115,22 @@ static void *worker(void *arg)
     return NULL;
 }
 
+// Satellites of which one thing is to be said: how many, and the first of them.
+typedef struct few {
+    size_t n;
+    char first[ORR_SAT_TEXT];
+} few;
+static void count_in(few *f, const char *name)
+{
+    if (f->n++ == 0) snprintf(f->first, sizeof f->first, "%s", name);
+}
+
 // Moves finished satellites into the solution and counts; what was left out is said.
 static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report *report,
                           orr_warnings *warnings, orr_diag *diag)
 {
     double residual_m2 = 0;
-    size_t n_absent = 0;
-    char absent[ORR_SAT_TEXT] = "";
+    few absent = {0}, without_broadcast = {0};
     for (size_t i = 0; i < p->table->n_sats; i++) {
         const orr_satellite_report *r = &p->report[i];
         char name[ORR_SAT_TEXT];
@@ -134,13 +143,14 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
             orr_warnings_add(warnings, NULL, 0, 0, "%s: %s; that stretch is left out", name, r->note);
         if (p->sat[i].n_arcs == 0) {
             if (p->table->list[i].n_nodes == 0) {
-                if (n_absent++ == 0) memcpy(absent, name, sizeof absent);
+                count_in(&absent, name);
             } else if (r->note[0] == '\0')
                 orr_warnings_add(warnings, NULL, 0, 0, "%s: its positions agree with no orbit; left out",
                                  name);
             orr_satellite_free(&p->sat[i]);
             continue;
         }
+        if (p->options->nav != NULL && r->from_broadcast == 0) count_in(&without_broadcast, name);
         report->nodes_used += r->nodes_used;
         report->nodes_rejected += r->nodes_rejected;
         report->manoeuvres += r->manoeuvres;
@@ -150,9 +160,16 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
         out->sat[out->n_sats++] = p->sat[i];
         p->sat[i] = (orr_orbit_sat){0};
     }
-    if (n_absent > 0)
+    if (absent.n > 0)
         orr_warnings_add(warnings, NULL, 0, 0,
-                         "satellites without any position to smooth: %zu (%s the first)", n_absent, absent);
+                         "satellites without any position to smooth: %zu (%s the first)", absent.n,
+                         absent.first);
+    if (without_broadcast.n > 0)
+        orr_warnings_add(
+            warnings, NULL, 0, 0,
+            "satellites of which no broadcast ephemeris fits a position: %zu (%s the first); they are "
+            "smoothed from their positions alone",
+            without_broadcast.n, without_broadcast.first);
     report->residual_rms_m = report->nodes_used > 0 ? sqrt(residual_m2 / (double)report->nodes_used) : 0;
     return out->n_sats > 0 ? ORR_OK : orr_diag_set(diag, ORR_E_NODATA, "no satellite could be smoothed");
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #define WIDE_GAP_S 10800.0
+#define OPEN_END 100.0
 #define SAME_INSTANT_S 1e-6 // SP3 writes epochs to 1e-8 s; filter steps are a hundred seconds
 
 void orr_track_free(orr_track *t)
@@ -47,18 +48,21 @@ static size_t choose_intervals(double span_s, double node_step_s, double grid_s,
 // Without Earth-orientation data the secular pole is off by 0.1-0.2": positions seem to swing by metres once
 // a day, an acceleration of 1e-7 m/s^2 that f0 follows from node to node but that nothing tells inside a gap.
 // Measured on 2024-035 with gaps of 1 to 8 h, errors grow faster than the random walk by the square of the
-// gap's length beyond three hours; with the true pole they do not.
+// gap's length beyond three hours; with the true pole they do not. Beyond the last node nothing holds the
+// orbit on the far side: there errors are five to fifteen times the random walk's from the first half hour on
+// (2009-091, 2010-182; with an ERP file, on 2008-279, they are not).
 static void widen_gaps(const orr_track_context *c, const orr_node *list, orr_track *t)
 {
     size_t from = 0;
     for (size_t k = 0; k < t->n; k++) t->at[k].noise = 1;
     for (size_t k = 1; k < t->n && !c->eop_known; k++) {
-        bool precise = k + 1 == t->n;
+        bool precise = false;
         for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n; i++)
             precise = precise || (!list[i].bridge && !list[i].superseded);
-        if (!precise) continue;
-        double times = (t->at[k].t_s - t->at[from].t_s) / WIDE_GAP_S;
-        for (size_t j = from; j < k && times > 1; j++) t->at[j].noise = times * times * times * times;
+        if (!precise && k + 1 < t->n) continue;
+        const double times = (t->at[k].t_s - t->at[from].t_s) / WIDE_GAP_S;
+        const double noise = fmax(times * times * times * times, precise ? 1 : OPEN_END);
+        for (size_t j = from; j < k; j++) t->at[j].noise = noise;
         from = k;
     }
 }

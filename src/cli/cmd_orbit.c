@@ -49,7 +49,9 @@ static const orr_option options[] = {
     {.name = "extend-to",
      .kind = ORR_OPT_TIME,
      .value = "T",
-     .help = "with --bridge: go on beyond the last node up to T"},
+     .help = "with --bridge: go on beyond the last node up to T, as long as there are broadcast ephemerides; "
+             "--erp "
+             "makes the first hours ten times better"},
     {.name = "max-gap",
      .kind = ORR_OPT_DURATION,
      .value = "S",

@@ -45,6 +45,8 @@ static void what_the_command_line_accepts(void **state)
     assert_int_equal(parsed("2024-035"), t - 900 * ORR_NS_PER_S);
     assert_int_equal(parsed("2024-035 GPS"), t - 900 * ORR_NS_PER_S);
     assert_int_equal(parsed("2024-02-03T24:00:00"), t - 900 * ORR_NS_PER_S);
+    assert_int_equal(parsed("2024-02-04T06"), parsed("2024-02-04T06:00:00"));
+    assert_int_equal(parsed("2024-02-04 06Z"), parsed("2024-02-04T06:00:00Z"));
     assert_int_equal(parsed("1980-01-06"), 0);
     assert_int_equal(parsed("0:0"), 0);
     assert_int_equal(parsed("1980-01-06T00:00:00.000000001"), 1);
