@@ -74,7 +74,7 @@ static bool three_turns(orr_pose a, orr_pose b, double R, int t, int side, doubl
 
 double orr_dubins(orr_pose from, orr_pose to, double radius_m, orr_path_piece piece[3])
 {
-    double best = INFINITY, length[3] = {0, 0, 0};
+    double best = HUGE_VAL, length[3] = {0, 0, 0};
     int turn[3] = {0, 0, 0};
     for (int word = 0; word < 8; word++) {
         int t1 = word & 1 ? 1 : -1, t3 = word < 4 ? (word & 2 ? 1 : -1) : t1, side = word & 2 ? 1 : -1;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/antex_internal.h"
 #include "ingest/records.h"
 
@@ -142,7 +143,7 @@ static orr_status read_frequency(antex_reader *r, orr_antex_antenna *a, orr_view
     if (list == NULL) return orr_cursor_error(&r->c, why, ORR_E_MEMORY, 0, "no memory for a frequency");
     a->frequency = list;
     orr_antex_frequency *f = &list[a->n_frequencies++];
-    *f = (orr_antex_frequency){.offset_rms_m = {NAN, NAN, NAN}};
+    *f = (orr_antex_frequency){.offset_rms_m = {ORR_NAN, ORR_NAN, ORR_NAN}};
     orr_view_copy(orr_view_trim(orr_view_cols(first, 4, 3)), f->code, sizeof f->code);
     if (f->code[0] == '\0') return bad(r, why, 4, "a frequency without a code");
     for (size_t i = 0; i + 1 < a->n_frequencies; i++)

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/bias_internal.h"
 #include "ingest/records.h"
 
@@ -95,9 +96,9 @@ static orr_status row(bias_reader *r, orr_view line, const char *obs1, const cha
     orr_bias b = {.kind = ORR_BIAS_DSB,
                   .from = r->out->from,
                   .until = r->out->until,
-                  .sdev_s = NAN,
-                  .slope_sps = NAN,
-                  .slope_sdev_sps = NAN};
+                  .sdev_s = ORR_NAN,
+                  .slope_sps = ORR_NAN,
+                  .slope_sdev_sps = ORR_NAN};
     orr_view prn = orr_view_trim(orr_view_cols(line, 1, 3));
     orr_view_copy(orr_view_trim(orr_view_cols(line, 7, 16)), b.station, sizeof b.station);
     if (prn.n == 1) {

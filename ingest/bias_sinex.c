@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/bias_internal.h"
 #include "ingest/records.h"
 
@@ -55,7 +56,7 @@ static orr_status solution(bias_reader *r, orr_view line)
         const char *word;
         orr_bias_kind kind;
     } kinds[] = {{"OSB", ORR_BIAS_OSB}, {"DSB", ORR_BIAS_DSB}, {"DCB", ORR_BIAS_DSB}, {"ISB", ORR_BIAS_ISB}};
-    orr_bias b = {.sdev_s = NAN, .slope_sps = NAN, .slope_sdev_sps = NAN};
+    orr_bias b = {.sdev_s = ORR_NAN, .slope_sps = ORR_NAN, .slope_sdev_sps = ORR_NAN};
     orr_view word = orr_view_trim(orr_view_cols(line, 2, 4));
     bool known = false;
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/clk_internal.h"
 #include "ingest/records.h"
 
@@ -234,7 +235,7 @@ orr_status orr_clk_parse(const char *name, const char *text, size_t n, const orr
                      .leap_seconds = -1,
                      .from = ORR_TIME_NONE,
                      .to = ORR_TIME_NONE,
-                     .interval_s = NAN};
+                     .interval_s = ORR_NAN};
     clk_reader r = {.out = out, .warnings = warnings, .diag = diag};
     r.limits = limits != NULL ? *limits : orr_read_default_limits();
     orr_cursor_init(&r.c, name, text, n);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/clk_internal.h"
 #include "ingest/records.h"
 
@@ -110,7 +111,7 @@ static orr_status read_record(clk_reader *r, orr_view line, bool satellite)
             name.n == 3 ? orr_sat_parse3(name.p, 'G') : orr_sat_parse(orr_view_copy(name, text, sizeof text));
         if (sat == ORR_SAT_NONE) return bad(r, line, name, "a satellite clock of no known satellite");
     }
-    double v[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
+    double v[6] = {ORR_NAN, ORR_NAN, ORR_NAN, ORR_NAN, ORR_NAN, ORR_NAN};
     orr_time t = 0;
     orr_status s = read_epoch(r, line, &rest, &t);
     if (s == ORR_OK) s = read_values(r, &line, &rest, v);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/vec.h"
 #include "ingest/records.h"
 
@@ -162,7 +163,7 @@ static orr_status check_units(erp_reader *r, orr_view line)
 
 static double numeric(const double *v, const bool *has, erp_column k, double factor)
 {
-    return has[k] ? v[k] * factor : (double)NAN;
+    return has[k] ? v[k] * factor : ORR_NAN;
 }
 
 static int count(const double *v, const bool *has, erp_column k)

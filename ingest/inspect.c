@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/input.h"
 
 typedef orr_status inspector(const char *path, orr_inspection *r, orr_diag *diag);
@@ -28,7 +29,7 @@ void orr_inspection_init(orr_inspection *r)
 {
     *r = (orr_inspection){.from = ORR_TIME_NONE,
                           .to = ORR_TIME_NONE,
-                          .interval_s = NAN,
+                          .interval_s = ORR_NAN,
                           .satellites = ORR_INSPECT_NONE,
                           .epochs = ORR_INSPECT_NONE,
                           .records = ORR_INSPECT_NONE,

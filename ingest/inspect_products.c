@@ -32,7 +32,7 @@ static void made_by(orr_inspection *r, const char *program, const char *run_by, 
 static void value_range(orr_inspection *r, const char *label, const double *v, size_t n, double factor,
                         const char *unit)
 {
-    double lo = INFINITY, hi = -INFINITY;
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
     size_t missing = 0;
     for (size_t i = 0; v != NULL && i < n; i++) {
         missing += isnan(v[i]) ? 1 : 0;

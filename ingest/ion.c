@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/records.h"
 
 #define ION_LABEL_COLUMNS 48
@@ -44,18 +45,18 @@ static orr_ion_model untold(void)
                            .frame = ORR_ION_GEOMAGNETIC,
                            .sun = ORR_ION_SUN_MEAN,
                            .mapping = ORR_ION_MAP_NONE,
-                           .layer_height_m = NAN,
-                           .layer_height_rms_m = NAN,
-                           .pole_lat_deg = NAN,
-                           .pole_lon_deg = NAN,
+                           .layer_height_m = ORR_NAN,
+                           .layer_height_rms_m = ORR_NAN,
+                           .pole_lat_deg = ORR_NAN,
+                           .pole_lon_deg = ORR_NAN,
                            .from = ORR_TIME_NONE,
                            .to = ORR_TIME_NONE,
-                           .lat_south_deg = NAN,
-                           .lat_north_deg = NAN,
+                           .lat_south_deg = ORR_NAN,
+                           .lat_north_deg = ORR_NAN,
                            .n_stations = -1,
                            .n_satellites = -1,
-                           .elevation_cutoff_deg = NAN,
-                           .max_tec_tecu = NAN};
+                           .elevation_cutoff_deg = ORR_NAN,
+                           .max_tec_tecu = ORR_NAN};
 }
 
 orr_status orr_ion_model_alloc(int max_degree, int max_order, orr_ion_model *out, orr_diag *diag)
@@ -284,7 +285,7 @@ static orr_status read_header(ion_reader *r, orr_ion_model *m)
 
 static orr_status read_row(ion_reader *r, orr_ion_model *m, orr_view line, size_t *capacity)
 {
-    orr_ion_coefficient k = {.rms_tecu = NAN};
+    orr_ion_coefficient k = {.rms_tecu = ORR_NAN};
     // Rows are of one length: a shorter one at the very end of a file may hold half a number.
     size_t length = orr_view_rtrim(line).n;
     if (r->c.unterminated && length < r->row_length)

@@ -31,13 +31,13 @@ static void write_model(FILE *f, const orr_ion_model *m)
     for (int i = 0; i < 80; i++) fputc('-', f);
     fputc('\n', f);
     text_line(f, "MODEL NUMBER / STATION NAME                    :", m->number);
-    int_line(f, "MODEL TYPE (1=LOCAL,2=GLOBAL,3=STATION)", m->type);
+    int_line(f, "MODEL TYPE (1=LOCAL,2=GLOBAL,3=STATION)", (int)m->type);
     int_line(f, "MAXIMUM DEGREE OF SPHERICAL HARMONICS", m->max_degree);
     int_line(f, "MAXIMUM ORDER", m->max_order);
     heading(f, "DEVELOPMENT WITH RESPECT TO");
-    int_line(f, "  GEOGRAPHICAL (=1) OR GEOMAGNETIC (=2) FRAME", m->frame);
-    int_line(f, "  MEAN (=1) OR TRUE (=2) POSITION OF THE SUN", m->sun);
-    int_line(f, "MAPPING FUNCTION (0=NONE,1=COSZ,2=MSLM,3=ESM)", m->mapping);
+    int_line(f, "  GEOGRAPHICAL (=1) OR GEOMAGNETIC (=2) FRAME", (int)m->frame);
+    int_line(f, "  MEAN (=1) OR TRUE (=2) POSITION OF THE SUN", (int)m->sun);
+    int_line(f, "MAPPING FUNCTION (0=NONE,1=COSZ,2=MSLM,3=ESM)", (int)m->mapping);
     if (!isnan(m->layer_height_m))
         fprintf(f, "%-47s:%8.2f %8.2f\n", "HEIGHT OF SINGLE LAYER AND ITS RMS ERROR (KM)",
                 m->layer_height_m * 1e-3, isnan(m->layer_height_rms_m) ? 0.0 : m->layer_height_rms_m * 1e-3);

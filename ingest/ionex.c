@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/ionex_internal.h"
 #include "ingest/records.h"
 
@@ -80,7 +81,7 @@ static orr_status assemble(ionex_reader *r, ionex_kind kind, double **out)
         free(seen);
         return orr_cursor_error(&r->c, r->diag, ORR_E_MEMORY, 0, "no memory for %zu maps", x->n_epochs);
     }
-    for (size_t i = 0; i < x->n_epochs * r->map_size; i++) v[i] = NAN;
+    for (size_t i = 0; i < x->n_epochs * r->map_size; i++) v[i] = ORR_NAN;
     bool ascending = true;
     for (size_t i = 0; i < m->n; i++) {
         size_t e = epoch_index(x, m->epoch[i]);

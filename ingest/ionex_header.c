@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/ionex_internal.h"
 #include "ingest/records.h"
 
@@ -54,7 +55,7 @@ static orr_status read_axis(ionex_reader *r, orr_view line, int axis)
 static orr_status read_dcb(ionex_reader *r, orr_view line, bool station)
 {
     orr_ionex *x = r->out;
-    orr_ionex_dcb d = {.rms_s = NAN, .system = 'G'};
+    orr_ionex_dcb d = {.rms_s = ORR_NAN, .system = 'G'};
     int value_col = 7;
     if (station) {
         value_col = 27;
@@ -244,8 +245,8 @@ static orr_status make_grid(ionex_reader *r)
 orr_status ionex_read_header(ionex_reader *r)
 {
     orr_ionex *x = r->out;
-    x->elevation_cutoff_deg = NAN;
-    x->base_radius_m = NAN;
+    x->elevation_cutoff_deg = ORR_NAN;
+    x->base_radius_m = ORR_NAN;
     x->n_stations = x->n_satellites = -1;
     x->dimension = 2;
     x->exponent = -1;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/ionex_internal.h"
 #include "ingest/records.h"
 
@@ -59,7 +60,7 @@ static orr_status add_map(ionex_reader *r, open_map *m)
         all->capacity = next;
     }
     m->value = all->value + all->n * r->map_size;
-    for (size_t i = 0; i < r->map_size; i++) m->value[i] = NAN;
+    for (size_t i = 0; i < r->map_size; i++) m->value[i] = ORR_NAN;
     return ORR_OK;
 }
 
@@ -114,7 +115,7 @@ static size_t plain_fields(const char *p, size_t n, double by, bool divide, doub
     else
         for (size_t i = 0; i < k; i++) row[i] = v[i] * by;
     for (size_t i = 0; i < k; i++)
-        if (v[i] == IONEX_MISSING) row[i] = NAN;
+        if (v[i] == IONEX_MISSING) row[i] = ORR_NAN;
     return k;
 }
 
@@ -149,7 +150,7 @@ static int line_values(ionex_reader *r, orr_view line, const open_map *m, double
             return -1;
         }
         if (v == IONEX_MISSING) {
-            row[k] = NAN;
+            row[k] = ORR_NAN;
         } else {
             row[k] = divide ? v / by : v * by;
             r->negatives += v < 0;

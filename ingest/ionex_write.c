@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/outfile.h"
 #include "ingest/ionex.h"
 #include "ingest/ionex_internal.h"
@@ -12,7 +13,7 @@ static orr_status make_axis(const double a[3], const char *name, double **out, s
 {
     double count = 1;
     if (a[0] != a[1]) {
-        double steps = a[2] != 0 ? (a[1] - a[0]) / a[2] : (double)NAN;
+        double steps = a[2] != 0 ? (a[1] - a[0]) / a[2] : ORR_NAN;
         if (!(steps > 0.5 && fabs(steps - round(steps)) < 1e-6))
             return orr_diag_set(diag, ORR_E_ARG, "%s from %g to %g by %g is no grid", name, a[0], a[1], a[2]);
         count = round(steps) + 1;
@@ -29,7 +30,7 @@ static orr_status make_axis(const double a[3], const char *name, double **out, s
 static double *missing(size_t n)
 {
     double *v = malloc(n * sizeof *v);
-    for (size_t i = 0; v != NULL && i < n; i++) v[i] = NAN;
+    for (size_t i = 0; v != NULL && i < n; i++) v[i] = ORR_NAN;
     return v;
 }
 
@@ -41,7 +42,7 @@ orr_status orr_ionex_alloc(size_t n_epochs, orr_time t0, double step_s, const do
                        .type = 'I',
                        .mapping = ORR_IONEX_MAP_NONE,
                        .mapping_text = "NONE",
-                       .elevation_cutoff_deg = NAN,
+                       .elevation_cutoff_deg = ORR_NAN,
                        .n_stations = -1,
                        .n_satellites = -1,
                        .base_radius_m = 6371e3,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ingest/records.h"
+#include "core/nan.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -144,7 +145,7 @@ static int by_step(const void *a, const void *b)
 
 double orr_records_usual_step_s(const orr_time *t, size_t n, int64_t *scratch)
 {
-    if (n < 2) return NAN;
+    if (n < 2) return ORR_NAN;
     for (size_t i = 1; i < n; i++) scratch[i - 1] = t[i] - t[i - 1];
     qsort(scratch, n - 1, sizeof *scratch, by_step);
     size_t best = 0, most = 0;

@@ -6,6 +6,7 @@
 
 #include "core/decimal.h"
 #include "core/digits.h"
+#include "core/nan.h"
 #include "ingest/rinex_nav_private.h"
 
 #define WEEK_NS (INT64_C(604800) * ORR_NS_PER_S)
@@ -59,7 +60,7 @@ static bool read_d19_12(const char *p, double *out)
 
 bool orr_nav_field(const nav_lines *r, size_t line, int column, double *out, nav_fault *f)
 {
-    *out = (double)NAN;
+    *out = ORR_NAN;
     const nav_line *l = &r->line[line];
     if (l->text.n >= (size_t)column + 18 && read_d19_12(l->text.p + column - 1, out)) return true;
     orr_view v = orr_view_cols(l->text, column, 19);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/rinex_nav_private.h"
 
 #define RAD_PER_ARCSEC (ORR_PI / 648000.0)
@@ -45,8 +46,8 @@ static bool enough_lines(const nav_lines *r, size_t want, nav_fault *f)
 bool orr_nav_take_iono(const nav_lines *r, orr_nav_iono *out, nav_fault *f)
 {
     *out = (orr_nav_iono){.time_mark = ' ', .iod = ORR_NAV_NO_IOD, .line = r->tag.number};
-    for (size_t i = 0; i < 24; i++) out->coefficient[i] = (double)NAN;
-    for (size_t i = 0; i < 4; i++) out->region_deg[i] = (double)NAN;
+    for (size_t i = 0; i < 24; i++) out->coefficient[i] = ORR_NAN;
+    for (size_t i = 0; i < 4; i++) out->region_deg[i] = ORR_NAN;
     out->system = take_tag(r, &out->sat, &out->message);
     if (out->message == ORR_NAV_NONE)
         return orr_nav_fault(f, r->tag.number, 11, "a message type that is not known");
@@ -61,7 +62,7 @@ bool orr_nav_take_iono(const nav_lines *r, orr_nav_iono *out, nav_fault *f)
     static const size_t lines[] = {0, 3, 2, 3, 7, 1};
     if (!enough_lines(r, l1nv && !neqn ? 4 : lines[out->kind], f)) return false;
     double v[3 + NAV_MAX_FIELDS];
-    for (size_t i = 0; i < sizeof v / sizeof v[0]; i++) v[i] = (double)NAN;
+    for (size_t i = 0; i < sizeof v / sizeof v[0]; i++) v[i] = ORR_NAN;
     if (!orr_nav_epoch(r, 0, false, orr_nav_scale_of(out->system), &out->t, f)) return false;
     for (int k = 0; k < 3; k++)
         if (!orr_nav_field(r, 0, 24 + 19 * k, &v[k], f)) return false;
@@ -190,8 +191,8 @@ static orr_status klobuchar(const header_context *c, char system, size_t part, c
                               .t = ORR_TIME_NONE,
                               .iod = ORR_NAV_NO_IOD,
                               .line = c->number};
-        for (size_t i = 0; i < 24; i++) fresh.coefficient[i] = (double)NAN;
-        for (size_t i = 0; i < 4; i++) fresh.region_deg[i] = (double)NAN;
+        for (size_t i = 0; i < 24; i++) fresh.coefficient[i] = ORR_NAN;
+        for (size_t i = 0; i < 4; i++) fresh.region_deg[i] = ORR_NAN;
         orr_status s = orr_nav_append(&nav->iono, &nav->n_iono, sizeof fresh, &fresh, c->diag);
         if (s != ORR_OK) return s;
         set = &nav->iono[nav->n_iono - 1];
@@ -214,8 +215,8 @@ static orr_status ionospheric_corr(const header_context *c)
                           .t = ORR_TIME_NONE,
                           .iod = ORR_NAV_NO_IOD,
                           .line = c->number};
-        for (size_t i = 0; i < 24; i++) g.coefficient[i] = i < 3 ? v[i] : (double)NAN;
-        for (size_t i = 0; i < 4; i++) g.region_deg[i] = (double)NAN;
+        for (size_t i = 0; i < 24; i++) g.coefficient[i] = i < 3 ? v[i] : ORR_NAN;
+        for (size_t i = 0; i < 4; i++) g.region_deg[i] = ORR_NAN;
         return orr_nav_append(&c->nav->iono, &c->nav->n_iono, sizeof g, &g, c->diag);
     }
     static const struct {

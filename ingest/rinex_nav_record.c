@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/rinex_nav_private.h"
 
 #define BDT_MINUS_GPS_NS (14 * ORR_NS_PER_S)
@@ -41,7 +42,7 @@ static orr_time transmission_time(double sow_s, char system, orr_time toe)
 
 static void no_extras(orr_nav_eph *e)
 {
-    double nan = (double)NAN;
+    double nan = ORR_NAN;
     e->transmission = ORR_TIME_NONE;
     e->week = -1;
     e->accuracy_m = e->fit_interval_h = nan;
@@ -148,7 +149,7 @@ static bool take_kepler(const nav_lines *r, const double *b, orr_nav_eph *e, cha
     k->omega_rad = b[14];
     k->omega_dot_radps = b[15];
     k->idot_radps = b[16];
-    k->top_sow_s = (double)NAN;
+    k->top_sow_s = ORR_NAN;
     if (!(k->sqrt_a_sqrtm > 1000 && k->sqrt_a_sqrtm < 10000))
         return orr_nav_fault(f, r->line[2].number, 0,
                              "the square root of the semi-major axis (%g) is no orbit's", b[7]);
@@ -211,7 +212,7 @@ static void take_galileo(const double *b, orr_nav_eph *e)
     e->iode = e->iodc = whole(b[0], ORR_NAV_NO_IOD);
     e->data_sources = isnan(b[17]) ? 0 : word(b[17]);
     e->week = whole(b[18], -1);
-    e->accuracy_m = b[20] >= 0 ? b[20] : (double)NAN; // -1: no accuracy prediction
+    e->accuracy_m = b[20] >= 0 ? b[20] : ORR_NAN; // -1: no accuracy prediction
     e->health = word(b[21]);
     e->delay.bgd_e5a_e1_s = b[22];
     e->delay.bgd_e5b_e1_s = b[23];
@@ -248,8 +249,8 @@ static void take_beidou_cnav(const double *b, orr_nav_eph *e, orr_nav_message m)
         e->transmission = transmission_time(b[28], 'C', e->toe);
         return;
     }
-    e->delay.isc_b1cd_s = m == ORR_NAV_CNV1 ? b[24] : (double)NAN;
-    e->delay.isc_b2ad_s = m == ORR_NAV_CNV2 ? b[25] : (double)NAN;
+    e->delay.isc_b1cd_s = m == ORR_NAV_CNV1 ? b[24] : ORR_NAN;
+    e->delay.isc_b2ad_s = m == ORR_NAV_CNV2 ? b[25] : ORR_NAN;
     e->delay.tgd_b1cp_s = b[26];
     e->delay.tgd_b2ap_s = b[27];
     e->sismai = whole(b[28], -128);
@@ -330,12 +331,12 @@ static bool take_glonass(const nav_lines *r, const double *a, const double *b, b
         e->transmission = e->toc + d;
     }
     (void)v2;
-    g->delta_tau_s = g->ura = (double)NAN;
+    g->delta_tau_s = g->ura = ORR_NAN;
     g->status_flags = g->health_flags = 0;
     g->has_flags = flags_line;
     if (flags_line) {
         g->status_flags = isnan(b[12]) ? 0 : word(b[12]);
-        g->delta_tau_s = fabs(b[13]) < 1 ? b[13] : (double)NAN; // .999999999999E+09: not known
+        g->delta_tau_s = fabs(b[13]) < 1 ? b[13] : ORR_NAN; // .999999999999E+09: not known
         g->ura = b[14];
         g->health_flags = isnan(b[15]) ? 0 : word(b[15]);
     }
@@ -394,7 +395,7 @@ bool orr_nav_take_eph(const nav_lines *r, bool v2, char system, orr_nav_message 
     double a[3], b[NAV_MAX_FIELDS];
     for (int i = 0; i < 3; i++)
         if (!orr_nav_field(r, 0, clock_column + 19 * i, &a[i], f)) return false;
-    for (size_t i = 0; i < NAV_MAX_FIELDS; i++) b[i] = (double)NAN;
+    for (size_t i = 0; i < NAV_MAX_FIELDS; i++) b[i] = ORR_NAN;
     for (size_t i = 0; i + 1 < want; i++)
         for (int k = 0; k < 4; k++)
             if (!orr_nav_field(r, 1 + i, column + 19 * k, &b[4 * i + (size_t)k], f)) return false;

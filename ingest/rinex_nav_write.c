@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/outfile.h"
 #include "ingest/rinex_nav_private.h"
 
@@ -54,8 +55,8 @@ static void put_first_line(FILE *f, const orr_nav_eph *e, double a, double b, do
     fputc('\n', f);
 }
 
-static double number_or_blank(int32_t v) { return v < 0 ? (double)NAN : v; }
-static double word_or_blank(uint32_t v) { return v == 0xffffffffu ? (double)NAN : v; }
+static double number_or_blank(int32_t v) { return v < 0 ? ORR_NAN : v; }
+static double word_or_blank(uint32_t v) { return v == 0xffffffffu ? ORR_NAN : v; }
 
 // Seconds of the week that the record reports; 0.9999E9 is how the format says "not known".
 static double transmission_sow(const orr_nav_eph *e, int32_t week, char system)
@@ -74,7 +75,7 @@ static void put_kepler(FILE *f, const orr_nav_eph *e)
     int64_t ns = 0;
     orr_time_week(e->toe - (system == 'C' ? BDT_MINUS_GPS_NS : 0), &week, &ns);
     if (system == 'C') week -= BDT_WEEK0;
-    double blank = (double)NAN, tow = transmission_sow(e, week, system);
+    double blank = ORR_NAN, tow = transmission_sow(e, week, system);
     put_first_line(f, e, e->af0_s, e->af1_sps, e->af2_sps2);
     put_orbit_line(f, number_or_blank(e->iode), k->crs_m, k->delta_n_radps, k->m0_rad);
     put_orbit_line(f, k->cuc_rad, k->e, k->cus_rad, k->sqrt_a_sqrtm);
@@ -119,7 +120,7 @@ static void put_glonass(FILE *f, const orr_nav_eph *e)
     const orr_nav_glonass *g = &e->glonass;
     put_first_line(f, e, e->af0_s, e->af1_sps, g->frame_time_s);
     put_state(f, g->pos_m, g->vel_mps, g->acc_mps2, word_or_blank(e->health), g->freq_channel, g->age_days);
-    double blank = (double)NAN;
+    double blank = ORR_NAN;
     put_orbit_line(f, g->has_flags ? g->status_flags : blank,
                    isnan(g->delta_tau_s) ? 0.999999999999e9 : g->delta_tau_s, g->ura,
                    g->has_flags ? g->health_flags : blank);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/digits.h"
+#include "core/nan.h"
 #include "ingest/rinex_obs_private.h"
 
 static orr_status no_memory(orr_diag *diag) { return orr_diag_set(diag, ORR_E_MEMORY, "out of memory"); }
@@ -49,7 +50,7 @@ static uint8_t flag_digit(orr_rinex_obs *r, char c, int column)
 // The observation that starts in column col (from 1) of the line into cell k. scale divides.
 static void take_value(orr_rinex_obs *r, orr_view line, size_t col, size_t k, double scale)
 {
-    r->value[k] = (double)NAN;
+    r->value[k] = ORR_NAN;
     r->lli[k] = r->ssi[k] = 0;
     if (line.n < col) return;
     const char *p = line.p + col - 1;
@@ -151,7 +152,7 @@ static bool take_date(const orr_rinex_obs *r, orr_view line, epoch_head *head)
 static bool take_epoch_line(orr_rinex_obs *r, orr_view line, epoch_head *head)
 {
     bool v3 = r->h.version >= 3;
-    *head = (epoch_head){.t = ORR_TIME_NONE, .clock = (double)NAN};
+    *head = (epoch_head){.t = ORR_TIME_NONE, .clock = ORR_NAN};
     if (v3 ? orr_view_char(line, 1) != '>' : orr_view_char(line, 1) != ' ') return false;
     static const int blank2[] = {4, 7, 10, 13, 27, 28}, blank3[] = {2, 7, 10, 13, 16, 31};
     for (int i = 0; i < 6; i++) // anything there, and the columns have slipped
@@ -321,7 +322,7 @@ static void resync(orr_rinex_obs *r)
 static void begin_epoch(orr_rinex_obs *r)
 {
     orr_obs_drop_event_lines(r);
-    r->e = (orr_rinex_obs_epoch){.t = ORR_TIME_NONE, .clock_offset_s = (double)NAN};
+    r->e = (orr_rinex_obs_epoch){.t = ORR_TIME_NONE, .clock_offset_s = ORR_NAN};
 }
 
 static orr_status end_epoch(orr_rinex_obs *r, const orr_rinex_obs_epoch **epoch, orr_diag *diag)
@@ -404,7 +405,7 @@ static void take_decoded(orr_rinex_obs *r, const orr_crinex_epoch *d)
         size_t base = r->e.n_sats * r->e.stride, from = i * d->stride;
         for (size_t j = 0; j < codes->n; j++) {
             size_t k = base + j;
-            r->value[k] = (double)NAN;
+            r->value[k] = ORR_NAN;
             r->lli[k] = r->ssi[k] = 0;
             if (j >= d->n_codes[i]) continue;
             int64_t v = d->value[from + j];

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/rinex_obs_private.h"
 
 void orr_obs_codes_clear(orr_obs_codes *codes)
@@ -37,7 +38,7 @@ orr_status orr_obs_codes_add(orr_obs_codes *codes, const char *code, const char 
     for (size_t k = 0; k < 3 && code[k] != '\0'; k++) codes->code[i][k] = code[k];
     for (size_t k = 0; k < 3 && original[k] != '\0'; k++) codes->original[i][k] = original[k];
     codes->scale[i] = 1;
-    codes->phase_shift_cyc[i] = (double)NAN;
+    codes->phase_shift_cyc[i] = ORR_NAN;
     return ORR_OK;
 }
 
@@ -113,7 +114,7 @@ int orr_obs_code_index(const orr_rinex_obs_header *h, char system, const char *c
 void orr_rinex_obs_header_init(orr_rinex_obs_header *h)
 {
     *h = (orr_rinex_obs_header){0};
-    double nan = (double)NAN;
+    double nan = ORR_NAN;
     h->version = 3.05;
     h->system = 'M';
     h->antenna_h_m = h->antenna_e_m = h->antenna_n_m = nan;

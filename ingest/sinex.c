@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/records.h"
 
 #define S_PER_YEAR (365.25 * 86400.0)
@@ -79,7 +80,7 @@ static void copy(orr_view line, int column, int width, char *out, size_t n)
 static orr_status site(sinex_reader *r, orr_view line)
 {
     orr_sinex *x = r->out;
-    orr_sinex_site s = {.lon_deg = NAN, .lat_deg = NAN, .height_m = NAN};
+    orr_sinex_site s = {.lon_deg = ORR_NAN, .lat_deg = ORR_NAN, .height_m = ORR_NAN};
     copy(line, 2, 4, s.code, sizeof s.code);
     copy(line, 7, 2, s.point, sizeof s.point);
     copy(line, 10, 9, s.domes, sizeof s.domes);
@@ -87,7 +88,7 @@ static orr_status site(sinex_reader *r, orr_view line)
     if (s.code[0] == '\0') return bad(r, 2, "a site without a code");
     if (!angle(orr_view_cols(line, 45, 11), &s.lon_deg) || !angle(orr_view_cols(line, 57, 11), &s.lat_deg) ||
         orr_field_real(line, 69, 7, &s.height_m) == ORR_FIELD_BAD) {
-        s.lon_deg = s.lat_deg = s.height_m = NAN;
+        s.lon_deg = s.lat_deg = s.height_m = ORR_NAN;
         orr_cursor_warn(&r->c, r->warnings, 45, "the approximate place of %s is malformed", s.code);
     }
     orr_status st = orr_records_grow(&x->site, x->n_sites, &r->capacity_sites, sizeof s,
@@ -147,7 +148,7 @@ static orr_status estimate_of(sinex_reader *r, const orr_sinex_estimate *key, or
     *out = &x->estimate[x->n_estimates++];
     **out = *key;
     for (int i = 0; i < 3; i++)
-        (*out)->pos_m[i] = (*out)->pos_sdev_m[i] = (*out)->vel_mps[i] = (*out)->vel_sdev_mps[i] = NAN;
+        (*out)->pos_m[i] = (*out)->pos_sdev_m[i] = (*out)->vel_mps[i] = (*out)->vel_sdev_mps[i] = ORR_NAN;
     return ORR_OK;
 }
 
@@ -170,7 +171,7 @@ static orr_status estimate(sinex_reader *r, orr_view line)
     orr_view unit = orr_view_trim(orr_view_cols(line, 41, 4));
     if (!orr_view_equals(unit, position ? "m" : "m/y"))
         return bad(r, 41, "a coordinate not in m, or a velocity not in m/y");
-    double value, sdev = NAN;
+    double value, sdev = ORR_NAN;
     if (orr_field_real(line, 48, 21, &value) != ORR_FIELD_OK)
         return bad(r, 48, "the value of a coordinate is missing or malformed");
     if (orr_field_real(line, 70, 11, &sdev) == ORR_FIELD_BAD)
@@ -274,7 +275,7 @@ static bool same_station(const char *a, const char *b)
 orr_status orr_sinex_position(const orr_sinex *x, const char *code, orr_time t, double pos_m[3])
 {
     const orr_sinex_estimate *best = NULL;
-    double distance = INFINITY;
+    double distance = HUGE_VAL;
     for (size_t i = 0; i < x->n_estimates; i++) {
         const orr_sinex_estimate *e = &x->estimate[i];
         double d = fabs(orr_time_diff_s(t, e->epoch));

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/input.h"
 #include "ingest/sniff.h"
 #include "ingest/sp3_parse.h"
@@ -23,14 +24,14 @@ void sp3_fault_note(sp3_parser *p, sp3_fault f)
 void sp3_clear_records(orr_sp3_record *r, size_t n)
 {
     static const orr_sp3_record missing = {
-        .pos_m = {NAN, NAN, NAN},
-        .clock_s = NAN,
-        .vel_mps = {NAN, NAN, NAN},
-        .clock_rate_sps = NAN,
-        .pos_sdev_m = {NAN, NAN, NAN},
-        .clock_sdev_s = NAN,
-        .vel_sdev_mps = {NAN, NAN, NAN},
-        .clock_rate_sdev_sps = NAN,
+        .pos_m = {ORR_NAN, ORR_NAN, ORR_NAN},
+        .clock_s = ORR_NAN,
+        .vel_mps = {ORR_NAN, ORR_NAN, ORR_NAN},
+        .clock_rate_sps = ORR_NAN,
+        .pos_sdev_m = {ORR_NAN, ORR_NAN, ORR_NAN},
+        .clock_sdev_s = ORR_NAN,
+        .vel_sdev_mps = {ORR_NAN, ORR_NAN, ORR_NAN},
+        .clock_rate_sdev_sps = ORR_NAN,
     };
     for (size_t i = 0; i < n; i++) r[i] = missing;
 }
@@ -38,7 +39,7 @@ void sp3_clear_records(orr_sp3_record *r, size_t n)
 static void clear_correlations(orr_sp3_correlation *c, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        for (int k = 0; k < 6; k++) c[i].p[k] = c[i].v[k] = NAN;
+        for (int k = 0; k < 6; k++) c[i].p[k] = c[i].v[k] = ORR_NAN;
 }
 
 static orr_status no_memory(sp3_parser *p) { return orr_diag_set(p->diag, ORR_E_MEMORY, "out of memory"); }
@@ -186,7 +187,7 @@ orr_status orr_sp3_parse(const char *name, const char *text, size_t n, const orr
     p->diag = diag != NULL ? diag : &own;
     p->header_epochs = p->header_sats = -1;
     p->header_start = ORR_TIME_NONE;
-    p->header_week = p->header_sow = NAN;
+    p->header_week = p->header_sow = ORR_NAN;
     p->last_sat = -1;
     memset(p->index, 0xff, sizeof p->index);
     orr_status st = ORR_OK;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/sp3_parse.h"
 
 #define EVERY_BYTE(b) (UINT64_C(0x0101010101010101) * (b))
@@ -169,7 +170,7 @@ static bool read_four(sp3_parser *p, orr_view line, double per_unit, int power, 
         }
     }
     if (xyz[0] == 0 && xyz[1] == 0 && xyz[2] == 0) {
-        xyz[0] = xyz[1] = xyz[2] = NAN;
+        xyz[0] = xyz[1] = xyz[2] = ORR_NAN;
         free = false; // a missing position is missing however many noughts it has
     }
     orr_field f = read_value(line, 47, per_clock, clock_power, clock, &free_clock);
@@ -192,7 +193,7 @@ static bool read_four(sp3_parser *p, orr_view line, double per_unit, int power, 
     if (free) sp3_fault_note(p, SP3_FREE);
     // Six nines before the point mean "none", whatever stands behind it; and a satellite that is not there at
     // all is zeros throughout in files of version a.
-    if (fabs(*clock) * per_clock >= 999999e6 || (isnan(xyz[0]) && *clock == 0)) *clock = NAN;
+    if (fabs(*clock) * per_clock >= 999999e6 || (isnan(xyz[0]) && *clock == 0)) *clock = ORR_NAN;
     return true;
 }
 
@@ -207,7 +208,7 @@ static orr_status read_position(sp3_parser *p, orr_view line)
         sp3_fault_note(p, SP3_DUPLICATE);
         return ORR_OK;
     }
-    double pos[3] = {0}, clock = NAN;
+    double pos[3] = {0}, clock = ORR_NAN;
     if (!read_four(p, line, 1e3, 3, 1e12, -6, pos, &clock)) return ORR_OK;
     double r2 = pos[0] * pos[0] + pos[1] * pos[1] + pos[2] * pos[2];
     if (r2 < 6.3e6 * 6.3e6 || r2 > 1e9 * 1e9) sp3_fault_note(p, SP3_IMPLAUSIBLE);
@@ -237,7 +238,7 @@ static orr_status read_velocity(sp3_parser *p, orr_view line)
         return ORR_OK;
     }
     // dm/s with six decimals; 1e-4 us/s with six decimals.
-    double vel[3] = {0}, rate = NAN;
+    double vel[3] = {0}, rate = ORR_NAN;
     if (!read_four(p, line, 1e7, -1, 1e16, -10, vel, &rate)) return ORR_OK;
     memcpy(r->vel_mps, vel, sizeof vel);
     r->clock_rate_sps = rate;

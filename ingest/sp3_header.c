@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/sniff.h"
 #include "ingest/sp3_parse.h"
 
@@ -100,7 +101,7 @@ static orr_status read_line_2(sp3_parser *p, orr_view line)
     p->header_week_line = p->c.line;
     if (orr_field_real(line, 4, 4, &p->header_week) != ORR_FIELD_OK ||
         orr_field_real(line, 9, 15, &p->header_sow) != ORR_FIELD_OK)
-        p->header_week = p->header_sow = NAN;
+        p->header_week = p->header_sow = ORR_NAN;
     if (orr_field_real(line, 25, 14, &interval) == ORR_FIELD_OK && interval >= 0 && interval <= 1e6)
         p->out->interval_s = interval;
     else
@@ -338,8 +339,8 @@ orr_status sp3_parse_header(sp3_parser *p, orr_view *first_epoch_line)
     if (!p->has_time_system && o->version != 'a')
         orr_cursor_warn(&p->c, p->warnings, 0, "the header has no line %%c (time system); taken as GPS time");
     if (!p->has_bases) {
-        for (int n = 0; n < 100; n++) p->pos_sdev[n] = NAN;
-        for (int n = 0; n < 1000; n++) p->clock_sdev[n] = NAN;
+        for (int n = 0; n < 100; n++) p->pos_sdev[n] = ORR_NAN;
+        for (int n = 0; n < 1000; n++) p->clock_sdev[n] = ORR_NAN;
         p->pos_sdev[99] = p->clock_sdev[999] = INFINITY;
     }
     if (p->header_start_line != 0 &&

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/outfile.h"
 #include "ingest/sp3.h"
 
@@ -157,7 +158,7 @@ static orr_status exponents(const writer *w, const float xyz[3], double unit, fl
     memset(text, ' ', 13);
     text[13] = '\0';
     for (int i = 0; i < 4; i++) {
-        double sdev = i < 3 ? xyz[i] : clock;
+        double sdev = i < 3 ? (double)xyz[i] : (double)clock;
         int n = i < 3 ? 99 : 999, width = i < 3 ? 2 : 3;
         bool is_power = true;
         if (isnan(sdev)) continue;
@@ -280,8 +281,8 @@ orr_status orr_sp3_print(const orr_sp3 *sp3, FILE *stream, orr_diag *diag)
     writer w = {.sp3 = sp3,
                 .f = stream,
                 .diag = diag,
-                .log_pos_base = sp3->pos_vel_base > 1 ? log(sp3->pos_vel_base) : (double)NAN,
-                .log_clock_base = sp3->clock_base > 1 ? log(sp3->clock_base) : (double)NAN};
+                .log_pos_base = sp3->pos_vel_base > 1 ? log(sp3->pos_vel_base) : ORR_NAN,
+                .log_clock_base = sp3->clock_base > 1 ? log(sp3->clock_base) : ORR_NAN};
     orr_status st = check(&w);
     return st == ORR_OK ? write_all(&w) : st;
 }

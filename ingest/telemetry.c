@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "ingest/telemetry_internal.h"
 
 const char *orr_telemetry_kind_name(orr_telemetry_kind k)
@@ -229,9 +230,9 @@ static orr_status take_row(const row *r, const telemetry_table *table, const orr
     }
     orr_status s = place ? telemetry_add_position(out, t_s, at, line, diag) : ORR_OK;
     if (s == ORR_OK && (r->has[Q_HEADING] || r->has[Q_PITCH] || r->has[Q_ROLL])) {
-        double h = r->has[Q_HEADING] ? r->value[Q_HEADING] : (double)NAN,
-               p = r->has[Q_PITCH] ? r->value[Q_PITCH] : (double)NAN,
-               q = r->has[Q_ROLL] ? r->value[Q_ROLL] : (double)NAN;
+        double h = r->has[Q_HEADING] ? r->value[Q_HEADING] : ORR_NAN,
+               p = r->has[Q_PITCH] ? r->value[Q_PITCH] : ORR_NAN,
+               q = r->has[Q_ROLL] ? r->value[Q_ROLL] : ORR_NAN;
         s = telemetry_add_attitude(out, t_s, h, p, q, line, diag);
     }
     return s;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/vec.h"
 #include "ingest/telemetry_internal.h"
 
@@ -138,7 +139,7 @@ orr_status telemetry_read_nmea(orr_input *in, orr_telemetry *out, orr_warnings *
                 telemetry_drop(out, in, w, "its heading is no angle");
                 continue;
             }
-            s = telemetry_add_attitude(out, now_s, heading * ORR_RAD_PER_DEG, (double)NAN, (double)NAN,
+            s = telemetry_add_attitude(out, now_s, heading * ORR_RAD_PER_DEG, ORR_NAN, ORR_NAN,
                                        orr_input_line_number(in), diag);
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/arcs.h"
+#include "core/nan.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -98,7 +99,7 @@ static orr_status pack(const orr_arc_series *s, packed *p, orr_diag *diag)
         p->from[k] = i;
         p->t[k] = s->t_s[i];
         p->gf[k] = s->gf_tecu[i];
-        p->mw[k] = s->mw_cyc != NULL ? s->mw_cyc[i] : (double)NAN;
+        p->mw[k] = s->mw_cyc != NULL ? s->mw_cyc[i] : ORR_NAN;
         p->lost[k] = lost;
         lost = false;
     }
@@ -163,7 +164,7 @@ static bool last_unknown(int m, double a[4][4], double y[4], double *value, doub
 // none).
 static step measure(const packed *p, size_t lo, size_t b, size_t hi, size_t without)
 {
-    step s = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, 0};
+    step s = {ORR_NAN, ORR_NAN, ORR_NAN, ORR_NAN, 0};
     size_t left[GF_SIDE], right[GF_SIDE], nl = 0, nr = 0;
     for (size_t k = b; k-- > lo && nl < GF_SIDE;)
         if (!p->gone[k] && k != without) left[nl++] = k;
@@ -438,10 +439,10 @@ static orr_status collect(const orr_arc_series *series, packed *p, const orr_arc
                                          (orr_slip){.at = p->from[k],
                                                     .causes = ORR_SLIP_GF,
                                                     .verdict = ORR_SLIP_OUTLIER,
-                                                    .gf_tecu = (double)NAN,
-                                                    .gf_sigma_tecu = (double)NAN,
-                                                    .mw_cyc = (double)NAN,
-                                                    .mw_sigma_cyc = (double)NAN}))
+                                                    .gf_tecu = ORR_NAN,
+                                                    .gf_sigma_tecu = ORR_NAN,
+                                                    .mw_cyc = ORR_NAN,
+                                                    .mw_sigma_cyc = ORR_NAN}))
                 return ORR_E_MEMORY;
         }
     }

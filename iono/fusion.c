@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "iono/fusion_internal.h"
 
 #define MAX_ROUNDS 4 // of fit and step test
@@ -59,7 +60,7 @@ static orr_status model_samples(const orr_phase_tec *p, const orr_tec_field *fie
         out->model_vtec[k] = v;
         out->mapping[k] = v + sat->n;
         for (size_t i = 0; s == ORR_OK && i < sat->n; i++) {
-            v[i] = v[sat->n + i] = (double)NAN;
+            v[i] = v[sat->n + i] = ORR_NAN;
             if (sat->arcs.arc_of[i] < 0) continue;
             orr_tec_ray ray;
             s = orr_tec_field_at(field, sat->t[i], at, diag);
@@ -99,8 +100,8 @@ static orr_status list_arcs(const orr_phase_tec *p, const orr_fusion_options *o,
             if (a.n < 2) continue;
             bool withheld = o->withhold_sat != NULL && *o->withhold_sat == sat->sat && o->withhold_arc == k;
             a.bias_tecu =
-                withheld ? (double)NAN : sum / (double)a.n; // the source's method; a start for the joint one
-            a.sigma_tecu = (double)NAN;
+                withheld ? ORR_NAN : sum / (double)a.n; // the source's method; a start for the joint one
+            a.sigma_tecu = ORR_NAN;
             out->arc[out->n_arcs++] = a;
         }
     }
@@ -151,9 +152,9 @@ static orr_status split(orr_phase_sat *sat, size_t k, size_t at, double step, co
                                      .causes = ORR_SLIP_STEP,
                                      .verdict = ORR_SLIP_BREAK,
                                      .gf_tecu = step,
-                                     .gf_sigma_tecu = (double)NAN,
-                                     .mw_cyc = (double)NAN,
-                                     .mw_sigma_cyc = (double)NAN};
+                                     .gf_sigma_tecu = ORR_NAN,
+                                     .mw_cyc = ORR_NAN,
+                                     .mw_sigma_cyc = ORR_NAN};
     size_t fresh = a->n_arcs++, last = arcs[k].last;
     arcs[fresh] = (orr_arc){0};
     for (size_t i = at; i <= last; i++)
@@ -217,7 +218,7 @@ static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_f
     double all = 0, plain = 0, sums[ORR_FUSION_BANDS] = {0};
     f->n_band = ORR_FUSION_BANDS;
     for (int b = 0; b < ORR_FUSION_BANDS; b++)
-        f->band[b] = (orr_fusion_band){10 * b, 10 * (b + 1), 0, (double)NAN};
+        f->band[b] = (orr_fusion_band){10 * b, 10 * (b + 1), 0, ORR_NAN};
     f->n_samples = 0;
     for (size_t a = 0; a < f->n_arcs; a++) {
         orr_fused_arc *arc = &f->arc[a];
@@ -268,8 +269,7 @@ static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_f
         }
     size_t groups = 0;
     for (int g = 0; g < 64; g++) groups += count[g] > 0;
-    f->galileo_std_tecu =
-        f->galileo_n > groups ? sqrt(square / (double)(f->galileo_n - groups)) : (double)NAN;
+    f->galileo_std_tecu = f->galileo_n > groups ? sqrt(square / (double)(f->galileo_n - groups)) : ORR_NAN;
 }
 
 orr_status orr_fuse(orr_phase_tec *phase, const orr_tec_field *field, const orr_bias_set *biases,
@@ -327,7 +327,7 @@ orr_status orr_fusion_leave_one_out(orr_phase_tec *phase, const orr_tec_field *f
         if (orr_time_diff_s(arc->to, arc->from) < min_span_s) continue;
         double kept = arc->bias_tecu;
         bool code = arc->code_used;
-        arc->bias_tecu = (double)NAN;
+        arc->bias_tecu = ORR_NAN;
         arc->code_used = false;
         s = fusion_solve(phase, &o, &f, diag);
         if (s != ORR_OK) break;
@@ -358,11 +358,11 @@ orr_status orr_fusion_leave_one_out(orr_phase_tec *phase, const orr_tec_field *f
         double n = (double)out->band[b].n;
         all[0] += corrected[b];
         all[1] += plain[b];
-        out->band[b].corrected_tecu = n > 0 ? sqrt(corrected[b] / n) : (double)NAN;
-        out->band[b].plain_tecu = n > 0 ? sqrt(plain[b] / n) : (double)NAN;
+        out->band[b].corrected_tecu = n > 0 ? sqrt(corrected[b] / n) : ORR_NAN;
+        out->band[b].plain_tecu = n > 0 ? sqrt(plain[b] / n) : ORR_NAN;
     }
-    out->corrected_tecu = out->n_samples > 0 ? sqrt(all[0] / (double)out->n_samples) : (double)NAN;
-    out->plain_tecu = out->n_samples > 0 ? sqrt(all[1] / (double)out->n_samples) : (double)NAN;
+    out->corrected_tecu = out->n_samples > 0 ? sqrt(all[0] / (double)out->n_samples) : ORR_NAN;
+    out->plain_tecu = out->n_samples > 0 ? sqrt(all[1] / (double)out->n_samples) : ORR_NAN;
     orr_fusion_free(&f, phase);
     return s;
 }

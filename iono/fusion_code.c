@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "iono/fusion_internal.h"
 #include "iono/signals.h"
 
@@ -19,8 +20,7 @@ static orr_status group_of(orr_fusion *out, char system, const char range[2][4],
     orr_code_group *more = realloc(out->group, (out->n_groups + 1) * sizeof *more);
     if (more == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for receiver biases");
     out->group = more;
-    more[out->n_groups] =
-        (orr_code_group){.system = system, .receiver_tecu = (double)NAN, .sigma_tecu = (double)NAN};
+    more[out->n_groups] = (orr_code_group){.system = system, .receiver_tecu = ORR_NAN, .sigma_tecu = ORR_NAN};
     memcpy(more[out->n_groups].range, range, sizeof more->range);
     *group = out->n_groups++;
     return ORR_OK;
@@ -32,7 +32,7 @@ orr_status fusion_level_codes(const orr_phase_tec *phase, const orr_bias_set *bi
     for (size_t a = 0; a < out->n_arcs; a++) {
         orr_fused_arc *arc = &out->arc[a];
         const orr_phase_sat *sat = &phase->sat[arc->sat_index];
-        arc->code_bias_tecu = (double)NAN;
+        arc->code_bias_tecu = ORR_NAN;
         arc->code_used = false;
         arc->group = 0;
         if (sat->range[0][0] == '\0' || sat->range[1][0] == '\0') continue;

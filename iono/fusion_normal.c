@@ -4,6 +4,7 @@
 #include <gsl/gsl_linalg.h>
 #include <stdlib.h>
 
+#include "core/nan.h"
 #include "iono/fusion_internal.h"
 
 void fusion_terms(const orr_correction *c, orr_vec3 unit, double term[ORR_CORRECTION_TERMS])
@@ -209,15 +210,14 @@ orr_status fusion_solve(const orr_phase_tec *phase, const orr_fusion_options *o,
     double scale = out->unit_sigma * sqrt(out->inflation);
     for (size_t a = 0; a < out->n_arcs; a++) {
         size_t i = s.arcs + a;
-        out->arc[a].sigma_tecu =
-            isnan(out->arc[a].bias_tecu) ? (double)NAN : scale * sqrt(s.normal[i * s.n + i]);
+        out->arc[a].sigma_tecu = isnan(out->arc[a].bias_tecu) ? ORR_NAN : scale * sqrt(s.normal[i * s.n + i]);
     }
     for (size_t g = 0; g < out->n_groups; g++) {
         size_t i = s.groups + g;
         bool used = false;
         for (size_t a = 0; a < out->n_arcs; a++) used |= out->arc[a].code_used && out->arc[a].group == g;
-        out->group[g].receiver_tecu = used ? s.rhs[i] : (double)NAN;
-        out->group[g].sigma_tecu = used ? scale * sqrt(s.normal[i * s.n + i]) : (double)NAN;
+        out->group[g].receiver_tecu = used ? s.rhs[i] : ORR_NAN;
+        out->group[g].sigma_tecu = used ? scale * sqrt(s.normal[i * s.n + i]) : ORR_NAN;
     }
     free(s.normal);
     free(s.rhs);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/astro.h"
+#include "core/nan.h"
 #include "ingest/rinex_obs.h"
 #include "iono/signals.h"
 #include "iono/windup.h"
@@ -233,7 +234,7 @@ static orr_status take_epoch(reading *r, const orr_rinex_obs_epoch *e, bool skip
                                 (unsigned long long)r->o->max_samples);
         if (!grow(w)) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for observations");
         w->t[w->n] = e->t;
-        for (int k = 0; k < 4; k++) w->value[w->n][k] = c->at[k] >= 0 ? v[c->at[k]] : (double)NAN;
+        for (int k = 0; k < 4; k++) w->value[w->n][k] = c->at[k] >= 0 ? v[c->at[k]] : ORR_NAN;
         w->lost[w->n] = w->lost_next;
         w->lost_next = false;
         w->n++;

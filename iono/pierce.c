@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/pierce.h"
+#include "core/nan.h"
 
 #include <math.h>
 #include <string.h>
@@ -90,7 +91,7 @@ orr_status orr_mapping_parse(const char *name, orr_mapping_kind *out, orr_diag *
 
 double orr_mapping_factor(const orr_mapping *m, double el_rad)
 {
-    if (!(el_rad >= 0 && el_rad <= ORR_PI / 2)) return (double)NAN;
+    if (!(el_rad >= 0 && el_rad <= ORR_PI / 2)) return ORR_NAN;
     if (m->kind == ORR_MAPPING_NONE) return 1;
     double s = m->alpha == 1 ? m->ratio * cos(el_rad) : m->ratio * sin(m->alpha * (ORR_PI / 2 - el_rad));
     return 1 / sqrt(1 - s * s);

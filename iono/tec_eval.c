@@ -3,6 +3,7 @@
 // function but those of their own pierce point.
 #include <string.h>
 
+#include "core/nan.h"
 #include "iono/tec_field_internal.h"
 
 // Into [-pi, pi].
@@ -164,7 +165,7 @@ static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat,
 {
     const orr_tec_field *f = at->field;
     double v;
-    *out = (orr_tec_value){.sigma_tecu = (double)NAN};
+    *out = (orr_tec_value){.sigma_tecu = ORR_NAN};
     switch (f->kind) {
     case TEC_KLOBUCHAR:
         v = orr_klobuchar_vertical_m(&f->klobuchar, at->t, lat, lon) /

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/tec_files.h"
+#include "core/nan.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,10 +16,10 @@ static const char *base_name(const char *path)
 // Step of n equally spaced values; NAN when they are not.
 static double regular_step(const double *v, size_t n)
 {
-    if (n < 2) return (double)NAN;
+    if (n < 2) return ORR_NAN;
     double step = (v[n - 1] - v[0]) / (double)(n - 1);
     for (size_t i = 1; i < n; i++)
-        if (!(fabs(v[i] - v[i - 1] - step) < 1e-6)) return (double)NAN;
+        if (!(fabs(v[i] - v[i - 1] - step) < 1e-6)) return ORR_NAN;
     return step;
 }
 

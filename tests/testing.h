@@ -20,7 +20,7 @@
 // |a - b| <= tol, with the numbers shown when it is not; NAN never passes.
 #define ASSERT_NEAR(a, b, tol)                                                                               \
     do {                                                                                                     \
-        double a_ = (a), b_ = (b), tol_ = (tol);                                                             \
+        double a_ = (double)(a), b_ = (double)(b), tol_ = (double)(tol);                                     \
         if (!(fabs(a_ - b_) <= tol_))                                                                        \
             fail_msg("%s = %.17g, %s = %.17g, apart by %.3g > %.3g", #a, a_, #b, b_, fabs(a_ - b_), tol_);   \
     } while (0)

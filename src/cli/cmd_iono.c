@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/outfile.h"
 #include "ingest/sinex.h"
 #include "iono/session.h"
@@ -52,9 +53,9 @@ static orr_status ask_position(const orr_cli *c, bool *given, orr_vec3 *out, orr
         const char *text = orr_cli_text(c, "position", "");
         char *end, *rest;
         out->x = strtod(text, &end);
-        out->y = *end == ',' ? strtod(end + 1, &rest) : (double)NAN;
+        out->y = *end == ',' ? strtod(end + 1, &rest) : ORR_NAN;
         if (!isnan(out->y)) end = rest;
-        out->z = *end == ',' ? strtod(end + 1, &rest) : (double)NAN;
+        out->z = *end == ',' ? strtod(end + 1, &rest) : ORR_NAN;
         if (isnan(out->x) || isnan(out->y) || isnan(out->z) || *rest != '\0')
             return orr_diag_set(diag, ORR_E_ARG, "--position \"%s\" is no X,Y,Z in metres", text);
         return ORR_OK;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/outfile.h"
 #include "orbit/extras.h"
 #include "src/cli/cli.h"
@@ -40,7 +41,7 @@ static const char *health_word(orr_health h)
 static size_t fill(const request *q, const orr_extras *x, orr_time t, char names[MAX_SIGNALS][16],
                    cell row[MAX_CELLS])
 {
-    const double nan = (double)NAN;
+    const double nan = ORR_NAN;
     const orr_attitude *a = &x->attitude;
     const orr_sat_state *s = &x->state;
     const cell fixed[] = {
@@ -126,16 +127,16 @@ static void print_line(FILE *f, const request *q, const orr_extras *x, orr_time 
     char sat[ORR_SAT_TEXT];
     const orr_sat_state *s = &x->state;
     fprintf(f, "  %s", orr_sat_text(s->sat, sat));
-    print_number(f, 6, 2, x->has_attitude ? degrees(x->attitude.beta_rad) : (double)NAN);
-    print_number(f, 7, 2, x->has_attitude ? degrees(x->attitude.yaw_rad) : (double)NAN);
-    print_number(f, 5, 2, x->has_attitude ? x->attitude.sunlight : (double)NAN);
+    print_number(f, 6, 2, x->has_attitude ? degrees(x->attitude.beta_rad) : ORR_NAN);
+    print_number(f, 7, 2, x->has_attitude ? degrees(x->attitude.yaw_rad) : ORR_NAN);
+    print_number(f, 5, 2, x->has_attitude ? x->attitude.sunlight : ORR_NAN);
     for (int i = 0; i < 3; i++) print_number(f, 7, 3, x->antenna_body_m[i]);
     print_number(f, 13, 6, s->clock_s * 1e6);
     print_number(f, 8, 3, x->relativity_s * 1e9);
     for (size_t i = 0; i < q->n_signals; i++) {
         double delay;
         const bool known = orr_extras_delay(&q->src, s->sat, q->signal[i], t, &delay) == ORR_OK;
-        print_number(f, 8, 3, known ? delay * 1e9 : (double)NAN);
+        print_number(f, 8, 3, known ? delay * 1e9 : ORR_NAN);
     }
     print_number(f, 7, 2, (double)s->sigma_m * 1e3);
     fprintf(f, "  %-6s%s%s%s%s%s\n",

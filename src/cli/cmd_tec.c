@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "core/outfile.h"
 #include "iono/tec_files.h"
 #include "src/cli/cli.h"
@@ -143,7 +144,7 @@ static void print_grid(FILE *f, const orr_ionex *x, bool json)
         for (size_t i = 0; i < x->n_lats; i++)
             for (size_t j = 0; j < x->n_lons; j++) {
                 size_t at = orr_ionex_index(x, k, 0, i, j);
-                orr_tec_value v = {x->tec_tecu[at], x->rms_tecu != NULL ? x->rms_tecu[at] : (double)NAN, 0};
+                orr_tec_value v = {x->tec_tecu[at], x->rms_tecu != NULL ? x->rms_tecu[at] : ORR_NAN, 0};
                 print_value(f, json, first, x->epoch[k], x->lat_deg[i], x->lon_deg[j], &v);
                 first = false;
             }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/nan.h"
 #include "src/cli/navfit_write.h"
 
 // One system's sets.
@@ -48,7 +49,7 @@ static tally tally_system(const orr_navset *set, char system)
     return t;
 }
 
-static double root_mean(double sum, size_t n) { return n > 0 ? sqrt(sum / (double)n) : (double)NAN; }
+static double root_mean(double sum, size_t n) { return n > 0 ? sqrt(sum / (double)n) : ORR_NAN; }
 
 void navfit_say(const orr_cli *c, const orr_navset *set)
 {

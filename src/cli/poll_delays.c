@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "core/earth.h"
+#include "core/nan.h"
 #include "src/cli/poll_json.h"
 
 int orr_delay_poll_ask(const orr_cli *c, orr_delay_poll *out)
@@ -28,7 +29,7 @@ int orr_delay_poll_ask(const orr_cli *c, orr_delay_poll *out)
     }
     out->poll.carriers_hz.count = (uint16_t)n;
     out->poll.carriers_hz.item = out->hz;
-    for (int k = 0; k < 3; k++) out->poll.receiver_m[k] = (double)NAN;
+    for (int k = 0; k < 3; k++) out->poll.receiver_m[k] = ORR_NAN;
     const char *text = orr_cli_text(c, "receiver", NULL);
     if (text == NULL) return ORR_EXIT_OK;
     double v[3];

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "src/cli/poll_json.h"
 
 int orr_navdata_poll_ask(const orr_cli *c, orr_navdata_poll *out)
@@ -77,7 +78,7 @@ static void head_of(const column *c, size_t n)
 static void cells_of(const void *record, const column *c, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
-        double v = record != NULL ? value_of(record, &c[i]) : (double)NAN;
+        double v = record != NULL ? value_of(record, &c[i]) : ORR_NAN;
         if (isfinite(v))
             printf(",%.17g", v);
         else

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/nan.h"
 #include "src/service/answers.h"
 
 static uint16_t refuse(orr_server_refusal *why, uint16_t code, const char *name, const char *sentence)
@@ -93,7 +94,7 @@ uint16_t orr_answers_imu(void *user, const orr_frame *request, uint32_t index, o
                      .index = index,
                      .count = poll.count,
                      .unit = poll.unit};
-    orr_vec3 dtheta = {NAN, NAN, NAN}, dv = dtheta;
+    orr_vec3 dtheta = {ORR_NAN, ORR_NAN, ORR_NAN}, dv = dtheta;
     m.answer = (uint8_t)orr_engine_imu(e, poll.unit, m.t0, m.t1, &dtheta, &dv);
     put(m.dtheta_rad, dtheta);
     put(m.dv_mps, dv);
@@ -127,14 +128,17 @@ uint16_t orr_answers_truth(void *user, const orr_frame *request, uint32_t index,
     orr_truth t;
     m.answer = (uint8_t)orr_engine_truth(orr_answers_engine(user), poll.unit, m.t, &t);
     if (m.answer != ORR_MSG_ANSWER_OK) {
-        orr_vec3 none = {NAN, NAN, NAN};
-        t = (orr_truth){.motion = {.r_m = none, .v_mps = none, .a_mps2 = none, .q_be = {NAN, NAN, NAN, NAN}},
-                        .angles = {NAN, NAN, NAN},
+        orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
+        t = (orr_truth){.motion = {.r_m = none,
+                                   .v_mps = none,
+                                   .a_mps2 = none,
+                                   .q_be = {ORR_NAN, ORR_NAN, ORR_NAN, ORR_NAN}},
+                        .angles = {ORR_NAN, ORR_NAN, ORR_NAN},
                         .rate_radps = none,
                         .force_mps2 = none,
-                        .disturbance_mgal = NAN,
-                        .eotvos_mgal = NAN,
-                        .vertical_mps2 = NAN};
+                        .disturbance_mgal = ORR_NAN,
+                        .eotvos_mgal = ORR_NAN,
+                        .vertical_mps2 = ORR_NAN};
     }
     put(m.pos_m, t.motion.r_m);
     put(m.vel_mps, t.motion.v_mps);

@@ -127,7 +127,7 @@ static int connect_to(const char *text)
 {
     orr_url u;
     orr_diag diag = {0};
-    int fd;
+    int fd = -1;
     must(orr_url_parse(text, &u, &diag) == ORR_OK && orr_url_connect(&u, 10, &fd, &diag) == ORR_OK,
          diag.text);
     return fd;

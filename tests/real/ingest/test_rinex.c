@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "core/nan.h"
 #include "ingest/rinex_nav.h"
 #include "ingest/rinex_obs.h"
 
@@ -50,7 +51,7 @@ static void code_and_phase_agree(void **state)
             assert_true(isnan(v[s1]) || (v[s1] > 10 && v[s1] < 65));
             if (!isnan(v[c2])) assert_true(fabs(v[c2] - v[c1]) < 60); // ionosphere and code biases
             track now = {e->t, v[c1], v[l1] * LIGHT_MPS / L1_HZ,
-                         isnan(v[l2]) ? (double)NAN : v[l1] * LIGHT_MPS / L1_HZ - v[l2] * LIGHT_MPS / L2_HZ};
+                         isnan(v[l2]) ? ORR_NAN : v[l1] * LIGHT_MPS / L1_HZ - v[l2] * LIGHT_MPS / L2_HZ};
             track *b = &last[orr_sat_number(e->sat[i])];
             if (b->t != ORR_TIME_NONE && now.t - b->t == 30 * ORR_NS_PER_S) {
                 if (e->lli[i * e->stride + (size_t)l1] & ORR_OBS_LLI_SLIP) {

@@ -6,6 +6,7 @@
 #include <dirent.h>
 #include <sys/stat.h>
 
+#include "core/nan.h"
 #include "ingest/input.h"
 #include "ingest/inspect.h"
 #include "ingest/sp3.h"
@@ -43,7 +44,7 @@ static double number(const char *line, int col, double missing)
     char field[15] = {0};
     memcpy(field, line + col - 1, 14);
     double v = strtod(field, NULL);
-    return fabs(v) >= missing ? (double)NAN : v;
+    return fabs(v) >= missing ? ORR_NAN : v;
 }
 
 // a is what we read, b = km or microseconds as strtod reads them, times a power of ten: one more rounding.
@@ -65,7 +66,7 @@ static void check_numbers(const orr_sp3 *o, const char *text)
         const orr_sp3_record *r = &o->record[e * o->n_sats + s];
         double x = number(p, 5, 1e9), y = number(p, 19, 1e9), z = number(p, 33, 1e9),
                c = number(p, 47, 999999);
-        if (x == 0 && y == 0 && z == 0) x = y = z = NAN;
+        if (x == 0 && y == 0 && z == 0) x = y = z = ORR_NAN;
         const double *xyz = *p == 'P' ? r->pos_m : r->vel_mps;
         double unit = *p == 'P' ? 1e3 : 0.1;
         if (!agrees(xyz[0], x * unit) || !agrees(xyz[1], y * unit) || !agrees(xyz[2], z * unit) ||

@@ -3,6 +3,7 @@
 #include "testing.h"
 
 #include "core/fixed.h"
+#include "core/nan.h"
 #include "core/rng.h"
 
 static void same(double v, int decimals)
@@ -48,7 +49,7 @@ static void test_special(void **state)
     assert_string_equal(buf, "0.07");
     orr_fixed(123.0, 0, buf);
     assert_string_equal(buf, "123");
-    orr_fixed((double)NAN, 3, buf);
+    orr_fixed(ORR_NAN, 3, buf);
     assert_string_equal(buf, "nan");
     orr_fixed(-(double)INFINITY, 3, buf);
     assert_string_equal(buf, "-inf");

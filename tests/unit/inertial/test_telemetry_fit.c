@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing.h"
 
+#include "core/nan.h"
 #include "core/rng.h"
 #include "flights.h"
 #include "inertial/null_test.h"
@@ -111,7 +112,7 @@ static void faults_are_found(void **state)
     k->place[501] = k->place[500];
     k->t[501] = k->t[500];                                        // a repeated row (both halves: angles)
     for (int i = 601; i <= 605; i++) k->place[i] = k->place[600]; // frozen
-    k->place[700].lat_rad = (double)NAN;
+    k->place[700].lat_rad = ORR_NAN;
     orr_fit_options o = orr_fit_options_default();
     orr_trajectory tr;
     orr_fit_report rep;

@@ -46,8 +46,7 @@ static void profiles_in_their_shapes(void **state)
         "# a profile\n\nDistance (m)\tmGal\r\n# more\r\n0\t1.5\r\n1000\t-2\r\n\r\n2500.25\t3e1\r\n",
         "  0   1.5\n 1000  -2 \n2500.25 3e1",
         "0; 1.5\n1000; -2\n2500.25; 3e1\n",
-        "\xEF\xBB\xBF"
-        "0,1.5\n1000,-2\n2500.25,3e1\n",
+        "\357\273\2770,1.5\n1000,-2\n2500.25,3e1\n", // a byte order mark
     };
     for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
         ASSERT_OK(read_text(texts[k], &g, &diag), diag);

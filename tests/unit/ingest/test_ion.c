@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "core/nan.h"
 #include "ingest/ion.h"
 #include "unit/ingest/made_text.h"
 
@@ -215,7 +216,7 @@ static void test_write_reads_back(void **state)
         orr_ion_model *m = &a.model[k];
         ASSERT_OK(orr_ion_model_alloc(15, 15, m, &d), d);
         assert_int_equal(m->n_coefficients, 256);
-        snprintf(m->title, sizeof m->title, k == 2 ? "" : "Synthetic model %d", k);
+        if (k < 2) snprintf(m->title, sizeof m->title, "Synthetic model %d", k);
         snprintf(m->number, sizeof m->number, "0350-%02d", k + 1);
         m->frame = ORR_ION_GEOMAGNETIC;
         m->mapping = ORR_ION_MAP_MSLM;
@@ -226,7 +227,7 @@ static void test_write_reads_back(void **state)
         for (size_t i = 0; i < m->n_coefficients; i++) {
             m->coefficient[i].tecu =
                 (double)((i * 7919 + (size_t)k) % 10007) * 1e-3 - 5; // exact to eight decimals
-            m->coefficient[i].rms_tecu = i % 5 == 0 ? (double)NAN : 0.5;
+            m->coefficient[i].rms_tecu = i % 5 == 0 ? ORR_NAN : 0.5;
         }
         assert_int_equal(m->coefficient[orr_ion_index(15, -15)].order, -15);
         assert_int_equal(m->coefficient[orr_ion_index(9, 4)].degree, 9);
@@ -255,7 +256,7 @@ static void test_write_reads_back(void **state)
         }
     }
     orr_ion_free(&b);
-    a.model[1].coefficient[3].tecu = NAN;
+    a.model[1].coefficient[3].tecu = ORR_NAN;
     assert_int_equal(orr_ion_write(&a, path, &d), ORR_E_RANGE);
     orr_ion_free(&a);
     unlink(path);

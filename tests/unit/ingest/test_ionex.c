@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "core/nan.h"
 #include "ingest/ionex.h"
 #include "unit/ingest/made_text.h"
 
@@ -437,7 +438,7 @@ static void test_write_reads_back(void **state)
         a.tec_tecu[i] = (double)((i * 7919) % 9000) / 10.0;
         a.rms_tecu[i] = (double)(i % 97) / 10.0;
     }
-    a.tec_tecu[5] = NAN;
+    a.tec_tecu[5] = ORR_NAN;
     a.dcb = calloc(2, sizeof *a.dcb);
     a.n_dcbs = 2;
     a.dcb[0] =

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "core/nan.h"
 #include "ingest/rinex_obs.h"
 #include "rinex_text.h"
 
@@ -383,7 +384,7 @@ static void written_and_read_back(void **state)
     double value[40];
     uint8_t lli[40], ssi[40];
     for (int i = 0; i < 40; i++) {
-        value[i] = i == 3 ? (double)NAN : (i % 2 ? -1 : 1) * (1e7 * i + 0.001 * i + 1);
+        value[i] = i == 3 ? ORR_NAN : (i % 2 ? -1 : 1) * (1e7 * i + 0.001 * i + 1);
         lli[i] = (uint8_t)(i % 4);
         ssi[i] = (uint8_t)(i % 10);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Made passes of known TEC with slips put in: every slip is found at its place, none is invented, what is
 // called repaired is right.
+#include "core/nan.h"
 #include "core/rng.h"
 #include "iono/arcs.h"
 #include "iono/pierce.h"
@@ -174,11 +175,11 @@ static void test_gaps_flags_outliers(void **state)
     orr_arcs a;
     orr_diag d = {0};
     make(&p, 3, PAIRS[0][0], PAIRS[0][1]);
-    for (int i = 100; i < 102; i++) p.gf[i] = (double)NAN; // 90 s without a slip: goes on
-    for (int i = 200; i < 230; i++) p.gf[i] = (double)NAN; // 15 min: a new arc
-    p.gf[350] += 3;                                        // one wild phase
-    p.lost[420] = 1;                                       // a flag and no jump
-    p.lost[470] = 1;                                       // a flag and a jump
+    for (int i = 100; i < 102; i++) p.gf[i] = ORR_NAN; // 90 s without a slip: goes on
+    for (int i = 200; i < 230; i++) p.gf[i] = ORR_NAN; // 15 min: a new arc
+    p.gf[350] += 3;                                    // one wild phase
+    p.lost[420] = 1;                                   // a flag and no jump
+    p.lost[470] = 1;                                   // a flag and a jump
     slip(&p, 470, 7, 5);
     ASSERT_OK(orr_arcs_find(&p.s, NULL, &a, &d), d);
     assert_int_equal(a.n_arcs, 2);
@@ -221,7 +222,7 @@ static void test_phase_alone_and_edges(void **state)
     orr_diag d = {0};
     make(&p, 6, PAIRS[0][0], PAIRS[0][1]);
     for (int i = 300; i < N; i++) p.gf[i] += p.s.gf1_tecu; // 1.8 TECU
-    for (int i = 0; i < N; i++) p.mw[i] = (double)NAN;
+    for (int i = 0; i < N; i++) p.mw[i] = ORR_NAN;
     ASSERT_OK(orr_arcs_find(&p.s, NULL, &a, &d), d);
     assert_int_equal(a.n_slips, 1);
     assert_int_equal(a.slip[0].at, 300);

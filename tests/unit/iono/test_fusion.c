@@ -3,6 +3,7 @@
 // receiver's are known.
 #include <unistd.h>
 
+#include "core/nan.h"
 #include "core/rng.h"
 #include "iono/session.h"
 #include "iono/sun_frame.h"
@@ -302,7 +303,7 @@ static void test_session(void **state)
     assert_int_equal(x.n_samples, made.n_samples);
     size_t k = f.arc[0].sat_index, middle = s.phase.sat[k].n / 2;
     orr_time t = s.phase.sat[k].t[middle];
-    double constant = (double)NAN;
+    double constant = ORR_NAN;
     for (size_t i = 0; i < s.phase.sat[k].n; i++) {
         orr_realisation r;
         size_t n;

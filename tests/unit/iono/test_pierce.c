@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pierce point, mapping functions, delays, the sun-fixed frame and the broadcast model.
+#include "core/nan.h"
 #include "iono/klobuchar.h"
 #include "iono/pierce.h"
 #include "iono/sun_frame.h"
@@ -62,7 +63,7 @@ static void test_refused_rays(void **state)
     assert_int_equal(orr_pierce_direction(&high, 0, 1, ORR_SHELL_RADIUS_M, &p, &d), ORR_E_RANGE);
     assert_non_null(strstr(d.text, "above the shell"));
     assert_int_equal(orr_iono_site_at((orr_vec3){0, 0, 0}, &s, &d), ORR_E_ARG);
-    assert_int_equal(orr_iono_site_at((orr_vec3){(double)NAN, 0, 0}, &s, &d), ORR_E_ARG);
+    assert_int_equal(orr_iono_site_at((orr_vec3){ORR_NAN, 0, 0}, &s, &d), ORR_E_ARG);
 }
 
 static void test_mapping(void **state)

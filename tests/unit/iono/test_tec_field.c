@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of known truth: constants, a bump that follows the Sun, refits of what is a low-degree expansion,
 // holes, clipped cells, epochs and refusals.
+#include "core/nan.h"
 #include "core/rng.h"
 #include "iono/sun_frame.h"
 #include "iono/tec_field.h"
@@ -202,7 +203,7 @@ static void test_holes(void **state)
     (void)state;
     made m = make(2, 1, false);
     for (size_t r = 30; r < 34; r++)
-        for (size_t c = 10; c < 14; c++) m.tec[r * COLS + c] = (double)NAN;
+        for (size_t c = 10; c < 14; c++) m.tec[r * COLS + c] = ORR_NAN;
     double lat = (87.5 - 2.5 * 31.5) * ORR_RAD_PER_DEG, lon = (-180 + 5 * 11.5) * ORR_RAD_PER_DEG;
     for (int bilinear = 0; bilinear < 2; bilinear++) {
         orr_tec_options o = orr_tec_default_options();
@@ -224,7 +225,7 @@ static void test_holes(void **state)
     }
     // Hardly anything left: a sentence, and no field.
     for (size_t i = 0; i < ROWS * COLS; i++)
-        if (i % 40 != 0) m.tec[i] = (double)NAN;
+        if (i % 40 != 0) m.tec[i] = ORR_NAN;
     orr_tec_field *f;
     orr_diag d = {0};
     assert_int_equal(orr_tec_field_from_maps(&m.maps, NULL, &f, &d), ORR_E_NUMERIC);
@@ -337,7 +338,7 @@ static void test_klobuchar_field(void **state)
     ASSERT_OK(orr_tec_look_through(at, &s, &p, &r, &d), d);
     ASSERT_NEAR(orr_iono_delay_m(r.stec_tecu, 1575.42e6, ORR_MEASURES_CODE),
                 orr_klobuchar_delay_m(&k, t0, 0.9, 0.3, 2, 0.5), 1e-6);
-    k.beta[2] = (double)NAN;
+    k.beta[2] = ORR_NAN;
     orr_tec_field_free(f);
     assert_int_equal(orr_tec_field_from_klobuchar(&k, t0, t0, "made", NULL, &f, &d), ORR_E_FORMAT);
     free(at);

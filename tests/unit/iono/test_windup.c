@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wind-up against what it is: turns of antennas; and the signals' constants that the project rests on.
+#include "core/nan.h"
 #include "iono/signals.h"
 #include "iono/windup.h"
 #include "testing.h"
@@ -22,7 +23,7 @@ static void test_turning_satellite(void **state)
     orr_iono_site s = here();
     orr_vec3 sat = orr_vec3_axpy(20e6, s.up, s.pos_m);
     for (int sense = -1; sense <= 1; sense += 2) {
-        double before = 0, first = (double)NAN;
+        double before = 0, first = ORR_NAN;
         for (int deg = 0; deg <= 720; deg += 5) {
             double a = sense * deg * ORR_RAD_PER_DEG;
             orr_vec3 x =

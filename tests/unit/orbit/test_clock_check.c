@@ -3,6 +3,7 @@
 // place.
 #include "testing.h"
 
+#include "core/nan.h"
 #include "made_sp3.h"
 #include "orbit/ephemeris.h"
 #include "orbit/smoother.h"
@@ -91,7 +92,7 @@ static void one_wrong_value_is_left_out(void **state)
                 const bool touched = t > 900.0 * (bad - 1) && t < 900.0 * (bad + 1);
                 if ((bad == 1 && t == 0) || (bad == NODES - 2 && t == 900.0 * (NODES - 1)))
                     continue; // one node is left at the end, and has no rate
-                if (clock_at(e, t, INFINITY, 0) == touched) fail_msg("size %g bad %d t %g", size[k], bad, t);
+                if (clock_at(e, t, HUGE_VAL, 0) == touched) fail_msg("size %g bad %d t %g", size[k], bad, t);
             }
             orr_ephemeris_free(e);
         }
@@ -135,13 +136,13 @@ static void what_clocks_do_is_let_be(void **state)
     orr_ephemeris_free(e);
 
     fill(clock);
-    clock[10] = (double)NAN; // what the reader makes of 999999.999999
+    clock[10] = ORR_NAN; // what the reader makes of 999999.999999
     e = product_of(clock, true, &warnings);
     assert_int_equal(warnings, 0);
-    assert_true(clock_at(e, 8100, INFINITY, 0));
-    assert_false(clock_at(e, 8550, INFINITY, 0));
-    assert_false(clock_at(e, 9000, INFINITY, 0));
-    assert_true(clock_at(e, 9900, INFINITY, 0));
+    assert_true(clock_at(e, 8100, HUGE_VAL, 0));
+    assert_false(clock_at(e, 8550, HUGE_VAL, 0));
+    assert_false(clock_at(e, 9000, HUGE_VAL, 0));
+    assert_true(clock_at(e, 9900, HUGE_VAL, 0));
     orr_ephemeris_free(e);
 
     // Noise of half a microsecond, as selective availability's was: nothing is singled out.
