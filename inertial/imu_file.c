@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FORMAT_NAME "orrery inertial readings"
 #define MAX_STEPS ((size_t)50000000)
 #define MAX_GRAVITY_POINTS ((size_t)100000000)
 
@@ -83,7 +82,7 @@ static void put_mode(orr_nc_writer *w, const orr_imu *imu, orr_diag *diag)
     char text[160], t0[ORR_TIME_TEXT];
     const orr_imu_mode *m = &imu->mode;
     int64_t approach = m->approach, order = m->order, degree = imu->knot_degree, t0_ns = imu->t0;
-    (void)orr_nc_put_att_text(w, NULL, "format", FORMAT_NAME, diag);
+    (void)orr_nc_put_att_text(w, NULL, "format", ORR_IMU_FORMAT, diag);
     (void)orr_nc_put_att_text(w, NULL, "mode", orr_imu_mode_text(m, text, sizeof text), diag);
     (void)orr_nc_put_att_text(w, NULL, "readings", m->approach == 2 ? "physical" : "navigator-matched", diag);
     (void)orr_nc_put_att_int64(w, NULL, "approach", &approach, 1, diag);
@@ -390,38 +389,97 @@ static orr_status read_gravity(const orr_nc_reader *r, const char *model_dir, or
     return s;
 }
 
+// What everything else in the file depends on: mode, times, number of readings, how often there is truth.
+static orr_status read_head(const orr_nc_reader *r, orr_imu *head, orr_diag *diag)
+{
+    char word[64];
+    orr_status s = orr_nc_get_att_text(r, NULL, "format", word, sizeof word, diag);
+    if (s != ORR_OK || strcmp(word, ORR_IMU_FORMAT) != 0)
+        return orr_diag_at(diag, ORR_E_KIND, r->path, 0, 0,
+                           "a NetCDF file, but no inertial readings ('orrery imu' makes them)");
+    size_t n = 0, edges = 0;
+    int64_t every = 1;
+    s = read_mode(r, head, diag);
+    if (s == ORR_OK) s = orr_nc_get_dim(r, "step", MAX_STEPS, &n, diag);
+    if (s == ORR_OK) s = orr_nc_get_dim(r, "edge", MAX_STEPS + 1, &edges, diag);
+    if (s == ORR_OK && edges != n + 1)
+        s = orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0, "%zu steps do not go with %zu edges", n, edges);
+    if (s == ORR_OK) s = need_int(r, "truth_every", 1, (int64_t)n, &every, diag);
+    head->n = n;
+    head->truth_every = (size_t)every;
+    return s;
+}
+
+static void read_title(const orr_nc_reader *r, char title[256])
+{
+    if (orr_nc_get_att_text(r, NULL, "title", title, 256, NULL) != ORR_OK)
+        title[0] = '\0'; // a title is decoration
+}
+
 orr_status orr_imu_read(const char *path, const char *model_dir, orr_imu_file *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
     orr_nc_reader r;
     orr_status s = orr_nc_open(path, &r, diag);
     if (s != ORR_OK) return s;
-    char word[64];
-    s = orr_nc_get_att_text(&r, NULL, "format", word, sizeof word, diag);
-    if (s != ORR_OK || strcmp(word, FORMAT_NAME) != 0)
-        s = orr_diag_at(diag, ORR_E_KIND, path, 0, 0,
-                        "a NetCDF file, but no inertial readings ('orrery imu' makes them)");
-    size_t n = 0, edges = 0;
     orr_imu head = {0};
-    if (s == ORR_OK) s = read_mode(&r, &head, diag);
-    if (s == ORR_OK) s = orr_nc_get_dim(&r, "step", MAX_STEPS, &n, diag);
-    if (s == ORR_OK) s = orr_nc_get_dim(&r, "edge", MAX_STEPS + 1, &edges, diag);
-    if (s == ORR_OK && edges != n + 1)
-        s = orr_diag_at(diag, ORR_E_FORMAT, path, 0, 0, "%zu steps do not go with %zu edges", n, edges);
-    int64_t every = 1;
-    if (s == ORR_OK) s = need_int(&r, "truth_every", 1, (int64_t)n, &every, diag);
+    s = read_head(&r, &head, diag);
     if (s == ORR_OK) {
         out->imu = head;
-        s = orr_imu_allocate(&out->imu, n, (size_t)every, orr_nc_has_var(&r, "gyro_radps"),
+        s = orr_imu_allocate(&out->imu, head.n, head.truth_every, orr_nc_has_var(&r, "gyro_radps"),
                              orr_nc_has_var(&r, "carried_position_m"), diag);
     }
     if (s == ORR_OK) s = read_series(&r, &out->imu, diag);
     if (s == ORR_OK) s = read_gravimetry(&r, out, diag);
     if (s == ORR_OK) s = read_gravity(&r, model_dir, out, diag);
-    if (s == ORR_OK && orr_nc_get_att_text(&r, NULL, "title", out->title, sizeof out->title, NULL) != ORR_OK)
-        out->title[0] = '\0'; // a title is decoration
+    read_title(&r, out->title);
     orr_nc_close(&r);
     if (s != ORR_OK) orr_imu_file_free(out);
+    return s;
+}
+
+// Length of a dimension, 0 where there is none.
+static size_t length_of(const orr_nc_reader *r, const char *dim)
+{
+    size_t n = 0;
+    return orr_nc_get_dim(r, dim, SIZE_MAX, &n, NULL) == ORR_OK ? n : 0;
+}
+
+static void gravity_words(const orr_nc_reader *r, char *buf, size_t n)
+{
+    char model[128];
+    size_t at, profile = length_of(r, "profile"), lat = length_of(r, "map_lat"), mass = length_of(r, "mass");
+    if (orr_nc_get_att_text(r, NULL, "gravity_model", model, sizeof model, NULL) == ORR_OK)
+        at = (size_t)snprintf(buf, n, "model %s", model);
+    else
+        at = (size_t)snprintf(buf, n, "normal gravity");
+    if (profile > 0) at += (size_t)snprintf(buf + at, n - at, ", profile of %zu points", profile);
+    if (lat > 0)
+        at += (size_t)snprintf(buf + at, n - at, ", map of %zu x %zu points", lat, length_of(r, "map_lon"));
+    if (mass > 0) snprintf(buf + at, n - at, ", %zu point mass%s", mass, mass == 1 ? "" : "es");
+}
+
+orr_status orr_imu_summarise(const char *path, orr_imu_summary *out, orr_diag *diag)
+{
+    memset(out, 0, sizeof *out);
+    orr_nc_reader r;
+    orr_status s = orr_nc_open(path, &r, diag);
+    if (s != ORR_OK) return s;
+    orr_imu head = {0};
+    s = read_head(&r, &head, diag);
+    if (s == ORR_OK) {
+        *out = (orr_imu_summary){.t0 = head.t0,
+                                 .begin_s = head.begin_s,
+                                 .rate_hz = head.rate_hz,
+                                 .n = head.n,
+                                 .mode = head.mode,
+                                 .truth_every = head.truth_every,
+                                 .instantaneous = orr_nc_has_var(&r, "gyro_radps"),
+                                 .n_gravimetry = length_of(&r, "gravimetry")};
+        gravity_words(&r, out->gravity, sizeof out->gravity);
+        read_title(&r, out->title);
+    }
+    orr_nc_close(&r);
     return s;
 }
 

@@ -7,6 +7,8 @@
 #include "core/ncfile.h"
 #include "inertial/gravimetry.h"
 
+#define ORR_IMU_FORMAT "orrery inertial readings" // attribute "format" of such a file
+
 typedef struct orr_imu_labels {
     const char *title;                                  // may be NULL
     const char *history;                                // the command line
@@ -35,6 +37,21 @@ typedef struct orr_imu_file {
 } orr_imu_file;
 orr_status orr_imu_read(const char *path, const char *model_dir, orr_imu_file *out, orr_diag *diag);
 void orr_imu_file_free(orr_imu_file *f);
+
+// What a file of readings is, from its head alone: neither the readings nor a gravity model are opened.
+typedef struct orr_imu_summary {
+    orr_time t0;
+    double begin_s, rate_hz; // reading j spans [begin_s + j / rate_hz, begin_s + (j + 1) / rate_hz] after t0
+    size_t n;
+    orr_imu_mode mode;
+    size_t truth_every;
+    bool instantaneous;
+    size_t n_gravimetry; // instants of true gravity
+    char gravity[256];   // "normal gravity, profile of 14 points"
+    char title[256];
+} orr_imu_summary;
+// Errors as orr_imu_read.
+orr_status orr_imu_summarise(const char *path, orr_imu_summary *out, orr_diag *diag);
 
 // One line per edge: time, increments since the edge before, position, velocity, angles, and the
 // instantaneous readings where there are any. Errors: ORR_E_IO.

@@ -7,9 +7,8 @@
 #include <string.h>
 
 #include "ingest/inspect.h"
-#include "orbit/ephemeris.h"
 #include "src/cli/cli.h"
-#include "src/cli/orbit_events.h"
+#include "src/cli/inspect_own.h"
 
 static json_t *json_count(int64_t n) { return n == ORR_INSPECT_NONE ? json_null() : json_integer(n); }
 
@@ -132,44 +131,6 @@ static void print_human(const char *path, const orr_inspection *r)
     }
 }
 
-// Our own products are no affair of the ingest room.
-static orr_status inspect_product(const char *path, orr_inspection *r, orr_diag *diag)
-{
-    orr_ephemeris *e = NULL;
-    orr_status st = orr_ephemeris_load(path, &e, diag);
-    if (st != ORR_OK) return st;
-    const orr_sat *sat;
-    const orr_orbit_node *node;
-    const orr_orbit_event *event;
-    const orr_orbit_source *source;
-    size_t n_sats = orr_ephemeris_satellites(e, &sat), nodes = 0;
-    orbit_event_counts events = {0};
-    orr_ephemeris_span(e, &r->from, &r->to);
-    r->interval_s = orr_ephemeris_node_step_s(e);
-    for (size_t i = 0; i < n_sats; i++) {
-        orr_inspect_sat_add(r, sat[i]);
-        nodes += orr_ephemeris_nodes(e, sat[i], &node);
-        size_t n_events = orr_ephemeris_events(e, sat[i], &event);
-        orbit_events_count(event, n_events, &events);
-    }
-    r->records = (int64_t)nodes;
-    double pos_m, vel_mps;
-    char text[256];
-    orr_ephemeris_representation(e, &pos_m, &vel_mps);
-    orr_inspect_fact_add(r, "product", "satellite orbits, for `orrery states`, `compare` and `serve`");
-    orr_inspect_fact_add(r, "nodes", "every %g s", r->interval_s);
-    orr_inspect_fact_add(r, "frame", "%s", orr_ephemeris_frame(e));
-    orr_inspect_fact_add(r, "events", "%s", orbit_events_summary(&events, text, sizeof text));
-    orr_inspect_fact_add(r, "segments", "within %.2g mm and %.2g m/s of what was integrated", pos_m * 1e3,
-                         vel_mps);
-    orr_inspect_fact_add(r, "options", "%s", orr_ephemeris_options(e));
-    size_t n_sources = orr_ephemeris_sources(e, &source);
-    for (size_t i = 0; i < n_sources; i++)
-        orr_inspect_fact_add(r, i == 0 ? "made from" : "", "%s", source[i].name);
-    orr_ephemeris_free(e);
-    return ORR_OK;
-}
-
 static int inspect_one(const orr_cli *c, const char *path)
 {
     orr_inspection r;
@@ -178,7 +139,7 @@ static int inspect_one(const orr_cli *c, const char *path)
     orr_status st = orr_inspect(path, &r, &diag);
     if (st == ORR_E_UNSUPPORTED && r.kind == ORR_KIND_NETCDF) {
         diag = (orr_diag){0};
-        st = inspect_product(path, &r, &diag);
+        st = orr_inspect_own(path, &r, &diag);
     }
     if (st != ORR_OK) {
         orr_cli_warnings(c, &r.warnings);

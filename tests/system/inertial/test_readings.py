@@ -245,6 +245,26 @@ class Readings(Folder):
         self.assertAlmostEqual(dump(nc)["gravity_disturbance"][0], 3, delta=1e-9)  # a plane through 50 N, 20 E
         self.assertTrue(field)
 
+    def test_inspect_tells_what_a_file_holds(self):
+        nc = self.path("told.nc")
+        run(*SURVEY, "--rate", "25", "--start", "2024-02-04T23:59:00", "-o", nc)
+        told = run_json("inspect", "--json", nc)
+        self.assertEqual((told["kind"], told["from"], told["to"], told["records"], told["interval_s"]),
+                         ("netcdf", "2024-02-04T23:59:00", "2024-02-05T00:01:00", 3000, 0.04))
+        self.assertIn("inertial readings", told["facts"]["product"])
+        self.assertIn("approach 2", told["facts"]["mode"])
+        self.assertIn("profile of 14 points", told["facts"]["gravity"])
+        self.assertEqual(told["facts"]["made from"], "survey.yaml")
+        model = self.scenario("gone.yaml", "trajectory: {kind: analytic, duration: 10, lat: 50, lon: 20}\n")
+        run("imu", "-q", model, "--approach", "1", "-o", nc)
+        told = run("inspect", nc).stdout
+        self.assertIn("approach 1, inertial frame, projection at mid-step, closed loop", told)
+        self.assertRegex(told, r"gravity +normal gravity; its truth beside")
+        pathlib.Path(self.path("foreign.cdl")).write_text('netcdf foreign { dimensions: x = 2; variables: double v(x); data: v = 1, 2; }\n',
+                                                         encoding="ascii")
+        subprocess.run(["ncgen", "-4", "-o", self.path("foreign.nc"), self.path("foreign.cdl")], check=True)
+        self.assertIn("neither orbits", run("inspect", self.path("foreign.nc"), status=1).stderr)
+
     def test_wrong_calls(self):
         nc = self.path("calls.nc")
         run(*SURVEY[:-1], "1", "-o", nc)
