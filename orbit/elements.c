@@ -27,6 +27,13 @@ static void rotation_at(orr_time t, const orr_eop_series *series, orr_mat3 *R, o
     orr_astro_gcrs_to_itrs(t, &eop, NULL, R, dR);
 }
 
+// The wanted axes at another instant of a revolution: those of ecef stay where they are at the axes' own, or
+// the node would go round.
+static orr_mat3 wanted_near(const orr_elements_axes *a, orr_time t)
+{
+    return a->o.frame == ORR_ELEMENTS_ECEF ? a->wanted : wanted_at(t, a->o.frame, NULL);
+}
+
 // Earth-fixed state to the wanted axes: x = M x_ecef, v = M (v_ecef - w x r_ecef) by way of the matrices.
 static void inertial_state(const orr_mat3 *R, const orr_mat3 *dR, const orr_mat3 *wanted,
                            const orr_sat_state *s, orr_vec3 *r, orr_vec3 *v)
@@ -49,7 +56,7 @@ static void fill_series(orr_elements_axes *a)
         orr_time t = orr_time_add_s(a->t, -HALF_SPAN_S * cos(ORR_PI * k / N));
         orr_mat3 R, dR;
         rotation_at(t, a->o.eop, &R, &dR);
-        orr_mat3 back = orr_mat3_transpose(&R), wanted = wanted_at(t, a->o.frame, &R);
+        orr_mat3 back = orr_mat3_transpose(&R), wanted = wanted_near(a, t);
         orr_mat3 turn = orr_mat3_rot3(ORR_EARTH_RATE_RADPS * orr_time_diff_s(t, a->t));
         orr_mat3 M = orr_mat3_mul(&wanted, &back), P = orr_mat3_mul(&M, &turn), W = orr_mat3_mul(&dR, &back);
         for (int i = 0; i < 9; i++) value[i][k] = P.m[i / 3][i % 3];
@@ -98,7 +105,11 @@ static orr_status three_positions(const orr_ephemeris *e, orr_sat sat, const orr
     orr_status status = orr_ephemeris_eval(e, sat, a->t, &s[1]);
     if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(a->t, -spacing), &s[1], &s[0]);
     if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(a->t, spacing), &s[1], &s[2]);
+    orr_kepler now;
+    if (status == ORR_OK) status = osculating(e, sat, a, &now);
     if (status != ORR_OK) return status;
+    if (2 * spacing > ORR_PI * sqrt(pow(now.a_m, 3) / ORR_KEPLER_GM))
+        return ORR_E_NUMERIC;   // a half revolution
     for (int k = 0; k < 3; k++) // one set of axes for all three
         r[k] = orr_mat3_apply(&a->wanted, orr_mat3_apply_t(&a->R[k], s[k].pos_m));
     return orr_kepler_from_positions(r[0], r[1], r[2], ORR_KEPLER_GM, out);
@@ -117,7 +128,7 @@ static orr_status osculating_near(const orr_ephemeris *e, orr_sat sat, double dt
     if (!(fabs(at_s) <= HALF_SPAN_S)) {
         orr_mat3 R, dR;
         rotation_at(t, a->o.eop, &R, &dR);
-        orr_mat3 wanted = wanted_at(t, a->o.frame, &R);
+        orr_mat3 wanted = wanted_near(a, t);
         inertial_state(&R, &dR, &wanted, &s, &r, &v);
         return orr_kepler_from_state(r, v, ORR_KEPLER_GM, out);
     }
@@ -127,7 +138,6 @@ static orr_status osculating_near(const orr_ephemeris *e, orr_sat sat, double dt
         for (int j = 0; j <= ORR_ELEMENTS_DEGREE; j++) q[i] += a->series[i][j] * basis[j];
     orr_mat3 P = {{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}, {q[6], q[7], q[8]}}};
     orr_mat3 turn = orr_mat3_rot3(-ORR_EARTH_RATE_RADPS * at_s), M = orr_mat3_mul(&P, &turn);
-    if (a->o.frame == ORR_ELEMENTS_ECEF) M = orr_mat3_identity();
     orr_mat3 rate = orr_mat3_hat((orr_vec3){q[9], q[10], q[11]});
     r = orr_mat3_apply(&M, s.pos_m);
     v = orr_mat3_apply(&M, orr_vec3_sub(s.vel_mps, orr_mat3_apply(&rate, s.pos_m)));

@@ -41,7 +41,7 @@ void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_element
 
 // Elements of a satellite at the axes' instant. Besides the statuses of orr_ephemeris_eval: ORR_E_NODATA also
 // where the method needs instants outside the arc (three positions: t +- spacing; mean: half a revolution to
-// each side).
+// each side), ORR_E_NUMERIC where three positions reach over more than half a revolution.
 orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
                            orr_kepler *out);
 // Both for one satellite.

@@ -76,6 +76,7 @@ orr_status orr_kepler_from_positions(orr_vec3 r1, orr_vec3 r2, orr_vec3 r3, doub
     orr_vec3 D = orr_vec3_add(c12, orr_vec3_add(c23, c31));
     orr_vec3 N = orr_vec3_axpy(d3, c12, orr_vec3_axpy(d2, c31, orr_vec3_scale(d1, c23)));
     orr_vec3 S = orr_vec3_axpy(d1 - d2, r3, orr_vec3_axpy(d3 - d1, r2, orr_vec3_scale(d2 - d3, r1)));
+    if (!(orr_vec3_dot(c12, normal) > 0) || !(orr_vec3_dot(c23, normal) > 0)) return ORR_E_NUMERIC;
     double nd = orr_vec3_norm(N) * orr_vec3_norm(D);
     if (!(nd > 0) || !(d2 > 0)) return ORR_E_NUMERIC;
     orr_vec3 v2 = orr_vec3_scale(sqrt(gm / nd), orr_vec3_axpy(1 / d2, orr_vec3_cross(D, r2), S));

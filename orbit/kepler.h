@@ -25,7 +25,8 @@ void orr_kepler_to_state(const orr_kepler *k, double gm, orr_vec3 *r_m, orr_vec3
 // formulas. Limits, measured on real orbits: the plane is good (i to 3.5e-6 deg at +-5 min), but two-body
 // motion is assumed, so a is off by 1.8-2.3 km whatever the spacing (J2), e and argp accordingly; a
 // centimetre of noise at +-5 min makes hundreds of metres in a. (r, v) of the smoothed orbit has none of
-// this. ORR_E_NUMERIC when the positions do not span a plane.
+// this. ORR_E_NUMERIC when the positions do not span a plane, or are not one after the other within half a
+// revolution.
 orr_status orr_kepler_from_positions(orr_vec3 r1_m, orr_vec3 r2_m, orr_vec3 r3_m, double gm, orr_kepler *out);
 
 // Eccentric anomaly of mean anomaly m, 0 <= e < 1, to rounding.

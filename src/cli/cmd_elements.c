@@ -11,6 +11,8 @@
 #include "src/cli/cli.h"
 #include "src/cli/elements_rows.h"
 
+#define LEAST_SPACING_S 10
+
 typedef struct row {
     orr_time t;
     orr_sat sat;
@@ -35,6 +37,34 @@ static orr_status add_row(table *t, row r, orr_diag *diag)
     return ORR_OK;
 }
 
+// A product on the command line and what it covers.
+typedef struct product {
+    const char *path;
+    orr_time from, to;
+} product;
+
+static int by_begin(const void *a, const void *b)
+{
+    const product *x = a, *y = b;
+    if (x->from != y->from) return x->from < y->from ? -1 : 1;
+    return (x->to > y->to) - (x->to < y->to);
+}
+
+// Spans first, so that rows come in order of time however the products are named.
+static orr_status put_in_order(const orr_cli *c, product *list, orr_diag *diag)
+{
+    for (int k = 0; k < c->n_operands; k++) {
+        orr_ephemeris *e = NULL;
+        list[k].path = c->operand[k];
+        orr_status s = orr_ephemeris_load(list[k].path, &e, diag);
+        if (s != ORR_OK) return s;
+        orr_ephemeris_span(e, &list[k].from, &list[k].to);
+        orr_ephemeris_free(e);
+    }
+    qsort(list, (size_t)c->n_operands, sizeof *list, by_begin);
+    return ORR_OK;
+}
+
 // Rows of one product, from its begin (or `after`, the last instant of the product before) on, where the
 // method has values.
 static orr_status collect(const orr_cli *c, const orr_ephemeris *e, const orr_elements_options *o,
@@ -43,13 +73,14 @@ static orr_status collect(const orr_cli *c, const orr_ephemeris *e, const orr_el
     const orr_sat *list;
     size_t n = orr_ephemeris_satellites(e, &list);
     const orr_sat_set *wanted = orr_cli_sats(c, "sat");
-    orr_time from, to;
-    orr_ephemeris_span(e, &from, &to);
-    from = orr_cli_time(c, "from", from);
-    to = orr_cli_time(c, "to", to);
+    orr_time begin, end;
+    orr_ephemeris_span(e, &begin, &end);
+    orr_time at = orr_cli_time(c, "from", begin), to = orr_cli_time(c, "to", end);
+    if (after != ORR_TIME_NONE && begin <= after) begin = after + 1;
+    if (at < begin) at += (begin - at + step - 1) / step * step; // the first of the rows within
+    if (to > end) to = end;
     orr_status s = ORR_OK;
-    for (orr_time at = from; at <= to && s == ORR_OK; at += step) {
-        if (after != ORR_TIME_NONE && at <= after) continue;
+    for (; at <= to && s == ORR_OK; at += step) {
         orr_elements_axes axes;
         orr_elements_axes_at(at, o, &axes);
         for (size_t i = 0; i < n && s == ORR_OK; i++) {
@@ -60,8 +91,6 @@ static orr_status collect(const orr_cli *c, const orr_ephemeris *e, const orr_el
     }
     return s;
 }
-
-static double degrees(double rad) { return rad * ORR_DEG_PER_RAD; }
 
 static void print_csv(FILE *f, const table *t)
 {
@@ -82,8 +111,9 @@ static void print_json(FILE *f, const table *t)
                 "\"raan_deg\": %.10f, "
                 "\"argp_deg\": %.10f, \"m_deg\": %.10f, \"u_deg\": %.10f}",
                 i > 0 ? "," : "", orr_time_text(t->item[i].t, time), orr_sat_text(t->item[i].sat, sat),
-                k->a_m, k->e, degrees(k->i_rad), degrees(k->raan_rad), degrees(k->argp_rad),
-                degrees(k->m_rad), degrees(k->u_rad));
+                k->a_m, k->e, k->i_rad * ORR_DEG_PER_RAD, orr_elements_degrees(k->raan_rad),
+                orr_elements_degrees(k->argp_rad), orr_elements_degrees(k->m_rad),
+                orr_elements_degrees(k->u_rad));
     }
     fputs("\n]\n", f);
 }
@@ -113,21 +143,21 @@ static orr_status write_nc(const char *path, const table *t, const char *about, 
         const char *name, *units, *long_name;
         size_t offset;
         double scale;
+        bool angle;
     } column[] = {
-        {"a", "m", "semi-major axis", offsetof(orr_kepler, a_m), 1},
-        {"e", "1", "eccentricity", offsetof(orr_kepler, e), 1},
-        {"i", "degree", "inclination", offsetof(orr_kepler, i_rad), ORR_DEG_PER_RAD},
-        {"raan", "degree", "right ascension of the ascending node", offsetof(orr_kepler, raan_rad),
-         ORR_DEG_PER_RAD},
-        {"argp", "degree", "argument of perigee", offsetof(orr_kepler, argp_rad), ORR_DEG_PER_RAD},
-        {"m", "degree", "mean anomaly", offsetof(orr_kepler, m_rad), ORR_DEG_PER_RAD},
-        {"u", "degree", "argument of latitude", offsetof(orr_kepler, u_rad), ORR_DEG_PER_RAD},
+        {"a", "m", "semi-major axis", offsetof(orr_kepler, a_m), 1, false},
+        {"e", "1", "eccentricity", offsetof(orr_kepler, e), 1, false},
+        {"i", "degree", "inclination", offsetof(orr_kepler, i_rad), ORR_DEG_PER_RAD, false},
+        {"raan", "degree", "right ascension of the ascending node", offsetof(orr_kepler, raan_rad), 1, true},
+        {"argp", "degree", "argument of perigee", offsetof(orr_kepler, argp_rad), 1, true},
+        {"m", "degree", "mean anomaly", offsetof(orr_kepler, m_rad), 1, true},
+        {"u", "degree", "argument of latitude", offsetof(orr_kepler, u_rad), 1, true},
     };
     for (size_t k = 0; k < sizeof column / sizeof column[0] && s == ORR_OK; k++) {
         for (size_t i = 0; i < t->n; i++) {
             double x;
             memcpy(&x, (const char *)&t->item[i].k + column[k].offset, sizeof x);
-            value[i] = x * column[k].scale;
+            value[i] = column[k].angle ? orr_elements_degrees(x) : x * column[k].scale;
         }
         s = orr_nc_put_var(&w, column[k].name, ORR_NC_DOUBLE, 1, by_row, value, column[k].units,
                            column[k].long_name, diag);
@@ -164,6 +194,29 @@ static orr_status write_text(const char *path, const table *t, const char *forma
     return orr_outfile_commit(&out, diag);
 }
 
+static orr_status collect_all(const orr_cli *c, const orr_elements_options *o, product *list, table *t,
+                              orr_diag *diag)
+{
+    const int64_t step = orr_cli_duration_ns(c, "step", 60 * ORR_NS_PER_S);
+    orr_time after = ORR_TIME_NONE;
+    orr_status s = put_in_order(c, list, diag);
+    for (int k = 0; k < c->n_operands && s == ORR_OK; k++) {
+        orr_ephemeris *e = NULL;
+        s = orr_ephemeris_load(list[k].path, &e, diag);
+        if (s == ORR_OK && orr_cli_interrupted(c)) s = orr_diag_set(diag, ORR_E_INTERRUPTED, "stopped");
+        if (s == ORR_OK) s = collect(c, e, o, step, after, t, diag);
+        if (s == ORR_OK && t->n > 0) after = t->item[t->n - 1].t;
+        orr_ephemeris_free(e);
+    }
+    if (s != ORR_OK || t->n > 0) return s;
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    return orr_diag_set(
+        diag, ORR_E_NODATA,
+        "no elements: the first product covers %s to %s; no such satellite, or no instant where the "
+        "method has what it needs around it",
+        orr_time_text(list[0].from, from), orr_time_text(list[0].to, to));
+}
+
 static int run(orr_cli *c)
 {
     orr_diag diag = {0};
@@ -173,26 +226,17 @@ static int run(orr_cli *c)
     const char *format = orr_cli_text(c, "format", "csv"), *path = orr_cli_text(c, "output", "-");
     if (strcmp(format, "nc") == 0 && strcmp(path, "-") == 0)
         return orr_cli_usage(c, "--format nc needs a file: -o FILE");
+    if (orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) < LEAST_SPACING_S * ORR_NS_PER_S)
+        return orr_cli_usage(c, "--spacing: at least %d s, or three positions are one", LEAST_SPACING_S);
     orr_elements_options o = {.frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),
                               .method = orr_elements_method_of(orr_cli_text(c, "method", "state")),
                               .spacing_s =
                                   (double)orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) * 1e-9};
+    product *list = calloc((size_t)c->n_operands, sizeof *list);
     orr_cli_hold(c);
-    orr_status s = read_eop(c, &erp, &o, &warnings, &diag);
-    orr_time after = ORR_TIME_NONE;
-    for (int k = 0; k < c->n_operands && s == ORR_OK; k++) {
-        orr_ephemeris *e = NULL;
-        s = orr_ephemeris_load(c->operand[k], &e, &diag);
-        if (s == ORR_OK && orr_cli_interrupted(c)) s = orr_diag_set(&diag, ORR_E_INTERRUPTED, "stopped");
-        if (s == ORR_OK)
-            s = collect(c, e, &o, orr_cli_duration_ns(c, "step", 60 * ORR_NS_PER_S), after, &t, &diag);
-        if (s == ORR_OK && t.n > 0) after = t.item[t.n - 1].t;
-        orr_ephemeris_free(e);
-    }
-    if (s == ORR_OK && t.n == 0)
-        s = orr_diag_set(&diag, ORR_E_NODATA,
-                         "no elements: no such satellite, or no instant of the product where the method has "
-                         "what it needs");
+    orr_status s = list != NULL ? read_eop(c, &erp, &o, &warnings, &diag)
+                                : orr_diag_set(&diag, ORR_E_MEMORY, "out of memory");
+    if (s == ORR_OK) s = collect_all(c, &o, list, &t, &diag);
     if (s == ORR_OK)
         s = strcmp(format, "nc") == 0 ? write_nc(path, &t, "orrery elements", &diag)
                                       : write_text(path, &t, format, &diag);
@@ -201,6 +245,7 @@ static int run(orr_cli *c)
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     orr_erp_free(&erp);
+    free(list);
     free(t.item);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
 }
@@ -217,7 +262,7 @@ static const orr_option options[] = {
              "three positions "
              "--spacing apart and the standard formulas; the plane is good to 4e-6 deg, but a is off by "
              "about 2 km (J2) and e and "
-             "argp with it. mean: osculating averaged over one revolution."},
+             "argp with it. mean: osculating averaged over one revolution, half of it to each side."},
     {.name = "frame",
      .kind = ORR_OPT_CHOICE,
      .value = ORR_ELEMENTS_FRAMES,
@@ -227,7 +272,7 @@ static const orr_option options[] = {
     {.name = "spacing",
      .kind = ORR_OPT_DURATION,
      .value = "S",
-     .help = "Distance of the three positions; 300 s by default."},
+     .help = "Distance of the three positions, from 10 s to a quarter of a revolution; 300 s by default."},
     {.name = "from",
      .kind = ORR_OPT_TIME,
      .value = "T",
@@ -252,11 +297,13 @@ const orr_command orr_cmd_elements = {
     .operands = "PRODUCT...",
     .min_operands = 1,
     .max_operands = -1,
-    .about = "Reads products of `orrery orbit`, one after the other, and tells a, e, i, the node, perigee, "
+    .about = "Reads products of `orrery orbit`, one after the other in time, and tells a, e, i, the node, "
+             "perigee, "
              "mean anomaly and "
              "argument of latitude u. In near-circular orbits argp and m are ill-determined one by one; read "
              "u.\n\n"
-             "Instants at which the method lacks data (an end of the arc, a manoeuvre) have no row.",
+             "Instants at which the method lacks data (an end of the arc, a manoeuvre) have no row; days "
+             "smoothed jointly have no ends between them.",
     .example = "orrery elements day.nc --sat G05 --step 300\norrery elements week*.nc --sat R07 --method "
                "mean --step 3600 -o r07.csv",
     .n_options = sizeof options / sizeof options[0],

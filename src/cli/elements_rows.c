@@ -17,6 +17,12 @@ orr_elements_method orr_elements_method_of(const char *word)
                                                   : ORR_ELEMENTS_STATE;
 }
 
+double orr_elements_degrees(double angle_rad)
+{
+    const double degrees = angle_rad * ORR_DEG_PER_RAD;
+    return degrees < 360 - 0.5e-10 ? degrees : 0;
+}
+
 void orr_elements_csv_head(FILE *f) { fputs("t_gps,sat,a_m,e,i_deg,raan_deg,argp_deg,m_deg,u_deg\n", f); }
 
 void orr_elements_csv_row(FILE *f, orr_time t, const char *sat, const orr_kepler *k)
@@ -28,6 +34,6 @@ void orr_elements_csv_row(FILE *f, orr_time t, const char *sat, const orr_kepler
         return;
     }
     fprintf(f, "%.4f,%.12f,%.10f,%.10f,%.10f,%.10f,%.10f\n", k->a_m, k->e, k->i_rad * ORR_DEG_PER_RAD,
-            k->raan_rad * ORR_DEG_PER_RAD, k->argp_rad * ORR_DEG_PER_RAD, k->m_rad * ORR_DEG_PER_RAD,
-            k->u_rad * ORR_DEG_PER_RAD);
+            orr_elements_degrees(k->raan_rad), orr_elements_degrees(k->argp_rad),
+            orr_elements_degrees(k->m_rad), orr_elements_degrees(k->u_rad));
 }

@@ -63,6 +63,9 @@ static void means_are_means(void **state)
             orr_sat sat = made_satellite_at(k).sat;
             orr_time t = at(43000);
             orr_kepler centre, got;
+            orr_mat3 R;
+            orr_eop eop = orr_eop_at(NULL, t, NULL, NULL);
+            orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
             assert_int_equal(orr_elements_at(e, sat, t, &state_of, &centre), ORR_OK);
             assert_int_equal(orr_elements_at(e, sat, t, &mean, &got), ORR_OK);
             double period = 2 * ORR_PI * sqrt(pow(centre.a_m, 3) / ORR_KEPLER_GM), a = 0, h = 0, l = 0, p = 0,
@@ -71,6 +74,15 @@ static void means_are_means(void **state)
                 orr_kepler el;
                 orr_time then = orr_time_add_s(t, period * ((j + 0.5) / 64 - 0.5));
                 assert_int_equal(orr_elements_at(e, sat, then, &state_of, &el), ORR_OK);
+                if (f == ORR_ELEMENTS_ECEF) { // the axes of t: those of `then` have turned on with the Earth
+                    const orr_elements_options j2000 = {.frame = ORR_ELEMENTS_J2000};
+                    orr_vec3 r, v;
+                    assert_int_equal(orr_elements_at(e, sat, then, &j2000, &el), ORR_OK);
+                    orr_kepler_to_state(&el, ORR_KEPLER_GM, &r, &v);
+                    assert_int_equal(orr_kepler_from_state(orr_mat3_apply(&R, r), orr_mat3_apply(&R, v),
+                                                           ORR_KEPLER_GM, &el),
+                                     ORR_OK);
+                }
                 a += el.a_m / 64;
                 h += el.e * sin(el.raan_rad + el.argp_rad) / 64;
                 l += el.e * cos(el.raan_rad + el.argp_rad) / 64;
@@ -81,6 +93,7 @@ static void means_are_means(void **state)
             ASSERT_NEAR(got.e, hypot(h, l), 1e-13);
             ASSERT_NEAR(got.i_rad, 2 * atan(hypot(p, q)), 1e-13);
             ASSERT_NEAR(sin(got.raan_rad - atan2(p, q)), 0, 1e-12);
+            ASSERT_NEAR(got.i_rad, centre.i_rad, 1e-4); // the made orbits are ellipses
         }
     }
     orr_ephemeris_free(e);
@@ -119,6 +132,13 @@ static void where_a_method_lacks_instants(void **state)
     assert_int_equal(orr_elements_at(e, sat, at(60), &by_state, &k), ORR_OK);
     assert_int_equal(orr_elements_at(e, sat, at(60), &three, &k), ORR_E_NODATA);
     assert_int_equal(orr_elements_at(e, sat, at(300), &three, &k), ORR_OK);
+    const orr_elements_options quarter = {.method = ORR_ELEMENTS_THREE_POSITIONS, .spacing_s = 10000},
+                               too_far = {.method = ORR_ELEMENTS_THREE_POSITIONS, .spacing_s = 12000},
+                               round = {.method = ORR_ELEMENTS_THREE_POSITIONS, .spacing_s = 36000};
+    assert_int_equal(orr_elements_at(e, sat, at(22000), &quarter, &k), ORR_OK);
+    assert_int_equal(orr_elements_at(e, sat, at(22000), &too_far, &k),
+                     ORR_E_NUMERIC); // more than 21600 s in all
+    assert_int_equal(orr_elements_at(e, sat, at(43200), &round, &k), ORR_E_NUMERIC);
     assert_int_equal(orr_elements_at(e, sat, at(21000), &mean, &k),
                      ORR_E_NODATA); // half of 43200 s is not there
     assert_int_equal(orr_elements_at(e, sat, at(22000), &mean, &k), ORR_OK);

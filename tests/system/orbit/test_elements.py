@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""orrery elements over several days: rows in order of time however the products are named, one content in three formats."""
+import csv
+import io
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from program import Folder, run, sample  # noqa: E402
+
+DAYS = [f"ORR0TSTFIN_2025{d:03}0000_01D_15M_ORB.SP3.gz" for d in (79, 80, 81)]
+COLUMNS = "t_gps,sat,a_m,e,i_deg,raan_deg,argp_deg,m_deg,u_deg"
+
+
+class Elements(Folder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.day = []
+        for k, source in enumerate(DAYS):
+            cls.day.append(cls.path(f"day{k}.nc"))
+            run("orbit", "-q", "-o", cls.day[-1], "--sat", "G08,R09,E14", sample(source))
+
+    def rows(self, *args):
+        text = run("elements", *args).stdout
+        self.assertEqual(text.splitlines()[0], COLUMNS)
+        return list(csv.DictReader(io.StringIO(text)))
+
+    def test_days_in_any_order(self):
+        forwards = self.rows(*self.day, "--step", "1h")
+        times = [r["t_gps"] for r in forwards]
+        self.assertEqual(times, sorted(times))
+        self.assertEqual(len(set((r["t_gps"], r["sat"]) for r in forwards)), len(forwards))
+        self.assertEqual(len({t[:10] for t in times}), 4)  # three days and the 24:00 of the last
+        self.assertEqual(self.rows(*self.day[::-1], "--step", "1h"), forwards)
+
+    def test_rows_keep_the_asked_grid(self):
+        some = self.rows(self.day[1], "--sat", "G08", "--from", "1990-01-01T00:00:07", "--to", "2100-01-01", "--step", "1h")
+        self.assertEqual(len(some), 24)
+        self.assertEqual({r["t_gps"][13:] for r in some}, {":00:07"})
+
+    def test_formats_agree(self):
+        args = (self.day[0], "--step", "2h", "--method", "mean")
+        rows = self.rows(*args)
+        self.assertEqual(json.loads(run("elements", *args, "--format", "json").stdout),
+                         [{k: v if k in ("t_gps", "sat") else float(v) for k, v in r.items()} for r in rows])
+        path = self.path("elements.nc")
+        run("elements", *args, "--format", "nc", "-o", path)
+        text = subprocess.run(["ncdump", "-p", "9,17", path], capture_output=True, text=True, check=True).stdout
+        for name, column, digits in (("a", "a_m", 4), ("e", "e", 12), ("raan", "raan_deg", 10), ("u", "u_deg", 10)):
+            values = re.search(rf"\n {name} =(.*?);", text, re.S).group(1).split(",")
+            self.assertEqual([f"{float(v):.{digits}f}" for v in values], [r[column] for r in rows])
+
+    def test_angles_are_angles(self):
+        for frame in ("date", "j2000", "ecef"):
+            for row in self.rows(self.day[0], "--frame", frame, "--step", "10min"):
+                for angle in ("raan_deg", "argp_deg", "m_deg", "u_deg"):
+                    self.assertTrue(0 <= float(row[angle]) < 360, row)
+                # u is argp and the true anomaly, which M and e give by Kepler's equation.
+                m, e = math.radians(float(row["m_deg"])), float(row["e"])
+                anomaly = m
+                for _ in range(50):
+                    anomaly = m + e * math.sin(anomaly)
+                nu = 2 * math.atan(math.sqrt((1 + e) / (1 - e)) * math.tan(anomaly / 2))
+                off = math.radians(float(row["argp_deg"]) - float(row["u_deg"])) + nu
+                self.assertLess(abs(math.sin(off)), 1e-10)
+
+    def test_what_cannot_be(self):
+        for args, word in ((("--sat", "C09"), "no such satellite"), (("--from", "2030-01-01"), "covers"),
+                           (("--method", "three-positions", "--spacing", "8h"), "covers")):
+            self.assertIn(word, run("elements", self.day[0], *args, status=1).stderr)
+        self.assertIn("at least 10 s", run("elements", self.day[0], "--spacing", "1", status=2).stderr)
+        self.assertIn("-o FILE", run("elements", self.day[0], "--format", "nc", status=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
