@@ -61,7 +61,7 @@ orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *elements);
 orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *poll);
 orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *navdata);
 // The same of ionospheric delays: poll->count calls of orr_client_delays. A poll whose receiver_m is NAN,
-// NAN, NAN asks for the scenario's own receiver.
+// NAN, NAN asks for the scenario's own receiver, which is on its trajectory if it has one.
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll);
 orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *delays);
 // The same of inertial increments and of the true motion.

@@ -521,7 +521,7 @@ typedef struct orr_msg_poll_delays {
     int64_t t; // [ns] first epoch
     int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
     uint32_t count; // epochs, 1 to MAX_EPOCHS
-    double receiver_m[3]; // receiver (ecef); NAN for the scenario's own
+    double receiver_m[3]; // receiver (ecef); three times NAN for the scenario's own, which may move from epoch to epoch
     orr_msg_f64_list carriers_hz; // [Hz] carriers to give delays for; empty for 1575.42 MHz
     orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
 } orr_msg_poll_delays;
@@ -535,8 +535,8 @@ typedef struct orr_msg_delays {
     int64_t t; // [ns] the epoch
     uint32_t index; // which epoch of the POLL_DELAYS, from 0
     uint32_t count; // how many epochs it asked for
-    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
-    double receiver_m[3]; // the receiver that was taken (ecef)
+    uint8_t answer; // OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites
+    double receiver_m[3]; // the receiver that was taken (ecef); NAN outside the span of the scenario's trajectory
     orr_msg_f64_list carriers_hz; // [Hz] the carriers of delay_m
     orr_msg_sat_delay_list satellites; // those asked for, in that order; for all, those of CAPS
 } orr_msg_delays;

@@ -142,6 +142,12 @@ static int poll_service(poll_job *p)
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (p->numbers > 0) return ORR_EXIT_OK;
     if (p->motion.imu || p->motion.truth) return orr_cli_failf(c, "the trajectory does not reach there");
+    if (p->outside && p->delays.asked)
+        return orr_cli_failf(
+            c,
+            "nothing there: %s serves orbits of %s to %s, and delays where its ionosphere and "
+            "the scenario's receiver are there too",
+            p->d->url, from, to);
     if (p->outside) return orr_cli_failf(c, "nothing there: %s serves %s to %s", p->d->url, from, to);
     return orr_cli_failf(c, "no satellite has %s there", p->what);
 }
@@ -233,7 +239,9 @@ const orr_command orr_cmd_poll = {
         "span, it says so instead of a number; exit status 1 if there was no number at all.\n\n"
         "With --delays: azimuth, elevation, pierce point, slant electron content and the delay of a "
         "code on each carrier "
-        "(a carrier phase is early by as much), and what it came from.\n\n"
+        "(a carrier phase is early by as much), and what it came from. Without --receiver it is the "
+        "scenario's own; of a scenario with a trajectory, where the trajectory is at each epoch, so that "
+        "satellites and inertial readings (--imu) are of one flight.\n\n"
         "With --elements: Kepler elements as CSV, in the columns of `orrery elements`; cells are blank "
         "where a satellite has none.\n\n"
         "With --navdata: what GPS and GLONASS satellites broadcast, fitted to the orbits that are served "

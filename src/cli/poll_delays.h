@@ -14,7 +14,8 @@
         {.name = "receiver",                                                                                 \
          .kind = ORR_OPT_TEXT,                                                                               \
          .value = "LAT,LON,H",                                                                               \
-         .help = "with --delays: the receiver, degrees (geodetic) and metres. Default: the scenario's own"}, \
+         .help = "with --delays: the receiver, degrees (geodetic) and metres. Default: the scenario's own "  \
+                 "(receiver.position, the trajectory at each epoch, or the session's station)"},             \
     {                                                                                                        \
         .name = "carrier", .kind = ORR_OPT_TEXT, .value = "MHZ", .repeated = true,                           \
         .help = "with --delays: a carrier to give the delay for, up to four of them. Default 1575.42"        \

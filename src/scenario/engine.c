@@ -19,6 +19,9 @@ struct orr_engine {
     char no_navdata[ORR_NAV_SOURCE_WHY];
     orr_iono_source *iono; // NULL: none
     orr_moving moving;     // n_units 0: none
+    bool has_place;        // receiver.position
+    orr_vec3 place_m;
+    size_t receiver_unit; // without it: whose point the receiver is
     char title[128];
     orr_time from, to;
     const orr_sat *sat; // borrowed from eph
@@ -77,6 +80,13 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
     if (status == ORR_OK) status = orr_iono_source_open(s, &(*out)->iono, warnings, diag);
     if (status == ORR_OK && s->motion.kind != ORR_MOTION_NONE)
         status = orr_moving_open(&s->motion, (*out)->from, warnings, &(*out)->moving, diag);
+    (*out)->receiver_unit = (size_t)s->receiver_unit;
+    (*out)->has_place = s->receiver.n == 3;
+    if ((*out)->has_place) {
+        const double *p = s->receiver.item;
+        (*out)->place_m =
+            orr_earth_to_ecef((orr_geodetic){p[0] * ORR_RAD_PER_DEG, p[1] * ORR_RAD_PER_DEG, p[2]});
+    }
     if (status != ORR_OK) {
         orr_engine_close(*out);
         *out = NULL;
@@ -200,9 +210,30 @@ orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sa
 
 bool orr_engine_has_ionosphere(const orr_engine *e) { return e->iono != NULL; }
 
-bool orr_engine_receiver(const orr_engine *e, orr_vec3 *receiver_m)
+// Motion of a trajectory at t; false outside its span.
+static bool motion_at(const orr_trajectory *tr, orr_time t, orr_motion *out)
 {
-    return e->iono != NULL && orr_iono_source_receiver(e->iono, receiver_m);
+    double t_s = orr_time_diff_s(t, tr->t0);
+    if (!(t_s >= tr->begin_s - 1e-9 && t_s <= tr->end_s + 1e-9)) return false;
+    tr->evaluate(tr->self, t_s, out);
+    return true;
+}
+
+orr_answer orr_engine_receiver(const orr_engine *e, orr_time t, orr_vec3 *receiver_m)
+{
+    orr_motion motion;
+    if (e->has_place) {
+        *receiver_m = e->place_m;
+        return ORR_ANSWER_OK;
+    }
+    if (e->moving.n_units > 0) {
+        if (!motion_at(orr_moving_unit(&e->moving, e->receiver_unit), t, &motion))
+            return ORR_ANSWER_OUTSIDE_SPAN;
+        *receiver_m = motion.r_m;
+        return ORR_ANSWER_OK;
+    }
+    return e->iono != NULL && orr_iono_source_station(e->iono, receiver_m) ? ORR_ANSWER_OK
+                                                                           : ORR_ANSWER_NOT_SERVED;
 }
 
 orr_answer orr_engine_delays(const orr_engine *e, orr_time t, orr_vec3 receiver_m, const orr_sat *sats,
@@ -265,9 +296,8 @@ orr_answer orr_engine_imu(const orr_engine *e, size_t unit, orr_time t0, orr_tim
 orr_answer orr_engine_truth(const orr_engine *e, size_t unit, orr_time t, orr_truth *out)
 {
     const orr_trajectory *tr = orr_moving_unit(&e->moving, unit);
+    if (!motion_at(tr, t, &out->motion)) return ORR_ANSWER_OUTSIDE_SPAN;
     double t_s = orr_time_diff_s(t, tr->t0);
-    if (!(t_s >= tr->begin_s - 1e-9 && t_s <= tr->end_s + 1e-9)) return ORR_ANSWER_OUTSIDE_SPAN;
-    tr->evaluate(tr->self, t_s, &out->motion);
     out->angles = orr_motion_angles(&out->motion);
     orr_sensors_instant(tr, e->moving.gravity, t_s, &out->rate_radps, &out->force_mps2);
     orr_gravity_terms(e->moving.gravity, &out->motion, &out->disturbance_mgal, &out->eotvos_mgal,

@@ -61,9 +61,12 @@ const char *orr_engine_no_navdata(const orr_engine *e);
 orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
                               const orr_navset_item **set, orr_navframe *frame, orr_answer *answer);
 
-// Whether the scenario has an ionosphere; and its own receiver (ecef), false where it has none.
+// Whether the scenario has an ionosphere; and where its own receiver (ecef) is at t: receiver.position; else
+// the point of a unit of the trajectory, to the bit that of orr_engine_truth; else the session's station.
+// ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN of the trajectory, or ORR_ANSWER_NOT_SERVED where there is none of
+// them; without OK nothing is written.
 bool orr_engine_has_ionosphere(const orr_engine *e);
-bool orr_engine_receiver(const orr_engine *e, orr_vec3 *receiver_m);
+orr_answer orr_engine_receiver(const orr_engine *e, orr_time t, orr_vec3 *receiver_m);
 // Ionospheric delays from a receiver to n satellites at t into delay[0..n) and answer[0..n), n <=
 // ORR_SESSION_MAX_SATS; sats NULL: of all. ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN where orbits or
 // ionosphere do not cover t (then nothing is written). Where answer[i] is not OK only delay[i].sat is set,

@@ -6,10 +6,9 @@
 #include "iono/tec_files.h"
 
 struct orr_iono_source {
-    bool has_session, has_receiver;
+    bool has_session;
     orr_session session;
     orr_tec_field *field;
-    orr_vec3 receiver_m;
     orr_transfer_options transfer;
 };
 
@@ -32,15 +31,6 @@ orr_status orr_iono_source_open(const orr_scenario *s, orr_iono_source **out, or
         orr_iono_source_close(i);
         return status;
     }
-    if (s->receiver.n == 3) {
-        const double *p = s->receiver.item;
-        i->receiver_m =
-            orr_earth_to_ecef((orr_geodetic){p[0] * ORR_RAD_PER_DEG, p[1] * ORR_RAD_PER_DEG, p[2]});
-        i->has_receiver = true;
-    } else if (i->has_session) {
-        i->receiver_m = i->session.site.pos_m;
-        i->has_receiver = true;
-    }
     *out = i;
     return ORR_OK;
 }
@@ -53,10 +43,10 @@ void orr_iono_source_close(orr_iono_source *i)
     free(i);
 }
 
-bool orr_iono_source_receiver(const orr_iono_source *i, orr_vec3 *out)
+bool orr_iono_source_station(const orr_iono_source *i, orr_vec3 *out)
 {
-    if (i->has_receiver) *out = i->receiver_m;
-    return i->has_receiver;
+    if (i->has_session) *out = i->session.site.pos_m;
+    return i->has_session;
 }
 
 orr_status orr_iono_source_realise(const orr_iono_source *i, orr_time t, orr_vec3 site_m, const orr_sat *sat,

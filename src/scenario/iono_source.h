@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ionosphere section of a scenario: a TEC field, or a fused session, and the receiver that is asked about
-// when a question names none.
+// The ionosphere section of a scenario: a TEC field, or a fused session.
 #ifndef ORR_SCENARIO_IONO_SOURCE_H
 #define ORR_SCENARIO_IONO_SOURCE_H
 
@@ -14,9 +13,8 @@ orr_status orr_iono_source_open(const orr_scenario *s, orr_iono_source **out, or
                                 orr_diag *diag);
 void orr_iono_source_close(orr_iono_source *i);
 
-// The scenario's own receiver (ecef): receiver.position, else the session's station; false where there is
-// neither.
-bool orr_iono_source_receiver(const orr_iono_source *i, orr_vec3 *out);
+// Where the session's station is (ecef); false where there is a field alone.
+bool orr_iono_source_station(const orr_iono_source *i, orr_vec3 *out);
 
 // orr_session_realise or orr_field_realise, whichever it is.
 orr_status orr_iono_source_realise(const orr_iono_source *i, orr_time t, orr_vec3 site_m, const orr_sat *sat,

@@ -100,7 +100,15 @@ static const orr_key keys[] = {
      .max = 500000,
      .help = "receiver that questions without one mean: latitude and longitude in degrees (geodetic), height "
              "in metres. "
-             "Default: the station of ionosphere.session"},
+             "Default: the trajectory's point at each epoch, or else the station of ionosphere.session"},
+    {.path = "receiver.unit",
+     .kind = ORR_KEY_INT,
+     .offset = AT(receiver_unit),
+     .min = 0,
+     .max = ORR_MOTION_MAX_UNITS - 1,
+     .fallback = "0",
+     .help = "of a trajectory: the inertial unit at whose point that receiver's antenna is; 0 is the "
+             "trajectory's own"},
 #include "src/scenario/motion.def"
     {.path = "serve.listen",
      .kind = ORR_KEY_TEXT,
@@ -148,6 +156,17 @@ static orr_status check(const orr_scenario *s, const orr_yaml *y, orr_diag *diag
         return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
                            "receiver.position: latitude %g, longitude %g is no place", r->item[0],
                            r->item[1]);
+    const int64_t unit = s->receiver_unit;
+    if (unit > 0 && r->n == 3)
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "receiver.position and receiver.unit exclude each other");
+    if (unit > 0 && s->motion.kind == ORR_MOTION_NONE)
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "receiver.unit is a unit of a trajectory, and there is none (trajectory.kind)");
+    if (unit > (int64_t)s->motion.units.n)
+        return orr_diag_at(diag, ORR_E_FORMAT, y->name, 0, 0,
+                           "receiver.unit: there is no unit %lld, the scenario has 0 to %zu", (long long)unit,
+                           s->motion.units.n);
     return ORR_OK;
 }
 

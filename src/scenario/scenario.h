@@ -38,7 +38,8 @@ typedef struct orr_scenario {
     orr_scenario_navdata navdata;
     orr_scenario_iono iono;
     orr_scenario_motion motion;
-    orr_real_list receiver; // geodetic latitude and longitude in degrees, ellipsoidal height in metres
+    orr_real_list receiver; // geodetic latitude and longitude in degrees, ellipsoidal height in metres; or
+    int64_t receiver_unit;  // the inertial unit whose point it is, where there is a trajectory
     orr_text_list listen;   // URLs of serve.listen
 } orr_scenario;
 

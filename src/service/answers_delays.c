@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/nan.h"
 #include "src/service/answers_private.h"
 
 _Static_assert((int)ORR_ORIGIN_FIELD == ORR_MSG_TEC_ORIGIN_FIELD &&
@@ -14,13 +15,26 @@ _Static_assert((int)ORR_ORIGIN_FIELD == ORR_MSG_TEC_ORIGIN_FIELD &&
                "origins and flags of delays are the wire's");
 _Static_assert(ORR_MSG_MAX_SATELLITES <= ORR_SESSION_MAX_SATS, "one question holds as many as a message");
 
-// The receiver of a question: its own, or the scenario's.
-static bool receiver_of(const orr_answers *a, const orr_msg_poll_delays *poll, orr_vec3 *out)
+// The receiver of a question at t: its own, or the scenario's.
+static orr_answer receiver_of(const orr_answers *a, const orr_msg_poll_delays *poll, orr_time t,
+                              orr_vec3 *out)
 {
     const double *r = poll->receiver_m;
-    if (isnan(r[0]) && isnan(r[1]) && isnan(r[2])) return orr_engine_receiver(a->engine, out);
+    if (isnan(r[0]) && isnan(r[1]) && isnan(r[2])) return orr_engine_receiver(a->engine, t, out);
     *out = (orr_vec3){r[0], r[1], r[2]};
-    return true;
+    return ORR_ANSWER_OK;
+}
+
+// Rays from above the shell, or from nowhere, have no pierce point.
+static uint16_t check_receiver(orr_vec3 receiver, orr_server_refusal *why)
+{
+    double r = orr_vec3_norm(receiver);
+    if (r > 6.2e6 && r < 6.8e6) return 0;
+    snprintf(why->sentence, sizeof why->sentence,
+             "POLL_DELAYS: a receiver %.0f km from the Earth's centre; between 6200 and 6800 km, below the "
+             "ionosphere's shell, one is possible",
+             isfinite(r) ? r / 1e3 : -1.0);
+    return ORR_MSG_ERROR_CODE_BAD_REQUEST;
 }
 
 uint16_t orr_answers_begin_delays(void *user, const orr_frame *request, uint32_t *frames,
@@ -38,19 +52,13 @@ uint16_t orr_answers_begin_delays(void *user, const orr_frame *request, uint32_t
             why, ORR_MSG_ERROR_CODE_NOT_SERVED,
             "POLL_DELAYS: this scenario has no ionosphere (ionosphere.field, ionosphere.session)");
     orr_vec3 receiver;
-    if (!receiver_of(a, &poll, &receiver))
-        return orr_answers_refuse(
-            why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
-            "POLL_DELAYS: it names no receiver, and neither does the scenario (receiver.position)");
-    double r = orr_vec3_norm(receiver);
-    if (!(r > 6.2e6 && r < 6.8e6)) {
-        snprintf(why->sentence, sizeof why->sentence,
-                 "POLL_DELAYS: a receiver %.0f km from the Earth's centre; between 6200 and 6800 km, below "
-                 "the ionosphere's "
-                 "shell, one is possible",
-                 isfinite(r) ? r / 1e3 : -1.0);
-        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
-    }
+    orr_answer where = receiver_of(a, &poll, poll.t, &receiver);
+    if (where == ORR_ANSWER_NOT_SERVED)
+        return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+                                  "POLL_DELAYS: it names no receiver, and neither does the scenario "
+                                  "(receiver.position, or a trajectory)");
+    if (where == ORR_ANSWER_OK) code = check_receiver(receiver, why);
+    if (code != 0) return code;
     double hz;
     orr_wire_iter it = {0};
     while (orr_msg_f64_next(&poll.carriers_hz, &it, &hz))
@@ -88,7 +96,6 @@ static void fill_delay(const orr_realisation *d, orr_answer answer, const double
 uint16_t orr_answers_delays(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
                             orr_server_refusal *why)
 {
-    (void)why;
     orr_answers *a = user;
     orr_msg_poll_delays poll;
     orr_msg_poll_delays_decode(request->payload, request->size,
@@ -98,14 +105,19 @@ uint16_t orr_answers_delays(void *user, const orr_frame *request, uint32_t index
     for (uint16_t k = 0; k < n_hz; k++) orr_msg_f64_at(&poll.carriers_hz, k, &hz[k]);
     if (n_hz == 0) n_hz = 1;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_vec3 receiver = {0};
-    receiver_of(a, &poll, &receiver);
     orr_msg_delays m = {.t = poll.t + poll.step * (int64_t)index,
                         .index = index,
                         .count = poll.count,
-                        .receiver_m = {receiver.x, receiver.y, receiver.z},
                         .carriers_hz = {.count = n_hz, .item = hz}};
-    orr_answer answer = orr_engine_delays(a->engine, m.t, receiver, sats, n, a->delay, a->answer);
+    orr_vec3 receiver = {ORR_NAN, ORR_NAN, ORR_NAN};
+    orr_answer answer = receiver_of(a, &poll, m.t, &receiver);
+    uint16_t code = answer == ORR_ANSWER_OK ? check_receiver(receiver, why) : 0;
+    if (code != 0) return code; // it has flown up there since the first epoch
+    m.receiver_m[0] = receiver.x;
+    m.receiver_m[1] = receiver.y;
+    m.receiver_m[2] = receiver.z;
+    if (answer == ORR_ANSWER_OK)
+        answer = orr_engine_delays(a->engine, m.t, receiver, sats, n, a->delay, a->answer);
     m.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK) {
         for (uint16_t i = 0; i < n; i++) fill_delay(&a->delay[i], a->answer[i], hz, n_hz, &a->wire_delay[i]);

@@ -159,8 +159,8 @@ class Client:
         return next(iter(list(self.poll_navdata(t, satellites=satellites))))
 
     def poll_delays(self, t, receiver_m=None, carriers_hz=(), step_s=0.0, count=1, satellites=()):
-        """Yields the Delays of `count` epochs, as poll does. receiver_m: x, y, z (ecef), None for the scenario's own; carriers_hz:
-        at most four, empty for 1575.42 MHz."""
+        """Yields the Delays of `count` epochs, as poll does. receiver_m: x, y, z (ecef), None for the scenario's own (of a
+        scenario with a trajectory, where that is at each epoch); carriers_hz: at most four, empty for 1575.42 MHz."""
         if isinstance(t, str):
             t = gpstime.from_text(t)
         step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]

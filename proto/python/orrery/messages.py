@@ -775,7 +775,7 @@ class PollDelays(Record):
     t [ns]: first epoch
     step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
     count: epochs, 1 to MAX_EPOCHS
-    receiver_m [m]: receiver (ecef); NAN for the scenario's own
+    receiver_m [m]: receiver (ecef); three times NAN for the scenario's own, which may move from epoch to epoch
     carriers_hz [Hz]: carriers to give delays for; empty for 1575.42 MHz
     satellites: which, in the order of the answer; empty for all
     """
@@ -805,8 +805,8 @@ class Delays(Record):
     t [ns]: the epoch
     index: which epoch of the POLL_DELAYS, from 0
     count: how many epochs it asked for
-    answer: OK, or OUTSIDE_SPAN with no satellites
-    receiver_m [m]: the receiver that was taken (ecef)
+    answer: OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites
+    receiver_m [m]: the receiver that was taken (ecef); NAN outside the span of the scenario's trajectory
     carriers_hz [Hz]: the carriers of delay_m
     satellites: those asked for, in that order; for all, those of CAPS
     """

@@ -40,6 +40,7 @@ def show_delays(delays):
     if delays.answer != Answer.OK:
         print("  outside the served span")
         return
+    print("receiver at " + " ".join(f"{x:.4f}" for x in delays.receiver_m) + " m")
     print(f"sat {'az deg':>8} {'el deg':>8} {'TECU':>9} " + " ".join(f"{f'm@{f / 1e6:.2f}':>10}" for f in delays.carriers_hz) + "  from")
     for s in delays.satellites:
         if s.answer != Answer.OK:
@@ -74,7 +75,7 @@ def main():
     parser.add_argument("--seconds", type=float, help="poll in real time for so long (default: one epoch)")
     parser.add_argument("--delays", action="store_true", help="ionospheric delays instead of states")
     parser.add_argument("--receiver", nargs=3, type=float, metavar=("X", "Y", "Z"),
-                        help="with --delays: the receiver in metres, ecef (default: the scenario's own)")
+                        help="with --delays: the receiver in metres, ecef (default: the scenario's own, which moves with its trajectory)")
     parser.add_argument("--carrier", nargs="+", type=float, default=[], metavar="MHZ",
                         help="with --delays: up to four carriers (default 1575.42)")
     parser.add_argument("--imu", action="store_true", help="true motion and inertial increments instead of states")

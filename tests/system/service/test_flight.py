@@ -5,6 +5,10 @@ to agree with itself: turning and accelerating as the readings say leads from on
 import csv
 import json
 import math
+import os
+import shutil
+import subprocess
+import sys
 import unittest
 
 from daemon import ROOT, WORK, Daemon, orrery as program, product  # first: it sets the path
@@ -31,6 +35,7 @@ trajectory:
 units:
   - {name: second, right: 0.5, forward: -2, up: 1.2}
 imu: {rate: 100}
+ionosphere: {field: ionosphere.ION}
 """
 
 
@@ -42,6 +47,7 @@ class Flight(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         product()
+        shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
         (WORK / "flight.yaml").write_text(SCENARIO, encoding="utf-8")
         cls.daemon = Daemon(WORK / "flight.yaml")
         cls.client = orrery.Client(cls.daemon.urls[0])
@@ -121,6 +127,94 @@ class Flight(unittest.TestCase):
             self.assertTrue(all(math.isnan(v) for v in values))
         with self.assertRaises(orrery.Refused):
             next(self.client.poll_truth(self.start, unit=7))
+
+    def delays_are_those_of_the_truth(self, client, unit):
+        """Delays of a question without a receiver are those of one that sends the true position, bit for bit."""
+        t, carriers, step, seen, places = self.start + 20 * NS, (1575.42e6, 1176.45e6), 60, 0, set()
+        own = list(client.poll_delays(t, None, carriers, step, 8))
+        truth = list(client.poll_truth(t, step, 8, unit=unit))
+        for k in range(8):
+            self.assertEqual(own[k].receiver_m, truth[k].pos_m)
+            places.add(tuple(own[k].receiver_m))
+            asked = client.delays(t + k * step * NS, truth[k].pos_m, carriers)
+            self.assertEqual(own[k].encode()[16:], asked.encode()[16:])  # but for index and count, which stand before
+            seen += sum(s.answer == 0 for s in own[k].satellites)
+            # In any order, alone or among others: the same question gets the same answer.
+            self.assertEqual(client.delays(t + k * step * NS, None, carriers).encode(), asked.encode())
+        self.assertEqual(len(places), 8)
+        self.assertGreater(seen, 8)
+        return own
+
+    def test_delays_are_to_where_the_flight_is(self):
+        own = self.delays_are_those_of_the_truth(self.client, 0)
+        # It is the ray to the aircraft: the elevation is that of the satellite from the true position.
+        states = self.client.states(own[3].t)
+        up = next(self.client.poll_truth(own[3].t)).pos_m
+        for s, d in zip(states.satellites, own[3].satellites):
+            if d.answer != 0:
+                continue
+            ray = [a - b for a, b in zip(s.pos_m, up)]
+            el = math.asin(sum(a * b for a, b in zip(ray, up)) / math.hypot(*ray) / math.hypot(*up))
+            self.assertAlmostEqual(d.el_rad, el, delta=math.radians(0.2))  # the geocentric vertical is off by at most that
+
+    def test_the_antenna_may_be_at_a_unit(self):
+        (WORK / "antenna.yaml").write_text(SCENARIO + "receiver: {unit: 1}\n", encoding="utf-8")
+        with Daemon(WORK / "antenna.yaml") as d, orrery.Client(d.urls[0]) as c:
+            self.delays_are_those_of_the_truth(c, 1)
+
+    def test_a_place_that_is_written_down_stays(self):
+        (WORK / "place.yaml").write_text(SCENARIO + "receiver: {position: [52, 17, 100]}\n", encoding="utf-8")
+        with Daemon(WORK / "place.yaml") as d, orrery.Client(d.urls[0]) as c:
+            a, b = c.delays(self.start), c.delays(self.start + 300 * NS)
+            self.assertEqual(a.receiver_m, b.receiver_m)
+            self.assertEqual(c.delays(self.start - 3600 * NS).answer, messages.Answer.OK)  # the place is there before the flight
+            self.assertGreater(difference(a.receiver_m, next(c.poll_truth(self.start)).pos_m), 1e6)
+
+    def test_delays_outside_the_flight(self):
+        inside, outside = self.start + 300 * NS, self.start - 3600 * NS
+        truth = next(self.client.poll_truth(inside))
+        self.assertEqual(self.client.delays(outside, truth.pos_m).answer, messages.Answer.OK)  # orbits and ionosphere are there
+        answers = list(self.client.poll_delays(self.start - 10 * NS, step_s=10, count=3))
+        self.assertEqual([d.answer for d in answers], [messages.Answer.OUTSIDE_SPAN, messages.Answer.OK, messages.Answer.OK])
+        self.assertTrue(all(math.isnan(x) for x in answers[0].receiver_m) and not answers[0].satellites)
+        done = program("poll", self.daemon.urls[0], "--delays", "--at", "2025-03-21T09:00:00")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("receiver", done.stderr)
+
+    def test_a_flight_above_the_ionosphere_is_refused(self):
+        """Straight up at 3 km/s: through the shell's height within the two minutes that are asked for."""
+        (WORK / "rocket.yaml").write_text(
+            "orbit: {product: day.nc}\nionosphere: {field: ionosphere.ION}\n"
+            "trajectory: {kind: analytic, start: 2025-03-21T10:00:00, duration: 600, lat: 56, lon: 40, height: 1000,"
+            " motions: [{kind: straight, up: 3000}]}\n", encoding="utf-8")
+        with Daemon(WORK / "rocket.yaml") as d, orrery.Client(d.urls[0]) as c:
+            got = []
+            with self.assertRaises(orrery.Refused) as refusal:
+                for answer in c.poll_delays(self.start, step_s=30, count=10):
+                    got.append(answer)
+            self.assertEqual(refusal.exception.code, messages.ErrorCode.BAD_REQUEST)
+            self.assertIn("shell", str(refusal.exception))
+            self.assertTrue(2 < len(got) < 10 and all(a.answer == 0 for a in got))
+            self.assertLess(math.hypot(*got[-1].receiver_m), 6.8e6)
+            c.ping(1)  # the conversation lives on
+
+    def test_the_other_client_hears_the_same_delays(self):
+        t = orrery.from_text("2025-03-21T10:03:00")
+        truth = next(self.client.poll_truth(t))
+        want = self.client.delays(t, truth.pos_m)
+        done = program("poll", self.daemon.urls[0], "--at", "2025-03-21T10:03:00", "--delays", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        got = json.loads(done.stdout)
+        self.assertEqual(got["receiver_m"], list(truth.pos_m))
+        self.assertEqual(len(got["satellites"]), len(want.satellites))
+        for g, w in zip(got["satellites"], want.satellites):
+            self.assertEqual(g["answer"], messages.Answer(w.answer).name)
+            if w.answer == 0:
+                self.assertEqual((g["stec_tecu"], g["mapping"], g["delay_m"][0]), (w.stec_tecu, w.mapping, w.delay_m[0]))
+        module = subprocess.run([sys.executable, "-B", "-m", "orrery.poll", self.daemon.urls[0], "--at", "2025-03-21T10:03:00", "--delays"],
+                                capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(ROOT / "proto/python")}, check=False)
+        self.assertEqual(module.returncode, 0, module.stderr)
+        self.assertIn("receiver at " + " ".join(f"{x:.4f}" for x in truth.pos_m), module.stdout)
 
     def test_the_program_asks_likewise(self):
         for option, key in (("--truth", "pos_m"), ("--imu", "dv_mps")):

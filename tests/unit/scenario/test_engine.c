@@ -160,12 +160,63 @@ static void what_is_not_there_is_told(void **state)
     unlink(PRODUCT);
 }
 
+static void open_text(const char *text, orr_engine **e)
+{
+    orr_scenario s;
+    orr_diag diag = {0};
+    ASSERT_OK(orr_scenario_parse("s.yaml", text, strlen(text), ORR_BINARY_DIR, &s, &diag), diag);
+    ASSERT_OK(orr_engine_open(&s, NULL, NULL, NULL, e, &diag), diag);
+    orr_scenario_free(&s);
+}
+
+static bool same(orr_vec3 a, orr_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+// What is written down holds; else what moves, at each epoch and to the bit; else nothing, and it says so.
+static void the_receiver_is_on_the_trajectory(void **state)
+{
+    (void)state;
+#define MADE "orbit: {product: engine.nc}\nnavdata: {window: none}\n"
+#define FLIGHT                                                                                               \
+    "trajectory: {kind: analytic, duration: 600, lat: 56, lon: 40, height: 900, motions: [{kind: eight}]}\n" \
+    "units: [{name: antenna, up: 2.5, forward: -1}]\n"
+    orr_engine *e;
+    orr_truth truth;
+    orr_vec3 r;
+    write_product(3, 6, 0);
+    open_text(MADE, &e);
+    assert_int_equal(orr_engine_receiver(e, at(60), &r), ORR_ANSWER_NOT_SERVED);
+    orr_engine_close(e);
+    for (size_t unit = 0; unit < 2; unit++) {
+        orr_vec3 before = {0};
+        open_text(unit == 0 ? MADE FLIGHT : MADE FLIGHT "receiver: {unit: 1}\n", &e);
+        for (double t_s = 0; t_s <= 600; t_s += 60) {
+            assert_int_equal(orr_engine_receiver(e, at(t_s), &r), ORR_ANSWER_OK);
+            assert_int_equal(orr_engine_truth(e, unit, at(t_s), &truth), ORR_ANSWER_OK);
+            assert_true(same(r, truth.motion.r_m) && !same(r, before));
+            before = r;
+        }
+        assert_int_equal(orr_engine_receiver(e, at(-1e-3), &r), ORR_ANSWER_OUTSIDE_SPAN);
+        assert_int_equal(orr_engine_receiver(e, at(600.001), &r), ORR_ANSWER_OUTSIDE_SPAN);
+        orr_engine_close(e);
+    }
+    open_text(MADE FLIGHT "receiver: {position: [56.1, 40, 1500]}\n", &e);
+    for (double t_s = -60; t_s <= 660; t_s += 360) {
+        assert_int_equal(orr_engine_receiver(e, at(t_s), &r), ORR_ANSWER_OK);
+        orr_geodetic g = orr_earth_from_ecef(r);
+        ASSERT_NEAR(g.lat_rad * ORR_DEG_PER_RAD, 56.1, 1e-12);
+        ASSERT_NEAR(g.height_m, 1500, 1e-8);
+    }
+    orr_engine_close(e);
+    unlink(PRODUCT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(elements_are_those_of_the_orbits),
         cmocka_unit_test(navdata_are_those_of_the_navset),
         cmocka_unit_test(what_is_not_there_is_told),
+        cmocka_unit_test(the_receiver_is_on_the_trajectory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
