@@ -23,6 +23,8 @@ static orr_status check_arc(orr_sat sat, const orr_orbit_arc *a, const orr_orbit
     double ns = a->step_s * 1e9;
     if (!(a->step_s > 0) || a->step_s > ORR_S_PER_DAY || fabs(ns - nearbyint(ns)) > 1e-3)
         return arc_error(sat, a, "the step of samples is no whole number of nanoseconds up to a day", diag);
+    if (a->t0 < -EPH_TIME_LIMIT || a->t0 > EPH_TIME_LIMIT)
+        return arc_error(sat, a, "a product's times are of the years 1834 to 2126", diag);
     if (a->samples_per_segment < 1 || a->samples_per_segment > EPH_MAX_SAMPLES_PER_SEGMENT || a->n < 2 ||
         (a->n - 1) % a->samples_per_segment != 0)
         return arc_error(sat, a, "samples do not fill whole segments", diag);

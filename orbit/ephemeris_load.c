@@ -10,7 +10,6 @@
 #include "orbit/ephemeris_impl.h"
 
 enum { DEFLATE_MOST = 1032 }; // the most that a byte of deflate can stand for (RFC 1951: 258 bytes in 2 bits)
-static const int64_t TIME_LIMIT = INT64_C(1) << 61; // differences of two such times fit
 
 typedef struct file {
     orr_nc_reader r;
@@ -115,8 +114,8 @@ static orr_status read_satellite_counts(const file *f, orr_ephemeris *e)
 static orr_status check_arc(const file *f, eph_arc *a, int64_t samples)
 {
     int64_t n = (int64_t)a->n_segments;
-    if (a->t0 < -TIME_LIMIT || a->t0 > TIME_LIMIT || a->segment_ns < 1 || n < 1 ||
-        n > TIME_LIMIT / a->segment_ns)
+    if (a->t0 < -EPH_TIME_LIMIT || a->t0 > EPH_TIME_LIMIT || a->segment_ns < 1 || n < 1 ||
+        n > EPH_TIME_LIMIT / a->segment_ns)
         return wrong(f, "an arc's start, segment length or number of segments is impossible");
     if ((samples - 1) % n != 0 || (samples - 1) / n < 1 || (samples - 1) / n > EPH_MAX_SAMPLES_PER_SEGMENT ||
         a->segment_ns % ((samples - 1) / n) != 0)
@@ -213,7 +212,7 @@ static orr_status read_clocks(const file *f, orr_ephemeris *e)
     if (s == ORR_OK) s = read_column(f, "clock_flags", ORR_NC_UINT16, n, (void **)&flags);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         e->clock[i] = (orr_clock_node){t[i], bias[i], flags[i] & EPH_CLOCK_FLAGS};
-        if (t[i] < -TIME_LIMIT || t[i] > TIME_LIMIT || !isfinite(bias[i]))
+        if (t[i] < -EPH_TIME_LIMIT || t[i] > EPH_TIME_LIMIT || !isfinite(bias[i]))
             s = wrong(f, "a clock node is impossible");
     }
     // Where two files meet, both have a clock for the instant: left and right of a jump.
@@ -243,7 +242,7 @@ static orr_status read_nodes(const file *f, orr_ephemeris *e)
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         const double *d = &residual[3 * i];
         e->node[i] = (orr_orbit_node){t[i], {d[0], d[1], d[2]}, source[i], used[i] != 0};
-        if (t[i] < -TIME_LIMIT || t[i] > TIME_LIMIT || source[i] >= e->n_sources)
+        if (t[i] < -EPH_TIME_LIMIT || t[i] > EPH_TIME_LIMIT || source[i] >= e->n_sources)
             s = wrong(f, "an input node has an impossible time or source");
     }
     for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++)
@@ -270,8 +269,8 @@ static orr_status read_events(const file *f, orr_ephemeris *e)
     if (s == ORR_OK) s = read_column(f, "event_value", ORR_NC_DOUBLE, n, (void **)&value);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         e->event[i] = (orr_orbit_event){(orr_event_kind)kind[i], t0[i], t1[i], value[i]};
-        if (kind[i] < ORR_EVENT_MANOEUVRE || kind[i] > ORR_EVENT_DAY_JUMP || t0[i] < -TIME_LIMIT ||
-            t1[i] > TIME_LIMIT || t0[i] > t1[i])
+        if (kind[i] < ORR_EVENT_MANOEUVRE || kind[i] > ORR_EVENT_DAY_JUMP || t0[i] < -EPH_TIME_LIMIT ||
+            t1[i] > EPH_TIME_LIMIT || t0[i] > t1[i])
             s = wrong(f, "an event has an unknown kind or impossible times");
     }
     free(kind);

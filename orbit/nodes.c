@@ -70,16 +70,26 @@ static size_t pass_over_twins(const orr_smoother_input *input, size_t n, size_t 
     return kept;
 }
 
-static bool wanted_epoch(orr_time t, orr_time midnight, int64_t step_ns, const orr_smoother_options *o)
+// The clock of a file's own time system, in ns since MJD 0 of its days: what decimation counts in.
+static int64_t label_ns(orr_time t, orr_scale scale)
 {
-    if (step_ns > 0 && (t - midnight) % step_ns != 0) return false;
+    orr_civil c;
+    orr_time_to_civil(t, scale, NULL, &c);
+    int64_t s = c.hour * INT64_C(3600) + c.minute * INT64_C(60) + c.second;
+    return ((int64_t)orr_mjd_from_date(c.year, c.month, c.day) * ORR_S_PER_DAY + s) * ORR_NS_PER_S + c.ns;
+}
+
+static bool wanted_epoch(orr_time t, orr_scale scale, int64_t midnight, int64_t step_ns,
+                         const orr_smoother_options *o)
+{
+    if (step_ns > 0 && (label_ns(t, scale) - midnight) % step_ns != 0) return false;
     for (size_t i = 0; i < o->n_exclude; i++)
         if (t >= o->exclude[i].from && t < o->exclude[i].to) return false;
     return true;
 }
 
 static orr_status gather_sat(const orr_smoother_input *input, const size_t *order, size_t n_inputs,
-                             const orr_smoother_options *o, orr_time midnight, orr_node_list *list)
+                             const orr_smoother_options *o, int64_t midnight, orr_node_list *list)
 {
     const int64_t step_ns = (int64_t)llround(o->node_step_s * 1e9);
     size_t room = 0;
@@ -94,7 +104,7 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
         if (s == sp3->n_sats) continue;
         for (size_t e = 0; e < sp3->n_epochs; e++) {
             const orr_sp3_record *r = &sp3->record[e * sp3->n_sats + s];
-            if (!wanted_epoch(sp3->epoch[e], midnight, step_ns, o)) continue;
+            if (!wanted_epoch(sp3->epoch[e], sp3->scale, midnight, step_ns, o)) continue;
             if (isfinite(r->pos_m[0]) && isfinite(r->pos_m[1]) && isfinite(r->pos_m[2])) {
                 bool predicted = (r->flags & ORR_SP3_ORBIT_PREDICTED) != 0;
                 list->node[list->n_nodes++] = (orr_node){
@@ -267,9 +277,9 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
     if (order == NULL || union_of_sats(input, n_inputs, o, &sat, &n_sats) != ORR_OK) goto memory;
     order_of_files(input, n_inputs, order);
     n_inputs = pass_over_twins(input, n_inputs, order, warnings);
-    orr_time first = input[order[0]].sp3->epoch[0];
-    orr_time day = ORR_S_PER_DAY * ORR_NS_PER_S;
-    orr_time midnight = first - (first % day + day) % day;
+    const int64_t day = ORR_S_PER_DAY * ORR_NS_PER_S;
+    int64_t midnight = label_ns(input[order[0]].sp3->epoch[0], input[order[0]].sp3->scale);
+    midnight -= midnight % day;
 
     out->list = calloc(n_sats + 1, sizeof *out->list);
     if (out->list == NULL) goto memory;

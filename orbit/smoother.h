@@ -36,7 +36,8 @@ typedef struct orr_smoother_options {
     double f0_sigma_mps2;     // a-priori of f0 at an arc's start
     orr_f0_axes f0_axes;
     // input
-    double node_step_s; // keep only epochs that are multiples of it from midnight of the first file; 0: all
+    double node_step_s; // keep only epochs that are multiples of it from midnight of the first file, in the
+                        // files' own time systems; 0: all
     const orr_interval *exclude; // nodes inside are not used
     size_t n_exclude;
     const orr_sat_set *sats;   // NULL: all

@@ -23,7 +23,9 @@ static const orr_option options[] = {
     {.name = "nodes",
      .kind = ORR_OPT_DURATION,
      .value = "S",
-     .help = "use only epochs that are multiples of S from midnight of the first file; all by default"},
+     .help = "use only epochs that are multiples of S from midnight of the first file, by the files' own "
+             "clock; all by "
+             "default"},
     {.name = "exclude",
      .kind = ORR_OPT_INTERVAL,
      .value = "FROM/TO",

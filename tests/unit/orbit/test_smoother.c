@@ -407,6 +407,32 @@ static void a_flag_sets_apart_what_is_short(void **state)
     }
 }
 
+// A file that counts in UTC has its quarters of an hour at 18 s past those of GPS; decimation goes by what it
+// says.
+static void decimation_goes_by_the_files_own_clock(void **state)
+{
+    (void)state;
+    const orr_scale scale[] = {ORR_SCALE_GPS, ORR_SCALE_UTC, ORR_SCALE_BDT, ORR_SCALE_TAI};
+    const int64_t ahead_s[] = {0, 18, 14, -19}; // of the label 00:00, in GPS time
+    for (size_t k = 0; k < 4; k++) {
+        orr_sp3 f;
+        made_sp3(&sky, all, 3, 0, DAY, 1, &f);
+        f.scale = scale[k];
+        for (size_t e = 0; e < f.n_epochs; e++) f.epoch[e] += ahead_s[k] * ORR_NS_PER_S;
+        orr_smoother_options o = orr_smoother_defaults();
+        o.node_step_s = 900;
+        o.detect = false; // the Earth does not turn as far as the labels were moved
+        orr_orbit_solution s;
+        orr_smoother_report report;
+        orr_diag d = {0};
+        ASSERT_OK(run(&f, 1, &o, &s, &report, NULL, &d), d);
+        assert_int_equal(report.nodes_used, 3 * 97);
+        assert_true(s.from == f.epoch[0] && s.node_step_s > 899 && s.node_step_s < 901);
+        orr_orbit_solution_free(&s);
+        made_sp3_free(&f);
+    }
+}
+
 static void a_file_given_twice_counts_once(void **state)
 {
     (void)state;
@@ -585,6 +611,7 @@ int main(void)
         cmocka_unit_test(files_that_disagree_by_a_metre_are_no_manoeuvre),
         cmocka_unit_test(a_push_near_a_joint_is_found),
         cmocka_unit_test(a_flag_sets_apart_what_is_short),
+        cmocka_unit_test(decimation_goes_by_the_files_own_clock),
         cmocka_unit_test(a_file_given_twice_counts_once),
         cmocka_unit_test(predictions_yield_to_observations),
         cmocka_unit_test(satellites_come_and_go),
