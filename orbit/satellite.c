@@ -71,7 +71,7 @@ static double take_references(const work *w, const orr_track *t, const orr_arc_r
             orr_vec3 dr = orr_vec3_sub(smoothed_r(at), ref->valid ? ref->r_m : at->r_m);
             orr_vec3 dv = orr_vec3_sub(smoothed_v(at), ref->valid ? ref->v_mps : at->v_mps);
             largest = fmax(largest, fmax(orr_vec3_norm(dr), orr_vec3_norm(dv) * w->table->step_s));
-            *ref = (orr_reference){true, smoothed_r(at), smoothed_v(at)};
+            *ref = (orr_reference){.valid = true, .r_m = smoothed_r(at), .v_mps = smoothed_v(at)};
         }
     }
     return largest;
@@ -274,7 +274,8 @@ static bool only_files_part(const work *w, const orr_instant *x, const orr_insta
 static orr_status part_arcs(work *w, const orr_instant *x, const orr_instant *y, double *to_s,
                             double *begin_s)
 {
-    orr_reference before = {true, smoothed_r(x), smoothed_v(x)}, after = {true, smoothed_r(y), smoothed_v(y)};
+    orr_reference before = {.valid = true, .r_m = smoothed_r(x), .v_mps = smoothed_v(x)},
+                  after = {.valid = true, .r_m = smoothed_r(y), .v_mps = smoothed_v(y)};
     double when = 0, apart = HUGE_VAL, dv = 0;
     orr_status s = orr_events_manoeuvre(w->c, x->t_s, before, y->t_s, after, &when, &apart, &dv);
     if (s != ORR_OK) return s;

@@ -13,6 +13,7 @@
 // A state that the a-priori trajectory is restarted from.
 typedef struct orr_reference {
     bool valid;
+    bool gross;          // the node is kilometres off any orbit: nothing is to be linearised about it
     orr_vec3 r_m, v_mps; // integration axes
 } orr_reference;
 

@@ -142,9 +142,9 @@ static void hourly_nodes_need_passes_and_get_them(void **state)
 static void outliers_are_reported_and_not_followed(void **state)
 {
     (void)state;
-    const double size[] = {1.0, 100.0};
+    const double size[] = {1.0, 100.0, 2e3, 1e5};  // from what is hardly seen to what spoils a linearisation
     const size_t where[] = {1, 40, 41, 90, 96, 0}; // young, inside, next to each other, near and at the ends
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 4; k++)
         for (size_t n = 0; n < 6; n++) {
             orr_sp3 f;
             made_sp3(&sky, all, 3, 0, DAY, 3, &f);
