@@ -8,6 +8,7 @@
 #include "ingest/stage.h"
 
 enum { MAX_LAYERS = 3, BUFFER = 1 << 18, HEAD = 1 << 16 };
+#define WHOLE ((size_t)64 << 20) // compressed files up to so many bytes are expanded at one go
 
 struct orr_input {
     char *name;
@@ -373,6 +374,33 @@ orr_status orr_input_read(orr_input *in, void *buf, size_t capacity, size_t *got
     return orr_input_status(in, diag);
 }
 
+// What every whole text goes through: web pages, the byte order mark, the final NUL.
+static orr_status finish_whole(const char *name, orr_bytes *b, orr_diag *diag)
+{
+    orr_status st = refuse_web_page(name, b->text, b->n, diag);
+    if (st != ORR_OK) return st;
+    if (mark_length(b->text, b->n) > 0) {
+        b->n -= mark_length(b->text, b->n);
+        memmove(b->text, b->text + MARK_LENGTH, b->n);
+    }
+    b->text[b->n] = '\0';
+    return ORR_OK;
+}
+
+// A plain gzip file by the short way. False where it is none, or not so plain: then the layers look at it.
+static bool read_gzip(const uint8_t *packed, size_t n, const orr_input_limits *limits, orr_bytes *b)
+{
+    const orr_input_limits l = limits != NULL ? *limits : orr_input_default_limits();
+    if (n < 2 || packed[0] != 0x1f || packed[1] != 0x8b) return false;
+    size_t limit = n < (SIZE_MAX - l.ratio_grace) / l.max_ratio ? n * l.max_ratio + l.ratio_grace : SIZE_MAX;
+    if (limit > l.max_bytes) limit = l.max_bytes;
+    if (!orr_gzip_whole(packed, n, limit, &b->text, &b->n)) return false;
+    const uint8_t *text = (const uint8_t *)b->text;
+    if (b->n > 0 && text[0] != 0x1f && foreign_name(text, b->n) == NULL) return true;
+    orr_bytes_free(b);
+    return false;
+}
+
 static orr_status read_whole(orr_stage *bottom, size_t hint, const orr_input_limits *limits, orr_bytes *out,
                              orr_diag *diag)
 {
@@ -397,19 +425,43 @@ static orr_status read_whole(orr_stage *bottom, size_t hint, const orr_input_lim
             }
         }
     }
-    if (st == ORR_OK) st = refuse_web_page(in->name, b.text, b.n, diag);
-    if (st == ORR_OK && mark_length(b.text, b.n) > 0) {
-        b.n -= mark_length(b.text, b.n);
-        memmove(b.text, b.text + MARK_LENGTH, b.n);
-    }
+    if (st == ORR_OK) st = finish_whole(in->name, &b, diag);
     orr_input_close(in);
     if (st != ORR_OK) {
         free(b.text);
         return st;
     }
-    b.text[b.n] = '\0';
     *out = b;
     return ORR_OK;
+}
+
+// All bytes of a stage as they are; *n is 0 where there are more than `most`, which are left to the stage.
+static orr_status slurp(orr_stage *s, size_t most, uint8_t **bytes, size_t *n, orr_diag *diag)
+{
+    *n = 0;
+    *bytes = malloc(most + 1);
+    if (*bytes == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    size_t got = 1;
+    orr_status st = ORR_OK;
+    while (st == ORR_OK && got > 0 && *n <= most) {
+        st = orr_stage_read(s, *bytes + *n, most + 1 - *n, &got, diag);
+        *n += got;
+    }
+    return st;
+}
+
+orr_status orr_input_read_bytes(const char *name, const void *data, size_t n, const orr_input_limits *limits,
+                                orr_bytes *out, orr_diag *diag)
+{
+    *out = (orr_bytes){0};
+    if (read_gzip(data, n, limits, out)) {
+        orr_status st = finish_whole(name, out, diag);
+        if (st != ORR_OK) orr_bytes_free(out);
+        return st;
+    }
+    orr_stage *bottom = NULL;
+    orr_status st = orr_stage_memory(name, data, n, &bottom, diag);
+    return st == ORR_OK ? read_whole(bottom, n, limits, out, diag) : st;
 }
 
 orr_status orr_input_read_all(const char *path, const orr_input_limits *limits, orr_bytes *out,
@@ -417,18 +469,22 @@ orr_status orr_input_read_all(const char *path, const orr_input_limits *limits, 
 {
     *out = (orr_bytes){0};
     orr_stage *bottom = NULL;
-    size_t hint = 0;
+    const uint8_t *first;
+    uint8_t *packed = NULL;
+    size_t hint = 0, n = 0;
     orr_status st = orr_stage_file(path, &bottom, &hint, diag);
-    return st == ORR_OK ? read_whole(bottom, hint, limits, out, diag) : st;
-}
-
-orr_status orr_input_read_bytes(const char *name, const void *data, size_t n, const orr_input_limits *limits,
-                                orr_bytes *out, orr_diag *diag)
-{
-    *out = (orr_bytes){0};
-    orr_stage *bottom = NULL;
-    orr_status st = orr_stage_memory(name, data, n, &bottom, diag);
-    return st == ORR_OK ? read_whole(bottom, n, limits, out, diag) : st;
+    if (st != ORR_OK) return st;
+    st = orr_stage_peek(bottom, &first, &n, diag);
+    const bool whole =
+        st == ORR_OK && hint > 0 && hint <= WHOLE && n >= 2 && first[0] == 0x1f && first[1] == 0x8b;
+    if (st == ORR_OK && !whole) return read_whole(bottom, hint, limits, out, diag);
+    if (st == ORR_OK) st = slurp(bottom, hint, &packed, &n, diag);
+    bottom->close(bottom);
+    if (st == ORR_OK && n > hint)
+        st = orr_diag_at(diag, ORR_E_IO, path, 0, 0, "the file grew while it was read");
+    if (st == ORR_OK) st = orr_input_read_bytes(path, packed, n, limits, out, diag);
+    free(packed);
+    return st;
 }
 
 void orr_bytes_free(orr_bytes *b)

@@ -27,6 +27,10 @@ orr_status orr_stage_peek(orr_stage *s, const uint8_t **bytes, size_t *n, orr_di
 orr_status orr_stage_file(const char *path, orr_stage **out, size_t *size, orr_diag *diag);
 orr_status orr_stage_memory(const char *name, const void *data, size_t n, orr_stage **out, orr_diag *diag);
 orr_status orr_stage_gzip(orr_stage *below, orr_stage **out, orr_diag *diag);
+// All members of a gzip file in memory, check sums verified, into *text (n_text bytes and room for one more;
+// free()). False where anything is unusual: damage, text beyond `limit` bytes, no memory. The stage above
+// then finds out what it is.
+bool orr_gzip_whole(const uint8_t *packed, size_t n_packed, size_t limit, char **text, size_t *n_text);
 orr_status orr_stage_lzw(orr_stage *below, orr_stage **out, orr_diag *diag);
 
 #endif
