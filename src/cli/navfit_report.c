@@ -54,16 +54,16 @@ static double root_mean(double sum, size_t n) { return n > 0 ? sqrt(sum / (doubl
 void navfit_say(const orr_cli *c, const orr_navset *set)
 {
     size_t nominal = 0, no_antenna = 0, no_delay = 0;
-    orr_cli_say(c, "%-8s %5s %6s %8s %13s %18s %9s %8s %10s", "system", "sats", "sets", "RMS m",
+    orr_cli_say(c, "%-8s %5s %6s %8s %16s %18s %9s %8s %10s", "system", "sats", "sets", "RMS m",
                 "before rounding", "worst m", "clock ns", "shifted", "unhealthy");
     for (const char *system = "GR"; *system != '\0'; system++) {
-        char worst[ORR_SAT_TEXT];
+        char worst[ORR_SAT_TEXT], clock[16] = "-"; // of clocks of zero there is nothing to tell
         tally t = tally_system(set, *system);
         if (t.sats == 0) continue;
-        orr_cli_say(c, "%-8s %5zu %6zu %8.3f %15.3f %12.3f (%s) %9.2f %8zu %10zu", orr_system_name(*system),
+        if (t.clocks > 0) snprintf(clock, sizeof clock, "%.2f", 1e9 * root_mean(t.clock_s2, t.clocks));
+        orr_cli_say(c, "%-8s %5zu %6zu %8.3f %16.3f %12.3f (%s) %9s %8zu %10zu", orr_system_name(*system),
                     t.sats, t.sets, root_mean(t.sum_m2, t.sets), root_mean(t.fit_m2, t.sets), t.worst_m,
-                    orr_sat_text(t.worst, worst), 1e9 * root_mean(t.clock_s2, t.clocks), t.shifted,
-                    t.unhealthy);
+                    orr_sat_text(t.worst, worst), clock, t.shifted, t.unhealthy);
         nominal += t.nominal;
         no_antenna += t.no_antenna;
         no_delay += t.no_delay;
