@@ -128,8 +128,8 @@ static int place_of(const orr_orbit_node *node, size_t n, orr_time t, int64_t us
     return from_first >= INNER_NS && to_last >= INNER_NS ? ORR_COMPARE_INNER : ORR_COMPARE_PLACES;
 }
 
-static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, bool derive, differences *d,
-                          orr_comparison *out, orr_diag *diag)
+static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, const orr_compare_options *o,
+                          differences *d, orr_comparison *out, orr_diag *diag)
 {
     grid g;
     orr_status s = sp3->n_epochs > 0 ? grid_init(sp3, &g, diag) : ORR_OK;
@@ -146,7 +146,7 @@ static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, bool deriv
             if (isnan(r->pos_m[0]) || isnan(r->pos_m[1]) || isnan(r->pos_m[2])) continue;
             if (is_input(node, n_nodes, t)) {
                 out->inputs++;
-                continue;
+                if (!o->with_inputs) continue;
             }
             if (orr_ephemeris_eval(e, sp3->sat[k], t, &state) != ORR_OK) {
                 out->no_orbit++;
@@ -156,7 +156,7 @@ static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, bool deriv
             difference x = {
                 .sat = sp3->sat[k], .place = place_of(node, n_nodes, t, usual_ns), .t = t, .vel_mps = v};
             x.pos_m = orr_vec3_sub(state.pos_m, (orr_vec3){r->pos_m[0], r->pos_m[1], r->pos_m[2]});
-            if (truth_velocity(&g, r, t, derive, &v, &out->vel_derived))
+            if (truth_velocity(&g, r, t, o->derive_velocity, &v, &out->vel_derived))
                 x.vel_mps = orr_vec3_sub(state.vel_mps, v);
             if (x.place == ORR_COMPARE_PLACES) out->between++;
             s = add(d, &x, diag);
@@ -239,15 +239,14 @@ static orr_status by_satellite(const differences *d, orr_comparison *out, orr_di
     return ORR_OK;
 }
 
-orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths, bool derive_velocity,
-                       orr_comparison *out, orr_diag *diag)
+orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
+                       const orr_compare_options *options, orr_comparison *out, orr_diag *diag)
 {
     differences d = {0};
     double *size = NULL;
     *out = (orr_comparison){0};
     orr_status s = ORR_OK;
-    for (size_t i = 0; i < n_truths && s == ORR_OK; i++)
-        s = collect(e, &truth[i], derive_velocity, &d, out, diag);
+    for (size_t i = 0; i < n_truths && s == ORR_OK; i++) s = collect(e, &truth[i], options, &d, out, diag);
     if (s == ORR_OK && d.n == 0)
         s = orr_diag_set(diag, ORR_E_NODATA,
                          "nothing to compare: of the truth's positions %zu are at epochs that the product "

@@ -39,19 +39,24 @@ typedef struct orr_comparison {
     size_t n_systems, n_sats;
     orr_compare_system system[ORR_N_SYSTEMS]; // those with samples, in the order of ORR_SYSTEMS
     orr_compare_satellite *sat;               // descending rms
-    size_t inputs;    // truth's positions left out because the product was made from that epoch
+    size_t inputs; // truth's positions at epochs that the product was made from: left out, or not with_inputs
     size_t no_orbit;  // left out because the product has no orbit there
     size_t between;   // compared, but in no place: between 45 min and 2 h from an end
     bool vel_derived; // some velocities of the truth came from its positions (orbit/velocity_filter.h)
 } orr_comparison;
+
+typedef struct orr_compare_options {
+    bool derive_velocity; // from the truth's positions, whatever V records it has
+    bool with_inputs; // also at epochs that the product was made from: for a truth that is another centre's
+} orr_compare_options;
 
 // Adds up all epochs of all truths. Velocities of the truth are its V records, else (or with derive_velocity
 // everywhere) derived from its positions within each file. V records are not always the derivatives of the
 // positions beside them: NGA's of 2015 differ from those by 6e-5 m/s, a rotation of 2.8e-12 rad/s about an
 // axis fixed in inertial space (precession and nutation). ORR_E_NODATA where not one epoch can be compared.
 // Free with orr_comparison_free.
-orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths, bool derive_velocity,
-                       orr_comparison *out, orr_diag *diag);
+orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
+                       const orr_compare_options *options, orr_comparison *out, orr_diag *diag);
 void orr_comparison_free(orr_comparison *c);
 
 #endif

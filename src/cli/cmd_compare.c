@@ -48,7 +48,7 @@ static int print_json(const orr_cli *c, const orr_comparison *x)
         json_object_set_new(o, "worst", json_string(orr_time_text(x->sat[i].worst, text)));
         json_array_append_new(sats, o);
     }
-    json_object_set_new(left, "inputs", json_integer((json_int_t)x->inputs));
+    json_object_set_new(left, "inputs", json_integer(orr_cli_given(c, "inputs") ? 0 : (json_int_t)x->inputs));
     json_object_set_new(left, "no_orbit", json_integer((json_int_t)x->no_orbit));
     json_object_set_new(left, "between", json_integer((json_int_t)x->between));
     json_object_set_new(j, "systems", systems);
@@ -65,7 +65,9 @@ static int print_json(const orr_cli *c, const orr_comparison *x)
 
 static void print_human(const orr_cli *c, const orr_comparison *x)
 {
-    printf("Difference of %s from the truth, input epochs left out, 3-D\n\n", c->operand[0]);
+    const bool with_inputs = orr_cli_given(c, "inputs");
+    printf("Difference of %s from the truth, %s, 3-D\n\n", c->operand[0],
+           with_inputs ? "input epochs as well" : "input epochs left out");
     printf("%-8s %-6s %5s %8s %9s %9s %9s %13s %26s\n", "system", "place", "sats", "samples", "RMS mm",
            "95 % mm", "max mm", "velocity m/s", "mean x, y, z mm");
     for (size_t i = 0; i < x->n_systems; i++) {
@@ -87,8 +89,12 @@ static void print_human(const orr_cli *c, const orr_comparison *x)
         printf("  %s %9.3f %9.3f %s\n", orr_sat_text(x->sat[i].sat, name), 1e3 * x->sat[i].rms_m,
                1e3 * x->sat[i].max_m, orr_time_text(x->sat[i].worst, when));
     }
-    printf("\nleft out: %zu positions that were input, %zu without an orbit in the product\n", x->inputs,
-           x->no_orbit);
+    if (with_inputs)
+        printf("\nat epochs that were input: %zu; left out: %zu without an orbit in the product\n", x->inputs,
+               x->no_orbit);
+    else
+        printf("\nleft out: %zu positions at epochs that were input, %zu without an orbit in the product\n",
+               x->inputs, x->no_orbit);
     if (x->between > 0) printf("in no place: %zu samples between 45 min and 2 h from an end\n", x->between);
 }
 
@@ -119,9 +125,16 @@ static int compare(orr_cli *c, const orr_ephemeris *e, orr_sp3 *truth, size_t n)
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     orr_comparison x;
-    if (orr_compare(e, truth, n, strcmp(orr_cli_text(c, "velocity", "records"), "positions") == 0, &x,
-                    &diag) != ORR_OK)
-        return orr_cli_fail(c, &diag);
+    const orr_compare_options o = {.derive_velocity =
+                                       strcmp(orr_cli_text(c, "velocity", "records"), "positions") == 0,
+                                   .with_inputs = orr_cli_given(c, "inputs")};
+    const orr_status s = orr_compare(e, truth, n, &o, &x, &diag);
+    if (s != ORR_OK) {
+        const int failed = orr_cli_fail(c, &diag);
+        if (s == ORR_E_NODATA && !o.with_inputs)
+            orr_cli_say(c, "(with --inputs, epochs that the product was made from are compared as well)");
+        return failed;
+    }
     int status = ORR_EXIT_OK;
     if (orr_cli_given(c, "json"))
         status = print_json(c, &x);
@@ -151,6 +164,9 @@ static const orr_option options[] = {
      .value = "records|positions",
      .help =
          "the truth's velocity: its V records where it has them (the default), or always from its positions"},
+    {.name = "inputs",
+     .kind = ORR_OPT_FLAG,
+     .help = "compare at epochs that the product was made from as well: for the orbits of another centre"},
     {.name = "json", .kind = ORR_OPT_FLAG, .help = "print a JSON object instead of a table"},
 };
 
@@ -161,7 +177,8 @@ const orr_command orr_cmd_compare = {
     .operands = "PRODUCT TRUTH.sp3...",
     .min_operands = 2,
     .max_operands = -1,
-    .about = "Epochs that the product was made from are left out. Places: inner is at least 2 h from the "
+    .about = "Epochs that the product was made from are left out, unless --inputs asks for them. Places: "
+             "inner is at least 2 h from the "
              "satellite's first and "
              "last input node, edge within 45 min of one of them, gap between nodes further apart than twice "
              "the usual step.\n\n"

@@ -8,6 +8,9 @@
 enum { HOURS = 12, STEP = 300, EPOCHS = HOURS * 3600 / STEP + 1, NODE = 900 };
 enum { GAP_FROM = 5 * 3600, GAP_TO = 6 * 3600 }; // last node before and first node behind the gap
 
+static const orr_compare_options plain = {0}, derived = {.derive_velocity = true},
+                                 all = {.with_inputs = true};
+
 // A truth of the made satellites 0..n-1 with nothing planted yet.
 static orr_sp3 made_truth(size_t n)
 {
@@ -88,7 +91,7 @@ static void test_places_and_numbers(void **state)
         }
     }
     orr_comparison x;
-    ASSERT_OK(orr_compare(e, &truth, 1, false, &x, &diag), diag);
+    ASSERT_OK(orr_compare(e, &truth, 1, &plain, &x, &diag), diag);
     // Of 145 epochs 49 are nodes (every third). Inner: 2:00 to 10:00 is 97 epochs, of which 33 are nodes.
     // Edge: up to 0:45 and from 11:15, 10 epochs each, 4 of them nodes.
     const orr_compare_stats *in = stats_of(&x, 'G', ORR_COMPARE_INNER),
@@ -142,7 +145,7 @@ static void test_velocities(void **state)
     orr_ephemeris *e = made_product(&s);
     orr_sp3 truth = made_truth(3);
     orr_comparison x;
-    ASSERT_OK(orr_compare(e, &truth, 1, false, &x, &diag), diag);
+    ASSERT_OK(orr_compare(e, &truth, 1, &plain, &x, &diag), diag);
     const orr_compare_stats *g = stats_of(&x, 'G', ORR_COMPARE_INNER);
     assert_true(x.vel_derived);
     assert_int_equal(g->n_vel, g->n);
@@ -155,11 +158,11 @@ static void test_velocities(void **state)
         double *vel = truth.record[i * 3].vel_mps;
         vel[0] = v.x - 3e-5, vel[1] = v.y + 4e-5, vel[2] = v.z;
     }
-    ASSERT_OK(orr_compare(e, &truth, 1, false, &x, &diag), diag);
+    ASSERT_OK(orr_compare(e, &truth, 1, &plain, &x, &diag), diag);
     ASSERT_NEAR(stats_of(&x, 'G', ORR_COMPARE_INNER)->vel_rms_mps, 5e-5, 1e-7);
     ASSERT_NEAR(stats_of(&x, 'R', ORR_COMPARE_INNER)->vel_rms_mps, 0, 1e-7);
     orr_comparison_free(&x);
-    ASSERT_OK(orr_compare(e, &truth, 1, true, &x, &diag), diag); // the records are not looked at
+    ASSERT_OK(orr_compare(e, &truth, 1, &derived, &x, &diag), diag); // the records are not looked at
     ASSERT_NEAR(stats_of(&x, 'G', ORR_COMPARE_INNER)->vel_rms_mps, 0, 1e-7);
     orr_comparison_free(&x);
     truth_free(&truth);
@@ -177,16 +180,24 @@ static void test_nothing_to_compare(void **state)
     orr_comparison x;
     // Other days: the product has no orbit there.
     for (size_t i = 0; i < EPOCHS; i++) truth.epoch[i] += INT64_C(7) * ORR_S_PER_DAY * ORR_NS_PER_S;
-    assert_int_equal(orr_compare(e, &truth, 1, false, &x, &diag), ORR_E_NODATA);
+    assert_int_equal(orr_compare(e, &truth, 1, &plain, &x, &diag), ORR_E_NODATA);
     assert_non_null(strstr(diag.text, "435"));
     // Nothing but what went in.
     for (size_t i = 0; i < EPOCHS; i++) truth.epoch[i] -= INT64_C(7) * ORR_S_PER_DAY * ORR_NS_PER_S;
     for (size_t i = 0; i < EPOCHS; i++)
         for (size_t k = 0; k < 3 && i % 3 != 0; k++) truth.record[i * 3 + k].pos_m[1] = (double)NAN;
     for (size_t i = 0; i < EPOCHS; i++) truth.record[i * 3 + 2].pos_m[0] = (double)NAN;
-    assert_int_equal(orr_compare(e, &truth, 1, false, &x, &diag), ORR_E_NODATA);
+    assert_int_equal(orr_compare(e, &truth, 1, &plain, &x, &diag), ORR_E_NODATA);
+    // It is there when it is asked for, in the same places.
+    ASSERT_OK(orr_compare(e, &truth, 1, &all, &x, &diag), diag);
+    assert_true(x.inputs > 80);
+    size_t n = x.between;
+    for (size_t i = 0; i < x.n_systems; i++)
+        for (int p = 0; p < ORR_COMPARE_PLACES; p++) n += x.system[i].place[p].n;
+    assert_int_equal(n, x.inputs);
+    orr_comparison_free(&x);
     truth.n_epochs = 0;
-    assert_int_equal(orr_compare(e, &truth, 1, false, &x, &diag), ORR_E_NODATA);
+    assert_int_equal(orr_compare(e, &truth, 1, &plain, &x, &diag), ORR_E_NODATA);
     truth_free(&truth);
     orr_ephemeris_free(e);
     made_solution_free(&s);
