@@ -215,11 +215,13 @@ orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], c
 {
     static const int alpha_power[4] = {-30, -27, -24, -24}, beta_power[4] = {11, 14, 16, 16};
     static const int place[8] = {69, 77, 91, 99, 107, 121, 129, 137};
+    static const char *const name[8] = {"alpha0", "alpha1", "alpha2", "alpha3",
+                                        "beta0",  "beta1",  "beta2",  "beta3"};
     draft d = {.diag = diag};
     put_page(&d, 56);
     for (int k = 0; k < 4; k++) {
-        put(&d, place[k], 8, quantised(&d, "alpha", alpha[k], ldexp(1, alpha_power[k]), 8, true));
-        put(&d, place[4 + k], 8, quantised(&d, "beta", beta[k], ldexp(1, beta_power[k]), 8, true));
+        put(&d, place[k], 8, quantised(&d, name[k], alpha[k], ldexp(1, alpha_power[k]), 8, true));
+        put(&d, place[4 + k], 8, quantised(&d, name[4 + k], beta[k], ldexp(1, beta_power[k]), 8, true));
     }
     put(&d, 151, 24, quantised(&d, "A1", utc->a1_sps, ldexp(1, -50), 24, true));
     put_split(&d, 181, 24, 211, 8, quantised(&d, "A0", utc->a0_s, ldexp(1, -30), 32, true));

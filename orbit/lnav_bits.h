@@ -32,7 +32,8 @@ typedef struct orr_lnav_utc {
     int32_t week, week_lsf;             // full weeks; sent modulo 256
     int32_t leap_s, leap_future_s, day; // GPS - UTC now and after, day 1..7 at whose end it changes
 } orr_lnav_utc;
-// Klobuchar's alpha (s, s/semicircle..) and beta, and UTC.
+// Klobuchar's alpha (s, s/semicircle..) and beta, and UTC. ORR_E_RANGE with the field's name, e.g. "beta1",
+// when a value does not fit.
 orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], const orr_lnav_utc *utc,
                                   const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/parallel.h"
+#include "orbit/lnav_bits.h"
 #include "orbit/navset_impl.h"
 
 orr_navset_options orr_navset_defaults(void) { return (orr_navset_options){.window_s = 7200, .jobs = 1}; }
@@ -82,16 +83,26 @@ static orr_status fit_all(work *w)
     return s;
 }
 
-// GPS' own coefficients, from a header or a record.
-static void take_klobuchar(orr_navset *set, const orr_nav *nav)
+// GPS' own coefficients, the first that page 18 can send, from a header or a record.
+static void take_klobuchar(orr_navset *set, const orr_nav *nav, orr_warnings *warnings)
 {
+    orr_diag why = {0};
     for (size_t i = 0; nav != NULL && i < nav->n_iono && !set->has_klobuchar; i++) {
         const orr_nav_iono *k = &nav->iono[i];
+        const orr_lnav_utc utc = {0};
+        const orr_lnav_how how = {0};
+        orr_lnav_subframe page;
         if (k->kind != ORR_NAV_KLOBUCHAR || k->system != 'G') continue;
+        if (orr_lnav_encode_page18(k->coefficient, k->coefficient + 4, &utc, &how, &page,
+                                   why.text[0] == '\0' ? &why : NULL) != ORR_OK)
+            continue;
         memcpy(set->alpha, k->coefficient, sizeof set->alpha);
         memcpy(set->beta, k->coefficient + 4, sizeof set->beta);
         set->has_klobuchar = true;
     }
+    if (why.text[0] != '\0')
+        orr_warnings_add(warnings, NULL, 0, 0, "Klobuchar's coefficients cannot be sent as they are: %s; %s",
+                         why.text, set->has_klobuchar ? "those of another record are" : "zeros are");
 }
 
 orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
@@ -104,7 +115,7 @@ orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o,
     orr_status s = set == NULL ? ORR_E_MEMORY : fit_all(&w);
     if (s == ORR_OK) {
         orr_ephemeris_span(e, &set->from, &set->to);
-        take_klobuchar(set, o->nav);
+        take_klobuchar(set, o->nav, warnings);
         s = collect(&w, set, warnings, diag);
         if (s == ORR_OK) s = navset_fit_days(e, o, set);
     }

@@ -267,6 +267,52 @@ static void pages_count_from_the_begin_of_the_week(void **state)
     orr_ephemeris_free(e);
 }
 
+// Coefficients that eight bits cannot hold, or that are not known, cost one warning with their name, not the
+// frames: page 18 then has zeros, as without any. Those of a later record that fit are taken.
+static void coefficients_that_do_not_fit_are_not_sent(void **state)
+{
+    (void)state;
+    static const char *const name[8] = {"alpha0", "alpha1", "alpha2", "alpha3",
+                                        "beta0",  "beta1",  "beta2",  "beta3"};
+    static const int power[8] = {-30, -27, -24, -24, 11, 14, 16, 16};
+    orr_ephemeris *e = product("2024-02-04T00:00:00", 4, nothing);
+    orr_navset *none = build(e, &(orr_navset_options){.window_s = 7200, .jobs = 1}), *set;
+    orr_time t = orr_time_from_week(2300, 17 * 30 * ORR_NS_PER_S); // page 18
+    orr_navframe want, got;
+    orr_diag d = {0};
+    double alpha[4], beta[4];
+    ASSERT_OK(orr_navframe_at(none, none->sat[0], t, &want, &d), d);
+    for (int k = 0; k < 8; k++) {
+        for (int how = 0; how < 4; how++) { // too large, not known, the largest, the smallest
+            orr_nav_iono both[2] = {{.kind = ORR_NAV_KLOBUCHAR, .system = 'G'}};
+            for (int i = 0; i < 8; i++) both[0].coefficient[i] = ldexp(i - 3, power[i]);
+            both[1] = both[0];
+            both[0].coefficient[k] =
+                how == 1 ? (double)NAN : ldexp(how == 3 ? -128 : 128 - how / 2, power[k]);
+            for (size_t n = 1; n <= 2; n++) {
+                const orr_nav nav = {.iono = both, .n_iono = n};
+                orr_warnings w = {0};
+                orr_navset_options o = orr_navset_defaults();
+                o.nav = &nav;
+                ASSERT_OK(orr_navset_build(e, &o, &set, &w, &d), d);
+                const bool fits = how >= 2, sent = fits || n == 2;
+                assert_int_equal(orr_navset_klobuchar(set, alpha, beta), sent);
+                const double value = k < 4 ? alpha[k] : beta[k - 4];
+                assert_true(value == (sent ? both[fits ? 0 : 1].coefficient[k] : 0));
+                assert_int_equal(w.count, fits ? 0 : 1);
+                if (!fits) assert_non_null(strstr(w.item[0].text, name[k]));
+                ASSERT_OK(orr_navframe_at(set, set->sat[0], t, &got, &d), d);
+                assert_int_equal(got.piece[3].page, 18);
+                if (!sent) same_frame(&got, &want);
+                orr_navset_free(set);
+                orr_warnings_free(&w);
+            }
+        }
+    }
+    orr_navset_free(none);
+    orr_ephemeris_free(e);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -277,6 +323,7 @@ int main(void)
         cmocka_unit_test(without_a_clock_nothing_is_sent_unless_asked),
         cmocka_unit_test(frames_follow_one_another),
         cmocka_unit_test(pages_count_from_the_begin_of_the_week),
+        cmocka_unit_test(coefficients_that_do_not_fit_are_not_sent),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
