@@ -94,7 +94,7 @@ orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *
     if (!(whole < top && whole >= (f->kind == ORR_FIELD_UNSIGNED ? 0 : -top)))
         return orr_diag_set(diag, ORR_E_RANGE, "%s = %.10g does not fit its %d bits", f->name, whole * f->lsb,
                             f->bits);
-    *value = whole * f->lsb;
+    *value = orr_navfit_lsbs(whole, f->lsb);
     return ORR_OK;
 }
 

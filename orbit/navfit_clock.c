@@ -55,8 +55,8 @@ orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, or
     orr_navfit_line line;
     orr_status s = orr_navfit_clock_line(e, sat, t0, from, to, is_glonass, &line, diag);
     if (s != ORR_OK) return s;
-    eph->af1_sps = round(line.slope / af1_lsb) * af1_lsb;
-    eph->af0_s = round((line.mean - eph->af1_sps * line.mean_dt_s) / af0_lsb) * af0_lsb;
+    eph->af1_sps = orr_navfit_lsbs(round(line.slope / af1_lsb), af1_lsb);
+    eph->af0_s = orr_navfit_lsbs(round((line.mean - eph->af1_sps * line.mean_dt_s) / af0_lsb), af0_lsb);
     eph->af2_sps2 = 0;
     if (rms_s != NULL) *rms_s = orr_navfit_line_rms(&line, eph->af0_s, eph->af1_sps);
     return ORR_OK;

@@ -7,6 +7,7 @@
 
 #include "core/astro.h"
 #include "orbit/attitude.h"
+#include "orbit/navfit_impl.h"
 #include "orbit/navset_impl.h"
 #include "orbit/signal_delay.h"
 
@@ -132,7 +133,7 @@ static void fill_glonass(orr_nav_eph *eph, const navset_slot *slot, int channel,
 static bool round_to(double value, double lsb, int bits, double *out)
 {
     double whole = round(value / lsb);
-    *out = whole * lsb;
+    *out = orr_navfit_lsbs(whole, lsb);
     return fabs(whole) < ldexp(1.0, bits - 1);
 }
 

@@ -170,6 +170,13 @@ class OnTheWire:
             else:
                 self.assertEqual((float(row["z_m"]), int(row["channel"])), (s.glonass[0].pos_m[2], s.glonass[0].channel))
 
+    def test_zero_has_no_sign(self):
+        """Rates and accelerations below half of their last digit are sent as zero, and shown as that."""
+        done = program("poll", self.url, "--navdata", "--at", orrery.to_text(self.start + 60 * NS), "--step", 1800, "--count", 46)
+        cells = [x for row in csv.reader(io.StringIO(done.stdout)) for x in row]
+        self.assertIn("0", cells)
+        self.assertEqual([x for x in cells if x.startswith("-") and float(x) == 0], [])
+
     def test_the_same_question_gets_the_same_bytes(self):
         many = [s.sat for s in self.client.navdata(self.noon).satellites] * 800
         poll = messages.PollNavdata(self.noon, 3600 * NS, 3, many[:800])  # frames far above the usual output buffer
