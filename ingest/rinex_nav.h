@@ -208,10 +208,10 @@ orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr
                          orr_nav *out, orr_warnings *warnings, orr_diag *diag);
 void orr_nav_free(orr_nav *nav);
 
-// The ephemerides of several files as one, in the order of orr_nav.eph; of records that agree in satellite,
-// toe, toc, transmission and message one is kept. Ionosphere, time offsets and comments are not carried over.
-// Free with orr_nav_free.
-orr_status orr_nav_merge_eph(const orr_nav *in, size_t n, orr_nav *out, orr_diag *diag);
+// Several files as one: the ephemerides in the order of orr_nav.eph, of records that agree in satellite, toe,
+// toc, transmission and message one is kept; the ionospheres in the files' order. Time offsets, Earth
+// orientation and comments are not carried over. Free with orr_nav_free.
+orr_status orr_nav_merge(const orr_nav *in, size_t n, orr_nav *out, orr_diag *diag);
 
 // The ephemerides of one satellite: *count of them from nav->eph[*first] on, ascending in toe. count 0 if
 // none.

@@ -15,14 +15,20 @@ static int by_use(const void *a, const void *b)
     return (int)x->message - (int)y->message;
 }
 
-orr_status orr_nav_merge_eph(const orr_nav *in, size_t n, orr_nav *out, orr_diag *diag)
+orr_status orr_nav_merge(const orr_nav *in, size_t n, orr_nav *out, orr_diag *diag)
 {
-    size_t total = 0;
-    for (size_t i = 0; i < n; i++) total += in[i].n_eph;
+    size_t total = 0, n_iono = 0;
+    for (size_t i = 0; i < n; i++) total += in[i].n_eph, n_iono += in[i].n_iono;
     *out = (orr_nav){.version = n > 0 ? in[0].version : 0, .system = 'M'};
     out->eph = malloc((total + 1) * sizeof *out->eph);
-    if (out->eph == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu ephemerides", total);
+    out->iono = malloc((n_iono + 1) * sizeof *out->iono);
+    if (out->eph == NULL || out->iono == NULL) {
+        orr_nav_free(out);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu ephemerides", total);
+    }
     for (size_t i = 0; i < n; i++) {
+        if (in[i].n_iono > 0) memcpy(out->iono + out->n_iono, in[i].iono, in[i].n_iono * sizeof *out->iono);
+        out->n_iono += in[i].n_iono;
         if (in[i].n_eph > 0) memcpy(out->eph + out->n_eph, in[i].eph, in[i].n_eph * sizeof *out->eph);
         out->n_eph += in[i].n_eph;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery navfit: broadcast data that agree with a precise orbit.
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -11,24 +12,38 @@ typedef struct work {
     orr_ephemeris *product;
     orr_antex antex;
     orr_bias_set bias;
-    orr_nav nav;
+    orr_nav *nav; // each file
+    size_t n_nav;
+    orr_nav all_nav;
     orr_navset *set;
 } work;
 
 static void work_free(work *w)
 {
     orr_navset_free(w->set);
-    orr_nav_free(&w->nav);
+    for (size_t i = 0; i < w->n_nav; i++) orr_nav_free(&w->nav[i]);
+    free(w->nav);
+    orr_nav_free(&w->all_nav);
     orr_bias_free(&w->bias);
     orr_antex_free(&w->antex);
     orr_ephemeris_free(w->product);
 }
 
+static orr_status read_navs(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
+{
+    const size_t n = orr_cli_count(c, "nav");
+    orr_status s = ORR_OK;
+    w->nav = calloc(n + 1, sizeof *w->nav);
+    if (w->nav == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n);
+    for (; w->n_nav < n && s == ORR_OK; w->n_nav += s == ORR_OK)
+        s = orr_nav_read(orr_cli_text_at(c, "nav", w->n_nav), NULL, &w->nav[w->n_nav], warnings, diag);
+    return s == ORR_OK && n > 0 ? orr_nav_merge(w->nav, n, &w->all_nav, diag) : s;
+}
+
 static orr_status read_inputs(const orr_cli *c, work *w, orr_navset_options *o, orr_warnings *warnings,
                               orr_diag *diag)
 {
-    const char *antex = orr_cli_text(c, "antex", NULL), *bias = orr_cli_text(c, "bias", NULL),
-               *nav = orr_cli_text(c, "nav", NULL);
+    const char *antex = orr_cli_text(c, "antex", NULL), *bias = orr_cli_text(c, "bias", NULL);
     orr_status s = orr_ephemeris_load(c->operand[0], &w->product, diag);
     if (s == ORR_OK && antex != NULL) {
         s = orr_antex_read(antex, NULL, &w->antex, warnings, diag);
@@ -38,10 +53,8 @@ static orr_status read_inputs(const orr_cli *c, work *w, orr_navset_options *o, 
         s = orr_bias_read(bias, NULL, &w->bias, warnings, diag);
         o->bias = &w->bias;
     }
-    if (s == ORR_OK && nav != NULL) {
-        s = orr_nav_read(nav, NULL, &w->nav, warnings, diag);
-        o->nav = &w->nav;
-    }
+    if (s == ORR_OK) s = read_navs(c, w, warnings, diag);
+    if (w->n_nav > 0) o->nav = &w->all_nav;
     return s;
 }
 
@@ -143,6 +156,7 @@ static const orr_option options[] = {
     {.name = "nav",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
+     .repeated = true,
      .help = "RINEX navigation file to take GLONASS' frequency channels and Klobuchar's coefficients from; "
              "without it the "
              "nominal channels, and coefficients of zero"},

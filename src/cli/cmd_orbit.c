@@ -215,7 +215,7 @@ static orr_status read_others(const orr_cli *c, work *w, orr_warnings *warnings,
         if (s == ORR_OK) s = note_source(w, path, diag);
     }
     if (s == ORR_OK && n_erp > 0) s = orr_erp_merge(w->erp, n_erp, &w->eop, diag);
-    if (s == ORR_OK && n_nav > 0) s = orr_nav_merge_eph(w->nav, n_nav, &w->all_nav, diag);
+    if (s == ORR_OK && n_nav > 0) s = orr_nav_merge(w->nav, n_nav, &w->all_nav, diag);
     return s;
 }
 

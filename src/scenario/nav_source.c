@@ -8,8 +8,8 @@
 
 enum { MAX_FILES = 400 };
 
-// What the files say, and what the navset is shown of it: all ephemerides, and the ionosphere of the first
-// file that has GPS' own.
+// What the files say, and what the navset is shown of it: all ephemerides and ionospheres, those of
+// ionosphere.field where the others have no GPS Klobuchar.
 typedef struct files {
     orr_antex antex;
     orr_bias_set bias;
@@ -58,14 +58,14 @@ static orr_status read_navs(const orr_scenario *s, files *f, orr_warnings *warni
     }
     // Ephemerides (GLONASS' channels) of the files that are named for it, or else of the ionosphere's.
     if (status == ORR_OK && f->n_nav > 0)
-        status = orr_nav_merge_eph(f->nav, named > 0 ? named : f->n_nav, &f->merged, diag);
+        status = orr_nav_merge(f->nav, named > 0 ? named : f->n_nav, &f->merged, diag);
     if (status != ORR_OK) return status;
     f->shown = f->merged;
-    for (size_t i = 0; i < f->n_nav && f->shown.n_iono == 0; i++)
-        if (has_klobuchar(&f->nav[i])) {
-            f->shown.iono = f->nav[i].iono;
-            f->shown.n_iono = f->nav[i].n_iono;
-        }
+    if (!has_klobuchar(&f->merged) &&
+        named < f->n_nav) { // the ionosphere's, unless a file that is named has its own
+        f->shown.iono = f->nav[named].iono;
+        f->shown.n_iono = f->nav[named].n_iono;
+    }
     return ORR_OK;
 }
 

@@ -297,7 +297,7 @@ static void files_merge_into_one(void **state)
     b[1].toe = orr_time_add_s(b[1].toe, 7200);
     orr_nav in[2] = {{.n_eph = 2, .eph = a}, {.n_eph = 2, .eph = b}}, out;
     orr_diag d = {0};
-    ASSERT_OK(orr_nav_merge_eph(in, 2, &out, &d), d);
+    ASSERT_OK(orr_nav_merge(in, 2, &out, &d), d);
     assert_int_equal(out.n_eph, 3);
     assert_true(out.eph[0].sat == a[0].sat && out.eph[1].sat == a[0].sat && out.eph[2].sat == a[1].sat);
     assert_true(out.eph[0].toe < out.eph[1].toe);
