@@ -315,6 +315,24 @@ static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *
     return s;
 }
 
+// The next pass is not linearised about nodes that were rejected or that no arc holds. Returns how many these
+// are.
+static size_t forget_left_out(work *w, const orr_track *t, const orr_segmentation *seg, size_t i0, size_t i1)
+{
+    size_t n = 0, i = i0;
+    for (size_t a = 0; a <= seg->n_arcs; a++) {
+        size_t begin = i1, end = i1;
+        if (a < seg->n_arcs) nodes_of(t, &seg->arc[a], &begin, &end);
+        for (; i < begin && seg->n_arcs > 0; i++, n++) w->ref[i].valid = false;
+        for (; i < end; i++) {
+            if (!seg->verdict[i].rejected) continue;
+            w->ref[i].valid = false;
+            n++;
+        }
+    }
+    return n;
+}
+
 // Nodes list[i0..i1), no two of them further apart than the longest bridged gap.
 static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
 {
@@ -328,6 +346,7 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
     orr_segmentation seg = {0};
     orr_status s = ORR_OK;
     int most = o->passes > 0 ? o->passes : MAX_PASSES;
+    size_t left_out_before = 0, arcs_before = 1;
     for (int pass = 1;; pass++) {
         s = orr_track_init(w->c, from_s, to_s, w->table->step_s, w->node, i1, &t);
         if (s != ORR_OK) return s;
@@ -337,12 +356,17 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
             s = orr_smooth_range(&t, seg.arc[a].first, seg.arc[a].last);
         if (s != ORR_OK) break;
-        for (size_t i = i0; i < i1; i++) w->ref[i].valid = w->ref[i].valid && !seg.verdict[i].rejected;
+        size_t left_out = forget_left_out(w, &t, &seg, i0, i1);
+        // A poor linearisation about sparse first nodes can make good nodes look bad: the verdict has to
+        // stand.
+        bool stands = left_out == left_out_before && seg.n_arcs == arcs_before;
+        left_out_before = left_out;
+        arcs_before = seg.n_arcs;
         bool done = pass >= most;
         if (!done || seg.n_arcs > 1) {
             for (size_t a = 0; a < seg.n_arcs; a++)
                 largest = fmax(largest, take_references(w, &t, &seg.arc[a]));
-            if (o->passes == 0 && largest < LINEAR_M) done = true;
+            if (o->passes == 0 && largest < LINEAR_M && stands) done = true;
         }
         if (pass > w->report->passes) w->report->passes = pass;
         if (done) break;

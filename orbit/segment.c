@@ -155,6 +155,22 @@ static bool blame_young(const work *w, size_t a, size_t first_bad)
     return false;
 }
 
+// What was taken in after a gap, where a prediction is worth little, may be what makes the nodes after it
+// look bad: looks for one of the last groups without which those before and after agree with one orbit, and
+// rejects it.
+static bool blame_last(const work *w, size_t a, size_t first_bad)
+{
+    const size_t end = first_bad + YOUNG < w->n ? first_bad + YOUNG : w->n;
+    if (end < first_bad + CONFIRM) return false; // too few to tell
+    for (size_t g = first_bad - 1; g > a + YOUNG && first_bad - g <= MAX_SKIPPED; g--) {
+        if (group_rejected(w, g)) continue;
+        reject_group(w, g, true);
+        if (consistent(w, g - YOUNG - 1, end)) return true;
+        reject_group(w, g, false);
+    }
+    return false;
+}
+
 // The joint of files, if there is one in the arc from group a on, that a failure came soon after; else a.
 static size_t joint_before(const work *w, size_t a, size_t first_bad)
 {
@@ -215,6 +231,7 @@ restart:
         forgive(w, first_bad, w->n);
         if (good <= YOUNG && blame_young(w, a, first_bad)) goto restart;
         size_t joint = joint_before(w, a, first_bad);
+        if (joint == a && blame_last(w, a, first_bad)) goto restart;
         if (joint > a) {
             bool in_vain = w->g[joint].settling;
             settle(w, joint, !in_vain);

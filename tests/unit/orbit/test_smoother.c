@@ -171,6 +171,37 @@ static void outliers_are_reported_and_not_followed(void **state)
         }
 }
 
+// Nodes that are missing are no reason to doubt the others, first ones before a gap least of all; and an
+// outlier right after a gap is no manoeuvre.
+static void missing_nodes_make_no_outliers(void **state)
+{
+    (void)state;
+    for (unsigned pattern = 0; pattern < 32; pattern++) {
+        orr_sp3 f;
+        made_sp3(&sky, all, 3, 0, DAY, 3, &f);
+        for (size_t e = 0; e < f.n_epochs;
+             e++) // of the first ten nodes some, then every seventh, are not there
+            for (size_t i = 0; i < 3; i++)
+                if ((e >= 2 && e < 7 && (pattern >> (e - 2) & 1) != 0) || (e > 7 && e % 7 == 0))
+                    f.record[e * 3 + i].pos_m[0] = (double)NAN;
+        const bool spoilt = pattern % 4 == 3;
+        if (spoilt)
+            made_record(&f, gps.sat, orr_time_add_s(sky.t0, 50 * 900.0))->pos_m[1] += 1.0; // 49 is missing
+        orr_orbit_solution s;
+        orr_smoother_report report;
+        orr_diag d = {0};
+        orr_smoother_options o = orr_smoother_defaults();
+        ASSERT_OK(run(&f, 1, &o, &s, &report, NULL, &d), d);
+        assert_int_equal(report.nodes_rejected, spoilt ? 1 : 0);
+        assert_int_equal(report.manoeuvres, 0);
+        const orr_orbit_event *e = NULL;
+        assert_int_equal(count_events(&s, gps.sat, ORR_EVENT_OUTLIER, &e), spoilt ? 1 : 0);
+        if (spoilt) assert_true(e->t0 == orr_time_add_s(sky.t0, 50 * 900.0));
+        orr_orbit_solution_free(&s);
+        made_sp3_free(&f);
+    }
+}
+
 static void manoeuvre_is_found_placed_and_passed(void **state)
 {
     (void)state;
@@ -603,6 +634,7 @@ int main(void)
         cmocka_unit_test(samples_are_one_smooth_curve),
         cmocka_unit_test(hourly_nodes_need_passes_and_get_them),
         cmocka_unit_test(outliers_are_reported_and_not_followed),
+        cmocka_unit_test(missing_nodes_make_no_outliers),
         cmocka_unit_test(manoeuvre_is_found_placed_and_passed),
         cmocka_unit_test(without_detection_nothing_is_rejected),
         cmocka_unit_test(gaps_are_bridged_flagged_and_worth_their_sigma),
