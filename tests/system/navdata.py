@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a receiver does with navigation data bits: LNAV by IS-GPS-200, GLONASS FDMA by its ICD. Written from the documents,
-knows nothing of the program's encoders."""
+"""What a receiver does with navigation data bits: LNAV by IS-GPS-200, GLONASS FDMA by its ICD (L1, L2, edition 5.1). Written from
+the documents, knows nothing of the program's encoders. Bits come as bytes, or as their hex text."""
 import math
 
 GM, EARTH_RATE, C = 3.986005e14, 7.2921151467e-5, 299792458.0
@@ -23,8 +23,10 @@ class Bits:
         return value - (1 << n) if value >> (n - 1) else value
 
 
-def bits_of_hex(text, n):
-    return f"{int(text, 16):0{4 * len(text)}b}"[:n]
+def bits_of(data, n):
+    """The first n bits in the order of their sending, as text."""
+    data = bytes.fromhex(data) if isinstance(data, str) else data
+    return "".join(f"{byte:08b}" for byte in data)[:n]
 
 
 # --- LNAV ---
@@ -39,25 +41,30 @@ PARITY = (  # table 20-XIV: which of d1..d24 each of D25..D30 sums, and which of
 )
 
 
-def lnav_subframe(hex_text):
+def lnav_subframe(data):
     """The data of a subframe as Bits 1..300 (parity bits as sent); raises ValueError where the parity does not hold."""
-    sent = bits_of_hex(hex_text, 300)
+    sent = bits_of(data, 300)
     d29 = d30 = 0
     clear = ""
     for w in range(10):
         word = [int(b) for b in sent[30 * w:30 * w + 30]]
-        data = [b ^ d30 for b in word[:24]]
+        source = [b ^ d30 for b in word[:24]]
         for k, (carry, members) in enumerate(PARITY):
-            total = (d29 if carry == "29" else d30) + sum(data[m - 1] for m in members)
+            total = (d29 if carry == "29" else d30) + sum(source[m - 1] for m in members)
             if total % 2 != word[24 + k]:
                 raise ValueError(f"parity bit {25 + k} of word {w + 1}")
-        clear += "".join(map(str, data)) + sent[30 * w + 24:30 * w + 30]
+        clear += "".join(map(str, source)) + sent[30 * w + 24:30 * w + 30]
         d29, d30 = word[28], word[29]
     if int(clear[:8], 2) != 0x8B:
         raise ValueError("no preamble")
     if sent[58:60] != "00" or sent[298:300] != "00":
         raise ValueError("words 2 and 10 do not end in 00")
     return Bits(clear)
+
+
+def lnav_how(subframe):
+    """Subframe number, and the time of week at which the next subframe begins."""
+    return subframe.unsigned((50, 3)), 6 * subframe.unsigned((31, 17))
 
 
 def lnav_ephemeris(one, two, three):
@@ -78,6 +85,13 @@ def lnav_ephemeris(one, two, three):
     }
 
 
+def lnav_klobuchar(page18):
+    """alpha and beta of subframe 4 page 18."""
+    first, power = (69, 77, 91, 99, 107, 121, 129, 137), (-30, -27, -24, -24, 11, 14, 16, 16)
+    values = [page18.signed((f, 8)) * 2.0**p for f, p in zip(first, power)]
+    return values[:4], values[4:]
+
+
 def half_week(seconds):
     """The week's crossover (20.3.3.3.3.1)."""
     return (seconds + 302400) % 604800 - 302400
@@ -90,7 +104,7 @@ def lnav_position(eph, tow):
     m = eph["m0"] + (math.sqrt(GM / a**3) + eph["delta_n"]) * tk
     anomaly = m
     for _ in range(30):
-        anomaly = m + eph["e"] * math.sin(anomaly)
+        anomaly += (m - anomaly + eph["e"] * math.sin(anomaly)) / (1 - eph["e"] * math.cos(anomaly))
     nu = math.atan2(math.sqrt(1 - eph["e"]**2) * math.sin(anomaly), math.cos(anomaly) - eph["e"])
     phi = nu + eph["omega"]
     c2, s2 = math.cos(2 * phi), math.sin(2 * phi)
@@ -139,15 +153,23 @@ CHECKS = (
 )
 
 
-def glonass_string(hex_text):
+# It is a Hamming code: bit k of the string has the k-th place that is no power of 2, and C1..C7 sum by the places' digits.
+PLACES = dict(zip(range(9, 86), (n for n in range(3, 100) if n & (n - 1))))
+if any(members != {k for k, place in PLACES.items() if place >> (c - 1) & 1} for c, members in CHECKS):
+    raise AssertionError("table 4.13 is not typed as it is")
+
+
+def glonass_string(data):
     """The 85 bits, indexed by the ICD's numbers 85 (first) down to 1; raises ValueError where a check fails."""
-    sent = bits_of_hex(hex_text, 85)
+    sent = bits_of(data, 85)
     bit = {85 - k: int(b) for k, b in enumerate(sent)}
     for number, members in CHECKS:
         if (bit[number] + sum(bit[m] for m in members)) % 2:
             raise ValueError(f"check C{number}")
     if sum(bit.values()) % 2:
         raise ValueError("check C sigma")
+    if bit[85]:
+        raise ValueError("the idle bit")
     return bit
 
 
@@ -167,7 +189,7 @@ def glonass_immediate(strings):
     km = 1000.0
     return {
         "t_k": (glonass_unsigned(s1, 76, 72) * 60 + glonass_unsigned(s1, 71, 66)) * 60 + s1[65] * 30,
-        "t_b": glonass_unsigned(s2, 76, 70) * 900, "unhealthy": s2[80],
+        "t_b": glonass_unsigned(s2, 76, 70) * 900, "unhealthy": s2[80] | s3[65],
         "pos": tuple(glonass_signed(s, 35, 9) * 2**-11 * km for s in (s1, s2, s3)),
         "vel": tuple(glonass_signed(s, 64, 41) * 2**-20 * km for s in (s1, s2, s3)),
         "acc": tuple(glonass_signed(s, 40, 36) * 2**-30 * km for s in (s1, s2, s3)),
@@ -179,7 +201,7 @@ def glonass_immediate(strings):
 
 def glonass_position(eph, dt):
     """Runge-Kutta of ICD A.3.1.2 over dt seconds from t_b, steps of at most 30 s."""
-    mu, radius, j2, rate = 398600.44e9, 6378136.0, 1082625.7e-9, 7.292115e-5
+    mu, radius, j2, rate = 398600.4418e9, 6378136.0, 1082625.75e-9, 7.292115e-5
 
     def derivative(y):
         x, v = y[:3], y[3:]

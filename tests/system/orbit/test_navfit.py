@@ -103,9 +103,8 @@ class Made(Folder):
             for piece in self.streams[sat]:
                 self.assertEqual((piece["message"], piece["bits"]), ("LNAV", "300"))
                 bits = navdata.lnav_subframe(piece["hex"])
-                self.assertEqual(bits.unsigned((50, 3)), piece["number"])
                 sow = piece["t"] % 604800
-                self.assertEqual(bits.unsigned((31, 17)) * 6, (sow + 6) % 604800)  # HOW tells the next subframe's begin
+                self.assertEqual(navdata.lnav_how(bits), (piece["number"], (sow + 6) % 604800))
                 frame[piece["number"]] = bits
                 if piece["number"] != 3:
                     continue

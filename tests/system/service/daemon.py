@@ -12,7 +12,7 @@ import threading
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "proto/python"))
+sys.path[:0] = [str(ROOT / "proto/python"), str(ROOT / "tests/system")]
 ORRERY, FIRMWARE = sys.argv[1:3]
 SAMPLE = ROOT / "samples/ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"
 PATIENCE_S = 90  # sanitizers are slow; nothing waits for it when all is well

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Broadcast data over the wire. A receiver that is written from the ICDs alone (broadcast_bits.py) decodes the bits; where it then
+"""Broadcast data over the wire. A receiver that is written from the ICDs alone (tests/system/navdata.py) decodes the bits; where it then
 believes the satellites to be is compared with what STATES says of them. On made data, and on a real day where there is one."""
 import csv
 import io
@@ -13,7 +13,7 @@ import unittest
 
 from daemon import PATIENCE_S, ROOT, WORK, Daemon, orrery as program, product  # first: it sets the path
 
-import broadcast_bits as receiver
+import navdata as receiver
 import orrery
 from orrery import frame, messages
 from orrery.client import connect
@@ -36,32 +36,30 @@ class Decoded:
         data = {p.number: p for p in sat.pages}
         self.sat = sat
         if sat.message == orrery.NavMessage.LNAV:
-            words = [receiver.lnav_words(data[k].data) for k in range(1, 6)]
-            for k, w in enumerate(words):
-                subframe, next_begins = receiver.how(w)
+            subframes = [receiver.lnav_subframe(data[k].data) for k in range(1, 6)]
+            for k, bits in enumerate(subframes):
+                subframe, next_begins = receiver.lnav_how(bits)
                 if subframe != k + 1 or (data[k + 1].t // NS + 6) % 604800 != next_begins % 604800:
                     raise AssertionError(f"HOW says subframe {subframe}, next at {next_begins}")
-            self.set = receiver.lnav_set(*words[:3])
-            self.words = words
+            self.set = receiver.lnav_ephemeris(*subframes[:3])
         else:
-            strings = [receiver.glonass_string(data[k].data) for k in range(1, 16)]
-            if [receiver.word(s, 84, 81) for s in strings] != list(range(1, 16)):
+            strings = {k: receiver.glonass_string(data[k].data) for k in range(1, 16)}
+            if any(receiver.glonass_unsigned(bit, 84, 81) != k for k, bit in strings.items()):
                 raise AssertionError("the strings are not 1 to 15")
-            self.set = receiver.glonass_set(strings[:4])
+            self.set = receiver.glonass_immediate(strings)
 
     def moscow(self, t):
         return (t - (LEAP_S - 3 * 3600) * NS) % (86400 * NS) / NS
 
     def position(self, t):
         if self.sat.message == orrery.NavMessage.LNAV:
-            return receiver.lnav_position(self.set, t % WEEK / NS)
+            return receiver.lnav_position(self.set, t % WEEK / NS)[0]
         return receiver.glonass_position(self.set, self.moscow(t) - self.set["t_b"])
 
     def clock(self, t, state):
         """Clock against the system's time, without periodic relativity; GLONASS' contains that."""
         if self.sat.message == orrery.NavMessage.LNAV:
-            dt = receiver.since(t % WEEK / NS, self.set["toc"])
-            return self.set["af0"] + dt * (self.set["af1"] + dt * self.set["af2"])
+            return receiver.lnav_position(self.set, t % WEEK / NS)[1]
         r_dot_v = sum(a * b for a, b in zip(state.pos_m, state.vel_mps))
         return -self.set["tau"] + self.set["gamma"] * (self.moscow(t) - self.set["t_b"]) + 2 * r_dot_v / receiver.C**2
 
@@ -94,20 +92,20 @@ class OnTheWire:
             if s.message == orrery.NavMessage.LNAV:
                 k, = s.kepler
                 self.assertEqual((s.glonass, len(s.pages)), ([], 5))
-                self.assertEqual((d["iodc"], d["iode2"], d["iode3"], d["iodc"] % 256), (s.iodc, s.iode, s.iode, s.iode))
+                self.assertEqual((d["iodc"], d["iode"], d["iodc"] % 256), (s.iodc, (s.iode, s.iode), s.iode))
                 self.assertEqual((d["toe"], d["toc"], d["week"]), (s.toe % WEEK / NS, s.toc % WEEK / NS, s.week % 1024))
                 self.assertEqual((d["af0"], d["af1"], d["af2"], d["health"]), (s.af0_s, s.af1_sps, s.af2_sps2, s.health))
                 self.assertEqual((d["sqrt_a"], d["e"], d["crs"], d["crc"]), (k.sqrt_a_sqrtm, k.e, k.crs_m, k.crc_m))
                 self.assertEqual((d["cuc"], d["cus"], d["cic"], d["cis"], d["tgd"]), (k.cuc_rad, k.cus_rad, k.cic_rad, k.cis_rad, k.tgd_s))
                 for name, value in (("m0", k.m0_rad), ("i0", k.i0_rad), ("omega0", k.omega0_rad), ("omega", k.omega_rad),
                                     ("delta_n", k.delta_n_radps), ("idot", k.idot_radps), ("omega_dot", k.omega_dot_radps)):
-                    self.assertAlmostEqual(d[name] * math.pi, value, delta=1e-12 * abs(value))  # the ICD's pi has 14 digits
+                    self.assertAlmostEqual(d[name], value, delta=1e-12 * abs(value))  # the ICD's pi has 14 digits
             else:
                 g, = s.glonass
                 self.assertEqual((s.kepler, len(s.pages), s.iode, s.iodc, s.week), ([], 15, -1, -1, -1))
-                self.assertEqual((d["pos"], d["vel"], d["acc"]), (g.pos_m, g.vel_mps, g.acc_mps2))
+                self.assertEqual([list(d[k]) for k in ("pos", "vel", "acc")], [g.pos_m, g.vel_mps, g.acc_mps2])
                 self.assertEqual((d["t_b"], -d["tau"], d["gamma"]), ((s.toe // NS - LEAP_S + 10800) % 86400, s.af0_s, s.af1_sps))
-                self.assertEqual((d["slot"], d["unfit"], d["delta_tau"]), (s.sat.number, s.health, g.delta_tau_s))
+                self.assertEqual((d["slot"], d["unhealthy"], d["delta_tau"]), (s.sat.number, s.health, g.delta_tau_s))
                 self.assertEqual(d["t_k"], (s.frame_from // NS - LEAP_S + 10800) % 86400)
 
     def test_a_receiver_finds_the_satellites_where_states_says(self):
@@ -286,7 +284,7 @@ class Scenarios(unittest.TestCase):
                 self.assertEqual(m.answer, orrery.Answer.OK)
                 four = next(p for p in m.pages if p.number == 4)
                 self.assertEqual(four.page, 18)
-                got = receiver.klobuchar(receiver.lnav_words(four.data))
+                got = receiver.lnav_klobuchar(receiver.lnav_subframe(four.data))
             for value, want, step in zip([*got[0], *got[1]], [*alpha, *beta], (-30, -27, -24, -24, 11, 14, 16, 16)):
                 self.assertAlmostEqual(value, scale * want, delta=0.6 * 2.0**step)  # RINEX has five digits of it
 
