@@ -77,7 +77,7 @@ enum { // nav_message (u8): A navigation message.
 enum { // elements_frame (u8): Axes that Kepler elements refer to.
     ORR_MSG_ELEMENTS_FRAME_DATE = 0, // true equator and equinox of date
     ORR_MSG_ELEMENTS_FRAME_J2000 = 1, // GCRS
-    ORR_MSG_ELEMENTS_FRAME_ECEF = 2, // axes of ecef, frozen at the epoch
+    ORR_MSG_ELEMENTS_FRAME_ECEF = 2, // axes of ecef, frozen at the epoch, for MEAN through its whole revolution
 };
 
 enum { // elements_method (u8): How Kepler elements are made.

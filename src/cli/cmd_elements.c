@@ -267,7 +267,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_CHOICE,
      .value = ORR_ELEMENTS_FRAMES,
      .help = "date (default): true equator and equinox of date. j2000: GCRS. ecef: Earth-fixed axes of the "
-             "instant."},
+             "instant, frozen there (for mean: at the middle of its revolution)."},
     {.name = "step", .kind = ORR_OPT_DURATION, .value = "S", .help = "Distance of rows; 60 s by default."},
     {.name = "spacing",
      .kind = ORR_OPT_DURATION,

@@ -60,7 +60,7 @@ class ElementsFrame(enum.IntEnum):
 
     DATE = 0  # true equator and equinox of date
     J2000 = 1  # GCRS
-    ECEF = 2  # axes of ecef, frozen at the epoch
+    ECEF = 2  # axes of ecef, frozen at the epoch, for MEAN through its whole revolution
 
 
 class ElementsMethod(enum.IntEnum):

@@ -70,6 +70,25 @@ class Elements(Folder):
                 off = math.radians(float(row["argp_deg"]) - float(row["u_deg"])) + nu
                 self.assertLess(abs(math.sin(off)), 1e-10)
 
+    def test_means_in_axes_of_ecef(self):
+        """The axes are those of the middle, frozen: the mean node lies a sidereal angle west of that in axes of date, as the
+        osculating one does. Polar motion tilts both alike; nutation moves the axes of date by 1e-9 rad beside a straight line
+        within a revolution. Axes that turn would smear the node over half a circle and more."""
+        at = ("--sat", "G08,R09,E14", "--from", "2025-03-21T09:00:00", "--to", "2025-03-21T15:00:00", "--step", "1h")
+        rows = {(frame, method): self.rows(self.day[1], *at, "--frame", frame, "--method", method)
+                for frame in ("date", "ecef") for method in ("state", "mean")}
+        self.assertEqual({len(r) for r in rows.values()}, {21})
+
+        def turn(method, k):
+            return float(rows["date", method][k]["raan_deg"]) - float(rows["ecef", method][k]["raan_deg"])
+        for k, mean in enumerate(rows["ecef", "mean"]):
+            self.assertLess(abs((turn("mean", k) - turn("state", k) + 180) % 360 - 180), 1e-6)
+            self.assertAlmostEqual(float(mean["a_m"]), float(rows["date", "mean"][k]["a_m"]), delta=1e-3)
+            self.assertAlmostEqual(float(mean["e"]), float(rows["date", "mean"][k]["e"]), delta=1e-9)
+            self.assertAlmostEqual(float(mean["i_deg"]), float(rows["date", "mean"][k]["i_deg"]), delta=2e-4)  # the pole: 0.5"
+        for k in range(3, 21):  # three satellites: an hour of the Earth's turn; the pole's 0.5" moves the node by cot(i) of it, to and fro
+            self.assertAlmostEqual((turn("mean", k) - turn("mean", k - 3)) % 360, 15.0410686, delta=4e-5)
+
     def test_what_cannot_be(self):
         for args, word in ((("--sat", "C09"), "no such satellite"), (("--from", "2030-01-01"), "covers"),
                            (("--method", "three-positions", "--spacing", "8h"), "covers")):
