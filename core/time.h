@@ -10,6 +10,10 @@
 typedef int64_t orr_time; // covers 1687 to 2272
 
 #define ORR_TIME_NONE INT64_MIN // "no instant"; no routine returns it as a value
+// Readers of binary files refuse instants farther from 1980 than this (73 years): differences of two that are
+// nearer fit in an orr_time.
+#define ORR_TIME_FAR (INT64_C(1) << 61)
+static inline bool orr_time_is_near(orr_time t) { return t > -ORR_TIME_FAR && t < ORR_TIME_FAR; }
 #define ORR_NS_PER_S INT64_C(1000000000)
 #define ORR_S_PER_DAY 86400
 #define ORR_S_PER_WEEK 604800

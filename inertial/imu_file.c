@@ -235,7 +235,7 @@ static orr_status read_mode(const orr_nc_reader *r, orr_imu *imu, orr_diag *diag
     int64_t approach = 0, order = 0, degree = 0;
     orr_imu_mode *m = &imu->mode;
     orr_status s = need_int(r, "approach", 1, 2, &approach, diag);
-    if (s == ORR_OK) s = need_int(r, "t0_ns", INT64_MIN + 1, INT64_MAX, &imu->t0, diag);
+    if (s == ORR_OK) s = need_int(r, "t0_ns", -ORR_TIME_FAR, ORR_TIME_FAR, &imu->t0, diag);
     if (s == ORR_OK) s = need_double(r, "begin_s", &imu->begin_s, diag);
     if (s == ORR_OK) s = need_double(r, "rate_hz", &imu->rate_hz, diag);
     if (s == ORR_OK) s = need_double(r, "knot_origin_s", &imu->knot_origin_s, diag);

@@ -192,24 +192,40 @@ static bool is_netcdf(const char *path)
     return n == 4 && (memcmp(head, "\x89HDF", 4) == 0 || memcmp(head, "CDF", 3) == 0);
 }
 
+// Closes `in`.
+static orr_status read_text(orr_input *in, orr_gravity_file *out, orr_diag *diag)
+{
+    point *p = NULL;
+    size_t n = 0;
+    int per_row = 0;
+    orr_status s = read_points(in, &p, &n, &per_row, diag);
+    if (s == ORR_OK)
+        s = per_row == 3 ? to_map(orr_input_name(in), p, n, out, diag) : to_profile(p, n, out, diag);
+    free(p);
+    orr_input_close(in);
+    return s;
+}
+
 orr_status orr_gravity_file_read(const char *path, orr_gravity_file *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
-    orr_status s;
-    if (is_netcdf(path)) {
+    orr_input *in;
+    orr_status s = ORR_OK;
+    if (is_netcdf(path))
         s = read_netcdf(path, out, diag);
-    } else {
-        orr_input *in;
-        point *p = NULL;
-        size_t n = 0;
-        int per_row = 0;
-        s = orr_input_open(path, NULL, &in, diag);
-        if (s != ORR_OK) return s;
-        s = read_points(in, &p, &n, &per_row, diag);
-        if (s == ORR_OK) s = per_row == 3 ? to_map(path, p, n, out, diag) : to_profile(p, n, out, diag);
-        free(p);
-        orr_input_close(in);
-    }
+    else if ((s = orr_input_open(path, NULL, &in, diag)) == ORR_OK)
+        s = read_text(in, out, diag);
+    if (s != ORR_OK) orr_gravity_file_free(out);
+    return s;
+}
+
+orr_status orr_gravity_file_read_bytes(const char *name, const void *data, size_t n, orr_gravity_file *out,
+                                       orr_diag *diag)
+{
+    memset(out, 0, sizeof *out);
+    orr_input *in;
+    orr_status s = orr_input_open_bytes(name, data, n, NULL, &in, diag);
+    if (s == ORR_OK) s = read_text(in, out, diag);
     if (s != ORR_OK) orr_gravity_file_free(out);
     return s;
 }

@@ -202,10 +202,12 @@ static orr_status get_scalars(const orr_nc_reader *r, orr_session *s, orr_diag *
         if (orr_nc_get_att_double(r, NULL, real[i].name, real[i].v, NULL) != ORR_OK || !isfinite(*real[i].v))
             return orr_diag_set(diag, ORR_E_FORMAT, "%s: no usable attribute %s", r->path, real[i].name);
     if (orr_nc_get_att_int64(r, NULL, "from_ns", &s->from, NULL) != ORR_OK ||
-        orr_nc_get_att_int64(r, NULL, "to_ns", &s->to, NULL) != ORR_OK || s->from > s->to)
+        orr_nc_get_att_int64(r, NULL, "to_ns", &s->to, NULL) != ORR_OK || s->from > s->to ||
+        !orr_time_is_near(s->from) || !orr_time_is_near(s->to))
         return orr_diag_set(diag, ORR_E_FORMAT, "%s: no usable span (from_ns, to_ns)", r->path);
-    if (!(s->small.length_m > 1) || !(s->small.time_s > 0) || !(s->small.sigma_tecu >= 0) ||
-        !(s->interval_s >= 0))
+    if (!(s->small.length_m > 1 && s->small.length_m < 1e9) ||
+        !(s->small.time_s > 0 && s->small.time_s < 1e8) ||
+        !(s->small.sigma_tecu >= 0 && s->small.sigma_tecu < 1e5) || !(s->interval_s >= 0))
         return orr_diag_set(diag, ORR_E_FORMAT, "%s: its small-scale structure makes no sense", r->path);
     orr_nc_get_att_text(r, NULL, "station", s->station, sizeof s->station, NULL); // a name may be missing
     orr_nc_get_att_text(r, NULL, "method", s->method, sizeof s->method, NULL);
@@ -216,13 +218,13 @@ static orr_status get_samples(const orr_nc_reader *r, orr_session *s, orr_diag *
 {
     orr_status status = orr_nc_get_dim(r, "sample", MAX_SAMPLES, &s->n_samples, diag);
     if (status != ORR_OK) return status;
-    s->sample = calloc(s->n_samples + 1, sizeof *s->sample);
-    if (s->sample == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a session");
     void *got = NULL;
     status = orr_nc_alloc_var(r, "t", ORR_NC_INT64, 1, &s->n_samples, &got, diag);
     if (status != ORR_OK) return status;
-    for (size_t i = 0; i < s->n_samples; i++) s->sample[i].t = ((const int64_t *)got)[i];
+    s->sample = calloc(s->n_samples + 1, sizeof *s->sample); // as many as there are times
+    for (size_t i = 0; s->sample != NULL && i < s->n_samples; i++) s->sample[i].t = ((const int64_t *)got)[i];
     free(got);
+    if (s->sample == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a session");
     for (int c = 0; c < SAMPLE_COLUMNS; c++) {
         status = orr_nc_alloc_var(r, SAMPLE[c].name, ORR_NC_DOUBLE, 1, &s->n_samples, &got, diag);
         if (status != ORR_OK) return status;
@@ -261,6 +263,7 @@ static orr_status get_arcs(const orr_nc_reader *r, orr_session *s, orr_diag *dia
         bool good = count[a] >= 0 && (size_t)count[a] <= s->n_samples - total;
         for (size_t i = 1; good && i < (size_t)count[a]; i++)
             good = s->sample[total + i].t > s->sample[total + i - 1].t;
+        for (size_t i = 0; good && i < (size_t)count[a]; i++) good = orr_time_is_near(s->sample[total + i].t);
         if (!good) {
             status = orr_diag_set(diag, ORR_E_FORMAT, "%s: arc %zu does not fit its samples", r->path, a);
             break;
@@ -298,7 +301,7 @@ static orr_status get_correction(const orr_nc_reader *r, orr_session *s, orr_dia
     if (orr_nc_get_att_int64(r, NULL, "correction_t0_ns", &c->t0, NULL) != ORR_OK ||
         orr_nc_get_att_double(r, NULL, "correction_knot_s", &c->knot_s, NULL) != ORR_OK ||
         orr_nc_get_att_double(r, NULL, "correction_reach", &c->reach, NULL) != ORR_OK || !(c->knot_s > 0) ||
-        !(c->reach > 0))
+        !(c->reach > 0) || !orr_time_is_near(c->t0))
         return orr_diag_set(diag, ORR_E_FORMAT, "%s: its correction has no usable knots", r->path);
     return ORR_OK;
 }

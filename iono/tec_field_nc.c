@@ -147,8 +147,9 @@ static orr_status get_settings(const orr_nc_reader *r, settings *x, orr_diag *di
                             missing);
     if (x->kind < TEC_HARMONICS || x->kind > TEC_KLOBUCHAR || x->temporal < ORR_TEC_NEAREST ||
         x->temporal > ORR_TEC_ROTATED || x->mapping < ORR_MAPPING_NONE || x->mapping > ORR_MAPPING_MSLM ||
-        x->from > x->to || !(x->rotation >= 0) || !(x->rotation <= 1) || !(fabs(x->pole_lat) <= 90) ||
-        !(fabs(x->pole_lon) <= 360) || !(x->radius > 6.4e6 && x->radius < 1e7))
+        x->from > x->to || !orr_time_is_near(x->from) || !orr_time_is_near(x->to) || !(x->rotation >= 0) ||
+        !(x->rotation <= 1) || !(fabs(x->pole_lat) <= 90) || !(fabs(x->pole_lon) <= 360) ||
+        !(x->radius > 6.4e6 && x->radius < 1e7))
         return orr_diag_set(diag, ORR_E_FORMAT, "%s: the settings of its TEC field make no sense", r->path);
     return ORR_OK;
 }
@@ -169,8 +170,10 @@ static orr_status get_epochs(const orr_nc_reader *r, orr_tec_field *f, orr_diag 
     if (f->sun == NULL || f->sun_east == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a TEC field");
     for (size_t k = 0; k < f->n; k++) {
-        if (k > 0 && f->t[k] <= f->t[k - 1])
-            return orr_diag_set(diag, ORR_E_FORMAT, "%s: the epochs of its TEC field do not ascend", r->path);
+        if ((k > 0 && f->t[k] <= f->t[k - 1]) || !orr_time_is_near(f->t[k]) ||
+            (f->t1[k] != ORR_TIME_NONE && !orr_time_is_near(f->t1[k])))
+            return orr_diag_set(diag, ORR_E_FORMAT,
+                                "%s: the epochs of its TEC field do not ascend, or are no times", r->path);
         f->sun_east[k] = orr_mean_sun_lon(f->t[k], NULL);
         f->sun[k] = orr_geomagnetic_lon_of_equator(&f->geomagnetic, f->sun_east[k]);
     }
