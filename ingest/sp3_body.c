@@ -6,39 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/digits.h"
 #include "core/nan.h"
 #include "ingest/sp3_parse.h"
 
 #define EVERY_BYTE(b) (UINT64_C(0x0101010101010101) * (b))
 
-static inline uint64_t load8(const char *s) // first byte lowest, on any machine
-{
-    uint64_t v;
-    memcpy(&v, s, sizeof v);
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    v = __builtin_bswap64(v);
-#endif
-    return v;
-}
-
-// Eight digits 0..9, one a byte, the first lowest: by pairs, fours, eights.
-static inline uint32_t eight_digits(uint64_t d)
-{
-    d = d * 10 + (d >> 8);
-    return (uint32_t)(((d & UINT64_C(0x000000ff000000ff)) * UINT64_C(0x000f424000000064) +
-                       (d >> 16 & UINT64_C(0x000000ff000000ff)) * UINT64_C(0x0000271000000001)) >>
-                      32);
-}
-
-static inline bool all_digits(uint64_t d) { return ((d | (d + EVERY_BYTE(0x76))) & EVERY_BYTE(0x80)) == 0; }
-
 // Reads F14.6 as written: blanks, perhaps a minus, digits, a point in the eighth place, six digits. *v is in
-// units of 1e-6. Eight characters at a time: xor with '0' leaves 0..9 of a digit, 0x10 of a blank, 0x1d of a
-// minus.
+// units of 1e-6. Of the loaded characters a minus is 0x1d.
 static inline bool read_f14_6(const char *s, int64_t *v)
 {
     if (s[7] != '.') return false;
-    uint64_t whole = load8(s) ^ EVERY_BYTE('0'), part = (load8(s + 6) ^ EVERY_BYTE('0')) >> 16 << 16;
+    uint64_t whole = orr_digits_load(s), part = orr_digits_load(s + 6) >> 16 << 16;
     // All bits of the bytes before the first digit, at most seven. No branch: the lengths of numbers are
     // random.
     uint64_t digit = (~whole & EVERY_BYTE(0x10)) | UINT64_C(0x10) << 56;
@@ -47,9 +26,9 @@ static inline bool read_f14_6(const char *s, int64_t *v)
         (whole ^ EVERY_BYTE(0x10)) & before; // what is no blank there: a minus, as its last character
     bool minus = odd != 0, sound = odd == (((before >> 8) + 1) & before) * (minus ? 0x0d : 0);
     whole = (whole & ~before) << 8; // seven digits behind an empty byte; the point falls out
-    int64_t m = (int64_t)eight_digits(whole) * 1000000 + eight_digits(part);
+    int64_t m = (int64_t)orr_digits_value(whole) * 1000000 + orr_digits_value(part);
     *v = minus ? -m : m;
-    return sound && all_digits(whole) && all_digits(part);
+    return sound && orr_digits_all(whole) && orr_digits_all(part);
 }
 
 // A field of four: number * 10^power. ORR_FIELD_BLANK leaves *out alone. *free is set where it stands

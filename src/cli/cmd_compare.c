@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery compare: how far a product is from precise orbits that it was not made from.
-#include <jansson.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "orbit/compare.h"
 #include "src/cli/cli.h"
+#include "src/cli/json.h"
 
 static const char *const place_name[ORR_COMPARE_PLACES] = {"inner", "edge", "gap"};
-
-static json_t *json_number(double v) { return isfinite(v) ? json_real(v) : json_null(); }
 
 static json_t *json_stats(const orr_compare_stats *s)
 {
     json_t *o = json_object(), *mean = json_array();
-    json_object_set_new(o, "n", json_integer((json_int_t)s->n));
-    json_object_set_new(o, "satellites", json_integer((json_int_t)s->satellites));
-    json_object_set_new(o, "rms_mm", json_number(1e3 * s->rms_m));
-    json_object_set_new(o, "p95_mm", json_number(1e3 * s->p95_m));
-    json_object_set_new(o, "max_mm", json_number(1e3 * s->max_m));
-    json_object_set_new(o, "vel_n", json_integer((json_int_t)s->n_vel));
-    json_object_set_new(o, "vel_rms_mps", json_number(s->vel_rms_mps));
+    json_object_set_new(o, "n", orr_json_count(s->n));
+    json_object_set_new(o, "satellites", orr_json_count(s->satellites));
+    json_object_set_new(o, "rms_mm", orr_json_number(1e3 * s->rms_m));
+    json_object_set_new(o, "p95_mm", orr_json_number(1e3 * s->p95_m));
+    json_object_set_new(o, "max_mm", orr_json_number(1e3 * s->max_m));
+    json_object_set_new(o, "vel_n", orr_json_count(s->n_vel));
+    json_object_set_new(o, "vel_rms_mps", orr_json_number(s->vel_rms_mps));
     const double m[3] = {s->mean_m.x, s->mean_m.y, s->mean_m.z};
     for (int i = 0; i < 3; i++) json_array_append_new(mean, s->n > 0 ? json_real(1e3 * m[i]) : json_null());
     json_object_set_new(o, "mean_mm", mean);
@@ -30,7 +27,6 @@ static json_t *json_stats(const orr_compare_stats *s)
 
 static int print_json(const orr_cli *c, const orr_comparison *x)
 {
-    char text[ORR_TIME_TEXT];
     json_t *j = json_object(), *systems = json_object(), *sats = json_array(), *left = json_object();
     for (size_t i = 0; i < x->n_systems; i++) {
         const char key[2] = {x->system[i].system, '\0'};
@@ -41,26 +37,21 @@ static int print_json(const orr_cli *c, const orr_comparison *x)
     }
     for (size_t i = 0; i < x->n_sats; i++) {
         json_t *o = json_object();
-        json_object_set_new(o, "sat", json_string(orr_sat_text(x->sat[i].sat, text)));
-        json_object_set_new(o, "n", json_integer((json_int_t)x->sat[i].n));
-        json_object_set_new(o, "rms_mm", json_number(1e3 * x->sat[i].rms_m));
-        json_object_set_new(o, "max_mm", json_number(1e3 * x->sat[i].max_m));
-        json_object_set_new(o, "worst", json_string(orr_time_text(x->sat[i].worst, text)));
+        json_object_set_new(o, "sat", orr_json_sat(x->sat[i].sat));
+        json_object_set_new(o, "n", orr_json_count(x->sat[i].n));
+        json_object_set_new(o, "rms_mm", orr_json_number(1e3 * x->sat[i].rms_m));
+        json_object_set_new(o, "max_mm", orr_json_number(1e3 * x->sat[i].max_m));
+        json_object_set_new(o, "worst", orr_json_time(x->sat[i].worst));
         json_array_append_new(sats, o);
     }
     json_object_set_new(left, "inputs", json_integer(orr_cli_given(c, "inputs") ? 0 : (json_int_t)x->inputs));
-    json_object_set_new(left, "no_orbit", json_integer((json_int_t)x->no_orbit));
-    json_object_set_new(left, "between", json_integer((json_int_t)x->between));
+    json_object_set_new(left, "no_orbit", orr_json_count(x->no_orbit));
+    json_object_set_new(left, "between", orr_json_count(x->between));
     json_object_set_new(j, "systems", systems);
     json_object_set_new(j, "satellites", sats);
     json_object_set_new(j, "left_out", left);
     json_object_set_new(j, "truth_velocity", json_string(x->vel_derived ? "positions" : "records"));
-    char *out = json_dumps(j, JSON_INDENT(2));
-    json_decref(j);
-    if (out == NULL) return orr_cli_failf(c, "out of memory");
-    puts(out);
-    free(out);
-    return ORR_EXIT_OK;
+    return orr_json_print(c, j, JSON_INDENT(2));
 }
 
 static void print_human(const orr_cli *c, const orr_comparison *x)

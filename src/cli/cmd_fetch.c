@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery fetch: products of the IGS for some days into the cache.
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +7,7 @@
 
 #include "ingest/fetch.h"
 #include "src/cli/cli.h"
+#include "src/cli/json.h"
 
 #define MAX_FILES 20000
 
@@ -81,31 +81,25 @@ static int print_json(const orr_cli *c, const orr_fetch_item *item, size_t n)
         int year, month, day;
         orr_date_from_mjd(f->wanted.mjd, &year, &month, &day);
         snprintf(date, sizeof date, "%04d-%02d-%02d", year, month, day);
-        json_object_set_new(j, "product", json_string(orr_product_name(f->wanted.product)));
-        json_object_set_new(j, "date", json_string(date));
-        if (f->wanted.station[0] != '\0') json_object_set_new(j, "station", json_string(f->wanted.station));
-        json_object_set_new(j, "status", json_string(orr_status_name(f->status)));
+        json_object_set_new(j, "product", orr_json_text(orr_product_name(f->wanted.product)));
+        json_object_set_new(j, "date", orr_json_text(date));
+        if (f->wanted.station[0] != '\0') json_object_set_new(j, "station", orr_json_text(f->wanted.station));
+        json_object_set_new(j, "status", orr_json_text(orr_status_name(f->status)));
         if (f->status == ORR_OK) {
-            json_object_set_new(j, "path", json_string(f->path));
-            json_object_set_new(j, "name", json_string(f->found.name));
-            json_object_set_new(j, "centre", json_string(f->found.centre));
-            json_object_set_new(j, "tier", json_string(orr_tier_name(f->found.tier)));
-            json_object_set_new(j, "mirror", json_string(f->found.mirror));
+            json_object_set_new(j, "path", orr_json_text(f->path));
+            json_object_set_new(j, "name", orr_json_text(f->found.name));
+            json_object_set_new(j, "centre", orr_json_text(f->found.centre));
+            json_object_set_new(j, "tier", orr_json_text(orr_tier_name(f->found.tier)));
+            json_object_set_new(j, "mirror", orr_json_text(f->found.mirror));
             json_object_set_new(j, "bytes", json_integer((json_int_t)f->bytes));
-            json_object_set_new(j, "sha256", json_string(f->sha256));
+            json_object_set_new(j, "sha256", orr_json_text(f->sha256));
             json_object_set_new(j, "cached", json_boolean(f->from_cache));
         } else {
-            json_t *reason = json_string(f->reason);
-            json_object_set_new(j, "reason", reason != NULL ? reason : json_string("unknown"));
+            json_object_set_new(j, "reason", orr_json_text(f->reason));
         }
         json_array_append_new(list, j);
     }
-    char *out = json_dumps(list, JSON_INDENT(2));
-    json_decref(list);
-    if (out == NULL) return orr_cli_failf(c, "out of memory");
-    puts(out);
-    free(out);
-    return ORR_EXIT_OK;
+    return orr_json_print(c, list, JSON_INDENT(2));
 }
 
 static int print_archives(const orr_cli *c)

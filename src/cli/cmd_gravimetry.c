@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery gravimetry: the gravity disturbance back from readings and trajectory.
-#include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/outfile.h"
 #include "inertial/imu_file.h"
 #include "src/cli/cli.h"
+#include "src/cli/json.h"
 
 static orr_status write_csv(const char *path, const orr_gravimetry_result *r, const orr_gravimetry *t,
                             orr_diag *diag)
@@ -28,6 +28,7 @@ static int run(orr_cli *c)
 {
     orr_diag diag = {0};
     orr_imu_file f;
+    int status = ORR_EXIT_OK;
     const char *path = orr_cli_text(c, "csv", NULL);
     const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_given(c, "json");
     if (csv_only && json) return orr_cli_usage(c, "only one of --csv - and --json can go to standard output");
@@ -48,14 +49,14 @@ static int run(orr_cli *c)
             high = r.true_mgal[k] > high ? r.true_mgal[k] : high;
         }
         if (s == ORR_OK && json) {
-            json_t *j = json_pack("{s:f, s:f, s:{s:f, s:f}, s:{s:f, s:f, s:f}, s:I}", "duration_s",
-                                  r.t_s[r.n - 1] - r.t_s[0], "filter_s", sigma_s, "true", "min_mgal", low,
-                                  "max_mgal", high, "difference", "raw_rms_mgal", r.raw_rms_mgal,
-                                  "filtered_rms_mgal", r.filtered_rms_mgal, "filtered_max_mgal",
-                                  r.filtered_max_mgal, "values", (json_int_t)r.n);
-            json_dumpf(j, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
-            putchar('\n');
-            json_decref(j);
+            json_t *j =
+                json_pack("{s:o, s:o, s:{s:o, s:o}, s:{s:o, s:o, s:o}, s:o}", "duration_s",
+                          orr_json_number(r.t_s[r.n - 1] - r.t_s[0]), "filter_s", orr_json_number(sigma_s),
+                          "true", "min_mgal", orr_json_number(low), "max_mgal", orr_json_number(high),
+                          "difference", "raw_rms_mgal", orr_json_number(r.raw_rms_mgal), "filtered_rms_mgal",
+                          orr_json_number(r.filtered_rms_mgal), "filtered_max_mgal",
+                          orr_json_number(r.filtered_max_mgal), "values", orr_json_count(r.n));
+            status = orr_json_print(c, j, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
         } else if (s == ORR_OK && !csv_only) {
             printf("true disturbance      %.3f to %.3f mGal\n", low, high);
             printf("recovered, unfiltered %.3g mGal r.m.s. off\n", r.raw_rms_mgal);
@@ -65,7 +66,7 @@ static int run(orr_cli *c)
         orr_gravimetry_result_free(&r);
     }
     orr_imu_file_free(&f);
-    return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+    return s == ORR_OK ? status : orr_cli_fail(c, &diag);
 }
 
 static const orr_option options[] = {

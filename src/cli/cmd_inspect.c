@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery inspect: what a file is and what is in it.
-#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "ingest/inspect.h"
 #include "src/cli/cli.h"
 #include "src/cli/inspect_own.h"
+#include "src/cli/json.h"
 
 static json_t *json_count(int64_t n) { return n == ORR_INSPECT_NONE ? json_null() : json_integer(n); }
-
-static json_t *json_time(orr_time t)
-{
-    char text[ORR_TIME_TEXT];
-    return t == ORR_TIME_NONE ? json_null() : json_string(orr_time_text(t, text));
-}
-
-// Bytes of the file may be in a message; JSON takes UTF-8 alone.
-static json_t *json_text(const char *s)
-{
-    json_t *j = json_string(s);
-    if (j != NULL) return j;
-    char ascii[1024];
-    size_t n = 0;
-    for (; s[n] != '\0' && n + 1 < sizeof ascii; n++) ascii[n] = (unsigned char)s[n] < 0x80 ? s[n] : '?';
-    ascii[n] = '\0';
-    return json_string(ascii);
-}
 
 static int print_json(const orr_cli *c, const char *path, const orr_inspection *r)
 {
@@ -36,7 +17,8 @@ static int print_json(const orr_cli *c, const char *path, const orr_inspection *
     json_t *systems = json_array(), *warnings = json_array(), *facts = json_object(), *j = json_object();
     for (const char *s = r->systems; *s != '\0'; s++) json_array_append_new(systems, json_stringn(s, 1));
     for (size_t i = 0; i < r->warnings.kept; i++)
-        json_array_append_new(warnings, json_text(orr_diag_format(&r->warnings.item[i], text, sizeof text)));
+        json_array_append_new(warnings,
+                              orr_json_text(orr_diag_format(&r->warnings.item[i], text, sizeof text)));
     for (size_t i = 0; i < r->n_facts; i++) {
         // A fact without a label goes on with the one before.
         snprintf(text, sizeof text, "%s", r->fact[i].text);
@@ -45,28 +27,23 @@ static int print_json(const orr_cli *c, const char *path, const orr_inspection *
             size_t n = strlen(text);
             snprintf(text + n, sizeof text - n, "\n%s", r->fact[++i].text);
         }
-        json_object_set_new(facts, r->fact[first].label, json_text(text));
+        json_object_set_new(facts, r->fact[first].label, orr_json_text(text));
     }
-    json_object_set_new(j, "file", json_text(path));
+    json_object_set_new(j, "file", orr_json_text(path));
     json_object_set_new(j, "kind", json_string(orr_kind_token(r->kind)));
-    json_object_set_new(j, "version", r->version[0] != '\0' ? json_text(r->version) : json_null());
-    json_object_set_new(j, "from", json_time(r->from));
-    json_object_set_new(j, "to", json_time(r->to));
-    json_object_set_new(j, "interval_s", isfinite(r->interval_s) ? json_real(r->interval_s) : json_null());
+    json_object_set_new(j, "version", r->version[0] != '\0' ? orr_json_text(r->version) : json_null());
+    json_object_set_new(j, "from", orr_json_time(r->from));
+    json_object_set_new(j, "to", orr_json_time(r->to));
+    json_object_set_new(j, "interval_s", orr_json_number(r->interval_s));
     json_object_set_new(j, "systems", systems);
     json_object_set_new(j, "satellites", json_count(r->satellites));
     json_object_set_new(j, "epochs", json_count(r->epochs));
     json_object_set_new(j, "records", json_count(r->records));
     json_object_set_new(j, "gaps", json_count(r->gaps));
     json_object_set_new(j, "warnings", warnings);
-    json_object_set_new(j, "warning_count", json_integer((json_int_t)r->warnings.count));
+    json_object_set_new(j, "warning_count", orr_json_count(r->warnings.count));
     json_object_set_new(j, "facts", facts);
-    char *out = json_dumps(j, JSON_INDENT(2));
-    json_decref(j);
-    if (out == NULL) return orr_cli_failf(c, "out of memory");
-    puts(out);
-    free(out);
-    return ORR_EXIT_OK;
+    return orr_json_print(c, j, JSON_INDENT(2));
 }
 
 static void print_row(const char *label, const char *text) { printf("  %-12s %s\n", label, text); }

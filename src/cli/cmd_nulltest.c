@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery nulltest: navigate on ideal readings and see whether the trajectory comes back.
-#include <jansson.h>
 #include <string.h>
 
 #include "core/outfile.h"
 #include "inertial/imu_file.h"
 #include "inertial/null_test.h"
 #include "src/cli/cli.h"
+#include "src/cli/json.h"
 
 typedef struct series {
     FILE *stream;
@@ -59,20 +59,21 @@ static const char *navigator_text(const orr_navigator *nav, char *buf, size_t n)
     return buf;
 }
 
-static void print_json(const orr_imu_file *f, const orr_navigator *nav, const orr_null_report *r)
+static int print_json(const orr_cli *c, const orr_imu_file *f, const orr_navigator *nav,
+                      const orr_null_report *r)
 {
     char mode[160], text[160];
-    json_t *j = json_pack("{s:s, s:s, s:f, s:{s:f, s:f, s:f, s:f, s:f}, s:{s:f}, s:{s:f}, s:I}", "readings",
-                          orr_imu_mode_text(&f->imu.mode, mode, sizeof mode), "navigator",
-                          navigator_text(nav, text, sizeof text), "duration_s", r->duration_s, "position",
-                          "max_3d_m", r->max_3d_m, "max_horizontal_m", r->max_horizontal_m, "max_vertical_m",
-                          r->max_vertical_m, "max_xi1_m", r->max_xi1_m, "final_3d_m", r->final_3d_m,
-                          "velocity", "max_mps", r->max_velocity_mps, "attitude", "max_rad",
-                          r->max_attitude_rad, "compared", (json_int_t)r->compared);
+    json_t *j =
+        json_pack("{s:s, s:s, s:o, s:{s:o, s:o, s:o, s:o, s:o}, s:{s:o}, s:{s:o}, s:o}", "readings",
+                  orr_imu_mode_text(&f->imu.mode, mode, sizeof mode), "navigator",
+                  navigator_text(nav, text, sizeof text), "duration_s", orr_json_number(r->duration_s),
+                  "position", "max_3d_m", orr_json_number(r->max_3d_m), "max_horizontal_m",
+                  orr_json_number(r->max_horizontal_m), "max_vertical_m", orr_json_number(r->max_vertical_m),
+                  "max_xi1_m", orr_json_number(r->max_xi1_m), "final_3d_m", orr_json_number(r->final_3d_m),
+                  "velocity", "max_mps", orr_json_number(r->max_velocity_mps), "attitude", "max_rad",
+                  orr_json_number(r->max_attitude_rad), "compared", orr_json_count(r->compared));
     if (r->replayed) json_object_set_new(j, "bit_identical", json_boolean(r->bit_identical));
-    json_dumpf(j, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
-    putchar('\n');
-    json_decref(j);
+    return orr_json_print(c, j, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 }
 
 static void print_table(const orr_imu_file *f, const orr_navigator *nav, const orr_null_report *r)
@@ -120,12 +121,13 @@ static int run(orr_cli *c)
         else
             orr_outfile_abort(&out);
     }
+    int status = ORR_EXIT_OK;
     if (s == ORR_OK && json)
-        print_json(&f, &nav, &r);
+        status = print_json(c, &f, &nav, &r);
     else if (s == ORR_OK && !csv_only)
         print_table(&f, &nav, &r);
     orr_imu_file_free(&f);
-    return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+    return s == ORR_OK ? status : orr_cli_fail(c, &diag);
 }
 
 static const orr_option options[] = {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well the sets stand for the orbit.
-#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "core/nan.h"
+#include "src/cli/json.h"
 #include "src/cli/navfit_write.h"
 
 // One system's sets.
@@ -78,18 +77,15 @@ void navfit_say(const orr_cli *c, const orr_navset *set)
                     no_delay);
 }
 
-static json_t *number(double x) { return isfinite(x) ? json_real(x) : json_null(); }
-static json_t *count(size_t n) { return json_integer((json_int_t)n); }
-
 static json_t *json_system(const tally *t)
 {
     char worst[ORR_SAT_TEXT];
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "satellites", count(t->sats), "sets",
-                     count(t->sets), "rms_m", number(root_mean(t->sum_m2, t->sets)), "rms_before_rounding_m",
-                     number(root_mean(t->fit_m2, t->sets)), "worst_m", number(t->worst_m), "worst",
-                     orr_sat_text(t->worst, worst), "clock_rms_ns",
-                     number(1e9 * root_mean(t->clock_s2, t->clocks)), "shifted", count(t->shifted),
-                     "unhealthy", count(t->unhealthy));
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "satellites", orr_json_count(t->sats),
+                     "sets", orr_json_count(t->sets), "rms_m", orr_json_number(root_mean(t->sum_m2, t->sets)),
+                     "rms_before_rounding_m", orr_json_number(root_mean(t->fit_m2, t->sets)), "worst_m",
+                     orr_json_number(t->worst_m), "worst", orr_sat_text(t->worst, worst), "clock_rms_ns",
+                     orr_json_number(1e9 * root_mean(t->clock_s2, t->clocks)), "shifted",
+                     orr_json_count(t->shifted), "unhealthy", orr_json_count(t->unhealthy));
 }
 
 static json_t *json_notes(uint32_t notes)
@@ -113,8 +109,8 @@ static json_t *json_set(orr_sat sat, const orr_navset_item *item)
     json_t *o = json_pack("{s:s, s:s, s:s, s:s, s:f, s:f, s:o, s:i, s:o}", "sat", orr_sat_text(sat, name),
                           "toe", orr_time_text(item->eph.toe, toe), "from", orr_time_text(item->from, from),
                           "to", orr_time_text(item->to, to), "rms_m", item->report.rms_m, "max_m",
-                          item->report.max_m, "clock_rms_ns", number(1e9 * item->clock_rms_s), "health",
-                          (int)item->eph.health, "notes", json_notes(item->notes));
+                          item->report.max_m, "clock_rms_ns", orr_json_number(1e9 * item->clock_rms_s),
+                          "health", (int)item->eph.health, "notes", json_notes(item->notes));
     if (item->eph.iodc >= 0) json_object_set_new(o, "iodc", json_integer(item->eph.iodc));
     return o;
 }
@@ -136,8 +132,6 @@ int navfit_print_json(const orr_cli *c, const orr_navset *set)
     }
     json_object_set_new(root, "systems", systems);
     json_object_set_new(root, "sets", sets);
-    bool printed = json_dumpf(root, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) == 0;
-    json_decref(root);
-    putchar('\n');
-    return printed ? orr_cli_flush(c) : orr_cli_failf(c, "the report could not be printed");
+    int status = orr_json_print(c, root, JSON_INDENT(1) | JSON_REAL_PRECISION(9));
+    return status == ORR_EXIT_OK ? orr_cli_flush(c) : status;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/orbit_summary.h"
 
-#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
+#include "src/cli/json.h"
 #include "src/cli/orbit_events.h"
 
 // What happened to one system's satellites.
@@ -115,8 +114,6 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
                 seconds->smooth, seconds->fit, seconds->write);
 }
 
-static json_t *json_count(size_t n) { return json_integer((json_int_t)n); }
-
 static json_t *json_systems(const orr_orbit_solution *s)
 {
     json_t *systems = json_object();
@@ -125,13 +122,13 @@ static json_t *json_systems(const orr_orbit_solution *s)
         if (t.sats == 0) continue;
         const char key[2] = {*system, '\0'};
         json_t *o = json_object();
-        json_object_set_new(o, "satellites", json_count(t.sats));
-        json_object_set_new(o, "nodes", json_count(t.used));
-        json_object_set_new(o, "left_out", json_count(t.rejected));
-        json_object_set_new(o, "residual_rms_mm", json_real(residual_mm(&t)));
-        json_object_set_new(o, "manoeuvres", json_count(t.events.manoeuvres));
-        json_object_set_new(o, "gaps", json_count(t.events.gaps));
-        json_object_set_new(o, "eclipses", json_count(t.events.eclipses));
+        json_object_set_new(o, "satellites", orr_json_count(t.sats));
+        json_object_set_new(o, "nodes", orr_json_count(t.used));
+        json_object_set_new(o, "left_out", orr_json_count(t.rejected));
+        json_object_set_new(o, "residual_rms_mm", orr_json_number(residual_mm(&t)));
+        json_object_set_new(o, "manoeuvres", orr_json_count(t.events.manoeuvres));
+        json_object_set_new(o, "gaps", orr_json_count(t.events.gaps));
+        json_object_set_new(o, "eclipses", orr_json_count(t.events.eclipses));
         json_object_set_new(systems, key, o);
     }
     return systems;
@@ -140,21 +137,20 @@ static json_t *json_systems(const orr_orbit_solution *s)
 // All but eclipses, which are many and follow from the orbit.
 static json_t *json_events(const orr_orbit_solution *s)
 {
-    char text[ORR_TIME_TEXT];
     json_t *all = json_array();
     for (size_t i = 0; i < s->n_sats; i++)
         for (size_t k = 0; k < s->sat[i].n_events; k++) {
             const orr_orbit_event *e = &s->sat[i].event[k];
             if (e->kind == ORR_EVENT_UMBRA || e->kind == ORR_EVENT_PENUMBRA) continue;
             json_t *o = json_object();
-            json_object_set_new(o, "sat", json_string(orr_sat_text(s->sat[i].sat, text)));
+            json_object_set_new(o, "sat", orr_json_sat(s->sat[i].sat));
             json_object_set_new(o, "kind", json_string(orbit_event_name(e->kind)));
-            json_object_set_new(o, "from", json_string(orr_time_text(e->t0, text)));
-            json_object_set_new(o, "to", json_string(orr_time_text(e->t1, text)));
+            json_object_set_new(o, "from", orr_json_time(e->t0));
+            json_object_set_new(o, "to", orr_json_time(e->t1));
             if (e->kind == ORR_EVENT_MANOEUVRE)
-                json_object_set_new(o, "change_mps", json_real(e->value));
+                json_object_set_new(o, "change_mps", orr_json_number(e->value));
             else if (e->kind != ORR_EVENT_GAP && e->value > 0)
-                json_object_set_new(o, "size_m", json_real(e->value));
+                json_object_set_new(o, "size_m", orr_json_number(e->value));
             json_array_append_new(all, o);
         }
     return all;
@@ -163,35 +159,29 @@ static json_t *json_events(const orr_orbit_solution *s)
 static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
                       const orr_ephemeris *e, const orbit_seconds *seconds)
 {
-    char text[ORR_TIME_TEXT];
     double pos, vel;
     joints joint = tally_joints(s);
     orr_ephemeris_representation(e, &pos, &vel);
     json_t *j = json_object(), *o = json_object(), *jumps = json_object();
-    json_object_set_new(j, "from", json_string(orr_time_text(s->from, text)));
-    json_object_set_new(j, "to", json_string(orr_time_text(s->to, text)));
-    json_object_set_new(j, "node_step_s", json_real(s->node_step_s));
+    json_object_set_new(j, "from", orr_json_time(s->from));
+    json_object_set_new(j, "to", orr_json_time(s->to));
+    json_object_set_new(j, "node_step_s", orr_json_number(s->node_step_s));
     json_object_set_new(j, "systems", json_systems(s));
-    json_object_set_new(jumps, "n", json_count(joint.n));
-    json_object_set_new(jumps, "rms_mm", json_real(1e3 * joint.rms_m));
-    json_object_set_new(jumps, "max_mm", json_real(1e3 * joint.max_m));
+    json_object_set_new(jumps, "n", orr_json_count(joint.n));
+    json_object_set_new(jumps, "rms_mm", orr_json_number(1e3 * joint.rms_m));
+    json_object_set_new(jumps, "max_mm", orr_json_number(1e3 * joint.max_m));
     json_object_set_new(j, "day_jumps", jumps);
     json_object_set_new(j, "events", json_events(s));
     json_object_set_new(j, "earth_rotation_given", json_boolean(report->eop_known));
-    json_object_set_new(j, "segment_error_mm", json_real(1e3 * pos));
-    json_object_set_new(j, "segment_error_mps", json_real(vel));
-    json_object_set_new(j, "rough_arcs", json_count(orr_ephemeris_shortened(e)));
-    json_object_set_new(o, "read", json_real(seconds->read));
-    json_object_set_new(o, "smooth", json_real(seconds->smooth));
-    json_object_set_new(o, "fit", json_real(seconds->fit));
-    json_object_set_new(o, "write", json_real(seconds->write));
+    json_object_set_new(j, "segment_error_mm", orr_json_number(1e3 * pos));
+    json_object_set_new(j, "segment_error_mps", orr_json_number(vel));
+    json_object_set_new(j, "rough_arcs", orr_json_count(orr_ephemeris_shortened(e)));
+    json_object_set_new(o, "read", orr_json_number(seconds->read));
+    json_object_set_new(o, "smooth", orr_json_number(seconds->smooth));
+    json_object_set_new(o, "fit", orr_json_number(seconds->fit));
+    json_object_set_new(o, "write", orr_json_number(seconds->write));
     json_object_set_new(j, "seconds", o);
-    char *out = json_dumps(j, JSON_INDENT(2));
-    json_decref(j);
-    if (out == NULL) return orr_cli_failf(c, "out of memory");
-    puts(out);
-    free(out);
-    return ORR_EXIT_OK;
+    return orr_json_print(c, j, JSON_INDENT(2));
 }
 
 int orbit_summary_print(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,

@@ -54,18 +54,18 @@ static json_t *json_of(const orr_msg_sat_delay *s, uint16_t n_hz)
 {
     json_t *j = json_object();
     json_object_set_new(j, "sat", orr_poll_json_sat(s->sat));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(s->answer)));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(s->answer)));
     if (s->answer != ORR_MSG_ANSWER_OK) return j;
-    json_object_set_new(j, "origin", orr_poll_json_name(orr_msg_tec_origin_name(s->origin)));
+    json_object_set_new(j, "origin", orr_json_text(orr_msg_tec_origin_name(s->origin)));
     json_object_set_new(j, "flags", orr_poll_json_bits(s->flags, orr_msg_delay_flags_name));
-    json_object_set_new(j, "az_deg", orr_poll_json_number(s->az_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "el_deg", orr_poll_json_number(s->el_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "pierce_lat_deg", orr_poll_json_number(s->pierce_lat_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "pierce_lon_deg", orr_poll_json_number(s->pierce_lon_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "mapping", orr_poll_json_number(s->mapping));
-    json_object_set_new(j, "stec_tecu", orr_poll_json_number(s->stec_tecu));
-    json_object_set_new(j, "model_stec_tecu", orr_poll_json_number(s->model_stec_tecu));
-    json_object_set_new(j, "sigma_tecu", orr_poll_json_number((double)s->sigma_tecu));
+    json_object_set_new(j, "az_deg", orr_json_number(s->az_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "el_deg", orr_json_number(s->el_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "pierce_lat_deg", orr_json_number(s->pierce_lat_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "pierce_lon_deg", orr_json_number(s->pierce_lon_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "mapping", orr_json_number(s->mapping));
+    json_object_set_new(j, "stec_tecu", orr_json_number(s->stec_tecu));
+    json_object_set_new(j, "model_stec_tecu", orr_json_number(s->model_stec_tecu));
+    json_object_set_new(j, "sigma_tecu", orr_json_number((double)s->sigma_tecu));
     json_object_set_new(j, "delay_m", orr_poll_json_vector(s->delay_m, n_hz < 4 ? n_hz : 4));
     return j;
 }
@@ -73,11 +73,11 @@ static json_t *json_of(const orr_msg_sat_delay *s, uint16_t n_hz)
 static void print_json(const orr_msg_delays *m)
 {
     json_t *j = json_object(), *sats = json_array(), *carriers = json_array();
-    json_object_set_new(j, "t", orr_poll_json_time(m->t));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "t", orr_json_time(m->t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
     double hz;
     for (orr_wire_iter it = {0}; orr_msg_f64_next(&m->carriers_hz, &it, &hz);)
-        json_array_append_new(carriers, orr_poll_json_number(hz));
+        json_array_append_new(carriers, orr_json_number(hz));
     json_object_set_new(j, "receiver_m", orr_poll_json_vector(m->receiver_m, 3));
     json_object_set_new(j, "carriers_hz", carriers);
     orr_msg_sat_delay s;

@@ -17,26 +17,26 @@ static json_t *json_of(const orr_msg_sat_elements *s)
 {
     json_t *j = json_object();
     json_object_set_new(j, "sat", orr_poll_json_sat(s->sat));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(s->answer)));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(s->answer)));
     if (s->answer != ORR_MSG_ANSWER_OK) return j;
     json_object_set_new(j, "flags", orr_poll_json_bits(s->flags, orr_msg_state_flags_name));
-    json_object_set_new(j, "a_m", orr_poll_json_number(s->a_m));
-    json_object_set_new(j, "e", orr_poll_json_number(s->e));
-    json_object_set_new(j, "i_deg", orr_poll_json_number(s->i_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "raan_deg", orr_poll_json_number(s->raan_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "argp_deg", orr_poll_json_number(s->argp_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "m_deg", orr_poll_json_number(s->m_rad * ORR_DEG_PER_RAD));
-    json_object_set_new(j, "u_deg", orr_poll_json_number(s->u_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "a_m", orr_json_number(s->a_m));
+    json_object_set_new(j, "e", orr_json_number(s->e));
+    json_object_set_new(j, "i_deg", orr_json_number(s->i_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "raan_deg", orr_json_number(s->raan_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "argp_deg", orr_json_number(s->argp_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "m_deg", orr_json_number(s->m_rad * ORR_DEG_PER_RAD));
+    json_object_set_new(j, "u_deg", orr_json_number(s->u_rad * ORR_DEG_PER_RAD));
     return j;
 }
 
 static void print_json(const orr_msg_elements *m)
 {
     json_t *j = json_object(), *sats = json_array();
-    json_object_set_new(j, "t", orr_poll_json_time(m->t));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(m->answer)));
-    json_object_set_new(j, "frame", orr_poll_json_name(orr_msg_elements_frame_name(m->frame)));
-    json_object_set_new(j, "method", orr_poll_json_name(orr_msg_elements_method_name(m->method)));
+    json_object_set_new(j, "t", orr_json_time(m->t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "frame", orr_json_text(orr_msg_elements_frame_name(m->frame)));
+    json_object_set_new(j, "method", orr_json_text(orr_msg_elements_method_name(m->method)));
     orr_msg_sat_elements s;
     for (orr_wire_iter it = {0}; orr_msg_sat_elements_next(&m->satellites, &it, &s);)
         json_array_append_new(sats, json_of(&s));

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/poll_json.h"
 
-#include <math.h>
 #include <stdio.h>
-
-json_t *orr_poll_json_number(double v) { return isfinite(v) ? json_real(v) : json_null(); }
-json_t *orr_poll_json_name(const char *name) { return name != NULL ? json_string(name) : json_null(); }
 
 json_t *orr_poll_json_vector(const double *v, int n)
 {
     json_t *a = json_array();
-    for (int k = 0; k < n; k++) json_array_append_new(a, orr_poll_json_number(v[k]));
+    for (int k = 0; k < n; k++) json_array_append_new(a, orr_json_number(v[k]));
     return a;
-}
-
-json_t *orr_poll_json_time(orr_time t)
-{
-    char text[ORR_TIME_TEXT];
-    return t == ORR_TIME_NONE ? json_null() : json_string(orr_time_text(t, text));
 }
 
 json_t *orr_poll_json_sat(orr_msg_sat_id id)
@@ -34,12 +24,7 @@ json_t *orr_poll_json_bits(uint32_t bits, const char *(*name)(unsigned bit))
     return a;
 }
 
-void orr_poll_json_print(json_t *j)
-{
-    json_dumpf(j, stdout, JSON_COMPACT | JSON_REAL_PRECISION(17));
-    putchar('\n');
-    json_decref(j);
-}
+void orr_poll_json_print(json_t *j) { (void)orr_json_put(j, JSON_COMPACT | JSON_REAL_PRECISION(17)); }
 
 const char *orr_poll_sat_name(orr_msg_sat_id id, char buf[8])
 {

@@ -3,16 +3,12 @@
 #ifndef ORR_CLI_POLL_JSON_H
 #define ORR_CLI_POLL_JSON_H
 
-#include <jansson.h>
 #include <stdint.h>
 
-#include "core/time.h"
 #include "proto/gen/messages.h"
+#include "src/cli/json.h"
 
-json_t *orr_poll_json_number(double v); // null where there is none
 json_t *orr_poll_json_vector(const double *v, int n);
-json_t *orr_poll_json_time(orr_time t);       // ISO 8601 GPS time; null for ORR_TIME_NONE
-json_t *orr_poll_json_name(const char *name); // null for NULL
 json_t *orr_poll_json_sat(orr_msg_sat_id id); // "G05"
 // Names of the bits that are set, by the generated name function of a bit set.
 json_t *orr_poll_json_bits(uint32_t bits, const char *(*name)(unsigned bit));

@@ -24,8 +24,8 @@ static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
     bool ok = m->answer == ORR_MSG_ANSWER_OK;
     if (p->json) {
         json_t *j = json_object();
-        json_object_set_new(j, "t0", orr_poll_json_time(m->t0));
-        json_object_set_new(j, "t1", orr_poll_json_time(m->t1));
+        json_object_set_new(j, "t0", orr_json_time(m->t0));
+        json_object_set_new(j, "t1", orr_json_time(m->t1));
         json_object_set_new(j, "unit", json_integer(m->unit));
         json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->answer)));
         if (ok) {
@@ -48,7 +48,7 @@ static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
 static void truth_json(const orr_msg_truth *m)
 {
     json_t *j = json_object();
-    json_object_set_new(j, "t", orr_poll_json_time(m->t));
+    json_object_set_new(j, "t", orr_json_time(m->t));
     json_object_set_new(j, "unit", json_integer(m->unit));
     json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->answer)));
     if (m->answer == ORR_MSG_ANSWER_OK) {
@@ -56,14 +56,14 @@ static void truth_json(const orr_msg_truth *m)
         json_object_set_new(j, "vel_mps", orr_poll_json_vector(m->vel_mps, 3));
         json_object_set_new(j, "acc_mps2", orr_poll_json_vector(m->acc_mps2, 3));
         json_object_set_new(j, "attitude", orr_poll_json_vector(m->attitude, 4));
-        json_object_set_new(j, "heading_rad", orr_poll_json_number(m->heading_rad));
-        json_object_set_new(j, "pitch_rad", orr_poll_json_number(m->pitch_rad));
-        json_object_set_new(j, "roll_rad", orr_poll_json_number(m->roll_rad));
+        json_object_set_new(j, "heading_rad", orr_json_number(m->heading_rad));
+        json_object_set_new(j, "pitch_rad", orr_json_number(m->pitch_rad));
+        json_object_set_new(j, "roll_rad", orr_json_number(m->roll_rad));
         json_object_set_new(j, "rate_radps", orr_poll_json_vector(m->rate_radps, 3));
         json_object_set_new(j, "force_mps2", orr_poll_json_vector(m->force_mps2, 3));
-        json_object_set_new(j, "disturbance_mgal", orr_poll_json_number(m->disturbance_mgal));
-        json_object_set_new(j, "eotvos_mgal", orr_poll_json_number(m->eotvos_mgal));
-        json_object_set_new(j, "vertical_mps2", orr_poll_json_number(m->vertical_mps2));
+        json_object_set_new(j, "disturbance_mgal", orr_json_number(m->disturbance_mgal));
+        json_object_set_new(j, "eotvos_mgal", orr_json_number(m->eotvos_mgal));
+        json_object_set_new(j, "vertical_mps2", orr_json_number(m->vertical_mps2));
     }
     orr_poll_json_print(j);
 }

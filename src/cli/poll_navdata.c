@@ -175,7 +175,7 @@ static void print_pages(orr_navdata_poll *p, const orr_msg_navdata *m)
 static void set_all(json_t *j, const void *record, const column *c, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        json_object_set_new(j, c[i].name, orr_poll_json_number(value_of(record, &c[i])));
+        json_object_set_new(j, c[i].name, orr_json_number(value_of(record, &c[i])));
 }
 
 static json_t *json_of_page(const orr_msg_nav_page *page)
@@ -184,7 +184,7 @@ static json_t *json_of_page(const orr_msg_nav_page *page)
     for (uint16_t i = 0; i < page->data.size && i < 38; i++)
         snprintf(hex + 2 * i, 3, "%02x", page->data.data[i]);
     json_t *j = json_object();
-    json_object_set_new(j, "t", orr_poll_json_time(page->t));
+    json_object_set_new(j, "t", orr_json_time(page->t));
     json_object_set_new(j, "number", json_integer(page->number));
     json_object_set_new(j, "page", json_integer(page->page));
     json_object_set_new(j, "bits", json_integer(page->bits));
@@ -196,18 +196,18 @@ static json_t *json_of(const orr_msg_sat_navdata *s)
 {
     json_t *j = json_object(), *pages = json_array(), *orbit = json_object();
     json_object_set_new(j, "sat", orr_poll_json_sat(s->sat));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(s->answer)));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(s->answer)));
     if (s->answer != ORR_MSG_ANSWER_OK) {
         json_decref(pages);
         json_decref(orbit);
         return j;
     }
-    json_object_set_new(j, "message", orr_poll_json_name(orr_msg_nav_message_name(s->message)));
+    json_object_set_new(j, "message", orr_json_text(orr_msg_nav_message_name(s->message)));
     json_object_set_new(j, "notes", orr_poll_json_bits(s->notes, orr_msg_nav_notes_name));
-    json_object_set_new(j, "set_from", orr_poll_json_time(s->set_from));
-    json_object_set_new(j, "set_to", orr_poll_json_time(s->set_to));
-    json_object_set_new(j, "toe", orr_poll_json_time(s->toe));
-    json_object_set_new(j, "toc", orr_poll_json_time(s->toc));
+    json_object_set_new(j, "set_from", orr_json_time(s->set_from));
+    json_object_set_new(j, "set_to", orr_json_time(s->set_to));
+    json_object_set_new(j, "toe", orr_json_time(s->toe));
+    json_object_set_new(j, "toc", orr_json_time(s->toc));
     json_object_set_new(j, "health", json_integer(s->health));
     set_all(j, s, common, COUNT(common));
     orr_msg_lnav_set k;
@@ -222,13 +222,13 @@ static json_t *json_of(const orr_msg_sat_navdata *s)
         json_object_set_new(orbit, "pos_m", orr_poll_json_vector(g.pos_m, 3));
         json_object_set_new(orbit, "vel_mps", orr_poll_json_vector(g.vel_mps, 3));
         json_object_set_new(orbit, "acc_mps2", orr_poll_json_vector(g.acc_mps2, 3));
-        json_object_set_new(orbit, "delta_tau_s", orr_poll_json_number(g.delta_tau_s));
+        json_object_set_new(orbit, "delta_tau_s", orr_json_number(g.delta_tau_s));
         json_object_set_new(orbit, "channel", json_integer(g.channel));
         json_object_set(j, "glonass", orbit);
     }
     json_decref(orbit);
-    json_object_set_new(j, "frame_from", orr_poll_json_time(s->frame_from));
-    json_object_set_new(j, "frame_to", orr_poll_json_time(s->frame_to));
+    json_object_set_new(j, "frame_from", orr_json_time(s->frame_from));
+    json_object_set_new(j, "frame_to", orr_json_time(s->frame_to));
     orr_msg_nav_page page;
     for (orr_wire_iter it = {0}; orr_msg_nav_page_next(&s->pages, &it, &page);)
         json_array_append_new(pages, json_of_page(&page));
@@ -239,8 +239,8 @@ static json_t *json_of(const orr_msg_sat_navdata *s)
 static void print_json(const orr_msg_navdata *m)
 {
     json_t *j = json_object(), *sats = json_array();
-    json_object_set_new(j, "t", orr_poll_json_time(m->t));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "t", orr_json_time(m->t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
     orr_msg_sat_navdata s;
     for (orr_wire_iter it = {0}; orr_msg_sat_navdata_next(&m->satellites, &it, &s);)
         json_array_append_new(sats, json_of(&s));

@@ -9,25 +9,25 @@ static json_t *json_sat(const orr_msg_sat_state *s)
 {
     json_t *j = json_object();
     json_object_set_new(j, "sat", orr_poll_json_sat(s->sat));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(s->answer)));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(s->answer)));
     if (s->answer != ORR_MSG_ANSWER_OK) return j;
     json_object_set_new(j, "flags", orr_poll_json_bits(s->flags, orr_msg_state_flags_name));
     json_object_set_new(j, "pos_m", orr_poll_json_vector(s->pos_m, 3));
     json_object_set_new(j, "vel_mps", orr_poll_json_vector(s->vel_mps, 3));
     json_object_set_new(j, "acc_mps2", orr_poll_json_vector(s->acc_mps2, 3));
-    json_object_set_new(j, "clock_s", orr_poll_json_number(s->clock_s));
-    json_object_set_new(j, "clock_rate_sps", orr_poll_json_number(s->clock_rate_sps));
-    json_object_set_new(j, "sigma_m", orr_poll_json_number((double)s->sigma_m));
-    json_object_set_new(j, "valid_from", orr_poll_json_time(s->valid_from));
-    json_object_set_new(j, "valid_to", orr_poll_json_time(s->valid_to));
+    json_object_set_new(j, "clock_s", orr_json_number(s->clock_s));
+    json_object_set_new(j, "clock_rate_sps", orr_json_number(s->clock_rate_sps));
+    json_object_set_new(j, "sigma_m", orr_json_number((double)s->sigma_m));
+    json_object_set_new(j, "valid_from", orr_json_time(s->valid_from));
+    json_object_set_new(j, "valid_to", orr_json_time(s->valid_to));
     return j;
 }
 
 static void print_json(const orr_msg_states *m)
 {
     json_t *j = json_object(), *sats = json_array();
-    json_object_set_new(j, "t", orr_poll_json_time(m->t));
-    json_object_set_new(j, "answer", orr_poll_json_name(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "t", orr_json_time(m->t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
     orr_msg_sat_state s;
     orr_wire_iter it = {0};
     while (orr_msg_sat_state_next(&m->satellites, &it, &s)) json_array_append_new(sats, json_sat(&s));
