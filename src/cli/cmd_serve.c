@@ -160,7 +160,7 @@ const orr_command orr_cmd_serve = {
         "Prepares the scenario (smoothing SP3 files and fitting broadcast data to them take about a second a "
         "day), then says 'ready on URL' on stderr "
         "and answers "
-        "until SIGTERM or SIGINT. Polls are answered by their time tag: the same poll gets the same "
+        "until SIGTERM or SIGINT (status 0; a signal before that line ends it at once, as any program). Polls are answered by their time tag: the same poll gets the same "
         "bytes, from any "
         "client, any number of times.\n\n"
         "Listens on this machine alone unless told otherwise; there is no authentication. "

@@ -97,6 +97,50 @@ class Stopping(unittest.TestCase):
                 self.assertEqual(d.stop(number), 0)
             self.assertFalse((WORK / "stop.sock").exists())
 
+    def ends_by(self, number, scenario, is_busy):
+        """Starts a service, waits until it is being prepared, and sends the signal: it ends by it, and nothing is left."""
+        place = WORK / "early.sock"
+        with subprocess.Popen([ORRERY, "serve", "-v", str(scenario), "--listen", f"unix:{place}"], stderr=subprocess.PIPE,
+                              text=True) as process:
+            try:
+                is_busy(process)
+                process.send_signal(number)
+                said = process.stderr.read()
+                self.assertEqual(process.wait(PATIENCE_S), -number, said)
+            finally:
+                process.kill()
+        self.assertNotIn("ready on", said)
+        self.assertFalse(place.exists())
+
+    def test_signals_during_the_preparation(self):
+        """While orbits are being smoothed, and while the broadcast data wait for a file: a signal need not wait for either. It ends
+        the program as it ends any other (a shell's status 128 + n), and is no success: nothing was served."""
+        days = write("days.yaml", "orbit:\n  sp3:\n" + "".join(f"    - {ROOT}/samples/ORR0TSTFIN_2025{d:03}0000_01D_15M_ORB.SP3.gz\n"
+                                                    for d in (79, 80, 81)))
+
+        def smoothing(process):
+            for line in process.stderr:
+                if "smoothing 3 files" in line:
+                    return
+            self.fail("it ended by itself")
+        waiting = write("waiting.yaml", f"orbit: {{product: {product()}}}\nnavdata: {{nav: nav.pipe}}\n")
+        os.mkfifo(WORK / "nav.pipe")
+        ends = []
+
+        def fitting(process):
+            while process.poll() is None:
+                try:
+                    ends.append(os.open(WORK / "nav.pipe", os.O_WRONLY | os.O_NONBLOCK))  # kept open: the reader waits
+                    return
+                except OSError:  # nobody reads it yet
+                    time.sleep(0.01)
+            self.fail(process.stderr.read())
+        for number in (signal.SIGTERM, signal.SIGINT):
+            self.ends_by(number, days, smoothing)
+            self.ends_by(number, waiting, fitting)
+        for end in ends:
+            os.close(end)
+
     def test_answers_under_way_are_finished(self):
         d = Daemon(product())
         with client_package.Client(d.urls[0], timeout_s=PATIENCE_S) as c:
