@@ -133,6 +133,25 @@ class Station(unittest.TestCase):
             self.assertTrue(unseen)
             self.assertGreater(min(s.sigma_tecu for s in unseen), 0.3)
             self.assertEqual(c.delays("2024-02-04T12:00:00", away).encode(), c.delays("2024-02-04T12:00:00", away).encode())
+        self.flown_over(scenario, home)
+
+    def flown_over(self, scenario, home):
+        """The same with an aircraft 6 km north of the station at noon: delays are its own, what the station saw is carried to it,
+        which over so short a way changes it by some tenths of a TECU."""
+        flight = WORK / "flown.yaml"
+        flight.write_text(scenario.read_text() + "trajectory: {kind: analytic, start: 2024-02-04T11:59:00, duration: 120, lat: 52.277,"
+                          " lon: 17.073, height: 1100, motions: [{kind: straight, north: 100}]}\n")
+        with Daemon(flight) as d, client_package.Client(d.urls[0]) as c:
+            t = client_package.from_text("2024-02-04T12:00:00")
+            truth, own = next(c.poll_truth(t)), c.delays(t)
+            self.assertEqual(own.receiver_m, truth.pos_m)
+            self.assertEqual(own.encode(), c.delays(t, truth.pos_m).encode())
+            for s in own.satellites:
+                there = home[client_package.client.sat_name(s.sat)]
+                if s.answer == there.answer == messages.Answer.OK and there.origin == messages.TecOrigin.FUSED:
+                    self.assertEqual(s.origin, messages.TecOrigin.TRANSFERRED)
+                    self.assertAlmostEqual(s.stec_tecu, there.stec_tecu, delta=1)
+            self.assertEqual(c.delays(t - 3600 * 10**9).answer, messages.Answer.OUTSIDE_SPAN)  # never the station instead
 
     def test_pair(self):
         a, b = PAIR / "07590920.05o.gz", PAIR / "30400920.05o.gz"
