@@ -23,9 +23,7 @@ double orr_coloured_noise(uint64_t seed, orr_sat sat, orr_time t, double time_s)
 {
     // A cubic B-spline of white numbers h apart has correlation 1/e at a lag of about 1.65 h (its own
     // autocorrelation).
-    double h_ns = time_s / 1.18 * 1e9;
-    if (!(h_ns >= 1e6)) h_ns = 1e6;
-    if (h_ns > 1e18) h_ns = 1e18;
+    double h_ns = fmin(fmax(time_s / 1.18 * 1e9, 1e6), 1e18);
     int64_t step = (int64_t)h_ns, k = t / step;
     if (t % step < 0) k--;
     double u = (double)(t - k * step) / (double)step, v = 1 - u;

@@ -41,10 +41,12 @@ static inline void test_model_write(const char *dir, const char *name, const tes
     fwrite("ORRTEST1", 1, 8, f);
     int32_t size[2] = {m->degree, m->degree}, none[2] = {-1, -1};
     fwrite(size, sizeof size, 1, f);
-    for (int o = 0; o <= m->degree;
-         o++) // columns by order; cosines then sines (those of order 0 are left out)
-        for (int n = o; n <= m->degree; n++)
-            fwrite(n == 0 ? &(double){0.0} : &m->c[n][o], sizeof(double), 1, f);
+    // columns by order; cosines then sines (those of order 0 are left out)
+    for (int o = 0; o <= m->degree; o++)
+        for (int n = o; n <= m->degree; n++) {
+            double c = n == 0 ? 0.0 : m->c[n][o];
+            fwrite(&c, sizeof c, 1, f);
+        }
     for (int o = 1; o <= m->degree; o++)
         for (int n = o; n <= m->degree; n++) fwrite(&m->s[n][o], sizeof(double), 1, f);
     fwrite(none, sizeof none, 1, f);
