@@ -20,6 +20,25 @@ orr_geodetic orr_earth_from_ecef(orr_vec3 r_m)
     return (orr_geodetic){lat * ORR_RAD_PER_DEG, lon * ORR_RAD_PER_DEG, height};
 }
 
+orr_vec3 orr_earth_up(orr_vec3 r_m)
+{
+    const double b_m = ORR_WGS84_A_M * (1.0 - ORR_WGS84_F), e2_a = ORR_WGS84_E2 * ORR_WGS84_A_M,
+                 ep2_b = ORR_WGS84_E2 / (1.0 - ORR_WGS84_E2) * b_m;
+    double p = sqrt(r_m.x * r_m.x + r_m.y * r_m.y);
+    if (!(p > 0.0)) return (orr_vec3){0.0, 0.0, r_m.z < 0.0 ? -1.0 : 1.0};
+    // The tangent of the parametric latitude as a quotient s / c, then that of the geodetic one as z / x.
+    double x = p * (1.0 - ORR_WGS84_E2), z = r_m.z;
+    for (int k = 0; k < 2; k++) {
+        double c = x, s = z * (1.0 - ORR_WGS84_F), n = 1.0 / sqrt(c * c + s * s);
+        c *= n;
+        s *= n;
+        x = p - e2_a * c * c * c;
+        z = r_m.z + ep2_b * s * s * s;
+    }
+    double n = 1.0 / sqrt(x * x + z * z), level = x * n / p;
+    return (orr_vec3){r_m.x * level, r_m.y * level, z * n};
+}
+
 orr_mat3 orr_earth_enu_from_ecef(double lat_rad, double lon_rad)
 {
     double sp = sin(lat_rad), cp = cos(lat_rad), sl = sin(lon_rad), cl = cos(lon_rad);

@@ -165,7 +165,7 @@ static double near_map(const orr_gravity_parts *p, double lon_rad)
     return lon_rad - 2.0 * ORR_PI * nearbyint((lon_rad - mid) / (2.0 * ORR_PI));
 }
 
-static double made_mgal(const orr_gravity *g, orr_geodetic at, orr_vec3 up)
+static double made_mgal(const orr_gravity *g, orr_vec3 up)
 {
     const orr_gravity_parts *p = &g->parts;
     double sum = 0.0;
@@ -174,17 +174,13 @@ static double made_mgal(const orr_gravity *g, orr_geodetic at, orr_vec3 up)
             g->profile,
             clamp(profile_distance(g, up), p->profile_distance_m[0], p->profile_distance_m[p->n_profile - 1]),
             NULL);
-    if (g->map != NULL)
-        sum += gsl_spline2d_eval(
-            g->map, clamp(near_map(p, at.lon_rad), p->map_lon_rad[0], p->map_lon_rad[p->n_lon - 1]),
-            clamp(at.lat_rad, p->map_lat_rad[0], p->map_lat_rad[p->n_lat - 1]), NULL, NULL);
+    if (g->map != NULL) {
+        double lat_rad = atan2(up.z, sqrt(up.x * up.x + up.y * up.y)), lon_rad = atan2(up.y, up.x);
+        sum += gsl_spline2d_eval(g->map,
+                                 clamp(near_map(p, lon_rad), p->map_lon_rad[0], p->map_lon_rad[p->n_lon - 1]),
+                                 clamp(lat_rad, p->map_lat_rad[0], p->map_lat_rad[p->n_lat - 1]), NULL, NULL);
+    }
     return sum;
-}
-
-static orr_vec3 up_at(orr_geodetic at)
-{
-    double c = cos(at.lat_rad);
-    return orr_vec3_make(c * cos(at.lon_rad), c * sin(at.lon_rad), sin(at.lat_rad));
 }
 
 orr_vec3 orr_gravity_gravitation(const orr_gravity *g, orr_vec3 r_m)
@@ -198,9 +194,8 @@ orr_vec3 orr_gravity_gravitation(const orr_gravity *g, orr_vec3 r_m)
         if (n2 > 0.0) sum = orr_vec3_axpy(g->parts.mass[i].gm_m3ps2 / (n2 * sqrt(n2)), d, sum);
     }
     if (g->profile != NULL || g->map != NULL) {
-        orr_geodetic at = orr_earth_from_ecef(r_m);
-        orr_vec3 up = up_at(at);
-        sum = orr_vec3_axpy(-ORR_MPS2_PER_MGAL * made_mgal(g, at, up), up, sum);
+        orr_vec3 up = orr_earth_up(r_m);
+        sum = orr_vec3_axpy(-ORR_MPS2_PER_MGAL * made_mgal(g, up), up, sum);
     }
     return sum;
 }
@@ -209,7 +204,7 @@ double orr_gravity_disturbance_mgal(const orr_gravity *g, orr_vec3 r_m)
 {
     if (g == NULL) return 0.0;
     orr_vec3 d = orr_vec3_sub(orr_gravity_gravitation(g, r_m), orr_earth_normal_gravitation(r_m));
-    return -orr_vec3_dot(d, up_at(orr_earth_from_ecef(r_m))) / ORR_MPS2_PER_MGAL;
+    return -orr_vec3_dot(d, orr_earth_up(r_m)) / ORR_MPS2_PER_MGAL;
 }
 
 orr_status orr_gravity_covers(const orr_gravity *g, const orr_trajectory *tr, orr_diag *diag)
@@ -224,7 +219,7 @@ orr_status orr_gravity_covers(const orr_gravity *g, const orr_trajectory *tr, or
         tr->evaluate(tr->self, t_s, &m);
         orr_geodetic at = orr_earth_from_ecef(m.r_m);
         if (g->profile != NULL) {
-            double d = profile_distance(g, up_at(at));
+            double d = profile_distance(g, orr_earth_up(m.r_m));
             if (d < p->profile_distance_m[0] || d > p->profile_distance_m[p->n_profile - 1])
                 return orr_diag_set(diag, ORR_E_RANGE,
                                     "the gravity profile covers %.3f km to %.3f km, but %.0f s after the "

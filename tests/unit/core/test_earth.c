@@ -172,6 +172,27 @@ static void axes_at_a_place(void **state)
     }
 }
 
+static void up_is_the_normal(void **state)
+{
+    (void)state;
+    for (uint64_t k = 0; k < 10000; k++) {
+        orr_geodetic g = random_place(k); // 10 km below ground to 40000 km above
+        if (k % 2 == 0) g.height_m *= 1e-3;
+        orr_vec3 up = orr_earth_up(orr_earth_to_ecef(g));
+        double c = cos(g.lat_rad);
+        ASSERT_NEAR(up.x, c * cos(g.lon_rad), 1e-14);
+        ASSERT_NEAR(up.y, c * sin(g.lon_rad), 1e-14);
+        ASSERT_NEAR(up.z, sin(g.lat_rad), 1e-14);
+    }
+    for (int south = -1; south <= 1; south += 2) {
+        orr_vec3 up = orr_earth_up((orr_vec3){0, -0.0, south * 6.4e6});
+        ASSERT_NEAR(up.z, south, 0);
+        ASSERT_NEAR(hypot(up.x, up.y), 0, 0);
+        up = orr_earth_up((orr_vec3){1e-9, 0, south * 6.4e6});
+        ASSERT_NEAR(up.z, south, 0);
+    }
+}
+
 static void look_angles(void **state)
 {
     (void)state;
@@ -339,6 +360,7 @@ int main(void)
         cmocka_unit_test(meridian_arc_as_geoconvert),
         cmocka_unit_test(radii_at_published_places),
         cmocka_unit_test(axes_at_a_place),
+        cmocka_unit_test(up_is_the_normal),
         cmocka_unit_test(look_angles),
         cmocka_unit_test(normal_gravity_at_its_published_values),
         cmocka_unit_test(normal_gravitation_is_a_potential_field),
