@@ -9,6 +9,7 @@
 #include "orbit/events.h"
 #include "orbit/prior.h"
 #include "orbit/segment.h"
+#include "orbit/snoop.h"
 
 #define MAX_PASSES 8
 #define LINEAR_M 30.0     // deviation (of velocity: times the node step) below which (33) is linear to 0.1 mm
@@ -212,7 +213,7 @@ static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, s
             t.at[k].first = i0;
         }
     s = orr_track_linearise(w->c, w->ref, &t);
-    if (s == ORR_OK) orr_filter_track(w->c, w->node, verdict, &t);
+    if (s == ORR_OK) orr_filter_range(w->c, w->node, verdict, &t, 0, t.n - 1);
     if (s == ORR_OK) s = orr_smooth_range(&t, 0, t.n - 1);
     if (s == ORR_OK) s = emit_arc(w, &t, verdict);
     orr_track_free(&t);
@@ -315,6 +316,19 @@ static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *
     return s;
 }
 
+// Arcs that stand alone may take in what was left out before and after them.
+static orr_status snoop_all(const work *w, orr_track *t, orr_segmentation *seg)
+{
+    orr_status s = ORR_OK;
+    for (size_t a = 0; a < seg->n_arcs && s == ORR_OK; a++) {
+        orr_arc_range *arc = &seg->arc[a];
+        const bool alone = seg->n_arcs == 1;
+        s = orr_snoop_arc(w->c, w->node, seg->verdict, t, alone ? 0 : arc->first,
+                          alone ? t->n - 1 : arc->last, arc);
+    }
+    return s;
+}
+
 // The next pass is not linearised about nodes that were rejected or that no arc holds. Returns how many these
 // are.
 static size_t forget_left_out(work *w, const orr_track *t, const orr_segmentation *seg, size_t i0, size_t i1)
@@ -355,6 +369,7 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         double largest = 0;
         for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
             s = orr_smooth_range(&t, seg.arc[a].first, seg.arc[a].last);
+        if (s == ORR_OK && o->detect) s = snoop_all(w, &t, &seg);
         if (s != ORR_OK) break;
         size_t left_out = forget_left_out(w, &t, &seg, i0, i1);
         // A poor linearisation about sparse first nodes can make good nodes look bad: the verdict has to

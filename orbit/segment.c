@@ -324,16 +324,16 @@ done:
     return status;
 }
 
-void orr_filter_track(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
-                      orr_track *t)
+void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                      orr_track *t, size_t first, size_t last)
 {
     work w = {.c = c,
               .list = list,
               .t = t,
               .verdict = (orr_verdict *)verdict}; // without a scale nothing is tested or written
-    start_at(&w, 0);
-    for (size_t k = 0; k < t->n; k++) {
-        if (k > 0) predict_to(&w, k - 1, k);
+    start_at(&w, first);
+    for (size_t k = first; k <= last; k++) {
+        if (k > first) predict_to(&w, k - 1, k);
         if (t->at[k].n > 0) take_nodes(&w, k, UNTESTED, NULL, NULL);
     }
 }

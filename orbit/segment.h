@@ -29,9 +29,9 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
                              orr_segmentation *out);
 void orr_segmentation_free(orr_segmentation *s);
 
-// The plain filter over the whole track with the verdicts given.
-void orr_filter_track(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
-                      orr_track *t);
+// The plain filter over instants first..last with the verdicts given.
+void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                      orr_track *t, size_t first, size_t last);
 // The smoother back over the same range. ORR_E_NUMERIC.
 orr_status orr_smooth_range(orr_track *t, size_t first, size_t last);
 

@@ -171,6 +171,41 @@ static void outliers_are_reported_and_not_followed(void **state)
         }
 }
 
+// Between nodes half an hour and an hour apart a prediction errs by as much as the outlier: what is good
+// after it must not be blamed for it. The orbit through all others tells.
+static void sparse_nodes_tell_outliers_from_both_sides(void **state)
+{
+    (void)state;
+    const size_t step[] = {6, 12};
+    const double size[] = {1.0, 3.0, 10.0};
+    for (int k = 0; k < 2; k++)
+        for (int n = 0; n < 3; n++) {
+            orr_sp3 f;
+            made_sp3(&sky, all, 3, 0, DAY, step[k], &f);
+            const double at_s[3] = {5 * 3600.0, 12 * 3600.0, 18 * 3600.0}; // one in each satellite
+            for (size_t i = 0; i < 3; i++)
+                made_record(&f, all[i]->sat, orr_time_add_s(sky.t0, at_s[i]))->pos_m[n] += size[n];
+            orr_orbit_solution s;
+            orr_smoother_report report;
+            orr_diag d = {0};
+            orr_smoother_options o = orr_smoother_defaults();
+            ASSERT_OK(run(&f, 1, &o, &s, &report, NULL, &d), d);
+            assert_int_equal(report.nodes_rejected, 3);
+            assert_int_equal(report.manoeuvres, 0);
+            for (size_t i = 0; i < 3; i++) {
+                const orr_orbit_event *e = NULL;
+                assert_int_equal(count_events(&s, all[i]->sat, ORR_EVENT_OUTLIER, &e), 1);
+                assert_true(e->t0 == orr_time_add_s(sky.t0, at_s[i]));
+                ASSERT_NEAR(e->value, size[n], 0.02); // two hours without a node: a centimetre
+                double rms, max;
+                made_compare(&sky, all[i], &s, 7200, 79200, &rms, &max);
+                ASSERT_NEAR(max, 0, 0.02);
+            }
+            orr_orbit_solution_free(&s);
+            made_sp3_free(&f);
+        }
+}
+
 // Nodes that are missing are no reason to doubt the others, first ones before a gap least of all; and an
 // outlier right after a gap is no manoeuvre.
 static void missing_nodes_make_no_outliers(void **state)
@@ -634,6 +669,7 @@ int main(void)
         cmocka_unit_test(samples_are_one_smooth_curve),
         cmocka_unit_test(hourly_nodes_need_passes_and_get_them),
         cmocka_unit_test(outliers_are_reported_and_not_followed),
+        cmocka_unit_test(sparse_nodes_tell_outliers_from_both_sides),
         cmocka_unit_test(missing_nodes_make_no_outliers),
         cmocka_unit_test(manoeuvre_is_found_placed_and_passed),
         cmocka_unit_test(without_detection_nothing_is_rejected),
