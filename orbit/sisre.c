@@ -188,6 +188,26 @@ static void sum_up(const orr_sisre_sample *s, size_t n, double outlier_m, double
     }
 }
 
+// The usual reason is files of different days.
+static orr_status nothing_in_common(const orr_nav *nav, const orr_sp3 *truth, orr_diag *diag)
+{
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT], first[ORR_TIME_TEXT], last[ORR_TIME_TEXT];
+    if (nav->n_eph == 0 || truth->n_epochs == 0)
+        return orr_diag_set(diag, ORR_E_NODATA, "no %s to compare",
+                            nav->n_eph == 0 ? "broadcast record" : "epoch");
+    orr_time a = nav->eph[0].toe, b = a;
+    for (size_t i = 1; i < nav->n_eph; i++) {
+        if (nav->eph[i].toe < a) a = nav->eph[i].toe;
+        if (nav->eph[i].toe > b) b = nav->eph[i].toe;
+    }
+    return orr_diag_set(
+        diag, ORR_E_NODATA,
+        "no satellite has both a precise position and a usable broadcast record at one epoch: the "
+        "positions are of %s to %s, the records of %s to %s",
+        orr_time_text(truth->epoch[0], from), orr_time_text(truth->epoch[truth->n_epochs - 1], to),
+        orr_time_text(a, first), orr_time_text(b, last));
+}
+
 orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o,
                          orr_sisre_sample **samples, size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS],
                          orr_diag *diag)
@@ -220,9 +240,7 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
     free(room);
     if (*n == 0) {
         free(s);
-        return orr_diag_set(
-            diag, ORR_E_NODATA,
-            "no satellite has both a precise position and a usable broadcast record at one epoch");
+        return nothing_in_common(nav, truth, diag);
     }
     *samples = s;
     return ORR_OK;

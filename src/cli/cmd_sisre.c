@@ -61,9 +61,12 @@ static void print_json(const findings *f)
     for (int k = 0; k < ORR_N_SYSTEMS; k++) {
         const orr_sisre_sum *s = &f->sums[k];
         orr_sisre_sum kind[ORR_ORBIT_CLASSES];
-        if (s->n == 0) continue;
+        if (s->n + s->n_outliers == 0) continue;
         printf("%s\n  \"%c\": {", comma, s->system);
-        print_json_sum(s);
+        if (s->n > 0)
+            print_json_sum(s);
+        else
+            printf("\"satellites\": 0, \"n\": 0, \"outliers\": %zu", s->n_outliers);
         if (split(f, s->system, kind) > 1) {
             const char *before = ", \"orbits\": {";
             for (int c = 0; c < ORR_ORBIT_CLASSES; c++) {
@@ -107,6 +110,10 @@ static void print_table(const findings *f)
     for (int k = 0; k < ORR_N_SYSTEMS; k++) {
         const orr_sisre_sum *s = &f->sums[k];
         orr_sisre_sum kind[ORR_ORBIT_CLASSES];
+        if (s->n == 0 && s->n_outliers > 0)
+            printf("%-8s not one of %zu samples is near the precise orbit: are the names the same "
+                   "satellites'?\n",
+                   orr_system_name(s->system), s->n_outliers);
         if (s->n == 0) continue;
         print_row(orr_system_name(s->system), s, f->antex);
         all_known = all_known && s->n_antennas == s->n_sats;
