@@ -213,6 +213,43 @@ static double median_step(const orr_node_table *table, bool clocks)
     return median;
 }
 
+// The usual distance of a file's positions (or clocks): the median over its satellites; 0 where it has no
+// two.
+static double step_of_file(const orr_sp3 *sp3, const orr_smoother_options *o, int64_t midnight, bool clocks)
+{
+    const int64_t step_ns = (int64_t)llround(o->node_step_s * 1e9);
+    double *step = malloc((sp3->n_sats * sp3->n_epochs + 1) * sizeof *step);
+    size_t n = 0;
+    if (step == NULL) return 0;
+    for (size_t s = 0; s < sp3->n_sats; s++) {
+        if (o->sats != NULL && !orr_sat_set_has(o->sats, sp3->sat[s])) continue;
+        orr_time before = ORR_TIME_NONE;
+        for (size_t e = 0; e < sp3->n_epochs; e++) {
+            const orr_sp3_record *r = &sp3->record[e * sp3->n_sats + s];
+            if (!isfinite(clocks ? r->clock_s : r->pos_m[0])) continue;
+            if (!wanted_epoch(sp3->epoch[e], sp3->scale, midnight, step_ns, o)) continue;
+            if (before != ORR_TIME_NONE) step[n++] = orr_time_diff_s(sp3->epoch[e], before);
+            before = sp3->epoch[e];
+        }
+    }
+    qsort(step, n, sizeof *step, by_value);
+    const double median = n > 0 ? step[n / 2] : 0;
+    free(step);
+    return median;
+}
+
+// Of files with different steps the longest one: a quarter of an hour is no gap in a file of quarter hours
+// because the file of the day before had five minutes.
+static double usual_step(const orr_smoother_input *input, const size_t *order, size_t n,
+                         const orr_smoother_options *o, int64_t midnight, const orr_node_table *table,
+                         bool clocks)
+{
+    double longest = 0;
+    for (size_t k = 0; k < n; k++)
+        longest = fmax(longest, step_of_file(input[order[k]].sp3, o, midnight, clocks));
+    return longest > 0 ? longest : median_step(table, clocks); // files of one epoch each
+}
+
 static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs,
                                 const orr_smoother_options *o, orr_sat **out, size_t *n_out)
 {
@@ -297,6 +334,8 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
         if (l->node[0].t < out->from) out->from = l->node[0].t;
         if (l->node[l->n_nodes - 1].t > out->to) out->to = l->node[l->n_nodes - 1].t;
     }
+    out->step_s = usual_step(input, order, n_inputs, o, midnight, out, false);
+    out->clock_step_s = usual_step(input, order, n_inputs, o, midnight, out, true);
     free(order);
     free(sat);
     if (out->to < out->from) {
@@ -315,8 +354,6 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
                          "with equal weight, but an "
                          "observed one supersedes a predicted one",
                          same, largest_m);
-    out->step_s = median_step(out, false);
-    out->clock_step_s = median_step(out, true);
     out->clock_max_gap_s = CLOCK_GAP_STEPS * out->clock_step_s;
     for (size_t i = 0; i < out->n_sats && o->detect; i++)
         if (orr_clock_check(&out->list[i], out->clock_max_gap_s, warnings) != ORR_OK) {

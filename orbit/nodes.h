@@ -29,7 +29,8 @@ typedef struct orr_node_table {
     size_t n_sats;
     orr_node_list *list; // ascending in sat
     orr_time from, to;   // of all nodes
-    double step_s;       // the usual distance of neighbouring nodes: the median over all satellites
+    double step_s; // the usual distance of neighbouring nodes: the median of a file's satellites, the longest
+                   // of the files
     double clock_step_s, clock_max_gap_s; // likewise of clocks; the longest that one is interpolated over
 } orr_node_table;
 

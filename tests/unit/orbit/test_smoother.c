@@ -499,6 +499,34 @@ static void decimation_goes_by_the_files_own_clock(void **state)
     }
 }
 
+// Five minutes on one day, a quarter of an hour on the next: neither has gaps, and both have clocks.
+static void files_of_different_steps_go_together(void **state)
+{
+    (void)state;
+    orr_sp3 f[2];
+    made_sp3(&sky, all, 3, 0, DAY, 1, &f[0]);
+    made_sp3(&sky, all, 3, DAY, 2 * DAY, 3, &f[1]);
+    for (int k = 0; k < 2; k++)
+        for (size_t e = 0; e < f[k].n_epochs * 3; e++) f[k].record[e].clock_s = 1e-5;
+    orr_orbit_solution s;
+    orr_smoother_report report;
+    orr_diag d = {0};
+    orr_smoother_options o = orr_smoother_defaults();
+    ASSERT_OK(run(f, 2, &o, &s, &report, NULL, &d), d);
+    assert_int_equal(report.nodes_rejected + report.manoeuvres, 0);
+    ASSERT_NEAR(s.node_step_s, 900, 1e-9);
+    assert_true(s.clock_max_gap_s > 900 && s.clock_max_gap_s < 1800);
+    for (size_t i = 0; i < 3; i++) {
+        double rms, max;
+        assert_int_equal(count_events(&s, all[i]->sat, ORR_EVENT_GAP, NULL), 0);
+        made_compare(&sky, all[i], &s, 7200, 2 * 86400 - 7200, &rms, &max);
+        ASSERT_NEAR(max, 0, 2e-3);
+    }
+    orr_orbit_solution_free(&s);
+    made_sp3_free(&f[0]);
+    made_sp3_free(&f[1]);
+}
+
 static void a_file_given_twice_counts_once(void **state)
 {
     (void)state;
@@ -680,6 +708,7 @@ int main(void)
         cmocka_unit_test(a_push_near_a_joint_is_found),
         cmocka_unit_test(a_flag_sets_apart_what_is_short),
         cmocka_unit_test(decimation_goes_by_the_files_own_clock),
+        cmocka_unit_test(files_of_different_steps_go_together),
         cmocka_unit_test(a_file_given_twice_counts_once),
         cmocka_unit_test(predictions_yield_to_observations),
         cmocka_unit_test(satellites_come_and_go),
