@@ -48,8 +48,9 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time 
 
 // Clock polynomial at t0 from the product's clock over [from, to] (t0 within or outside): af0 and af1 (af2 =
 // 0), rounded to LNAV's or GLONASS' LSBs by eph->kind, which is set before. GLONASS' parameters get the
-// periodic relativity that its message has to hold. *rms_s (may be NULL) is what is left. ORR_E_NODATA with
-// fewer than two clock values in the window.
+// periodic relativity that its message has to hold. A rate beyond its field stands at the field's end. *rms_s
+// (may be NULL) is what is left. ORR_E_NODATA with fewer than two clock values in the window, ORR_E_RANGE
+// with its name if af0 does not fit its field.
 orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                             orr_nav_eph *eph, double *rms_s, orr_diag *diag);
 

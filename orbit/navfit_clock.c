@@ -50,13 +50,21 @@ double orr_navfit_line_rms(const orr_navfit_line *line, double value, double slo
 orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                             orr_nav_eph *eph, double *rms_s, orr_diag *diag)
 {
+    static const orr_navfit_field lnav[2] = {{"af0", P2(31), 22, ORR_FIELD_SIGNED},
+                                             {"af1", P2(43), 16, ORR_FIELD_SIGNED}},
+                                  glonass[2] = {{"-tau_n", P2(30), 22, ORR_FIELD_MAGNITUDE},
+                                                {"gamma_n", P2(40), 11, ORR_FIELD_MAGNITUDE}};
     const bool is_glonass = eph->kind == ORR_NAV_GLONASS;
-    const double af0_lsb = is_glonass ? P2(30) : P2(31), af1_lsb = is_glonass ? P2(40) : P2(43);
+    const orr_navfit_field *af0 = is_glonass ? &glonass[0] : &lnav[0], *af1 = af0 + 1;
     orr_navfit_line line;
     orr_status s = orr_navfit_clock_line(e, sat, t0, from, to, is_glonass, &line, diag);
     if (s != ORR_OK) return s;
-    eph->af1_sps = orr_navfit_lsbs(round(line.slope / af1_lsb), af1_lsb);
-    eph->af0_s = orr_navfit_lsbs(round((line.mean - eph->af1_sps * line.mean_dt_s) / af0_lsb), af0_lsb);
+    const double end = ldexp(1.0, af1->bits - 1) - 1; // a reset within the window asks for any rate
+    s = orr_navfit_to_field(af1, fmax(-end, fmin(end, round(line.slope / af1->lsb))), &eph->af1_sps, diag);
+    if (s != ORR_OK) return s;
+    const double value = line.mean - eph->af1_sps * line.mean_dt_s;
+    s = orr_navfit_to_field(af0, round(value / af0->lsb), &eph->af0_s, diag);
+    if (s != ORR_OK) return s;
     eph->af2_sps2 = 0;
     if (rms_s != NULL) *rms_s = orr_navfit_line_rms(&line, eph->af0_s, eph->af1_sps);
     return ORR_OK;

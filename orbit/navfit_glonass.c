@@ -24,14 +24,13 @@
 // receiver adds whatever is sent.)
 #define PULL_M 0.1
 
-// GLONASS ICD 5.1, table 4.5: 27, 24 and 5 bits of sign and magnitude. Two's complement would hold one value
-// more, which is beyond the physical range.
+// GLONASS ICD 5.1, table 4.5: 27, 24 and 5 bits.
 static const orr_navfit_field table[N] = {
-    {"x", POS_LSB, 27, ORR_FIELD_SIGNED},  {"y", POS_LSB, 27, ORR_FIELD_SIGNED},
-    {"z", POS_LSB, 27, ORR_FIELD_SIGNED},  {"vx", VEL_LSB, 24, ORR_FIELD_SIGNED},
-    {"vy", VEL_LSB, 24, ORR_FIELD_SIGNED}, {"vz", VEL_LSB, 24, ORR_FIELD_SIGNED},
-    {"ax", ACC_LSB, 5, ORR_FIELD_SIGNED},  {"ay", ACC_LSB, 5, ORR_FIELD_SIGNED},
-    {"az", ACC_LSB, 5, ORR_FIELD_SIGNED},
+    {"x", POS_LSB, 27, ORR_FIELD_MAGNITUDE},  {"y", POS_LSB, 27, ORR_FIELD_MAGNITUDE},
+    {"z", POS_LSB, 27, ORR_FIELD_MAGNITUDE},  {"vx", VEL_LSB, 24, ORR_FIELD_MAGNITUDE},
+    {"vy", VEL_LSB, 24, ORR_FIELD_MAGNITUDE}, {"vz", VEL_LSB, 24, ORR_FIELD_MAGNITUDE},
+    {"ax", ACC_LSB, 5, ORR_FIELD_MAGNITUDE},  {"ay", ACC_LSB, 5, ORR_FIELD_MAGNITUDE},
+    {"az", ACC_LSB, 5, ORR_FIELD_MAGNITUDE},
 };
 
 static void to_array(const orr_nav_glonass *g, double p[N])

@@ -40,8 +40,9 @@ static inline double orr_navfit_lsbs(double whole, double lsb) { return whole * 
 typedef struct orr_navfit_field {
     const char *name;
     double lsb;
-    int bits;                                                            // two's complement unless unsigned
-    enum { ORR_FIELD_SIGNED, ORR_FIELD_UNSIGNED, ORR_FIELD_ANGLE } kind; // an angle may turn over
+    int bits;
+    // Two's complement, none, two's complement of what may turn over, sign and magnitude (GLONASS).
+    enum { ORR_FIELD_SIGNED, ORR_FIELD_UNSIGNED, ORR_FIELD_ANGLE, ORR_FIELD_MAGNITUDE } kind;
 } orr_navfit_field;
 // The nearest value of the field to `whole` LSBs (a whole number); ORR_E_RANGE with the name if it is none.
 orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag);

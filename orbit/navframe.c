@@ -32,6 +32,10 @@ static void pack_subframe(const orr_lnav_subframe *s, orr_navframe_piece *p)
         if (s->word[k / 30] >> (29 - k % 30) & 1u) p->data[k / 8] |= (uint8_t)(0x80u >> (k % 8));
 }
 
+// IERS announces a leap second half a year ahead (Bulletin C, January and July), and only then can page 18
+// tell of it: eight bits of WN_LSF reach 127 weeks.
+#define ANNOUNCED_DAYS 184
+
 // Leap seconds around t, as page 18 tells them: the one that is announced, or the last one
 // (IS-GPS-200N 20.3.3.5.2.4).
 static orr_lnav_utc utc_parameters(orr_time t, const navset_day *day)
@@ -43,7 +47,7 @@ static orr_lnav_utc utc_parameters(orr_time t, const navset_day *day)
     double fraction;
     orr_time_mjd(t, ORR_SCALE_UTC, NULL, &mjd, &fraction);
     size_t k = 0;
-    while (k + 1 < leap->n && leap->entry[k].mjd <= mjd) k++;
+    while (k + 1 < leap->n && leap->entry[k + 1].mjd <= mjd + ANNOUNCED_DAYS) k++;
     utc.leap_future_s = leap->entry[k].tai_minus_utc_s - 19;
     const int32_t eve =
         leap->entry[k].mjd - 1 - 44244; // days since 1980-01-06 of the day at whose end it takes effect

@@ -32,8 +32,7 @@ enum {                              // orr_navset_item.notes
     ORR_NAVSET_NO_ANTENNA = 1u << 3, // ANTEX was given, but knows no antenna: centre of mass
     ORR_NAVSET_NO_DELAY = 1u << 4,   // biases were given, but not this satellite's: TGD or delta tau of zero
     ORR_NAVSET_NOMINAL_CHANNEL = 1u << 5, // GLONASS: the channel is the nominal one of the slot
-    ORR_NAVSET_CLOCK_JUMP =
-        1u << 6, // the clock departs from a straight line by more than 10 ns RMS: unhealthy
+    ORR_NAVSET_CLOCK_JUMP = 1u << 6, // the clock jumps, or is off a line by more than 10 ns RMS: unhealthy
 };
 
 // One set of immediate data.

@@ -86,7 +86,7 @@ static bool glonass_almanac(const work *w, navset_day *day, orr_sat sat, orr_glo
     a->operational = item->eph.health == 0;
     a->type = 1; // GLONASS-M
     a->tau_s = -item->eph.af0_s;
-    return true;
+    return fabs(round(a->tau_s / ORR_GLONASS_ALM_TAU_LSB_S)) < 512; // ten bits, a little less than tau_n's
 }
 
 static void fit_one(void *user, size_t i)

@@ -31,7 +31,7 @@ static bool find_arc(const orr_ephemeris *e, orr_sat sat, const navset_slot *slo
                      orr_time *to)
 {
     static const int eighths[] = {4, 3, 5, 2, 6, 1, 7, 0, 8};
-    const int64_t length = slot->to - slot->from;
+    const int64_t length = slot->to - slot->from - 1; // slot->to is the next slot's
     for (size_t k = 0; k < sizeof eighths / sizeof eighths[0]; k++) {
         orr_sat_state s;
         orr_time t = slot->from + length * eighths[k] / 8;
@@ -68,6 +68,21 @@ static bool has_manoeuvre(const orr_ephemeris *e, orr_sat sat, orr_time from, or
     size_t n = orr_ephemeris_events(e, sat, &list);
     for (size_t i = 0; i < n; i++)
         if (list[i].kind == ORR_EVENT_MANOEUVRE && list[i].t1 >= from && list[i].t0 < to) return true;
+    return false;
+}
+
+// Whether the clock jumps between two nodes that have a part of from..to between them. There the product has
+// none, and it has it again behind the node that tells of the event.
+static bool clock_jumps(const orr_ephemeris *e, orr_sat sat, orr_time from, orr_time to)
+{
+    const int64_t step = 60 * ORR_NS_PER_S;
+    bool lost = false;
+    orr_sat_state s;
+    for (orr_time t = from; (t < to || lost) && orr_ephemeris_eval(e, sat, t, &s) == ORR_OK; t += step) {
+        const bool valid = (s.flags & ORR_EPH_CLOCK_VALID) != 0;
+        if (lost && valid && (s.flags & ORR_EPH_CLOCK_EVENT) != 0) return true;
+        lost = !valid;
+    }
     return false;
 }
 
@@ -141,14 +156,15 @@ static bool round_to(double value, double lsb, int bits, double *out)
 static void add_delays(const orr_bias_set *bias, orr_navset_item *item)
 {
     orr_nav_eph *eph = &item->eph;
-    double tgd, shift, delta_tau;
+    double tgd, shift, delta_tau, af0;
     bool fits;
     if (bias == NULL) return;
     if (orr_sat_system(eph->sat) == 'R') {
         fits = orr_signal_glonass(bias, eph->sat, eph->toe, &shift, &delta_tau) == ORR_OK &&
-               round_to(delta_tau, GLONASS_LSB_S, 5, &delta_tau);
+               round_to(delta_tau, GLONASS_LSB_S, 5, &delta_tau) &&
+               round_to(eph->af0_s + shift, GLONASS_LSB_S, 22, &af0);
         if (fits) {
-            round_to(eph->af0_s + shift, GLONASS_LSB_S, 22, &eph->af0_s);
+            eph->af0_s = af0;
             eph->glonass.delta_tau_s = delta_tau;
         }
     } else {
@@ -182,8 +198,13 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         sat->not_fitted++;
         return s;
     }
-    if (orr_navfit_clock(e, sat->sat, slot->reference, from, to, &item.eph, &item.clock_rms_s, NULL) !=
-        ORR_OK) {
+    s = orr_navfit_clock(e, sat->sat, slot->reference, from, to, &item.eph, &item.clock_rms_s, diag);
+    if (s == ORR_E_RANGE) {
+        sat->not_fitted++;
+        return s;
+    }
+    if (s != ORR_OK) {
+        *diag = (orr_diag){0};
         if (!o->zero_clocks) {
             sat->no_clock++;
             return ORR_E_NODATA;
@@ -192,9 +213,11 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         item.clock_rms_s = (double)NAN;
         item.notes |= ORR_NAVSET_NO_CLOCK;
     }
-    if (item.clock_rms_s > CLOCK_LIMIT_S) item.notes |= ORR_NAVSET_CLOCK_JUMP;
-    if (has_manoeuvre(e, sat->sat, from < item.from ? from : item.from, to > item.to ? to : item.to))
-        item.notes |= ORR_NAVSET_MANOEUVRE;
+    if (from > item.from) from = item.from; // what the set stands for: its window, and while it is sent
+    if (to < item.to) to = item.to;
+    if (item.clock_rms_s > CLOCK_LIMIT_S || clock_jumps(e, sat->sat, from, to))
+        item.notes |= ORR_NAVSET_CLOCK_JUMP;
+    if (has_manoeuvre(e, sat->sat, from, to)) item.notes |= ORR_NAVSET_MANOEUVRE;
     const bool out = (item.notes & (ORR_NAVSET_MANOEUVRE | ORR_NAVSET_CLOCK_JUMP)) != 0;
     item.eph.transmission = item.from;
     if (orr_sat_system(sat->sat) == 'R')

@@ -111,7 +111,7 @@ enum { // tec_origin (u8): What a delay came from.
 #define ORR_MSG_NAV_NOTES_NO_ANTENNA ((uint32_t)(UINT64_C(1) << 3)) // the scenario's ANTEX file does not know the antenna: the centre of mass is described
 #define ORR_MSG_NAV_NOTES_NO_DELAY ((uint32_t)(UINT64_C(1) << 4)) // the scenario's biases do not have the satellite: a group delay of zero is sent
 #define ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 5)) // GLONASS: the frequency channel is the nominal one of the slot
-#define ORR_MSG_NAV_NOTES_CLOCK_JUMP ((uint32_t)(UINT64_C(1) << 6)) // the clock departs from a straight line by more than 10 ns RMS: marked unhealthy
+#define ORR_MSG_NAV_NOTES_CLOCK_JUMP ((uint32_t)(UINT64_C(1) << 6)) // the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
 
 // Names as in the specification; NULL for a value that it does not know.
 const char *orr_msg_type_name(uint16_t type);

@@ -106,7 +106,7 @@ class NavNotes(enum.IntFlag):
     NO_ANTENNA = 8  # the scenario's ANTEX file does not know the antenna: the centre of mass is described
     NO_DELAY = 16  # the scenario's biases do not have the satellite: a group delay of zero is sent
     NOMINAL_CHANNEL = 32  # GLONASS: the frequency channel is the nominal one of the slot
-    CLOCK_JUMP = 64  # the clock departs from a straight line by more than 10 ns RMS: marked unhealthy
+    CLOCK_JUMP = 64  # the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
 
 
 class SatId(Record):

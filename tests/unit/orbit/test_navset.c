@@ -3,6 +3,7 @@
 // without clocks, manoeuvres; and frames that are the same for every instant that they hold.
 #include "testing.h"
 
+#include "core/nan.h"
 #include "orbit/navframe.h"
 #include "orbit/navset_impl.h"
 #include "orbit/smoother.h"
@@ -19,8 +20,11 @@ static orr_time when(const char *text)
 enum { N_GPS = 3, N_GLONASS = 3, N_SATS = 7 }; // and a Galileo satellite, which these messages are not for
 
 typedef struct spoil {
-    double push_s; // a burn of G01 so long after the begin; negative for none
-    bool no_clock; // of G01
+    double push_s;  // a burn of G01 so long after the begin; negative for none
+    bool no_clock;  // of G01
+    double fast_s;  // by so much the clocks of G01 and R01 are fast,
+    double reset_s; // from so long after the begin on
+    double after_s; // of G02 nothing is known before, and of G03 nothing after
 } spoil;
 
 // A product of so many hours from `from` on: GPS and GLONASS orbits integrated with the project's forces.
@@ -47,6 +51,17 @@ static orr_ephemeris *product(const char *from, double hours, spoil x)
     for (size_t i = 0; x.no_clock && i <= (size_t)(hours * 12); i += 3)
         made_record(&f, orr_sat_parse("G01"), orr_time_add_s(sky.t0, 300.0 * (double)i))->clock_s =
             (double)NAN;
+    for (size_t i = 0; i <= (size_t)(hours * 12); i += 3) {
+        const orr_time t = orr_time_add_s(sky.t0, 300.0 * (double)i);
+        if (300.0 * (double)i >= x.reset_s) {
+            made_record(&f, orr_sat_parse("G01"), t)->clock_s += x.fast_s;
+            made_record(&f, orr_sat_parse("R01"), t)->clock_s += x.fast_s;
+        }
+        for (int k = 0; x.after_s > 0 && k < 3; k++) {
+            if (300.0 * (double)i < x.after_s) made_record(&f, orr_sat_parse("G02"), t)->pos_m[k] = ORR_NAN;
+            if (300.0 * (double)i > x.after_s) made_record(&f, orr_sat_parse("G03"), t)->pos_m[k] = ORR_NAN;
+        }
+    }
     orr_smoother_input in = {.sp3 = &f, .name = "made.sp3"};
     const orr_smoother_options o = orr_smoother_defaults();
     orr_orbit_solution s;
@@ -198,6 +213,137 @@ static void without_a_clock_nothing_is_sent_unless_asked(void **state)
     orr_ephemeris_free(e);
 }
 
+// Where an orbit begins or ends on a seam of slots, no set reaches beyond its slot, and none is of a slot
+// that the orbit does not touch.
+static void sets_stay_in_their_slots(void **state)
+{
+    (void)state;
+    orr_ephemeris *e = product("2024-02-04T00:00:00", 10, (spoil){.push_s = -1, .after_s = 4 * 3600.0});
+    const orr_time seam = when("2024-02-04T04:00:00");
+    orr_navset_options o = orr_navset_defaults();
+    o.window_s = 14400; // slots begin at even hours
+    orr_navset *set = build(e, &o);
+    const orr_navset_item *item;
+    size_t n = orr_navset_items(set, orr_sat_parse("G02"), &item);
+    assert_true(n > 0 && item[0].from == seam);
+    for (size_t k = 0; k < n; k++) {
+        assert_true(item[k].from < item[k].to && item[k].to - item[k].from <= 7200 * ORR_NS_PER_S);
+        if (k > 0) assert_true(item[k].from == item[k - 1].to);
+    }
+    n = orr_navset_items(set, orr_sat_parse("G03"), &item);
+    assert_true(n > 0 && item[n - 1].to == seam + 1); // the orbit's last instant belongs to it
+    for (size_t k = 1; k < n; k++) assert_true(item[k].from == item[k - 1].to);
+    orr_navset_free(set);
+    orr_ephemeris_free(e);
+}
+
+// A clock that its field cannot hold costs that satellite its sets, with a warning that names both; nobody
+// else.
+static void clocks_that_do_not_fit_are_left_out(void **state)
+{
+    (void)state;
+    orr_ephemeris *e = product("2024-02-04T00:00:00", 5, (spoil){.push_s = -1, .fast_s = -2.5e-3});
+    const orr_time t = when("2024-02-04T02:30:00");
+    orr_navset_options o = orr_navset_defaults();
+    orr_navset *set = NULL;
+    orr_diag d = {0};
+    orr_warnings w = {0};
+    ASSERT_OK(orr_navset_build(e, &o, &set, &w, &d), d);
+    assert_null(orr_navset_at(set, orr_sat_parse("G01"), t));
+    assert_null(orr_navset_at(set, orr_sat_parse("R01"), t));
+    assert_int_equal(w.count, 2);
+    assert_true(strstr(w.item[0].text, "G01") != NULL && strstr(w.item[0].text, "af0") != NULL);
+    assert_true(strstr(w.item[1].text, "R01") != NULL && strstr(w.item[1].text, "tau_n") != NULL);
+    const orr_sat *sat;
+    const size_t n = orr_navset_satellites(set, &sat);
+    assert_int_equal(n, N_GPS + N_GLONASS - 2);
+    for (size_t i = 0; i < n; i++) ASSERT_OK(orr_navframe_at(set, sat[i], t, &(orr_navframe){0}, &d), d);
+    orr_warnings_free(&w);
+    orr_navset_free(set);
+    orr_ephemeris_free(e);
+}
+
+// A reset asks for a rate that no field holds. The sets around it say that they are not to be used, and their
+// frames live; all others are as good as ever.
+static void a_reset_makes_its_sets_unhealthy(void **state)
+{
+    (void)state;
+    orr_ephemeris *e =
+        product("2024-02-04T00:00:00", 8, (spoil){.push_s = -1, .fast_s = 5e-4, .reset_s = 4 * 3600.0 + 900});
+    const orr_time reset = when("2024-02-04T04:15:00");
+    orr_navset_options o = orr_navset_defaults();
+    orr_navset *set = build(e, &o);
+    for (int k = 0; k < 2; k++) {
+        const orr_sat sat = orr_sat_parse(k == 0 ? "G01" : "R01");
+        const orr_navset_item *item;
+        const size_t n = orr_navset_items(set, sat, &item);
+        assert_true(n >= 4);
+        size_t out = 0;
+        for (size_t i = 0; i < n; i++) {
+            orr_navframe f;
+            orr_diag d = {0};
+            ASSERT_OK(orr_navframe_at(set, sat, item[i].from, &f, &d), d);
+            const bool held = item[i].from <= reset && reset < item[i].to;
+            if (held) assert_true(item[i].eph.health != 0 && (item[i].notes & ORR_NAVSET_CLOCK_JUMP));
+            if (item[i].eph.health == 0) ASSERT_NEAR(item[i].clock_rms_s, 0, 1e-9); // made clocks are lines
+            out += item[i].eph.health != 0;
+        }
+        assert_in_range(out, 1, 2); // GLONASS' windows are 18 s off the reset's quarter hours
+    }
+    orr_navset_free(set);
+    orr_ephemeris_free(e);
+}
+
+// Bits first..first + n - 1 of a subframe, all of one word, as a receiver has them: turned back by D30*.
+static unsigned received(const orr_navframe_piece *p, int first, int n)
+{
+#define BIT(k) (p->data[((k)-1) / 8] >> (7 - ((k)-1) % 8) & 1u)
+    const int word = (first - 1) / 30;
+    const unsigned turned = word > 0 ? BIT(30 * word) : 0;
+    unsigned value = 0;
+    for (int k = first; k < first + n; k++) value = value << 1 | (BIT(k) ^ turned);
+    return value;
+#undef BIT
+}
+
+// IS-GPS-200N 20.3.3.5.2.4: what a receiver makes of page 18, from eight bits of WN_LSF. Leap seconds since
+// 1980 as bulletins C tell them.
+static void receivers_have_the_leap_seconds_of_their_day(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *from;
+        int now, future; // the future one has been announced, or is past
+    } day[] = {
+        {"2009-04-01T00:00:00", 15, 15}, // the next one is 170 weeks ahead, which eight bits cannot tell
+        {"2011-08-28T00:00:00", 15, 15}, // nobody knew of 2012's before January
+        {"2012-06-27T00:00:00", 15, 16}, {"2016-09-01T00:00:00", 17, 18}, {"2024-02-04T00:00:00", 18, 18},
+    };
+    for (size_t i = 0; i < sizeof day / sizeof day[0]; i++) {
+        orr_ephemeris *e = product(day[i].from, 3, nothing);
+        orr_navset_options o = orr_navset_defaults();
+        orr_navset *set = build(e, &o);
+        int32_t week;
+        int64_t ns;
+        orr_time_week(when(day[i].from), &week, &ns);
+        orr_time t =
+            orr_time_from_week(week, ns - ns % (750 * ORR_NS_PER_S) + (750 + 17 * 30) * ORR_NS_PER_S);
+        orr_navframe f;
+        orr_diag d = {0};
+        ASSERT_OK(orr_navframe_at(set, set->sat[0], t, &f, &d), d);
+        const orr_navframe_piece *page = &f.piece[3];
+        assert_int_equal(page->page, 18);
+        assert_int_equal(received(page, 241, 8), day[i].now);
+        assert_int_equal(received(page, 271, 8), day[i].future);
+        if (day[i].now != day[i].future) { // then WN_LSF has to be told from eight bits, and lies ahead
+            const int ahead = (int8_t)(received(page, 249, 8) - (unsigned)week);
+            assert_in_range(ahead, 0, 26);
+        }
+        orr_navset_free(set);
+        orr_ephemeris_free(e);
+    }
+}
+
 static void same_frame(const orr_navframe *a, const orr_navframe *b)
 {
     assert_true(a->from == b->from && a->to == b->to && a->n == b->n && a->message == b->message);
@@ -321,6 +467,10 @@ int main(void)
         cmocka_unit_test(every_instant_has_one_set),
         cmocka_unit_test(a_manoeuvre_makes_its_sets_unhealthy),
         cmocka_unit_test(without_a_clock_nothing_is_sent_unless_asked),
+        cmocka_unit_test(sets_stay_in_their_slots),
+        cmocka_unit_test(clocks_that_do_not_fit_are_left_out),
+        cmocka_unit_test(a_reset_makes_its_sets_unhealthy),
+        cmocka_unit_test(receivers_have_the_leap_seconds_of_their_day),
         cmocka_unit_test(frames_follow_one_another),
         cmocka_unit_test(pages_count_from_the_begin_of_the_week),
         cmocka_unit_test(coefficients_that_do_not_fit_are_not_sent),
