@@ -195,6 +195,21 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     return ORR_OK;
 }
 
+static void warn_of_eop(const orr_eop_series *eop, const orr_node_table *table, orr_warnings *warnings)
+{
+    char t[4][ORR_TIME_TEXT];
+    const double ends[2] = {eop->n > 0 ? eop->mjd_utc[0] : 0, eop->n > 0 ? eop->mjd_utc[eop->n - 1] : 0};
+    for (int k = 0; k < 2; k++) {
+        const double day = floor(ends[k]);
+        orr_time_text(orr_time_from_mjd((int32_t)day, ends[k] - day, ORR_SCALE_UTC, NULL), t[k]);
+    }
+    orr_warnings_add(
+        warnings, NULL, 0, 0,
+        "the Earth rotation given is of %s to %s and does not cover the positions of %s to %s; it is carried "
+        "on beyond its ends",
+        t[0], t[1], orr_time_text(table->from, t[2]), orr_time_text(table->to, t[3]));
+}
+
 orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
                             const orr_smoother_options *options, const orr_log *log,
                             const volatile int *cancel, orr_orbit_solution *out, orr_smoother_report *report,
@@ -214,6 +229,10 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     if (s != ORR_OK) return s;
     ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);
     s = orr_sky_init(table.from, table.to, options->frame, options->eop, &sky, &report->eop_known, diag);
+    if (s == ORR_OK && options->eop != NULL && !report->eop_known) {
+        report->eop_carried_on = true;
+        warn_of_eop(options->eop, &table, warnings);
+    }
 
     pool p = {.options = options,
               .sky = sky,

@@ -77,6 +77,7 @@ typedef struct orr_smoother_report {
     size_t nodes_used, nodes_rejected, manoeuvres, arcs;
     int passes_max;
     bool eop_known;        // Earth orientation came from the caller's series for the whole span
+    bool eop_carried_on;   // there is a series, but it does not cover the whole span
     double residual_rms_m; // of used nodes, 3-D
 } orr_smoother_report;
 

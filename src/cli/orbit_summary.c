@@ -103,7 +103,10 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
             c, "where files join or overlap they differ by %.1f mm RMS, %.1f mm at most (%s; %zu places)",
             1e3 * j.rms_m, 1e3 * j.max_m, orr_sat_text(j.worst, name), j.n);
     orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s",
-                report->eop_known ? "as given" : "secular pole, UT1 by the leap seconds", 1e3 * pos, vel);
+                report->eop_known        ? "as given"
+                : report->eop_carried_on ? "as given, carried on beyond its ends"
+                                         : "secular pole, UT1 by the leap seconds",
+                1e3 * pos, vel);
     size_t rough = orr_ephemeris_shortened(e);
     if (rough > 0)
         orr_cli_say(

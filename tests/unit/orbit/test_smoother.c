@@ -656,6 +656,40 @@ static void literal_settings_work_and_are_worse(void **state)
     made_sp3_free(&f);
 }
 
+// Earth rotation of other days is carried on, which is said; of these days it is taken as given.
+static void earth_rotation_of_other_days_is_said(void **state)
+{
+    (void)state;
+    orr_sp3 f;
+    made_sp3(&sky, all, 3, 0, DAY, 3, &f);
+    for (int other = 0; other < 2; other++) {
+        double mjd[4], fraction;
+        orr_eop value[4];
+        for (int k = 0; k < 4; k++) {
+            const orr_time t = orr_time_add_s(sky.t0, (k - 1 + (other ? 20 : 0)) * 86400.0);
+            int32_t day;
+            orr_time_mjd(t, ORR_SCALE_UTC, NULL, &day, &fraction);
+            mjd[k] = (double)day + fraction;
+            value[k] = orr_eop_at(NULL, t, NULL, NULL);
+        }
+        const orr_eop_series eop = {4, mjd, value};
+        orr_smoother_options o = orr_smoother_defaults();
+        o.eop = &eop;
+        orr_orbit_solution s;
+        orr_smoother_report report;
+        orr_warnings w = {0};
+        orr_diag d = {0};
+        ASSERT_OK(run(&f, 1, &o, &s, &report, &w, &d), d);
+        assert_int_equal(report.eop_known, other == 0);
+        assert_int_equal(report.eop_carried_on, other == 1);
+        assert_int_equal(w.count, (size_t)other);
+        if (other) assert_non_null(strstr(w.item[0].text, "2024-03-29"));
+        orr_warnings_free(&w);
+        orr_orbit_solution_free(&s);
+    }
+    made_sp3_free(&f);
+}
+
 static void bad_options_and_empty_input_are_said(void **state)
 {
     (void)state;
@@ -714,6 +748,7 @@ int main(void)
         cmocka_unit_test(satellites_come_and_go),
         cmocka_unit_test(threads_do_not_change_a_bit),
         cmocka_unit_test(literal_settings_work_and_are_worse),
+        cmocka_unit_test(earth_rotation_of_other_days_is_said),
         cmocka_unit_test(bad_options_and_empty_input_are_said),
     };
     return cmocka_run_group_tests(tests, make_truth, drop_truth);
