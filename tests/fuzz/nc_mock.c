@@ -11,7 +11,7 @@
 #define MAX_DIMS 40
 #define MAX_VARS 80
 #define MAX_ATTS 120
-#define MAX_BYTES ((size_t)1 << 22) // of a variable as it is asked for
+#define MAX_BYTES ((size_t)1 << 17) // of a variable as it is asked for
 
 typedef struct mock_dim {
     char name[48];
