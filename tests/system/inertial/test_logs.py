@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """orrery imu and track on recorded telemetry: made flights with known motion, and every way a log can be odd."""
 import csv
+import functools
 import gzip
 import io
 import math
+import operator
 import pathlib
 import sys
 import unittest
@@ -13,6 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from program import Folder, data, run, run_json, sample  # noqa: E402
 
 HEADER = "t_s,lat_deg,lon_deg,height_m,heading_deg,pitch_deg,roll_deg"
+E2 = 6.69437999014132e-3  # of WGS 84
 RADIUS_M = 6371000.0  # of the made flights alone
 
 
@@ -90,6 +93,27 @@ class Logs(Folder):
                 (self.log("\n".join(two[0]) + "\n", "places.csv"), "--columns", "t,lat,lon,height", "--telemetry",
                  self.log("\n".join(two[1]) + "\n", "angles.txt"), "--columns", "t[ms],heading,pitch,roll")):
             self.assertEqual(track(run("track", "-q", "--telemetry", *args).stdout), made, args)
+
+    def test_nmea_and_motion_files(self):
+        """The same flight as NMEA sentences over midnight (1e-6 of a minute is 2 mm) and as a user-motion file of ecef places."""
+        rows, nmea, motion = flight(40, lat=-33.0, lon=-70.0, heading=200), "", ""
+        for t, lat, lon, h, heading, _, _ in rows:
+            clock = (86380 + t) % 86400
+            hms = f"{int(clock // 3600):02}{int(clock // 60 % 60):02}{clock % 60:05.2f}"
+            dm = [f"{int(abs(v)):0{n}}{abs(v) % 1 * 60:09.6f},{c[v < 0]}" for v, n, c in ((lat, 2, "NS"), (lon, 3, "EW"))]
+            for body in (f"GPRMC,{hms},A,{dm[0]},{dm[1]},116.6,200.0,040224,,", f"GNGGA,{hms},{dm[0]},{dm[1]},1,12,0.8,{h - 30:.3f},M,30.0,M,,",
+                         f"GNHDT,{heading % 360:.6f},T"):
+                nmea += f"${body}*{functools.reduce(operator.xor, body.encode()):02X}\r\n"
+            n = 6378137.0 / math.sqrt(1 - E2 * math.sin(math.radians(lat)) ** 2)
+            p, l = math.radians(lat), math.radians(lon)
+            motion += (f"{t:.1f},{(n + h) * math.cos(p) * math.cos(l):.6f},{(n + h) * math.cos(p) * math.sin(l):.6f},"
+                       f"{(n * (1 - E2) + h) * math.sin(p):.6f}\n")
+        done = run("track", "--telemetry", self.log(nmea, "flight.nmea"), "--rate", "5")
+        self.assertIn("2024-02-04T23:59:58 GPS", done.stdout)  # 23:59:40 UTC
+        self.assert_same_way(rows, track(done.stdout), 0, 0.02)
+        for r, made in zip(track(done.stdout), rows):
+            self.assertAlmostEqual(r["heading_deg"], made[4] % 360, delta=0.01)
+        self.assert_same_way(rows, track(run("track", "-q", "--telemetry", self.log(motion, "motion.csv"), "--rate", "5").stdout), 0, 0.02)
 
     def test_absolute_times_set_the_start(self):
         rows = [(f"2024-02-04T12:00:{r[0]:06.3f}", *r[1:]) for r in flight(40)]
