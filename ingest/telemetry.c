@@ -179,31 +179,39 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+// Bounds of clocks: until 2053, and 127 years (seconds since 1970 fit), so that sums and differences of two
+// do too.
+#define LAST_WEEK 3800.0
+#define LAST_TIME_S 4e9
+#define FAR_TIME "its time is out of all bounds"
+
 static orr_status take_row(const row *r, const telemetry_table *table, const orr_input *in, table_state *st,
                            orr_telemetry *out, orr_warnings *w, orr_diag *diag)
 {
     int64_t line = orr_input_line_number(in);
     double t_s = r->value[Q_TIME];
     orr_time week_time = ORR_TIME_NONE;
-    if (r->has[Q_WEEK] && r->has[Q_TOW] && r->value[Q_WEEK] >= 1.0 && r->value[Q_WEEK] < 10000.0 &&
+    if (r->has[Q_WEEK] && r->has[Q_TOW] && r->value[Q_WEEK] >= 1.0 && r->value[Q_WEEK] < LAST_WEEK &&
         r->value[Q_TOW] >= 0.0 && r->value[Q_TOW] < 604800.0)
         week_time = orr_time_add_s(orr_time_from_week((int32_t)r->value[Q_WEEK], 0), r->value[Q_TOW]);
     if (r->timed || table->where[Q_TIME] < 0) {
         orr_time at = r->timed ? r->time : week_time;
-        if (at == ORR_TIME_NONE) {
-            telemetry_drop(out, in, w, "its GPS week and seconds are no time");
+        if (at == ORR_TIME_NONE || !orr_time_is_near(at)) {
+            telemetry_drop(out, in, w, r->timed ? FAR_TIME : "its GPS week and seconds are no time");
             return ORR_OK;
         }
         if (!st->have_base) st->base = at;
         st->have_base = true;
         t_s = orr_time_diff_s(at, st->base);
-    } else if (week_time != ORR_TIME_NONE && st->n_ties < sizeof st->tie_s / sizeof st->tie_s[0]) {
+    }
+    if (!(fabs(t_s) < LAST_TIME_S)) {
+        telemetry_drop(out, in, w, FAR_TIME);
+        return ORR_OK;
+    }
+    if (!r->timed && table->where[Q_TIME] >= 0 && week_time != ORR_TIME_NONE &&
+        st->n_ties < sizeof st->tie_s / sizeof st->tie_s[0]) {
         if (st->n_ties == 0) st->tie_origin = orr_time_add_s(week_time, -t_s);
         st->tie_s[st->n_ties++] = orr_time_diff_s(week_time, st->tie_origin) - t_s;
-    }
-    if (!(fabs(t_s) < 1e10)) {
-        telemetry_drop(out, in, w, "its time is out of all bounds");
-        return ORR_OK;
     }
     orr_geodetic at = {r->value[Q_LAT], r->value[Q_LON], r->value[Q_HEIGHT]};
     bool place = r->has[Q_LAT] && r->has[Q_LON] && r->has[Q_HEIGHT];

@@ -29,6 +29,7 @@ TELEMETRY = {
     "declared.txt": "@t[s],lat[deg],lon,h[m],heading[-deg],-,-\n" + table(header=""),
     "columns.csv": "# columns: t,lat,lon,height,heading,pitch,roll\n" + table(header=""),
     "weeks.csv": "week,tow_ms,lat,lon,alt,fix\n" + "".join(f"2300,{200 * k},50.{k:04d},20,100,{3 if k % 7 else 1}\n" for k in range(40)),
+    "far-clock.csv": "week,tow,t,lat,lon,alt\n" + "".join(f"2300,{k},{1e15 if k == 0 else k},50.{k:04d},20,100\n" for k in range(20)),
     "iso.csv": "time[utc],x,y,z\n" + "".join(f"2024-02-04T00:00:{k:02d}.5,{3.8e6 + 50 * k},1.1e6,4.98e6\n" for k in range(40)),
     "motion.csv": "".join(f"{k / 10:.1f},{-3813477.954 + k:.3f},3554276.552,3662785.237\n" for k in range(40)),
     "gps.nmea": nmea(), "gap.csv": table(20) + table(40).split("\n", 30)[-1].replace("\n5", "\n25"),

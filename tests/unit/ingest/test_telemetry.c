@@ -85,6 +85,34 @@ static void declared_columns_and_clock(void **state)
     orr_telemetry_free(&t);
 }
 
+// Clocks that cannot be are left out before anything is made of them; seconds since 1970 can be.
+static void clocks_out_of_bounds(void **state)
+{
+    (void)state;
+    orr_diag diag = {0};
+    orr_telemetry t;
+    orr_warnings w = {0};
+    ASSERT_OK(read("week,tow,t,lat,lon,h\n2300,0,1e15,1,2,3\n2300,10,-1e300,1,2,3\n2300,20,1707004820,1,2,3\n"
+                   "9999,30,1707004830,1,2,3\n",
+                   NULL, &t, &w, &diag),
+              diag);
+    assert_int_equal(t.n_position, 2);
+    assert_int_equal(t.unreadable, 2);
+    assert_non_null(strstr(w.item[0].text, "out of all bounds"));
+    assert_int_equal(t.t0 + INT64_C(1707004820000000000), orr_time_from_week(2300, INT64_C(20000000000)));
+    orr_warnings_free(&w);
+    orr_telemetry_free(&t);
+    w = (orr_warnings){0};
+    ASSERT_OK(read("time[gps],x,y,z\n2024-02-04T00:00:00,4e6,3e6,4e6\n1700-01-01T00:00:00,4e6,3e6,4e6\n"
+                   "2250-01-01T00:00:00,4e6,3e6,4e6\n",
+                   NULL, &t, &w, &diag),
+              diag);
+    assert_int_equal(t.n_position, 1);
+    assert_int_equal(w.count, 2);
+    orr_warnings_free(&w);
+    orr_telemetry_free(&t);
+}
+
 static void motion_files(void **state)
 {
     (void)state;
@@ -168,6 +196,7 @@ int main(void)
         cmocka_unit_test(header_names_and_units),
         cmocka_unit_test(bad_rows_are_left_out),
         cmocka_unit_test(declared_columns_and_clock),
+        cmocka_unit_test(clocks_out_of_bounds),
         cmocka_unit_test(motion_files),
         cmocka_unit_test(nmea),
         cmocka_unit_test(truncated_text),
