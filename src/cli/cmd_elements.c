@@ -194,12 +194,27 @@ static orr_status write_text(const char *path, const table *t, const char *forma
     return orr_outfile_commit(&out, diag);
 }
 
+static void warn_of_eop(const orr_eop_series *eop, const product *list, int n, orr_warnings *warnings)
+{
+    char when[ORR_TIME_TEXT];
+    for (int k = 0; k < n; k++) {
+        bool begin, end;
+        orr_eop_at(eop, list[k].from, NULL, &begin);
+        orr_eop_at(eop, list[k].to, NULL, &end);
+        if (begin && end) continue;
+        orr_warnings_add(warnings, list[k].path, 0, 0,
+                         "the Earth rotation given does not cover %s; it is carried on beyond its ends",
+                         orr_time_text(begin ? list[k].to : list[k].from, when));
+    }
+}
+
 static orr_status collect_all(const orr_cli *c, const orr_elements_options *o, product *list, table *t,
-                              orr_diag *diag)
+                              orr_warnings *warnings, orr_diag *diag)
 {
     const int64_t step = orr_cli_duration_ns(c, "step", 60 * ORR_NS_PER_S);
     orr_time after = ORR_TIME_NONE;
     orr_status s = put_in_order(c, list, diag);
+    if (s == ORR_OK && o->eop != NULL) warn_of_eop(o->eop, list, c->n_operands, warnings);
     for (int k = 0; k < c->n_operands && s == ORR_OK; k++) {
         orr_ephemeris *e = NULL;
         s = orr_ephemeris_load(list[k].path, &e, diag);
@@ -236,7 +251,7 @@ static int run(orr_cli *c)
     orr_cli_hold(c);
     orr_status s = list != NULL ? read_eop(c, &erp, &o, &warnings, &diag)
                                 : orr_diag_set(&diag, ORR_E_MEMORY, "out of memory");
-    if (s == ORR_OK) s = collect_all(c, &o, list, &t, &diag);
+    if (s == ORR_OK) s = collect_all(c, &o, list, &t, &warnings, &diag);
     if (s == ORR_OK)
         s = strcmp(format, "nc") == 0 ? write_nc(path, &t, "orrery elements", &diag)
                                       : write_text(path, &t, format, &diag);

@@ -319,7 +319,13 @@ const orr_command orr_cmd_orbit = {
         "Chebyshev "
         "segments of position, clock nodes, standard deviations, flags, events and the names and SHA-256 of "
         "its inputs; "
-        "'ncdump -h' shows how to evaluate it, 'orrery states' prints from it, 'orrery compare' judges it.",
+        "'ncdump -h' shows how to evaluate it, 'orrery states' prints from it, 'orrery compare' judges "
+        "it.\n\n"
+        "What was done is told on stderr: manoeuvres, positions left out and gaps one by one, as many as a "
+        "reader will read. "
+        "JSON has all of them: events[].{sat,kind,from,to} with kind manoeuvre (change_mps), outlier, jump "
+        "(size_m) or gap; "
+        "systems.G.{satellites,nodes,left_out,residual_rms_mm,manoeuvres,gaps,eclipses}, day_jumps, seconds.",
     .example = "orrery orbit -o day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T13:00 "
                "day1.sp3 day2.sp3 day3.sp3",
