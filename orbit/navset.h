@@ -25,7 +25,7 @@ typedef struct orr_navset_options {
 orr_navset_options orr_navset_defaults(void); // 2 h, all satellites, nothing else, one thread
 
 enum {                              // orr_navset_item.notes
-    ORR_NAVSET_MANOEUVRE = 1u << 0, // a manoeuvre within the window: marked unhealthy
+    ORR_NAVSET_MANOEUVRE = 1u << 0, // a manoeuvre within the window, or files that do not meet: unhealthy
     ORR_NAVSET_SHIFTED =
         1u << 1, // the orbit begins or ends within the window: fitted to the nearest full one
     ORR_NAVSET_NO_CLOCK = 1u << 2,   // the product has no clock: zero is sent

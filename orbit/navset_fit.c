@@ -96,18 +96,33 @@ static bool antenna_offset(const orr_antex *antex, orr_sat sat, orr_time t, doub
                ORR_OK;
 }
 
-static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o, orr_sat sat,
-                            const navset_slot *slot, orr_time from, orr_time to, orr_navset_item *item,
-                            orr_diag *diag)
+// The product's satellite in one of its arcs: at a joint of files the next one is metres away.
+typedef struct arc_source {
+    orr_navfit_product product;
+    orr_time from;
+} arc_source;
+
+static orr_status from_arc(void *user, orr_time t, orr_vec3 *pos_m)
 {
-    orr_navfit_product source = {.ephemeris = e, .sat = sat};
-    if (o->antex != NULL && !antenna_offset(o->antex, sat, slot->reference, source.offset_m))
+    arc_source *a = user;
+    orr_sat_state s;
+    const orr_status status = orr_ephemeris_eval(a->product.ephemeris, a->product.sat, t, &s);
+    if (status != ORR_OK) return status;
+    return s.valid_from == a->from ? orr_navfit_from_product(&a->product, t, pos_m) : ORR_E_NODATA;
+}
+
+static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o, orr_sat sat,
+                            const navset_slot *slot, orr_time arc_from, orr_time from, orr_time to,
+                            orr_navset_item *item, orr_diag *diag)
+{
+    arc_source source = {.product = {.ephemeris = e, .sat = sat}, .from = arc_from};
+    if (o->antex != NULL && !antenna_offset(o->antex, sat, slot->reference, source.product.offset_m))
         item->notes |= ORR_NAVSET_NO_ANTENNA;
     if (orr_sat_system(sat) == 'R')
-        return orr_navfit_glonass(sat, slot->reference, from, to, orr_navfit_from_product, &source,
-                                  &item->eph, &item->report, diag);
-    return orr_navfit_lnav(sat, slot->reference, from, to, LNAV_FIT_INTERVAL_H, orr_navfit_from_product,
-                           &source, &item->eph, &item->report, diag);
+        return orr_navfit_glonass(sat, slot->reference, from, to, from_arc, &source, &item->eph,
+                                  &item->report, diag);
+    return orr_navfit_lnav(sat, slot->reference, from, to, LNAV_FIT_INTERVAL_H, from_arc, &source, &item->eph,
+                           &item->report, diag);
 }
 
 static void fill_lnav(orr_nav_eph *eph, const navset_slot *slot, bool out)
@@ -193,7 +208,7 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         return ORR_E_NODATA;
     }
     if (from != slot->window_from || to != slot->window_to) item.notes |= ORR_NAVSET_SHIFTED;
-    orr_status s = fit_orbit(e, o, sat->sat, slot, from, to, &item, diag);
+    orr_status s = fit_orbit(e, o, sat->sat, slot, arc_from, from, to, &item, diag);
     if (s != ORR_OK) {
         sat->not_fitted++;
         return s;
@@ -213,11 +228,12 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         item.clock_rms_s = (double)NAN;
         item.notes |= ORR_NAVSET_NO_CLOCK;
     }
+    const bool parted = item.from < arc_from || item.to > arc_to + 1; // another arc is on the air too
     if (from > item.from) from = item.from; // what the set stands for: its window, and while it is sent
     if (to < item.to) to = item.to;
     if (item.clock_rms_s > CLOCK_LIMIT_S || clock_jumps(e, sat->sat, from, to))
         item.notes |= ORR_NAVSET_CLOCK_JUMP;
-    if (has_manoeuvre(e, sat->sat, from, to)) item.notes |= ORR_NAVSET_MANOEUVRE;
+    if (parted || has_manoeuvre(e, sat->sat, from, to)) item.notes |= ORR_NAVSET_MANOEUVRE;
     const bool out = (item.notes & (ORR_NAVSET_MANOEUVRE | ORR_NAVSET_CLOCK_JUMP)) != 0;
     item.eph.transmission = item.from;
     if (orr_sat_system(sat->sat) == 'R')

@@ -105,7 +105,7 @@ enum { // tec_origin (u8): What a delay came from.
 #define ORR_MSG_STATE_FLAGS_GAP ((uint32_t)(UINT64_C(1) << 5)) // between input nodes further apart than twice the usual
 
 // nav_notes (u32): What should be known of a broadcast set.
-#define ORR_MSG_NAV_NOTES_MANOEUVRE ((uint32_t)(UINT64_C(1) << 0)) // a manoeuvre within the window: marked unhealthy
+#define ORR_MSG_NAV_NOTES_MANOEUVRE ((uint32_t)(UINT64_C(1) << 0)) // a manoeuvre within the window, or files that do not meet: marked unhealthy
 #define ORR_MSG_NAV_NOTES_SHIFTED ((uint32_t)(UINT64_C(1) << 1)) // the orbit begins or ends within the window: fitted to the nearest full one
 #define ORR_MSG_NAV_NOTES_NO_CLOCK ((uint32_t)(UINT64_C(1) << 2)) // the product has no clock: zero is sent
 #define ORR_MSG_NAV_NOTES_NO_ANTENNA ((uint32_t)(UINT64_C(1) << 3)) // the scenario's ANTEX file does not know the antenna: the centre of mass is described

@@ -100,7 +100,7 @@ class StateFlags(enum.IntFlag):
 class NavNotes(enum.IntFlag):
     """What should be known of a broadcast set."""
 
-    MANOEUVRE = 1  # a manoeuvre within the window: marked unhealthy
+    MANOEUVRE = 1  # a manoeuvre within the window, or files that do not meet: marked unhealthy
     SHIFTED = 2  # the orbit begins or ends within the window: fitted to the nearest full one
     NO_CLOCK = 4  # the product has no clock: zero is sent
     NO_ANTENNA = 8  # the scenario's ANTEX file does not know the antenna: the centre of mass is described

@@ -25,6 +25,7 @@ typedef struct spoil {
     double fast_s;  // by so much the clocks of G01 and R01 are fast,
     double reset_s; // from so long after the begin on
     double after_s; // of G02 nothing is known before, and of G03 nothing after
+    double apart_m; // two files, which meet in the middle; of G02 and R02 they are so far apart
 } spoil;
 
 // A product of so many hours from `from` on: GPS and GLONASS orbits integrated with the project's forces.
@@ -46,12 +47,18 @@ static orr_ephemeris *product(const char *from, double hours, spoil x)
                    k == 0 ? x.push_s : -1, 0.5, &truth[k]);
         all[k] = &truth[k];
     }
-    orr_sp3 f;
-    made_sp3(&sky, all, N_SATS, 0, (size_t)(hours * 12), 3, &f);
-    for (size_t i = 0; x.no_clock && i <= (size_t)(hours * 12); i += 3)
+    const size_t end = (size_t)(hours * 12), joint = x.apart_m > 0 ? end / 6 * 3 : end + 3;
+    orr_sp3 f, g = {0};
+    made_sp3(&sky, all, N_SATS, 0, joint - 3, 3, &f);
+    if (x.apart_m > 0) made_sp3(&sky, all, N_SATS, joint, end, 3, &g);
+    for (size_t i = 0; i < g.n_epochs; i++) {
+        made_record(&g, orr_sat_parse("G02"), g.epoch[i])->pos_m[0] += x.apart_m;
+        made_record(&g, orr_sat_parse("R02"), g.epoch[i])->pos_m[0] += x.apart_m;
+    }
+    for (size_t i = 0; x.no_clock && i <= end; i += 3)
         made_record(&f, orr_sat_parse("G01"), orr_time_add_s(sky.t0, 300.0 * (double)i))->clock_s =
             (double)NAN;
-    for (size_t i = 0; i <= (size_t)(hours * 12); i += 3) {
+    for (size_t i = 0; i < joint && i <= end; i += 3) {
         const orr_time t = orr_time_add_s(sky.t0, 300.0 * (double)i);
         if (300.0 * (double)i >= x.reset_s) {
             made_record(&f, orr_sat_parse("G01"), t)->clock_s += x.fast_s;
@@ -62,15 +69,16 @@ static orr_ephemeris *product(const char *from, double hours, spoil x)
             if (300.0 * (double)i > x.after_s) made_record(&f, orr_sat_parse("G03"), t)->pos_m[k] = ORR_NAN;
         }
     }
-    orr_smoother_input in = {.sp3 = &f, .name = "made.sp3"};
+    const orr_smoother_input in[2] = {{.sp3 = &f, .name = "made.sp3"}, {.sp3 = &g, .name = "later.sp3"}};
     const orr_smoother_options o = orr_smoother_defaults();
     orr_orbit_solution s;
     orr_ephemeris *e = NULL;
     orr_diag d = {0};
-    ASSERT_OK(orr_smoother_run(&in, 1, &o, NULL, NULL, &s, NULL, NULL, &d), d);
+    ASSERT_OK(orr_smoother_run(in, x.apart_m > 0 ? 2 : 1, &o, NULL, NULL, &s, NULL, NULL, &d), d);
     ASSERT_OK(orr_ephemeris_build(&s, &e, &d), d);
     orr_orbit_solution_free(&s);
     made_sp3_free(&f);
+    if (x.apart_m > 0) made_sp3_free(&g);
     made_sky_free(&sky);
     return e;
 }
@@ -259,6 +267,32 @@ static void clocks_that_do_not_fit_are_left_out(void **state)
     assert_int_equal(n, N_GPS + N_GLONASS - 2);
     for (size_t i = 0; i < n; i++) ASSERT_OK(orr_navframe_at(set, sat[i], t, &(orr_navframe){0}, &d), d);
     orr_warnings_free(&w);
+    orr_navset_free(set);
+    orr_ephemeris_free(e);
+}
+
+// Files that are 100 m apart part the orbit. The set of that slot can stand for one side alone and says that
+// it is not to be used; nothing is fitted across.
+static void files_that_do_not_meet_make_their_set_unhealthy(void **state)
+{
+    (void)state;
+    orr_ephemeris *e = product("2024-02-04T00:00:00", 8, (spoil){.push_s = -1, .apart_m = 100});
+    const orr_time joint = when("2024-02-04T04:00:00");
+    orr_navset_options o = orr_navset_defaults();
+    orr_navset *set = build(e, &o);
+    for (int k = 0; k < 4; k++) {
+        const orr_sat sat = orr_sat_parse((const char *[]){"G01", "G02", "R01", "R02"}[k]);
+        const orr_navset_item *item;
+        const size_t n = orr_navset_items(set, sat, &item);
+        assert_true(n >= 4);
+        for (size_t i = 0; i < n; i++) {
+            const bool parted = k % 2 == 1 && item[i].from < joint && joint < item[i].to;
+            assert_int_equal(item[i].eph.health != 0, parted);
+            // The bars of good orbits; that of G02 is 100 m off what gravity bends.
+            ASSERT_NEAR(item[i].report.rms_m, 0, k == 0 ? 0.05 : k == 1 ? 0.1 : 0.5);
+            if (k % 2 == 1) assert_true(i == 0 || item[i].from == item[i - 1].to);
+        }
+    }
     orr_navset_free(set);
     orr_ephemeris_free(e);
 }
@@ -469,6 +503,7 @@ int main(void)
         cmocka_unit_test(without_a_clock_nothing_is_sent_unless_asked),
         cmocka_unit_test(sets_stay_in_their_slots),
         cmocka_unit_test(clocks_that_do_not_fit_are_left_out),
+        cmocka_unit_test(files_that_do_not_meet_make_their_set_unhealthy),
         cmocka_unit_test(a_reset_makes_its_sets_unhealthy),
         cmocka_unit_test(receivers_have_the_leap_seconds_of_their_day),
         cmocka_unit_test(frames_follow_one_another),
