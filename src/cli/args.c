@@ -311,6 +311,12 @@ orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise)
     return v != NULL ? v->as.time[0] : otherwise;
 }
 
+bool orr_cli_backward(const orr_cli *c)
+{
+    return orr_cli_given(c, "from") && orr_cli_given(c, "to") &&
+           orr_cli_time(c, "to", 0) < orr_cli_time(c, "from", 0);
+}
+
 int64_t orr_cli_duration_ns(const orr_cli *c, const char *name, int64_t otherwise_ns)
 {
     return orr_cli_int(c, name, otherwise_ns);

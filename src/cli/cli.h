@@ -75,6 +75,7 @@ const char *orr_cli_text_at(const orr_cli *c, const char *name, size_t i);
 int64_t orr_cli_int(const orr_cli *c, const char *name, int64_t otherwise);
 double orr_cli_real(const orr_cli *c, const char *name, double otherwise);
 orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise);
+bool orr_cli_backward(const orr_cli *c); // --from and --to are both given, and --to is before --from
 int64_t orr_cli_duration_ns(const orr_cli *c, const char *name, int64_t otherwise_ns);
 void orr_cli_interval_at(const orr_cli *c, const char *name, size_t i, orr_time *from, orr_time *to);
 const orr_sat_set *orr_cli_sats(const orr_cli *c,

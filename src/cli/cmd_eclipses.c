@@ -89,6 +89,7 @@ static int run(orr_cli *c)
     orr_ephemeris *e = NULL;
     list l = {0};
     orr_outfile out;
+    if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     if (orr_ephemeris_load(c->operand[0], &e, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
     orr_status s = collect(c, e, &l);
     if (s != ORR_OK) orr_diag_set(&diag, s, "out of memory for the eclipses");

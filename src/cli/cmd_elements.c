@@ -77,10 +77,14 @@ static orr_status collect(const orr_cli *c, const orr_ephemeris *e, const orr_el
     orr_ephemeris_span(e, &begin, &end);
     orr_time at = orr_cli_time(c, "from", begin), to = orr_cli_time(c, "to", end);
     if (after != ORR_TIME_NONE && begin <= after) begin = after + 1;
-    if (at < begin) at += (begin - at + step - 1) / step * step; // the first of the rows within
     if (to > end) to = end;
+    if (at < begin) { // the first of the rows within
+        const int64_t steps = (begin - at - 1) / step + 1;
+        if (to < begin || steps > (to - at) / step) return ORR_OK;
+        at += steps * step;
+    }
     orr_status s = ORR_OK;
-    for (; at <= to && s == ORR_OK; at += step) {
+    for (; at <= to; at += step) {
         orr_elements_axes axes;
         orr_elements_axes_at(at, o, &axes);
         for (size_t i = 0; i < n && s == ORR_OK; i++) {
@@ -88,6 +92,7 @@ static orr_status collect(const orr_cli *c, const orr_ephemeris *e, const orr_el
             if (wanted != NULL && !orr_sat_set_has(wanted, list[i])) continue;
             if (orr_elements_of(e, list[i], &axes, &r.k) == ORR_OK) s = add_row(t, r, diag);
         }
+        if (s != ORR_OK || to - at < step) break; // the next row may lie beyond what an orr_time holds
     }
     return s;
 }
@@ -241,6 +246,7 @@ static int run(orr_cli *c)
     const char *format = orr_cli_text(c, "format", "csv"), *path = orr_cli_text(c, "output", "-");
     if (strcmp(format, "nc") == 0 && strcmp(path, "-") == 0)
         return orr_cli_usage(c, "--format nc needs a file: -o FILE");
+    if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     if (orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) < LEAST_SPACING_S * ORR_NS_PER_S)
         return orr_cli_usage(c, "--spacing: at least %d s, or three positions are one", LEAST_SPACING_S);
     orr_elements_options o = {.frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),

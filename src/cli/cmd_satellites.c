@@ -250,6 +250,7 @@ static int run(orr_cli *c)
     orr_nav nav = {0};
     if (orr_cli_given(c, "at") && (orr_cli_given(c, "from") || orr_cli_given(c, "to")))
         return orr_cli_usage(c, "--at is one instant, --from and --to are many");
+    if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     if (!read_signals(c, &q)) return ORR_EXIT_USAGE;
     const char *const antex_path = orr_cli_text(c, "antex", NULL),
                       *const bias_path = orr_cli_text(c, "bias", NULL),

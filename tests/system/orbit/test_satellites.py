@@ -225,6 +225,9 @@ class Satellites(Folder):
         self.assertIn("1C,2W", run("satellites", self.day, "--signal", "C1C", "--nav", "x", status=2).stderr)
         self.assertIn("name them", run("satellites", self.day, "--bias", "x", status=2).stderr)
         self.assertIn("one instant", run("satellites", self.day, "--at", "2024-02-04", "--to", "2024-02-04", status=2).stderr)
+        backward = ("--from", "2024-02-04T12:00", "--to", "2024-02-04T11:00")
+        for name in ("satellites", "eclipses", "elements", "states"):
+            self.assertIn("before --from", run(name, self.day, *backward, status=2).stderr)
         self.assertIn("covers", run("satellites", self.day, "--at", "2024-02-06", status=1).stderr)
         self.assertIn("no orbit", run("satellites", self.day, "--sat", "J01", status=1).stderr)
         self.assertEqual(json.loads(run("eclipses", self.day, "--sat", "J01", "--format", "json").stdout), [])
