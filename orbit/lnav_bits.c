@@ -133,14 +133,14 @@ static uint32_t ura_index(double accuracy_m)
     return k;
 }
 
-static void fill_clock(draft *d, const orr_nav_eph *e) // figure 20-1, subframe 1
+static void fill_clock(draft *d, const orr_nav_eph *e, const orr_lnav_how *how) // figure 20-1, subframe 1
 {
     int32_t week;
     int64_t toc_ns;
     orr_time_week(e->toc, &week, &toc_ns);
     uint32_t iodc = e->iodc >= 0 ? (uint32_t)e->iodc & 0x3ff : 0;
     double tgd = isfinite(e->delay.tgd_s) ? e->delay.tgd_s : 0;
-    put(d, 61, 10, (uint32_t)week & 0x3ff);
+    put(d, 61, 10, (uint32_t)how->week & 0x3ff); // the current one (20.3.3.3.1.1), whatever toe's is
     put(d, 71, 2, e->data_sources & 3u ? e->data_sources & 3u : 1u); // P code on L2 unless told
     put(d, 73, 4, ura_index(e->accuracy_m));
     put(d, 77, 6, e->health & 0x3f);
@@ -190,7 +190,7 @@ orr_status orr_lnav_encode_ephemeris(const orr_nav_eph *eph, int number, const o
     if (eph->kind != ORR_NAV_KEPLER) return orr_diag_set(diag, ORR_E_ARG, "LNAV carries Kepler elements");
     switch (number) {
     case 1:
-        fill_clock(&d, eph);
+        fill_clock(&d, eph, how);
         break;
     case 2:
         fill_orbit_1(&d, eph);

@@ -17,11 +17,12 @@ typedef struct orr_lnav_how {
                         // truncated 17 bits)
     bool alert, anti_spoof;
     uint32_t tlm_message; // 14 bits
+    int32_t week;         // of subframe 1: the full week it is sent in
 } orr_lnav_how;
 
-// Subframe `number` (1, 2, 3) of a Kepler record: week modulo 1024, URA index from accuracy_m, health (6
-// bits), IODC and IODE, toc, toe, clock, TGD, elements; fit interval flag 1 above 4 h. ORR_E_RANGE with the
-// field's name when a value does not fit; ORR_E_ARG for another number or kind.
+// Subframe `number` (1, 2, 3) of a Kepler record: how's week modulo 1024, URA index from accuracy_m, health
+// (6 bits), IODC and IODE, toc, toe, clock, TGD, elements; fit interval flag 1 above 4 h. ORR_E_RANGE with
+// the field's name when a value does not fit; ORR_E_ARG for another number or kind.
 orr_status orr_lnav_encode_ephemeris(const orr_nav_eph *eph, int number, const orr_lnav_how *how,
                                      orr_lnav_subframe *out, orr_diag *diag);
 

@@ -100,7 +100,7 @@ static orr_status lnav_frame(const orr_navset *set, orr_sat sat, orr_time t, orr
     for (int k = 1; k <= 5; k++) {
         orr_navframe_piece *p = &out->piece[k - 1];
         // HOW tells the begin of the next subframe, and 0 for the next week's.
-        const orr_lnav_how how = {.tow_count = (uint32_t)((ns / SUBFRAME_NS + k) % 100800)};
+        const orr_lnav_how how = {.tow_count = (uint32_t)((ns / SUBFRAME_NS + k) % 100800), .week = week};
         orr_lnav_subframe s;
         orr_status status = k <= 3   ? orr_lnav_encode_ephemeris(&item->eph, k, &how, &s, diag)
                             : k == 4 ? subframe_4(set, day, begin, page, &how, &s, diag)

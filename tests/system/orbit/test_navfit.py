@@ -113,7 +113,7 @@ class Made(Folder):
                 self.assertEqual(eph["iodc"], claim["iodc"])
                 self.assertEqual(eph["iode"], (claim["iodc"] % 256,) * 2)
                 self.assertEqual(eph["toe"], seconds(claim["toe"]) % 604800)
-                self.assertEqual(eph["week"], int(seconds(claim["toe"]) // 604800) % 1024)
+                self.assertEqual(eph["week"], int(piece["t"] // 604800) % 1024)
                 self.assertEqual((eph["health"], eph["ura"], eph["fit_flag"]), (claim["health"], 0, 0))
                 t = piece["t"] - 12  # the frame's begin
                 position, clock, periodic = navdata.lnav_position(eph, t % 604800)

@@ -93,7 +93,7 @@ class OnTheWire:
                 k, = s.kepler
                 self.assertEqual((s.glonass, len(s.pages)), ([], 5))
                 self.assertEqual((d["iodc"], d["iode"], d["iodc"] % 256), (s.iodc, (s.iode, s.iode), s.iode))
-                self.assertEqual((d["toe"], d["toc"], d["week"]), (s.toe % WEEK / NS, s.toc % WEEK / NS, s.week % 1024))
+                self.assertEqual((d["toe"], d["toc"], d["week"]), (s.toe % WEEK / NS, s.toc % WEEK / NS, s.frame_from // WEEK % 1024))
                 self.assertEqual((d["af0"], d["af1"], d["af2"], d["health"]), (s.af0_s, s.af1_sps, s.af2_sps2, s.health))
                 self.assertEqual((d["sqrt_a"], d["e"], d["crs"], d["crc"]), (k.sqrt_a_sqrtm, k.e, k.crs_m, k.crc_m))
                 self.assertEqual((d["cuc"], d["cus"], d["cic"], d["cis"], d["tgd"]), (k.cuc_rad, k.cus_rad, k.cic_rad, k.cis_rad, k.tgd_s))

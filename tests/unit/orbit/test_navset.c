@@ -427,6 +427,28 @@ static void frames_follow_one_another(void **state)
     orr_ephemeris_free(e);
 }
 
+// IS-GPS-200N 20.3.3.3.1.1: the current week, which a receiver takes its date from; toe may be the next
+// week's.
+static void the_week_is_that_of_the_frame(void **state)
+{
+    (void)state;
+    orr_ephemeris *e = product("2024-02-03T21:00:00", 5, nothing);
+    for (int hours = 2; hours <= 4; hours += 2) {
+        orr_navset_options o = orr_navset_defaults();
+        o.window_s = hours * 3600.0;
+        orr_navset *set = build(e, &o);
+        for (int k = -240; k < 120; k++) { // from two hours before the end of week 2299 on
+            const orr_time t = orr_time_from_week(2300, 0) + k * 30 * ORR_NS_PER_S;
+            orr_navframe f;
+            orr_diag d = {0};
+            ASSERT_OK(orr_navframe_at(set, set->sat[0], t, &f, &d), d);
+            assert_int_equal(received(&f.piece[0], 61, 10), (k < 0 ? 2299 : 2300) % 1024);
+        }
+        orr_navset_free(set);
+    }
+    orr_ephemeris_free(e);
+}
+
 // Page 1 opens the week (IS-GPS-200N 20.3.4.1), and 25 frames later it returns.
 static void pages_count_from_the_begin_of_the_week(void **state)
 {
@@ -507,6 +529,7 @@ int main(void)
         cmocka_unit_test(a_reset_makes_its_sets_unhealthy),
         cmocka_unit_test(receivers_have_the_leap_seconds_of_their_day),
         cmocka_unit_test(frames_follow_one_another),
+        cmocka_unit_test(the_week_is_that_of_the_frame),
         cmocka_unit_test(pages_count_from_the_begin_of_the_week),
         cmocka_unit_test(coefficients_that_do_not_fit_are_not_sent),
     };
