@@ -12,8 +12,8 @@
 #include "orbit/snoop.h"
 
 #define MAX_PASSES 8
-#define LINEAR_M 30.0     // deviation (of velocity: times the node step) below which (33) is linear to 0.1 mm
-#define LEAST_FREEDOM 1.0 // measurements beyond what an arc's state takes up, to judge their noise by
+#define LINEAR_M 30.0   // deviation (of velocity: times the node step) below which (33) is linear to 0.1 mm
+#define TELLING_NODES 4 // three are met whatever they are: position, velocity and f0
 #define LEAST_PUSH_MPS                                                                                       \
     0.01                // files that differ by metres differ by less; station keeping takes ten times as much
 #define MAX_APART_M 1.0 // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
@@ -98,8 +98,10 @@ static uint32_t flags_between(const work *w, const orr_node *a, const orr_node *
 static double real_over_formal(const work *w, const orr_track *t, const orr_verdict *verdict)
 {
     double chi2 = 0, formal2 = 0;
+    size_t instants = 0;
     for (size_t k = 0; k < t->n; k++) {
         const orr_instant *at = &t->at[k];
+        bool any = false;
         for (size_t i = at->first; i < at->first + at->n; i++) {
             const orr_node *node = &w->node[i];
             if (node->superseded || node->bridge || verdict[i].rejected) continue;
@@ -108,9 +110,11 @@ static double real_over_formal(const work *w, const orr_track *t, const orr_verd
             double weight = 1.0 / (node->sigma_m * node->sigma_m);
             chi2 += weight * orr_vec3_dot(e, e);
             for (int j = 0; j < 3; j++) formal2 += 1.0 - weight * at->smoothed.P[j][j];
+            any = true;
         }
+        instants += any;
     }
-    return formal2 > LEAST_FREEDOM ? sqrt(chi2 / formal2) : w->scale;
+    return instants >= TELLING_NODES && formal2 > 0 ? sqrt(chi2 / formal2) : w->scale;
 }
 
 // Samples of the smoothed track as an arc of the solution.

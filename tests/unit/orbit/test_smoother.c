@@ -134,6 +134,11 @@ static void hourly_nodes_need_passes_and_get_them(void **state)
         double rms, max;
         made_compare(&sky, all[i], &s, 7200, 79200, &rms, &max);
         ASSERT_NEAR(rms, 0, 5e-3);
+        // Between hourly nodes sigma is what f0's walk makes of it: not better than the error, nor
+        // decimetres.
+        const orr_orbit_arc *arc = &made_find(&s, all[i]->sat)->arc[0];
+        const double sigma_m = (double)arc->sample[(size_t)(45000 / arc->step_s)].sigma_m;
+        assert_true(sigma_m > 0.5 * rms && sigma_m < 20e-3);
     }
     orr_orbit_solution_free(&s);
     made_sp3_free(&f);
