@@ -73,5 +73,8 @@ orr_status navfit_write_bits(const orr_cli *c, const orr_navset *set, orr_time f
         if (s != ORR_OK) orr_outfile_abort(&out);
     }
     free(next);
-    return s == ORR_OK ? orr_outfile_commit(&out, diag) : s;
+    if (s != ORR_OK) return s;
+    if (*n_pieces > 0) return orr_outfile_commit(&out, diag);
+    orr_outfile_abort(&out);
+    return orr_diag_set(diag, ORR_E_NODATA, "no satellite sends anything between --from and --to");
 }

@@ -258,8 +258,10 @@ class Made(Folder):
     def test_what_cannot_be_is_said(self):
         self.assertIn("GPS or GLONASS", run("navfit", self.product, "--sat", "E", status=1).stderr)
         self.assertIn("--bits", run("navfit", self.product, "--from", "2025-03-21", status=2).stderr)
-        self.assertIn("sends", run("navfit", self.product, "--sat", "G01", "--bits", "-", "--from", "2026-01-01", "--to",
+        none = self.path("none.csv")
+        self.assertIn("sends", run("navfit", self.product, "--sat", "G01", "--bits", none, "--from", "2026-01-01", "--to",
                                    "2026-01-02", status=1).stderr)
+        self.assertFalse(pathlib.Path(none).exists())
         self.assertIn("standard output", run("navfit", self.product, "-o", "-", "--json", status=2).stderr)
 
 
