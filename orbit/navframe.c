@@ -12,8 +12,6 @@
 #define STRING_NS (2 * ORR_NS_PER_S)
 #define PAGES 25
 
-static int64_t floor_div(int64_t a, int64_t b) { return a / b - (a % b < 0); }
-
 // The immediate data of a frame: those of its begin, or, in the first frame of a product that begins within
 // it, of t.
 static const orr_navset_item *item_of(const orr_navset *set, orr_sat sat, orr_time begin, orr_time t)
@@ -51,7 +49,7 @@ static orr_lnav_utc utc_parameters(orr_time t, const navset_day *day)
     utc.leap_future_s = leap->entry[k].tai_minus_utc_s - 19;
     const int32_t eve =
         leap->entry[k].mjd - 1 - 44244; // days since 1980-01-06 of the day at whose end it takes effect
-    utc.week_lsf = (int32_t)floor_div(eve, 7);
+    utc.week_lsf = (int32_t)navset_floor_div(eve, 7);
     utc.day = eve - 7 * utc.week_lsf + 1;
     return utc;
 }
@@ -88,7 +86,7 @@ static orr_status subframe_5(const navset_day *day, int page, const orr_lnav_how
 static orr_status lnav_frame(const orr_navset *set, orr_sat sat, orr_time t, orr_navframe *out,
                              orr_diag *diag)
 {
-    const orr_time begin = floor_div(t, FRAME_NS) * FRAME_NS;
+    const orr_time begin = navset_floor_div(t, FRAME_NS) * FRAME_NS;
     const orr_navset_item *item = item_of(set, sat, begin, t);
     if (item == NULL) return ORR_E_NODATA;
     const navset_day *day = navset_day_at(set, begin);

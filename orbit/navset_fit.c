@@ -231,7 +231,8 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
     const bool parted = item.from < arc_from || item.to > arc_to + 1; // another arc is on the air too
     if (from > item.from) from = item.from; // what the set stands for: its window, and while it is sent
     if (to < item.to) to = item.to;
-    if (item.clock_rms_s > CLOCK_LIMIT_S || clock_jumps(e, sat->sat, from, to))
+    const bool has_clock = (item.notes & ORR_NAVSET_NO_CLOCK) == 0;
+    if (has_clock && (item.clock_rms_s > CLOCK_LIMIT_S || clock_jumps(e, sat->sat, from, to)))
         item.notes |= ORR_NAVSET_CLOCK_JUMP;
     if (parted || has_manoeuvre(e, sat->sat, from, to)) item.notes |= ORR_NAVSET_MANOEUVRE;
     const bool out = (item.notes & (ORR_NAVSET_MANOEUVRE | ORR_NAVSET_CLOCK_JUMP)) != 0;

@@ -8,8 +8,6 @@
 #define LNAV_STEP_S 7200    // a new set every two hours, as GPS does (IS-GPS-200N 20.3.4.4)
 #define GLONASS_STEP_S 1800 // P1 = 01: tb changes every 30 minutes (GLONASS ICD 5.1, 4.4)
 
-static int64_t floor_div(int64_t a, int64_t b) { return a / b - (a % b < 0); }
-
 // Issue of the n-th two-hour slot since 1980: IODC 0-239, 256-495, 512-751, 768-1007, so that IODE, its low
 // eight bits, stays below 240, as a fit interval of four hours demands (table 20-XII); no value returns
 // within 80 days.
@@ -22,7 +20,7 @@ static int32_t issue_of(int64_t n)
 orr_status navset_schedule_gps(orr_time from, orr_time to, double window_s, navset_schedule *out)
 {
     const int64_t step = LNAV_STEP_S * ORR_NS_PER_S, half = (int64_t)(window_s / 2) * ORR_NS_PER_S;
-    int64_t first = floor_div(from + half, step), last = floor_div(to + half, step);
+    int64_t first = navset_floor_div(from + half, step), last = navset_floor_div(to + half, step);
     *out = (navset_schedule){.slot = calloc((size_t)(last - first + 1), sizeof *out->slot)};
     if (out->slot == NULL) return ORR_E_MEMORY;
     for (int64_t n = first; n <= last; n++) {
