@@ -42,6 +42,7 @@ static orr_eclipse passage(const orr_ephemeris *e, orr_sat sat, const orr_orbit_
         x.umbra_to = i == last && cut_end ? ORR_TIME_NONE : v[i].t1;
         x.umbra = true;
     }
+    x.umbra_known = x.umbra || (!cut_begin && !cut_end);
     return x;
 }
 

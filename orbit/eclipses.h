@@ -12,7 +12,8 @@ typedef struct orr_eclipse {
     orr_sat sat;
     orr_time penumbra_from, umbra_from, umbra_to, penumbra_to;
     orr_time from, to; // as far as the arcs reach: always known
-    bool umbra;        // whether it goes (or, where it is cut, went) that deep
+    bool umbra;        // whether it is seen to go that deep
+    bool umbra_known;  // false where that may have been before the arc, or comes after it
 } orr_eclipse;
 
 // Those of one satellite, ascending, into out[0..max); how many there are, which may be more than max.

@@ -60,15 +60,20 @@ static void print(FILE *f, const list *l, char format)
         for (int k = 0; k < 4; k++) instant(t[k], text[k]);
         orr_sat_text(x->sat, sat);
         if (format == 'c')
-            fprintf(f, "%s,%s,%s,%s,%s,%.1f,%d\n", sat, text[0], text[1], text[2], text[3], length, x->umbra);
+            fprintf(f, "%s,%s,%s,%s,%s,%.1f,%s\n", sat, text[0], text[1], text[2], text[3], length,
+                    !x->umbra_known ? ""
+                    : x->umbra      ? "1"
+                                    : "0");
         if (format == 't')
             fprintf(f, "%s  %-23s %-23s %-23s %-23s %5.1f\n", sat, text[0][0] ? text[0] : "before",
-                    text[1][0] ? text[1]
-                    : x->umbra ? "before"
-                               : "-",
-                    text[2][0] ? text[2]
-                    : x->umbra ? "after"
-                               : "-",
+                    text[1][0]       ? text[1]
+                    : x->umbra       ? "before"
+                    : x->umbra_known ? "-"
+                                     : "?",
+                    text[2][0]       ? text[2]
+                    : x->umbra       ? "after"
+                    : x->umbra_known ? "-"
+                                     : "?",
                     text[3][0] ? text[3] : "after", length / 60);
         if (format != 'j') continue;
         static const char *const key[4] = {"penumbra_entry", "umbra_entry", "umbra_exit", "penumbra_exit"};
@@ -78,7 +83,10 @@ static void print(FILE *f, const list *l, char format)
                 fprintf(f, ", \"%s\": \"%s\"", key[k], text[k]);
             else
                 fprintf(f, ", \"%s\": null", key[k]);
-        fprintf(f, ", \"shadow_s\": %.1f, \"umbra\": %s}", length, x->umbra ? "true" : "false");
+        fprintf(f, ", \"shadow_s\": %.1f, \"umbra\": %s}", length,
+                !x->umbra_known ? "null"
+                : x->umbra      ? "true"
+                                : "false");
     }
     if (format == 'j') fputs("\n]\n", f);
 }
@@ -132,7 +140,8 @@ const orr_command orr_cmd_eclipses = {
         "One row a passage: entries into penumbra and umbra and exits from them, GPS time. The shadow is the "
         "cone of a spherical Earth (6378.1366 km) without atmosphere. An instant before the orbit begins or "
         "after it ends is not known: blank in CSV, null in JSON. A passage without umbra has none of its "
-        "instants, and umbra is 0. shadow_s counts what the orbit holds of it.",
+        "instants, and umbra is 0; umbra is not known either where the orbit begins or ends in the penumbra. "
+        "shadow_s counts what the orbit holds of it.",
     .example = "orrery eclipses day.nc\norrery eclipses week.nc --sat G05,E --format csv -o eclipses.csv",
     .n_options = sizeof options / sizeof options[0],
     .option = options,

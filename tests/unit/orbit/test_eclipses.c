@@ -112,6 +112,7 @@ static void lengths_are_the_closed_forms(void **state)
             const double tolerance = fabs(k[i].beta_deg) > 12 ? 20 : 4;
             ASSERT_NEAR(seconds(x[m].penumbra_to, x[m].penumbra_from), outer, tolerance);
             assert_int_equal(x[m].umbra, inner > 0);
+            assert_true(x[m].umbra_known);
             if (inner == 0) continue;
             ASSERT_NEAR(in.attitude.sunlight, 0, 0);
             ASSERT_NEAR(seconds(x[m].umbra_to, x[m].umbra_from), inner, tolerance);
@@ -149,6 +150,27 @@ static void what_the_arc_cuts_is_not_known(void **state)
     assert_true(found);
     orr_ephemeris_free(e);
     orr_ephemeris_free(whole);
+}
+
+// An orbit that begins in the penumbra on the way out has not been seen in the umbra, and does not say that
+// it was not there.
+static void an_umbra_before_the_arc_is_not_denied(void **state)
+{
+    (void)state;
+    const orr_sat sat = orr_sat_make('G', 7);
+    const double a = 2.656e7, n = sqrt(3.986004415e14 / (a * a * a));
+    orr_ephemeris *e = product(sat, a, 0.96, 0.01, 1.0, NULL);
+    orr_eclipse x[8];
+    assert_true(orr_eclipses_of(e, sat, x, 8) > 0 && x[0].umbra && x[0].umbra_known);
+    const double at_s = seconds(x[0].umbra_to, sky.t0) + 0.5 * seconds(x[0].penumbra_to, x[0].umbra_to);
+    orr_ephemeris_free(e);
+    e = product(sat, a, 0.96, 0.01, 1.0 + n * at_s, NULL);
+    assert_true(orr_eclipses_of(e, sat, x, 8) > 0 && x[0].from == sky.t0);
+    assert_true(x[0].penumbra_from == ORR_TIME_NONE && x[0].penumbra_to != ORR_TIME_NONE);
+    assert_true(seconds(x[0].to, x[0].from) < 120); // penumbra alone
+    assert_false(x[0].umbra);
+    assert_false(x[0].umbra_known);
+    orr_ephemeris_free(e);
 }
 
 static void extras_say_what_they_do_not_know(void **state)
@@ -207,6 +229,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lengths_are_the_closed_forms),
         cmocka_unit_test(what_the_arc_cuts_is_not_known),
+        cmocka_unit_test(an_umbra_before_the_arc_is_not_denied),
         cmocka_unit_test(extras_say_what_they_do_not_know),
     };
     return cmocka_run_group_tests(tests, begin, end);
