@@ -93,9 +93,10 @@ orr_status orr_bridge_nodes(const orr_nav *nav, orr_time origin, double step_s, 
 {
     orr_vec3 offset = {0, 0, 0};
     double sigma = 0;
+    const int64_t step = (int64_t)llround(step_s * 1e9);
+    if (step <= 0) return ORR_OK; // nodes of one instant alone
     if (list->n_nodes == 0 || !calibrate(nav, list, &offset, &sigma)) return ORR_OK;
     const size_t precise = list->n_nodes;
-    const int64_t step = (int64_t)llround(step_s * 1e9);
     const double correlated = fmax(1.0, CORRELATED_S / step_s);
     orr_time end = list->node[precise - 1].t;
     if (extend_to != ORR_TIME_NONE && extend_to > end)
