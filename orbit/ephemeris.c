@@ -131,15 +131,30 @@ static void mark(const eph_arc *a, const eph_span *span, eph_meta *meta, int32_t
     }
 }
 
-// Flags of the arc's segments as far as they are the same throughout. One pass over spans and one over
-// segments.
+// The first span that t may lie in: those before it end before t.
+static size_t first_reaching(const eph_sat *s, orr_time t)
+{
+    size_t low = 0, high = s->n_spans;
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (s->span[mid].reach < t)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low;
+}
+
+// Flags of the arc's segments as far as they are the same throughout. One pass over the spans that may touch
+// it and one over segments.
 static orr_status summarise(orr_ephemeris *e, const eph_sat *s, const eph_arc *a, orr_diag *diag)
 {
     int32_t(*change)[MARKS] = calloc(a->n_segments + 1, sizeof *change), now[MARKS] = {0};
     if (change == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the flags of %zu segments", a->n_segments);
     eph_meta *meta = &e->meta[a->first_segment];
-    for (size_t k = 0; k < s->n_spans; k++) mark(a, &s->span[k], meta, change);
+    for (size_t k = first_reaching(s, a->t0); k < s->n_spans && s->span[k].t0 <= a->t1; k++)
+        mark(a, &s->span[k], meta, change);
     for (size_t i = 0; i < a->n_segments; i++) {
         const uint32_t *f = &e->sample_flags[a->first_sample + i * a->samples_per_segment];
         meta[i].flags = f[0];

@@ -23,7 +23,8 @@ static orr_status check_arc(orr_sat sat, const orr_orbit_arc *a, const orr_orbit
     double ns = a->step_s * 1e9;
     if (!(a->step_s > 0) || a->step_s > ORR_S_PER_DAY || fabs(ns - nearbyint(ns)) > 1e-3)
         return arc_error(sat, a, "the step of samples is no whole number of nanoseconds up to a day", diag);
-    if (a->t0 < -EPH_TIME_LIMIT || a->t0 > EPH_TIME_LIMIT)
+    if (a->t0 < -EPH_TIME_LIMIT || a->t0 > EPH_TIME_LIMIT ||
+        (double)a->n * ns > (double)EPH_TIME_LIMIT - (double)a->t0)
         return arc_error(sat, a, "a product's times are of the years 1834 to 2126", diag);
     if (a->samples_per_segment < 1 || a->samples_per_segment > EPH_MAX_SAMPLES_PER_SEGMENT || a->n < 2 ||
         (a->n - 1) % a->samples_per_segment != 0)
@@ -35,7 +36,7 @@ static orr_status check_arc(orr_sat sat, const orr_orbit_arc *a, const orr_orbit
         const orr_orbit_sample *p = &a->sample[i];
         double sum = p->pos_m.x + p->pos_m.y + p->pos_m.z + p->vel_mps.x + p->vel_mps.y + p->vel_mps.z +
                      p->acc_mps2.x + p->acc_mps2.y + p->acc_mps2.z;
-        if (isfinite(sum) && p->sigma_m >= 0) continue;
+        if (isfinite(sum) && p->sigma_m >= 0 && !isinf(p->sigma_m)) continue;
         char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
         return orr_diag_set(diag, ORR_E_NUMERIC, "the smoothed orbit of %s at %s is no number",
                             orr_sat_text(sat, name),
@@ -72,6 +73,12 @@ static orr_status count(const orr_orbit_solution *s, orr_ephemeris *c, orr_diag 
             orr_status st = check_arc(sat->sat, &sat->arc[k], k > 0 ? &sat->arc[k - 1] : NULL, diag);
             if (st != ORR_OK) return st;
             c->n_samples += sat->arc[k].n;
+        }
+        for (size_t k = 0; k < sat->n_clocks; k++) {
+            char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
+            if (fabs(sat->clock[k].clock_s) < EPH_MAX_CLOCK_S) continue;
+            return orr_diag_set(diag, ORR_E_NUMERIC, "the clock of %s at %s is no clock's",
+                                orr_sat_text(sat->sat, name), orr_time_text(sat->clock[k].t, when));
         }
     }
     return ORR_OK;

@@ -19,6 +19,7 @@ enum { EPH_FORMAT_VERSION = 1 };   // and "product_version"
 #define EPH_STATE_FLAGS (ORR_EPH_PREDICTED | ORR_EPH_MANOEUVRE | ORR_EPH_ECLIPSE | ORR_EPH_GAP)
 #define EPH_CLOCK_FLAGS (ORR_EPH_CLOCK_EVENT | ORR_EPH_PREDICTED)
 #define EPH_TIME_LIMIT ((INT64_C(1) << 62) - 1) // 1834 to 2126: differences of two such times fit, and sums
+#define EPH_MAX_CLOCK_S 1e9                     // decades: rates between such clocks are still numbers
 #define EPH_MAX_POS_ERROR_M 1e-4                // what build allows between segments and samples
 #define EPH_MAX_VEL_ERROR_MPS 1e-6
 

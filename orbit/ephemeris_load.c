@@ -115,7 +115,7 @@ static orr_status check_arc(const file *f, eph_arc *a, int64_t samples)
 {
     int64_t n = (int64_t)a->n_segments;
     if (a->t0 < -EPH_TIME_LIMIT || a->t0 > EPH_TIME_LIMIT || a->segment_ns < 1 || n < 1 ||
-        n > EPH_TIME_LIMIT / a->segment_ns)
+        n > EPH_TIME_LIMIT / a->segment_ns || a->t0 > EPH_TIME_LIMIT - n * a->segment_ns)
         return wrong(f, "an arc's start, segment length or number of segments is impossible");
     if ((samples - 1) % n != 0 || (samples - 1) / n < 1 || (samples - 1) / n > EPH_MAX_SAMPLES_PER_SEGMENT ||
         a->segment_ns % ((samples - 1) / n) != 0)
@@ -194,7 +194,7 @@ static orr_status read_samples(const file *f, orr_ephemeris *e)
     if (s == ORR_OK) s = read_column(f, "sample_flags", ORR_NC_UINT16, n, (void **)&flags);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         e->sample_flags[i] = flags[i] & EPH_STATE_FLAGS;
-        if (!(e->sigma[i] >= 0)) s = wrong(f, "a sigma is negative or no number");
+        if (!(e->sigma[i] >= 0) || isinf(e->sigma[i])) s = wrong(f, "a sigma is negative or no number");
     }
     free(flags);
     return s;
@@ -212,7 +212,7 @@ static orr_status read_clocks(const file *f, orr_ephemeris *e)
     if (s == ORR_OK) s = read_column(f, "clock_flags", ORR_NC_UINT16, n, (void **)&flags);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         e->clock[i] = (orr_clock_node){t[i], bias[i], flags[i] & EPH_CLOCK_FLAGS};
-        if (t[i] < -EPH_TIME_LIMIT || t[i] > EPH_TIME_LIMIT || !isfinite(bias[i]))
+        if (t[i] < -EPH_TIME_LIMIT || t[i] > EPH_TIME_LIMIT || !(fabs(bias[i]) < EPH_MAX_CLOCK_S))
             s = wrong(f, "a clock node is impossible");
     }
     // Where two files meet, both have a clock for the instant: left and right of a jump.

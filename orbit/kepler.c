@@ -35,6 +35,7 @@ orr_status orr_kepler_from_state(orr_vec3 r, orr_vec3 v, double gm, orr_kepler *
     orr_vec3 ev = orr_vec3_axpy(-1 / radius, r, orr_vec3_scale(1 / gm, orr_vec3_cross(v, h)));
     out->a_m = 1 / inverse_a;
     out->e = orr_vec3_norm(ev);
+    if (!(out->e < 1)) return ORR_E_NUMERIC; // next to a straight line, by rounding
     double flat = hypot(w.x, w.y);
     out->i_rad = atan2(flat, w.z);
     out->raan_rad = flat > EQUATORIAL ? turn(atan2(w.x, -w.y)) : 0;

@@ -8,6 +8,8 @@
 #include "orbit/lnav_bits.h"
 #include "orbit/navset_impl.h"
 
+#define MOST_WEEKS 1024 // of ten bits: a longer set would send one week for another
+
 orr_navset_options orr_navset_defaults(void) { return (orr_navset_options){.window_s = 7200, .jobs = 1}; }
 
 typedef struct work {
@@ -110,6 +112,12 @@ orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o,
 {
     if (o->window_s != 7200 && o->window_s != 14400)
         return orr_diag_set(diag, ORR_E_ARG, "a window of %g s is not 2 or 4 hours", o->window_s);
+    orr_time begin, end;
+    orr_ephemeris_span(e, &begin, &end);
+    if (orr_time_diff_s(end, begin) > MOST_WEEKS * (double)ORR_S_PER_WEEK)
+        return orr_diag_set(diag, ORR_E_LIMIT,
+                            "a product of %.0f weeks is longer than the %d that LNAV counts",
+                            orr_time_diff_s(end, begin) / ORR_S_PER_WEEK, MOST_WEEKS);
     work w = {.e = e, .o = o};
     orr_navset *set = calloc(1, sizeof *set);
     orr_status s = set == NULL ? ORR_E_MEMORY : fit_all(&w);

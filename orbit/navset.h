@@ -50,7 +50,8 @@ typedef struct orr_navset orr_navset;
 // begin on. IODC counts the two-hour slots since 1980 modulo 960 within the ranges that a fit interval of
 // four hours has (IS-GPS-200N 20.3.4.4), IODE is its lower part. GLONASS: tb at 15 and 45 minutes of each
 // hour of UTC, +- 15 min. A satellite or a window that cannot be fitted is left out with a warning. Errors:
-// ORR_E_ARG (window), ORR_E_NODATA (nothing could be fitted), ORR_E_INTERRUPTED, ORR_E_MEMORY.
+// ORR_E_ARG (window), ORR_E_NODATA (nothing could be fitted), ORR_E_LIMIT (a product longer than the 1024
+// weeks that LNAV counts), ORR_E_INTERRUPTED, ORR_E_MEMORY.
 orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
                             orr_warnings *warnings, orr_diag *diag);
 void orr_navset_free(orr_navset *set);

@@ -71,17 +71,35 @@ static bool has_manoeuvre(const orr_ephemeris *e, orr_sat sat, orr_time from, or
     return false;
 }
 
+// The first clock node after t; ORR_TIME_NONE if there is none.
+static orr_time next_clock(const orr_ephemeris *e, orr_sat sat, orr_time t)
+{
+    const orr_clock_node *list;
+    size_t low = 0, n = orr_ephemeris_clocks(e, sat, &list), high = n;
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (list[mid].t <= t)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low < n ? list[low].t : ORR_TIME_NONE;
+}
+
 // Whether the clock jumps between two nodes that have a part of from..to between them. There the product has
-// none, and it has it again behind the node that tells of the event.
+// none, and it has it again at the node that tells of the event. Behind `to` the search goes from node to
+// node: a satellite without a clock would have every set look through the rest of the product.
 static bool clock_jumps(const orr_ephemeris *e, orr_sat sat, orr_time from, orr_time to)
 {
     const int64_t step = 60 * ORR_NS_PER_S;
     bool lost = false;
     orr_sat_state s;
-    for (orr_time t = from; (t < to || lost) && orr_ephemeris_eval(e, sat, t, &s) == ORR_OK; t += step) {
+    orr_time t = from;
+    while ((t < to || lost) && orr_ephemeris_eval(e, sat, t, &s) == ORR_OK) {
         const bool valid = (s.flags & ORR_EPH_CLOCK_VALID) != 0;
         if (lost && valid && (s.flags & ORR_EPH_CLOCK_EVENT) != 0) return true;
         lost = !valid;
+        t = lost && t + step >= to ? next_clock(e, sat, t) : t + step;
     }
     return false;
 }

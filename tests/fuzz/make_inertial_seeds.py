@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the seeds of the fuzz targets of telemetry, gravity, files of readings and sessions: small made files and edits."""
+"""Writes the seeds of the fuzz targets of telemetry, gravity, files of readings, sessions and orbit products: small made files and edits."""
 import functools
 import operator
 import pathlib
@@ -64,12 +64,14 @@ def main():
         write("telemetry", name, text.encode())
     for name, text in GRAVITY.items():
         write("gravity", name, text.encode())
-    for target, kinds in (("imu", 4), ("session", 3)):
+    for target, kinds in (("imu", 4), ("session", 3), ("product", 3)):
         for k in range(kinds):
             for name, edits in EDITS.items():
                 if k == 0 or name in ("none", "value", "long"):
                     write(target, f"{name}-{k}", bytes([k]) + edits)
         write(target, "many", bytes([1]) + b"".join(EDITS.values()))
+    for name, first in (("day", 23), ("day-zero-clocks", 47), ("zero-clocks", 25), ("four-hours", 49)):
+        write("product", name, bytes([first]))  # the kind, and what broadcast data are asked for
 
 
 def write(target, name, data):

@@ -228,6 +228,9 @@ static orr_status load_with(const lie *l, orr_diag *diag)
     } else if (type == NC_INT64) {
         long long v = l->value > 9e18 ? INT64_MAX : l->value < -9e18 ? INT64_MIN : (long long)l->value;
         assert_int_equal(nc_put_var1_longlong(id, var, l->index, &v), NC_NOERR);
+    } else if (type == NC_FLOAT) { // NetCDF has no infinite double become a float
+        float v = (float)l->value;
+        assert_int_equal(nc_put_var1_float(id, var, l->index, &v), NC_NOERR);
     } else {
         assert_int_equal(nc_put_var1_double(id, var, l->index, &l->value), NC_NOERR);
     }
@@ -252,6 +255,7 @@ static void test_lies(void **state)
         {"satellite_name", {1, 0}, 'G'}, // G01 twice
         {"arc_start", {0}, 9.2e18},
         {"arc_start", {0}, -9.2e18},
+        {"arc_start", {0}, 0x1p62 - 1000e9}, // begins within the times, ends beyond
         {"segment_length", {0}, 0},
         {"segment_length", {1}, -900e9},
         {"segment_length", {1}, 9.2e18},
@@ -266,9 +270,11 @@ static void test_lies(void **state)
         {"position_coefficient", {3, 2, 1}, 1e300},
         {"position_sigma", {4}, -1},
         {"position_sigma", {4}, (double)NAN},
+        {"position_sigma", {4}, (double)INFINITY}, // no number between it and its neighbour
         {"clock_time", {1}, 0},
         {"clock_time", {3}, 9.2e18},
         {"clock_bias", {3}, (double)INFINITY},
+        {"clock_bias", {3}, 1.7e308}, // no rate between it and its neighbour
         {"node_time", {2}, 0},
         {"node_source", {2}, 1},
         {"event_kind", {2}, 77},

@@ -81,6 +81,28 @@ static void what_is_no_ellipse_is_refused(void **state)
                      ORR_E_NUMERIC);
 }
 
+// Next to a straight line the eccentricity rounds to 1 and beyond, where the anomaly is no number: refused,
+// or numbers.
+static void next_to_a_straight_line_nothing_is_no_number(void **state)
+{
+    (void)state;
+    int refused = 0, taken = 0;
+    for (uint64_t n = 0; n < 4000; n++) {
+        const double angle = 6 * orr_rng_uniform(2, 0, n), speed = 100 + 3000 * orr_rng_uniform(2, 1, n);
+        const double aside = pow(10, -8.9 + 4 * orr_rng_uniform(2, 2, n)); // of the velocity
+        const orr_vec3 up = {cos(angle), sin(angle), 0.3}, across = {-0.3 * cos(angle), -0.3 * sin(angle), 1};
+        orr_kepler k;
+        const orr_status s = orr_kepler_from_state(
+            orr_vec3_scale(2.6e7, up), orr_vec3_axpy(aside * speed, across, orr_vec3_scale(speed, up)),
+            ORR_KEPLER_GM, &k);
+        refused += s != ORR_OK;
+        taken += s == ORR_OK;
+        if (s == ORR_OK)
+            assert_true(k.e < 1 && isfinite(k.m_rad) && isfinite(k.u_rad) && isfinite(k.argp_rad));
+    }
+    assert_true(refused > 0 && taken > 0);
+}
+
 // On pure two-body motion Gibbs' formulas are exact; r2 pushed out of the plane changes nothing (the
 // regularisation).
 static void three_positions_recover_two_body_motion(void **state)
@@ -117,6 +139,7 @@ int main(void)
         cmocka_unit_test(keplers_equation_is_solved),
         cmocka_unit_test(circular_and_equatorial_orbits_keep_their_conventions),
         cmocka_unit_test(what_is_no_ellipse_is_refused),
+        cmocka_unit_test(next_to_a_straight_line_nothing_is_no_number),
         cmocka_unit_test(three_positions_recover_two_body_motion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

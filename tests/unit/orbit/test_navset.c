@@ -7,6 +7,7 @@
 #include "orbit/navframe.h"
 #include "orbit/navset_impl.h"
 #include "orbit/smoother.h"
+#include "unit/orbit/made_orbit.h"
 #include "unit/orbit/made_sp3.h"
 
 static orr_time when(const char *text)
@@ -219,6 +220,29 @@ static void without_a_clock_nothing_is_sent_unless_asked(void **state)
     assert_true((item->notes & ORR_NAVSET_NO_CLOCK) && item->eph.af0_s == 0 && isnan(item->clock_rms_s));
     orr_navset_free(set);
     orr_ephemeris_free(e);
+}
+
+// Weeks are sent modulo 1024. A product that claims more, as a damaged one may, is refused before anything is
+// made for each of its slots.
+static void more_weeks_than_are_counted_are_refused(void **state)
+{
+    (void)state;
+    const orr_navset_options o = orr_navset_defaults();
+    for (int more = 0; more < 2; more++) {
+        orr_orbit_solution s = made_solution(2, 3, 900, 6);
+        orr_ephemeris *e = NULL;
+        orr_navset *set = NULL;
+        orr_warnings w = {0};
+        orr_diag d = {0};
+        s.sat[1].arc[0].t0 += (1023 + more) * (ORR_S_PER_WEEK * ORR_NS_PER_S);
+        ASSERT_OK(orr_ephemeris_build(&s, &e, &d), d);
+        assert_int_equal(orr_navset_build(e, &o, &set, &w, &d), more ? ORR_E_LIMIT : ORR_OK);
+        if (more) assert_non_null(strstr(d.text, "1024"));
+        orr_navset_free(set);
+        orr_warnings_free(&w);
+        orr_ephemeris_free(e);
+        made_solution_free(&s);
+    }
 }
 
 // Where an orbit begins or ends on a seam of slots, no set reaches beyond its slot, and none is of a slot
@@ -523,6 +547,7 @@ int main(void)
         cmocka_unit_test(every_instant_has_one_set),
         cmocka_unit_test(a_manoeuvre_makes_its_sets_unhealthy),
         cmocka_unit_test(without_a_clock_nothing_is_sent_unless_asked),
+        cmocka_unit_test(more_weeks_than_are_counted_are_refused),
         cmocka_unit_test(sets_stay_in_their_slots),
         cmocka_unit_test(clocks_that_do_not_fit_are_left_out),
         cmocka_unit_test(files_that_do_not_meet_make_their_set_unhealthy),
