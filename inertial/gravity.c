@@ -11,6 +11,10 @@
 #define PROFILE_RADIUS_M 6371000.0
 
 #define LAST_LATITUDE (0.5 * ORR_PI + 1e-9) // a pole, and the rounding of degrees
+#define LAST_LONGITUDE (8 * ORR_PI)         // maps may run past a turn
+#define LAST_DISTANCE_M 1e9
+#define LEAST_STEP_M 1e-6 // points nearer than that are one, and a step of 5e-324 has no slope
+#define LEAST_STEP_RAD 1e-13
 
 struct orr_gravity {
     orr_gravity_parts parts; // its arrays are the following copies
@@ -31,13 +35,16 @@ static const double *copy_numbers(orr_gravity *g, const double *from, size_t n)
     return to;
 }
 
-static orr_status check_axis(const double *x, size_t n, const char *what, orr_diag *diag)
+// Places within +-most, each by at least `least` on from the one before: a spline's slopes stay numbers.
+static orr_status check_axis(const double *x, size_t n, double most, double least, const char *what,
+                             orr_diag *diag)
 {
     for (size_t i = 0; i < n; i++)
-        if (!isfinite(x[i]) || (i > 0 && !(x[i] > x[i - 1])))
+        if (!(fabs(x[i]) <= most) || (i > 0 && !(x[i] - x[i - 1] >= least)))
             return orr_diag_set(
                 diag, ORR_E_ARG,
-                "%s of the gravity disturbance must be finite and ascending; number %zu is not", what, i + 1);
+                "%s of the gravity disturbance must be of the Earth and ascending; number %zu is not", what,
+                i + 1);
     return ORR_OK;
 }
 
@@ -55,7 +62,8 @@ static orr_status make_profile(const orr_gravity_parts *p, orr_gravity *g, orr_d
 {
     if (p->n_profile < 3)
         return orr_diag_set(diag, ORR_E_ARG, "a gravity profile needs three points or more");
-    orr_status s = check_axis(p->profile_distance_m, p->n_profile, "distances", diag);
+    orr_status s =
+        check_axis(p->profile_distance_m, p->n_profile, LAST_DISTANCE_M, LEAST_STEP_M, "distances", diag);
     if (s == ORR_OK) s = check_values(p->profile_mgal, p->n_profile, diag);
     if (s != ORR_OK) return s;
     double cl = cos(p->profile_lat_rad), sl = sin(p->profile_lat_rad), co = cos(p->profile_lon_rad),
@@ -82,8 +90,9 @@ static orr_status make_map(const orr_gravity_parts *p, orr_gravity *g, orr_diag 
         return orr_diag_set(diag, ORR_E_LIMIT,
                             "a gravity map of %zu x %zu points passes the limit of 100 million", p->n_lat,
                             p->n_lon);
-    orr_status s = check_axis(p->map_lat_rad, p->n_lat, "latitudes", diag);
-    if (s == ORR_OK) s = check_axis(p->map_lon_rad, p->n_lon, "longitudes", diag);
+    orr_status s = check_axis(p->map_lat_rad, p->n_lat, LAST_LONGITUDE, LEAST_STEP_RAD, "latitudes", diag);
+    if (s == ORR_OK)
+        s = check_axis(p->map_lon_rad, p->n_lon, LAST_LONGITUDE, LEAST_STEP_RAD, "longitudes", diag);
     if (s == ORR_OK &&
         !(p->map_lat_rad[0] >= -LAST_LATITUDE && p->map_lat_rad[p->n_lat - 1] <= LAST_LATITUDE))
         s = orr_diag_set(diag, ORR_E_ARG, "a gravity map from latitude %.6g to %.6g deg reaches past a pole",

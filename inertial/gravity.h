@@ -33,7 +33,8 @@ typedef struct orr_gravity_parts {
     const double *map_lat_rad, *map_lon_rad, *map_mgal;
 } orr_gravity_parts;
 
-// Errors: ORR_E_ARG with a sentence (too few points, not ascending, not finite), ORR_E_MEMORY.
+// Errors: ORR_E_ARG with a sentence (too few points, not ascending by a micrometre, not of the Earth),
+// ORR_E_MEMORY.
 orr_status orr_gravity_make(const orr_gravity_parts *parts, orr_gravity **out, orr_diag *diag);
 void orr_gravity_free(orr_gravity *g);
 // What it was made of, borrowed from it (for writing it down beside readings). A NULL g has no parts.

@@ -64,7 +64,7 @@ def main():
         write("telemetry", name, text.encode())
     for name, text in GRAVITY.items():
         write("gravity", name, text.encode())
-    for target, kinds in (("imu", 4), ("session", 3), ("product", 3)):
+    for target, kinds in (("imu", 4), ("session", 3), ("product", 3), ("gravity_map", 3)):
         for k in range(kinds):
             for name, edits in EDITS.items():
                 if k == 0 or name in ("none", "value", "long"):

@@ -75,6 +75,15 @@ static void disturbances_have_their_values(void **state)
     orr_gravity_free(g);
     lat[2] = lat[1];
     assert_int_equal(orr_gravity_make(&p, &g, &diag), ORR_E_ARG);
+    // Steps that ascend, but over which a slope is no number; a place that is not on the Earth.
+    lat[2] = 12 * ORR_RAD_PER_DEG;
+    lat[0] = 0, lat[1] = 5e-324;
+    assert_int_equal(orr_gravity_make(&p, &g, &diag), ORR_E_ARG);
+    lat[1] = 11 * ORR_RAD_PER_DEG, lon[5] = 1e308;
+    assert_int_equal(orr_gravity_make(&p, &g, &diag), ORR_E_ARG);
+    const double along[3] = {0, 5e-324, 1}, rise[3] = {1, 2, 3};
+    p = (orr_gravity_parts){.n_profile = 3, .profile_distance_m = along, .profile_mgal = rise};
+    assert_int_equal(orr_gravity_make(&p, &g, &diag), ORR_E_ARG);
 }
 
 // The injected profile comes back to 0.01 mGal, from a file too, and the null test holds in the disturbed
