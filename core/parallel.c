@@ -3,8 +3,15 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <unistd.h>
 
 #define MAX_JOBS 256
+
+int orr_parallel_cores(void)
+{
+    const long n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > MAX_JOBS ? MAX_JOBS : (int)n;
+}
 
 void orr_parallel_run(int jobs, void *(*worker)(void *user), void *user)
 {

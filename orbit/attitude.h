@@ -18,8 +18,8 @@ typedef struct orr_attitude {
     double sunlight; // 1 in the Sun, 0 in umbra
 } orr_attitude;
 
-// The Sun's place in ecef, metres, with the secular pole and UT1 = UTC: a second of UT1 turns it by 0.004
-// deg.
+// The Sun's place in ecef, metres, with the secular pole and UT1 by the leap seconds: a second of UT1 turns
+// it by 0.004 deg.
 orr_vec3 orr_attitude_sun(orr_time t);
 
 // Nominal yaw steering at r moving with v_inertial (velocity in the inertial sense resolved in the same axes:

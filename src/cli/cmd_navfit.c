@@ -2,8 +2,8 @@
 // orrery navfit: broadcast data that agree with a precise orbit.
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "core/parallel.h"
 #include "src/cli/cli.h"
 #include "src/cli/navfit_write.h"
 
@@ -89,8 +89,7 @@ static int run(orr_cli *c)
     orr_diag diag = {0};
     orr_warnings warnings = {0};
     orr_navset_options o = orr_navset_defaults();
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    o.jobs = (int)orr_cli_int(c, "jobs", cores > 1 ? cores : 1);
+    o.jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores());
     o.sats = orr_cli_sats(c, "sat");
     o.zero_clocks = orr_cli_given(c, "zero-clocks");
     o.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;

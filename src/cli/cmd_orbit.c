@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
+#include "core/parallel.h"
 #include "core/sha256.h"
 #include "ingest/erp.h"
 #include "orbit/ephemeris.h"
@@ -252,8 +252,7 @@ static orr_status make_options(const orr_cli *c, work *w, orr_smoother_options *
         return orr_diag_set(diag, ORR_E_ARG, "--extend-to goes with --bridge");
     o->also = w->also;
     o->n_also = w->n_also;
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    o->jobs = (int)orr_cli_int(c, "jobs", cores > 1 ? cores : 1);
+    o->jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores());
     o->n_exclude = orr_cli_count(c, "exclude");
     w->exclude = calloc(o->n_exclude + 1, sizeof *w->exclude);
     if (w->exclude == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for intervals");

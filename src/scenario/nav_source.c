@@ -4,7 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
-#include <unistd.h>
+
+#include "core/parallel.h"
 
 enum { MAX_FILES = 400 };
 
@@ -116,10 +117,9 @@ orr_status orr_nav_source_build(const orr_scenario *s, const orr_ephemeris *e, c
     if (s->navdata.window == ORR_NAVDATA_NONE) return ORR_OK;
     files f = {0};
     orr_navset_options o = orr_navset_defaults();
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
     o.window_s = s->navdata.window == ORR_NAVDATA_4H ? 14400 : 7200;
     o.zero_clocks = s->navdata.zero_clocks;
-    o.jobs = cores > 0 && cores < 64 ? (int)cores : 1;
+    o.jobs = orr_parallel_cores();
     o.cancel = cancel;
     double begin_s = now_s();
     orr_diag inner = {0};

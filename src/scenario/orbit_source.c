@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "core/parallel.h"
 #include "core/sha256.h"
 #include "ingest/erp.h"
 
@@ -56,8 +56,7 @@ static orr_status smooth(const orr_scenario_orbit *o, const orr_smoother_input *
     options.exclude = o->exclude.item;
     options.n_exclude = o->exclude.n;
     options.eop = eop->n > 0 ? eop : NULL;
-    long cpus = sysconf(_SC_NPROCESSORS_ONLN);
-    options.jobs = cpus > 0 && cpus < 64 ? (int)cpus : 1;
+    options.jobs = orr_parallel_cores();
     orr_orbit_solution solution = {0};
     orr_smoother_report report = {0};
     orr_status s =
