@@ -176,6 +176,7 @@ static orr_status averaged(const orr_ephemeris *e, orr_sat sat, const orr_elemen
     }
     double raan = atan2(p, q), perigee = atan2(h, k), two_pi = 2 * ORR_PI;
     *out = (orr_kepler){.a_m = a, .e = hypot(h, k), .i_rad = 2 * atan(hypot(p, q))};
+    if (!(out->e < 1)) return ORR_E_NUMERIC; // all of them next to 1, and the sum rounded
     out->raan_rad = fmod(raan + two_pi, two_pi);
     out->argp_rad = fmod(perigee - raan + 2 * two_pi, two_pi);
     out->m_rad = fmod(fmod(longitude0 + longitude - perigee, two_pi) + two_pi, two_pi);

@@ -11,7 +11,9 @@
 #include "orbit/elements.h"
 #include "orbit/ephemeris.h"
 #include "orbit/navset.h"
+#include "orbit/smoother.h"
 #include "unit/orbit/made_orbit.h"
+#include "unit/orbit/made_sp3.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
@@ -54,22 +56,48 @@ static void part(orr_orbit_sat *s)
     s->n_arcs = 2;
 }
 
-// Three hours; four hours in two arcs, without what a product may lack; a day and two hours.
+// Four hours in two arcs, without what a product may lack.
+static orr_orbit_solution bare(void)
+{
+    orr_orbit_solution s = made_solution(SATS, 4, 900, 6);
+    part(&s.sat[0]);
+    for (size_t i = 0; i < SATS; i++) s.sat[i].n_nodes = s.sat[i].n_events = 0;
+    s.sat[1].n_clocks = 0;
+    s.n_sources = 0;
+    return s;
+}
+
+// By the project's forces, so that all kinds of broadcast data can be fitted, and smoothed.
+static orr_orbit_solution smoothed(double hours)
+{
+    static made_truth truth[SATS];
+    const made_truth *all[SATS];
+    made_sky sky;
+    orr_sp3 f;
+    orr_orbit_solution s;
+    orr_diag diag = {0};
+    made_sky_init(&sky, "2024-02-04T00:00:00", hours / 24);
+    for (int k = 0; k < SATS; k++) {
+        static const double a_m[SATS] = {2.656e7, 2.551e7, 2.96e7}, i_rad[SATS] = {0.96, 1.13, 0.97};
+        made_orbit(&sky, orr_sat_make("GRE"[k], k + 1), a_m[k], k == 1 ? 0.001 : 0.01, i_rad[k], 0.9 * k,
+                   0.4 + 1.7 * k, 2e-8, k == 0 ? 5000 : -1, 0.5, &truth[k]);
+        all[k] = &truth[k];
+    }
+    made_sp3(&sky, all, SATS, 0, (size_t)(hours * 12), 3, &f);
+    const orr_smoother_input in = {.sp3 = &f, .name = "made.sp3"};
+    const orr_smoother_options o = orr_smoother_defaults();
+    if (orr_smoother_run(&in, 1, &o, NULL, NULL, &s, NULL, NULL, &diag) != ORR_OK) abort();
+    made_sp3_free(&f);
+    made_sky_free(&sky);
+    return s;
+}
+
+// Five hours; four of the bare one; a day and two hours, for almanacs.
 static void make(unsigned kind)
 {
-    static const double hours[KINDS] = {3, 4, 26};
-    orr_orbit_solution s = made_solution(SATS, hours[kind], kind == 2 ? 3600 : 900, kind == 2 ? 12 : 6);
+    orr_orbit_solution s = kind == 1 ? bare() : smoothed(kind == 0 ? 5 : 26);
     orr_ephemeris *e;
     orr_diag diag = {0};
-    if (kind == 1) {
-        part(&s.sat[0]);
-        for (size_t i = 0; i < SATS; i++) s.sat[i].n_nodes = s.sat[i].n_events = 0;
-        s.sat[1].n_clocks = 0;
-        s.n_sources = 0;
-    } else {
-        s.sat[0].clock[9].flags = ORR_EPH_CLOCK_EVENT;
-        s.sat[0].arc[0].sample[7].flags = ORR_EPH_PREDICTED;
-    }
     if (orr_ephemeris_build(&s, &e, &diag) != ORR_OK || orr_ephemeris_save(e, path, "made", &diag) != ORR_OK)
         abort();
     nc_mock_keep(kind);
@@ -77,7 +105,10 @@ static void make(unsigned kind)
     nc_mock_edit(kind, NULL, 0);
     if (orr_ephemeris_load(path, &e, &diag) != ORR_OK) abort(); // or nothing would be tried below
     orr_ephemeris_free(e);
-    made_solution_free(&s);
+    if (kind == 1)
+        made_solution_free(&s);
+    else
+        orr_orbit_solution_free(&s);
 }
 
 static bool finite3(orr_vec3 v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }

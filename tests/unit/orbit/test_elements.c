@@ -49,6 +49,38 @@ static void state_is_given_back(void **state)
     orr_ephemeris_free(e);
 }
 
+// A satellite that stands next to the Earth's centre, as a damaged product may have it: its ellipses are next
+// to straight lines, the mean eccentricity rounds to 1 and beyond, and there is no anomaly. Refused, or
+// numbers.
+static void a_fall_to_the_centre_has_no_elements_that_are_no_numbers(void **state)
+{
+    (void)state;
+    int taken[3] = {0}, refused[3] = {0};
+    for (int n = 0; n < 60; n++) {
+        orr_orbit_solution s = made_solution(1, 1, 900, 6);
+        orr_ephemeris *e = NULL;
+        orr_diag diag = {0};
+        const double r = pow(10, -11 + 0.2 * n), z = 1 + 0.1 * (n % 7);
+        for (size_t k = 0; k < s.sat[0].arc[0].n; k++) {
+            orr_orbit_sample *p = &s.sat[0].arc[0].sample[k];
+            p->pos_m = (orr_vec3){r, r, z * r};
+            p->vel_mps = p->acc_mps2 = (orr_vec3){0, 0, 0};
+        }
+        ASSERT_OK(orr_ephemeris_build(&s, &e, &diag), diag);
+        for (int m = ORR_ELEMENTS_STATE; m <= ORR_ELEMENTS_MEAN; m++) {
+            const orr_elements_options o = {.method = (orr_elements_method)m};
+            orr_kepler k;
+            const bool good = orr_elements_at(e, s.sat[0].sat, at(1800.5), &o, &k) == ORR_OK;
+            taken[m] += good;
+            refused[m] += !good;
+            if (good) assert_true(k.e < 1 && isfinite(k.m_rad) && isfinite(k.u_rad) && isfinite(k.argp_rad));
+        }
+        orr_ephemeris_free(e);
+        made_solution_free(&s);
+    }
+    assert_true(taken[ORR_ELEMENTS_MEAN] > 0 && refused[ORR_ELEMENTS_MEAN] > 0);
+}
+
 // MEAN against osculating elements asked for one by one at the 64 instants, each with the Earth's rotation
 // of its own: what it interpolates may not be seen (1e-15 of a rotation is 1e-8 m of a, 1e-15 of e's vector
 // and 1e-14 rad of the plane).
@@ -151,6 +183,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(state_is_given_back),
+        cmocka_unit_test(a_fall_to_the_centre_has_no_elements_that_are_no_numbers),
         cmocka_unit_test(means_are_means),
         cmocka_unit_test(axes_are_shared),
         cmocka_unit_test(where_a_method_lacks_instants),
