@@ -23,22 +23,31 @@ static size_t choose_segment(size_t intervals)
     return 0;
 }
 
+// A span in nanoseconds. Its ends are seconds since the product's begin, which after a week have a tenth of a
+// nanosecond and after a year four of them: whole microseconds are meant where they are so near.
+static int64_t whole_ns(double span_s)
+{
+    const int64_t ns = llround(span_s * 1e9), us = llround(span_s * 1e6);
+    return llabs(ns - 1000 * us) <= 10 ? 1000 * us : ns;
+}
+
 // Number of sample intervals over a span: the step divides node_step_s when the span is a multiple of it, so
 // that nodes fall on samples; else the least number whose step is a whole number of nanoseconds, as the
 // product wants it. A span of whole milliseconds has one at most a quarter above the least (2^a 5^b, a and b
 // up to 6).
 static size_t choose_intervals(double span_s, double node_step_s, double grid_s, size_t *per_segment)
 {
+    const int64_t span_ns = whole_ns(span_s);
     double steps = node_step_s > 0 ? span_s / node_step_s : 0;
     if (steps >= 1 && fabs(steps - round(steps)) * node_step_s < SAME_INSTANT_S) {
         size_t n = (size_t)round(steps) * (size_t)ceil(node_step_s / grid_s - 1e-9);
         *per_segment = choose_segment(n);
-        if (*per_segment > 0 && llround(span_s * 1e9) % (int64_t)n == 0) return n;
+        if (*per_segment > 0 && span_ns % (int64_t)n == 0) return n;
     }
     size_t least = (size_t)fmax(ceil(span_s / grid_s - 1e-9), 2);
     for (size_t n = least; n <= 4 * least; n++) {
         *per_segment = choose_segment(n);
-        if (*per_segment > 0 && llround(span_s * 1e9) % (int64_t)n == 0) return n;
+        if (*per_segment > 0 && span_ns % (int64_t)n == 0) return n;
     }
     *per_segment = ORR_SAMPLES_PER_SEGMENT;
     double segments = ceil(span_s / (grid_s * ORR_SAMPLES_PER_SEGMENT) - 1e-9);
@@ -74,7 +83,7 @@ orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s
     size_t intervals =
         choose_intervals(to_s - from_s, node_step_s, c->options->grid_s, &out->samples_per_segment);
     out->n_samples = intervals + 1;
-    out->step_s = (to_s - from_s) / (double)intervals;
+    out->step_s = (double)whole_ns(to_s - from_s) / (double)intervals * 1e-9;
     out->at = calloc(out->n_samples + n, sizeof *out->at);
     if (out->at == NULL) return ORR_E_MEMORY;
     size_t i = 0, k = 0;
