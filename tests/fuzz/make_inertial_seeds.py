@@ -70,7 +70,7 @@ def main():
                 if k == 0 or name in ("none", "value", "long"):
                     write(target, f"{name}-{k}", bytes([k]) + edits)
         write(target, "many", bytes([1]) + b"".join(EDITS.values()))
-    for name, first in (("day", 23), ("day-zero-clocks", 47), ("zero-clocks", 25), ("four-hours", 49)):
+    for name, first in (("day", 23), ("zero-clocks", 25), ("four-hours", 49)):
         write("product", name, bytes([first]))  # the kind, and what broadcast data are asked for
 
 
