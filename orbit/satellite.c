@@ -41,7 +41,7 @@ void orr_satellite_free(orr_orbit_sat *s)
     *s = (orr_orbit_sat){0};
 }
 
-static orr_time absolute(const work *w, double t_s) { return orr_time_add_s(orr_sky_origin(w->c->sky), t_s); }
+static orr_time absolute(const work *w, double t_s) { return orr_sky_origin(w->c->sky) + orr_track_ns(t_s); }
 
 static void note(work *w, const char *text, double from_s)
 {

@@ -23,21 +23,13 @@ static size_t choose_segment(size_t intervals)
     return 0;
 }
 
-// A span in nanoseconds. Its ends are seconds since the product's begin, which after a week have a tenth of a
-// nanosecond and after a year four of them: whole microseconds are meant where they are so near.
-static int64_t whole_ns(double span_s)
-{
-    const int64_t ns = llround(span_s * 1e9), us = llround(span_s * 1e6);
-    return llabs(ns - 1000 * us) <= 10 ? 1000 * us : ns;
-}
-
 // Number of sample intervals over a span: the step divides node_step_s when the span is a multiple of it, so
 // that nodes fall on samples; else the least number whose step is a whole number of nanoseconds, as the
 // product wants it. A span of whole milliseconds has one at most a quarter above the least (2^a 5^b, a and b
 // up to 6).
-static size_t choose_intervals(double span_s, double node_step_s, double grid_s, size_t *per_segment)
+static size_t choose_intervals(int64_t span_ns, double node_step_s, double grid_s, size_t *per_segment)
 {
-    const int64_t span_ns = whole_ns(span_s);
+    const double span_s = (double)span_ns * 1e-9;
     double steps = node_step_s > 0 ? span_s / node_step_s : 0;
     if (steps >= 1 && fabs(steps - round(steps)) * node_step_s < SAME_INSTANT_S) {
         size_t n = (size_t)round(steps) * (size_t)ceil(node_step_s / grid_s - 1e-9);
@@ -80,10 +72,10 @@ orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s
                           const orr_node *list, size_t n, orr_track *out)
 {
     *out = (orr_track){0};
-    size_t intervals =
-        choose_intervals(to_s - from_s, node_step_s, c->options->grid_s, &out->samples_per_segment);
+    const int64_t span_ns = orr_track_ns(to_s) - orr_track_ns(from_s);
+    size_t intervals = choose_intervals(span_ns, node_step_s, c->options->grid_s, &out->samples_per_segment);
     out->n_samples = intervals + 1;
-    out->step_s = (double)whole_ns(to_s - from_s) / (double)intervals * 1e-9;
+    out->step_s = (double)span_ns / (double)intervals * 1e-9;
     out->at = calloc(out->n_samples + n, sizeof *out->at);
     if (out->at == NULL) return ORR_E_MEMORY;
     size_t i = 0, k = 0;

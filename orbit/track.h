@@ -4,6 +4,10 @@
 #ifndef ORR_ORBIT_TRACK_H
 #define ORR_ORBIT_TRACK_H
 
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
 #include "orbit/integrate.h"
 #include "orbit/kalman.h"
 #include "orbit/nodes.h"
@@ -45,6 +49,15 @@ typedef struct orr_track_context {
     orr_integrator *integrator;
     bool eop_known; // Earth orientation came from data, not from the secular pole
 } orr_track_context;
+
+// An instant of a track in nanoseconds: whole microseconds where a double of its size cannot tell them from
+// what it is (after a year seconds are good to four nanoseconds), so that arcs that meet do so to the
+// nanosecond.
+static inline int64_t orr_track_ns(double t_s)
+{
+    const int64_t ns = llround(t_s * 1e9), us = llround(t_s * 1e6);
+    return (double)llabs(ns - 1000 * us) <= 2e9 * DBL_EPSILON * fabs(t_s) ? 1000 * us : ns;
+}
 
 // Grid from from_s to to_s: samples at most options->grid_s apart, commensurate with node_step_s where that
 // is possible, and all nodes list[0..n) that lie within. ORR_E_MEMORY.
