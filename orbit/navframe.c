@@ -187,8 +187,11 @@ static orr_status glonass_frame(const orr_navset *set, orr_sat sat, orr_time t, 
 
 orr_status orr_navframe_at(const orr_navset *set, orr_sat sat, orr_time t, orr_navframe *out, orr_diag *diag)
 {
-    orr_status s = orr_sat_system(sat) == 'R' ? glonass_frame(set, sat, t, out, diag)
-                                              : lnav_frame(set, sat, t, out, diag);
-    if (s == ORR_E_NODATA) orr_diag_set(diag, s, "the satellite sends nothing at that instant");
-    return s;
+    orr_diag why = {0};
+    char name[ORR_SAT_TEXT];
+    const bool glonass = orr_sat_system(sat) == 'R';
+    orr_status s = glonass ? glonass_frame(set, sat, t, out, &why) : lnav_frame(set, sat, t, out, &why);
+    if (s == ORR_OK) return s;
+    return orr_diag_set(diag, s, "%s: %.400s", orr_sat_text(sat, name),
+                        s == ORR_E_NODATA ? "it sends nothing at that instant" : why.text);
 }
