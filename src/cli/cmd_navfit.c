@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery navfit: broadcast data that agree with a precise orbit.
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/parallel.h"
 #include "src/cli/cli.h"
+#include "src/cli/nav_files.h"
 #include "src/cli/navfit_write.h"
 
 // Everything that a run holds.
@@ -12,32 +12,17 @@ typedef struct work {
     orr_ephemeris *product;
     orr_antex antex;
     orr_bias_set bias;
-    orr_nav *nav; // each file
-    size_t n_nav;
-    orr_nav all_nav;
+    orr_nav nav; // of all files
     orr_navset *set;
 } work;
 
 static void work_free(work *w)
 {
     orr_navset_free(w->set);
-    for (size_t i = 0; i < w->n_nav; i++) orr_nav_free(&w->nav[i]);
-    free(w->nav);
-    orr_nav_free(&w->all_nav);
+    orr_nav_free(&w->nav);
     orr_bias_free(&w->bias);
     orr_antex_free(&w->antex);
     orr_ephemeris_free(w->product);
-}
-
-static orr_status read_navs(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
-{
-    const size_t n = orr_cli_count(c, "nav");
-    orr_status s = ORR_OK;
-    w->nav = calloc(n + 1, sizeof *w->nav);
-    if (w->nav == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n);
-    for (; w->n_nav < n && s == ORR_OK; w->n_nav += s == ORR_OK)
-        s = orr_nav_read(orr_cli_text_at(c, "nav", w->n_nav), NULL, &w->nav[w->n_nav], warnings, diag);
-    return s == ORR_OK && n > 0 ? orr_nav_merge(w->nav, n, &w->all_nav, diag) : s;
 }
 
 static orr_status read_inputs(const orr_cli *c, work *w, orr_navset_options *o, orr_warnings *warnings,
@@ -53,8 +38,10 @@ static orr_status read_inputs(const orr_cli *c, work *w, orr_navset_options *o, 
         s = orr_bias_read(bias, NULL, &w->bias, warnings, diag);
         o->bias = &w->bias;
     }
-    if (s == ORR_OK) s = read_navs(c, w, warnings, diag);
-    if (w->n_nav > 0) o->nav = &w->all_nav;
+    if (s == ORR_OK && orr_cli_given(c, "nav")) {
+        s = orr_cli_read_navs(c, "nav", &w->nav, warnings, diag);
+        o->nav = &w->nav;
+    }
     return s;
 }
 

@@ -11,6 +11,7 @@
 #include "orbit/ephemeris.h"
 #include "orbit/smoother.h"
 #include "src/cli/cli.h"
+#include "src/cli/nav_files.h"
 #include "src/cli/orbit_summary.h"
 
 static const orr_option options[] = {
@@ -130,9 +131,7 @@ typedef struct work {
     orr_erp *erp;
     size_t n_erp;
     orr_eop_series eop;
-    orr_nav *nav;
-    size_t n_nav;
-    orr_nav all_nav;
+    orr_nav nav;            // of all files
     orr_orbit_source *also; // provenance of the two kinds above
     size_t n_also;
     orr_interval *exclude;
@@ -156,9 +155,7 @@ static void work_free(work *w)
     free(w->sp3);
     free(w->input);
     free(w->erp);
-    for (size_t i = 0; i < w->n_nav && w->nav != NULL; i++) orr_nav_free(&w->nav[i]);
-    orr_nav_free(&w->all_nav);
-    free(w->nav);
+    orr_nav_free(&w->nav);
     free(w->also);
     free(w->exclude);
     orr_erp_series_free(&w->eop);
@@ -199,9 +196,8 @@ static orr_status read_others(const orr_cli *c, work *w, orr_warnings *warnings,
 {
     size_t n_erp = orr_cli_count(c, "erp"), n_nav = orr_cli_count(c, "nav");
     w->erp = calloc(n_erp + 1, sizeof *w->erp);
-    w->nav = calloc(n_nav + 1, sizeof *w->nav);
     w->also = calloc(n_erp + n_nav + 1, sizeof *w->also);
-    if (w->erp == NULL || w->nav == NULL || w->also == NULL)
+    if (w->erp == NULL || w->also == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n_erp + n_nav);
     orr_status s = ORR_OK;
     for (; w->n_erp < n_erp && s == ORR_OK; w->n_erp++) {
@@ -209,13 +205,9 @@ static orr_status read_others(const orr_cli *c, work *w, orr_warnings *warnings,
         s = orr_erp_read(path, NULL, NULL, &w->erp[w->n_erp], warnings, diag);
         if (s == ORR_OK) s = note_source(w, path, diag);
     }
-    for (; w->n_nav < n_nav && s == ORR_OK; w->n_nav++) {
-        const char *path = orr_cli_text_at(c, "nav", w->n_nav);
-        s = orr_nav_read(path, NULL, &w->nav[w->n_nav], warnings, diag);
-        if (s == ORR_OK) s = note_source(w, path, diag);
-    }
+    if (s == ORR_OK && n_nav > 0) s = orr_cli_read_navs(c, "nav", &w->nav, warnings, diag);
+    for (size_t i = 0; i < n_nav && s == ORR_OK; i++) s = note_source(w, orr_cli_text_at(c, "nav", i), diag);
     if (s == ORR_OK && n_erp > 0) s = orr_erp_merge(w->erp, n_erp, &w->eop, diag);
-    if (s == ORR_OK && n_nav > 0) s = orr_nav_merge(w->nav, n_nav, &w->all_nav, diag);
     return s;
 }
 
@@ -245,7 +237,7 @@ static orr_status make_options(const orr_cli *c, work *w, orr_smoother_options *
     o->max_gap_s = (double)orr_cli_duration_ns(c, "max-gap", (int64_t)(o->max_gap_s * 1e9)) * 1e-9;
     o->sats = orr_cli_sats(c, "sat");
     o->eop = w->eop.n > 0 ? &w->eop : NULL;
-    o->nav = w->n_nav > 0 ? &w->all_nav : NULL;
+    o->nav = orr_cli_given(c, "nav") ? &w->nav : NULL;
     o->bridge = orr_cli_given(c, "bridge");
     o->extend_to = orr_cli_time(c, "extend-to", ORR_TIME_NONE);
     if (orr_cli_given(c, "extend-to") && !o->bridge)

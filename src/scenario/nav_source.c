@@ -14,16 +14,15 @@ enum { MAX_FILES = 400 };
 typedef struct files {
     orr_antex antex;
     orr_bias_set bias;
-    orr_nav *nav;
-    size_t n_nav;
-    orr_nav merged, shown;
+    orr_nav named, field;
+    bool any;
+    orr_nav shown; // borrows from the two
 } files;
 
 static void files_free(files *f)
 {
-    for (size_t i = 0; i < f->n_nav; i++) orr_nav_free(&f->nav[i]);
-    free(f->nav);
-    orr_nav_free(&f->merged);
+    orr_nav_free(&f->named);
+    orr_nav_free(&f->field);
     orr_bias_free(&f->bias);
     orr_antex_free(&f->antex);
 }
@@ -42,30 +41,24 @@ static orr_status read_navs(const orr_scenario *s, files *f, orr_warnings *warni
     if (list->n > MAX_FILES)
         return orr_diag_set(diag, ORR_E_LIMIT, "navdata.nav names %zu files, at most %d are read", list->n,
                             MAX_FILES);
-    f->nav = calloc(list->n + 1, sizeof *f->nav);
-    if (f->nav == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    orr_status status = ORR_OK;
-    for (size_t i = 0; i < list->n && status == ORR_OK; i++) {
-        status = orr_nav_read(list->item[i], NULL, &f->nav[f->n_nav], warnings, diag);
-        f->n_nav += status == ORR_OK;
-    }
-    size_t named = f->n_nav;
+    orr_status status =
+        orr_nav_read_files((const char *const *)list->item, list->n, &f->named, warnings, diag);
+    bool has_field = false;
     if (status == ORR_OK && s->iono.field != NULL) {
         orr_diag other = {0};
-        status = orr_nav_read(s->iono.field, NULL, &f->nav[f->n_nav], NULL, &other);
-        f->n_nav += status == ORR_OK;
+        status = orr_nav_read(s->iono.field, NULL, &f->field, NULL, &other);
+        has_field = status == ORR_OK;
         if (status == ORR_E_KIND) status = ORR_OK; // maps or coefficients
         if (status != ORR_OK && diag != NULL) *diag = other;
     }
-    // Ephemerides (GLONASS' channels) of the files that are named for it, or else of the ionosphere's.
-    if (status == ORR_OK && f->n_nav > 0)
-        status = orr_nav_merge(f->nav, named > 0 ? named : f->n_nav, &f->merged, diag);
     if (status != ORR_OK) return status;
-    f->shown = f->merged;
-    if (!has_klobuchar(&f->merged) &&
-        named < f->n_nav) { // the ionosphere's, unless a file that is named has its own
-        f->shown.iono = f->nav[named].iono;
-        f->shown.n_iono = f->nav[named].n_iono;
+    // Ephemerides (GLONASS' channels) of the files that are named for it, or else of the ionosphere's;
+    // likewise GPS' Klobuchar.
+    f->any = list->n > 0 || has_field;
+    f->shown = list->n > 0 ? f->named : f->field;
+    if (has_field && !has_klobuchar(&f->shown)) {
+        f->shown.iono = f->field.iono;
+        f->shown.n_iono = f->field.n_iono;
     }
     return ORR_OK;
 }
@@ -84,7 +77,7 @@ static orr_status read_all(const orr_scenario *s, files *f, orr_navset_options *
         o->bias = &f->bias;
     }
     if (status == ORR_OK) status = read_navs(s, f, warnings, diag);
-    if (f->n_nav > 0) o->nav = &f->shown;
+    if (f->any) o->nav = &f->shown;
     return status;
 }
 
