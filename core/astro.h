@@ -49,5 +49,10 @@ orr_vec3 orr_astro_moon(orr_time t);
 // at t0.
 #define ORR_EARTH_RATE_RADPS 7.292115e-5
 void orr_astro_uniform_rotation(orr_time t, orr_time t0, orr_mat3 *R, orr_mat3 *dR);
+// Velocity in the inertial sense, in ecef's axes of the instant: v + u x r.
+static inline orr_vec3 orr_velocity_inertial(orr_vec3 r_m, orr_vec3 v_mps)
+{
+    return orr_vec3_add(v_mps, orr_vec3_cross((orr_vec3){0, 0, ORR_EARTH_RATE_RADPS}, r_m));
+}
 
 #endif

@@ -89,6 +89,13 @@ orr_time orr_time_from_week(int32_t week, int64_t ns_of_week);
 // `truncated`.
 int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
 
+// a / b rounded down, whatever the signs.
+static inline int64_t orr_floor_div(int64_t a, int64_t b)
+{
+    int64_t q = a / b;
+    return a % b != 0 && (a < 0) != (b < 0) ? q - 1 : q;
+}
+
 // a - b in seconds; exact to half a nanosecond for |a - b| < 48 days.
 static inline double orr_time_diff_s(orr_time a, orr_time b) { return (double)(a - b) * 1e-9; }
 // t + s seconds, rounded to the nearest nanosecond; a sum beyond the axis is its end, never ORR_TIME_NONE.

@@ -8,12 +8,6 @@
 #define ORR_MJD_GPS_EPOCH 44244 // 1980-01-06
 #define ORR_TAI_MINUS_GPS_S 19  // fixed, the TAI - UTC of 1980-01-06
 
-static inline int64_t orr_floor_div(int64_t a, int64_t b)
-{
-    int64_t q = a / b;
-    return a % b != 0 && (a < 0) != (b < 0) ? q - 1 : q;
-}
-
 // Whole TAI seconds since MJD 0 (floor), the count in which leap tables are ordered.
 static inline int64_t orr_tai_seconds(orr_time t)
 {

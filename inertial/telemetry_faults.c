@@ -5,18 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "inertial/uniform_spline.h"
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 // In place; n >= 1.
 static double median(double *x, size_t n)
 {
-    qsort(x, n, sizeof *x, by_value);
+    qsort(x, n, sizeof *x, orr_by_value);
     return x[n / 2];
 }
 

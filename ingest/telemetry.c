@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/nan.h"
+#include "core/order.h"
 #include "ingest/telemetry_internal.h"
 
 const char *orr_telemetry_kind_name(orr_telemetry_kind k)
@@ -173,12 +174,6 @@ typedef struct table_state {
     orr_time tie_origin;
 } table_state;
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Bounds of clocks: until 2053, and 127 years (seconds since 1970 fit), so that sums and differences of two
 // do too.
 #define LAST_WEEK 3800.0
@@ -305,7 +300,7 @@ static orr_status read_table(orr_input *in, const char *columns, orr_telemetry *
         out->absolute = true;
         out->t0 = st->base;
     } else if (s == ORR_OK && st->n_ties > 0) {
-        qsort(st->tie_s, st->n_ties, sizeof st->tie_s[0], by_value);
+        qsort(st->tie_s, st->n_ties, sizeof st->tie_s[0], orr_by_value);
         out->absolute = true;
         out->t0 = orr_time_add_s(st->tie_origin, st->tie_s[st->n_ties / 2]);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/arcs.h"
 #include "core/nan.h"
+#include "core/order.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -48,16 +49,10 @@ typedef struct packed {
     double gf1, gf2;
 } packed;
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
 static double median(double *v, size_t n)
 {
     if (n == 0) return 0;
-    qsort(v, n, sizeof *v, ascending);
+    qsort(v, n, sizeof *v, orr_by_value);
     return n % 2 ? v[n / 2] : (v[n / 2 - 1] + v[n / 2]) / 2;
 }
 

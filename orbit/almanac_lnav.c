@@ -17,9 +17,6 @@
 #define I_REFERENCE (0.30 * ORR_PI)
 #define N 7
 
-#define SEMICIRCLE ORR_PI
-#define P2(n) (1.0 / (double)(UINT64_C(1) << (n)))
-
 // OMEGADOT from a few hours is noise: a deviation of PULL_RADPS from what the Earth's flattening causes costs
 // as much as PULL_M in one coordinate, which a day of positions outweighs.
 #define PULL_M 1000.0

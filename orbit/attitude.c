@@ -75,6 +75,14 @@ orr_status orr_antenna_offset_body(const orr_antex_antenna *antenna, const char 
     return ORR_OK;
 }
 
+orr_status orr_antenna_offset_of_sat(const orr_antex *antex, orr_sat sat, orr_time t, double offset_m[3])
+{
+    const orr_antex_antenna *antenna = orr_antex_find_sat(antex, sat, t);
+    const orr_antenna_pair *p = orr_antenna_pair_of(orr_sat_system(sat));
+    if (antenna == NULL || p == NULL) return ORR_E_NODATA;
+    return orr_antenna_offset_body(antenna, p->code1, p->f1_hz, p->code2, p->f2_hz, offset_m);
+}
+
 orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude,
                               const char *code1, double f1, const char *code2, double f2, orr_vec3 *offset)
 {

@@ -46,7 +46,9 @@ const orr_antenna_pair *orr_antenna_pair_of(char system);
 // ANTEX has no such frequency.
 orr_status orr_antenna_offset_body(const orr_antex_antenna *antenna, const char *code1, double f1_hz,
                                    const char *code2, double f2_hz, double offset_m[3]);
-// The same in the axes that r was given in.
+// The same of a satellite at t, for the pair of its system; ORR_E_NODATA where ANTEX has no such antenna.
+orr_status orr_antenna_offset_of_sat(const orr_antex *antex, orr_sat sat, orr_time t, double offset_m[3]);
+// As orr_antenna_offset_body, in the axes that r was given in.
 orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude,
                               const char *code1, double f1_hz, const char *code2, double f2_hz,
                               orr_vec3 *offset_m);

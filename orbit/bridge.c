@@ -13,7 +13,7 @@
 // Rows: radial, along, cross in ecef, of the inertial motion.
 static orr_mat3 local_axes(orr_vec3 r, orr_vec3 v_ecef)
 {
-    orr_vec3 v = orr_vec3_add(v_ecef, orr_vec3_cross((orr_vec3){0, 0, ORR_EARTH_RATE_RADPS}, r));
+    orr_vec3 v = orr_velocity_inertial(r, v_ecef);
     orr_vec3 u = orr_vec3_unit(r), w = orr_vec3_unit(orr_vec3_cross(r, v)), t = orr_vec3_cross(w, u);
     return (orr_mat3){{{u.x, u.y, u.z}, {t.x, t.y, t.z}, {w.x, w.y, w.z}}};
 }

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "core/order.h"
 #include "orbit/ephemeris.h"
 
 #define LEAST_S 30e-9
@@ -19,12 +20,6 @@ static double off_line(const orr_clock_node *a, const orr_clock_node *b, const o
 {
     const double part = orr_time_diff_s(b->t, a->t) / orr_time_diff_s(c->t, a->t);
     return b->clock_s - (a->clock_s + part * (c->clock_s - a->clock_s));
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 // off[i] of every node with two neighbours, NAN elsewhere.
@@ -45,7 +40,7 @@ static double limit_of(const double *off, size_t n, double *room)
     for (size_t i = 0; i < n; i++)
         if (isfinite(off[i])) room[m++] = fabs(off[i]);
     if (m == 0) return LEAST_S;
-    qsort(room, m, sizeof *room, by_value);
+    qsort(room, m, sizeof *room, orr_by_value);
     return fmax(LEAST_S, TIMES_USUAL * room[m / 2]);
 }
 

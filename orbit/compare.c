@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "orbit/velocity_filter.h"
 
 static const int64_t INNER_NS = 7200 * ORR_NS_PER_S, EDGE_NS = 2700 * ORR_NS_PER_S;
@@ -166,12 +167,6 @@ static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, const orr_
     return s;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Statistics of one system in one place. size: scratch of d->n doubles.
 static void summarise(const differences *d, char system, int place, double *size, orr_compare_stats *out)
 {
@@ -196,7 +191,7 @@ static void summarise(const differences *d, char system, int place, double *size
     }
     if (out->n_vel > 0) out->vel_rms_mps = sqrt(vel2 / (double)out->n_vel);
     if (out->n == 0) return;
-    qsort(size, out->n, sizeof *size, ascending);
+    qsort(size, out->n, sizeof *size, orr_by_value);
     out->rms_m = sqrt(sum2 / (double)out->n);
     out->max_m = size[out->n - 1];
     out->p95_m = size[(out->n * 95 + 99) / 100 - 1]; // nearest rank

@@ -16,13 +16,9 @@ static orr_health health_at(const orr_nav *nav, orr_sat sat, orr_time t)
 static void place_antenna(const orr_antex *antex, orr_sat sat, orr_time t, orr_extras *x)
 {
     const double nan = (double)NAN;
-    const orr_antex_antenna *antenna = antex != NULL ? orr_antex_find_sat(antex, sat, t) : NULL;
-    const orr_antenna_pair *p = orr_antenna_pair_of(orr_sat_system(sat));
     x->antenna_ecef_m = (orr_vec3){nan, nan, nan};
     for (int i = 0; i < 3; i++) x->antenna_body_m[i] = nan;
-    if (antenna == NULL || p == NULL ||
-        orr_antenna_offset_body(antenna, p->code1, p->f1_hz, p->code2, p->f2_hz, x->antenna_body_m) != ORR_OK)
-        return;
+    if (antex == NULL || orr_antenna_offset_of_sat(antex, sat, t, x->antenna_body_m) != ORR_OK) return;
     const double *b = x->antenna_body_m;
     if (x->has_attitude)
         x->antenna_ecef_m = orr_mat3_apply_t(&x->attitude.body, (orr_vec3){b[0], b[1], b[2]});
@@ -34,15 +30,13 @@ orr_status orr_extras_at(const orr_extras_sources *src, orr_sat sat, orr_time t,
     orr_extras x = {0};
     const orr_status s = orr_ephemeris_eval(src->orbit, sat, t, &x.state);
     if (s != ORR_OK) return s;
-    const orr_vec3 turn = {0, 0, ORR_EARTH_RATE_RADPS}, r = x.state.pos_m;
-    const orr_vec3 v = orr_vec3_add(x.state.vel_mps, orr_vec3_cross(turn, r));
+    const orr_vec3 r = x.state.pos_m, v = orr_velocity_inertial(r, x.state.vel_mps);
     const char system = orr_sat_system(sat);
     x.orbit_normal = (system == 'C' || system == 'J') && orr_orbit_class_of(r, v) == ORR_ORBIT_GEO;
     if (x.orbit_normal) orr_attitude_orbit_normal(r, v, sun, &x.attitude);
     x.has_attitude = x.orbit_normal || orr_attitude_nominal(r, v, sun, &x.attitude) == ORR_OK;
     place_antenna(src->antex, sat, t, &x);
-    // r.v is the same in ecef and inertial axes: u x r stands across r.
-    x.relativity_s = -2 * orr_vec3_dot(r, v) / (ORR_SPEED_OF_LIGHT * ORR_SPEED_OF_LIGHT);
+    x.relativity_s = orr_periodic_relativity_s(r, v);
     x.health = health_at(src->nav, sat, t);
     *out = x;
     return ORR_OK;

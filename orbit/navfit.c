@@ -141,9 +141,8 @@ orr_status orr_navfit_from_product(void *product, orr_time t, orr_vec3 *pos)
     if (status != ORR_OK) return status;
     *pos = s.pos_m;
     if (fabs(p->offset_m[0]) + fabs(p->offset_m[1]) + fabs(p->offset_m[2]) <= 0) return ORR_OK;
-    orr_vec3 v = orr_vec3_add(s.vel_mps, orr_vec3_cross((orr_vec3){0, 0, ORR_EARTH_RATE_RADPS}, s.pos_m));
     orr_attitude a;
-    status = orr_attitude_nominal(s.pos_m, v, rough_sun(t), &a);
+    status = orr_attitude_nominal(s.pos_m, orr_velocity_inertial(s.pos_m, s.vel_mps), rough_sun(t), &a);
     if (status != ORR_OK) return status;
     *pos = orr_vec3_add(
         s.pos_m, orr_mat3_apply_t(&a.body, (orr_vec3){p->offset_m[0], p->offset_m[1], p->offset_m[2]}));

@@ -3,15 +3,6 @@
 #include "orbit/broadcast.h"
 #include "orbit/navfit_impl.h"
 
-#define P2(n) (1.0 / (double)(UINT64_C(1) << (n)))
-
-// -2 r.v/c^2 with the inertial velocity.
-static double periodic_relativity_s(const orr_sat_state *s)
-{
-    orr_vec3 v = orr_vec3_add(s->vel_mps, orr_vec3_cross((orr_vec3){0, 0, ORR_EARTH_RATE_RADPS}, s->pos_m));
-    return -2 * orr_vec3_dot(s->pos_m, v) / (ORR_SPEED_OF_LIGHT * ORR_SPEED_OF_LIGHT);
-}
-
 orr_status orr_navfit_clock_line(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                                  bool relativity, orr_navfit_line *line, orr_diag *diag)
 {
@@ -22,7 +13,10 @@ orr_status orr_navfit_clock_line(const orr_ephemeris *e, orr_sat sat, orr_time t
         orr_sat_state s;
         if (orr_ephemeris_eval(e, sat, t, &s) != ORR_OK || !(s.flags & ORR_EPH_CLOCK_VALID)) continue;
         line->dt_s[line->n] = orr_time_diff_s(t, t0);
-        line->value[line->n] = s.clock_s + (relativity ? periodic_relativity_s(&s) : 0);
+        line->value[line->n] = s.clock_s;
+        if (relativity)
+            line->value[line->n] +=
+                orr_periodic_relativity_s(s.pos_m, orr_velocity_inertial(s.pos_m, s.vel_mps));
         sx += line->dt_s[line->n], sy += line->value[line->n];
         line->n++;
     }

@@ -14,7 +14,6 @@
 #define SEARCH_NODES 3000
 #define N 9
 
-#define P2(n) (1.0 / (double)(UINT64_C(1) << (n)))
 #define POS_LSB (1e3 * P2(11))
 #define VEL_LSB (1e3 * P2(20))
 #define ACC_LSB (1e3 * P2(30))

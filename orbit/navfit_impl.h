@@ -33,6 +33,9 @@ size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_r
 // is R and the first n of b are Q^T b, so that a lattice search can go on from there. x may be NULL.
 orr_status orr_navfit_solve(size_t rows, size_t n, double *A, double *b, double *x);
 
+#define P2(n) (1.0 / (double)(UINT64_C(1) << (n))) // 2^-n, the LSBs of interface documents
+#define SEMICIRCLE ORR_PI
+
 // So many LSBs. Zero has no sign: the -0 that a rounded -0.3 is would be shown as "-0".
 static inline double orr_navfit_lsbs(double whole, double lsb) { return whole * lsb + 0.0; }
 

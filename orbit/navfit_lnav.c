@@ -12,9 +12,6 @@
 #define SEARCH_NODES 3000
 #define N ORR_LNAV_N
 
-#define SEMICIRCLE ORR_PI
-#define P2(n) (1.0 / (double)(UINT64_C(1) << (n)))
-
 // What a window cannot tell (harmonics from a twentieth of a revolution) stays near to what is usual: a
 // deviation of so much costs as much as PULL_M in one coordinate. The lattice has directions in which next to
 // nothing changes for thousands of LSBs; along them the search may only go so far from the solution that the

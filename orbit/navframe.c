@@ -49,7 +49,7 @@ static orr_lnav_utc utc_parameters(orr_time t, const navset_day *day)
     utc.leap_future_s = leap->entry[k].tai_minus_utc_s - 19;
     const int32_t eve =
         leap->entry[k].mjd - 1 - 44244; // days since 1980-01-06 of the day at whose end it takes effect
-    utc.week_lsf = (int32_t)navset_floor_div(eve, 7);
+    utc.week_lsf = (int32_t)orr_floor_div(eve, 7);
     utc.day = eve - 7 * utc.week_lsf + 1;
     return utc;
 }
@@ -86,7 +86,7 @@ static orr_status subframe_5(const navset_day *day, int page, const orr_lnav_how
 static orr_status lnav_frame(const orr_navset *set, orr_sat sat, orr_time t, orr_navframe *out,
                              orr_diag *diag)
 {
-    const orr_time begin = navset_floor_div(t, FRAME_NS) * FRAME_NS;
+    const orr_time begin = orr_floor_div(t, FRAME_NS) * FRAME_NS;
     const orr_navset_item *item = item_of(set, sat, begin, t);
     if (item == NULL) return ORR_E_NODATA;
     const navset_day *day = navset_day_at(set, begin);
@@ -143,23 +143,22 @@ static int leap_of_quarter(orr_time t)
     return 0;
 }
 
-static orr_status glonass_string(const navset_day *day, const orr_navset_item *item, orr_time t_k, int frame,
-                                 int string, orr_glonass_string *out, orr_diag *diag)
+static orr_status glonass_string(const navset_day *day, const orr_navset_item *item,
+                                 const orr_glonass_immediate *im, int frame, int string,
+                                 orr_glonass_string *out, orr_diag *diag)
 {
-    orr_glonass_immediate im;
-    orr_glonass_immediate_of(&item->eph, t_k, &im);
-    if (string <= 4) return orr_glonass_encode_immediate(&item->eph, &im, string, out, diag);
+    if (string <= 4) return orr_glonass_encode_immediate(&item->eph, im, string, out, diag);
     if (string == 5) {
-        const orr_glonass_time time = {.t_k = t_k, .almanac_day = day->glonass_day, .l_n = im.l_n};
+        const orr_glonass_time time = {.t_k = im->t_k, .almanac_day = day->glonass_day, .l_n = im->l_n};
         return orr_glonass_encode_time(&time, out, diag);
     }
     const int slot = orr_glonass_almanac_slot(frame, string);
     if (slot == 0) {
-        const orr_glonass_utc utc = {.kp = leap_of_quarter(t_k)};
-        return orr_glonass_encode_utc(&utc, string, im.l_n, out, diag);
+        const orr_glonass_utc utc = {.kp = leap_of_quarter(im->t_k)};
+        return orr_glonass_encode_utc(&utc, string, im->l_n, out, diag);
     }
     const orr_glonass_almanac *almanac = day->has_glonass[slot - 1] ? &day->glonass[slot - 1] : NULL;
-    return orr_glonass_encode_almanac(almanac, string, im.l_n, out, diag);
+    return orr_glonass_encode_almanac(almanac, string, im->l_n, out, diag);
 }
 
 static orr_status glonass_frame(const orr_navset *set, orr_sat sat, orr_time t, orr_navframe *out,
@@ -171,12 +170,14 @@ static orr_status glonass_frame(const orr_navset *set, orr_sat sat, orr_time t, 
     if (item == NULL) return ORR_E_NODATA;
     const navset_day *day = navset_day_at(set, begin);
     const int frame = orr_glonass_frame(begin);
+    orr_glonass_immediate im;
+    orr_glonass_immediate_of(&item->eph, begin, &im);
     *out = (orr_navframe){
         .sat = sat, .message = ORR_NAV_FDMA, .from = begin, .to = end, .n = ORR_NAVFRAME_PIECES};
     for (int k = 1; k <= ORR_NAVFRAME_PIECES; k++) {
         orr_navframe_piece *p = &out->piece[k - 1];
         orr_glonass_string s;
-        orr_status status = glonass_string(day, item, begin, frame, k, &s, diag);
+        orr_status status = glonass_string(day, item, &im, frame, k, &s, diag);
         if (status != ORR_OK) return status;
         *p = (orr_navframe_piece){
             .t = begin + (k - 1) * STRING_NS, .number = (uint8_t)k, .page = (uint8_t)frame, .bits = 85};

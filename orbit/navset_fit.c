@@ -20,9 +20,6 @@
 // The user range accuracy that every set is given, m: LNAV's index 0, GLONASS' F_T = 1.
 #define LNAV_ACCURACY_M 2.0
 #define GLONASS_F_T 1
-// LSBs of TGD, and of tau_n and delta tau_n.
-#define LNAV_TGD_LSB_S 0x1p-31
-#define GLONASS_LSB_S 0x1p-30
 // What the fit interval flag 0 stands for.
 #define LNAV_FIT_INTERVAL_H 4
 
@@ -104,16 +101,6 @@ static bool clock_jumps(const orr_ephemeris *e, orr_sat sat, orr_time from, orr_
     return false;
 }
 
-// The ionosphere-free phase centre of the system's usual pair; false where ANTEX does not have it.
-static bool antenna_offset(const orr_antex *antex, orr_sat sat, orr_time t, double offset_m[3])
-{
-    const orr_antex_antenna *antenna = orr_antex_find_sat(antex, sat, t);
-    const orr_antenna_pair *pair = orr_antenna_pair_of(orr_sat_system(sat));
-    return antenna != NULL && pair != NULL &&
-           orr_antenna_offset_body(antenna, pair->code1, pair->f1_hz, pair->code2, pair->f2_hz, offset_m) ==
-               ORR_OK;
-}
-
 // The product's satellite in one of its arcs: at a joint of files the next one is metres away.
 typedef struct arc_source {
     orr_navfit_product product;
@@ -134,7 +121,8 @@ static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o,
                             orr_navset_item *item, orr_diag *diag)
 {
     arc_source source = {.product = {.ephemeris = e, .sat = sat}, .from = arc_from};
-    if (o->antex != NULL && !antenna_offset(o->antex, sat, slot->reference, source.product.offset_m))
+    if (o->antex != NULL &&
+        orr_antenna_offset_of_sat(o->antex, sat, slot->reference, source.product.offset_m) != ORR_OK)
         item->notes |= ORR_NAVSET_NO_ANTENNA;
     if (orr_sat_system(sat) == 'R')
         return orr_navfit_glonass(sat, slot->reference, from, to, from_arc, &source, &item->eph,
@@ -177,32 +165,32 @@ static void fill_glonass(orr_nav_eph *eph, const navset_slot *slot, int channel,
     g->health_flags = HEALTH_TOLD | (out ? HEALTH_L : HEALTH_ALMANAC);
 }
 
-// On the lattice of a field of so many bits with a sign; false if it does not fit.
-static bool round_to(double value, double lsb, int bits, double *out)
+static bool round_to(const orr_navfit_field *f, double value, double *out)
 {
-    double whole = round(value / lsb);
-    *out = orr_navfit_lsbs(whole, lsb);
-    return fabs(whole) < ldexp(1.0, bits - 1);
+    return orr_navfit_to_field(f, round(value / f->lsb), out, NULL) == ORR_OK;
 }
 
 // Group delays, and for GLONASS the clock of L1, which its message is of.
 static void add_delays(const orr_bias_set *bias, orr_navset_item *item)
 {
+    // TGD's field could hold one value more, at its negative end.
+    static const orr_navfit_field field_tgd = {"TGD", P2(31), 8, ORR_FIELD_MAGNITUDE},
+                                  field_tau = {"-tau_n", P2(30), 22, ORR_FIELD_MAGNITUDE},
+                                  field_delta_tau = {"delta tau_n", P2(30), 5, ORR_FIELD_MAGNITUDE};
     orr_nav_eph *eph = &item->eph;
     double tgd, shift, delta_tau, af0;
     bool fits;
     if (bias == NULL) return;
     if (orr_sat_system(eph->sat) == 'R') {
         fits = orr_signal_glonass(bias, eph->sat, eph->toe, &shift, &delta_tau) == ORR_OK &&
-               round_to(delta_tau, GLONASS_LSB_S, 5, &delta_tau) &&
-               round_to(eph->af0_s + shift, GLONASS_LSB_S, 22, &af0);
+               round_to(&field_delta_tau, delta_tau, &delta_tau) &&
+               round_to(&field_tau, eph->af0_s + shift, &af0);
         if (fits) {
             eph->af0_s = af0;
             eph->glonass.delta_tau_s = delta_tau;
         }
     } else {
-        fits = orr_signal_tgd(bias, eph->sat, eph->toe, &tgd) == ORR_OK &&
-               round_to(tgd, LNAV_TGD_LSB_S, 8, &tgd);
+        fits = orr_signal_tgd(bias, eph->sat, eph->toe, &tgd) == ORR_OK && round_to(&field_tgd, tgd, &tgd);
         if (fits) eph->delay.tgd_s = tgd;
     }
     if (!fits) item->notes |= ORR_NAVSET_NO_DELAY;

@@ -7,8 +7,6 @@
 #include "orbit/lnav_bits.h"
 #include "orbit/navset.h"
 
-static inline int64_t navset_floor_div(int64_t a, int64_t b) { return a / b - (a % b < 0); }
-
 // When a set is transmitted, what it refers to, and which stretch of the orbit it is to describe.
 typedef struct navset_slot {
     orr_time from, to;  // on the air at from <= t < to

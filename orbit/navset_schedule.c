@@ -20,7 +20,7 @@ static int32_t issue_of(int64_t n)
 orr_status navset_schedule_gps(orr_time from, orr_time to, double window_s, navset_schedule *out)
 {
     const int64_t step = LNAV_STEP_S * ORR_NS_PER_S, half = (int64_t)(window_s / 2) * ORR_NS_PER_S;
-    int64_t first = navset_floor_div(from + half, step), last = navset_floor_div(to + half, step);
+    int64_t first = orr_floor_div(from + half, step), last = orr_floor_div(to + half, step);
     *out = (navset_schedule){.slot = calloc((size_t)(last - first + 1), sizeof *out->slot)};
     if (out->slot == NULL) return ORR_E_MEMORY;
     for (int64_t n = first; n <= last; n++) {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "orbit/bridge.h"
 #include "orbit/clock_check.h"
 #include "orbit/ephemeris.h"
@@ -18,12 +19,6 @@ void orr_nodes_free(orr_node_table *t)
     }
     free(t->list);
     *t = (orr_node_table){0};
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 static int by_sat(const void *a, const void *b)
@@ -207,7 +202,7 @@ static double median_step(const orr_node_table *table, bool clocks)
             if (d > 0) step[n++] = d;
         }
     }
-    qsort(step, n, sizeof *step, by_value);
+    qsort(step, n, sizeof *step, orr_by_value);
     double median = n > 0 ? step[n / 2] : 0;
     free(step);
     return median;
@@ -232,7 +227,7 @@ static double step_of_file(const orr_sp3 *sp3, const orr_smoother_options *o, in
             before = sp3->epoch[e];
         }
     }
-    qsort(step, n, sizeof *step, by_value);
+    qsort(step, n, sizeof *step, orr_by_value);
     const double median = n > 0 ? step[n / 2] : 0;
     free(step);
     return median;

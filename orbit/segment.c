@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
+
 // An innovation is a failure when it exceeds THRESHOLD times what this satellite's innovations usually are
 // relative to their formal size, and FLOOR_M in metres: a centimetre model error in an eclipse is no outlier,
 // a metre is.
@@ -249,12 +251,6 @@ restart:
     return w->n;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Median of the normalised squares over a run without tests; 0.789 is the median of chi^2(3)/3.
 static double robust_scale2(const work *w, double *room)
 {
@@ -268,7 +264,7 @@ static double robust_scale2(const work *w, double *room)
         if (g >= YOUNG && count > 0) room[n++] = sum / (double)count;
     }
     if (n < 3) return 1.0;
-    qsort(room, n, sizeof *room, by_value);
+    qsort(room, n, sizeof *room, orr_by_value);
     double scale2 = room[n / 2] / 0.789;
     return scale2 < MAX_SCALE * MAX_SCALE ? scale2 : MAX_SCALE * MAX_SCALE;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "orbit/signal_delay.h"
 
 #define OUTLIER_M 50.0
@@ -68,8 +69,7 @@ static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat s
     orr_broadcast_state s;
     if (eph == NULL || orr_broadcast_eval(eph, t, &s) != ORR_OK) return false;
     if (orr_sat_system(sat) == 'R') s.pos_m = orr_broadcast_pz90_to_itrf(s.pos_m, t);
-    const orr_vec3 turn = {0, 0, ORR_EARTH_RATE_RADPS};
-    const orr_vec3 v = orr_vec3_add(s.vel_mps, orr_vec3_cross(turn, s.pos_m));
+    const orr_vec3 v = orr_velocity_inertial(s.pos_m, s.vel_mps);
     const orr_vec3 precise = {truth->pos_m[0], truth->pos_m[1], truth->pos_m[2]};
 
     const orr_antex_antenna *antenna = o->antex != NULL ? orr_antex_find_sat(o->antex, sat, t) : NULL;
@@ -93,16 +93,10 @@ static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat s
     if (isfinite(truth->clock_s)) {
         double clock = s.clock_s + to_precise_pair_s(eph);
         if (orr_sat_system(sat) == 'R') // its parameters hold the periodic relativity, IGS clocks do not
-            clock += 2 * orr_vec3_dot(s.pos_m, v) / (ORR_SPEED_OF_LIGHT * ORR_SPEED_OF_LIGHT);
+            clock -= orr_periodic_relativity_s(s.pos_m, v);
         out->clock_m = ORR_SPEED_OF_LIGHT * (clock - truth->clock_s);
     }
     return true;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 // Time scales of two clock products differ by what is common to a system at an epoch: its median goes.
@@ -117,7 +111,7 @@ static void remove_system_offset(orr_sisre_sample *s, size_t n, double *room)
                 if (orr_sat_system_index(s[i].sat) == k) s[i].clock_m = (double)NAN;
             continue;
         }
-        qsort(room, m, sizeof *room, by_value);
+        qsort(room, m, sizeof *room, orr_by_value);
         double median = m % 2 == 1 ? room[m / 2] : 0.5 * (room[m / 2 - 1] + room[m / 2]);
         for (size_t i = 0; i < n; i++) {
             if (orr_sat_system_index(s[i].sat) != k) continue;
@@ -173,7 +167,7 @@ static void sum_up(const orr_sisre_sample *s, size_t n, double outlier_m, double
     sum->clock_m = sum->sisre_m = sum->sisre_95_m = (double)NAN;
     if (m > 0) {
         sum->clock_m = sqrt(t2 / (double)m), sum->sisre_m = sqrt(u2 / (double)m);
-        qsort(room, m, sizeof *room, by_value);
+        qsort(room, m, sizeof *room, orr_by_value);
         sum->sisre_95_m = room[(size_t)(0.95 * (double)(m - 1))];
     }
     for (int k = 0; k < 256; k++) {

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "core/order.h"
+
 #define FLOOR_M 0.50    // as of innovations
 #define THRESHOLD 100.0 // times what is usual; at an hour's nodes, the last one of a good day reaches 40
 #define SUSPICIOUS                                                                                           \
@@ -55,12 +57,6 @@ static distance distance_of(const work *w, const orr_instant *at, size_t i)
 
 static bool counts(const work *w, size_t i) { return !w->list[i].superseded && !w->list[i].bridge; }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // What is usual (the median of the used nodes), and the used node that is furthest from that; SIZE_MAX if
 // none is far.
 static double usual(const work *w, size_t *worst, distance *of_worst)
@@ -80,7 +76,7 @@ static double usual(const work *w, size_t *worst, distance *of_worst)
         }
     }
     if (n < LEAST_NODES) return HUGE_VAL;
-    qsort(w->room, n, sizeof *w->room, by_value);
+    qsort(w->room, n, sizeof *w->room, orr_by_value);
     return w->room[n / 2];
 }
 
