@@ -143,10 +143,15 @@ static void answer(orr_conn *c)
         end_with(c, ORR_MSG_ERROR_CODE_INTERNAL, "the server is out of memory");
 }
 
+// Nothing is under way: all that was asked is answered and sent.
+static bool at_rest(const orr_conn *c) { return c->state == CONN_OPEN && !c->busy && !has_output(c); }
+
+static void shut_down(orr_conn *c) { end_with(c, ORR_MSG_ERROR_CODE_CLOSING, "the server is shutting down"); }
+
 // What to wait for next; also closes when all is done. The connection may be gone afterwards.
 static void settle(orr_conn *c)
 {
-    if (c->state == CONN_OPEN && c->peer_done && !c->busy && !has_output(c)) {
+    if (c->peer_done && at_rest(c)) {
         orr_conn_close(c);
         return;
     }
@@ -180,6 +185,12 @@ static void work(orr_conn *c)
         answer(c);
     }
     if (!flush(c)) return;
+    // The last answer before a stop has gone out: until the next sweep it would answer what is asked
+    // meanwhile.
+    if (c->service->draining && at_rest(c)) {
+        shut_down(c);
+        if (!flush(c)) return;
+    }
     settle(c);
 }
 
@@ -281,8 +292,8 @@ void orr_conn_drain(orr_conn *c, int64_t now_ns)
 {
     if (c->state == CONN_LINGER)
         orr_conn_sweep(c, now_ns);
-    else if (c->state == CONN_OPEN && !c->busy && !has_output(c)) {
-        end_with(c, ORR_MSG_ERROR_CODE_CLOSING, "the server is shutting down");
+    else if (at_rest(c)) {
+        shut_down(c);
         work(c);
     }
 }
