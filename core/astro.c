@@ -4,7 +4,7 @@
 #include <erfa.h>
 #include <erfam.h>
 
-#include "core/time_internal.h"
+#include "core/time_private.h"
 
 #define MJD_ZERO 2400000.5 // JD of MJD 0: the first part of every two-part date here
 #define MJD_J2000 51544.5

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/time.h"
-#include "core/time_internal.h"
+#include "core/time_private.h"
 
 // IERS Bulletin C; TAI - UTC of the leap-seconds.list that IERS serves.
 static const orr_leap_entry BUILTIN[] = {

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "core/time_internal.h"
+#include "core/time_private.h"
 
 static const struct {
     orr_scale scale;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/time.h"
-#include "core/time_internal.h"
+#include "core/time_private.h"
 
 static bool digit(char c) { return c >= '0' && c <= '9'; }
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/suggest.h"
-#include "src/cli/internal.h"
+#include "src/cli/frame/frame.h"
 
 #define ORR_COMMAND(name) extern const orr_command orr_cmd_##name;
 #include "src/cli/commands.def"

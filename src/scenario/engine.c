@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "inertial/gravimetry.h"
-#include "inertial/sensors.h"
-#include "ingest/erp.h"
+#include "inertial/gravimetry/gravimetry.h"
+#include "inertial/sense/sensors.h"
+#include "ingest/tables/erp.h"
+#include "src/make/nav_source.h"
+#include "src/make/orbit_source.h"
 #include "src/scenario/iono_source.h"
-#include "src/scenario/nav_source.h"
-#include "src/scenario/orbit_source.h"
 
 struct orr_engine {
     orr_ephemeris *eph;

@@ -5,11 +5,11 @@
 #define ORR_SCENARIO_ENGINE_H
 
 #include "core/log.h"
-#include "iono/session.h"
-#include "orbit/elements.h"
-#include "orbit/navframe.h"
-#include "src/scenario/motion.h"
-#include "src/scenario/scenario.h"
+#include "iono/fusion/session.h"
+#include "orbit/elements/elements.h"
+#include "orbit/navdata/navframe.h"
+#include "src/config/scenario.h"
+#include "src/make/moving.h"
 
 // Whether there are numbers, and if not, why not. The wire's `answer` has the same values.
 typedef enum orr_answer {

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "iono/tec_files.h"
+#include "iono/field/tec_files.h"
 
 struct orr_iono_source {
     bool has_session;

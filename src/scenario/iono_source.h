@@ -3,8 +3,8 @@
 #ifndef ORR_SCENARIO_IONO_SOURCE_H
 #define ORR_SCENARIO_IONO_SOURCE_H
 
-#include "iono/session.h"
-#include "src/scenario/scenario.h"
+#include "iono/fusion/session.h"
+#include "src/config/scenario.h"
 
 typedef struct orr_iono_source orr_iono_source;
 

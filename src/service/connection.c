@@ -9,7 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "src/service/internal.h"
+#include "src/service/service_private.h"
 
 static const double linger_s = 0.5;
 

@@ -15,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "src/service/internal.h"
+#include "src/service/service_private.h"
 #include "src/service/url.h"
 
 enum { MAX_URLS = 16, BACKLOG = 128 };

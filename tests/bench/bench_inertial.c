@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include "bench/bench.h"
-#include "inertial/flight_plan.h"
-#include "inertial/imu_file.h"
-#include "inertial/null_test.h"
-#include "inertial/sensors.h"
+#include "inertial/motion/flight_plan.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/readings/imu_file.h"
+#include "inertial/sense/sensors.h"
 
 typedef struct job {
     orr_trajectory flight;

@@ -7,11 +7,11 @@
 #include <zlib.h>
 
 #include "bench/bench.h"
-#include "ingest/antex.h"
-#include "ingest/bias.h"
-#include "ingest/clk.h"
-#include "ingest/input.h"
-#include "ingest/ionex.h"
+#include "ingest/input/input.h"
+#include "ingest/maps/ionex.h"
+#include "ingest/rinex/clk.h"
+#include "ingest/tables/antex.h"
+#include "ingest/tables/bias.h"
 
 typedef struct job {
     const char *path;

@@ -7,9 +7,9 @@
 #include <zlib.h>
 
 #include "bench/bench.h"
-#include "ingest/crinex.h"
-#include "ingest/rinex_nav.h"
-#include "ingest/rinex_obs.h"
+#include "ingest/rinex/crinex.h"
+#include "ingest/rinex/rinex_nav.h"
+#include "ingest/rinex/rinex_obs.h"
 
 typedef struct job {
     char *text, *room; // room for an inflated copy

@@ -7,8 +7,8 @@
 #include <zlib.h>
 
 #include "bench/bench.h"
-#include "ingest/input.h"
-#include "ingest/sp3.h"
+#include "ingest/input/input.h"
+#include "ingest/sp3/sp3.h"
 
 typedef struct job {
     const char *path; // NULL for a made file

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "ingest/sp3.h"
-#include "orbit/broadcast.h"
-#include "orbit/navfit.h"
-#include "orbit/smoother.h"
+#include "ingest/sp3/sp3.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/navdata/navfit.h"
+#include "orbit/smooth/smoother.h"
 
 enum { WINDOWS = 16 };
 

@@ -8,9 +8,9 @@
 
 #include "bench/bench.h"
 #include "core/rng.h"
-#include "ingest/sp3.h"
-#include "orbit/ephemeris.h"
-#include "orbit/smoother.h"
+#include "ingest/sp3/sp3.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/smooth/smoother.h"
 
 enum { QUESTIONS = 4096, MAX_SATS = 128 };
 

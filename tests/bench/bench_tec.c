@@ -6,7 +6,7 @@
 
 #include "bench/bench.h"
 #include "core/rng.h"
-#include "iono/tec_field.h"
+#include "iono/field/tec_field.h"
 
 enum { MAPS = 25, ROWS = 71, COLS = 73, SATS = 32, TIMES = 64 };
 

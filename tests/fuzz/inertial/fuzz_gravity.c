@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "inertial/gravity.h"
-#include "ingest/gravity_file.h"
+#include "inertial/gravity/gravity.h"
+#include "ingest/tables/gravity_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)

@@ -7,8 +7,8 @@
 
 #include "core/ncfile.h"
 #include "fuzz/nc_mock.h"
-#include "inertial/gravity.h"
-#include "ingest/gravity_file.h"
+#include "inertial/gravity/gravity.h"
+#include "ingest/tables/gravity_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

@@ -6,10 +6,11 @@
 #include <string.h>
 
 #include "fuzz/nc_mock.h"
-#include "inertial/analytic.h"
-#include "inertial/imu_file.h"
-#include "inertial/null_test.h"
-#include "inertial/sensors.h"
+#include "inertial/gravimetry/gravimetry.h"
+#include "inertial/motion/analytic.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/readings/imu_file.h"
+#include "inertial/sense/sensors.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "inertial/telemetry_fit.h"
-#include "ingest/telemetry.h"
+#include "inertial/motion/telemetry_fit.h"
+#include "ingest/telemetry/telemetry.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

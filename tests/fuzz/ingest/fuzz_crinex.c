@@ -2,7 +2,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "ingest/crinex.h"
+#include "ingest/rinex/crinex.h"
 
 static bool swallow(void *user, const char *line, size_t n)
 {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "ingest/sp3.h"
+#include "ingest/sp3/sp3.h"
 
 static int same(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
 

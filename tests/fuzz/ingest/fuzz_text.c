@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/cursor.h"
-#include "ingest/sniff.h"
+#include "ingest/input/sniff.h"
 
 static void check_real(orr_view v)
 {

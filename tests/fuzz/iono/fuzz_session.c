@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "fuzz/nc_mock.h"
-#include "iono/session.h"
+#include "iono/fusion/session.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

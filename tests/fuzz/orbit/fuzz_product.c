@@ -8,10 +8,10 @@
 #include <unistd.h>
 
 #include "fuzz/nc_mock.h"
-#include "orbit/elements.h"
-#include "orbit/ephemeris.h"
-#include "orbit/navset.h"
-#include "orbit/smoother.h"
+#include "orbit/elements/elements.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/navdata/navset.h"
+#include "orbit/smooth/smoother.h"
 #include "unit/orbit/made_orbit.h"
 #include "unit/orbit/made_sp3.h"
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/scenario/scenario.h"
+#include "src/config/scenario.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

@@ -6,8 +6,8 @@
 
 #include <unistd.h>
 
-#include "ingest/input.h"
-#include "ingest/sp3.h"
+#include "ingest/input/input.h"
+#include "ingest/sp3/sp3.h"
 
 static orr_diag diag;
 

@@ -3,10 +3,10 @@
 // asked at any instant, so that SP3's rounding is in the input alone.
 #include "testing.h"
 
-#include "ingest/sp3.h"
-#include "orbit/ephemeris.h"
-#include "orbit/force.h"
-#include "orbit/smoother.h"
+#include "ingest/sp3/sp3.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/force/force.h"
+#include "orbit/smooth/smoother.h"
 #include "samples/make/force.h"
 #include "samples/make/truth.h"
 

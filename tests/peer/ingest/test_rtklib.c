@@ -5,9 +5,9 @@
 
 #include <unistd.h>
 
-#include "ingest/crinex.h"
-#include "ingest/rinex_nav.h"
-#include "ingest/rinex_obs.h"
+#include "ingest/rinex/crinex.h"
+#include "ingest/rinex/rinex_nav.h"
+#include "ingest/rinex/rinex_obs.h"
 
 static const char *const obs_name = "2020-177/ESBC00DNK_R_20201770000_01D_30S_MO.crx.gz";
 static const char *const nav_name = "2020-177/ESBC00DNK_R_20201770000_01D_MN.rnx.gz";

@@ -7,8 +7,8 @@
 
 #include "core/rng.h"
 #include "gravity_model.h"
-#include "inertial/gravity.h"
-#include "ingest/input.h"
+#include "inertial/gravity/gravity.h"
+#include "ingest/input/input.h"
 
 #define FILE_NAME "gravity/egm96-21x21.txt"
 #define DEG ORR_RAD_PER_DEG

@@ -2,10 +2,10 @@
 // A small aircraft's log of three quarters of an hour, as recorded: lost fixes, dropouts, wraps and rolls.
 #include "testing.h"
 
-#include "inertial/null_test.h"
-#include "inertial/sensors.h"
-#include "inertial/telemetry_fit.h"
-#include "ingest/telemetry.h"
+#include "inertial/motion/telemetry_fit.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/sense/sensors.h"
+#include "ingest/telemetry/telemetry.h"
 
 static void aircraft_log_comes_through(void **state)
 {

@@ -4,13 +4,13 @@
 #include "testing.h"
 
 #include "core/vec.h"
-#include "ingest/antex.h"
-#include "ingest/bias.h"
-#include "ingest/clk.h"
-#include "ingest/erp.h"
-#include "ingest/input.h"
-#include "ingest/ionex.h"
-#include "ingest/sinex.h"
+#include "ingest/input/input.h"
+#include "ingest/maps/ionex.h"
+#include "ingest/rinex/clk.h"
+#include "ingest/tables/antex.h"
+#include "ingest/tables/bias.h"
+#include "ingest/tables/erp.h"
+#include "ingest/tables/sinex.h"
 
 // ---- plain counting: nothing of ours but what inflates ----
 

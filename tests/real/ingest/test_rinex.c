@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include "core/nan.h"
-#include "ingest/rinex_nav.h"
-#include "ingest/rinex_obs.h"
+#include "ingest/rinex/rinex_nav.h"
+#include "ingest/rinex/rinex_obs.h"
 
 #define LIGHT_MPS 299792458.0
 #define L1_HZ 1575.42e6

@@ -7,9 +7,9 @@
 #include <sys/stat.h>
 
 #include "core/nan.h"
-#include "ingest/input.h"
-#include "ingest/inspect.h"
-#include "ingest/sp3.h"
+#include "ingest/input/input.h"
+#include "ingest/inspect/inspect.h"
+#include "ingest/sp3/sp3.h"
 
 typedef struct tally {
     size_t files, records;

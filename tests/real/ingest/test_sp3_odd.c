@@ -5,7 +5,7 @@
 
 #include <dirent.h>
 
-#include "ingest/inspect.h"
+#include "ingest/inspect/inspect.h"
 
 typedef struct verdict {
     const char *name;

@@ -4,10 +4,10 @@
 #ifndef ORR_TESTS_IONO_STATION_DAY_H
 #define ORR_TESTS_IONO_STATION_DAY_H
 
-#include "ingest/bias.h"
-#include "ingest/sp3.h"
-#include "iono/fusion.h"
-#include "iono/tec_files.h"
+#include "ingest/sp3/sp3.h"
+#include "ingest/tables/bias.h"
+#include "iono/field/tec_files.h"
+#include "iono/fusion/fusion.h"
 #include "testing.h"
 
 typedef struct station_day {

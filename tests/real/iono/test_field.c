@@ -3,7 +3,7 @@
 // between epochs makes of a map that was withheld.
 #include <unistd.h>
 
-#include "iono/tec_files.h"
+#include "iono/field/tec_files.h"
 #include "testing.h"
 
 #define MAPS "2024-035/COD0OPSFIN_20240350000_01D_01H_GIM.INX.gz"

@@ -2,7 +2,7 @@
 // Fig. 10 of Bogdanov 2015: two receivers 3.7 km apart see the same curve. No orbit is needed: centred
 // geometry-free phases of the same satellite and arc, epochs within 0.1 s (their clocks drift by
 // milliseconds).
-#include "iono/phase_tec.h"
+#include "iono/phase/phase_tec.h"
 #include "testing.h"
 
 #define A "2005-092-pair/07590920.05o.gz"

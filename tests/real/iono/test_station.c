@@ -3,7 +3,7 @@
 // that they did not use, and against arcs that they did not see.
 #include <unistd.h>
 
-#include "iono/session.h"
+#include "iono/fusion/session.h"
 #include "station_day.h"
 
 static void show(const orr_fusion *f, const orr_phase_tec *p)

@@ -4,7 +4,7 @@
 #ifndef ORR_TESTS_REAL_ORBIT_H
 #define ORR_TESTS_REAL_ORBIT_H
 
-#include "orbit/smoother.h"
+#include "orbit/smooth/smoother.h"
 
 #define MAX_FILES 8
 

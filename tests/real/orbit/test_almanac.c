@@ -2,7 +2,7 @@
 // GPS almanacs fitted to precise orbits: a week of 2011 from one of its days, and products of a few hours.
 #include "testing.h"
 
-#include "orbit/almanac_lnav.h"
+#include "orbit/navdata/almanac_lnav.h"
 #include "real_orbit.h"
 
 static const char *const week[] = {"2011-week1651/COD16510.EPH_R.gz", "2011-week1651/COD16511.EPH_R.gz",

@@ -3,8 +3,8 @@
 // motion must be what gravitation does, whatever the message; and the messages of one satellite must agree.
 #include "testing.h"
 
-#include "orbit/broadcast.h"
-#include "orbit/force.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/force/force.h"
 
 #define NAV "rinex4-nav/BRD400DLR_S_20230710000_01D_MN.rnx.gz"
 

@@ -3,8 +3,8 @@
 // almanacs of a precise day judged by that day and by the next.
 #include "testing.h"
 
-#include "ingest/sp3.h"
-#include "orbit/almanac_glonass.h"
+#include "ingest/sp3/sp3.h"
+#include "orbit/navdata/almanac_glonass.h"
 #include "real_orbit.h"
 #include "tests/unit/orbit/glonass_decoder.h"
 

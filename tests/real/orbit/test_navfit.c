@@ -3,8 +3,8 @@
 // around the day, residuals after quantisation.
 #include "testing.h"
 
-#include "orbit/broadcast.h"
-#include "orbit/navfit.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/navdata/navfit.h"
 #include "real_orbit.h"
 
 static const char *const day[] = {"2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"};

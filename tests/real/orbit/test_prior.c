@@ -3,7 +3,7 @@
 // nodes.
 #include "testing.h"
 
-#include "orbit/ephemeris.h"
+#include "orbit/ephemeris/ephemeris.h"
 #include "real_orbit.h"
 
 static const char *const finals[] = {"2010-182/igs15904.sp3.gz", "2010-182/igs15905.sp3.gz"};

@@ -2,7 +2,7 @@
 // Group delays of CODE's and GRG's biases of 2024-02-04 against what GPS and each other say.
 #include "testing.h"
 
-#include "orbit/signal_delay.h"
+#include "orbit/spacecraft/signal_delay.h"
 
 #define COD "2024-035/COD0OPSFIN_20240350000_01D_01D_OSB.BIA.gz"
 #define GRG "2024-035/GRG0MGXFIN_20240350000_01D_01D_OSB.BIA.gz"

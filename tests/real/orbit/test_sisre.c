@@ -2,7 +2,7 @@
 // Broadcast against precise orbits on published files: values every study of them finds, per system.
 #include "testing.h"
 
-#include "orbit/sisre.h"
+#include "orbit/judge/sisre.h"
 
 typedef struct judged {
     orr_sisre_sum sum[ORR_N_SYSTEMS];

@@ -3,7 +3,7 @@
 // truth. The truth itself is rounded to a millimetre, 0.5 mm RMS in 3-D.
 #include "testing.h"
 
-#include "orbit/ephemeris.h"
+#include "orbit/ephemeris/ephemeris.h"
 #include "real_orbit.h"
 
 static const char *const days[] = {"2024-035/COD0OPSFIN_20240340000_01D_05M_ORB.SP3.gz",

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "src/cli/internal.h"
+#include "src/cli/frame/frame.h"
 
 static const orr_option options[] = {
     {.name = "output", .letter = 'o', .kind = ORR_OPT_TEXT, .value = "FILE", .help = "h"},

@@ -3,7 +3,7 @@
 #ifndef ORR_TESTS_INERTIAL_FLIGHTS_H
 #define ORR_TESTS_INERTIAL_FLIGHTS_H
 
-#include "inertial/flight_plan.h"
+#include "inertial/motion/flight_plan.h"
 
 // Six survey lines of 30 km with turbulence and attitude oscillation; about 54 minutes.
 static inline orr_flight_plan test_survey(double lat_deg, double lon_deg)

@@ -3,10 +3,10 @@
 
 #include "core/rng.h"
 #include "flights.h"
-#include "inertial/dubins.h"
-#include "inertial/null_test.h"
-#include "inertial/polar.h"
-#include "inertial/sensors.h"
+#include "inertial/motion/dubins.h"
+#include "inertial/motion/polar.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/sense/sensors.h"
 
 // Every Dubins path ends where and as it should, and none is shorter than the straight line.
 static void dubins_paths_arrive(void **state)

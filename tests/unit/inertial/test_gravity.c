@@ -4,10 +4,11 @@
 #include <unistd.h>
 
 #include "flights.h"
-#include "inertial/dual_unit.h"
-#include "inertial/imu_file.h"
-#include "inertial/null_test.h"
-#include "inertial/sensors.h"
+#include "inertial/gravimetry/gravimetry.h"
+#include "inertial/motion/dual_unit.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/readings/imu_file.h"
+#include "inertial/sense/sensors.h"
 
 static const orr_navigator reference = {.kind = ORR_NAVIGATOR_REFERENCE, .samples = 5};
 

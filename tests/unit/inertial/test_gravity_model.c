@@ -8,9 +8,10 @@
 #include "core/rng.h"
 #include "flights.h"
 #include "gravity_model.h"
-#include "inertial/imu_file.h"
-#include "inertial/null_test.h"
-#include "inertial/sensors.h"
+#include "inertial/gravimetry/gravimetry.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/readings/imu_file.h"
+#include "inertial/sense/sensors.h"
 
 #define DEG ORR_RAD_PER_DEG
 

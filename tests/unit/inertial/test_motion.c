@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing.h"
 
-#include "inertial/analytic.h"
-#include "inertial/sensors.h"
+#include "inertial/motion/analytic.h"
+#include "inertial/sense/sensors.h"
 
 static const double U = ORR_INERTIAL_EARTH_RATE_RADPS;
 

@@ -2,9 +2,9 @@
 #include "testing.h"
 
 #include "flights.h"
-#include "inertial/analytic.h"
-#include "inertial/null_test.h"
-#include "inertial/sensors.h"
+#include "inertial/motion/analytic.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/sense/sensors.h"
 
 static orr_null_report run(const orr_trajectory *tr, double duration_s, double rate_hz, orr_imu_mode mode,
                            orr_navigator nav)

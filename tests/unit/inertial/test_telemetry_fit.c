@@ -4,9 +4,9 @@
 #include "core/nan.h"
 #include "core/rng.h"
 #include "flights.h"
-#include "inertial/null_test.h"
-#include "inertial/sensors.h"
-#include "inertial/telemetry_fit.h"
+#include "inertial/motion/telemetry_fit.h"
+#include "inertial/nav/null_test.h"
+#include "inertial/sense/sensors.h"
 
 typedef struct recorded {
     orr_telemetry_log log;

@@ -2,7 +2,7 @@
 // ANTEX on made text: satellites and receivers, validity, patterns, one bad antenna among good ones.
 #include "testing.h"
 
-#include "ingest/antex.h"
+#include "ingest/tables/antex.h"
 #include "unit/ingest/made_text.h"
 
 static void start(made_text *t)

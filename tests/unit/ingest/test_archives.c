@@ -2,7 +2,7 @@
 // Names of IGS products of both eras, against names that were really used, and the user's own table.
 #include "testing.h"
 
-#include "ingest/archives.h"
+#include "ingest/fetch/archives.h"
 
 static int32_t mjd(int y, int m, int d) { return orr_mjd_from_date(y, m, d); }
 

@@ -2,7 +2,7 @@
 // Bias-SINEX and CODE's older texts on made text, and differences of observables from either.
 #include "testing.h"
 
-#include "ingest/bias.h"
+#include "ingest/tables/bias.h"
 #include "unit/ingest/made_text.h"
 
 static const char sinex[] =

@@ -2,7 +2,7 @@
 // RINEX clock files of versions 2.00, 3.00 and 3.04 on made text.
 #include "testing.h"
 
-#include "ingest/clk.h"
+#include "ingest/rinex/clk.h"
 #include "unit/ingest/made_text.h"
 
 static orr_status parse(made_text *t, orr_clk *x, orr_warnings *w, orr_diag *d)

@@ -4,8 +4,8 @@
 #include "testing.h"
 
 #include "core/rng.h"
-#include "ingest/crinex.h"
-#include "ingest/rinex_obs.h"
+#include "ingest/rinex/crinex.h"
+#include "ingest/rinex/rinex_obs.h"
 #include "unit/ingest/crinex_encoder.h"
 
 typedef struct buffer {

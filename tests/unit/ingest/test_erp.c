@@ -3,7 +3,7 @@
 #include "testing.h"
 
 #include "core/vec.h"
-#include "ingest/erp.h"
+#include "ingest/tables/erp.h"
 #include "unit/ingest/made_text.h"
 
 #define UAS (1e-6 / 3600 * ORR_RAD_PER_DEG)

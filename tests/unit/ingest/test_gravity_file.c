@@ -5,7 +5,7 @@
 
 #include "core/ncfile.h"
 #include "core/vec.h"
-#include "ingest/gravity_file.h"
+#include "ingest/tables/gravity_file.h"
 
 static char path[] = "gravity-file-XXXXXX";
 static int make_file(void **state)

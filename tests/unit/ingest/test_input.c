@@ -4,7 +4,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include "ingest/input.h"
+#include "ingest/input/input.h"
 #include "lzw_encoder.h"
 
 // Text that compresses as products do: numbered lines with digits that look random.

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "core/nan.h"
-#include "ingest/ion.h"
+#include "ingest/maps/ion.h"
 #include "unit/ingest/made_text.h"
 
 static void rows(made_text *t, int degree, double first)

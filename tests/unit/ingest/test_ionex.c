@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "core/nan.h"
-#include "ingest/ionex.h"
+#include "ingest/maps/ionex.h"
 #include "unit/ingest/made_text.h"
 
 enum { LATS = 3, LONS = 18 }; // 18 longitudes: one full line of 16 values and one of 2

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "ingest/rinex_nav.h"
+#include "ingest/rinex/rinex_nav.h"
 #include "rinex_text.h"
 
 #define B TEXT_BLANK

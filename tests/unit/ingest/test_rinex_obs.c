@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "core/nan.h"
-#include "ingest/rinex_obs.h"
+#include "ingest/rinex/rinex_obs.h"
 #include "rinex_text.h"
 
 static orr_rinex_obs *open_text(const text *t, orr_warnings *w)

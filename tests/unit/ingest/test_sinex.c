@@ -2,7 +2,7 @@
 // SINEX sites, eccentricities and coordinates on made text.
 #include "testing.h"
 
-#include "ingest/sinex.h"
+#include "ingest/tables/sinex.h"
 #include "unit/ingest/made_text.h"
 
 static const char text[] =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing.h"
 
-#include "ingest/inspect.h"
+#include "ingest/inspect/inspect.h"
 
 static orr_sniffed sniff(const char *text) { return orr_sniff(orr_view_of(text)); }
 

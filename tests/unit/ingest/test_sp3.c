@@ -2,7 +2,7 @@
 // The SP3 reader, rule by rule, on made text. Numbers are chosen so that the expected value is plain.
 #include "testing.h"
 
-#include "ingest/sp3.h"
+#include "ingest/sp3/sp3.h"
 #include "sp3_text.h"
 
 #define POS "  12345.678901 -20000.000001    100.500000"

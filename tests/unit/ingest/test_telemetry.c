@@ -2,7 +2,7 @@
 #include "testing.h"
 
 #include "core/vec.h"
-#include "ingest/telemetry.h"
+#include "ingest/telemetry/telemetry.h"
 
 static orr_status read(const char *text, const char *columns, orr_telemetry *t, orr_warnings *w,
                        orr_diag *diag)

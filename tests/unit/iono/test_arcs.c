@@ -3,9 +3,9 @@
 // called repaired is right.
 #include "core/nan.h"
 #include "core/rng.h"
-#include "iono/arcs.h"
-#include "iono/pierce.h"
-#include "iono/signals.h"
+#include "iono/field/pierce.h"
+#include "iono/phase/arcs.h"
+#include "iono/phase/signals.h"
 #include "testing.h"
 
 enum { N = 600 }; // 5 h of 30 s

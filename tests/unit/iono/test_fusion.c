@@ -5,8 +5,8 @@
 
 #include "core/nan.h"
 #include "core/rng.h"
-#include "iono/session.h"
-#include "iono/sun_frame.h"
+#include "iono/field/sun_frame.h"
+#include "iono/fusion/session.h"
 #include "testing.h"
 
 enum { SATS = 24, EPOCHS = 6 * 60 }; // six hours, one a minute

@@ -3,7 +3,7 @@
 // evaluators.
 #include "core/rng.h"
 #include "core/vec.h"
-#include "iono/harmonics.h"
+#include "iono/field/harmonics.h"
 #include "testing.h"
 
 static double one(int degree, int n, int m, double lat, double lon)

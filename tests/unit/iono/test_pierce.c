@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pierce point, mapping functions, delays, the sun-fixed frame and the broadcast model.
 #include "core/nan.h"
-#include "iono/klobuchar.h"
-#include "iono/pierce.h"
-#include "iono/sun_frame.h"
+#include "iono/field/klobuchar.h"
+#include "iono/field/pierce.h"
+#include "iono/field/sun_frame.h"
 #include "testing.h"
 
 static orr_iono_site site_at(double lat_deg, double lon_deg, double h)

@@ -3,8 +3,8 @@
 // holes, clipped cells, epochs and refusals.
 #include "core/nan.h"
 #include "core/rng.h"
-#include "iono/sun_frame.h"
-#include "iono/tec_field.h"
+#include "iono/field/sun_frame.h"
+#include "iono/field/tec_field.h"
 #include "testing.h"
 
 enum { ROWS = 71, COLS = 73 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wind-up against what it is: turns of antennas; and the signals' constants that the project rests on.
 #include "core/nan.h"
-#include "iono/signals.h"
-#include "iono/windup.h"
+#include "iono/phase/signals.h"
+#include "iono/phase/windup.h"
 #include "testing.h"
 
 static orr_iono_site here(void)

@@ -4,7 +4,7 @@
 #ifndef ORR_TESTS_GLONASS_DECODER_H
 #define ORR_TESTS_GLONASS_DECODER_H
 
-#include "orbit/glonass_bits.h"
+#include "orbit/navdata/glonass_bits.h"
 
 uint32_t glo_bit(const orr_glonass_string *s, int number); // 85 is sent first
 uint32_t glo_get(const orr_glonass_string *s, int low, int high);

@@ -4,7 +4,7 @@
 #ifndef ORR_TESTS_MADE_ORBIT_H
 #define ORR_TESTS_MADE_ORBIT_H
 
-#include "orbit/ephemeris.h"
+#include "orbit/ephemeris/ephemeris.h"
 
 typedef struct made_satellite {
     orr_sat sat;

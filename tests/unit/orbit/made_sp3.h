@@ -5,9 +5,9 @@
 #ifndef ORR_TESTS_MADE_SP3_H
 #define ORR_TESTS_MADE_SP3_H
 
-#include "ingest/sp3.h"
-#include "orbit/integrate.h"
-#include "orbit/solution.h"
+#include "ingest/sp3/sp3.h"
+#include "orbit/force/integrate.h"
+#include "orbit/smooth/solution.h"
 
 #define MADE_STEP_S 300.0
 #define MADE_MAX_EPOCHS 900

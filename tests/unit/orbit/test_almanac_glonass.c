@@ -4,7 +4,7 @@
 #include "testing.h"
 
 #include "core/rng.h"
-#include "orbit/almanac_glonass.h"
+#include "orbit/navdata/almanac_glonass.h"
 
 #define PI_ ORR_PI
 

@@ -4,8 +4,8 @@
 #include "testing.h"
 
 #include "made_orbit.h"
-#include "orbit/almanac_lnav.h"
-#include "orbit/broadcast.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/navdata/almanac_lnav.h"
 
 #define HOUR (3600 * ORR_NS_PER_S)
 #define J2 1.0826e-3

@@ -2,7 +2,7 @@
 // Nominal yaw steering against its closed form, and where antennas are then.
 #include "testing.h"
 
-#include "orbit/attitude.h"
+#include "orbit/spacecraft/attitude.h"
 
 #define DEG ORR_RAD_PER_DEG
 

@@ -5,8 +5,8 @@
 
 #include <stdlib.h>
 
-#include "orbit/bridge.h"
-#include "orbit/broadcast.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/smooth/bridge.h"
 
 static const orr_time noon = 1391083200 * ORR_NS_PER_S;
 

@@ -3,8 +3,8 @@
 #include "testing.h"
 
 #include "core/astro.h"
-#include "orbit/broadcast.h"
-#include "orbit/kepler.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/force/kepler.h"
 
 static orr_nav_eph made(const char *sat, uint8_t message)
 {

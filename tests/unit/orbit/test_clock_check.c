@@ -5,8 +5,8 @@
 
 #include "core/nan.h"
 #include "made_sp3.h"
-#include "orbit/ephemeris.h"
-#include "orbit/smoother.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/smooth/smoother.h"
 
 static made_sky sky;
 static made_truth gps;

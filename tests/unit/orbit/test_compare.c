@@ -2,7 +2,7 @@
 // The comparison with truth: planted differences come back as numbers, in the place where they belong.
 #include "testing.h"
 
-#include "orbit/compare.h"
+#include "orbit/judge/compare.h"
 #include "unit/orbit/made_orbit.h"
 
 enum { HOURS = 12, STEP = 300, EPOCHS = HOURS * 3600 / STEP + 1, NODE = 900 };

@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include "made_sp3.h"
-#include "orbit/ephemeris.h"
-#include "orbit/smoother.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/smooth/smoother.h"
 
 #define DAY 288 // epochs of 300 s
 #define N_CLASSES 9

@@ -4,9 +4,9 @@
 #include "testing.h"
 
 #include "made_sp3.h"
-#include "orbit/eclipses.h"
-#include "orbit/extras.h"
-#include "orbit/smoother.h"
+#include "orbit/smooth/smoother.h"
+#include "orbit/spacecraft/eclipses.h"
+#include "orbit/spacecraft/spacecraft.h"
 
 #define DAY 288
 static made_sky sky;

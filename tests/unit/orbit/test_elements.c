@@ -2,7 +2,7 @@
 // Kepler elements of a product: they give back the state that they came from, and the means are the means.
 #include "testing.h"
 
-#include "orbit/elements.h"
+#include "orbit/elements/elements.h"
 #include "unit/orbit/made_orbit.h"
 
 static orr_ephemeris *day(void)

@@ -3,7 +3,7 @@
 // gaps, clocks and flags.
 #include "testing.h"
 
-#include "orbit/ephemeris_impl.h"
+#include "orbit/ephemeris/ephemeris_private.h"
 #include "unit/orbit/made_orbit.h"
 
 static orr_ephemeris *build(const orr_orbit_solution *s)

@@ -3,7 +3,7 @@
 #include "testing.h"
 
 #include "core/earth.h"
-#include "orbit/force.h"
+#include "orbit/force/force.h"
 
 static orr_gravity_field field(int degree, bool zonal)
 {

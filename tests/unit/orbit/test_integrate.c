@@ -2,7 +2,7 @@
 // The tabulated sky against core/astro, and the integrator against Kepler and against itself.
 #include "testing.h"
 
-#include "orbit/integrate.h"
+#include "orbit/force/integrate.h"
 
 static orr_time at_utc(const char *text)
 {

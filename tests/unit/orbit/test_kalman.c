@@ -6,7 +6,7 @@
 #include <gsl/gsl_linalg.h>
 
 #include "core/rng.h"
-#include "orbit/kalman.h"
+#include "orbit/smooth/kalman.h"
 
 #define STEPS 6
 #define N (ORR_NX * (STEPS + 1))

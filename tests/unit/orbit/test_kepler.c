@@ -4,7 +4,7 @@
 #include "testing.h"
 
 #include "core/rng.h"
-#include "orbit/kepler.h"
+#include "orbit/force/kepler.h"
 
 static double wrap(double a) { return remainder(a, 2 * ORR_PI); }
 

@@ -3,7 +3,7 @@
 #include "testing.h"
 
 #include "core/rng.h"
-#include "orbit/lattice.h"
+#include "orbit/navdata/lattice.h"
 
 enum { ENOUGH = 100000 };
 

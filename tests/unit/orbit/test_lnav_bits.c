@@ -4,7 +4,7 @@
 #include "testing.h"
 
 #include "core/rng.h"
-#include "orbit/lnav_bits.h"
+#include "orbit/navdata/lnav_bits.h"
 
 // Data bit `n` (1..300) of a received subframe, with D30* of the word before taken out.
 static uint32_t bit(const orr_lnav_subframe *s, int n)

@@ -7,10 +7,10 @@
 #include "core/rng.h"
 #include "made_orbit.h"
 #include "made_sp3.h"
-#include "orbit/attitude.h"
-#include "orbit/broadcast.h"
-#include "orbit/lnav_model.h"
-#include "orbit/navfit.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/navdata/lnav_model.h"
+#include "orbit/navdata/navfit.h"
+#include "orbit/spacecraft/attitude.h"
 
 #define HOUR 3600.0
 

@@ -4,9 +4,9 @@
 #include "testing.h"
 
 #include "core/nan.h"
-#include "orbit/navframe.h"
-#include "orbit/navset_impl.h"
-#include "orbit/smoother.h"
+#include "orbit/navdata/navframe.h"
+#include "orbit/navdata/navset_private.h"
+#include "orbit/smooth/smoother.h"
 #include "unit/orbit/made_orbit.h"
 #include "unit/orbit/made_sp3.h"
 

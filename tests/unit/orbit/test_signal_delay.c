@@ -2,7 +2,7 @@
 // Group delays against the clock's pair of signals: what must hold whatever the biases are.
 #include "testing.h"
 
-#include "orbit/signal_delay.h"
+#include "orbit/spacecraft/signal_delay.h"
 
 typedef struct line {
     const char *sat, *obs1, *obs2;

@@ -3,8 +3,8 @@
 #include "testing.h"
 
 #include "made_sp3.h"
-#include "orbit/ephemeris.h"
-#include "orbit/smoother.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/smooth/smoother.h"
 
 static made_sky sky;
 static made_truth gps, eccentric, glonass, pushed; // pushed: 0.10 m/s along track at 11:37:30

@@ -4,8 +4,8 @@
 #include "testing.h"
 
 #include "core/rng.h"
-#include "orbit/smoother.h"
-#include "orbit/track.h"
+#include "orbit/smooth/smoother.h"
+#include "orbit/smooth/track.h"
 
 static void steps_are_whole_nanoseconds(void **state)
 {

@@ -2,7 +2,7 @@
 // Velocities derived from positions, against closed-form orbits (eccentric ones included).
 #include "testing.h"
 
-#include "orbit/velocity_filter.h"
+#include "orbit/judge/velocity_filter.h"
 #include "unit/orbit/made_orbit.h"
 
 enum { MAX_N = 2881 };

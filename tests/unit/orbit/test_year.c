@@ -6,8 +6,8 @@
 
 #include <gsl/gsl_multifit.h>
 
-#include "orbit/integrate.h"
-#include "orbit/kepler.h"
+#include "orbit/force/integrate.h"
+#include "orbit/force/kepler.h"
 
 #define DAYS 730 // two years: the half-yearly line then has four turns to be told from the trend
 #define PER_REVOLUTION 24

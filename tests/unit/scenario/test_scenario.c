@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/scenario/scenario.h"
+#include "src/config/scenario.h"
 
 #include "testing.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/scenario/yaml.h"
+#include "src/config/yaml.h"
 
 #include "testing.h"
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Airborne gravimetry: the gravity disturbance along a track, recovered from readings and trajectory.
+#ifndef ORR_INERTIAL_GRAVIMETRY_GRAVIMETRY_H
+#define ORR_INERTIAL_GRAVIMETRY_GRAVIMETRY_H
+
+#include "inertial/nav/navigator.h"
+#include "inertial/readings/gravimetry_truth.h"
+
+// Recovery: from each truth edge to the next the readings are integrated on normal gravity alone, starting on
+// the true motion; the vertical velocity that is then missing is the mean disturbance of that time. Filtered
+// series are both run through a Gaussian of standard deviation sigma_s, cut at 4 sigma; the r.m.s. of the
+// filtered difference leaves 3 sigma at both ends out.
+typedef struct orr_gravimetry_result {
+    size_t n;
+    double *t_s, *recovered_mgal, *true_mgal, *recovered_filtered_mgal, *true_filtered_mgal;
+    double raw_rms_mgal, filtered_rms_mgal, filtered_max_mgal;
+} orr_gravimetry_result;
+// Errors: ORR_E_ARG (sigma, run shorter than 8 sigma), ORR_E_UNSUPPORTED (readings of approach 1 are no
+// physical force), ORR_E_MEMORY.
+orr_status orr_gravimetry_recover(const orr_imu *imu, const orr_gravimetry *truth, double sigma_s,
+                                  orr_gravimetry_result *out, orr_diag *diag);
+void orr_gravimetry_result_free(orr_gravimetry_result *r);
+
+// out[n]: Gaussian of sigma_samples over x[n], renormalised where it reaches past the ends. Not in place.
+void orr_gaussian_filter(const double *x, size_t n, double sigma_samples, double *out);
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A flight from a few words: waypoints, or survey lines with tie lines, flown at given speeds with
+// coordinated turns, a climb limit, seeded turbulence and attitude oscillation.
+#ifndef ORR_INERTIAL_MOTION_FLIGHT_PLAN_H
+#define ORR_INERTIAL_MOTION_FLIGHT_PLAN_H
+
+#include "inertial/motion/trajectory.h"
+
+#define ORR_PLAN_MAX_WAYPOINTS 1000
+#define ORR_PLAN_MAX_LINES 500
+
+typedef struct orr_waypoint {
+    orr_geodetic at;
+    double speed_mps; // from here on; 0: as before
+} orr_waypoint;
+
+// Parallel lines flown in turn, forth and back, then tie lines across them.
+typedef struct orr_survey {
+    orr_geodetic start; // begin of the first line
+    double azimuth_rad; // of the first line, clockwise from North
+    double length_m;
+    double spacing_m; // between lines
+    int lines;
+    bool to_left;         // the next line lies to the left of the first line's direction, else to the right
+    int tie_lines;        // 0: none
+    double tie_spacing_m; // between tie lines; the first is that far inside the lines' begin
+} orr_survey;
+
+// A random oscillation: power spectral density ~ f^slope within the band, scaled to the r.m.s.
+typedef struct orr_spectrum {
+    double rms; // 0: none
+    double low_hz, high_hz;
+    double slope; // 0: flat; -5/3: Kolmogorov's turbulence
+} orr_spectrum;
+
+typedef struct orr_flight_plan {
+    size_t n_waypoints; // 0: the survey
+    const orr_waypoint *waypoint;
+    orr_survey survey;
+    double speed_mps;
+    double bank_rad;        // of the turns; their radius is v^2 / (g tan bank)
+    double turn_radius_m;   // if > 0, instead; the bank it needs must not pass bank_rad
+    double climb_limit_mps; // steepest climb and descent
+    double lead_m;          // survey: straight flight before and after each line
+    double smoothing_s; // time in which turns, climbs and speeds set in (standard deviation of the smoothing)
+    double pitch_rad;   // of level flight
+    orr_spectrum wind_mps; // velocity, each of East, North, Up
+    orr_spectrum heading_rad, pitch_osc_rad, roll_rad;
+    uint64_t seed;
+    double duration_s;  // 0: the whole plan; else cut to it, or flown straight on to fill it
+    double knot_step_s; // of the quintic spline laid through the plan
+} orr_flight_plan;
+
+// Sensible values where a plan says nothing: 60 m/s, 20 deg of bank, 5 m/s of climb, 2.5 s of smoothing,
+// knots of 0.2 s.
+orr_flight_plan orr_flight_plan_default(void);
+
+typedef struct orr_flight_summary {
+    double duration_s, length_m, turn_radius_m;
+    size_t lines;
+} orr_flight_summary;
+
+// Errors, each with a sentence: ORR_E_ARG (a turn too tight for its speed, legs shorter than their turns, a
+// climb too steep, latitude past a pole, a plan that reaches too far), ORR_E_LIMIT, ORR_E_MEMORY.
+orr_status orr_trajectory_flight_plan(orr_time t0, const orr_flight_plan *plan, orr_trajectory *out,
+                                      orr_flight_summary *summary, orr_diag *diag);
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moves a whole trajectory to another part of the Earth, over a pole above all: places and attitudes turn
+// with one constant rotation of the terrestrial frame and the heights are put right (Bogdanov 2015,
+// section 2.6).
+#ifndef ORR_INERTIAL_MOTION_POLAR_H
+#define ORR_INERTIAL_MOTION_POLAR_H
+
+#include "inertial/motion/trajectory.h"
+
+// C of eq. (19), (20) that takes the (geocentric) direction of `from_m` to that of `to_m`: east and north
+// there become east and north here, then turned clockwise by azimuth_rad. On a pole, "north" is the direction
+// of longitude 180 deg from it.
+orr_mat3 orr_polar_rotation(orr_vec3 from_m, orr_vec3 to_m, double azimuth_rad);
+
+// Mean direction of a trajectory (a look a second), for from_m of the above: a point at about the Earth's
+// radius.
+orr_vec3 orr_trajectory_middle(const orr_trajectory *tr);
+
+// eta_P = C^T eta (19), B_P = B C (20), each place then moved along its vertical to the ellipsoidal height it
+// had, since the Earth is no sphere. Lengths over the ground change by the ratio of the radii (at most 0.7
+// %), nothing else does. The result is a quintic spline with knots of step_s (0: the knots of `in`, or 0.2
+// s). Errors: ORR_E_ARG, ORR_E_MEMORY.
+orr_status orr_polar_transfer(const orr_trajectory *in, const orr_mat3 *C, double step_s, orr_trajectory *out,
+                              orr_diag *diag);
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ideal gyros and newtonometers (accelerometers) on a trajectory: what perfect instruments would give,
+// instantaneous and as increments (Bogdanov 2015, section 2).
+#ifndef ORR_INERTIAL_SENSE_SENSORS_H
+#define ORR_INERTIAL_SENSE_SENSORS_H
+
+#include "inertial/readings/imu.h"
+
+#define ORR_IMU_MAX_ORDER 5 // Gauss-Legendre nodes
+#define ORR_IMU_MAX_RECTANGLES 1000
+
+// Absolute rate and specific force at t_s, body axes.
+void orr_sensors_instant(const orr_trajectory *tr, const orr_gravity *g, double t_s, orr_vec3 *gyro_radps,
+                         orr_vec3 *accel_mps2);
+
+// Integrals of both over [from_s, to_s] (Bogdanov 2015, eq. (3), (4), (15)), by Gauss-Legendre of `order`
+// nodes between the trajectory's knots (the interval is cut at each knot inside it), or by the source's sum
+// over `order` rectangles, each of the value in its middle.
+void orr_sensors_increment(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature,
+                           int order, double from_s, double to_s, orr_vec3 *dtheta_rad, orr_vec3 *dv_mps);
+
+typedef struct orr_imu_request {
+    double begin_s, duration_s, rate_hz;
+    orr_imu_mode mode;
+    bool instantaneous; // instantaneous readings too
+    const orr_gravity *gravity;
+} orr_imu_request;
+
+// A whole run with its truth. duration_s is cut down to a whole number of samples.
+// Errors: ORR_E_ARG (rate, order, mode), ORR_E_RANGE (outside the trajectory), ORR_E_LIMIT, ORR_E_MEMORY;
+// approach 1 in the geographic frame refuses places within 1 km of a pole (ORR_E_UNSUPPORTED).
+orr_status orr_imu_generate(const orr_trajectory *tr, const orr_imu_request *request, orr_imu *out,
+                            orr_diag *diag);
+
+#endif

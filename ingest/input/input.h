@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens a file by what is in it, never by its name: plain, gzip (any number of members), Unix compress (.Z),
+// one inside the other. Two faces: the whole text in memory (most formats are small), or a stream of lines
+// (observation files). A web page saved under a data file's name, a zip archive and other things that are no
+// text are refused by their name.
+#ifndef ORR_INGEST_INPUT_INPUT_H
+#define ORR_INGEST_INPUT_INPUT_H
+
+#include "core/cursor.h"
+#include "core/status.h"
+
+// Compressed input is a number we did not check: these say how much of it we follow.
+typedef struct orr_input_limits {
+    size_t max_bytes; // after decompression
+    size_t max_line;  // of orr_input_line
+    size_t max_ratio; // expansion, once more than ratio_grace bytes came out
+    size_t ratio_grace;
+} orr_input_limits;
+orr_input_limits orr_input_default_limits(void); // 2 GiB, ORR_LINE_MAX, 300, 64 MiB
+
+// The whole file, decompressed. text[n] is a NUL that does not count, so text is never NULL. limits may be
+// NULL. Errors: ORR_E_IO, ORR_E_KIND (empty, a directory, a web page, an archive), ORR_E_FORMAT (damaged or
+// cut compressed data), ORR_E_LIMIT, ORR_E_MEMORY.
+typedef struct orr_bytes {
+    char *text;
+    size_t n;
+} orr_bytes;
+orr_status orr_input_read_all(const char *path, const orr_input_limits *limits, orr_bytes *out,
+                              orr_diag *diag);
+// The same for bytes in memory, which may be compressed; `name` is for messages.
+orr_status orr_input_read_bytes(const char *name, const void *data, size_t n, const orr_input_limits *limits,
+                                orr_bytes *out, orr_diag *diag);
+void orr_bytes_free(orr_bytes *b);
+
+// The stream face: memory use does not grow with the file.
+typedef struct orr_input orr_input;
+orr_status orr_input_open(const char *path, const orr_input_limits *limits, orr_input **out, orr_diag *diag);
+// Reads from memory that must outlive the input.
+orr_status orr_input_open_bytes(const char *name, const void *data, size_t n, const orr_input_limits *limits,
+                                orr_input **out, orr_diag *diag);
+void orr_input_close(orr_input *in); // NULL is allowed
+const char *orr_input_name(const orr_input *in);
+int64_t orr_input_line_number(const orr_input *in); // of the line returned last, from 1
+
+// The first bytes of the text (up to 64 KiB, as many as there are), without consuming them: for orr_sniff.
+// Valid until the next call. Only before the first line is read.
+orr_view orr_input_head(orr_input *in);
+// The next line, without its end; valid until the next call. False at the end and on failure: ask
+// orr_input_status.
+bool orr_input_line(orr_input *in, orr_view *line);
+// Puts the line returned last back: the next call returns it again.
+void orr_input_unline(orr_input *in);
+// ORR_OK while all is well (so also at the true end), else what happened, again and again.
+orr_status orr_input_status(const orr_input *in, orr_diag *diag);
+// Raw text instead of lines; *got is 0 at the end. Not to be mixed with orr_input_line.
+orr_status orr_input_read(orr_input *in, void *buf, size_t capacity, size_t *got, orr_diag *diag);
+
+#endif

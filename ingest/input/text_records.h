@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the smaller readers share: arrays that grow under a limit, dates as these formats write them, header
+// labels. Private to the ingest room.
+#ifndef ORR_INGEST_INPUT_TEXT_RECORDS_H
+#define ORR_INGEST_INPUT_TEXT_RECORDS_H
+
+#include "core/cursor.h"
+#include "core/time.h"
+#include "ingest/input/input.h"
+#include "ingest/input/limits.h"
+
+// Makes room for one more element behind n; doubles *capacity. `limit` elements at most: ORR_E_LIMIT names
+// `what`.
+orr_status orr_records_grow(void *array, size_t n, size_t *capacity, size_t element_size, size_t limit,
+                            const char *what, const orr_cursor *at, orr_diag *diag);
+
+// Reads a file whole under limits->max_bytes (NULL: defaults).
+orr_status orr_records_load(const char *path, const orr_read_limits *limits, orr_bytes *out, orr_diag *diag);
+
+// The label of a RINEX-like header line, columns 61-80, trimmed.
+orr_view orr_records_label(orr_view line);
+// Compares a label with its name, blind to case, to underscores for blanks and to repeated blanks.
+bool orr_records_label_is(orr_view label, const char *name);
+
+// "YYYY:DDD:SSSSS" or "YY:DDD:SSSSS" of the SINEX family. All zeros (or blank) is "open": ORR_TIME_NONE.
+// False if it is no date. Two-digit years up to 50 are of this century, as SINEX says.
+bool orr_records_sinex_time(orr_view v, orr_scale scale, orr_time *out);
+// Six blank-separated numbers, year month day hour minute second(.fraction); 24:00:00 is the next day. Fewer
+// than six are refused. False if it is no date.
+bool orr_records_civil(orr_view v, orr_scale scale, orr_time *out);
+// The same from fields of given widths in one go (IONEX 6I6, RINEX CLK ...): not needed when blanks separate
+// them.
+bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scale, orr_time *out);
+
+// Appends a copy of v (right-trimmed) to a list of texts under `limit`.
+orr_status orr_records_add_text(char ***list, size_t *n, size_t *capacity, orr_view v, size_t limit,
+                                const orr_cursor *at, orr_diag *diag);
+void orr_records_free_texts(char **list, size_t n);
+
+// The most frequent step of ascending instants, seconds; of equally frequent ones the shortest. NAN for fewer
+// than two. `scratch` has room for n.
+double orr_records_usual_step_s(const orr_time *t, size_t n, int64_t *scratch);
+
+// "program", "run by", "date" of a RINEX-like "PGM / RUN BY / DATE" line (20 characters each).
+void orr_records_program_line(orr_view line, char program[21], char run_by[21], char date[21]);
+
+#endif

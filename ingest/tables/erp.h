@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Earth rotation parameters, IGS ERP files version 2 (Kouba 1997, "IGS Earth Rotation Parameter file format
+// version 2"). Centres write the columns in their own order and words; they are read by the file's own header
+// and unit lines.
+#ifndef ORR_INGEST_TABLES_ERP_H
+#define ORR_INGEST_TABLES_ERP_H
+
+#include "core/astro.h"
+#include "core/status.h"
+#include "ingest/input/limits.h"
+
+// What a line says beside the four parameters; NAN where the file has no such column.
+typedef struct orr_erp_detail {
+    double xp_sdev_rad, yp_sdev_rad, ut1_sdev_s, lod_sdev_s;
+    double xp_rate_radps, yp_rate_radps; // rad/s
+    double xp_rate_sdev_radps, yp_rate_sdev_radps;
+    double dpsi_rad, deps_rad;              // nutation corrections
+    int n_receivers, n_fixed, n_satellites; // -1 where not told
+} orr_erp_detail;
+
+typedef struct orr_erp {
+    int version;
+    char title[161];        // first line that says what it is; empty if none does
+    orr_eop_series series;  // ascending MJD UTC; pole rad, UT1 - UTC s, LOD s: what core/astro.h evaluates
+    orr_erp_detail *detail; // [series.n]
+} orr_erp;
+
+// Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_UNSUPPORTED (UT1R: zonal tides taken out),
+// ORR_E_MEMORY. UT1 - TAI columns are turned into UT1 - UTC with `leap` (NULL: built-in). Of two lines of one
+// instant the later in the file is kept, with a warning.
+orr_status orr_erp_read(const char *path, const orr_leap_table *leap, const orr_read_limits *limits,
+                        orr_erp *out, orr_warnings *warnings, orr_diag *diag);
+orr_status orr_erp_parse(const char *name, const char *text, size_t n, const orr_leap_table *leap,
+                         const orr_read_limits *limits, orr_erp *out, orr_warnings *warnings, orr_diag *diag);
+void orr_erp_free(orr_erp *x);
+
+// One series from several files (daily ones of a campaign): ascending; of two values at one instant that of
+// the later file in the list. Free the series with orr_erp_series_free.
+orr_status orr_erp_merge(const orr_erp *in, size_t n, orr_eop_series *out, orr_diag *diag);
+void orr_erp_series_free(orr_eop_series *s);
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "iono/field/klobuchar.h"
+
+#include <math.h>
+
+#include "core/vec.h"
+
+#define LIGHT_MPS 299792458.0
+
+// Everything is in semicircles (half turns), as the interface document writes it.
+static double vertical_s(const orr_klobuchar *k, orr_time t, double lat, double lon)
+{
+    double phi_m = lat + 0.064 * cos((lon - 1.617) * ORR_PI);
+    int32_t week;
+    int64_t ns;
+    orr_time_week(t, &week, &ns);
+    double local =
+        fmod(4.32e4 * lon + (double)(ns % ((int64_t)ORR_S_PER_DAY * ORR_NS_PER_S)) * 1e-9, ORR_S_PER_DAY);
+    if (local < 0) local += ORR_S_PER_DAY;
+    double amplitude = 0, period = 0;
+    for (int i = 3; i >= 0; i--) {
+        amplitude = amplitude * phi_m + k->alpha[i];
+        period = period * phi_m + k->beta[i];
+    }
+    if (amplitude < 0) amplitude = 0;
+    if (period < 72000) period = 72000;
+    double x = 2 * ORR_PI * (local - 50400) / period;
+    double bump = fabs(x) < 1.57 ? amplitude * (1 - x * x / 2 + x * x * x * x / 24) : 0;
+    return 5e-9 + bump;
+}
+
+double orr_klobuchar_vertical_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad)
+{
+    return LIGHT_MPS * vertical_s(k, t, lat_rad / ORR_PI, lon_rad / ORR_PI);
+}
+
+double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad,
+                             double az_rad, double el_rad)
+{
+    double el = el_rad / ORR_PI;
+    double psi = 0.0137 / (el + 0.11) - 0.022;
+    double lat = lat_rad / ORR_PI + psi * cos(az_rad);
+    if (lat > 0.416) lat = 0.416;
+    if (lat < -0.416) lat = -0.416;
+    double lon = lon_rad / ORR_PI + psi * sin(az_rad) / cos(lat * ORR_PI);
+    double low = 0.53 - el, obliquity = 1 + 16 * low * low * low;
+    return LIGHT_MPS * obliquity * vertical_s(k, t, lat, lon);
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One ray through a thin shell: where it pierces, how much longer it is than the vertical, what the electrons
+// on it do to a carrier.
+#ifndef ORR_IONO_FIELD_PIERCE_H
+#define ORR_IONO_FIELD_PIERCE_H
+
+#include "core/earth.h"
+#include "core/status.h"
+#include "core/vec.h"
+
+#define ORR_SHELL_RADIUS_M                                                                                   \
+    6821000.0 // 6371 km + 450 km, the shell of the IGS maps (Schaer 1999; IONEX headers)
+
+// A receiver: its place and its local axes (ellipsoidal vertical).
+typedef struct orr_iono_site {
+    orr_vec3 pos_m;           // ecef
+    orr_vec3 east, north, up; // unit vectors, ecef
+    orr_geodetic geodetic;
+} orr_iono_site;
+// The origin and points below 6.2e6 m from it are no receiver: ORR_E_ARG.
+orr_status orr_iono_site_at(orr_vec3 pos_m, orr_iono_site *out, orr_diag *diag);
+
+// Where a ray leaves the shell.
+typedef struct orr_pierce {
+    double az_rad, el_rad;   // clockwise from North [0, 2 pi); above the ellipsoidal horizon
+    double lat_rad, lon_rad; // GEOCENTRIC latitude (as maps on a sphere use), longitude (-pi, pi]
+    orr_vec3 unit;           // the same as a unit vector, ecef
+} orr_pierce;
+
+// Exact intersection of the straight ray with the sphere of shell_radius_m. Errors: ORR_E_RANGE when the
+// satellite is below the horizon or the receiver is not inside the shell.
+orr_status orr_pierce_ray(const orr_iono_site *site, orr_vec3 sat_m, double shell_radius_m, orr_pierce *out,
+                          orr_diag *diag);
+// The same for a direction.
+orr_status orr_pierce_direction(const orr_iono_site *site, double az_rad, double el_rad,
+                                double shell_radius_m, orr_pierce *out, orr_diag *diag);
+
+// Mapping functions: slant over vertical TEC, a function of the elevation at the receiver.
+typedef enum orr_mapping_kind {
+    ORR_MAPPING_NONE,       // 1: what is asked for is vertical
+    ORR_MAPPING_THIN_SHELL, // 1/cos z', sin z' = R/(R+H) sin z with R = 6371 km, H = 450 km (Schaer 1999, eq.
+                            // (2.20))
+    ORR_MAPPING_MSLM, // sin z' = R/(R+H) sin(alpha z), H = 506.7 km, alpha = 0.9782: fits JPL's extended slab
+} orr_mapping_kind;   // model up to 10 degrees (AIUB; headers of CODE's maps)
+typedef struct orr_mapping {
+    orr_mapping_kind kind;
+    double ratio; // R / (R + H)
+    double alpha;
+} orr_mapping;
+orr_mapping orr_mapping_published(orr_mapping_kind kind);
+const char *orr_mapping_name(orr_mapping_kind kind); // "none", "thin-shell", "mslm"
+orr_status orr_mapping_parse(const char *name, orr_mapping_kind *out, orr_diag *diag);
+// 1 at the zenith, growing to the horizon. NAN for an elevation outside [0, pi/2].
+double orr_mapping_factor(const orr_mapping *m, double el_rad);
+
+// Bogdanov 2015, eq. (36): 40.3e16 E / f^2 metres for E TECU (1e16 electrons/m^2); a code measurement is late
+// by so much
+// (+), the phase early (-).
+#define ORR_IONO_K_M3_PER_S2 40.3e16
+typedef enum orr_measurement { ORR_MEASURES_CODE, ORR_MEASURES_PHASE } orr_measurement;
+static inline double orr_iono_delay_m(double tec_tecu, double freq_hz, orr_measurement what)
+{
+    double d = ORR_IONO_K_M3_PER_S2 * tec_tecu / (freq_hz * freq_hz);
+    return what == ORR_MEASURES_PHASE ? -d : d;
+}
+
+#endif

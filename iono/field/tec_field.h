@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertical and slant TEC anywhere at any time, one face over three sources: spherical-harmonic coefficients
+// (Bernese .ION), maps (IONEX; refitted to harmonics at load, or bilinear as they are), and the broadcast
+// Klobuchar model. Made once, then evaluated as a pure function: no allocation, no lock, no I/O.
+#ifndef ORR_IONO_FIELD_TEC_FIELD_H
+#define ORR_IONO_FIELD_TEC_FIELD_H
+
+#include "core/status.h"
+#include "core/time.h"
+#include "core/vec.h"
+#include "iono/field/harmonics.h"
+#include "iono/field/klobuchar.h"
+#include "iono/field/pierce.h"
+
+typedef enum orr_tec_spatial { ORR_TEC_HARMONIC, ORR_TEC_BILINEAR } orr_tec_spatial;
+// Between epochs. The three classical ways (Schaer, Gurtner, Feltens 1998): the nearest map, linear between
+// two maps at one place on the Earth, linear between two maps turned with the Sun.
+typedef enum orr_tec_temporal { ORR_TEC_NEAREST, ORR_TEC_LINEAR, ORR_TEC_ROTATED } orr_tec_temporal;
+
+typedef struct orr_tec_options {
+    orr_tec_spatial spatial; // of maps; coefficients are always harmonic
+    orr_tec_temporal temporal;
+    double rotation;                   // of ROTATED: the part of the Sun's motion that maps follow, 0..1
+    int degree;                        // of the refit of maps
+    double pole_lat_deg, pole_lon_deg; // geomagnetic pole of the refit
+    orr_mapping_kind mapping;
+    const orr_leap_table *leap; // NULL: built-in; must outlive the field
+} orr_tec_options;
+orr_tec_options orr_tec_default_options(void); // harmonic, rotated, 1, 15, 79 N 71 W, MSLM
+
+// Maps on a regular grid of geocentric latitude and longitude, [map][lat][lon]; NAN is a hole.
+typedef struct orr_tec_maps {
+    size_t n_maps, n_lat, n_lon;
+    double lat0_deg, dlat_deg, lon0_deg, dlon_deg; // first row, step (of either sign), first column, step > 0
+    double shell_radius_m;
+    double unit_tecu;   // resolution of the values (0.1 in most files); a value of 0 stands for "0 or less"
+    const orr_time *t;  // strictly ascending
+    const double *tec;  // TECU
+    const double *rms;  // TECU, NAN where unknown; NULL where the file has none
+    const char *source; // for messages
+} orr_tec_maps;
+
+// How well a refit meets its maps. Cells of 0 are left out of the fit unless the fit would rise above half a
+// unit there (then they are put in with that); residuals are those of the other cells.
+typedef struct orr_tec_fit {
+    int degree;
+    size_t n_cells;   // whose residuals are counted, all maps together
+    size_t n_clipped; // cells of 0
+    size_t n_held;    // of those, put in
+    size_t n_holes;
+    double rms_tecu, max_tecu;
+} orr_tec_fit;
+
+typedef struct orr_tec_field orr_tec_field;
+
+// Errors: ORR_E_FORMAT (negative TEC, epochs out of order), ORR_E_UNSUPPORTED (a regional grid cannot be
+// refitted), ORR_E_NUMERIC (too few cells for the degree), ORR_E_LIMIT, ORR_E_ARG, ORR_E_MEMORY. options may
+// be NULL.
+orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_options *options,
+                                   orr_tec_field **out, orr_diag *diag);
+
+// A set of coefficients in the sun-fixed geomagnetic frame. t1 = ORR_TIME_NONE: a snapshot, linear in time to
+// the next; else it holds from t to t1 unchanged.
+typedef struct orr_tec_coefficients {
+    orr_time t, t1;
+    int degree, order;
+    const double *value; // (degree+1)^2 in the order of orr_harm_row, TECU; terms beyond `order` are zero
+    const double *rms;   // the same, or NULL
+} orr_tec_coefficients;
+typedef struct orr_tec_model {
+    size_t n;
+    const orr_tec_coefficients *set;   // ascending in t
+    double pole_lat_deg, pole_lon_deg; // geomagnetic pole
+    double shell_radius_m;
+    const char *source;
+} orr_tec_model;
+orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_options *options,
+                                    orr_tec_field **out, orr_diag *diag);
+
+// The broadcast model; it says it holds from `from` to `to`.
+orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, orr_time to,
+                                        const char *source, const orr_tec_options *options,
+                                        orr_tec_field **out, orr_diag *diag);
+void orr_tec_field_free(orr_tec_field *f);
+
+// What the field is.
+void orr_tec_field_span(const orr_tec_field *f, orr_time *from, orr_time *to);
+const char *orr_tec_field_source(const orr_tec_field *f);
+const char *orr_tec_field_kind(const orr_tec_field *f); // "harmonics", "maps", "klobuchar"
+const orr_tec_options *orr_tec_field_options(const orr_tec_field *f);
+const orr_tec_fit *orr_tec_field_fit(const orr_tec_field *f); // NULL unless maps were refitted
+double orr_tec_field_shell_radius_m(const orr_tec_field *f);
+// The coefficients of a harmonic field, for writing them: the number of sets (0 for other kinds); set k into
+// *out, whose value (and rms) go to the caller's arrays of (degree+1)^2 (rms may be NULL).
+size_t orr_tec_field_sets(const orr_tec_field *f, int *degree);
+void orr_tec_field_set(const orr_tec_field *f, size_t k, orr_time *t, orr_time *t1, double *value,
+                       double *rms);
+// Epochs of a field of maps, whichever way they are kept; 0 for others. *t stays valid as long as f.
+size_t orr_tec_field_epochs(const orr_tec_field *f, const orr_time **t);
+
+enum {                         // orr_tec_value.flags
+    ORR_TEC_CLIPPED = 1u << 0, // the expansion is negative here; 0 is given, as maps do
+};
+typedef struct orr_tec_value {
+    double vtec_tecu;
+    double sigma_tecu; // of the source's RMS; NAN where it has none
+    unsigned flags;
+} orr_tec_value;
+
+// The field at one instant: everything that depends on time alone, so that the rays of an epoch share it.
+// About 20 kB.
+typedef struct orr_tec_instant {
+    const orr_tec_field *field;
+    orr_time t;
+    size_t i0, i1; // epochs at either side
+    double w;      // weight of i1
+    bool one;      // one set of axes serves both sides
+    orr_mat3 axes0, axes1;
+    double turn0_rad, turn1_rad; // longitude to add when looking into a map of i0 or i1
+    double coef[2 * (ORR_HARM_MAX_DEGREE + 1) * ORR_HARM_MAX_ROW];
+} orr_tec_instant;
+// ORR_E_RANGE when the field does not cover t.
+orr_status orr_tec_field_at(const orr_tec_field *f, orr_time t, orr_tec_instant *out, orr_diag *diag);
+
+// Vertical TEC over a point of the shell, a geocentric unit vector. ORR_E_NODATA in a hole of the maps,
+// ORR_E_RANGE outside a regional map.
+orr_status orr_tec_vertical(const orr_tec_instant *at, orr_vec3 unit, orr_tec_value *out, orr_diag *diag);
+
+typedef struct orr_tec_ray {
+    orr_pierce pierce;
+    double mapping; // slant / vertical
+    double vtec_tecu, stec_tecu;
+    double sigma_tecu; // of the slant, NAN where unknown
+    unsigned flags;
+} orr_tec_ray;
+// One ray from a site to a satellite. Errors of orr_pierce_ray and orr_tec_vertical. A Klobuchar field uses
+// its own algorithm for the slant; its mapping is the quotient.
+orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
+                        orr_tec_ray *out, orr_diag *diag);
+// The same for a pierce point already made (with the field's shell radius).
+orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *site,
+                                const orr_pierce *pierce, orr_tec_ray *out, orr_diag *diag);
+
+#endif

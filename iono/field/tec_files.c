@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "iono/field/tec_files.h"
+#include "core/nan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+// Step of n equally spaced values; NAN when they are not.
+static double regular_step(const double *v, size_t n)
+{
+    if (n < 2) return ORR_NAN;
+    double step = (v[n - 1] - v[0]) / (double)(n - 1);
+    for (size_t i = 1; i < n; i++)
+        if (!(fabs(v[i] - v[i - 1] - step) < 1e-6)) return ORR_NAN;
+    return step;
+}
+
+orr_status orr_tec_field_from_ionex(const orr_ionex *x, const char *name, const orr_tec_options *options,
+                                    orr_tec_field **out, orr_diag *diag)
+{
+    *out = NULL;
+    if (x->tec_tecu == NULL) return orr_diag_set(diag, ORR_E_NODATA, "%s: no TEC map in it", name);
+    if (x->n_heights != 1)
+        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
+                            "%s: maps at %zu heights; only those of one shell can be used", name,
+                            x->n_heights);
+    double dlat = regular_step(x->lat_deg, x->n_lats), dlon = regular_step(x->lon_deg, x->n_lons);
+    if (isnan(dlat) || isnan(dlon) || dlon <= 0)
+        return orr_diag_set(
+            diag, ORR_E_UNSUPPORTED,
+            "%s: a grid whose latitudes or longitudes are not in equal steps (longitudes eastward)", name);
+    orr_tec_maps m = {.n_maps = x->n_epochs,
+                      .n_lat = x->n_lats,
+                      .n_lon = x->n_lons,
+                      .lat0_deg = x->lat_deg[0],
+                      .dlat_deg = dlat,
+                      .lon0_deg = x->lon_deg[0],
+                      .dlon_deg = dlon,
+                      .shell_radius_m = x->base_radius_m + x->height_m[0],
+                      .unit_tecu = pow(10, x->exponent),
+                      .t = x->epoch,
+                      .tec = x->tec_tecu,
+                      .rms = x->rms_tecu,
+                      .source = name};
+    return orr_tec_field_from_maps(&m, options, out, diag);
+}
+
+static orr_status check_model(const orr_ion_model *m, const orr_ion_model *first, const char *name,
+                              orr_diag *diag)
+{
+    if (m->type != ORR_ION_GLOBAL)
+        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
+                            "%s: model \"%s\" is not a global one (spherical harmonics)", name, m->number);
+    if (m->frame != ORR_ION_GEOMAGNETIC || m->sun != ORR_ION_SUN_MEAN)
+        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
+                            "%s: model \"%s\" is not in the geomagnetic frame of the mean Sun", name,
+                            m->number);
+    if (isnan(m->pole_lat_deg) || isnan(m->pole_lon_deg) || isnan(m->layer_height_m))
+        return orr_diag_set(diag, ORR_E_FORMAT,
+                            "%s: model \"%s\" does not tell the geomagnetic pole or the height of its layer",
+                            name, m->number);
+    if (m->pole_lat_deg != first->pole_lat_deg || m->pole_lon_deg != first->pole_lon_deg ||
+        m->layer_height_m != first->layer_height_m)
+        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
+                            "%s: model \"%s\" changes the pole or the height of the layer", name, m->number);
+    if (m->max_degree < 0 || m->max_degree > ORR_HARM_MAX_DEGREE)
+        return orr_diag_set(diag, ORR_E_LIMIT, "%s: model \"%s\" is of degree %d; %d is the limit", name,
+                            m->number, m->max_degree, ORR_HARM_MAX_DEGREE);
+    if (m->from == ORR_TIME_NONE)
+        return orr_diag_set(diag, ORR_E_FORMAT, "%s: model \"%s\" does not tell its epoch", name, m->number);
+    return ORR_OK;
+}
+
+orr_status orr_tec_field_from_ion(const orr_ion *x, const char *name, const orr_tec_options *options,
+                                  orr_tec_field **out, orr_diag *diag)
+{
+    *out = NULL;
+    if (x->n_models == 0) return orr_diag_set(diag, ORR_E_NODATA, "%s: no model in it", name);
+    for (size_t k = 0; k < x->n_models; k++) {
+        orr_status s = check_model(&x->model[k], &x->model[0], name, diag);
+        if (s != ORR_OK) return s;
+    }
+    size_t per = (ORR_HARM_MAX_DEGREE + 1) * (ORR_HARM_MAX_DEGREE + 1);
+    orr_tec_coefficients *set = calloc(x->n_models, sizeof *set);
+    double *value = calloc(2 * per * x->n_models, sizeof *value);
+    if (set == NULL || value == NULL) {
+        free(set);
+        free(value);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for coefficients");
+    }
+    orr_status s = ORR_OK;
+    for (size_t k = 0; s == ORR_OK && k < x->n_models; k++) {
+        const orr_ion_model *m = &x->model[k];
+        double *v = value + 2 * per * k, *rms = v + per;
+        bool some = false;
+        for (size_t i = 0; i < m->n_coefficients; i++) {
+            const orr_ion_coefficient *c = &m->coefficient[i];
+            if (c->degree < 0 || c->degree > m->max_degree || abs(c->order) > c->degree) {
+                s = orr_diag_set(diag, ORR_E_FORMAT,
+                                 "%s: model \"%s\" is of degree %d and has a coefficient (%d, %d)", name,
+                                 m->number, m->max_degree, c->degree, c->order);
+                break;
+            }
+            size_t at = orr_ion_index(c->degree, c->order);
+            v[at] = c->tecu;
+            if (c->rms_tecu > 0) {
+                rms[at] = c->rms_tecu;
+                some = true;
+            }
+        }
+        set[k] = (orr_tec_coefficients){m->from, m->to, m->max_degree, m->max_degree, v, some ? rms : NULL};
+    }
+    if (s == ORR_OK) {
+        const orr_ion_model *m = &x->model[0];
+        orr_tec_model model = {
+            x->n_models, set, m->pole_lat_deg, m->pole_lon_deg, 6371000.0 + m->layer_height_m, name};
+        s = orr_tec_field_from_model(&model, options, out, diag);
+    }
+    free(set);
+    free(value);
+    return s;
+}
+
+orr_status orr_tec_field_from_nav(const orr_nav *nav, const char *name, const orr_tec_options *options,
+                                  orr_tec_field **out, orr_diag *diag)
+{
+    *out = NULL;
+    const orr_nav_iono *best = NULL;
+    for (size_t i = 0; i < nav->n_iono; i++) {
+        const orr_nav_iono *c = &nav->iono[i];
+        if (c->kind != ORR_NAV_KLOBUCHAR) continue;
+        if (best == NULL || (best->system != 'G' && c->system == 'G')) best = c;
+    }
+    if (best == NULL)
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "%s: no Klobuchar coefficients in it (ION ALPHA, IONOSPHERIC CORR)", name);
+    if (nav->n_eph == 0)
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "%s: no ephemeris that would tell the day of its Klobuchar coefficients", name);
+    orr_time from = nav->eph[0].toe, to = from;
+    for (size_t i = 0; i < nav->n_eph; i++) {
+        if (nav->eph[i].toe < from) from = nav->eph[i].toe;
+        if (nav->eph[i].toe > to) to = nav->eph[i].toe;
+    }
+    orr_klobuchar k;
+    memcpy(k.alpha, best->coefficient, sizeof k.alpha);
+    memcpy(k.beta, best->coefficient + 4, sizeof k.beta);
+    int64_t day = (int64_t)ORR_S_PER_DAY * ORR_NS_PER_S;
+    return orr_tec_field_from_klobuchar(&k, from - day, to + day, name, options, out, diag);
+}
+
+orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, orr_tec_field **out,
+                              orr_warnings *warnings, orr_diag *diag)
+{
+    *out = NULL;
+    const char *name = base_name(path);
+    orr_ionex maps;
+    orr_status s = orr_ionex_read(path, NULL, &maps, warnings, diag);
+    if (s == ORR_OK) {
+        s = orr_tec_field_from_ionex(&maps, name, options, out, diag);
+        orr_ionex_free(&maps);
+        return s;
+    }
+    if (s != ORR_E_KIND) return s;
+    orr_ion models;
+    s = orr_ion_read(path, NULL, &models, warnings, diag);
+    if (s == ORR_OK) {
+        s = orr_tec_field_from_ion(&models, name, options, out, diag);
+        orr_ion_free(&models);
+        return s;
+    }
+    if (s != ORR_E_KIND) return s;
+    orr_nav nav;
+    s = orr_nav_read(path, NULL, &nav, warnings, diag);
+    if (s == ORR_OK) {
+        s = orr_tec_field_from_nav(&nav, name, options, out, diag);
+        orr_nav_free(&nav);
+        return s;
+    }
+    if (s != ORR_E_KIND) return s;
+    return orr_diag_at(
+        diag, ORR_E_KIND, path, 0, 0,
+        "neither an IONEX file of maps, nor Bernese coefficients (.ION), nor a RINEX navigation file");
+}
+
+orr_status orr_tec_field_to_ion(const orr_tec_field *f, orr_ion *out, orr_diag *diag)
+{
+    *out = (orr_ion){0};
+    int degree = 0;
+    size_t n = orr_tec_field_sets(f, &degree), per = ((size_t)degree + 1) * ((size_t)degree + 1);
+    if (n == 0)
+        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
+                            "%s is kept as %s, not as harmonics; coefficients cannot be written",
+                            orr_tec_field_source(f), orr_tec_field_kind(f));
+    double *value = malloc(2 * per * sizeof *value);
+    out->model = calloc(n, sizeof *out->model);
+    if (value == NULL || out->model == NULL) {
+        free(value);
+        orr_ion_free(out);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for models");
+    }
+    const orr_tec_options *o = orr_tec_field_options(f);
+    orr_status s = ORR_OK;
+    for (size_t k = 0; s == ORR_OK && k < n; k++) {
+        orr_ion_model *m = &out->model[k];
+        s = orr_ion_model_alloc(degree, degree, m, diag);
+        if (s != ORR_OK) break;
+        out->n_models = k + 1;
+        orr_tec_field_set(f, k, &m->from, &m->to, value, value + per);
+        snprintf(m->title, sizeof m->title, "%.40s AS SPHERICAL HARMONICS", orr_tec_field_source(f));
+        snprintf(m->number, sizeof m->number, "%04zu-%02d", k + 1, 0);
+        m->type = ORR_ION_GLOBAL;
+        m->frame = ORR_ION_GEOMAGNETIC;
+        m->sun = ORR_ION_SUN_MEAN;
+        m->mapping = o->mapping == ORR_MAPPING_MSLM         ? ORR_ION_MAP_MSLM
+                     : o->mapping == ORR_MAPPING_THIN_SHELL ? ORR_ION_MAP_COSZ
+                                                            : ORR_ION_MAP_NONE;
+        m->layer_height_m = orr_tec_field_shell_radius_m(f) - 6371000.0;
+        m->pole_lat_deg = o->pole_lat_deg;
+        m->pole_lon_deg = o->pole_lon_deg;
+        m->lat_south_deg = -90;
+        m->lat_north_deg = 90;
+        for (size_t i = 0; i < per; i++) {
+            m->coefficient[i].tecu = value[i];
+            m->coefficient[i].rms_tecu = value[per + i];
+        }
+    }
+    free(value);
+    if (s != ORR_OK) orr_ion_free(out);
+    return s;
+}
+
+orr_status orr_tec_field_to_ionex(const orr_tec_field *f, orr_time t0, double step_s, size_t n,
+                                  orr_ionex *out, orr_diag *diag)
+{
+    const double lat[3] = {87.5, -87.5, -2.5}, lon[3] = {-180, 180, 5};
+    double radius = orr_tec_field_shell_radius_m(f), height[3] = {radius - 6371000.0, radius - 6371000.0, 0};
+    orr_status s = orr_ionex_alloc(n, t0, step_s, lat, lon, height, true, out, diag);
+    if (s != ORR_OK) return s;
+    out->base_radius_m = 6371000.0;
+    orr_tec_instant *at = malloc(sizeof *at);
+    if (at == NULL) s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for maps");
+    bool with_rms = false;
+    for (size_t k = 0; s == ORR_OK && k < n; k++) {
+        s = orr_tec_field_at(f, out->epoch[k], at, diag);
+        for (size_t i = 0; s == ORR_OK && i < out->n_lats; i++)
+            for (size_t j = 0; j < out->n_lons; j++) {
+                double b = out->lat_deg[i] * ORR_RAD_PER_DEG, l = out->lon_deg[j] * ORR_RAD_PER_DEG;
+                orr_tec_value v;
+                orr_status one =
+                    orr_tec_vertical(at, (orr_vec3){cos(b) * cos(l), cos(b) * sin(l), sin(b)}, &v, NULL);
+                if (one == ORR_E_NODATA || one == ORR_E_RANGE) continue; // stays missing
+                size_t to = orr_ionex_index(out, k, 0, i, j);
+                out->tec_tecu[to] = v.vtec_tecu;
+                out->rms_tecu[to] = v.sigma_tecu;
+                if (!isnan(v.sigma_tecu)) with_rms = true;
+            }
+    }
+    free(at);
+    if (s == ORR_OK && !with_rms) {
+        free(out->rms_tecu);
+        out->rms_tecu = NULL;
+    }
+    if (s != ORR_OK) orr_ionex_free(out);
+    return s;
+}

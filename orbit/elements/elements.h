@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kepler elements of the product's satellites as functions of time (Bogdanov 2015, section 6, Figs 8-9).
+#ifndef ORR_ORBIT_ELEMENTS_ELEMENTS_H
+#define ORR_ORBIT_ELEMENTS_ELEMENTS_H
+
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/force/kepler.h"
+#include "orbit/force/sky.h"
+
+typedef enum orr_elements_frame {
+    ORR_ELEMENTS_DATE,  // true equator and equinox of date: what inclination over the Earth means
+    ORR_ELEMENTS_J2000, // GCRS
+    ORR_ELEMENTS_ECEF,  // axes of ecef, frozen at the instant: longitude of the node over the ground
+} orr_elements_frame;
+
+typedef enum orr_elements_method {
+    ORR_ELEMENTS_STATE,           // osculating, from (r, v) of the product
+    ORR_ELEMENTS_THREE_POSITIONS, // the source's method, see orr_kepler_from_positions for its limits
+    ORR_ELEMENTS_MEAN,            // osculating averaged over one revolution centred on the instant
+} orr_elements_method;
+
+typedef struct orr_elements_options {
+    orr_elements_frame frame;
+    orr_elements_method method;
+    double spacing_s;          // of the three positions; 0: 300 s
+    const orr_eop_series *eop; // NULL: IERS' secular pole
+} orr_elements_options;
+
+// The Earth's rotation about an instant as a method needs it: the same for every satellite, and the dearer
+// part of an answer (12 us for STATE, 36 for THREE_POSITIONS, 200 for MEAN; a satellite takes 0.5, 1 and
+// 50 us). Made once, then read by any number of satellites. Contents are elements.c's business.
+#define ORR_ELEMENTS_DEGREE 16
+typedef struct orr_elements_axes {
+    orr_time t;
+    orr_elements_options o; // the series of o.eop is borrowed
+    orr_mat3 R[3], dR;      // GCRS to ITRS: at t (the middle one) and at t -+ spacing; derivative at t
+    orr_mat3 wanted;        // GCRS to the axes of the elements at t
+    double series[12][ORR_ELEMENTS_DEGREE + 1]; // of MEAN: rotation and its rate over a revolution
+} orr_elements_axes;
+void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_elements_axes *out);
+
+// Elements of a satellite at the axes' instant. Besides the statuses of orr_ephemeris_eval: ORR_E_NODATA also
+// where the method needs instants outside the arc (three positions: t +- spacing; mean: half a revolution to
+// each side), ORR_E_NUMERIC where three positions reach over more than half a revolution.
+orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
+                           orr_kepler *out);
+// Both for one satellite.
+orr_status orr_elements_at(const orr_ephemeris *e, orr_sat sat, orr_time t, const orr_elements_options *o,
+                           orr_kepler *out);
+
+#endif

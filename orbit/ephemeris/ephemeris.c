@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The orbit product as an object: its memory, what is derived from its contents, and what it tells of itself.
+#include "orbit/ephemeris/ephemeris.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "orbit/ephemeris/ephemeris_private.h"
+
+orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag *diag)
+{
+    orr_ephemeris *e = calloc(1, sizeof *e);
+    *out = NULL;
+    if (e == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for an orbit product");
+    e->n_sats = counts->n_sats;
+    e->n_arcs = counts->n_arcs;
+    e->n_segments = counts->n_segments;
+    e->n_samples = counts->n_samples;
+    e->n_coefs = counts->n_coefs;
+    e->n_clocks = counts->n_clocks;
+    e->n_nodes = counts->n_nodes;
+    e->n_events = counts->n_events;
+    e->n_sources = counts->n_sources;
+    bool ok = true;
+#define TAKE(member, count) ok &= (e->member = calloc((count) + 1, sizeof *e->member)) != NULL
+    TAKE(sat_id, e->n_sats);
+    TAKE(sat, e->n_sats);
+    TAKE(arc, e->n_arcs);
+    TAKE(meta, e->n_segments);
+    TAKE(sigma, e->n_samples);
+    TAKE(sample_flags, e->n_samples);
+    TAKE(clock, e->n_clocks);
+    TAKE(rate, e->n_clocks);
+    TAKE(node, e->n_nodes);
+    TAKE(event, e->n_events);
+    TAKE(span, e->n_events);
+    TAKE(source, e->n_sources);
+#undef TAKE
+    // Rows of four doubles on cache lines' bounds, so that no load of a vector crosses one.
+    size_t bytes = (e->n_coefs * sizeof *e->coef + 63) / 64 * 64 + 64;
+    e->coef = aligned_alloc(64, bytes);
+    if (e->coef != NULL) memset(e->coef, 0, bytes);
+    if (!ok || e->coef == NULL) {
+        orr_ephemeris_free(e);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for an orbit product of %zu segments",
+                            counts->n_segments);
+    }
+    *out = e;
+    return ORR_OK;
+}
+
+void orr_ephemeris_free(orr_ephemeris *e)
+{
+    if (e == NULL) return;
+    free(e->sat_id);
+    free(e->sat);
+    free(e->arc);
+    free(e->coef);
+    free(e->meta);
+    free(e->sigma);
+    free(e->sample_flags);
+    free(e->clock);
+    free(e->rate);
+    free(e->node);
+    free(e->event);
+    free(e->span);
+    free(e->source);
+    free(e);
+}
+
+static uint32_t flag_of(orr_event_kind kind)
+{
+    switch (kind) {
+    case ORR_EVENT_MANOEUVRE:
+        return ORR_EPH_MANOEUVRE;
+    case ORR_EVENT_UMBRA:
+    case ORR_EVENT_PENUMBRA:
+        return ORR_EPH_ECLIPSE;
+    case ORR_EVENT_GAP:
+        return ORR_EPH_GAP;
+    case ORR_EVENT_OUTLIER:
+    case ORR_EVENT_DAY_JUMP:
+        break;
+    }
+    return 0;
+}
+
+static int by_start(const void *a, const void *b)
+{
+    orr_time x = ((const eph_span *)a)->t0, y = ((const eph_span *)b)->t0;
+    return (x > y) - (x < y);
+}
+
+static void make_spans(orr_ephemeris *e, eph_sat *s)
+{
+    s->span = &e->span[e->n_spans];
+    s->n_spans = 0;
+    for (size_t k = 0; k < s->n_events; k++) {
+        uint32_t flag = flag_of(s->event[k].kind);
+        if (flag != 0)
+            s->span[s->n_spans++] = (eph_span){.t0 = s->event[k].t0, .t1 = s->event[k].t1, .flag = flag};
+    }
+    if (s->n_spans > 1) qsort(s->span, s->n_spans, sizeof *s->span, by_start);
+    for (size_t k = 0; k < s->n_spans; k++) {
+        eph_span *p = &s->span[k];
+        p->reach = k > 0 && p[-1].reach > p->t1 ? p[-1].reach : p->t1;
+    }
+    e->n_spans += s->n_spans;
+}
+
+enum { MARKS = 3 }; // kinds of flags that spans set
+static const uint32_t mark_flag[MARKS] = {ORR_EPH_MANOEUVRE, ORR_EPH_ECLIPSE, ORR_EPH_GAP};
+
+// Adds the span to the arc's segments: those that it covers are counted in change[segment][mark] (+1 where
+// covering begins, -1 behind its end), those that it only touches are mixed.
+static void mark(const eph_arc *a, const eph_span *span, eph_meta *meta, int32_t (*change)[MARKS])
+{
+    if (span->t1 < a->t0 || span->t0 > a->t1) return;
+    int64_t last = (int64_t)a->n_segments - 1, L = a->segment_ns;
+    int64_t first = span->t0 <= a->t0 ? 0 : (span->t0 - a->t0) / L;
+    int64_t end = span->t1 >= a->t1 ? last : (span->t1 - a->t0) / L;
+    if (first > last) first = last;
+    if (span->t0 > a->t0 + first * L) meta[first++].mixed = 1;
+    if (first > end) return;
+    if (span->t1 < a->t0 + (end + 1) * L) meta[end--].mixed = 1;
+    if (first > end) return;
+    for (int m = 0; m < MARKS; m++) {
+        if (span->flag != mark_flag[m]) continue;
+        change[first][m]++;
+        change[end + 1][m]--;
+    }
+}
+
+// The first span that t may lie in: those before it end before t.
+static size_t first_reaching(const eph_sat *s, orr_time t)
+{
+    size_t low = 0, high = s->n_spans;
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (s->span[mid].reach < t)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low;
+}
+
+// Flags of the arc's segments as far as they are the same throughout. One pass over the spans that may touch
+// it and one over segments.
+static orr_status summarise(orr_ephemeris *e, const eph_sat *s, const eph_arc *a, orr_diag *diag)
+{
+    int32_t(*change)[MARKS] = calloc(a->n_segments + 1, sizeof *change), now[MARKS] = {0};
+    if (change == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the flags of %zu segments", a->n_segments);
+    eph_meta *meta = &e->meta[a->first_segment];
+    for (size_t k = first_reaching(s, a->t0); k < s->n_spans && s->span[k].t0 <= a->t1; k++)
+        mark(a, &s->span[k], meta, change);
+    for (size_t i = 0; i < a->n_segments; i++) {
+        const uint32_t *f = &e->sample_flags[a->first_sample + i * a->samples_per_segment];
+        meta[i].flags = f[0];
+        for (size_t k = 1; k < a->samples_per_segment; k++) meta[i].mixed |= f[k] != f[0];
+        for (int m = 0; m < MARKS; m++) {
+            now[m] += change[i][m];
+            if (now[m] > 0) meta[i].flags |= mark_flag[m];
+        }
+    }
+    free(change);
+    return ORR_OK;
+}
+
+// The usual step of clock nodes: the shortest of the first few, which gaps cannot spoil.
+static double clock_rate_of_nodes(const eph_sat *s)
+{
+    int64_t step = 0;
+    for (size_t i = 1; i < s->n_clocks && i < 32; i++) {
+        int64_t d = s->clock[i].t - s->clock[i - 1].t;
+        if (d > 0 && (step == 0 || d < step)) step = d;
+    }
+    return step > 0 ? 1.0 / (double)step : 0.0;
+}
+
+// Lines between clock nodes. None where nodes are too far apart, nor where SP3's event flag says that the
+// clock jumped between the epoch before and the flagged one (SP3-d, column 75), nor between two nodes at one
+// instant: there files join with different clocks.
+static void make_rates(const orr_ephemeris *e, eph_sat *s)
+{
+    int64_t max_ns = e->clock_max_gap_s < 9e8 ? (int64_t)(e->clock_max_gap_s * 1e9) : INT64_MAX;
+    s->rate = &e->rate[s->clock - e->clock];
+    for (size_t i = 0; i < s->n_clocks; i++) {
+        const orr_clock_node *c = &s->clock[i];
+        s->rate[i] = (eph_clock){.t = c->t, .clock_s = c->clock_s};
+        if (i + 1 == s->n_clocks || (c[1].flags & ORR_EPH_CLOCK_EVENT) != 0) continue;
+        int64_t step_ns = c[1].t - c[0].t;
+        if (step_ns <= 0 || step_ns > max_ns) continue;
+        s->rate[i].rate_sps = (c[1].clock_s - c[0].clock_s) / ((double)step_ns * 1e-9);
+        s->rate[i].flags = ORR_EPH_CLOCK_VALID | ((c[0].flags | c[1].flags) & EPH_CLOCK_FLAGS);
+    }
+}
+
+orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
+{
+    for (size_t i = 0; i < sizeof e->slot / sizeof e->slot[0]; i++) e->slot[i] = -1;
+    e->from = e->to = ORR_TIME_NONE;
+    e->n_spans = 0;
+    e->wide = eph_machine_is_wide();
+    for (size_t i = 0; i < e->n_sats; i++) {
+        eph_sat *s = &e->sat[i];
+        if (e->sat_id[i] >= sizeof e->slot / sizeof e->slot[0] || e->slot[e->sat_id[i]] >= 0)
+            return orr_diag_set(diag, ORR_E_FORMAT,
+                                "satellite %zu of the product has an identity that is wrong or taken", i);
+        e->slot[e->sat_id[i]] = (int16_t)i;
+        make_spans(e, s);
+        make_rates(e, s);
+        s->clock_per_ns = clock_rate_of_nodes(s);
+        for (size_t k = 0; k < s->n_arcs; k++) {
+            eph_arc *a = &s->arc[k];
+            a->t1 = a->t0 + (int64_t)a->n_segments * a->segment_ns;
+            a->per_segment_ns = 1.0 / (double)a->segment_ns;
+            a->dx_dt = 2e9 / (double)a->segment_ns;
+            if (e->from == ORR_TIME_NONE || a->t0 < e->from) e->from = a->t0;
+            if (e->to == ORR_TIME_NONE || a->t1 > e->to) e->to = a->t1;
+            orr_status st = summarise(e, s, a, diag);
+            if (st != ORR_OK) return st;
+        }
+    }
+    if (e->from == ORR_TIME_NONE)
+        return orr_diag_set(diag, ORR_E_NODATA, "the product holds no orbit at all");
+    return ORR_OK;
+}
+
+size_t orr_ephemeris_satellites(const orr_ephemeris *e, const orr_sat **list)
+{
+    *list = e->sat_id;
+    return e->n_sats;
+}
+
+void orr_ephemeris_span(const orr_ephemeris *e, orr_time *from, orr_time *to)
+{
+    *from = e->from;
+    *to = e->to;
+}
+
+static const eph_sat *find(const orr_ephemeris *e, orr_sat sat)
+{
+    if (sat >= sizeof e->slot / sizeof e->slot[0] || e->slot[sat] < 0) return NULL;
+    return &e->sat[e->slot[sat]];
+}
+
+size_t orr_ephemeris_nodes(const orr_ephemeris *e, orr_sat sat, const orr_orbit_node **list)
+{
+    const eph_sat *s = find(e, sat);
+    *list = s != NULL ? s->node : NULL;
+    return s != NULL ? s->n_nodes : 0;
+}
+
+size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit_event **list)
+{
+    const eph_sat *s = find(e, sat);
+    *list = s != NULL ? s->event : NULL;
+    return s != NULL ? s->n_events : 0;
+}
+
+size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list)
+{
+    const eph_sat *s = find(e, sat);
+    *list = s != NULL ? s->clock : NULL;
+    return s != NULL ? s->n_clocks : 0;
+}
+
+size_t orr_ephemeris_sources(const orr_ephemeris *e, const orr_orbit_source **list)
+{
+    *list = e->source;
+    return e->n_sources;
+}
+
+double orr_ephemeris_node_step_s(const orr_ephemeris *e) { return e->node_step_s; }
+const char *orr_ephemeris_options(const orr_ephemeris *e) { return e->options; }
+const char *orr_ephemeris_frame(const orr_ephemeris *e) { return e->frame; }
+
+void orr_ephemeris_representation(const orr_ephemeris *e, double *pos_m, double *vel_mps)
+{
+    *pos_m = e->max_pos_error_m;
+    *vel_mps = e->max_vel_error_mps;
+}
+
+size_t orr_ephemeris_shortened(const orr_ephemeris *e) { return e->n_shortened; }

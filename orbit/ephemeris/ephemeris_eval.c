@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Evaluation: the product and a time in, states out. One routine does the arithmetic whoever asks, so that
+// one satellite and the whole constellation give the same bits.
+#include <math.h>
+#include <string.h>
+
+#include "orbit/ephemeris/ephemeris_private.h"
+
+// Rows of coefficients as the vector unit has them. Lanes are independent and nothing is contracted, so that
+// the bits do not depend on how wide the machine is.
+typedef double lanes __attribute__((vector_size(EPH_LANES * sizeof(double)), may_alias));
+#define INLINE static inline __attribute__((always_inline))
+
+// T_j and its first two derivatives at one x.
+typedef struct basis {
+    double x;
+    int degree;
+    double t[EPH_MAX_DEGREE + 2], d[EPH_MAX_DEGREE + 2], dd[EPH_MAX_DEGREE + 2];
+} basis;
+
+// By steps of two, T_j+2 = (4 x^2 - 2) T_j - T_j-2 and its derivatives: two short chains instead of one long.
+INLINE void basis_at(basis *b, int degree, double x)
+{
+    double x8 = 8.0 * x, x16 = 16.0 * x, xx = x * x, c = 4.0 * xx - 2.0;
+    b->x = x;
+    b->degree = degree;
+    b->t[0] = 1.0, b->d[0] = 0.0, b->dd[0] = 0.0;
+    b->t[1] = x, b->d[1] = 1.0, b->dd[1] = 0.0;
+    b->t[2] = 2.0 * xx - 1.0, b->d[2] = 4.0 * x, b->dd[2] = 4.0;
+    b->t[3] = (c - 1.0) * x, b->d[3] = 12.0 * xx - 3.0, b->dd[3] = 24.0 * x;
+    for (int j = 4; j <= degree; j++) {
+        double t = b->t[j - 2], d = b->d[j - 2];
+        b->t[j] = c * t - b->t[j - 4];
+        b->d[j] = c * d + (x8 * t - b->d[j - 4]);
+        b->dd[j] = c * b->dd[j - 2] + ((x16 * d + 8.0 * t) - b->dd[j - 4]);
+    }
+}
+
+// Sums over the rows of one segment. The two largest terms come last, so that the small ones are not rounded
+// to them, and the sum can begin before the basis is complete.
+INLINE void sum_rows(const double *coef, const basis *b, int degree, double dx, orr_sat_state *out)
+{
+    const lanes *c = (const lanes *)(const void *)coef;
+    lanes p = b->t[2] * c[2], v = b->d[2] * c[2], a = b->dd[2] * c[2];
+    for (int j = 3; j <= degree; j++) {
+        p += b->t[j] * c[j];
+        v += b->d[j] * c[j];
+        a += b->dd[j] * c[j];
+    }
+    p += b->t[1] * c[1];
+    v += c[1];
+    p += c[0];
+    v *= dx;
+    a *= dx * dx;
+    out->pos_m = (orr_vec3){p[0], p[1], p[2]};
+    out->vel_mps = (orr_vec3){v[0], v[1], v[2]};
+    out->acc_mps2 = (orr_vec3){a[0], a[1], a[2]};
+}
+
+// Where t lies in an arc.
+typedef struct place {
+    size_t segment, sample; // the sample is counted in the segment
+    int64_t rest_ns;        // since the segment's begin
+    double x;               // in the segment, [-1, 1]
+    float part;             // way from the sample to the next, [0, 1]
+} place;
+
+// Without a division.
+INLINE void place_at(const eph_arc *a, orr_time t, place *p)
+{
+    int64_t dt = t - a->t0;
+    int64_t i = (int64_t)((double)dt * a->per_segment_ns), last = (int64_t)a->n_segments - 1;
+    if (i > last) i = last; // the arc's end belongs to its last segment
+    int64_t rest = dt - i * a->segment_ns;
+    if (rest < 0) { // the product was rounded up to the next whole number
+        i--;
+        rest += a->segment_ns;
+    } else if (rest >= a->segment_ns && i < last) {
+        i++;
+        rest -= a->segment_ns;
+    }
+    p->segment = (size_t)i;
+    p->rest_ns = rest;
+    p->x = (double)(2 * rest - a->segment_ns) * a->per_segment_ns;
+    double u = 0.5 * (p->x + 1.0) * (double)(int64_t)a->samples_per_segment;
+    int64_t k = (int64_t)u, last_sample = (int64_t)a->samples_per_segment - 1;
+    k = k < last_sample ? k : last_sample;
+    p->sample = (size_t)k;
+    p->part = (float)(u - (double)k);
+}
+
+// The arc that holds t, the later one where two meet; NULL in a gap.
+static const eph_arc *arc_at(const eph_sat *s, orr_time t)
+{
+    for (size_t k = s->n_arcs; k-- > 0;) {
+        const eph_arc *a = &s->arc[k];
+        if (t >= a->t0) return t <= a->t1 ? a : NULL;
+    }
+    return NULL;
+}
+
+static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_arc *a, size_t segment,
+                            int64_t rest_ns, orr_time t)
+{
+    int64_t sample_ns = a->segment_ns / (int64_t)a->samples_per_segment;
+    size_t k = (size_t)(rest_ns / sample_ns);
+    uint32_t flags = e->sample_flags[a->first_sample + segment * a->samples_per_segment + k];
+    size_t low = 0, high = s->n_spans; // spans before `low` have begun, those from `high` on have not
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (s->span[mid].t0 <= t)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    while (low-- > 0 && s->span[low].reach >= t)
+        if (s->span[low].t1 >= t) flags |= s->span[low].flag;
+    return flags;
+}
+
+// Index of the last clock node not after t; t is not before the first.
+static size_t clock_before(const eph_sat *s, orr_time t)
+{
+    enum { WALK = 4 }; // a few nodes more or less than even spacing has: days' joints
+    size_t last = s->n_clocks - 1;
+    double guess = (double)(t - s->rate[0].t) * s->clock_per_ns;
+    size_t i = guess < (double)last ? (size_t)guess : last;
+    for (int k = 0; k < WALK && i > 0 && s->rate[i].t > t; k++) i--;
+    for (int k = 0; k < WALK && i < last && s->rate[i + 1].t <= t; k++) i++;
+    if (s->rate[i].t <= t && (i == last || t < s->rate[i + 1].t)) return i;
+    size_t low = 0, high = s->n_clocks; // clock[low].t <= t < clock[high].t
+    while (high - low > 1) {
+        size_t mid = low + (high - low) / 2;
+        if (s->rate[mid].t <= t)
+            low = mid;
+        else
+            high = mid;
+    }
+    return low;
+}
+
+// The end of a stretch still has a clock: its last node, with the rate that leads there.
+static const eph_clock *stretch_end(const eph_sat *s, size_t i, orr_time t)
+{
+    if (s->rate[i].t != t) return NULL;
+    while (i > 0 && s->rate[i - 1].t == t) i--;
+    return i > 0 && s->rate[i - 1].flags != 0 ? &s->rate[i - 1] : NULL;
+}
+
+INLINE void clock_at(const eph_sat *s, orr_time t, orr_sat_state *out)
+{
+    out->clock_s = out->clock_rate_sps = (double)NAN;
+    if (s->n_clocks == 0 || t < s->rate[0].t) return;
+    size_t i = clock_before(s, t);
+    const eph_clock *c = &s->rate[i];
+    if (c->flags == 0 && (c = stretch_end(s, i, t)) == NULL) return;
+    out->clock_rate_sps = c->rate_sps;
+    out->clock_s = c->clock_s + c->rate_sps * ((double)(t - c->t) * 1e-9);
+    out->flags |= c->flags;
+}
+
+INLINE void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_time t, const place *at,
+                     const basis *b, orr_sat_state *out)
+{
+    const eph_sat *s = &e->sat[slot];
+    sum_rows(&e->coef[a->first_coef + at->segment * eph_block(a->degree)], b, a->degree, a->dx_dt, out);
+    out->sat = e->sat_id[slot];
+    out->valid_from = a->t0;
+    out->valid_to = a->t1;
+    const float *sigma = &e->sigma[a->first_sample + at->segment * a->samples_per_segment + at->sample];
+    out->sigma_m = sigma[0] + at->part * (sigma[1] - sigma[0]);
+    const eph_meta *m = &e->meta[a->first_segment + at->segment];
+    out->flags = m->mixed ? mixed_flags(e, s, a, at->segment, at->rest_ns, t) : m->flags;
+    clock_at(s, t, out);
+}
+
+INLINE orr_status eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
+{
+    if (t < e->from || t > e->to) return ORR_E_RANGE;
+    if (sat >= sizeof e->slot / sizeof e->slot[0] || e->slot[sat] < 0) return ORR_E_NODATA;
+    size_t slot = (size_t)e->slot[sat];
+    const eph_arc *a = arc_at(&e->sat[slot], t);
+    if (a == NULL) return ORR_E_NODATA;
+    basis b;
+    place at;
+    place_at(a, t, &at);
+    basis_at(&b, a->degree, at.x);
+    state_at(e, slot, a, t, &at, &b, out);
+    return ORR_OK;
+}
+
+INLINE size_t eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max)
+{
+    if (t < e->from || t > e->to) return 0;
+    size_t n = 0;
+    basis b = {.degree = -1};
+    place at = {0};
+    const eph_arc *before = NULL; // arcs of the same shape share the place and the basis
+    for (size_t i = 0; i < e->n_sats && n < max; i++) {
+        const eph_arc *a = arc_at(&e->sat[i], t);
+        if (a == NULL) continue;
+        if (before == NULL || a->t0 != before->t0 || a->segment_ns != before->segment_ns ||
+            a->n_segments != before->n_segments || a->samples_per_segment != before->samples_per_segment)
+            place_at(a, t, &at);
+        before = a;
+        if (b.degree < a->degree || b.x != at.x) basis_at(&b, a->degree, at.x);
+        state_at(e, i, a, t, &at, &b, &out[n++]);
+    }
+    return n;
+}
+
+static orr_status eval_plain(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
+{
+    return eval(e, sat, t, out);
+}
+static size_t eval_all_plain(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max)
+{
+    return eval_all(e, t, out, max);
+}
+
+#if defined(__x86_64__)
+// The same again for machines whose vectors hold four doubles.
+__attribute__((target("avx2"))) static orr_status eval_wide(const orr_ephemeris *e, orr_sat sat, orr_time t,
+                                                            orr_sat_state *out)
+{
+    return eval(e, sat, t, out);
+}
+__attribute__((target("avx2"))) static size_t eval_all_wide(const orr_ephemeris *e, orr_time t,
+                                                            orr_sat_state *out, size_t max)
+{
+    return eval_all(e, t, out, max);
+}
+bool eph_machine_is_wide(void) { return __builtin_cpu_supports("avx2") != 0; }
+#else
+#define eval_wide eval_plain
+#define eval_all_wide eval_all_plain
+bool eph_machine_is_wide(void) { return false; }
+#endif
+
+orr_status orr_ephemeris_eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
+{
+    return e->wide ? eval_wide(e, sat, t, out) : eval_plain(e, sat, t, out);
+}
+
+size_t orr_ephemeris_eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max)
+{
+    return e->wide ? eval_all_wide(e, t, out, max) : eval_all_plain(e, t, out, max);
+}

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The product as a NetCDF-4 file that explains itself (`ncdump -h`); docs/product.md is the long form.
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/ncfile.h"
+#include "orbit/ephemeris/ephemeris_private.h"
+
+static const char HOW_TO[] = "Positions are Chebyshev series in a terrestrial (ecef) frame. Satellite s has "
+                             "arc_count[s] consecutive arcs; arc a "
+                             "has segment_count[a] consecutive segments of equal length L = "
+                             "segment_length[a], the first of which begins at "
+                             "arc_start[a]. At time t within segment k: x = 2 (t - arc_start[a] - k L) / L - "
+                             "1, position coordinate i = "
+                             "sum over j of position_coefficient[segment, j, i] T_j(x); velocity and "
+                             "acceleration are its derivatives by t "
+                             "(dx/dt = 2 / L). Between arcs there is no orbit. The clock is linear between "
+                             "neighbouring clock nodes that are at "
+                             "most clock_max_gap_s apart and the later of which has no clock event; "
+                             "elsewhere there is no clock. Ragged arrays "
+                             "are CF contiguous ragged arrays: the counts name their sample_dimension.";
+
+static const char TIME_UNITS[] = "nanoseconds since 1980-01-06 00:00:00";
+
+// One place for what every variable needs, so that the list below reads as a table.
+typedef struct file {
+    orr_nc_writer w;
+    orr_diag *diag;
+} file;
+
+static void put(file *f, const char *name, orr_nc_type type, const char *dim, const void *values,
+                const char *units, const char *long_name)
+{
+    const char *dims[1] = {dim};
+    (void)orr_nc_put_var(&f->w, name, type, 1, dims, values, units, long_name,
+                         f->diag); // w remembers the first failure
+}
+
+static void put_table(file *f, const char *name, orr_nc_type type, const char *dim0, const char *dim1,
+                      const void *values, const char *units, const char *long_name)
+{
+    const char *dims[2] = {dim0, dim1};
+    (void)orr_nc_put_var(&f->w, name, type, 2, dims, values, units, long_name, f->diag);
+}
+
+static void text(file *f, const char *var, const char *name, const char *value)
+{
+    (void)orr_nc_put_att_text(&f->w, var, name, value, f->diag);
+}
+
+static void number(file *f, const char *name, double value)
+{
+    (void)orr_nc_put_att_double(&f->w, NULL, name, &value, 1, f->diag);
+}
+
+static void time_var(file *f, const char *name, const char *dim, const int64_t *values, const char *long_name)
+{
+    put(f, name, ORR_NC_INT64, dim, values, TIME_UNITS, long_name);
+    text(f, name, "calendar", "standard");
+    text(f, name, "comment", "GPS time scale: no leap seconds are counted");
+}
+
+static void flags_of(file *f, const char *var)
+{
+    static const int64_t masks[] = {ORR_EPH_PREDICTED, ORR_EPH_MANOEUVRE, ORR_EPH_CLOCK_EVENT,
+                                    ORR_EPH_ECLIPSE, ORR_EPH_GAP};
+    (void)orr_nc_put_att_int64(&f->w, var, "flag_masks", masks, sizeof masks / sizeof masks[0], f->diag);
+    text(f, var, "flag_meanings", "predicted manoeuvre clock_event eclipse gap");
+}
+
+static void count_var(file *f, const char *name, const char *dim, const char *of, const int32_t *values,
+                      const char *long_name)
+{
+    put(f, name, ORR_NC_INT32, dim, values, "1", long_name);
+    text(f, name, "sample_dimension", of);
+}
+
+static void put_global(file *f, const orr_ephemeris *e, const char *history)
+{
+    orr_nc_input *inputs = calloc(e->n_sources + 1, sizeof *inputs);
+    if (inputs == NULL) {
+        f->w.status =
+            orr_diag_set(f->diag, ORR_E_MEMORY, "no memory for the names of %zu inputs", e->n_sources);
+        return;
+    }
+    for (size_t i = 0; i < e->n_sources; i++)
+        inputs[i] = (orr_nc_input){e->source[i].name, e->source[i].sha256};
+    (void)orr_nc_put_provenance(&f->w, "Orrery orbit product: satellite positions and clocks", history,
+                                inputs, e->n_sources, f->diag);
+    free(inputs);
+    int64_t version = EPH_FORMAT_VERSION;
+    text(f, NULL, "product", EPH_PRODUCT);
+    (void)orr_nc_put_att_int64(&f->w, NULL, "product_version", &version, 1, f->diag);
+    text(f, NULL, "comment", HOW_TO);
+    text(f, NULL, "options", e->options);
+    text(f, NULL, "reference_frame", e->frame);
+    text(f, NULL, "time_scale", "GPS");
+    char when[ORR_TIME_TEXT];
+    text(f, NULL, "time_coverage_start", orr_time_text(e->from, when));
+    text(f, NULL, "time_coverage_end", orr_time_text(e->to, when));
+    number(f, "node_step_s", e->node_step_s);
+    number(f, "clock_max_gap_s", e->clock_max_gap_s);
+    number(f, "max_position_error_m", e->max_pos_error_m);
+    number(f, "max_velocity_error_mps", e->max_vel_error_mps);
+    text(f, NULL, "max_error_comment",
+         "largest difference of the segments from the smoothed orbit's samples");
+}
+
+// Scratch of `bytes` a piece and n pieces; NULL with the writer's failure set.
+static void *scratch(file *f, size_t n, size_t bytes)
+{
+    void *p = calloc(n + 1, bytes);
+    if (p == NULL && f->w.status == ORR_OK)
+        f->w.status = orr_diag_set(f->diag, ORR_E_MEMORY, "no memory to write %zu values", n);
+    return p;
+}
+
+// Columns of a struct array one by one: member of list[i] into a fresh array of `type`, then `use`, then
+// freed.
+#define COLUMN(type, n, expression, use)                                                                     \
+    do {                                                                                                     \
+        type *column = scratch(f, (n), sizeof *column);                                                      \
+        if (column == NULL) return;                                                                          \
+        for (size_t i = 0; i < (n); i++) column[i] = (type)(expression);                                     \
+        use;                                                                                                 \
+        free(column);                                                                                        \
+    } while (0)
+
+static void put_satellites(file *f, const orr_ephemeris *e)
+{
+    char *names = scratch(f, e->n_sats, 3);
+    if (names == NULL) return;
+    for (size_t i = 0; i < e->n_sats; i++) {
+        char name[ORR_SAT_TEXT];
+        memcpy(&names[3 * i], orr_sat_text(e->sat_id[i], name), 3);
+    }
+    put_table(f, "satellite_name", ORR_NC_CHAR, "satellite", "name_length", names, NULL,
+              "system letter and number as in SP3 and RINEX");
+    free(names);
+    COLUMN(int32_t, e->n_sats, e->sat[i].n_arcs,
+           count_var(f, "arc_count", "satellite", "arc", column, "number of arcs of the satellite"));
+    COLUMN(
+        int32_t, e->n_sats, e->sat[i].n_clocks,
+        count_var(f, "clock_count", "satellite", "clock", column, "number of clock nodes of the satellite"));
+    COLUMN(int32_t, e->n_sats, e->sat[i].n_nodes,
+           count_var(f, "node_count", "satellite", "node", column, "number of input nodes of the satellite"));
+    COLUMN(int32_t, e->n_sats, e->sat[i].n_events,
+           count_var(f, "event_count", "satellite", "event", column, "number of events of the satellite"));
+}
+
+static void put_arcs(file *f, const orr_ephemeris *e)
+{
+    const eph_arc *a = e->arc;
+    COLUMN(int64_t, e->n_arcs, a[i].t0, time_var(f, "arc_start", "arc", column, "start of the arc"));
+    COLUMN(int64_t, e->n_arcs, a[i].segment_ns,
+           put(f, "segment_length", ORR_NC_INT64, "arc", column, "nanoseconds",
+               "length of each segment of the arc"));
+    COLUMN(int32_t, e->n_arcs, a[i].n_segments,
+           count_var(f, "segment_count", "arc", "segment", column, "number of segments of the arc"));
+    COLUMN(int32_t, e->n_arcs, a[i].n_segments * a[i].samples_per_segment + 1,
+           count_var(f, "sample_count", "arc", "sample", column,
+                     "number of samples of the arc, equally spaced, its two ends included"));
+    COLUMN(uint8_t, e->n_arcs, a[i].degree,
+           put(f, "degree", ORR_NC_UINT8, "arc", column, "1",
+               "degree of the arc's series; coefficients above it are 0"));
+}
+
+static void put_coefficients(file *f, const orr_ephemeris *e, size_t n_coefficients)
+{
+    double *c = scratch(f, e->n_segments * n_coefficients * 3, sizeof *c);
+    if (c == NULL) return;
+    for (size_t k = 0; k < e->n_arcs; k++) {
+        const eph_arc *a = &e->arc[k];
+        for (size_t g = 0; g < a->n_segments; g++)
+            for (size_t j = 0; j <= (size_t)a->degree; j++)
+                memcpy(&c[((a->first_segment + g) * n_coefficients + j) * 3],
+                       &e->coef[a->first_coef + g * eph_block(a->degree) + j * EPH_LANES], 3 * sizeof *c);
+    }
+    const char *dims[3] = {"segment", "coefficient", "coordinate"};
+    (void)orr_nc_put_var(&f->w, "position_coefficient", ORR_NC_DOUBLE, 3, dims, c, "m",
+                         "Chebyshev coefficients of the ecef position", f->diag);
+    free(c);
+    text(f, "position_coefficient", "comment",
+         "the coefficient of T_0 is not halved; coordinates are x, y, z");
+}
+
+static void put_samples(file *f, const orr_ephemeris *e)
+{
+    put(f, "position_sigma", ORR_NC_FLOAT, "sample", e->sigma, "m",
+        "standard deviation of the position, three-dimensional");
+    text(f, "position_sigma", "comment", "linear between samples");
+    COLUMN(uint16_t, e->n_samples, e->sample_flags[i],
+           put(f, "sample_flags", ORR_NC_UINT16, "sample", column, NULL,
+               "what holds from this sample to the next"));
+    flags_of(f, "sample_flags");
+}
+
+static void put_clocks(file *f, const orr_ephemeris *e)
+{
+    if (e->n_clocks == 0) return;
+    COLUMN(int64_t, e->n_clocks, e->clock[i].t,
+           time_var(f, "clock_time", "clock", column, "time of the clock node"));
+    COLUMN(double, e->n_clocks, e->clock[i].clock_s,
+           put(f, "clock_bias", ORR_NC_DOUBLE, "clock", column, "s",
+               "satellite clock minus the product's time"));
+    text(f, "clock_bias", "comment",
+         "periodic relativity is not included: subtract 2 r.v / c^2 to get the clock that is seen");
+    COLUMN(uint16_t, e->n_clocks, e->clock[i].flags,
+           put(f, "clock_flags", ORR_NC_UINT16, "clock", column, NULL, "flags of the clock node"));
+    flags_of(f, "clock_flags");
+}
+
+static void put_nodes(file *f, const orr_ephemeris *e)
+{
+    if (e->n_nodes == 0) return;
+    COLUMN(int64_t, e->n_nodes, e->node[i].t,
+           time_var(f, "node_time", "node", column, "time of the input node"));
+    double *r = scratch(f, e->n_nodes * 3, sizeof *r);
+    if (r == NULL) return;
+    for (size_t i = 0; i < e->n_nodes; i++) memcpy(&r[3 * i], &e->node[i].residual_m, 3 * sizeof *r);
+    put_table(f, "node_residual", ORR_NC_DOUBLE, "node", "coordinate", r, "m",
+              "smoothed orbit minus input, ecef");
+    free(r);
+    COLUMN(uint16_t, e->n_nodes, e->node[i].source,
+           put(f, "node_source", ORR_NC_UINT16, "node", column, "1", "index of the input file, from 0"));
+    COLUMN(uint8_t, e->n_nodes, e->node[i].used != 0,
+           put(f, "node_used", ORR_NC_UINT8, "node", column, "1", "0: rejected or superseded; 1: used"));
+}
+
+static void put_events(file *f, const orr_ephemeris *e)
+{
+    static const int64_t kinds[] = {ORR_EVENT_MANOEUVRE, ORR_EVENT_UMBRA, ORR_EVENT_PENUMBRA,
+                                    ORR_EVENT_OUTLIER,   ORR_EVENT_GAP,   ORR_EVENT_DAY_JUMP};
+    if (e->n_events == 0) return;
+    COLUMN(uint8_t, e->n_events, e->event[i].kind,
+           put(f, "event_kind", ORR_NC_UINT8, "event", column, NULL, "kind of event"));
+    (void)orr_nc_put_att_int64(&f->w, "event_kind", "flag_values", kinds, sizeof kinds / sizeof kinds[0],
+                               f->diag);
+    text(f, "event_kind", "flag_meanings", "manoeuvre umbra penumbra outlier gap day_jump");
+    COLUMN(int64_t, e->n_events, e->event[i].t0,
+           time_var(f, "event_start", "event", column, "start of the event"));
+    COLUMN(int64_t, e->n_events, e->event[i].t1,
+           time_var(f, "event_end", "event", column, "end of the event"));
+    COLUMN(double, e->n_events, e->event[i].value,
+           put(f, "event_value", ORR_NC_DOUBLE, "event", column, NULL,
+               "size of a rejected node's miss or of a jump at a day's joint, m; change of velocity at a "
+               "manoeuvre, m/s; 0 for other kinds"));
+}
+
+static void put_sources(file *f, const orr_ephemeris *e)
+{
+    if (e->n_sources == 0) return;
+    enum { NAME = sizeof e->source[0].name, SUM = sizeof e->source[0].sha256 };
+    char *names = scratch(f, e->n_sources, NAME), *sums = scratch(f, e->n_sources, SUM);
+    for (size_t i = 0; i < e->n_sources && names != NULL && sums != NULL; i++) {
+        memcpy(&names[i * NAME], e->source[i].name, strnlen(e->source[i].name, NAME - 1));
+        memcpy(&sums[i * SUM], e->source[i].sha256, strnlen(e->source[i].sha256, SUM - 1));
+    }
+    if (names != NULL && sums != NULL) {
+        put_table(f, "source_name", ORR_NC_CHAR, "source", "source_name_length", names, NULL, "input file");
+        put_table(f, "source_sha256", ORR_NC_CHAR, "source", "sha256_length", sums, NULL,
+                  "SHA-256 of the input file");
+    }
+    free(names);
+    free(sums);
+}
+
+static void put_dimensions(file *f, const orr_ephemeris *e, size_t n_coefficients)
+{
+    const struct {
+        const char *name;
+        size_t n;
+    } dims[] = {{"satellite", e->n_sats},
+                {"name_length", 3},
+                {"arc", e->n_arcs},
+                {"segment", e->n_segments},
+                {"coefficient", n_coefficients},
+                {"coordinate", 3},
+                {"sample", e->n_samples},
+                {"clock", e->n_clocks},
+                {"node", e->n_nodes},
+                {"event", e->n_events},
+                {"source", e->n_sources},
+                {"source_name_length", e->n_sources > 0 ? sizeof e->source[0].name : 0},
+                {"sha256_length", e->n_sources > 0 ? sizeof e->source[0].sha256 : 0}};
+    // NetCDF has no empty dimensions: what a product has none of is left out.
+    for (size_t i = 0; i < sizeof dims / sizeof dims[0]; i++)
+        if (dims[i].n > 0) (void)orr_nc_put_dim(&f->w, dims[i].name, dims[i].n, f->diag);
+}
+
+orr_status orr_ephemeris_save(const orr_ephemeris *e, const char *path, const char *history, orr_diag *diag)
+{
+    file f = {.diag = diag};
+    orr_status s = orr_nc_create(path, &f.w, diag);
+    if (s != ORR_OK) return s;
+    size_t n_coefficients = 0;
+    for (size_t i = 0; i < e->n_arcs; i++)
+        if ((size_t)e->arc[i].degree + 1 > n_coefficients) n_coefficients = (size_t)e->arc[i].degree + 1;
+    put_global(&f, e, history);
+    put_dimensions(&f, e, n_coefficients);
+    put_satellites(&f, e);
+    put_arcs(&f, e);
+    put_coefficients(&f, e, n_coefficients);
+    put_samples(&f, e);
+    put_clocks(&f, e);
+    put_nodes(&f, e);
+    put_events(&f, e);
+    put_sources(&f, e);
+    return orr_nc_commit(&f.w, diag);
+}

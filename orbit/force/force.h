@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What bends an orbit: gravitation of Earth, Sun and Moon, and a plain radiation pressure with the Earth's
+// shadow. The smoother's f0 absorbs the rest (about 1e-8 m/s^2), so this need not be richer, only stable.
+#ifndef ORR_ORBIT_FORCE_FORCE_H
+#define ORR_ORBIT_FORCE_FORCE_H
+
+#include "orbit/force/gravity_field.h"
+#include "orbit/force/sky.h"
+
+#define ORR_GM_SUN                                                                                           \
+    1.32712440018e20 // m^3/s^2, IERS Conventions 2010, table 1.1 (TCB/TDB difference irrelevant here)
+#define ORR_GM_MOON 4.9028003e12
+#define ORR_AU_M 1.495978707e11
+#define ORR_SUN_RADIUS_M 6.957e8 // IAU 2015 resolution B3
+#define ORR_EARTH_SHADOW_RADIUS_M 6378136.6
+
+typedef struct orr_force {
+    orr_gravity_field earth;
+    bool sun_moon;
+    double srp_mps2; // along Sun-satellite at 1 au; 0 for none
+} orr_force;
+
+// Acceleration in integration axes, m/s^2, of a satellite at r (same axes, m).
+orr_vec3 orr_force_acceleration(const orr_force *f, const orr_sky_point *p, orr_vec3 r_m);
+
+// Distance of the Sun's centre from the Earth's limb as seen from r, in radii of the Sun's disc, positive
+// outside: below -1 is umbra, between -1 and 1 penumbra. Infinite on the day side.
+double orr_force_limb_distance(orr_vec3 r_m, orr_vec3 sun_m);
+// Part of the Sun's disc that the Earth leaves uncovered: 1 in sunlight, 0 in umbra. The Earth's limb is
+// taken as a straight line over the disc (it is 50 times wider), which is exact to 1 % of the penumbra.
+double orr_force_sunlight(orr_vec3 r_m, orr_vec3 sun_m);
+
+// (34): gradient of the central field, 3 mu/r^5 r r' - mu/r^3 E.
+orr_mat3 orr_force_central_gradient(orr_vec3 r_m);
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gravitation of the Earth at a point of ecef, for orbit integration: central term and harmonics of EGM96.
+#ifndef ORR_ORBIT_FORCE_GRAVITY_FIELD_H
+#define ORR_ORBIT_FORCE_GRAVITY_FIELD_H
+
+#include "core/status.h"
+#include "core/vec.h"
+
+#define ORR_GRAVITY_MAX_DEGREE 12
+#define ORR_EGM96_GM 3.986004415e14 // m^3/s^2
+#define ORR_EGM96_RADIUS_M 6378136.3
+
+typedef struct orr_gravity_field {
+    int degree, order;
+    double c[ORR_GRAVITY_MAX_DEGREE + 1][ORR_GRAVITY_MAX_DEGREE + 1]; // unnormalised
+    double s[ORR_GRAVITY_MAX_DEGREE + 1][ORR_GRAVITY_MAX_DEGREE + 1];
+} orr_gravity_field;
+
+// degree 0 (or 1): the central term alone; zonal_only keeps order 0 (degree 2 then is "J2 only").
+// ORR_E_ARG outside 0..ORR_GRAVITY_MAX_DEGREE.
+orr_status orr_gravity_field_init(orr_gravity_field *f, int degree, bool zonal_only, orr_diag *diag);
+// Gravitation (no centrifugal part) at r (ecef, m), m/s^2 in ecef axes.
+orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r_m);
+
+#endif

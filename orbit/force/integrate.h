@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numerical integration of one satellite's motion: Prince and Dormand's Runge-Kutta of order 8 (GSL's rk8pd),
+// with steps bounded so that the truncation stays below a tenth of a micrometre an hour, and shortened in the
+// penumbra.
+#ifndef ORR_ORBIT_FORCE_INTEGRATE_H
+#define ORR_ORBIT_FORCE_INTEGRATE_H
+
+#include "orbit/force/force.h"
+
+#define ORR_INTEGRATE_MAX_STEP_S 300.0
+#define ORR_INTEGRATE_PENUMBRA_STEP_S 15.0
+
+typedef struct orr_integrator orr_integrator; // one a thread
+
+orr_status orr_integrator_init(const orr_force *force, const orr_sky *sky, orr_integrator **out,
+                               orr_diag *diag);
+void orr_integrator_free(orr_integrator *it);
+
+// Moves (r, v), integration axes, from t_s to t_s + h_s (either sign) in place. ORR_E_NUMERIC if the orbit
+// leaves sense (below 1000 km from the centre, or not finite).
+orr_status orr_integrate(orr_integrator *it, double t_s, double h_s, orr_vec3 *r_m, orr_vec3 *v_mps);
+// Force at an instant, for callers that need the acceleration beside the state.
+orr_vec3 orr_integrator_acceleration(const orr_integrator *it, double t_s, orr_vec3 r_m);
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sky over a span of time: Earth's rotation and the places of Sun and Moon in the axes orbits are
+// integrated in, tabulated once from core/astro and then cheap at any instant and the same for every
+// satellite.
+#ifndef ORR_ORBIT_FORCE_SKY_H
+#define ORR_ORBIT_FORCE_SKY_H
+
+#include "core/astro.h"
+
+typedef enum orr_sky_frame {
+    ORR_SKY_GCRS,    // IAU 2006/2000B rotation with polar motion and UT1
+    ORR_SKY_UNIFORM, // constant rate u about ecef's axis 3, coinciding with ecef at the span's begin: the
+                     // source's (33)
+} orr_sky_frame;
+
+// Instant of the table: R maps integration axes to ecef; dR, ddR are its first and second time derivatives.
+typedef struct orr_sky_point {
+    orr_mat3 R, dR, ddR;
+    orr_vec3 sun_m, moon_m; // in integration axes
+} orr_sky_point;
+
+typedef struct orr_sky orr_sky;
+
+// Covers [from, to]. Errors: ORR_E_ARG (to < from, more than ten years), ORR_E_MEMORY. *eop_known (may be
+// NULL) tells whether the whole span was inside the series (else IERS' secular pole stands in).
+orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
+                        orr_sky **out, bool *eop_known, orr_diag *diag);
+void orr_sky_free(orr_sky *sky);
+orr_time orr_sky_origin(const orr_sky *sky); // t_s below counts from here
+
+// Everything at t_s. Interpolation (cubic in 10-minute nodes of what is left of the rotation after a uniform
+// one) errs by less than 1e-12 rad in R and 0.1 m in the Moon.
+void orr_sky_at(const orr_sky *sky, double t_s, orr_sky_point *out);
+// Only R, Sun and Moon: what a force needs.
+void orr_sky_force_point(const orr_sky *sky, double t_s, orr_sky_point *out);
+
+// Inertial state <-> ecef state at t_s.
+void orr_sky_to_ecef(const orr_sky_point *p, orr_vec3 r, orr_vec3 v, orr_vec3 *r_ecef, orr_vec3 *v_ecef);
+void orr_sky_from_ecef(const orr_sky_point *p, orr_vec3 r_ecef, orr_vec3 v_ecef, orr_vec3 *r, orr_vec3 *v);
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A product against precise orbits that it was not made from: how far apart, per system and per kind of
+// place.
+#ifndef ORR_ORBIT_JUDGE_COMPARE_H
+#define ORR_ORBIT_JUDGE_COMPARE_H
+
+#include "ingest/sp3/sp3.h"
+#include "orbit/ephemeris/ephemeris.h"
+
+// Where in the satellite's input nodes an epoch lies.
+typedef enum orr_compare_place {
+    ORR_COMPARE_INNER, // at least 2 h from the first and the last node
+    ORR_COMPARE_EDGE,  // within 45 min of one of them
+    ORR_COMPARE_GAP,   // between nodes further apart than twice the usual (wherever that is)
+    ORR_COMPARE_PLACES,
+} orr_compare_place;
+
+typedef struct orr_compare_stats {
+    size_t n, satellites;       // samples and satellites that have any
+    double rms_m, p95_m, max_m; // of the 3-D difference; NAN where n is 0
+    orr_vec3 mean_m;            // product minus truth, ecef: a datum difference shows here
+    size_t n_vel;               // samples with a velocity of the truth
+    double vel_rms_mps;         // 3-D; NAN where n_vel is 0
+} orr_compare_stats;
+
+typedef struct orr_compare_system {
+    char system;
+    orr_compare_stats place[ORR_COMPARE_PLACES];
+} orr_compare_system;
+
+typedef struct orr_compare_satellite { // over all places
+    orr_sat sat;
+    size_t n;
+    double rms_m, max_m;
+    orr_time worst;
+} orr_compare_satellite;
+
+typedef struct orr_comparison {
+    size_t n_systems, n_sats;
+    orr_compare_system system[ORR_N_SYSTEMS]; // those with samples, in the order of ORR_SYSTEMS
+    orr_compare_satellite *sat;               // descending rms
+    size_t inputs; // truth's positions at epochs that the product was made from: left out, or not with_inputs
+    size_t no_orbit;  // left out because the product has no orbit there
+    size_t between;   // compared, but in no place: between 45 min and 2 h from an end
+    bool vel_derived; // some velocities of the truth came from its positions (orbit/judge/velocity_filter.h)
+} orr_comparison;
+
+typedef struct orr_compare_options {
+    bool derive_velocity; // from the truth's positions, whatever V records it has
+    bool with_inputs; // also at epochs that the product was made from: for a truth that is another centre's
+} orr_compare_options;
+
+// Adds up all epochs of all truths. Velocities of the truth are its V records, else (or with derive_velocity
+// everywhere) derived from its positions within each file. V records are not always the derivatives of the
+// positions beside them: NGA's of 2015 differ from those by 6e-5 m/s, a rotation of 2.8e-12 rad/s about an
+// axis fixed in inertial space (precession and nutation). ORR_E_NODATA where not one epoch can be compared.
+// Free with orr_comparison_free.
+orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
+                       const orr_compare_options *options, orr_comparison *out, orr_diag *diag);
+void orr_comparison_free(orr_comparison *c);
+
+#endif

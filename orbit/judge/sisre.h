@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Broadcast ephemerides judged against a precise orbit: errors along the radius, the track and across it, of
+// the clock, and their weighting in a ranging signal (signal-in-space ranging error, Montenbruck et al. 2015,
+// GPS Solutions 19:321).
+#ifndef ORR_ORBIT_JUDGE_SISRE_H
+#define ORR_ORBIT_JUDGE_SISRE_H
+
+#include "ingest/sp3/sp3.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/spacecraft/attitude.h"
+#include "orbit/spacecraft/orbit_class.h"
+
+typedef struct orr_sisre_sample {
+    orr_sat sat;
+    orr_time t;
+    double radial_m, along_m, cross_m; // broadcast minus precise, centres of mass
+    double clock_m; // c times the clock difference less the system's median at that epoch; NAN without, and
+                    // where fewer than four of the system's satellites have one
+    double sisre_m; // NAN without a clock
+    double age_s;   // t - toe
+    orr_orbit_class orbit;
+    bool antenna; // its phase centre was known; otherwise the offset is in the errors, mostly in the radial
+                  // one
+} orr_sisre_sample;
+
+typedef struct orr_sisre_sum { // of one system, or of one kind of orbit in it; all RMS but the mean
+    char system;
+    orr_orbit_class orbit;                 // ORR_ORBIT_CLASSES: all of the system
+    size_t n_sats, n, n_clock, n_outliers; // outliers (above outlier_m) are counted and kept out of the rest
+    size_t n_antennas;                     // satellites whose phase centre was known throughout
+    double radial_m, along_m, cross_m, clock_m, orbit_3d_m, sisre_m, sisre_95_m, radial_mean_m;
+    orr_sat worst;
+    double worst_m; // 3-D RMS of the worst satellite
+} orr_sisre_sum;
+
+typedef struct orr_sisre_options {
+    orr_broadcast_choice choice;
+    const orr_antex *antex; // NULL: offsets are taken as zero, and the radial error carries them
+    double outlier_m;       // 3-D orbit error above which a sample is an outlier; 0: 50 m (here and below)
+} orr_sisre_options;
+
+// Every satellite of the SP3 at every epoch that has a precise position and an allowed broadcast record.
+// *samples is allocated (free it), sums[8] in the order of ORR_SYSTEMS. GLONASS is brought to ITRF.
+// ORR_E_NODATA when nothing matches.
+orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o,
+                         orr_sisre_sample **samples, size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS],
+                         orr_diag *diag);
+// The same sum over one kind of orbit; out->n is 0 where there is none. ORR_E_MEMORY.
+orr_status orr_sisre_sum_orbit(const orr_sisre_sample *samples, size_t n, char system, orr_orbit_class orbit,
+                               double outlier_m, orr_sisre_sum *out);
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GPS LNAV as bits: subframes 1 to 3 of an ephemeris, subframe 4 page 18 (ionosphere and UTC), almanac pages,
+// parity (IS-GPS-200N, 20.3). Pure functions; a subframe is ten words of 30 bits, right-aligned, first bit in
+// time the highest.
+#ifndef ORR_ORBIT_NAVDATA_LNAV_BITS_H
+#define ORR_ORBIT_NAVDATA_LNAV_BITS_H
+
+#include "ingest/rinex/rinex_nav.h"
+
+typedef struct orr_lnav_subframe {
+    uint32_t word[10];
+} orr_lnav_subframe;
+
+// What TLM and HOW carry besides the subframe's own number.
+typedef struct orr_lnav_how {
+    uint32_t tow_count; // 6-second epochs of the week at the start of the NEXT subframe, 0..100799 (HOW's
+                        // truncated 17 bits)
+    bool alert, anti_spoof;
+    uint32_t tlm_message; // 14 bits
+    int32_t week;         // of subframe 1: the full week it is sent in
+} orr_lnav_how;
+
+// Subframe `number` (1, 2, 3) of a Kepler record: how's week modulo 1024, URA index from accuracy_m, health
+// (6 bits), IODC and IODE, toc, toe, clock, TGD, elements; fit interval flag 1 above 4 h. ORR_E_RANGE with
+// the field's name when a value does not fit; ORR_E_ARG for another number or kind.
+orr_status orr_lnav_encode_ephemeris(const orr_nav_eph *eph, int number, const orr_lnav_how *how,
+                                     orr_lnav_subframe *out, orr_diag *diag);
+
+// UTC parameters of subframe 4 page 18 (20.3.3.5.1.6).
+typedef struct orr_lnav_utc {
+    double a0_s, a1_sps;
+    uint32_t tot_s;                     // seconds of week, multiple of 4096
+    int32_t week, week_lsf;             // full weeks; sent modulo 256
+    int32_t leap_s, leap_future_s, day; // GPS - UTC now and after, day 1..7 at whose end it changes
+} orr_lnav_utc;
+// Klobuchar's alpha (s, s/semicircle..) and beta, and UTC. ORR_E_RANGE with the field's name, e.g. "beta1",
+// when a value does not fit.
+orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], const orr_lnav_utc *utc,
+                                  const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
+
+// Almanac of one satellite (table 20-VI): reduced-precision elements at toa.
+typedef struct orr_lnav_almanac {
+    int number; // 1..32
+    double e, toa_s, i_offset_rad /* from 0.30 semicircles */, omega_dot_radps, sqrt_a_sqrtm, omega0_rad,
+        omega_rad, m0_rad;
+    double af0_s, af1_sps;
+    uint32_t health; // 8 bits
+} orr_lnav_almanac;
+// Page of an almanac: subframe 5 pages 1-24 for satellites 1-24, subframe 4 (pages 2-5, 7-10) for 25-32.
+// *subframe and *page tell which.
+orr_status orr_lnav_encode_almanac(const orr_lnav_almanac *almanac, const orr_lnav_how *how, int *subframe,
+                                   int *page, orr_lnav_subframe *out, orr_diag *diag);
+// A page of subframe 4 or 5 without content: ones and zeros in turn behind its identity (20.3.3.5.1): 0 in
+// place of a satellite that is not there, else the page's own number of table 20-V (57 for page 1 of subframe
+// 4, ...).
+orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_how *how,
+                                 orr_lnav_subframe *out, orr_diag *diag);
+// Subframe 5 page 25 (number = 5): toa, week, health of 1-24. Subframe 4 page 25 (number = 4): configurations
+// and health of 25-32.
+orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t health[32],
+                                  const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
+
+// Parity of 24 data bits after a word that ended in D29*, D30*; returns the 30 bits as sent (data
+// complemented by D30*).
+uint32_t orr_lnav_parity(uint32_t data24, bool d29, bool d30);
+// Checks all ten words (the first follows a word ending in 00). Returns the number of words that fail.
+int orr_lnav_check(const orr_lnav_subframe *s);
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way back: broadcast parameters that stand for the precise orbit over a window, quantised as they are
+// transmitted, so that a generator modulates data that agree with its ranges.
+#ifndef ORR_ORBIT_NAVDATA_NAVFIT_H
+#define ORR_ORBIT_NAVDATA_NAVFIT_H
+
+#include "ingest/rinex/rinex_nav.h"
+#include "orbit/ephemeris/ephemeris.h"
+
+// Where a satellite's antenna is at an instant: fits go through this, so that a caller may add the
+// phase-centre offset. Returns ORR_OK and fills pos (ecef, m), or says that there is nothing.
+typedef orr_status (*orr_navfit_source)(void *user, orr_time t, orr_vec3 *pos_m);
+
+typedef struct orr_navfit_report {
+    size_t n;            // positions compared
+    double rms_m, max_m; // 3-D, model from the quantised parameters against the source, over the window
+    double fit_rms_m;    // the same before quantisation
+} orr_navfit_report;
+
+// The window [from, to] is where the orbit is known; it need not be centred on the parameters' instant (toe,
+// tb), which may stand at its edge or outside it by no more than its length: at the ends of a product the
+// window is shifted inward. Positions are taken at most 300 s apart, in 24 intervals at least, both ends
+// included; instants where the source has nothing (a gap) are left out. Whatever happens within the window,
+// one smooth orbit is fitted: after a manoeuvre the fit is what it is, and report.max_m tells.
+//
+// Common errors: ORR_E_ARG (length of the window, instant), ORR_E_NODATA if the source has fewer than 9
+// positions in the window, ORR_E_RANGE with the field's name if a parameter does not fit its field,
+// ORR_E_NUMERIC where the positions are no such orbit.
+
+// LNAV (GPS, QZSS): the fifteen Kepler parameters at toe (a multiple of 16 s of the week) by least squares
+// over [from, to], 1800 to 21600 s (IS-GPS-200N table 20-III); then, of all values that the message can send,
+// those that together fit best (integer least squares, see orbit/navdata/lattice.h). What a short window
+// cannot tell stays near the usual: rates to what the Earth's flattening causes, harmonics to zero, with
+// weights of millimetres. A rate or harmonic whose best value its field cannot hold is kept at the field's
+// end and the rest fitted again. On success eph holds kepler (quantised), toe, toc, week, fit_interval_h (as
+// given: what subframe 2 will promise; the window may be another), kind and message; the caller sets clock,
+// issue, health.
+orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, orr_time from, orr_time to, double fit_interval_h,
+                           orr_navfit_source source, void *user, orr_nav_eph *eph, orr_navfit_report *report,
+                           orr_diag *diag);
+
+// GLONASS: position, velocity and acceleration at tb by least squares over [from, to], 600 to 7200 s (usually
+// tb +- 900 s), the acceleration starting from that of Sun and Moon at tb; then the best values on their LSBs
+// (2^-11 km, 2^-20 km/s, 2^-30 km/s^2), as above. Positions are PZ-90.11 (taken equal to ITRF). The caller
+// sets clock, channel, health.
+orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time to, orr_navfit_source source,
+                              void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
+
+// Clock polynomial at t0 from the product's clock over [from, to] (t0 within or outside): af0 and af1 (af2 =
+// 0), rounded to LNAV's or GLONASS' LSBs by eph->kind, which is set before. GLONASS' parameters get the
+// periodic relativity that its message has to hold. A rate beyond its field stands at the field's end. *rms_s
+// (may be NULL) is what is left. ORR_E_NODATA with fewer than two clock values in the window, ORR_E_RANGE
+// with its name if af0 does not fit its field.
+orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
+                            orr_nav_eph *eph, double *rms_s, orr_diag *diag);
+
+// The product's satellite as a source: its centre of mass plus a constant offset in body axes of nominal
+// attitude (zero, or the antenna's; X, Y, Z in metres).
+typedef struct orr_navfit_product {
+    const orr_ephemeris *ephemeris;
+    orr_sat sat;
+    double offset_m[3];
+} orr_navfit_product;
+orr_status orr_navfit_from_product(void *product, orr_time t, orr_vec3 *pos_m);
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the fits of LNAV, GLONASS and the almanac share: the window of positions, where they start from, and
+// the two steps of each: linear least squares, and the nearest point of the lattice.
+#ifndef ORR_ORBIT_NAVDATA_NAVFIT_PRIVATE_H
+#define ORR_ORBIT_NAVDATA_NAVFIT_PRIVATE_H
+
+#include "orbit/navdata/lattice.h"
+#include "orbit/navdata/navfit.h"
+
+#define ORR_NAVFIT_POSITIONS 128
+#define ORR_NAVFIT_ROWS (3 * ORR_NAVFIT_POSITIONS + ORR_LATTICE_MAX)
+
+typedef struct orr_navfit_window {
+    size_t n;
+    orr_time t[ORR_NAVFIT_POSITIONS];
+    orr_vec3 pos[ORR_NAVFIT_POSITIONS];
+} orr_navfit_window;
+
+// ORR_E_ARG unless from..to is so long, and t0 within it or no further outside than it is long.
+orr_status orr_navfit_check_window(orr_time t0, orr_time from, orr_time to, double least_s, double most_s,
+                                   orr_diag *diag);
+// Positions every step_s or less, in 24 intervals at least, at most ORR_NAVFIT_POSITIONS; ORR_E_NODATA with
+// fewer than 9.
+orr_status orr_navfit_gather(orr_time from, orr_time to, double step_s, orr_navfit_source source, void *user,
+                             orr_navfit_window *w, orr_diag *diag);
+// Position and velocity in the middle of the window, in axes that turn with -earth_rate against ecef and
+// coincide with it at t0 (0: ecef): the derivative of the polynomial through the five positions that are
+// closest together. Returns which position it is.
+size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_rate, orr_vec3 *r,
+                         orr_vec3 *v);
+
+// Linear least squares |A x - b|, A rows x n row-major, by Householder's QR. On return the upper n x n of A
+// is R and the first n of b are Q^T b, so that a lattice search can go on from there. x may be NULL.
+orr_status orr_navfit_solve(size_t rows, size_t n, double *A, double *b, double *x);
+
+#define P2(n) (1.0 / (double)(UINT64_C(1) << (n))) // 2^-n, the LSBs of interface documents
+#define SEMICIRCLE ORR_PI
+
+// So many LSBs. Zero has no sign: the -0 that a rounded -0.3 is would be shown as "-0".
+static inline double orr_navfit_lsbs(double whole, double lsb) { return whole * lsb + 0.0; }
+
+// A field as the interface documents define it.
+typedef struct orr_navfit_field {
+    const char *name;
+    double lsb;
+    int bits;
+    // Two's complement, none, two's complement of what may turn over, sign and magnitude (GLONASS).
+    enum { ORR_FIELD_SIGNED, ORR_FIELD_UNSIGNED, ORR_FIELD_ANGLE, ORR_FIELD_MAGNITUDE } kind;
+} orr_navfit_field;
+// The nearest value of the field to `whole` LSBs (a whole number); ORR_E_RANGE with the name if it is none.
+orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag);
+
+// The product's clock over a window as a line about t0.
+#define ORR_NAVFIT_CLOCKS 25
+typedef struct orr_navfit_line {
+    int n;
+    double dt_s[ORR_NAVFIT_CLOCKS], value[ORR_NAVFIT_CLOCKS]; // since t0; s
+    double mean_dt_s, mean, slope;
+} orr_navfit_line;
+// relativity: with the periodic term, as GLONASS' parameters have to hold it. ORR_E_NODATA with fewer than
+// two values.
+orr_status orr_navfit_clock_line(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
+                                 bool relativity, orr_navfit_line *line, orr_diag *diag);
+// What is left of the values after value + slope dt.
+double orr_navfit_line_rms(const orr_navfit_line *line, double value, double slope);
+
+// orr_broadcast_eval of the record against the window.
+orr_status orr_navfit_judge(const orr_nav_eph *e, const orr_navfit_window *w, double *rms_m, double *max_m);
+
+#endif

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/navdata/navset.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/parallel.h"
+#include "orbit/navdata/lnav_bits.h"
+#include "orbit/navdata/navset_private.h"
+
+#define MOST_WEEKS 1024 // of ten bits: a longer set would send one week for another
+
+orr_navset_options orr_navset_defaults(void) { return (orr_navset_options){.window_s = 7200, .jobs = 1}; }
+
+typedef struct work {
+    const orr_ephemeris *e;
+    const orr_navset_options *o;
+    navset_schedule gps, glonass;
+    size_t n;
+    navset_satellite *sat;
+} work;
+
+static void fit_one(void *user, size_t i)
+{
+    work *w = user;
+    navset_satellite *sat = &w->sat[i];
+    navset_fit_satellite(w->e, w->o, orr_sat_system(sat->sat) == 'R' ? &w->glonass : &w->gps, sat);
+}
+
+static bool wanted(const orr_navset_options *o, orr_sat sat)
+{
+    char system = orr_sat_system(sat);
+    if (system == 'G' ? orr_sat_number(sat) > 32 : system != 'R') return false;
+    return o->sats == NULL || orr_sat_set_has(o->sats, sat);
+}
+
+static void say_what_is_missing(const navset_satellite *s, orr_warnings *warnings)
+{
+    char name[ORR_SAT_TEXT];
+    orr_sat_text(s->sat, name);
+    if (s->no_clock > 0)
+        orr_warnings_add(warnings, NULL, 0, 0,
+                         "%s: the product has no clock for %zu of its sets; they are left out", name,
+                         s->no_clock);
+    if (s->not_fitted > 0)
+        orr_warnings_add(warnings, NULL, 0, 0, "%s: %zu of its sets are left out: %s", name, s->not_fitted,
+                         s->why);
+}
+
+// Moves satellites that have sets into the result; the others' memory is freed.
+static orr_status collect(work *w, orr_navset *set, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_status s = ORR_OK;
+    set->sat = calloc(w->n + 1, sizeof *set->sat);
+    set->sets = calloc(w->n + 1, sizeof *set->sets);
+    if (set->sat == NULL || set->sets == NULL) s = ORR_E_MEMORY;
+    for (size_t i = 0; i < w->n; i++) {
+        if (s == ORR_OK) s = w->sat[i].status;
+        if (s == ORR_OK) say_what_is_missing(&w->sat[i], warnings);
+        if (s == ORR_OK && w->sat[i].n > 0) {
+            set->sat[set->n_sats] = w->sat[i].sat;
+            set->sets[set->n_sats++] = w->sat[i];
+        } else
+            free(w->sat[i].item);
+    }
+    if (s == ORR_OK && set->n_sats == 0)
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "no GPS or GLONASS satellite of the product has an orbit and a clock to fit");
+    return s;
+}
+
+static orr_status fit_all(work *w)
+{
+    const orr_sat *list;
+    size_t n = orr_ephemeris_satellites(w->e, &list);
+    orr_time from, to;
+    orr_ephemeris_span(w->e, &from, &to);
+    orr_status s = navset_schedule_gps(from, to, w->o->window_s, &w->gps);
+    if (s == ORR_OK) s = navset_schedule_glonass(from, to, &w->glonass);
+    w->sat = calloc(n + 1, sizeof *w->sat);
+    if (w->sat == NULL) s = ORR_E_MEMORY;
+    for (size_t i = 0; i < n && s == ORR_OK; i++)
+        if (wanted(w->o, list[i])) w->sat[w->n++].sat = list[i];
+    if (s == ORR_OK) orr_parallel_each(w->n, w->o->jobs, fit_one, w);
+    return s;
+}
+
+// GPS' own coefficients, the first that page 18 can send, from a header or a record.
+static void take_klobuchar(orr_navset *set, const orr_nav *nav, orr_warnings *warnings)
+{
+    orr_diag why = {0};
+    for (size_t i = 0; nav != NULL && i < nav->n_iono && !set->has_klobuchar; i++) {
+        const orr_nav_iono *k = &nav->iono[i];
+        const orr_lnav_utc utc = {0};
+        const orr_lnav_how how = {0};
+        orr_lnav_subframe page;
+        if (k->kind != ORR_NAV_KLOBUCHAR || k->system != 'G') continue;
+        if (orr_lnav_encode_page18(k->coefficient, k->coefficient + 4, &utc, &how, &page,
+                                   why.text[0] == '\0' ? &why : NULL) != ORR_OK)
+            continue;
+        memcpy(set->alpha, k->coefficient, sizeof set->alpha);
+        memcpy(set->beta, k->coefficient + 4, sizeof set->beta);
+        set->has_klobuchar = true;
+    }
+    if (why.text[0] != '\0')
+        orr_warnings_add(warnings, NULL, 0, 0, "Klobuchar's coefficients cannot be sent as they are: %s; %s",
+                         why.text, set->has_klobuchar ? "those of another record are" : "zeros are");
+}
+
+orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
+                            orr_warnings *warnings, orr_diag *diag)
+{
+    if (o->window_s != 7200 && o->window_s != 14400)
+        return orr_diag_set(diag, ORR_E_ARG, "a window of %g s is not 2 or 4 hours", o->window_s);
+    orr_time begin, end;
+    orr_ephemeris_span(e, &begin, &end);
+    if (orr_time_diff_s(end, begin) > MOST_WEEKS * (double)ORR_S_PER_WEEK)
+        return orr_diag_set(diag, ORR_E_LIMIT,
+                            "a product of %.0f weeks is longer than the %d that LNAV counts",
+                            orr_time_diff_s(end, begin) / ORR_S_PER_WEEK, MOST_WEEKS);
+    work w = {.e = e, .o = o};
+    orr_navset *set = calloc(1, sizeof *set);
+    orr_status s = set == NULL ? ORR_E_MEMORY : fit_all(&w);
+    if (s == ORR_OK) {
+        orr_ephemeris_span(e, &set->from, &set->to);
+        take_klobuchar(set, o->nav, warnings);
+        s = collect(&w, set, warnings, diag);
+        if (s == ORR_OK) s = navset_fit_days(e, o, set);
+    }
+    free(w.sat);
+    free(w.gps.slot);
+    free(w.glonass.slot);
+    if (s == ORR_OK)
+        *out = set;
+    else
+        orr_navset_free(set);
+    if (s == ORR_E_MEMORY) return orr_diag_set(diag, s, "out of memory for broadcast data");
+    if (s == ORR_E_INTERRUPTED) return orr_diag_set(diag, s, "stopped");
+    return s;
+}
+
+void orr_navset_free(orr_navset *set)
+{
+    if (set == NULL) return;
+    for (size_t i = 0; i < set->n_sats; i++) free(set->sets[i].item);
+    free(set->day);
+    free(set->sets);
+    free(set->sat);
+    free(set);
+}
+
+size_t orr_navset_satellites(const orr_navset *set, const orr_sat **list)
+{
+    *list = set->sat;
+    return set->n_sats;
+}
+
+static int by_sat(const void *key, const void *member)
+{
+    return (int)*(const orr_sat *)key - (int)*(const orr_sat *)member;
+}
+
+size_t orr_navset_items(const orr_navset *set, orr_sat sat, const orr_navset_item **list)
+{
+    const orr_sat *found = bsearch(&sat, set->sat, set->n_sats, sizeof *set->sat, by_sat);
+    if (found == NULL) return 0;
+    const navset_satellite *s = &set->sets[found - set->sat];
+    *list = s->item;
+    return s->n;
+}
+
+const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_time t)
+{
+    const orr_navset_item *list;
+    size_t low = 0, high = orr_navset_items(set, sat, &list);
+    while (low < high) { // the first that begins after t
+        size_t mid = low + (high - low) / 2;
+        if (list[mid].from <= t)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low > 0 && t < list[low - 1].to ? &list[low - 1] : NULL;
+}

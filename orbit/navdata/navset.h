@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The broadcast data of a whole orbit product: for every GPS and GLONASS satellite the fitted sets, when each
+// of them is transmitted, with which issue number and health; almanacs; and what the systems send beside.
+// Built once (7 ms of one core a satellite and day of orbits, 0.4 s for all of GPS and GLONASS), then asked
+// at any instant as a pure function.
+#ifndef ORR_ORBIT_NAVDATA_NAVSET_H
+#define ORR_ORBIT_NAVDATA_NAVSET_H
+
+#include "ingest/rinex/rinex_nav.h"
+#include "ingest/tables/antex.h"
+#include "ingest/tables/bias.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/navdata/navfit.h"
+
+typedef struct orr_navset_options {
+    double window_s;          // LNAV: 7200 or 14400
+    const orr_sat_set *sats;  // NULL: all of GPS and GLONASS
+    const orr_antex *antex;   // antennas' phase centres; NULL: the centre of mass, as STATES gives it
+    const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: all zero
+    const orr_nav *nav;       // GLONASS channels, Klobuchar; NULL: channels of the nominal plan, no Klobuchar
+    bool zero_clocks;         // satellites without a clock get one of zero; otherwise they are left out
+    int jobs;                 // threads
+    const volatile int *cancel; // may be NULL
+} orr_navset_options;
+orr_navset_options orr_navset_defaults(void); // 2 h, all satellites, nothing else, one thread
+
+enum {                              // orr_navset_item.notes
+    ORR_NAVSET_MANOEUVRE = 1u << 0, // a manoeuvre within the window, or files that do not meet: unhealthy
+    ORR_NAVSET_SHIFTED =
+        1u << 1, // the orbit begins or ends within the window: fitted to the nearest full one
+    ORR_NAVSET_NO_CLOCK = 1u << 2,   // the product has no clock: zero is sent
+    ORR_NAVSET_NO_ANTENNA = 1u << 3, // ANTEX was given, but knows no antenna: centre of mass
+    ORR_NAVSET_NO_DELAY = 1u << 4,   // biases were given, but not this satellite's: TGD or delta tau of zero
+    ORR_NAVSET_NOMINAL_CHANNEL = 1u << 5, // GLONASS: the channel is the nominal one of the slot
+    ORR_NAVSET_CLOCK_JUMP = 1u << 6, // the clock jumps, or is off a line by more than 10 ns RMS: unhealthy
+};
+
+// One set of immediate data.
+typedef struct orr_navset_item {
+    orr_nav_eph eph;   // on the message's lattice
+    orr_time from, to; // transmitted at from <= t < to
+    orr_navfit_report report;
+    double clock_rms_s; // NAN without clock
+    uint32_t notes;
+} orr_navset_item;
+
+typedef struct orr_navset orr_navset;
+
+// LNAV: toe every two hours of GPS time, window toe +- window/2, transmitted for two hours from the window's
+// begin on. IODC counts the two-hour slots since 1980 modulo 960 within the ranges that a fit interval of
+// four hours has (IS-GPS-200N 20.3.4.4), IODE is its lower part. GLONASS: tb at 15 and 45 minutes of each
+// hour of UTC, +- 15 min. A satellite or a window that cannot be fitted is left out with a warning. Errors:
+// ORR_E_ARG (window), ORR_E_NODATA (nothing could be fitted), ORR_E_LIMIT (a product longer than the 1024
+// weeks that LNAV counts), ORR_E_INTERRUPTED, ORR_E_MEMORY.
+orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
+                            orr_warnings *warnings, orr_diag *diag);
+void orr_navset_free(orr_navset *set);
+
+size_t orr_navset_satellites(const orr_navset *set, const orr_sat **list); // ascending
+size_t orr_navset_items(const orr_navset *set, orr_sat sat,
+                        const orr_navset_item **list); // ascending in from
+// The set on the air at t; NULL if there is none.
+const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_time t);
+
+// Klobuchar's coefficients as page 18 sends them (s, s/semicircle, ...); false where none were given that fit
+// their eight bits (the build has warned of it): then zeros.
+bool orr_navset_klobuchar(const orr_navset *set, double alpha[4], double beta[4]);
+// All sets as a navigation file that orr_nav_write can write: satellite by satellite, with Klobuchar and the
+// leap seconds. program, run_by and date are the caller's to fill. Free with orr_nav_free.
+orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *diag);
+
+#endif

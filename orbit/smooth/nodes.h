@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smoother's input per satellite: positions at nodes and clocks, gathered from SP3 files, decimated, with
+// duplicates at day joints told apart. Room-internal.
+#ifndef ORR_ORBIT_SMOOTH_NODES_H
+#define ORR_ORBIT_SMOOTH_NODES_H
+
+#include "orbit/smooth/smoother.h"
+
+typedef struct orr_node {
+    orr_time t;
+    double t_s; // since the span's begin
+    orr_vec3 ecef_m;
+    double sigma_m;
+    bool predicted, manoeuvre;
+    bool bridge;     // not of an input file: a broadcast position where the files have none
+    bool superseded; // another file observed what this one predicted
+    uint16_t source; // index of the input file
+    uint16_t rank;   // of the file in time
+} orr_node;
+
+typedef struct orr_node_list {
+    orr_sat sat;
+    size_t n_nodes, n_clocks;
+    orr_node *node;        // ascending in t, then in file order
+    orr_clock_node *clock; // ascending; at a joint of files the later file's comes second
+} orr_node_list;
+
+typedef struct orr_node_table {
+    size_t n_sats;
+    orr_node_list *list; // ascending in sat
+    orr_time from, to;   // of all nodes
+    double step_s; // the usual distance of neighbouring nodes: the median of a file's satellites, the longest
+                   // of the files
+    double clock_step_s, clock_max_gap_s; // likewise of clocks; the longest that one is interpolated over
+} orr_node_table;
+
+// ORR_E_NODATA when nothing is left after decimation and exclusion.
+orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, const orr_smoother_options *o,
+                             orr_node_table *out, orr_warnings *warnings, orr_diag *diag);
+void orr_nodes_free(orr_node_table *t);
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The forward filter over a track, with its verdicts: which nodes are outliers, where a manoeuvre ends one
+// arc and begins the next. Room-internal.
+#ifndef ORR_ORBIT_SMOOTH_SEGMENTATION_H
+#define ORR_ORBIT_SMOOTH_SEGMENTATION_H
+
+#include "orbit/smooth/track.h"
+
+typedef struct orr_verdict { // one per node
+    bool rejected;
+    double
+        jump_m; // where another file begins and goes on elsewhere: how far from what the one before predicts
+} orr_verdict;
+
+// An arc: instants of the track between its first and last node, both inclusive.
+typedef struct orr_arc_range {
+    size_t first, last;
+} orr_arc_range;
+
+typedef struct orr_segmentation {
+    size_t n_arcs;
+    orr_arc_range *arc;   // ascending
+    orr_verdict *verdict; // per node of the list
+} orr_segmentation;
+
+// Runs the filter, leaving predicted and filtered states in the track. ORR_E_MEMORY, ORR_E_NODATA (no usable
+// node).
+orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, size_t n, orr_track *t,
+                             orr_segmentation *out);
+void orr_segmentation_free(orr_segmentation *s);
+
+// The plain filter over instants first..last with the verdicts given.
+void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                      orr_track *t, size_t first, size_t last);
+// The smoother back over the same range. ORR_E_NUMERIC.
+orr_status orr_smooth_range(orr_track *t, size_t first, size_t last);
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One satellite from nodes to arcs: passes of linearisation, verdicts, smoothing, samples. Room-internal.
+#ifndef ORR_ORBIT_SMOOTH_SMOOTH_SATELLITE_H
+#define ORR_ORBIT_SMOOTH_SMOOTH_SATELLITE_H
+
+#include "orbit/smooth/nodes.h"
+#include "orbit/smooth/track.h"
+
+typedef struct orr_satellite_report {
+    size_t nodes_used, nodes_rejected, manoeuvres;
+    size_t from_broadcast; // nodes whose a-priori state is a broadcast one
+    int passes;
+    double residual_m2; // sum of squares over used nodes, 3-D
+    char note[256];     // why something was left out; empty if nothing was
+} orr_satellite_report;
+
+// list is the satellite's own and may be changed. Fills out (arcs, clocks, nodes, events; out->sat too). A
+// stretch that cannot be smoothed leaves a note, not an error.
+orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, orr_node_list *list,
+                                orr_orbit_sat *out, orr_satellite_report *report);
+void orr_satellite_free(orr_orbit_sat *s);
+
+#endif

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/smooth/smoother.h"
+
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/parallel.h"
+#include "orbit/smooth/smooth_satellite.h"
+
+orr_smoother_options orr_smoother_defaults(void)
+{
+    return (orr_smoother_options){
+        .frame = ORR_SKY_GCRS,
+        .gravity_degree = 8,
+        .sun_moon = true,
+        .srp_mps2 = 1e-7,
+        .sigma_m = 0.025,
+        .sigma_predicted_m = 0.10,
+        .qf_m2ps5 = 1e-16,
+        .f0_sigma_mps2 = 1e-3, // diffuse: the first nodes decide
+        .f0_axes = ORR_F0_RTN,
+        .max_gap_s = 8 * 3600.0,
+        .extend_to = ORR_TIME_NONE,
+        .detect = true,
+        .grid_s = 150,
+        .jobs = 1,
+    };
+}
+
+orr_smoother_options orr_smoother_literal(void)
+{
+    orr_smoother_options o = orr_smoother_defaults();
+    o.frame = ORR_SKY_UNIFORM;
+    o.gravity_degree = 0;
+    o.sun_moon = false;
+    o.srp_mps2 = 0;
+    o.qf_m2ps5 = 0;
+    o.qv_m2ps3 = 1e-6; // q1..q3 stand for J2, Sun and Moon; larger values change nothing any more
+    o.f0_axes = ORR_F0_ECEF;
+    o.passes = 1;
+    o.detect = false;
+    return o;
+}
+
+static orr_status check_options(const orr_smoother_options *o, orr_diag *diag)
+{
+    if (!(o->sigma_m > 0) || !(o->sigma_predicted_m > 0))
+        return orr_diag_set(diag, ORR_E_ARG, "sigma of a node must be positive");
+    if (!(o->qf_m2ps5 >= 0) || !(o->qv_m2ps3 >= 0) || !(o->f0_sigma_mps2 > 0))
+        return orr_diag_set(diag, ORR_E_ARG,
+                            "noise of f0 and velocity cannot be negative, and f0's sigma must be positive");
+    if (!(o->grid_s >= 1 && o->grid_s <= 900))
+        return orr_diag_set(diag, ORR_E_ARG, "grid of %g s is not in 1..900 s", o->grid_s);
+    if (!(o->max_gap_s > 0 && o->max_gap_s <= 172800))
+        return orr_diag_set(diag, ORR_E_ARG, "longest bridged gap of %g s is not in (0, 48 h]", o->max_gap_s);
+    if (!(o->node_step_s >= 0)) return orr_diag_set(diag, ORR_E_ARG, "node step cannot be negative");
+    if (o->bridge && o->nav == NULL)
+        return orr_diag_set(diag, ORR_E_ARG, "bridging needs broadcast ephemerides");
+    if (o->passes < 0 || o->jobs < 1 || o->jobs > 256)
+        return orr_diag_set(diag, ORR_E_ARG, "passes must be 0 or more, jobs 1 to 256");
+    return ORR_OK;
+}
+
+static void describe(const orr_smoother_options *o, char *buf, size_t n)
+{
+    static const char *axes[] = {"RTN", "inertial", "ecef"};
+    snprintf(buf, n,
+             "prior: %s; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; SRP: %g m/s2; sigma: %g m "
+             "(predicted %g m); "
+             "f0: %s, qf %g m2/s5, a-priori %g m/s2; qv: %g m2/s3; node step: %g s; longest gap: %g s; "
+             "detection: %s; passes: %d",
+             o->nav == NULL ? "sparse SP3"
+             : o->bridge    ? "broadcast, bridging"
+                            : "broadcast",
+             o->frame == ORR_SKY_GCRS ? "GCRS (IAU 2006/2000B)" : "uniform rotation", o->gravity_degree,
+             o->zonal_only ? " zonal" : "", o->sun_moon ? "yes" : "no", o->srp_mps2, o->sigma_m,
+             o->sigma_predicted_m, axes[o->f0_axes], o->qf_m2ps5, o->f0_sigma_mps2, o->qv_m2ps3,
+             o->node_step_s, o->max_gap_s, o->detect ? "yes" : "no", o->passes);
+}
+
+// Work shared by the threads: satellites are independent, each goes to whichever thread is free, into its own
+// place.
+typedef struct pool {
+    const orr_smoother_options *options;
+    const orr_sky *sky;
+    const orr_force *force;
+    const orr_node_table *table;
+    bool eop_known;
+    const volatile int *cancel;
+    orr_orbit_sat *sat; // per list of the table
+    orr_satellite_report *report;
+    orr_status *status;
+    atomic_size_t next;
+} pool;
+
+static void *worker(void *arg)
+{
+    pool *p = arg;
+    orr_integrator *it = NULL;
+    orr_status ready = orr_integrator_init(p->force, p->sky, &it, NULL);
+    const orr_track_context c = {p->options, p->sky, p->force, it, p->eop_known};
+    for (;;) {
+        size_t i = atomic_fetch_add(&p->next, 1);
+        if (i >= p->table->n_sats) break;
+        if (ready != ORR_OK)
+            p->status[i] = ready;
+        else if (p->cancel != NULL && *p->cancel)
+            p->status[i] = ORR_E_INTERRUPTED;
+        else
+            p->status[i] = orr_satellite_smooth(&c, p->table, &p->table->list[i], &p->sat[i], &p->report[i]);
+    }
+    orr_integrator_free(it);
+    return NULL;
+}
+
+// Satellites of which one thing is to be said: how many, and the first of them.
+typedef struct few {
+    size_t n;
+    char first[ORR_SAT_TEXT];
+} few;
+static void count_in(few *f, const char *name)
+{
+    if (f->n++ == 0) snprintf(f->first, sizeof f->first, "%s", name);
+}
+
+// Moves finished satellites into the solution and counts; what was left out is said.
+static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report *report,
+                          orr_warnings *warnings, orr_diag *diag)
+{
+    double residual_m2 = 0;
+    few absent = {0}, without_broadcast = {0};
+    for (size_t i = 0; i < p->table->n_sats; i++) {
+        const orr_satellite_report *r = &p->report[i];
+        char name[ORR_SAT_TEXT];
+        orr_sat_text(p->table->list[i].sat, name);
+        if (p->status[i] != ORR_OK)
+            return orr_diag_set(diag, p->status[i], "%s: %s", name,
+                                p->status[i] == ORR_E_INTERRUPTED ? "interrupted"
+                                                                  : orr_status_name(p->status[i]));
+        if (r->note[0] != '\0')
+            orr_warnings_add(warnings, NULL, 0, 0, "%s: %s; that stretch is left out", name, r->note);
+        if (p->sat[i].n_arcs == 0) {
+            if (p->table->list[i].n_nodes == 0) {
+                count_in(&absent, name);
+            } else if (r->note[0] == '\0')
+                orr_warnings_add(warnings, NULL, 0, 0, "%s: its positions agree with no orbit; left out",
+                                 name);
+            orr_satellite_free(&p->sat[i]);
+            continue;
+        }
+        if (p->options->nav != NULL && r->from_broadcast == 0) count_in(&without_broadcast, name);
+        report->nodes_used += r->nodes_used;
+        report->nodes_rejected += r->nodes_rejected;
+        report->manoeuvres += r->manoeuvres;
+        report->arcs += p->sat[i].n_arcs;
+        if (r->passes > report->passes_max) report->passes_max = r->passes;
+        residual_m2 += r->residual_m2;
+        out->sat[out->n_sats++] = p->sat[i];
+        p->sat[i] = (orr_orbit_sat){0};
+    }
+    if (absent.n > 0)
+        orr_warnings_add(warnings, NULL, 0, 0,
+                         "satellites without any position to smooth: %zu (%s the first)", absent.n,
+                         absent.first);
+    if (without_broadcast.n > 0)
+        orr_warnings_add(
+            warnings, NULL, 0, 0,
+            "satellites of which no broadcast ephemeris fits a position: %zu (%s the first); they are "
+            "smoothed from their positions alone",
+            without_broadcast.n, without_broadcast.first);
+    report->residual_rms_m = report->nodes_used > 0 ? sqrt(residual_m2 / (double)report->nodes_used) : 0;
+    return out->n_sats > 0 ? ORR_OK : orr_diag_set(diag, ORR_E_NODATA, "no satellite could be smoothed");
+}
+
+static orr_status describe_sources(const orr_smoother_input *input, size_t n, const orr_smoother_options *o,
+                                   const orr_node_table *table, orr_orbit_solution *out)
+{
+    out->source = calloc(n + o->n_also, sizeof *out->source);
+    out->sat = calloc(table->n_sats + 1, sizeof *out->sat);
+    if (out->source == NULL || out->sat == NULL) return ORR_E_MEMORY;
+    for (size_t i = 0; i < n; i++) {
+        snprintf(out->source[i].name, sizeof out->source[i].name, "%s", input[i].name);
+        snprintf(out->source[i].sha256, sizeof out->source[i].sha256, "%s", input[i].sha256);
+    }
+    for (size_t i = 0; i < o->n_also; i++) out->source[n + i] = o->also[i];
+    out->n_sources = n + o->n_also;
+    out->node_step_s = table->step_s;
+    out->clock_max_gap_s = table->clock_max_gap_s;
+    out->from = table->from;
+    out->to = table->to;
+    describe(o, out->options, sizeof out->options);
+    snprintf(out->frame, sizeof out->frame, "%s", input[0].sp3->coordinates);
+    return ORR_OK;
+}
+
+static void warn_of_eop(const orr_eop_series *eop, const orr_node_table *table, orr_warnings *warnings)
+{
+    char t[4][ORR_TIME_TEXT];
+    const double ends[2] = {eop->n > 0 ? eop->mjd_utc[0] : 0, eop->n > 0 ? eop->mjd_utc[eop->n - 1] : 0};
+    for (int k = 0; k < 2; k++) {
+        const double day = floor(ends[k]);
+        orr_time_text(orr_time_from_mjd((int32_t)day, ends[k] - day, ORR_SCALE_UTC, NULL), t[k]);
+    }
+    orr_warnings_add(
+        warnings, NULL, 0, 0,
+        "the Earth rotation given is of %s to %s and does not cover the positions of %s to %s; it is carried "
+        "on beyond its ends",
+        t[0], t[1], orr_time_text(table->from, t[2]), orr_time_text(table->to, t[3]));
+}
+
+orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
+                            const orr_smoother_options *options, const orr_log *log,
+                            const volatile int *cancel, orr_orbit_solution *out, orr_smoother_report *report,
+                            orr_warnings *warnings, orr_diag *diag)
+{
+    orr_smoother_report unused;
+    if (report == NULL) report = &unused;
+    *report = (orr_smoother_report){0};
+    *out = (orr_orbit_solution){0};
+    orr_force force = {.sun_moon = options->sun_moon, .srp_mps2 = options->srp_mps2};
+    orr_node_table table = {0};
+    orr_sky *sky = NULL;
+    orr_status s = check_options(options, diag);
+    if (s == ORR_OK)
+        s = orr_gravity_field_init(&force.earth, options->gravity_degree, options->zonal_only, diag);
+    if (s == ORR_OK) s = orr_nodes_collect(input, n_inputs, options, &table, warnings, diag);
+    if (s != ORR_OK) return s;
+    ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);
+    s = orr_sky_init(table.from, table.to, options->frame, options->eop, &sky, &report->eop_known, diag);
+    if (s == ORR_OK && options->eop != NULL && !report->eop_known) {
+        report->eop_carried_on = true;
+        warn_of_eop(options->eop, &table, warnings);
+    }
+
+    pool p = {.options = options,
+              .sky = sky,
+              .force = &force,
+              .table = &table,
+              .eop_known = report->eop_known,
+              .cancel = cancel};
+    p.sat = calloc(table.n_sats + 1, sizeof *p.sat);
+    p.report = calloc(table.n_sats + 1, sizeof *p.report);
+    p.status = calloc(table.n_sats + 1, sizeof *p.status);
+    if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL)) s = ORR_E_MEMORY;
+    if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, out);
+    if (s == ORR_E_MEMORY) orr_diag_set(diag, s, "out of memory for %zu satellites", table.n_sats);
+    if (s == ORR_OK) {
+        orr_parallel_run(options->jobs, worker, &p);
+        s = collect(&p, out, report, warnings, diag);
+        for (size_t i = 0; i < table.n_sats; i++) orr_satellite_free(&p.sat[i]);
+    }
+    free(p.sat);
+    free(p.report);
+    free(p.status);
+    orr_sky_free(sky);
+    orr_nodes_free(&table);
+    if (s != ORR_OK) orr_orbit_solution_free(out);
+    return s;
+}
+
+void orr_orbit_solution_free(orr_orbit_solution *s)
+{
+    for (size_t i = 0; i < s->n_sats; i++) orr_satellite_free(&s->sat[i]);
+    free(s->sat);
+    free(s->source);
+    *s = (orr_orbit_solution){0};
+}

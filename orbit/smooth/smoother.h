@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main work of the room: sparse precise positions in, a continuous orbit out. Per satellite, an a-priori
+// trajectory (numerical integration, restarted at every node), the variational equations about it, and a
+// Rauch-Tung-Striebel smoother with state x = (d_eta, d_V, f0) (Bogdanov 2015, section 6, eqs. (33)-(34)).
+#ifndef ORR_ORBIT_SMOOTH_SMOOTHER_H
+#define ORR_ORBIT_SMOOTH_SMOOTHER_H
+
+#include "core/interval.h"
+#include "core/log.h"
+#include "ingest/rinex/rinex_nav.h"
+#include "ingest/sp3/sp3.h"
+#include "orbit/force/sky.h"
+#include "orbit/smooth/solution.h"
+
+typedef enum orr_f0_axes { // axes in which the empirical acceleration f0 is (nearly) constant
+    ORR_F0_RTN,            // radial, along-track, cross-track: the default
+    ORR_F0_INERTIAL,
+    ORR_F0_ECEF, // as (33) is written
+} orr_f0_axes;
+
+typedef struct orr_smoother_options {
+    // a-priori force
+    orr_sky_frame frame;
+    int gravity_degree; // 0 central term alone .. 12
+    bool zonal_only;    // with degree 2: J2 alone
+    bool sun_moon;
+    double srp_mps2; // plain radiation pressure at 1 au with the Earth's shadow
+    // noise
+    double sigma_m;           // of a node's coordinate, 1-sigma
+    double sigma_predicted_m; // of a node flagged as predicted
+    double qf_m2ps5;          // random walk of f0; 0: a constant, as the source has it
+    double qv_m2ps3;          // white noise q1..q3 of (33)
+    double f0_sigma_mps2;     // a-priori of f0 at an arc's start
+    orr_f0_axes f0_axes;
+    // input
+    double node_step_s; // keep only epochs that are multiples of it from midnight of the first file, in the
+                        // files' own time systems; 0: all
+    const orr_interval *exclude; // nodes inside are not used
+    size_t n_exclude;
+    const orr_sat_set *sats;   // NULL: all
+    double max_gap_s;          // longest stretch without nodes that is bridged; an arc ends at a longer one
+    const orr_eop_series *eop; // NULL: IERS' secular pole, UT1 by the leap seconds
+    // broadcast orbits
+    const orr_nav *nav; // a-priori variant A: states at the nodes from broadcast ephemerides where there are
+                        // any; NULL: variant B, from the nodes alone
+    bool bridge; // with nav: hours without nodes are bridged at broadcast quality, flagged as predicted
+    orr_time extend_to; // with bridge: how far beyond the last node; ORR_TIME_NONE: not
+    // provenance: files that the options came from (ERP, navigation); they follow the inputs in the
+    // solution's sources
+    const orr_orbit_source *also;
+    size_t n_also;
+    // working
+    int passes;    // linearisations: 0 until converged (at most 8), else exactly so many
+    bool detect;   // outliers and manoeuvres by innovation, wrong clocks (flags are always heeded)
+    double grid_s; // longest step of the filter
+    int jobs;      // threads; 1 and more. Results do not depend on it
+} orr_smoother_options;
+
+// The settings that the measured facts call for: GCRS, 8x8 + Sun + Moon + 1e-7 m/s^2 with shadow, f0 as a
+// random walk in RTN with qf = 1e-16 m^2/s^5 beside sigma = 0.025 m.
+orr_smoother_options orr_smoother_defaults(void);
+// The dissertation to the letter: (33)-(34) in uniformly turning ecef, two-body a-priori, constant f0 beside
+// white noise q1..q3, sigma 2.5 cm, one pass, no detection.
+orr_smoother_options orr_smoother_literal(void);
+
+typedef struct orr_smoother_input {
+    const orr_sp3 *sp3;
+    char name[256];
+    char sha256[65];
+} orr_smoother_input;
+
+// What a run did, in numbers, for the summary.
+typedef struct orr_smoother_report {
+    size_t nodes_used, nodes_rejected, manoeuvres, arcs;
+    int passes_max;
+    bool eop_known;        // Earth orientation came from the caller's series for the whole span
+    bool eop_carried_on;   // there is a series, but it does not cover the whole span
+    double residual_rms_m; // of used nodes, 3-D
+} orr_smoother_report;
+
+// Smooths all satellites of all files jointly (files may come in any order, may join at midnight with
+// different values, may overlap). Satellites that cannot be smoothed (one node alone) are left out with a
+// warning, never silently. `cancel` (may be NULL) is looked at between satellites: non-zero stops with
+// ORR_E_INTERRUPTED. Errors: ORR_E_ARG (options), ORR_E_NODATA (no node left), ORR_E_MEMORY. Free with
+// orr_orbit_solution_free.
+orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
+                            const orr_smoother_options *options, const orr_log *log,
+                            const volatile int *cancel, orr_orbit_solution *out, orr_smoother_report *report,
+                            orr_warnings *warnings, orr_diag *diag);
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/spacecraft/spacecraft.h"
+
+#include "orbit/spacecraft/orbit_class.h"
+
+static orr_health health_at(const orr_nav *nav, orr_sat sat, orr_time t)
+{
+    if (nav == NULL) return ORR_HEALTH_UNKNOWN;
+    orr_broadcast_choice any = orr_broadcast_choice_default();
+    any.healthy = false;
+    const orr_nav_eph *eph = orr_broadcast_select(nav, sat, t, &any);
+    if (eph == NULL) return ORR_HEALTH_UNKNOWN;
+    return orr_nav_eph_usable(eph) ? ORR_HEALTH_OK : ORR_HEALTH_BAD;
+}
+
+static void place_antenna(const orr_antex *antex, orr_sat sat, orr_time t, orr_extras *x)
+{
+    const double nan = (double)NAN;
+    x->antenna_ecef_m = (orr_vec3){nan, nan, nan};
+    for (int i = 0; i < 3; i++) x->antenna_body_m[i] = nan;
+    if (antex == NULL || orr_antenna_offset_of_sat(antex, sat, t, x->antenna_body_m) != ORR_OK) return;
+    const double *b = x->antenna_body_m;
+    if (x->has_attitude)
+        x->antenna_ecef_m = orr_mat3_apply_t(&x->attitude.body, (orr_vec3){b[0], b[1], b[2]});
+}
+
+orr_status orr_extras_at(const orr_extras_sources *src, orr_sat sat, orr_time t, orr_vec3 sun,
+                         orr_extras *out)
+{
+    orr_extras x = {0};
+    const orr_status s = orr_ephemeris_eval(src->orbit, sat, t, &x.state);
+    if (s != ORR_OK) return s;
+    const orr_vec3 r = x.state.pos_m, v = orr_velocity_inertial(r, x.state.vel_mps);
+    const char system = orr_sat_system(sat);
+    x.orbit_normal = (system == 'C' || system == 'J') && orr_orbit_class_of(r, v) == ORR_ORBIT_GEO;
+    if (x.orbit_normal) orr_attitude_orbit_normal(r, v, sun, &x.attitude);
+    x.has_attitude = x.orbit_normal || orr_attitude_nominal(r, v, sun, &x.attitude) == ORR_OK;
+    place_antenna(src->antex, sat, t, &x);
+    x.relativity_s = orr_periodic_relativity_s(r, v);
+    x.health = health_at(src->nav, sat, t);
+    *out = x;
+    return ORR_OK;
+}
+
+orr_status orr_extras_delay(const orr_extras_sources *src, orr_sat sat, const char *signal, orr_time t,
+                            double *delay_s)
+{
+    if (src->bias != NULL) return orr_signal_delay_osb(src->bias, sat, signal, t, delay_s);
+    if (src->nav == NULL) return ORR_E_NODATA;
+    orr_broadcast_choice any = orr_broadcast_choice_default();
+    any.healthy = false;
+    const orr_nav_eph *eph = orr_broadcast_select(src->nav, sat, t, &any);
+    return eph != NULL ? orr_signal_delay_broadcast(eph, signal, delay_s) : ORR_E_NODATA;
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between main.c, args.c, help.c and talk.c; commands do not need it.
+#ifndef ORR_CLI_FRAME_FRAME_PRIVATE_H
+#define ORR_CLI_FRAME_FRAME_PRIVATE_H
+
+#include <stdio.h>
+
+#include "src/cli/frame/cli.h"
+
+#define ORR_CLI_COMMON_OPTIONS 3
+extern const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS];
+
+typedef enum orr_cli_parse_result { ORR_CLI_RUN, ORR_CLI_HELP, ORR_CLI_WRONG } orr_cli_parse_result;
+
+// Reads the words after the command's name. On ORR_CLI_WRONG the sentence has been printed. words[] is
+// reordered (operands to the front). Free with orr_cli_args_free whatever it returned.
+orr_cli_parse_result orr_cli_args_parse(orr_cli *c, int n_words, char **words);
+void orr_cli_args_free(orr_cli *c);
+
+void orr_cli_help_command(FILE *f, const orr_command *command);
+void orr_cli_help_program(FILE *f, const orr_command *const *list); // ends with NULL
+
+#endif

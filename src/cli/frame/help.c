@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Help, made from the tables that the parser works by.
+#include <string.h>
+
+#include "src/cli/frame/frame.h"
+
+enum { WIDTH = 96, HELP_COLUMN = 30 };
+
+// Words of text, wrapped; the cursor stands in `column` and further lines start at `indent`. A blank line in
+// the text divides paragraphs. Ends with a newline.
+static void wrap(FILE *f, const char *text, int column, int indent)
+{
+    bool first = true;
+    while (*text != '\0') {
+        if (text[0] == '\n' && text[1] == '\n') {
+            fprintf(f, "\n\n%*s", indent, "");
+            column = indent;
+            first = true;
+        }
+        size_t blanks = strspn(text, " \n");
+        text += blanks;
+        int len = (int)strcspn(text, " \n");
+        if (len == 0) break;
+        if (!first && column + 1 + len > WIDTH) {
+            fprintf(f, "\n%*s", indent, "");
+            column = indent;
+        } else if (!first) {
+            fputc(' ', f);
+            column++;
+        }
+        fprintf(f, "%.*s", len, text);
+        column += len;
+        text += len;
+        first = false;
+    }
+    fputc('\n', f);
+}
+
+static void help_option(FILE *f, const orr_option *o)
+{
+    char left[96];
+    int n = snprintf(left, sizeof left, "  %c%c%c --%s%s%s", o->letter != 0 ? '-' : ' ',
+                     o->letter != 0 ? o->letter : ' ', o->letter != 0 ? ',' : ' ', o->name,
+                     o->value != NULL ? " " : "", o->value != NULL ? o->value : "");
+    fputs(left, f);
+    if (n >= HELP_COLUMN - 1) {
+        fprintf(f, "\n%*s", HELP_COLUMN, "");
+    } else {
+        fprintf(f, "%*s", HELP_COLUMN - n, "");
+    }
+    char help[640];
+    snprintf(help, sizeof help, "%s%s%s", o->help, o->required ? " (needed)" : "",
+             o->repeated ? " (may be repeated)" : "");
+    wrap(f, help, HELP_COLUMN, HELP_COLUMN);
+}
+
+void orr_cli_help_command(FILE *f, const orr_command *cmd)
+{
+    fprintf(f, "orrery %s: %s\n\nUsage: orrery %s", cmd->name, cmd->summary, cmd->name);
+    for (size_t i = 0; i < cmd->n_options; i++) {
+        const orr_option *o = &cmd->option[i];
+        if (!o->required) continue;
+        if (o->letter != 0)
+            fprintf(f, " -%c %s", o->letter, o->value);
+        else
+            fprintf(f, " --%s %s", o->name, o->value);
+    }
+    fprintf(f, "%s%s [options]\n", cmd->operands != NULL ? " " : "",
+            cmd->operands != NULL ? cmd->operands : "");
+    if (cmd->about != NULL) {
+        fputc('\n', f);
+        wrap(f, cmd->about, 0, 0);
+    }
+    fputs("\nOptions:\n", f);
+    for (size_t i = 0; i < cmd->n_options; i++) help_option(f, &cmd->option[i]);
+    for (size_t i = 0; i < ORR_CLI_COMMON_OPTIONS; i++) help_option(f, &orr_cli_common_options[i]);
+    bool times = false;
+    for (size_t i = 0; i < cmd->n_options; i++)
+        times |= cmd->option[i].kind == ORR_OPT_TIME || cmd->option[i].kind == ORR_OPT_INTERVAL;
+    if (times)
+        fputs("\nTimes: 2024-02-04T00:15:00 (GPS scale), 2024-02-04T00:14:42Z (UTC), 2300:900 (GPS "
+              "week:seconds),\n"
+              "2024-035 (year-day).\n",
+              f);
+    if (cmd->example != NULL) {
+        fputs("\nExample:\n", f);
+        for (const char *p = cmd->example; *p != '\0';) {
+            int len = (int)strcspn(p, "\n");
+            fprintf(f, "  %.*s\n", len, p);
+            p += len;
+            if (*p == '\n') p++;
+        }
+    }
+}
+
+void orr_cli_help_program(FILE *f, const orr_command *const *list)
+{
+    fputs("Orrery: the back end of a GNSS signal generator. It turns IGS products into satellite states, "
+          "ionospheric\n"
+          "delays and matching inertial readings, and serves them by time tag.\n\n"
+          "Usage: orrery COMMAND [options]\n",
+          f);
+    for (size_t i = 0; list[i] != NULL; i++) {
+        if (i == 0 || strcmp(list[i]->group, list[i - 1]->group) != 0) fprintf(f, "\n%s\n", list[i]->group);
+        fprintf(f, "  %-12s %s\n", list[i]->name, list[i]->summary);
+    }
+    fputs("\n'orrery help COMMAND' or 'orrery COMMAND --help' tells more, with an example. 'orrery "
+          "--version' is the version.\n"
+          "Data go to stdout, talk to stderr. Exit status: 0 done, 1 it could not be done, 2 it was asked "
+          "wrongly.\n",
+          f);
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery gravimetry: the gravity disturbance back from readings and trajectory.
+#include <stdio.h>
+#include <string.h>
+
+#include "core/outfile.h"
+#include "inertial/gravimetry/gravimetry.h"
+#include "inertial/readings/imu_file.h"
+#include "src/cli/frame/cli.h"
+#include "src/cli/frame/json.h"
+
+static orr_status write_csv(const char *path, const orr_gravimetry_result *r, const orr_gravimetry *t,
+                            orr_diag *diag)
+{
+    orr_outfile f;
+    orr_status s = orr_outfile_open(path, &f, diag);
+    if (s != ORR_OK) return s;
+    fprintf(f.stream, "t_s,recovered_mgal,true_mgal,recovered_filtered_mgal,true_filtered_mgal,eotvos_mgal,"
+                      "vertical_mps2\n");
+    for (size_t k = 0; k < r->n; k++)
+        fprintf(f.stream, "%.6f,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", r->t_s[k], r->recovered_mgal[k],
+                r->true_mgal[k], r->recovered_filtered_mgal[k], r->true_filtered_mgal[k],
+                0.5 * (t->eotvos_mgal[k] + t->eotvos_mgal[k + 1]),
+                0.5 * (t->vertical_mps2[k] + t->vertical_mps2[k + 1]));
+    return orr_outfile_commit(&f, diag);
+}
+
+static int run(orr_cli *c)
+{
+    orr_diag diag = {0};
+    orr_imu_file f;
+    int status = ORR_EXIT_OK;
+    const char *path = orr_cli_text(c, "csv", NULL);
+    const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_given(c, "json");
+    if (csv_only && json) return orr_cli_usage(c, "only one of --csv - and --json can go to standard output");
+    orr_gravimetry_result r;
+    orr_status s = orr_imu_read(c->operand[0], orr_cli_text(c, "gravity-folder", NULL), &f, &diag);
+    if (s != ORR_OK) return orr_cli_fail(c, &diag);
+    if (f.gravimetry.n == 0) {
+        orr_imu_file_free(&f);
+        return orr_cli_failf(c, "%s holds no true gravity to compare with", c->operand[0]);
+    }
+    double sigma_s = (double)orr_cli_duration_ns(c, "filter", 10 * ORR_NS_PER_S) * 1e-9;
+    s = orr_gravimetry_recover(&f.imu, &f.gravimetry, sigma_s, &r, &diag);
+    if (s == ORR_OK) {
+        if (path != NULL) s = write_csv(path, &r, &f.gravimetry, &diag);
+        double low = r.true_mgal[0], high = low;
+        for (size_t k = 0; k < r.n; k++) {
+            low = r.true_mgal[k] < low ? r.true_mgal[k] : low;
+            high = r.true_mgal[k] > high ? r.true_mgal[k] : high;
+        }
+        if (s == ORR_OK && json) {
+            json_t *j =
+                json_pack("{s:o, s:o, s:{s:o, s:o}, s:{s:o, s:o, s:o}, s:o}", "duration_s",
+                          orr_json_number(r.t_s[r.n - 1] - r.t_s[0]), "filter_s", orr_json_number(sigma_s),
+                          "true", "min_mgal", orr_json_number(low), "max_mgal", orr_json_number(high),
+                          "difference", "raw_rms_mgal", orr_json_number(r.raw_rms_mgal), "filtered_rms_mgal",
+                          orr_json_number(r.filtered_rms_mgal), "filtered_max_mgal",
+                          orr_json_number(r.filtered_max_mgal), "values", orr_json_count(r.n));
+            status = orr_json_print(c, j, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+        } else if (s == ORR_OK && !csv_only) {
+            printf("true disturbance      %.3f to %.3f mGal\n", low, high);
+            printf("recovered, unfiltered %.3g mGal r.m.s. off\n", r.raw_rms_mgal);
+            printf("after Gaussian %g s   %.3g mGal r.m.s. off, %.3g mGal at most\n", sigma_s,
+                   r.filtered_rms_mgal, r.filtered_max_mgal);
+        }
+        orr_gravimetry_result_free(&r);
+    }
+    orr_imu_file_free(&f);
+    return s == ORR_OK ? status : orr_cli_fail(c, &diag);
+}
+
+static const orr_option options[] = {
+    {.name = "filter",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "Standard deviation of the Gaussian filter. Default 10 s."},
+    {.name = "csv",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "The series; - for standard output, instead of the table."},
+    {.name = "gravity-folder",
+     .kind = ORR_OPT_TEXT,
+     .value = "DIR",
+     .help = "Where a gravity model's files are now."},
+    {.name = "json", .kind = ORR_OPT_FLAG, .help = "The summary as a JSON object."},
+};
+
+const orr_command orr_cmd_gravimetry = {
+    .name = "gravimetry",
+    .group = "Inertial",
+    .summary = "recover the gravity disturbance from readings and trajectory",
+    .operands = "IMU",
+    .min_operands = 1,
+    .max_operands = 1,
+    .about = "Takes the known motion (Eotvoes term and vertical acceleration included) and normal gravity "
+             "off the measured force; what "
+             "is left is the gravity disturbance. It is compared with the true one after a Gaussian filter "
+             "on both.",
+    .example = "orrery imu samples/survey.yaml -o imu.nc\norrery gravimetry imu.nc --csv gravity.csv",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};

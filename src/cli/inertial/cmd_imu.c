@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery imu: ideal inertial readings of a scenario's flight or of a log.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/sha256.h"
+#include "inertial/readings/imu_file.h"
+#include "inertial/sense/sensors.h"
+#include "src/cli/inertial/moving.h"
+
+#define MAX_INPUTS 4 // a scenario, two logs, a file of gravity
+
+static void mode_options(const orr_cli *c, const orr_moving *v, orr_imu_request *q)
+{
+    orr_imu_mode *m = &q->mode;
+    m->approach = (int)orr_cli_int(c, "approach", m->approach);
+    const char *frame = orr_cli_text(c, "frame", orr_nav_frame_name(m->frame));
+    m->frame = *frame == 'i' ? ORR_FRAME_INERTIAL : *frame == 'g' ? ORR_FRAME_GEOGRAPHIC : ORR_FRAME_BODY;
+    m->project_mid = *orr_cli_text(c, "project", m->project_mid ? "mid" : "start") == 'm';
+    m->closed_loop = *orr_cli_text(c, "loop", m->closed_loop ? "closed" : "open") == 'c';
+    bool riemann =
+        *orr_cli_text(c, "quadrature", m->quadrature == ORR_QUADRATURE_RIEMANN ? "riemann" : "gauss") == 'r';
+    m->quadrature = riemann ? ORR_QUADRATURE_RIEMANN : ORR_QUADRATURE_GAUSS;
+    if (orr_cli_given(c, "quadrature") || orr_cli_given(c, "rate"))
+        m->order = orr_moving_order(v, m->quadrature, q->rate_hz);
+    m->order = (int)orr_cli_int(c, "order", m->order);
+}
+
+// Readings from one instant of truth to the next: as many as the wished rate says, at most all of them.
+static size_t truth_every(const orr_cli *c, const orr_imu *imu)
+{
+    double wish =
+        orr_cli_real(c, "truth-rate", imu->mode.approach == 1 ? imu->rate_hz : fmin(imu->rate_hz, 20.0));
+    double k = floor(imu->rate_hz / wish + 1e-9);
+    return k < 1.0 ? 1 : k < (double)imu->n ? (size_t)k : imu->n;
+}
+
+static bool is_csv(const char *path)
+{
+    size_t n = strlen(path);
+    return strcmp(path, "-") == 0 || (n > 4 && strcmp(path + n - 4, ".csv") == 0);
+}
+
+static orr_status write_file(orr_cli *c, const char *path, const orr_imu *imu, const orr_gravimetry *truth,
+                             const orr_moving *v, const orr_scenario *sc, size_t every, orr_diag *diag)
+{
+    if (is_csv(path)) {
+        orr_outfile f;
+        orr_status s = orr_outfile_open(path, &f, diag);
+        if (s != ORR_OK) return s;
+        s = orr_imu_write_csv(f.stream, imu, diag);
+        if (s == ORR_OK) return orr_outfile_commit(&f, diag);
+        orr_outfile_abort(&f);
+        return s;
+    }
+    char hex[MAX_INPUTS][ORR_SHA256_HEX];
+    orr_nc_input input[MAX_INPUTS];
+    size_t n_inputs = 0;
+    if (c->n_operands > 0) input[n_inputs++].path = c->operand[0];
+    for (size_t k = 0; k < sc->motion.logs.n && k < 2; k++)
+        input[n_inputs++].path = sc->motion.logs.item[k].file;
+    if (sc->motion.gravity_file != NULL) input[n_inputs++].path = sc->motion.gravity_file;
+    for (size_t k = 0; k < n_inputs; k++) {
+        orr_status s = orr_sha256_file(input[k].path, hex[k], diag);
+        if (s != ORR_OK) return s;
+        input[k].sha256 = hex[k];
+    }
+    orr_imu_labels labels = {.title = sc->title,
+                             .history = c->call,
+                             .gravity_model_name = v->model != NULL ? sc->motion.model : NULL,
+                             .gravity_model_dir = v->model != NULL ? sc->motion.model_folder : NULL,
+                             .input = input,
+                             .n_inputs = n_inputs,
+                             .truth_every = every};
+    return orr_imu_write(path, imu, truth, v->gravity, &labels, diag);
+}
+
+static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
+{
+    orr_diag diag = {0};
+    const char *path = orr_cli_text(c, "output", "imu.nc");
+    if (is_csv(path) && orr_cli_given(c, "truth-rate"))
+        return orr_cli_usage(c, "--truth-rate is of NetCDF files; CSV has the truth beside every reading");
+    size_t unit = (size_t)orr_cli_int(c, "unit", 0);
+    if (unit >= v->n_units)
+        return orr_cli_usage(c, "there is no unit %zu; the scenario has 0 to %zu", unit, v->n_units - 1);
+    const orr_trajectory *tr = orr_moving_unit(v, unit);
+    orr_imu_request q = {.begin_s = tr->begin_s,
+                         .duration_s = tr->end_s - tr->begin_s,
+                         .rate_hz = orr_cli_real(c, "rate", v->rate_hz),
+                         .mode = v->mode,
+                         .instantaneous = orr_cli_given(c, "instantaneous"),
+                         .gravity = v->gravity};
+    mode_options(c, v, &q);
+    orr_imu imu;
+    orr_gravimetry truth = {0};
+    orr_cli_hold(c);
+    orr_status s = orr_imu_generate(tr, &q, &imu, &diag);
+    if (s == ORR_OK) {
+        size_t every = truth_every(c, &imu);
+        s = orr_gravimetry_truth(tr, v->gravity, &imu,
+                                 ((size_t)nearbyint(fmax(1.0, q.rate_hz / 10.0)) + every - 1) / every * every,
+                                 &truth, &diag);
+        if (s == ORR_OK && orr_cli_interrupted(c))
+            s = orr_diag_set(&diag, ORR_E_INTERRUPTED, "stopped: no file was made");
+        if (s == ORR_OK) s = write_file(c, path, &imu, &truth, v, sc, every, &diag);
+        char mode[160], from[ORR_TIME_TEXT];
+        if (s == ORR_OK)
+            orr_cli_say(c, "%s: %zu readings at %g Hz from %s GPS, %s", path, imu.n, imu.rate_hz,
+                        orr_time_text(orr_time_add_s(imu.t0, imu.begin_s), from),
+                        orr_imu_mode_text(&imu.mode, mode, sizeof mode));
+        orr_gravimetry_free(&truth);
+        orr_imu_free(&imu);
+    }
+    orr_cli_release(c);
+    return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+}
+
+static int run(orr_cli *c)
+{
+    orr_scenario sc;
+    orr_moving v;
+    int status = orr_cli_moving_open(c, &sc, &v);
+    if (status != ORR_EXIT_OK) return status;
+    status = generate(c, &sc, &v);
+    orr_moving_free(&v);
+    orr_scenario_free(&sc);
+    return status;
+}
+
+static const orr_option options[] = {
+    {.name = "output",
+     .letter = 'o',
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "NetCDF-4, or CSV where the name ends in .csv or is -. Default imu.nc."},
+    ORR_CLI_MOVING_OPTIONS,
+    {.name = "rate",
+     .kind = ORR_OPT_REAL,
+     .value = "HZ",
+     .min = 0.01,
+     .max = 100000,
+     .help = "Of the readings. Default: the scenario's, 100."},
+    {.name = "approach",
+     .kind = ORR_OPT_INT,
+     .value = "1|2",
+     .min = 1,
+     .max = 2,
+     .help = "2: integrals of the true rate and force, physical. 1: what one step of a navigator needs; such "
+             "readings suit that "
+             "navigator alone. Default 2."},
+    {.name = "frame",
+     .kind = ORR_OPT_CHOICE,
+     .value = "inertial|geographic|body",
+     .help = "Of approach 1. Default inertial."},
+    {.name = "project",
+     .kind = ORR_OPT_CHOICE,
+     .value = "mid|start",
+     .help = "Of approach 1: matrices of the middle of the step, or of its begin t_j. Default mid."},
+    {.name = "loop",
+     .kind = ORR_OPT_CHOICE,
+     .value = "closed|open",
+     .help = "Of approach 1: the generator carries the navigator's state, or the truth's. Default closed."},
+    {.name = "quadrature",
+     .kind = ORR_OPT_CHOICE,
+     .value = "gauss|riemann",
+     .help = "Of approach 2. Default gauss."},
+    {.name = "order",
+     .kind = ORR_OPT_INT,
+     .value = "M",
+     .min = 1,
+     .max = 1000,
+     .help = "Of approach 2: nodes (1 to 5) or rectangles a step. Default 2 nodes from 50 Hz on, 3 below and "
+             "for logs; 100 rectangles."},
+    {.name = "unit",
+     .kind = ORR_OPT_INT,
+     .value = "K",
+     .min = 0,
+     .max = 15,
+     .help = "Which unit of the scenario. Default 0, the trajectory's own point."},
+    {.name = "instantaneous",
+     .kind = ORR_OPT_FLAG,
+     .help = "Rate and specific force at each sample edge as well."},
+    {.name = "truth-rate",
+     .kind = ORR_OPT_REAL,
+     .value = "HZ",
+     .min = 0.001,
+     .max = 100000,
+     .help =
+         "Of the truth in a NetCDF file. Default 20 Hz with approach 2, every sample with approach 1; CSV "
+         "has every sample."},
+};
+
+const orr_command orr_cmd_imu = {
+    .name = "imu",
+    .group = "Inertial",
+    .summary = "make ideal inertial readings of a flight",
+    .operands = "[SCENARIO]",
+    .min_operands = 0,
+    .max_operands = 1,
+    .about = "Gyro and newtonometer increments with the true motion beside them, from the trajectory of a "
+             "scenario or from "
+             "recorded telemetry. Axes are right, forward, up; a unit at rest reads +g upward.\n\n"
+             "The file says how its readings were made: those of approach 1 suit one navigator and are no "
+             "physical readings.",
+    .example = "orrery imu samples/survey.yaml -o imu.nc\n"
+               "orrery imu --telemetry flight.csv --rate 200 -o imu.nc\n"
+               "orrery imu --telemetry GPS.txt --columns "
+               "\"-,fix[>=3],tow[ms],week,-,-,lat,lon,-,alt,-,-,-,t[ms]\" \\\n"
+               "           --telemetry ATT.txt --columns \"-,t[ms],roll,pitch,heading,-,-\" -o imu.nc",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};

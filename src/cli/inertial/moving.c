@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/cli/inertial/moving.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/outfile.h"
+
+static int read_logs(orr_cli *c, orr_scenario_motion *m, orr_diag *diag)
+{
+    size_t n = orr_cli_count(c, "telemetry"), columns = orr_cli_count(c, "columns");
+    if (columns > n) return orr_cli_usage(c, "%zu lists of columns for %zu logs", columns, n);
+    m->logs.item = calloc(n, sizeof *m->logs.item);
+    if (m->logs.item == NULL) {
+        (void)orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+        return orr_cli_fail(c, diag);
+    }
+    m->logs.n = n;
+    for (size_t k = 0; k < n; k++) {
+        m->logs.item[k].file = strdup(orr_cli_text_at(c, "telemetry", k));
+        m->logs.item[k].columns = k < columns ? strdup(orr_cli_text_at(c, "columns", k)) : NULL;
+        if (m->logs.item[k].file == NULL || (k < columns && m->logs.item[k].columns == NULL)) {
+            (void)orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+            return orr_cli_fail(c, diag);
+        }
+    }
+    return ORR_EXIT_OK;
+}
+
+static int apply_options(orr_cli *c, orr_scenario_motion *m)
+{
+    m->start = orr_cli_time(c, "start", m->start);
+    m->duration_ns = orr_cli_duration_ns(c, "duration", m->duration_ns);
+    if (orr_cli_given(c, "degree")) m->degree = *orr_cli_text(c, "degree", "3") == '5';
+    m->position_per_knot = orr_cli_real(c, "per-knot", m->position_per_knot);
+    m->attitude_per_knot = orr_cli_real(c, "attitude-per-knot", m->attitude_per_knot);
+    const char *to = orr_cli_text(c, "transfer", NULL);
+    if (to == NULL) return ORR_EXIT_OK;
+    double v[3] = {0, 0, 0};
+    char *end = NULL;
+    const char *p = to;
+    int k = 0;
+    for (; k < 3; k++) {
+        v[k] = strtod(p, &end);
+        if (end == p) break;
+        p = end;
+        if (*p != ',') {
+            k++;
+            break;
+        }
+        p++;
+    }
+    if (k < 2 || *p != '\0' || !(v[0] >= -90.0 && v[0] <= 90.0) || !(v[1] >= -360.0 && v[1] <= 360.0) ||
+        !(v[2] >= -360.0 && v[2] <= 360.0))
+        return orr_cli_usage(c, "--transfer '%s' is not LATITUDE,LONGITUDE[,AZIMUTH] in degrees", to);
+    m->transfer = true;
+    m->to_lat_deg = v[0];
+    m->to_lon_deg = v[1];
+    m->to_azimuth_deg = v[2];
+    return ORR_EXIT_OK;
+}
+
+static void say_fit(orr_cli *c, const orr_fit_report *r)
+{
+    orr_cli_say(c,
+                "places: %zu of %zu rows used (every %.3g s, knots every %.3g s), residual %.3f m r.m.s., "
+                "%.3f m at most",
+                r->positions_used, r->positions, r->position_interval_s, r->position_knot_s,
+                r->residuals.position_rms_m, r->residuals.position_max_m);
+    if (r->attitude_from_motion)
+        orr_cli_say(c, "angles: none recorded; heading, pitch and roll follow from the motion");
+    else
+        orr_cli_say(c,
+                    "angles: %zu of %zu rows used (every %.3g s, knots every %.3g s), residual %.3f deg "
+                    "r.m.s., %.3f deg at most; "
+                    "%zu wraps",
+                    r->attitudes_used, r->attitudes, r->attitude_interval_s, r->attitude_knot_s,
+                    r->residuals.attitude_rms_rad * ORR_DEG_PER_RAD,
+                    r->residuals.attitude_max_rad * ORR_DEG_PER_RAD, r->wraps);
+    for (int half = 0; half < 2; half++)
+        for (int f = 0; f < ORR_FAULTS; f++)
+            if (r->count[half][f] > 0)
+                orr_cli_say(c, "left out: %zu rows of %s: %s", r->count[half][f],
+                            half == 0 ? "places" : "angles", orr_fault_name((orr_fault)f));
+    for (size_t k = 0; k < r->n_gaps && k < 10; k++)
+        orr_cli_say(c, "silence of %s from %.3f s to %.3f s", r->gap[k].attitude ? "angles" : "places",
+                    r->gap[k].from_s, r->gap[k].to_s);
+    if (r->n_gaps > 10) orr_cli_say(c, "and %zu more silences", r->n_gaps - 10);
+    orr_cli_say(c, "trajectory: %.3f s to %.3f s of the log's clock", r->from_s, r->to_s);
+}
+
+static int write_report(orr_cli *c, const orr_fit_report *r, orr_diag *diag)
+{
+    const char *path = orr_cli_text(c, "report", NULL);
+    if (path == NULL) return ORR_EXIT_OK;
+    orr_outfile f;
+    if (orr_outfile_open(path, &f, diag) != ORR_OK) return orr_cli_fail(c, diag);
+    fprintf(f.stream, "line,t_s,of,fault\n");
+    for (size_t k = 0; k < r->n_excluded; k++)
+        fprintf(f.stream, "%lld,%.6f,%s,%s\n", (long long)r->excluded[k].row, r->excluded[k].t_s,
+                r->excluded[k].attitude ? "angles" : "place", orr_fault_name(r->excluded[k].fault));
+    return orr_outfile_commit(&f, diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, diag);
+}
+
+static orr_time fallback_start(const orr_scenario *s)
+{
+    (void)s;
+    return orr_time_from_week(2300, 0); // 2024-02-04T00:00:00, when nothing says otherwise
+}
+
+int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_moving *moving)
+{
+    orr_diag diag = {0};
+    orr_warnings warnings = {0};
+    bool log = orr_cli_given(c, "telemetry");
+    memset(moving, 0, sizeof *moving);
+    memset(scenario, 0, sizeof *scenario);
+    if (log == (c->n_operands == 1))
+        return orr_cli_usage(c, log ? "a scenario or --telemetry, not both"
+                                    : "name a scenario, or a log with --telemetry");
+    static const char telemetry_defaults[] = "trajectory: {kind: telemetry}\n";
+    orr_status s = log ? orr_scenario_parse("--telemetry", telemetry_defaults, sizeof telemetry_defaults - 1,
+                                            NULL, scenario, &diag)
+                       : orr_scenario_read(c->operand[0], scenario, &diag);
+    if (s != ORR_OK) return orr_cli_fail(c, &diag);
+    int status = log ? read_logs(c, &scenario->motion, &diag) : ORR_EXIT_OK;
+    if (status == ORR_EXIT_OK) status = apply_options(c, &scenario->motion);
+    if (status == ORR_EXIT_OK) {
+        s = orr_moving_open(&scenario->motion, fallback_start(scenario), &warnings, moving, &diag);
+        orr_cli_warnings(c, &warnings);
+        if (s != ORR_OK) status = orr_cli_fail(c, &diag);
+    }
+    if (status == ORR_EXIT_OK && moving->from_telemetry) {
+        say_fit(c, &moving->report);
+        status = write_report(c, &moving->report, &diag);
+        if (status != ORR_EXIT_OK) orr_moving_free(moving);
+    }
+    orr_warnings_free(&warnings);
+    if (status != ORR_EXIT_OK) orr_scenario_free(scenario);
+    return status;
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery navfit: broadcast data that agree with a precise orbit.
+#include <string.h>
+
+#include "core/parallel.h"
+#include "src/cli/frame/cli.h"
+#include "src/cli/orbit/nav_files.h"
+#include "src/cli/orbit/navfit_write.h"
+
+// Everything that a run holds.
+typedef struct work {
+    orr_ephemeris *product;
+    orr_antex antex;
+    orr_bias_set bias;
+    orr_nav nav; // of all files
+    orr_navset *set;
+} work;
+
+static void work_free(work *w)
+{
+    orr_navset_free(w->set);
+    orr_nav_free(&w->nav);
+    orr_bias_free(&w->bias);
+    orr_antex_free(&w->antex);
+    orr_ephemeris_free(w->product);
+}
+
+static orr_status read_inputs(const orr_cli *c, work *w, orr_navset_options *o, orr_warnings *warnings,
+                              orr_diag *diag)
+{
+    const char *antex = orr_cli_text(c, "antex", NULL), *bias = orr_cli_text(c, "bias", NULL);
+    orr_status s = orr_ephemeris_load(c->operand[0], &w->product, diag);
+    if (s == ORR_OK && antex != NULL) {
+        s = orr_antex_read(antex, NULL, &w->antex, warnings, diag);
+        o->antex = &w->antex;
+    }
+    if (s == ORR_OK && bias != NULL) {
+        s = orr_bias_read(bias, NULL, &w->bias, warnings, diag);
+        o->bias = &w->bias;
+    }
+    if (s == ORR_OK && orr_cli_given(c, "nav")) {
+        s = orr_cli_read_navs(c, "nav", &w->nav, warnings, diag);
+        o->nav = &w->nav;
+    }
+    return s;
+}
+
+static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
+{
+    const char *rinex = orr_cli_text(c, "output", NULL), *bits = orr_cli_text(c, "bits", NULL);
+    orr_status s = ORR_OK;
+    if (rinex != NULL) s = navfit_write_rinex(w->set, rinex, diag);
+    if (s != ORR_OK || bits == NULL) return s;
+    orr_time from, to;
+    size_t n = 0;
+    orr_ephemeris_span(w->product, &from, &to);
+    from = orr_cli_time(c, "from", from);
+    to = orr_cli_time(c, "to", to);
+    s = navfit_write_bits(c, w->set, from, to, bits, &n, diag);
+    if (s == ORR_OK) orr_cli_say(c, "%s: %zu subframes and strings", bits, n);
+    return s;
+}
+
+static int run(orr_cli *c)
+{
+    const char *rinex = orr_cli_text(c, "output", ""), *bits = orr_cli_text(c, "bits", "");
+    const bool json = orr_cli_given(c, "json");
+    if ((strcmp(rinex, "-") == 0) + (strcmp(bits, "-") == 0) + json > 1)
+        return orr_cli_usage(c, "only one of --output, --bits and --json can go to standard output");
+    if ((orr_cli_given(c, "from") || orr_cli_given(c, "to")) && !orr_cli_given(c, "bits"))
+        return orr_cli_usage(c, "--from and --to go with --bits");
+    if (orr_cli_given(c, "from") && orr_cli_given(c, "to") &&
+        orr_cli_time(c, "to", 0) <= orr_cli_time(c, "from", 0))
+        return orr_cli_usage(c, "--to is not after --from");
+    work w = {0};
+    orr_diag diag = {0};
+    orr_warnings warnings = {0};
+    orr_navset_options o = orr_navset_defaults();
+    o.jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores());
+    o.sats = orr_cli_sats(c, "sat");
+    o.zero_clocks = orr_cli_given(c, "zero-clocks");
+    o.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;
+    orr_cli_hold(c);
+    orr_status s = read_inputs(c, &w, &o, &warnings, &diag);
+    if (s == ORR_OK) s = orr_navset_build(w.product, &o, &w.set, &warnings, &diag);
+    if (s == ORR_OK) s = write_outputs(c, &w, &diag);
+    orr_cli_release(c);
+    orr_cli_warnings(c, &warnings);
+    int status = ORR_EXIT_OK;
+    if (s != ORR_OK)
+        status = orr_cli_fail(c, &diag);
+    else if (json)
+        status = navfit_print_json(c, w.set);
+    else
+        navfit_say(c, w.set);
+    orr_warnings_free(&warnings);
+    work_free(&w);
+    return status;
+}
+
+static const orr_option options[] = {
+    {.name = "output",
+     .letter = 'o',
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "the sets as RINEX NAV 3.05"},
+    {.name = "bits",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "what the satellites send, bit by bit, as CSV: t_gps (of the first bit), sat, message (LNAV or "
+             "FDMA), number "
+             "(of the subframe or string), page (of subframes 4 and 5; GLONASS: frame of the superframe), "
+             "bits, hex "
+             "(first bit highest)"},
+    {.name = "from",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "of --bits: begin; the product's by default"},
+    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "of --bits: end; the product's by default"},
+    {.name = "window",
+     .kind = ORR_OPT_CHOICE,
+     .value = "2h|4h",
+     .help = "how much of the orbit an LNAV set describes: 2h (default) fits closest, 4h is what a receiver "
+             "may use "
+             "one set for. New sets come every two hours either way"},
+    {.name = "sat",
+     .kind = ORR_OPT_SATS,
+     .value = "LIST",
+     .help = "satellites, e.g. G05,R; all of GPS and GLONASS by default"},
+    {.name = "antex",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "describe the antennas' phase centres (ionosphere-free); without it the centres of mass, as "
+             "'orrery states' "
+             "and the service tell them"},
+    {.name = "bias",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Bias-SINEX or DCB file: TGD and GLONASS' delta tau; without it they are zero"},
+    {.name = "nav",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .repeated = true,
+     .help = "RINEX navigation file to take GLONASS' frequency channels and Klobuchar's coefficients from; "
+             "without it the "
+             "nominal channels, and coefficients of zero"},
+    {.name = "zero-clocks",
+     .kind = ORR_OPT_FLAG,
+     .help = "send a clock of zero for satellites whose clock the product does not know; they are left out "
+             "otherwise"},
+    {.name = "jobs",
+     .letter = 'j',
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 1,
+     .max = 256,
+     .help = "threads; the machine's cores by default. The data do not depend on it"},
+    {.name = "json", .kind = ORR_OPT_FLAG, .help = "the report, with every set, as JSON on standard output"},
+};
+
+const orr_command orr_cmd_navfit = {
+    .name = "navfit",
+    .group = "Orbits",
+    .summary = "make broadcast ephemerides and their bits from an orbit product",
+    .operands = "PRODUCT",
+    .min_operands = 1,
+    .max_operands = 1,
+    .about = "Fits LNAV's Kepler parameters (GPS) and GLONASS' states to the precise orbit, rounds them as "
+             "they are transmitted, and "
+             "tells how far the rounded sets are from the orbit. A generator that modulates these data sends "
+             "what agrees with "
+             "its ranges.\n\n"
+             "LNAV sets have toe at every even hour and are sent for two hours from toe less half a window "
+             "on. GLONASS sets have "
+             "t_b at 15 and 45 minutes of every hour of UTC and are sent for that half hour. Where the orbit "
+             "begins or ends "
+             "within a window the set is fitted to the nearest full one (shifted). Around a manoeuvre sets "
+             "are unhealthy.",
+    .example =
+        "orrery navfit day.nc -o day.rnx\n"
+        "orrery navfit day.nc --bits bits.csv --from 2024-02-04T12:00 --to 2024-02-04T12:12:30 --sat G05,R07",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};

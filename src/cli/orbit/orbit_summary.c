@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/cli/orbit/orbit_summary.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "src/cli/frame/json.h"
+#include "src/cli/orbit/orbit_events.h"
+
+// What happened to one system's satellites.
+typedef struct tally {
+    size_t sats, used, rejected;
+    orbit_event_counts events;
+    double residual2;
+} tally;
+
+static tally tally_system(const orr_orbit_solution *s, char system)
+{
+    tally t = {0};
+    for (size_t i = 0; i < s->n_sats; i++) {
+        const orr_orbit_sat *sat = &s->sat[i];
+        if (orr_sat_system(sat->sat) != system) continue;
+        t.sats++;
+        for (size_t k = 0; k < sat->n_nodes; k++) {
+            t.rejected += sat->node[k].used == 0;
+            if (!sat->node[k].used) continue;
+            t.used++;
+            t.residual2 += orr_vec3_dot(sat->node[k].residual_m, sat->node[k].residual_m);
+        }
+        orbit_events_count(sat->event, sat->n_events, &t.events);
+    }
+    return t;
+}
+
+static double residual_mm(const tally *t)
+{
+    return t->used > 0 ? 1e3 * sqrt(t->residual2 / (double)t->used) : 0.0;
+}
+
+// Where files of consecutive days join, their own values differ; the product goes through between them.
+typedef struct joints {
+    size_t n;
+    double rms_m, max_m;
+    orr_sat worst;
+} joints;
+
+static joints tally_joints(const orr_orbit_solution *s)
+{
+    joints j = {0};
+    double sum = 0;
+    for (size_t i = 0; i < s->n_sats; i++) {
+        for (size_t k = 0; k < s->sat[i].n_events; k++) {
+            const orr_orbit_event *e = &s->sat[i].event[k];
+            if (e->kind != ORR_EVENT_DAY_JUMP) continue;
+            j.n++;
+            sum += e->value * e->value;
+            if (e->value <= j.max_m) continue;
+            j.max_m = e->value;
+            j.worst = s->sat[i].sat;
+        }
+    }
+    if (j.n > 0) j.rms_m = sqrt(sum / (double)j.n);
+    return j;
+}
+
+// Manoeuvres first, then what was left out, then gaps: as many as a reader will read.
+static void say_events(const orr_cli *c, const orr_orbit_solution *s)
+{
+    enum { SHOWN = 12 };
+    static const orr_event_kind order[] = {ORR_EVENT_MANOEUVRE, ORR_EVENT_OUTLIER, ORR_EVENT_GAP};
+    char text[256];
+    size_t told = 0;
+    for (size_t k = 0; k < sizeof order / sizeof order[0]; k++)
+        for (size_t i = 0; i < s->n_sats; i++)
+            for (size_t j = 0; j < s->sat[i].n_events; j++) {
+                const orr_orbit_event *e = &s->sat[i].event[j];
+                if (e->kind != order[k] || !orbit_event_text(s->sat[i].sat, e, text, sizeof text)) continue;
+                if (told++ < SHOWN) orr_cli_say(c, "%s", text);
+            }
+    if (told > SHOWN) orr_cli_say(c, "and %zu more such events; --json tells all", told - SHOWN);
+}
+
+static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
+                      const orr_ephemeris *e, const orbit_seconds *seconds)
+{
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT], name[ORR_SAT_TEXT];
+    double pos, vel;
+    orr_ephemeris_representation(e, &pos, &vel);
+    orr_cli_say(c, "%s: %s to %s (GPS time), nodes every %g s", orr_cli_text(c, "output", ""),
+                orr_time_text(s->from, from), orr_time_text(s->to, to), s->node_step_s);
+    orr_cli_say(c, "%-9s %5s %8s %12s %9s %10s %5s %9s", "system", "sats", "nodes", "residual mm", "left out",
+                "manoeuvres", "gaps", "eclipses");
+    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
+        tally t = tally_system(s, *system);
+        if (t.sats == 0) continue;
+        orr_cli_say(c, "%-9s %5zu %8zu %12.3f %9zu %10zu %5zu %9zu", orr_system_name(*system), t.sats, t.used,
+                    residual_mm(&t), t.rejected, t.events.manoeuvres, t.events.gaps, t.events.eclipses);
+    }
+    say_events(c, s);
+    joints j = tally_joints(s);
+    if (j.n > 0 && j.worst != ORR_SAT_NONE)
+        orr_cli_say(
+            c, "where files join or overlap they differ by %.1f mm RMS, %.1f mm at most (%s; %zu places)",
+            1e3 * j.rms_m, 1e3 * j.max_m, orr_sat_text(j.worst, name), j.n);
+    orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s",
+                report->eop_known        ? "as given"
+                : report->eop_carried_on ? "as given, carried on beyond its ends"
+                                         : "secular pole, UT1 by the leap seconds",
+                1e3 * pos, vel);
+    size_t rough = orr_ephemeris_shortened(e);
+    if (rough > 0)
+        orr_cli_say(
+            c,
+            "%zu arcs are rough: their segments had to be made shorter, and between samples they say little",
+            rough);
+    orr_cli_say(c, "read %.2f s, smoothed %.2f s, fitted %.2f s, written %.2f s", seconds->read,
+                seconds->smooth, seconds->fit, seconds->write);
+}
+
+static json_t *json_systems(const orr_orbit_solution *s)
+{
+    json_t *systems = json_object();
+    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
+        tally t = tally_system(s, *system);
+        if (t.sats == 0) continue;
+        const char key[2] = {*system, '\0'};
+        json_t *o = json_object();
+        json_object_set_new(o, "satellites", orr_json_count(t.sats));
+        json_object_set_new(o, "nodes", orr_json_count(t.used));
+        json_object_set_new(o, "left_out", orr_json_count(t.rejected));
+        json_object_set_new(o, "residual_rms_mm", orr_json_number(residual_mm(&t)));
+        json_object_set_new(o, "manoeuvres", orr_json_count(t.events.manoeuvres));
+        json_object_set_new(o, "gaps", orr_json_count(t.events.gaps));
+        json_object_set_new(o, "eclipses", orr_json_count(t.events.eclipses));
+        json_object_set_new(systems, key, o);
+    }
+    return systems;
+}
+
+// All but eclipses, which are many and follow from the orbit.
+static json_t *json_events(const orr_orbit_solution *s)
+{
+    json_t *all = json_array();
+    for (size_t i = 0; i < s->n_sats; i++)
+        for (size_t k = 0; k < s->sat[i].n_events; k++) {
+            const orr_orbit_event *e = &s->sat[i].event[k];
+            if (e->kind == ORR_EVENT_UMBRA || e->kind == ORR_EVENT_PENUMBRA) continue;
+            json_t *o = json_object();
+            json_object_set_new(o, "sat", orr_json_sat(s->sat[i].sat));
+            json_object_set_new(o, "kind", json_string(orbit_event_name(e->kind)));
+            json_object_set_new(o, "from", orr_json_time(e->t0));
+            json_object_set_new(o, "to", orr_json_time(e->t1));
+            if (e->kind == ORR_EVENT_MANOEUVRE)
+                json_object_set_new(o, "change_mps", orr_json_number(e->value));
+            else if (e->kind != ORR_EVENT_GAP && e->value > 0)
+                json_object_set_new(o, "size_m", orr_json_number(e->value));
+            json_array_append_new(all, o);
+        }
+    return all;
+}
+
+static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
+                      const orr_ephemeris *e, const orbit_seconds *seconds)
+{
+    double pos, vel;
+    joints joint = tally_joints(s);
+    orr_ephemeris_representation(e, &pos, &vel);
+    json_t *j = json_object(), *o = json_object(), *jumps = json_object();
+    json_object_set_new(j, "from", orr_json_time(s->from));
+    json_object_set_new(j, "to", orr_json_time(s->to));
+    json_object_set_new(j, "node_step_s", orr_json_number(s->node_step_s));
+    json_object_set_new(j, "systems", json_systems(s));
+    json_object_set_new(jumps, "n", orr_json_count(joint.n));
+    json_object_set_new(jumps, "rms_mm", orr_json_number(1e3 * joint.rms_m));
+    json_object_set_new(jumps, "max_mm", orr_json_number(1e3 * joint.max_m));
+    json_object_set_new(j, "day_jumps", jumps);
+    json_object_set_new(j, "events", json_events(s));
+    json_object_set_new(j, "earth_rotation_given", json_boolean(report->eop_known));
+    json_object_set_new(j, "segment_error_mm", orr_json_number(1e3 * pos));
+    json_object_set_new(j, "segment_error_mps", orr_json_number(vel));
+    json_object_set_new(j, "rough_arcs", orr_json_count(orr_ephemeris_shortened(e)));
+    json_object_set_new(o, "read", orr_json_number(seconds->read));
+    json_object_set_new(o, "smooth", orr_json_number(seconds->smooth));
+    json_object_set_new(o, "fit", orr_json_number(seconds->fit));
+    json_object_set_new(o, "write", orr_json_number(seconds->write));
+    json_object_set_new(j, "seconds", o);
+    return orr_json_print(c, j, JSON_INDENT(2));
+}
+
+int orbit_summary_print(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
+                        const orr_ephemeris *e, const orbit_seconds *seconds)
+{
+    if (orr_cli_given(c, "json")) return print_json(c, s, report, e, seconds);
+    say_table(c, s, report, e, seconds);
+    return ORR_EXIT_OK;
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `orrery orbit` tells of a run: a table on stderr, or JSON on stdout.
+#ifndef ORR_CLI_ORBIT_ORBIT_SUMMARY_H
+#define ORR_CLI_ORBIT_ORBIT_SUMMARY_H
+
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/smooth/smoother.h"
+#include "src/cli/frame/cli.h"
+
+typedef struct orbit_seconds { // wall clock, by stage
+    double read, smooth, fit, write;
+} orbit_seconds;
+
+// Returns the exit status.
+int orbit_summary_print(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
+                        const orr_ephemeris *e, const orbit_seconds *seconds);
+
+#endif

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery poll: the command-line client of a service.
+#include <stdio.h>
+#include <time.h>
+
+#include "src/cli/frame/cli.h"
+#include "src/cli/service/poll_delays.h"
+#include "src/cli/service/poll_elements.h"
+#include "src/cli/service/poll_motion.h"
+#include "src/cli/service/poll_navdata.h"
+#include "src/cli/service/poll_states.h"
+
+typedef struct poll_job {
+    orr_cli *c;
+    orr_dial *d;
+    orr_time t;
+    int64_t step_ns, count; // count < 0: until interrupted
+    orr_msg_sat_id id[ORR_MSG_MAX_SATELLITES];
+    uint16_t n_ids;   // 0: all
+    uint64_t numbers; // satellites that had what was asked for
+    bool outside;     // an epoch was outside the span
+    const char *what; // is asked for, in the words of a failure
+    orr_state_poll states;
+    orr_delay_poll delays; // instead of states, if asked for; likewise the others
+    orr_element_poll elements;
+    orr_navdata_poll navdata;
+    orr_motion_poll motion; // inertial increments, or the true motion
+} poll_job;
+
+// --- Asking ---
+
+static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
+{
+    const orr_msg_sat_id_list satellites = {.count = p->n_ids, .item = p->id};
+    orr_status s;
+    if (p->motion.imu || p->motion.truth) {
+        s = orr_motion_poll_run(&p->motion, p->d, t, p->step_ns, count, diag);
+        p->numbers = p->motion.numbers;
+        p->outside = p->motion.outside;
+    } else if (p->delays.asked) {
+        p->delays.poll.step = p->step_ns;
+        p->delays.poll.satellites = satellites;
+        s = orr_delay_poll_run(&p->delays, p->d, t, count, diag);
+        p->numbers = p->delays.numbers;
+        p->outside = p->delays.outside;
+    } else if (p->elements.asked) {
+        p->elements.poll.step = p->step_ns;
+        p->elements.poll.satellites = satellites;
+        s = orr_element_poll_run(&p->elements, p->d, t, count, diag);
+        p->numbers = p->elements.numbers;
+        p->outside = p->elements.outside;
+    } else if (p->navdata.asked) {
+        p->navdata.poll.step = p->step_ns;
+        p->navdata.poll.satellites = satellites;
+        s = orr_navdata_poll_run(&p->navdata, p->d, t, count, diag);
+        p->numbers = p->navdata.numbers;
+        p->outside = p->navdata.outside;
+    } else {
+        const orr_msg_poll poll = {.t = t, .step = p->step_ns, .count = count, .satellites = satellites};
+        s = orr_state_poll_run(&p->states, p->d, &poll, diag);
+        p->numbers = p->states.numbers;
+        p->outside = p->states.outside;
+    }
+    return s;
+}
+
+// As many epochs a request as the server allows.
+static orr_status ask_all(poll_job *p, uint32_t most, orr_diag *diag)
+{
+    orr_time t = p->t;
+    for (int64_t left = p->count; left > 0;) {
+        uint32_t n = left > (int64_t)most ? most : (uint32_t)left;
+        orr_status s = ask(p, t, n, diag);
+        if (s != ORR_OK) return s;
+        left -= n;
+        t += p->step_ns * (int64_t)n;
+    }
+    return ORR_OK;
+}
+
+// One epoch a step of the clock on the wall, as a signal generator does. Late polls are not dropped.
+static orr_status ask_in_real_time(poll_job *p, orr_diag *diag)
+{
+    struct timespec next;
+    clock_gettime(CLOCK_MONOTONIC, &next);
+    for (int64_t k = 0; p->count < 0 || k < p->count; k++) {
+        orr_status s = ask(p, p->t + k * p->step_ns, 1, diag);
+        if (s != ORR_OK) return s;
+        if (p->outside && p->count < 0) return ORR_OK;
+        fflush(stdout);
+        int64_t ns = next.tv_nsec + p->step_ns % ORR_NS_PER_S;
+        next.tv_sec += (time_t)(p->step_ns / ORR_NS_PER_S + ns / ORR_NS_PER_S);
+        next.tv_nsec = (long)(ns % ORR_NS_PER_S);
+        if (p->count < 0 || k + 1 < p->count) clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, NULL);
+    }
+    return ORR_OK;
+}
+
+// A user's list as the wire's: of a whole system those served; satellites named one by one as they are, so
+// that the server says of each what it lacks.
+static int choose_sats(poll_job *p, const orr_msg_caps *caps)
+{
+    const orr_sat_set *set = orr_cli_sats(p->c, "sat");
+    if (set == NULL) return ORR_EXIT_OK;
+    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
+        int asked = 0;
+        for (int n = 1; n <= 99; n++) asked += orr_sat_set_has(set, orr_sat_make(*system, n));
+        if (asked == 99) {
+            orr_msg_sat_id id;
+            orr_wire_iter it = {0};
+            while (orr_msg_sat_id_next(&caps->satellites, &it, &id))
+                if (id.system == (uint8_t)*system && p->n_ids < ORR_MSG_MAX_SATELLITES)
+                    p->id[p->n_ids++] = id;
+            continue;
+        }
+        for (int n = 1; n <= 99 && p->n_ids < ORR_MSG_MAX_SATELLITES; n++)
+            if (orr_sat_set_has(set, orr_sat_make(*system, n)))
+                p->id[p->n_ids++] = (orr_msg_sat_id){(uint8_t)*system, (uint8_t)n};
+    }
+    return p->n_ids > 0 ? ORR_EXIT_OK : orr_cli_failf(p->c, "%s serves none of these satellites", p->d->url);
+}
+
+static int poll_service(poll_job *p)
+{
+    orr_cli *c = p->c;
+    orr_diag diag = {0};
+    orr_msg_caps caps;
+    orr_wire_status ws = orr_client_hello(&p->d->client, "orrery poll", ORR_VERSION, &caps);
+    if (ws != ORR_WIRE_OK) {
+        (void)orr_dial_status(p->d, ws, "HELLO", &diag);
+        return orr_cli_fail(c, &diag);
+    }
+    orr_wire_text_copy(caps.frame, p->states.frame, sizeof p->states.frame);
+    p->t = orr_cli_time(c, "at", caps.span_from);
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    orr_time_text(caps.span_from, from);
+    orr_time_text(caps.span_to, to);
+    uint32_t most = caps.max_epochs > 0 ? caps.max_epochs : 1;
+    int status = choose_sats(p, &caps); // the caps are the buffer's until the next request
+    if (status != ORR_EXIT_OK) return status;
+    orr_status s = orr_cli_given(c, "realtime") ? ask_in_real_time(p, &diag) : ask_all(p, most, &diag);
+    if (s != ORR_OK) return orr_cli_fail(c, &diag);
+    if (p->numbers > 0) return ORR_EXIT_OK;
+    if (p->motion.imu || p->motion.truth) return orr_cli_failf(c, "the trajectory does not reach there");
+    if (p->outside && p->delays.asked)
+        return orr_cli_failf(
+            c,
+            "nothing there: %s serves orbits of %s to %s, and delays where its ionosphere and "
+            "the scenario's receiver are there too",
+            p->d->url, from, to);
+    if (p->outside) return orr_cli_failf(c, "nothing there: %s serves %s to %s", p->d->url, from, to);
+    return orr_cli_failf(c, "no satellite has %s there", p->what);
+}
+
+static int run(orr_cli *c)
+{
+    static const char *const kinds[] = {"delays", "elements", "imu", "navdata", "truth"};
+    bool realtime = orr_cli_given(c, "realtime"), json = orr_cli_given(c, "json");
+    poll_job p = {.c = c,
+                  .step_ns = orr_cli_duration_ns(c, "step", ORR_NS_PER_S),
+                  .count = orr_cli_int(c, "count", realtime ? -1 : 1),
+                  .what = "a state",
+                  .states.json = json,
+                  .delays.json = json};
+    if (p.count > 1 && !orr_cli_given(c, "step") && !orr_cli_given(c, "imu"))
+        return orr_cli_usage(c, "--count %lld needs a --step", (long long)p.count);
+    size_t n_kinds = 0;
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) n_kinds += orr_cli_given(c, kinds[i]);
+    if (n_kinds > 1)
+        return orr_cli_usage(c, "--delays, --elements, --navdata, --imu and --truth exclude each other");
+    int asked = orr_delay_poll_ask(c, &p.delays);
+    if (asked == ORR_EXIT_OK) asked = orr_element_poll_ask(c, &p.elements);
+    if (asked == ORR_EXIT_OK) asked = orr_navdata_poll_ask(c, &p.navdata);
+    if (asked == ORR_EXIT_OK) asked = orr_motion_poll_ask(c, &p.motion);
+    if (asked != ORR_EXIT_OK) return asked;
+    if (p.delays.asked) p.what = "a delay";
+    if (p.elements.asked) p.what = "elements";
+    if (p.navdata.asked) p.what = "broadcast data";
+    orr_diag diag = {0};
+    orr_status s = orr_dial_open(
+        c->operand[0], (double)orr_cli_duration_ns(c, "timeout", 10 * ORR_NS_PER_S) * 1e-9, &p.d, &diag);
+    if (s == ORR_E_ARG) return orr_cli_usage(c, "%s", diag.text);
+    if (s != ORR_OK) return orr_cli_fail(c, &diag);
+    int status = poll_service(&p);
+    orr_dial_close(p.d);
+    return status;
+}
+
+static const orr_option options[] = {
+    {.name = "at",
+     .letter = 't',
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "first epoch, GPS time unless marked otherwise. Default: the start of the served span"},
+    {.name = "step",
+     .letter = 's',
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "from one epoch to the next. Default 1 s"},
+    {.name = "count",
+     .letter = 'n',
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 1,
+     .max = 1e9,
+     .help = "epochs. Default 1; with --realtime until interrupted or past the span"},
+    {.name = "sat",
+     .kind = ORR_OPT_SATS,
+     .value = "LIST",
+     .help = "satellites: G05,R,E01-E09. Default: all that are served"},
+    ORR_POLL_DELAY_OPTIONS,
+    ORR_POLL_ELEMENT_OPTIONS,
+    ORR_POLL_NAVDATA_OPTIONS,
+    ORR_POLL_MOTION_OPTIONS,
+    {.name = "realtime",
+     .kind = ORR_OPT_FLAG,
+     .help = "ask for one epoch a step of real time, as a signal generator does"},
+    {.name = "timeout",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "give up when the server is silent for so long. Default 10 s"},
+    {.name = "json",
+     .kind = ORR_OPT_FLAG,
+     .help = "one JSON object an epoch and line (docs/protocol.md lists the keys)"},
+};
+
+const orr_command orr_cmd_poll = {
+    .name = "poll",
+    .group = "Service",
+    .summary = "ask a service for satellite states and more",
+    .operands = "URL",
+    .min_operands = 1,
+    .max_operands = 1,
+    .about =
+        "Prints position and velocity in the terrestrial frame of the orbits, clock offset (periodic "
+        "relativity not "
+        "included) and 1-sigma of the position. Where a satellite has no valid arc, or the time is "
+        "outside the served "
+        "span, it says so instead of a number; exit status 1 if there was no number at all.\n\n"
+        "With --delays: azimuth, elevation, pierce point, slant electron content and the delay of a "
+        "code on each carrier "
+        "(a carrier phase is early by as much), and what it came from. Without --receiver it is the "
+        "scenario's own; of a scenario with a trajectory, where the trajectory is at each epoch, so that "
+        "satellites and inertial readings (--imu) are of one flight.\n\n"
+        "With --elements: Kepler elements as CSV, in the columns of `orrery elements`; cells are blank "
+        "where a satellite has none.\n\n"
+        "With --navdata: what GPS and GLONASS satellites broadcast, fitted to the orbits that are served "
+        "(as `orrery navfit` does): the sets as CSV, or with --pages the bits. Asked every 30 s it is "
+        "all that they send.",
+    .example = "orrery poll tcp://127.0.0.1:15754 --at 2024-02-04T12:00:00 --sat G05,E\n"
+               "orrery poll unix:/tmp/orrery.sock --step 0.1 --count 100 --json\n"
+               "orrery poll tcp://127.0.0.1:15754 --step 0.1 --realtime --sat G\n"
+               "orrery poll tcp://127.0.0.1:15754 --delays --receiver 52.28,17.07,124 --carrier 1575.42 "
+               "--carrier 1176.45\n"
+               "orrery poll tcp://127.0.0.1:15754 --elements --method mean --step 3600 --count 12 --sat G05\n"
+               "orrery poll tcp://127.0.0.1:15754 --navdata --pages --step 30 --count 25 --sat G05,R07",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};
