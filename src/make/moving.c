@@ -272,6 +272,8 @@ static orr_status transfer(const orr_scenario_motion *m, orr_trajectory *tr, orr
     return ORR_OK;
 }
 
+orr_time orr_moving_fallback_start(void) { return orr_time_from_week(2300, 0); }
+
 orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, orr_warnings *warnings,
                            orr_moving *out, orr_diag *diag)
 {

@@ -23,6 +23,9 @@ typedef struct orr_moving {
     orr_fit_report report; // of telemetry
 } orr_moving;
 
+// Begin of a motion that nothing dates (2024-02-04T00:00:00 GPS): readings of a file and of a service agree.
+orr_time orr_moving_fallback_start(void);
+
 // Prepares; fallback_start is the start where the scenario has none. Errors: those of readers and makers,
 // with files and lines. Free with orr_moving_free.
 orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, orr_warnings *warnings,

@@ -102,12 +102,6 @@ static int write_report(orr_cli *c, const orr_fit_report *r, orr_diag *diag)
     return orr_outfile_commit(&f, diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, diag);
 }
 
-static orr_time fallback_start(const orr_scenario *s)
-{
-    (void)s;
-    return orr_time_from_week(2300, 0); // 2024-02-04T00:00:00, when nothing says otherwise
-}
-
 int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_moving *moving)
 {
     orr_diag diag = {0};
@@ -126,7 +120,7 @@ int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_moving *moving)
     int status = log ? read_logs(c, &scenario->motion, &diag) : ORR_EXIT_OK;
     if (status == ORR_EXIT_OK) status = apply_options(c, &scenario->motion);
     if (status == ORR_EXIT_OK) {
-        s = orr_moving_open(&scenario->motion, fallback_start(scenario), &warnings, moving, &diag);
+        s = orr_moving_open(&scenario->motion, orr_moving_fallback_start(), &warnings, moving, &diag);
         orr_cli_warnings(c, &warnings);
         if (s != ORR_OK) status = orr_cli_fail(c, &diag);
     }

@@ -210,6 +210,103 @@ static void the_receiver_is_on_the_trajectory(void **state)
     unlink(PRODUCT);
 }
 
+static bool holds(const orr_engine *e, orr_engine_part part, orr_time from, orr_time to)
+{
+    orr_span span;
+    return orr_engine_part_span(e, part, &span) && span.from == from && span.to == to;
+}
+
+// An IMU alone on the wire: motion is served, and what needs satellites says that there are none.
+static void a_trajectory_without_satellites(void **state)
+{
+    (void)state;
+    orr_engine *e;
+    orr_truth truth;
+    orr_vec3 dtheta, dv, r;
+    const orr_sat *sats;
+    orr_sat_state sat_state;
+    orr_kepler k;
+    orr_answer answer;
+    uint32_t flags;
+    orr_span span;
+    const orr_sat g1 = orr_sat_make('G', 1);
+    const orr_navset_item *item;
+    orr_realisation delay;
+    static orr_navframe frame;
+    open_text("title: alone\n"
+              "trajectory: {kind: analytic, start: 2024-02-04T12:00:00, duration: 60, lat: 50, lon: 20}\n"
+              "units: [{name: tail, forward: -3, heading: 90}]\nimu: {rate: 50}\n",
+              &e);
+    orr_time start = orr_time_from_week(2300, 12 * 3600 * ORR_NS_PER_S), end = orr_time_add_s(start, 60),
+             from, to;
+    assert_string_equal(orr_engine_title(e), "alone");
+    assert_string_equal(orr_engine_frame(e), "WGS84");
+    orr_engine_span(e, &from, &to);
+    assert_true(from == start && to == end && holds(e, ORR_PART_MOTION, start, end));
+    assert_false(orr_engine_part_span(e, ORR_PART_ORBITS, &span) ||
+                 orr_engine_part_span(e, ORR_PART_NAVDATA, &span) ||
+                 orr_engine_part_span(e, ORR_PART_IONOSPHERE, &span));
+    assert_int_equal(orr_engine_satellites(e, &sats), 0);
+    assert_int_equal(orr_engine_states(e, start, &g1, 1, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_states(e, start, NULL, 0, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(
+        orr_engine_elements(e, start, ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, &g1, 1, &k, &flags, &answer),
+        ORR_ANSWER_NOT_SERVED);
+    assert_non_null(strstr(orr_engine_no_navdata(e), "no satellites"));
+    assert_int_equal(orr_engine_navdata(e, start, &g1, 1, &item, &frame, &answer), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_delays(e, start, (orr_vec3){6.4e6, 0, 0}, &g1, 1, &delay, &answer),
+                     ORR_ANSWER_NOT_SERVED);
+
+    orr_unit unit;
+    assert_int_equal(orr_engine_units(e), 2);
+    assert_true(orr_engine_unit(e, 0, &unit) && unit.name[0] == '\0' && orr_vec3_norm(unit.arm_m) == 0);
+    assert_true(orr_engine_unit(e, 1, &unit) && strcmp(unit.name, "tail") == 0 && unit.arm_m.y == -3);
+    ASSERT_NEAR(unit.turn.heading_rad, ORR_PI / 2, 1e-15);
+    assert_false(orr_engine_unit(e, 2, &unit));
+    assert_true(orr_engine_imu_rate(e) == 50 && orr_engine_imu_physical(e));
+    size_t at_unit = 9;
+    assert_int_equal(orr_engine_receiver_kind(e, &at_unit), ORR_RECEIVER_UNIT);
+    assert_int_equal(at_unit, 0);
+    // At rest the readings are the Earth's turn and the pull upward of normal gravity.
+    assert_int_equal(orr_engine_truth(e, 0, start, &truth), ORR_ANSWER_OK);
+    assert_int_equal(orr_engine_imu(e, 0, start, orr_time_add_s(start, 1), &dtheta, &dv), ORR_ANSWER_OK);
+    ASSERT_NEAR(orr_vec3_norm(dtheta), ORR_EARTH_RATE_RADPS, 1e-15);
+    // The force turns with the body: over a second its integral is that of the middle to (w t)^2/24 = 2e-10.
+    ASSERT_NEAR(orr_vec3_norm(dv), orr_vec3_norm(truth.force_mps2), 9.8 * 2.3e-10);
+    assert_int_equal(orr_engine_receiver(e, end, &r), ORR_ANSWER_OK);
+    assert_int_equal(orr_engine_truth(e, 0, orr_time_add_s(end, 1), &truth), ORR_ANSWER_OUTSIDE_SPAN);
+    assert_int_equal(orr_engine_truth(e, 2, start, &truth), ORR_ANSWER_NOT_SERVED);
+    orr_engine_close(e);
+}
+
+// Every part tells the time that it covers, and what is missing is told apart from what does not cover t.
+static void parts_tell_their_spans(void **state)
+{
+    (void)state;
+    write_product(3, 6, 0);
+    orr_engine *e;
+    orr_span span;
+    orr_truth truth;
+    open_text(MADE FLIGHT "receiver: {position: [56, 40, 100]}\nimu: {approach: 1}\n", &e);
+    assert_true(holds(e, ORR_PART_ORBITS, at(0), at(6 * 3600)) && holds(e, ORR_PART_MOTION, at(0), at(600)));
+    assert_false(orr_engine_part_span(e, ORR_PART_NAVDATA, &span)); // window: none
+    assert_false(orr_engine_part_span(e, ORR_PART_IONOSPHERE, &span) || orr_engine_navdata_phase_centres(e));
+    assert_int_equal(orr_engine_receiver_kind(e, NULL), ORR_RECEIVER_PLACE);
+    orr_vec3 v;
+    assert_false(orr_engine_imu_physical(e));
+    assert_int_equal(orr_engine_imu(e, 0, at(1), at(2), &v, &v), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_truth(e, 0, at(1), &truth), ORR_ANSWER_OK);
+    orr_engine_close(e);
+    open_text("orbit: {product: engine.nc}\n", &e);
+    assert_true(holds(e, ORR_PART_NAVDATA, at(0), at(6 * 3600)));
+    assert_false(orr_engine_part_span(e, ORR_PART_MOTION, &span));
+    assert_true(orr_engine_units(e) == 0 && orr_engine_imu_rate(e) == 0);
+    assert_int_equal(orr_engine_receiver_kind(e, NULL), ORR_RECEIVER_NONE);
+    assert_int_equal(orr_engine_truth(e, 0, at(1), &truth), ORR_ANSWER_NOT_SERVED);
+    orr_engine_close(e);
+    unlink(PRODUCT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -217,6 +314,8 @@ int main(void)
         cmocka_unit_test(navdata_are_those_of_the_navset),
         cmocka_unit_test(what_is_not_there_is_told),
         cmocka_unit_test(the_receiver_is_on_the_trajectory),
+        cmocka_unit_test(a_trajectory_without_satellites),
+        cmocka_unit_test(parts_tell_their_spans),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/source_iono.h"
+
+#include <stdlib.h>
+
+#include "core/earth.h"
+#include "iono/field/tec_files.h"
+
+struct orr_source_iono {
+    const orr_source_orbit *orbits;
+    bool has_session;
+    orr_session session;
+    orr_tec_field *field;
+    orr_transfer_options transfer;
+};
+
+orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *orbits, orr_warnings *warnings,
+                                orr_source_iono **out, orr_diag *diag)
+{
+    const orr_scenario_iono *o = &s->iono;
+    *out = NULL;
+    if (o->field == NULL && o->session == NULL) return ORR_OK;
+    orr_source_iono *i = calloc(1, sizeof *i);
+    if (i == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    i->orbits = orbits;
+    i->transfer = (orr_transfer_options){.seed = (uint64_t)o->seed, .noise = o->noise};
+    orr_status status;
+    if (o->session != NULL) {
+        status = orr_session_load(o->session, &i->session, diag);
+        i->has_session = status == ORR_OK;
+    } else
+        status = orr_tec_field_open(o->field, NULL, &i->field, warnings, diag);
+    if (status != ORR_OK) {
+        orr_source_iono_close(i);
+        return status;
+    }
+    *out = i;
+    return ORR_OK;
+}
+
+void orr_source_iono_close(orr_source_iono *i)
+{
+    if (i == NULL) return;
+    orr_session_free(&i->session);
+    orr_tec_field_free(i->field);
+    free(i);
+}
+
+bool orr_source_iono_span(const orr_source_iono *i, orr_span *out)
+{
+    if (i == NULL) return false;
+    orr_tec_field_span(i->has_session ? i->session.field : i->field, &out->from, &out->to);
+    return true;
+}
+
+bool orr_source_iono_station(const orr_source_iono *i, orr_vec3 *out)
+{
+    if (i == NULL) return false;
+    if (i->has_session) *out = i->session.site.pos_m;
+    return i->has_session;
+}
+
+static orr_status realise(const orr_source_iono *i, orr_time t, orr_vec3 site_m, const orr_sat *sat,
+                          const orr_vec3 *sat_m, size_t n, orr_realisation *out, size_t *n_out)
+{
+    return i->has_session
+               ? orr_session_realise(&i->session, t, site_m, sat, sat_m, n, &i->transfer, out, n_out, NULL)
+               : orr_field_realise(i->field, t, site_m, sat, sat_m, n, out, n_out, NULL);
+}
+
+// Where a satellite stands for the receiver; its azimuth and elevation go into *delay.
+static orr_answer look(const orr_source_orbit *orbits, orr_time t, orr_vec3 receiver_m, orr_sat sat,
+                       orr_vec3 *sat_m, orr_realisation *delay)
+{
+    orr_sat_state state;
+    orr_answer answer = ORR_ANSWER_OK;
+    *delay = (orr_realisation){.sat = sat};
+    orr_source_orbit_states(orbits, t, &sat, 1, &state, &answer);
+    if (answer != ORR_ANSWER_OK) return answer;
+    double az, el, range;
+    orr_earth_look(receiver_m, state.pos_m, &az, &el, &range);
+    if (!(el >= 0)) return ORR_ANSWER_BELOW_HORIZON;
+    delay->pierce.az_rad = az;
+    delay->pierce.el_rad = el;
+    *sat_m = state.pos_m;
+    return ORR_ANSWER_OK;
+}
+
+orr_answer orr_source_iono_evaluate(const orr_source_iono *i, orr_time t, orr_vec3 receiver_m,
+                                    const orr_sat *sats, size_t n, orr_realisation *delay, orr_answer *answer)
+{
+    orr_sat sat[ORR_SESSION_MAX_SATS];
+    orr_vec3 pos[ORR_SESSION_MAX_SATS];
+    size_t place[ORR_SESSION_MAX_SATS], known = 0, got = 0;
+    orr_span span;
+    if (i == NULL || !orr_source_orbit_span(i->orbits, &span)) return ORR_ANSWER_NOT_SERVED;
+    if (!orr_span_holds(span, t) || n > ORR_SESSION_MAX_SATS) return ORR_ANSWER_OUTSIDE_SPAN;
+    if (sats == NULL) orr_source_orbit_satellites(i->orbits, &sats);
+    for (size_t k = 0; k < n; k++) {
+        answer[k] = look(i->orbits, t, receiver_m, sats[k], &pos[known], &delay[k]);
+        if (answer[k] != ORR_ANSWER_OK) continue;
+        answer[k] = ORR_ANSWER_NO_VALUE; // until there is one
+        sat[known] = sats[k];
+        place[known++] = k;
+    }
+    // Results come in the order asked, those without a value left out.
+    orr_realisation found[ORR_SESSION_MAX_SATS];
+    if (known > 0 && realise(i, t, receiver_m, sat, pos, known, found, &got) != ORR_OK)
+        return ORR_ANSWER_OUTSIDE_SPAN;
+    for (size_t k = 0, g = 0; k < known && g < got; k++)
+        if (sat[k] == found[g].sat) {
+            delay[place[k]] = found[g++];
+            answer[place[k]] = ORR_ANSWER_OK;
+        }
+    return ORR_ANSWER_OK;
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The moving part of a scenario as true motion and inertial readings at any instant.
+#ifndef ORR_SCENARIO_SOURCE_MOTION_H
+#define ORR_SCENARIO_SOURCE_MOTION_H
+
+#include "src/config/scenario.h"
+#include "src/make/moving.h"
+#include "src/scenario/source.h"
+
+typedef struct orr_source_motion orr_source_motion;
+
+// True motion and gravity terms of a unit.
+typedef struct orr_truth {
+    orr_motion motion;
+    orr_angles angles;
+    orr_vec3 rate_radps, force_mps2; // absolute rate and specific force, body axes
+    double disturbance_mgal, eotvos_mgal, vertical_mps2;
+} orr_truth;
+
+// How a unit is mounted on the body of unit 0.
+typedef struct orr_unit {
+    const char *name; // borrowed; "" where it has none
+    orr_vec3 arm_m;   // from unit 0: right, forward, up
+    orr_angles turn;  // of its axes against unit 0's
+} orr_unit;
+
+// *out NULL where the scenario has no trajectory. It begins at fallback_start where the scenario does not
+// say when. Errors: those of orr_moving_open. Free with orr_source_motion_close.
+orr_status orr_source_motion_open(const orr_scenario *s, orr_time fallback_start, orr_warnings *warnings,
+                                  orr_source_motion **out, orr_diag *diag);
+void orr_source_motion_close(orr_source_motion *m);
+
+bool orr_source_motion_span(const orr_source_motion *m, orr_span *out); // false without a trajectory
+size_t orr_source_motion_units(const orr_source_motion *m);             // 0 without one
+bool orr_source_motion_unit(const orr_source_motion *m, size_t unit, orr_unit *out);
+double orr_source_motion_rate_hz(const orr_source_motion *m);
+bool orr_source_motion_physical(const orr_source_motion *m);
+
+// As orr_engine_imu and orr_engine_truth; the point of a unit (ecef) at t.
+orr_answer orr_source_motion_place(const orr_source_motion *m, size_t unit, orr_time t, orr_vec3 *out);
+orr_answer orr_source_motion_imu(const orr_source_motion *m, size_t unit, orr_time t0, orr_time t1,
+                                 orr_vec3 *dtheta_rad, orr_vec3 *dv_mps);
+orr_answer orr_source_motion_truth(const orr_source_motion *m, size_t unit, orr_time t, orr_truth *out);
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/source_navdata.h"
+
+#include <stdlib.h>
+
+#include "src/make/nav_source.h"
+
+struct orr_source_navdata {
+    const orr_source_orbit *orbits;
+    orr_navset *set; // NULL: none, and why
+    char none[ORR_NAV_SOURCE_WHY];
+    bool phase_centres;
+};
+
+orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits, const orr_log *log,
+                                   const volatile int *cancel, orr_warnings *warnings,
+                                   orr_source_navdata **out, orr_diag *diag)
+{
+    *out = NULL;
+    if (orbits == NULL) return ORR_OK;
+    orr_source_navdata *v = calloc(1, sizeof *v);
+    if (v == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    v->orbits = orbits;
+    v->phase_centres = s->navdata.antex != NULL;
+    orr_status status = orr_nav_source_build(s, orr_source_orbit_ephemeris(orbits), log, cancel, warnings,
+                                             &v->set, v->none, diag);
+    if (status != ORR_OK) {
+        orr_source_navdata_close(v);
+        return status;
+    }
+    *out = v;
+    return ORR_OK;
+}
+
+void orr_source_navdata_close(orr_source_navdata *v)
+{
+    if (v == NULL) return;
+    orr_navset_free(v->set);
+    free(v);
+}
+
+bool orr_source_navdata_span(const orr_source_navdata *v, orr_span *out)
+{
+    return v != NULL && v->set != NULL && orr_source_orbit_span(v->orbits, out);
+}
+
+const char *orr_source_navdata_none(const orr_source_navdata *v)
+{
+    if (v == NULL) return "the scenario has no satellites (orbit.product, orbit.sp3)";
+    return v->set != NULL ? NULL : v->none;
+}
+
+bool orr_source_navdata_phase_centres(const orr_source_navdata *v)
+{
+    return v != NULL && v->set != NULL && v->phase_centres;
+}
+
+orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, const orr_sat *sats, size_t n,
+                                       const orr_navset_item **set, orr_navframe *frame, orr_answer *answer)
+{
+    orr_span span;
+    if (!orr_source_navdata_span(v, &span)) return ORR_ANSWER_NOT_SERVED;
+    if (!orr_span_holds(span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
+    if (sats == NULL) orr_source_orbit_satellites(v->orbits, &sats);
+    for (size_t i = 0; i < n; i++) {
+        const orr_navset_item *list;
+        set[i] = NULL;
+        answer[i] = ORR_ANSWER_NOT_SERVED;
+        if (orr_navset_items(v->set, sats[i], &list) == 0) continue;
+        const orr_navset_item *item = orr_navset_at(v->set, sats[i], t);
+        orr_status s = item == NULL ? ORR_E_NODATA : orr_navframe_at(v->set, sats[i], t, &frame[i], NULL);
+        if (s == ORR_OK) set[i] = item;
+        answer[i] = s == ORR_OK ? ORR_ANSWER_OK : s == ORR_E_NODATA ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NO_VALUE;
+    }
+    return ORR_ANSWER_OK;
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The section `navdata` as what satellites send at any instant.
+#ifndef ORR_SCENARIO_SOURCE_NAVDATA_H
+#define ORR_SCENARIO_SOURCE_NAVDATA_H
+
+#include "orbit/navdata/navframe.h"
+#include "src/scenario/source_orbit.h"
+
+typedef struct orr_source_navdata orr_source_navdata;
+
+// Fits broadcast data to the orbits, which are borrowed and have to outlive it. Where the scenario wants
+// none, or the orbits have nothing to fit, it has no sets but tells why. Errors: those of the readers,
+// ORR_E_INTERRUPTED, ORR_E_MEMORY. Free with orr_source_navdata_close.
+orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits, const orr_log *log,
+                                   const volatile int *cancel, orr_warnings *warnings,
+                                   orr_source_navdata **out, orr_diag *diag);
+void orr_source_navdata_close(orr_source_navdata *v);
+
+bool orr_source_navdata_span(const orr_source_navdata *v, orr_span *out); // false without sets
+// NULL where there are sets, else a sentence that tells why there are none.
+const char *orr_source_navdata_none(const orr_source_navdata *v);
+// Whether the data describe the antennas' phase centres; else the centres of mass.
+bool orr_source_navdata_phase_centres(const orr_source_navdata *v);
+
+// As orr_engine_navdata.
+orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, const orr_sat *sats, size_t n,
+                                       const orr_navset_item **set, orr_navframe *frame, orr_answer *answer);
+
+#endif

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/source_orbit.h"
+
+#include <stdlib.h>
+
+#include "ingest/tables/erp.h"
+#include "src/make/orbit_source.h"
+
+struct orr_source_orbit {
+    orr_ephemeris *eph;
+    orr_eop_series eop; // what the orbits were smoothed with; n 0: IERS' secular pole
+    orr_span span;
+    const orr_sat *sat; // borrowed from eph
+    size_t n_sats;
+};
+
+orr_status orr_source_orbit_of_ephemeris(orr_ephemeris *eph, orr_source_orbit **out, orr_diag *diag)
+{
+    orr_source_orbit *o = calloc(1, sizeof *o);
+    *out = o;
+    if (o == NULL) {
+        orr_ephemeris_free(eph);
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    }
+    o->eph = eph;
+    orr_ephemeris_span(eph, &o->span.from, &o->span.to);
+    o->n_sats = orr_ephemeris_satellites(eph, &o->sat);
+    return ORR_OK;
+}
+
+orr_status orr_source_orbit_open(const orr_scenario *s, const orr_log *log, const volatile int *cancel,
+                                 orr_warnings *warnings, orr_source_orbit **out, orr_diag *diag)
+{
+    *out = NULL;
+    orr_ephemeris *eph;
+    orr_eop_series eop = {0};
+    orr_status status;
+    if (s->orbit.product != NULL)
+        status = orr_ephemeris_load(s->orbit.product, &eph, diag);
+    else if (s->orbit.sp3.n > 0)
+        status = orr_orbit_source_smooth(&s->orbit, log, cancel, warnings, &eph, &eop, diag);
+    else
+        return ORR_OK;
+    if (status == ORR_OK) status = orr_source_orbit_of_ephemeris(eph, out, diag);
+    if (status == ORR_OK)
+        (*out)->eop = eop;
+    else
+        orr_erp_series_free(&eop);
+    return status;
+}
+
+void orr_source_orbit_close(orr_source_orbit *o)
+{
+    if (o == NULL) return;
+    orr_ephemeris_free(o->eph);
+    orr_erp_series_free(&o->eop);
+    free(o);
+}
+
+bool orr_source_orbit_span(const orr_source_orbit *o, orr_span *out)
+{
+    if (o != NULL) *out = o->span;
+    return o != NULL;
+}
+
+const orr_ephemeris *orr_source_orbit_ephemeris(const orr_source_orbit *o)
+{
+    return o != NULL ? o->eph : NULL;
+}
+
+size_t orr_source_orbit_satellites(const orr_source_orbit *o, const orr_sat **list)
+{
+    *list = o != NULL ? o->sat : NULL;
+    return o != NULL ? o->n_sats : 0;
+}
+
+bool orr_source_orbit_has(const orr_source_orbit *o, orr_sat sat)
+{
+    size_t low = 0, high = o != NULL ? o->n_sats : 0, n = high;
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (o->sat[mid] < sat)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low < n && o->sat[low] == sat;
+}
+
+// Why a satellite of whom there is no state has none.
+static orr_answer absent(const orr_source_orbit *o, orr_sat sat)
+{
+    return orr_source_orbit_has(o, sat) ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NOT_SERVED;
+}
+
+// Those that have an arc come without gaps from the front; each moves back to its satellite's place.
+static void spread(const orr_source_orbit *o, size_t found, orr_sat_state *state, orr_answer *answer)
+{
+    for (size_t i = o->n_sats; i-- > 0;) {
+        if (found > 0 && state[found - 1].sat == o->sat[i]) {
+            found--;
+            if (found != i) state[i] = state[found];
+            answer[i] = ORR_ANSWER_OK;
+        } else {
+            state[i].sat = o->sat[i];
+            answer[i] = ORR_ANSWER_NO_ARC;
+        }
+    }
+}
+
+orr_answer orr_source_orbit_states(const orr_source_orbit *o, orr_time t, const orr_sat *sats, size_t n,
+                                   orr_sat_state *state, orr_answer *answer)
+{
+    if (o == NULL) return ORR_ANSWER_NOT_SERVED;
+    if (!orr_span_holds(o->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
+    if (sats == NULL) {
+        spread(o, orr_ephemeris_eval_all(o->eph, t, state, n), state, answer);
+        return ORR_ANSWER_OK;
+    }
+    for (size_t i = 0; i < n; i++) {
+        state[i].sat = sats[i];
+        answer[i] =
+            orr_ephemeris_eval(o->eph, sats[i], t, &state[i]) == ORR_OK ? ORR_ANSWER_OK : absent(o, sats[i]);
+    }
+    return ORR_ANSWER_OK;
+}
+
+orr_answer orr_source_orbit_elements(const orr_source_orbit *o, orr_time t, orr_elements_frame frame,
+                                     orr_elements_method method, const orr_sat *sats, size_t n,
+                                     orr_kepler *out, uint32_t *flags, orr_answer *answer)
+{
+    if (o == NULL) return ORR_ANSWER_NOT_SERVED;
+    if (!orr_span_holds(o->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
+    const orr_elements_options options = {
+        .frame = frame, .method = method, .eop = o->eop.n > 0 ? &o->eop : NULL};
+    orr_elements_axes axes;
+    orr_elements_axes_at(t, &options, &axes);
+    if (sats == NULL) sats = o->sat;
+    for (size_t i = 0; i < n; i++) {
+        orr_sat_state state;
+        if (orr_ephemeris_eval(o->eph, sats[i], t, &state) != ORR_OK)
+            answer[i] = absent(o, sats[i]);
+        else if (orr_elements_of(o->eph, sats[i], &axes, &out[i]) != ORR_OK)
+            answer[i] = ORR_ANSWER_NO_VALUE;
+        else {
+            answer[i] = ORR_ANSWER_OK;
+            flags[i] = state.flags;
+        }
+    }
+    return ORR_ANSWER_OK;
+}
