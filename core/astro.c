@@ -258,6 +258,25 @@ void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table
     *dR = orr_mat3_add(&of_spin, &of_pole);
 }
 
+orr_mat3 orr_astro_gcrs_to_cirs(orr_time t)
+{
+    const days tt = in_scale(t, ORR_SCALE_TT);
+    double x, y, s, rc2i[3][3];
+    eraXys06a(MJD_ZERO + tt.whole, tt.fraction, &x, &y, &s);
+    eraC2ixys(x, y, s, rc2i);
+    return from_erfa(rc2i);
+}
+
+orr_mat3 orr_astro_cirs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap)
+{
+    const days tt = in_scale(t, ORR_SCALE_TT), tai = in_scale(t, ORR_SCALE_TAI);
+    const double ut1_minus_tai_s = eop->ut1_utc_s - orr_leap_tai_minus_utc(t, leap);
+    const double era = eraEra00(MJD_ZERO + tai.whole, tai.fraction + ut1_minus_tai_s / ORR_S_PER_DAY);
+    orr_mat3 w, dw, spin = orr_mat3_rot3(era);
+    polar_motion(tt, eop, &w, &dw);
+    return orr_mat3_mul(&w, &spin);
+}
+
 void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R)
 {
     double rbpn[3][3];

@@ -37,6 +37,11 @@ orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *le
 // precession-nutation, Earth rotation and LOD included: v_itrs = R v_gcrs + dR r_gcrs. dR may be NULL.
 void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap, orr_mat3 *R,
                             orr_mat3 *dR);
+// The same rotation in its two parts, the first by IAU 2006/2000A (a microarcsecond; 2000B above errs by up
+// to 1 mas): GCRS to the celestial intermediate frame, which turns slowly, and from there to ITRS by UT1 and
+// pole.
+orr_mat3 orr_astro_gcrs_to_cirs(orr_time t);
+orr_mat3 orr_astro_cirs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap);
 // GCRS to the true equator and equinox of date (frame of osculating elements).
 void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R);
 

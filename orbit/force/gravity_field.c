@@ -127,7 +127,8 @@ orr_status orr_gravity_field_init(orr_gravity_field *f, int degree, bool zonal_o
     return ORR_OK;
 }
 
-orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r)
+// tide: changes of C20, C21, S21, C22, S22, or NULL.
+static orr_vec3 gravitation(const orr_gravity_field *f, const double *tide, orr_vec3 r)
 {
     double r2 = orr_vec3_dot(r, r);
     if (f->degree < 2) return orr_vec3_scale(-ORR_EGM96_GM / (r2 * sqrt(r2)), r);
@@ -160,15 +161,27 @@ orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r)
         if (n == 1) continue;
         for (int m = 1; m <= (n < f->order ? n : f->order); m++) {
             double c = f->c[n][m], s = f->s[n][m], k = (double)((n - m + 1) * (n - m + 2));
+            if (tide != NULL && n == 2) c += tide[2 * m - 1], s += tide[2 * m];
             ax += 0.5 * (-c * v[n + 1][m + 1] - s * w[n + 1][m + 1] +
                          k * (c * v[n + 1][m - 1] + s * w[n + 1][m - 1]));
             ay += 0.5 * (-c * w[n + 1][m + 1] + s * v[n + 1][m + 1] +
                          k * (-c * w[n + 1][m - 1] + s * v[n + 1][m - 1]));
             az += (n - m + 1) * (-c * v[n + 1][m] - s * w[n + 1][m]);
         }
-        ax -= f->c[n][0] * v[n + 1][1];
-        ay -= f->c[n][0] * w[n + 1][1];
-        az -= (n + 1) * f->c[n][0] * v[n + 1][0];
+        const double c = f->c[n][0] + (tide != NULL && n == 2 ? tide[0] : 0.0);
+        ax -= c * v[n + 1][1];
+        ay -= c * w[n + 1][1];
+        az -= (n + 1) * c * v[n + 1][0];
     }
     return orr_vec3_scale(ORR_EGM96_GM / (re * re), orr_vec3_make(ax, ay, az));
+}
+
+orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r)
+{
+    return gravitation(f, NULL, r);
+}
+
+orr_vec3 orr_gravity_field_with_tide(const orr_gravity_field *f, const double tide[5], orr_vec3 r)
+{
+    return gravitation(f, tide, r);
 }

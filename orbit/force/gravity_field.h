@@ -21,5 +21,8 @@ typedef struct orr_gravity_field {
 orr_status orr_gravity_field_init(orr_gravity_field *f, int degree, bool zonal_only, orr_diag *diag);
 // Gravitation (no centrifugal part) at r (ecef, m), m/s^2 in ecef axes.
 orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r_m);
+// The same with changes of the (unnormalised) coefficients of degree 2: C20, C21, S21, C22, S22. The field's
+// degree is 2 at least.
+orr_vec3 orr_gravity_field_with_tide(const orr_gravity_field *f, const double tide[5], orr_vec3 r_m);
 
 #endif

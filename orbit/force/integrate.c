@@ -10,6 +10,7 @@ struct orr_integrator {
     const orr_force *force;
     const orr_sky *sky;
     gsl_odeiv2_step *step;
+    double max_step_s;
 };
 
 orr_status orr_integrator_init(const orr_force *force, const orr_sky *sky, orr_integrator **out,
@@ -20,6 +21,7 @@ orr_status orr_integrator_init(const orr_force *force, const orr_sky *sky, orr_i
     if (it == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     it->force = force;
     it->sky = sky;
+    it->max_step_s = ORR_INTEGRATE_MAX_STEP_S;
     it->step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 6);
     if (it->step == NULL) {
         free(it);
@@ -36,6 +38,12 @@ void orr_integrator_free(orr_integrator *it)
     free(it);
 }
 
+void orr_integrator_set(orr_integrator *it, const orr_force *force, double max_step_s)
+{
+    it->force = force;
+    it->max_step_s = max_step_s;
+}
+
 orr_vec3 orr_integrator_acceleration(const orr_integrator *it, double t_s, orr_vec3 r)
 {
     orr_sky_point p;
@@ -46,7 +54,10 @@ orr_vec3 orr_integrator_acceleration(const orr_integrator *it, double t_s, orr_v
 static int motion(double t, const double y[], double dydt[], void *params)
 {
     const orr_integrator *it = params;
-    orr_vec3 a = orr_integrator_acceleration(it, t, orr_vec3_make(y[0], y[1], y[2]));
+    orr_sky_point p;
+    orr_sky_force_point(it->sky, t, &p);
+    const orr_vec3 a =
+        orr_force_of_state(it->force, &p, orr_vec3_make(y[0], y[1], y[2]), orr_vec3_make(y[3], y[4], y[5]));
     dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
     dydt[3] = a.x, dydt[4] = a.y, dydt[5] = a.z;
     return GSL_SUCCESS;
@@ -56,13 +67,13 @@ static double sunlight_at(const orr_integrator *it, double t_s, orr_vec3 r)
 {
     orr_sky_point p;
     orr_sky_force_point(it->sky, t_s, &p);
-    return orr_force_sunlight(r, p.sun_m);
+    return orr_force_sunlight_fast(r, p.sun_m);
 }
 
 // Whether the sunlight changes within the step: then the force has near-kinks that a long step would smear.
 static bool crosses_penumbra(const orr_integrator *it, double t_s, double h_s, orr_vec3 r, orr_vec3 v)
 {
-    if (!(it->force->srp_mps2 > 0 || it->force->srp_mps2 < 0)) return false;
+    if (!it->force->precise && !(it->force->srp_mps2 > 0 || it->force->srp_mps2 < 0)) return false;
     double first = sunlight_at(it, t_s, r);
     for (int k = 1; k <= 4;
          k++) { // a parabola follows the orbit to some km over a step, a hundredth of the shadow
@@ -78,7 +89,7 @@ static bool crosses_penumbra(const orr_integrator *it, double t_s, double h_s, o
 orr_status orr_integrate(orr_integrator *it, double t_s, double h_s, orr_vec3 *r, orr_vec3 *v)
 {
     gsl_odeiv2_system system = {motion, NULL, 6, it};
-    int coarse = (int)ceil(fabs(h_s) / ORR_INTEGRATE_MAX_STEP_S - 1e-9);
+    int coarse = (int)ceil(fabs(h_s) / it->max_step_s - 1e-9);
     if (coarse < 1) coarse = 1;
     double y[6] = {r->x, r->y, r->z, v->x, v->y, v->z}, error[6];
     for (int i = 0; i < coarse; i++) {

@@ -15,6 +15,8 @@ typedef struct orr_integrator orr_integrator; // one a thread
 orr_status orr_integrator_init(const orr_force *force, const orr_sky *sky, orr_integrator **out,
                                orr_diag *diag);
 void orr_integrator_free(orr_integrator *it);
+// Goes on with another force (which must outlive it) and another longest step.
+void orr_integrator_set(orr_integrator *it, const orr_force *force, double max_step_s);
 
 // Moves (r, v), integration axes, from t_s to t_s + h_s (either sign) in place. ORR_E_NUMERIC if the orbit
 // leaves sense (below 1000 km from the centre, or not finite).

@@ -4,9 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/eop_tides.h"
+#include "orbit/force/tides.h"
+
 #define NODE_S 600.0
 #define MARGIN_NODES 3 // so that the four-point window always has its neighbours
-#define N_SLOW 15      // 9 of the slow matrix, Sun, Moon
+#define N_SLOW 20      // 9 of the slow matrix, Sun, Moon, 5 of the tide
 
 // R(t) = R3(u t) N(t): what is left in N after the uniform turn is precession, nutation, pole and UT1, all
 // small and slow.
@@ -20,6 +23,9 @@ struct orr_sky {
     double first_s; // time of node[0]
     size_t n;
     slow_node *node;
+    // of a precise sky, by node: what does not change with its rotation
+    orr_mat3 *cirs;
+    orr_eop_tides *ocean;
 };
 
 orr_time orr_sky_origin(const orr_sky *sky) { return sky->origin; }
@@ -28,11 +34,12 @@ void orr_sky_free(orr_sky *sky)
 {
     if (sky == NULL) return;
     free(sky->node);
+    free(sky->cirs);
+    free(sky->ocean);
     free(sky);
 }
 
-orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
-                        orr_sky **out, bool *eop_known, orr_diag *diag)
+static orr_status allocate(orr_time from, orr_time to, orr_sky **out, orr_diag *diag)
 {
     *out = NULL;
     if (to < from) return orr_diag_set(diag, ORR_E_ARG, "a span that ends before it begins");
@@ -46,15 +53,34 @@ orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const o
     orr_sky *sky = calloc(1, sizeof *sky);
     if (sky == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     sky->origin = from;
-    sky->frame = frame;
+    sky->frame = ORR_SKY_GCRS;
     sky->first_s = -MARGIN_NODES * NODE_S;
     sky->n = (size_t)(span_s / NODE_S) + 2 + 2 * MARGIN_NODES;
-    sky->node = malloc(sky->n * sizeof *sky->node);
+    sky->node = calloc(sky->n, sizeof *sky->node);
     if (sky->node == NULL) {
         size_t n = sky->n;
         orr_sky_free(sky);
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu nodes of Earth rotation", n);
     }
+    *out = sky;
+    return ORR_OK;
+}
+
+static void set_bodies(double *q, orr_vec3 sun, orr_vec3 moon)
+{
+    q[9] = sun.x, q[10] = sun.y, q[11] = sun.z;
+    q[12] = moon.x, q[13] = moon.y, q[14] = moon.z;
+}
+
+orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
+                        orr_sky **out, bool *eop_known, orr_diag *diag)
+{
+    orr_sky *sky = NULL;
+    *out = NULL;
+    const orr_status status = allocate(from, to, &sky, diag);
+    if (status != ORR_OK) return status;
+    sky->frame = frame;
+    const double span_s = orr_time_diff_s(to, from);
     bool known = true;
     for (size_t i = 0; i < sky->n; i++) {
         double t_s = sky->first_s + NODE_S * (double)i;
@@ -76,12 +102,53 @@ orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const o
         }
         double *q = sky->node[i].q;
         memcpy(q, N.m, sizeof N.m);
-        q[9] = sun.x, q[10] = sun.y, q[11] = sun.z;
-        q[12] = moon.x, q[13] = moon.y, q[14] = moon.z;
+        set_bodies(q, sun, moon);
     }
     if (eop_known != NULL) *eop_known = known;
     *out = sky;
     return ORR_OK;
+}
+
+orr_status orr_sky_init_precise(orr_time from, orr_time to, orr_sky **out, orr_diag *diag)
+{
+    orr_sky *sky = NULL;
+    *out = NULL;
+    const orr_status status = allocate(from, to, &sky, diag);
+    if (status != ORR_OK) return status;
+    sky->cirs = malloc(sky->n * sizeof *sky->cirs);
+    sky->ocean = malloc(sky->n * sizeof *sky->ocean);
+    if (sky->cirs == NULL || sky->ocean == NULL) {
+        orr_sky_free(sky);
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for the Earth's rotation");
+    }
+    for (size_t i = 0; i < sky->n; i++) {
+        const orr_time t = orr_time_add_s(from, sky->first_s + NODE_S * (double)i);
+        sky->cirs[i] = orr_astro_gcrs_to_cirs(t);
+        sky->ocean[i] = orr_eop_tides_subdaily(t);
+        set_bodies(sky->node[i].q, orr_astro_sun(t), orr_astro_moon(t));
+    }
+    *out = sky;
+    return ORR_OK;
+}
+
+void orr_sky_turn(orr_sky *sky, const orr_eop_series *eop)
+{
+    for (size_t i = 0; i < sky->n; i++) {
+        const double t_s = sky->first_s + NODE_S * (double)i;
+        const orr_time t = orr_time_add_s(sky->origin, t_s);
+        orr_eop e = orr_eop_at(eop, t, NULL, NULL);
+        e.xp_rad += sky->ocean[i].xp_rad;
+        e.yp_rad += sky->ocean[i].yp_rad;
+        e.ut1_utc_s += sky->ocean[i].ut1_s;
+        const orr_mat3 spin = orr_astro_cirs_to_itrs(t, &e, NULL), R = orr_mat3_mul(&spin, &sky->cirs[i]);
+        const orr_mat3 turn = orr_mat3_rot3(ORR_EARTH_RATE_RADPS * t_s), back = orr_mat3_transpose(&turn);
+        const orr_mat3 N = orr_mat3_mul(&back, &R);
+        double *q = sky->node[i].q;
+        memcpy(q, N.m, sizeof N.m);
+        const orr_vec3 sun = {q[9], q[10], q[11]}, moon = {q[12], q[13], q[14]};
+        orr_tides_gravitation(t, orr_mat3_apply(&R, sun), orr_mat3_apply(&R, moon), e.xp_rad, e.yp_rad,
+                              q + 15);
+    }
 }
 
 // Four-point Lagrange weights at x in [0, 1] between nodes 1 and 2 of -1, 0, 1, 2, with derivatives by x.
@@ -132,6 +199,7 @@ static void bodies(const double *q, orr_sky_point *out)
 {
     out->sun_m = orr_vec3_make(q[9], q[10], q[11]);
     out->moon_m = orr_vec3_make(q[12], q[13], q[14]);
+    memcpy(out->tide, q + 15, sizeof out->tide);
 }
 
 void orr_sky_force_point(const orr_sky *sky, double t_s, orr_sky_point *out)

@@ -17,6 +17,7 @@ typedef enum orr_sky_frame {
 typedef struct orr_sky_point {
     orr_mat3 R, dR, ddR;
     orr_vec3 sun_m, moon_m; // in integration axes
+    double tide[5]; // changes of C20, C21, S21, C22, S22 (orbit/force/tides.h); zero but in a precise sky
 } orr_sky_point;
 
 typedef struct orr_sky orr_sky;
@@ -25,13 +26,19 @@ typedef struct orr_sky orr_sky;
 // NULL) tells whether the whole span was inside the series (else IERS' secular pole stands in).
 orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
                         orr_sky **out, bool *eop_known, orr_diag *diag);
+// A precise sky in GCRS: IAU 2006/2000A, tides of the solid Earth, and a rotation that can be changed. It has
+// none before orr_sky_turn. Errors as above.
+orr_status orr_sky_init_precise(orr_time from, orr_time to, orr_sky **out, orr_diag *diag);
+// Gives it the rotation of a series, to which the ocean's tides are added (core/eop_tides.h). The series
+// covers the span, or is carried on.
+void orr_sky_turn(orr_sky *sky, const orr_eop_series *eop);
 void orr_sky_free(orr_sky *sky);
 orr_time orr_sky_origin(const orr_sky *sky); // t_s below counts from here
 
 // Everything at t_s. Interpolation (cubic in 10-minute nodes of what is left of the rotation after a uniform
 // one) errs by less than 1e-12 rad in R and 0.1 m in the Moon.
 void orr_sky_at(const orr_sky *sky, double t_s, orr_sky_point *out);
-// Only R, Sun and Moon: what a force needs.
+// Only R, Sun, Moon and tide: what a force needs.
 void orr_sky_force_point(const orr_sky *sky, double t_s, orr_sky_point *out);
 
 // Inertial state <-> ecef state at t_s.

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/dynamics/reference_arc.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/order.h"
+#include "orbit/dynamics/variational.h"
+
+#define STEP_S 450.0 // of a GNSS satellite; shorter the lower the orbit
+#define STEP_ANGLE 0.066
+#define SHOOT_S 3600.0 // between the two nodes of a first state, at least
+#define SHOOT_ROUNDS 15
+#define SHOOT_MAX_MPS 300.0 // change of velocity in one round
+#define START_TRIES 4
+#define START_NEAR_M                                                                                         \
+    2e4 // from the nodes that follow: pole, pressure and bad velocities are hundreds of metres
+#define ROBUST_ROUNDS 8
+#define HUBER 3.0  // times what is usual: from there on residuals count by their size alone
+#define REJECT 8.0 // from there on not at all
+#define REJECT_FLOOR_M 0.05
+#define PRIOR_POLE_MAS 300.0 // while an arc is judged by itself
+#define PRIOR_UT1_MS 2.0
+
+orr_status orr_arc_room_init(const orr_sky *sky, const orr_rotation_knots *knots,
+                             const orr_gravity_field *earth, size_t most_nodes, orr_arc_room *room,
+                             orr_diag *diag)
+{
+    *room = (orr_arc_room){.force = {.earth = *earth, .sun_moon = true, .precise = true},
+                           .sky = sky,
+                           .knots = knots,
+                           .most_nodes = most_nodes};
+    room->row = malloc((most_nodes + 1) * sizeof *room->row);
+    room->length = malloc((most_nodes + 1) * 3 * sizeof *room->length);
+    if (room->row == NULL || room->length == NULL) {
+        orr_arc_room_free(room);
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for an orbit of %zu positions", most_nodes);
+    }
+    room->weight = room->length + most_nodes + 1;
+    room->sort = room->weight + most_nodes + 1;
+    const orr_status s = orr_integrator_init(&room->force, sky, &room->integrator, diag);
+    if (s != ORR_OK) orr_arc_room_free(room);
+    return s;
+}
+
+void orr_arc_room_free(orr_arc_room *room)
+{
+    orr_integrator_free(room->integrator);
+    free(room->row);
+    free(room->length);
+    *room = (orr_arc_room){0};
+}
+
+static orr_vec3 inertial(const orr_arc_room *room, const orr_reference_node *node)
+{
+    orr_sky_point p;
+    orr_sky_force_point(room->sky, node->t_s, &p);
+    return orr_mat3_apply_t(&p.R, node->ecef_m);
+}
+
+static double step_for(orr_vec3 r)
+{
+    const double radius = orr_vec3_norm(r), rate = sqrt(ORR_EGM96_GM / (radius * radius * radius));
+    return fmin(STEP_S, STEP_ANGLE / rate);
+}
+
+typedef double transition[6][ORR_ARC_STATE]; // of the state at some instant by first state and ECOM
+
+static void start_transition(transition z)
+{
+    memset(z, 0, sizeof(transition));
+    for (int i = 0; i < 6; i++) z[i][i] = 1;
+}
+
+// From the state at t_s to t_s + span_s, in steps; z (may be NULL) is carried along.
+static orr_status advance(const orr_arc_room *room, double t_s, double span_s, orr_vec3 *r, orr_vec3 *v,
+                          transition z)
+{
+    const double longest = step_for(*r);
+    int steps = (int)ceil(fabs(span_s) / longest - 1e-9);
+    if (steps < 1) steps = 1;
+    orr_integrator_set(room->integrator, &room->force, longest * (1 + 1e-9));
+    for (int i = 0; i < steps; i++) {
+        orr_trajectory_step step = {
+            .t_s = t_s + span_s * i / steps, .h_s = span_s / steps, .r0_m = *r, .v0_mps = *v};
+        const orr_status s = orr_integrate(room->integrator, step.t_s, step.h_s, r, v);
+        if (s != ORR_OK) return s;
+        if (z == NULL) continue;
+        step.r1_m = *r;
+        step.v1_mps = *v;
+        double f[6][ORR_PARTIALS];
+        transition before;
+        orr_variational_step(&room->force, room->sky, &step, NULL, f);
+        memcpy(before, z, sizeof before);
+        for (int k = 0; k < 6; k++) {
+            for (int c = 0; c < ORR_ARC_STATE; c++) {
+                double sum = c < 6 ? 0 : f[k][ORR_PARTIAL_ECOM + c - 6];
+                for (int j = 0; j < 6; j++) sum += f[k][j] * before[j][c];
+                z[k][c] = sum;
+            }
+        }
+    }
+    return ORR_OK;
+}
+
+// Velocity at node i with which the orbit passes through node j, by Newton's method.
+static bool shoot(const orr_arc_room *room, const orr_reference_arc *arc, size_t i, size_t j, orr_vec3 *r0,
+                  orr_vec3 *v0)
+{
+    const orr_vec3 a = inertial(room, &arc->node[i]), b = inertial(room, &arc->node[j]);
+    const double dt = arc->node[j].t_s - arc->node[i].t_s, ra = orr_vec3_norm(a), rb = orr_vec3_norm(b);
+    const orr_vec3 radial = orr_vec3_unit(a), normal = orr_vec3_unit(orr_vec3_cross(a, b));
+    if (!(dt > 0) || !(ra > 6e6) || !(rb > 6e6)) return false;
+    orr_vec3 v = orr_vec3_scale(sqrt(ORR_EGM96_GM / ra), orr_vec3_cross(normal, radial));
+    v = orr_vec3_axpy((rb - ra) / dt, radial, v);
+    for (int round = 0; round < SHOOT_ROUNDS; round++) {
+        orr_vec3 r1 = a, v1 = v;
+        transition z;
+        start_transition(z);
+        if (advance(room, arc->node[i].t_s, dt, &r1, &v1, z) != ORR_OK) return false;
+        const orr_vec3 miss = orr_vec3_sub(b, r1);
+        const double m[3] = {miss.x, miss.y, miss.z};
+        double A[9], x[3] = {0}; // normal equations of a regular 3x3 system
+        for (int p = 0; p < 3; p++) {
+            for (int q = 0; q < 3; q++) {
+                A[3 * p + q] = 0;
+                for (int k = 0; k < 3; k++) A[3 * p + q] += z[k][3 + p] * z[k][3 + q];
+            }
+            for (int k = 0; k < 3; k++) x[p] += z[k][3 + p] * m[k];
+        }
+        if (!orr_solve_symmetric(A, 3, 3, x, 1)) return false;
+        orr_vec3 dv = {x[0], x[1], x[2]};
+        const double size = orr_vec3_norm(dv);
+        if (size > SHOOT_MAX_MPS) dv = orr_vec3_scale(SHOOT_MAX_MPS / size, dv);
+        v = orr_vec3_add(v, dv);
+        if (size < 1e-6) {
+            *r0 = a;
+            *v0 = v;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool orr_arc_start(orr_arc_room *room, orr_reference_arc *arc)
+{
+    memset(arc->ecom_nmps2, 0, sizeof arc->ecom_nmps2);
+    arc->ecom_nmps2[0] = ORR_ECOM_D0_NMPS2;
+    memcpy(room->force.ecom_nmps2, arc->ecom_nmps2, sizeof arc->ecom_nmps2);
+    for (size_t i = 0; i < START_TRIES && i + 2 < arc->n; i++) {
+        size_t j = i + 1;
+        while (j + 1 < arc->n && arc->node[j].t_s - arc->node[i].t_s < SHOOT_S - 1) j++;
+        orr_vec3 r, v;
+        if (!shoot(room, arc, i, j, &r, &v)) continue;
+        orr_vec3 r0 = r, v0 = v;
+        if (i > 0 &&
+            advance(room, arc->node[i].t_s, arc->node[0].t_s - arc->node[i].t_s, &r0, &v0, NULL) != ORR_OK)
+            continue;
+        // Most of the nodes after it have to be near.
+        size_t near = 0, seen = 0;
+        double t = arc->node[i].t_s;
+        for (size_t k = j; k < arc->n && seen < 6; k += (arc->n - j) / 6 + 1, seen++) {
+            if (advance(room, t, arc->node[k].t_s - t, &r, &v, NULL) != ORR_OK) break;
+            t = arc->node[k].t_s;
+            near += orr_vec3_norm(orr_vec3_sub(inertial(room, &arc->node[k]), r)) < START_NEAR_M;
+        }
+        if (2 * near < seen) continue;
+        arc->t_s = arc->node[0].t_s;
+        arc->r_m = r0;
+        arc->v_mps = v0;
+        return true;
+    }
+    return false;
+}
+
+bool orr_solve_symmetric(double *A, size_t stride, size_t n, double *b, size_t columns)
+{
+    double scale[64];
+    if (n > 64) return false;
+    for (size_t i = 0; i < n; i++) {
+        if (!(A[i * stride + i] > 0)) return false;
+        scale[i] = 1 / sqrt(A[i * stride + i]);
+    }
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j <= i; j++) {
+            double sum = A[i * stride + j] * scale[i] * scale[j];
+            for (size_t k = 0; k < j; k++) sum -= A[i * stride + k] * A[j * stride + k];
+            if (j < i) {
+                A[i * stride + j] = sum / A[j * stride + j];
+            } else {
+                if (!(sum > 1e-14)) return false;
+                A[i * stride + i] = sqrt(sum);
+            }
+        }
+    }
+    for (size_t i = 0; i < n; i++)
+        for (size_t c = 0; c < columns; c++) {
+            double sum = b[i * columns + c] * scale[i];
+            for (size_t k = 0; k < i; k++) sum -= A[i * stride + k] * b[k * columns + c];
+            b[i * columns + c] = sum / A[i * stride + i];
+        }
+    for (size_t i = n; i-- > 0;)
+        for (size_t c = 0; c < columns; c++) {
+            double sum = b[i * columns + c];
+            for (size_t k = i + 1; k < n; k++) sum -= A[k * stride + i] * b[k * columns + c];
+            b[i * columns + c] = sum / A[i * stride + i];
+        }
+    for (size_t i = 0; i < n; i++)
+        for (size_t c = 0; c < columns; c++) b[i * columns + c] *= scale[i];
+    return true;
+}
+
+// Rows of one node: coordinates by state, ECOM and knots; what was measured less what was computed.
+static void make_row(const orr_arc_room *room, const orr_reference_arc *arc, const orr_reference_node *node,
+                     orr_vec3 r, transition z, double row[3][ORR_ARC_UNKNOWNS + 1])
+{
+    orr_sky_point p;
+    orr_vec3 by[ORR_KNOT_VALUES];
+    double weight[ORR_KNOT_REACH];
+    orr_sky_force_point(room->sky, node->t_s, &p);
+    orr_knot_partials(node->ecef_m, by);
+    orr_knot_weights(room->knots, arc->window, node->t_s, weight);
+    for (int i = 0; i < 3; i++) memcpy(row[i], z[i], sizeof z[i]);
+    for (int j = 0; j < ORR_KNOT_VALUES; j++) {
+        const orr_vec3 d = orr_mat3_apply_t(&p.R, by[j]);
+        for (int k = 0; k < ORR_KNOT_REACH; k++) {
+            const int c = ORR_ARC_STATE + ORR_KNOT_VALUES * k + j;
+            row[0][c] = -weight[k] * d.x, row[1][c] = -weight[k] * d.y, row[2][c] = -weight[k] * d.z;
+        }
+    }
+    const orr_vec3 l = orr_vec3_sub(orr_mat3_apply_t(&p.R, node->ecef_m), r);
+    row[0][ORR_ARC_UNKNOWNS] = l.x, row[1][ORR_ARC_UNKNOWNS] = l.y, row[2][ORR_ARC_UNKNOWNS] = l.z;
+}
+
+static void accumulate(const orr_arc_room *room, const orr_reference_arc *arc, orr_arc_equations *e)
+{
+    const double unit = 1 / (ORR_ARC_SIGMA_M * ORR_ARC_SIGMA_M);
+    memset(e, 0, sizeof *e);
+    for (size_t i = 0; i < arc->n; i++) {
+        const double w = unit * room->weight[i];
+        if (!(w > 0)) continue;
+        e->n++;
+        for (int k = 0; k < 3; k++) {
+            const double *row = room->row[i][k];
+            for (int a = 0; a < ORR_ARC_UNKNOWNS; a++) {
+                const double x = w * row[a];
+                for (int b = 0; b <= a; b++) e->N[a][b] += x * row[b];
+                e->r[a] += x * row[ORR_ARC_UNKNOWNS];
+            }
+            e->ll += w * row[ORR_ARC_UNKNOWNS] * row[ORR_ARC_UNKNOWNS];
+        }
+    }
+    for (int j = 0; j < ORR_ECOM_TERMS; j++) {
+        const double s = orr_ecom_sigma_nmps2[j], p = 1 / (s * s),
+                     off = arc->ecom_nmps2[j] - (j == 0 ? ORR_ECOM_D0_NMPS2 : 0);
+        e->N[6 + j][6 + j] += p;
+        e->r[6 + j] -= p * off;
+        e->ll += p * off * off;
+    }
+    for (int a = 0; a < ORR_ARC_UNKNOWNS; a++)
+        for (int b = 0; b < a; b++) e->N[b][a] = e->N[a][b];
+}
+
+// Residuals after the arc's own solution, its share of the rotation free within what is usual.
+static bool residuals(const orr_arc_room *room, const orr_reference_arc *arc, const orr_arc_equations *e)
+{
+    double N[ORR_ARC_UNKNOWNS][ORR_ARC_UNKNOWNS], x[ORR_ARC_UNKNOWNS];
+    memcpy(N, e->N, sizeof N);
+    memcpy(x, e->r, sizeof x);
+    for (int c = 0; c < ORR_KNOT_LOCAL; c++) {
+        const double s = c % ORR_KNOT_VALUES == 2 ? PRIOR_UT1_MS : PRIOR_POLE_MAS;
+        N[ORR_ARC_STATE + c][ORR_ARC_STATE + c] += 1 / (s * s);
+    }
+    if (!orr_solve_symmetric(&N[0][0], ORR_ARC_UNKNOWNS, ORR_ARC_UNKNOWNS, x, 1)) return false;
+    for (size_t i = 0; i < arc->n; i++) {
+        double v2 = 0;
+        for (int k = 0; k < 3; k++) {
+            double v = room->row[i][k][ORR_ARC_UNKNOWNS];
+            for (int c = 0; c < ORR_ARC_UNKNOWNS; c++) v -= room->row[i][k][c] * x[c];
+            v2 += v * v;
+        }
+        room->length[i] = sqrt(v2);
+    }
+    return true;
+}
+
+// Median and largest of the residuals' lengths.
+static double usual(const orr_arc_room *room, size_t n, double *largest)
+{
+    memcpy(room->sort, room->length, n * sizeof *room->sort);
+    qsort(room->sort, n, sizeof *room->sort, orr_by_value);
+    *largest = room->sort[n - 1];
+    return room->sort[n / 2];
+}
+
+// Weights of nodes: first by size alone (Huber), so that no single one leads; then those that are far from
+// the rest have none.
+static void weigh(const orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *e)
+{
+    double largest = 0;
+    for (size_t i = 0; i < arc->n; i++) room->weight[i] = 1;
+    accumulate(room, arc, e);
+    arc->rejected = 0;
+    if (!residuals(room, arc, e)) return;
+    double middle = usual(room, arc->n, &largest);
+    if (largest <= fmax(HUBER * 2 * middle, REJECT_FLOOR_M)) return;
+    for (int round = 0; round < ROBUST_ROUNDS; round++) {
+        const double limit = HUBER * fmax(middle, REJECT_FLOOR_M / REJECT);
+        for (size_t i = 0; i < arc->n; i++) room->weight[i] = fmin(1, limit / fmax(room->length[i], 1e-9));
+        accumulate(room, arc, e);
+        if (!residuals(room, arc, e)) break;
+        middle = usual(room, arc->n, &largest);
+    }
+    for (size_t i = 0; i < arc->n; i++) {
+        const bool far = room->length[i] > fmax(REJECT * middle, REJECT_FLOOR_M);
+        room->weight[i] = far ? 0 : 1;
+        arc->rejected += far;
+    }
+    accumulate(room, arc, e);
+}
+
+orr_status orr_arc_equations_make(orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *out)
+{
+    orr_vec3 r = arc->r_m, v = arc->v_mps;
+    double t = arc->t_s;
+    transition z;
+    start_transition(z);
+    memcpy(room->force.ecom_nmps2, arc->ecom_nmps2, sizeof arc->ecom_nmps2);
+    for (size_t i = 0; i < arc->n; i++) {
+        const double dt = arc->node[i].t_s - t;
+        if (dt > 0) {
+            const orr_status s = advance(room, t, dt, &r, &v, z);
+            if (s != ORR_OK) return s;
+            t = arc->node[i].t_s;
+        }
+        make_row(room, arc, &arc->node[i], r, z, room->row[i]);
+    }
+    weigh(room, arc, out);
+    return ORR_OK;
+}
