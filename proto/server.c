@@ -58,9 +58,14 @@ static uint16_t begin_hello(orr_server_conn *c, const orr_frame *f, orr_server_r
 
 static uint16_t answer_hello(const orr_server *s, orr_wire_writer *w)
 {
-    orr_msg_message_ref types[64] = {{ORR_MSG_TYPE_HELLO}, {ORR_MSG_TYPE_PING}};
+    const orr_msg_span never = {INT64_MIN, INT64_MIN};
+    orr_msg_served_request requests[64] = {{ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, never},
+                                           {ORR_MSG_TYPE_PING, ORR_MSG_TYPE_PONG, never}};
     uint16_t n = 2;
-    for (size_t i = 0; i < s->n_routes && n < 64; i++) types[n++].type = s->route[i].request;
+    for (size_t i = 0; i < s->n_routes && n < 64; i++) {
+        requests[n] = (orr_msg_served_request){s->route[i].request, s->route[i].reply, never};
+        if (s->served == NULL || s->served(s->user, s->route[i].request, &requests[n].span)) n++;
+    }
     orr_msg_caps caps;
     memset(&caps, 0, sizeof caps);
     if (s->caps != NULL) s->caps(s->user, &caps);
@@ -69,7 +74,7 @@ static uint16_t answer_hello(const orr_server *s, orr_wire_writer *w)
     caps.max_request = ORR_MSG_MAX_REQUEST;
     caps.max_epochs = ORR_MSG_MAX_EPOCHS;
     caps.requests.count = n;
-    caps.requests.item = types;
+    caps.requests.item = requests;
     orr_msg_caps_encode(&caps, w);
     return 0;
 }

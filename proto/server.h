@@ -27,12 +27,14 @@ typedef struct orr_server_route {
     bool slow; // a frame may take milliseconds: only one is made at a time, so that others have their turn
 } orr_server_route;
 
-// Shared by all connections, read only. HELLO and PING are answered here; caps fills the span, names, title,
-// frame and satellites (versions, limits and requests are filled by the server).
+// Shared by all connections, read only. HELLO and PING are answered here. caps fills all but versions, limits
+// and requests. `served`, which may be NULL, says of a route whether it has anything to answer with, and over
+// which span (*span comes as "no instant"); the others are not among the requests of CAPS.
 typedef struct orr_server {
     const orr_server_route *route;
     size_t n_routes;
     void (*caps)(void *user, orr_msg_caps *caps);
+    bool (*served)(void *user, uint16_t request, orr_msg_span *span);
     void *user;
 } orr_server;
 

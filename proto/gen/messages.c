@@ -90,6 +90,27 @@ const char *orr_msg_elements_method_name(uint8_t value)
     }
 }
 
+const char *orr_msg_orbit_point_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "NONE";
+    case 1: return "CENTRE_OF_MASS";
+    case 2: return "PHASE_CENTRE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_receiver_source_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "NONE";
+    case 1: return "POSITION";
+    case 2: return "TRAJECTORY";
+    case 3: return "STATION";
+    default: return NULL;
+    }
+}
+
 const char *orr_msg_tec_origin_name(uint8_t value)
 {
     switch (value) {
@@ -153,14 +174,108 @@ static inline void load_sat_id(const uint8_t *p, orr_msg_sat_id *m)
     m->number = orr_wire_load_u8(p + 1);
 }
 
-static inline void store_message_ref(uint8_t *p, const orr_msg_message_ref *m)
+static inline void store_epochs(uint8_t *p, const orr_msg_epochs *m)
 {
-    orr_wire_store_u16(p + 0, m->type);
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->count);
 }
 
-static inline void load_message_ref(const uint8_t *p, orr_msg_message_ref *m)
+static inline void load_epochs(const uint8_t *p, orr_msg_epochs *m)
 {
-    m->type = orr_wire_load_u16(p + 0);
+    m->t = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+    m->count = orr_wire_load_u32(p + 16);
+}
+
+static inline void store_epoch(uint8_t *p, const orr_msg_epoch *m)
+{
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u32(p + 8, m->index);
+    orr_wire_store_u32(p + 12, m->count);
+    orr_wire_store_u8(p + 16, m->answer);
+}
+
+static inline void load_epoch(const uint8_t *p, orr_msg_epoch *m)
+{
+    m->t = orr_wire_load_i64(p + 0);
+    m->index = orr_wire_load_u32(p + 8);
+    m->count = orr_wire_load_u32(p + 12);
+    m->answer = orr_wire_load_u8(p + 16);
+}
+
+static inline void store_span(uint8_t *p, const orr_msg_span *m)
+{
+    orr_wire_store_i64(p + 0, m->first);
+    orr_wire_store_i64(p + 8, m->last);
+}
+
+static inline void load_span(const uint8_t *p, orr_msg_span *m)
+{
+    m->first = orr_wire_load_i64(p + 0);
+    m->last = orr_wire_load_i64(p + 8);
+}
+
+static inline void store_served_request(uint8_t *p, const orr_msg_served_request *m)
+{
+    orr_wire_store_u16(p + 0, m->request);
+    orr_wire_store_u16(p + 2, m->answer);
+    store_span(p + 4, &m->span);
+}
+
+static inline void load_served_request(const uint8_t *p, orr_msg_served_request *m)
+{
+    m->request = orr_wire_load_u16(p + 0);
+    m->answer = orr_wire_load_u16(p + 2);
+    load_span(p + 4, &m->span);
+}
+
+static void put_inertial_unit(orr_wire_writer *w, const orr_msg_inertial_unit *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->unit);
+    orr_wire_put_bytes(w, m->name, 64);
+    p = orr_wire_room(w, 48);
+    if (p == NULL) return;
+    orr_wire_store_f64(p + 0, m->lever_m[0]);
+    orr_wire_store_f64(p + 8, m->lever_m[1]);
+    orr_wire_store_f64(p + 16, m->lever_m[2]);
+    orr_wire_store_f64(p + 24, m->heading_rad);
+    orr_wire_store_f64(p + 32, m->pitch_rad);
+    orr_wire_store_f64(p + 40, m->roll_rad);
+}
+
+static void get_inertial_unit(orr_wire_reader *r, orr_msg_inertial_unit *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    m->unit = orr_wire_load_u16(p + 0);
+    m->name = orr_wire_get_bytes(r, 64);
+    p = orr_wire_take(r, 48);
+    if (p == NULL) return;
+    m->lever_m[0] = orr_wire_load_f64(p + 0);
+    m->lever_m[1] = orr_wire_load_f64(p + 8);
+    m->lever_m[2] = orr_wire_load_f64(p + 16);
+    m->heading_rad = orr_wire_load_f64(p + 24);
+    m->pitch_rad = orr_wire_load_f64(p + 32);
+    m->roll_rad = orr_wire_load_f64(p + 40);
+}
+
+static inline void store_leap_seconds(uint8_t *p, const orr_msg_leap_seconds *m)
+{
+    orr_wire_store_i16(p + 0, m->gps_utc_s);
+    orr_wire_store_i16(p + 2, m->next_gps_utc_s);
+    orr_wire_store_i64(p + 4, m->next);
+}
+
+static inline void load_leap_seconds(const uint8_t *p, orr_msg_leap_seconds *m)
+{
+    m->gps_utc_s = orr_wire_load_i16(p + 0);
+    m->next_gps_utc_s = orr_wire_load_i16(p + 2);
+    m->next = orr_wire_load_i64(p + 4);
 }
 
 static inline void store_sat_state(uint8_t *p, const orr_msg_sat_state *m)
@@ -656,24 +771,93 @@ orr_wire_status orr_msg_hello_decode(const uint8_t *payload, size_t size, orr_ms
     return r.status;
 }
 
-static void put_message_ref_list(orr_wire_writer *w, const orr_msg_message_ref_list *list, uint16_t max)
+static void put_inertial_unit_list(orr_wire_writer *w, const orr_msg_inertial_unit_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    for (uint16_t i = 0; i < list->count; i++) {
+        size_t start = w->size;
+        if (orr_wire_room(w, 2) == NULL) return;
+        put_inertial_unit(w, &list->item[i]);
+        if (w->status != ORR_WIRE_OK) return;
+        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
+    }
+}
+
+static void get_inertial_unit_list(orr_wire_reader *r, orr_msg_inertial_unit_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    size_t start = r->at;
+    p = r->data + r->at;
+    for (uint16_t i = 0; i < count; i++) { // every record is read once, so that reading it later cannot fail
+        const uint8_t *q = orr_wire_take(r, 2);
+        if (q == NULL) return;
+        uint16_t size = orr_wire_load_u16(q);
+        q = orr_wire_take(r, size);
+        if (q == NULL) return;
+        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};
+        orr_msg_inertial_unit record;
+        memset(&record, 0, sizeof record);
+        get_inertial_unit(&one, &record);
+        if (one.status != ORR_WIRE_OK) {
+            r->status = one.status;
+            return;
+        }
+    }
+    list->wire.size = r->at - start;
+    list->wire.stride = 0;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_inertial_unit_next(const orr_msg_inertial_unit_list *list, orr_wire_iter *it, orr_msg_inertial_unit *out)
+{
+    if (it->index >= list->count) return false;
+    memset(out, 0, sizeof *out);
+    if (list->item != NULL) {
+        *out = list->item[it->index++];
+        return true;
+    }
+    const uint8_t *p = list->wire.data + it->at;
+    uint16_t size = orr_wire_load_u16(p);
+    orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
+    get_inertial_unit(&one, out);
+    it->at += (size_t)2 + size;
+    it->index++;
+    return one.status == ORR_WIRE_OK;
+}
+
+static void put_served_request_list(orr_wire_writer *w, const orr_msg_served_request_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
     if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
-    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 2 : list->wire.stride);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 20 : list->wire.stride);
     if (list->item == NULL) {
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
     }
-    p = orr_wire_room(w, 2 * (size_t)list->count);
+    p = orr_wire_room(w, 20 * (size_t)list->count);
     if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_message_ref(p + 2 * (size_t)i, &list->item[i]);
+    for (uint16_t i = 0; i < list->count; i++) store_served_request(p + 20 * (size_t)i, &list->item[i]);
 }
 
-static void get_message_ref_list(orr_wire_reader *r, orr_msg_message_ref_list *list, uint16_t max)
+static void get_served_request_list(orr_wire_reader *r, orr_msg_served_request_list *list, uint16_t max)
 {
     const uint8_t *p = orr_wire_take(r, 4);
     if (p == NULL) return;
@@ -683,7 +867,7 @@ static void get_message_ref_list(orr_wire_reader *r, orr_msg_message_ref_list *l
         return;
     }
     uint16_t stride = orr_wire_load_u16(p + 2);
-    if (count > 0 && stride < 2) {
+    if (count > 0 && stride < 20) {
         r->status = ORR_WIRE_SHORT;
         return;
     }
@@ -695,12 +879,12 @@ static void get_message_ref_list(orr_wire_reader *r, orr_msg_message_ref_list *l
     list->count = count;
 }
 
-bool orr_msg_message_ref_next(const orr_msg_message_ref_list *list, orr_wire_iter *it, orr_msg_message_ref *out)
+bool orr_msg_served_request_next(const orr_msg_served_request_list *list, orr_wire_iter *it, orr_msg_served_request *out)
 {
-    return orr_msg_message_ref_at(list, it->index, out) ? (it->index++, true) : false;
+    return orr_msg_served_request_at(list, it->index, out) ? (it->index++, true) : false;
 }
 
-bool orr_msg_message_ref_at(const orr_msg_message_ref_list *list, uint16_t index, orr_msg_message_ref *out)
+bool orr_msg_served_request_at(const orr_msg_served_request_list *list, uint16_t index, orr_msg_served_request *out)
 {
     if (index >= list->count) return false;
     if (list->item != NULL) {
@@ -709,7 +893,7 @@ bool orr_msg_message_ref_at(const orr_msg_message_ref_list *list, uint16_t index
     }
     size_t stride = list->wire.stride;
     const uint8_t *p = list->wire.data + index * stride;
-    load_message_ref(p, out);
+    load_served_request(p, out);
     return true;
 }
 
@@ -779,13 +963,23 @@ static void put_caps(orr_wire_writer *w, const orr_msg_caps *m)
     orr_wire_store_u8(p + 1, m->minor);
     orr_wire_store_u32(p + 2, m->max_request);
     orr_wire_store_u32(p + 6, m->max_epochs);
-    orr_wire_store_i64(p + 10, m->span_from);
-    orr_wire_store_i64(p + 18, m->span_to);
+    store_span(p + 10, &m->span);
     orr_wire_put_bytes(w, m->name, 64);
     orr_wire_put_bytes(w, m->version, 32);
     orr_wire_put_bytes(w, m->title, 128);
     orr_wire_put_bytes(w, m->frame, 64);
-    put_message_ref_list(w, &m->requests, 64);
+    p = orr_wire_room(w, 48);
+    if (p == NULL) return;
+    store_leap_seconds(p + 0, &m->leap);
+    orr_wire_store_u8(p + 12, m->navdata_point);
+    orr_wire_store_u8(p + 13, m->receiver_source);
+    orr_wire_store_u16(p + 14, m->receiver_unit);
+    orr_wire_store_f64(p + 16, m->receiver_m[0]);
+    orr_wire_store_f64(p + 24, m->receiver_m[1]);
+    orr_wire_store_f64(p + 32, m->receiver_m[2]);
+    orr_wire_store_f64(p + 40, m->imu_rate_hz);
+    put_inertial_unit_list(w, &m->units, 64);
+    put_served_request_list(w, &m->requests, 64);
     put_sat_id_list(w, &m->satellites, 800);
 }
 
@@ -798,13 +992,23 @@ static void get_caps(orr_wire_reader *r, orr_msg_caps *m)
     m->minor = orr_wire_load_u8(p + 1);
     m->max_request = orr_wire_load_u32(p + 2);
     m->max_epochs = orr_wire_load_u32(p + 6);
-    m->span_from = orr_wire_load_i64(p + 10);
-    m->span_to = orr_wire_load_i64(p + 18);
+    load_span(p + 10, &m->span);
     m->name = orr_wire_get_bytes(r, 64);
     m->version = orr_wire_get_bytes(r, 32);
     m->title = orr_wire_get_bytes(r, 128);
     m->frame = orr_wire_get_bytes(r, 64);
-    get_message_ref_list(r, &m->requests, 64);
+    p = orr_wire_take(r, 48);
+    if (p == NULL) return;
+    load_leap_seconds(p + 0, &m->leap);
+    m->navdata_point = orr_wire_load_u8(p + 12);
+    m->receiver_source = orr_wire_load_u8(p + 13);
+    m->receiver_unit = orr_wire_load_u16(p + 14);
+    m->receiver_m[0] = orr_wire_load_f64(p + 16);
+    m->receiver_m[1] = orr_wire_load_f64(p + 24);
+    m->receiver_m[2] = orr_wire_load_f64(p + 32);
+    m->imu_rate_hz = orr_wire_load_f64(p + 40);
+    get_inertial_unit_list(r, &m->units, 64);
+    get_served_request_list(r, &m->requests, 64);
     get_sat_id_list(r, &m->satellites, 800);
 }
 
@@ -921,9 +1125,7 @@ static void put_poll(orr_wire_writer *w, const orr_msg_poll *m)
     uint8_t *p;
     p = orr_wire_room(w, 20);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_i64(p + 8, m->step);
-    orr_wire_store_u32(p + 16, m->count);
+    store_epochs(p + 0, &m->epochs);
     put_sat_id_list(w, &m->satellites, 800);
 }
 
@@ -932,9 +1134,7 @@ static void get_poll(orr_wire_reader *r, orr_msg_poll *m)
     const uint8_t *p;
     p = orr_wire_take(r, 20);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->step = orr_wire_load_i64(p + 8);
-    m->count = orr_wire_load_u32(p + 16);
+    load_epochs(p + 0, &m->epochs);
     get_sat_id_list(r, &m->satellites, 800);
 }
 
@@ -1014,10 +1214,7 @@ static void put_states(orr_wire_writer *w, const orr_msg_states *m)
     uint8_t *p;
     p = orr_wire_room(w, 17);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_u32(p + 8, m->index);
-    orr_wire_store_u32(p + 12, m->count);
-    orr_wire_store_u8(p + 16, m->answer);
+    store_epoch(p + 0, &m->epoch);
     put_sat_state_list(w, &m->satellites, 800);
 }
 
@@ -1026,10 +1223,7 @@ static void get_states(orr_wire_reader *r, orr_msg_states *m)
     const uint8_t *p;
     p = orr_wire_take(r, 17);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->index = orr_wire_load_u32(p + 8);
-    m->count = orr_wire_load_u32(p + 12);
-    m->answer = orr_wire_load_u8(p + 16);
+    load_epoch(p + 0, &m->epoch);
     get_sat_state_list(r, &m->satellites, 800);
 }
 
@@ -1052,9 +1246,7 @@ static void put_poll_elements(orr_wire_writer *w, const orr_msg_poll_elements *m
     uint8_t *p;
     p = orr_wire_room(w, 22);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_i64(p + 8, m->step);
-    orr_wire_store_u32(p + 16, m->count);
+    store_epochs(p + 0, &m->epochs);
     orr_wire_store_u8(p + 20, m->frame);
     orr_wire_store_u8(p + 21, m->method);
     put_sat_id_list(w, &m->satellites, 800);
@@ -1065,9 +1257,7 @@ static void get_poll_elements(orr_wire_reader *r, orr_msg_poll_elements *m)
     const uint8_t *p;
     p = orr_wire_take(r, 22);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->step = orr_wire_load_i64(p + 8);
-    m->count = orr_wire_load_u32(p + 16);
+    load_epochs(p + 0, &m->epochs);
     m->frame = orr_wire_load_u8(p + 20);
     m->method = orr_wire_load_u8(p + 21);
     get_sat_id_list(r, &m->satellites, 800);
@@ -1149,10 +1339,7 @@ static void put_elements(orr_wire_writer *w, const orr_msg_elements *m)
     uint8_t *p;
     p = orr_wire_room(w, 19);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_u32(p + 8, m->index);
-    orr_wire_store_u32(p + 12, m->count);
-    orr_wire_store_u8(p + 16, m->answer);
+    store_epoch(p + 0, &m->epoch);
     orr_wire_store_u8(p + 17, m->frame);
     orr_wire_store_u8(p + 18, m->method);
     put_sat_elements_list(w, &m->satellites, 800);
@@ -1163,10 +1350,7 @@ static void get_elements(orr_wire_reader *r, orr_msg_elements *m)
     const uint8_t *p;
     p = orr_wire_take(r, 19);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->index = orr_wire_load_u32(p + 8);
-    m->count = orr_wire_load_u32(p + 12);
-    m->answer = orr_wire_load_u8(p + 16);
+    load_epoch(p + 0, &m->epoch);
     m->frame = orr_wire_load_u8(p + 17);
     m->method = orr_wire_load_u8(p + 18);
     get_sat_elements_list(r, &m->satellites, 800);
@@ -1191,9 +1375,7 @@ static void put_poll_navdata(orr_wire_writer *w, const orr_msg_poll_navdata *m)
     uint8_t *p;
     p = orr_wire_room(w, 20);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_i64(p + 8, m->step);
-    orr_wire_store_u32(p + 16, m->count);
+    store_epochs(p + 0, &m->epochs);
     put_sat_id_list(w, &m->satellites, 800);
 }
 
@@ -1202,9 +1384,7 @@ static void get_poll_navdata(orr_wire_reader *r, orr_msg_poll_navdata *m)
     const uint8_t *p;
     p = orr_wire_take(r, 20);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->step = orr_wire_load_i64(p + 8);
-    m->count = orr_wire_load_u32(p + 16);
+    load_epochs(p + 0, &m->epochs);
     get_sat_id_list(r, &m->satellites, 800);
 }
 
@@ -1296,10 +1476,7 @@ static void put_navdata(orr_wire_writer *w, const orr_msg_navdata *m)
     uint8_t *p;
     p = orr_wire_room(w, 17);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_u32(p + 8, m->index);
-    orr_wire_store_u32(p + 12, m->count);
-    orr_wire_store_u8(p + 16, m->answer);
+    store_epoch(p + 0, &m->epoch);
     put_sat_navdata_list(w, &m->satellites, 800);
 }
 
@@ -1308,10 +1485,7 @@ static void get_navdata(orr_wire_reader *r, orr_msg_navdata *m)
     const uint8_t *p;
     p = orr_wire_take(r, 17);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->index = orr_wire_load_u32(p + 8);
-    m->count = orr_wire_load_u32(p + 12);
-    m->answer = orr_wire_load_u8(p + 16);
+    load_epoch(p + 0, &m->epoch);
     get_sat_navdata_list(r, &m->satellites, 800);
 }
 
@@ -1391,9 +1565,7 @@ static void put_poll_delays(orr_wire_writer *w, const orr_msg_poll_delays *m)
     uint8_t *p;
     p = orr_wire_room(w, 44);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_i64(p + 8, m->step);
-    orr_wire_store_u32(p + 16, m->count);
+    store_epochs(p + 0, &m->epochs);
     orr_wire_store_f64(p + 20, m->receiver_m[0]);
     orr_wire_store_f64(p + 28, m->receiver_m[1]);
     orr_wire_store_f64(p + 36, m->receiver_m[2]);
@@ -1406,9 +1578,7 @@ static void get_poll_delays(orr_wire_reader *r, orr_msg_poll_delays *m)
     const uint8_t *p;
     p = orr_wire_take(r, 44);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->step = orr_wire_load_i64(p + 8);
-    m->count = orr_wire_load_u32(p + 16);
+    load_epochs(p + 0, &m->epochs);
     m->receiver_m[0] = orr_wire_load_f64(p + 20);
     m->receiver_m[1] = orr_wire_load_f64(p + 28);
     m->receiver_m[2] = orr_wire_load_f64(p + 36);
@@ -1492,10 +1662,7 @@ static void put_delays(orr_wire_writer *w, const orr_msg_delays *m)
     uint8_t *p;
     p = orr_wire_room(w, 41);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_u32(p + 8, m->index);
-    orr_wire_store_u32(p + 12, m->count);
-    orr_wire_store_u8(p + 16, m->answer);
+    store_epoch(p + 0, &m->epoch);
     orr_wire_store_f64(p + 17, m->receiver_m[0]);
     orr_wire_store_f64(p + 25, m->receiver_m[1]);
     orr_wire_store_f64(p + 33, m->receiver_m[2]);
@@ -1508,10 +1675,7 @@ static void get_delays(orr_wire_reader *r, orr_msg_delays *m)
     const uint8_t *p;
     p = orr_wire_take(r, 41);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->index = orr_wire_load_u32(p + 8);
-    m->count = orr_wire_load_u32(p + 12);
-    m->answer = orr_wire_load_u8(p + 16);
+    load_epoch(p + 0, &m->epoch);
     m->receiver_m[0] = orr_wire_load_f64(p + 17);
     m->receiver_m[1] = orr_wire_load_f64(p + 25);
     m->receiver_m[2] = orr_wire_load_f64(p + 33);
@@ -1538,9 +1702,7 @@ static void put_poll_imu(orr_wire_writer *w, const orr_msg_poll_imu *m)
     uint8_t *p;
     p = orr_wire_room(w, 22);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_i64(p + 8, m->step);
-    orr_wire_store_u32(p + 16, m->count);
+    store_epochs(p + 0, &m->epochs);
     orr_wire_store_u16(p + 20, m->unit);
 }
 
@@ -1549,9 +1711,7 @@ static void get_poll_imu(orr_wire_reader *r, orr_msg_poll_imu *m)
     const uint8_t *p;
     p = orr_wire_take(r, 22);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->step = orr_wire_load_i64(p + 8);
-    m->count = orr_wire_load_u32(p + 16);
+    load_epochs(p + 0, &m->epochs);
     m->unit = orr_wire_load_u16(p + 20);
 }
 
@@ -1572,41 +1732,33 @@ orr_wire_status orr_msg_poll_imu_decode(const uint8_t *payload, size_t size, orr
 static void put_imu(orr_wire_writer *w, const orr_msg_imu *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 76);
+    p = orr_wire_room(w, 75);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t0);
-    orr_wire_store_i64(p + 8, m->t1);
-    orr_wire_store_u32(p + 16, m->index);
-    orr_wire_store_u32(p + 20, m->count);
-    orr_wire_store_u16(p + 24, m->unit);
-    orr_wire_store_u8(p + 26, m->answer);
-    orr_wire_store_u8(p + 27, m->reserved);
-    orr_wire_store_f64(p + 28, m->dtheta_rad[0]);
-    orr_wire_store_f64(p + 36, m->dtheta_rad[1]);
-    orr_wire_store_f64(p + 44, m->dtheta_rad[2]);
-    orr_wire_store_f64(p + 52, m->dv_mps[0]);
-    orr_wire_store_f64(p + 60, m->dv_mps[1]);
-    orr_wire_store_f64(p + 68, m->dv_mps[2]);
+    store_epoch(p + 0, &m->epoch);
+    orr_wire_store_i64(p + 17, m->t1);
+    orr_wire_store_u16(p + 25, m->unit);
+    orr_wire_store_f64(p + 27, m->dtheta_rad[0]);
+    orr_wire_store_f64(p + 35, m->dtheta_rad[1]);
+    orr_wire_store_f64(p + 43, m->dtheta_rad[2]);
+    orr_wire_store_f64(p + 51, m->dv_mps[0]);
+    orr_wire_store_f64(p + 59, m->dv_mps[1]);
+    orr_wire_store_f64(p + 67, m->dv_mps[2]);
 }
 
 static void get_imu(orr_wire_reader *r, orr_msg_imu *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 76);
+    p = orr_wire_take(r, 75);
     if (p == NULL) return;
-    m->t0 = orr_wire_load_i64(p + 0);
-    m->t1 = orr_wire_load_i64(p + 8);
-    m->index = orr_wire_load_u32(p + 16);
-    m->count = orr_wire_load_u32(p + 20);
-    m->unit = orr_wire_load_u16(p + 24);
-    m->answer = orr_wire_load_u8(p + 26);
-    m->reserved = orr_wire_load_u8(p + 27);
-    m->dtheta_rad[0] = orr_wire_load_f64(p + 28);
-    m->dtheta_rad[1] = orr_wire_load_f64(p + 36);
-    m->dtheta_rad[2] = orr_wire_load_f64(p + 44);
-    m->dv_mps[0] = orr_wire_load_f64(p + 52);
-    m->dv_mps[1] = orr_wire_load_f64(p + 60);
-    m->dv_mps[2] = orr_wire_load_f64(p + 68);
+    load_epoch(p + 0, &m->epoch);
+    m->t1 = orr_wire_load_i64(p + 17);
+    m->unit = orr_wire_load_u16(p + 25);
+    m->dtheta_rad[0] = orr_wire_load_f64(p + 27);
+    m->dtheta_rad[1] = orr_wire_load_f64(p + 35);
+    m->dtheta_rad[2] = orr_wire_load_f64(p + 43);
+    m->dv_mps[0] = orr_wire_load_f64(p + 51);
+    m->dv_mps[1] = orr_wire_load_f64(p + 59);
+    m->dv_mps[2] = orr_wire_load_f64(p + 67);
 }
 
 orr_wire_status orr_msg_imu_encode(const orr_msg_imu *m, orr_wire_writer *w)
@@ -1628,9 +1780,7 @@ static void put_poll_truth(orr_wire_writer *w, const orr_msg_poll_truth *m)
     uint8_t *p;
     p = orr_wire_room(w, 22);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_i64(p + 8, m->step);
-    orr_wire_store_u32(p + 16, m->count);
+    store_epochs(p + 0, &m->epochs);
     orr_wire_store_u16(p + 20, m->unit);
 }
 
@@ -1639,9 +1789,7 @@ static void get_poll_truth(orr_wire_reader *r, orr_msg_poll_truth *m)
     const uint8_t *p;
     p = orr_wire_take(r, 22);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->step = orr_wire_load_i64(p + 8);
-    m->count = orr_wire_load_u32(p + 16);
+    load_epochs(p + 0, &m->epochs);
     m->unit = orr_wire_load_u16(p + 20);
 }
 
@@ -1662,77 +1810,69 @@ orr_wire_status orr_msg_poll_truth_decode(const uint8_t *payload, size_t size, o
 static void put_truth(orr_wire_writer *w, const orr_msg_truth *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 220);
+    p = orr_wire_room(w, 219);
     if (p == NULL) return;
-    orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_u32(p + 8, m->index);
-    orr_wire_store_u32(p + 12, m->count);
-    orr_wire_store_u16(p + 16, m->unit);
-    orr_wire_store_u8(p + 18, m->answer);
-    orr_wire_store_u8(p + 19, m->reserved);
-    orr_wire_store_f64(p + 20, m->pos_m[0]);
-    orr_wire_store_f64(p + 28, m->pos_m[1]);
-    orr_wire_store_f64(p + 36, m->pos_m[2]);
-    orr_wire_store_f64(p + 44, m->vel_mps[0]);
-    orr_wire_store_f64(p + 52, m->vel_mps[1]);
-    orr_wire_store_f64(p + 60, m->vel_mps[2]);
-    orr_wire_store_f64(p + 68, m->acc_mps2[0]);
-    orr_wire_store_f64(p + 76, m->acc_mps2[1]);
-    orr_wire_store_f64(p + 84, m->acc_mps2[2]);
-    orr_wire_store_f64(p + 92, m->attitude[0]);
-    orr_wire_store_f64(p + 100, m->attitude[1]);
-    orr_wire_store_f64(p + 108, m->attitude[2]);
-    orr_wire_store_f64(p + 116, m->attitude[3]);
-    orr_wire_store_f64(p + 124, m->heading_rad);
-    orr_wire_store_f64(p + 132, m->pitch_rad);
-    orr_wire_store_f64(p + 140, m->roll_rad);
-    orr_wire_store_f64(p + 148, m->rate_radps[0]);
-    orr_wire_store_f64(p + 156, m->rate_radps[1]);
-    orr_wire_store_f64(p + 164, m->rate_radps[2]);
-    orr_wire_store_f64(p + 172, m->force_mps2[0]);
-    orr_wire_store_f64(p + 180, m->force_mps2[1]);
-    orr_wire_store_f64(p + 188, m->force_mps2[2]);
-    orr_wire_store_f64(p + 196, m->disturbance_mgal);
-    orr_wire_store_f64(p + 204, m->eotvos_mgal);
-    orr_wire_store_f64(p + 212, m->vertical_mps2);
+    store_epoch(p + 0, &m->epoch);
+    orr_wire_store_u16(p + 17, m->unit);
+    orr_wire_store_f64(p + 19, m->pos_m[0]);
+    orr_wire_store_f64(p + 27, m->pos_m[1]);
+    orr_wire_store_f64(p + 35, m->pos_m[2]);
+    orr_wire_store_f64(p + 43, m->vel_mps[0]);
+    orr_wire_store_f64(p + 51, m->vel_mps[1]);
+    orr_wire_store_f64(p + 59, m->vel_mps[2]);
+    orr_wire_store_f64(p + 67, m->acc_mps2[0]);
+    orr_wire_store_f64(p + 75, m->acc_mps2[1]);
+    orr_wire_store_f64(p + 83, m->acc_mps2[2]);
+    orr_wire_store_f64(p + 91, m->attitude[0]);
+    orr_wire_store_f64(p + 99, m->attitude[1]);
+    orr_wire_store_f64(p + 107, m->attitude[2]);
+    orr_wire_store_f64(p + 115, m->attitude[3]);
+    orr_wire_store_f64(p + 123, m->heading_rad);
+    orr_wire_store_f64(p + 131, m->pitch_rad);
+    orr_wire_store_f64(p + 139, m->roll_rad);
+    orr_wire_store_f64(p + 147, m->rate_radps[0]);
+    orr_wire_store_f64(p + 155, m->rate_radps[1]);
+    orr_wire_store_f64(p + 163, m->rate_radps[2]);
+    orr_wire_store_f64(p + 171, m->force_mps2[0]);
+    orr_wire_store_f64(p + 179, m->force_mps2[1]);
+    orr_wire_store_f64(p + 187, m->force_mps2[2]);
+    orr_wire_store_f64(p + 195, m->disturbance_mgal);
+    orr_wire_store_f64(p + 203, m->eotvos_mgal);
+    orr_wire_store_f64(p + 211, m->vertical_mps2);
 }
 
 static void get_truth(orr_wire_reader *r, orr_msg_truth *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 220);
+    p = orr_wire_take(r, 219);
     if (p == NULL) return;
-    m->t = orr_wire_load_i64(p + 0);
-    m->index = orr_wire_load_u32(p + 8);
-    m->count = orr_wire_load_u32(p + 12);
-    m->unit = orr_wire_load_u16(p + 16);
-    m->answer = orr_wire_load_u8(p + 18);
-    m->reserved = orr_wire_load_u8(p + 19);
-    m->pos_m[0] = orr_wire_load_f64(p + 20);
-    m->pos_m[1] = orr_wire_load_f64(p + 28);
-    m->pos_m[2] = orr_wire_load_f64(p + 36);
-    m->vel_mps[0] = orr_wire_load_f64(p + 44);
-    m->vel_mps[1] = orr_wire_load_f64(p + 52);
-    m->vel_mps[2] = orr_wire_load_f64(p + 60);
-    m->acc_mps2[0] = orr_wire_load_f64(p + 68);
-    m->acc_mps2[1] = orr_wire_load_f64(p + 76);
-    m->acc_mps2[2] = orr_wire_load_f64(p + 84);
-    m->attitude[0] = orr_wire_load_f64(p + 92);
-    m->attitude[1] = orr_wire_load_f64(p + 100);
-    m->attitude[2] = orr_wire_load_f64(p + 108);
-    m->attitude[3] = orr_wire_load_f64(p + 116);
-    m->heading_rad = orr_wire_load_f64(p + 124);
-    m->pitch_rad = orr_wire_load_f64(p + 132);
-    m->roll_rad = orr_wire_load_f64(p + 140);
-    m->rate_radps[0] = orr_wire_load_f64(p + 148);
-    m->rate_radps[1] = orr_wire_load_f64(p + 156);
-    m->rate_radps[2] = orr_wire_load_f64(p + 164);
-    m->force_mps2[0] = orr_wire_load_f64(p + 172);
-    m->force_mps2[1] = orr_wire_load_f64(p + 180);
-    m->force_mps2[2] = orr_wire_load_f64(p + 188);
-    m->disturbance_mgal = orr_wire_load_f64(p + 196);
-    m->eotvos_mgal = orr_wire_load_f64(p + 204);
-    m->vertical_mps2 = orr_wire_load_f64(p + 212);
+    load_epoch(p + 0, &m->epoch);
+    m->unit = orr_wire_load_u16(p + 17);
+    m->pos_m[0] = orr_wire_load_f64(p + 19);
+    m->pos_m[1] = orr_wire_load_f64(p + 27);
+    m->pos_m[2] = orr_wire_load_f64(p + 35);
+    m->vel_mps[0] = orr_wire_load_f64(p + 43);
+    m->vel_mps[1] = orr_wire_load_f64(p + 51);
+    m->vel_mps[2] = orr_wire_load_f64(p + 59);
+    m->acc_mps2[0] = orr_wire_load_f64(p + 67);
+    m->acc_mps2[1] = orr_wire_load_f64(p + 75);
+    m->acc_mps2[2] = orr_wire_load_f64(p + 83);
+    m->attitude[0] = orr_wire_load_f64(p + 91);
+    m->attitude[1] = orr_wire_load_f64(p + 99);
+    m->attitude[2] = orr_wire_load_f64(p + 107);
+    m->attitude[3] = orr_wire_load_f64(p + 115);
+    m->heading_rad = orr_wire_load_f64(p + 123);
+    m->pitch_rad = orr_wire_load_f64(p + 131);
+    m->roll_rad = orr_wire_load_f64(p + 139);
+    m->rate_radps[0] = orr_wire_load_f64(p + 147);
+    m->rate_radps[1] = orr_wire_load_f64(p + 155);
+    m->rate_radps[2] = orr_wire_load_f64(p + 163);
+    m->force_mps2[0] = orr_wire_load_f64(p + 171);
+    m->force_mps2[1] = orr_wire_load_f64(p + 179);
+    m->force_mps2[2] = orr_wire_load_f64(p + 187);
+    m->disturbance_mgal = orr_wire_load_f64(p + 195);
+    m->eotvos_mgal = orr_wire_load_f64(p + 203);
+    m->vertical_mps2 = orr_wire_load_f64(p + 211);
 }
 
 orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w)

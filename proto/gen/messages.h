@@ -21,6 +21,7 @@
 #define ORR_MSG_MAX_SATELLITES 800u // satellites in one list (eight systems of 99 and a little)
 #define ORR_MSG_MAX_EPOCHS 86400u // epochs one POLL may ask for (a day at 1 Hz)
 #define ORR_MSG_MAX_PAGES 15u // subframes or strings in one frame of a navigation message
+#define ORR_MSG_MAX_UNITS 64u // inertial units in one list
 #define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
 
 enum { // message types
@@ -86,6 +87,19 @@ enum { // elements_method (u8): How Kepler elements are made.
     ORR_MSG_ELEMENTS_METHOD_MEAN = 2, // osculating averaged over one revolution centred on the epoch
 };
 
+enum { // orbit_point (u8): The point of a satellite whose orbit is described.
+    ORR_MSG_ORBIT_POINT_NONE = 0, // no orbit is described
+    ORR_MSG_ORBIT_POINT_CENTRE_OF_MASS = 1, // the centre of mass
+    ORR_MSG_ORBIT_POINT_PHASE_CENTRE = 2, // the antenna's phase centre; the centre of mass of a satellite marked NO_ANTENNA
+};
+
+enum { // receiver_source (u8): Where the receiver comes from that is used when a request names none.
+    ORR_MSG_RECEIVER_SOURCE_NONE = 0, // there is none: a request has to name one
+    ORR_MSG_RECEIVER_SOURCE_POSITION = 1, // the scenario's receiver.position
+    ORR_MSG_RECEIVER_SOURCE_TRAJECTORY = 2, // a unit of the scenario's trajectory, where it is at each epoch
+    ORR_MSG_RECEIVER_SOURCE_STATION = 3, // the station of the ionosphere's session
+};
+
 enum { // tec_origin (u8): What a delay came from.
     ORR_MSG_TEC_ORIGIN_FIELD = 0, // the field alone: maps, coefficients or the broadcast model
     ORR_MSG_TEC_ORIGIN_FUSED = 1, // the session's own carrier phases of the satellite, levelled
@@ -120,6 +134,8 @@ const char *orr_msg_answer_name(uint8_t value);
 const char *orr_msg_nav_message_name(uint8_t value);
 const char *orr_msg_elements_frame_name(uint8_t value);
 const char *orr_msg_elements_method_name(uint8_t value);
+const char *orr_msg_orbit_point_name(uint8_t value);
+const char *orr_msg_receiver_source_name(uint8_t value);
 const char *orr_msg_tec_origin_name(uint8_t value);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
@@ -132,8 +148,8 @@ bool orr_msg_error_code_closes(uint16_t value);
 
 // A satellite as IGS files name it.
 typedef struct orr_msg_sat_id {
-    uint8_t system; // letter: G R E C J I S L
-    uint8_t number; // 1 to 99
+    uint8_t system; // letter: G R E C J I S L; any other is NOT_SERVED
+    uint8_t number; // 1 to 99; any other is NOT_SERVED
 } orr_msg_sat_id;
 #define ORR_MSG_SAT_ID_SIZE 2u
 #define ORR_MSG_SAT_ID_LARGEST 2u
@@ -148,22 +164,80 @@ typedef struct orr_msg_sat_id_list {
 bool orr_msg_sat_id_next(const orr_msg_sat_id_list *list, orr_wire_iter *it, orr_msg_sat_id *out); // false at the end
 bool orr_msg_sat_id_at(const orr_msg_sat_id_list *list, uint16_t index, orr_msg_sat_id *out);   // false beyond the end
 
-// A message type.
-typedef struct orr_msg_message_ref {
-    uint16_t type; // as in the frame header
-} orr_msg_message_ref;
-#define ORR_MSG_MESSAGE_REF_SIZE 2u
-#define ORR_MSG_MESSAGE_REF_LARGEST 2u
+// The instants of a request - t, t + step, ..., t + (count - 1) step. A request that has them is answered by count frames.
+typedef struct orr_msg_epochs {
+    int64_t t; // [ns] first epoch
+    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
+    uint32_t count; // how many, 1 to MAX_EPOCHS
+} orr_msg_epochs;
+#define ORR_MSG_EPOCHS_SIZE 20u
+#define ORR_MSG_EPOCHS_LARGEST 20u
+
+// Which of the instants of a request a frame answers.
+typedef struct orr_msg_epoch {
+    int64_t t; // [ns] the instant
+    uint32_t index; // which epoch of the request, from 0; the frame of count - 1 ends the answer
+    uint32_t count; // how many epochs the request asked for
+    uint8_t answer; // whether there are numbers at this instant
+} orr_msg_epoch;
+#define ORR_MSG_EPOCH_SIZE 17u
+#define ORR_MSG_EPOCH_LARGEST 17u
+
+// A length of time with both of its ends.
+typedef struct orr_msg_span {
+    int64_t first; // [ns] first instant; -2^63 where there is none
+    int64_t last; // [ns] last instant; likewise
+} orr_msg_span;
+#define ORR_MSG_SPAN_SIZE 16u
+#define ORR_MSG_SPAN_LARGEST 16u
+
+// A request that is answered.
+typedef struct orr_msg_served_request {
+    uint16_t request; // its message type
+    uint16_t answer; // message type of its answer
+    orr_msg_span span; // instants at which there can be numbers; none of a request without epochs
+} orr_msg_served_request;
+#define ORR_MSG_SERVED_REQUEST_SIZE 20u
+#define ORR_MSG_SERVED_REQUEST_LARGEST 20u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
-// either kind with orr_msg_message_ref_next or orr_msg_message_ref_at.
-typedef struct orr_msg_message_ref_list {
+// either kind with orr_msg_served_request_next or orr_msg_served_request_at.
+typedef struct orr_msg_served_request_list {
     uint16_t count;
-    const orr_msg_message_ref *item;
+    const orr_msg_served_request *item;
     orr_wire_records wire;
-} orr_msg_message_ref_list;
-bool orr_msg_message_ref_next(const orr_msg_message_ref_list *list, orr_wire_iter *it, orr_msg_message_ref *out); // false at the end
-bool orr_msg_message_ref_at(const orr_msg_message_ref_list *list, uint16_t index, orr_msg_message_ref *out);   // false beyond the end
+} orr_msg_served_request_list;
+bool orr_msg_served_request_next(const orr_msg_served_request_list *list, orr_wire_iter *it, orr_msg_served_request *out); // false at the end
+bool orr_msg_served_request_at(const orr_msg_served_request_list *list, uint16_t index, orr_msg_served_request *out);   // false beyond the end
+
+// An inertial measurement unit of the scenario's vehicle.
+typedef struct orr_msg_inertial_unit {
+    uint16_t unit; // its number in POLL_IMU and POLL_TRUTH; 0 is the trajectory's own point
+    orr_wire_bytes name; // its name in the scenario
+    double lever_m[3]; // where it is from unit 0: to the right, forward, up in the vehicle's axes
+    double heading_rad; // how it is mounted: heading against the vehicle's axes
+    double pitch_rad; // likewise pitch
+    double roll_rad; // likewise roll
+} orr_msg_inertial_unit;
+#define ORR_MSG_INERTIAL_UNIT_LARGEST 116u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_inertial_unit_next.
+typedef struct orr_msg_inertial_unit_list {
+    uint16_t count;
+    const orr_msg_inertial_unit *item;
+    orr_wire_records wire;
+} orr_msg_inertial_unit_list;
+bool orr_msg_inertial_unit_next(const orr_msg_inertial_unit_list *list, orr_wire_iter *it, orr_msg_inertial_unit *out); // false at the end
+
+// Leap seconds of UTC as the server knows them.
+typedef struct orr_msg_leap_seconds {
+    int16_t gps_utc_s; // GPS time minus UTC, in force at the first instant served
+    int16_t next_gps_utc_s; // from `next` on; the same where no later change is known
+    int64_t next; // [ns] first instant of the next value; -2^63 where no later change is known
+} orr_msg_leap_seconds;
+#define ORR_MSG_LEAP_SECONDS_SIZE 12u
+#define ORR_MSG_LEAP_SECONDS_LARGEST 12u
 
 // State of one satellite in the terrestrial frame of the input orbits (ecef). Numbers are NAN unless answer is OK.
 typedef struct orr_msg_sat_state {
@@ -382,21 +456,27 @@ typedef struct orr_msg_caps {
     uint8_t minor; // minor version of the server
     uint32_t max_request; // bytes of payload it reads of one request
     uint32_t max_epochs; // epochs one POLL may ask for
-    int64_t span_from; // [ns] start of the served span
-    int64_t span_to; // [ns] its end, inclusive
+    orr_msg_span span; // first and last instant at which anything is served
     orr_wire_bytes name; // name of the server
     orr_wire_bytes version; // its version
     orr_wire_bytes title; // title of the scenario
     orr_wire_bytes frame; // terrestrial frame of positions, e.g. IGS20
-    orr_msg_message_ref_list requests; // message types that it answers
+    orr_msg_leap_seconds leap; // leap second in force, and the next
+    uint8_t navdata_point; // the point of a satellite whose orbit NAVDATA describes; STATES gives the centre of mass
+    uint8_t receiver_source; // receiver that is used when a POLL_DELAYS names none
+    uint16_t receiver_unit; // with TRAJECTORY: the unit whose point it is
+    double receiver_m[3]; // where it is (ecef); NAN with NONE and TRAJECTORY
+    double imu_rate_hz; // [Hz] readings a second where POLL_IMU has step 0; NAN where POLL_IMU is not answered
+    orr_msg_inertial_unit_list units; // inertial units; none without a trajectory
+    orr_msg_served_request_list requests; // what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
     orr_msg_sat_id_list satellites; // served satellites, in the order in which STATES lists them
 } orr_msg_caps;
-#define ORR_MSG_CAPS_LARGEST 2058u
+#define ORR_MSG_CAPS_LARGEST 10812u
 
 orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w);
 orr_wire_status orr_msg_caps_decode(const uint8_t *payload, size_t size, orr_msg_caps *m);
 
-// Asks for a sign of life; also keeps an idle connection open.
+// Asks whether the server is alive; also keeps an idle connection open.
 typedef struct orr_msg_ping {
     uint64_t token; // anything
 } orr_msg_ping;
@@ -406,7 +486,7 @@ typedef struct orr_msg_ping {
 orr_wire_status orr_msg_ping_encode(const orr_msg_ping *m, orr_wire_writer *w);
 orr_wire_status orr_msg_ping_decode(const uint8_t *payload, size_t size, orr_msg_ping *m);
 
-// The sign of life.
+// The answer to a PING.
 typedef struct orr_msg_pong {
     uint64_t token; // that of the PING
 } orr_msg_pong;
@@ -427,11 +507,9 @@ typedef struct orr_msg_error {
 orr_wire_status orr_msg_error_encode(const orr_msg_error *m, orr_wire_writer *w);
 orr_wire_status orr_msg_error_decode(const uint8_t *payload, size_t size, orr_msg_error *m);
 
-// Asks for satellite states at t, t + step, ..., t + (count - 1) step. The same POLL gets the same bytes, always.
+// Asks for satellite states. The same POLL gets the same bytes, always.
 typedef struct orr_msg_poll {
-    int64_t t; // [ns] first epoch
-    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
-    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    orr_msg_epochs epochs; // when
     orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
 } orr_msg_poll;
 #define ORR_MSG_POLL_LARGEST 1624u
@@ -439,12 +517,9 @@ typedef struct orr_msg_poll {
 orr_wire_status orr_msg_poll_encode(const orr_msg_poll *m, orr_wire_writer *w);
 orr_wire_status orr_msg_poll_decode(const uint8_t *payload, size_t size, orr_msg_poll *m);
 
-// Satellite states at one epoch. A POLL is answered by count of these, index 0 to count - 1, the last one ends the answer.
+// Satellite states at one epoch.
 typedef struct orr_msg_states {
-    int64_t t; // [ns] the epoch
-    uint32_t index; // which epoch of the POLL, from 0
-    uint32_t count; // how many epochs the POLL asked for
-    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
     orr_msg_sat_state_list satellites; // those asked for, in that order; for all, those of CAPS
 } orr_msg_states;
 #define ORR_MSG_STATES_LARGEST 92821u
@@ -452,11 +527,9 @@ typedef struct orr_msg_states {
 orr_wire_status orr_msg_states_encode(const orr_msg_states *m, orr_wire_writer *w);
 orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_msg_states *m);
 
-// Asks for Kepler elements at t, t + step, ..., t + (count - 1) step. The same POLL_ELEMENTS gets the same bytes, always.
+// Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
 typedef struct orr_msg_poll_elements {
-    int64_t t; // [ns] first epoch
-    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
-    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    orr_msg_epochs epochs; // when
     uint8_t frame; // axes that the elements refer to
     uint8_t method; // how they are made
     orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
@@ -466,12 +539,9 @@ typedef struct orr_msg_poll_elements {
 orr_wire_status orr_msg_poll_elements_encode(const orr_msg_poll_elements *m, orr_wire_writer *w);
 orr_wire_status orr_msg_poll_elements_decode(const uint8_t *payload, size_t size, orr_msg_poll_elements *m);
 
-// Kepler elements at one epoch. A POLL_ELEMENTS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+// Kepler elements at one epoch.
 typedef struct orr_msg_elements {
-    int64_t t; // [ns] the epoch
-    uint32_t index; // which epoch of the POLL_ELEMENTS, from 0
-    uint32_t count; // how many epochs it asked for
-    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
     uint8_t frame; // as asked
     uint8_t method; // as asked
     orr_msg_sat_elements_list satellites; // those asked for, in that order; for all, those of CAPS
@@ -481,11 +551,9 @@ typedef struct orr_msg_elements {
 orr_wire_status orr_msg_elements_encode(const orr_msg_elements *m, orr_wire_writer *w);
 orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr_msg_elements *m);
 
-// Asks for the broadcast data at t, t + step, ..., t + (count - 1) step; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+// Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
 typedef struct orr_msg_poll_navdata {
-    int64_t t; // [ns] first epoch
-    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
-    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    orr_msg_epochs epochs; // when
     orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
 } orr_msg_poll_navdata;
 #define ORR_MSG_POLL_NAVDATA_LARGEST 1624u
@@ -493,12 +561,9 @@ typedef struct orr_msg_poll_navdata {
 orr_wire_status orr_msg_poll_navdata_encode(const orr_msg_poll_navdata *m, orr_wire_writer *w);
 orr_wire_status orr_msg_poll_navdata_decode(const uint8_t *payload, size_t size, orr_msg_poll_navdata *m);
 
-// Broadcast data at one epoch. A POLL_NAVDATA is answered by count of these, index 0 to count - 1, the last one ends the answer.
+// Broadcast data at one epoch.
 typedef struct orr_msg_navdata {
-    int64_t t; // [ns] the epoch
-    uint32_t index; // which epoch of the POLL_NAVDATA, from 0
-    uint32_t count; // how many epochs it asked for
-    uint8_t answer; // OK, or OUTSIDE_SPAN with no satellites
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
     orr_msg_sat_navdata_list satellites; // those asked for, in that order; for all, those of CAPS
 } orr_msg_navdata;
 #define ORR_MSG_NAVDATA_LARGEST 924819u
@@ -516,11 +581,9 @@ typedef struct orr_msg_f64_list {
 bool orr_msg_f64_next(const orr_msg_f64_list *list, orr_wire_iter *it, double *out); // false at the end
 bool orr_msg_f64_at(const orr_msg_f64_list *list, uint16_t index, double *out);   // false beyond the end
 
-// Asks for ionospheric delays at t, t + step, ..., t + (count - 1) step. The same POLL_DELAYS gets the same bytes, always.
+// Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
 typedef struct orr_msg_poll_delays {
-    int64_t t; // [ns] first epoch
-    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
-    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    orr_msg_epochs epochs; // when
     double receiver_m[3]; // receiver (ecef); three times NAN for the scenario's own, which may move from epoch to epoch
     orr_msg_f64_list carriers_hz; // [Hz] carriers to give delays for; empty for 1575.42 MHz
     orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
@@ -530,12 +593,9 @@ typedef struct orr_msg_poll_delays {
 orr_wire_status orr_msg_poll_delays_encode(const orr_msg_poll_delays *m, orr_wire_writer *w);
 orr_wire_status orr_msg_poll_delays_decode(const uint8_t *payload, size_t size, orr_msg_poll_delays *m);
 
-// Ionospheric delays at one epoch. A POLL_DELAYS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+// Ionospheric delays at one epoch.
 typedef struct orr_msg_delays {
-    int64_t t; // [ns] the epoch
-    uint32_t index; // which epoch of the POLL_DELAYS, from 0
-    uint32_t count; // how many epochs it asked for
-    uint8_t answer; // OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites
     double receiver_m[3]; // the receiver that was taken (ecef); NAN outside the span of the scenario's trajectory
     orr_msg_f64_list carriers_hz; // [Hz] the carriers of delay_m
     orr_msg_sat_delay_list satellites; // those asked for, in that order; for all, those of CAPS
@@ -545,11 +605,9 @@ typedef struct orr_msg_delays {
 orr_wire_status orr_msg_delays_encode(const orr_msg_delays *m, orr_wire_writer *w);
 orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_msg_delays *m);
 
-// Asks for ideal inertial increments over [t, t + step], [t + step, t + 2 step], ... count of them. The same POLL_IMU gets the same bytes, always.
+// Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
 typedef struct orr_msg_poll_imu {
-    int64_t t; // [ns] begin of the first interval
-    int64_t step; // [ns] length of an interval; 0 for that of the scenario's imu.rate
-    uint32_t count; // intervals, 1 to MAX_EPOCHS
+    orr_msg_epochs epochs; // begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)
     uint16_t unit; // which inertial unit of the scenario; 0 is the trajectory's own point
 } orr_msg_poll_imu;
 #define ORR_MSG_POLL_IMU_SIZE 22u
@@ -558,29 +616,23 @@ typedef struct orr_msg_poll_imu {
 orr_wire_status orr_msg_poll_imu_encode(const orr_msg_poll_imu *m, orr_wire_writer *w);
 orr_wire_status orr_msg_poll_imu_decode(const uint8_t *payload, size_t size, orr_msg_poll_imu *m);
 
-// Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). A POLL_IMU is answered by count of these.
+// Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up).
 typedef struct orr_msg_imu {
-    int64_t t0; // [ns] begin of the interval
-    int64_t t1; // [ns] its end
-    uint32_t index; // which interval, from 0
-    uint32_t count; // how many intervals were asked for
+    orr_msg_epoch epoch; // begin of the interval; OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    int64_t t1; // [ns] end of the interval
     uint16_t unit; // the unit asked for
-    uint8_t answer; // OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
-    uint8_t reserved; // 0
     double dtheta_rad[3]; // integral of the absolute angular rate
     double dv_mps[3]; // [m/s] integral of the specific force; at rest +g upward
 } orr_msg_imu;
-#define ORR_MSG_IMU_SIZE 76u
-#define ORR_MSG_IMU_LARGEST 76u
+#define ORR_MSG_IMU_SIZE 75u
+#define ORR_MSG_IMU_LARGEST 75u
 
 orr_wire_status orr_msg_imu_encode(const orr_msg_imu *m, orr_wire_writer *w);
 orr_wire_status orr_msg_imu_decode(const uint8_t *payload, size_t size, orr_msg_imu *m);
 
-// Asks for the true motion of an inertial unit at t, t + step, ..., t + (count - 1) step. The same POLL_TRUTH gets the same bytes, always.
+// Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.
 typedef struct orr_msg_poll_truth {
-    int64_t t; // [ns] first epoch
-    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
-    uint32_t count; // epochs, 1 to MAX_EPOCHS
+    orr_msg_epochs epochs; // when
     uint16_t unit; // which inertial unit of the scenario; 0 is the trajectory's own point
 } orr_msg_poll_truth;
 #define ORR_MSG_POLL_TRUTH_SIZE 22u
@@ -589,14 +641,10 @@ typedef struct orr_msg_poll_truth {
 orr_wire_status orr_msg_poll_truth_encode(const orr_msg_poll_truth *m, orr_wire_writer *w);
 orr_wire_status orr_msg_poll_truth_decode(const uint8_t *payload, size_t size, orr_msg_poll_truth *m);
 
-// True motion and gravity at one epoch. A POLL_TRUTH is answered by count of these.
+// True motion and gravity at one epoch.
 typedef struct orr_msg_truth {
-    int64_t t; // [ns] the epoch
-    uint32_t index; // which epoch, from 0
-    uint32_t count; // how many epochs were asked for
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
     uint16_t unit; // the unit asked for
-    uint8_t answer; // OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
-    uint8_t reserved; // 0
     double pos_m[3]; // position (ecef)
     double vel_mps[3]; // [m/s] velocity relative to the Earth (ecef)
     double acc_mps2[3]; // [m/s2] second derivative of the position (ecef)
@@ -610,8 +658,8 @@ typedef struct orr_msg_truth {
     double eotvos_mgal; // [mGal] Eotvoes term: what the motion takes off the weight
     double vertical_mps2; // [m/s2] rate of the vertical velocity over the ellipsoid
 } orr_msg_truth;
-#define ORR_MSG_TRUTH_SIZE 220u
-#define ORR_MSG_TRUTH_LARGEST 220u
+#define ORR_MSG_TRUTH_SIZE 219u
+#define ORR_MSG_TRUTH_LARGEST 219u
 
 orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w);
 orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m);

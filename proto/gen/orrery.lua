@@ -102,6 +102,17 @@ local enum_elements_method = {
   [1] = "THREE_POSITIONS",
   [2] = "MEAN",
 }
+local enum_orbit_point = {
+  [0] = "NONE",
+  [1] = "CENTRE_OF_MASS",
+  [2] = "PHASE_CENTRE",
+}
+local enum_receiver_source = {
+  [0] = "NONE",
+  [1] = "POSITION",
+  [2] = "TRAJECTORY",
+  [3] = "STATION",
+}
 local enum_tec_origin = {
   [0] = "FIELD",
   [1] = "FUSED",
@@ -111,7 +122,26 @@ local enum_tec_origin = {
 
 f.sat_id_system = ProtoField.char("orrery.sat_id.system", "system")
 f.sat_id_number = ProtoField.uint8("orrery.sat_id.number", "number")
-f.message_ref_type = ProtoField.uint16("orrery.message_ref.type", "type")
+f.epochs_t = ProtoField.int64("orrery.epochs.t", "t [ns]")
+f.epochs_step = ProtoField.int64("orrery.epochs.step", "step [ns]")
+f.epochs_count = ProtoField.uint32("orrery.epochs.count", "count")
+f.epoch_t = ProtoField.int64("orrery.epoch.t", "t [ns]")
+f.epoch_index = ProtoField.uint32("orrery.epoch.index", "index")
+f.epoch_count = ProtoField.uint32("orrery.epoch.count", "count")
+f.epoch_answer = ProtoField.uint8("orrery.epoch.answer", "answer", base.DEC, enum_answer)
+f.span_first = ProtoField.int64("orrery.span.first", "first [ns]")
+f.span_last = ProtoField.int64("orrery.span.last", "last [ns]")
+f.served_request_request = ProtoField.uint16("orrery.served_request.request", "request")
+f.served_request_answer = ProtoField.uint16("orrery.served_request.answer", "answer")
+f.inertial_unit_unit = ProtoField.uint16("orrery.inertial_unit.unit", "unit")
+f.inertial_unit_name = ProtoField.string("orrery.inertial_unit.name", "name")
+f.inertial_unit_lever_m = ProtoField.double("orrery.inertial_unit.lever_m", "lever_m")
+f.inertial_unit_heading_rad = ProtoField.double("orrery.inertial_unit.heading_rad", "heading_rad")
+f.inertial_unit_pitch_rad = ProtoField.double("orrery.inertial_unit.pitch_rad", "pitch_rad")
+f.inertial_unit_roll_rad = ProtoField.double("orrery.inertial_unit.roll_rad", "roll_rad")
+f.leap_seconds_gps_utc_s = ProtoField.int16("orrery.leap_seconds.gps_utc_s", "gps_utc_s")
+f.leap_seconds_next_gps_utc_s = ProtoField.int16("orrery.leap_seconds.next_gps_utc_s", "next_gps_utc_s")
+f.leap_seconds_next = ProtoField.int64("orrery.leap_seconds.next", "next [ns]")
 f.sat_state_answer = ProtoField.uint8("orrery.sat_state.answer", "answer", base.DEC, enum_answer)
 f.sat_state_reserved = ProtoField.uint8("orrery.sat_state.reserved", "reserved")
 f.sat_state_flags = ProtoField.uint32("orrery.sat_state.flags", "flags", base.HEX)
@@ -201,76 +231,35 @@ f.caps_major = ProtoField.uint8("orrery.caps.major", "major")
 f.caps_minor = ProtoField.uint8("orrery.caps.minor", "minor")
 f.caps_max_request = ProtoField.uint32("orrery.caps.max_request", "max_request")
 f.caps_max_epochs = ProtoField.uint32("orrery.caps.max_epochs", "max_epochs")
-f.caps_span_from = ProtoField.int64("orrery.caps.span_from", "span_from [ns]")
-f.caps_span_to = ProtoField.int64("orrery.caps.span_to", "span_to [ns]")
 f.caps_name = ProtoField.string("orrery.caps.name", "name")
 f.caps_version = ProtoField.string("orrery.caps.version", "version")
 f.caps_title = ProtoField.string("orrery.caps.title", "title")
 f.caps_frame = ProtoField.string("orrery.caps.frame", "frame")
+f.caps_navdata_point = ProtoField.uint8("orrery.caps.navdata_point", "navdata_point", base.DEC, enum_orbit_point)
+f.caps_receiver_source = ProtoField.uint8("orrery.caps.receiver_source", "receiver_source", base.DEC, enum_receiver_source)
+f.caps_receiver_unit = ProtoField.uint16("orrery.caps.receiver_unit", "receiver_unit")
+f.caps_receiver_m = ProtoField.double("orrery.caps.receiver_m", "receiver_m")
+f.caps_imu_rate_hz = ProtoField.double("orrery.caps.imu_rate_hz", "imu_rate_hz [Hz]")
 f.ping_token = ProtoField.uint64("orrery.ping.token", "token", base.HEX)
 f.pong_token = ProtoField.uint64("orrery.pong.token", "token", base.HEX)
 f.error_code = ProtoField.uint16("orrery.error.code", "code", base.DEC, enum_error_code)
 f.error_request = ProtoField.uint16("orrery.error.request", "request")
 f.error_sentence = ProtoField.string("orrery.error.sentence", "sentence")
-f.poll_t = ProtoField.int64("orrery.poll.t", "t [ns]")
-f.poll_step = ProtoField.int64("orrery.poll.step", "step [ns]")
-f.poll_count = ProtoField.uint32("orrery.poll.count", "count")
-f.states_t = ProtoField.int64("orrery.states.t", "t [ns]")
-f.states_index = ProtoField.uint32("orrery.states.index", "index")
-f.states_count = ProtoField.uint32("orrery.states.count", "count")
-f.states_answer = ProtoField.uint8("orrery.states.answer", "answer", base.DEC, enum_answer)
-f.poll_elements_t = ProtoField.int64("orrery.poll_elements.t", "t [ns]")
-f.poll_elements_step = ProtoField.int64("orrery.poll_elements.step", "step [ns]")
-f.poll_elements_count = ProtoField.uint32("orrery.poll_elements.count", "count")
 f.poll_elements_frame = ProtoField.uint8("orrery.poll_elements.frame", "frame", base.DEC, enum_elements_frame)
 f.poll_elements_method = ProtoField.uint8("orrery.poll_elements.method", "method", base.DEC, enum_elements_method)
-f.elements_t = ProtoField.int64("orrery.elements.t", "t [ns]")
-f.elements_index = ProtoField.uint32("orrery.elements.index", "index")
-f.elements_count = ProtoField.uint32("orrery.elements.count", "count")
-f.elements_answer = ProtoField.uint8("orrery.elements.answer", "answer", base.DEC, enum_answer)
 f.elements_frame = ProtoField.uint8("orrery.elements.frame", "frame", base.DEC, enum_elements_frame)
 f.elements_method = ProtoField.uint8("orrery.elements.method", "method", base.DEC, enum_elements_method)
-f.poll_navdata_t = ProtoField.int64("orrery.poll_navdata.t", "t [ns]")
-f.poll_navdata_step = ProtoField.int64("orrery.poll_navdata.step", "step [ns]")
-f.poll_navdata_count = ProtoField.uint32("orrery.poll_navdata.count", "count")
-f.navdata_t = ProtoField.int64("orrery.navdata.t", "t [ns]")
-f.navdata_index = ProtoField.uint32("orrery.navdata.index", "index")
-f.navdata_count = ProtoField.uint32("orrery.navdata.count", "count")
-f.navdata_answer = ProtoField.uint8("orrery.navdata.answer", "answer", base.DEC, enum_answer)
-f.poll_delays_t = ProtoField.int64("orrery.poll_delays.t", "t [ns]")
-f.poll_delays_step = ProtoField.int64("orrery.poll_delays.step", "step [ns]")
-f.poll_delays_count = ProtoField.uint32("orrery.poll_delays.count", "count")
 f.poll_delays_receiver_m = ProtoField.double("orrery.poll_delays.receiver_m", "receiver_m")
 f.poll_delays_carriers_hz = ProtoField.double("orrery.poll_delays.carriers_hz", "carriers_hz [Hz]")
-f.delays_t = ProtoField.int64("orrery.delays.t", "t [ns]")
-f.delays_index = ProtoField.uint32("orrery.delays.index", "index")
-f.delays_count = ProtoField.uint32("orrery.delays.count", "count")
-f.delays_answer = ProtoField.uint8("orrery.delays.answer", "answer", base.DEC, enum_answer)
 f.delays_receiver_m = ProtoField.double("orrery.delays.receiver_m", "receiver_m")
 f.delays_carriers_hz = ProtoField.double("orrery.delays.carriers_hz", "carriers_hz [Hz]")
-f.poll_imu_t = ProtoField.int64("orrery.poll_imu.t", "t [ns]")
-f.poll_imu_step = ProtoField.int64("orrery.poll_imu.step", "step [ns]")
-f.poll_imu_count = ProtoField.uint32("orrery.poll_imu.count", "count")
 f.poll_imu_unit = ProtoField.uint16("orrery.poll_imu.unit", "unit")
-f.imu_t0 = ProtoField.int64("orrery.imu.t0", "t0 [ns]")
 f.imu_t1 = ProtoField.int64("orrery.imu.t1", "t1 [ns]")
-f.imu_index = ProtoField.uint32("orrery.imu.index", "index")
-f.imu_count = ProtoField.uint32("orrery.imu.count", "count")
 f.imu_unit = ProtoField.uint16("orrery.imu.unit", "unit")
-f.imu_answer = ProtoField.uint8("orrery.imu.answer", "answer", base.DEC, enum_answer)
-f.imu_reserved = ProtoField.uint8("orrery.imu.reserved", "reserved")
 f.imu_dtheta_rad = ProtoField.double("orrery.imu.dtheta_rad", "dtheta_rad")
 f.imu_dv_mps = ProtoField.double("orrery.imu.dv_mps", "dv_mps [m/s]")
-f.poll_truth_t = ProtoField.int64("orrery.poll_truth.t", "t [ns]")
-f.poll_truth_step = ProtoField.int64("orrery.poll_truth.step", "step [ns]")
-f.poll_truth_count = ProtoField.uint32("orrery.poll_truth.count", "count")
 f.poll_truth_unit = ProtoField.uint16("orrery.poll_truth.unit", "unit")
-f.truth_t = ProtoField.int64("orrery.truth.t", "t [ns]")
-f.truth_index = ProtoField.uint32("orrery.truth.index", "index")
-f.truth_count = ProtoField.uint32("orrery.truth.count", "count")
 f.truth_unit = ProtoField.uint16("orrery.truth.unit", "unit")
-f.truth_answer = ProtoField.uint8("orrery.truth.answer", "answer", base.DEC, enum_answer)
-f.truth_reserved = ProtoField.uint8("orrery.truth.reserved", "reserved")
 f.truth_pos_m = ProtoField.double("orrery.truth.pos_m", "pos_m")
 f.truth_vel_mps = ProtoField.double("orrery.truth.vel_mps", "vel_mps [m/s]")
 f.truth_acc_mps2 = ProtoField.double("orrery.truth.acc_mps2", "acc_mps2 [m/s2]")
@@ -289,8 +278,43 @@ local function record_sat_id(r, tree)
   add(r, tree, f.sat_id_number, 1)
 end
 
-local function record_message_ref(r, tree)
-  add(r, tree, f.message_ref_type, 2)
+local function record_epochs(r, tree)
+  add(r, tree, f.epochs_t, 8)
+  add(r, tree, f.epochs_step, 8)
+  add(r, tree, f.epochs_count, 4)
+end
+
+local function record_epoch(r, tree)
+  add(r, tree, f.epoch_t, 8)
+  add(r, tree, f.epoch_index, 4)
+  add(r, tree, f.epoch_count, 4)
+  add(r, tree, f.epoch_answer, 1)
+end
+
+local function record_span(r, tree)
+  add(r, tree, f.span_first, 8)
+  add(r, tree, f.span_last, 8)
+end
+
+local function record_served_request(r, tree)
+  add(r, tree, f.served_request_request, 2)
+  add(r, tree, f.served_request_answer, 2)
+  record_span(r, tree)
+end
+
+local function record_inertial_unit(r, tree)
+  add(r, tree, f.inertial_unit_unit, 2)
+  add_text(r, tree, f.inertial_unit_name)
+  for _ = 1, 3 do add(r, tree, f.inertial_unit_lever_m, 8) end
+  add(r, tree, f.inertial_unit_heading_rad, 8)
+  add(r, tree, f.inertial_unit_pitch_rad, 8)
+  add(r, tree, f.inertial_unit_roll_rad, 8)
+end
+
+local function record_leap_seconds(r, tree)
+  add(r, tree, f.leap_seconds_gps_utc_s, 2)
+  add(r, tree, f.leap_seconds_next_gps_utc_s, 2)
+  add(r, tree, f.leap_seconds_next, 8)
 end
 
 local function record_sat_state(r, tree)
@@ -443,12 +467,29 @@ local function record_caps(r, tree)
   add(r, tree, f.caps_minor, 1)
   add(r, tree, f.caps_max_request, 4)
   add(r, tree, f.caps_max_epochs, 4)
-  add(r, tree, f.caps_span_from, 8)
-  add(r, tree, f.caps_span_to, 8)
+  record_span(r, tree)
   add_text(r, tree, f.caps_name)
   add_text(r, tree, f.caps_version)
   add_text(r, tree, f.caps_title)
   add_text(r, tree, f.caps_frame)
+  record_leap_seconds(r, tree)
+  add(r, tree, f.caps_navdata_point, 1)
+  add(r, tree, f.caps_receiver_source, 1)
+  add(r, tree, f.caps_receiver_unit, 2)
+  for _ = 1, 3 do add(r, tree, f.caps_receiver_m, 8) end
+  add(r, tree, f.caps_imu_rate_hz, 8)
+  do
+    local count, stride = take(r, 2), nil
+    for k = 1, count and count:le_uint() or 0 do
+      local stride = take(r, 2)
+      if not stride then break end
+      local n = stride:le_uint()
+      local range = n > 0 and take(r, n)
+      if not range then break end
+      local one = reader(r.tvb, r.at - n, r.at)
+      record_inertial_unit(one, tree:add(orrery, range, "units " .. k))
+    end
+  end
   do
     local count, stride = take(r, 2), take(r, 2)
     for k = 1, (count and stride) and count:le_uint() or 0 do
@@ -456,7 +497,7 @@ local function record_caps(r, tree)
       local range = n > 0 and take(r, n)
       if not range then break end
       local one = reader(r.tvb, r.at - n, r.at)
-      record_message_ref(one, tree:add(orrery, range, "requests " .. k))
+      record_served_request(one, tree:add(orrery, range, "requests " .. k))
     end
   end
   do
@@ -486,9 +527,7 @@ local function record_error(r, tree)
 end
 
 local function record_poll(r, tree)
-  add(r, tree, f.poll_t, 8)
-  add(r, tree, f.poll_step, 8)
-  add(r, tree, f.poll_count, 4)
+  record_epochs(r, tree)
   do
     local count, stride = take(r, 2), take(r, 2)
     for k = 1, (count and stride) and count:le_uint() or 0 do
@@ -502,10 +541,7 @@ local function record_poll(r, tree)
 end
 
 local function record_states(r, tree)
-  add(r, tree, f.states_t, 8)
-  add(r, tree, f.states_index, 4)
-  add(r, tree, f.states_count, 4)
-  add(r, tree, f.states_answer, 1)
+  record_epoch(r, tree)
   do
     local count, stride = take(r, 2), take(r, 2)
     for k = 1, (count and stride) and count:le_uint() or 0 do
@@ -519,9 +555,7 @@ local function record_states(r, tree)
 end
 
 local function record_poll_elements(r, tree)
-  add(r, tree, f.poll_elements_t, 8)
-  add(r, tree, f.poll_elements_step, 8)
-  add(r, tree, f.poll_elements_count, 4)
+  record_epochs(r, tree)
   add(r, tree, f.poll_elements_frame, 1)
   add(r, tree, f.poll_elements_method, 1)
   do
@@ -537,10 +571,7 @@ local function record_poll_elements(r, tree)
 end
 
 local function record_elements(r, tree)
-  add(r, tree, f.elements_t, 8)
-  add(r, tree, f.elements_index, 4)
-  add(r, tree, f.elements_count, 4)
-  add(r, tree, f.elements_answer, 1)
+  record_epoch(r, tree)
   add(r, tree, f.elements_frame, 1)
   add(r, tree, f.elements_method, 1)
   do
@@ -556,9 +587,7 @@ local function record_elements(r, tree)
 end
 
 local function record_poll_navdata(r, tree)
-  add(r, tree, f.poll_navdata_t, 8)
-  add(r, tree, f.poll_navdata_step, 8)
-  add(r, tree, f.poll_navdata_count, 4)
+  record_epochs(r, tree)
   do
     local count, stride = take(r, 2), take(r, 2)
     for k = 1, (count and stride) and count:le_uint() or 0 do
@@ -572,10 +601,7 @@ local function record_poll_navdata(r, tree)
 end
 
 local function record_navdata(r, tree)
-  add(r, tree, f.navdata_t, 8)
-  add(r, tree, f.navdata_index, 4)
-  add(r, tree, f.navdata_count, 4)
-  add(r, tree, f.navdata_answer, 1)
+  record_epoch(r, tree)
   do
     local count, stride = take(r, 2), nil
     for k = 1, count and count:le_uint() or 0 do
@@ -591,9 +617,7 @@ local function record_navdata(r, tree)
 end
 
 local function record_poll_delays(r, tree)
-  add(r, tree, f.poll_delays_t, 8)
-  add(r, tree, f.poll_delays_step, 8)
-  add(r, tree, f.poll_delays_count, 4)
+  record_epochs(r, tree)
   for _ = 1, 3 do add(r, tree, f.poll_delays_receiver_m, 8) end
   do
     local count, stride = take(r, 2), take(r, 2)
@@ -618,10 +642,7 @@ local function record_poll_delays(r, tree)
 end
 
 local function record_delays(r, tree)
-  add(r, tree, f.delays_t, 8)
-  add(r, tree, f.delays_index, 4)
-  add(r, tree, f.delays_count, 4)
-  add(r, tree, f.delays_answer, 1)
+  record_epoch(r, tree)
   for _ = 1, 3 do add(r, tree, f.delays_receiver_m, 8) end
   do
     local count, stride = take(r, 2), take(r, 2)
@@ -646,38 +667,26 @@ local function record_delays(r, tree)
 end
 
 local function record_poll_imu(r, tree)
-  add(r, tree, f.poll_imu_t, 8)
-  add(r, tree, f.poll_imu_step, 8)
-  add(r, tree, f.poll_imu_count, 4)
+  record_epochs(r, tree)
   add(r, tree, f.poll_imu_unit, 2)
 end
 
 local function record_imu(r, tree)
-  add(r, tree, f.imu_t0, 8)
+  record_epoch(r, tree)
   add(r, tree, f.imu_t1, 8)
-  add(r, tree, f.imu_index, 4)
-  add(r, tree, f.imu_count, 4)
   add(r, tree, f.imu_unit, 2)
-  add(r, tree, f.imu_answer, 1)
-  add(r, tree, f.imu_reserved, 1)
   for _ = 1, 3 do add(r, tree, f.imu_dtheta_rad, 8) end
   for _ = 1, 3 do add(r, tree, f.imu_dv_mps, 8) end
 end
 
 local function record_poll_truth(r, tree)
-  add(r, tree, f.poll_truth_t, 8)
-  add(r, tree, f.poll_truth_step, 8)
-  add(r, tree, f.poll_truth_count, 4)
+  record_epochs(r, tree)
   add(r, tree, f.poll_truth_unit, 2)
 end
 
 local function record_truth(r, tree)
-  add(r, tree, f.truth_t, 8)
-  add(r, tree, f.truth_index, 4)
-  add(r, tree, f.truth_count, 4)
+  record_epoch(r, tree)
   add(r, tree, f.truth_unit, 2)
-  add(r, tree, f.truth_answer, 1)
-  add(r, tree, f.truth_reserved, 1)
   for _ = 1, 3 do add(r, tree, f.truth_pos_m, 8) end
   for _ = 1, 3 do add(r, tree, f.truth_vel_mps, 8) end
   for _ = 1, 3 do add(r, tree, f.truth_acc_mps2, 8) end

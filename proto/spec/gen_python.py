@@ -56,6 +56,18 @@ def record(struct):
             out.append(f"        self.{f.name} = {f.name}")
     if not struct.fields:
         out.append("        pass")
+    for f in struct.fields:
+        if f.type.struct and f.type.struct.spread:
+            out += spread(f)
+    return out
+
+
+def spread(field):
+    """The members of a record that is read as if they were the message's own."""
+    out = []
+    for member in field.type.struct.fields:
+        out += ["", "    @property", f"    def {member.name}(self):", f'        """{member.doc}"""',
+                f"        return self.{field.name}.{member.name}"]
     return out
 
 

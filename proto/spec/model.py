@@ -77,7 +77,11 @@ class Struct:
     def __init__(self, name, raw, message=False):
         self.name, self.doc, self.message = name, raw["doc"], message
         self.fields = [Field(name, f) for f in raw.get("fields", [])]
+        unknown = set(raw) - {"doc", "fields", "type", "from", "answer", "spread", "show"}
+        if unknown:
+            raise SpecError(f"{name}: unknown key {sorted(unknown)[0]}")
         self.type_number, self.sender, self.answer = raw.get("type", 0), raw.get("from", ""), raw.get("answer", "")
+        self.spread, self.show = raw.get("spread", False), raw.get("show", "")
 
     @property
     def fixed(self):
@@ -86,6 +90,11 @@ class Struct:
     @property
     def size(self):
         return sum(f.type.size for f in self.fields) if self.fixed else None
+
+    @property
+    def epochs(self):
+        """The field that says for which instants a request asks; it is answered once for each. None: it is answered once."""
+        return next((f for f in self.fields if f.type.struct and f.type.struct.name == "epochs"), None)
 
     @property
     def older_sizes(self):
@@ -199,8 +208,10 @@ class Spec:
             numbers.add(message.type_number)
             if message.largest > self.max_payload:
                 raise SpecError(f"{name}: may take {message.largest} bytes, above max_payload {self.max_payload}")
-            if message.sender == "client" and message.answer not in self.messages:
+            if message.sender == "client" and message.answer not in {*self.messages, "none"}:
                 raise SpecError(f"{name}: a client's message names its answer")
+            if message.epochs and (message.answer == "none" or not any(f.type.text == "epoch" for f in self.messages[message.answer].fields)):
+                raise SpecError(f"{name}: asks for epochs, but its answer has no field of type epoch")
         for name, struct in self.structs.items():
             if ("struct", struct) in self.list_records and struct.largest > 65535:
                 raise SpecError(f"{name}: a record of a list takes at most 65535 bytes, this one up to {struct.largest}")

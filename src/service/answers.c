@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/service/answers.h"
 
+#include "src/service/answers_caps.h"
 #include "src/service/answers_delays.h"
 #include "src/service/answers_elements.h"
 #include "src/service/answers_motion.h"
@@ -35,36 +36,29 @@ uint16_t orr_answers_refuse(orr_server_refusal *why, uint16_t code, const char *
     return code;
 }
 
-uint16_t orr_answers_check_poll(const char *name, int64_t t, int64_t step, uint32_t count,
-                                const orr_msg_sat_id_list *satellites, orr_server_refusal *why)
+uint16_t orr_answers_check_epochs(const char *name, const orr_msg_epochs *epochs, orr_server_refusal *why)
 {
     const char *wrong = NULL;
     int64_t last;
-    if (count == 0)
+    if (epochs->count == 0)
         wrong = "count is 0, no epoch is asked for";
-    else if (count > ORR_MSG_MAX_EPOCHS) {
+    else if (epochs->count > ORR_MSG_MAX_EPOCHS) {
         snprintf(why->sentence, sizeof why->sentence, "%s: %lu epochs, at most %u may be asked for at once",
-                 name, (unsigned long)count, ORR_MSG_MAX_EPOCHS);
+                 name, (unsigned long)epochs->count, ORR_MSG_MAX_EPOCHS);
         return ORR_MSG_ERROR_CODE_LIMIT;
-    } else if (count > 1 && step == 0)
+    } else if (epochs->count > 1 && epochs->step == 0)
         wrong = "step is 0, but count is more than 1";
-    else if (__builtin_mul_overflow(step, (int64_t)count - 1, &last) ||
-             __builtin_add_overflow(t, last, &last))
+    else if (__builtin_mul_overflow(epochs->step, (int64_t)epochs->count - 1, &last) ||
+             __builtin_add_overflow(epochs->t, last, &last))
         wrong = "its last epoch is beyond what a time can be";
-    if (wrong != NULL) {
-        snprintf(why->sentence, sizeof why->sentence, "%s: %s", name, wrong);
-        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
-    }
-    orr_msg_sat_id id;
-    orr_wire_iter it = {0};
-    while (orr_msg_sat_id_next(satellites, &it, &id)) {
-        if (orr_sat_make((char)id.system, id.number) != ORR_SAT_NONE) continue;
-        snprintf(why->sentence, sizeof why->sentence,
-                 "%s: satellite %u of the list (system 0x%02x, number %u) is none", name, (unsigned)it.index,
-                 (unsigned)id.system, (unsigned)id.number);
-        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
-    }
-    return 0;
+    if (wrong == NULL) return 0;
+    snprintf(why->sentence, sizeof why->sentence, "%s: %s", name, wrong);
+    return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+}
+
+orr_msg_epoch orr_answers_epoch(const orr_msg_epochs *epochs, uint32_t index)
+{
+    return (orr_msg_epoch){epochs->t + epochs->step * (int64_t)index, index, epochs->count, 0};
 }
 
 uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why)
@@ -80,33 +74,34 @@ uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_ser
 
 const orr_sat *orr_answers_asked(orr_answers *a, const orr_msg_sat_id_list *satellites, uint16_t *n)
 {
-    *n = satellites->count > 0 ? satellites->count : a->n_ids;
-    for (uint16_t i = 0; i < satellites->count; i++) {
-        orr_msg_sat_id id;
-        orr_msg_sat_id_at(satellites, i, &id);
-        a->sat[i] = orr_sat_make((char)id.system, id.number);
+    *n = satellites->count;
+    for (uint16_t i = 0; i < *n; i++) {
+        orr_msg_sat_id_at(satellites, i, &a->asked[i]);
+        a->sat[i] = orr_sat_make((char)a->asked[i].system, a->asked[i].number);
     }
-    return satellites->count > 0 ? a->sat : NULL;
+    if (*n > 0) return a->sat;
+    *n = a->n_ids;
+    memcpy(a->asked, a->id, *n * sizeof a->id[0]);
+    return NULL;
 }
 
 static uint16_t begin_poll(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why)
 {
-    (void)user;
+    const orr_answers *a = user;
     orr_msg_poll poll;
     orr_wire_status ws = orr_msg_poll_decode(request->payload, request->size, &poll);
-    if (ws == ORR_WIRE_LIMIT)
-        return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_LIMIT,
-                                  "POLL: more satellites than a list may have");
     uint16_t code = orr_answers_check_decoded("POLL", ws, why);
-    if (code == 0)
-        code = orr_answers_check_poll("POLL", poll.t, poll.step, poll.count, &poll.satellites, why);
-    *frames = poll.count;
+    if (code == 0 && a->n_ids == 0)
+        code = orr_answers_refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED,
+                                  "POLL: this scenario has no satellites (orbit.product, orbit.sp3)");
+    if (code == 0) code = orr_answers_check_epochs("POLL", &poll.epochs, why);
+    *frames = poll.epochs.count;
     return code;
 }
 
-static void fill(const orr_sat_state *s, orr_answer answer, orr_msg_sat_state *m)
+static void fill(const orr_sat_state *s, orr_msg_sat_id sat, orr_answer answer, orr_msg_sat_state *m)
 {
-    m->sat = orr_answers_sat_id(s->sat);
+    m->sat = sat;
     m->answer = (uint8_t)answer;
     m->reserved = 0;
     if (answer != ORR_ANSWER_OK) { // never a number where there is none
@@ -138,28 +133,16 @@ static uint16_t answer_poll(void *user, const orr_frame *request, uint32_t index
     orr_msg_poll_decode(request->payload, request->size, &poll); // begin_poll has seen that it decodes
     uint16_t n;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_states m = {.t = poll.t + poll.step * (int64_t)index, .index = index, .count = poll.count};
-    orr_answer answer = orr_engine_states(a->engine, m.t, sats, n, a->state, a->answer);
-    m.answer = (uint8_t)answer;
+    orr_msg_states m = {.epoch = orr_answers_epoch(&poll.epochs, index)};
+    orr_answer answer = orr_engine_states(a->engine, m.epoch.t, sats, n, a->state, a->answer);
+    m.epoch.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK) {
-        for (uint16_t i = 0; i < n; i++) fill(&a->state[i], a->answer[i], &a->wire[i]);
+        for (uint16_t i = 0; i < n; i++) fill(&a->state[i], a->asked[i], a->answer[i], &a->wire[i]);
         m.satellites.count = n;
         m.satellites.item = a->wire;
     }
     orr_msg_states_encode(&m, w);
     return 0;
-}
-
-static void fill_caps(void *user, orr_msg_caps *caps)
-{
-    const orr_answers *a = user;
-    orr_engine_span(a->engine, &caps->span_from, &caps->span_to);
-    caps->name = orr_wire_text("orrery");
-    caps->version = orr_wire_text(ORR_VERSION);
-    caps->title = orr_wire_text(orr_engine_title(a->engine));
-    caps->frame = orr_wire_text(orr_engine_frame(a->engine));
-    caps->satellites.count = a->n_ids;
-    caps->satellites.item = a->id;
 }
 
 static const orr_server_route routes[] = {
@@ -184,7 +167,8 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
     a->engine = engine;
     a->n_ids = (uint16_t)n;
     for (size_t i = 0; i < n; i++) a->id[i] = orr_answers_sat_id(sats[i]);
-    a->server = (orr_server){routes, sizeof routes / sizeof routes[0], fill_caps, a};
+    a->server =
+        (orr_server){routes, sizeof routes / sizeof routes[0], orr_answers_caps, orr_answers_served, a};
     *out = a;
     return ORR_OK;
 }

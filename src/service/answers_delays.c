@@ -28,12 +28,16 @@ static orr_answer receiver_of(const orr_answers *a, const orr_msg_poll_delays *p
 // Rays from above the shell, or from nowhere, have no pierce point.
 static uint16_t check_receiver(orr_vec3 receiver, orr_server_refusal *why)
 {
-    double r = orr_vec3_norm(receiver);
+    if (!isfinite(receiver.x) || !isfinite(receiver.y) || !isfinite(receiver.z))
+        return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+                                  "POLL_DELAYS: receiver_m has a coordinate that is no finite number; three "
+                                  "finite ones name a receiver, three NAN the scenario's own");
+    double r = hypot(hypot(receiver.x, receiver.y), receiver.z); // does not overflow
     if (r > 6.2e6 && r < 6.8e6) return 0;
     snprintf(why->sentence, sizeof why->sentence,
-             "POLL_DELAYS: a receiver %.0f km from the Earth's centre; between 6200 and 6800 km, below the "
+             "POLL_DELAYS: a receiver %.6g km from the Earth's centre; between 6200 and 6800 km, below the "
              "ionosphere's shell, one is possible",
-             isfinite(r) ? r / 1e3 : -1.0);
+             r / 1e3);
     return ORR_MSG_ERROR_CODE_BAD_REQUEST;
 }
 
@@ -44,15 +48,14 @@ uint16_t orr_answers_begin_delays(void *user, const orr_frame *request, uint32_t
     orr_msg_poll_delays poll;
     uint16_t code = orr_answers_check_decoded(
         "POLL_DELAYS", orr_msg_poll_delays_decode(request->payload, request->size, &poll), why);
-    if (code == 0)
-        code = orr_answers_check_poll("POLL_DELAYS", poll.t, poll.step, poll.count, &poll.satellites, why);
+    if (code == 0) code = orr_answers_check_epochs("POLL_DELAYS", &poll.epochs, why);
     if (code != 0) return code;
     if (!orr_engine_has_ionosphere(a->engine))
         return orr_answers_refuse(
             why, ORR_MSG_ERROR_CODE_NOT_SERVED,
             "POLL_DELAYS: this scenario has no ionosphere (ionosphere.field, ionosphere.session)");
     orr_vec3 receiver;
-    orr_answer where = receiver_of(a, &poll, poll.t, &receiver);
+    orr_answer where = receiver_of(a, &poll, poll.epochs.t, &receiver);
     if (where == ORR_ANSWER_NOT_SERVED)
         return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
                                   "POLL_DELAYS: it names no receiver, and neither does the scenario "
@@ -66,14 +69,14 @@ uint16_t orr_answers_begin_delays(void *user, const orr_frame *request, uint32_t
             return orr_answers_refuse(
                 why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
                 "POLL_DELAYS: a carrier outside 100 MHz to 30 GHz, for which 40.3 TEC/f^2 does not hold");
-    *frames = poll.count;
+    *frames = poll.epochs.count;
     return 0;
 }
 
-static void fill_delay(const orr_realisation *d, orr_answer answer, const double *hz, uint16_t n_hz,
-                       orr_msg_sat_delay *m)
+static void fill_delay(const orr_realisation *d, orr_msg_sat_id sat, orr_answer answer, const double *hz,
+                       uint16_t n_hz, orr_msg_sat_delay *m)
 {
-    *m = (orr_msg_sat_delay){.sat = orr_answers_sat_id(d->sat), .answer = (uint8_t)answer};
+    *m = (orr_msg_sat_delay){.sat = sat, .answer = (uint8_t)answer};
     m->az_rad = m->el_rad = m->pierce_lat_rad = m->pierce_lon_rad = m->mapping = m->stec_tecu =
         m->model_stec_tecu = (double)NAN;
     m->sigma_tecu = NAN;
@@ -105,22 +108,21 @@ uint16_t orr_answers_delays(void *user, const orr_frame *request, uint32_t index
     for (uint16_t k = 0; k < n_hz; k++) orr_msg_f64_at(&poll.carriers_hz, k, &hz[k]);
     if (n_hz == 0) n_hz = 1;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_delays m = {.t = poll.t + poll.step * (int64_t)index,
-                        .index = index,
-                        .count = poll.count,
+    orr_msg_delays m = {.epoch = orr_answers_epoch(&poll.epochs, index),
                         .carriers_hz = {.count = n_hz, .item = hz}};
     orr_vec3 receiver = {ORR_NAN, ORR_NAN, ORR_NAN};
-    orr_answer answer = receiver_of(a, &poll, m.t, &receiver);
+    orr_answer answer = receiver_of(a, &poll, m.epoch.t, &receiver);
     uint16_t code = answer == ORR_ANSWER_OK ? check_receiver(receiver, why) : 0;
     if (code != 0) return code; // it has flown up there since the first epoch
     m.receiver_m[0] = receiver.x;
     m.receiver_m[1] = receiver.y;
     m.receiver_m[2] = receiver.z;
     if (answer == ORR_ANSWER_OK)
-        answer = orr_engine_delays(a->engine, m.t, receiver, sats, n, a->delay, a->answer);
-    m.answer = (uint8_t)answer;
+        answer = orr_engine_delays(a->engine, m.epoch.t, receiver, sats, n, a->delay, a->answer);
+    m.epoch.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK) {
-        for (uint16_t i = 0; i < n; i++) fill_delay(&a->delay[i], a->answer[i], hz, n_hz, &a->wire_delay[i]);
+        for (uint16_t i = 0; i < n; i++)
+            fill_delay(&a->delay[i], a->asked[i], a->answer[i], hz, n_hz, &a->wire_delay[i]);
         m.satellites.count = n;
         m.satellites.item = a->wire_delay;
     }

@@ -17,29 +17,37 @@ _Static_assert((int)ORR_ELEMENTS_DATE == ORR_MSG_ELEMENTS_FRAME_DATE &&
 uint16_t orr_answers_begin_elements(void *user, const orr_frame *request, uint32_t *frames,
                                     orr_server_refusal *why)
 {
-    (void)user;
+    const orr_answers *a = user;
     orr_msg_poll_elements poll;
     orr_wire_status ws = orr_msg_poll_elements_decode(request->payload, request->size, &poll);
     uint16_t code = orr_answers_check_decoded("POLL_ELEMENTS", ws, why);
-    if (code == 0)
-        code = orr_answers_check_poll("POLL_ELEMENTS", poll.t, poll.step, poll.count, &poll.satellites, why);
+    if (code == 0 && a->n_ids == 0)
+        code =
+            orr_answers_refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED,
+                               "POLL_ELEMENTS: this scenario has no satellites (orbit.product, orbit.sp3)");
+    if (code == 0) code = orr_answers_check_epochs("POLL_ELEMENTS", &poll.epochs, why);
     if (code != 0) return code;
-    if (orr_msg_elements_frame_name(poll.frame) == NULL ||
-        orr_msg_elements_method_name(poll.method) == NULL) {
-        snprintf(
-            why->sentence, sizeof why->sentence,
-            "POLL_ELEMENTS: there is no frame %u or no method %u; frames are 0 (DATE) to 2 (ECEF), methods "
-            "0 (STATE) to 2 (MEAN)",
-            (unsigned)poll.frame, (unsigned)poll.method);
+    if (orr_msg_elements_frame_name(poll.frame) == NULL) {
+        snprintf(why->sentence, sizeof why->sentence,
+                 "POLL_ELEMENTS: there is no frame %u; frames are 0 (DATE), 1 (J2000) and 2 (ECEF)",
+                 (unsigned)poll.frame);
         return ORR_MSG_ERROR_CODE_BAD_REQUEST;
     }
-    *frames = poll.count;
+    if (orr_msg_elements_method_name(poll.method) == NULL) {
+        snprintf(
+            why->sentence, sizeof why->sentence,
+            "POLL_ELEMENTS: there is no method %u; methods are 0 (STATE), 1 (THREE_POSITIONS) and 2 (MEAN)",
+            (unsigned)poll.method);
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    *frames = poll.epochs.count;
     return 0;
 }
 
-static void fill(orr_sat sat, orr_answer answer, const orr_kepler *k, uint32_t flags, orr_msg_sat_elements *m)
+static void fill(orr_msg_sat_id sat, orr_answer answer, const orr_kepler *k, uint32_t flags,
+                 orr_msg_sat_elements *m)
 {
-    *m = (orr_msg_sat_elements){.sat = orr_answers_sat_id(sat), .answer = (uint8_t)answer};
+    *m = (orr_msg_sat_elements){.sat = sat, .answer = (uint8_t)answer};
     m->a_m = m->e = m->i_rad = m->raan_rad = m->argp_rad = m->m_rad = m->u_rad = (double)NAN;
     if (answer != ORR_ANSWER_OK) return; // never a number where there is none
     m->flags = flags;
@@ -62,19 +70,15 @@ uint16_t orr_answers_elements(void *user, const orr_frame *request, uint32_t ind
                                  &poll); // its begin has seen that it decodes
     uint16_t n;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_elements m = {.t = poll.t + poll.step * (int64_t)index,
-                          .index = index,
-                          .count = poll.count,
-                          .frame = poll.frame,
-                          .method = poll.method};
+    orr_msg_elements m = {
+        .epoch = orr_answers_epoch(&poll.epochs, index), .frame = poll.frame, .method = poll.method};
     orr_answer answer =
-        orr_engine_elements(a->engine, m.t, (orr_elements_frame)poll.frame, (orr_elements_method)poll.method,
-                            sats, n, a->kepler, a->flags, a->answer);
-    m.answer = (uint8_t)answer;
+        orr_engine_elements(a->engine, m.epoch.t, (orr_elements_frame)poll.frame,
+                            (orr_elements_method)poll.method, sats, n, a->kepler, a->flags, a->answer);
+    m.epoch.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK) {
-        if (sats == NULL) orr_engine_satellites(a->engine, &sats);
         for (uint16_t i = 0; i < n; i++)
-            fill(sats[i], a->answer[i], &a->kepler[i], a->flags[i], &a->wire_elements[i]);
+            fill(a->asked[i], a->answer[i], &a->kepler[i], a->flags[i], &a->wire_elements[i]);
         m.satellites.count = n;
         m.satellites.item = a->wire_elements;
     }

@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "core/nan.h"
-#include "src/service/answers.h"
+#include "src/service/answers_private.h"
 
 static uint16_t refuse(orr_server_refusal *why, uint16_t code, const char *name, const char *sentence)
 {
@@ -13,36 +13,17 @@ static uint16_t refuse(orr_server_refusal *why, uint16_t code, const char *name,
     return code;
 }
 
-// What both ask alike. `last_step` is the number of steps from t to the last instant concerned.
-static uint16_t check(const orr_engine *e, const char *name, int64_t t, int64_t step, uint32_t count,
-                      int64_t last_step, uint16_t unit, orr_server_refusal *why)
+// What both ask alike: a unit that there is.
+static uint16_t check_unit(const orr_engine *e, const char *name, uint16_t unit, orr_server_refusal *why)
 {
     size_t units = orr_engine_units(e);
-    int64_t last;
     if (units == 0)
         return refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED, name,
                       "this scenario has no trajectory (trajectory.kind)");
-    if (unit >= units) {
-        snprintf(why->sentence, sizeof why->sentence, "%s: there is no unit %u, the scenario has 0 to %zu",
-                 name, (unsigned)unit, units - 1);
-        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
-    }
-    if (count == 0)
-        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, name, "count is 0, nothing is asked for");
-    if (count > ORR_MSG_MAX_EPOCHS) {
-        snprintf(why->sentence, sizeof why->sentence, "%s: %lu epochs, at most %u may be asked for at once",
-                 name, (unsigned long)count, ORR_MSG_MAX_EPOCHS);
-        return ORR_MSG_ERROR_CODE_LIMIT;
-    }
-    if (__builtin_mul_overflow(step, last_step, &last) || __builtin_add_overflow(t, last, &last))
-        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, name,
-                      "its last epoch is beyond what a time can be");
-    return 0;
-}
-
-static uint16_t undecoded(orr_wire_status ws, const char *name, orr_server_refusal *why)
-{
-    return refuse(why, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, name, orr_wire_status_text(ws));
+    if (unit < units) return 0;
+    snprintf(why->sentence, sizeof why->sentence, "%s: there is no unit %u, the scenario has 0 to %zu", name,
+             (unsigned)unit, units - 1);
+    return ORR_MSG_ERROR_CODE_BAD_REQUEST;
 }
 
 static void put(double to[3], orr_vec3 v)
@@ -57,29 +38,34 @@ uint16_t orr_answers_begin_imu(void *user, const orr_frame *request, uint32_t *f
 {
     const orr_engine *e = orr_answers_engine(user);
     orr_msg_poll_imu poll;
-    orr_wire_status ws = orr_msg_poll_imu_decode(request->payload, request->size, &poll);
-    if (ws != ORR_WIRE_OK) return undecoded(ws, "POLL_IMU", why);
-    // An interval of the scenario's own is at least 10 us; without a trajectory the rate is 0 and check()
-    // refuses.
-    int64_t step = poll.step != 0 ? poll.step : 1;
-    uint16_t code = check(e, "POLL_IMU", poll.t, step, poll.count, poll.count, poll.unit, why);
+    uint16_t code = orr_answers_check_decoded(
+        "POLL_IMU", orr_msg_poll_imu_decode(request->payload, request->size, &poll), why);
+    if (code == 0) code = check_unit(e, "POLL_IMU", poll.unit, why);
     if (code != 0) return code;
-    if (poll.step < 0 || poll.step > INT64_C(3600000000000))
-        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL_IMU",
-                      "an interval has a length of 0 to an hour");
     if (!orr_engine_imu_physical(e))
         return refuse(
             why, ORR_MSG_ERROR_CODE_NOT_SERVED, "POLL_IMU",
             "readings of approach 1 depend on all before them; they are made by 'orrery imu', not by time");
-    *frames = poll.count;
-    return 0;
+    const orr_msg_epochs *q = &poll.epochs;
+    if (q->step < 0 || q->step > INT64_C(3600000000000))
+        return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL_IMU",
+                      "an interval has a length of 0 to an hour");
+    // The last interval ends within what a time can be, too.
+    double step_ns = q->step != 0 ? (double)q->step : ceil(1e9 / orr_engine_imu_rate(e));
+    orr_msg_epochs ends = {q->t, (int64_t)step_ns, q->count};
+    code = orr_answers_check_epochs("POLL_IMU", &ends, why);
+    if (code == 0 && q->t > INT64_MAX - ends.step * (int64_t)q->count)
+        code = refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL_IMU",
+                      "its last interval ends beyond what a time can be");
+    *frames = q->count;
+    return code;
 }
 
 // Begin of interval k; intervals of the scenario's rate are rounded one by one, so that they never drift.
 static orr_time begin_of(const orr_engine *e, const orr_msg_poll_imu *poll, uint32_t k)
 {
-    if (poll->step != 0) return poll->t + poll->step * (int64_t)k;
-    return poll->t + (int64_t)llround((double)k * 1e9 / orr_engine_imu_rate(e));
+    if (poll->epochs.step != 0) return poll->epochs.t + poll->epochs.step * (int64_t)k;
+    return poll->epochs.t + (int64_t)llround((double)k * 1e9 / orr_engine_imu_rate(e));
 }
 
 uint16_t orr_answers_imu(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
@@ -89,13 +75,11 @@ uint16_t orr_answers_imu(void *user, const orr_frame *request, uint32_t index, o
     const orr_engine *e = orr_answers_engine(user);
     orr_msg_poll_imu poll;
     orr_msg_poll_imu_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
-    orr_msg_imu m = {.t0 = begin_of(e, &poll, index),
+    orr_msg_imu m = {.epoch = {begin_of(e, &poll, index), index, poll.epochs.count, 0},
                      .t1 = begin_of(e, &poll, index + 1),
-                     .index = index,
-                     .count = poll.count,
                      .unit = poll.unit};
     orr_vec3 dtheta = {ORR_NAN, ORR_NAN, ORR_NAN}, dv = dtheta;
-    m.answer = (uint8_t)orr_engine_imu(e, poll.unit, m.t0, m.t1, &dtheta, &dv);
+    m.epoch.answer = (uint8_t)orr_engine_imu(e, poll.unit, m.epoch.t, m.t1, &dtheta, &dv);
     put(m.dtheta_rad, dtheta);
     put(m.dv_mps, dv);
     orr_msg_imu_encode(&m, w);
@@ -106,14 +90,11 @@ uint16_t orr_answers_begin_truth(void *user, const orr_frame *request, uint32_t 
                                  orr_server_refusal *why)
 {
     orr_msg_poll_truth poll;
-    orr_wire_status ws = orr_msg_poll_truth_decode(request->payload, request->size, &poll);
-    if (ws != ORR_WIRE_OK) return undecoded(ws, "POLL_TRUTH", why);
-    uint16_t code = check(orr_answers_engine(user), "POLL_TRUTH", poll.t, poll.step, poll.count,
-                          (int64_t)poll.count - 1, poll.unit, why);
-    if (code == 0 && poll.count > 1 && poll.step == 0)
-        code =
-            refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL_TRUTH", "step is 0, but count is more than 1");
-    *frames = poll.count;
+    uint16_t code = orr_answers_check_decoded(
+        "POLL_TRUTH", orr_msg_poll_truth_decode(request->payload, request->size, &poll), why);
+    if (code == 0) code = check_unit(orr_answers_engine(user), "POLL_TRUTH", poll.unit, why);
+    if (code == 0) code = orr_answers_check_epochs("POLL_TRUTH", &poll.epochs, why);
+    *frames = poll.epochs.count;
     return code;
 }
 
@@ -123,11 +104,10 @@ uint16_t orr_answers_truth(void *user, const orr_frame *request, uint32_t index,
     (void)why;
     orr_msg_poll_truth poll;
     orr_msg_poll_truth_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
-    orr_msg_truth m = {
-        .t = poll.t + poll.step * (int64_t)index, .index = index, .count = poll.count, .unit = poll.unit};
+    orr_msg_truth m = {.epoch = orr_answers_epoch(&poll.epochs, index), .unit = poll.unit};
     orr_truth t;
-    m.answer = (uint8_t)orr_engine_truth(orr_answers_engine(user), poll.unit, m.t, &t);
-    if (m.answer != ORR_MSG_ANSWER_OK) {
+    m.epoch.answer = (uint8_t)orr_engine_truth(orr_answers_engine(user), poll.unit, m.epoch.t, &t);
+    if (m.epoch.answer != ORR_MSG_ANSWER_OK) {
         orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
         t = (orr_truth){.motion = {.r_m = none,
                                    .v_mps = none,

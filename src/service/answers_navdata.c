@@ -23,15 +23,14 @@ uint16_t orr_answers_begin_navdata(void *user, const orr_frame *request, uint32_
     orr_msg_poll_navdata poll;
     orr_wire_status ws = orr_msg_poll_navdata_decode(request->payload, request->size, &poll);
     uint16_t code = orr_answers_check_decoded("POLL_NAVDATA", ws, why);
-    if (code == 0)
-        code = orr_answers_check_poll("POLL_NAVDATA", poll.t, poll.step, poll.count, &poll.satellites, why);
+    if (code == 0) code = orr_answers_check_epochs("POLL_NAVDATA", &poll.epochs, why);
     if (code != 0) return code;
     const char *none = orr_engine_no_navdata(a->engine);
     if (none != NULL) {
         snprintf(why->sentence, sizeof why->sentence, "POLL_NAVDATA: %.220s", none);
         return ORR_MSG_ERROR_CODE_NOT_SERVED;
     }
-    *frames = poll.count;
+    *frames = poll.epochs.count;
     return 0;
 }
 
@@ -83,10 +82,10 @@ static void fill_pages(const orr_navframe *f, orr_msg_nav_page *m)
     }
 }
 
-static void fill(orr_answers_nav *room, uint16_t i, orr_sat sat, orr_answer answer)
+static void fill(orr_answers_nav *room, uint16_t i, orr_msg_sat_id sat, orr_answer answer)
 {
     orr_msg_sat_navdata *m = &room->wire[i];
-    *m = (orr_msg_sat_navdata){.sat = orr_answers_sat_id(sat), .answer = (uint8_t)answer};
+    *m = (orr_msg_sat_navdata){.sat = sat, .answer = (uint8_t)answer};
     m->set_from = m->set_to = m->toe = m->toc = m->frame_from = m->frame_to = ORR_TIME_NONE;
     m->week = m->iode = m->iodc = -1;
     m->accuracy_m = m->fit_rms_m = m->fit_max_m = m->clock_rms_s = (double)NAN;
@@ -138,12 +137,12 @@ uint16_t orr_answers_navdata(void *user, const orr_frame *request, uint32_t inde
     orr_msg_poll_navdata_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
     uint16_t n;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_navdata m = {.t = poll.t + poll.step * (int64_t)index, .index = index, .count = poll.count};
-    orr_answer answer = orr_engine_navdata(a->engine, m.t, sats, n, a->nav.set, a->nav.frame, a->answer);
-    m.answer = (uint8_t)answer;
+    orr_msg_navdata m = {.epoch = orr_answers_epoch(&poll.epochs, index)};
+    orr_answer answer =
+        orr_engine_navdata(a->engine, m.epoch.t, sats, n, a->nav.set, a->nav.frame, a->answer);
+    m.epoch.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK) {
-        if (sats == NULL) orr_engine_satellites(a->engine, &sats);
-        for (uint16_t i = 0; i < n; i++) fill(&a->nav, i, sats[i], a->answer[i]);
+        for (uint16_t i = 0; i < n; i++) fill(&a->nav, i, a->asked[i], a->answer[i]);
         m.satellites.count = n;
         m.satellites.item = a->nav.wire;
     }

@@ -21,8 +21,10 @@ struct orr_answers {
     orr_server server;
     orr_msg_sat_id id[ORR_MSG_MAX_SATELLITES]; // of all served
     uint16_t n_ids;
+    orr_msg_inertial_unit unit[ORR_MSG_MAX_UNITS];
     // Room for one epoch; the loop is one thread's, so one room is enough.
     orr_sat sat[ORR_MSG_MAX_SATELLITES];
+    orr_msg_sat_id asked[ORR_MSG_MAX_SATELLITES];
     orr_answer answer[ORR_MSG_MAX_SATELLITES];
     orr_sat_state state[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_state wire[ORR_MSG_MAX_SATELLITES];
@@ -36,12 +38,14 @@ struct orr_answers {
 
 // Writes the sentence and returns the code.
 uint16_t orr_answers_refuse(orr_server_refusal *why, uint16_t code, const char *sentence);
-// Whether a payload was decoded, and what every kind of POLL asks alike, epochs and satellites: 0 or a code.
-// `name` is for the sentence.
+// Whether a payload was decoded, and whether its epochs can be: 0 or a code. `name` is for the sentence.
 uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why);
-uint16_t orr_answers_check_poll(const char *name, int64_t t, int64_t step, uint32_t count,
-                                const orr_msg_sat_id_list *satellites, orr_server_refusal *why);
-// The satellites that a checked list names, NULL for all served; *n of them.
+uint16_t orr_answers_check_epochs(const char *name, const orr_msg_epochs *epochs, orr_server_refusal *why);
+// Epoch number `index` of a request, its answer still open.
+orr_msg_epoch orr_answers_epoch(const orr_msg_epochs *epochs, uint32_t index);
+// The satellites that a list names, all served for an empty list; *n of them. What the list names otherwise
+// than IGS files do is ORR_SAT_NONE, which nothing serves; a->asked[0..n) has the names as they came, for the
+// answer.
 const orr_sat *orr_answers_asked(orr_answers *a, const orr_msg_sat_id_list *satellites, uint16_t *n);
 
 #endif

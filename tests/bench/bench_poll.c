@@ -77,14 +77,14 @@ static void *run_service(void *user)
 
 static double one_poll(orr_dial *d, int64_t t, size_t *reply)
 {
-    orr_msg_poll poll = {.t = t, .count = 1};
+    orr_msg_poll poll = {.epochs = {.t = t, .count = 1}};
     orr_msg_states m;
     double begin = now_us();
     must(orr_client_poll(&d->client, &poll) == ORR_WIRE_OK &&
              orr_client_states(&d->client, &m) == ORR_WIRE_OK,
          "no answer");
     double took = now_us() - begin;
-    must(m.satellites.count > 0 && m.answer == ORR_MSG_ANSWER_OK, "no satellites");
+    must(m.satellites.count > 0 && m.epoch.answer == ORR_MSG_ANSWER_OK, "no satellites");
     *reply = d->client.used;
     return took;
 }

@@ -82,7 +82,7 @@ class Client:
     @property
     def span(self):
         """First and last instant served, as time tags."""
-        return self.caps.span_from, self.caps.span_to
+        return self.caps.span.first, self.caps.span.last
 
     @property
     def satellites(self):
@@ -103,7 +103,7 @@ class Client:
         step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
         while count > 0:
             n = min(count, self.caps.max_epochs)
-            self._send(messages.Poll(t, step, n, sats))
+            self._send(messages.Poll(messages.Epochs(t, step, n), sats))
             for index in range(n):
                 states = self._receive(messages.States)
                 if states.index != index or states.count != n:
@@ -125,7 +125,7 @@ class Client:
         step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
         while count > 0:
             n = min(count, self.caps.max_epochs)
-            self._send(messages.PollElements(t, step, n, axes, way, sats))
+            self._send(messages.PollElements(messages.Epochs(t, step, n), axes, way, sats))
             for index in range(n):
                 elements = self._receive(messages.Elements)
                 if elements.index != index or elements.count != n:
@@ -146,7 +146,7 @@ class Client:
         step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
         while count > 0:
             n = min(count, self.caps.max_epochs)
-            self._send(messages.PollNavdata(t, step, n, sats))
+            self._send(messages.PollNavdata(messages.Epochs(t, step, n), sats))
             for index in range(n):
                 navdata = self._receive(messages.Navdata)
                 if navdata.index != index or navdata.count != n:
@@ -167,7 +167,7 @@ class Client:
         place = [float("nan")] * 3 if receiver_m is None else [float(x) for x in receiver_m]
         while count > 0:
             n = min(count, self.caps.max_epochs)
-            self._send(messages.PollDelays(t, step, n, place, [float(f) for f in carriers_hz], sats))
+            self._send(messages.PollDelays(messages.Epochs(t, step, n), place, [float(f) for f in carriers_hz], sats))
             for index in range(n):
                 delays = self._receive(messages.Delays)
                 if delays.index != index or delays.count != n:
@@ -187,7 +187,7 @@ class Client:
         step = round(step_s * gpstime.NS_PER_S)
         while count > 0:
             n = min(count, self.caps.max_epochs)
-            self._send(messages.PollImu(t, step, n, unit))
+            self._send(messages.PollImu(messages.Epochs(t, step, n), unit))
             last = None
             for index in range(n):
                 last = self._receive(messages.Imu)
@@ -203,7 +203,7 @@ class Client:
         step = round(step_s * gpstime.NS_PER_S)
         while count > 0:
             n = min(count, self.caps.max_epochs)
-            self._send(messages.PollTruth(t, step, n, unit))
+            self._send(messages.PollTruth(messages.Epochs(t, step, n), unit))
             for index in range(n):
                 truth = self._receive(messages.Truth)
                 if truth.index != index or truth.count != n:

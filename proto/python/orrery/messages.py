@@ -15,6 +15,7 @@ MAX_CARRIERS = 4  # carriers one POLL_DELAYS may name
 MAX_SATELLITES = 800  # satellites in one list (eight systems of 99 and a little)
 MAX_EPOCHS = 86400  # epochs one POLL may ask for (a day at 1 Hz)
 MAX_PAGES = 15  # subframes or strings in one frame of a navigation message
+MAX_UNITS = 64  # inertial units in one list
 MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
 
 
@@ -71,6 +72,23 @@ class ElementsMethod(enum.IntEnum):
     MEAN = 2  # osculating averaged over one revolution centred on the epoch
 
 
+class OrbitPoint(enum.IntEnum):
+    """The point of a satellite whose orbit is described."""
+
+    NONE = 0  # no orbit is described
+    CENTRE_OF_MASS = 1  # the centre of mass
+    PHASE_CENTRE = 2  # the antenna's phase centre; the centre of mass of a satellite marked NO_ANTENNA
+
+
+class ReceiverSource(enum.IntEnum):
+    """Where the receiver comes from that is used when a request names none."""
+
+    NONE = 0  # there is none: a request has to name one
+    POSITION = 1  # the scenario's receiver.position
+    TRAJECTORY = 2  # a unit of the scenario's trajectory, where it is at each epoch
+    STATION = 3  # the station of the ionosphere's session
+
+
 class TecOrigin(enum.IntEnum):
     """What a delay came from."""
 
@@ -112,8 +130,8 @@ class NavNotes(enum.IntFlag):
 class SatId(Record):
     """A satellite as IGS files name it.
 
-    system: letter: G R E C J I S L
-    number: 1 to 99
+    system: letter: G R E C J I S L; any other is NOT_SERVED
+    number: 1 to 99; any other is NOT_SERVED
     """
 
     LAYOUT = (
@@ -126,18 +144,133 @@ class SatId(Record):
         self.number = number
 
 
-class MessageRef(Record):
-    """A message type.
+class Epochs(Record):
+    """The instants of a request - t, t + step, ..., t + (count - 1) step. A request that has them is answered by count frames.
 
-    type: as in the frame header
+    t [ns]: first epoch
+    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
+    count: how many, 1 to MAX_EPOCHS
     """
 
     LAYOUT = (
-        Field("type", "scalar", scalar="u16"),
+        Field("t", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+        Field("count", "scalar", scalar="u32"),
     )
 
-    def __init__(self, type=0):
-        self.type = type
+    def __init__(self, t=0, step=0, count=0):
+        self.t = t
+        self.step = step
+        self.count = count
+
+
+class Epoch(Record):
+    """Which of the instants of a request a frame answers.
+
+    t [ns]: the instant
+    index: which epoch of the request, from 0; the frame of count - 1 ends the answer
+    count: how many epochs the request asked for
+    answer: whether there are numbers at this instant
+    """
+
+    LAYOUT = (
+        Field("t", "scalar", scalar="i64"),
+        Field("index", "scalar", scalar="u32"),
+        Field("count", "scalar", scalar="u32"),
+        Field("answer", "scalar", scalar="u8"),
+    )
+
+    def __init__(self, t=0, index=0, count=0, answer=0):
+        self.t = t
+        self.index = index
+        self.count = count
+        self.answer = answer
+
+
+class Span(Record):
+    """A length of time with both of its ends.
+
+    first [ns]: first instant; -2^63 where there is none
+    last [ns]: last instant; likewise
+    """
+
+    LAYOUT = (
+        Field("first", "scalar", scalar="i64"),
+        Field("last", "scalar", scalar="i64"),
+    )
+
+    def __init__(self, first=0, last=0):
+        self.first = first
+        self.last = last
+
+
+class ServedRequest(Record):
+    """A request that is answered.
+
+    request: its message type
+    answer: message type of its answer
+    span: instants at which there can be numbers; none of a request without epochs
+    """
+
+    LAYOUT = (
+        Field("request", "scalar", scalar="u16"),
+        Field("answer", "scalar", scalar="u16"),
+        Field("span", "struct", record=Span),
+    )
+
+    def __init__(self, request=0, answer=0, span=None):
+        self.request = request
+        self.answer = answer
+        self.span = Span() if span is None else span
+
+
+class InertialUnit(Record):
+    """An inertial measurement unit of the scenario's vehicle.
+
+    unit: its number in POLL_IMU and POLL_TRUTH; 0 is the trajectory's own point
+    name: its name in the scenario
+    lever_m [m]: where it is from unit 0: to the right, forward, up in the vehicle's axes
+    heading_rad [rad]: how it is mounted: heading against the vehicle's axes
+    pitch_rad [rad]: likewise pitch
+    roll_rad [rad]: likewise roll
+    """
+
+    LAYOUT = (
+        Field("unit", "scalar", scalar="u16"),
+        Field("name", "string", limit=64),
+        Field("lever_m", "array", scalar="f64", length=3),
+        Field("heading_rad", "scalar", scalar="f64"),
+        Field("pitch_rad", "scalar", scalar="f64"),
+        Field("roll_rad", "scalar", scalar="f64"),
+    )
+
+    def __init__(self, unit=0, name="", lever_m=None, heading_rad=0.0, pitch_rad=0.0, roll_rad=0.0):
+        self.unit = unit
+        self.name = name
+        self.lever_m = [0.0] * 3 if lever_m is None else lever_m
+        self.heading_rad = heading_rad
+        self.pitch_rad = pitch_rad
+        self.roll_rad = roll_rad
+
+
+class LeapSeconds(Record):
+    """Leap seconds of UTC as the server knows them.
+
+    gps_utc_s [s]: GPS time minus UTC, in force at the first instant served
+    next_gps_utc_s [s]: from `next` on; the same where no later change is known
+    next [ns]: first instant of the next value; -2^63 where no later change is known
+    """
+
+    LAYOUT = (
+        Field("gps_utc_s", "scalar", scalar="i16"),
+        Field("next_gps_utc_s", "scalar", scalar="i16"),
+        Field("next", "scalar", scalar="i64"),
+    )
+
+    def __init__(self, gps_utc_s=0, next_gps_utc_s=0, next=0):
+        self.gps_utc_s = gps_utc_s
+        self.next_gps_utc_s = next_gps_utc_s
+        self.next = next
 
 
 class SatState(Record):
@@ -512,13 +645,19 @@ class Caps(Record):
     minor: minor version of the server
     max_request: bytes of payload it reads of one request
     max_epochs: epochs one POLL may ask for
-    span_from [ns]: start of the served span
-    span_to [ns]: its end, inclusive
+    span: first and last instant at which anything is served
     name: name of the server
     version: its version
     title: title of the scenario
     frame: terrestrial frame of positions, e.g. IGS20
-    requests: message types that it answers
+    leap: leap second in force, and the next
+    navdata_point: the point of a satellite whose orbit NAVDATA describes; STATES gives the centre of mass
+    receiver_source: receiver that is used when a POLL_DELAYS names none
+    receiver_unit: with TRAJECTORY: the unit whose point it is
+    receiver_m [m]: where it is (ecef); NAN with NONE and TRAJECTORY
+    imu_rate_hz [Hz]: readings a second where POLL_IMU has step 0; NAN where POLL_IMU is not answered
+    units: inertial units; none without a trajectory
+    requests: what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
     satellites: served satellites, in the order in which STATES lists them
     """
 
@@ -528,33 +667,45 @@ class Caps(Record):
         Field("minor", "scalar", scalar="u8"),
         Field("max_request", "scalar", scalar="u32"),
         Field("max_epochs", "scalar", scalar="u32"),
-        Field("span_from", "scalar", scalar="i64"),
-        Field("span_to", "scalar", scalar="i64"),
+        Field("span", "struct", record=Span),
         Field("name", "string", limit=64),
         Field("version", "string", limit=32),
         Field("title", "string", limit=128),
         Field("frame", "string", limit=64),
-        Field("requests", "list", record=MessageRef, limit=64),
+        Field("leap", "struct", record=LeapSeconds),
+        Field("navdata_point", "scalar", scalar="u8"),
+        Field("receiver_source", "scalar", scalar="u8"),
+        Field("receiver_unit", "scalar", scalar="u16"),
+        Field("receiver_m", "array", scalar="f64", length=3),
+        Field("imu_rate_hz", "scalar", scalar="f64"),
+        Field("units", "list", record=InertialUnit, limit=64),
+        Field("requests", "list", record=ServedRequest, limit=64),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, major=0, minor=0, max_request=0, max_epochs=0, span_from=0, span_to=0, name="", version="", title="", frame="", requests=None, satellites=None):
+    def __init__(self, major=0, minor=0, max_request=0, max_epochs=0, span=None, name="", version="", title="", frame="", leap=None, navdata_point=0, receiver_source=0, receiver_unit=0, receiver_m=None, imu_rate_hz=0.0, units=None, requests=None, satellites=None):
         self.major = major
         self.minor = minor
         self.max_request = max_request
         self.max_epochs = max_epochs
-        self.span_from = span_from
-        self.span_to = span_to
+        self.span = Span() if span is None else span
         self.name = name
         self.version = version
         self.title = title
         self.frame = frame
+        self.leap = LeapSeconds() if leap is None else leap
+        self.navdata_point = navdata_point
+        self.receiver_source = receiver_source
+        self.receiver_unit = receiver_unit
+        self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
+        self.imu_rate_hz = imu_rate_hz
+        self.units = [] if units is None else units
         self.requests = [] if requests is None else requests
         self.satellites = [] if satellites is None else satellites
 
 
 class Ping(Record):
-    """Asks for a sign of life; also keeps an idle connection open.
+    """Asks whether the server is alive; also keeps an idle connection open.
 
     token: anything
     """
@@ -569,7 +720,7 @@ class Ping(Record):
 
 
 class Pong(Record):
-    """The sign of life.
+    """The answer to a PING.
 
     token: that of the PING
     """
@@ -605,62 +756,80 @@ class Error(Record):
 
 
 class Poll(Record):
-    """Asks for satellite states at t, t + step, ..., t + (count - 1) step. The same POLL gets the same bytes, always.
+    """Asks for satellite states. The same POLL gets the same bytes, always.
 
-    t [ns]: first epoch
-    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
-    count: epochs, 1 to MAX_EPOCHS
+    epochs: when
     satellites: which, in the order of the answer; empty for all
     """
 
     TYPE = 6
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("step", "scalar", scalar="i64"),
-        Field("count", "scalar", scalar="u32"),
+        Field("epochs", "struct", record=Epochs),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, t=0, step=0, count=0, satellites=None):
-        self.t = t
-        self.step = step
-        self.count = count
+    def __init__(self, epochs=None, satellites=None):
+        self.epochs = Epochs() if epochs is None else epochs
         self.satellites = [] if satellites is None else satellites
+
+    @property
+    def t(self):
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self):
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self):
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
 
 
 class States(Record):
-    """Satellite states at one epoch. A POLL is answered by count of these, index 0 to count - 1, the last one ends the answer.
+    """Satellite states at one epoch.
 
-    t [ns]: the epoch
-    index: which epoch of the POLL, from 0
-    count: how many epochs the POLL asked for
-    answer: OK, or OUTSIDE_SPAN with no satellites
+    epoch: OK, or OUTSIDE_SPAN with no satellites
     satellites: those asked for, in that order; for all, those of CAPS
     """
 
     TYPE = 7
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("index", "scalar", scalar="u32"),
-        Field("count", "scalar", scalar="u32"),
-        Field("answer", "scalar", scalar="u8"),
+        Field("epoch", "struct", record=Epoch),
         Field("satellites", "list", record=SatState, limit=800),
     )
 
-    def __init__(self, t=0, index=0, count=0, answer=0, satellites=None):
-        self.t = t
-        self.index = index
-        self.count = count
-        self.answer = answer
+    def __init__(self, epoch=None, satellites=None):
+        self.epoch = Epoch() if epoch is None else epoch
         self.satellites = [] if satellites is None else satellites
+
+    @property
+    def t(self):
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self):
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self):
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self):
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
 
 
 class PollElements(Record):
-    """Asks for Kepler elements at t, t + step, ..., t + (count - 1) step. The same POLL_ELEMENTS gets the same bytes, always.
+    """Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
 
-    t [ns]: first epoch
-    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
-    count: epochs, 1 to MAX_EPOCHS
+    epochs: when
     frame: axes that the elements refer to
     method: how they are made
     satellites: which, in the order of the answer; empty for all
@@ -668,30 +837,38 @@ class PollElements(Record):
 
     TYPE = 8
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("step", "scalar", scalar="i64"),
-        Field("count", "scalar", scalar="u32"),
+        Field("epochs", "struct", record=Epochs),
         Field("frame", "scalar", scalar="u8"),
         Field("method", "scalar", scalar="u8"),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, t=0, step=0, count=0, frame=0, method=0, satellites=None):
-        self.t = t
-        self.step = step
-        self.count = count
+    def __init__(self, epochs=None, frame=0, method=0, satellites=None):
+        self.epochs = Epochs() if epochs is None else epochs
         self.frame = frame
         self.method = method
         self.satellites = [] if satellites is None else satellites
 
+    @property
+    def t(self):
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self):
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self):
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
+
 
 class Elements(Record):
-    """Kepler elements at one epoch. A POLL_ELEMENTS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+    """Kepler elements at one epoch.
 
-    t [ns]: the epoch
-    index: which epoch of the POLL_ELEMENTS, from 0
-    count: how many epochs it asked for
-    answer: OK, or OUTSIDE_SPAN with no satellites
+    epoch: OK, or OUTSIDE_SPAN with no satellites
     frame: as asked
     method: as asked
     satellites: those asked for, in that order; for all, those of CAPS
@@ -699,82 +876,114 @@ class Elements(Record):
 
     TYPE = 9
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("index", "scalar", scalar="u32"),
-        Field("count", "scalar", scalar="u32"),
-        Field("answer", "scalar", scalar="u8"),
+        Field("epoch", "struct", record=Epoch),
         Field("frame", "scalar", scalar="u8"),
         Field("method", "scalar", scalar="u8"),
         Field("satellites", "list", record=SatElements, limit=800),
     )
 
-    def __init__(self, t=0, index=0, count=0, answer=0, frame=0, method=0, satellites=None):
-        self.t = t
-        self.index = index
-        self.count = count
-        self.answer = answer
+    def __init__(self, epoch=None, frame=0, method=0, satellites=None):
+        self.epoch = Epoch() if epoch is None else epoch
         self.frame = frame
         self.method = method
         self.satellites = [] if satellites is None else satellites
 
+    @property
+    def t(self):
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self):
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self):
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self):
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
+
 
 class PollNavdata(Record):
-    """Asks for the broadcast data at t, t + step, ..., t + (count - 1) step; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+    """Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
 
-    t [ns]: first epoch
-    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
-    count: epochs, 1 to MAX_EPOCHS
+    epochs: when
     satellites: which, in the order of the answer; empty for all
     """
 
     TYPE = 10
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("step", "scalar", scalar="i64"),
-        Field("count", "scalar", scalar="u32"),
+        Field("epochs", "struct", record=Epochs),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, t=0, step=0, count=0, satellites=None):
-        self.t = t
-        self.step = step
-        self.count = count
+    def __init__(self, epochs=None, satellites=None):
+        self.epochs = Epochs() if epochs is None else epochs
         self.satellites = [] if satellites is None else satellites
+
+    @property
+    def t(self):
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self):
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self):
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
 
 
 class Navdata(Record):
-    """Broadcast data at one epoch. A POLL_NAVDATA is answered by count of these, index 0 to count - 1, the last one ends the answer.
+    """Broadcast data at one epoch.
 
-    t [ns]: the epoch
-    index: which epoch of the POLL_NAVDATA, from 0
-    count: how many epochs it asked for
-    answer: OK, or OUTSIDE_SPAN with no satellites
+    epoch: OK, or OUTSIDE_SPAN with no satellites
     satellites: those asked for, in that order; for all, those of CAPS
     """
 
     TYPE = 11
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("index", "scalar", scalar="u32"),
-        Field("count", "scalar", scalar="u32"),
-        Field("answer", "scalar", scalar="u8"),
+        Field("epoch", "struct", record=Epoch),
         Field("satellites", "list", record=SatNavdata, limit=800),
     )
 
-    def __init__(self, t=0, index=0, count=0, answer=0, satellites=None):
-        self.t = t
-        self.index = index
-        self.count = count
-        self.answer = answer
+    def __init__(self, epoch=None, satellites=None):
+        self.epoch = Epoch() if epoch is None else epoch
         self.satellites = [] if satellites is None else satellites
+
+    @property
+    def t(self):
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self):
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self):
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self):
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
 
 
 class PollDelays(Record):
-    """Asks for ionospheric delays at t, t + step, ..., t + (count - 1) step. The same POLL_DELAYS gets the same bytes, always.
+    """Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
 
-    t [ns]: first epoch
-    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
-    count: epochs, 1 to MAX_EPOCHS
+    epochs: when
     receiver_m [m]: receiver (ecef); three times NAN for the scenario's own, which may move from epoch to epoch
     carriers_hz [Hz]: carriers to give delays for; empty for 1575.42 MHz
     satellites: which, in the order of the answer; empty for all
@@ -782,30 +991,38 @@ class PollDelays(Record):
 
     TYPE = 12
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("step", "scalar", scalar="i64"),
-        Field("count", "scalar", scalar="u32"),
+        Field("epochs", "struct", record=Epochs),
         Field("receiver_m", "array", scalar="f64", length=3),
         Field("carriers_hz", "list", scalar="f64", limit=4),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, t=0, step=0, count=0, receiver_m=None, carriers_hz=None, satellites=None):
-        self.t = t
-        self.step = step
-        self.count = count
+    def __init__(self, epochs=None, receiver_m=None, carriers_hz=None, satellites=None):
+        self.epochs = Epochs() if epochs is None else epochs
         self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
         self.carriers_hz = [] if carriers_hz is None else carriers_hz
         self.satellites = [] if satellites is None else satellites
 
+    @property
+    def t(self):
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self):
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self):
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
+
 
 class Delays(Record):
-    """Ionospheric delays at one epoch. A POLL_DELAYS is answered by count of these, index 0 to count - 1, the last one ends the answer.
+    """Ionospheric delays at one epoch.
 
-    t [ns]: the epoch
-    index: which epoch of the POLL_DELAYS, from 0
-    count: how many epochs it asked for
-    answer: OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites
+    epoch: OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites
     receiver_m [m]: the receiver that was taken (ecef); NAN outside the span of the scenario's trajectory
     carriers_hz [Hz]: the carriers of delay_m
     satellites: those asked for, in that order; for all, those of CAPS
@@ -813,121 +1030,157 @@ class Delays(Record):
 
     TYPE = 13
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("index", "scalar", scalar="u32"),
-        Field("count", "scalar", scalar="u32"),
-        Field("answer", "scalar", scalar="u8"),
+        Field("epoch", "struct", record=Epoch),
         Field("receiver_m", "array", scalar="f64", length=3),
         Field("carriers_hz", "list", scalar="f64", limit=4),
         Field("satellites", "list", record=SatDelay, limit=800),
     )
 
-    def __init__(self, t=0, index=0, count=0, answer=0, receiver_m=None, carriers_hz=None, satellites=None):
-        self.t = t
-        self.index = index
-        self.count = count
-        self.answer = answer
+    def __init__(self, epoch=None, receiver_m=None, carriers_hz=None, satellites=None):
+        self.epoch = Epoch() if epoch is None else epoch
         self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
         self.carriers_hz = [] if carriers_hz is None else carriers_hz
         self.satellites = [] if satellites is None else satellites
 
+    @property
+    def t(self):
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self):
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self):
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self):
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
+
 
 class PollImu(Record):
-    """Asks for ideal inertial increments over [t, t + step], [t + step, t + 2 step], ... count of them. The same POLL_IMU gets the same bytes, always.
+    """Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
 
-    t [ns]: begin of the first interval
-    step [ns]: length of an interval; 0 for that of the scenario's imu.rate
-    count: intervals, 1 to MAX_EPOCHS
+    epochs: begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)
     unit: which inertial unit of the scenario; 0 is the trajectory's own point
     """
 
     TYPE = 16
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("step", "scalar", scalar="i64"),
-        Field("count", "scalar", scalar="u32"),
+        Field("epochs", "struct", record=Epochs),
         Field("unit", "scalar", scalar="u16"),
     )
 
-    def __init__(self, t=0, step=0, count=0, unit=0):
-        self.t = t
-        self.step = step
-        self.count = count
+    def __init__(self, epochs=None, unit=0):
+        self.epochs = Epochs() if epochs is None else epochs
         self.unit = unit
+
+    @property
+    def t(self):
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self):
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self):
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
 
 
 class Imu(Record):
-    """Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). A POLL_IMU is answered by count of these.
+    """Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up).
 
-    t0 [ns]: begin of the interval
-    t1 [ns]: its end
-    index: which interval, from 0
-    count: how many intervals were asked for
+    epoch: begin of the interval; OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    t1 [ns]: end of the interval
     unit: the unit asked for
-    answer: OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
-    reserved: 0
     dtheta_rad [rad]: integral of the absolute angular rate
     dv_mps [m/s]: integral of the specific force; at rest +g upward
     """
 
     TYPE = 17
     LAYOUT = (
-        Field("t0", "scalar", scalar="i64"),
+        Field("epoch", "struct", record=Epoch),
         Field("t1", "scalar", scalar="i64"),
-        Field("index", "scalar", scalar="u32"),
-        Field("count", "scalar", scalar="u32"),
         Field("unit", "scalar", scalar="u16"),
-        Field("answer", "scalar", scalar="u8"),
-        Field("reserved", "scalar", scalar="u8"),
         Field("dtheta_rad", "array", scalar="f64", length=3),
         Field("dv_mps", "array", scalar="f64", length=3),
     )
 
-    def __init__(self, t0=0, t1=0, index=0, count=0, unit=0, answer=0, reserved=0, dtheta_rad=None, dv_mps=None):
-        self.t0 = t0
+    def __init__(self, epoch=None, t1=0, unit=0, dtheta_rad=None, dv_mps=None):
+        self.epoch = Epoch() if epoch is None else epoch
         self.t1 = t1
-        self.index = index
-        self.count = count
         self.unit = unit
-        self.answer = answer
-        self.reserved = reserved
         self.dtheta_rad = [0.0] * 3 if dtheta_rad is None else dtheta_rad
         self.dv_mps = [0.0] * 3 if dv_mps is None else dv_mps
 
+    @property
+    def t(self):
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self):
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self):
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self):
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
+
 
 class PollTruth(Record):
-    """Asks for the true motion of an inertial unit at t, t + step, ..., t + (count - 1) step. The same POLL_TRUTH gets the same bytes, always.
+    """Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.
 
-    t [ns]: first epoch
-    step [ns]: from one epoch to the next; any sign, not 0 unless count is 1
-    count: epochs, 1 to MAX_EPOCHS
+    epochs: when
     unit: which inertial unit of the scenario; 0 is the trajectory's own point
     """
 
     TYPE = 18
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("step", "scalar", scalar="i64"),
-        Field("count", "scalar", scalar="u32"),
+        Field("epochs", "struct", record=Epochs),
         Field("unit", "scalar", scalar="u16"),
     )
 
-    def __init__(self, t=0, step=0, count=0, unit=0):
-        self.t = t
-        self.step = step
-        self.count = count
+    def __init__(self, epochs=None, unit=0):
+        self.epochs = Epochs() if epochs is None else epochs
         self.unit = unit
+
+    @property
+    def t(self):
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self):
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self):
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
 
 
 class Truth(Record):
-    """True motion and gravity at one epoch. A POLL_TRUTH is answered by count of these.
+    """True motion and gravity at one epoch.
 
-    t [ns]: the epoch
-    index: which epoch, from 0
-    count: how many epochs were asked for
+    epoch: OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
     unit: the unit asked for
-    answer: OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
-    reserved: 0
     pos_m [m]: position (ecef)
     vel_mps [m/s]: velocity relative to the Earth (ecef)
     acc_mps2 [m/s2]: second derivative of the position (ecef)
@@ -944,12 +1197,8 @@ class Truth(Record):
 
     TYPE = 19
     LAYOUT = (
-        Field("t", "scalar", scalar="i64"),
-        Field("index", "scalar", scalar="u32"),
-        Field("count", "scalar", scalar="u32"),
+        Field("epoch", "struct", record=Epoch),
         Field("unit", "scalar", scalar="u16"),
-        Field("answer", "scalar", scalar="u8"),
-        Field("reserved", "scalar", scalar="u8"),
         Field("pos_m", "array", scalar="f64", length=3),
         Field("vel_mps", "array", scalar="f64", length=3),
         Field("acc_mps2", "array", scalar="f64", length=3),
@@ -964,13 +1213,9 @@ class Truth(Record):
         Field("vertical_mps2", "scalar", scalar="f64"),
     )
 
-    def __init__(self, t=0, index=0, count=0, unit=0, answer=0, reserved=0, pos_m=None, vel_mps=None, acc_mps2=None, attitude=None, heading_rad=0.0, pitch_rad=0.0, roll_rad=0.0, rate_radps=None, force_mps2=None, disturbance_mgal=0.0, eotvos_mgal=0.0, vertical_mps2=0.0):
-        self.t = t
-        self.index = index
-        self.count = count
+    def __init__(self, epoch=None, unit=0, pos_m=None, vel_mps=None, acc_mps2=None, attitude=None, heading_rad=0.0, pitch_rad=0.0, roll_rad=0.0, rate_radps=None, force_mps2=None, disturbance_mgal=0.0, eotvos_mgal=0.0, vertical_mps2=0.0):
+        self.epoch = Epoch() if epoch is None else epoch
         self.unit = unit
-        self.answer = answer
-        self.reserved = reserved
         self.pos_m = [0.0] * 3 if pos_m is None else pos_m
         self.vel_mps = [0.0] * 3 if vel_mps is None else vel_mps
         self.acc_mps2 = [0.0] * 3 if acc_mps2 is None else acc_mps2
@@ -983,6 +1228,26 @@ class Truth(Record):
         self.disturbance_mgal = disturbance_mgal
         self.eotvos_mgal = eotvos_mgal
         self.vertical_mps2 = vertical_mps2
+
+    @property
+    def t(self):
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self):
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self):
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self):
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
 
 
 MESSAGES = {cls.TYPE: cls for cls in (

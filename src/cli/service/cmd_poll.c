@@ -38,25 +38,25 @@ static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
         p->numbers = p->motion.numbers;
         p->outside = p->motion.outside;
     } else if (p->delays.asked) {
-        p->delays.poll.step = p->step_ns;
+        p->delays.poll.epochs.step = p->step_ns;
         p->delays.poll.satellites = satellites;
         s = orr_delay_poll_run(&p->delays, p->d, t, count, diag);
         p->numbers = p->delays.numbers;
         p->outside = p->delays.outside;
     } else if (p->elements.asked) {
-        p->elements.poll.step = p->step_ns;
+        p->elements.poll.epochs.step = p->step_ns;
         p->elements.poll.satellites = satellites;
         s = orr_element_poll_run(&p->elements, p->d, t, count, diag);
         p->numbers = p->elements.numbers;
         p->outside = p->elements.outside;
     } else if (p->navdata.asked) {
-        p->navdata.poll.step = p->step_ns;
+        p->navdata.poll.epochs.step = p->step_ns;
         p->navdata.poll.satellites = satellites;
         s = orr_navdata_poll_run(&p->navdata, p->d, t, count, diag);
         p->numbers = p->navdata.numbers;
         p->outside = p->navdata.outside;
     } else {
-        const orr_msg_poll poll = {.t = t, .step = p->step_ns, .count = count, .satellites = satellites};
+        const orr_msg_poll poll = {.epochs = {t, p->step_ns, count}, .satellites = satellites};
         s = orr_state_poll_run(&p->states, p->d, &poll, diag);
         p->numbers = p->states.numbers;
         p->outside = p->states.outside;
@@ -131,10 +131,10 @@ static int poll_service(poll_job *p)
         return orr_cli_fail(c, &diag);
     }
     orr_wire_text_copy(caps.frame, p->states.frame, sizeof p->states.frame);
-    p->t = orr_cli_time(c, "at", caps.span_from);
+    p->t = orr_cli_time(c, "at", caps.span.first);
     char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
-    orr_time_text(caps.span_from, from);
-    orr_time_text(caps.span_to, to);
+    orr_time_text(caps.span.first, from);
+    orr_time_text(caps.span.last, to);
     uint32_t most = caps.max_epochs > 0 ? caps.max_epochs : 1;
     int status = choose_sats(p, &caps); // the caps are the buffer's until the next request
     if (status != ORR_EXIT_OK) return status;

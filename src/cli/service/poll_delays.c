@@ -73,8 +73,8 @@ static json_t *json_of(const orr_msg_sat_delay *s, uint16_t n_hz)
 static void print_json(const orr_msg_delays *m)
 {
     json_t *j = json_object(), *sats = json_array(), *carriers = json_array();
-    json_object_set_new(j, "t", orr_json_time(m->t));
-    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "t", orr_json_time(m->epoch.t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->epoch.answer)));
     double hz;
     for (orr_wire_iter it = {0}; orr_msg_f64_next(&m->carriers_hz, &it, &hz);)
         json_array_append_new(carriers, orr_json_number(hz));
@@ -97,9 +97,9 @@ static void print_table(const orr_msg_delays *m)
 {
     static const char *const from[] = {"field", "fused", "transferred", "noise"};
     char text[ORR_TIME_TEXT];
-    printf("%s GPS  ", orr_time_text(m->t, text));
-    if (m->answer != ORR_MSG_ANSWER_OK) {
-        puts(answer_words(m->answer));
+    printf("%s GPS  ", orr_time_text(m->epoch.t, text));
+    if (m->epoch.answer != ORR_MSG_ANSWER_OK) {
+        puts(answer_words(m->epoch.answer));
         return;
     }
     orr_geodetic g = orr_earth_from_ecef((orr_vec3){m->receiver_m[0], m->receiver_m[1], m->receiver_m[2]});
@@ -136,15 +136,15 @@ static void print_table(const orr_msg_delays *m)
 
 orr_status orr_delay_poll_run(orr_delay_poll *p, orr_dial *d, orr_time t, uint32_t count, orr_diag *diag)
 {
-    p->poll.t = t;
-    p->poll.count = count;
+    p->poll.epochs.t = t;
+    p->poll.epochs.count = count;
     orr_wire_status ws = orr_client_poll_delays(&d->client, &p->poll);
     for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) {
         orr_msg_delays m;
         ws = orr_client_delays(&d->client, &m);
-        if (ws == ORR_WIRE_OK && (m.index != k || m.count != count)) ws = ORR_WIRE_UNEXPECTED;
+        if (ws == ORR_WIRE_OK && (m.epoch.index != k || m.epoch.count != count)) ws = ORR_WIRE_UNEXPECTED;
         if (ws != ORR_WIRE_OK) break;
-        p->outside = p->outside || m.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
+        p->outside = p->outside || m.epoch.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
         orr_msg_sat_delay s;
         for (orr_wire_iter it = {0}; orr_msg_sat_delay_next(&m.satellites, &it, &s);)
             p->numbers += s.answer == ORR_MSG_ANSWER_OK;

@@ -33,8 +33,8 @@ static json_t *json_of(const orr_msg_sat_elements *s)
 static void print_json(const orr_msg_elements *m)
 {
     json_t *j = json_object(), *sats = json_array();
-    json_object_set_new(j, "t", orr_json_time(m->t));
-    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "t", orr_json_time(m->epoch.t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->epoch.answer)));
     json_object_set_new(j, "frame", orr_json_text(orr_msg_elements_frame_name(m->frame)));
     json_object_set_new(j, "method", orr_json_text(orr_msg_elements_method_name(m->method)));
     orr_msg_sat_elements s;
@@ -58,22 +58,22 @@ static void print_csv(orr_element_poll *p, const orr_msg_elements *m)
                               .m_rad = s.m_rad,
                               .u_rad = s.u_rad};
         char name[8];
-        orr_elements_csv_row(stdout, m->t, orr_poll_sat_name(s.sat, name),
+        orr_elements_csv_row(stdout, m->epoch.t, orr_poll_sat_name(s.sat, name),
                              s.answer == ORR_MSG_ANSWER_OK ? &k : NULL);
     }
 }
 
 orr_status orr_element_poll_run(orr_element_poll *p, orr_dial *d, orr_time t, uint32_t count, orr_diag *diag)
 {
-    p->poll.t = t;
-    p->poll.count = count;
+    p->poll.epochs.t = t;
+    p->poll.epochs.count = count;
     orr_wire_status ws = orr_client_poll_elements(&d->client, &p->poll);
     for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) {
         orr_msg_elements m;
         ws = orr_client_elements(&d->client, &m);
-        if (ws == ORR_WIRE_OK && (m.index != k || m.count != count)) ws = ORR_WIRE_UNEXPECTED;
+        if (ws == ORR_WIRE_OK && (m.epoch.index != k || m.epoch.count != count)) ws = ORR_WIRE_UNEXPECTED;
         if (ws != ORR_WIRE_OK) break;
-        p->outside = p->outside || m.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
+        p->outside = p->outside || m.epoch.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
         orr_msg_sat_elements s;
         for (orr_wire_iter it = {0}; orr_msg_sat_elements_next(&m.satellites, &it, &s);)
             p->numbers += s.answer == ORR_MSG_ANSWER_OK;

@@ -21,13 +21,13 @@ int orr_motion_poll_ask(const orr_cli *c, orr_motion_poll *out)
 
 static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
 {
-    bool ok = m->answer == ORR_MSG_ANSWER_OK;
+    bool ok = m->epoch.answer == ORR_MSG_ANSWER_OK;
     if (p->json) {
         json_t *j = json_object();
-        json_object_set_new(j, "t0", orr_json_time(m->t0));
+        json_object_set_new(j, "t", orr_json_time(m->epoch.t));
         json_object_set_new(j, "t1", orr_json_time(m->t1));
         json_object_set_new(j, "unit", json_integer(m->unit));
-        json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->answer)));
+        json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->epoch.answer)));
         if (ok) {
             json_object_set_new(j, "dtheta_rad", orr_poll_json_vector(m->dtheta_rad, 3));
             json_object_set_new(j, "dv_mps", orr_poll_json_vector(m->dv_mps, 3));
@@ -36,7 +36,7 @@ static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
         return;
     }
     char text[ORR_TIME_TEXT];
-    printf("%s GPS +%.9f s  unit %u", orr_time_text(m->t0, text), (double)(m->t1 - m->t0) * 1e-9,
+    printf("%s GPS +%.9f s  unit %u", orr_time_text(m->epoch.t, text), (double)(m->t1 - m->epoch.t) * 1e-9,
            (unsigned)m->unit);
     if (ok)
         printf("  rad %.9e %.9e %.9e  m/s %.9e %.9e %.9e\n", m->dtheta_rad[0], m->dtheta_rad[1],
@@ -48,10 +48,10 @@ static void show_imu(const orr_motion_poll *p, const orr_msg_imu *m)
 static void truth_json(const orr_msg_truth *m)
 {
     json_t *j = json_object();
-    json_object_set_new(j, "t", orr_json_time(m->t));
+    json_object_set_new(j, "t", orr_json_time(m->epoch.t));
     json_object_set_new(j, "unit", json_integer(m->unit));
-    json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->answer)));
-    if (m->answer == ORR_MSG_ANSWER_OK) {
+    json_object_set_new(j, "answer", json_string(orr_msg_answer_name(m->epoch.answer)));
+    if (m->epoch.answer == ORR_MSG_ANSWER_OK) {
         json_object_set_new(j, "pos_m", orr_poll_json_vector(m->pos_m, 3));
         json_object_set_new(j, "vel_mps", orr_poll_json_vector(m->vel_mps, 3));
         json_object_set_new(j, "acc_mps2", orr_poll_json_vector(m->acc_mps2, 3));
@@ -75,8 +75,8 @@ static void show_truth(const orr_motion_poll *p, const orr_msg_truth *m)
         return;
     }
     char text[ORR_TIME_TEXT];
-    printf("%s GPS  unit %u", orr_time_text(m->t, text), (unsigned)m->unit);
-    if (m->answer != ORR_MSG_ANSWER_OK) {
+    printf("%s GPS  unit %u", orr_time_text(m->epoch.t, text), (unsigned)m->unit);
+    if (m->epoch.answer != ORR_MSG_ANSWER_OK) {
         printf("  outside the trajectory's span\n");
         return;
     }
@@ -95,19 +95,19 @@ static void show_truth(const orr_motion_poll *p, const orr_msg_truth *m)
 orr_status orr_motion_poll_run(orr_motion_poll *p, orr_dial *d, orr_time t, int64_t step_ns, uint32_t count,
                                orr_diag *diag)
 {
-    orr_msg_poll_imu imu = {.t = t, .step = p->step_ns, .count = count, .unit = p->unit};
-    orr_msg_poll_truth truth = {.t = t, .step = step_ns, .count = count, .unit = p->unit};
+    orr_msg_poll_imu imu = {.epochs = {t, p->step_ns, count}, .unit = p->unit};
+    orr_msg_poll_truth truth = {.epochs = {t, step_ns, count}, .unit = p->unit};
     orr_wire_status ws =
         p->imu ? orr_client_poll_imu(&d->client, &imu) : orr_client_poll_truth(&d->client, &truth);
     for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) {
         orr_msg_imu i;
         orr_msg_truth m;
         ws = p->imu ? orr_client_imu(&d->client, &i) : orr_client_truth(&d->client, &m);
-        if (ws == ORR_WIRE_OK &&
-            (p->imu ? i.index != k || i.count != count : m.index != k || m.count != count))
+        if (ws == ORR_WIRE_OK && (p->imu ? i.epoch.index != k || i.epoch.count != count
+                                         : m.epoch.index != k || m.epoch.count != count))
             ws = ORR_WIRE_UNEXPECTED;
         if (ws != ORR_WIRE_OK) break;
-        uint8_t answer = p->imu ? i.answer : m.answer;
+        uint8_t answer = p->imu ? i.epoch.answer : m.epoch.answer;
         p->outside = p->outside || answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
         p->numbers += answer == ORR_MSG_ANSWER_OK;
         if (p->imu)

@@ -122,7 +122,7 @@ static void print_sets(orr_navdata_poll *p, const orr_msg_navdata *m)
         bool is_glonass = orr_msg_glonass_set_at(&s.glonass, 0, &g);
         bool ok = s.answer == ORR_MSG_ANSWER_OK;
         const char *message = ok ? orr_msg_nav_message_name(s.message) : NULL;
-        printf("%s,%s,%s", orr_time_text(m->t, time), orr_poll_sat_name(s.sat, name),
+        printf("%s,%s,%s", orr_time_text(m->epoch.t, time), orr_poll_sat_name(s.sat, name),
                message != NULL ? message : "");
         time_cell(s.set_from);
         time_cell(s.set_to);
@@ -239,8 +239,8 @@ static json_t *json_of(const orr_msg_sat_navdata *s)
 static void print_json(const orr_msg_navdata *m)
 {
     json_t *j = json_object(), *sats = json_array();
-    json_object_set_new(j, "t", orr_json_time(m->t));
-    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "t", orr_json_time(m->epoch.t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->epoch.answer)));
     orr_msg_sat_navdata s;
     for (orr_wire_iter it = {0}; orr_msg_sat_navdata_next(&m->satellites, &it, &s);)
         json_array_append_new(sats, json_of(&s));
@@ -250,15 +250,15 @@ static void print_json(const orr_msg_navdata *m)
 
 orr_status orr_navdata_poll_run(orr_navdata_poll *p, orr_dial *d, orr_time t, uint32_t count, orr_diag *diag)
 {
-    p->poll.t = t;
-    p->poll.count = count;
+    p->poll.epochs.t = t;
+    p->poll.epochs.count = count;
     orr_wire_status ws = orr_client_poll_navdata(&d->client, &p->poll);
     for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) {
         orr_msg_navdata m;
         ws = orr_client_navdata(&d->client, &m);
-        if (ws == ORR_WIRE_OK && (m.index != k || m.count != count)) ws = ORR_WIRE_UNEXPECTED;
+        if (ws == ORR_WIRE_OK && (m.epoch.index != k || m.epoch.count != count)) ws = ORR_WIRE_UNEXPECTED;
         if (ws != ORR_WIRE_OK) break;
-        p->outside = p->outside || m.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
+        p->outside = p->outside || m.epoch.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
         orr_msg_sat_navdata s;
         for (orr_wire_iter it = {0}; orr_msg_sat_navdata_next(&m.satellites, &it, &s);)
             p->numbers += s.answer == ORR_MSG_ANSWER_OK;

@@ -26,8 +26,8 @@ static json_t *json_sat(const orr_msg_sat_state *s)
 static void print_json(const orr_msg_states *m)
 {
     json_t *j = json_object(), *sats = json_array();
-    json_object_set_new(j, "t", orr_json_time(m->t));
-    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->answer)));
+    json_object_set_new(j, "t", orr_json_time(m->epoch.t));
+    json_object_set_new(j, "answer", orr_json_text(orr_msg_answer_name(m->epoch.answer)));
     orr_msg_sat_state s;
     orr_wire_iter it = {0};
     while (orr_msg_sat_state_next(&m->satellites, &it, &s)) json_array_append_new(sats, json_sat(&s));
@@ -49,9 +49,9 @@ static void print_flags(uint32_t flags)
 static void print_table(const orr_state_poll *p, const orr_msg_states *m)
 {
     char text[ORR_TIME_TEXT], name[8];
-    printf("%s GPS", orr_time_text(m->t, text));
-    if (m->answer != ORR_MSG_ANSWER_OK) {
-        printf("  %s\n", orr_poll_answer_words(m->answer));
+    printf("%s GPS", orr_time_text(m->epoch.t, text));
+    if (m->epoch.answer != ORR_MSG_ANSWER_OK) {
+        printf("  %s\n", orr_poll_answer_words(m->epoch.answer));
         return;
     }
     printf("  %u satellites, %s\n", (unsigned)m->satellites.count, p->frame);
@@ -80,12 +80,13 @@ static void print_table(const orr_state_poll *p, const orr_msg_states *m)
 orr_status orr_state_poll_run(orr_state_poll *p, orr_dial *d, const orr_msg_poll *poll, orr_diag *diag)
 {
     orr_wire_status ws = orr_client_poll(&d->client, poll);
-    for (uint32_t k = 0; k < poll->count && ws == ORR_WIRE_OK; k++) {
+    for (uint32_t k = 0; k < poll->epochs.count && ws == ORR_WIRE_OK; k++) {
         orr_msg_states m;
         ws = orr_client_states(&d->client, &m);
-        if (ws == ORR_WIRE_OK && (m.index != k || m.count != poll->count)) ws = ORR_WIRE_UNEXPECTED;
+        if (ws == ORR_WIRE_OK && (m.epoch.index != k || m.epoch.count != poll->epochs.count))
+            ws = ORR_WIRE_UNEXPECTED;
         if (ws != ORR_WIRE_OK) break;
-        p->outside = p->outside || m.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
+        p->outside = p->outside || m.epoch.answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
         orr_msg_sat_state s;
         orr_wire_iter it = {0};
         while (orr_msg_sat_state_next(&m.satellites, &it, &s)) p->numbers += s.answer == ORR_MSG_ANSWER_OK;

@@ -100,13 +100,19 @@ class Delays(unittest.TestCase):
     def test_refusals(self):
         with client_package.Client(self.url) as c:
             t = c.span[0]
-            for wrong in ({"receiver_m": (1, 2, 3)}, {"receiver_m": (float("inf"), 0, 0)}, {"receiver_m": (7e6, 0, 0)},
-                          {"carriers_hz": (0.0,)}, {"carriers_hz": (float("nan"),)}, {"carriers_hz": (-1575.42e6,)}):
-                with self.assertRaises(client_package.client.Refused) as e:
+            nan, inf = float("nan"), float("inf")
+            for wrong, words in (({"receiver_m": (1, 2, 3)}, "a receiver 0.00374166 km from the Earth's centre"),
+                                 ({"receiver_m": (7e6, 0, 0)}, "a receiver 7000 km from"),
+                                 ({"receiver_m": (inf, 0, 0)}, "no finite number"), ({"receiver_m": (4e6, nan, 5e6)}, "no finite number"),
+                                 ({"receiver_m": (3e300, 4e300, 0)}, r"a receiver 5e\+297 km from"), ({"carriers_hz": (0.0,)}, "carrier"),
+                                 ({"carriers_hz": (nan,)}, "carrier"), ({"carriers_hz": (-1575.42e6,)}, "carrier")):
+                with self.assertRaisesRegex(client_package.client.Refused, words) as e:
                     c.delays(t, **wrong)
                 self.assertEqual(e.exception.code, messages.ErrorCode.BAD_REQUEST)
             self.assertEqual(c.delays(t - 3600 * NS).answer, messages.Answer.OUTSIDE_SPAN)
             self.assertEqual(c.delays(t, satellites=["G40"]).satellites[0].answer, messages.Answer.NOT_SERVED)
+            odd = c._ask(messages.PollDelays(messages.Epochs(t, 0, 1), [nan] * 3, [], [messages.SatId(ord("x"), 7)]), messages.Delays)
+            self.assertEqual([(s.sat.system, s.sat.number, s.answer) for s in odd.satellites], [(ord("x"), 7, messages.Answer.NOT_SERVED)])
             c.ping(1)  # the conversation lives on
         with Daemon(product()) as plain, client_package.Client(plain.urls[0]) as c:
             with self.assertRaises(client_package.client.Refused) as e:

@@ -42,24 +42,24 @@ int main(int argc, char **argv)
     orr_msg_caps caps;
     orr_wire_status s = orr_client_hello(&c, "firmware", "1", &caps);
     if (s != ORR_WIRE_OK) return give_up(&c, "HELLO", s);
-    int64_t from = caps.span_from, to = caps.span_to;
+    int64_t from = caps.span.first, to = caps.span.last;
     printf("satellites %u\n", (unsigned)caps.satellites.count);
     s = orr_client_ping(&c, 99);
     if (s != ORR_WIRE_OK) return give_up(&c, "PING", s);
-    orr_msg_poll poll = {.t = from, .step = (to - from) / 2, .count = 2};
+    orr_msg_poll poll = {.epochs = {from, (to - from) / 2, 2}};
     s = orr_client_poll(&c, &poll);
     if (s != ORR_WIRE_OK) return give_up(&c, "POLL", s);
-    for (uint32_t k = 0; k < poll.count; k++) {
+    for (uint32_t k = 0; k < poll.epochs.count; k++) {
         orr_msg_states m;
         s = orr_client_states(&c, &m);
         if (s != ORR_WIRE_OK) return give_up(&c, "STATES", s);
         orr_msg_sat_state x;
         orr_wire_iter it = {0, 0};
         while (orr_msg_sat_state_next(&m.satellites, &it, &x))
-            printf("%" PRId64 " %c%02u %a %a %a\n", m.t, x.sat.system, (unsigned)x.sat.number, x.pos_m[0],
-                   x.vel_mps[1], x.acc_mps2[2]);
+            printf("%" PRId64 " %c%02u %a %a %a\n", m.epoch.t, x.sat.system, (unsigned)x.sat.number,
+                   x.pos_m[0], x.vel_mps[1], x.acc_mps2[2]);
     }
-    orr_msg_poll_elements ask = {.t = from + (to - from) / 2, .count = 1};
+    orr_msg_poll_elements ask = {.epochs = {.t = from + (to - from) / 2, .count = 1}};
     s = orr_client_poll_elements(&c, &ask);
     if (s != ORR_WIRE_OK) return give_up(&c, "POLL_ELEMENTS", s);
     orr_msg_elements e;
@@ -69,7 +69,7 @@ int main(int argc, char **argv)
     orr_wire_iter it = {0, 0};
     while (orr_msg_sat_elements_next(&e.satellites, &it, &k))
         printf("elements %c%02u %a %a %a\n", k.sat.system, (unsigned)k.sat.number, k.a_m, k.i_rad, k.u_rad);
-    orr_msg_poll_navdata which = {.t = ask.t, .count = 1};
+    orr_msg_poll_navdata which = {.epochs = ask.epochs};
     s = orr_client_poll_navdata(&c, &which);
     if (s != ORR_WIRE_OK) return give_up(&c, "POLL_NAVDATA", s);
     orr_msg_navdata n;

@@ -60,13 +60,27 @@ class Clients(unittest.TestCase):
             self.assertEqual(client.satellites, [f"G{n:02d}" for n in range(1, 7)] + ["R01", "R02", "E01", "E02"])
             self.assertEqual((client.caps.major, client.caps.name), (1, "orrery"))
             self.assertEqual(self.end - self.start, 86400 * NS)
-            self.assertLessEqual({messages.Hello.TYPE, messages.Ping.TYPE, messages.Poll.TYPE, messages.PollDelays.TYPE},
-                                 {r.type for r in client.caps.requests})
+            never = (-2**63, -2**63)
+            self.assertEqual([(r.request, r.answer, (r.span.first, r.span.last)) for r in client.caps.requests],
+                             [(messages.Hello.TYPE, messages.Caps.TYPE, never), (messages.Ping.TYPE, messages.Pong.TYPE, never),
+                              (messages.Poll.TYPE, messages.States.TYPE, client.span),
+                              (messages.PollElements.TYPE, messages.Elements.TYPE, client.span),
+                              (messages.PollNavdata.TYPE, messages.Navdata.TYPE, client.span)])
+            for poll in (messages.PollDelays(messages.Epochs(self.start, 0, 1), [math.nan] * 3, [], []),
+                         messages.PollImu(messages.Epochs(self.start, 0, 1), 0), messages.PollTruth(messages.Epochs(self.start, 0, 1), 0)):
+                with self.assertRaises(orrery.Refused) as refused:  # what CAPS does not list is not answered
+                    client._ask(poll, messages.States)
+                self.assertEqual(refused.exception.code.name, "NOT_SERVED")
+            caps = client.caps
+            self.assertEqual((caps.receiver_source, caps.units, caps.navdata_point),
+                             (messages.ReceiverSource.NONE, [], messages.OrbitPoint.CENTRE_OF_MASS))
+            self.assertTrue(all(map(math.isnan, [*caps.receiver_m, caps.imu_rate_hz])))
+            self.assertEqual((caps.leap.gps_utc_s, caps.leap.next_gps_utc_s, caps.leap.next), (18, 18, -2**63))  # 2025
             client.ping(2**64 - 1)
 
     def test_many_clients_agree_to_the_byte(self):
         rng = random.Random(1)
-        polls = [messages.Poll(rng.randrange(self.start, self.end), 10**8, rng.randrange(1, 30),
+        polls = [messages.Poll(messages.Epochs(rng.randrange(self.start, self.end), 10**8, rng.randrange(1, 30)),
                                [messages.SatId(ord("G"), 3)] if k % 3 == 0 else []) for k in range(12)]
         expected = [raw_poll(self.tcp, p) for p in polls]
 
@@ -79,9 +93,9 @@ class Clients(unittest.TestCase):
 
     def test_a_series_is_its_epochs(self):
         t = self.start + 3600 * NS
-        series = raw_poll(self.tcp, messages.Poll(t, 250_000_000, 20, []))
+        series = raw_poll(self.tcp, messages.Poll(messages.Epochs(t, 250_000_000, 20), []))
         for k, payload in enumerate(series):
-            alone = raw_poll(self.unix, messages.Poll(t + k * 250_000_000, 0, 1, []))[0]
+            alone = raw_poll(self.unix, messages.Poll(messages.Epochs(t + k * 250_000_000, 0, 1), []))[0]
             self.assertEqual((payload[:8], payload[16:]), (alone[:8], alone[16:]))  # all but index and count
 
     def test_states_move_as_they_say(self):
@@ -113,15 +127,24 @@ class Clients(unittest.TestCase):
                 self.assertTrue(math.isnan(value))
             self.assertEqual((lost.flags, lost.valid_from, lost.valid_to), (0, -2**63, -2**63))
 
-    def test_refusals_leave_the_connection_alive(self):
-        good = messages.SatId(ord("G"), 1)
+    def test_a_satellite_that_nobody_knows_is_not_served(self):
+        """It is one satellite's answer, not the refusal of a whole request; the name comes back as it was asked."""
+        asked = [(ord("G"), 1), (ord("g"), 1), (ord("X"), 5), (ord("G"), 0), (ord("G"), 200), (0, 0), (255, 255), (ord("R"), 2)]
+        ids = [messages.SatId(*a) for a in asked]
         with orrery.Client(self.tcp) as client:
-            for poll, code in ((messages.Poll(0, 0, 0, []), "BAD_REQUEST"), (messages.Poll(0, 0, 2, []), "BAD_REQUEST"),
-                               (messages.Poll(0, 1, messages.MAX_EPOCHS + 1, []), "LIMIT"),
-                               (messages.Poll(2**63 - 1, 1, 2, []), "BAD_REQUEST"),
-                               (messages.Poll(0, 2**62, 5, []), "BAD_REQUEST"),
-                               (messages.Poll(0, 0, 1, [good, messages.SatId(ord("g"), 1)]), "BAD_REQUEST"),
-                               (messages.Poll(0, 0, 1, [messages.SatId(ord("G"), 0)]), "BAD_REQUEST")):
+            for poll, kind in ((messages.Poll, messages.States), (messages.PollElements, messages.Elements),
+                               (messages.PollNavdata, messages.Navdata)):
+                m = client._ask(poll(messages.Epochs(self.start, 0, 1), satellites=ids), kind)
+                self.assertEqual(m.answer, orrery.Answer.OK)
+                self.assertEqual([(s.sat.system, s.sat.number) for s in m.satellites], asked)
+                self.assertEqual([s.answer for s in m.satellites], [0, 3, 3, 3, 3, 3, 3, 0])
+
+    def test_refusals_leave_the_connection_alive(self):
+        with orrery.Client(self.tcp) as client:
+            for poll, code in ((messages.Poll(messages.Epochs(0, 0, 0), []), "BAD_REQUEST"), (messages.Poll(messages.Epochs(0, 0, 2), []), "BAD_REQUEST"),
+                               (messages.Poll(messages.Epochs(0, 1, messages.MAX_EPOCHS + 1), []), "LIMIT"),
+                               (messages.Poll(messages.Epochs(2**63 - 1, 1, 2), []), "BAD_REQUEST"),
+                               (messages.Poll(messages.Epochs(0, 2**62, 5), []), "BAD_REQUEST")):
                 with self.assertRaises(orrery.Refused) as refused:
                     client._ask(poll, messages.States)
                 self.assertEqual(refused.exception.code.name, code)
@@ -135,7 +158,7 @@ class Clients(unittest.TestCase):
 
     def test_garbage_and_broken_connections(self):
         rng = random.Random(5)
-        good = frame.make(messages.Poll.TYPE, 1, messages.Poll(self.start, 1, 5000, []).encode())
+        good = frame.make(messages.Poll.TYPE, 1, messages.Poll(messages.Epochs(self.start, 1, 5000), []).encode())
         with orrery.Client(self.tcp) as witness:
             for k in range(40):
                 sock = connect((self.tcp, self.unix)[k % 2], PATIENCE_S)
@@ -163,7 +186,7 @@ class Clients(unittest.TestCase):
         self.assertTrue(self.daemon.said("BAD_CRC") and self.daemon.said("BAD_MAGIC"))
 
     def test_a_slow_reader_harms_nobody(self):
-        poll = messages.Poll(self.start, NS // 10, 20000, [])
+        poll = messages.Poll(messages.Epochs(self.start, NS // 10, 20000), [])
         with connect(self.tcp, PATIENCE_S) as lazy, orrery.Client(self.unix) as quick:
             lazy.sendall(frame.make(messages.Poll.TYPE, 1, poll.encode()))
             slowest = 0.0

@@ -144,7 +144,7 @@ class Stopping(unittest.TestCase):
     def test_answers_under_way_are_finished(self):
         d = Daemon(product())
         with client_package.Client(d.urls[0], timeout_s=PATIENCE_S) as c:
-            c._send(messages.Poll(c.span[0], 10**8, 8000, []))  # 10 MB: more than the buffers of a socket hold
+            c._send(messages.Poll(messages.Epochs(c.span[0], 10**8, 8000), []))  # 10 MB: more than the buffers of a socket hold
             frame.read(c._receive_bytes)
             d.process.send_signal(signal.SIGTERM)
             time.sleep(0.1)
@@ -158,7 +158,7 @@ class Stopping(unittest.TestCase):
     def test_a_client_that_does_not_read_does_not_hold_it(self):
         d = Daemon(product())
         with client_package.Client(d.urls[0]) as c:
-            c._send(messages.Poll(c.span[0], 1, 80000, []))
+            c._send(messages.Poll(messages.Epochs(c.span[0], 1, 80000), []))
             time.sleep(0.2)
             begin = time.monotonic()
             self.assertEqual(d.stop(), 0)

@@ -106,8 +106,8 @@ class Elements(unittest.TestCase):
         self.assertIn("no satellite has elements there", done.stderr)
 
     def test_refusals(self):
-        for poll, words in ((messages.PollElements(0, 0, 1, 3, 0, []), "no frame 3"), (messages.PollElements(0, 0, 1, 0, 9, []), "method 9"),
-                            (messages.PollElements(0, 0, 2, 0, 0, []), "step is 0")):
+        for poll, words in ((messages.PollElements(messages.Epochs(0, 0, 1), 3, 0, []), "no frame 3"), (messages.PollElements(messages.Epochs(0, 0, 1), 0, 9, []), "method 9"),
+                            (messages.PollElements(messages.Epochs(0, 0, 2), 0, 0, []), "step is 0")):
             with self.assertRaisesRegex(orrery.Refused, words):
                 self.client._ask(poll, messages.Elements)
         self.client.ping()
@@ -115,7 +115,7 @@ class Elements(unittest.TestCase):
         self.assertEqual(program("poll", self.url, "--elements", "--delays").returncode, 2)
 
     def test_the_same_question_gets_the_same_bytes(self):
-        poll = messages.PollElements(self.noon, 60 * NS, 40, 0, 2, [])
+        poll = messages.PollElements(messages.Epochs(self.noon, 60 * NS, 40), 0, 2, [])
 
         def payloads():
             with connect(self.url, PATIENCE_S) as sock:

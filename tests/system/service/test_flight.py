@@ -80,8 +80,8 @@ class Flight(unittest.TestCase):
         """Ten intervals one by one are as much as one tenfold interval, to second order of the turn within it."""
         t = self.start + 300 * NS
         small = list(self.client.poll_imu(t, 0, 10))
-        self.assertEqual([s.t1 for s in small[:-1]], [s.t0 for s in small[1:]])
-        self.assertEqual(small[-1].t1 - small[0].t0, 10 * NS // RATE_HZ)
+        self.assertEqual([s.t1 for s in small[:-1]], [s.t for s in small[1:]])
+        self.assertEqual(small[-1].t1 - small[0].t, 10 * NS // RATE_HZ)
         large = next(self.client.poll_imu(t, 0.1, 1))
         for k in range(3):
             self.assertAlmostEqual(sum(s.dtheta_rad[k] for s in small), large.dtheta_rad[k], delta=1e-12)
@@ -90,7 +90,7 @@ class Flight(unittest.TestCase):
     def test_readings_are_the_means_of_rate_and_force(self):
         t = self.start + 250 * NS
         reading = next(self.client.poll_imu(t))
-        truth = next(self.client.poll_truth((reading.t0 + reading.t1) // 2))
+        truth = next(self.client.poll_truth((reading.t + reading.t1) // 2))
         for k in range(3):  # the mean over 10 ms is the value in the middle but for the second derivative
             self.assertAlmostEqual(reading.dtheta_rad[k] * RATE_HZ, truth.rate_radps[k], delta=1e-5)
             self.assertAlmostEqual(reading.dv_mps[k] * RATE_HZ, truth.force_mps2[k], delta=1e-3)
@@ -119,6 +119,22 @@ class Flight(unittest.TestCase):
         t = self.start + 77 * NS
         self.assertEqual(next(self.client.poll_imu(t)).encode(), next(self.client.poll_imu(t)).encode())
         self.assertEqual(next(self.client.poll_truth(t)).encode(), next(self.client.poll_truth(t)).encode())
+
+    def test_caps_tells_what_flies(self):
+        caps = self.client.caps
+        spans = {r.request: (r.span.first, r.span.last) for r in caps.requests}
+        self.assertEqual(spans[messages.PollTruth.TYPE][0], self.start)
+        for poll in (messages.PollTruth.TYPE, messages.PollImu.TYPE, messages.PollDelays.TYPE):
+            first, last = spans[poll]
+            self.assertTrue(self.client.span[0] <= first < last <= self.client.span[1], poll)
+        first, last = spans[messages.PollTruth.TYPE]
+        self.assertEqual([next(self.client.poll_truth(t)).answer for t in (first - 2 * NS, first, last, last + 2 * NS)], [1, 0, 0, 1])
+        first, last = spans[messages.PollDelays.TYPE]
+        self.assertEqual([self.client.delays(t).answer for t in (first - 2 * NS, first, last, last + 2 * NS)], [1, 0, 0, 1])
+        self.assertEqual((caps.receiver_source, caps.receiver_unit), (messages.ReceiverSource.TRAJECTORY, 0))
+        self.assertTrue(all(map(math.isnan, caps.receiver_m)))
+        self.assertEqual(caps.imu_rate_hz, RATE_HZ)
+        self.assertEqual([(u.unit, u.name, u.lever_m) for u in caps.units], [(0, "", [0, 0, 0]), (1, "second", [0.5, -2, 1.2])])
 
     def test_outside_the_flight_there_are_no_numbers(self):
         for message in (next(self.client.poll_truth(self.start - 10 * NS)), next(self.client.poll_imu(self.start - 10 * NS))):

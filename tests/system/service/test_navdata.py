@@ -177,7 +177,7 @@ class OnTheWire:
 
     def test_the_same_question_gets_the_same_bytes(self):
         many = [s.sat for s in self.client.navdata(self.noon).satellites] * 800
-        poll = messages.PollNavdata(self.noon, 3600 * NS, 3, many[:800])  # frames far above the usual output buffer
+        poll = messages.PollNavdata(messages.Epochs(self.noon, 3600 * NS, 3), many[:800])  # frames far above the usual output buffer
 
         def payloads():
             with connect(self.url, PATIENCE_S) as sock:
@@ -211,7 +211,7 @@ class Made(OnTheWire, unittest.TestCase):
         self.assertEqual(program("poll", self.url, "--navdata", "--sat", "E01").returncode, 1)
         self.assertEqual(program("poll", self.url, "--pages").returncode, 2)
         with self.assertRaisesRegex(orrery.Refused, "step is 0"):
-            self.client._ask(messages.PollNavdata(0, 0, 2, []), messages.Navdata)
+            self.client._ask(messages.PollNavdata(messages.Epochs(0, 0, 2), []), messages.Navdata)
 
 
 class RealDay(OnTheWire, unittest.TestCase):

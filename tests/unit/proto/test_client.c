@@ -68,13 +68,13 @@ static void conversation(void **state)
         char title[16];
         assert_string_equal(orr_wire_text_copy(caps.title, title, sizeof title), "made up");
         assert_int_equal(orr_client_ping(&c, 0xfeedu), ORR_WIRE_OK);
-        orr_msg_poll poll = {.t = 50, .step = 5, .count = 3};
+        orr_msg_poll poll = {.epochs = {50, 5, 3}};
         assert_int_equal(orr_client_poll(&c, &poll), ORR_WIRE_OK);
         for (uint32_t k = 0; k < 3; k++) {
             orr_msg_states m;
             orr_msg_sat_state s, want;
             assert_int_equal(orr_client_states(&c, &m), ORR_WIRE_OK);
-            assert_true(m.index == k && m.count == 3 && m.satellites.count == 4);
+            assert_true(m.epoch.index == k && m.epoch.count == 3 && m.satellites.count == 4);
             assert_true(orr_msg_sat_state_at(&m.satellites, 3, &s));
             want = fake_state(4, 50 + 5 * k);
             assert_true(s.pos_m[0] == want.pos_m[0] && s.vel_mps[1] == 1.0 && s.sat.number == 4);
@@ -88,7 +88,7 @@ static void refusals_are_told(void **state)
     (void)state;
     fake f = {.n_sats = 1};
     orr_client c = connect_fake(&f, 100, sizeof buffer);
-    orr_msg_poll poll = {.t = 1, .count = 0};
+    orr_msg_poll poll = {.epochs = {.t = 1}};
     orr_msg_states m;
     assert_int_equal(orr_client_poll(&c, &poll), ORR_WIRE_OK);
     assert_int_equal(orr_client_states(&c, &m), ORR_WIRE_REFUSED);
@@ -120,7 +120,7 @@ static void small_buffers(void **state)
     fake f = {.n_sats = 30};
     for (size_t capacity = 0; capacity < 3700; capacity += 41) {
         orr_client c = connect_fake(&f, 1000, capacity);
-        orr_msg_poll poll = {.t = 1, .count = 1};
+        orr_msg_poll poll = {.epochs = {.t = 1, .count = 1}};
         orr_msg_states m;
         orr_wire_status s = orr_client_poll(&c, &poll);
         assert_int_equal(s, capacity < 44 ? ORR_WIRE_SPACE : ORR_WIRE_OK); // 20 of frame, 24 of POLL

@@ -61,11 +61,12 @@ static void golden_poll(void **state)
 {
     (void)state;
     const orr_msg_sat_id sats[2] = {{'G', 5}, {'E', 11}};
-    orr_msg_poll m = {INT64_C(1391040900000000000), 100000000, 2, {2, sats, {NULL, 0, 0}}}, d;
+    orr_msg_poll m = {{INT64_C(1391040900000000000), 100000000, 2}, {2, sats, {NULL, 0, 0}}}, d;
     ASSERT_FRAME(poll, 6, 2, orr_msg_poll_encode, &m);
     orr_frame f = GOLDEN(poll, 6, 2);
     assert_int_equal(orr_msg_poll_decode(f.payload, f.size, &d), ORR_WIRE_OK);
-    assert_true(d.t == m.t && d.step == m.step && d.count == 2 && d.satellites.count == 2);
+    assert_true(d.epochs.t == m.epochs.t && d.epochs.step == m.epochs.step && d.epochs.count == 2 &&
+                d.satellites.count == 2);
     orr_msg_sat_id s;
     orr_wire_iter it = {0, 0};
     assert_true(orr_msg_sat_id_next(&d.satellites, &it, &s) && s.system == 'G' && s.number == 5);
@@ -106,11 +107,12 @@ static void golden_states(void **state)
          none,
          (float)nan_},
     };
-    orr_msg_states m = {INT64_C(1391040900000000000), 0, 2, ORR_MSG_ANSWER_OK, {2, sats, {NULL, 0, 0}}}, d;
+    orr_msg_states m = {{INT64_C(1391040900000000000), 0, 2, ORR_MSG_ANSWER_OK}, {2, sats, {NULL, 0, 0}}}, d;
     ASSERT_FRAME(states, 7, 2, orr_msg_states_encode, &m);
     orr_frame f = GOLDEN(states, 7, 2);
     assert_int_equal(orr_msg_states_decode(f.payload, f.size, &d), ORR_WIRE_OK);
-    assert_true(d.t == m.t && d.index == 0 && d.count == 2 && d.answer == ORR_MSG_ANSWER_OK);
+    assert_true(d.epoch.t == m.epoch.t && d.epoch.index == 0 && d.epoch.count == 2 &&
+                d.epoch.answer == ORR_MSG_ANSWER_OK);
     orr_msg_sat_state s;
     assert_true(orr_msg_sat_state_at(&d.satellites, 0, &s));
     assert_memory_equal(&s.sat, &sats[0].sat, sizeof s.sat);
@@ -137,9 +139,7 @@ static void golden_elements(void **state)
 {
     (void)state;
     const orr_msg_sat_id r07 = {'R', 7};
-    orr_msg_poll_elements p = {INT64_C(1391040900000000000),
-                               0,
-                               1,
+    orr_msg_poll_elements p = {{INT64_C(1391040900000000000), 0, 1},
                                ORR_MSG_ELEMENTS_FRAME_J2000,
                                ORR_MSG_ELEMENTS_METHOD_MEAN,
                                {1, &r07, {NULL, 0, 0}}},
@@ -147,12 +147,13 @@ static void golden_elements(void **state)
     ASSERT_FRAME(poll_elements, 8, 4, orr_msg_poll_elements_encode, &p);
     orr_frame f = GOLDEN(poll_elements, 8, 4);
     assert_int_equal(orr_msg_poll_elements_decode(f.payload, f.size, &q), ORR_WIRE_OK);
-    assert_true(q.t == p.t && q.count == 1 && q.frame == 1 && q.method == 2 && q.satellites.count == 1);
+    assert_true(q.epochs.t == p.epochs.t && q.epochs.count == 1 && q.frame == 1 && q.method == 2 &&
+                q.satellites.count == 1);
     const double none = (double)NAN;
     const orr_msg_sat_elements sats[2] = {
         {{'R', 7}, ORR_MSG_ANSWER_OK, 0, 17, 25508000.5, 0x1p-10, 1.125, 0.5, 6.25, 3.5, 3.46875},
         {{'E', 11}, ORR_MSG_ANSWER_NO_VALUE, 0, 0, none, none, none, none, none, none, none}};
-    orr_msg_elements m = {p.t, 0, 1, ORR_MSG_ANSWER_OK, 1, 2, {2, sats, {NULL, 0, 0}}}, d;
+    orr_msg_elements m = {{p.epochs.t, 0, 1, ORR_MSG_ANSWER_OK}, 1, 2, {2, sats, {NULL, 0, 0}}}, d;
     ASSERT_FRAME(elements, 9, 4, orr_msg_elements_encode, &m);
     f = GOLDEN(elements, 9, 4);
     assert_int_equal(orr_msg_elements_decode(f.payload, f.size, &d), ORR_WIRE_OK);
@@ -214,7 +215,7 @@ static void golden_navdata(void **state)
                                           .af2_sps2 = nan_,
                                           .frame_from = none,
                                           .frame_to = none}};
-    orr_msg_navdata m = {t, 0, 1, ORR_MSG_ANSWER_OK, {2, sats, {NULL, 0, 0}}}, d;
+    orr_msg_navdata m = {{t, 0, 1, ORR_MSG_ANSWER_OK}, {2, sats, {NULL, 0, 0}}}, d;
     ASSERT_FRAME(navdata, 11, 5, orr_msg_navdata_encode, &m);
     orr_frame f = GOLDEN(navdata, 11, 5);
     assert_int_equal(orr_msg_navdata_decode(f.payload, f.size, &d), ORR_WIRE_OK);
@@ -246,30 +247,46 @@ static void golden_navdata(void **state)
 static void caps_round_trip(void **state)
 {
     (void)state;
-    const orr_msg_message_ref types[3] = {{1}, {3}, {6}};
+    const orr_msg_served_request types[3] = {{1, 2, {INT64_MIN, INT64_MIN}}, {3, 4, {0, 0}}, {6, 7, {-4, 5}}};
+    const orr_msg_inertial_unit units[2] = {{.unit = 0},
+                                            {1, orr_wire_text("second"), {0.5, -2, 1.25}, 1, 2, 3}};
     const orr_msg_sat_id sats[2] = {{'R', 1}, {'J', 7}};
-    orr_msg_caps m = {1,
-                      0,
-                      2,
-                      3,
-                      -4,
-                      5,
-                      orr_wire_text("orrery"),
-                      orr_wire_text("0.1.0"),
-                      orr_wire_text("t"),
-                      orr_wire_text("IGS20"),
-                      {3, types, {NULL, 0, 0}},
-                      {2, sats, {NULL, 0, 0}}},
+    orr_msg_caps m = {.major = 1,
+                      .max_request = 2,
+                      .max_epochs = 3,
+                      .span = {-4, 5},
+                      .name = orr_wire_text("orrery"),
+                      .version = orr_wire_text("0.1.0"),
+                      .title = orr_wire_text("t"),
+                      .frame = orr_wire_text("IGS20"),
+                      .leap = {18, 17, 4},
+                      .navdata_point = ORR_MSG_ORBIT_POINT_PHASE_CENTRE,
+                      .receiver_source = ORR_MSG_RECEIVER_SOURCE_TRAJECTORY,
+                      .receiver_unit = 1,
+                      .receiver_m = {1, 2, 3},
+                      .imu_rate_hz = 100,
+                      .units = {2, units, {NULL, 0, 0}},
+                      .requests = {3, types, {NULL, 0, 0}},
+                      .satellites = {2, sats, {NULL, 0, 0}}},
                  d;
-    uint8_t buf[256];
+    uint8_t buf[400];
     orr_wire_writer w = {buf, 0, sizeof buf, ORR_WIRE_OK};
     assert_int_equal(orr_msg_caps_encode(&m, &w), ORR_WIRE_OK);
     assert_int_equal(orr_msg_caps_decode(buf, w.size, &d), ORR_WIRE_OK);
     assert_true(d.major == 1 && d.minor == 0 && d.max_request == 2 && d.max_epochs == 3);
-    assert_true(d.span_from == -4 && d.span_to == 5 && d.requests.count == 3 && d.satellites.count == 2);
+    assert_true(d.span.first == -4 && d.span.last == 5 && d.requests.count == 3 && d.satellites.count == 2);
     assert_true(d.frame.size == 5 && memcmp(d.frame.data, "IGS20", 5) == 0);
-    orr_msg_message_ref r;
-    assert_true(orr_msg_message_ref_at(&d.requests, 2, &r) && r.type == 6);
+    orr_msg_served_request r;
+    assert_true(orr_msg_served_request_at(&d.requests, 2, &r) && r.request == 6 && r.answer == 7);
+    assert_true(r.span.first == -4 && r.span.last == 5);
+    assert_true(d.leap.gps_utc_s == 18 && d.leap.next_gps_utc_s == 17 && d.leap.next == 4);
+    assert_true(d.navdata_point == 2 && d.receiver_source == 2 && d.receiver_unit == 1);
+    assert_true(d.receiver_m[2] == 3 && d.imu_rate_hz == 100 && d.units.count == 2);
+    orr_msg_inertial_unit u;
+    orr_wire_iter it = {0};
+    assert_true(orr_msg_inertial_unit_next(&d.units, &it, &u) && u.unit == 0 && u.name.size == 0);
+    assert_true(orr_msg_inertial_unit_next(&d.units, &it, &u) && u.unit == 1 && u.name.size == 6);
+    assert_true(u.lever_m[1] == -2 && u.heading_rad == 1 && u.pitch_rad == 2 && u.roll_rad == 3);
     // every strict prefix is too short; a byte more is of a later version
     for (size_t n = 0; n < w.size; n++) assert_int_equal(orr_msg_caps_decode(buf, n, &d), ORR_WIRE_SHORT);
     buf[w.size] = 0xff;
@@ -315,7 +332,7 @@ static void limits(void **state)
     memset(many, 0, sizeof many);
     static uint8_t big[4096];
     orr_wire_writer w = {big, 0, sizeof big, ORR_WIRE_OK};
-    orr_msg_poll q = {0, 0, 1, {ORR_MSG_MAX_SATELLITES + 1, many, {NULL, 0, 0}}};
+    orr_msg_poll q = {{0, 0, 1}, {ORR_MSG_MAX_SATELLITES + 1, many, {NULL, 0, 0}}};
     assert_int_equal(orr_msg_poll_encode(&q, &w), ORR_WIRE_LIMIT);
     char text[70];
     memset(text, 'x', sizeof text - 1);

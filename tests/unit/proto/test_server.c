@@ -19,7 +19,7 @@ static size_t put_poll(uint8_t *buf, uint32_t sequence, int64_t t, int64_t step,
 {
     uint8_t payload[64];
     orr_wire_writer w = {payload, 0, sizeof payload, ORR_WIRE_OK};
-    orr_msg_poll m = {t, step, count, {0, NULL, {NULL, 0, 0}}};
+    orr_msg_poll m = {{t, step, count}, {0, NULL, {NULL, 0, 0}}};
     assert_int_equal(orr_msg_poll_encode(&m, &w), ORR_WIRE_OK);
     return put_frame(buf, ORR_MSG_TYPE_POLL, sequence, payload, w.size);
 }
@@ -61,7 +61,8 @@ static void a_series_ends_clearly(void **state)
         assert_int_equal(fr.type, ORR_MSG_TYPE_STATES);
         assert_int_equal(fr.sequence, 9);
         assert_int_equal(orr_msg_states_decode(fr.payload, fr.size, &m), ORR_WIRE_OK);
-        assert_true(m.index == k && m.count == 4 && m.t == 100 + 10 * k && m.satellites.count == 3);
+        assert_true(m.epoch.index == k && m.epoch.count == 4 && m.epoch.t == 100 + 10 * k &&
+                    m.satellites.count == 3);
     }
     assert_int_equal(at, w.size);
     assert_true(c.requests == 1 && c.refusals == 0 && f.begun == 1);
@@ -235,10 +236,11 @@ static void hello_tells_what_is_served(void **state)
     orr_frame fr = frame_at(out, w.size, &at);
     orr_msg_caps caps;
     assert_int_equal(orr_msg_caps_decode(fr.payload, fr.size, &caps), ORR_WIRE_OK);
-    assert_true(caps.major == 1 && caps.minor == 0 && caps.span_from == -5 && caps.span_to == 1000);
-    orr_msg_message_ref r;
-    assert_true(caps.requests.count == 3 && orr_msg_message_ref_at(&caps.requests, 2, &r) &&
-                r.type == ORR_MSG_TYPE_POLL);
+    assert_true(caps.major == 1 && caps.minor == 0 && caps.span.first == -5 && caps.span.last == 1000);
+    orr_msg_served_request r;
+    assert_true(caps.requests.count == 3 && orr_msg_served_request_at(&caps.requests, 2, &r) &&
+                r.request == ORR_MSG_TYPE_POLL && r.answer == ORR_MSG_TYPE_STATES &&
+                r.span.first == INT64_MIN);
     assert_string_equal(c.client, "gen??[31m 2"); // a name goes into a log: no control characters
     assert_int_equal(step.closing, 0);
     // no common version: an ERROR, then the end

@@ -127,7 +127,7 @@ static uint16_t error_code(const uint8_t *data, size_t n)
 static size_t poll_frame(uint8_t *buf, size_t n, int64_t t, uint32_t count)
 {
     orr_wire_writer w = {buf, 0, n, ORR_WIRE_OK};
-    orr_msg_poll m = {.t = t, .step = 1, .count = count};
+    orr_msg_poll m = {.epochs = {t, 1, count}};
     size_t start_;
     orr_frame_begin(&w, ORR_MSG_TYPE_POLL, 1, &start_);
     orr_msg_poll_encode(&m, &w);
@@ -143,13 +143,14 @@ static void conversation(void **state)
     orr_msg_caps caps;
     assert_int_equal(orr_client_hello(&d->client, "test", "1", &caps), ORR_WIRE_OK);
     assert_int_equal(orr_client_ping(&d->client, 7), ORR_WIRE_OK);
-    orr_msg_poll poll = {.t = 100, .step = 10, .count = 2000}; // far more than a socket buffer
+    orr_msg_poll poll = {.epochs = {100, 10, 2000}}; // far more than a socket buffer
     assert_int_equal(orr_client_poll(&d->client, &poll), ORR_WIRE_OK);
-    for (uint32_t k = 0; k < poll.count; k++) {
+    for (uint32_t k = 0; k < poll.epochs.count; k++) {
         orr_msg_states m;
         orr_msg_sat_state s;
         assert_int_equal(orr_client_states(&d->client, &m), ORR_WIRE_OK);
-        assert_true(m.index == k && m.satellites.count == 10 && orr_msg_sat_state_at(&m.satellites, 9, &s));
+        assert_true(m.epoch.index == k && m.satellites.count == 10 &&
+                    orr_msg_sat_state_at(&m.satellites, 9, &s));
         assert_true(s.pos_m[0] == (double)(100 + 10 * (int64_t)k + 10));
     }
     assert_int_equal(orr_client_ping(&d->client, 8), ORR_WIRE_OK);
@@ -301,14 +302,14 @@ static void stopping_drains(void **state)
     bench *b = start(o, 90);
     orr_dial *busy = dial(b), *idle = dial(b);
     assert_int_equal(orr_client_ping(&idle->client, 1), ORR_WIRE_OK);
-    orr_msg_poll poll = {.t = 100, .step = 10, .count = 3000}; // 30 MB
+    orr_msg_poll poll = {.epochs = {100, 10, 3000}}; // 30 MB
     orr_msg_states m;
     assert_int_equal(orr_client_poll(&busy->client, &poll), ORR_WIRE_OK);
     assert_int_equal(orr_client_states(&busy->client, &m), ORR_WIRE_OK);
     orr_service_stop(b->service);
-    for (uint32_t k = 1; k < poll.count; k++) {
+    for (uint32_t k = 1; k < poll.epochs.count; k++) {
         assert_int_equal(orr_client_states(&busy->client, &m), ORR_WIRE_OK);
-        assert_int_equal(m.index, k);
+        assert_int_equal(m.epoch.index, k);
     }
     orr_frame f;
     assert_int_equal(orr_client_answer(&busy->client, ORR_MSG_TYPE_PONG, &f), ORR_WIRE_REFUSED);
