@@ -1,70 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+-- Generated from proto/spec/messages.yaml and proto/spec/dissector.lua by proto/spec/generate.py: change those, not this.
 -- Wireshark dissector of Orrery, protocol 1.0, TCP port 15754.
+local PROTOCOL, MAGIC, MAJOR, PORT, MAX_PAYLOAD = "Orrery", "ORRY", 1, 15754, 1048576
 local orrery = Proto("orrery", "Orrery satellite states")
-local f = orrery.fields
 
-local crc_table = {}
-for i = 0, 255 do
-  local v = i
-  for _ = 1, 8 do
-    if v % 2 == 1 then v = bit.bxor(bit.rshift(v, 1), 0xEDB88320) else v = bit.rshift(v, 1) end
-  end
-  crc_table[i] = v
-end
-local function crc32(tvb)
-  local raw, crc = tvb:raw(), 0xFFFFFFFF
-  for i = 1, #raw do crc = bit.bxor(crc_table[bit.band(bit.bxor(crc, raw:byte(i)), 0xFF)], bit.rshift(crc, 8)) end
-  return bit.band(bit.bnot(crc), 0xFFFFFFFF) % 4294967296
-end
-
--- A reader over a range that stops at its end: fields that are not there are not shown.
-local function reader(tvb, at, stop) return {tvb = tvb, at = at, stop = stop, ok = true} end
-local function take(r, n)
-  if not r.ok or r.at + n > r.stop then
-    r.ok = false
-    return nil
-  end
-  r.at = r.at + n
-  return r.tvb(r.at - n, n)
-end
-local function add(r, tree, field, n)
-  local range = take(r, n)
-  if range then tree:add_le(field, range) end
-  return range
-end
-local function add_text(r, tree, field)
-  local size = take(r, 2)
-  if not size then return end
-  local n = size:le_uint()
-  if n > 0 then
-    local range = take(r, n)
-    if range then tree:add(field, range) end
-  else
-    tree:add(field, size, "")
-  end
-end
-
-local types = {
-  [1] = "HELLO",
-  [2] = "CAPS",
-  [3] = "PING",
-  [4] = "PONG",
-  [5] = "ERROR",
-  [6] = "POLL",
-  [7] = "STATES",
-  [8] = "POLL_ELEMENTS",
-  [9] = "ELEMENTS",
-  [10] = "POLL_NAVDATA",
-  [11] = "NAVDATA",
-  [12] = "POLL_DELAYS",
-  [13] = "DELAYS",
-  [16] = "POLL_IMU",
-  [17] = "IMU",
-  [18] = "POLL_TRUTH",
-  [19] = "TRUTH",
-}
-local enum_error_code = {
+local enums, bitsets, records = {}, {}, {}
+enums.error_code = {
   [1] = "BAD_MAGIC",
   [2] = "BAD_LENGTH",
   [3] = "BAD_CRC",
@@ -79,7 +20,7 @@ local enum_error_code = {
   [12] = "CLOSING",
   [13] = "INTERNAL",
 }
-local enum_answer = {
+enums.answer = {
   [0] = "OK",
   [1] = "OUTSIDE_SPAN",
   [2] = "NO_ARC",
@@ -87,673 +28,843 @@ local enum_answer = {
   [4] = "BELOW_HORIZON",
   [5] = "NO_VALUE",
 }
-local enum_nav_message = {
+enums.nav_message = {
   [0] = "NONE",
   [1] = "LNAV",
   [2] = "FDMA",
 }
-local enum_elements_frame = {
+enums.elements_frame = {
   [0] = "DATE",
   [1] = "J2000",
   [2] = "ECEF",
 }
-local enum_elements_method = {
+enums.elements_method = {
   [0] = "STATE",
   [1] = "THREE_POSITIONS",
   [2] = "MEAN",
 }
-local enum_orbit_point = {
+enums.orbit_point = {
   [0] = "NONE",
   [1] = "CENTRE_OF_MASS",
   [2] = "PHASE_CENTRE",
 }
-local enum_receiver_source = {
+enums.receiver_source = {
   [0] = "NONE",
   [1] = "POSITION",
   [2] = "TRAJECTORY",
   [3] = "STATION",
 }
-local enum_tec_origin = {
+enums.tec_origin = {
   [0] = "FIELD",
   [1] = "FUSED",
   [2] = "TRANSFERRED",
   [3] = "NOISE",
 }
-
-f.sat_id_system = ProtoField.char("orrery.sat_id.system", "system")
-f.sat_id_number = ProtoField.uint8("orrery.sat_id.number", "number")
-f.epochs_t = ProtoField.int64("orrery.epochs.t", "t [ns]")
-f.epochs_step = ProtoField.int64("orrery.epochs.step", "step [ns]")
-f.epochs_count = ProtoField.uint32("orrery.epochs.count", "count")
-f.epoch_t = ProtoField.int64("orrery.epoch.t", "t [ns]")
-f.epoch_index = ProtoField.uint32("orrery.epoch.index", "index")
-f.epoch_count = ProtoField.uint32("orrery.epoch.count", "count")
-f.epoch_answer = ProtoField.uint8("orrery.epoch.answer", "answer", base.DEC, enum_answer)
-f.span_first = ProtoField.int64("orrery.span.first", "first [ns]")
-f.span_last = ProtoField.int64("orrery.span.last", "last [ns]")
-f.served_request_request = ProtoField.uint16("orrery.served_request.request", "request")
-f.served_request_answer = ProtoField.uint16("orrery.served_request.answer", "answer")
-f.inertial_unit_unit = ProtoField.uint16("orrery.inertial_unit.unit", "unit")
-f.inertial_unit_name = ProtoField.string("orrery.inertial_unit.name", "name")
-f.inertial_unit_lever_m = ProtoField.double("orrery.inertial_unit.lever_m", "lever_m")
-f.inertial_unit_heading_rad = ProtoField.double("orrery.inertial_unit.heading_rad", "heading_rad")
-f.inertial_unit_pitch_rad = ProtoField.double("orrery.inertial_unit.pitch_rad", "pitch_rad")
-f.inertial_unit_roll_rad = ProtoField.double("orrery.inertial_unit.roll_rad", "roll_rad")
-f.leap_seconds_gps_utc_s = ProtoField.int16("orrery.leap_seconds.gps_utc_s", "gps_utc_s")
-f.leap_seconds_next_gps_utc_s = ProtoField.int16("orrery.leap_seconds.next_gps_utc_s", "next_gps_utc_s")
-f.leap_seconds_next = ProtoField.int64("orrery.leap_seconds.next", "next [ns]")
-f.sat_state_answer = ProtoField.uint8("orrery.sat_state.answer", "answer", base.DEC, enum_answer)
-f.sat_state_reserved = ProtoField.uint8("orrery.sat_state.reserved", "reserved")
-f.sat_state_flags = ProtoField.uint32("orrery.sat_state.flags", "flags", base.HEX)
-f.sat_state_pos_m = ProtoField.double("orrery.sat_state.pos_m", "pos_m")
-f.sat_state_vel_mps = ProtoField.double("orrery.sat_state.vel_mps", "vel_mps [m/s]")
-f.sat_state_acc_mps2 = ProtoField.double("orrery.sat_state.acc_mps2", "acc_mps2 [m/s2]")
-f.sat_state_clock_s = ProtoField.double("orrery.sat_state.clock_s", "clock_s")
-f.sat_state_clock_rate_sps = ProtoField.double("orrery.sat_state.clock_rate_sps", "clock_rate_sps [s/s]")
-f.sat_state_valid_from = ProtoField.int64("orrery.sat_state.valid_from", "valid_from [ns]")
-f.sat_state_valid_to = ProtoField.int64("orrery.sat_state.valid_to", "valid_to [ns]")
-f.sat_state_sigma_m = ProtoField.float("orrery.sat_state.sigma_m", "sigma_m")
-f.sat_elements_answer = ProtoField.uint8("orrery.sat_elements.answer", "answer", base.DEC, enum_answer)
-f.sat_elements_reserved = ProtoField.uint8("orrery.sat_elements.reserved", "reserved")
-f.sat_elements_flags = ProtoField.uint32("orrery.sat_elements.flags", "flags", base.HEX)
-f.sat_elements_a_m = ProtoField.double("orrery.sat_elements.a_m", "a_m")
-f.sat_elements_e = ProtoField.double("orrery.sat_elements.e", "e")
-f.sat_elements_i_rad = ProtoField.double("orrery.sat_elements.i_rad", "i_rad")
-f.sat_elements_raan_rad = ProtoField.double("orrery.sat_elements.raan_rad", "raan_rad")
-f.sat_elements_argp_rad = ProtoField.double("orrery.sat_elements.argp_rad", "argp_rad")
-f.sat_elements_m_rad = ProtoField.double("orrery.sat_elements.m_rad", "m_rad")
-f.sat_elements_u_rad = ProtoField.double("orrery.sat_elements.u_rad", "u_rad")
-f.nav_page_t = ProtoField.int64("orrery.nav_page.t", "t [ns]")
-f.nav_page_number = ProtoField.uint8("orrery.nav_page.number", "number")
-f.nav_page_page = ProtoField.uint8("orrery.nav_page.page", "page")
-f.nav_page_bits = ProtoField.uint16("orrery.nav_page.bits", "bits")
-f.nav_page_data = ProtoField.bytes("orrery.nav_page.data", "data")
-f.lnav_set_sqrt_a_sqrtm = ProtoField.double("orrery.lnav_set.sqrt_a_sqrtm", "sqrt_a_sqrtm [sqrt(m)]")
-f.lnav_set_e = ProtoField.double("orrery.lnav_set.e", "e")
-f.lnav_set_m0_rad = ProtoField.double("orrery.lnav_set.m0_rad", "m0_rad")
-f.lnav_set_i0_rad = ProtoField.double("orrery.lnav_set.i0_rad", "i0_rad")
-f.lnav_set_omega0_rad = ProtoField.double("orrery.lnav_set.omega0_rad", "omega0_rad")
-f.lnav_set_omega_rad = ProtoField.double("orrery.lnav_set.omega_rad", "omega_rad")
-f.lnav_set_delta_n_radps = ProtoField.double("orrery.lnav_set.delta_n_radps", "delta_n_radps [rad/s]")
-f.lnav_set_idot_radps = ProtoField.double("orrery.lnav_set.idot_radps", "idot_radps [rad/s]")
-f.lnav_set_omega_dot_radps = ProtoField.double("orrery.lnav_set.omega_dot_radps", "omega_dot_radps [rad/s]")
-f.lnav_set_cuc_rad = ProtoField.double("orrery.lnav_set.cuc_rad", "cuc_rad")
-f.lnav_set_cus_rad = ProtoField.double("orrery.lnav_set.cus_rad", "cus_rad")
-f.lnav_set_crc_m = ProtoField.double("orrery.lnav_set.crc_m", "crc_m")
-f.lnav_set_crs_m = ProtoField.double("orrery.lnav_set.crs_m", "crs_m")
-f.lnav_set_cic_rad = ProtoField.double("orrery.lnav_set.cic_rad", "cic_rad")
-f.lnav_set_cis_rad = ProtoField.double("orrery.lnav_set.cis_rad", "cis_rad")
-f.lnav_set_tgd_s = ProtoField.double("orrery.lnav_set.tgd_s", "tgd_s")
-f.glonass_set_pos_m = ProtoField.double("orrery.glonass_set.pos_m", "pos_m")
-f.glonass_set_vel_mps = ProtoField.double("orrery.glonass_set.vel_mps", "vel_mps [m/s]")
-f.glonass_set_acc_mps2 = ProtoField.double("orrery.glonass_set.acc_mps2", "acc_mps2 [m/s2]")
-f.glonass_set_delta_tau_s = ProtoField.double("orrery.glonass_set.delta_tau_s", "delta_tau_s")
-f.glonass_set_channel = ProtoField.int8("orrery.glonass_set.channel", "channel")
-f.glonass_set_reserved = ProtoField.uint8("orrery.glonass_set.reserved", "reserved")
-f.sat_navdata_answer = ProtoField.uint8("orrery.sat_navdata.answer", "answer", base.DEC, enum_answer)
-f.sat_navdata_message = ProtoField.uint8("orrery.sat_navdata.message", "message", base.DEC, enum_nav_message)
-f.sat_navdata_notes = ProtoField.uint32("orrery.sat_navdata.notes", "notes", base.HEX)
-f.sat_navdata_set_from = ProtoField.int64("orrery.sat_navdata.set_from", "set_from [ns]")
-f.sat_navdata_set_to = ProtoField.int64("orrery.sat_navdata.set_to", "set_to [ns]")
-f.sat_navdata_toe = ProtoField.int64("orrery.sat_navdata.toe", "toe [ns]")
-f.sat_navdata_toc = ProtoField.int64("orrery.sat_navdata.toc", "toc [ns]")
-f.sat_navdata_week = ProtoField.int32("orrery.sat_navdata.week", "week")
-f.sat_navdata_iode = ProtoField.int16("orrery.sat_navdata.iode", "iode")
-f.sat_navdata_iodc = ProtoField.int16("orrery.sat_navdata.iodc", "iodc")
-f.sat_navdata_health = ProtoField.uint32("orrery.sat_navdata.health", "health")
-f.sat_navdata_accuracy_m = ProtoField.double("orrery.sat_navdata.accuracy_m", "accuracy_m")
-f.sat_navdata_fit_rms_m = ProtoField.double("orrery.sat_navdata.fit_rms_m", "fit_rms_m")
-f.sat_navdata_fit_max_m = ProtoField.double("orrery.sat_navdata.fit_max_m", "fit_max_m")
-f.sat_navdata_clock_rms_s = ProtoField.double("orrery.sat_navdata.clock_rms_s", "clock_rms_s")
-f.sat_navdata_af0_s = ProtoField.double("orrery.sat_navdata.af0_s", "af0_s")
-f.sat_navdata_af1_sps = ProtoField.double("orrery.sat_navdata.af1_sps", "af1_sps [s/s]")
-f.sat_navdata_af2_sps2 = ProtoField.double("orrery.sat_navdata.af2_sps2", "af2_sps2 [s/s2]")
-f.sat_navdata_frame_from = ProtoField.int64("orrery.sat_navdata.frame_from", "frame_from [ns]")
-f.sat_navdata_frame_to = ProtoField.int64("orrery.sat_navdata.frame_to", "frame_to [ns]")
-f.sat_delay_answer = ProtoField.uint8("orrery.sat_delay.answer", "answer", base.DEC, enum_answer)
-f.sat_delay_origin = ProtoField.uint8("orrery.sat_delay.origin", "origin", base.DEC, enum_tec_origin)
-f.sat_delay_flags = ProtoField.uint8("orrery.sat_delay.flags", "flags", base.HEX)
-f.sat_delay_reserved = ProtoField.uint8("orrery.sat_delay.reserved", "reserved")
-f.sat_delay_az_rad = ProtoField.double("orrery.sat_delay.az_rad", "az_rad")
-f.sat_delay_el_rad = ProtoField.double("orrery.sat_delay.el_rad", "el_rad")
-f.sat_delay_pierce_lat_rad = ProtoField.double("orrery.sat_delay.pierce_lat_rad", "pierce_lat_rad")
-f.sat_delay_pierce_lon_rad = ProtoField.double("orrery.sat_delay.pierce_lon_rad", "pierce_lon_rad")
-f.sat_delay_mapping = ProtoField.double("orrery.sat_delay.mapping", "mapping")
-f.sat_delay_stec_tecu = ProtoField.double("orrery.sat_delay.stec_tecu", "stec_tecu [TECU]")
-f.sat_delay_model_stec_tecu = ProtoField.double("orrery.sat_delay.model_stec_tecu", "model_stec_tecu [TECU]")
-f.sat_delay_delay_m = ProtoField.double("orrery.sat_delay.delay_m", "delay_m")
-f.sat_delay_sigma_tecu = ProtoField.float("orrery.sat_delay.sigma_tecu", "sigma_tecu [TECU]")
-f.hello_major_min = ProtoField.uint8("orrery.hello.major_min", "major_min")
-f.hello_major_max = ProtoField.uint8("orrery.hello.major_max", "major_max")
-f.hello_name = ProtoField.string("orrery.hello.name", "name")
-f.hello_version = ProtoField.string("orrery.hello.version", "version")
-f.caps_major = ProtoField.uint8("orrery.caps.major", "major")
-f.caps_minor = ProtoField.uint8("orrery.caps.minor", "minor")
-f.caps_max_request = ProtoField.uint32("orrery.caps.max_request", "max_request")
-f.caps_max_epochs = ProtoField.uint32("orrery.caps.max_epochs", "max_epochs")
-f.caps_name = ProtoField.string("orrery.caps.name", "name")
-f.caps_version = ProtoField.string("orrery.caps.version", "version")
-f.caps_title = ProtoField.string("orrery.caps.title", "title")
-f.caps_frame = ProtoField.string("orrery.caps.frame", "frame")
-f.caps_navdata_point = ProtoField.uint8("orrery.caps.navdata_point", "navdata_point", base.DEC, enum_orbit_point)
-f.caps_receiver_source = ProtoField.uint8("orrery.caps.receiver_source", "receiver_source", base.DEC, enum_receiver_source)
-f.caps_receiver_unit = ProtoField.uint16("orrery.caps.receiver_unit", "receiver_unit")
-f.caps_receiver_m = ProtoField.double("orrery.caps.receiver_m", "receiver_m")
-f.caps_imu_rate_hz = ProtoField.double("orrery.caps.imu_rate_hz", "imu_rate_hz [Hz]")
-f.ping_token = ProtoField.uint64("orrery.ping.token", "token", base.HEX)
-f.pong_token = ProtoField.uint64("orrery.pong.token", "token", base.HEX)
-f.error_code = ProtoField.uint16("orrery.error.code", "code", base.DEC, enum_error_code)
-f.error_request = ProtoField.uint16("orrery.error.request", "request")
-f.error_sentence = ProtoField.string("orrery.error.sentence", "sentence")
-f.poll_elements_frame = ProtoField.uint8("orrery.poll_elements.frame", "frame", base.DEC, enum_elements_frame)
-f.poll_elements_method = ProtoField.uint8("orrery.poll_elements.method", "method", base.DEC, enum_elements_method)
-f.elements_frame = ProtoField.uint8("orrery.elements.frame", "frame", base.DEC, enum_elements_frame)
-f.elements_method = ProtoField.uint8("orrery.elements.method", "method", base.DEC, enum_elements_method)
-f.poll_delays_receiver_m = ProtoField.double("orrery.poll_delays.receiver_m", "receiver_m")
-f.poll_delays_carriers_hz = ProtoField.double("orrery.poll_delays.carriers_hz", "carriers_hz [Hz]")
-f.delays_receiver_m = ProtoField.double("orrery.delays.receiver_m", "receiver_m")
-f.delays_carriers_hz = ProtoField.double("orrery.delays.carriers_hz", "carriers_hz [Hz]")
-f.poll_imu_unit = ProtoField.uint16("orrery.poll_imu.unit", "unit")
-f.imu_t1 = ProtoField.int64("orrery.imu.t1", "t1 [ns]")
-f.imu_unit = ProtoField.uint16("orrery.imu.unit", "unit")
-f.imu_dtheta_rad = ProtoField.double("orrery.imu.dtheta_rad", "dtheta_rad")
-f.imu_dv_mps = ProtoField.double("orrery.imu.dv_mps", "dv_mps [m/s]")
-f.poll_truth_unit = ProtoField.uint16("orrery.poll_truth.unit", "unit")
-f.truth_unit = ProtoField.uint16("orrery.truth.unit", "unit")
-f.truth_pos_m = ProtoField.double("orrery.truth.pos_m", "pos_m")
-f.truth_vel_mps = ProtoField.double("orrery.truth.vel_mps", "vel_mps [m/s]")
-f.truth_acc_mps2 = ProtoField.double("orrery.truth.acc_mps2", "acc_mps2 [m/s2]")
-f.truth_attitude = ProtoField.double("orrery.truth.attitude", "attitude")
-f.truth_heading_rad = ProtoField.double("orrery.truth.heading_rad", "heading_rad")
-f.truth_pitch_rad = ProtoField.double("orrery.truth.pitch_rad", "pitch_rad")
-f.truth_roll_rad = ProtoField.double("orrery.truth.roll_rad", "roll_rad")
-f.truth_rate_radps = ProtoField.double("orrery.truth.rate_radps", "rate_radps [rad/s]")
-f.truth_force_mps2 = ProtoField.double("orrery.truth.force_mps2", "force_mps2 [m/s2]")
-f.truth_disturbance_mgal = ProtoField.double("orrery.truth.disturbance_mgal", "disturbance_mgal [mGal]")
-f.truth_eotvos_mgal = ProtoField.double("orrery.truth.eotvos_mgal", "eotvos_mgal [mGal]")
-f.truth_vertical_mps2 = ProtoField.double("orrery.truth.vertical_mps2", "vertical_mps2 [m/s2]")
-
-local function record_sat_id(r, tree)
-  add(r, tree, f.sat_id_system, 1)
-  add(r, tree, f.sat_id_number, 1)
-end
-
-local function record_epochs(r, tree)
-  add(r, tree, f.epochs_t, 8)
-  add(r, tree, f.epochs_step, 8)
-  add(r, tree, f.epochs_count, 4)
-end
-
-local function record_epoch(r, tree)
-  add(r, tree, f.epoch_t, 8)
-  add(r, tree, f.epoch_index, 4)
-  add(r, tree, f.epoch_count, 4)
-  add(r, tree, f.epoch_answer, 1)
-end
-
-local function record_span(r, tree)
-  add(r, tree, f.span_first, 8)
-  add(r, tree, f.span_last, 8)
-end
-
-local function record_served_request(r, tree)
-  add(r, tree, f.served_request_request, 2)
-  add(r, tree, f.served_request_answer, 2)
-  record_span(r, tree)
-end
-
-local function record_inertial_unit(r, tree)
-  add(r, tree, f.inertial_unit_unit, 2)
-  add_text(r, tree, f.inertial_unit_name)
-  for _ = 1, 3 do add(r, tree, f.inertial_unit_lever_m, 8) end
-  add(r, tree, f.inertial_unit_heading_rad, 8)
-  add(r, tree, f.inertial_unit_pitch_rad, 8)
-  add(r, tree, f.inertial_unit_roll_rad, 8)
-end
-
-local function record_leap_seconds(r, tree)
-  add(r, tree, f.leap_seconds_gps_utc_s, 2)
-  add(r, tree, f.leap_seconds_next_gps_utc_s, 2)
-  add(r, tree, f.leap_seconds_next, 8)
-end
-
-local function record_sat_state(r, tree)
-  record_sat_id(r, tree)
-  add(r, tree, f.sat_state_answer, 1)
-  add(r, tree, f.sat_state_reserved, 1)
-  add(r, tree, f.sat_state_flags, 4)
-  for _ = 1, 3 do add(r, tree, f.sat_state_pos_m, 8) end
-  for _ = 1, 3 do add(r, tree, f.sat_state_vel_mps, 8) end
-  for _ = 1, 3 do add(r, tree, f.sat_state_acc_mps2, 8) end
-  add(r, tree, f.sat_state_clock_s, 8)
-  add(r, tree, f.sat_state_clock_rate_sps, 8)
-  add(r, tree, f.sat_state_valid_from, 8)
-  add(r, tree, f.sat_state_valid_to, 8)
-  add(r, tree, f.sat_state_sigma_m, 4)
-end
-
-local function record_sat_elements(r, tree)
-  record_sat_id(r, tree)
-  add(r, tree, f.sat_elements_answer, 1)
-  add(r, tree, f.sat_elements_reserved, 1)
-  add(r, tree, f.sat_elements_flags, 4)
-  add(r, tree, f.sat_elements_a_m, 8)
-  add(r, tree, f.sat_elements_e, 8)
-  add(r, tree, f.sat_elements_i_rad, 8)
-  add(r, tree, f.sat_elements_raan_rad, 8)
-  add(r, tree, f.sat_elements_argp_rad, 8)
-  add(r, tree, f.sat_elements_m_rad, 8)
-  add(r, tree, f.sat_elements_u_rad, 8)
-end
-
-local function record_nav_page(r, tree)
-  add(r, tree, f.nav_page_t, 8)
-  add(r, tree, f.nav_page_number, 1)
-  add(r, tree, f.nav_page_page, 1)
-  add(r, tree, f.nav_page_bits, 2)
-  add_text(r, tree, f.nav_page_data)
-end
-
-local function record_lnav_set(r, tree)
-  add(r, tree, f.lnav_set_sqrt_a_sqrtm, 8)
-  add(r, tree, f.lnav_set_e, 8)
-  add(r, tree, f.lnav_set_m0_rad, 8)
-  add(r, tree, f.lnav_set_i0_rad, 8)
-  add(r, tree, f.lnav_set_omega0_rad, 8)
-  add(r, tree, f.lnav_set_omega_rad, 8)
-  add(r, tree, f.lnav_set_delta_n_radps, 8)
-  add(r, tree, f.lnav_set_idot_radps, 8)
-  add(r, tree, f.lnav_set_omega_dot_radps, 8)
-  add(r, tree, f.lnav_set_cuc_rad, 8)
-  add(r, tree, f.lnav_set_cus_rad, 8)
-  add(r, tree, f.lnav_set_crc_m, 8)
-  add(r, tree, f.lnav_set_crs_m, 8)
-  add(r, tree, f.lnav_set_cic_rad, 8)
-  add(r, tree, f.lnav_set_cis_rad, 8)
-  add(r, tree, f.lnav_set_tgd_s, 8)
-end
-
-local function record_glonass_set(r, tree)
-  for _ = 1, 3 do add(r, tree, f.glonass_set_pos_m, 8) end
-  for _ = 1, 3 do add(r, tree, f.glonass_set_vel_mps, 8) end
-  for _ = 1, 3 do add(r, tree, f.glonass_set_acc_mps2, 8) end
-  add(r, tree, f.glonass_set_delta_tau_s, 8)
-  add(r, tree, f.glonass_set_channel, 1)
-  add(r, tree, f.glonass_set_reserved, 1)
-end
-
-local function record_sat_navdata(r, tree)
-  record_sat_id(r, tree)
-  add(r, tree, f.sat_navdata_answer, 1)
-  add(r, tree, f.sat_navdata_message, 1)
-  add(r, tree, f.sat_navdata_notes, 4)
-  add(r, tree, f.sat_navdata_set_from, 8)
-  add(r, tree, f.sat_navdata_set_to, 8)
-  add(r, tree, f.sat_navdata_toe, 8)
-  add(r, tree, f.sat_navdata_toc, 8)
-  add(r, tree, f.sat_navdata_week, 4)
-  add(r, tree, f.sat_navdata_iode, 2)
-  add(r, tree, f.sat_navdata_iodc, 2)
-  add(r, tree, f.sat_navdata_health, 4)
-  add(r, tree, f.sat_navdata_accuracy_m, 8)
-  add(r, tree, f.sat_navdata_fit_rms_m, 8)
-  add(r, tree, f.sat_navdata_fit_max_m, 8)
-  add(r, tree, f.sat_navdata_clock_rms_s, 8)
-  add(r, tree, f.sat_navdata_af0_s, 8)
-  add(r, tree, f.sat_navdata_af1_sps, 8)
-  add(r, tree, f.sat_navdata_af2_sps2, 8)
-  add(r, tree, f.sat_navdata_frame_from, 8)
-  add(r, tree, f.sat_navdata_frame_to, 8)
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_lnav_set(one, tree:add(orrery, range, "kepler " .. k))
-    end
-  end
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_glonass_set(one, tree:add(orrery, range, "glonass " .. k))
-    end
-  end
-  do
-    local count, stride = take(r, 2), nil
-    for k = 1, count and count:le_uint() or 0 do
-      local stride = take(r, 2)
-      if not stride then break end
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_nav_page(one, tree:add(orrery, range, "pages " .. k))
-    end
-  end
-end
-
-local function record_sat_delay(r, tree)
-  record_sat_id(r, tree)
-  add(r, tree, f.sat_delay_answer, 1)
-  add(r, tree, f.sat_delay_origin, 1)
-  add(r, tree, f.sat_delay_flags, 1)
-  add(r, tree, f.sat_delay_reserved, 1)
-  add(r, tree, f.sat_delay_az_rad, 8)
-  add(r, tree, f.sat_delay_el_rad, 8)
-  add(r, tree, f.sat_delay_pierce_lat_rad, 8)
-  add(r, tree, f.sat_delay_pierce_lon_rad, 8)
-  add(r, tree, f.sat_delay_mapping, 8)
-  add(r, tree, f.sat_delay_stec_tecu, 8)
-  add(r, tree, f.sat_delay_model_stec_tecu, 8)
-  for _ = 1, 4 do add(r, tree, f.sat_delay_delay_m, 8) end
-  add(r, tree, f.sat_delay_sigma_tecu, 4)
-end
-
-local function record_hello(r, tree)
-  add(r, tree, f.hello_major_min, 1)
-  add(r, tree, f.hello_major_max, 1)
-  add_text(r, tree, f.hello_name)
-  add_text(r, tree, f.hello_version)
-end
-
-local function record_caps(r, tree)
-  add(r, tree, f.caps_major, 1)
-  add(r, tree, f.caps_minor, 1)
-  add(r, tree, f.caps_max_request, 4)
-  add(r, tree, f.caps_max_epochs, 4)
-  record_span(r, tree)
-  add_text(r, tree, f.caps_name)
-  add_text(r, tree, f.caps_version)
-  add_text(r, tree, f.caps_title)
-  add_text(r, tree, f.caps_frame)
-  record_leap_seconds(r, tree)
-  add(r, tree, f.caps_navdata_point, 1)
-  add(r, tree, f.caps_receiver_source, 1)
-  add(r, tree, f.caps_receiver_unit, 2)
-  for _ = 1, 3 do add(r, tree, f.caps_receiver_m, 8) end
-  add(r, tree, f.caps_imu_rate_hz, 8)
-  do
-    local count, stride = take(r, 2), nil
-    for k = 1, count and count:le_uint() or 0 do
-      local stride = take(r, 2)
-      if not stride then break end
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_inertial_unit(one, tree:add(orrery, range, "units " .. k))
-    end
-  end
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_served_request(one, tree:add(orrery, range, "requests " .. k))
-    end
-  end
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_ping(r, tree)
-  add(r, tree, f.ping_token, 8)
-end
-
-local function record_pong(r, tree)
-  add(r, tree, f.pong_token, 8)
-end
-
-local function record_error(r, tree)
-  add(r, tree, f.error_code, 2)
-  add(r, tree, f.error_request, 2)
-  add_text(r, tree, f.error_sentence)
-end
-
-local function record_poll(r, tree)
-  record_epochs(r, tree)
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_states(r, tree)
-  record_epoch(r, tree)
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_state(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_poll_elements(r, tree)
-  record_epochs(r, tree)
-  add(r, tree, f.poll_elements_frame, 1)
-  add(r, tree, f.poll_elements_method, 1)
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_elements(r, tree)
-  record_epoch(r, tree)
-  add(r, tree, f.elements_frame, 1)
-  add(r, tree, f.elements_method, 1)
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_elements(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_poll_navdata(r, tree)
-  record_epochs(r, tree)
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_navdata(r, tree)
-  record_epoch(r, tree)
-  do
-    local count, stride = take(r, 2), nil
-    for k = 1, count and count:le_uint() or 0 do
-      local stride = take(r, 2)
-      if not stride then break end
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_navdata(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_poll_delays(r, tree)
-  record_epochs(r, tree)
-  for _ = 1, 3 do add(r, tree, f.poll_delays_receiver_m, 8) end
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      add(one, tree, f.poll_delays_carriers_hz, 8)
-    end
-  end
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_id(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_delays(r, tree)
-  record_epoch(r, tree)
-  for _ = 1, 3 do add(r, tree, f.delays_receiver_m, 8) end
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      add(one, tree, f.delays_carriers_hz, 8)
-    end
-  end
-  do
-    local count, stride = take(r, 2), take(r, 2)
-    for k = 1, (count and stride) and count:le_uint() or 0 do
-      local n = stride:le_uint()
-      local range = n > 0 and take(r, n)
-      if not range then break end
-      local one = reader(r.tvb, r.at - n, r.at)
-      record_sat_delay(one, tree:add(orrery, range, "satellites " .. k))
-    end
-  end
-end
-
-local function record_poll_imu(r, tree)
-  record_epochs(r, tree)
-  add(r, tree, f.poll_imu_unit, 2)
-end
-
-local function record_imu(r, tree)
-  record_epoch(r, tree)
-  add(r, tree, f.imu_t1, 8)
-  add(r, tree, f.imu_unit, 2)
-  for _ = 1, 3 do add(r, tree, f.imu_dtheta_rad, 8) end
-  for _ = 1, 3 do add(r, tree, f.imu_dv_mps, 8) end
-end
-
-local function record_poll_truth(r, tree)
-  record_epochs(r, tree)
-  add(r, tree, f.poll_truth_unit, 2)
-end
-
-local function record_truth(r, tree)
-  record_epoch(r, tree)
-  add(r, tree, f.truth_unit, 2)
-  for _ = 1, 3 do add(r, tree, f.truth_pos_m, 8) end
-  for _ = 1, 3 do add(r, tree, f.truth_vel_mps, 8) end
-  for _ = 1, 3 do add(r, tree, f.truth_acc_mps2, 8) end
-  for _ = 1, 4 do add(r, tree, f.truth_attitude, 8) end
-  add(r, tree, f.truth_heading_rad, 8)
-  add(r, tree, f.truth_pitch_rad, 8)
-  add(r, tree, f.truth_roll_rad, 8)
-  for _ = 1, 3 do add(r, tree, f.truth_rate_radps, 8) end
-  for _ = 1, 3 do add(r, tree, f.truth_force_mps2, 8) end
-  add(r, tree, f.truth_disturbance_mgal, 8)
-  add(r, tree, f.truth_eotvos_mgal, 8)
-  add(r, tree, f.truth_vertical_mps2, 8)
-end
-
-
-local decode = {
-  [1] = record_hello,
-  [2] = record_caps,
-  [3] = record_ping,
-  [4] = record_pong,
-  [5] = record_error,
-  [6] = record_poll,
-  [7] = record_states,
-  [8] = record_poll_elements,
-  [9] = record_elements,
-  [10] = record_poll_navdata,
-  [11] = record_navdata,
-  [12] = record_poll_delays,
-  [13] = record_delays,
-  [16] = record_poll_imu,
-  [17] = record_imu,
-  [18] = record_poll_truth,
-  [19] = record_truth,
+bitsets.delay_flags = {
+  {name = "CLIPPED", bit = 0},
 }
+bitsets.state_flags = {
+  {name = "CLOCK_VALID", bit = 0},
+  {name = "PREDICTED", bit = 1},
+  {name = "MANOEUVRE", bit = 2},
+  {name = "CLOCK_EVENT", bit = 3},
+  {name = "ECLIPSE", bit = 4},
+  {name = "GAP", bit = 5},
+}
+bitsets.nav_notes = {
+  {name = "MANOEUVRE", bit = 0},
+  {name = "SHIFTED", bit = 1},
+  {name = "NO_CLOCK", bit = 2},
+  {name = "NO_ANTENNA", bit = 3},
+  {name = "NO_DELAY", bit = 4},
+  {name = "NOMINAL_CHANNEL", bit = 5},
+  {name = "CLOCK_JUMP", bit = 6},
+}
+records.sat_id = {size = 2, smallest = 2, satellite = true, fields = {
+    {name = "system", kind = "scalar", scalar = "u8", show = "char"},
+    {name = "number", kind = "scalar", scalar = "u8"},
+}}
+records.epochs = {size = 20, smallest = 20, spread = true, fields = {
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "step", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "count", kind = "scalar", scalar = "u32"},
+}}
+records.epoch = {size = 17, smallest = 17, spread = true, fields = {
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "index", kind = "scalar", scalar = "u32"},
+    {name = "count", kind = "scalar", scalar = "u32"},
+    {name = "answer", kind = "scalar", scalar = "u8", enum = "answer"},
+}}
+records.span = {size = 16, smallest = 16, fields = {
+    {name = "first", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "last", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+}}
+records.served_request = {size = 20, smallest = 20, fields = {
+    {name = "request", kind = "scalar", scalar = "u16", show = "message"},
+    {name = "answer", kind = "scalar", scalar = "u16", show = "message"},
+    {name = "span", kind = "struct", record = "span"},
+}}
+records.inertial_unit = {fields = {
+    {name = "unit", kind = "scalar", scalar = "u16"},
+    {name = "name", kind = "string", limit = 64},
+    {name = "lever_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "heading_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "pitch_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "roll_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+}}
+records.leap_seconds = {size = 12, smallest = 12, fields = {
+    {name = "gps_utc_s", kind = "scalar", scalar = "i16", unit = "s"},
+    {name = "next_gps_utc_s", kind = "scalar", scalar = "i16", unit = "s"},
+    {name = "next", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+}}
+records.sat_state = {size = 116, smallest = 116, fields = {
+    {name = "sat", kind = "struct", record = "sat_id"},
+    {name = "answer", kind = "scalar", scalar = "u8", enum = "answer"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "flags", kind = "scalar", scalar = "u32", bits = "state_flags"},
+    {name = "pos_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "vel_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
+    {name = "acc_mps2", kind = "array", scalar = "f64", length = 3, unit = "m/s2"},
+    {name = "clock_s", kind = "scalar", scalar = "f64", unit = "s"},
+    {name = "clock_rate_sps", kind = "scalar", scalar = "f64", unit = "s/s"},
+    {name = "valid_from", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "valid_to", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "sigma_m", kind = "scalar", scalar = "f32", unit = "m"},
+}}
+records.sat_elements = {size = 64, smallest = 64, fields = {
+    {name = "sat", kind = "struct", record = "sat_id"},
+    {name = "answer", kind = "scalar", scalar = "u8", enum = "answer"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "flags", kind = "scalar", scalar = "u32", bits = "state_flags"},
+    {name = "a_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "e", kind = "scalar", scalar = "f64"},
+    {name = "i_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "raan_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "argp_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "m_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "u_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+}}
+records.nav_page = {fields = {
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "number", kind = "scalar", scalar = "u8"},
+    {name = "page", kind = "scalar", scalar = "u8"},
+    {name = "bits", kind = "scalar", scalar = "u16"},
+    {name = "data", kind = "bytes", limit = 38},
+}}
+records.lnav_set = {size = 128, smallest = 128, fields = {
+    {name = "sqrt_a_sqrtm", kind = "scalar", scalar = "f64", unit = "sqrt(m)"},
+    {name = "e", kind = "scalar", scalar = "f64"},
+    {name = "m0_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "i0_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "omega0_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "omega_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "delta_n_radps", kind = "scalar", scalar = "f64", unit = "rad/s"},
+    {name = "idot_radps", kind = "scalar", scalar = "f64", unit = "rad/s"},
+    {name = "omega_dot_radps", kind = "scalar", scalar = "f64", unit = "rad/s"},
+    {name = "cuc_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "cus_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "crc_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "crs_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "cic_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "cis_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "tgd_s", kind = "scalar", scalar = "f64", unit = "s"},
+}}
+records.glonass_set = {size = 82, smallest = 82, fields = {
+    {name = "pos_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "vel_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
+    {name = "acc_mps2", kind = "array", scalar = "f64", length = 3, unit = "m/s2"},
+    {name = "delta_tau_s", kind = "scalar", scalar = "f64", unit = "s"},
+    {name = "channel", kind = "scalar", scalar = "i8"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+}}
+records.sat_navdata = {fields = {
+    {name = "sat", kind = "struct", record = "sat_id"},
+    {name = "answer", kind = "scalar", scalar = "u8", enum = "answer"},
+    {name = "message", kind = "scalar", scalar = "u8", enum = "nav_message"},
+    {name = "notes", kind = "scalar", scalar = "u32", bits = "nav_notes"},
+    {name = "set_from", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "set_to", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "toe", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "toc", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "week", kind = "scalar", scalar = "i32"},
+    {name = "iode", kind = "scalar", scalar = "i16"},
+    {name = "iodc", kind = "scalar", scalar = "i16"},
+    {name = "health", kind = "scalar", scalar = "u32"},
+    {name = "accuracy_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "fit_rms_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "fit_max_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "clock_rms_s", kind = "scalar", scalar = "f64", unit = "s"},
+    {name = "af0_s", kind = "scalar", scalar = "f64", unit = "s"},
+    {name = "af1_sps", kind = "scalar", scalar = "f64", unit = "s/s"},
+    {name = "af2_sps2", kind = "scalar", scalar = "f64", unit = "s/s2"},
+    {name = "frame_from", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "frame_to", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "kepler", kind = "list", record = "lnav_set", limit = 1},
+    {name = "glonass", kind = "list", record = "glonass_set", limit = 1},
+    {name = "pages", kind = "list", record = "nav_page", limit = 15},
+}}
+records.sat_delay = {size = 98, smallest = 98, fields = {
+    {name = "sat", kind = "struct", record = "sat_id"},
+    {name = "answer", kind = "scalar", scalar = "u8", enum = "answer"},
+    {name = "origin", kind = "scalar", scalar = "u8", enum = "tec_origin"},
+    {name = "flags", kind = "scalar", scalar = "u8", bits = "delay_flags"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "az_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "el_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "pierce_lat_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "pierce_lon_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "mapping", kind = "scalar", scalar = "f64"},
+    {name = "stec_tecu", kind = "scalar", scalar = "f64", unit = "TECU"},
+    {name = "model_stec_tecu", kind = "scalar", scalar = "f64", unit = "TECU"},
+    {name = "delay_m", kind = "array", scalar = "f64", length = 4, unit = "m"},
+    {name = "sigma_tecu", kind = "scalar", scalar = "f32", unit = "TECU"},
+}}
+records.hello = {fields = {
+    {name = "major_min", kind = "scalar", scalar = "u8"},
+    {name = "major_max", kind = "scalar", scalar = "u8"},
+    {name = "name", kind = "string", limit = 64},
+    {name = "version", kind = "string", limit = 32},
+}}
+records.caps = {fields = {
+    {name = "major", kind = "scalar", scalar = "u8"},
+    {name = "minor", kind = "scalar", scalar = "u8"},
+    {name = "max_request", kind = "scalar", scalar = "u32"},
+    {name = "max_epochs", kind = "scalar", scalar = "u32"},
+    {name = "span", kind = "struct", record = "span"},
+    {name = "name", kind = "string", limit = 64},
+    {name = "version", kind = "string", limit = 32},
+    {name = "title", kind = "string", limit = 128},
+    {name = "frame", kind = "string", limit = 64},
+    {name = "leap", kind = "struct", record = "leap_seconds"},
+    {name = "navdata_point", kind = "scalar", scalar = "u8", enum = "orbit_point"},
+    {name = "receiver_source", kind = "scalar", scalar = "u8", enum = "receiver_source"},
+    {name = "receiver_unit", kind = "scalar", scalar = "u16"},
+    {name = "receiver_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "imu_rate_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
+    {name = "units", kind = "list", record = "inertial_unit", limit = 64},
+    {name = "requests", kind = "list", record = "served_request", limit = 64},
+    {name = "satellites", kind = "list", record = "sat_id", limit = 800},
+}}
+records.ping = {size = 8, smallest = 8, fields = {
+    {name = "token", kind = "scalar", scalar = "u64", show = "hex"},
+}}
+records.pong = {size = 8, smallest = 8, fields = {
+    {name = "token", kind = "scalar", scalar = "u64", show = "hex"},
+}}
+records.error = {fields = {
+    {name = "code", kind = "scalar", scalar = "u16", enum = "error_code"},
+    {name = "request", kind = "scalar", scalar = "u16", show = "message"},
+    {name = "sentence", kind = "string", limit = 512},
+}}
+records.poll = {fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+    {name = "satellites", kind = "list", record = "sat_id", limit = 800},
+}}
+records.states = {fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "satellites", kind = "list", record = "sat_state", limit = 800},
+}}
+records.poll_elements = {fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+    {name = "frame", kind = "scalar", scalar = "u8", enum = "elements_frame"},
+    {name = "method", kind = "scalar", scalar = "u8", enum = "elements_method"},
+    {name = "satellites", kind = "list", record = "sat_id", limit = 800},
+}}
+records.elements = {fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "frame", kind = "scalar", scalar = "u8", enum = "elements_frame"},
+    {name = "method", kind = "scalar", scalar = "u8", enum = "elements_method"},
+    {name = "satellites", kind = "list", record = "sat_elements", limit = 800},
+}}
+records.poll_navdata = {fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+    {name = "satellites", kind = "list", record = "sat_id", limit = 800},
+}}
+records.navdata = {fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "satellites", kind = "list", record = "sat_navdata", limit = 800},
+}}
+records.poll_delays = {fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+    {name = "receiver_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "carriers_hz", kind = "list", scalar = "f64", limit = 4, unit = "Hz"},
+    {name = "satellites", kind = "list", record = "sat_id", limit = 800},
+}}
+records.delays = {fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "receiver_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "carriers_hz", kind = "list", scalar = "f64", limit = 4, unit = "Hz"},
+    {name = "satellites", kind = "list", record = "sat_delay", limit = 800},
+}}
+records.poll_imu = {size = 22, smallest = 22, fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+    {name = "unit", kind = "scalar", scalar = "u16"},
+}}
+records.imu = {size = 75, smallest = 75, fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "t1", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "unit", kind = "scalar", scalar = "u16"},
+    {name = "dtheta_rad", kind = "array", scalar = "f64", length = 3, unit = "rad"},
+    {name = "dv_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
+}}
+records.poll_truth = {size = 22, smallest = 22, fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+    {name = "unit", kind = "scalar", scalar = "u16"},
+}}
+records.truth = {size = 219, smallest = 219, fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "unit", kind = "scalar", scalar = "u16"},
+    {name = "pos_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "vel_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
+    {name = "acc_mps2", kind = "array", scalar = "f64", length = 3, unit = "m/s2"},
+    {name = "attitude", kind = "array", scalar = "f64", length = 4},
+    {name = "heading_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "pitch_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "roll_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "rate_radps", kind = "array", scalar = "f64", length = 3, unit = "rad/s"},
+    {name = "force_mps2", kind = "array", scalar = "f64", length = 3, unit = "m/s2"},
+    {name = "disturbance_mgal", kind = "scalar", scalar = "f64", unit = "mGal"},
+    {name = "eotvos_mgal", kind = "scalar", scalar = "f64", unit = "mGal"},
+    {name = "vertical_mps2", kind = "scalar", scalar = "f64", unit = "m/s2"},
+}}
+local messages = {
+  [1] = {name = "HELLO", record = "hello", from = "client", answer = "CAPS"},
+  [2] = {name = "CAPS", record = "caps", from = "server"},
+  [3] = {name = "PING", record = "ping", from = "client", answer = "PONG"},
+  [4] = {name = "PONG", record = "pong", from = "server"},
+  [5] = {name = "ERROR", record = "error", from = "server"},
+  [6] = {name = "POLL", record = "poll", from = "client", answer = "STATES"},
+  [7] = {name = "STATES", record = "states", from = "server"},
+  [8] = {name = "POLL_ELEMENTS", record = "poll_elements", from = "client", answer = "ELEMENTS"},
+  [9] = {name = "ELEMENTS", record = "elements", from = "server"},
+  [10] = {name = "POLL_NAVDATA", record = "poll_navdata", from = "client", answer = "NAVDATA"},
+  [11] = {name = "NAVDATA", record = "navdata", from = "server"},
+  [12] = {name = "POLL_DELAYS", record = "poll_delays", from = "client", answer = "DELAYS"},
+  [13] = {name = "DELAYS", record = "delays", from = "server"},
+  [16] = {name = "POLL_IMU", record = "poll_imu", from = "client", answer = "IMU"},
+  [17] = {name = "IMU", record = "imu", from = "server"},
+  [18] = {name = "POLL_TRUTH", record = "poll_truth", from = "client", answer = "TRUTH"},
+  [19] = {name = "TRUTH", record = "truth", from = "server"},
+}
+local message_names = {}
+for number, message in pairs(messages) do message_names[number] = message.name end
+
+-- Everything above this line is generated from the message specification; everything below it is proto/spec/dissector.lua, which
+-- shows frames by those tables.
+local f = {}          -- fields of the frame, by name
+local shown = {}      -- fields of records: shown[record][field]
+local SIZE = {u8 = 1, u16 = 2, u32 = 4, u64 = 8, i8 = 1, i16 = 2, i32 = 4, i64 = 8, f32 = 4, f64 = 8}
+local MAKE = {u8 = "uint8", u16 = "uint16", u32 = "uint32", u64 = "uint64", i8 = "int8", i16 = "int16", i32 = "int32",
+              i64 = "int64", f32 = "float", f64 = "double"}
+local HEADER, OVERHEAD = 16, 20
+
+-- ---- bits: the library of Lua 5.2, that of Wireshark, or the operators of Lua 5.3 and later
+local band, bxor, rshift
+if bit32 or bit then
+  local library = bit32 or bit
+  band, bxor, rshift = library.band, library.bxor, library.rshift
+else
+  band = load("return function(a, b) return a & b end")()
+  bxor = load("return function(a, b) return a ~ b end")()
+  rshift = load("return function(a, n) return a >> n end")()
+end
+local function has(value, b) return math.floor(value / 2 ^ b) % 2 == 1 end
+
+local crc_table = {}
+for i = 0, 255 do
+  local v = i
+  for _ = 1, 8 do
+    if v % 2 == 1 then v = bxor(rshift(v, 1), 0xEDB88320) else v = rshift(v, 1) end
+  end
+  crc_table[i] = v
+end
+local function crc32(range)
+  local raw, crc = range:raw(), 0xFFFFFFFF
+  for i = 1, #raw do crc = bxor(crc_table[band(bxor(crc, raw:byte(i)), 0xFF)], rshift(crc, 8)) end
+  return bxor(crc, 0xFFFFFFFF) % 4294967296
+end
+
+-- ---- fields and marks
+local function declare(record, field)
+  local path = "orrery." .. record .. "." .. field.name
+  local label = field.unit and not field.name:find(field.unit, 1, true) and (field.name .. " [" .. field.unit .. "]") or field.name
+  if field.show == "time" then label = field.name .. " [ns of GPS time]" end
+  local made = {}
+  if field.kind == "string" or field.kind == "bytes" then
+    made.field = ProtoField[field.kind](path, label)
+  elseif field.scalar then
+    local make = ProtoField[MAKE[field.scalar]]
+    local names = field.enum and enums[field.enum] or field.show == "message" and message_names or nil
+    if names then
+      made.field = make(path, label, base.DEC, names)
+    elseif field.bits then
+      made.field, made.bits = make(path, label, base.HEX), {}
+      for _, b in ipairs(bitsets[field.bits]) do
+        made.bits[#made.bits + 1] = ProtoField.bool(path .. "." .. b.name:lower(), b.name, 8 * SIZE[field.scalar], nil, 2 ^ b.bit)
+      end
+    elseif field.show == "hex" then
+      made.field = make(path, label, base.HEX)
+    else
+      made.field = make(path, label)
+    end
+  end
+  if field.kind == "list" then made.count = ProtoField.uint16(path .. ".count", field.name .. " (count)") end
+  return made
+end
 
 f.major = ProtoField.uint8("orrery.major", "Major version")
 f.minor = ProtoField.uint8("orrery.minor", "Minor version")
-f.type = ProtoField.uint16("orrery.type", "Type", base.DEC, types)
+f.type = ProtoField.uint16("orrery.type", "Type", base.DEC, message_names)
 f.sequence = ProtoField.uint32("orrery.sequence", "Sequence")
 f.length = ProtoField.uint32("orrery.length", "Payload length")
+f.payload = ProtoField.bytes("orrery.payload", "Payload")
 f.crc = ProtoField.uint32("orrery.crc", "CRC-32", base.HEX)
-local bad_crc = ProtoExpert.new("orrery.bad_crc", "checksum does not match", expert.group.CHECKSUM, expert.severity.ERROR)
-orrery.experts = {bad_crc}
+f.trailing = ProtoField.bytes("orrery.trailing", "Bytes after the last known field")
+f.no_frame = ProtoField.bytes("orrery.no_frame", "Bytes that are no frame")
+f.sat = ProtoField.string("orrery.sat", "Satellite")
+f.time = ProtoField.string("orrery.time", "Time (GPS)")
+f.request_in = ProtoField.framenum("orrery.request_in", "Request in", base.NONE, frametype.REQUEST)
+f.response_in = ProtoField.framenum("orrery.response_in", "Answer in", base.NONE, frametype.RESPONSE)
+f.last_response_in = ProtoField.framenum("orrery.last_response_in", "Last answer in", base.NONE, frametype.RESPONSE)
+f.responses = ProtoField.uint32("orrery.responses", "Frames of the answer")
+f.response_time = ProtoField.relative_time("orrery.response_time", "Time since the request")
 
+local registered = {}
+for _, field in pairs(f) do registered[#registered + 1] = field end
+for name, record in pairs(records) do
+  shown[name] = {}
+  for _, field in ipairs(record.fields) do
+    local made = declare(name, field)
+    shown[name][field.name] = made
+    if made.field then registered[#registered + 1] = made.field end
+    if made.count then registered[#registered + 1] = made.count end
+    for _, b in ipairs(made.bits or {}) do registered[#registered + 1] = b end
+  end
+end
+orrery.fields = registered
+
+local function mark(name, text, group, severity)
+  return ProtoExpert.new("orrery.expert." .. name, text, expert.group[group], expert.severity[severity])
+end
+local e = {
+  crc = mark("crc", "checksum does not match", "CHECKSUM", "ERROR"),
+  magic = mark("magic", "bytes that are no frame of this protocol", "MALFORMED", "ERROR"),
+  length = mark("length", "payload length above the limit", "MALFORMED", "ERROR"),
+  major = mark("major", "a major version that this dissector does not know", "PROTOCOL", "ERROR"),
+  cut = mark("cut", "cut", "MALFORMED", "ERROR"),
+  count = mark("count", "impossible count", "MALFORMED", "ERROR"),
+  trailing = mark("trailing", "bytes after the last known field", "UNDECODED", "NOTE"),
+  type = mark("type", "unknown message type", "UNDECODED", "WARN"),
+  value = mark("value", "a value that this version does not know", "UNDECODED", "NOTE"),
+  satellite = mark("satellite", "no satellite", "PROTOCOL", "WARN"),
+  refused = mark("refused", "the request was refused", "RESPONSE_CODE", "WARN"),
+  unasked = mark("unasked", "its request is not in this capture", "SEQUENCE", "NOTE"),
+  unanswered = mark("unanswered", "its answer is not in this capture", "SEQUENCE", "NOTE"),
+  mismatch = mark("mismatch", "it does not answer the request of this sequence number", "SEQUENCE", "WARN"),
+}
+local marks = {}
+for _, one in pairs(e) do marks[#marks + 1] = one end
+orrery.experts = marks
+
+-- ---- values as text
+local NS = Int64.new(1000000000)
+-- Whole seconds (rounded down) and nanoseconds of an Int64.
+local function split(value)
+  local s, ns = (value / NS):tonumber(), (value % NS):tonumber()
+  if ns < 0 then s, ns = s - 1, ns + 1000000000 end
+  return s, ns
+end
+local function decimals(ns) return ns == 0 and "" or (string.format(".%09d", ns):gsub("0+$", "")) end
+
+-- Date and time of day of an instant, GPS scale; nil for "no instant".
+local function time_text(value)
+  if tostring(value) == "-9223372036854775808" then return nil end
+  local s, ns = split(value)
+  local days = math.floor(s / 86400)
+  local rest = s - 86400 * days
+  -- Gregorian calendar from days since 0000-03-01: years begin in March, so that a leap day is a year's last.
+  local z = days + 723125
+  local era = math.floor(z / 146097)
+  local day_of_era = z - era * 146097
+  local year_of_era = math.floor((day_of_era - math.floor(day_of_era / 1460) + math.floor(day_of_era / 36524) -
+                                  math.floor(day_of_era / 146096)) / 365)
+  local day_of_year = day_of_era - (365 * year_of_era + math.floor(year_of_era / 4) - math.floor(year_of_era / 100))
+  local march = math.floor((5 * day_of_year + 2) / 153)
+  local day = day_of_year - math.floor((153 * march + 2) / 5) + 1
+  local month = march < 10 and march + 3 or march - 9
+  local year = year_of_era + era * 400 + (month <= 2 and 1 or 0)
+  return string.format("%04d-%02d-%02dT%02d:%02d:%02d%s", year, month, day, math.floor(rest / 3600), math.floor(rest / 60) % 60,
+                       rest % 60, decimals(ns))
+end
+
+local function duration_text(value)
+  local s, ns = split(value)
+  if s >= 0 then return string.format("%d%s s", s, decimals(ns)) end
+  if ns > 0 then s, ns = s + 1, 1000000000 - ns end
+  return string.format("-%d%s s", -s, decimals(ns))
+end
+
+-- ---- a reader over a range that stops at its end
+local function reader(tvb, at, stop) return {tvb = tvb, at = at, stop = stop} end
+local function left(r) return r.stop - r.at end
+local function cut(r, tree, what, wanted)
+  tree:add_proto_expert_info(e.cut, string.format("%s is cut: %d bytes wanted, %d there", what, wanted, left(r)))
+  return false
+end
+local function take(r, n)
+  r.at = r.at + n
+  return r.tvb(r.at - n, n)
+end
+
+local function read_integer(range, scalar)
+  if scalar == "i64" then return range:le_int64() end
+  if scalar == "u64" then return range:le_uint64() end
+  return scalar:sub(1, 1) == "i" and range:le_int() or range:le_uint()
+end
+
+-- One number; returns true and its value if it is an integer of at most 32 bits.
+local function show_scalar(r, tree, record, field, info)
+  local n = SIZE[field.scalar]
+  if left(r) < n then return cut(r, tree, field.name, n) end
+  local range, own = take(r, n), shown[record][field.name]
+  local item = tree:add_le(own.field, range)
+  if field.scalar:sub(1, 1) == "f" then return true end
+  local value = read_integer(range, field.scalar)
+  if field.show == "time" then
+    local text = time_text(value)
+    item:set_text(field.name .. ": " .. (text and text .. " GPS" or "no instant") .. " (" .. tostring(value) .. " ns)")
+    if info and text and not info.time then
+      info.time = text .. " GPS"
+      tree:add(f.time, range, text):set_generated()
+    end
+  elseif field.show == "duration" then
+    item:set_text(field.name .. ": " .. duration_text(value) .. " (" .. tostring(value) .. " ns)")
+    if info then info.step = duration_text(value) end
+  elseif field.show == "char" then
+    item:append_text(value >= 32 and value < 127 and " ('" .. string.char(value) .. "')" or "")
+  elseif field.bits then
+    local names, known = {}, 0
+    for k, b in ipairs(bitsets[field.bits]) do
+      item:add_le(own.bits[k], range)
+      known = known + 2 ^ b.bit
+      if has(value, b.bit) then names[#names + 1] = b.name end
+    end
+    if #names > 0 then item:append_text(" (" .. table.concat(names, ", ") .. ")") end
+    for b = 0, 8 * n - 1 do
+      if has(value, b) and not has(known, b) then item:add_proto_expert_info(e.value, "bit " .. b .. " is not known") end
+    end
+  elseif field.enum and not enums[field.enum][value] then
+    item:add_proto_expert_info(e.value, field.name .. " " .. value .. " is not known")
+  end
+  if info and type(value) == "number" then
+    info[field.name] = value
+    if field.enum == "error_code" then info.error = enums.error_code[value] or "error " .. value end
+  end
+  return true, value
+end
+
+local function show_text(r, tree, record, field, info)
+  if left(r) < 2 then return cut(r, tree, field.name, 2) end
+  local own, size = shown[record][field.name].field, take(r, 2)
+  local n = size:le_uint()
+  if n > field.limit then
+    tree:add_proto_expert_info(e.count, string.format("%s: %d bytes, at most %d are allowed", field.name, n, field.limit))
+    return false
+  end
+  if left(r) < n then return cut(r, tree, field.name, n) end
+  if n == 0 then
+    tree:add(own, size, "")
+  elseif field.kind == "bytes" then
+    tree:add(own, take(r, n))
+  else
+    local range = take(r, n)
+    tree:add_packet_field(own, range, ENC_UTF_8)
+    if info then info[field.name] = range:string(ENC_UTF_8) end
+  end
+  return true
+end
+
+local function show_satellite(r, tree, label)
+  if left(r) < 2 then return cut(r, tree, label, 2) end
+  local range = take(r, 2)
+  local letter, number = range(0, 1):uint(), range(1, 1):uint()
+  local good = letter >= 65 and letter <= 90 and number >= 1 and number <= 99
+  local name = good and string.format("%c%02d", letter, number) or string.format("0x%02x, %d", letter, number)
+  local item = tree:add(f.sat, range, name)
+  item:set_text(label .. ": " .. name)
+  if not good then item:add_proto_expert_info(e.satellite, label .. ": a letter and a number of 1 to 99 are wanted") end
+  return true, name
+end
+
+local show_record
+
+local function show_list(r, tree, record, field, info)
+  local element = field.record and records[field.record]
+  local fixed = field.scalar and SIZE[field.scalar] or element.size
+  local head = fixed and 4 or 2
+  if left(r) < head then return cut(r, tree, field.name, head) end
+  local range = take(r, head)
+  local count, stride = range(0, 2):le_uint(), fixed and range(2, 2):le_uint()
+  local list = tree:add_le(shown[record][field.name].count, range(0, 2))
+  list:set_text(field.name .. ": " .. count)
+  if info then info.lists[#info.lists + 1] = {field.name, count} end
+  local wrong
+  if count > field.limit then
+    wrong = string.format("%s: %d of them, at most %d are allowed", field.name, count, field.limit)
+  elseif count * (stride or 2) > left(r) then
+    wrong = string.format("%s: %d of %d bytes, but %d bytes are left", field.name, count, stride or 2, left(r))
+  elseif fixed and count > 0 and stride < (element and element.smallest or fixed) then
+    wrong = string.format("%s: records of %d bytes, %d are wanted", field.name, stride, element and element.smallest or fixed)
+  end
+  if wrong then
+    list:add_proto_expert_info(e.count, wrong)
+    return false
+  end
+  for k = 1, count do
+    local n, label = stride, field.name .. " " .. k
+    if not n then
+      if left(r) < 2 then return cut(r, list, label, 2) end
+      n = take(r, 2):le_uint()
+      if left(r) < n then return cut(r, list, label, n) end
+    end
+    local from = r.at
+    r.at = r.at + n
+    local one = reader(r.tvb, from, r.at)
+    if field.scalar then
+      show_scalar(one, list, record, field)
+    elseif element.satellite then
+      show_satellite(one, list, label)
+    else
+      local branch = list:add(r.tvb(from, n), label)
+      show_record(one, branch, field.record, nil, branch)
+    end
+  end
+  return true
+end
+
+-- The fields of a record or message, in order. heading: the item that is to tell the satellite and its answer, if there is one.
+-- Returns false where the rest could not be read.
+function show_record(r, tree, name, info, heading, inner)
+  local values = {}
+  for _, field in ipairs(records[name].fields) do
+    if not field.when or has(values[field.when[1]] or 0, field.when[2]) then
+      if field.since and left(r) == 0 then break end -- the sender is of an older minor version
+      local good, value = true, nil
+      if field.kind == "scalar" then
+        good, value = show_scalar(r, tree, name, field, info)
+      elseif field.kind == "array" then
+        for _ = 1, field.length do good = good and show_scalar(r, tree, name, field) end
+      elseif field.kind == "struct" then
+        local element = records[field.record]
+        if element.satellite then
+          good, value = show_satellite(r, tree, field.name)
+          if good and heading then heading:append_text(": " .. value) end
+        elseif element.spread then
+          good = show_record(r, tree, field.record, info, nil, true)
+        else
+          good = show_record(r, tree:add(r.tvb(r.at, math.min(left(r), element.size or 0)), field.name), field.record, nil, nil, true)
+        end
+      elseif field.kind == "list" then
+        good = show_list(r, tree, name, field, info)
+      else
+        good = show_text(r, tree, name, field, info)
+      end
+      if not good then return false end
+      if field.kind == "scalar" then values[field.name] = value end
+      if heading and field.enum == "answer" and value ~= 0 then
+        heading:append_text(", " .. (enums.answer[value] or "answer " .. value))
+      end
+    end
+  end
+  if not inner and left(r) > 0 then
+    local range = take(r, left(r))
+    tree:add(f.trailing, range):add_proto_expert_info(e.trailing, range:len() .. " bytes after the last known field of " .. name)
+  end
+  return true
+end
+
+-- ---- requests and their answers
+local streams, links = {}, {} -- by both ends and sequence number; by the place of a frame
+function orrery.init() streams, links = {}, {} end
+
+-- On the first pass: the transaction that a frame belongs to, or nil. (Not by tcp.stream: in tshark's first pass of two there is
+-- no tree to read it from.)
+local function link(pinfo, type, sequence)
+  local message = messages[type]
+  local from_client = message.from == "client"
+  local source, sink = tostring(pinfo.src) .. "/" .. pinfo.src_port, tostring(pinfo.dst) .. "/" .. pinfo.dst_port
+  local id = from_client and source .. ">" .. sink or sink .. ">" .. source
+  streams[id] = streams[id] or {}
+  if from_client then
+    if message.answer then
+      streams[id][sequence] = {request = pinfo.number, at = pinfo.rel_ts, answer = message.answer, count = 0}
+    end
+    return streams[id][sequence]
+  end
+  local found = streams[id][sequence]
+  if found then
+    found.count = found.count + 1
+    found.first = found.first or pinfo.number
+    found.last = pinfo.number
+  end
+  return found
+end
+
+local function show_links(tvb, pinfo, tree, type, sequence)
+  local key = table.concat({pinfo.number, tvb:offset(), type, sequence}, "/")
+  if not pinfo.visited then links[key] = link(pinfo, type, sequence) end
+  local found = links[key]
+  if messages[type].from == "client" then
+    if found and found.first then
+      tree:add(f.response_in, found.first):set_generated()
+      if found.count > 1 then
+        tree:add(f.last_response_in, found.last):set_generated()
+        tree:add(f.responses, found.count):set_generated()
+      end
+    elseif found and pinfo.visited then
+      tree:add_proto_expert_info(e.unanswered)
+    end
+  elseif found then
+    tree:add(f.request_in, found.request):set_generated()
+    local passed = math.max(0, pinfo.rel_ts - found.at)
+    local s = math.floor(passed)
+    tree:add(f.response_time, NSTime.new(s, math.floor((passed - s) * 1e9 + 0.5))):set_generated()
+    if messages[type].name ~= found.answer and messages[type].name ~= "ERROR" then
+      tree:add_proto_expert_info(e.mismatch, "a request that " .. found.answer .. " answers has this sequence number")
+    end
+  elseif sequence ~= 0 then
+    tree:add_proto_expert_info(e.unasked)
+  end
+end
+
+-- ---- frames
+local function info_text(name, sequence, info)
+  local words = {name .. " seq=" .. sequence}
+  if info.time then words[#words + 1] = info.time end
+  if info.count and info.index then
+    words[#words + 1] = (info.index + 1) .. " of " .. info.count
+  elseif info.count then
+    words[#words + 1] = info.count .. (info.count == 1 and " epoch" or " epochs")
+    if info.step and info.count > 1 then words[#words + 1] = "step " .. info.step end
+  end
+  if info.answer and info.answer ~= 0 then words[#words + 1] = enums.answer[info.answer] or "answer " .. info.answer end
+  for _, list in ipairs(info.lists) do
+    if list[2] > 0 then words[#words + 1] = list[2] .. " " .. list[1] end
+  end
+  if info.error then
+    words[#words + 1] = info.error .. (info.sentence and ": " .. info.sentence or "")
+  end
+  for _, word in ipairs(info.marks) do words[#words + 1] = "[" .. word .. "]" end
+  return table.concat(words, ", ")
+end
+
+local function tell(pinfo, text)
+  pinfo.cols.protocol = PROTOCOL
+  if pinfo.private.orrery_frames then
+    pinfo.cols.info:append(" | " .. text)
+  else
+    pinfo.cols.info:set(text)
+    pinfo.private.orrery_frames = "1"
+  end
+end
+
+local function no_frame(tvb, pinfo, tree)
+  local branch = tree:add(orrery, tvb(), PROTOCOL .. " (no frame)")
+  branch:add(f.no_frame, tvb()):add_proto_expert_info(e.magic)
+  tell(pinfo, "[" .. tvb:len() .. " bytes that are no frame]")
+end
+
+-- A frame, of which bytes may be missing at the end. tvb holds nothing but it.
 local function one_frame(tvb, pinfo, tree)
-  local type, size = tvb(6, 2):le_uint(), tvb(12, 4):le_uint()
-  local name = types[type] or ("type " .. type)
-  local t = tree:add(orrery, tvb(0, 20 + size), "Orrery " .. name .. ", sequence " .. tvb(8, 4):le_uint())
-  t:add(f.major, tvb(4, 1))
-  t:add(f.minor, tvb(5, 1))
-  t:add_le(f.type, tvb(6, 2))
-  t:add_le(f.sequence, tvb(8, 4))
-  t:add_le(f.length, tvb(12, 4))
-  local r = reader(tvb, 16, 16 + size)
-  if decode[type] then decode[type](r, t) end
-  local sum = t:add_le(f.crc, tvb(16 + size, 4))
-  if crc32(tvb(0, 16 + size)) ~= tvb(16 + size, 4):le_uint() then sum:add_proto_expert_info(bad_crc) end
-  pinfo.cols.protocol = "Orrery"
-  pinfo.cols.info:append(" " .. name)
-  return 20 + size
+  local there = tvb:len()
+  local number, sequence, size = tvb(6, 2):le_uint(), tvb(8, 4):le_uint(), tvb(12, 4):le_uint()
+  local message = messages[number]
+  local name, info = message and message.name or "type " .. number, {lists = {}, marks = {}}
+  local branch = tree:add(orrery, tvb(), PROTOCOL .. " " .. name .. ", sequence " .. sequence)
+  local major = branch:add(f.major, tvb(4, 1))
+  branch:add(f.minor, tvb(5, 1))
+  local kind = branch:add_le(f.type, tvb(6, 2))
+  branch:add_le(f.sequence, tvb(8, 4))
+  local length = branch:add_le(f.length, tvb(12, 4))
+  local stop, whole = math.min(HEADER + size, there), there >= OVERHEAD + size
+  local sound = whole and crc32(tvb(0, HEADER + size)) == tvb(HEADER + size, 4):le_uint()
+
+  if size > MAX_PAYLOAD then
+    length:add_proto_expert_info(e.length, "a payload of " .. size .. " bytes, at most " .. MAX_PAYLOAD .. " are allowed")
+    info.marks[1] = "length " .. size .. " above the limit"
+  elseif tvb(4, 1):uint() ~= MAJOR then
+    major:add_proto_expert_info(e.major, "major version " .. tvb(4, 1):uint() .. ": this dissector knows " .. MAJOR)
+    info.marks[1] = "major version " .. tvb(4, 1):uint()
+    if stop > HEADER then branch:add(f.payload, tvb(HEADER, stop - HEADER)) end
+  elseif not message then
+    kind:add_proto_expert_info(e.type)
+    info.marks[1] = "unknown message type"
+    if stop > HEADER then branch:add(f.payload, tvb(HEADER, stop - HEADER)) end
+  else
+    if sound then show_links(tvb, pinfo, branch, number, sequence) end
+    if not show_record(reader(tvb, HEADER, stop), branch, message.record, info) then info.marks[1] = "malformed" end
+    if info.error then branch:add_proto_expert_info(e.refused, info.error .. ": " .. (info.sentence or "")) end
+  end
+  if size <= MAX_PAYLOAD and not whole then
+    branch:add_proto_expert_info(e.cut, "the frame is cut: " .. (OVERHEAD + size) .. " bytes wanted, " .. there .. " there")
+    info.marks[#info.marks + 1] = "cut"
+  elseif whole then
+    local sum = branch:add_le(f.crc, tvb(HEADER + size, 4))
+    if not sound then
+      sum:add_proto_expert_info(e.crc)
+      info.marks[#info.marks + 1] = "checksum"
+    end
+  end
+  tell(pinfo, info_text(name, sequence, info))
 end
 
-function orrery.dissector(tvb, pinfo, tree)
-  if tvb:len() >= 4 and tvb(0, 4):raw() ~= "ORRY" then return 0 end
-  pinfo.cols.info:set("")
-  dissect_tcp_pdus(tvb, tree, 16, function(t) return 20 + t(12, 4):le_uint() end, one_frame)
-  return tvb:len()
+-- Where the next frame may begin: the next magic, whole or cut off by the end.
+local function next_magic(raw, from)
+  local at = raw:find(MAGIC, from, true)
+  if at then return at end
+  for n = math.min(#MAGIC - 1, #raw - from + 1), 1, -1 do
+    if raw:sub(-n) == MAGIC:sub(1, n) then return #raw - n + 1 end
+  end
+  return #raw + 1
 end
 
-DissectorTable.get("tcp.port"):add(15754, orrery)
+local function dissect(tvb, pinfo, tree)
+  local total, at, raw = tvb:len(), 0, nil
+  local whole = tvb:reported_len() == total
+  local function wait(n) -- asks for n more bytes; false where there will be none
+    if not (whole and pinfo.can_desegment > 0) then return false end
+    pinfo.desegment_offset, pinfo.desegment_len = at, n
+    return true
+  end
+  while at < total do
+    local there = math.min(#MAGIC, total - at)
+    if tvb(at, there):raw() ~= MAGIC:sub(1, there) then
+      raw = raw or tvb:raw()
+      local stop = next_magic(raw, at + 2) - 1
+      no_frame(tvb(at, stop - at):tvb(), pinfo, tree)
+      at = stop
+    elseif total - at < HEADER then
+      if wait(DESEGMENT_ONE_MORE_SEGMENT) then return total end
+      no_frame(tvb(at, total - at):tvb(), pinfo, tree)
+      at = total
+    else
+      local size = tvb(at + 12, 4):le_uint()
+      local wanted = size > MAX_PAYLOAD and HEADER or OVERHEAD + size
+      if total - at < wanted and wait(wanted - (total - at)) then return total end
+      wanted = math.min(wanted, total - at)
+      one_frame(tvb(at, wanted):tvb(), pinfo, tree)
+      at = at + wanted
+    end
+  end
+  return total
+end
+
+function orrery.dissector(tvb, pinfo, tree) return dissect(tvb, pinfo, tree) end
+DissectorTable.get("tcp.port"):add(PORT, orrery)
+-- On any other port: a conversation that begins with the magic and a version is this protocol.
+orrery:register_heuristic("tcp", function(tvb, pinfo, tree)
+  if tvb:len() < HEADER or tvb(0, #MAGIC):raw() ~= MAGIC or tvb(4, 1):uint() ~= MAJOR then return false end
+  pinfo.conversation = orrery
+  dissect(tvb, pinfo, tree)
+  return true
+end)

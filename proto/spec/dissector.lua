@@ -1,0 +1,520 @@
+-- SPDX-License-Identifier: MIT
+-- Everything above this line is generated from the message specification; everything below it is proto/spec/dissector.lua, which
+-- shows frames by those tables.
+local f = {}          -- fields of the frame, by name
+local shown = {}      -- fields of records: shown[record][field]
+local SIZE = {u8 = 1, u16 = 2, u32 = 4, u64 = 8, i8 = 1, i16 = 2, i32 = 4, i64 = 8, f32 = 4, f64 = 8}
+local MAKE = {u8 = "uint8", u16 = "uint16", u32 = "uint32", u64 = "uint64", i8 = "int8", i16 = "int16", i32 = "int32",
+              i64 = "int64", f32 = "float", f64 = "double"}
+local HEADER, OVERHEAD = 16, 20
+
+-- ---- bits: the library of Lua 5.2, that of Wireshark, or the operators of Lua 5.3 and later
+local band, bxor, rshift
+if bit32 or bit then
+  local library = bit32 or bit
+  band, bxor, rshift = library.band, library.bxor, library.rshift
+else
+  band = load("return function(a, b) return a & b end")()
+  bxor = load("return function(a, b) return a ~ b end")()
+  rshift = load("return function(a, n) return a >> n end")()
+end
+local function has(value, b) return math.floor(value / 2 ^ b) % 2 == 1 end
+
+local crc_table = {}
+for i = 0, 255 do
+  local v = i
+  for _ = 1, 8 do
+    if v % 2 == 1 then v = bxor(rshift(v, 1), 0xEDB88320) else v = rshift(v, 1) end
+  end
+  crc_table[i] = v
+end
+local function crc32(range)
+  local raw, crc = range:raw(), 0xFFFFFFFF
+  for i = 1, #raw do crc = bxor(crc_table[band(bxor(crc, raw:byte(i)), 0xFF)], rshift(crc, 8)) end
+  return bxor(crc, 0xFFFFFFFF) % 4294967296
+end
+
+-- ---- fields and marks
+local function declare(record, field)
+  local path = "orrery." .. record .. "." .. field.name
+  local label = field.unit and not field.name:find(field.unit, 1, true) and (field.name .. " [" .. field.unit .. "]") or field.name
+  if field.show == "time" then label = field.name .. " [ns of GPS time]" end
+  local made = {}
+  if field.kind == "string" or field.kind == "bytes" then
+    made.field = ProtoField[field.kind](path, label)
+  elseif field.scalar then
+    local make = ProtoField[MAKE[field.scalar]]
+    local names = field.enum and enums[field.enum] or field.show == "message" and message_names or nil
+    if names then
+      made.field = make(path, label, base.DEC, names)
+    elseif field.bits then
+      made.field, made.bits = make(path, label, base.HEX), {}
+      for _, b in ipairs(bitsets[field.bits]) do
+        made.bits[#made.bits + 1] = ProtoField.bool(path .. "." .. b.name:lower(), b.name, 8 * SIZE[field.scalar], nil, 2 ^ b.bit)
+      end
+    elseif field.show == "hex" then
+      made.field = make(path, label, base.HEX)
+    else
+      made.field = make(path, label)
+    end
+  end
+  if field.kind == "list" then made.count = ProtoField.uint16(path .. ".count", field.name .. " (count)") end
+  return made
+end
+
+f.major = ProtoField.uint8("orrery.major", "Major version")
+f.minor = ProtoField.uint8("orrery.minor", "Minor version")
+f.type = ProtoField.uint16("orrery.type", "Type", base.DEC, message_names)
+f.sequence = ProtoField.uint32("orrery.sequence", "Sequence")
+f.length = ProtoField.uint32("orrery.length", "Payload length")
+f.payload = ProtoField.bytes("orrery.payload", "Payload")
+f.crc = ProtoField.uint32("orrery.crc", "CRC-32", base.HEX)
+f.trailing = ProtoField.bytes("orrery.trailing", "Bytes after the last known field")
+f.no_frame = ProtoField.bytes("orrery.no_frame", "Bytes that are no frame")
+f.sat = ProtoField.string("orrery.sat", "Satellite")
+f.time = ProtoField.string("orrery.time", "Time (GPS)")
+f.request_in = ProtoField.framenum("orrery.request_in", "Request in", base.NONE, frametype.REQUEST)
+f.response_in = ProtoField.framenum("orrery.response_in", "Answer in", base.NONE, frametype.RESPONSE)
+f.last_response_in = ProtoField.framenum("orrery.last_response_in", "Last answer in", base.NONE, frametype.RESPONSE)
+f.responses = ProtoField.uint32("orrery.responses", "Frames of the answer")
+f.response_time = ProtoField.relative_time("orrery.response_time", "Time since the request")
+
+local registered = {}
+for _, field in pairs(f) do registered[#registered + 1] = field end
+for name, record in pairs(records) do
+  shown[name] = {}
+  for _, field in ipairs(record.fields) do
+    local made = declare(name, field)
+    shown[name][field.name] = made
+    if made.field then registered[#registered + 1] = made.field end
+    if made.count then registered[#registered + 1] = made.count end
+    for _, b in ipairs(made.bits or {}) do registered[#registered + 1] = b end
+  end
+end
+orrery.fields = registered
+
+local function mark(name, text, group, severity)
+  return ProtoExpert.new("orrery.expert." .. name, text, expert.group[group], expert.severity[severity])
+end
+local e = {
+  crc = mark("crc", "checksum does not match", "CHECKSUM", "ERROR"),
+  magic = mark("magic", "bytes that are no frame of this protocol", "MALFORMED", "ERROR"),
+  length = mark("length", "payload length above the limit", "MALFORMED", "ERROR"),
+  major = mark("major", "a major version that this dissector does not know", "PROTOCOL", "ERROR"),
+  cut = mark("cut", "cut", "MALFORMED", "ERROR"),
+  count = mark("count", "impossible count", "MALFORMED", "ERROR"),
+  trailing = mark("trailing", "bytes after the last known field", "UNDECODED", "NOTE"),
+  type = mark("type", "unknown message type", "UNDECODED", "WARN"),
+  value = mark("value", "a value that this version does not know", "UNDECODED", "NOTE"),
+  satellite = mark("satellite", "no satellite", "PROTOCOL", "WARN"),
+  refused = mark("refused", "the request was refused", "RESPONSE_CODE", "WARN"),
+  unasked = mark("unasked", "its request is not in this capture", "SEQUENCE", "NOTE"),
+  unanswered = mark("unanswered", "its answer is not in this capture", "SEQUENCE", "NOTE"),
+  mismatch = mark("mismatch", "it does not answer the request of this sequence number", "SEQUENCE", "WARN"),
+}
+local marks = {}
+for _, one in pairs(e) do marks[#marks + 1] = one end
+orrery.experts = marks
+
+-- ---- values as text
+local NS = Int64.new(1000000000)
+-- Whole seconds (rounded down) and nanoseconds of an Int64.
+local function split(value)
+  local s, ns = (value / NS):tonumber(), (value % NS):tonumber()
+  if ns < 0 then s, ns = s - 1, ns + 1000000000 end
+  return s, ns
+end
+local function decimals(ns) return ns == 0 and "" or (string.format(".%09d", ns):gsub("0+$", "")) end
+
+-- Date and time of day of an instant, GPS scale; nil for "no instant".
+local function time_text(value)
+  if tostring(value) == "-9223372036854775808" then return nil end
+  local s, ns = split(value)
+  local days = math.floor(s / 86400)
+  local rest = s - 86400 * days
+  -- Gregorian calendar from days since 0000-03-01: years begin in March, so that a leap day is a year's last.
+  local z = days + 723125
+  local era = math.floor(z / 146097)
+  local day_of_era = z - era * 146097
+  local year_of_era = math.floor((day_of_era - math.floor(day_of_era / 1460) + math.floor(day_of_era / 36524) -
+                                  math.floor(day_of_era / 146096)) / 365)
+  local day_of_year = day_of_era - (365 * year_of_era + math.floor(year_of_era / 4) - math.floor(year_of_era / 100))
+  local march = math.floor((5 * day_of_year + 2) / 153)
+  local day = day_of_year - math.floor((153 * march + 2) / 5) + 1
+  local month = march < 10 and march + 3 or march - 9
+  local year = year_of_era + era * 400 + (month <= 2 and 1 or 0)
+  return string.format("%04d-%02d-%02dT%02d:%02d:%02d%s", year, month, day, math.floor(rest / 3600), math.floor(rest / 60) % 60,
+                       rest % 60, decimals(ns))
+end
+
+local function duration_text(value)
+  local s, ns = split(value)
+  if s >= 0 then return string.format("%d%s s", s, decimals(ns)) end
+  if ns > 0 then s, ns = s + 1, 1000000000 - ns end
+  return string.format("-%d%s s", -s, decimals(ns))
+end
+
+-- ---- a reader over a range that stops at its end
+local function reader(tvb, at, stop) return {tvb = tvb, at = at, stop = stop} end
+local function left(r) return r.stop - r.at end
+local function cut(r, tree, what, wanted)
+  tree:add_proto_expert_info(e.cut, string.format("%s is cut: %d bytes wanted, %d there", what, wanted, left(r)))
+  return false
+end
+local function take(r, n)
+  r.at = r.at + n
+  return r.tvb(r.at - n, n)
+end
+
+local function read_integer(range, scalar)
+  if scalar == "i64" then return range:le_int64() end
+  if scalar == "u64" then return range:le_uint64() end
+  return scalar:sub(1, 1) == "i" and range:le_int() or range:le_uint()
+end
+
+-- One number; returns true and its value if it is an integer of at most 32 bits.
+local function show_scalar(r, tree, record, field, info)
+  local n = SIZE[field.scalar]
+  if left(r) < n then return cut(r, tree, field.name, n) end
+  local range, own = take(r, n), shown[record][field.name]
+  local item = tree:add_le(own.field, range)
+  if field.scalar:sub(1, 1) == "f" then return true end
+  local value = read_integer(range, field.scalar)
+  if field.show == "time" then
+    local text = time_text(value)
+    item:set_text(field.name .. ": " .. (text and text .. " GPS" or "no instant") .. " (" .. tostring(value) .. " ns)")
+    if info and text and not info.time then
+      info.time = text .. " GPS"
+      tree:add(f.time, range, text):set_generated()
+    end
+  elseif field.show == "duration" then
+    item:set_text(field.name .. ": " .. duration_text(value) .. " (" .. tostring(value) .. " ns)")
+    if info then info.step = duration_text(value) end
+  elseif field.show == "char" then
+    item:append_text(value >= 32 and value < 127 and " ('" .. string.char(value) .. "')" or "")
+  elseif field.bits then
+    local names, known = {}, 0
+    for k, b in ipairs(bitsets[field.bits]) do
+      item:add_le(own.bits[k], range)
+      known = known + 2 ^ b.bit
+      if has(value, b.bit) then names[#names + 1] = b.name end
+    end
+    if #names > 0 then item:append_text(" (" .. table.concat(names, ", ") .. ")") end
+    for b = 0, 8 * n - 1 do
+      if has(value, b) and not has(known, b) then item:add_proto_expert_info(e.value, "bit " .. b .. " is not known") end
+    end
+  elseif field.enum and not enums[field.enum][value] then
+    item:add_proto_expert_info(e.value, field.name .. " " .. value .. " is not known")
+  end
+  if info and type(value) == "number" then
+    info[field.name] = value
+    if field.enum == "error_code" then info.error = enums.error_code[value] or "error " .. value end
+  end
+  return true, value
+end
+
+local function show_text(r, tree, record, field, info)
+  if left(r) < 2 then return cut(r, tree, field.name, 2) end
+  local own, size = shown[record][field.name].field, take(r, 2)
+  local n = size:le_uint()
+  if n > field.limit then
+    tree:add_proto_expert_info(e.count, string.format("%s: %d bytes, at most %d are allowed", field.name, n, field.limit))
+    return false
+  end
+  if left(r) < n then return cut(r, tree, field.name, n) end
+  if n == 0 then
+    tree:add(own, size, "")
+  elseif field.kind == "bytes" then
+    tree:add(own, take(r, n))
+  else
+    local range = take(r, n)
+    tree:add_packet_field(own, range, ENC_UTF_8)
+    if info then info[field.name] = range:string(ENC_UTF_8) end
+  end
+  return true
+end
+
+local function show_satellite(r, tree, label)
+  if left(r) < 2 then return cut(r, tree, label, 2) end
+  local range = take(r, 2)
+  local letter, number = range(0, 1):uint(), range(1, 1):uint()
+  local good = letter >= 65 and letter <= 90 and number >= 1 and number <= 99
+  local name = good and string.format("%c%02d", letter, number) or string.format("0x%02x, %d", letter, number)
+  local item = tree:add(f.sat, range, name)
+  item:set_text(label .. ": " .. name)
+  if not good then item:add_proto_expert_info(e.satellite, label .. ": a letter and a number of 1 to 99 are wanted") end
+  return true, name
+end
+
+local show_record
+
+local function show_list(r, tree, record, field, info)
+  local element = field.record and records[field.record]
+  local fixed = field.scalar and SIZE[field.scalar] or element.size
+  local head = fixed and 4 or 2
+  if left(r) < head then return cut(r, tree, field.name, head) end
+  local range = take(r, head)
+  local count, stride = range(0, 2):le_uint(), fixed and range(2, 2):le_uint()
+  local list = tree:add_le(shown[record][field.name].count, range(0, 2))
+  list:set_text(field.name .. ": " .. count)
+  if info then info.lists[#info.lists + 1] = {field.name, count} end
+  local wrong
+  if count > field.limit then
+    wrong = string.format("%s: %d of them, at most %d are allowed", field.name, count, field.limit)
+  elseif count * (stride or 2) > left(r) then
+    wrong = string.format("%s: %d of %d bytes, but %d bytes are left", field.name, count, stride or 2, left(r))
+  elseif fixed and count > 0 and stride < (element and element.smallest or fixed) then
+    wrong = string.format("%s: records of %d bytes, %d are wanted", field.name, stride, element and element.smallest or fixed)
+  end
+  if wrong then
+    list:add_proto_expert_info(e.count, wrong)
+    return false
+  end
+  for k = 1, count do
+    local n, label = stride, field.name .. " " .. k
+    if not n then
+      if left(r) < 2 then return cut(r, list, label, 2) end
+      n = take(r, 2):le_uint()
+      if left(r) < n then return cut(r, list, label, n) end
+    end
+    local from = r.at
+    r.at = r.at + n
+    local one = reader(r.tvb, from, r.at)
+    if field.scalar then
+      show_scalar(one, list, record, field)
+    elseif element.satellite then
+      show_satellite(one, list, label)
+    else
+      local branch = list:add(r.tvb(from, n), label)
+      show_record(one, branch, field.record, nil, branch)
+    end
+  end
+  return true
+end
+
+-- The fields of a record or message, in order. heading: the item that is to tell the satellite and its answer, if there is one.
+-- Returns false where the rest could not be read.
+function show_record(r, tree, name, info, heading, inner)
+  local values = {}
+  for _, field in ipairs(records[name].fields) do
+    if not field.when or has(values[field.when[1]] or 0, field.when[2]) then
+      if field.since and left(r) == 0 then break end -- the sender is of an older minor version
+      local good, value = true, nil
+      if field.kind == "scalar" then
+        good, value = show_scalar(r, tree, name, field, info)
+      elseif field.kind == "array" then
+        for _ = 1, field.length do good = good and show_scalar(r, tree, name, field) end
+      elseif field.kind == "struct" then
+        local element = records[field.record]
+        if element.satellite then
+          good, value = show_satellite(r, tree, field.name)
+          if good and heading then heading:append_text(": " .. value) end
+        elseif element.spread then
+          good = show_record(r, tree, field.record, info, nil, true)
+        else
+          good = show_record(r, tree:add(r.tvb(r.at, math.min(left(r), element.size or 0)), field.name), field.record, nil, nil, true)
+        end
+      elseif field.kind == "list" then
+        good = show_list(r, tree, name, field, info)
+      else
+        good = show_text(r, tree, name, field, info)
+      end
+      if not good then return false end
+      if field.kind == "scalar" then values[field.name] = value end
+      if heading and field.enum == "answer" and value ~= 0 then
+        heading:append_text(", " .. (enums.answer[value] or "answer " .. value))
+      end
+    end
+  end
+  if not inner and left(r) > 0 then
+    local range = take(r, left(r))
+    tree:add(f.trailing, range):add_proto_expert_info(e.trailing, range:len() .. " bytes after the last known field of " .. name)
+  end
+  return true
+end
+
+-- ---- requests and their answers
+local streams, links = {}, {} -- by both ends and sequence number; by the place of a frame
+function orrery.init() streams, links = {}, {} end
+
+-- On the first pass: the transaction that a frame belongs to, or nil. (Not by tcp.stream: in tshark's first pass of two there is
+-- no tree to read it from.)
+local function link(pinfo, type, sequence)
+  local message = messages[type]
+  local from_client = message.from == "client"
+  local source, sink = tostring(pinfo.src) .. "/" .. pinfo.src_port, tostring(pinfo.dst) .. "/" .. pinfo.dst_port
+  local id = from_client and source .. ">" .. sink or sink .. ">" .. source
+  streams[id] = streams[id] or {}
+  if from_client then
+    if message.answer then
+      streams[id][sequence] = {request = pinfo.number, at = pinfo.rel_ts, answer = message.answer, count = 0}
+    end
+    return streams[id][sequence]
+  end
+  local found = streams[id][sequence]
+  if found then
+    found.count = found.count + 1
+    found.first = found.first or pinfo.number
+    found.last = pinfo.number
+  end
+  return found
+end
+
+local function show_links(tvb, pinfo, tree, type, sequence)
+  local key = table.concat({pinfo.number, tvb:offset(), type, sequence}, "/")
+  if not pinfo.visited then links[key] = link(pinfo, type, sequence) end
+  local found = links[key]
+  if messages[type].from == "client" then
+    if found and found.first then
+      tree:add(f.response_in, found.first):set_generated()
+      if found.count > 1 then
+        tree:add(f.last_response_in, found.last):set_generated()
+        tree:add(f.responses, found.count):set_generated()
+      end
+    elseif found and pinfo.visited then
+      tree:add_proto_expert_info(e.unanswered)
+    end
+  elseif found then
+    tree:add(f.request_in, found.request):set_generated()
+    local passed = math.max(0, pinfo.rel_ts - found.at)
+    local s = math.floor(passed)
+    tree:add(f.response_time, NSTime.new(s, math.floor((passed - s) * 1e9 + 0.5))):set_generated()
+    if messages[type].name ~= found.answer and messages[type].name ~= "ERROR" then
+      tree:add_proto_expert_info(e.mismatch, "a request that " .. found.answer .. " answers has this sequence number")
+    end
+  elseif sequence ~= 0 then
+    tree:add_proto_expert_info(e.unasked)
+  end
+end
+
+-- ---- frames
+local function info_text(name, sequence, info)
+  local words = {name .. " seq=" .. sequence}
+  if info.time then words[#words + 1] = info.time end
+  if info.count and info.index then
+    words[#words + 1] = (info.index + 1) .. " of " .. info.count
+  elseif info.count then
+    words[#words + 1] = info.count .. (info.count == 1 and " epoch" or " epochs")
+    if info.step and info.count > 1 then words[#words + 1] = "step " .. info.step end
+  end
+  if info.answer and info.answer ~= 0 then words[#words + 1] = enums.answer[info.answer] or "answer " .. info.answer end
+  for _, list in ipairs(info.lists) do
+    if list[2] > 0 then words[#words + 1] = list[2] .. " " .. list[1] end
+  end
+  if info.error then
+    words[#words + 1] = info.error .. (info.sentence and ": " .. info.sentence or "")
+  end
+  for _, word in ipairs(info.marks) do words[#words + 1] = "[" .. word .. "]" end
+  return table.concat(words, ", ")
+end
+
+local function tell(pinfo, text)
+  pinfo.cols.protocol = PROTOCOL
+  if pinfo.private.orrery_frames then
+    pinfo.cols.info:append(" | " .. text)
+  else
+    pinfo.cols.info:set(text)
+    pinfo.private.orrery_frames = "1"
+  end
+end
+
+local function no_frame(tvb, pinfo, tree)
+  local branch = tree:add(orrery, tvb(), PROTOCOL .. " (no frame)")
+  branch:add(f.no_frame, tvb()):add_proto_expert_info(e.magic)
+  tell(pinfo, "[" .. tvb:len() .. " bytes that are no frame]")
+end
+
+-- A frame, of which bytes may be missing at the end. tvb holds nothing but it.
+local function one_frame(tvb, pinfo, tree)
+  local there = tvb:len()
+  local number, sequence, size = tvb(6, 2):le_uint(), tvb(8, 4):le_uint(), tvb(12, 4):le_uint()
+  local message = messages[number]
+  local name, info = message and message.name or "type " .. number, {lists = {}, marks = {}}
+  local branch = tree:add(orrery, tvb(), PROTOCOL .. " " .. name .. ", sequence " .. sequence)
+  local major = branch:add(f.major, tvb(4, 1))
+  branch:add(f.minor, tvb(5, 1))
+  local kind = branch:add_le(f.type, tvb(6, 2))
+  branch:add_le(f.sequence, tvb(8, 4))
+  local length = branch:add_le(f.length, tvb(12, 4))
+  local stop, whole = math.min(HEADER + size, there), there >= OVERHEAD + size
+  local sound = whole and crc32(tvb(0, HEADER + size)) == tvb(HEADER + size, 4):le_uint()
+
+  if size > MAX_PAYLOAD then
+    length:add_proto_expert_info(e.length, "a payload of " .. size .. " bytes, at most " .. MAX_PAYLOAD .. " are allowed")
+    info.marks[1] = "length " .. size .. " above the limit"
+  elseif tvb(4, 1):uint() ~= MAJOR then
+    major:add_proto_expert_info(e.major, "major version " .. tvb(4, 1):uint() .. ": this dissector knows " .. MAJOR)
+    info.marks[1] = "major version " .. tvb(4, 1):uint()
+    if stop > HEADER then branch:add(f.payload, tvb(HEADER, stop - HEADER)) end
+  elseif not message then
+    kind:add_proto_expert_info(e.type)
+    info.marks[1] = "unknown message type"
+    if stop > HEADER then branch:add(f.payload, tvb(HEADER, stop - HEADER)) end
+  else
+    if sound then show_links(tvb, pinfo, branch, number, sequence) end
+    if not show_record(reader(tvb, HEADER, stop), branch, message.record, info) then info.marks[1] = "malformed" end
+    if info.error then branch:add_proto_expert_info(e.refused, info.error .. ": " .. (info.sentence or "")) end
+  end
+  if size <= MAX_PAYLOAD and not whole then
+    branch:add_proto_expert_info(e.cut, "the frame is cut: " .. (OVERHEAD + size) .. " bytes wanted, " .. there .. " there")
+    info.marks[#info.marks + 1] = "cut"
+  elseif whole then
+    local sum = branch:add_le(f.crc, tvb(HEADER + size, 4))
+    if not sound then
+      sum:add_proto_expert_info(e.crc)
+      info.marks[#info.marks + 1] = "checksum"
+    end
+  end
+  tell(pinfo, info_text(name, sequence, info))
+end
+
+-- Where the next frame may begin: the next magic, whole or cut off by the end.
+local function next_magic(raw, from)
+  local at = raw:find(MAGIC, from, true)
+  if at then return at end
+  for n = math.min(#MAGIC - 1, #raw - from + 1), 1, -1 do
+    if raw:sub(-n) == MAGIC:sub(1, n) then return #raw - n + 1 end
+  end
+  return #raw + 1
+end
+
+local function dissect(tvb, pinfo, tree)
+  local total, at, raw = tvb:len(), 0, nil
+  local whole = tvb:reported_len() == total
+  local function wait(n) -- asks for n more bytes; false where there will be none
+    if not (whole and pinfo.can_desegment > 0) then return false end
+    pinfo.desegment_offset, pinfo.desegment_len = at, n
+    return true
+  end
+  while at < total do
+    local there = math.min(#MAGIC, total - at)
+    if tvb(at, there):raw() ~= MAGIC:sub(1, there) then
+      raw = raw or tvb:raw()
+      local stop = next_magic(raw, at + 2) - 1
+      no_frame(tvb(at, stop - at):tvb(), pinfo, tree)
+      at = stop
+    elseif total - at < HEADER then
+      if wait(DESEGMENT_ONE_MORE_SEGMENT) then return total end
+      no_frame(tvb(at, total - at):tvb(), pinfo, tree)
+      at = total
+    else
+      local size = tvb(at + 12, 4):le_uint()
+      local wanted = size > MAX_PAYLOAD and HEADER or OVERHEAD + size
+      if total - at < wanted and wait(wanted - (total - at)) then return total end
+      wanted = math.min(wanted, total - at)
+      one_frame(tvb(at, wanted):tvb(), pinfo, tree)
+      at = at + wanted
+    end
+  end
+  return total
+end
+
+function orrery.dissector(tvb, pinfo, tree) return dissect(tvb, pinfo, tree) end
+DissectorTable.get("tcp.port"):add(PORT, orrery)
+-- On any other port: a conversation that begins with the magic and a version is this protocol.
+orrery:register_heuristic("tcp", function(tvb, pinfo, tree)
+  if tvb:len() < HEADER or tvb(0, #MAGIC):raw() ~= MAGIC or tvb(4, 1):uint() ~= MAJOR then return false end
+  pinfo.conversation = orrery
+  dissect(tvb, pinfo, tree)
+  return true
+end)
