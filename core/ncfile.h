@@ -36,8 +36,8 @@ typedef enum orr_nc_type {
 typedef struct orr_nc_writer {
     int id;
     bool open;
-    bool
-        uncompressed; // set it after creation for long series whose writing time matters more than their size
+    // Set it after creation for long series whose writing time matters more than their size.
+    bool uncompressed;
     orr_outfile file;
     orr_status status; // first failure
 } orr_nc_writer;

@@ -50,8 +50,8 @@ typedef struct orr_server_step {
     size_t consumed; // bytes of the input that are done with
     size_t need; // the input must grow to so many bytes (counted from `consumed`) before there is more to do
     bool busy;   // stopped for want of room: call again with the rest of the input once output has been sent
-    size_t
-        room; // with busy, if not 0: the output must have such a capacity, a frame did not fit into it empty
+    // With busy, if not 0: the output must have such a capacity, a frame did not fit into it empty
+    size_t room;
     bool yield;       // with busy: stopped after a frame of a slow kind; serve others first
     uint16_t closing; // not 0: close the connection once the output is sent; an ORR_MSG_ERROR_CODE_*
     char reason[ORR_SERVER_SENTENCE];

@@ -8,8 +8,8 @@
 
 typedef struct orr_read_limits {
     size_t max_bytes; // after decompression
-    size_t
-        max_records;   // epochs of maps, clock records, biases, coordinates, antennas: what the reader counts
+    // Epochs of maps, clock records, biases, coordinates, antennas: what the reader counts
+    size_t max_records;
     size_t max_values; // numbers kept in grids (IONEX maps, ANTEX patterns, ION coefficients)
 } orr_read_limits;
 

@@ -36,8 +36,8 @@ typedef struct orr_clk {
     orr_clk_series *sat;      // ascending in sat
     orr_clk_series *receiver; // in order of appearance
     orr_time from, to;        // of all records; ORR_TIME_NONE where there are none
-    double
-        interval_s; // most frequent step of satellite clocks (of receivers without satellites); NAN if none
+    // Most frequent step of satellite clocks (of receivers without satellites); NAN if none
+    double interval_s;
     size_t n_epochs;
     orr_time *epoch; // distinct instants of satellite clocks (of receivers without satellites), ascending
     size_t n_other;  // records of other types (CR, DR, MS), counted and passed over

@@ -50,8 +50,8 @@ typedef struct orr_nav_kepler {
     double delta_n_radps, idot_radps, omega_dot_radps;
     double cuc_rad, cus_rad, crc_m, crs_m, cic_rad, cis_rad;
     double a_dot_mps, delta_n_dot_radps2;
-    double
-        toe_sow_s; // seconds of the system's own week, as in the file (CNAV and CNV2 of GPS and QZSS: of toc)
+    // Seconds of the system's own week, as in the file (CNAV and CNV2 of GPS and QZSS: of toc)
+    double toe_sow_s;
     double top_sow_s; // time of prediction of CNAV-like messages; NAN otherwise
 } orr_nav_kepler;
 
@@ -100,8 +100,8 @@ typedef struct orr_nav_eph {
     int32_t week; // the file's number (continuous GPS week; BDT week for BeiDou); -1 if it gives none
     int64_t line; // of the record's first line in the file
     double af0_s, af1_sps, af2_sps2; // satellite clock polynomial at toc
-    double
-        accuracy_m; // URA or SISA in metres where the record gives metres; NAN otherwise (Galileo's -1 too)
+    // URA or SISA in metres where the record gives metres; NAN otherwise (Galileo's -1 too)
+    double accuracy_m;
     double fit_interval_h; // GPS 4 where blank or 0, QZSS's flag: 2 or 4 (0 = 2 h, 1 = more); NAN for others
     int32_t iode, iodc;    // IODE/IODC, IODnav, AODE/AODC, IODEC; ORR_NAV_NO_IOD where missing
     uint32_t health;       // the file's word, 0 = healthy; 0xffffffff where blank

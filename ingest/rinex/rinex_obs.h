@@ -63,8 +63,8 @@ typedef struct orr_rinex_obs_header {
     bool has_leap;
     int leap_s;
     double interval_s; // NAN if missing
-    orr_scale
-        scale; // of the file's epochs (TIME OF FIRST OBS, else the system's own); values of orr_time are GPS
+    // Of the file's epochs (TIME OF FIRST OBS, else the system's own); values of orr_time are GPS
+    orr_scale scale;
     orr_time first, last; // as the header says; ORR_TIME_NONE if missing
     bool clock_applied;   // RCV CLOCK OFFS APPL
     char signal_unit[24]; // SIGNAL STRENGTH UNIT, e.g. "DBHZ"

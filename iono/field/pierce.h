@@ -8,8 +8,8 @@
 #include "core/status.h"
 #include "core/vec.h"
 
-#define ORR_SHELL_RADIUS_M                                                                                   \
-    6821000.0 // 6371 km + 450 km, the shell of the IGS maps (Schaer 1999; IONEX headers)
+// The shell of the IGS maps: 6371 km + 450 km (Schaer 1999; IONEX headers).
+#define ORR_SHELL_RADIUS_M 6821000.0
 
 // A receiver: its place and its local axes (ellipsoidal vertical).
 typedef struct orr_iono_site {

@@ -9,8 +9,8 @@
 #include "core/rng.h"
 #include "iono/fusion/session.h"
 
-#define FADE_S                                                                                               \
-    300.0 // an arc's word counts for less near its ends, so that nothing jumps when it comes or goes
+// An arc's weight is tapered near its ends, so that nothing jumps when it comes or goes.
+#define FADE_S 300.0
 #define SAME_SITE_M 1.0 // closer to the station than this it is the station
 
 const char *orr_tec_origin_name(orr_tec_origin o)

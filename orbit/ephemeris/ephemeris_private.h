@@ -31,8 +31,8 @@ typedef struct eph_arc {
     size_t n_segments, samples_per_segment;
     int degree;
     size_t first_segment; // index into meta[]
-    size_t
-        first_sample;  // index into sigma[] and sample_flags[]; n_segments * samples_per_segment + 1 of them
+    // Index into sigma[] and sample_flags[]; n_segments * samples_per_segment + 1 of them
+    size_t first_sample;
     size_t first_coef; // index into coef[] of the arc's first segment
 } eph_arc;
 
@@ -54,8 +54,8 @@ typedef struct eph_meta {
 typedef struct eph_clock {
     orr_time t;
     double clock_s, rate_sps;
-    uint32_t
-        flags; // of the clock between the two nodes, ORR_EPH_CLOCK_VALID among them; 0: it has none there
+    // Of the clock between the two nodes, ORR_EPH_CLOCK_VALID among them; 0: it has none there
+    uint32_t flags;
 } eph_clock;
 
 typedef struct eph_sat {

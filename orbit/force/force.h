@@ -8,8 +8,8 @@
 #include "orbit/force/gravity_field.h"
 #include "orbit/force/sky.h"
 
-#define ORR_GM_SUN                                                                                           \
-    1.32712440018e20 // m^3/s^2, IERS Conventions 2010, table 1.1 (TCB/TDB difference irrelevant here)
+// m^3/s^2, IERS Conventions 2010, table 1.1 (the difference of TCB and TDB does not matter for these forces)
+#define ORR_GM_SUN 1.32712440018e20
 #define ORR_GM_MOON 4.9028003e12
 #define ORR_AU_M 1.495978707e11
 #define ORR_SUN_RADIUS_M 6.957e8 // IAU 2015 resolution B3

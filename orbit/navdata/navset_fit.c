@@ -12,8 +12,8 @@
 #include "orbit/spacecraft/signal_delay.h"
 
 #define LEAST_WINDOW 3 // a third of the window has to have an orbit
-#define CLOCK_LIMIT_S                                                                                        \
-    1e-8 // caesium clocks stay within 2 ns of a line for four hours; a reset is microseconds
+// Caesium clocks stay within 2 ns of a line for four hours; a reset is microseconds.
+#define CLOCK_LIMIT_S 1e-8
 
 // "Bad data, satellite temporarily out" (IS-GPS-200N 20.3.3.3.1.4 and table 20-VIII).
 #define LNAV_OUT 0x3cu

@@ -7,8 +7,8 @@
 
 #define FLOOR_M 0.50    // as of innovations
 #define THRESHOLD 100.0 // times what is usual; at an hour's nodes, the last one of a good day reaches 40
-#define SUSPICIOUS                                                                                           \
-    5.0               // an outlier raises what is usual about it, up to twenty times in a day of hourly nodes
+// An outlier raises the usual scale of its neighbours, up to twenty times in a day of hourly nodes.
+#define SUSPICIOUS 5.0
 #define LEAST_NODES 8 // of an arc, to know what is usual
 #define MOST_ROUNDS 12
 

@@ -11,13 +11,13 @@
 // a metre is.
 #define THRESHOLD 12.0
 #define FLOOR_M 0.50
-#define MAX_SCALE                                                                                            \
-    40.0 // what is worse than this many sigma everywhere (a metre by default) is not noise about an orbit
+// More than this many sigma everywhere (a metre by default) is no noise about an orbit.
+#define MAX_SCALE 40.0
 #define YOUNG 4       // nodes that a fresh state needs before its predictions are trusted
 #define MAX_SKIPPED 3 // outliers in a row; more in a row is a manoeuvre
 #define CONFIRM 2     // good nodes that confirm that the skipped ones were outliers
-#define MIN_SPLIT                                                                                            \
-    4 // nodes of an arc that was split off: three make an orbit, the fourth confirms that it is one
+// Nodes of a segment that was split off: three determine an orbit, the fourth confirms it.
+#define MIN_SPLIT 4
 // A day's orbit that goes on elsewhere than the last one ended is no manoeuvre: continuity is preferred, and
 // the filter is given some nodes to go over from one to the other. What is further apart than this is not the
 // same orbit.

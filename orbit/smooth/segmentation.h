@@ -8,8 +8,8 @@
 
 typedef struct orr_verdict { // one per node
     bool rejected;
-    double
-        jump_m; // where another file begins and goes on elsewhere: how far from what the one before predicts
+    // Where another file begins and goes on elsewhere: how far from what the one before predicts
+    double jump_m;
 } orr_verdict;
 
 // An arc: instants of the track between its first and last node, both inclusive.

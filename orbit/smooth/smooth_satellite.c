@@ -14,8 +14,8 @@
 #define MAX_PASSES 8
 #define LINEAR_M 30.0   // deviation (of velocity: times the node step) below which (33) is linear to 0.1 mm
 #define TELLING_NODES 4 // three are met whatever they are: position, velocity and f0
-#define LEAST_PUSH_MPS                                                                                       \
-    0.01                // files that differ by metres differ by less; station keeping takes ten times as much
+// Files that differ by metres differ by less; station keeping takes ten times as much.
+#define LEAST_PUSH_MPS 0.01
 #define MAX_APART_M 1.0 // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
 
 typedef struct work {

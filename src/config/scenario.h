@@ -10,8 +10,8 @@
 typedef struct orr_scenario_orbit {
     char *product;     // an orbit product (NetCDF)
     orr_text_list sp3; // or SP3 files, smoothed at start
-    orr_text_list
-        erp; // Earth rotation parameters for the smoothing; none: a secular pole, UT1 by the leap seconds
+    // Earth rotation parameters for the smoothing; none: a secular pole, UT1 by the leap seconds
+    orr_text_list erp;
     double nodes_s; // keep only epochs that are multiples of it; 0: all
     orr_interval_list exclude;
 } orr_scenario_orbit;
