@@ -12,8 +12,8 @@ typedef struct orr_eop {
     double xp_rad, yp_rad; // pole
     double ut1_utc_s;
     double lod_s; // excess length of day
-    double xp_rate_radps,
-        yp_rate_radps; // of the pole; zero where unknown. 3 mas a day is 4 um/s at a satellite
+    // Of the pole; zero where unknown. 3 mas a day is 4 um/s at a satellite.
+    double xp_rate_radps, yp_rate_radps;
 } orr_eop;
 
 // A series of them (daily, from an ERP file), ascending in MJD UTC. Their lod_s and rates may be left zero.
@@ -48,11 +48,11 @@ void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R);
 // Geocentric positions in GCRS, metres. Sun: eraEpv00 (13 km at most in 1900-2100); Moon: eraMoon98 (some
 // km).
 orr_vec3 orr_astro_sun(orr_time t);
+// The Moon, as above.
 orr_vec3 orr_astro_moon(orr_time t);
 
 // Constant-rate fallback frame: angle u (t - t0) about axis 3, r_ecef = R3(u (t - t0)) r; coincides with ecef
 // at t0.
-#define ORR_EARTH_RATE_RADPS 7.292115e-5
 void orr_astro_uniform_rotation(orr_time t, orr_time t0, orr_mat3 *R, orr_mat3 *dR);
 // Velocity in the inertial sense, in ecef's axes of the instant: v + u x r.
 static inline orr_vec3 orr_velocity_inertial(orr_vec3 r_m, orr_vec3 v_mps)

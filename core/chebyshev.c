@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <math.h>
 
-#define PI 3.14159265358979323846
+#include "core/constants.h"
 
 double orr_cheb_eval(const double *c, int degree, double x, double *dv, double *ddv)
 {
@@ -36,10 +36,14 @@ double orr_cheb_eval(const double *c, int degree, double x, double *dv, double *
 
 void orr_cheb_basis(int degree, double x, double *t, double *d, double *dd)
 {
+    double d1 = 0, d2 = 0; // T'_{j-1}, T'_{j-2}: the second derivative needs them where d is not wanted too
     for (int j = 0; j <= degree; j++) {
         t[j] = j == 0 ? 1 : j == 1 ? x : 2 * x * t[j - 1] - t[j - 2];
-        if (d != NULL) d[j] = j == 0 ? 0 : j == 1 ? 1 : 2 * t[j - 1] + 2 * x * d[j - 1] - d[j - 2];
-        if (d != NULL && dd != NULL) dd[j] = j <= 1 ? 0 : 4 * d[j - 1] + 2 * x * dd[j - 1] - dd[j - 2];
+        const double slope = j == 0 ? 0 : j == 1 ? 1 : 2 * t[j - 1] + 2 * x * d1 - d2;
+        if (d != NULL) d[j] = slope;
+        if (dd != NULL) dd[j] = j <= 1 ? 0 : 4 * d1 + 2 * x * dd[j - 1] - dd[j - 2];
+        d2 = d1;
+        d1 = slope;
     }
 }
 
@@ -52,7 +56,7 @@ void orr_cheb_from_lobatto(int degree, const double *value, double *c)
     }
     // cos(pi j k / n) from a table: its argument has period 2 n in j k
     double cosine[2 * ORR_CHEB_MAX_DEGREE];
-    for (int i = 0; i < 2 * degree; i++) cosine[i] = cos(PI * i / degree);
+    for (int i = 0; i < 2 * degree; i++) cosine[i] = cos(ORR_PI * i / degree);
     for (int j = 0; j <= degree; j++) {
         double sum = 0;
         for (int k = 0; k <= degree; k++) {

@@ -7,14 +7,16 @@
 
 #define ORR_CHEB_MAX_DEGREE 32
 
-// Value, and first and second derivative with respect to x (dv, ddv may be NULL). Clenshaw.
+// Value at x of the series c[degree + 1], by Clenshaw's recurrence; *dv and *ddv are its first and second
+// derivative with respect to x (either may be NULL).
 double orr_cheb_eval(const double *c, int degree, double x, double *dv, double *ddv);
-// T_j(x), T'_j(x), T''_j(x) for j = 0..degree, by recurrence. d, dd may be NULL.
+// T_j(x) into t[degree + 1], T'_j(x) into d and T''_j(x) into dd, by recurrence. Either of d and dd may be
+// NULL.
 void orr_cheb_basis(int degree, double x, double *t, double *d, double *dd);
-// Coefficients of the interpolant through values at the degree+1 Chebyshev-Lobatto points x_k = -cos(pi k /
-// degree).
+// Coefficients c[degree + 1] of the interpolant through value[degree + 1] at the Chebyshev-Lobatto points
+// x_k = -cos(pi k / degree). degree: 0 to ORR_CHEB_MAX_DEGREE.
 void orr_cheb_from_lobatto(int degree, const double *value, double *c);
-// Coefficients of the derivative series (degree-1).
+// Coefficients dc[degree] of the derivative of the series c[degree + 1]; dc may be c.
 void orr_cheb_differentiate(int degree, const double *c, double *dc);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/crc.h"
 
-#define POLYNOMIAL UINT32_C(0x1864CFB) // IS-GPS-200, 20.3.3 (CNAV); RTCM 10403, 4.2
+#define POLYNOMIAL UINT32_C(0x1864CFB) // IS-GPS-200N, 30.3.5.1
 
 uint32_t orr_crc24q(uint32_t crc, const uint8_t *data, size_t n)
 {

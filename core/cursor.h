@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Text as the readers see it: views of bytes that someone else owns, lines of a block in memory, and the
-// fields of fixed-column formats. Nothing here copies or allocates, and nothing depends on the locale.
+// fields of fixed-column formats. None of it copies or allocates, and none depends on the locale.
 // Columns count from 1 as the formats' own descriptions do; a field that reaches over the end of its line
 // reads as if padded with blanks.
 #ifndef ORR_CORE_CURSOR_H
@@ -26,23 +26,29 @@ typedef struct orr_cursor {
     bool too_long;     // the walk stopped at a line over max_line
 } orr_cursor;
 
-void orr_cursor_init(orr_cursor *c, const char *name, const char *text, size_t n); // max_line = ORR_LINE_MAX
+// Starts before the first line of text[n], with max_line = ORR_LINE_MAX. `name` is kept, not copied.
+void orr_cursor_init(orr_cursor *c, const char *name, const char *text, size_t n);
 // The next line; false at the end and where a line is too long. Ask orr_cursor_status which of them it was.
 bool orr_cursor_next(orr_cursor *c, orr_view *line);
 // ORR_OK, or ORR_E_LIMIT with a sentence when the walk stopped at a line that is too long.
 orr_status orr_cursor_status(const orr_cursor *c, orr_diag *diag);
-// A message about the line returned last: file and line are filled in. The first returns s.
+// An error at the line returned last: file and line are filled in. Returns s.
 orr_status orr_cursor_error(const orr_cursor *c, orr_diag *diag, orr_status s, int column, const char *fmt,
                             ...) ORR_PRINTF(5, 6);
+// A warning about that line.
 void orr_cursor_warn(const orr_cursor *c, orr_warnings *w, int column, const char *fmt, ...) ORR_PRINTF(4, 5);
 
 // Views. Blanks are space and tab.
 orr_view orr_view_of(const char *nul_terminated);
-orr_view orr_view_cols(orr_view line, int col,
-                       int width);   // columns col .. col + width - 1, clipped to the line
-orr_view orr_view_rtrim(orr_view v); // without trailing blanks
-orr_view orr_view_trim(orr_view v);  // without leading and trailing blanks
-bool orr_view_is_blank(orr_view v);  // empty or blanks alone
+// Columns col .. col + width - 1, clipped to the line.
+orr_view orr_view_cols(orr_view line, int col, int width);
+// Without trailing blanks.
+orr_view orr_view_rtrim(orr_view v);
+// Without leading and trailing blanks.
+orr_view orr_view_trim(orr_view v);
+// Empty or blanks alone.
+bool orr_view_is_blank(orr_view v);
+// Whether v is s, starts with s, has s somewhere (bytes, case matters).
 bool orr_view_equals(orr_view v, const char *s);
 bool orr_view_starts(orr_view v, const char *s);
 bool orr_view_contains(orr_view v, const char *s);
@@ -79,6 +85,7 @@ orr_field orr_field_int_in(orr_view line, int col, int width, int lo, int hi, in
 orr_field orr_view_real(orr_view v, double *out);
 // number * 10^power, rounded once: for fields in other units than ours (1e-6 s, km).
 orr_field orr_view_real_e(orr_view v, int power, double *out);
+// An integer as of orr_field_int.
 orr_field orr_view_int(orr_view v, int64_t *out);
 
 #endif

@@ -7,16 +7,13 @@
 #include "core/status.h"
 #include "core/vec.h"
 
-#define ORR_WGS84_A_M 6378137.0
-#define ORR_WGS84_F (1.0 / 298.257223563)
-#define ORR_WGS84_E2 (ORR_WGS84_F * (2.0 - ORR_WGS84_F))
-#define ORR_WGS84_GM 3.986004418e14
-
 typedef struct orr_geodetic {
     double lat_rad, lon_rad, height_m; // lon in (-pi, pi]
 } orr_geodetic;
 
+// Cartesian ecef coordinates of a geodetic place, metres.
 orr_vec3 orr_earth_to_ecef(orr_geodetic g);
+// The inverse; at the Earth's centre latitude is +pi/2.
 orr_geodetic orr_earth_from_ecef(orr_vec3 r_m);
 // The upward normal of the ellipsoid that passes through r_m, a unit vector: what from_ecef's angles say, to
 // 1e-14 rad above the ground, in a tenth of the time (Bowring 1976, twice).
@@ -25,8 +22,12 @@ orr_vec3 orr_earth_up(orr_vec3 r_m);
 orr_mat3 orr_earth_enu_from_ecef(double lat_rad, double lon_rad);
 // Radii of curvature: meridian M and prime vertical N, metres.
 void orr_earth_radii(double lat_rad, double *meridian_m, double *normal_m);
-// Azimuth clockwise from North [0, 2 pi), elevation above the ellipsoidal horizon, range, of `target` from
-// `site` (ecef).
+// Direction and distance from one point to another.
+//   Given:    site_m     the observer, ecef
+//             target_m   what is looked at, ecef
+//   Returned: az_rad     azimuth clockwise from North, [0, 2 pi)
+//             el_rad     elevation above the plane normal to the ellipsoid at the site
+//             range_m    distance
 void orr_earth_look(orr_vec3 site_m, orr_vec3 target_m, double *az_rad, double *el_rad, double *range_m);
 
 // Normal gravitation of the WGS 84 ellipsoid WITHOUT the centrifugal part, in ecef axes at an ecef point,
@@ -35,9 +36,22 @@ orr_vec3 orr_earth_normal_gravitation(orr_vec3 r_m);
 // Somigliana's surface normal gravity, m/s^2.
 double orr_earth_surface_gravity(double lat_rad);
 
-// Geodesic (inverse and direct problem on the ellipsoid); azimuths clockwise from North.
+// The inverse problem of geodesy: the shortest way between two points on the ellipsoid.
+//   Given:    lat1_rad, lon1_rad   the first point
+//             lat2_rad, lon2_rad   the second point
+//   Returned: dist_m               length of the geodesic
+//             az1_rad, az2_rad     its forward azimuths at the two points, clockwise from North
+//   Notes:    of nearly antipodal points one of the shortest ways is returned.
+//   Reference: Karney 2013, J. Geodesy 87, 43-55.
 void orr_earth_geodesic_inverse(double lat1_rad, double lon1_rad, double lat2_rad, double lon2_rad,
                                 double *dist_m, double *az1_rad, double *az2_rad);
+// The direct problem: where a geodesic of given azimuth and length ends.
+//   Given:    lat1_rad, lon1_rad   the first point
+//             az1_rad              azimuth at it, clockwise from North
+//             dist_m               length; negative goes backwards
+//   Returned: lat2_rad, lon2_rad   the second point, longitude in (-pi, pi]
+//             az2_rad              forward azimuth there
+//   Reference: Karney 2013, J. Geodesy 87, 43-55.
 void orr_earth_geodesic_direct(double lat1_rad, double lon1_rad, double az1_rad, double dist_m,
                                double *lat2_rad, double *lon2_rad, double *az2_rad);
 
@@ -48,8 +62,9 @@ void orr_earth_geodesic_direct(double lat1_rad, double lon1_rad, double az1_rad,
 // ORR_E_MEMORY.
 typedef struct orr_gravity_model orr_gravity_model;
 orr_status orr_gravity_model_open(const char *name, const char *dir, orr_gravity_model **out, orr_diag *diag);
-orr_vec3 orr_gravity_model_gravitation(const orr_gravity_model *m,
-                                       orr_vec3 r_m); // without the centrifugal part, ecef
+// Gravitation at an ecef point, m/s^2 in ecef axes, without the centrifugal part.
+orr_vec3 orr_gravity_model_gravitation(const orr_gravity_model *m, orr_vec3 r_m);
+// NULL is allowed.
 void orr_gravity_model_free(orr_gravity_model *m);
 
 #endif

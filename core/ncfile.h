@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The little that all products share: NetCDF-4 files with CF attributes, made whole or not at all, read with
-// distrust.
+// What all products share: NetCDF-4 files with CF attributes, made whole or not at all, and validated on
+// reading.
 //
 // Writing: orr_nc_create, then dimensions, variables (each defined and written by one call) and attributes in
 // any order, then orr_nc_commit. After a failure every later call on the writer is refused with the first
@@ -42,10 +42,19 @@ typedef struct orr_nc_writer {
     orr_status status; // first failure
 } orr_nc_writer;
 
+// Begins a file; nothing stands at `path` before orr_nc_commit. ORR_E_IO where it cannot be made.
 orr_status orr_nc_create(const char *path, orr_nc_writer *w, orr_diag *diag);
+// Defines a dimension of fixed length.
 orr_status orr_nc_put_dim(orr_nc_writer *w, const char *name, size_t len, orr_diag *diag);
-// Defines a variable over `rank` (0..ORR_NC_MAX_RANK) named dimensions and writes all of it, compressed where
-// that pays. units and long_name may be NULL (left out).
+// Defines a variable and writes all of it, compressed where that pays.
+//   Given:    w           the writer
+//             name, type  of the variable
+//             rank        number of its dimensions, 0 to ORR_NC_MAX_RANK
+//             dims        names of the dimensions, slowest first
+//             values      as many of `type` as the dimensions have together, row-major
+//             units, long_name   attributes; NULL leaves one out
+//   Returned: diag        why it could not be written (ORR_E_IO, ORR_E_ARG for a dimension that was not
+//             defined)
 orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
                           const char *const dims[], const void *values, const char *units,
                           const char *long_name, orr_diag *diag);
@@ -66,8 +75,10 @@ typedef struct orr_nc_input {
 orr_status orr_nc_put_provenance(orr_nc_writer *w, const char *title, const char *history,
                                  const orr_nc_input *input, size_t n_inputs, orr_diag *diag);
 
-orr_status orr_nc_commit(orr_nc_writer *w, orr_diag *diag); // ends w
-void orr_nc_abort(orr_nc_writer *w);                        // ends w; harmless after commit
+// Closes, seals and renames the file to its place. Ends w.
+orr_status orr_nc_commit(orr_nc_writer *w, orr_diag *diag);
+// Removes what was written so far. Ends w; harmless after commit.
+void orr_nc_abort(orr_nc_writer *w);
 
 typedef struct orr_nc_reader {
     int id;
@@ -78,13 +89,21 @@ typedef struct orr_nc_reader {
 // ORR_E_IO if it cannot be opened, ORR_E_KIND if its first bytes are no NetCDF's, ORR_E_FORMAT if NetCDF
 // refuses it.
 orr_status orr_nc_open(const char *path, orr_nc_reader *r, orr_diag *diag);
+// Harmless on a reader that is not open.
 void orr_nc_close(orr_nc_reader *r);
 // Length of a dimension. ORR_E_KIND if there is none of the name, ORR_E_LIMIT if it is longer than max.
 orr_status orr_nc_get_dim(const orr_nc_reader *r, const char *name, size_t max, size_t *len, orr_diag *diag);
+// Whether the file has a variable of the name.
 bool orr_nc_has_var(const orr_nc_reader *r, const char *name);
-// Reads a whole variable into `out`, which has room for the product of shape[rank]. Numbers are converted to
-// `type`; ORR_E_FORMAT if one does not fit, or if rank, shape or kind (text or number) differ; ORR_E_KIND if
-// there is no such variable.
+// Reads a whole variable.
+//   Given:    r           the reader
+//             name        of the variable
+//             type        that numbers are converted to
+//             rank, shape what the file must have, slowest first
+//   Returned: out         the values, row-major; room for the product of shape[rank]
+//   Notes:    ORR_E_KIND if there is no such variable; ORR_E_FORMAT if rank, shape or kind (text or number)
+//             differ, or
+//             if a number does not fit `type`.
 orr_status orr_nc_get_var(const orr_nc_reader *r, const char *name, orr_nc_type type, int rank,
                           const size_t shape[], void *out, orr_diag *diag);
 // The same into fresh memory (free()), at most ORR_NC_MAX_VALUES.

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "core/constants.h"
+
 #define MULTIPLIER UINT64_C(0xD2B74407B1CE6E93)
 #define WEYL UINT64_C(0x9E3779B97F4A7C15) // golden ratio
 #define ROUNDS 10
@@ -51,5 +53,5 @@ double orr_rng_normal(uint64_t seed, uint64_t stream, uint64_t k)
     philox(seed, stream, k, r);
     double u = (double)((r[0] >> 11) + 1) * 0x1p-53; // (0, 1]: its logarithm exists
     double v = (double)(r[1] >> 11) * 0x1p-53;
-    return sqrt(-2.0 * log(u)) * cos(2.0 * 3.14159265358979323846 * v);
+    return sqrt(-2.0 * log(u)) * cos(2.0 * ORR_PI * v);
 }

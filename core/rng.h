@@ -6,8 +6,11 @@
 
 #include <stdint.h>
 
+// The k-th number of a stream, all 64 bits random.
 uint64_t orr_rng_u64(uint64_t seed, uint64_t stream, uint64_t k);
-double orr_rng_uniform(uint64_t seed, uint64_t stream, uint64_t k); // [0, 1), 53 bits
-double orr_rng_normal(uint64_t seed, uint64_t stream, uint64_t k);  // mean 0, variance 1
+// Uniform in [0, 1), with 53 bits.
+double orr_rng_uniform(uint64_t seed, uint64_t stream, uint64_t k);
+// Normal with mean 0 and variance 1 (Box and Muller 1958).
+double orr_rng_normal(uint64_t seed, uint64_t stream, uint64_t k);
 
 #endif

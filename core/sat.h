@@ -16,23 +16,29 @@ typedef uint16_t orr_sat; // (system index + 1) << 8 | number; 0 is "none"
 // system is a letter of ORR_SYSTEMS, number 1..99; ORR_SAT_NONE otherwise.
 orr_sat orr_sat_make(char system, int number);
 static inline int orr_sat_number(orr_sat s) { return s & 0xff; }
-static inline int orr_sat_system_index(orr_sat s) { return (s >> 8) - 1; } // -1 for none
-char orr_sat_system(orr_sat s);                                            // '?' for none
-const char *orr_system_name(char system); // "GPS", "GLONASS", ...; "?" if unknown
+// Place of its system in ORR_SYSTEMS; -1 for none.
+static inline int orr_sat_system_index(orr_sat s) { return (s >> 8) - 1; }
+// Letter of the satellite's system; '?' for none.
+char orr_sat_system(orr_sat s);
+// Name of a system by its letter: "GPS", "GLONASS", ...; "?" if unknown.
+const char *orr_system_name(char system);
 // Exactly three characters: letter (blank means `blank_system`, e.g. 'G' in SP3-a; 0 refuses), two digits (a
 // leading blank counts as zero).
 orr_sat orr_sat_parse3(const char s[3], char blank_system);
 // "G05" or "G5", any case, NUL-terminated; ORR_SAT_NONE if it is none.
 orr_sat orr_sat_parse(const char *text);
-char *orr_sat_text(orr_sat s, char buf[ORR_SAT_TEXT]); // "G05"; "---" for none
+// Writes "G05" ("---" for none) into buf and returns it.
+char *orr_sat_text(orr_sat s, char buf[ORR_SAT_TEXT]);
 
 // A user's list: "G05,R,E01-E09,C" (a letter alone means the whole system; "all"). Zero-initialised holds
 // nothing.
 typedef struct orr_sat_set {
     uint64_t bit[ORR_N_SYSTEMS][2];
 } orr_sat_set;
+// Adds a satellite; ORR_SAT_NONE adds nothing.
 void orr_sat_set_add(orr_sat_set *set, orr_sat s);
 bool orr_sat_set_has(const orr_sat_set *set, orr_sat s);
+// Reads such a list. ORR_E_ARG with a sentence for what is no satellite, system or ascending range.
 orr_status orr_sat_set_parse(const char *text, orr_sat_set *out, orr_diag *diag);
 
 #endif

@@ -43,8 +43,9 @@ typedef struct orr_diag {
     char text[512]; // a sentence a user can act on, without a final newline
 } orr_diag;
 
-// Both return `s`, so that a caller writes `return orr_diag_set(diag, ORR_E_ARG, "...")`. A NULL diag is
-// allowed. Too long a text is cut with "...".
+// The class and the sentence, without and with the place in a file (line and column from 1; 0 leaves them
+// out). Both return `s`, so that a caller writes `return orr_diag_set(diag, ORR_E_ARG, "...")`. A NULL diag
+// is allowed. Too long a text is cut with "...".
 orr_status orr_diag_set(orr_diag *d, orr_status s, const char *fmt, ...) ORR_PRINTF(3, 4);
 orr_status orr_diag_at(orr_diag *d, orr_status s, const char *file, int64_t line, int column, const char *fmt,
                        ...) ORR_PRINTF(6, 7);
@@ -61,8 +62,10 @@ typedef struct orr_warnings {
     orr_diag *item; // grown on demand; freed by orr_warnings_free
 } orr_warnings;
 
+// Counts a warning and keeps it if there is room (file may be NULL, line and column 0). A NULL w is allowed.
 void orr_warnings_add(orr_warnings *w, const char *file, int64_t line, int column, const char *fmt, ...)
-    ORR_PRINTF(5, 6); // a NULL w is allowed
+    ORR_PRINTF(5, 6);
+// Frees the items and leaves the list empty.
 void orr_warnings_free(orr_warnings *w);
 
 #endif

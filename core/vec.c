@@ -19,6 +19,29 @@ orr_mat3 orr_mat3_rot3(double a_rad)
     return (orr_mat3){{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
 }
 
+orr_mat3 orr_mat3_inverse(const orr_mat3 *a)
+{
+    const double(*m)[3] = a->m;
+    orr_mat3 c;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            int k = (i + 1) % 3, l = (i + 2) % 3, p = (j + 1) % 3, q = (j + 2) % 3;
+            c.m[j][i] = m[k][p] * m[l][q] - m[k][q] * m[l][p];
+        }
+    double det = m[0][0] * c.m[0][0] + m[0][1] * c.m[1][0] + m[0][2] * c.m[2][0];
+    return orr_mat3_scale(1.0 / det, &c);
+}
+
+orr_vec3 orr_mat3_solve(const orr_mat3 *a, orr_vec3 v)
+{
+    orr_vec3 x = {a->m[0][0], a->m[1][0], a->m[2][0]}, y = {a->m[0][1], a->m[1][1], a->m[2][1]},
+             z = {a->m[0][2], a->m[1][2], a->m[2][2]};
+    orr_vec3 yz = orr_vec3_cross(y, z);
+    double det = orr_vec3_dot(x, yz);
+    return orr_vec3_make(orr_vec3_dot(v, yz) / det, orr_vec3_dot(x, orr_vec3_cross(v, z)) / det,
+                         orr_vec3_dot(x, orr_vec3_cross(y, v)) / det);
+}
+
 // sin(x)/x. The series is used below |x| = 0.03, where its first omitted term x^8/9! is under 2e-18.
 static double sinc(double x)
 {

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+#include "core/constants.h"
+
 typedef struct orr_vec3 {
     double x, y, z;
 } orr_vec3;
@@ -16,10 +18,6 @@ typedef struct orr_mat3 {
 typedef struct orr_quat { // Hamilton convention, unit norm for rotations
     double w, x, y, z;
 } orr_quat;
-
-#define ORR_PI 3.14159265358979323846
-#define ORR_RAD_PER_DEG (ORR_PI / 180.0)
-#define ORR_DEG_PER_RAD (180.0 / ORR_PI)
 
 static inline orr_vec3 orr_vec3_make(double x, double y, double z) { return (orr_vec3){x, y, z}; }
 static inline orr_vec3 orr_vec3_add(orr_vec3 a, orr_vec3 b)
@@ -98,26 +96,36 @@ static inline orr_mat3 orr_mat3_hat(orr_vec3 w)
 {
     return (orr_mat3){{{0, w.z, -w.y}, {-w.z, 0, w.x}, {w.y, -w.x, 0}}};
 }
-// Passive rotations about axis 1, 2, 3 by angle (rad), as ERFA's eraRx/eraRy/eraRz: R3(a) = [c s 0; -s c 0; 0
-// 0 1].
+// The inverse of a, by cofactors; not finite where a is singular.
+orr_mat3 orr_mat3_inverse(const orr_mat3 *a);
+// x of a x = v by Cramer's rule; not finite where a is singular.
+orr_vec3 orr_mat3_solve(const orr_mat3 *a, orr_vec3 v);
+// Passive rotations about axis 1, 2, 3 by an angle in radians, as ERFA's eraRx, eraRy, eraRz:
+// R3(a) = [c s 0; -s c 0; 0 0 1] with c = cos a, s = sin a.
 orr_mat3 orr_mat3_rot1(double a_rad);
 orr_mat3 orr_mat3_rot2(double a_rad);
 orr_mat3 orr_mat3_rot3(double a_rad);
-// C1(g) = E + sin|g|/|g| hat(g) + (1-cos|g|)/|g|^2 hat(g)^2, the exact step of dA/dt = hat(w) A for g = w dt
-// (Bogdanov 2015, eq. (2)); series for small |g|.
+// C1(g) = E + sin|g|/|g| hat(g) + (1 - cos|g|)/|g|^2 hat(g)^2, the exact step of dA/dt = hat(w) A for g = w
+// dt (Bogdanov 2015, eq. (2)); a series for small |g|.
 orr_mat3 orr_mat3_from_rotvec(orr_vec3 g);
-// The g of the above with |g| <= pi; robust near 0 and near pi.
+// The rotation vector g with |g| <= pi whose orr_mat3_from_rotvec is a; good near 0 and near pi too.
 orr_vec3 orr_rotvec_from_mat3(const orr_mat3 *a);
 
-// Quaternion of the same passive matrix: A = orr_mat3_from_quat(q). Product order is the matrices':
-// mat(q_cb (x) q_ba) ... orr_quat_mul(q_ba, q_cb) gives A_cb A_ba = A_ca (stated and tested in the unit
-// test).
-orr_quat orr_quat_from_mat3(const orr_mat3 *a);
+// Quaternions of passive rotations: A_ba = orr_mat3_from_quat(q_ba), of which q and -q are the same. q must
+// be of unit length.
 orr_mat3 orr_mat3_from_quat(orr_quat q);
-orr_quat orr_quat_mul(orr_quat a, orr_quat b); // Hamilton product
+// One of the two unit quaternions of the rotation a.
+orr_quat orr_quat_from_mat3(const orr_mat3 *a);
+// Hamilton's product a b. Of passive rotations it reads from the first to the last: with A_ba of q_ba and
+// A_cb of q_cb, orr_quat_mul(q_ba, q_cb) is the quaternion of A_ca = A_cb A_ba.
+orr_quat orr_quat_mul(orr_quat a, orr_quat b);
+// q / |q|.
 orr_quat orr_quat_unit(orr_quat q);
+// The scalar product of the four components.
 double orr_quat_dot(orr_quat a, orr_quat b);
+// -q, the same rotation.
 orr_quat orr_quat_neg(orr_quat q);
-orr_quat orr_quat_from_rotvec(orr_vec3 g); // of orr_mat3_from_rotvec(g)
+// The quaternion of orr_mat3_from_rotvec(g).
+orr_quat orr_quat_from_rotvec(orr_vec3 g);
 
 #endif

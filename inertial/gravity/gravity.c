@@ -8,7 +8,7 @@
 #include <string.h>
 
 // Distances along a profile are arcs of a sphere of this radius; the profile's file and its use share it.
-#define PROFILE_RADIUS_M 6371000.0
+#define PROFILE_RADIUS_M ORR_EARTH_MEAN_RADIUS_M
 
 #define LAST_LATITUDE (0.5 * ORR_PI + 1e-9) // a pole, and the rounding of degrees
 #define LAST_LONGITUDE (8 * ORR_PI)         // maps may run past a turn

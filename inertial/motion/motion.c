@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inertial/motion/motion.h"
 
-static const double U = ORR_INERTIAL_EARTH_RATE_RADPS;
+static const double U = ORR_EARTH_RATE_RADPS;
 
 orr_mat3 orr_body_from_enu(orr_angles a)
 {

@@ -7,9 +7,6 @@
 #include "core/earth.h"
 #include "core/vec.h"
 
-// The Earth's rate of the inertial room, rad/s (Bogdanov 2015; WGS 84).
-#define ORR_INERTIAL_EARTH_RATE_RADPS 7.292115e-5
-
 typedef struct orr_motion {
     orr_vec3 r_m;    // ecef
     orr_vec3 v_mps;  // ecef axes, relative to the turning Earth

@@ -29,7 +29,7 @@ orr_vec3 orr_trajectory_middle(const orr_trajectory *tr)
         tr->evaluate(tr->self, tr->begin_s + span * (double)k / (double)(n - 1), &m);
         sum = orr_vec3_add(sum, orr_vec3_unit(m.r_m));
     }
-    return orr_vec3_scale(6371000.0, orr_vec3_unit(sum));
+    return orr_vec3_scale(ORR_EARTH_MEAN_RADIUS_M, orr_vec3_unit(sum));
 }
 
 static void transfer(void *user, double t_s, orr_motion *m)

@@ -63,7 +63,7 @@ size_t orr_navigator_group(const orr_imu *imu, size_t j, int wanted)
 
 static orr_vec3 gravitation_inertial(const orr_gravity *g, orr_vec3 r_m, double t_s)
 {
-    double a = ORR_INERTIAL_EARTH_RATE_RADPS * t_s, c = cos(a), s = sin(a);
+    double a = ORR_EARTH_RATE_RADPS * t_s, c = cos(a), s = sin(a);
     orr_vec3 e =
         orr_gravity_gravitation(g, orr_vec3_make(c * r_m.x + s * r_m.y, c * r_m.y - s * r_m.x, r_m.z));
     return orr_vec3_make(c * e.x - s * e.y, s * e.x + c * e.y, e.z);

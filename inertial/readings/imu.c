@@ -53,7 +53,7 @@ orr_status orr_imu_allocate(orr_imu *m, size_t n, size_t truth_every, bool insta
     return ORR_OK;
 }
 
-orr_mat3 orr_inertial_from_ecef(double t_s) { return orr_mat3_rot3(-ORR_INERTIAL_EARTH_RATE_RADPS * t_s); }
+orr_mat3 orr_inertial_from_ecef(double t_s) { return orr_mat3_rot3(-ORR_EARTH_RATE_RADPS * t_s); }
 
 void orr_imu_true_state(const orr_imu *m, size_t edge, orr_vec3 *r_m, orr_vec3 *v_mps,
                         orr_mat3 *body_from_inertial)
@@ -61,7 +61,7 @@ void orr_imu_true_state(const orr_imu *m, size_t edge, orr_vec3 *r_m, orr_vec3 *
     size_t j = edge / m->truth_every;
     orr_mat3 R = orr_inertial_from_ecef(orr_imu_edge_s(m, edge)), Rt = orr_mat3_transpose(&R);
     orr_mat3 B = orr_mat3_from_quat(m->q_be[j]);
-    double u = ORR_INERTIAL_EARTH_RATE_RADPS;
+    double u = ORR_EARTH_RATE_RADPS;
     orr_vec3 v =
         orr_vec3_make(m->v_mps[j].x - u * m->r_m[j].y, m->v_mps[j].y + u * m->r_m[j].x, m->v_mps[j].z);
     *r_m = orr_mat3_apply(&R, m->r_m[j]);

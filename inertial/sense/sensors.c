@@ -23,7 +23,7 @@ static const double weight[ORR_IMU_MAX_ORDER][3] = {
 static void sense(const orr_motion *m, orr_vec3 gravitation, orr_vec3 *gyro_radps, orr_vec3 *accel_mps2)
 {
     orr_mat3 B = orr_mat3_from_quat(m->q_be);
-    double u = ORR_INERTIAL_EARTH_RATE_RADPS;
+    double u = ORR_EARTH_RATE_RADPS;
     *gyro_radps = orr_vec3_make(m->w_radps.x + u * B.m[0][2], m->w_radps.y + u * B.m[1][2],
                                 m->w_radps.z + u * B.m[2][2]);
     *accel_mps2 = orr_mat3_apply(&B, orr_vec3_sub(orr_motion_absolute_acceleration(m), gravitation));

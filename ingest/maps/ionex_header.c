@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "core/nan.h"
 #include "ingest/input/text_records.h"
 #include "ingest/maps/ionex_private.h"
@@ -266,7 +267,7 @@ orr_status ionex_read_header(ionex_reader *r)
         if (!orr_view_is_blank(line)) s = header_line(r, line, label);
     }
     if (s == ORR_OK && isnan(x->base_radius_m)) {
-        x->base_radius_m = 6371e3; // what every centre uses; heights count from it
+        x->base_radius_m = ORR_EARTH_MEAN_RADIUS_M; // what every centre uses; heights count from it
         orr_cursor_warn(&r->c, r->warnings, 0, "the header has no BASE RADIUS; 6371 km is taken");
     }
     return s == ORR_OK ? make_grid(r) : s;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "core/nan.h"
 #include "core/outfile.h"
 #include "ingest/maps/ionex.h"
@@ -45,7 +46,7 @@ orr_status orr_ionex_alloc(size_t n_epochs, orr_time t0, double step_s, const do
                        .elevation_cutoff_deg = ORR_NAN,
                        .n_stations = -1,
                        .n_satellites = -1,
-                       .base_radius_m = 6371e3,
+                       .base_radius_m = ORR_EARTH_MEAN_RADIUS_M,
                        .exponent = -1,
                        .interval_s = step_s,
                        .n_epochs = n_epochs};

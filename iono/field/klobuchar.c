@@ -5,8 +5,6 @@
 
 #include "core/vec.h"
 
-#define LIGHT_MPS 299792458.0
-
 // Everything is in semicircles (half turns), as the interface document writes it.
 static double vertical_s(const orr_klobuchar *k, orr_time t, double lat, double lon)
 {
@@ -31,7 +29,7 @@ static double vertical_s(const orr_klobuchar *k, orr_time t, double lat, double 
 
 double orr_klobuchar_vertical_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad)
 {
-    return LIGHT_MPS * vertical_s(k, t, lat_rad / ORR_PI, lon_rad / ORR_PI);
+    return ORR_LIGHT_MPS * vertical_s(k, t, lat_rad / ORR_PI, lon_rad / ORR_PI);
 }
 
 double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad,
@@ -44,5 +42,5 @@ double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad,
     if (lat < -0.416) lat = -0.416;
     double lon = lon_rad / ORR_PI + psi * sin(az_rad) / cos(lat * ORR_PI);
     double low = 0.53 - el, obliquity = 1 + 16 * low * low * low;
-    return LIGHT_MPS * obliquity * vertical_s(k, t, lat, lon);
+    return ORR_LIGHT_MPS * obliquity * vertical_s(k, t, lat, lon);
 }

@@ -63,11 +63,12 @@ orr_status orr_pierce_direction(const orr_iono_site *site, double az_rad, double
 
 orr_mapping orr_mapping_published(orr_mapping_kind kind)
 {
+    const double radius_km = ORR_EARTH_MEAN_RADIUS_M / 1e3;
     switch (kind) {
     case ORR_MAPPING_THIN_SHELL:
-        return (orr_mapping){kind, 6371.0 / (6371.0 + 450.0), 1};
+        return (orr_mapping){kind, radius_km / (radius_km + 450.0), 1};
     case ORR_MAPPING_MSLM:
-        return (orr_mapping){kind, 6371.0 / (6371.0 + 506.7), 0.9782};
+        return (orr_mapping){kind, radius_km / (radius_km + 506.7), 0.9782};
     case ORR_MAPPING_NONE:
         break;
     }

@@ -9,7 +9,7 @@
 #include "core/vec.h"
 
 // The shell of the IGS maps: 6371 km + 450 km (Schaer 1999; IONEX headers).
-#define ORR_SHELL_RADIUS_M 6821000.0
+#define ORR_SHELL_RADIUS_M (ORR_EARTH_MEAN_RADIUS_M + 450e3)
 
 // A receiver: its place and its local axes (ellipsoidal vertical).
 typedef struct orr_iono_site {

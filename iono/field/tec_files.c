@@ -121,7 +121,8 @@ orr_status orr_tec_field_from_ion(const orr_ion *x, const char *name, const orr_
     if (s == ORR_OK) {
         const orr_ion_model *m = &x->model[0];
         orr_tec_model model = {
-            x->n_models, set, m->pole_lat_deg, m->pole_lon_deg, 6371000.0 + m->layer_height_m, name};
+            x->n_models, set, m->pole_lat_deg, m->pole_lon_deg, ORR_EARTH_MEAN_RADIUS_M + m->layer_height_m,
+            name};
         s = orr_tec_field_from_model(&model, options, out, diag);
     }
     free(set);
@@ -223,7 +224,7 @@ orr_status orr_tec_field_to_ion(const orr_tec_field *f, orr_ion *out, orr_diag *
         m->mapping = o->mapping == ORR_MAPPING_MSLM         ? ORR_ION_MAP_MSLM
                      : o->mapping == ORR_MAPPING_THIN_SHELL ? ORR_ION_MAP_COSZ
                                                             : ORR_ION_MAP_NONE;
-        m->layer_height_m = orr_tec_field_shell_radius_m(f) - 6371000.0;
+        m->layer_height_m = orr_tec_field_shell_radius_m(f) - ORR_EARTH_MEAN_RADIUS_M;
         m->pole_lat_deg = o->pole_lat_deg;
         m->pole_lon_deg = o->pole_lon_deg;
         m->lat_south_deg = -90;
@@ -242,10 +243,11 @@ orr_status orr_tec_field_to_ionex(const orr_tec_field *f, orr_time t0, double st
                                   orr_ionex *out, orr_diag *diag)
 {
     const double lat[3] = {87.5, -87.5, -2.5}, lon[3] = {-180, 180, 5};
-    double radius = orr_tec_field_shell_radius_m(f), height[3] = {radius - 6371000.0, radius - 6371000.0, 0};
+    double radius = orr_tec_field_shell_radius_m(f),
+           height[3] = {radius - ORR_EARTH_MEAN_RADIUS_M, radius - ORR_EARTH_MEAN_RADIUS_M, 0};
     orr_status s = orr_ionex_alloc(n, t0, step_s, lat, lon, height, true, out, diag);
     if (s != ORR_OK) return s;
-    out->base_radius_m = 6371000.0;
+    out->base_radius_m = ORR_EARTH_MEAN_RADIUS_M;
     orr_tec_instant *at = malloc(sizeof *at);
     if (at == NULL) s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for maps");
     bool with_rms = false;

@@ -5,8 +5,6 @@
 
 #include "core/sat.h"
 
-#define ORR_LIGHT_MPS 299792458.0
-
 // Frequency of an observation code ("L1C", "C2W"; band and attribute count) of a system, Hz; 0 if there is
 // none. glonass_channel matters for bands 1 and 2 of 'R' alone. rinex_version tells BeiDou's band 1 of 3.02
 // (B1I) from B1C.

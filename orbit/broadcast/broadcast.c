@@ -17,11 +17,11 @@ static constants constants_of(char system)
 {
     switch (system) {
     case 'E':
-        return (constants){3.986004418e14, 7.2921151467e-5};
+        return (constants){ORR_GALILEO_GM, ORR_GALILEO_EARTH_RATE_RADPS};
     case 'C':
-        return (constants){3.986004418e14, 7.2921150e-5};
+        return (constants){ORR_BEIDOU_GM, ORR_BEIDOU_EARTH_RATE_RADPS};
     default:
-        return (constants){3.986005e14, 7.2921151467e-5};
+        return (constants){ORR_GPS_GM, ORR_GPS_EARTH_RATE_RADPS};
     }
 }
 
@@ -116,8 +116,7 @@ static orr_status eval_kepler(const orr_nav_eph *eph, double tk, orr_broadcast_s
     out->vel_mps = orr_vec3_make(x.d, y.d, z.d);
     out->acc_mps2 = orr_vec3_make(x.dd, y.dd, z.dd);
     // F e sqrt(A) sin E, F = -2 sqrt(mu)/c^2
-    out->relativity_s =
-        -2 * sqrt(c.gm) / (ORR_SPEED_OF_LIGHT * ORR_SPEED_OF_LIGHT) * k->e * k->sqrt_a_sqrtm * sin(E.v);
+    out->relativity_s = -2 * sqrt(c.gm) / (ORR_LIGHT_MPS * ORR_LIGHT_MPS) * k->e * k->sqrt_a_sqrtm * sin(E.v);
     return ORR_OK;
 }
 
@@ -125,7 +124,8 @@ static orr_status eval_kepler(const orr_nav_eph *eph, double tk, orr_broadcast_s
 // constant.
 static void glonass_motion(const double y[6], const orr_vec3 *lunisolar, double dy[6])
 {
-    const double gm = 3.986004418e14, ae = 6378136.0, j2 = 1.0826257e-3, w = 7.292115e-5;
+    const double gm = ORR_GLONASS_GM, ae = ORR_GLONASS_RADIUS_M, j2 = ORR_GLONASS_J2,
+                 w = ORR_GLONASS_EARTH_RATE_RADPS;
     double r2 = y[0] * y[0] + y[1] * y[1] + y[2] * y[2], r = sqrt(r2), k = gm / (r2 * r);
     double j = 1.5 * j2 * k * ae * ae / r2, q = 5 * y[2] * y[2] / r2;
     dy[0] = y[3], dy[1] = y[4], dy[2] = y[5];

@@ -10,13 +10,11 @@
 
 #include "ingest/rinex/rinex_nav.h"
 
-#define ORR_SPEED_OF_LIGHT 299792458.0
-
 // Periodic relativity of a satellite's clock, -2 r.v/c^2 (IS-GPS-200N 20.3.3.3.3.1); r.v is the same in ecef
 // and in inertial axes.
 static inline double orr_periodic_relativity_s(orr_vec3 r_m, orr_vec3 v_mps)
 {
-    return -2 * orr_vec3_dot(r_m, v_mps) / (ORR_SPEED_OF_LIGHT * ORR_SPEED_OF_LIGHT);
+    return -2 * orr_vec3_dot(r_m, v_mps) / (ORR_LIGHT_MPS * ORR_LIGHT_MPS);
 }
 
 typedef struct orr_broadcast_state {

@@ -85,7 +85,7 @@ static orr_status osculating(const orr_ephemeris *e, orr_sat sat, const orr_elem
     if (status != ORR_OK) return status;
     orr_vec3 r, v;
     inertial_state(&a->R[1], &a->dR, &a->wanted, &s, &r, &v);
-    return orr_kepler_from_state(r, v, ORR_KEPLER_GM, out);
+    return orr_kepler_from_state(r, v, ORR_EGM96_GM, out);
 }
 
 // A neighbour is asked for within the same arc: across an arc's end there is a manoeuvre or nothing.
@@ -108,11 +108,11 @@ static orr_status three_positions(const orr_ephemeris *e, orr_sat sat, const orr
     orr_kepler now;
     if (status == ORR_OK) status = osculating(e, sat, a, &now);
     if (status != ORR_OK) return status;
-    if (2 * spacing > ORR_PI * sqrt(pow(now.a_m, 3) / ORR_KEPLER_GM))
+    if (2 * spacing > ORR_PI * sqrt(pow(now.a_m, 3) / ORR_EGM96_GM))
         return ORR_E_NUMERIC;   // a half revolution
     for (int k = 0; k < 3; k++) // one set of axes for all three
         r[k] = orr_mat3_apply(&a->wanted, orr_mat3_apply_t(&a->R[k], s[k].pos_m));
-    return orr_kepler_from_positions(r[0], r[1], r[2], ORR_KEPLER_GM, out);
+    return orr_kepler_from_positions(r[0], r[1], r[2], ORR_EGM96_GM, out);
 }
 
 // Osculating elements dt_s away from the axes' instant.
@@ -130,7 +130,7 @@ static orr_status osculating_near(const orr_ephemeris *e, orr_sat sat, double dt
         rotation_at(t, a->o.eop, &R, &dR);
         orr_mat3 wanted = wanted_near(a, t);
         inertial_state(&R, &dR, &wanted, &s, &r, &v);
-        return orr_kepler_from_state(r, v, ORR_KEPLER_GM, out);
+        return orr_kepler_from_state(r, v, ORR_EGM96_GM, out);
     }
     double basis[ORR_ELEMENTS_DEGREE + 1], q[12] = {0};
     orr_cheb_basis(ORR_ELEMENTS_DEGREE, at_s / HALF_SPAN_S, basis, NULL, NULL);
@@ -141,7 +141,7 @@ static orr_status osculating_near(const orr_ephemeris *e, orr_sat sat, double dt
     orr_mat3 rate = orr_mat3_hat((orr_vec3){q[9], q[10], q[11]});
     r = orr_mat3_apply(&M, s.pos_m);
     v = orr_mat3_apply(&M, orr_vec3_sub(s.vel_mps, orr_mat3_apply(&rate, s.pos_m)));
-    return orr_kepler_from_state(r, v, ORR_KEPLER_GM, out);
+    return orr_kepler_from_state(r, v, ORR_EGM96_GM, out);
 }
 
 // Averages of a, the vectors of eccentricity and of the node (no singularity at e = 0), and of the mean
@@ -155,7 +155,7 @@ static orr_status averaged(const orr_ephemeris *e, orr_sat sat, const orr_elemen
     orr_status status = osculating(e, sat, axes, &centre);
     if (status == ORR_OK) status = orr_ephemeris_eval(e, sat, axes->t, &home);
     if (status != ORR_OK) return status;
-    const double n = sqrt(ORR_KEPLER_GM / pow(centre.a_m, 3)), period = 2 * ORR_PI / n;
+    const double n = sqrt(ORR_EGM96_GM / pow(centre.a_m, 3)), period = 2 * ORR_PI / n;
     status = neighbour(e, sat, orr_time_add_s(axes->t, -period / 2), &home, &edge);
     if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(axes->t, period / 2), &home, &edge);
     if (status != ORR_OK) return status;

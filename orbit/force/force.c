@@ -17,7 +17,7 @@ double orr_force_limb_distance(orr_vec3 r, orr_vec3 sun)
     double dn = orr_vec3_norm(d), rn = orr_vec3_norm(r);
     double cosine = -orr_vec3_dot(r, d) / (dn * rn);
     double separation = acos(cosine < 1.0 ? cosine : 1.0);
-    return (separation - asin(ORR_EARTH_SHADOW_RADIUS_M / rn)) / asin(ORR_SUN_RADIUS_M / dn);
+    return (separation - asin(ORR_SHADOW_RADIUS_M / rn)) / asin(ORR_SUN_RADIUS_M / dn);
 }
 
 double orr_force_sunlight(orr_vec3 r, orr_vec3 sun)
@@ -35,8 +35,8 @@ orr_vec3 orr_force_acceleration(const orr_force *f, const orr_sky_point *p, orr_
             ? orr_gravity_field_gravitation(&f->earth, r)
             : orr_mat3_apply_t(&p->R, orr_gravity_field_gravitation(&f->earth, orr_mat3_apply(&p->R, r)));
     if (f->sun_moon) {
-        a = orr_vec3_add(a, third_body(r, p->sun_m, ORR_GM_SUN));
-        a = orr_vec3_add(a, third_body(r, p->moon_m, ORR_GM_MOON));
+        a = orr_vec3_add(a, third_body(r, p->sun_m, ORR_SUN_GM));
+        a = orr_vec3_add(a, third_body(r, p->moon_m, ORR_MOON_GM));
     }
     if (f->srp_mps2 > 0 || f->srp_mps2 < 0) {
         orr_vec3 d = orr_vec3_sub(r, p->sun_m);
@@ -50,12 +50,11 @@ double orr_force_sunlight_fast(orr_vec3 r, orr_vec3 sun)
 {
     // The penumbra reaches 0.5 deg of the satellite's distance beyond the shadow's cylinder at most.
     const double along = orr_vec3_dot(r, sun), s2 = orr_vec3_dot(sun, sun), r2 = orr_vec3_dot(r, r);
-    const double edge = ORR_EARTH_SHADOW_RADIUS_M + 0.01 * sqrt(r2);
+    const double edge = ORR_SHADOW_RADIUS_M + 0.01 * sqrt(r2);
     if (along >= 0 || r2 - along * along / s2 > edge * edge) return 1.0;
     return orr_force_sunlight(r, sun);
 }
 
-#define LIGHT_MPS 299792458.0
 #define ALBEDO_MPS2 1e-9 // at the distance of GPS
 #define ALBEDO_RADIUS_M 2.66e7
 
@@ -67,12 +66,12 @@ orr_vec3 orr_force_of_state(const orr_force *f, const orr_sky_point *p, orr_vec3
         orr_mat3_apply_t(&p->R, f->earth.degree < 2 ? orr_gravity_field_gravitation(&f->earth, ecef)
                                                     : orr_gravity_field_with_tide(&f->earth, p->tide, ecef));
     if (f->sun_moon) {
-        a = orr_vec3_add(a, third_body(r, p->sun_m, ORR_GM_SUN));
-        a = orr_vec3_add(a, third_body(r, p->moon_m, ORR_GM_MOON));
+        a = orr_vec3_add(a, third_body(r, p->sun_m, ORR_SUN_GM));
+        a = orr_vec3_add(a, third_body(r, p->moon_m, ORR_MOON_GM));
     }
     const double r2 = orr_vec3_dot(r, r), rn = sqrt(r2);
     // Schwarzschild's term, IERS Conventions 2010, (10.12).
-    const double k = ORR_EGM96_GM / (LIGHT_MPS * LIGHT_MPS * r2 * rn);
+    const double k = ORR_EGM96_GM / (ORR_LIGHT_MPS * ORR_LIGHT_MPS * r2 * rn);
     a = orr_vec3_axpy(k * (4 * ORR_EGM96_GM / rn - orr_vec3_dot(v, v)), r, a);
     a = orr_vec3_axpy(k * 4 * orr_vec3_dot(r, v), v, a);
     // Light and heat of the Earth press outward, more above the lit side.

@@ -8,13 +8,6 @@
 #include "orbit/force/gravity_field.h"
 #include "orbit/force/sky.h"
 
-// m^3/s^2, IERS Conventions 2010, table 1.1 (the difference of TCB and TDB does not matter for these forces)
-#define ORR_GM_SUN 1.32712440018e20
-#define ORR_GM_MOON 4.9028003e12
-#define ORR_AU_M 1.495978707e11
-#define ORR_SUN_RADIUS_M 6.957e8 // IAU 2015 resolution B3
-#define ORR_EARTH_SHADOW_RADIUS_M 6378136.6
-
 typedef struct orr_force {
     orr_gravity_field earth;
     bool sun_moon;

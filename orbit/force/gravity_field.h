@@ -7,8 +7,6 @@
 #include "core/vec.h"
 
 #define ORR_GRAVITY_MAX_DEGREE 12
-#define ORR_EGM96_GM 3.986004415e14 // m^3/s^2
-#define ORR_EGM96_RADIUS_M 6378136.3
 
 typedef struct orr_gravity_field {
     int degree, order;

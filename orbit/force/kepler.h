@@ -6,8 +6,6 @@
 #include "core/status.h"
 #include "core/vec.h"
 
-#define ORR_KEPLER_GM 3.986004415e14 // m^3/s^2, as in the forces
-
 // Angles in [0, 2 pi), i in [0, pi]. u = argp + true anomaly is what near-circular orbits should be read by:
 // argp and m are ill-defined as e goes to 0, u is not. In an equatorial orbit raan is 0 by convention, in a
 // circular one argp is 0.

@@ -29,8 +29,8 @@ void orr_tides_gravitation(orr_time t, orr_vec3 sun, orr_vec3 moon, double xp_ra
                            double change[5])
 {
     double z[3][2] = {{0}};
-    add_body(sun, ORR_GM_SUN, z);
-    add_body(moon, ORR_GM_MOON, z);
+    add_body(sun, ORR_SUN_GM, z);
+    add_body(moon, ORR_MOON_GM, z);
     double c20 = z[0][0], c21 = z[1][0], s21 = -z[1][1];
     // The secular pole (IERS Conventions 2010, updated 2018, 7.1.4), about which the pole swings, arcseconds.
     int32_t day;

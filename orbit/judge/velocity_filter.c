@@ -12,7 +12,6 @@ enum { MIN_HALF = 8 };
 #define WINDOW_S 3600.0
 
 #define MAX_STEP_S 900.0
-#define GM 3.986004418e14
 
 // What two bodies leave is mainly J2's: 5e-5 m/s^2 at twice the satellite's rate, which is up to 1.5 times
 // that of a 12-h orbit at the perigee of e = 0.2. The first odd term that a series of odd degree leaves out
@@ -125,9 +124,10 @@ static bool find_window(const orr_velocity_filter *f, const orr_vec3 *pos, size_
 // is no ellipse.
 static bool two_body(orr_vec3 r, orr_vec3 v, double dt, orr_vec3 *out)
 {
-    double r0 = orr_vec3_norm(r), a = 1.0 / (2.0 / r0 - orr_vec3_dot(v, v) / GM);
+    double r0 = orr_vec3_norm(r), a = 1.0 / (2.0 / r0 - orr_vec3_dot(v, v) / ORR_WGS84_GM);
     if (!(a > 0)) return false;
-    double n = sqrt(GM / (a * a * a)), ecos = 1.0 - r0 / a, esin = orr_vec3_dot(r, v) / sqrt(GM * a);
+    double n = sqrt(ORR_WGS84_GM / (a * a * a)), ecos = 1.0 - r0 / a,
+           esin = orr_vec3_dot(r, v) / sqrt(ORR_WGS84_GM * a);
     double dm = n * dt, x = dm;
     for (int i = 0; i < 20; i++) {
         double step = (x - ecos * sin(x) + esin * (1 - cos(x)) - dm) / (1 - ecos * cos(x) + esin * sin(x));

@@ -5,11 +5,10 @@
 #include "orbit/force/kepler.h"
 #include "orbit/navdata/glonass_time.h"
 
-// Constants of the ICD: a receiver must use these and no better ones.
-#define GM 3.986004418e14
-#define AE_M 6378136.0
-#define C20 (-1082.62575e-6)
-#define OMEGA3 7.292115e-5
+// Names of the ICD: a receiver must use its values and no better ones.
+#define AE_M ORR_GLONASS_RADIUS_M
+#define C20 ORR_GLONASS_ALMANAC_C20
+#define OMEGA3 ORR_GLONASS_EARTH_RATE_RADPS
 #define MEAN_I_RAD (63.0 * ORR_RAD_PER_DEG)
 #define MEAN_T_S 43200.0
 
@@ -30,7 +29,7 @@ static double semi_major_axis(double draconic_s, double i, double e, double omeg
     double factor = (2 - 2.5 * s2) * q * sqrt(q) / (near * near) + near * near * near / q;
     double period = draconic_s, a = 0;
     for (int round_no = 0; round_no < 8; round_no++) {
-        a = cbrt(GM * period * period / (4 * ORR_PI * ORR_PI));
+        a = cbrt(ORR_GLONASS_GM * period * period / (4 * ORR_PI * ORR_PI));
         double p = a * q;
         period = draconic_s / (1 + 1.5 * C20 * (AE_M / p) * (AE_M / p) * factor);
     }
@@ -117,7 +116,7 @@ orr_status orr_glonass_almanac_eval(const orr_glonass_almanac *a, orr_time t, or
 
     orr_kepler k = {.a_m = a_i, .e = e, .i_rad = i, .raan_rad = node, .argp_rad = omega, .m_rad = M};
     orr_vec3 turning;
-    orr_kepler_to_state(&k, GM, pos_m, &turning);
+    orr_kepler_to_state(&k, ORR_GLONASS_GM, pos_m, &turning);
     *vel_mps = orr_vec3_sub(turning, orr_vec3_cross(orr_vec3_make(0, 0, OMEGA3), *pos_m));
     return ORR_OK;
 }

@@ -85,7 +85,7 @@ static void linearise(problem *q, const orr_nav_kepler *k)
 // revolutions. (Clohessy and Wiltshire's equations under J2; out of the plane it is a constant tilt.)
 static void short_period(double a, double i, double delta_n, orr_nav_kepler *k)
 {
-    const double j2 = 1.0826e-3, re = 6378137.0, s2 = sin(i) * sin(i);
+    const double j2 = ORR_GPS_J2, re = ORR_WGS84_A_M, s2 = sin(i) * sin(i);
     k->crc_m = j2 * re * re / a * s2 / 4;
     k->cus_rad = j2 * re * re / (a * a) * s2 / 8;
     k->delta_n_radps = delta_n;
@@ -94,17 +94,17 @@ static void short_period(double a, double i, double delta_n, orr_nav_kepler *k)
 // The model without them that has the same mean motion.
 static void without_short_period(orr_nav_kepler *k)
 {
-    double s = k->sqrt_a_sqrtm, n = sqrt(ORR_LNAV_GM) / (s * s * s) + k->delta_n_radps;
-    k->sqrt_a_sqrtm = cbrt(sqrt(ORR_LNAV_GM) / n);
+    double s = k->sqrt_a_sqrtm, n = sqrt(ORR_GPS_GM) / (s * s * s) + k->delta_n_radps;
+    k->sqrt_a_sqrtm = cbrt(sqrt(ORR_GPS_GM) / n);
     k->crc_m = k->cus_rad = k->delta_n_radps = 0;
 }
 
 static orr_status first_guess(problem *q, orr_nav_kepler *k)
 {
     orr_vec3 r, v;
-    size_t mid = orr_navfit_middle(q->w, q->toa, ORR_LNAV_EARTH_RATE, &r, &v);
+    size_t mid = orr_navfit_middle(q->w, q->toa, ORR_GPS_EARTH_RATE_RADPS, &r, &v);
     orr_kepler el;
-    orr_status s = orr_kepler_from_state(r, v, ORR_LNAV_GM, &el);
+    orr_status s = orr_kepler_from_state(r, v, ORR_GPS_GM, &el);
     if (s != ORR_OK) return s;
     double dt = orr_time_diff_s(q->w->t[mid], q->toa), delta_n;
     orr_lnav_secular(el.a_m, el.e, el.i_rad, &q->theory_radps, &delta_n);
@@ -114,8 +114,8 @@ static orr_status first_guess(problem *q, orr_nav_kepler *k)
     k->i0_rad = el.i_rad;
     k->omega_dot_radps = q->theory_radps;
     k->omega_rad = el.argp_rad;
-    k->m0_rad = el.m_rad - sqrt(ORR_LNAV_GM / pow(el.a_m, 3)) * dt;
-    k->omega0_rad = el.raan_rad + ORR_LNAV_EARTH_RATE * k->toe_sow_s - k->omega_dot_radps * dt;
+    k->m0_rad = el.m_rad - sqrt(ORR_GPS_GM / pow(el.a_m, 3)) * dt;
+    k->omega0_rad = el.raan_rad + ORR_GPS_EARTH_RATE_RADPS * k->toe_sow_s - k->omega_dot_radps * dt;
     return ORR_OK;
 }
 

@@ -7,7 +7,7 @@
 
 orr_vec3 orr_lnav_position(const orr_nav_kepler *k, double tk, orr_vec3 d[ORR_LNAV_N])
 {
-    const double s = k->sqrt_a_sqrtm, a = s * s, e = k->e, n0 = sqrt(ORR_LNAV_GM) / (s * a);
+    const double s = k->sqrt_a_sqrtm, a = s * s, e = k->e, n0 = sqrt(ORR_GPS_GM) / (s * a);
     const double E = orr_kepler_solve(k->m0_rad + (n0 + k->delta_n_radps) * tk, e);
     const double cE = cos(E), sE = sin(E), root = sqrt(1 - e * e), shape = 1 - e * cE;
     const double cn = (cE - e) / shape, sn = root * sE / shape; // of the true anomaly
@@ -17,8 +17,8 @@ orr_vec3 orr_lnav_position(const orr_nav_kepler *k, double tk, orr_vec3 d[ORR_LN
     const double phi = atan2(sp, cp), u = phi + k->cus_rad * s2 + k->cuc_rad * c2;
     const double r = a * shape + k->crs_m * s2 + k->crc_m * c2;
     const double i = k->i0_rad + k->idot_radps * tk + k->cis_rad * s2 + k->cic_rad * c2;
-    const double node =
-        k->omega0_rad + (k->omega_dot_radps - ORR_LNAV_EARTH_RATE) * tk - ORR_LNAV_EARTH_RATE * k->toe_sow_s;
+    const double node = k->omega0_rad + (k->omega_dot_radps - ORR_GPS_EARTH_RATE_RADPS) * tk -
+                        ORR_GPS_EARTH_RATE_RADPS * k->toe_sow_s;
     const double cu = cos(u), su = sin(u), ci = cos(i), si = sin(i), co = cos(node), so = sin(node);
     const orr_vec3 P = {co, so, 0}, Q = {-ci * so, ci * co, si}, W = {si * so, -si * co, ci};
     const orr_vec3 radial = orr_vec3_axpy(su, Q, orr_vec3_scale(cu, P));
@@ -69,8 +69,8 @@ void orr_lnav_by_elements(const orr_nav_kepler *k, orr_vec3 d[ORR_LNAV_N])
 
 void orr_lnav_secular(double a, double e, double i, double *omega_dot, double *delta_n)
 {
-    const double j2 = 1.0826e-3, re = 6378137.0, ci = cos(i), x = 1 - e * e;
-    const double n = sqrt(ORR_LNAV_GM / (a * a * a)), k = 0.75 * j2 * n * re * re / (a * a);
+    const double j2 = ORR_GPS_J2, re = ORR_WGS84_A_M, ci = cos(i), x = 1 - e * e;
+    const double n = sqrt(ORR_GPS_GM / (a * a * a)), k = 0.75 * j2 * n * re * re / (a * a);
     *omega_dot = -2 * k * ci / (x * x);
     *delta_n = k * (3 * ci * ci - 1) / (x * sqrt(x)) + k * (5 * ci * ci - 1) / (x * x);
 }

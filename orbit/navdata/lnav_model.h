@@ -6,9 +6,6 @@
 
 #include "ingest/rinex/rinex_nav.h"
 
-#define ORR_LNAV_GM 3.986005e14             // m^3/s^2, IS-GPS-200N table 20-IV
-#define ORR_LNAV_EARTH_RATE 7.2921151467e-5 // rad/s
-
 // The parameters in the order of the derivatives. In near-circular orbits perigee, and with it omega and M0
 // apart from their sum, is not defined; e cos omega, e sin omega and omega + M0 always are.
 enum {

@@ -129,7 +129,7 @@ static orr_vec3 rough_sun(orr_time t)
     const double lambda = (280.460 + 0.9856474 * d + 1.915 * sin(g) + 0.020 * sin(2 * g)) * deg;
     const double eps = (23.439 - 0.0000004 * d) * deg;
     const double ra = atan2(cos(eps) * sin(lambda), cos(lambda)), dec = asin(sin(eps) * sin(lambda));
-    const double lon = ra - (280.46061837 + 360.98564736629 * d) * deg, au = 1.495978707e11;
+    const double lon = ra - (280.46061837 + 360.98564736629 * d) * deg, au = ORR_AU_M;
     return orr_vec3_make(au * cos(dec) * cos(lon), au * cos(dec) * sin(lon), au * sin(dec));
 }
 

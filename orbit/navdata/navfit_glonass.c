@@ -113,7 +113,7 @@ static orr_vec3 lunisolar(orr_time t, orr_vec3 r)
     orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
     orr_vec3 body[2] = {orr_mat3_apply(&R, orr_astro_sun(t)), orr_mat3_apply(&R, orr_astro_moon(t))},
              a = {0, 0, 0};
-    const double gm[2] = {ORR_GM_SUN, ORR_GM_MOON};
+    const double gm[2] = {ORR_SUN_GM, ORR_MOON_GM};
     for (int k = 0; k < 2; k++) {
         orr_vec3 d = orr_vec3_sub(body[k], r);
         a = orr_vec3_axpy(gm[k] / pow(orr_vec3_norm(d), 3), d, a);

@@ -107,9 +107,9 @@ static double *pull(problem *q, size_t j, double weight_m, double unit, double b
 static orr_status first_guess(orr_nav_eph *e, const orr_navfit_window *w)
 {
     orr_vec3 r, v;
-    size_t mid = orr_navfit_middle(w, e->toe, ORR_LNAV_EARTH_RATE, &r, &v);
+    size_t mid = orr_navfit_middle(w, e->toe, ORR_GPS_EARTH_RATE_RADPS, &r, &v);
     orr_kepler el;
-    orr_status s = orr_kepler_from_state(r, v, ORR_LNAV_GM, &el);
+    orr_status s = orr_kepler_from_state(r, v, ORR_GPS_GM, &el);
     if (s != ORR_OK) return s;
     double dt = orr_time_diff_s(w->t[mid], e->toe);
     orr_nav_kepler *k = &e->kepler;
@@ -118,8 +118,8 @@ static orr_status first_guess(orr_nav_eph *e, const orr_navfit_window *w)
     k->e = el.e;
     k->i0_rad = el.i_rad;
     k->omega_rad = el.argp_rad;
-    k->m0_rad = el.m_rad - (sqrt(ORR_LNAV_GM / pow(el.a_m, 3)) + k->delta_n_radps) * dt;
-    k->omega0_rad = el.raan_rad + ORR_LNAV_EARTH_RATE * k->toe_sow_s - k->omega_dot_radps * dt;
+    k->m0_rad = el.m_rad - (sqrt(ORR_GPS_GM / pow(el.a_m, 3)) + k->delta_n_radps) * dt;
+    k->omega0_rad = el.raan_rad + ORR_GPS_EARTH_RATE_RADPS * k->toe_sow_s - k->omega_dot_radps * dt;
     return ORR_OK;
 }
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples/make/force.h"
 
-#define GM_SUN 1.32712440018e20 // m^3/s^2, IERS Conventions 2010, table 1.1
-#define GM_MOON 4.9028003e12
-#define LIGHT_MPS 299792458.0
-#define AU_M 1.495978707e11
 #define PRESSURE 4.5391e-6 // N/m^2 at 1 au: 1360.8 W/m^2 over c (Kopp and Lean 2011)
-#define SUN_RADIUS_M 6.957e8
-#define EARTH_RADIUS_M 6378136.6
-#define LOVE_K2 0.29525 // IERS Conventions 2010, table 6.3 (elastic, degree 2)
+#define LOVE_K2 0.29525    // IERS Conventions 2010, table 6.3 (elastic, degree 2)
 
 void orr_sample_sky_at(orr_time t, orr_sample_sky *sky)
 {
@@ -33,15 +27,15 @@ static orr_vec3 tide(double gm, orr_vec3 body, orr_vec3 r)
     double n = orr_vec3_norm(r), nb = orr_vec3_norm(body);
     orr_vec3 u = orr_vec3_scale(1 / n, r), ub = orr_vec3_scale(1 / nb, body);
     double c = orr_vec3_dot(u, ub);
-    double k = 0.5 * LOVE_K2 * gm * pow(ORR_SAMPLE_RADIUS_M, 5) / (pow(nb, 3) * pow(n, 4));
+    double k = 0.5 * LOVE_K2 * gm * pow(ORR_EGM96_RADIUS_M, 5) / (pow(nb, 3) * pow(n, 4));
     return orr_vec3_axpy(k * (3 - 15 * c * c), u, orr_vec3_scale(6 * k * c, ub));
 }
 
 // Schwarzschild's term (IERS Conventions 2010, eq. (10.12), beta = gamma = 1).
 static orr_vec3 relativity(orr_vec3 r, orr_vec3 v)
 {
-    double n = orr_vec3_norm(r), k = ORR_SAMPLE_GM / (LIGHT_MPS * LIGHT_MPS * n * n * n);
-    orr_vec3 a = orr_vec3_scale(k * (4 * ORR_SAMPLE_GM / n - orr_vec3_dot(v, v)), r);
+    double n = orr_vec3_norm(r), k = ORR_EGM96_GM / (ORR_LIGHT_MPS * ORR_LIGHT_MPS * n * n * n);
+    orr_vec3 a = orr_vec3_scale(k * (4 * ORR_EGM96_GM / n - orr_vec3_dot(v, v)), r);
     return orr_vec3_axpy(4 * k * orr_vec3_dot(r, v), v, a);
 }
 
@@ -49,7 +43,7 @@ double orr_sample_sunlight(orr_vec3 r, orr_vec3 sun)
 {
     orr_vec3 to_sun = orr_vec3_sub(sun, r);
     double ds = orr_vec3_norm(to_sun), de = orr_vec3_norm(r);
-    double a = asin(SUN_RADIUS_M / ds), b = asin(EARTH_RADIUS_M / de); // discs as seen
+    double a = asin(ORR_SUN_RADIUS_M / ds), b = asin(ORR_SHADOW_RADIUS_M / de); // discs as seen
     orr_vec3 cross = orr_vec3_cross(r, to_sun);
     double c = atan2(orr_vec3_norm(cross), -orr_vec3_dot(r, to_sun)); // between their centres
     if (c >= a + b) return 1;
@@ -78,7 +72,7 @@ static orr_vec3 sunlight_pressure(const orr_sample_body *b, orr_vec3 sun, orr_ve
     f = orr_vec3_add(f, face(b->x_m2, b->box_rho, b->box_delta, s, x));
     f = orr_vec3_add(f, face(b->z_m2, b->box_rho, b->box_delta, s, z));
     f = orr_vec3_add(f, face(b->z_m2, b->box_rho, b->box_delta, s, orr_vec3_scale(-1, z)));
-    double au = AU_M / orr_vec3_norm(d);
+    double au = ORR_AU_M / orr_vec3_norm(d);
     f = orr_vec3_scale(PRESSURE * au * au / b->mass_kg, f);
     return orr_vec3_scale(light, orr_vec3_axpy(b->y_bias_mps2, y, f));
 }
@@ -88,10 +82,10 @@ orr_vec3 orr_sample_acceleration(const orr_sample_gravity *g, const orr_sample_s
 {
     orr_vec3 a =
         orr_mat3_apply_t(&sky->itrs_gcrs, orr_sample_gravitation(g, orr_mat3_apply(&sky->itrs_gcrs, r)));
-    a = orr_vec3_add(a, third_body(GM_SUN, sky->sun_m, r));
-    a = orr_vec3_add(a, third_body(GM_MOON, sky->moon_m, r));
-    a = orr_vec3_add(a, tide(GM_SUN, sky->sun_m, r));
-    a = orr_vec3_add(a, tide(GM_MOON, sky->moon_m, r));
+    a = orr_vec3_add(a, third_body(ORR_SUN_GM, sky->sun_m, r));
+    a = orr_vec3_add(a, third_body(ORR_MOON_GM, sky->moon_m, r));
+    a = orr_vec3_add(a, tide(ORR_SUN_GM, sky->sun_m, r));
+    a = orr_vec3_add(a, tide(ORR_MOON_GM, sky->moon_m, r));
     a = orr_vec3_add(a, relativity(r, v));
     return orr_vec3_add(a, sunlight_pressure(body, sky->sun_m, r));
 }

@@ -50,7 +50,7 @@ orr_vec3 orr_sample_gravitation(const orr_sample_gravity *g, orr_vec3 r)
         cm[m] = cm[m - 1] * cl - sm[m - 1] * sl;
         sm[m] = sm[m - 1] * cl + cm[m - 1] * sl;
     }
-    for (int n = 0; n <= g->degree; n++, q *= ORR_SAMPLE_RADIUS_M / norm) {
+    for (int n = 0; n <= g->degree; n++, q *= ORR_EGM96_RADIUS_M / norm) {
         double u = 0, v = 0, w = 0;
         for (int m = 0; m <= n; m++) {
             double even = g->c[n][m] * cm[m] + g->s[n][m] * sm[m],
@@ -63,7 +63,7 @@ orr_vec3 orr_sample_gravitation(const orr_sample_gravity *g, orr_vec3 r)
         by_lat += q * v;
         by_lon += q * w;
     }
-    double scale = ORR_SAMPLE_GM / n2;
+    double scale = ORR_EGM96_GM / n2;
     double radial = scale * by_r, north = scale * by_lat, east = scale * by_lon / cosine;
     return (orr_vec3){radial * cosine * cl - north * sine * cl - east * sl,
                       radial * cosine * sl - north * sine * sl + east * cl, radial * sine + north * cosine};

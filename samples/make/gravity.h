@@ -8,8 +8,6 @@
 
 #define ORR_SAMPLE_DEGREE 16
 #define ORR_SAMPLE_N_COEFFICIENTS 150
-#define ORR_SAMPLE_GM 3.986004415e14 // m^3/s^2, EGM96
-#define ORR_SAMPLE_RADIUS_M 6378136.3
 
 typedef struct orr_sample_coefficient {
     int n, m;

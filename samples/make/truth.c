@@ -56,7 +56,7 @@ static void from_elements(const orr_sample_sat *s, double y[6])
     double anomaly = s->m_rad;
     for (int i = 0; i < 50; i++) // Kepler's equation by Newton; e <= 0.17
         anomaly -= (anomaly - s->e * sin(anomaly) - s->m_rad) / (1 - s->e * cos(anomaly));
-    double b = sqrt(1 - s->e * s->e), c = cos(anomaly), n = sqrt(ORR_SAMPLE_GM / pow(s->a_m, 3));
+    double b = sqrt(1 - s->e * s->e), c = cos(anomaly), n = sqrt(ORR_EGM96_GM / pow(s->a_m, 3));
     double rate = n / (1 - s->e * c);
     orr_vec3 r = {s->a_m * (c - s->e), s->a_m * b * sin(anomaly), 0};
     orr_vec3 v = {-s->a_m * sin(anomaly) * rate, s->a_m * b * c * rate, 0};

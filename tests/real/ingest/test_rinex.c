@@ -9,7 +9,6 @@
 #include "ingest/rinex/rinex_nav.h"
 #include "ingest/rinex/rinex_obs.h"
 
-#define LIGHT_MPS 299792458.0
 #define L1_HZ 1575.42e6
 #define L2_HZ 1227.60e6
 
@@ -50,8 +49,9 @@ static void code_and_phase_agree(void **state)
                         v[c1] < 26.5e6); // from zenith to horizon, whatever the receiver's clock
             assert_true(isnan(v[s1]) || (v[s1] > 10 && v[s1] < 65));
             if (!isnan(v[c2])) assert_true(fabs(v[c2] - v[c1]) < 60); // ionosphere and code biases
-            track now = {e->t, v[c1], v[l1] * LIGHT_MPS / L1_HZ,
-                         isnan(v[l2]) ? ORR_NAN : v[l1] * LIGHT_MPS / L1_HZ - v[l2] * LIGHT_MPS / L2_HZ};
+            track now = {e->t, v[c1], v[l1] * ORR_LIGHT_MPS / L1_HZ,
+                         isnan(v[l2]) ? ORR_NAN
+                                      : v[l1] * ORR_LIGHT_MPS / L1_HZ - v[l2] * ORR_LIGHT_MPS / L2_HZ};
             track *b = &last[orr_sat_number(e->sat[i])];
             if (b->t != ORR_TIME_NONE && now.t - b->t == 30 * ORR_NS_PER_S) {
                 if (e->lli[i * e->stride + (size_t)l1] & ORR_OBS_LLI_SLIP) {

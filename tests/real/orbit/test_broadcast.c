@@ -141,7 +141,7 @@ static void messages_of_a_satellite_agree(void **state)
                 assert_int_equal(orr_broadcast_eval(a, t, &x), ORR_OK);
                 assert_int_equal(orr_broadcast_eval(b, t, &y), ORR_OK);
                 found.value[found.n++] = orr_vec3_norm(orr_vec3_sub(x.pos_m, y.pos_m));
-                clocks.value[clocks.n++] = ORR_SPEED_OF_LIGHT * fabs(x.clock_s - y.clock_s);
+                clocks.value[clocks.n++] = ORR_LIGHT_MPS * fabs(x.clock_s - y.clock_s);
             }
         print_message("%c %-4s %-4s %4zu times: 95 %% within %.3f m, clocks %.3f m\n", k[i].system,
                       orr_nav_message_name(k[i].one), orr_nav_message_name(k[i].other), found.n,

@@ -2,16 +2,15 @@
 #include "testing.h"
 
 #include "core/chebyshev.h"
+#include "core/constants.h"
 #include "core/crc.h"
-
-#define PI 3.14159265358979323846
 
 static void polynomials_are_cosines(void **state)
 {
     (void)state;
     double t[ORR_CHEB_MAX_DEGREE + 1], d[ORR_CHEB_MAX_DEGREE + 1], dd[ORR_CHEB_MAX_DEGREE + 1];
     for (int i = 1; i < 40; i++) {
-        double theta = PI * i / 40, x = cos(theta), s = sin(theta);
+        double theta = ORR_PI * i / 40, x = cos(theta), s = sin(theta);
         orr_cheb_basis(ORR_CHEB_MAX_DEGREE, x, t, d, dd);
         for (int j = 0; j <= ORR_CHEB_MAX_DEGREE; j++) {
             // T_j(cos a) = cos ja, T' = j sin ja / sin a, (1 - x^2) T'' = x T' - j^2 T
@@ -25,6 +24,23 @@ static void polynomials_are_cosines(void **state)
         ASSERT_NEAR(t[j], 1, 0);
         ASSERT_NEAR(d[j], j * j, 0);
         ASSERT_NEAR(dd[j], j * j * (j * j - 1) / 3.0, 0);
+    }
+}
+
+static void each_derivative_may_be_left_out(void **state)
+{
+    (void)state;
+    enum { N = ORR_CHEB_MAX_DEGREE + 1 };
+    double t[N], d[N], dd[N], only_t[N], only_d[N], only_dd[N];
+    for (double x = -1; x <= 1; x += 0.125) {
+        orr_cheb_basis(N - 1, x, t, d, dd);
+        orr_cheb_basis(N - 1, x, only_t, NULL, only_dd);
+        assert_memory_equal(t, only_t, sizeof t);
+        assert_memory_equal(dd, only_dd, sizeof dd);
+        orr_cheb_basis(N - 1, x, only_t, only_d, NULL);
+        assert_memory_equal(d, only_d, sizeof d);
+        orr_cheb_basis(N - 1, x, only_t, NULL, NULL);
+        assert_memory_equal(t, only_t, sizeof t);
     }
 }
 
@@ -65,7 +81,7 @@ static void interpolant_of_the_exponential(void **state)
                                     0.022168424924331902, 0.002737120221046866, 0.000271463155956972};
     enum { N = 20 };
     double value[N + 1], c[N + 1];
-    for (int k = 0; k <= N; k++) value[k] = exp(-cos(PI * k / N));
+    for (int k = 0; k <= N; k++) value[k] = exp(-cos(ORR_PI * k / N));
     orr_cheb_from_lobatto(N, value, c);
     for (int j = 0; j < 6; j++) ASSERT_NEAR(c[j], (j == 0 ? 1 : 2) * bessel[j], 2e-15);
     for (double x = -1; x <= 1; x += 0.01) {
@@ -84,7 +100,7 @@ static void interpolant_passes_through_its_points(void **state)
         for (int k = 0; k <= degree; k++) value[k] = cos(1.7 * k * k);
         orr_cheb_from_lobatto(degree, value, c);
         for (int k = 0; k <= degree; k++) {
-            double x = degree > 0 ? -cos(PI * k / degree) : -1;
+            double x = degree > 0 ? -cos(ORR_PI * k / degree) : -1;
             ASSERT_NEAR(orr_cheb_eval(c, degree, x, NULL, NULL), value[k],
                         5e-14); // n terms of rounding, twice
         }
@@ -118,6 +134,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(polynomials_are_cosines),
+        cmocka_unit_test(each_derivative_may_be_left_out),
         cmocka_unit_test(clenshaw_is_the_sum),
         cmocka_unit_test(interpolant_of_the_exponential),
         cmocka_unit_test(interpolant_passes_through_its_points),

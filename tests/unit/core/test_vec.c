@@ -121,6 +121,27 @@ static void rotation_vector_solves_its_equation(void **state)
     ASSERT_NEAR(distance(&product, &after), 0, 1e-15);
 }
 
+static void an_inverse_solves_its_equation(void **state)
+{
+    (void)state;
+    for (uint64_t k = 0; k < 200; k++) {
+        // A rotation, stretched by 1, 2, 5 along its axes, and rotated again: condition 5, rounding some 1e-15.
+        orr_mat3 a = orr_mat3_from_rotvec(orr_vec3_scale(2.1, random_unit(k)));
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) a.m[i][j] *= i == 0 ? 1 : i == 1 ? 2 : 5;
+        orr_mat3 turn = orr_mat3_from_rotvec(orr_vec3_scale(1.3, random_unit(k + 500)));
+        a = orr_mat3_mul(&turn, &a);
+        orr_mat3 inverse = orr_mat3_inverse(&a), one = orr_mat3_mul(&inverse, &a), unit = orr_mat3_identity();
+        ASSERT_NEAR(distance(&one, &unit), 0, 2e-14);
+        orr_vec3 x = random_unit(k + 900), back = orr_mat3_solve(&a, orr_mat3_apply(&a, x));
+        ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(back, x)), 0, 1e-14);
+    }
+    const orr_mat3 singular = {{{1, 2, 3}, {2, 4, 6}, {0, 1, 0}}};
+    orr_mat3 none = orr_mat3_inverse(&singular);
+    assert_true(isfinite(none.m[0][0]) == 0);
+    assert_true(isfinite(orr_mat3_solve(&singular, (orr_vec3){1, 1, 1}).x) == 0);
+}
+
 static void quaternions_are_the_same_rotations(void **state)
 {
     (void)state;
@@ -171,6 +192,7 @@ int main(void)
         cmocka_unit_test(rotation_vectors_there_and_back),
         cmocka_unit_test(rotation_by_pi_has_one_of_its_two_vectors),
         cmocka_unit_test(rotation_vector_solves_its_equation),
+        cmocka_unit_test(an_inverse_solves_its_equation),
         cmocka_unit_test(quaternions_are_the_same_rotations),
         cmocka_unit_test(products_follow_the_way_of_the_frames),
     };

@@ -150,7 +150,7 @@ static void gravimetry_truth_balances(void **state)
     ASSERT_OK(orr_imu_generate(&tr, &q, &imu, &diag), diag);
     orr_gravimetry t;
     ASSERT_OK(orr_gravimetry_truth(&tr, g, &imu, 1, &t, &diag), diag);
-    double u = ORR_INERTIAL_EARTH_RATE_RADPS;
+    double u = ORR_EARTH_RATE_RADPS;
     for (size_t k = 0; k < t.n; k += 7) {
         orr_motion m;
         orr_vec3 w, f;

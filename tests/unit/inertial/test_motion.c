@@ -4,7 +4,7 @@
 #include "inertial/motion/analytic.h"
 #include "inertial/sense/sensors.h"
 
-static const double U = ORR_INERTIAL_EARTH_RATE_RADPS;
+static const double U = ORR_EARTH_RATE_RADPS;
 
 static void signs_of_angles(void **state)
 {

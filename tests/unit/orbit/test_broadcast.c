@@ -120,7 +120,7 @@ static void bare_elements_are_a_kepler_ellipse(void **state)
         ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(s.pos_m, r)), 0, 1e-6);
         orr_vec3 turning = orr_vec3_sub(v, orr_vec3_cross((orr_vec3){0, 0, u}, r));
         ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(s.vel_mps, turning)), 0, 1e-9);
-        const double c = ORR_SPEED_OF_LIGHT;
+        const double c = ORR_LIGHT_MPS;
         ASSERT_NEAR(s.relativity_s, -2 * orr_vec3_dot(r, v) / (c * c), 1e-17);
     }
 }

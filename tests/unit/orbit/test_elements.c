@@ -34,7 +34,7 @@ static void state_is_given_back(void **state)
             assert_int_equal(orr_elements_at(e, sat, t, &o, &el), ORR_OK);
             assert_int_equal(orr_ephemeris_eval(e, sat, t, &s), ORR_OK);
             orr_vec3 r, v;
-            orr_kepler_to_state(&el, ORR_KEPLER_GM, &r, &v);
+            orr_kepler_to_state(&el, ORR_EGM96_GM, &r, &v);
             orr_mat3 R, dR, wanted = orr_mat3_identity();
             orr_eop eop = orr_eop_at(NULL, t, NULL, NULL);
             orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, &dR);
@@ -100,7 +100,7 @@ static void means_are_means(void **state)
             orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
             assert_int_equal(orr_elements_at(e, sat, t, &state_of, &centre), ORR_OK);
             assert_int_equal(orr_elements_at(e, sat, t, &mean, &got), ORR_OK);
-            double period = 2 * ORR_PI * sqrt(pow(centre.a_m, 3) / ORR_KEPLER_GM), a = 0, h = 0, l = 0, p = 0,
+            double period = 2 * ORR_PI * sqrt(pow(centre.a_m, 3) / ORR_EGM96_GM), a = 0, h = 0, l = 0, p = 0,
                    q = 0;
             for (int j = 0; j < 64; j++) {
                 orr_kepler el;
@@ -110,9 +110,9 @@ static void means_are_means(void **state)
                     const orr_elements_options j2000 = {.frame = ORR_ELEMENTS_J2000};
                     orr_vec3 r, v;
                     assert_int_equal(orr_elements_at(e, sat, then, &j2000, &el), ORR_OK);
-                    orr_kepler_to_state(&el, ORR_KEPLER_GM, &r, &v);
+                    orr_kepler_to_state(&el, ORR_EGM96_GM, &r, &v);
                     assert_int_equal(orr_kepler_from_state(orr_mat3_apply(&R, r), orr_mat3_apply(&R, v),
-                                                           ORR_KEPLER_GM, &el),
+                                                           ORR_EGM96_GM, &el),
                                      ORR_OK);
                 }
                 a += el.a_m / 64;

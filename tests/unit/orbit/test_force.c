@@ -107,7 +107,7 @@ static void tides_have_their_closed_form(void **state)
     (void)state;
     orr_force f = {.earth = field(0, false), .sun_moon = true};
     orr_sky_point p = {.R = orr_mat3_identity(), .sun_m = {1.5e13, 0, 0}, .moon_m = {3.8e13, 0, 0}};
-    const double r = 2.6e7, unit = ORR_GM_SUN * r / 3.375e39;
+    const double r = 2.6e7, unit = ORR_SUN_GM * r / 3.375e39;
     double central = ORR_EGM96_GM / (r * r);
     orr_vec3 near = orr_force_acceleration(&f, &p, (orr_vec3){r, 0, 0});
     orr_vec3 side = orr_force_acceleration(&f, &p, (orr_vec3){0, r, 0});
@@ -124,7 +124,7 @@ static void shadow_is_dark_behind_and_grey_at_the_limb(void **state)
     ASSERT_NEAR(orr_force_sunlight((orr_vec3){-r, 0, 0}, sun), 0, 0);
     ASSERT_NEAR(orr_force_sunlight((orr_vec3){-1, r, 0}, sun), 1, 0);
     // The Sun's centre on the limb leaves half of it: the line of sight touches the Earth.
-    double angle = asin(ORR_EARTH_SHADOW_RADIUS_M / r), parallax = r * sin(angle) / ORR_AU_M;
+    double angle = asin(ORR_SHADOW_RADIUS_M / r), parallax = r * sin(angle) / ORR_AU_M;
     orr_vec3 limb = {-r * cos(angle + parallax), r * sin(angle + parallax), 0};
     ASSERT_NEAR(orr_force_sunlight(limb, sun), 0.5, 0.01);
     // Across the penumbra light only grows, and the penumbra is as wide as the Sun's disc, 0.533 deg.

@@ -71,9 +71,9 @@ static void inclination_swings_with_half_a_month_and_half_a_year(void **state)
     const orr_kepler start = {
         .a_m = 2.655e7, .e = 0.005, .i_rad = 0.96, .raan_rad = 1.0, .argp_rad = 0.5, .m_rad = 0};
     orr_vec3 r, v;
-    orr_kepler_to_state(&start, ORR_KEPLER_GM, &r, &v);
+    orr_kepler_to_state(&start, ORR_EGM96_GM, &r, &v);
     double *t = malloc(DAYS * sizeof *t), *incl = malloc(DAYS * sizeof *incl), now = 0;
-    const double period = 2 * ORR_PI * sqrt(pow(start.a_m, 3) / ORR_KEPLER_GM);
+    const double period = 2 * ORR_PI * sqrt(pow(start.a_m, 3) / ORR_EGM96_GM);
     for (int day = 0; day < DAYS; day++) {
         double begin = 86400.0 * day;
         assert_int_equal(orr_integrate(it, now, begin - now, &r, &v), ORR_OK);
@@ -84,7 +84,7 @@ static void inclination_swings_with_half_a_month_and_half_a_year(void **state)
             orr_mat3 tod;
             orr_astro_gcrs_to_tod(orr_time_add_s(t0, now), &tod);
             assert_int_equal(
-                orr_kepler_from_state(orr_mat3_apply(&tod, r), orr_mat3_apply(&tod, v), ORR_KEPLER_GM, &el),
+                orr_kepler_from_state(orr_mat3_apply(&tod, r), orr_mat3_apply(&tod, v), ORR_EGM96_GM, &el),
                 ORR_OK);
             sum += el.i_rad / PER_REVOLUTION;
             assert_int_equal(orr_integrate(it, now, period / PER_REVOLUTION, &r, &v), ORR_OK);
