@@ -5,15 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
+#include "core/array.h"
+#include "core/robust.h"
 #include "inertial/motion/uniform_spline.h"
-
-// In place; n >= 1.
-static double median(double *x, size_t n)
-{
-    qsort(x, n, sizeof *x, orr_by_value);
-    return x[n / 2];
-}
 
 static double distance(const telemetry_series *s, size_t a, size_t b)
 {
@@ -74,7 +68,7 @@ orr_status telemetry_mark_clock(telemetry_series *s, orr_diag *diag)
             s->fault[i] = ORR_FAULTS;
         }
         for (size_t k = 0; k + 1 < length; k++) step[k] = s->t_s[s->order[k + 1]] - s->t_s[s->order[k]];
-        s->interval_s = length > 1 ? median(step, length - 1) : 0.0;
+        s->interval_s = length > 1 ? orr_upper_median(step, length - 1) : 0.0;
     }
     free(tail);
     free(before);
@@ -109,11 +103,8 @@ void telemetry_mark_frozen(telemetry_series *s)
 
 static orr_status add_gap(orr_fit_report *r, bool attitude, double from_s, double to_s, orr_diag *diag)
 {
-    if ((r->n_gaps & (r->n_gaps - 1)) == 0) {
-        orr_telemetry_gap *g = realloc(r->gap, (r->n_gaps == 0 ? 1 : 2 * r->n_gaps) * sizeof *g);
-        if (g == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the gaps of a log");
-        r->gap = g;
-    }
+    if (!ORR_ARRAY_GROW(r->gap, r->n_gaps))
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the gaps of a log");
     r->gap[r->n_gaps++] = (orr_telemetry_gap){attitude, from_s, to_s};
     return ORR_OK;
 }
@@ -174,7 +165,8 @@ orr_status telemetry_mark_jumps(telemetry_series *s, double floor, orr_diag *dia
             if (w[k] > 0.0) sorted[inside++] = e[k];
         }
         orr_uspline_free(&curve);
-        double limit = fmax(floor, inside > 0 ? 8.0 * 1.4826 * median(sorted, inside) : 0.0);
+        double limit =
+            fmax(floor, inside > 0 ? 8.0 * ORR_SIGMA_PER_MAD * orr_upper_median(sorted, inside) : 0.0);
         // Early passes take the worst alone: they bend the curve that the others are judged by.
         double worst = 0.0;
         for (size_t k = 0; k < n; k++)

@@ -23,17 +23,6 @@ static orr_mat3 c2_of(orr_vec3 g)
     return orr_mat3_add(&E, &H2);
 }
 
-// a^-1 v by Cramer's rule; C2 of less than half a turn is far from singular.
-static orr_vec3 solve3(const orr_mat3 *a, orr_vec3 v)
-{
-    orr_vec3 x = {a->m[0][0], a->m[1][0], a->m[2][0]}, y = {a->m[0][1], a->m[1][1], a->m[2][1]},
-             z = {a->m[0][2], a->m[1][2], a->m[2][2]};
-    orr_vec3 yz = orr_vec3_cross(y, z);
-    double det = orr_vec3_dot(x, yz);
-    return orr_vec3_make(orr_vec3_dot(v, yz) / det, orr_vec3_dot(x, orr_vec3_cross(v, z)) / det,
-                         orr_vec3_dot(x, orr_vec3_cross(y, v)) / det);
-}
-
 static orr_vec3 gravitation_inertial(const orr_gravity *g, orr_vec3 r_m, double t_s)
 {
     orr_mat3 R = orr_inertial_from_ecef(t_s);
@@ -222,8 +211,8 @@ static void solve_step(const orr_one_step *s, const edge *next, orr_vec3 *dtheta
     } else {
         orr_vec3 g = s->frame == ORR_FRAME_BODY ? g_z : g_x;
         orr_mat3 C1 = orr_mat3_from_rotvec(g), C2 = c2_of(g);
-        orr_vec3 F =
-            orr_vec3_scale(1.0 / s->dt_s, solve3(&C2, orr_vec3_sub(v1, orr_mat3_apply(&C1, s->v_mps))));
+        orr_vec3 F = orr_vec3_scale(1.0 / s->dt_s,
+                                    orr_mat3_solve(&C2, orr_vec3_sub(v1, orr_mat3_apply(&C1, s->v_mps))));
         if (s->frame == ORR_FRAME_BODY) {
             f = orr_vec3_sub(F, orr_mat3_apply(&A_zp, G));
         } else {

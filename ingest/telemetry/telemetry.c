@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/nan.h"
-#include "core/order.h"
+#include "core/robust.h"
 #include "ingest/telemetry/telemetry_private.h"
 
 const char *orr_telemetry_kind_name(orr_telemetry_kind k)
@@ -300,9 +300,8 @@ static orr_status read_table(orr_input *in, const char *columns, orr_telemetry *
         out->absolute = true;
         out->t0 = st->base;
     } else if (s == ORR_OK && st->n_ties > 0) {
-        qsort(st->tie_s, st->n_ties, sizeof st->tie_s[0], orr_by_value);
         out->absolute = true;
-        out->t0 = orr_time_add_s(st->tie_origin, st->tie_s[st->n_ties / 2]);
+        out->t0 = orr_time_add_s(st->tie_origin, orr_upper_median(st->tie_s, st->n_ties));
     }
     free(st);
     return s;

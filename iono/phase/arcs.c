@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/phase/arcs.h"
 #include "core/nan.h"
-#include "core/order.h"
+#include "core/robust.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -49,13 +49,6 @@ typedef struct packed {
     double gf1, gf2;
 } packed;
 
-static double median(double *v, size_t n)
-{
-    if (n == 0) return 0;
-    qsort(v, n, sizeof *v, orr_by_value);
-    return n % 2 ? v[n / 2] : (v[n / 2 - 1] + v[n / 2]) / 2;
-}
-
 static void packed_free(packed *p)
 {
     free(p->from);
@@ -100,7 +93,7 @@ static orr_status pack(const orr_arc_series *s, packed *p, orr_diag *diag)
     }
     if (p->n >= 2) {
         for (size_t k = 1; k < p->n; k++) p->score[k] = p->t[k] - p->t[k - 1];
-        p->dt = median(p->score + 1, p->n - 1);
+        p->dt = orr_median(p->score + 1, p->n - 1);
     }
     return ORR_OK;
 }
@@ -123,12 +116,11 @@ static void judge_noise(packed *p)
                 second[n2++] = fabs(p->gf[k] - 2 * p->gf[k - 1] + p->gf[k - 2]);
             if (k >= 1 && !isnan(p->mw[k] + p->mw[k - 1])) wide[nw++] = fabs(p->mw[k] - p->mw[k - 1]);
         }
-        // 1.4826 turns a median of sizes into a sigma; differences of white noise grow by sqrt(20), sqrt(6),
-        // sqrt(2).
-        double gf = n3 >= 6 ? 1.4826 * median(third, n3) / sqrt(20) : 0.05;
-        double mw = nw >= 6 ? 1.4826 * median(wide, nw) / sqrt(2) : 0.5;
+        // Third differences of white noise grow by sqrt(20), first ones by sqrt(2).
+        double gf = n3 >= 6 ? ORR_SIGMA_PER_MAD * orr_median(third, n3) / sqrt(20) : 0.05;
+        double mw = nw >= 6 ? ORR_SIGMA_PER_MAD * orr_median(wide, nw) / sqrt(2) : 0.5;
         p->gf_sigma[i] = gf > 0.01 ? gf : 0.01;
-        p->bend[i] = n2 >= 6 ? 1.4826 * median(second, n2) : 0.05;
+        p->bend[i] = n2 >= 6 ? ORR_SIGMA_PER_MAD * orr_median(second, n2) : 0.05;
         p->mw_sigma[i] = mw > 0.05 ? mw : 0.05;
     }
 }

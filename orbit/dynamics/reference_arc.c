@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
+#include "core/robust.h"
 #include "orbit/dynamics/variational.h"
 
 #define STEP_S 450.0 // of a GNSS satellite; shorter the lower the orbit
@@ -288,9 +288,8 @@ static bool residuals(const orr_arc_room *room, const orr_reference_arc *arc, co
 static double usual(const orr_arc_room *room, size_t n, double *largest)
 {
     memcpy(room->sort, room->length, n * sizeof *room->sort);
-    qsort(room->sort, n, sizeof *room->sort, orr_by_value);
-    *largest = room->sort[n - 1];
-    return room->sort[n / 2];
+    *largest = orr_order_statistic(room->sort, n, n - 1);
+    return orr_upper_median(room->sort, n);
 }
 
 // Weights of nodes: first by size alone (Huber), so that no single one leads; then those that are far from

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
 #include "core/parallel.h"
+#include "core/robust.h"
 #include "orbit/dynamics/reference_arc.h"
 
 #define MAX_PASSES 8
@@ -149,8 +149,7 @@ static double median_rms(const work *w)
     for (size_t i = 0; i < w->p->n_arcs; i++)
         if (w->share[i].alive) w->sort[n++] = w->share[i].rms_m;
     if (n == 0) return 0;
-    qsort(w->sort, n, sizeof *w->sort, orr_by_value);
-    return w->sort[n / 2];
+    return orr_upper_median(w->sort, n);
 }
 
 static void add(work *w, size_t i, size_t j, double value)

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
+#include "core/array.h"
+#include "core/robust.h"
 #include "orbit/judge/velocity_filter.h"
 
 static const int64_t INNER_NS = 7200 * ORR_NS_PER_S, EDGE_NS = 2700 * ORR_NS_PER_S;
@@ -19,19 +20,14 @@ typedef struct difference {
 } difference;
 
 typedef struct differences {
-    size_t n, room;
+    size_t n;
     difference *list;
 } differences;
 
 static orr_status add(differences *d, const difference *x, orr_diag *diag)
 {
-    if (d->n == d->room) {
-        size_t room = d->room > 0 ? 2 * d->room : 4096;
-        difference *list = realloc(d->list, room * sizeof *list);
-        if (list == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu differences", room);
-        d->list = list;
-        d->room = room;
-    }
+    if (!ORR_ARRAY_GROW(d->list, d->n))
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for more than %zu differences", d->n);
     d->list[d->n++] = *x;
     return ORR_OK;
 }
@@ -191,10 +187,9 @@ static void summarise(const differences *d, char system, int place, double *size
     }
     if (out->n_vel > 0) out->vel_rms_mps = sqrt(vel2 / (double)out->n_vel);
     if (out->n == 0) return;
-    qsort(size, out->n, sizeof *size, orr_by_value);
     out->rms_m = sqrt(sum2 / (double)out->n);
-    out->max_m = size[out->n - 1];
-    out->p95_m = size[(out->n * 95 + 99) / 100 - 1]; // nearest rank
+    out->max_m = orr_order_statistic(size, out->n, out->n - 1);
+    out->p95_m = orr_order_statistic(size, out->n, (out->n * 95 + 99) / 100 - 1); // nearest rank
     out->mean_m = orr_vec3_scale(1.0 / (double)out->n, out->mean_m);
 }
 

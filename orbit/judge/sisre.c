@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
+#include "core/robust.h"
 #include "orbit/spacecraft/signal_delay.h"
 
 #define OUTLIER_M 50.0
@@ -94,7 +94,7 @@ static bool sample_at(const orr_nav *nav, const orr_sp3_record *truth, orr_sat s
         double clock = s.clock_s + to_precise_pair_s(eph);
         if (orr_sat_system(sat) == 'R') // its parameters hold the periodic relativity, IGS clocks do not
             clock -= orr_periodic_relativity_s(s.pos_m, v);
-        out->clock_m = ORR_SPEED_OF_LIGHT * (clock - truth->clock_s);
+        out->clock_m = ORR_LIGHT_MPS * (clock - truth->clock_s);
     }
     return true;
 }
@@ -111,8 +111,7 @@ static void remove_system_offset(orr_sisre_sample *s, size_t n, double *room)
                 if (orr_sat_system_index(s[i].sat) == k) s[i].clock_m = (double)NAN;
             continue;
         }
-        qsort(room, m, sizeof *room, orr_by_value);
-        double median = m % 2 == 1 ? room[m / 2] : 0.5 * (room[m / 2 - 1] + room[m / 2]);
+        const double median = orr_median(room, m);
         for (size_t i = 0; i < n; i++) {
             if (orr_sat_system_index(s[i].sat) != k) continue;
             const system_facts *f = facts_of(ORR_SYSTEMS[k]);
@@ -167,8 +166,7 @@ static void sum_up(const orr_sisre_sample *s, size_t n, double outlier_m, double
     sum->clock_m = sum->sisre_m = sum->sisre_95_m = (double)NAN;
     if (m > 0) {
         sum->clock_m = sqrt(t2 / (double)m), sum->sisre_m = sqrt(u2 / (double)m);
-        qsort(room, m, sizeof *room, orr_by_value);
-        sum->sisre_95_m = room[(size_t)(0.95 * (double)(m - 1))];
+        sum->sisre_95_m = orr_order_statistic(room, m, (size_t)(0.95 * (double)(m - 1)));
     }
     for (int k = 0; k < 256; k++) {
         if (count[k] == 0) continue;

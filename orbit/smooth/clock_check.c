@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "core/order.h"
+#include "core/robust.h"
 #include "orbit/smooth/solution.h"
 
 #define LEAST_S 30e-9
@@ -40,8 +40,7 @@ static double limit_of(const double *off, size_t n, double *room)
     for (size_t i = 0; i < n; i++)
         if (isfinite(off[i])) room[m++] = fabs(off[i]);
     if (m == 0) return LEAST_S;
-    qsort(room, m, sizeof *room, orr_by_value);
-    return fmax(LEAST_S, TIMES_USUAL * room[m / 2]);
+    return fmax(LEAST_S, TIMES_USUAL * orr_upper_median(room, m));
 }
 
 // Whether all is well once node i is left out: each neighbour lies on the line of what is left around it. A

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "core/order.h"
+#include "core/robust.h"
 
 #define FLOOR_M 0.50    // as of innovations
 #define THRESHOLD 100.0 // times what is usual; at an hour's nodes, the last one of a good day reaches 40
@@ -26,17 +26,6 @@ typedef struct distance {
     double length_m, normal;
 } distance;
 
-static orr_mat3 inverse(double s[3][3])
-{
-    orr_mat3 c;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            int a = (i + 1) % 3, b = (i + 2) % 3, p = (j + 1) % 3, q = (j + 2) % 3;
-            c.m[j][i] = s[a][p] * s[b][q] - s[a][q] * s[b][p];
-        }
-    return orr_mat3_scale(1.0 / (s[0][0] * c.m[0][0] + s[0][1] * c.m[1][0] + s[0][2] * c.m[2][0]), &c);
-}
-
 // e = measured minus smoothed, P the smoothed covariance, R = sigma^2 E. Of a node that was not used the
 // covariance of e is R + P. Of one that was, R - P; without it e would be R (R - P)^-1 e, of covariance R (R
 // - P)^-1 R, so that e' (R - P)^-1 e is its normalised square as well.
@@ -45,12 +34,12 @@ static distance distance_of(const work *w, const orr_instant *at, size_t i)
     const orr_gauss *g = &at->smoothed;
     const bool used = !w->verdict[i].rejected;
     const double r = w->list[i].sigma_m * w->list[i].sigma_m;
-    double s[3][3];
+    orr_mat3 s;
     for (int j = 0; j < 3; j++)
-        for (int k = 0; k < 3; k++) s[j][k] = (j == k ? r : 0) + (used ? -g->P[j][k] : g->P[j][k]);
+        for (int k = 0; k < 3; k++) s.m[j][k] = (j == k ? r : 0) + (used ? -g->P[j][k] : g->P[j][k]);
     const orr_vec3 x = orr_vec3_make(g->x[0], g->x[1], g->x[2]);
     const orr_vec3 e = orr_vec3_sub(orr_track_measured(w->c, at, &w->list[i]), x);
-    const orr_mat3 weight = inverse(s);
+    const orr_mat3 weight = orr_mat3_inverse(&s);
     const orr_vec3 u = orr_mat3_apply(&weight, e);
     return (distance){used ? r * orr_vec3_norm(u) : orr_vec3_norm(e), sqrt(fmax(orr_vec3_dot(e, u), 0) / 3)};
 }
@@ -76,8 +65,7 @@ static double usual(const work *w, size_t *worst, distance *of_worst)
         }
     }
     if (n < LEAST_NODES) return HUGE_VAL;
-    qsort(w->room, n, sizeof *w->room, orr_by_value);
-    return w->room[n / 2];
+    return orr_upper_median(w->room, n);
 }
 
 static orr_status again(const work *w)

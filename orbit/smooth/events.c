@@ -3,18 +3,14 @@
 
 #include <stdlib.h>
 
+#include "core/array.h"
+
 #define BOUNDARY_S 0.05
 #define SEARCH_S 30.0
 
 orr_status orr_event_add(orr_event_list *l, orr_event_kind kind, orr_time t0, orr_time t1, double value)
 {
-    if (l->n == l->room) {
-        size_t room = l->room > 0 ? 2 * l->room : 16;
-        orr_orbit_event *item = realloc(l->item, room * sizeof *item);
-        if (item == NULL) return ORR_E_MEMORY;
-        l->item = item;
-        l->room = room;
-    }
+    if (!ORR_ARRAY_GROW(l->item, l->n)) return ORR_E_MEMORY;
     l->item[l->n++] = (orr_orbit_event){kind, t0, t1, value};
     return ORR_OK;
 }

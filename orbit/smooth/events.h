@@ -8,7 +8,7 @@
 
 // A growing list.
 typedef struct orr_event_list {
-    size_t n, room;
+    size_t n;
     orr_orbit_event *item;
 } orr_event_list;
 

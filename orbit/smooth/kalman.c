@@ -72,20 +72,13 @@ void orr_kalman_predict(const orr_gauss *from, const orr_transition *t, double q
     memcpy(to->x, x, sizeof x);
 }
 
-// Inverse of the 3x3 innovation covariance S = P_rr + sigma^2 E, symmetric, by cofactors.
+// Inverse of the innovation's covariance S = P_rr + sigma^2 E.
 static orr_mat3 innovation_weight(const orr_gauss *g, double sigma)
 {
-    double s[3][3];
+    orr_mat3 s;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) s[i][j] = g->P[i][j] + (i == j ? sigma * sigma : 0);
-    orr_mat3 c;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            int a = (i + 1) % 3, b = (i + 2) % 3, p = (j + 1) % 3, q = (j + 2) % 3;
-            c.m[j][i] = s[a][p] * s[b][q] - s[a][q] * s[b][p];
-        }
-    double det = s[0][0] * c.m[0][0] + s[0][1] * c.m[1][0] + s[0][2] * c.m[2][0];
-    return orr_mat3_scale(1.0 / det, &c);
+        for (int j = 0; j < 3; j++) s.m[i][j] = g->P[i][j] + (i == j ? sigma * sigma : 0);
+    return orr_mat3_inverse(&s);
 }
 
 static orr_vec3 innovation(const orr_gauss *g, orr_vec3 z)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
+#include "core/robust.h"
 #include "orbit/smooth/bridge.h"
 #include "orbit/smooth/clock_check.h"
 #include "orbit/smooth/solution.h"
@@ -202,8 +202,7 @@ static double median_step(const orr_node_table *table, bool clocks)
             if (d > 0) step[n++] = d;
         }
     }
-    qsort(step, n, sizeof *step, orr_by_value);
-    double median = n > 0 ? step[n / 2] : 0;
+    double median = n > 0 ? orr_upper_median(step, n) : 0;
     free(step);
     return median;
 }
@@ -227,8 +226,7 @@ static double step_of_file(const orr_sp3 *sp3, const orr_smoother_options *o, in
             before = sp3->epoch[e];
         }
     }
-    qsort(step, n, sizeof *step, orr_by_value);
-    const double median = n > 0 ? step[n / 2] : 0;
+    const double median = n > 0 ? orr_upper_median(step, n) : 0;
     free(step);
     return median;
 }

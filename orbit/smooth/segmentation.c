@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/order.h"
+#include "core/robust.h"
 
 // An innovation is a failure when it exceeds THRESHOLD times what this satellite's innovations usually are
 // relative to their formal size, and FLOOR_M in metres: a centimetre model error in an eclipse is no outlier,
@@ -264,8 +264,7 @@ static double robust_scale2(const work *w, double *room)
         if (g >= YOUNG && count > 0) room[n++] = sum / (double)count;
     }
     if (n < 3) return 1.0;
-    qsort(room, n, sizeof *room, orr_by_value);
-    double scale2 = room[n / 2] / 0.789;
+    double scale2 = orr_upper_median(room, n) / 0.789;
     return scale2 < MAX_SCALE * MAX_SCALE ? scale2 : MAX_SCALE * MAX_SCALE;
 }
 

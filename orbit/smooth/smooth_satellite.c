@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "orbit/smooth/cross_check.h"
 #include "orbit/smooth/events.h"
 #include "orbit/smooth/prior.h"
@@ -25,7 +26,6 @@ typedef struct work {
     size_t n;
     orr_reference *ref; // per node
     orr_orbit_sat *out;
-    size_t arc_room;
     orr_event_list events;
     orr_satellite_report *report;
     double scale; // real to formal sigma of the last arc that told; 1 before
@@ -123,13 +123,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
     const size_t first = 0, last = t->n - 1;
     const double scale = real_over_formal(w, t, verdict);
     w->scale = scale;
-    if (w->out->n_arcs == w->arc_room) {
-        size_t room = w->arc_room > 0 ? 2 * w->arc_room : 4;
-        orr_orbit_arc *arc = realloc(w->out->arc, room * sizeof *arc);
-        if (arc == NULL) return ORR_E_MEMORY;
-        w->out->arc = arc;
-        w->arc_room = room;
-    }
+    if (!ORR_ARRAY_GROW(w->out->arc, w->out->n_arcs)) return ORR_E_MEMORY;
     orr_orbit_arc arc = {.t0 = absolute(w, t->at[first].t_s),
                          .step_s = t->step_s,
                          .samples_per_segment = t->samples_per_segment};
