@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/linalg.h"
+
 // Values at tau of the degree + 1 standard basis functions that live on one interval (de Boor's recurrence on
 // integer knots: N_{i,k} from N_{i,k-1} and N_{i+1,k-1}).
 static void basis_values(int degree, double tau, double *b)
@@ -40,40 +42,6 @@ static void basis_powers(int degree, double power[ORR_USPLINE_MAX_DEGREE + 1][OR
                 power[e + 1][r + 1] += share;
             }
     }
-}
-
-// Cholesky of a symmetric band matrix, a[i][d] = A(i, i - d), in place; then both substitutions for `dim`
-// columns.
-static bool band_solve(size_t n, int band, double *a, int dim, double *x)
-{
-    size_t w = (size_t)band + 1;
-    for (size_t i = 0; i < n; i++)
-        for (size_t d = w; d-- > 0;) {
-            if (d > i) continue;
-            size_t j = i - d;
-            double s = a[i * w + d];
-            for (size_t e = d + 1; e < w && e <= i; e++) s -= a[i * w + e] * a[j * w + (e - d)];
-            if (d == 0) {
-                if (!(s > 0.0)) return false;
-                a[i * w] = sqrt(s);
-            } else {
-                a[i * w + d] = s / a[j * w];
-            }
-        }
-    size_t m = (size_t)dim;
-    for (size_t i = 0; i < n; i++)
-        for (size_t c = 0; c < m; c++) {
-            double s = x[i * m + c];
-            for (size_t d = 1; d < w && d <= i; d++) s -= a[i * w + d] * x[(i - d) * m + c];
-            x[i * m + c] = s / a[i * w];
-        }
-    for (size_t i = n; i-- > 0;)
-        for (size_t c = 0; c < m; c++) {
-            double s = x[i * m + c];
-            for (size_t d = 1; d < w && i + d < n; d++) s -= a[(i + d) * w + d] * x[(i + d) * m + c];
-            x[i * m + c] = s / a[i * w];
-        }
-    return true;
 }
 
 static size_t interval_of(const orr_uspline *s, double t_s, double *tau)
@@ -123,15 +91,15 @@ orr_status orr_uspline_fit(int degree, int dim, double origin_s, double step_s, 
         size_t i = interval_of(&s, t_s[k], &tau);
         basis_values(degree, tau, b);
         for (size_t r = 0; r < w; r++) {
-            for (size_t q = 0; q <= r; q++) a[(i + r) * w + (r - q)] += p * b[r] * b[q];
+            for (size_t q = 0; q <= r; q++) a[(i + q) * w + (r - q)] += p * b[r] * b[q];
             for (size_t c = 0; c < d; c++) x[(i + r) * d + c] += p * b[r] * value[k * d + c];
         }
     }
     static const double third[4] = {-1.0, 3.0, -3.0, 1.0};
     for (size_t i = 0; i + 3 < nc; i++)
         for (size_t r = 0; r < 4; r++)
-            for (size_t q = 0; q <= r; q++) a[(i + r) * w + (r - q)] += roughness * third[r] * third[q];
-    if (!band_solve(nc, degree, a, dim, x)) {
+            for (size_t q = 0; q <= r; q++) a[(i + q) * w + (r - q)] += roughness * third[r] * third[q];
+    if (orr_band_solve(a, nc, (size_t)degree, x, d) != ORR_OK) {
         status = orr_diag_set(diag, ORR_E_NUMERIC,
                               "the spline is not determined: %zu samples for %zu knot intervals of %g s; "
                               "take a longer knot step",

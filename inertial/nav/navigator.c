@@ -11,32 +11,25 @@ enum { MAX = ORR_NAVIGATOR_MAX_SAMPLES };
 
 void orr_increment_polynomial(int n, double coefficient[MAX][MAX])
 {
-    // The integral of x^d over part i is ((i+1)^(d+1) - i^(d+1)) / ((d+1) n^(d+1)); Gauss-Jordan with
-    // pivoting on it.
-    double a[MAX][2 * MAX];
-    memset(a, 0, sizeof a);
-    for (int i = 0; i < n; i++) {
-        for (int d = 0; d < n; d++)
-            a[i][d] = (pow((double)(i + 1) / n, d + 1) - pow((double)i / n, d + 1)) / (double)(d + 1);
-        a[i][n + i] = 1.0;
-    }
-    for (int c = 0; c < n; c++) {
-        int p = c;
-        for (int i = c + 1; i < n; i++)
-            if (fabs(a[i][c]) > fabs(a[p][c])) p = i;
-        for (int k = 0; k < 2 * n; k++) {
-            double swap = a[c][k];
-            a[c][k] = a[p][k];
-            a[p][k] = swap;
-        }
-        for (int i = 0; i < n; i++) {
-            if (i == c) continue;
-            double f = a[i][c] / a[c][c];
-            for (int k = c; k < 2 * n; k++) a[i][k] -= f * a[c][k];
-        }
-    }
+    // The integral of the rate passes through the sums of the increments at the n + 1 edges of the parts: it is
+    // Lagrange's polynomial, in y = n x at the whole numbers, whose factors are whole numbers and exact.
     for (int d = 0; d < n; d++)
-        for (int i = 0; i < n; i++) coefficient[d][i] = a[d][n + i] / a[d][d];
+        for (int i = 0; i < n; i++) coefficient[d][i] = 0.0;
+    for (int k = 1; k <= n; k++) { // edge k has increments 0 .. k - 1 behind it
+        double power[MAX + 1] = {1.0}, divisor = 1.0;
+        int degree = 0;
+        for (int m = 0; m <= n; m++) {
+            if (m == k) continue;
+            degree++;
+            for (int d = degree; d > 0; d--) power[d] = power[d - 1] - m * power[d];
+            power[0] *= -m;
+            divisor *= k - m;
+        }
+        for (int d = 0; d < n; d++) {
+            const double share = (d + 1) * power[d + 1] * pow(n, d + 1) / divisor;
+            for (int i = 0; i < k; i++) coefficient[d][i] += share;
+        }
+    }
 }
 
 size_t orr_navigator_group(const orr_imu *imu, size_t j, int wanted)

@@ -2,9 +2,10 @@
 // Refit of maps to spherical harmonics. The functions of one degree are closed under rotation, so all maps
 // are fitted in one set of axes that does not move (geomagnetic) and turned to the Sun afterwards: one normal
 // matrix serves them all, less the few cells that a map leaves out.
-#include <gsl/gsl_linalg.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "core/linalg.h"
 #include "iono/field/tec_field_private.h"
 
 #define MAX_DESIGN 50000000 // doubles of the design matrix: 400 MB
@@ -87,32 +88,11 @@ static double predicted(const work *w, size_t cell)
 // Solves the normal equations of the cells in use into w->x.
 static orr_status solve(work *w, double *scratch)
 {
-    size_t n = w->n;
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j <= i; j++) scratch[i * n + j] = scratch[j * n + i] = w->normal[i * n + j];
-    gsl_matrix_view a = gsl_matrix_view_array(scratch, n, n);
-    for (size_t i = 0; i < n; i++) w->x[i] = w->rhs[i];
-    gsl_vector_view x = gsl_vector_view_array(w->x, n);
-    double top = 0;
-    for (size_t i = 0; i < n; i++)
-        if (scratch[i * n + i] > top) top = scratch[i * n + i];
-    // GSL's default handler aborts on a matrix that is not positive definite, so the factor is made here.
-    for (size_t k = 0; k < n; k++) {
-        double d = scratch[k * n + k];
-        if (!(d > 1e-10 * top)) return ORR_E_NUMERIC;
-        d = sqrt(d);
-        scratch[k * n + k] = d;
-        double *restrict pivot = scratch + k * n; // row k right of the diagonal holds the column of L
-        for (size_t j = k + 1; j < n; j++) pivot[j] /= d;
-        for (size_t i = k + 1; i < n; i++) {
-            double r = pivot[i];
-            double *restrict line = scratch + i * n;
-            for (size_t j = i; j < n; j++) line[j] -= r * pivot[j];
-        }
-    }
-    gsl_blas_dtrsv(CblasUpper, CblasTrans, CblasNonUnit, &a.matrix, &x.vector);
-    gsl_blas_dtrsv(CblasUpper, CblasNoTrans, CblasNonUnit, &a.matrix, &x.vector);
-    return ORR_OK;
+    memcpy(scratch, w->normal, w->n * w->n * sizeof *scratch);
+    memcpy(w->x, w->rhs, w->n * sizeof *w->x);
+    orr_status s =
+        orr_cholesky_factor(scratch, w->n, 1e-10); // less tells a coefficient that nothing determines
+    return s == ORR_OK ? orr_cholesky_solve(scratch, w->n, w->x) : s;
 }
 
 static orr_status fit_one(const orr_tec_maps *maps, orr_tec_field *f, size_t map, work *w, double *scratch,

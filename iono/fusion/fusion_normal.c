@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Normal equations of the joint method: [knots x 6 | arc biases | receiver biases], dense (some hundreds of
 // unknowns).
-#include <gsl/gsl_linalg.h>
 #include <stdlib.h>
 
+#include "core/linalg.h"
 #include "core/nan.h"
 #include "iono/fusion/fusion_private.h"
 
@@ -190,14 +190,10 @@ orr_status fusion_solve(const orr_phase_tec *phase, const orr_fusion_options *o,
     for (size_t i = s.arcs; i < s.n; i++) s.normal[i * s.n + i] += 1e-6;
     add_phases(&s, phase, o, out);
     add_codes(&s, o, out);
-    gsl_matrix_view m = gsl_matrix_view_array(s.normal, s.n, s.n);
-    gsl_vector_view x = gsl_vector_view_array(s.rhs, s.n);
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    int failed = gsl_linalg_cholesky_decomp1(&m.matrix);
-    if (!failed) failed = gsl_linalg_cholesky_svx(&m.matrix, &x.vector);
-    if (!failed) failed = gsl_linalg_cholesky_invert(&m.matrix);
-    gsl_set_error_handler(handler);
-    if (failed) {
+    orr_status solved = orr_cholesky_factor(s.normal, s.n, 0);
+    if (solved == ORR_OK) solved = orr_cholesky_solve(s.normal, s.n, s.rhs);
+    if (solved == ORR_OK) solved = orr_cholesky_invert(s.normal, s.n);
+    if (solved != ORR_OK) {
         free(s.normal);
         free(s.rhs);
         return orr_diag_set(diag, ORR_E_NUMERIC, "the fit of arc biases and correction has no unique answer");

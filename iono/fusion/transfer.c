@@ -6,6 +6,7 @@
 // is the station's.
 #include <math.h>
 
+#include "core/linalg.h"
 #include "core/rng.h"
 #include "iono/fusion/session.h"
 
@@ -71,30 +72,6 @@ static size_t see(const orr_session *s, orr_time t, seen *out)
                    orr_vec3_unit(orr_vec3_axpy(w, orr_vec3_sub(x[hi].pierce, x[lo].pierce), x[lo].pierce))};
     }
     return n;
-}
-
-// Lower Cholesky factor in place; the diagonal was made safely positive.
-static void factor(double *a, size_t n)
-{
-    for (size_t j = 0; j < n; j++) {
-        double d = a[j * n + j];
-        for (size_t k = 0; k < j; k++) d -= a[j * n + k] * a[j * n + k];
-        d = sqrt(d > 1e-12 ? d : 1e-12);
-        a[j * n + j] = d;
-        for (size_t i = j + 1; i < n; i++) {
-            double v = a[i * n + j];
-            for (size_t k = 0; k < j; k++) v -= a[i * n + k] * a[j * n + k];
-            a[i * n + j] = v / d;
-        }
-    }
-}
-
-static void solve_lower(const double *a, size_t n, double *x)
-{
-    for (size_t i = 0; i < n; i++) {
-        for (size_t k = 0; k < i; k++) x[i] -= a[i * n + k] * x[k];
-        x[i] /= a[i * n + i];
-    }
 }
 
 static orr_status rays(const orr_tec_instant *at, const orr_correction *correction, orr_vec3 site_m,
@@ -171,8 +148,11 @@ orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m
             arcs++;
         }
     typical = arcs > 0 ? sqrt(typical / arcs) : 0;
-    factor(k, m);
-    solve_lower(k, m, y);
+    // y := L^-1 y, c := L^-1 c: predictions and their variances are products of the two.
+    status = orr_cholesky_factor(k, m, 0);
+    if (status == ORR_OK) status = orr_cholesky_solve_lower(k, m, y);
+    if (status != ORR_OK)
+        return orr_diag_set(diag, status, "the covariance of the session's %zu rays is singular", m);
     bool home = orr_vec3_norm(orr_vec3_sub(site_m, s->site.pos_m)) < SAME_SITE_M;
     for (size_t i = 0; i < *n_out; i++) {
         orr_realisation *r = &out[i];
@@ -187,7 +167,7 @@ orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m
             left = 0;
             r->origin = ORR_ORIGIN_FUSED;
         } else {
-            solve_lower(k, m, c);
+            if (orr_cholesky_solve_lower(k, m, c) != ORR_OK) return ORR_E_NUMERIC;
             for (size_t j = 0; j < m; j++) {
                 residual += c[j] * y[j];
                 left -= c[j] * c[j];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/phase/arcs.h"
+#include "core/linalg.h"
 #include "core/nan.h"
 #include "core/robust.h"
 
@@ -130,20 +131,15 @@ typedef struct step {
     size_t side;                       // samples of the phase on the poorer side
 } step;
 
-// Gauss elimination of a symmetric positive system of up to 4 unknowns with right sides y and e (unit vector
-// of the last): value and variance of the last unknown.
-static bool last_unknown(int m, double a[4][4], double y[4], double *value, double *variance)
+// Value and variance of the last of m unknowns of the normal equations a x = y, both overwritten. False where they
+// do not determine it.
+static bool last_unknown(size_t m, double *a, double *y, double *value, double *variance)
 {
-    for (int k = 0; k < m; k++) {
-        if (!(a[k][k] > 1e-12)) return false;
-        for (int i = k + 1; i < m; i++) {
-            double f = a[i][k] / a[k][k];
-            for (int j = k; j < m; j++) a[i][j] -= f * a[k][j];
-            y[i] -= f * y[k];
-        }
-    }
-    *value = y[m - 1] / a[m - 1][m - 1];
-    *variance = 1 / a[m - 1][m - 1];
+    if (orr_cholesky_factor(a, m, 1e-13) != ORR_OK || orr_cholesky_solve_lower(a, m, y) != ORR_OK)
+        return false;
+    const double pivot = a[m * m - 1];
+    *value = y[m - 1] / pivot;
+    *variance = 1 / (pivot * pivot);
     return true;
 }
 
@@ -163,13 +159,13 @@ static step measure(const packed *p, size_t lo, size_t b, size_t hi, size_t with
     size_t total = nl + nr;
     if (total >= 4 && nl * nr >= 3) {
         bool bent = total >= 6;
-        int m = bent ? 4 : 3;
-        double a[4][4] = {{0}}, y[4] = {0}, scale = GF_SIDE * p->dt, sigma = 0;
+        const size_t m = bent ? 4 : 3;
+        double a[4 * 4] = {0}, y[4] = {0}, scale = GF_SIDE * p->dt, sigma = 0;
         for (size_t i = 0; i < total; i++) {
             size_t k = i < nl ? left[i] : right[i - nl];
             double x = (p->t[k] - t0) / scale, h = i < nl ? 0 : 1, f[4] = {1, x, bent ? x * x : h, h};
-            for (int r = 0; r < m; r++) {
-                for (int c = 0; c < m; c++) a[r][c] += f[r] * f[c];
+            for (size_t r = 0; r < m; r++) {
+                for (size_t c = 0; c <= r; c++) a[r * m + c] += f[r] * f[c];
                 y[r] += f[r] * p->gf[k];
             }
             sigma = fmax(sigma, p->gf_sigma[k]);
@@ -473,12 +469,12 @@ bool orr_arc_step(const double *t_s, const double *residual_tecu, size_t n, cons
     orr_arc_options o = options != NULL ? *options : orr_arc_default_options();
     double best = 0;
     for (size_t b = SIDE; b + SIDE <= n; b++) {
-        double a[4][4] = {{0}}, y[4] = {0}, t0 = t_s[b], scale = t_s[b + SIDE - 1] - t_s[b - SIDE], v, var,
-               sum = 0;
+        double a[3 * 3] = {0}, y[3] = {0}, t0 = t_s[b], scale = t_s[b + SIDE - 1] - t_s[b - SIDE], v, var,
+                     sum = 0;
         for (size_t k = b - SIDE; k < b + SIDE; k++) {
             double f[3] = {1, (t_s[k] - t0) / scale, k >= b ? 1 : 0};
-            for (int r = 0; r < 3; r++) {
-                for (int c = 0; c < 3; c++) a[r][c] += f[r] * f[c];
+            for (size_t r = 0; r < 3; r++) {
+                for (size_t c = 0; c <= r; c++) a[r * 3 + c] += f[r] * f[c];
                 y[r] += f[r] * residual_tecu[k];
             }
         }

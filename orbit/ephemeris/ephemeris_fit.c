@@ -22,7 +22,7 @@ int eph_fit_max_degree(size_t samples_per_segment)
 
 // Chebyshev coefficients of the quintics that have one end value 1 and the other five 0: hermite[j][k], k =
 // position at -1, +1, velocity at -1, +1, acceleration at -1, +1. By solving the 6 x 6 system of conditions.
-static void hermite_columns(double hermite[6][6])
+static orr_status hermite_columns(double hermite[6][6])
 {
     double rows[6][6];
     orr_cheb_basis(5, -1.0, rows[0], rows[2], rows[4]);
@@ -31,14 +31,15 @@ static void hermite_columns(double hermite[6][6])
     size_t order[6];
     gsl_permutation p = {6, order};
     int sign;
-    gsl_linalg_LU_decomp(&m.matrix, &p, &sign);
+    if (gsl_linalg_LU_decomp(&m.matrix, &p, &sign) != 0) return ORR_E_NUMERIC;
     for (size_t k = 0; k < 6; k++) {
         double unit[6] = {0}, solution[6];
         unit[k] = 1.0;
         gsl_vector_view b = gsl_vector_view_array(unit, 6), x = gsl_vector_view_array(solution, 6);
-        gsl_linalg_LU_solve(&m.matrix, &p, &b.vector, &x.vector);
+        if (gsl_linalg_LU_solve(&m.matrix, &p, &b.vector, &x.vector) != 0) return ORR_E_NUMERIC;
         for (size_t j = 0; j < 6; j++) hermite[j][k] = solution[j];
     }
+    return ORR_OK;
 }
 
 // Chebyshev coefficients of (1 - x^2)^3 T_k(x), which vanishes with two derivatives at both ends; length k
@@ -124,8 +125,8 @@ orr_status eph_fit_init(int degree, size_t samples_per_segment, eph_fit *f, orr_
                            &f->basis[(2 * f->samples + i) * n]);
         }
         double hermite[6][6];
-        hermite_columns(hermite);
-        s = solve(f, hermite, bn, tau);
+        s = hermite_columns(hermite);
+        if (s == ORR_OK) s = solve(f, hermite, bn, tau);
         if (s != ORR_OK)
             orr_diag_set(diag, s, "the fit of degree %d to %zu samples is singular", degree, f->samples);
     }

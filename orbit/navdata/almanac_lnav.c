@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/almanac_lnav.h"
+#include "core/linalg.h"
 
 #include <string.h>
 
@@ -125,7 +126,8 @@ static orr_status gauss_newton(problem *q, orr_nav_kepler *k)
     for (int it = 0; it < ITERATIONS && moved > CONVERGED_M; it++) {
         double x[N], p[N], sum = 0;
         linearise(q, k);
-        orr_status s = orr_navfit_solve(q->rows, N, q->A, q->b, x);
+        double tau[N];
+        orr_status s = orr_least_squares(q->A, q->rows, N, q->b, tau, x);
         if (s != ORR_OK) return s;
         for (size_t j = 0; j < N; j++) {
             sum += q->b[j] * q->b[j];
@@ -168,7 +170,8 @@ static orr_status to_lattice(problem *q, orr_nav_kepler *k, orr_diag *diag)
                 q->b[q->rows] += q->A[q->rows * N + j] * (fitted[j] - p[j]) / table[j].field.lsb;
         }
     }
-    orr_status s = orr_navfit_solve(q->rows, N, q->A, q->b, NULL);
+    double tau[N];
+    orr_status s = orr_least_squares(q->A, q->rows, N, q->b, tau, NULL);
     if (s != ORR_OK) return s;
     memcpy(R, q->A, sizeof R);
     s = orr_lattice_closest(N, R, q->b, SEARCH_NODES, z);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/navfit_private.h"
 
-#include <gsl/gsl_linalg.h>
-
 #include "core/astro.h"
 #include "orbit/broadcast/broadcast.h"
 #include "orbit/spacecraft/attitude.h"
@@ -68,23 +66,6 @@ size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_r
         *v = orr_vec3_axpy(slope, in[k], *v);
     }
     return mid;
-}
-
-orr_status orr_navfit_solve(size_t rows, size_t n, double *A, double *b, double *x)
-{
-    double tau[ORR_LATTICE_MAX];
-    gsl_matrix_view a = gsl_matrix_view_array(A, rows, n);
-    gsl_vector_view t = gsl_vector_view_array(tau, n), y = gsl_vector_view_array(b, rows);
-    if (gsl_linalg_QR_decomp(&a.matrix, &t.vector) != 0 ||
-        gsl_linalg_QR_QTvec(&a.matrix, &t.vector, &y.vector) != 0)
-        return ORR_E_NUMERIC;
-    for (size_t i = n; i-- > 0 && x != NULL;) {
-        x[i] = b[i];
-        for (size_t j = i + 1; j < n; j++) x[i] -= A[i * n + j] * x[j];
-        x[i] /= A[i * n + i];
-        if (!isfinite(x[i])) return ORR_E_NUMERIC;
-    }
-    return ORR_OK;
 }
 
 orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/astro.h"
+#include "core/linalg.h"
 #include "orbit/broadcast/broadcast.h"
 #include "orbit/force/force.h"
 #include "orbit/navdata/navfit_private.h"
@@ -102,7 +103,8 @@ static orr_status solve(problem *q, const orr_nav_glonass *g, double *x)
     to_array(g, p);
     for (size_t j = 6; j < N; j++) q->b[q->rows + j - N] = PULL_M / ACC_LSB * (q->start[j - 6] - p[j]);
     memcpy(q->A, q->J, q->rows * N * sizeof *q->A);
-    return orr_navfit_solve(q->rows, N, q->A, q->b, x);
+    double tau[N];
+    return orr_least_squares(q->A, q->rows, N, q->b, tau, x);
 }
 
 // Tide of Sun and Moon at r, ecef axes: what the message calls the lunisolar acceleration.

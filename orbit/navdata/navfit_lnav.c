@@ -3,6 +3,7 @@
 // lattice that table 20-III can transmit.
 #include <string.h>
 
+#include "core/linalg.h"
 #include "orbit/force/kepler.h"
 #include "orbit/navdata/lnav_model.h"
 #include "orbit/navdata/navfit_private.h"
@@ -133,7 +134,8 @@ static orr_status gauss_newton(problem *q, orr_nav_eph *e)
         linearise(q, e, false);
         for (size_t j = 0; j < N; j++)
             if (table[j].usual > 0) (void)pull(q, j, q->weight_m[j], table[j].usual, q->target[j] - p[j]);
-        orr_status s = orr_navfit_solve(q->rows, N, q->A, q->b, x);
+        double tau[N];
+        orr_status s = orr_least_squares(q->A, q->rows, N, q->b, tau, x);
         if (s != ORR_OK) return s;
         for (size_t j = 0; j < N; j++) sum += q->b[j] * q->b[j];
         moved = sqrt(sum / (double)q->w->n);
@@ -187,7 +189,8 @@ static orr_status to_lattice(problem *q, orr_nav_eph *e, orr_diag *diag)
         double *row = pull(q, j, fmax(REACH_M, q->weight_m[j]), reach, by);
         if (j == M0) row[OMEGA] = row[M0];
     }
-    orr_status s = orr_navfit_solve(q->rows, N, q->A, q->b, NULL);
+    double tau[N];
+    orr_status s = orr_least_squares(q->A, q->rows, N, q->b, tau, NULL);
     if (s != ORR_OK) return s;
     memcpy(R, q->A, sizeof R);
     s = orr_lattice_closest(N, R, q->b, SEARCH_NODES, z);

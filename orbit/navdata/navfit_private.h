@@ -29,10 +29,6 @@ orr_status orr_navfit_gather(orr_time from, orr_time to, double step_s, orr_navf
 size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_rate, orr_vec3 *r,
                          orr_vec3 *v);
 
-// Linear least squares |A x - b|, A rows x n row-major, by Householder's QR. On return the upper n x n of A
-// is R and the first n of b are Q^T b, so that a lattice search can go on from there. x may be NULL.
-orr_status orr_navfit_solve(size_t rows, size_t n, double *A, double *b, double *x);
-
 #define P2(n) (1.0 / (double)(UINT64_C(1) << (n))) // 2^-n, the LSBs of interface documents
 #define SEMICIRCLE ORR_PI
 

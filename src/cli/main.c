@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program: finds the command, reads its options, runs it.
+#include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -86,6 +87,7 @@ static int run(orr_cli *c, int n_words, char **words)
 int main(int argc, char **argv)
 {
     orr_cli c = {0};
+    gsl_set_error_handler_off(); // its default one aborts; every result is checked instead
     if (argc < 2) {
         orr_cli_help_program(stderr, commands);
         return ORR_EXIT_USAGE;
