@@ -73,126 +73,29 @@ orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f)
     return f->type == type && f->sequence == c->sequence ? ORR_WIRE_OK : ORR_WIRE_UNEXPECTED;
 }
 
-orr_wire_status orr_client_hello(orr_client *c, const char *name, const char *version, orr_msg_caps *caps)
+void orr_client_expect(orr_client *c, uint32_t count)
 {
-    orr_msg_hello hello = {ORR_MSG_MAJOR, ORR_MSG_MAJOR, orr_wire_text(name), orr_wire_text(version)};
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_HELLO, &w, &start);
-    orr_msg_hello_encode(&hello, &w);
-    orr_wire_status s = orr_client_send(c, &w, start);
-    orr_frame f;
-    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_CAPS, &f);
-    return s == ORR_WIRE_OK ? orr_msg_caps_decode(f.payload, f.size, caps) : s;
+    c->index = 0;
+    c->count = count;
 }
 
-orr_wire_status orr_client_ping(orr_client *c, uint64_t token)
+orr_wire_status orr_client_epoch(orr_client *c, uint32_t index, uint32_t count)
+{
+    if (count != c->count || index != c->index || index >= count) return ORR_WIRE_UNEXPECTED;
+    c->index++;
+    return ORR_WIRE_OK;
+}
+
+orr_wire_status orr_client_open(orr_client *c, const char *name, const char *version, orr_msg_caps *caps)
+{
+    orr_msg_hello hello = {ORR_MSG_MAJOR, ORR_MSG_MAJOR, orr_wire_text(name), orr_wire_text(version)};
+    return orr_client_hello(c, &hello, caps);
+}
+
+orr_wire_status orr_client_check(orr_client *c, uint64_t token)
 {
     orr_msg_ping ping = {token};
     orr_msg_pong pong;
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_PING, &w, &start);
-    orr_msg_ping_encode(&ping, &w);
-    orr_wire_status s = orr_client_send(c, &w, start);
-    orr_frame f;
-    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_PONG, &f);
-    if (s == ORR_WIRE_OK) s = orr_msg_pong_decode(f.payload, f.size, &pong);
+    orr_wire_status s = orr_client_ping(c, &ping, &pong);
     return s == ORR_WIRE_OK && pong.token != token ? ORR_WIRE_UNEXPECTED : s;
-}
-
-orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll)
-{
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_POLL, &w, &start);
-    orr_msg_poll_encode(poll, &w);
-    return orr_client_send(c, &w, start);
-}
-
-orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *poll)
-{
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_POLL_ELEMENTS, &w, &start);
-    orr_msg_poll_elements_encode(poll, &w);
-    return orr_client_send(c, &w, start);
-}
-
-orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *elements)
-{
-    orr_frame f;
-    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_ELEMENTS, &f);
-    return s == ORR_WIRE_OK ? orr_msg_elements_decode(f.payload, f.size, elements) : s;
-}
-
-orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *poll)
-{
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_POLL_NAVDATA, &w, &start);
-    orr_msg_poll_navdata_encode(poll, &w);
-    return orr_client_send(c, &w, start);
-}
-
-orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *navdata)
-{
-    orr_frame f;
-    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_NAVDATA, &f);
-    return s == ORR_WIRE_OK ? orr_msg_navdata_decode(f.payload, f.size, navdata) : s;
-}
-
-orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll)
-{
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_POLL_DELAYS, &w, &start);
-    orr_msg_poll_delays_encode(poll, &w);
-    return orr_client_send(c, &w, start);
-}
-
-orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *delays)
-{
-    orr_frame f;
-    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_DELAYS, &f);
-    return s == ORR_WIRE_OK ? orr_msg_delays_decode(f.payload, f.size, delays) : s;
-}
-
-orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *poll)
-{
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_POLL_IMU, &w, &start);
-    orr_msg_poll_imu_encode(poll, &w);
-    return orr_client_send(c, &w, start);
-}
-
-orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *imu)
-{
-    orr_frame f;
-    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_IMU, &f);
-    return s == ORR_WIRE_OK ? orr_msg_imu_decode(f.payload, f.size, imu) : s;
-}
-
-orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *poll)
-{
-    orr_wire_writer w;
-    size_t start;
-    orr_client_begin(c, ORR_MSG_TYPE_POLL_TRUTH, &w, &start);
-    orr_msg_poll_truth_encode(poll, &w);
-    return orr_client_send(c, &w, start);
-}
-
-orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *truth)
-{
-    orr_frame f;
-    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_TRUTH, &f);
-    return s == ORR_WIRE_OK ? orr_msg_truth_decode(f.payload, f.size, truth) : s;
-}
-
-orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states)
-{
-    orr_frame f;
-    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_STATES, &f);
-    return s == ORR_WIRE_OK ? orr_msg_states_decode(f.payload, f.size, states) : s;
 }

@@ -6,7 +6,7 @@
 //     orr_client c;
 //     static uint8_t buffer[32768];
 //     orr_client_init(&c, io, buffer, sizeof buffer);
-//     orr_msg_poll poll = {.t = t_ns, .count = 1};            // no satellites named: all
+//     orr_msg_poll poll = {.epochs = {t_ns, 0, 1}};           // no satellites named: all
 //     if (orr_client_poll(&c, &poll) == ORR_WIRE_OK && orr_client_states(&c, &states) == ORR_WIRE_OK) {
 //         orr_wire_iter it = {0};
 //         while (orr_msg_sat_state_next(&states.satellites, &it, &sat)) use(&sat);
@@ -16,6 +16,10 @@
 
 #include "proto/frame.h"
 #include "proto/gen/messages.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 typedef struct orr_client_io {
     void *user;
@@ -33,6 +37,7 @@ typedef struct orr_client {
     uint8_t *data;
     size_t capacity, size, used; // bytes of data that are filled; of the frame handed out last
     uint32_t sequence;           // of the last request
+    uint32_t index, count;       // of its epochs: that of the next frame, and how many there are
     uint16_t error_code;         // after ORR_WIRE_REFUSED: ORR_MSG_ERROR_CODE_*
     char sentence[ORR_CLIENT_SENTENCE];
 } orr_client;
@@ -42,38 +47,30 @@ typedef struct orr_client {
 // (ORR_MSG_MAX_SATELLITES - n) * ORR_MSG_SAT_STATE_SIZE). It must stay alive as long as the client.
 void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity);
 
-// Each sends one request and waits for its answer. What is decoded borrows the buffer until the next call.
-// Errors: ORR_WIRE_REFUSED (error_code, sentence), ORR_WIRE_SPACE, and those of frame and io; after any but
-// REFUSED, SPACE on sending, and LIMIT the connection is of no more use.
-orr_wire_status orr_client_hello(orr_client *c, const char *name, const char *version, orr_msg_caps *caps);
-orr_wire_status orr_client_ping(orr_client *c, uint64_t token);
+// What is asked and heard stands in proto/gen/verbs.h, one function a message. What is decoded borrows the
+// buffer until the next call. Errors: ORR_WIRE_REFUSED (error_code, sentence), ORR_WIRE_SPACE, and those of
+// frame and io; after any but REFUSED, SPACE on sending, and LIMIT the connection is of no more use.
+//
+// A buffer for NAVDATA: 32 GPS and 24 GLONASS satellites take ORR_FRAME_OVERHEAD + 33 KiB, each satellite at
+// most 2 + ORR_MSG_SAT_NAVDATA_LARGEST. A POLL_DELAYS whose receiver_m is NAN, NAN, NAN asks for the
+// scenario's own receiver.
 
-// Sends a POLL; its answers are then read by poll->count calls of orr_client_states (the last one has index +
-// 1 == count).
-orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *poll);
-orr_wire_status orr_client_states(orr_client *c, orr_msg_states *states);
+// HELLO of this version, and PING, in short. After the latter the answer's token has been compared.
+orr_wire_status orr_client_open(orr_client *c, const char *name, const char *version, orr_msg_caps *caps);
+orr_wire_status orr_client_check(orr_client *c, uint64_t token);
 
-// The same of Kepler elements: poll->count calls of orr_client_elements.
-orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *poll);
-orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *elements);
-// The same of broadcast data: poll->count calls of orr_client_navdata. 32 GPS and 24 GLONASS satellites take
-// ORR_FRAME_OVERHEAD + 33 KiB of buffer, each satellite at most 2 + ORR_MSG_SAT_NAVDATA_LARGEST.
-orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *poll);
-orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *navdata);
-// The same of ionospheric delays: poll->count calls of orr_client_delays. A poll whose receiver_m is NAN,
-// NAN, NAN asks for the scenario's own receiver, which is on its trajectory if it has one.
-orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *poll);
-orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *delays);
-// The same of inertial increments and of the true motion.
-orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *poll);
-orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *imu);
-orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *poll);
-orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *truth);
-
-// What the above are made of, for the other messages: begin, encode into *w, send; then wait for the next
-// frame of a type.
+// What the verbs are made of: begin, encode into *w, send; then wait for the next frame of a type. A request
+// of epochs says how many frames it expects; each that comes is compared with what is due.
 void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);
 orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start);
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);
+void orr_client_expect(orr_client *c, uint32_t count);
+orr_wire_status orr_client_epoch(orr_client *c, uint32_t index, uint32_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#include "proto/gen/verbs.h"
 
 #endif

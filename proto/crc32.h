@@ -7,8 +7,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // Continues a checksum; start with 0. Define ORR_CRC32_SMALL at compile time for one table of 1 KiB instead
 // of sixteen.
 uint32_t orr_crc32(uint32_t crc, const uint8_t *data, size_t n);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

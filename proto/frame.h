@@ -10,6 +10,10 @@
 
 #include "proto/wire.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define ORR_FRAME_HEADER 16u
 #define ORR_FRAME_OVERHEAD 20u // header and checksum
 
@@ -34,5 +38,9 @@ orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payl
 // and appends the checksum. Everything between the two is payload.
 void orr_frame_begin(orr_wire_writer *w, uint16_t type, uint32_t sequence, size_t *start);
 void orr_frame_end(orr_wire_writer *w, size_t start);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 #include <stdint.h>
 #include <string.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum orr_wire_status {
     ORR_WIRE_OK = 0,
     ORR_WIRE_MORE,       // the frame is not complete yet
@@ -202,5 +206,9 @@ void orr_wire_put_bytes(orr_wire_writer *w, orr_wire_bytes b, uint16_t max);
 orr_wire_bytes orr_wire_get_bytes(orr_wire_reader *r, uint16_t max);
 // Records already in wire form, as they are.
 void orr_wire_put_raw(orr_wire_writer *w, const uint8_t *data, size_t n);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

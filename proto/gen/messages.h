@@ -9,6 +9,10 @@
 
 #include "proto/wire.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define ORR_MSG_MAGIC_0 0x4fu
 #define ORR_MSG_MAGIC_1 0x52u
 #define ORR_MSG_MAGIC_2 0x52u
@@ -666,5 +670,9 @@ orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_ms
 
 // All messages, for code that does the same with each.
 #define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -106,7 +106,7 @@ class CWriter:
         guard = f"{up}_GENERATED_H"
         out = [line.format(source=self.source) for line in HEAD]
         out += [f"// Messages of {s.name}, protocol {s.major}.{s.minor}.", f"#ifndef {guard}", f"#define {guard}", "",
-                "#include <stdbool.h>", "", '#include "proto/wire.h"', ""]
+                "#include <stdbool.h>", "", '#include "proto/wire.h"', "", "#ifdef __cplusplus", 'extern "C" {', "#endif", ""]
         for k, byte in enumerate(s.magic):
             out.append(f"#define {up}_MAGIC_{k} 0x{byte:02x}u")
         out += [f"#define {up}_MAJOR {s.major}u", f"#define {up}_MINOR {s.minor}u", f"#define {up}_PORT {s.port}u",
@@ -150,7 +150,7 @@ class CWriter:
             out += [f"orr_wire_status {name}_encode(const {name} *m, orr_wire_writer *w);",
                     f"orr_wire_status {name}_decode(const uint8_t *payload, size_t size, {name} *m);", ""]
         names = " ".join(f"X({m.name})" for m in s.messages.values())
-        out += ["// All messages, for code that does the same with each.", f"#define {up}_EACH(X) {names}", "", "#endif"]
+        out += ["// All messages, for code that does the same with each.", f"#define {up}_EACH(X) {names}", "", "#ifdef __cplusplus", "}", "#endif", "", "#endif"]
         return "\n".join(out) + "\n"
 
     def lists_before(self, struct, done):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes everything that follows from proto/spec/messages.yaml: the C codec, the Python codec, the Wireshark dissector, the tables
+"""Makes everything that follows from proto/spec/messages.yaml: the C codec and the client's verbs, the client as one
+header and one source for firmware, the Python codec, the Wireshark dissector, the tables
 of docs/protocol.md and the example frames of the tests.
 
     generate.py                       writes what has changed
@@ -14,6 +15,7 @@ import pathlib
 import sys
 
 import gen_c
+import gen_client
 import gen_docs
 import gen_lua
 import gen_python
@@ -70,18 +72,24 @@ def check_examples(spec, package):
 def outputs(spec):
     """path -> text of everything generated."""
     c = gen_c.CWriter(spec, SOURCE, "proto/gen/messages.h")
+    verbs = gen_client.Verbs(spec, SOURCE)
     messages_text = gen_python.module(spec, SOURCE)
     check_examples(spec, load_package(messages_text))
     page = ROOT / "docs/protocol.md"
-    return {
+    made = {
         "proto/gen/messages.h": c.header(),
         "proto/gen/messages.c": c.code(),
         "proto/gen/crc32_table.h": gen_c.crc_header(),
+        "proto/gen/verbs.h": verbs.header(),
+        "proto/gen/verbs.c": verbs.code(),
         "proto/gen/orrery.lua": gen_lua.Lua(spec, SOURCE).module(),
         "proto/python/orrery/messages.py": messages_text,
         "docs/protocol.md": gen_docs.page(spec, page.read_text(encoding="utf-8")),
         "tests/golden/proto/frames.h": gen_docs.golden_header(spec, SOURCE),
     }
+    header, source = gen_client.firmware(lambda name: made[name] if name in made else (ROOT / name).read_text(encoding="utf-8"))
+    made["proto/gen/firmware/orrery_client.h"], made["proto/gen/firmware/orrery_client.c"] = header, source
+    return made
 
 
 def write_other(path, out):

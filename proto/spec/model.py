@@ -10,7 +10,9 @@ NAME = re.compile(r"^[a-z][a-z0-9_]*$")
 RESERVED = set(keyword.kwlist) | set(
     "auto break case char const continue default do double else enum extern float for goto if inline int long register "
     "restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
-    "end function local nil repeat then until".split())  # of C and Lua
+    "end function local nil repeat then until "
+    "bool catch class delete explicit export friend mutable namespace new operator private protected public template this throw "
+    "typename using virtual".split())  # of C, Lua and C++
 
 
 class SpecError(Exception):
@@ -58,7 +60,7 @@ class Field:
         self.show, self.when, self.since = raw.get("show", ""), raw.get("when"), raw.get("since", 0)
         self.raw_type = raw["type"]
         if not NAME.match(self.name) or self.name in RESERVED:
-            raise SpecError(f"{owner}.{self.name}: a field's name is lower case and no keyword of C, Python or Lua")
+            raise SpecError(f"{owner}.{self.name}: a field's name is lower case and no keyword of C, C++, Python or Lua")
         if not self.doc:
             raise SpecError(f"{owner}.{self.name}: say what it is (doc)")
         self.type = None

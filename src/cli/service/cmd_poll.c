@@ -125,7 +125,7 @@ static int poll_service(poll_job *p)
     orr_cli *c = p->c;
     orr_diag diag = {0};
     orr_msg_caps caps;
-    orr_wire_status ws = orr_client_hello(&p->d->client, "orrery poll", ORR_VERSION, &caps);
+    orr_wire_status ws = orr_client_open(&p->d->client, "orrery poll", ORR_VERSION, &caps);
     if (ws != ORR_WIRE_OK) {
         (void)orr_dial_status(p->d, ws, "HELLO", &diag);
         return orr_cli_fail(c, &diag);

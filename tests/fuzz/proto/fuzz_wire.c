@@ -121,7 +121,7 @@ static void answer_client(const uint8_t *data, size_t n)
     orr_client c;
     orr_client_init(&c, (orr_client_io){&s, give, swallow}, buffer, sizeof buffer);
     orr_msg_caps caps;
-    (void)orr_client_hello(&c, "fuzz", "1", &caps);
+    (void)orr_client_open(&c, "fuzz", "1", &caps);
     orr_msg_poll poll = {.epochs = {.step = 1, .count = 2}};
     orr_msg_states m;
     (void)orr_client_poll(&c, &poll);

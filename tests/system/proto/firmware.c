@@ -12,7 +12,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include "proto/client.h"
+#include "orrery_client.h"
 
 static ptrdiff_t take(void *user, uint8_t *data, size_t n) { return recv(*(int *)user, data, n, 0); }
 static ptrdiff_t put(void *user, const uint8_t *data, size_t n)
@@ -40,11 +40,11 @@ int main(int argc, char **argv)
     orr_client c;
     orr_client_init(&c, (orr_client_io){&fd, take, put}, buffer, sizeof buffer);
     orr_msg_caps caps;
-    orr_wire_status s = orr_client_hello(&c, "firmware", "1", &caps);
+    orr_wire_status s = orr_client_open(&c, "firmware", "1", &caps);
     if (s != ORR_WIRE_OK) return give_up(&c, "HELLO", s);
     int64_t from = caps.span.first, to = caps.span.last;
     printf("satellites %u\n", (unsigned)caps.satellites.count);
-    s = orr_client_ping(&c, 99);
+    s = orr_client_check(&c, 99);
     if (s != ORR_WIRE_OK) return give_up(&c, "PING", s);
     orr_msg_poll poll = {.epochs = {from, (to - from) / 2, 2}};
     s = orr_client_poll(&c, &poll);

@@ -64,10 +64,10 @@ static void conversation(void **state)
         fake f = {.n_sats = 4};
         orr_client c = connect_fake(&f, chunk, sizeof buffer);
         orr_msg_caps caps;
-        assert_int_equal(orr_client_hello(&c, "test", "1", &caps), ORR_WIRE_OK);
+        assert_int_equal(orr_client_open(&c, "test", "1", &caps), ORR_WIRE_OK);
         char title[16];
         assert_string_equal(orr_wire_text_copy(caps.title, title, sizeof title), "made up");
-        assert_int_equal(orr_client_ping(&c, 0xfeedu), ORR_WIRE_OK);
+        assert_int_equal(orr_client_check(&c, 0xfeedu), ORR_WIRE_OK);
         orr_msg_poll poll = {.epochs = {50, 5, 3}};
         assert_int_equal(orr_client_poll(&c, &poll), ORR_WIRE_OK);
         for (uint32_t k = 0; k < 3; k++) {
@@ -79,7 +79,7 @@ static void conversation(void **state)
             want = fake_state(4, 50 + 5 * k);
             assert_true(s.pos_m[0] == want.pos_m[0] && s.vel_mps[1] == 1.0 && s.sat.number == 4);
         }
-        assert_int_equal(orr_client_ping(&c, 1), ORR_WIRE_OK);
+        assert_int_equal(orr_client_check(&c, 1), ORR_WIRE_OK);
     }
 }
 
@@ -94,7 +94,7 @@ static void refusals_are_told(void **state)
     assert_int_equal(orr_client_states(&c, &m), ORR_WIRE_REFUSED);
     assert_int_equal(c.error_code, ORR_MSG_ERROR_CODE_BAD_REQUEST);
     assert_string_equal(c.sentence, "no epochs asked for");
-    assert_int_equal(orr_client_ping(&c, 3), ORR_WIRE_OK); // and one can go on
+    assert_int_equal(orr_client_check(&c, 3), ORR_WIRE_OK); // and one can go on
 }
 
 static void broken_wires(void **state)
@@ -105,13 +105,13 @@ static void broken_wires(void **state)
     orr_msg_states m;
     assert_int_equal(orr_client_states(&c, &m), ORR_WIRE_CLOSED); // nothing asked, nothing comes
     the_wire.dead = true;
-    assert_int_equal(orr_client_ping(&c, 3), ORR_WIRE_IO);
+    assert_int_equal(orr_client_check(&c, 3), ORR_WIRE_IO);
     c = connect_fake(&f, 1000, sizeof buffer);
     the_wire.damage = 20;
-    assert_int_equal(orr_client_ping(&c, 3), ORR_WIRE_CRC);
+    assert_int_equal(orr_client_check(&c, 3), ORR_WIRE_CRC);
     c = connect_fake(&f, 1000, sizeof buffer);
     the_wire.damage = 2;
-    assert_int_equal(orr_client_ping(&c, 3), ORR_WIRE_MAGIC);
+    assert_int_equal(orr_client_check(&c, 3), ORR_WIRE_MAGIC);
 }
 
 static void small_buffers(void **state)
@@ -130,12 +130,26 @@ static void small_buffers(void **state)
     }
 }
 
+// An answer is complete: an epoch that is left out, repeated or of another request is told.
+static void epochs_are_counted(void **state)
+{
+    (void)state;
+    orr_client c;
+    orr_client_init(&c, (orr_client_io){0}, buffer, sizeof buffer);
+    orr_client_expect(&c, 2);
+    assert_int_equal(orr_client_epoch(&c, 1, 2), ORR_WIRE_UNEXPECTED);
+    assert_int_equal(orr_client_epoch(&c, 0, 3), ORR_WIRE_UNEXPECTED);
+    assert_int_equal(orr_client_epoch(&c, 0, 2), ORR_WIRE_OK);
+    assert_int_equal(orr_client_epoch(&c, 0, 2), ORR_WIRE_UNEXPECTED);
+    assert_int_equal(orr_client_epoch(&c, 1, 2), ORR_WIRE_OK);
+    assert_int_equal(orr_client_epoch(&c, 2, 2), ORR_WIRE_UNEXPECTED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(conversation),
-        cmocka_unit_test(refusals_are_told),
-        cmocka_unit_test(broken_wires),
+        cmocka_unit_test(epochs_are_counted), cmocka_unit_test(conversation),
+        cmocka_unit_test(refusals_are_told),  cmocka_unit_test(broken_wires),
         cmocka_unit_test(small_buffers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

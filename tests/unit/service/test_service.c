@@ -141,8 +141,8 @@ static void conversation(void **state)
     bench *b = start(quick_options(), 10);
     orr_dial *d = dial(b);
     orr_msg_caps caps;
-    assert_int_equal(orr_client_hello(&d->client, "test", "1", &caps), ORR_WIRE_OK);
-    assert_int_equal(orr_client_ping(&d->client, 7), ORR_WIRE_OK);
+    assert_int_equal(orr_client_open(&d->client, "test", "1", &caps), ORR_WIRE_OK);
+    assert_int_equal(orr_client_check(&d->client, 7), ORR_WIRE_OK);
     orr_msg_poll poll = {.epochs = {100, 10, 2000}}; // far more than a socket buffer
     assert_int_equal(orr_client_poll(&d->client, &poll), ORR_WIRE_OK);
     for (uint32_t k = 0; k < poll.epochs.count; k++) {
@@ -153,7 +153,7 @@ static void conversation(void **state)
                     orr_msg_sat_state_at(&m.satellites, 9, &s));
         assert_true(s.pos_m[0] == (double)(100 + 10 * (int64_t)k + 10));
     }
-    assert_int_equal(orr_client_ping(&d->client, 8), ORR_WIRE_OK);
+    assert_int_equal(orr_client_check(&d->client, 8), ORR_WIRE_OK);
     orr_dial_close(d);
     finish(b);
 }
@@ -219,7 +219,7 @@ static void a_client_that_does_not_read(void **state)
     int lazy = raw(b);
     assert_int_equal(send(lazy, frame, n, 0), (ssize_t)n);
     orr_dial *d = dial(b); // others are served meanwhile
-    for (int k = 0; k < 50; k++) assert_int_equal(orr_client_ping(&d->client, 1), ORR_WIRE_OK);
+    for (int k = 0; k < 50; k++) assert_int_equal(orr_client_check(&d->client, 1), ORR_WIRE_OK);
     orr_dial_close(d);
     struct timespec nap = {0, 50000000};
     for (int k = 0; k < 200 && !was_said(b, "takes no answers"); k++) nanosleep(&nap, NULL);
@@ -246,7 +246,7 @@ static void disconnects_in_mid_answer(void **state)
         close(fd);
     }
     orr_dial *d = dial(b);
-    assert_int_equal(orr_client_ping(&d->client, 1), ORR_WIRE_OK);
+    assert_int_equal(orr_client_check(&d->client, 1), ORR_WIRE_OK);
     orr_dial_close(d);
     finish(b);
 }
@@ -258,8 +258,8 @@ static void too_many_clients(void **state)
     o.max_clients = 2;
     bench *b = start(o, 1);
     orr_dial *one = dial(b), *two = dial(b);
-    assert_int_equal(orr_client_ping(&one->client, 1), ORR_WIRE_OK);
-    assert_int_equal(orr_client_ping(&two->client, 1), ORR_WIRE_OK);
+    assert_int_equal(orr_client_check(&one->client, 1), ORR_WIRE_OK);
+    assert_int_equal(orr_client_check(&two->client, 1), ORR_WIRE_OK);
     orr_dial *three = dial(b);
     orr_frame f;
     assert_int_equal(orr_client_answer(&three->client, ORR_MSG_TYPE_PONG, &f), ORR_WIRE_REFUSED);
@@ -270,7 +270,7 @@ static void too_many_clients(void **state)
     bool served = false;
     for (int k = 0; k < 100 && !served; k++) {
         orr_dial *again = dial(b);
-        served = orr_client_ping(&again->client, 2) == ORR_WIRE_OK;
+        served = orr_client_check(&again->client, 2) == ORR_WIRE_OK;
         orr_dial_close(again);
         nanosleep(&nap, NULL);
     }
@@ -301,7 +301,7 @@ static void stopping_drains(void **state)
     o.drain_s = 60; // a slow machine is not what is tested
     bench *b = start(o, 90);
     orr_dial *busy = dial(b), *idle = dial(b);
-    assert_int_equal(orr_client_ping(&idle->client, 1), ORR_WIRE_OK);
+    assert_int_equal(orr_client_check(&idle->client, 1), ORR_WIRE_OK);
     orr_msg_poll poll = {.epochs = {100, 10, 3000}}; // 30 MB
     orr_msg_states m;
     assert_int_equal(orr_client_poll(&busy->client, &poll), ORR_WIRE_OK);

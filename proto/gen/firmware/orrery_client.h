@@ -1,0 +1,1018 @@
+// SPDX-License-Identifier: MIT
+// Made of proto/*.h by proto/spec/generate.py: change those, not this.
+// clang-format off
+// The client of Orrery's protocol, whole: this header and orrery_client.c. C99 or C++, libc's string.h alone.
+#ifndef ORRERY_CLIENT_H
+#define ORRERY_CLIENT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// The ground of the wire: bytes in and out of a caller's buffer, little-endian, every access checked against
+// its end. C99 and libc alone, no allocation, so that a generator's firmware can embed it. The codec in
+// proto/gen is made on this.
+
+
+typedef enum orr_wire_status {
+    ORR_WIRE_OK = 0,
+    ORR_WIRE_MORE,       // the frame is not complete yet
+    ORR_WIRE_SHORT,      // a payload or record ends inside a field
+    ORR_WIRE_LIMIT,      // a length or count above the limit of the message table
+    ORR_WIRE_SPACE,      // the caller's buffer is too small
+    ORR_WIRE_MAGIC,      // these bytes are no frame
+    ORR_WIRE_VERSION,    // a frame of another major version
+    ORR_WIRE_LENGTH,     // payload length above the limit
+    ORR_WIRE_CRC,        // checksum does not match
+    ORR_WIRE_IO,         // the caller's read or write failed
+    ORR_WIRE_CLOSED,     // the peer closed the connection
+    ORR_WIRE_UNEXPECTED, // a well-formed frame that does not answer what was asked
+    ORR_WIRE_REFUSED,    // the peer answered with ERROR
+} orr_wire_status;
+
+// A short sentence, never NULL.
+const char *orr_wire_status_text(orr_wire_status s);
+
+// Writes into data[0..capacity). The first failure sticks: later writes do nothing.
+typedef struct orr_wire_writer {
+    uint8_t *data;
+    size_t size, capacity;
+    orr_wire_status status;
+} orr_wire_writer;
+
+// Reads data[0..size). The first failure sticks: later reads do nothing.
+typedef struct orr_wire_reader {
+    const uint8_t *data;
+    size_t size, at;
+    orr_wire_status status;
+} orr_wire_reader;
+
+// Borrowed bytes of a string or blob: not NUL-terminated.
+typedef struct orr_wire_bytes {
+    const uint8_t *data;
+    uint16_t size;
+} orr_wire_bytes;
+
+// Records of a list as they came: `stride` bytes each, or 0 where each stands behind its own u16 size.
+// Borrowed.
+typedef struct orr_wire_records {
+    const uint8_t *data;
+    size_t size;
+    uint16_t stride;
+} orr_wire_records;
+
+// Position in a list of records; zero-initialise.
+typedef struct orr_wire_iter {
+    uint16_t index;
+    size_t at;
+} orr_wire_iter;
+
+static inline orr_wire_bytes orr_wire_text(const char *text)
+{
+    orr_wire_bytes b = {(const uint8_t *)text, 0};
+    size_t n = text != NULL ? strlen(text) : 0;
+    b.size = n > UINT16_MAX ? UINT16_MAX : (uint16_t)n;
+    return b;
+}
+
+// Copies a string into buf[0..n) with a NUL, cut if need be (n > 0); returns buf.
+char *orr_wire_text_copy(orr_wire_bytes b, char *buf, size_t n);
+
+// Room for n bytes at the writer's end, already counted; NULL (and the writer's status) where there is none.
+static inline uint8_t *orr_wire_room(orr_wire_writer *w, size_t n)
+{
+    if (w->status != ORR_WIRE_OK) return NULL;
+    if (n > w->capacity - w->size) {
+        w->status = ORR_WIRE_SPACE;
+        return NULL;
+    }
+    w->size += n;
+    return w->data + (w->size - n);
+}
+
+// The next n bytes of the reader, already passed; NULL (and the reader's status) where there are fewer.
+static inline const uint8_t *orr_wire_take(orr_wire_reader *r, size_t n)
+{
+    if (r->status != ORR_WIRE_OK) return NULL;
+    if (n > r->size - r->at) {
+        r->status = ORR_WIRE_SHORT;
+        return NULL;
+    }
+    r->at += n;
+    return r->data + (r->at - n);
+}
+
+static inline void orr_wire_store_u8(uint8_t *p, uint8_t v) { p[0] = v; }
+static inline void orr_wire_store_u16(uint8_t *p, uint16_t v)
+{
+    p[0] = (uint8_t)(v & 0xff);
+    p[1] = (uint8_t)(v >> 8);
+}
+static inline void orr_wire_store_u32(uint8_t *p, uint32_t v)
+{
+    p[0] = (uint8_t)(v & 0xff);
+    p[1] = (uint8_t)((v >> 8) & 0xff);
+    p[2] = (uint8_t)((v >> 16) & 0xff);
+    p[3] = (uint8_t)(v >> 24);
+}
+static inline void orr_wire_store_u64(uint8_t *p, uint64_t v)
+{
+    p[0] = (uint8_t)(v & 0xff);
+    p[1] = (uint8_t)((v >> 8) & 0xff);
+    p[2] = (uint8_t)((v >> 16) & 0xff);
+    p[3] = (uint8_t)((v >> 24) & 0xff);
+    p[4] = (uint8_t)((v >> 32) & 0xff);
+    p[5] = (uint8_t)((v >> 40) & 0xff);
+    p[6] = (uint8_t)((v >> 48) & 0xff);
+    p[7] = (uint8_t)(v >> 56);
+}
+static inline uint8_t orr_wire_load_u8(const uint8_t *p) { return p[0]; }
+static inline uint16_t orr_wire_load_u16(const uint8_t *p)
+{
+    return (uint16_t)(p[0] | (uint16_t)(p[1] << 8));
+}
+static inline uint32_t orr_wire_load_u32(const uint8_t *p)
+{
+    return (uint32_t)p[0] | ((uint32_t)p[1] << 8) | ((uint32_t)p[2] << 16) | ((uint32_t)p[3] << 24);
+}
+static inline uint64_t orr_wire_load_u64(const uint8_t *p)
+{
+    return (uint64_t)p[0] | ((uint64_t)p[1] << 8) | ((uint64_t)p[2] << 16) | ((uint64_t)p[3] << 24) |
+           ((uint64_t)p[4] << 32) | ((uint64_t)p[5] << 40) | ((uint64_t)p[6] << 48) | ((uint64_t)p[7] << 56);
+}
+// Signed values travel as two's complement.
+static inline void orr_wire_store_i8(uint8_t *p, int8_t v) { orr_wire_store_u8(p, (uint8_t)v); }
+static inline void orr_wire_store_i16(uint8_t *p, int16_t v) { orr_wire_store_u16(p, (uint16_t)v); }
+static inline void orr_wire_store_i32(uint8_t *p, int32_t v) { orr_wire_store_u32(p, (uint32_t)v); }
+static inline void orr_wire_store_i64(uint8_t *p, int64_t v) { orr_wire_store_u64(p, (uint64_t)v); }
+static inline int8_t orr_wire_load_i8(const uint8_t *p)
+{
+    int8_t v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+static inline int16_t orr_wire_load_i16(const uint8_t *p)
+{
+    uint16_t u = orr_wire_load_u16(p);
+    int16_t v;
+    memcpy(&v, &u, sizeof v);
+    return v;
+}
+static inline int32_t orr_wire_load_i32(const uint8_t *p)
+{
+    uint32_t u = orr_wire_load_u32(p);
+    int32_t v;
+    memcpy(&v, &u, sizeof v);
+    return v;
+}
+static inline int64_t orr_wire_load_i64(const uint8_t *p)
+{
+    uint64_t u = orr_wire_load_u64(p);
+    int64_t v;
+    memcpy(&v, &u, sizeof v);
+    return v;
+}
+// Any NAN becomes the one quiet NAN, so that equal answers are equal bytes.
+static inline void orr_wire_store_f32(uint8_t *p, float v)
+{
+    uint32_t u;
+    memcpy(&u, &v, sizeof u);
+    if ((u & UINT32_C(0x7fffffff)) > UINT32_C(0x7f800000)) u = UINT32_C(0x7fc00000);
+    orr_wire_store_u32(p, u);
+}
+static inline void orr_wire_store_f64(uint8_t *p, double v)
+{
+    uint64_t u;
+    memcpy(&u, &v, sizeof u);
+    if ((u & UINT64_C(0x7fffffffffffffff)) > UINT64_C(0x7ff0000000000000)) u = UINT64_C(0x7ff8000000000000);
+    orr_wire_store_u64(p, u);
+}
+static inline float orr_wire_load_f32(const uint8_t *p)
+{
+    uint32_t u = orr_wire_load_u32(p);
+    float v;
+    memcpy(&v, &u, sizeof v);
+    return v;
+}
+static inline double orr_wire_load_f64(const uint8_t *p)
+{
+    uint64_t u = orr_wire_load_u64(p);
+    double v;
+    memcpy(&v, &u, sizeof v);
+    return v;
+}
+
+// u16 length and the bytes; above `max` the status is ORR_WIRE_LIMIT, on either side.
+void orr_wire_put_bytes(orr_wire_writer *w, orr_wire_bytes b, uint16_t max);
+orr_wire_bytes orr_wire_get_bytes(orr_wire_reader *r, uint16_t max);
+// Records already in wire form, as they are.
+void orr_wire_put_raw(orr_wire_writer *w, const uint8_t *data, size_t n);
+
+// The frame around every message (docs/protocol.md): 16 bytes of header, payload, CRC-32 over both,
+// little-endian.
+//   0  magic "ORRY"   4  major u8   5  minor u8   6  type u16   8  sequence u32   12  payload length u32   16
+//   payload
+// The header keeps this shape in all versions to come, so that any two versions can tell each other what they
+// are.
+
+#define ORR_FRAME_HEADER 16u
+#define ORR_FRAME_OVERHEAD 20u // header and checksum
+
+typedef struct orr_frame {
+    uint8_t major, minor; // of the sender
+    uint16_t type;
+    uint32_t sequence;
+    const uint8_t *payload; // borrowed from the bytes that were parsed
+    uint32_t size;
+} orr_frame;
+
+// Looks for one frame at the start of data[0..n). Returns
+//   ORR_WIRE_OK: *f is set, *used is its length;
+//   ORR_WIRE_MORE: *used is how many bytes are needed at least (so a buffer can be sized before they come);
+//   ORR_WIRE_MAGIC, _VERSION, _LENGTH (payload above max_payload), _CRC: the stream is lost; the header's
+//   fields are in *f except after ORR_WIRE_MAGIC.
+// A wrong magic, version or length is told from the header alone, without waiting for the rest.
+orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payload, orr_frame *f,
+                                size_t *used);
+
+// Writes the header with a length still open; *start is to be given to orr_frame_end, which sets the length
+// and appends the checksum. Everything between the two is payload.
+void orr_frame_begin(orr_wire_writer *w, uint16_t type, uint32_t sequence, size_t *start);
+void orr_frame_end(orr_wire_writer *w, size_t start);
+
+// The frame's checksum: CRC-32 of ISO 3309 / IEEE 802.3 / zlib (polynomial 0x04C11DB7 reflected, all ones in
+// and out; "123456789" gives 0xCBF43926).
+
+
+// Continues a checksum; start with 0. Define ORR_CRC32_SMALL at compile time for one table of 1 KiB instead
+// of sixteen.
+uint32_t orr_crc32(uint32_t crc, const uint8_t *data, size_t n);
+
+// Messages of Orrery, protocol 1.0.
+
+
+#define ORR_MSG_MAGIC_0 0x4fu
+#define ORR_MSG_MAGIC_1 0x52u
+#define ORR_MSG_MAGIC_2 0x52u
+#define ORR_MSG_MAGIC_3 0x59u
+#define ORR_MSG_MAJOR 1u
+#define ORR_MSG_MINOR 0u
+#define ORR_MSG_PORT 15754u
+#define ORR_MSG_MAX_PAYLOAD 1048576u
+#define ORR_MSG_MAX_CARRIERS 4u // carriers one POLL_DELAYS may name
+#define ORR_MSG_MAX_SATELLITES 800u // satellites in one list (eight systems of 99 and a little)
+#define ORR_MSG_MAX_EPOCHS 86400u // epochs one POLL may ask for (a day at 1 Hz)
+#define ORR_MSG_MAX_PAGES 15u // subframes or strings in one frame of a navigation message
+#define ORR_MSG_MAX_UNITS 64u // inertial units in one list
+#define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
+
+enum { // message types
+    ORR_MSG_TYPE_HELLO = 1,
+    ORR_MSG_TYPE_CAPS = 2,
+    ORR_MSG_TYPE_PING = 3,
+    ORR_MSG_TYPE_PONG = 4,
+    ORR_MSG_TYPE_ERROR = 5,
+    ORR_MSG_TYPE_POLL = 6,
+    ORR_MSG_TYPE_STATES = 7,
+    ORR_MSG_TYPE_POLL_ELEMENTS = 8,
+    ORR_MSG_TYPE_ELEMENTS = 9,
+    ORR_MSG_TYPE_POLL_NAVDATA = 10,
+    ORR_MSG_TYPE_NAVDATA = 11,
+    ORR_MSG_TYPE_POLL_DELAYS = 12,
+    ORR_MSG_TYPE_DELAYS = 13,
+    ORR_MSG_TYPE_POLL_IMU = 16,
+    ORR_MSG_TYPE_IMU = 17,
+    ORR_MSG_TYPE_POLL_TRUTH = 18,
+    ORR_MSG_TYPE_TRUTH = 19,
+};
+
+enum { // error_code (u16): Why a request was refused or a connection is being closed.
+    ORR_MSG_ERROR_CODE_BAD_MAGIC = 1, // the bytes are no frame of this protocol
+    ORR_MSG_ERROR_CODE_BAD_LENGTH = 2, // the payload length is above the limit
+    ORR_MSG_ERROR_CODE_BAD_CRC = 3, // the checksum does not match: bytes were lost or damaged
+    ORR_MSG_ERROR_CODE_BAD_VERSION = 4, // no common major version
+    ORR_MSG_ERROR_CODE_UNKNOWN_TYPE = 5, // no such message type in the server's version
+    ORR_MSG_ERROR_CODE_BAD_PAYLOAD = 6, // the payload is shorter than its fields, or a count in it is above its limit
+    ORR_MSG_ERROR_CODE_BAD_REQUEST = 7, // a value outside its domain, e.g. a step of zero with several epochs
+    ORR_MSG_ERROR_CODE_LIMIT = 8, // more epochs or satellites than one request may ask for
+    ORR_MSG_ERROR_CODE_NOT_SERVED = 9, // understood, but this scenario has nothing to answer it with
+    ORR_MSG_ERROR_CODE_BUSY = 10, // as many clients are connected as the server allows
+    ORR_MSG_ERROR_CODE_TIMEOUT = 11, // half a frame, or nothing, for longer than the server waits
+    ORR_MSG_ERROR_CODE_CLOSING = 12, // the server is shutting down
+    ORR_MSG_ERROR_CODE_INTERNAL = 13, // the server failed; its log says how
+};
+
+enum { // answer (u8): Whether there are numbers, and if not, why not.
+    ORR_MSG_ANSWER_OK = 0, // the numbers are there
+    ORR_MSG_ANSWER_OUTSIDE_SPAN = 1, // the instant is outside the served span
+    ORR_MSG_ANSWER_NO_ARC = 2, // the satellite has no valid arc at the instant
+    ORR_MSG_ANSWER_NOT_SERVED = 3, // the satellite is not among those served
+    ORR_MSG_ANSWER_BELOW_HORIZON = 4, // the satellite is below the receiver's horizon
+    ORR_MSG_ANSWER_NO_VALUE = 5, // the ionosphere has a hole where the ray pierces it, or the arc is too short for the method
+};
+
+enum { // nav_message (u8): A navigation message.
+    ORR_MSG_NAV_MESSAGE_NONE = 0, // none
+    ORR_MSG_NAV_MESSAGE_LNAV = 1, // GPS legacy navigation message: IS-GPS-200, subframes of 300 bits in 6 s
+    ORR_MSG_NAV_MESSAGE_FDMA = 2, // GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
+};
+
+enum { // elements_frame (u8): Axes that Kepler elements refer to.
+    ORR_MSG_ELEMENTS_FRAME_DATE = 0, // true equator and equinox of date
+    ORR_MSG_ELEMENTS_FRAME_J2000 = 1, // GCRS
+    ORR_MSG_ELEMENTS_FRAME_ECEF = 2, // axes of ecef, frozen at the epoch, for MEAN through its whole revolution
+};
+
+enum { // elements_method (u8): How Kepler elements are made.
+    ORR_MSG_ELEMENTS_METHOD_STATE = 0, // osculating, from position and velocity
+    ORR_MSG_ELEMENTS_METHOD_THREE_POSITIONS = 1, // the plane through three positions 300 s apart; a is off by about 2 km
+    ORR_MSG_ELEMENTS_METHOD_MEAN = 2, // osculating averaged over one revolution centred on the epoch
+};
+
+enum { // orbit_point (u8): The point of a satellite whose orbit is described.
+    ORR_MSG_ORBIT_POINT_NONE = 0, // no orbit is described
+    ORR_MSG_ORBIT_POINT_CENTRE_OF_MASS = 1, // the centre of mass
+    ORR_MSG_ORBIT_POINT_PHASE_CENTRE = 2, // the antenna's phase centre; the centre of mass of a satellite marked NO_ANTENNA
+};
+
+enum { // receiver_source (u8): Where the receiver comes from that is used when a request names none.
+    ORR_MSG_RECEIVER_SOURCE_NONE = 0, // there is none: a request has to name one
+    ORR_MSG_RECEIVER_SOURCE_POSITION = 1, // the scenario's receiver.position
+    ORR_MSG_RECEIVER_SOURCE_TRAJECTORY = 2, // a unit of the scenario's trajectory, where it is at each epoch
+    ORR_MSG_RECEIVER_SOURCE_STATION = 3, // the station of the ionosphere's session
+};
+
+enum { // tec_origin (u8): What a delay came from.
+    ORR_MSG_TEC_ORIGIN_FIELD = 0, // the field alone: maps, coefficients or the broadcast model
+    ORR_MSG_TEC_ORIGIN_FUSED = 1, // the session's own carrier phases of the satellite, levelled
+    ORR_MSG_TEC_ORIGIN_TRANSFERRED = 2, // the field, corrected, and the session's residual of the satellite carried to another ray
+    ORR_MSG_TEC_ORIGIN_NOISE = 3, // the field, corrected, what neighbouring rays tell, and seeded noise: the station did not see the satellite
+};
+
+// delay_flags (u8): What holds for a delay.
+#define ORR_MSG_DELAY_FLAGS_CLIPPED ((uint8_t)(UINT64_C(1) << 0)) // the content came out negative and is given as 0
+
+// state_flags (u32): What holds for a satellite's state.
+#define ORR_MSG_STATE_FLAGS_CLOCK_VALID ((uint32_t)(UINT64_C(1) << 0)) // clock_s and clock_rate_sps are there (NAN otherwise)
+#define ORR_MSG_STATE_FLAGS_PREDICTED ((uint32_t)(UINT64_C(1) << 1)) // the input was predicted, or bridged without input
+#define ORR_MSG_STATE_FLAGS_MANOEUVRE ((uint32_t)(UINT64_C(1) << 2)) // within a manoeuvre's interval
+#define ORR_MSG_STATE_FLAGS_CLOCK_EVENT ((uint32_t)(UINT64_C(1) << 3)) // the input flagged a clock event at a neighbouring node
+#define ORR_MSG_STATE_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 4)) // in the umbra or penumbra of the Earth
+#define ORR_MSG_STATE_FLAGS_GAP ((uint32_t)(UINT64_C(1) << 5)) // between input nodes further apart than twice the usual
+
+// nav_notes (u32): What should be known of a broadcast set.
+#define ORR_MSG_NAV_NOTES_MANOEUVRE ((uint32_t)(UINT64_C(1) << 0)) // a manoeuvre within the window, or files that do not meet: marked unhealthy
+#define ORR_MSG_NAV_NOTES_SHIFTED ((uint32_t)(UINT64_C(1) << 1)) // the orbit begins or ends within the window: fitted to the nearest full one
+#define ORR_MSG_NAV_NOTES_NO_CLOCK ((uint32_t)(UINT64_C(1) << 2)) // the product has no clock: zero is sent
+#define ORR_MSG_NAV_NOTES_NO_ANTENNA ((uint32_t)(UINT64_C(1) << 3)) // the scenario's ANTEX file does not know the antenna: the centre of mass is described
+#define ORR_MSG_NAV_NOTES_NO_DELAY ((uint32_t)(UINT64_C(1) << 4)) // the scenario's biases do not have the satellite: a group delay of zero is sent
+#define ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 5)) // GLONASS: the frequency channel is the nominal one of the slot
+#define ORR_MSG_NAV_NOTES_CLOCK_JUMP ((uint32_t)(UINT64_C(1) << 6)) // the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
+
+// Names as in the specification; NULL for a value that it does not know.
+const char *orr_msg_type_name(uint16_t type);
+const char *orr_msg_error_code_name(uint16_t value);
+const char *orr_msg_answer_name(uint8_t value);
+const char *orr_msg_nav_message_name(uint8_t value);
+const char *orr_msg_elements_frame_name(uint8_t value);
+const char *orr_msg_elements_method_name(uint8_t value);
+const char *orr_msg_orbit_point_name(uint8_t value);
+const char *orr_msg_receiver_source_name(uint8_t value);
+const char *orr_msg_tec_origin_name(uint8_t value);
+const char *orr_msg_delay_flags_name(unsigned bit);
+const char *orr_msg_state_flags_name(unsigned bit);
+const char *orr_msg_nav_notes_name(unsigned bit);
+// Whether the connection closes after it.
+bool orr_msg_error_code_closes(uint16_t value);
+
+// Bytes of the largest payload of all messages.
+#define ORR_MSG_LARGEST 924819u
+
+// A satellite as IGS files name it.
+typedef struct orr_msg_sat_id {
+    uint8_t system; // letter: G R E C J I S L; any other is NOT_SERVED
+    uint8_t number; // 1 to 99; any other is NOT_SERVED
+} orr_msg_sat_id;
+#define ORR_MSG_SAT_ID_SIZE 2u
+#define ORR_MSG_SAT_ID_LARGEST 2u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_id_next or orr_msg_sat_id_at.
+typedef struct orr_msg_sat_id_list {
+    uint16_t count;
+    const orr_msg_sat_id *item;
+    orr_wire_records wire;
+} orr_msg_sat_id_list;
+bool orr_msg_sat_id_next(const orr_msg_sat_id_list *list, orr_wire_iter *it, orr_msg_sat_id *out); // false at the end
+bool orr_msg_sat_id_at(const orr_msg_sat_id_list *list, uint16_t index, orr_msg_sat_id *out);   // false beyond the end
+
+// The instants of a request - t, t + step, ..., t + (count - 1) step. A request that has them is answered by count frames.
+typedef struct orr_msg_epochs {
+    int64_t t; // [ns] first epoch
+    int64_t step; // [ns] from one epoch to the next; any sign, not 0 unless count is 1
+    uint32_t count; // how many, 1 to MAX_EPOCHS
+} orr_msg_epochs;
+#define ORR_MSG_EPOCHS_SIZE 20u
+#define ORR_MSG_EPOCHS_LARGEST 20u
+
+// Which of the instants of a request a frame answers.
+typedef struct orr_msg_epoch {
+    int64_t t; // [ns] the instant
+    uint32_t index; // which epoch of the request, from 0; the frame of count - 1 ends the answer
+    uint32_t count; // how many epochs the request asked for
+    uint8_t answer; // whether there are numbers at this instant
+} orr_msg_epoch;
+#define ORR_MSG_EPOCH_SIZE 17u
+#define ORR_MSG_EPOCH_LARGEST 17u
+
+// A length of time with both of its ends.
+typedef struct orr_msg_span {
+    int64_t first; // [ns] first instant; -2^63 where there is none
+    int64_t last; // [ns] last instant; likewise
+} orr_msg_span;
+#define ORR_MSG_SPAN_SIZE 16u
+#define ORR_MSG_SPAN_LARGEST 16u
+
+// A request that is answered.
+typedef struct orr_msg_served_request {
+    uint16_t request; // its message type
+    uint16_t answer; // message type of its answer
+    orr_msg_span span; // instants at which there can be numbers; none of a request without epochs
+} orr_msg_served_request;
+#define ORR_MSG_SERVED_REQUEST_SIZE 20u
+#define ORR_MSG_SERVED_REQUEST_LARGEST 20u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_served_request_next or orr_msg_served_request_at.
+typedef struct orr_msg_served_request_list {
+    uint16_t count;
+    const orr_msg_served_request *item;
+    orr_wire_records wire;
+} orr_msg_served_request_list;
+bool orr_msg_served_request_next(const orr_msg_served_request_list *list, orr_wire_iter *it, orr_msg_served_request *out); // false at the end
+bool orr_msg_served_request_at(const orr_msg_served_request_list *list, uint16_t index, orr_msg_served_request *out);   // false beyond the end
+
+// An inertial measurement unit of the scenario's vehicle.
+typedef struct orr_msg_inertial_unit {
+    uint16_t unit; // its number in POLL_IMU and POLL_TRUTH; 0 is the trajectory's own point
+    orr_wire_bytes name; // its name in the scenario
+    double lever_m[3]; // where it is from unit 0: to the right, forward, up in the vehicle's axes
+    double heading_rad; // how it is mounted: heading against the vehicle's axes
+    double pitch_rad; // likewise pitch
+    double roll_rad; // likewise roll
+} orr_msg_inertial_unit;
+#define ORR_MSG_INERTIAL_UNIT_LARGEST 116u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_inertial_unit_next.
+typedef struct orr_msg_inertial_unit_list {
+    uint16_t count;
+    const orr_msg_inertial_unit *item;
+    orr_wire_records wire;
+} orr_msg_inertial_unit_list;
+bool orr_msg_inertial_unit_next(const orr_msg_inertial_unit_list *list, orr_wire_iter *it, orr_msg_inertial_unit *out); // false at the end
+
+// Leap seconds of UTC as the server knows them.
+typedef struct orr_msg_leap_seconds {
+    int16_t gps_utc_s; // GPS time minus UTC, in force at the first instant served
+    int16_t next_gps_utc_s; // from `next` on; the same where no later change is known
+    int64_t next; // [ns] first instant of the next value; -2^63 where no later change is known
+} orr_msg_leap_seconds;
+#define ORR_MSG_LEAP_SECONDS_SIZE 12u
+#define ORR_MSG_LEAP_SECONDS_LARGEST 12u
+
+// State of one satellite in the terrestrial frame of the input orbits (ecef). Numbers are NAN unless answer is OK.
+typedef struct orr_msg_sat_state {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC or NOT_SERVED
+    uint8_t reserved; // 0
+    uint32_t flags; // 0 unless answer is OK
+    double pos_m[3]; // position of the centre of mass
+    double vel_mps[3]; // [m/s] its first derivative (ecef)
+    double acc_mps2[3]; // [m/s2] its second derivative (ecef)
+    double clock_s; // clock offset, periodic relativity not included
+    double clock_rate_sps; // [s/s] its derivative
+    int64_t valid_from; // [ns] start of the arc that was evaluated
+    int64_t valid_to; // [ns] its end
+    float sigma_m; // 1-sigma of the position, 3-D
+} orr_msg_sat_state;
+#define ORR_MSG_SAT_STATE_SIZE 116u
+#define ORR_MSG_SAT_STATE_LARGEST 116u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_state_next or orr_msg_sat_state_at.
+typedef struct orr_msg_sat_state_list {
+    uint16_t count;
+    const orr_msg_sat_state *item;
+    orr_wire_records wire;
+} orr_msg_sat_state_list;
+bool orr_msg_sat_state_next(const orr_msg_sat_state_list *list, orr_wire_iter *it, orr_msg_sat_state *out); // false at the end
+bool orr_msg_sat_state_at(const orr_msg_sat_state_list *list, uint16_t index, orr_msg_sat_state *out);   // false beyond the end
+
+// Kepler elements of one satellite. Numbers are NAN unless answer is OK.
+typedef struct orr_msg_sat_elements {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC, NOT_SERVED, or NO_VALUE where the arc is too short for the method
+    uint8_t reserved; // 0
+    uint32_t flags; // of the state at the epoch; 0 unless answer is OK
+    double a_m; // semi-major axis
+    double e; // eccentricity
+    double i_rad; // inclination
+    double raan_rad; // right ascension of the ascending node, 0 to 2 pi
+    double argp_rad; // argument of perigee; ill-determined in near-circular orbits
+    double m_rad; // mean anomaly; likewise
+    double u_rad; // argument of latitude
+} orr_msg_sat_elements;
+#define ORR_MSG_SAT_ELEMENTS_SIZE 64u
+#define ORR_MSG_SAT_ELEMENTS_LARGEST 64u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_elements_next or orr_msg_sat_elements_at.
+typedef struct orr_msg_sat_elements_list {
+    uint16_t count;
+    const orr_msg_sat_elements *item;
+    orr_wire_records wire;
+} orr_msg_sat_elements_list;
+bool orr_msg_sat_elements_next(const orr_msg_sat_elements_list *list, orr_wire_iter *it, orr_msg_sat_elements *out); // false at the end
+bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t index, orr_msg_sat_elements *out);   // false beyond the end
+
+// A subframe or string as it is sent, bit by bit.
+typedef struct orr_msg_nav_page {
+    int64_t t; // [ns] begin of its first bit
+    uint8_t number; // subframe 1-5, string 1-15
+    uint8_t page; // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe
+    uint16_t bits; // 300 or 85
+    orr_wire_bytes data; // the first bit in time is the highest of the first byte; what is left of the last is 0
+} orr_msg_nav_page;
+#define ORR_MSG_NAV_PAGE_LARGEST 52u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_nav_page_next.
+typedef struct orr_msg_nav_page_list {
+    uint16_t count;
+    const orr_msg_nav_page *item;
+    orr_wire_records wire;
+} orr_msg_nav_page_list;
+bool orr_msg_nav_page_next(const orr_msg_nav_page_list *list, orr_wire_iter *it, orr_msg_nav_page *out); // false at the end
+
+// What subframes 1 to 3 hold beside clock and issue, on the message's lattice (IS-GPS-200N tables 20-I and 20-III).
+typedef struct orr_msg_lnav_set {
+    double sqrt_a_sqrtm; // [sqrt(m)] root of the semi-major axis
+    double e; // eccentricity
+    double m0_rad; // mean anomaly at toe
+    double i0_rad; // inclination at toe
+    double omega0_rad; // longitude of the node at the week's begin
+    double omega_rad; // argument of perigee
+    double delta_n_radps; // [rad/s] mean motion difference
+    double idot_radps; // [rad/s] rate of the inclination
+    double omega_dot_radps; // [rad/s] rate of the node
+    double cuc_rad; // cosine term of the argument of latitude
+    double cus_rad; // its sine term
+    double crc_m; // cosine term of the radius
+    double crs_m; // its sine term
+    double cic_rad; // cosine term of the inclination
+    double cis_rad; // its sine term
+    double tgd_s; // group delay differential
+} orr_msg_lnav_set;
+#define ORR_MSG_LNAV_SET_SIZE 128u
+#define ORR_MSG_LNAV_SET_LARGEST 128u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_lnav_set_next or orr_msg_lnav_set_at.
+typedef struct orr_msg_lnav_set_list {
+    uint16_t count;
+    const orr_msg_lnav_set *item;
+    orr_wire_records wire;
+} orr_msg_lnav_set_list;
+bool orr_msg_lnav_set_next(const orr_msg_lnav_set_list *list, orr_wire_iter *it, orr_msg_lnav_set *out); // false at the end
+bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_msg_lnav_set *out);   // false beyond the end
+
+// What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
+typedef struct orr_msg_glonass_set {
+    double pos_m[3]; // position at toe (t_b), PZ-90
+    double vel_mps[3]; // [m/s] velocity at toe
+    double acc_mps2[3]; // [m/s2] acceleration by Sun and Moon
+    double delta_tau_s; // L2 behind L1
+    int8_t channel; // frequency channel -7 to 6
+    uint8_t reserved; // 0
+} orr_msg_glonass_set;
+#define ORR_MSG_GLONASS_SET_SIZE 82u
+#define ORR_MSG_GLONASS_SET_LARGEST 82u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_glonass_set_next or orr_msg_glonass_set_at.
+typedef struct orr_msg_glonass_set_list {
+    uint16_t count;
+    const orr_msg_glonass_set *item;
+    orr_wire_records wire;
+} orr_msg_glonass_set_list;
+bool orr_msg_glonass_set_next(const orr_msg_glonass_set_list *list, orr_wire_iter *it, orr_msg_glonass_set *out); // false at the end
+bool orr_msg_glonass_set_at(const orr_msg_glonass_set_list *list, uint16_t index, orr_msg_glonass_set *out);   // false beyond the end
+
+// What one satellite sends. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
+typedef struct orr_msg_sat_navdata {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not fit its field)
+    uint8_t message; // LNAV or FDMA; NONE unless answer is OK
+    uint32_t notes; // 0 unless answer is OK
+    int64_t set_from; // [ns] the set is sent from then on
+    int64_t set_to; // [ns] and before then
+    int64_t toe; // [ns] reference of the orbit
+    int64_t toc; // [ns] reference of the clock
+    int32_t week; // GPS week of toe; -1 for GLONASS
+    int16_t iode; // issue of the orbit; -1 for GLONASS
+    int16_t iodc; // issue of the clock; -1 for GLONASS
+    uint32_t health; // LNAV: six bits, 0 is good; GLONASS: 1 for unfit
+    double accuracy_m; // LNAV: user range accuracy that is sent; NAN for GLONASS
+    double fit_rms_m; // 3-D RMS of the rounded set against the orbit, over its window
+    double fit_max_m; // largest of these distances
+    double clock_rms_s; // the same of the clock; NAN with NO_CLOCK
+    double af0_s; // clock at toc; GLONASS: -tau_n
+    double af1_sps; // [s/s] its rate; GLONASS: gamma_n
+    double af2_sps2; // [s/s2] its second coefficient; 0 for GLONASS
+    int64_t frame_from; // [ns] begin of the frame of the message that holds the epoch
+    int64_t frame_to; // [ns] its end: the next frame's begin
+    orr_msg_lnav_set_list kepler; // of LNAV: one
+    orr_msg_glonass_set_list glonass; // of FDMA: one
+    orr_msg_nav_page_list pages; // all of the frame: five subframes, or fifteen strings
+} orr_msg_sat_navdata;
+#define ORR_MSG_SAT_NAVDATA_LARGEST 1154u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_navdata_next.
+typedef struct orr_msg_sat_navdata_list {
+    uint16_t count;
+    const orr_msg_sat_navdata *item;
+    orr_wire_records wire;
+} orr_msg_sat_navdata_list;
+bool orr_msg_sat_navdata_next(const orr_msg_sat_navdata_list *list, orr_wire_iter *it, orr_msg_sat_navdata *out); // false at the end
+
+// The ionosphere between a receiver and one satellite. Numbers are NAN unless answer is OK.
+typedef struct orr_msg_sat_delay {
+    orr_msg_sat_id sat; // which satellite
+    uint8_t answer; // OK, NO_ARC, NOT_SERVED, BELOW_HORIZON or NO_VALUE
+    uint8_t origin; // what it came from
+    uint8_t flags; // 0 unless answer is OK
+    uint8_t reserved; // 0
+    double az_rad; // azimuth, clockwise from North
+    double el_rad; // elevation above the ellipsoidal horizon
+    double pierce_lat_rad; // geocentric latitude of the pierce point
+    double pierce_lon_rad; // its longitude, East
+    double mapping; // slant over vertical
+    double stec_tecu; // [TECU] slant total electron content
+    double model_stec_tecu; // [TECU] the part of the field as it is
+    double delay_m[4]; // delay of a code on each carrier asked for, NAN beyond them; a carrier phase is early by it
+    float sigma_tecu; // [TECU] 1-sigma of stec_tecu, NAN where unknown
+} orr_msg_sat_delay;
+#define ORR_MSG_SAT_DELAY_SIZE 98u
+#define ORR_MSG_SAT_DELAY_LARGEST 98u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_delay_next or orr_msg_sat_delay_at.
+typedef struct orr_msg_sat_delay_list {
+    uint16_t count;
+    const orr_msg_sat_delay *item;
+    orr_wire_records wire;
+} orr_msg_sat_delay_list;
+bool orr_msg_sat_delay_next(const orr_msg_sat_delay_list *list, orr_wire_iter *it, orr_msg_sat_delay *out); // false at the end
+bool orr_msg_sat_delay_at(const orr_msg_sat_delay_list *list, uint16_t index, orr_msg_sat_delay *out);   // false beyond the end
+
+// Encoding appends the payload to the writer and returns its status. Decoding reads a payload; strings, blobs
+// and lists borrow its bytes; bytes after the last known field are of a later minor version and are ignored.
+
+// Opens a conversation. Optional, but a client that sends it learns what is served.
+typedef struct orr_msg_hello {
+    uint8_t major_min; // lowest major version the client speaks
+    uint8_t major_max; // highest
+    orr_wire_bytes name; // name of the client, for the server's log
+    orr_wire_bytes version; // its version
+} orr_msg_hello;
+#define ORR_MSG_HELLO_LARGEST 102u
+
+orr_wire_status orr_msg_hello_encode(const orr_msg_hello *m, orr_wire_writer *w);
+orr_wire_status orr_msg_hello_decode(const uint8_t *payload, size_t size, orr_msg_hello *m);
+
+// What the server is and what it serves.
+typedef struct orr_msg_caps {
+    uint8_t major; // version chosen for the conversation
+    uint8_t minor; // minor version of the server
+    uint32_t max_request; // bytes of payload it reads of one request
+    uint32_t max_epochs; // epochs one POLL may ask for
+    orr_msg_span span; // first and last instant at which anything is served
+    orr_wire_bytes name; // name of the server
+    orr_wire_bytes version; // its version
+    orr_wire_bytes title; // title of the scenario
+    orr_wire_bytes frame; // terrestrial frame of positions, e.g. IGS20
+    orr_msg_leap_seconds leap; // leap second in force, and the next
+    uint8_t navdata_point; // the point of a satellite whose orbit NAVDATA describes; STATES gives the centre of mass
+    uint8_t receiver_source; // receiver that is used when a POLL_DELAYS names none
+    uint16_t receiver_unit; // with TRAJECTORY: the unit whose point it is
+    double receiver_m[3]; // where it is (ecef); NAN with NONE and TRAJECTORY
+    double imu_rate_hz; // [Hz] readings a second where POLL_IMU has step 0; NAN where POLL_IMU is not answered
+    orr_msg_inertial_unit_list units; // inertial units; none without a trajectory
+    orr_msg_served_request_list requests; // what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
+    orr_msg_sat_id_list satellites; // served satellites, in the order in which STATES lists them
+} orr_msg_caps;
+#define ORR_MSG_CAPS_LARGEST 10812u
+
+orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w);
+orr_wire_status orr_msg_caps_decode(const uint8_t *payload, size_t size, orr_msg_caps *m);
+
+// Asks whether the server is alive; also keeps an idle connection open.
+typedef struct orr_msg_ping {
+    uint64_t token; // anything
+} orr_msg_ping;
+#define ORR_MSG_PING_SIZE 8u
+#define ORR_MSG_PING_LARGEST 8u
+
+orr_wire_status orr_msg_ping_encode(const orr_msg_ping *m, orr_wire_writer *w);
+orr_wire_status orr_msg_ping_decode(const uint8_t *payload, size_t size, orr_msg_ping *m);
+
+// The answer to a PING.
+typedef struct orr_msg_pong {
+    uint64_t token; // that of the PING
+} orr_msg_pong;
+#define ORR_MSG_PONG_SIZE 8u
+#define ORR_MSG_PONG_LARGEST 8u
+
+orr_wire_status orr_msg_pong_encode(const orr_msg_pong *m, orr_wire_writer *w);
+orr_wire_status orr_msg_pong_decode(const uint8_t *payload, size_t size, orr_msg_pong *m);
+
+// A refusal. Answers the request whose sequence number it bears; 0 where no request could be read.
+typedef struct orr_msg_error {
+    uint16_t code; // class of failure, for programs
+    uint16_t request; // message type of the refused request, 0 if none
+    orr_wire_bytes sentence; // what was wrong, for people
+} orr_msg_error;
+#define ORR_MSG_ERROR_LARGEST 518u
+
+orr_wire_status orr_msg_error_encode(const orr_msg_error *m, orr_wire_writer *w);
+orr_wire_status orr_msg_error_decode(const uint8_t *payload, size_t size, orr_msg_error *m);
+
+// Asks for satellite states. The same POLL gets the same bytes, always.
+typedef struct orr_msg_poll {
+    orr_msg_epochs epochs; // when
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll;
+#define ORR_MSG_POLL_LARGEST 1624u
+
+orr_wire_status orr_msg_poll_encode(const orr_msg_poll *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_decode(const uint8_t *payload, size_t size, orr_msg_poll *m);
+
+// Satellite states at one epoch.
+typedef struct orr_msg_states {
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
+    orr_msg_sat_state_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_states;
+#define ORR_MSG_STATES_LARGEST 92821u
+
+orr_wire_status orr_msg_states_encode(const orr_msg_states *m, orr_wire_writer *w);
+orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_msg_states *m);
+
+// Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
+typedef struct orr_msg_poll_elements {
+    orr_msg_epochs epochs; // when
+    uint8_t frame; // axes that the elements refer to
+    uint8_t method; // how they are made
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll_elements;
+#define ORR_MSG_POLL_ELEMENTS_LARGEST 1626u
+
+orr_wire_status orr_msg_poll_elements_encode(const orr_msg_poll_elements *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_elements_decode(const uint8_t *payload, size_t size, orr_msg_poll_elements *m);
+
+// Kepler elements at one epoch.
+typedef struct orr_msg_elements {
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
+    uint8_t frame; // as asked
+    uint8_t method; // as asked
+    orr_msg_sat_elements_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_elements;
+#define ORR_MSG_ELEMENTS_LARGEST 51223u
+
+orr_wire_status orr_msg_elements_encode(const orr_msg_elements *m, orr_wire_writer *w);
+orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr_msg_elements *m);
+
+// Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+typedef struct orr_msg_poll_navdata {
+    orr_msg_epochs epochs; // when
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll_navdata;
+#define ORR_MSG_POLL_NAVDATA_LARGEST 1624u
+
+orr_wire_status orr_msg_poll_navdata_encode(const orr_msg_poll_navdata *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_navdata_decode(const uint8_t *payload, size_t size, orr_msg_poll_navdata *m);
+
+// Broadcast data at one epoch.
+typedef struct orr_msg_navdata {
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
+    orr_msg_sat_navdata_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_navdata;
+#define ORR_MSG_NAVDATA_LARGEST 924819u
+
+orr_wire_status orr_msg_navdata_encode(const orr_msg_navdata *m, orr_wire_writer *w);
+orr_wire_status orr_msg_navdata_decode(const uint8_t *payload, size_t size, orr_msg_navdata *m);
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_f64_next or orr_msg_f64_at.
+typedef struct orr_msg_f64_list {
+    uint16_t count;
+    const double *item;
+    orr_wire_records wire;
+} orr_msg_f64_list;
+bool orr_msg_f64_next(const orr_msg_f64_list *list, orr_wire_iter *it, double *out); // false at the end
+bool orr_msg_f64_at(const orr_msg_f64_list *list, uint16_t index, double *out);   // false beyond the end
+
+// Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
+typedef struct orr_msg_poll_delays {
+    orr_msg_epochs epochs; // when
+    double receiver_m[3]; // receiver (ecef); three times NAN for the scenario's own, which may move from epoch to epoch
+    orr_msg_f64_list carriers_hz; // [Hz] carriers to give delays for; empty for 1575.42 MHz
+    orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+} orr_msg_poll_delays;
+#define ORR_MSG_POLL_DELAYS_LARGEST 1684u
+
+orr_wire_status orr_msg_poll_delays_encode(const orr_msg_poll_delays *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_delays_decode(const uint8_t *payload, size_t size, orr_msg_poll_delays *m);
+
+// Ionospheric delays at one epoch.
+typedef struct orr_msg_delays {
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites
+    double receiver_m[3]; // the receiver that was taken (ecef); NAN outside the span of the scenario's trajectory
+    orr_msg_f64_list carriers_hz; // [Hz] the carriers of delay_m
+    orr_msg_sat_delay_list satellites; // those asked for, in that order; for all, those of CAPS
+} orr_msg_delays;
+#define ORR_MSG_DELAYS_LARGEST 78481u
+
+orr_wire_status orr_msg_delays_encode(const orr_msg_delays *m, orr_wire_writer *w);
+orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_msg_delays *m);
+
+// Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+typedef struct orr_msg_poll_imu {
+    orr_msg_epochs epochs; // begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)
+    uint16_t unit; // which inertial unit of the scenario; 0 is the trajectory's own point
+} orr_msg_poll_imu;
+#define ORR_MSG_POLL_IMU_SIZE 22u
+#define ORR_MSG_POLL_IMU_LARGEST 22u
+
+orr_wire_status orr_msg_poll_imu_encode(const orr_msg_poll_imu *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_imu_decode(const uint8_t *payload, size_t size, orr_msg_poll_imu *m);
+
+// Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up).
+typedef struct orr_msg_imu {
+    orr_msg_epoch epoch; // begin of the interval; OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    int64_t t1; // [ns] end of the interval
+    uint16_t unit; // the unit asked for
+    double dtheta_rad[3]; // integral of the absolute angular rate
+    double dv_mps[3]; // [m/s] integral of the specific force; at rest +g upward
+} orr_msg_imu;
+#define ORR_MSG_IMU_SIZE 75u
+#define ORR_MSG_IMU_LARGEST 75u
+
+orr_wire_status orr_msg_imu_encode(const orr_msg_imu *m, orr_wire_writer *w);
+orr_wire_status orr_msg_imu_decode(const uint8_t *payload, size_t size, orr_msg_imu *m);
+
+// Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.
+typedef struct orr_msg_poll_truth {
+    orr_msg_epochs epochs; // when
+    uint16_t unit; // which inertial unit of the scenario; 0 is the trajectory's own point
+} orr_msg_poll_truth;
+#define ORR_MSG_POLL_TRUTH_SIZE 22u
+#define ORR_MSG_POLL_TRUTH_LARGEST 22u
+
+orr_wire_status orr_msg_poll_truth_encode(const orr_msg_poll_truth *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_truth_decode(const uint8_t *payload, size_t size, orr_msg_poll_truth *m);
+
+// True motion and gravity at one epoch.
+typedef struct orr_msg_truth {
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
+    uint16_t unit; // the unit asked for
+    double pos_m[3]; // position (ecef)
+    double vel_mps[3]; // [m/s] velocity relative to the Earth (ecef)
+    double acc_mps2[3]; // [m/s2] second derivative of the position (ecef)
+    double attitude[4]; // quaternion w x y z of body from ecef: v_body = conj(q) v_ecef q
+    double heading_rad; // clockwise from true North, 0 to 2 pi
+    double pitch_rad; // nose up
+    double roll_rad; // right wing down
+    double rate_radps[3]; // [rad/s] absolute angular rate, body axes
+    double force_mps2[3]; // [m/s2] specific force, body axes
+    double disturbance_mgal; // [mGal] gravity disturbance, stronger gravity positive
+    double eotvos_mgal; // [mGal] Eotvoes term: what the motion takes off the weight
+    double vertical_mps2; // [m/s2] rate of the vertical velocity over the ellipsoid
+} orr_msg_truth;
+#define ORR_MSG_TRUTH_SIZE 219u
+#define ORR_MSG_TRUTH_LARGEST 219u
+
+orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w);
+orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m);
+
+// All messages, for code that does the same with each.
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
+
+// The client's side of a conversation, for a generator's firmware: C99 and libc alone, no allocation, no
+// clock, no socket. The caller supplies read and write callbacks (a socket, a UART, a test's pipe) and one
+// buffer.
+//
+//     orr_client c;
+//     static uint8_t buffer[32768];
+//     orr_client_init(&c, io, buffer, sizeof buffer);
+//     orr_msg_poll poll = {.epochs = {t_ns, 0, 1}};           // no satellites named: all
+//     if (orr_client_poll(&c, &poll) == ORR_WIRE_OK && orr_client_states(&c, &states) == ORR_WIRE_OK) {
+//         orr_wire_iter it = {0};
+//         while (orr_msg_sat_state_next(&states.satellites, &it, &sat)) use(&sat);
+//     }
+
+typedef struct orr_client_io {
+    void *user;
+    // Waits for at least one byte, reads at most n. Returns how many; 0 at the peer's end; negative on
+    // failure or timeout.
+    ptrdiff_t (*read)(void *user, uint8_t *data, size_t n);
+    // Writes at least one byte of n. Returns how many; 0 or negative on failure.
+    ptrdiff_t (*write)(void *user, const uint8_t *data, size_t n);
+} orr_client_io;
+
+#define ORR_CLIENT_SENTENCE 160
+
+typedef struct orr_client {
+    orr_client_io io;
+    uint8_t *data;
+    size_t capacity, size, used; // bytes of data that are filled; of the frame handed out last
+    uint32_t sequence;           // of the last request
+    uint32_t index, count;       // of its epochs: that of the next frame, and how many there are
+    uint16_t error_code;         // after ORR_WIRE_REFUSED: ORR_MSG_ERROR_CODE_*
+    char sentence[ORR_CLIENT_SENTENCE];
+} orr_client;
+
+// The buffer holds one frame at a time: ORR_FRAME_OVERHEAD plus the largest message that will be sent or
+// received (ORR_MSG_..._LARGEST; a STATES of n satellites takes ORR_MSG_STATES_LARGEST -
+// (ORR_MSG_MAX_SATELLITES - n) * ORR_MSG_SAT_STATE_SIZE). It must stay alive as long as the client.
+void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity);
+
+// What is asked and heard stands in proto/gen/verbs.h, one function a message. What is decoded borrows the
+// buffer until the next call. Errors: ORR_WIRE_REFUSED (error_code, sentence), ORR_WIRE_SPACE, and those of
+// frame and io; after any but REFUSED, SPACE on sending, and LIMIT the connection is of no more use.
+//
+// A buffer for NAVDATA: 32 GPS and 24 GLONASS satellites take ORR_FRAME_OVERHEAD + 33 KiB, each satellite at
+// most 2 + ORR_MSG_SAT_NAVDATA_LARGEST. A POLL_DELAYS whose receiver_m is NAN, NAN, NAN asks for the
+// scenario's own receiver.
+
+// HELLO of this version, and PING, in short. After the latter the answer's token has been compared.
+orr_wire_status orr_client_open(orr_client *c, const char *name, const char *version, orr_msg_caps *caps);
+orr_wire_status orr_client_check(orr_client *c, uint64_t token);
+
+// What the verbs are made of: begin, encode into *w, send; then wait for the next frame of a type. A request
+// of epochs says how many frames it expects; each that comes is compared with what is due.
+void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);
+orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start);
+orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);
+void orr_client_expect(orr_client *c, uint32_t count);
+orr_wire_status orr_client_epoch(orr_client *c, uint32_t index, uint32_t count);
+
+// What a client asks and hears. Included by proto/client.h.
+
+// Opens a conversation. Optional, but a client that sends it learns what is served.
+orr_wire_status orr_client_hello(orr_client *c, const orr_msg_hello *request, orr_msg_caps *answer);
+// Asks whether the server is alive; also keeps an idle connection open.
+orr_wire_status orr_client_ping(orr_client *c, const orr_msg_ping *request, orr_msg_pong *answer);
+// Asks for satellite states. The same POLL gets the same bytes, always.
+// Then call orr_client_states request->epochs.count times.
+orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *request);
+// Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
+// Then call orr_client_elements request->epochs.count times.
+orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *request);
+// Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+// Then call orr_client_navdata request->epochs.count times.
+orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *request);
+// Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
+// Then call orr_client_delays request->epochs.count times.
+orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *request);
+// Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+// Then call orr_client_imu request->epochs.count times.
+orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *request);
+// Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.
+// Then call orr_client_truth request->epochs.count times.
+orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *request);
+
+// Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);
+// Kepler elements at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *answer);
+// Broadcast data at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *answer);
+// Ionospheric delays at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *answer);
+// Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *answer);
+// True motion and gravity at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *answer);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+// clang-format off
+// What a client asks and hears. Included by proto/client.h.
+#ifndef ORR_PROTO_GEN_VERBS_H
+#define ORR_PROTO_GEN_VERBS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Opens a conversation. Optional, but a client that sends it learns what is served.
+orr_wire_status orr_client_hello(orr_client *c, const orr_msg_hello *request, orr_msg_caps *answer);
+// Asks whether the server is alive; also keeps an idle connection open.
+orr_wire_status orr_client_ping(orr_client *c, const orr_msg_ping *request, orr_msg_pong *answer);
+// Asks for satellite states. The same POLL gets the same bytes, always.
+// Then call orr_client_states request->epochs.count times.
+orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *request);
+// Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
+// Then call orr_client_elements request->epochs.count times.
+orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *request);
+// Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+// Then call orr_client_navdata request->epochs.count times.
+orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *request);
+// Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
+// Then call orr_client_delays request->epochs.count times.
+orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *request);
+// Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+// Then call orr_client_imu request->epochs.count times.
+orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *request);
+// Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.
+// Then call orr_client_truth request->epochs.count times.
+orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *request);
+
+// Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);
+// Kepler elements at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *answer);
+// Broadcast data at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *answer);
+// Ionospheric delays at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *answer);
+// Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *answer);
+// True motion and gravity at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *answer);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
