@@ -211,7 +211,7 @@ static orr_status read_clocks(const file *f, orr_ephemeris *e)
     if (s == ORR_OK) s = read_column(f, "clock_bias", ORR_NC_DOUBLE, n, (void **)&bias);
     if (s == ORR_OK) s = read_column(f, "clock_flags", ORR_NC_UINT16, n, (void **)&flags);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
-        e->clock[i] = (orr_clock_node){t[i], bias[i], flags[i] & EPH_CLOCK_FLAGS};
+        e->clock[i] = (orr_clock_node){.t = t[i], .clock_s = bias[i], .flags = flags[i] & EPH_CLOCK_FLAGS};
         if (t[i] < -EPH_TIME_LIMIT || t[i] > EPH_TIME_LIMIT || !(fabs(bias[i]) < EPH_MAX_CLOCK_S))
             s = wrong(f, "a clock node is impossible");
     }

@@ -116,7 +116,8 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
                 uint32_t flags = 0;
                 if (r->flags & ORR_SP3_CLOCK_EVENT) flags |= ORR_EPH_CLOCK_EVENT;
                 if (r->flags & ORR_SP3_CLOCK_PREDICTED) flags |= ORR_EPH_PREDICTED;
-                list->clock[list->n_clocks++] = (orr_clock_node){sp3->epoch[e], r->clock_s, flags};
+                list->clock[list->n_clocks++] = (orr_clock_node){
+                    .t = sp3->epoch[e], .clock_s = r->clock_s, .flags = flags, .source = (uint16_t)k};
             }
         }
     }

@@ -8,15 +8,7 @@
 #include "core/sat.h"
 #include "core/time.h"
 #include "core/vec.h"
-
-enum { // flags of samples, clock nodes and states; the wire's STATES uses the same bits
-    ORR_EPH_CLOCK_VALID = 1u << 0, // clock_s and clock_rate_sps are there
-    ORR_EPH_PREDICTED = 1u << 1,   // input was predicted, or bridged without input
-    ORR_EPH_MANOEUVRE = 1u << 2,   // within a manoeuvre's interval
-    ORR_EPH_CLOCK_EVENT = 1u << 3, // the product flagged a clock event at a neighbouring node
-    ORR_EPH_ECLIPSE = 1u << 4,     // umbra or penumbra of the Earth
-    ORR_EPH_GAP = 1u << 5,         // between nodes further apart than twice the usual
-};
+#include "orbit/clock/clock_node.h"
 
 // State in ecef (ITRS) at one instant. acc is the second derivative of the ecef coordinates (what a
 // receiver's polynomial needs), not the specific force.
@@ -34,14 +26,6 @@ typedef struct orr_orbit_arc {
     size_t samples_per_segment; // n - 1 is a multiple of it: the segments the product should fit
     orr_orbit_sample *sample;
 } orr_orbit_arc;
-
-// Clock node. Between neighbours not further apart than the product's max gap the clock is linear; never
-// across a gap.
-typedef struct orr_clock_node {
-    orr_time t;
-    double clock_s; // as the input product gives it (periodic relativity NOT included, the IGS convention)
-    uint32_t flags; // ORR_EPH_CLOCK_EVENT, ORR_EPH_PREDICTED
-} orr_clock_node;
 
 // An input node and how well the solution meets it.
 typedef struct orr_orbit_node {

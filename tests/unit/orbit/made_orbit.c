@@ -80,8 +80,8 @@ static void fill(const made_satellite *m, double hours, double segment_s, size_t
         p->sigma_m = 0.01f + 0.0001f * (float)i;
     }
     for (size_t i = 0; i < s->n_clocks; i++)
-        s->clock[i] = (orr_clock_node){made_midnight + (int64_t)i * 300 * ORR_NS_PER_S,
-                                       made_clock(m, 300.0 * (double)i), 0};
+        s->clock[i] = (orr_clock_node){.t = made_midnight + (int64_t)i * 300 * ORR_NS_PER_S,
+                                       .clock_s = made_clock(m, 300.0 * (double)i)};
     s->n_nodes = segments + 1;
     s->node = calloc(s->n_nodes, sizeof *s->node);
     for (size_t i = 0; i < s->n_nodes; i++)

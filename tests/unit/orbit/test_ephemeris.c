@@ -276,7 +276,7 @@ static void test_clocks(void **state)
         if (t == 10800) c[n].flags = ORR_EPH_PREDICTED;
         n++;
     }
-    c[n++] = (orr_clock_node){at(13000), 1e-6, 0};
+    c[n++] = (orr_clock_node){.t = at(13000), .clock_s = 1e-6};
     g->n_clocks = n;
     orr_ephemeris *e = build(&s);
     orr_sat_state st;
