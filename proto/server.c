@@ -88,10 +88,19 @@ static uint16_t answer_ping(const orr_frame *f, orr_wire_writer *w)
     return 0;
 }
 
+static void next_part(orr_server_conn *c, uint32_t index)
+{
+    c->part.index = index;
+    c->part.done = 0;
+    c->part.over = c->over;
+    c->part.owner = c->owner;
+    c->unfinished = 0;
+}
+
 static uint16_t begin(const orr_server *s, orr_server_conn *c, const orr_frame *f, orr_server_refusal *why)
 {
     c->frames = 1;
-    c->index = 0;
+    next_part(c, 0);
     if (f->type == ORR_MSG_TYPE_HELLO) return begin_hello(c, f, why);
     if (f->type == ORR_MSG_TYPE_PING) {
         orr_msg_ping ping;
@@ -110,27 +119,30 @@ static uint16_t begin(const orr_server *s, orr_server_conn *c, const orr_frame *
     return name == NULL ? ORR_MSG_ERROR_CODE_UNKNOWN_TYPE : ORR_MSG_ERROR_CODE_NOT_SERVED;
 }
 
-static uint16_t answer(const orr_server *s, const orr_server_conn *c, const orr_frame *f, uint16_t *reply,
-                       orr_wire_writer *w, orr_server_refusal *why)
+// One call of a handler: begins a frame at the writer's end or goes on with it there; `more` when it is not
+// finished.
+static uint16_t answer(const orr_server *s, orr_server_conn *c, const orr_frame *f, orr_wire_writer *w,
+                       orr_server_refusal *why)
 {
     const orr_server_route *route = NULL;
-    *reply = ORR_MSG_TYPE_CAPS;
-    if (f->type == ORR_MSG_TYPE_PING)
-        *reply = ORR_MSG_TYPE_PONG;
-    else if (f->type != ORR_MSG_TYPE_HELLO) {
+    uint16_t reply = f->type == ORR_MSG_TYPE_PING ? ORR_MSG_TYPE_PONG : ORR_MSG_TYPE_CAPS, code = 0;
+    if (f->type != ORR_MSG_TYPE_PING && f->type != ORR_MSG_TYPE_HELLO) {
         route = route_of(s, f->type);
-        *reply = route->reply;
+        reply = route->reply;
     }
-    size_t start;
-    orr_frame_begin(w, *reply, f->sequence, &start);
-    uint16_t code = 0;
+    size_t start = w->size;
+    if (c->unfinished > 0)
+        w->size += c->unfinished;
+    else
+        orr_frame_begin(w, reply, f->sequence, &start);
+    c->part.more = false;
     if (route != NULL)
-        code = route->answer(s->user, f, c->index, w, why);
+        code = route->answer(s->user, f, &c->part, w, why);
     else if (f->type == ORR_MSG_TYPE_PING)
         code = answer_ping(f, w);
     else
         code = answer_hello(s, w);
-    if (code == 0) orr_frame_end(w, start);
+    if (code == 0 && !c->part.more) orr_frame_end(w, start);
     return code;
 }
 
@@ -157,24 +169,29 @@ static void refuse_stream(orr_wire_status status, const orr_frame *f, orr_wire_w
     step->closing = code;
 }
 
-// Answers the request under way as far as there is room. True when it is done with.
+// Answers the request under way as far as there is room and time. True when it is done with.
 static bool answer_some(const orr_server *s, orr_server_conn *c, const orr_frame *f, uint16_t refused,
                         orr_server_refusal *why, orr_wire_writer *out, orr_server_step *step)
 {
-    while (refused == 0 && c->index < c->frames) {
+    while (refused == 0 && c->part.index < c->frames) {
         size_t mark = out->size;
-        uint16_t reply;
-        refused = answer(s, c, f, &reply, out, why);
+        refused = answer(s, c, f, out, why);
         if (refused == 0 && out->status == ORR_WIRE_OK) {
-            c->index++;
-            const orr_server_route *route = route_of(s, f->type);
-            if (route == NULL || !route->slow || c->index == c->frames) continue;
+            if (c->part.more) {
+                c->unfinished = out->size - mark;
+                out->size = mark;
+                step->busy = step->yield = true;
+                return false;
+            }
+            next_part(c, c->part.index + 1);
+            if (c->part.index == c->frames || !orr_server_turn_over(&c->part)) continue;
             step->busy = step->yield = true;
             return false;
         }
         orr_wire_status status = out->status;
         out->size = mark;
         out->status = ORR_WIRE_OK;
+        next_part(c, c->part.index); // what there is of the frame is lost
         if (refused != 0) break;
         bool grows = c->can_grow && out->capacity < ORR_SERVER_OUT;
         if (status == ORR_WIRE_SPACE && (mark > 0 || grows)) {
@@ -225,5 +242,8 @@ void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, 
         c->frames = 0;
         c->requests++;
         step->consumed += used;
+        if (step->closing != 0 || step->consumed == n || !orr_server_turn_over(&c->part)) continue;
+        step->busy = step->yield = true;
+        return;
     }
 }

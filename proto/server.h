@@ -9,22 +9,51 @@
 #include "proto/gen/messages.h"
 
 #define ORR_SERVER_SENTENCE 256
+#define ORR_SERVER_KEPT 2048 // bytes that a handler may keep of a frame under way
 
 // A handler that refuses returns an ORR_MSG_ERROR_CODE_* and writes its sentence here.
 typedef struct orr_server_refusal {
     char sentence[ORR_SERVER_SENTENCE];
 } orr_server_refusal;
 
+// One frame of an answer while it is made. A frame that takes long is made in pieces, so that others have
+// their turn between two of them: a handler that finds its turn over after a piece returns with `more` set
+// (orr_server_next_piece does both), and is called again for the same frame with `done` and `kept` as it left
+// them and a writer that stands behind what it has written.
+typedef struct orr_server_part {
+    uint32_t index; // which frame of the answer, from 0
+    uint32_t done;  // the handler's own count of finished pieces; 0 at the begin of a frame
+    bool more;      // set by the handler: the frame is not finished; false at each call
+    bool (*over)(void *owner);
+    void *owner;
+    double kept[ORR_SERVER_KEPT / sizeof(double)]; // the handler's own; of no meaning at the begin of a frame
+} orr_server_part;
+
+// Whether the time of this turn has been used. Asked after each piece, never before the first: a call always
+// gets on.
+static inline bool orr_server_turn_over(const orr_server_part *part)
+{
+    return part->over != NULL && part->over(part->owner);
+}
+
+// Counts a finished piece of a frame that has `all`. True when this call is to make another; otherwise the
+// frame is finished, or the turn is over and `more` is set.
+static inline bool orr_server_next_piece(orr_server_part *part, uint32_t all)
+{
+    part->done++;
+    part->more = part->done < all && orr_server_turn_over(part);
+    return part->done < all && !part->more;
+}
+
 // How one kind of request is answered: begin looks at it and says how many frames will answer (at least 1);
-// answer encodes the payload of frame number `index` into w, as a pure function of (request, index), for it
-// is called again when the output was too small. Both return 0 or a code with a sentence in *why. A writer
-// that is full is no error of theirs.
+// answer encodes the payload of frame number part->index into w, as a pure function of (request, index), for
+// it is called again from the frame's begin when the output was too small. Both return 0 or a code with a
+// sentence in *why. A writer that is full is no error of theirs.
 typedef struct orr_server_route {
     uint16_t request, reply; // ORR_MSG_TYPE_*
     uint16_t (*begin)(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why);
-    uint16_t (*answer)(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+    uint16_t (*answer)(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                        orr_server_refusal *why);
-    bool slow; // a frame may take milliseconds: only one is made at a time, so that others have their turn
 } orr_server_route;
 
 // Shared by all connections, read only. HELLO and PING are answered here. caps fills all but versions, limits
@@ -40,26 +69,36 @@ typedef struct orr_server {
 
 // One connection; zero-initialise.
 typedef struct orr_server_conn {
-    bool can_grow;          // its owner can make the output larger: step.room then asks for that
-    uint32_t index, frames; // of the answer under way; frames is 0 when there is none
-    char client[100];       // "name version" as HELLO gave them, printable; empty before
+    bool can_grow; // its owner can make the output larger: step.room then asks for that
+    // The owner's: whether the time that it gives to one call of orr_server_run has been used. NULL: no
+    // limit.
+    bool (*over)(void *owner);
+    void *owner;
+    uint32_t frames;      // of the answer under way; 0 when there is none
+    orr_server_part part; // the frame of it that is next
+    size_t unfinished;    // its bytes so far, behind the end of the output
+    char client[100];     // "name version" as HELLO gave them, printable; empty before
     uint64_t requests, refusals;
 } orr_server_conn;
 
 typedef struct orr_server_step {
     size_t consumed; // bytes of the input that are done with
     size_t need; // the input must grow to so many bytes (counted from `consumed`) before there is more to do
-    bool busy;   // stopped for want of room: call again with the rest of the input once output has been sent
+    bool busy;   // stopped for want of room or time: call again with the rest of the input
     // With busy, if not 0: the output must have such a capacity, a frame did not fit into it empty
     size_t room;
-    bool yield;       // with busy: stopped after a frame of a slow kind; serve others first
+    // With busy: the time of this turn has been used; serve others first. Otherwise call again once output has
+    // been sent
+    bool yield;
     uint16_t closing; // not 0: close the connection once the output is sent; an ORR_MSG_ERROR_CODE_*
     char reason[ORR_SERVER_SENTENCE];
 } orr_server_step;
 
 // Answers as many complete requests of in[0..n) as fit into `out` (which may already hold bytes; whole frames
-// only are appended). The output's capacity must be ORR_SERVER_OUT at least, or, of a connection that can
-// grow, able to become that; otherwise an answer may never fit.
+// only are appended) and as there is time for, one piece of an answer at least. Of a frame that is not
+// finished c->unfinished bytes stand behind the end of the output; who sends and moves the output keeps them
+// behind its end until the next call. The output's capacity must be ORR_SERVER_OUT at least, or, of a
+// connection that can grow, able to become that; otherwise an answer may never fit.
 #define ORR_SERVER_OUT (ORR_FRAME_OVERHEAD + ORR_MSG_LARGEST)
 void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, size_t n,
                     orr_wire_writer *out, orr_server_step *step);

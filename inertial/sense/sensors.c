@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inertial/sense/sensors.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -77,27 +78,52 @@ static void add_gauss(const orr_trajectory *tr, const pull *g, int order, double
     }
 }
 
+// The knots inside an interval cut it. One within a billionth of the interval from its end is the end.
+static double slack_of(const orr_sensors_sum *s) { return 1e-9 * (s->to_s - s->from_s); }
+
+orr_sensors_sum orr_sensors_sum_begin(const orr_trajectory *tr, double from_s, double to_s)
+{
+    orr_sensors_sum s = {.from_s = from_s, .to_s = to_s, .at_s = from_s};
+    if (tr->knot_step_s > 0.0)
+        s.knot = floor((from_s + slack_of(&s) - tr->knot_origin_s) / tr->knot_step_s) + 1.0;
+    return s;
+}
+
+static bool add_some(const orr_trajectory *tr, const pull *g, orr_quadrature quadrature, int order,
+                     orr_sensors_sum *s, long pieces)
+{
+    if (quadrature == ORR_QUADRATURE_RIEMANN) {
+        double step = (s->to_s - s->from_s) / (double)order;
+        for (; s->rectangle < order && pieces > 0; s->rectangle++, pieces--)
+            add_instant(tr, g, s->from_s + ((double)s->rectangle + 0.5) * step, step, &s->dtheta_rad,
+                        &s->dv_mps);
+        return s->rectangle == order;
+    }
+    bool last = false;
+    for (; !last && pieces > 0; pieces--, s->knot += 1.0) {
+        double knot = tr->knot_origin_s + s->knot * tr->knot_step_s;
+        last = !(tr->knot_step_s > 0.0 && knot < s->to_s - slack_of(s));
+        double end = last ? s->to_s : knot;
+        add_gauss(tr, g, order, s->at_s, end, &s->dtheta_rad, &s->dv_mps);
+        s->at_s = end;
+    }
+    return last;
+}
+
+bool orr_sensors_sum_add(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature, int order,
+                         orr_sensors_sum *s, long pieces)
+{
+    pull p = {.field = g, .track = NULL};
+    return add_some(tr, &p, quadrature, order, s, pieces);
+}
+
 static void increment(const orr_trajectory *tr, const pull *g, orr_quadrature quadrature, int order,
                       double from_s, double to_s, orr_vec3 *dtheta_rad, orr_vec3 *dv_mps)
 {
-    *dtheta_rad = *dv_mps = orr_vec3_make(0, 0, 0);
-    if (quadrature == ORR_QUADRATURE_RIEMANN) {
-        double step = (to_s - from_s) / (double)order;
-        for (int k = 0; k < order; k++)
-            add_instant(tr, g, from_s + ((double)k + 0.5) * step, step, dtheta_rad, dv_mps);
-        return;
-    }
-    double a = from_s;
-    if (tr->knot_step_s > 0.0) {
-        // A knot within a billionth of the interval from its end is the end.
-        double slack = 1e-9 * (to_s - from_s);
-        double k = floor((from_s + slack - tr->knot_origin_s) / tr->knot_step_s) + 1.0;
-        for (double knot; (knot = tr->knot_origin_s + k * tr->knot_step_s) < to_s - slack; k += 1.0) {
-            add_gauss(tr, g, order, a, knot, dtheta_rad, dv_mps);
-            a = knot;
-        }
-    }
-    add_gauss(tr, g, order, a, to_s, dtheta_rad, dv_mps);
+    orr_sensors_sum s = orr_sensors_sum_begin(tr, from_s, to_s);
+    add_some(tr, g, quadrature, order, &s, LONG_MAX);
+    *dtheta_rad = s.dtheta_rad;
+    *dv_mps = s.dv_mps;
 }
 
 void orr_sensors_increment(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature,

@@ -19,6 +19,18 @@ void orr_sensors_instant(const orr_trajectory *tr, const orr_gravity *g, double 
 void orr_sensors_increment(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature,
                            int order, double from_s, double to_s, orr_vec3 *dtheta_rad, orr_vec3 *dv_mps);
 
+// The same in pieces, for who must not be away for long: an interval of an hour has thousands. A piece is
+// what lies between two knots, or a rectangle; the parts add up in the same order, to the same bits.
+typedef struct orr_sensors_sum {
+    double from_s, to_s, at_s, knot;
+    long rectangle;
+    orr_vec3 dtheta_rad, dv_mps; // so far
+} orr_sensors_sum;
+orr_sensors_sum orr_sensors_sum_begin(const orr_trajectory *tr, double from_s, double to_s);
+// Adds at most `pieces`; true when none is left.
+bool orr_sensors_sum_add(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature, int order,
+                         orr_sensors_sum *s, long pieces);
+
 typedef struct orr_imu_request {
     double begin_s, duration_s, rate_hz;
     orr_imu_mode mode;

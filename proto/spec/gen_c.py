@@ -97,6 +97,11 @@ class CWriter:
                f"typedef struct {base}_list {{", "    uint16_t count;", f"    const {name} *item;",
                "    orr_wire_records wire;", f"}} {base}_list;",
                f"bool {base}_next(const {base}_list *list, orr_wire_iter *it, {name} *out); // false at the end"]
+        if record[0] == "struct":
+            stride = f", wire.stride {self.up}_{record[1].name.upper()}_SIZE" if fixed else ""
+            out += ["// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`",
+                    f"// of all, no item and no bytes (wire.size 0, wire.data not NULL{stride}), then these.",
+                    f"orr_wire_status {base}_records_encode(const {base}_list *piece, orr_wire_writer *w);"]
         if fixed:
             out.append(f"bool {base}_at(const {base}_list *list, uint16_t index, {name} *out);   // false beyond the end")
         return out + [""]
@@ -275,22 +280,29 @@ class CWriter:
         store = f"orr_wire_store_{word}(p + {size} * (size_t)i, list->item[i])" if scalar else \
             f"store_{word}(p + {size} * (size_t)i, &list->item[i])"
         load = f"*out = orr_wire_load_{word}(p)" if scalar else f"load_{word}(p, out)"
-        out = [f"static void put_{word}_list(orr_wire_writer *w, const {name} *list, uint16_t max)", "{",
+        out = [f"static void put_{word}_records(orr_wire_writer *w, const {name} *list)", "{",
+               "    if (list->item == NULL) {", "        orr_wire_put_raw(w, list->wire.data, list->wire.size);",
+               "        return;", "    }"]
+        if fixed:
+            out += [f"    uint8_t *p = orr_wire_room(w, {size} * (size_t)list->count);",
+                    "    if (p == NULL) return;", f"    for (uint16_t i = 0; i < list->count; i++) {store};"]
+        else:
+            out += ["    for (uint16_t i = 0; i < list->count; i++) {",
+                    "        size_t start = w->size;", "        if (orr_wire_room(w, 2) == NULL) return;",
+                    f"        put_{word}(w, &list->item[i]);", "        if (w->status != ORR_WIRE_OK) return;",
+                    "        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));", "    }"]
+        out += ["}", ""]
+        if not scalar:
+            out += [f"orr_wire_status {self.p}_{word}_records_encode(const {name} *piece, orr_wire_writer *w)", "{",
+                    f"    put_{word}_records(w, piece);", "    return w->status;", "}", ""]
+        out += [f"static void put_{word}_list(orr_wire_writer *w, const {name} *list, uint16_t max)", "{",
                "    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;",
                "    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug",
                f"    uint8_t *p = orr_wire_room(w, {4 if fixed else 2});", "    if (p == NULL) return;",
                "    orr_wire_store_u16(p, list->count);"]
         if fixed:
-            out += [f"    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? {size} : list->wire.stride);",
-                    "    if (list->item == NULL) {", "        orr_wire_put_raw(w, list->wire.data, list->wire.size);",
-                    "        return;", "    }", f"    p = orr_wire_room(w, {size} * (size_t)list->count);",
-                    "    if (p == NULL) return;", f"    for (uint16_t i = 0; i < list->count; i++) {store};"]
-        else:
-            out += ["    if (list->item == NULL) {", "        orr_wire_put_raw(w, list->wire.data, list->wire.size);",
-                    "        return;", "    }", "    for (uint16_t i = 0; i < list->count; i++) {",
-                    "        size_t start = w->size;", "        if (orr_wire_room(w, 2) == NULL) return;",
-                    f"        put_{word}(w, &list->item[i]);", "        if (w->status != ORR_WIRE_OK) return;",
-                    "        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));", "    }"]
+            out += [f"    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? {size} : list->wire.stride);"]
+        out += [f"    put_{word}_records(w, list);"]
         out += ["}", "", f"static void get_{word}_list(orr_wire_reader *r, {name} *list, uint16_t max)", "{",
                 f"    const uint8_t *p = orr_wire_take(r, {4 if fixed else 2});", "    if (p == NULL) return;",
                 "    uint16_t count = orr_wire_load_u16(p);", "    if (count > max) {",

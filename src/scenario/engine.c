@@ -146,11 +146,16 @@ orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sat
     return orr_source_orbit_states(e->orbits, t, sats, n, state, answer);
 }
 
-orr_answer orr_engine_elements(const orr_engine *e, orr_time t, orr_elements_frame frame,
-                               orr_elements_method method, const orr_sat *sats, size_t n, orr_kepler *out,
-                               uint32_t *flags, orr_answer *answer)
+orr_answer orr_engine_axes(const orr_engine *e, orr_time t, orr_elements_frame frame,
+                           orr_elements_method method, orr_elements_axes *out)
 {
-    return orr_source_orbit_elements(e->orbits, t, frame, method, sats, n, out, flags, answer);
+    return orr_source_orbit_axes(e->orbits, t, frame, method, out);
+}
+
+orr_answer orr_engine_elements(const orr_engine *e, const orr_elements_axes *axes, const orr_sat *sats,
+                               size_t n, orr_kepler *out, uint32_t *flags, orr_answer *answer)
+{
+    return orr_source_orbit_elements(e->orbits, axes, sats, n, out, flags, answer);
 }
 
 const char *orr_engine_no_navdata(const orr_engine *e)
@@ -210,10 +215,15 @@ bool orr_engine_unit(const orr_engine *e, size_t unit, orr_unit *out)
 double orr_engine_imu_rate(const orr_engine *e) { return orr_source_motion_rate_hz(e->motion); }
 bool orr_engine_imu_physical(const orr_engine *e) { return orr_source_motion_physical(e->motion); }
 
-orr_answer orr_engine_imu(const orr_engine *e, size_t unit, orr_time t0, orr_time t1, orr_vec3 *dtheta_rad,
-                          orr_vec3 *dv_mps)
+orr_answer orr_engine_imu_begin(const orr_engine *e, size_t unit, orr_time t0, orr_time t1,
+                                orr_sensors_sum *sum)
 {
-    return orr_source_motion_imu(e->motion, unit, t0, t1, dtheta_rad, dv_mps);
+    return orr_source_motion_imu_begin(e->motion, unit, t0, t1, sum);
+}
+
+bool orr_engine_imu_add(const orr_engine *e, size_t unit, orr_sensors_sum *sum, long pieces)
+{
+    return orr_source_motion_imu_add(e->motion, unit, sum, pieces);
 }
 
 orr_answer orr_engine_truth(const orr_engine *e, size_t unit, orr_time t, orr_truth *out)

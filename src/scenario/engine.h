@@ -43,12 +43,15 @@ size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list);
 orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
                              orr_sat_state *state, orr_answer *answer);
 
-// Kepler elements of n satellites at t into out[0..n), their states' flags into flags[0..n), and
-// answer[0..n); sats NULL: of all. Where answer[i] is not OK (NO_VALUE: the method needs instants outside the
-// arc) out[i] and flags[i] are not set.
-orr_answer orr_engine_elements(const orr_engine *e, orr_time t, orr_elements_frame frame,
-                               orr_elements_method method, const orr_sat *sats, size_t n, orr_kepler *out,
-                               uint32_t *flags, orr_answer *answer);
+// The axes of elements at t, for any number of satellites (those of MEAN take 0.4 ms). Without ORR_ANSWER_OK
+// nothing is written.
+orr_answer orr_engine_axes(const orr_engine *e, orr_time t, orr_elements_frame frame,
+                           orr_elements_method method, orr_elements_axes *out);
+// Kepler elements of n satellites at the axes' instant into out[0..n), their states' flags into flags[0..n),
+// and answer[0..n); sats NULL: of all. Where answer[i] is not OK (NO_VALUE: the method needs instants outside
+// the arc) out[i] and flags[i] are not set.
+orr_answer orr_engine_elements(const orr_engine *e, const orr_elements_axes *axes, const orr_sat *sats,
+                               size_t n, orr_kepler *out, uint32_t *flags, orr_answer *answer);
 
 // NULL where the engine has broadcast data, else a sentence that tells why it has none.
 const char *orr_engine_no_navdata(const orr_engine *e);
@@ -91,10 +94,12 @@ bool orr_engine_unit(const orr_engine *e, size_t unit, orr_unit *out);
 // only such exist over any interval.
 double orr_engine_imu_rate(const orr_engine *e);
 bool orr_engine_imu_physical(const orr_engine *e);
-// Increments of a unit over [t0, t1], t0 < t1: ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN of the trajectory, or
-// ORR_ANSWER_NOT_SERVED: no such unit, or readings that are not physical.
-orr_answer orr_engine_imu(const orr_engine *e, size_t unit, orr_time t0, orr_time t1, orr_vec3 *dtheta_rad,
-                          orr_vec3 *dv_mps);
+// Increments of a unit over [t0, t1], t0 < t1, begun and then added to in pieces until that says true
+// (orr_sensors_sum): ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN of the trajectory, or ORR_ANSWER_NOT_SERVED: no
+// such unit, or readings that are not physical. Without OK *sum is not set.
+orr_answer orr_engine_imu_begin(const orr_engine *e, size_t unit, orr_time t0, orr_time t1,
+                                orr_sensors_sum *sum);
+bool orr_engine_imu_add(const orr_engine *e, size_t unit, orr_sensors_sum *sum, long pieces);
 orr_answer orr_engine_truth(const orr_engine *e, size_t unit, orr_time t, orr_truth *out);
 
 #endif

@@ -89,8 +89,8 @@ static orr_answer look(const orr_source_orbit *orbits, orr_time t, orr_vec3 rece
 orr_answer orr_source_iono_evaluate(const orr_source_iono *i, orr_time t, orr_vec3 receiver_m,
                                     const orr_sat *sats, size_t n, orr_realisation *delay, orr_answer *answer)
 {
-    orr_sat sat[ORR_SESSION_MAX_SATS];
-    orr_vec3 pos[ORR_SESSION_MAX_SATS];
+    orr_sat sat[ORR_SESSION_MAX_SATS] = {0};
+    orr_vec3 pos[ORR_SESSION_MAX_SATS] = {{0}};
     size_t place[ORR_SESSION_MAX_SATS], known = 0, got = 0;
     orr_span span;
     if (i == NULL || !orr_source_orbit_span(i->orbits, &span)) return ORR_ANSWER_NOT_SERVED;
@@ -103,10 +103,10 @@ orr_answer orr_source_iono_evaluate(const orr_source_iono *i, orr_time t, orr_ve
         sat[known] = sats[k];
         place[known++] = k;
     }
-    // Results come in the order asked, those without a value left out.
+    // Results come in the order asked, those without a value left out. Whether the ionosphere covers t does
+    // not depend on who is seen.
     orr_realisation found[ORR_SESSION_MAX_SATS];
-    if (known > 0 && realise(i, t, receiver_m, sat, pos, known, found, &got) != ORR_OK)
-        return ORR_ANSWER_OUTSIDE_SPAN;
+    if (realise(i, t, receiver_m, sat, pos, known, found, &got) != ORR_OK) return ORR_ANSWER_OUTSIDE_SPAN;
     for (size_t k = 0, g = 0; k < known && g < got; k++)
         if (sat[k] == found[g].sat) {
             delay[place[k]] = found[g++];

@@ -95,16 +95,21 @@ orr_answer orr_source_motion_place(const orr_source_motion *m, size_t unit, orr_
     return ORR_ANSWER_OK;
 }
 
-orr_answer orr_source_motion_imu(const orr_source_motion *m, size_t unit, orr_time t0, orr_time t1,
-                                 orr_vec3 *dtheta_rad, orr_vec3 *dv_mps)
+orr_answer orr_source_motion_imu_begin(const orr_source_motion *m, size_t unit, orr_time t0, orr_time t1,
+                                       orr_sensors_sum *sum)
 {
     if (unit >= orr_source_motion_units(m) || !orr_source_motion_physical(m)) return ORR_ANSWER_NOT_SERVED;
     const orr_trajectory *tr = orr_moving_unit(&m->moving, unit);
     double from_s = orr_time_diff_s(t0, tr->t0), to_s = orr_time_diff_s(t1, tr->t0);
     if (!(from_s >= tr->begin_s - END_S && to_s <= tr->end_s + END_S)) return ORR_ANSWER_OUTSIDE_SPAN;
-    orr_sensors_increment(tr, m->moving.gravity, m->moving.mode.quadrature, m->moving.mode.order, from_s,
-                          to_s, dtheta_rad, dv_mps);
+    *sum = orr_sensors_sum_begin(tr, from_s, to_s);
     return ORR_ANSWER_OK;
+}
+
+bool orr_source_motion_imu_add(const orr_source_motion *m, size_t unit, orr_sensors_sum *sum, long pieces)
+{
+    return orr_sensors_sum_add(orr_moving_unit(&m->moving, unit), m->moving.gravity,
+                               m->moving.mode.quadrature, m->moving.mode.order, sum, pieces);
 }
 
 orr_answer orr_source_motion_truth(const orr_source_motion *m, size_t unit, orr_time t, orr_truth *out)

@@ -3,6 +3,7 @@
 #ifndef ORR_SCENARIO_SOURCE_MOTION_H
 #define ORR_SCENARIO_SOURCE_MOTION_H
 
+#include "inertial/sense/sensors.h"
 #include "src/config/scenario.h"
 #include "src/make/moving.h"
 #include "src/scenario/source.h"
@@ -36,10 +37,11 @@ bool orr_source_motion_unit(const orr_source_motion *m, size_t unit, orr_unit *o
 double orr_source_motion_rate_hz(const orr_source_motion *m);
 bool orr_source_motion_physical(const orr_source_motion *m);
 
-// As orr_engine_imu and orr_engine_truth; the point of a unit (ecef) at t.
+// As orr_engine_imu_begin, orr_engine_imu_add and orr_engine_truth; the point of a unit (ecef) at t.
 orr_answer orr_source_motion_place(const orr_source_motion *m, size_t unit, orr_time t, orr_vec3 *out);
-orr_answer orr_source_motion_imu(const orr_source_motion *m, size_t unit, orr_time t0, orr_time t1,
-                                 orr_vec3 *dtheta_rad, orr_vec3 *dv_mps);
+orr_answer orr_source_motion_imu_begin(const orr_source_motion *m, size_t unit, orr_time t0, orr_time t1,
+                                       orr_sensors_sum *sum);
+bool orr_source_motion_imu_add(const orr_source_motion *m, size_t unit, orr_sensors_sum *sum, long pieces);
 orr_answer orr_source_motion_truth(const orr_source_motion *m, size_t unit, orr_time t, orr_truth *out);
 
 #endif

@@ -125,22 +125,29 @@ orr_answer orr_source_orbit_states(const orr_source_orbit *o, orr_time t, const 
     return ORR_ANSWER_OK;
 }
 
-orr_answer orr_source_orbit_elements(const orr_source_orbit *o, orr_time t, orr_elements_frame frame,
-                                     orr_elements_method method, const orr_sat *sats, size_t n,
-                                     orr_kepler *out, uint32_t *flags, orr_answer *answer)
+orr_answer orr_source_orbit_axes(const orr_source_orbit *o, orr_time t, orr_elements_frame frame,
+                                 orr_elements_method method, orr_elements_axes *out)
 {
     if (o == NULL) return ORR_ANSWER_NOT_SERVED;
     if (!orr_span_holds(o->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
     const orr_elements_options options = {
         .frame = frame, .method = method, .eop = o->eop.n > 0 ? &o->eop : NULL};
-    orr_elements_axes axes;
-    orr_elements_axes_at(t, &options, &axes);
+    orr_elements_axes_at(t, &options, out);
+    return ORR_ANSWER_OK;
+}
+
+orr_answer orr_source_orbit_elements(const orr_source_orbit *o, const orr_elements_axes *axes,
+                                     const orr_sat *sats, size_t n, orr_kepler *out, uint32_t *flags,
+                                     orr_answer *answer)
+{
+    if (o == NULL) return ORR_ANSWER_NOT_SERVED;
+    const orr_time t = axes->t;
     if (sats == NULL) sats = o->sat;
     for (size_t i = 0; i < n; i++) {
         orr_sat_state state;
         if (orr_ephemeris_eval(o->eph, sats[i], t, &state) != ORR_OK)
             answer[i] = absent(o, sats[i]);
-        else if (orr_elements_of(o->eph, sats[i], &axes, &out[i]) != ORR_OK)
+        else if (orr_elements_of(o->eph, sats[i], axes, &out[i]) != ORR_OK)
             answer[i] = ORR_ANSWER_NO_VALUE;
         else {
             answer[i] = ORR_ANSWER_OK;

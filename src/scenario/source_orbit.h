@@ -23,11 +23,13 @@ const orr_ephemeris *orr_source_orbit_ephemeris(const orr_source_orbit *o);
 size_t orr_source_orbit_satellites(const orr_source_orbit *o, const orr_sat **list); // ascending
 bool orr_source_orbit_has(const orr_source_orbit *o, orr_sat sat);
 
-// As orr_engine_states and orr_engine_elements.
+// As orr_engine_states, orr_engine_axes and orr_engine_elements.
 orr_answer orr_source_orbit_states(const orr_source_orbit *o, orr_time t, const orr_sat *sats, size_t n,
                                    orr_sat_state *state, orr_answer *answer);
-orr_answer orr_source_orbit_elements(const orr_source_orbit *o, orr_time t, orr_elements_frame frame,
-                                     orr_elements_method method, const orr_sat *sats, size_t n,
-                                     orr_kepler *out, uint32_t *flags, orr_answer *answer);
+orr_answer orr_source_orbit_axes(const orr_source_orbit *o, orr_time t, orr_elements_frame frame,
+                                 orr_elements_method method, orr_elements_axes *out);
+orr_answer orr_source_orbit_elements(const orr_source_orbit *o, const orr_elements_axes *axes,
+                                     const orr_sat *sats, size_t n, orr_kepler *out, uint32_t *flags,
+                                     orr_answer *answer);
 
 #endif

@@ -82,7 +82,13 @@ const orr_sat *orr_answers_asked(orr_answers *a, const orr_msg_sat_id_list *sate
     if (*n > 0) return a->sat;
     *n = a->n_ids;
     memcpy(a->asked, a->id, *n * sizeof a->id[0]);
-    return NULL;
+    return a->all;
+}
+
+orr_wire_records orr_answers_promise(uint16_t stride)
+{
+    static const uint8_t none;
+    return (orr_wire_records){.data = &none, .size = 0, .stride = stride};
 }
 
 static uint16_t begin_poll(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why)
@@ -124,7 +130,7 @@ static void fill(const orr_sat_state *s, orr_msg_sat_id sat, orr_answer answer, 
     m->valid_to = s->valid_to;
 }
 
-static uint16_t answer_poll(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+static uint16_t answer_poll(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                             orr_server_refusal *why)
 {
     (void)why;
@@ -133,8 +139,9 @@ static uint16_t answer_poll(void *user, const orr_frame *request, uint32_t index
     orr_msg_poll_decode(request->payload, request->size, &poll); // begin_poll has seen that it decodes
     uint16_t n;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_states m = {.epoch = orr_answers_epoch(&poll.epochs, index)};
-    orr_answer answer = orr_engine_states(a->engine, m.epoch.t, sats, n, a->state, a->answer);
+    orr_msg_states m = {.epoch = orr_answers_epoch(&poll.epochs, part->index)};
+    orr_answer answer = orr_engine_states(a->engine, m.epoch.t, poll.satellites.count > 0 ? sats : NULL, n,
+                                          a->state, a->answer);
     m.epoch.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK) {
         for (uint16_t i = 0; i < n; i++) fill(&a->state[i], a->asked[i], a->answer[i], &a->wire[i]);
@@ -146,13 +153,12 @@ static uint16_t answer_poll(void *user, const orr_frame *request, uint32_t index
 }
 
 static const orr_server_route routes[] = {
-    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll, false},
-    {ORR_MSG_TYPE_POLL_ELEMENTS, ORR_MSG_TYPE_ELEMENTS, orr_answers_begin_elements, orr_answers_elements,
-     true},
-    {ORR_MSG_TYPE_POLL_NAVDATA, ORR_MSG_TYPE_NAVDATA, orr_answers_begin_navdata, orr_answers_navdata, true},
-    {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, orr_answers_begin_delays, orr_answers_delays, false},
-    {ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, orr_answers_begin_imu, orr_answers_imu, false},
-    {ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, orr_answers_begin_truth, orr_answers_truth, false},
+    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll},
+    {ORR_MSG_TYPE_POLL_ELEMENTS, ORR_MSG_TYPE_ELEMENTS, orr_answers_begin_elements, orr_answers_elements},
+    {ORR_MSG_TYPE_POLL_NAVDATA, ORR_MSG_TYPE_NAVDATA, orr_answers_begin_navdata, orr_answers_navdata},
+    {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, orr_answers_begin_delays, orr_answers_delays},
+    {ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, orr_answers_begin_imu, orr_answers_imu},
+    {ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, orr_answers_begin_truth, orr_answers_truth},
 };
 
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag)
@@ -165,6 +171,7 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
     orr_answers *a = calloc(1, sizeof *a);
     if (a == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     a->engine = engine;
+    a->all = sats;
     a->n_ids = (uint16_t)n;
     for (size_t i = 0; i < n; i++) a->id[i] = orr_answers_sat_id(sats[i]);
     a->server =

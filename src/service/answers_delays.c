@@ -96,7 +96,7 @@ static void fill_delay(const orr_realisation *d, orr_msg_sat_id sat, orr_answer 
         m->delay_m[k] = orr_iono_delay_m(d->stec_tecu, hz[k], ORR_MEASURES_CODE);
 }
 
-uint16_t orr_answers_delays(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+uint16_t orr_answers_delays(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                             orr_server_refusal *why)
 {
     orr_answers *a = user;
@@ -108,8 +108,9 @@ uint16_t orr_answers_delays(void *user, const orr_frame *request, uint32_t index
     for (uint16_t k = 0; k < n_hz; k++) orr_msg_f64_at(&poll.carriers_hz, k, &hz[k]);
     if (n_hz == 0) n_hz = 1;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_delays m = {.epoch = orr_answers_epoch(&poll.epochs, index),
-                        .carriers_hz = {.count = n_hz, .item = hz}};
+    orr_msg_delays m = {.epoch = orr_answers_epoch(&poll.epochs, part->index),
+                        .carriers_hz = {.count = n_hz, .item = hz},
+                        .satellites = {n, NULL, orr_answers_promise(ORR_MSG_SAT_DELAY_SIZE)}};
     orr_vec3 receiver = {ORR_NAN, ORR_NAN, ORR_NAN};
     orr_answer answer = receiver_of(a, &poll, m.epoch.t, &receiver);
     uint16_t code = answer == ORR_ANSWER_OK ? check_receiver(receiver, why) : 0;
@@ -117,15 +118,24 @@ uint16_t orr_answers_delays(void *user, const orr_frame *request, uint32_t index
     m.receiver_m[0] = receiver.x;
     m.receiver_m[1] = receiver.y;
     m.receiver_m[2] = receiver.z;
-    if (answer == ORR_ANSWER_OK)
-        answer = orr_engine_delays(a->engine, m.epoch.t, receiver, sats, n, a->delay, a->answer);
-    m.epoch.answer = (uint8_t)answer;
-    if (answer == ORR_ANSWER_OK) {
-        for (uint16_t i = 0; i < n; i++)
-            fill_delay(&a->delay[i], a->asked[i], a->answer[i], hz, n_hz, &a->wire_delay[i]);
-        m.satellites.count = n;
-        m.satellites.item = a->wire_delay;
-    }
-    orr_msg_delays_encode(&m, w);
+    // Of a session each call costs as much as some twenty satellites, so a piece is not too few of them.
+    enum { PIECE = 64 };
+    const uint32_t pieces = n == 0 ? 1 : (n + PIECE - 1u) / PIECE;
+    do {
+        orr_realisation delay[PIECE];
+        orr_answer each[PIECE];
+        orr_msg_sat_delay wire[PIECE];
+        size_t from = (size_t)part->done * PIECE, k = n - from < PIECE ? n - from : PIECE;
+        if (answer == ORR_ANSWER_OK)
+            answer = orr_engine_delays(a->engine, m.epoch.t, receiver, &sats[from], k, delay, each);
+        if (part->done == 0) {
+            m.epoch.answer = (uint8_t)answer;
+            if (answer != ORR_ANSWER_OK) m.satellites = (orr_msg_sat_delay_list){0};
+            orr_msg_delays_encode(&m, w);
+        }
+        if (answer != ORR_ANSWER_OK) return 0;
+        for (size_t i = 0; i < k; i++) fill_delay(&delay[i], a->asked[from + i], each[i], hz, n_hz, &wire[i]);
+        orr_msg_sat_delay_records_encode(&(orr_msg_sat_delay_list){.count = (uint16_t)k, .item = wire}, w);
+    } while (orr_server_next_piece(part, pieces));
     return 0;
 }

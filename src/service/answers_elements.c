@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "src/service/answers_private.h"
 
@@ -60,7 +61,7 @@ static void fill(orr_msg_sat_id sat, orr_answer answer, const orr_kepler *k, uin
     m->u_rad = k->u_rad;
 }
 
-uint16_t orr_answers_elements(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+uint16_t orr_answers_elements(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                               orr_server_refusal *why)
 {
     (void)why;
@@ -70,18 +71,33 @@ uint16_t orr_answers_elements(void *user, const orr_frame *request, uint32_t ind
                                  &poll); // its begin has seen that it decodes
     uint16_t n;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_elements m = {
-        .epoch = orr_answers_epoch(&poll.epochs, index), .frame = poll.frame, .method = poll.method};
-    orr_answer answer =
-        orr_engine_elements(a->engine, m.epoch.t, (orr_elements_frame)poll.frame,
-                            (orr_elements_method)poll.method, sats, n, a->kepler, a->flags, a->answer);
-    m.epoch.answer = (uint8_t)answer;
-    if (answer == ORR_ANSWER_OK) {
-        for (uint16_t i = 0; i < n; i++)
-            fill(a->asked[i], a->answer[i], &a->kepler[i], a->flags[i], &a->wire_elements[i]);
-        m.satellites.count = n;
-        m.satellites.item = a->wire_elements;
+    orr_msg_elements m = {.epoch = orr_answers_epoch(&poll.epochs, part->index),
+                          .frame = poll.frame,
+                          .method = poll.method,
+                          .satellites = {n, NULL, orr_answers_promise(ORR_MSG_SAT_ELEMENTS_SIZE)}};
+    orr_elements_axes axes;
+    _Static_assert(sizeof axes <= sizeof part->kept, "the axes are kept between two pieces of a frame");
+    // Piece 0 is the axes and the message without its records, then comes one a satellite.
+    bool another = true;
+    if (part->done == 0) {
+        orr_answer answer = orr_engine_axes(a->engine, m.epoch.t, (orr_elements_frame)poll.frame,
+                                            (orr_elements_method)poll.method, &axes);
+        m.epoch.answer = (uint8_t)answer;
+        if (answer != ORR_ANSWER_OK) m.satellites = (orr_msg_sat_elements_list){0};
+        orr_msg_elements_encode(&m, w);
+        if (answer != ORR_ANSWER_OK) return 0;
+        memcpy(part->kept, &axes, sizeof axes);
+        another = orr_server_next_piece(part, 1 + (uint32_t)n);
+    } else
+        memcpy(&axes, part->kept, sizeof axes);
+    for (; another; another = orr_server_next_piece(part, 1 + (uint32_t)n)) {
+        uint32_t i = part->done - 1, flags;
+        orr_kepler kepler;
+        orr_answer answer;
+        orr_msg_sat_elements one;
+        orr_engine_elements(a->engine, &axes, &sats[i], 1, &kepler, &flags, &answer);
+        fill(a->asked[i], answer, &kepler, flags, &one);
+        orr_msg_sat_elements_records_encode(&(orr_msg_sat_elements_list){.count = 1, .item = &one}, w);
     }
-    orr_msg_elements_encode(&m, w);
     return 0;
 }

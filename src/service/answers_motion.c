@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/nan.h"
 #include "src/service/answers_private.h"
@@ -68,20 +69,33 @@ static orr_time begin_of(const orr_engine *e, const orr_msg_poll_imu *poll, uint
     return poll->epochs.t + (int64_t)llround((double)k * 1e9 / orr_engine_imu_rate(e));
 }
 
-uint16_t orr_answers_imu(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+uint16_t orr_answers_imu(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                          orr_server_refusal *why)
 {
     (void)why;
     const orr_engine *e = orr_answers_engine(user);
     orr_msg_poll_imu poll;
     orr_msg_poll_imu_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
-    orr_msg_imu m = {.epoch = {begin_of(e, &poll, index), index, poll.epochs.count, 0},
-                     .t1 = begin_of(e, &poll, index + 1),
+    orr_msg_imu m = {.epoch = {begin_of(e, &poll, part->index), part->index, poll.epochs.count, 0},
+                     .t1 = begin_of(e, &poll, part->index + 1),
                      .unit = poll.unit};
-    orr_vec3 dtheta = {ORR_NAN, ORR_NAN, ORR_NAN}, dv = dtheta;
-    m.epoch.answer = (uint8_t)orr_engine_imu(e, poll.unit, m.epoch.t, m.t1, &dtheta, &dv);
-    put(m.dtheta_rad, dtheta);
-    put(m.dv_mps, dv);
+    enum { PIECE = 8 }; // some microseconds
+    orr_sensors_sum sum;
+    _Static_assert(sizeof sum <= sizeof part->kept, "the sum is kept between two pieces of a frame");
+    if (part->done == 0)
+        m.epoch.answer = (uint8_t)orr_engine_imu_begin(e, poll.unit, m.epoch.t, m.t1, &sum);
+    else
+        memcpy(&sum, part->kept, sizeof sum);
+    if (m.epoch.answer != ORR_MSG_ANSWER_OK)
+        sum.dtheta_rad = sum.dv_mps = (orr_vec3){ORR_NAN, ORR_NAN, ORR_NAN};
+    else
+        while (!orr_engine_imu_add(e, poll.unit, &sum, PIECE))
+            if (!orr_server_next_piece(part, UINT32_MAX)) {
+                memcpy(part->kept, &sum, sizeof sum);
+                return 0;
+            }
+    put(m.dtheta_rad, sum.dtheta_rad);
+    put(m.dv_mps, sum.dv_mps);
     orr_msg_imu_encode(&m, w);
     return 0;
 }
@@ -98,13 +112,13 @@ uint16_t orr_answers_begin_truth(void *user, const orr_frame *request, uint32_t 
     return code;
 }
 
-uint16_t orr_answers_truth(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+uint16_t orr_answers_truth(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                            orr_server_refusal *why)
 {
     (void)why;
     orr_msg_poll_truth poll;
     orr_msg_poll_truth_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
-    orr_msg_truth m = {.epoch = orr_answers_epoch(&poll.epochs, index), .unit = poll.unit};
+    orr_msg_truth m = {.epoch = orr_answers_epoch(&poll.epochs, part->index), .unit = poll.unit};
     orr_truth t;
     m.epoch.answer = (uint8_t)orr_engine_truth(orr_answers_engine(user), poll.unit, m.epoch.t, &t);
     if (m.epoch.answer != ORR_MSG_ANSWER_OK) {

@@ -82,18 +82,24 @@ static void fill_pages(const orr_navframe *f, orr_msg_nav_page *m)
     }
 }
 
-static void fill(orr_answers_nav *room, uint16_t i, orr_msg_sat_id sat, orr_answer answer)
+// What the lists of one satellite's record point at.
+typedef struct room {
+    orr_msg_lnav_set lnav;
+    orr_msg_glonass_set glonass;
+    orr_msg_nav_page page[ORR_MSG_MAX_PAGES];
+} room;
+
+// The lists of *m point into *r.
+static void fill(orr_msg_sat_id sat, orr_answer answer, const orr_navset_item *set, const orr_navframe *frame,
+                 room *r, orr_msg_sat_navdata *m)
 {
-    orr_msg_sat_navdata *m = &room->wire[i];
     *m = (orr_msg_sat_navdata){.sat = sat, .answer = (uint8_t)answer};
     m->set_from = m->set_to = m->toe = m->toc = m->frame_from = m->frame_to = ORR_TIME_NONE;
     m->week = m->iode = m->iodc = -1;
     m->accuracy_m = m->fit_rms_m = m->fit_max_m = m->clock_rms_s = (double)NAN;
     m->af0_s = m->af1_sps = m->af2_sps2 = (double)NAN;
     if (answer != ORR_ANSWER_OK) return; // never a number where there is none
-    const orr_navset_item *set = room->set[i];
     const orr_nav_eph *eph = &set->eph;
-    const orr_navframe *frame = &room->frame[i];
     m->notes = set->notes;
     m->set_from = set->from;
     m->set_to = set->to;
@@ -114,21 +120,21 @@ static void fill(orr_answers_nav *room, uint16_t i, orr_msg_sat_id sat, orr_answ
     m->frame_to = frame->to;
     if (eph->kind == ORR_NAV_KEPLER) {
         m->message = ORR_MSG_NAV_MESSAGE_LNAV;
-        fill_lnav(eph, &room->lnav[i]);
+        fill_lnav(eph, &r->lnav);
         m->kepler.count = 1;
-        m->kepler.item = &room->lnav[i];
+        m->kepler.item = &r->lnav;
     } else {
         m->message = ORR_MSG_NAV_MESSAGE_FDMA;
-        fill_glonass(&eph->glonass, &room->glonass[i]);
+        fill_glonass(&eph->glonass, &r->glonass);
         m->glonass.count = 1;
-        m->glonass.item = &room->glonass[i];
+        m->glonass.item = &r->glonass;
     }
-    fill_pages(frame, room->page[i]);
+    fill_pages(frame, r->page);
     m->pages.count = frame->n;
-    m->pages.item = room->page[i];
+    m->pages.item = r->page;
 }
 
-uint16_t orr_answers_navdata(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+uint16_t orr_answers_navdata(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                              orr_server_refusal *why)
 {
     (void)why;
@@ -137,15 +143,27 @@ uint16_t orr_answers_navdata(void *user, const orr_frame *request, uint32_t inde
     orr_msg_poll_navdata_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
     uint16_t n;
     const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_navdata m = {.epoch = orr_answers_epoch(&poll.epochs, index)};
-    orr_answer answer =
-        orr_engine_navdata(a->engine, m.epoch.t, sats, n, a->nav.set, a->nav.frame, a->answer);
-    m.epoch.answer = (uint8_t)answer;
-    if (answer == ORR_ANSWER_OK) {
-        for (uint16_t i = 0; i < n; i++) fill(&a->nav, i, a->asked[i], a->answer[i]);
-        m.satellites.count = n;
-        m.satellites.item = a->nav.wire;
+    orr_msg_navdata m = {.epoch = orr_answers_epoch(&poll.epochs, part->index),
+                         .satellites = {n, NULL, orr_answers_promise(0)}};
+    bool another = true;
+    if (part->done == 0) { // the message without its records, then one a piece
+        orr_answer answer = orr_engine_navdata(a->engine, m.epoch.t, sats, 0, NULL, NULL, NULL);
+        m.epoch.answer = (uint8_t)answer;
+        if (answer != ORR_ANSWER_OK) m.satellites = (orr_msg_sat_navdata_list){0};
+        orr_msg_navdata_encode(&m, w);
+        if (answer != ORR_ANSWER_OK) return 0;
+        another = orr_server_next_piece(part, 1 + (uint32_t)n);
     }
-    orr_msg_navdata_encode(&m, w);
+    for (; another; another = orr_server_next_piece(part, 1 + (uint32_t)n)) {
+        uint32_t i = part->done - 1;
+        const orr_navset_item *set;
+        orr_navframe frame;
+        orr_answer answer;
+        room r;
+        orr_msg_sat_navdata one;
+        orr_engine_navdata(a->engine, m.epoch.t, &sats[i], 1, &set, &frame, &answer);
+        fill(a->asked[i], answer, set, &frame, &r, &one);
+        orr_msg_sat_navdata_records_encode(&(orr_msg_sat_navdata_list){.count = 1, .item = &one}, w);
+    }
     return 0;
 }

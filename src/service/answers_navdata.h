@@ -7,7 +7,7 @@
 
 uint16_t orr_answers_begin_navdata(void *user, const orr_frame *request, uint32_t *frames,
                                    orr_server_refusal *why);
-uint16_t orr_answers_navdata(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
+uint16_t orr_answers_navdata(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
                              orr_server_refusal *why);
 
 #endif

@@ -6,20 +6,11 @@
 
 #include "src/service/answers.h"
 
-// Room for the broadcast data of one epoch: what the engine says, and what the wire's lists point at.
-typedef struct orr_answers_nav {
-    const orr_navset_item *set[ORR_MSG_MAX_SATELLITES];
-    orr_navframe frame[ORR_MSG_MAX_SATELLITES];
-    orr_msg_lnav_set lnav[ORR_MSG_MAX_SATELLITES];
-    orr_msg_glonass_set glonass[ORR_MSG_MAX_SATELLITES];
-    orr_msg_nav_page page[ORR_MSG_MAX_SATELLITES][ORR_MSG_MAX_PAGES];
-    orr_msg_sat_navdata wire[ORR_MSG_MAX_SATELLITES];
-} orr_answers_nav;
-
 struct orr_answers {
     const orr_engine *engine;
     orr_server server;
     orr_msg_sat_id id[ORR_MSG_MAX_SATELLITES]; // of all served
+    const orr_sat *all;                        // the same
     uint16_t n_ids;
     orr_msg_inertial_unit unit[ORR_MSG_MAX_UNITS];
     // Room for one epoch; the loop is one thread's, so one room is enough.
@@ -28,12 +19,6 @@ struct orr_answers {
     orr_answer answer[ORR_MSG_MAX_SATELLITES];
     orr_sat_state state[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_state wire[ORR_MSG_MAX_SATELLITES];
-    orr_realisation delay[ORR_MSG_MAX_SATELLITES];
-    orr_msg_sat_delay wire_delay[ORR_MSG_MAX_SATELLITES];
-    orr_kepler kepler[ORR_MSG_MAX_SATELLITES];
-    uint32_t flags[ORR_MSG_MAX_SATELLITES];
-    orr_msg_sat_elements wire_elements[ORR_MSG_MAX_SATELLITES];
-    orr_answers_nav nav;
 };
 
 // Writes the sentence and returns the code.
@@ -43,6 +28,9 @@ uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_ser
 uint16_t orr_answers_check_epochs(const char *name, const orr_msg_epochs *epochs, orr_server_refusal *why);
 // Epoch number `index` of a request, its answer still open.
 orr_msg_epoch orr_answers_epoch(const orr_msg_epochs *epochs, uint32_t index);
+// Stands for the records of a message's last list, which will come in pieces; `stride` as in
+// orr_wire_records.
+orr_wire_records orr_answers_promise(uint16_t stride);
 // The satellites that a list names, all served for an empty list; *n of them. What the list names otherwise
 // than IGS files do is ORR_SAT_NONE, which nothing serves; a->asked[0..n) has the names as they came, for the
 // answer.

@@ -28,9 +28,10 @@ struct orr_conn {
     orr_server_conn conn;
     uint8_t *in, *out;
     size_t in_size, in_capacity, out_at, out_size, out_capacity;
-    bool busy;        // an answer is not finished
-    bool yield;       // and takes long: others come first
-    bool half;        // the input holds the beginning of a frame
+    bool busy;  // an answer is not finished
+    bool yield; // and takes long: others come first
+    bool half;  // the input holds the beginning of a frame
+    int64_t turn_ends_ns;
     int64_t since_ns; // what the deadline counts from
     int64_t last_ns;  // last complete request
     char peer[160];
@@ -78,7 +79,11 @@ static bool flush(orr_conn *c)
             return false;
         }
     }
-    if (!has_output(c)) c->out_at = c->out_size = 0;
+    if (!has_output(c)) {
+        // The begin of a frame that is not finished stays behind the output's end.
+        if (c->out_at > 0 && c->conn.unfinished > 0) memmove(c->out, c->out + c->out_at, c->conn.unfinished);
+        c->out_at = c->out_size = 0;
+    }
     return true;
 }
 
@@ -88,6 +93,7 @@ static void end(orr_conn *c)
     c->state = CONN_ENDING;
     c->in_size = 0;
     c->busy = false;
+    c->conn.unfinished = 0;
     c->since_ns = 0;
 }
 
@@ -110,12 +116,19 @@ static bool grow(uint8_t **data, size_t *capacity, size_t need)
     return true;
 }
 
+static bool turn_over(void *owner)
+{
+    const orr_conn *c = owner;
+    return orr_service_now_ns() >= c->turn_ends_ns;
+}
+
 // Answers what is in the input, as far as the output buffer allows.
 static void answer(orr_conn *c)
 {
     orr_wire_writer w = {c->out, c->out_size, c->out_capacity, ORR_WIRE_OK};
     orr_server_step step;
     uint64_t before = c->conn.requests;
+    c->turn_ends_ns = orr_service_now_ns() + ORR_CONN_TURN_NS;
     orr_server_run(c->service->server, &c->conn, c->in, c->in_size, &w, &step);
     c->out_size = w.size;
     c->busy = step.busy;
@@ -240,6 +253,8 @@ void orr_conn_open(orr_service *s, int fd, const char *peer)
     c->out = malloc(ORR_CONN_OUT);
     c->out_capacity = ORR_CONN_OUT;
     c->conn.can_grow = true;
+    c->conn.over = turn_over;
+    c->conn.owner = c;
     c->on_read = event_new(s->base, fd, EV_READ | EV_PERSIST, on_read, c);
     c->on_write = event_new(s->base, fd, EV_WRITE | EV_PERSIST, on_write, c);
     c->last_ns = orr_service_now_ns();

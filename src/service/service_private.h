@@ -11,6 +11,7 @@ enum {
     ORR_CONN_OUT = 128 << 10, // output at first: many frames a write; grows up to one largest frame
     ORR_CONN_IN = 4096,       // input at first; grows up to one largest request
     ORR_CONN_TURNS = 8,       // output buffers filled before others have their turn
+    ORR_CONN_TURN_NS = 200000,
 };
 
 typedef struct orr_conn orr_conn;

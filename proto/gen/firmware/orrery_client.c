@@ -1209,6 +1209,23 @@ static inline void load_glonass_set(const uint8_t *p, orr_msg_glonass_set *m)
     m->reserved = orr_wire_load_u8(p + 81);
 }
 
+static void put_lnav_set_records(orr_wire_writer *w, const orr_msg_lnav_set_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 128 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_lnav_set(p + 128 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_lnav_set_records_encode(const orr_msg_lnav_set_list *piece, orr_wire_writer *w)
+{
+    put_lnav_set_records(w, piece);
+    return w->status;
+}
+
 static void put_lnav_set_list(orr_wire_writer *w, const orr_msg_lnav_set_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -1217,13 +1234,7 @@ static void put_lnav_set_list(orr_wire_writer *w, const orr_msg_lnav_set_list *l
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 128 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 128 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_lnav_set(p + 128 * (size_t)i, &list->item[i]);
+    put_lnav_set_records(w, list);
 }
 
 static void get_lnav_set_list(orr_wire_reader *r, orr_msg_lnav_set_list *list, uint16_t max)
@@ -1266,6 +1277,23 @@ bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_
     return true;
 }
 
+static void put_glonass_set_records(orr_wire_writer *w, const orr_msg_glonass_set_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 82 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_glonass_set(p + 82 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_glonass_set_records_encode(const orr_msg_glonass_set_list *piece, orr_wire_writer *w)
+{
+    put_glonass_set_records(w, piece);
+    return w->status;
+}
+
 static void put_glonass_set_list(orr_wire_writer *w, const orr_msg_glonass_set_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -1274,13 +1302,7 @@ static void put_glonass_set_list(orr_wire_writer *w, const orr_msg_glonass_set_l
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 82 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 82 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_glonass_set(p + 82 * (size_t)i, &list->item[i]);
+    put_glonass_set_records(w, list);
 }
 
 static void get_glonass_set_list(orr_wire_reader *r, orr_msg_glonass_set_list *list, uint16_t max)
@@ -1323,13 +1345,8 @@ bool orr_msg_glonass_set_at(const orr_msg_glonass_set_list *list, uint16_t index
     return true;
 }
 
-static void put_nav_page_list(orr_wire_writer *w, const orr_msg_nav_page_list *list, uint16_t max)
+static void put_nav_page_records(orr_wire_writer *w, const orr_msg_nav_page_list *list)
 {
-    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
-    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
-    uint8_t *p = orr_wire_room(w, 2);
-    if (p == NULL) return;
-    orr_wire_store_u16(p, list->count);
     if (list->item == NULL) {
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
@@ -1341,6 +1358,22 @@ static void put_nav_page_list(orr_wire_writer *w, const orr_msg_nav_page_list *l
         if (w->status != ORR_WIRE_OK) return;
         orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
     }
+}
+
+orr_wire_status orr_msg_nav_page_records_encode(const orr_msg_nav_page_list *piece, orr_wire_writer *w)
+{
+    put_nav_page_records(w, piece);
+    return w->status;
+}
+
+static void put_nav_page_list(orr_wire_writer *w, const orr_msg_nav_page_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    put_nav_page_records(w, list);
 }
 
 static void get_nav_page_list(orr_wire_reader *r, orr_msg_nav_page_list *list, uint16_t max)
@@ -1532,13 +1565,8 @@ orr_wire_status orr_msg_hello_decode(const uint8_t *payload, size_t size, orr_ms
     return r.status;
 }
 
-static void put_inertial_unit_list(orr_wire_writer *w, const orr_msg_inertial_unit_list *list, uint16_t max)
+static void put_inertial_unit_records(orr_wire_writer *w, const orr_msg_inertial_unit_list *list)
 {
-    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
-    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
-    uint8_t *p = orr_wire_room(w, 2);
-    if (p == NULL) return;
-    orr_wire_store_u16(p, list->count);
     if (list->item == NULL) {
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
@@ -1550,6 +1578,22 @@ static void put_inertial_unit_list(orr_wire_writer *w, const orr_msg_inertial_un
         if (w->status != ORR_WIRE_OK) return;
         orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
     }
+}
+
+orr_wire_status orr_msg_inertial_unit_records_encode(const orr_msg_inertial_unit_list *piece, orr_wire_writer *w)
+{
+    put_inertial_unit_records(w, piece);
+    return w->status;
+}
+
+static void put_inertial_unit_list(orr_wire_writer *w, const orr_msg_inertial_unit_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    put_inertial_unit_records(w, list);
 }
 
 static void get_inertial_unit_list(orr_wire_reader *r, orr_msg_inertial_unit_list *list, uint16_t max)
@@ -1601,6 +1645,23 @@ bool orr_msg_inertial_unit_next(const orr_msg_inertial_unit_list *list, orr_wire
     return one.status == ORR_WIRE_OK;
 }
 
+static void put_served_request_records(orr_wire_writer *w, const orr_msg_served_request_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 20 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_served_request(p + 20 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_served_request_records_encode(const orr_msg_served_request_list *piece, orr_wire_writer *w)
+{
+    put_served_request_records(w, piece);
+    return w->status;
+}
+
 static void put_served_request_list(orr_wire_writer *w, const orr_msg_served_request_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -1609,13 +1670,7 @@ static void put_served_request_list(orr_wire_writer *w, const orr_msg_served_req
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 20 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 20 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_served_request(p + 20 * (size_t)i, &list->item[i]);
+    put_served_request_records(w, list);
 }
 
 static void get_served_request_list(orr_wire_reader *r, orr_msg_served_request_list *list, uint16_t max)
@@ -1658,6 +1713,23 @@ bool orr_msg_served_request_at(const orr_msg_served_request_list *list, uint16_t
     return true;
 }
 
+static void put_sat_id_records(orr_wire_writer *w, const orr_msg_sat_id_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 2 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_id(p + 2 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_sat_id_records_encode(const orr_msg_sat_id_list *piece, orr_wire_writer *w)
+{
+    put_sat_id_records(w, piece);
+    return w->status;
+}
+
 static void put_sat_id_list(orr_wire_writer *w, const orr_msg_sat_id_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -1666,13 +1738,7 @@ static void put_sat_id_list(orr_wire_writer *w, const orr_msg_sat_id_list *list,
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 2 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 2 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_sat_id(p + 2 * (size_t)i, &list->item[i]);
+    put_sat_id_records(w, list);
 }
 
 static void get_sat_id_list(orr_wire_reader *r, orr_msg_sat_id_list *list, uint16_t max)
@@ -1913,6 +1979,23 @@ orr_wire_status orr_msg_poll_decode(const uint8_t *payload, size_t size, orr_msg
     return r.status;
 }
 
+static void put_sat_state_records(orr_wire_writer *w, const orr_msg_sat_state_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 116 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_state(p + 116 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_sat_state_records_encode(const orr_msg_sat_state_list *piece, orr_wire_writer *w)
+{
+    put_sat_state_records(w, piece);
+    return w->status;
+}
+
 static void put_sat_state_list(orr_wire_writer *w, const orr_msg_sat_state_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -1921,13 +2004,7 @@ static void put_sat_state_list(orr_wire_writer *w, const orr_msg_sat_state_list 
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 116 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 116 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_sat_state(p + 116 * (size_t)i, &list->item[i]);
+    put_sat_state_records(w, list);
 }
 
 static void get_sat_state_list(orr_wire_reader *r, orr_msg_sat_state_list *list, uint16_t max)
@@ -2038,6 +2115,23 @@ orr_wire_status orr_msg_poll_elements_decode(const uint8_t *payload, size_t size
     return r.status;
 }
 
+static void put_sat_elements_records(orr_wire_writer *w, const orr_msg_sat_elements_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 64 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_elements(p + 64 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_sat_elements_records_encode(const orr_msg_sat_elements_list *piece, orr_wire_writer *w)
+{
+    put_sat_elements_records(w, piece);
+    return w->status;
+}
+
 static void put_sat_elements_list(orr_wire_writer *w, const orr_msg_sat_elements_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -2046,13 +2140,7 @@ static void put_sat_elements_list(orr_wire_writer *w, const orr_msg_sat_elements
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 64 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 64 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_sat_elements(p + 64 * (size_t)i, &list->item[i]);
+    put_sat_elements_records(w, list);
 }
 
 static void get_sat_elements_list(orr_wire_reader *r, orr_msg_sat_elements_list *list, uint16_t max)
@@ -2163,13 +2251,8 @@ orr_wire_status orr_msg_poll_navdata_decode(const uint8_t *payload, size_t size,
     return r.status;
 }
 
-static void put_sat_navdata_list(orr_wire_writer *w, const orr_msg_sat_navdata_list *list, uint16_t max)
+static void put_sat_navdata_records(orr_wire_writer *w, const orr_msg_sat_navdata_list *list)
 {
-    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
-    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
-    uint8_t *p = orr_wire_room(w, 2);
-    if (p == NULL) return;
-    orr_wire_store_u16(p, list->count);
     if (list->item == NULL) {
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
@@ -2181,6 +2264,22 @@ static void put_sat_navdata_list(orr_wire_writer *w, const orr_msg_sat_navdata_l
         if (w->status != ORR_WIRE_OK) return;
         orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
     }
+}
+
+orr_wire_status orr_msg_sat_navdata_records_encode(const orr_msg_sat_navdata_list *piece, orr_wire_writer *w)
+{
+    put_sat_navdata_records(w, piece);
+    return w->status;
+}
+
+static void put_sat_navdata_list(orr_wire_writer *w, const orr_msg_sat_navdata_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    put_sat_navdata_records(w, list);
 }
 
 static void get_sat_navdata_list(orr_wire_reader *r, orr_msg_sat_navdata_list *list, uint16_t max)
@@ -2264,6 +2363,17 @@ orr_wire_status orr_msg_navdata_decode(const uint8_t *payload, size_t size, orr_
     return r.status;
 }
 
+static void put_f64_records(orr_wire_writer *w, const orr_msg_f64_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 8 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) orr_wire_store_f64(p + 8 * (size_t)i, list->item[i]);
+}
+
 static void put_f64_list(orr_wire_writer *w, const orr_msg_f64_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -2272,13 +2382,7 @@ static void put_f64_list(orr_wire_writer *w, const orr_msg_f64_list *list, uint1
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 8 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 8 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) orr_wire_store_f64(p + 8 * (size_t)i, list->item[i]);
+    put_f64_records(w, list);
 }
 
 static void get_f64_list(orr_wire_reader *r, orr_msg_f64_list *list, uint16_t max)
@@ -2361,6 +2465,23 @@ orr_wire_status orr_msg_poll_delays_decode(const uint8_t *payload, size_t size, 
     return r.status;
 }
 
+static void put_sat_delay_records(orr_wire_writer *w, const orr_msg_sat_delay_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 98 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_delay(p + 98 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_sat_delay_records_encode(const orr_msg_sat_delay_list *piece, orr_wire_writer *w)
+{
+    put_sat_delay_records(w, piece);
+    return w->status;
+}
+
 static void put_sat_delay_list(orr_wire_writer *w, const orr_msg_sat_delay_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
@@ -2369,13 +2490,7 @@ static void put_sat_delay_list(orr_wire_writer *w, const orr_msg_sat_delay_list 
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
     orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 98 : list->wire.stride);
-    if (list->item == NULL) {
-        orr_wire_put_raw(w, list->wire.data, list->wire.size);
-        return;
-    }
-    p = orr_wire_room(w, 98 * (size_t)list->count);
-    if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_sat_delay(p + 98 * (size_t)i, &list->item[i]);
+    put_sat_delay_records(w, list);
 }
 
 static void get_sat_delay_list(orr_wire_reader *r, orr_msg_sat_delay_list *list, uint16_t max)

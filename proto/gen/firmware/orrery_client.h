@@ -409,6 +409,9 @@ typedef struct orr_msg_sat_id_list {
     orr_wire_records wire;
 } orr_msg_sat_id_list;
 bool orr_msg_sat_id_next(const orr_msg_sat_id_list *list, orr_wire_iter *it, orr_msg_sat_id *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_SAT_ID_SIZE), then these.
+orr_wire_status orr_msg_sat_id_records_encode(const orr_msg_sat_id_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_id_at(const orr_msg_sat_id_list *list, uint16_t index, orr_msg_sat_id *out);   // false beyond the end
 
 // The instants of a request - t, t + step, ..., t + (count - 1) step. A request that has them is answered by count frames.
@@ -455,6 +458,9 @@ typedef struct orr_msg_served_request_list {
     orr_wire_records wire;
 } orr_msg_served_request_list;
 bool orr_msg_served_request_next(const orr_msg_served_request_list *list, orr_wire_iter *it, orr_msg_served_request *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_SERVED_REQUEST_SIZE), then these.
+orr_wire_status orr_msg_served_request_records_encode(const orr_msg_served_request_list *piece, orr_wire_writer *w);
 bool orr_msg_served_request_at(const orr_msg_served_request_list *list, uint16_t index, orr_msg_served_request *out);   // false beyond the end
 
 // An inertial measurement unit of the scenario's vehicle.
@@ -476,6 +482,9 @@ typedef struct orr_msg_inertial_unit_list {
     orr_wire_records wire;
 } orr_msg_inertial_unit_list;
 bool orr_msg_inertial_unit_next(const orr_msg_inertial_unit_list *list, orr_wire_iter *it, orr_msg_inertial_unit *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
+orr_wire_status orr_msg_inertial_unit_records_encode(const orr_msg_inertial_unit_list *piece, orr_wire_writer *w);
 
 // Leap seconds of UTC as the server knows them.
 typedef struct orr_msg_leap_seconds {
@@ -512,6 +521,9 @@ typedef struct orr_msg_sat_state_list {
     orr_wire_records wire;
 } orr_msg_sat_state_list;
 bool orr_msg_sat_state_next(const orr_msg_sat_state_list *list, orr_wire_iter *it, orr_msg_sat_state *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_SAT_STATE_SIZE), then these.
+orr_wire_status orr_msg_sat_state_records_encode(const orr_msg_sat_state_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_state_at(const orr_msg_sat_state_list *list, uint16_t index, orr_msg_sat_state *out);   // false beyond the end
 
 // Kepler elements of one satellite. Numbers are NAN unless answer is OK.
@@ -539,6 +551,9 @@ typedef struct orr_msg_sat_elements_list {
     orr_wire_records wire;
 } orr_msg_sat_elements_list;
 bool orr_msg_sat_elements_next(const orr_msg_sat_elements_list *list, orr_wire_iter *it, orr_msg_sat_elements *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_SAT_ELEMENTS_SIZE), then these.
+orr_wire_status orr_msg_sat_elements_records_encode(const orr_msg_sat_elements_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t index, orr_msg_sat_elements *out);   // false beyond the end
 
 // A subframe or string as it is sent, bit by bit.
@@ -559,6 +574,9 @@ typedef struct orr_msg_nav_page_list {
     orr_wire_records wire;
 } orr_msg_nav_page_list;
 bool orr_msg_nav_page_next(const orr_msg_nav_page_list *list, orr_wire_iter *it, orr_msg_nav_page *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
+orr_wire_status orr_msg_nav_page_records_encode(const orr_msg_nav_page_list *piece, orr_wire_writer *w);
 
 // What subframes 1 to 3 hold beside clock and issue, on the message's lattice (IS-GPS-200N tables 20-I and 20-III).
 typedef struct orr_msg_lnav_set {
@@ -590,6 +608,9 @@ typedef struct orr_msg_lnav_set_list {
     orr_wire_records wire;
 } orr_msg_lnav_set_list;
 bool orr_msg_lnav_set_next(const orr_msg_lnav_set_list *list, orr_wire_iter *it, orr_msg_lnav_set *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_LNAV_SET_SIZE), then these.
+orr_wire_status orr_msg_lnav_set_records_encode(const orr_msg_lnav_set_list *piece, orr_wire_writer *w);
 bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_msg_lnav_set *out);   // false beyond the end
 
 // What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
@@ -612,6 +633,9 @@ typedef struct orr_msg_glonass_set_list {
     orr_wire_records wire;
 } orr_msg_glonass_set_list;
 bool orr_msg_glonass_set_next(const orr_msg_glonass_set_list *list, orr_wire_iter *it, orr_msg_glonass_set *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_GLONASS_SET_SIZE), then these.
+orr_wire_status orr_msg_glonass_set_records_encode(const orr_msg_glonass_set_list *piece, orr_wire_writer *w);
 bool orr_msg_glonass_set_at(const orr_msg_glonass_set_list *list, uint16_t index, orr_msg_glonass_set *out);   // false beyond the end
 
 // What one satellite sends. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
@@ -651,6 +675,9 @@ typedef struct orr_msg_sat_navdata_list {
     orr_wire_records wire;
 } orr_msg_sat_navdata_list;
 bool orr_msg_sat_navdata_next(const orr_msg_sat_navdata_list *list, orr_wire_iter *it, orr_msg_sat_navdata *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
+orr_wire_status orr_msg_sat_navdata_records_encode(const orr_msg_sat_navdata_list *piece, orr_wire_writer *w);
 
 // The ionosphere between a receiver and one satellite. Numbers are NAN unless answer is OK.
 typedef struct orr_msg_sat_delay {
@@ -680,6 +707,9 @@ typedef struct orr_msg_sat_delay_list {
     orr_wire_records wire;
 } orr_msg_sat_delay_list;
 bool orr_msg_sat_delay_next(const orr_msg_sat_delay_list *list, orr_wire_iter *it, orr_msg_sat_delay *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_SAT_DELAY_SIZE), then these.
+orr_wire_status orr_msg_sat_delay_records_encode(const orr_msg_sat_delay_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_delay_at(const orr_msg_sat_delay_list *list, uint16_t index, orr_msg_sat_delay *out);   // false beyond the end
 
 // Encoding appends the payload to the writer and returns its status. Decoding reads a payload; strings, blobs

@@ -38,10 +38,11 @@ static inline uint16_t fake_begin(void *user, const orr_frame *request, uint32_t
     return 0;
 }
 
-static inline uint16_t fake_answer(void *user, const orr_frame *request, uint32_t index, orr_wire_writer *w,
-                                   orr_server_refusal *why)
+static inline uint16_t fake_answer(void *user, const orr_frame *request, orr_server_part *part,
+                                   orr_wire_writer *w, orr_server_refusal *why)
 {
     fake *f = user;
+    const uint32_t index = part->index;
     f->answered++;
     orr_msg_poll poll;
     orr_msg_poll_decode(request->payload, request->size, &poll);
@@ -67,7 +68,7 @@ static inline void fake_caps(void *user, orr_msg_caps *caps)
 }
 
 static const orr_server_route fake_routes[] = {
-    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer, false}};
+    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer}};
 
 static inline orr_server fake_server(fake *f) { return (orr_server){fake_routes, 1, fake_caps, NULL, f}; }
 

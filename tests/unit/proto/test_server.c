@@ -68,27 +68,105 @@ static void a_series_ends_clearly(void **state)
     assert_true(c.requests == 1 && c.refusals == 0 && f.begun == 1);
 }
 
-// Of a slow kind one frame is made a call; the answer is the same.
-static void a_slow_kind_lets_others_in(void **state)
+// Each satellite of a frame is a piece; what they are computed from is kept from the first to the last.
+static uint16_t answer_in_pieces(void *user, const orr_frame *request, orr_server_part *part,
+                                 orr_wire_writer *w, orr_server_refusal *why)
+{
+    (void)why;
+    fake *f = user;
+    orr_msg_poll poll;
+    static const uint8_t none;
+    orr_msg_poll_decode(request->payload, request->size, &poll);
+    bool another = true;
+    if (part->done == 0) {
+        orr_msg_states m = {{poll.epochs.t, part->index, poll.epochs.count, ORR_MSG_ANSWER_OK},
+                            {f->n_sats, NULL, {&none, 0, ORR_MSG_SAT_STATE_SIZE}}};
+        part->kept[0] = (double)(poll.epochs.t + part->index);
+        orr_msg_states_encode(&m, w);
+        f->answered++;
+        another = orr_server_next_piece(part, f->n_sats + 1u);
+    }
+    for (; another; another = orr_server_next_piece(part, f->n_sats + 1u)) {
+        orr_msg_sat_state one = fake_state((uint8_t)part->done, (int64_t)part->kept[0]);
+        orr_msg_sat_state_records_encode(&(orr_msg_sat_state_list){1, &one, {NULL, 0, 0}}, w);
+        f->answered++;
+    }
+    return 0;
+}
+
+static bool count_down(void *owner)
+{
+    int *left = owner;
+    return --*left <= 0;
+}
+
+// However short the turns and however small the output, the bytes are the same; a turn makes as many pieces
+// as it has units, and never none.
+static void turns_end_between_pieces(void **state)
 {
     (void)state;
     fake f = {.n_sats = 3};
-    const orr_server_route slow = {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer, true};
-    orr_server s = fake_server(&f), t = s;
-    t.route = &slow;
-    orr_server_conn c = {0}, d = {0};
+    const orr_server_route route = {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, answer_in_pieces};
+    orr_server s = fake_server(&f);
+    s.route = &route;
+    orr_server_conn whole = {0};
     orr_server_step step;
-    size_t n = put_poll(in, 9, 100, 10, 4), calls = 0;
-    orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK}, v = {out2, 0, sizeof out2, ORR_WIRE_OK};
-    orr_server_run(&s, &c, in, n, &w, &step);
-    assert_false(step.yield);
-    do {
-        orr_server_run(&t, &d, in, n, &v, &step);
-        calls++;
-        assert_true(calls * w.size == 4 * v.size && step.yield == step.busy);
-    } while (step.busy);
-    assert_true(calls == 4 && step.consumed == n && d.requests == 1);
-    assert_memory_equal(out, out2, w.size);
+    size_t n = put_poll(in, 9, 100, 1, 4);
+    n += put_frame(in + n, ORR_MSG_TYPE_PING, 3, "12345678", 8);
+    n += put_poll(in + n, 10, 100, 1, 2);
+    orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+    orr_server_run(&s, &whole, in, n, &w, &step);
+    assert_true(!step.yield && step.consumed == n && f.answered == 6 * 4);
+    for (int units = 1; units < 30; units++) {
+        for (size_t room = 450; room < 3000; room += 833) { // one STATES takes 389 bytes
+            int left = 0;
+            orr_server_conn c = {.over = count_down, .owner = &left};
+            size_t from = 0, got = 0, held = 0;
+            static uint8_t piece[4000];
+            orr_wire_writer v = {piece, 0, room, ORR_WIRE_OK};
+            do {
+                unsigned before = f.answered;
+                left = units;
+                orr_server_run(&s, &c, in + from, n - from, &v, &step);
+                assert_true(f.answered - before <= (unsigned)units);
+                assert_true(v.size + c.unfinished > held || step.consumed > 0 || !step.yield);
+                held = v.size + c.unfinished;
+                from += step.consumed;
+                if (step.yield && units % 2 == 0) continue; // others first, the output stays as it is
+                memcpy(out2 + got, piece, v.size);
+                got += v.size;
+                memmove(piece, piece + v.size, c.unfinished);
+                v.size = 0;
+                held = c.unfinished;
+            } while (step.busy);
+            assert_true(from == n && c.requests == 3 && c.unfinished == 0);
+            memcpy(out2 + got, piece, v.size);
+            got += v.size;
+            assert_int_equal(got, w.size);
+            assert_memory_equal(out, out2, got);
+        }
+    }
+}
+
+// Requests that cost little end a turn as well, when there are many of them.
+static void turns_end_between_requests(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 1};
+    orr_server s = fake_server(&f);
+    int left = 0;
+    orr_server_conn c = {.over = count_down, .owner = &left};
+    size_t n = 0, from = 0;
+    for (uint32_t k = 0; k < 10; k++) n += put_frame(in + n, ORR_MSG_TYPE_PING, k, "12345678", 8);
+    for (uint64_t served = 4; from < n; served += 4) {
+        orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+        orr_server_step step;
+        left = 4;
+        orr_server_run(&s, &c, in + from, n - from, &w, &step);
+        from += step.consumed;
+        assert_true(c.requests == (served < 10 ? served : 10) && step.yield == (from < n) &&
+                    step.busy == step.yield);
+    }
 }
 
 static void byte_by_byte_and_all_at_once_agree(void **state)
@@ -338,7 +416,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_series_ends_clearly),
-        cmocka_unit_test(a_slow_kind_lets_others_in),
+        cmocka_unit_test(turns_end_between_pieces),
+        cmocka_unit_test(turns_end_between_requests),
         cmocka_unit_test(byte_by_byte_and_all_at_once_agree),
         cmocka_unit_test(small_outputs_change_nothing),
         cmocka_unit_test(an_answer_that_never_fits_is_refused),

@@ -46,6 +46,14 @@ static orr_status open_product(const volatile int *cancel, orr_navdata_window wi
 
 static orr_time at(double t_s) { return orr_time_add_s(made_midnight, t_s); }
 
+static orr_answer elements(const orr_engine *e, double t_s, orr_elements_frame frame, int method,
+                           const orr_sat *sats, size_t n, orr_kepler *k, uint32_t *flags, orr_answer *answer)
+{
+    orr_elements_axes axes;
+    orr_answer all = orr_engine_axes(e, at(t_s), frame, (orr_elements_method)method, &axes);
+    return all != ORR_ANSWER_OK ? all : orr_engine_elements(e, &axes, sats, n, k, flags, answer);
+}
+
 static void elements_are_those_of_the_orbits(void **state)
 {
     (void)state;
@@ -62,8 +70,7 @@ static void elements_are_those_of_the_orbits(void **state)
     orr_answer answer[6];
     for (int m = ORR_ELEMENTS_STATE; m <= ORR_ELEMENTS_MEAN; m++) {
         const orr_elements_options o = {.frame = ORR_ELEMENTS_J2000, .method = (orr_elements_method)m};
-        assert_int_equal(orr_engine_elements(e, at(43000), ORR_ELEMENTS_J2000, (orr_elements_method)m, asked,
-                                             4, k, flags, answer),
+        assert_int_equal(elements(e, 43000, ORR_ELEMENTS_J2000, m, asked, 4, k, flags, answer),
                          ORR_ANSWER_OK);
         assert_int_equal(answer[2], ORR_ANSWER_NOT_SERVED);
         for (size_t i = 0; i < 4; i++) {
@@ -74,20 +81,16 @@ static void elements_are_those_of_the_orbits(void **state)
             assert_true(k[i].a_m == want.a_m && k[i].e == want.e && k[i].u_rad == want.u_rad);
         }
         // All of them, in their order; near the begin the means have no value.
-        assert_int_equal(orr_engine_elements(e, at(400), ORR_ELEMENTS_DATE, (orr_elements_method)m, NULL, 6,
-                                             k, flags, answer),
-                         ORR_ANSWER_OK);
+        assert_int_equal(elements(e, 400, ORR_ELEMENTS_DATE, m, NULL, 6, k, flags, answer), ORR_ANSWER_OK);
         for (size_t i = 0; i < 6; i++)
             assert_int_equal(answer[i], m == ORR_ELEMENTS_MEAN ? ORR_ANSWER_NO_VALUE : ORR_ANSWER_OK);
     }
     // The made eclipse of 1060 to 4000 s is the state's flag.
-    assert_int_equal(
-        orr_engine_elements(e, at(2000), ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, NULL, 6, k, flags, answer),
-        ORR_ANSWER_OK);
+    assert_int_equal(elements(e, 2000, ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, NULL, 6, k, flags, answer),
+                     ORR_ANSWER_OK);
     assert_true((flags[0] & ORR_EPH_ECLIPSE) != 0);
-    assert_int_equal(
-        orr_engine_elements(e, at(-1), ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, NULL, 6, k, flags, answer),
-        ORR_ANSWER_OUTSIDE_SPAN);
+    assert_int_equal(elements(e, -1, ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, NULL, 6, k, flags, answer),
+                     ORR_ANSWER_OUTSIDE_SPAN);
     orr_ephemeris_free(p);
     orr_engine_close(e);
 }
@@ -222,7 +225,7 @@ static void a_trajectory_without_satellites(void **state)
     (void)state;
     orr_engine *e;
     orr_truth truth;
-    orr_vec3 dtheta, dv, r;
+    orr_vec3 r;
     const orr_sat *sats;
     orr_sat_state sat_state;
     orr_kepler k;
@@ -249,9 +252,10 @@ static void a_trajectory_without_satellites(void **state)
     assert_int_equal(orr_engine_satellites(e, &sats), 0);
     assert_int_equal(orr_engine_states(e, start, &g1, 1, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
     assert_int_equal(orr_engine_states(e, start, NULL, 0, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
-    assert_int_equal(
-        orr_engine_elements(e, start, ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, &g1, 1, &k, &flags, &answer),
-        ORR_ANSWER_NOT_SERVED);
+    orr_elements_axes axes = {.t = start};
+    assert_int_equal(orr_engine_axes(e, start, ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, &axes),
+                     ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_elements(e, &axes, &g1, 1, &k, &flags, &answer), ORR_ANSWER_NOT_SERVED);
     assert_non_null(strstr(orr_engine_no_navdata(e), "no satellites"));
     assert_int_equal(orr_engine_navdata(e, start, &g1, 1, &item, &frame, &answer), ORR_ANSWER_NOT_SERVED);
     assert_int_equal(orr_engine_delays(e, start, (orr_vec3){6.4e6, 0, 0}, &g1, 1, &delay, &answer),
@@ -269,7 +273,10 @@ static void a_trajectory_without_satellites(void **state)
     assert_int_equal(at_unit, 0);
     // At rest the readings are the Earth's turn and the pull upward of normal gravity.
     assert_int_equal(orr_engine_truth(e, 0, start, &truth), ORR_ANSWER_OK);
-    assert_int_equal(orr_engine_imu(e, 0, start, orr_time_add_s(start, 1), &dtheta, &dv), ORR_ANSWER_OK);
+    orr_sensors_sum sum;
+    assert_int_equal(orr_engine_imu_begin(e, 0, start, orr_time_add_s(start, 1), &sum), ORR_ANSWER_OK);
+    while (!orr_engine_imu_add(e, 0, &sum, 1)) continue;
+    const orr_vec3 dtheta = sum.dtheta_rad, dv = sum.dv_mps;
     ASSERT_NEAR(orr_vec3_norm(dtheta), ORR_EARTH_RATE_RADPS, 1e-15);
     // The force turns with the body: over a second its integral is that of the middle to (w t)^2/24 = 2e-10.
     ASSERT_NEAR(orr_vec3_norm(dv), orr_vec3_norm(truth.force_mps2), 9.8 * 2.3e-10);
@@ -292,9 +299,9 @@ static void parts_tell_their_spans(void **state)
     assert_false(orr_engine_part_span(e, ORR_PART_NAVDATA, &span)); // window: none
     assert_false(orr_engine_part_span(e, ORR_PART_IONOSPHERE, &span) || orr_engine_navdata_phase_centres(e));
     assert_int_equal(orr_engine_receiver_kind(e, NULL), ORR_RECEIVER_PLACE);
-    orr_vec3 v;
+    orr_sensors_sum sum;
     assert_false(orr_engine_imu_physical(e));
-    assert_int_equal(orr_engine_imu(e, 0, at(1), at(2), &v, &v), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_imu_begin(e, 0, at(1), at(2), &sum), ORR_ANSWER_NOT_SERVED);
     assert_int_equal(orr_engine_truth(e, 0, at(1), &truth), ORR_ANSWER_OK);
     orr_engine_close(e);
     open_text("orbit: {product: engine.nc}\n", &e);
