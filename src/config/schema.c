@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/suggest.h"
+#include "src/config/conditions.h"
 
 enum { PATH_MAX_CHARS = 200 };
 
@@ -43,8 +44,8 @@ static size_t kind_size(const orr_key *k)
         return sizeof(orr_interval);
     case ORR_KEY_SATS:
         return sizeof(orr_sat_set);
-    case ORR_KEY_RECORDS:
-        return k->record->size;
+    case ORR_KEY_MAP:
+        return k->map->size;
     }
     return 0;
 }
@@ -63,7 +64,7 @@ const char *orr_schema_kind_words(const orr_key *k)
     case ORR_KEY_REAL:
         return k->list ? "list of numbers" : "number";
     case ORR_KEY_CHOICE:
-        return "one of";
+        return k->list ? "list of" : "one of";
     case ORR_KEY_TIME:
         return k->list ? "list of times" : "time";
     case ORR_KEY_DURATION:
@@ -72,8 +73,8 @@ const char *orr_schema_kind_words(const orr_key *k)
         return k->list ? "list of FROM/TO" : "FROM/TO";
     case ORR_KEY_SATS:
         return "satellites";
-    case ORR_KEY_RECORDS:
-        return "list of maps";
+    case ORR_KEY_MAP:
+        return k->list ? "list of maps" : "map";
     }
     return "?";
 }
@@ -124,7 +125,7 @@ static orr_status read_number(const reader *r, const orr_key *k, const orr_yaml_
     }
     bool bounded = k->min != 0 || k->max != 0;
     if (bounded && !(v >= k->min && v <= k->max)) {
-        snprintf(sentence, sizeof sentence, "%.60s is outside %g to %g%s%s", node->text, k->min, k->max,
+        snprintf(sentence, sizeof sentence, "%.60s is outside %.16g to %.16g%s%s", node->text, k->min, k->max,
                  k->unit != NULL ? " " : "", k->unit != NULL ? k->unit : "");
         return refuse(r, node, path, sentence);
     }
@@ -150,15 +151,14 @@ static orr_status read_bool(const reader *r, const orr_yaml_node *node, const ch
 static orr_status read_choice(const reader *r, const orr_key *k, const orr_yaml_node *node, const char *path,
                               int *to)
 {
-    size_t len = strlen(node->text);
-    int index = 0;
-    for (const char *p = k->choices; *p != '\0'; index++) {
-        size_t n = strcspn(p, "|");
-        if (n == len && strncmp(p, node->text, n) == 0) return *to = index, ORR_OK;
-        p += n + (p[n] == '|');
+    char sentence[300];
+    int at = snprintf(sentence, sizeof sentence, "'%.60s' is none of", node->text);
+    for (const orr_choice *c = k->choice; c->word != NULL; c++) {
+        if (strcmp(c->word, node->text) == 0) return *to = c->value, ORR_OK;
+        if (at < (int)sizeof sentence)
+            at += snprintf(sentence + at, sizeof sentence - (size_t)at, "%s %s", c == k->choice ? "" : ",",
+                           c->word);
     }
-    char sentence[200];
-    snprintf(sentence, sizeof sentence, "'%.60s' is none of %s", node->text, k->choices);
     return refuse(r, node, path, sentence);
 }
 
@@ -177,16 +177,16 @@ static orr_status read_interval(const char *text, orr_interval *to, orr_diag *d)
     return s;
 }
 
-static orr_status read_record(const reader *r, const orr_schema *schema, const orr_yaml_node *map,
-                              const char *prefix, void *base);
+static orr_status read_map(const reader *r, const orr_schema *schema, const orr_yaml_node *map,
+                           const orr_map_scope *up, const char *path, char *base);
 
-// One value into *to.
-static orr_status read_value(const reader *r, const orr_key *k, const orr_yaml_node *node, const char *path,
-                             void *to)
+// One value into *to; `scope` is the map that it stands in.
+static orr_status read_value(const reader *r, const orr_key *k, const orr_yaml_node *node,
+                             const orr_map_scope *scope, const char *path, void *to)
 {
-    if (k->kind == ORR_KEY_RECORDS) {
-        if (node->kind != ORR_YAML_MAP) return refuse(r, node, path, "a map is wanted here");
-        return read_record(r, k->record, node, path, to);
+    if (k->kind == ORR_KEY_MAP) {
+        if (node->kind != ORR_YAML_MAP) return refuse(r, node, path, "a map with keys is wanted here");
+        return read_map(r, k->map, node, scope, path, to);
     }
     if (node->kind != ORR_YAML_TEXT) {
         char sentence[120];
@@ -215,6 +215,8 @@ static orr_status read_value(const reader *r, const orr_key *k, const orr_yaml_n
         break;
     case ORR_KEY_DURATION:
         s = orr_duration_parse(node->text, to, &inner);
+        if (s == ORR_OK && *(int64_t *)to <= 0)
+            s = orr_diag_set(&inner, ORR_E_ARG, "'%.60s' is no positive length of time", node->text);
         break;
     case ORR_KEY_INTERVAL:
         s = read_interval(node->text, to, &inner);
@@ -222,18 +224,33 @@ static orr_status read_value(const reader *r, const orr_key *k, const orr_yaml_n
     case ORR_KEY_SATS:
         s = orr_sat_set_parse(node->text, to, &inner);
         break;
-    case ORR_KEY_RECORDS:
+    case ORR_KEY_MAP:
         break;
     }
     return s == ORR_OK ? ORR_OK : refuse(r, node, path, inner.text);
 }
 
-static orr_status read_list(const reader *r, const orr_key *k, const orr_yaml_node *node, const char *path,
-                            any_list *to)
+static orr_status check_count(const reader *r, const orr_key *k, const orr_yaml_node *node, const char *path,
+                              size_t n)
+{
+    size_t most = k->most > 0 ? k->most : ORR_SCHEMA_MAX_LIST;
+    if (n >= k->least && n <= most) return ORR_OK;
+    char sentence[120];
+    if (k->least == most)
+        snprintf(sentence, sizeof sentence, "%zu members, where %zu are wanted", n, most);
+    else
+        snprintf(sentence, sizeof sentence, "%zu members, where %zu to %zu are possible", n, k->least, most);
+    return refuse(r, node, path, sentence);
+}
+
+static orr_status set_defaults(const orr_schema *schema, const reader *r, char *base);
+
+static orr_status read_list(const reader *r, const orr_key *k, const orr_yaml_node *node,
+                            const orr_map_scope *scope, const char *path, any_list *to)
 {
     size_t n = node->kind == ORR_YAML_LIST ? node->n : 1, size = kind_size(k);
-    if (n > ORR_SCHEMA_MAX_LIST) return refuse(r, node, path, "the list is too long");
-    if (n == 0) return ORR_OK;
+    orr_status counted = check_count(r, k, node, path, n);
+    if (counted != ORR_OK || n == 0) return counted;
     to->item = calloc(n, size);
     if (to->item == NULL) return out_of_memory(r);
     const orr_yaml_node *member = node->kind == ORR_YAML_LIST ? node->first : node;
@@ -242,7 +259,8 @@ static orr_status read_list(const reader *r, const orr_key *k, const orr_yaml_no
         snprintf(at, sizeof at, "%s[%zu]", path, to->n);
         char *item = (char *)to->item + to->n * size;
         to->n++; // counted first: a half-read record is freed with the list
-        orr_status s = read_value(r, k, member, n == 1 && node->kind != ORR_YAML_LIST ? path : at, item);
+        orr_status s = k->kind == ORR_KEY_MAP ? set_defaults(k->map, r, item) : ORR_OK;
+        if (s == ORR_OK) s = read_value(r, k, member, scope, node->kind == ORR_YAML_LIST ? at : path, item);
         if (s != ORR_OK) return s;
     }
     return ORR_OK;
@@ -250,11 +268,20 @@ static orr_status read_list(const reader *r, const orr_key *k, const orr_yaml_no
 
 static orr_status set_default(const orr_key *k, const reader *r, void *member)
 {
+    if (k->kind == ORR_KEY_MAP && !k->list) return set_defaults(k->map, r, member);
     if (k->fallback == NULL) return ORR_OK;
     orr_yaml_node text = {.kind = ORR_YAML_TEXT, .text = (char *)(uintptr_t)k->fallback};
     reader plain = {"(default)", NULL, r->diag};
-    return k->list ? read_list(&plain, k, &text, k->path, member)
-                   : read_value(&plain, k, &text, k->path, member);
+    return k->list ? read_list(&plain, k, &text, NULL, k->name, member)
+                   : read_value(&plain, k, &text, NULL, k->name, member);
+}
+
+static orr_status set_defaults(const orr_schema *schema, const reader *r, char *base)
+{
+    orr_status s = ORR_OK;
+    for (size_t i = 0; s == ORR_OK && i < schema->n; i++)
+        s = set_default(&schema->key[i], r, base + schema->key[i].offset);
+    return s;
 }
 
 static void free_value(const orr_key *k, void *value)
@@ -262,8 +289,8 @@ static void free_value(const orr_key *k, void *value)
     if (k->kind == ORR_KEY_TEXT || k->kind == ORR_KEY_FILE) {
         free(*(char **)value);
         *(char **)value = NULL;
-    } else if (k->kind == ORR_KEY_RECORDS) {
-        orr_schema_free(k->record, value);
+    } else if (k->kind == ORR_KEY_MAP) {
+        orr_schema_free(k->map, value);
     }
 }
 
@@ -285,112 +312,115 @@ void orr_schema_free(const orr_schema *schema, void *base)
     for (size_t i = 0; i < schema->n; i++) free_member(&schema->key[i], (char *)base + schema->key[i].offset);
 }
 
-// The key of the table that stands at `section` (with its final dot) and `word`; *inside: there are keys
-// below it.
-static const orr_key *find_key(const orr_schema *schema, const char *section, const char *word, bool *inside)
+// "trajectory.survey": the path of a member of the scope's map.
+static void path_of(const orr_map_scope *scope, const char *key, char out[PATH_MAX_CHARS])
 {
-    size_t n = strlen(section), m = strlen(word);
-    *inside = false;
-    for (size_t i = 0; i < schema->n; i++) {
-        const char *path = schema->key[i].path;
-        if (strncmp(path, section, n) != 0 || strncmp(path + n, word, m) != 0) continue;
-        if (path[n + m] == '\0') return &schema->key[i];
-        if (path[n + m] == '.') *inside = true;
-    }
-    return NULL;
+    const char *dot = scope->path[0] != '\0' ? "." : "";
+    snprintf(out, PATH_MAX_CHARS, "%.120s%s%.60s", scope->path, dot, key);
 }
 
-static orr_status unknown_key(const reader *r, const orr_schema *schema, const char *section,
-                              const char *prefix, const orr_yaml_node *node)
+static orr_status unknown_key(const reader *r, const orr_map_scope *scope, const orr_yaml_node *node)
 {
-    enum { MOST = 64, WORD = 48 };
-    char word[MOST][WORD];
+    enum { MOST = 64 };
     const char *candidate[MOST];
-    size_t n = 0, len = strlen(section);
-    for (size_t i = 0; i < schema->n && n < MOST; i++) {
-        const char *path = schema->key[i].path;
-        if (strncmp(path, section, len) != 0) continue;
-        size_t m = strcspn(path + len, ".");
-        if (m >= WORD) continue;
-        memcpy(word[n], path + len, m);
-        word[n][m] = '\0';
-        candidate[n] = word[n];
-        n++;
-    }
+    size_t n = scope->schema->n < MOST ? scope->schema->n : MOST;
+    for (size_t i = 0; i < n; i++) candidate[i] = scope->schema->key[i].name;
     const char *near = orr_suggest_nearest(node->key, candidate, n);
-    char key[PATH_MAX_CHARS];
-    snprintf(key, sizeof key, "%s%.60s", prefix, node->key);
-    if (near != NULL)
+    char path[PATH_MAX_CHARS], other[PATH_MAX_CHARS];
+    path_of(scope, node->key, path);
+    const orr_map_scope *top = scope;
+    while (top->up != NULL) top = top->up;
+    const char *hint = top->schema->hint;
+    if (near == NULL)
         return orr_diag_at(r->diag, ORR_E_FORMAT, r->name, node->key_line, node->key_column,
-                           "unknown key '%s'; did you mean '%s%s'?", key, prefix, near);
+                           "unknown key '%s'%s%s%s", path, hint != NULL ? " (" : "", hint != NULL ? hint : "",
+                           hint != NULL ? ")" : "");
+    path_of(scope, near, other);
     return orr_diag_at(r->diag, ORR_E_FORMAT, r->name, node->key_line, node->key_column,
-                       "unknown key '%s' (orrery serve --help-scenario lists all)", key);
+                       "unknown key '%s'; did you mean '%s'?", path, other);
 }
 
-static bool among(const orr_yaml_node *map, const char *key)
+static orr_status refuse_key(const reader *r, const orr_map_scope *scope, const orr_yaml_node *node,
+                             const char *what)
 {
-    for (const orr_yaml_node *m = map->first; m != NULL; m = m->next)
-        if (strcmp(m->key, key) == 0) return true;
-    return false;
+    char path[PATH_MAX_CHARS];
+    path_of(scope, node->key, path);
+    return orr_diag_at(r->diag, ORR_E_FORMAT, r->name, node->key_line, node->key_column, "%s: %s", path,
+                       what);
 }
 
-// Keys right below `section` that must be there.
-static orr_status check_required(const reader *r, const orr_schema *schema, const orr_yaml_node *map,
-                                 const char *section)
+// Keys that must be there: those without conditions, or those whose conditions hold.
+static orr_status check_required(const reader *r, const orr_map_scope *scope, bool conditional)
 {
-    size_t n = strlen(section);
-    for (size_t i = 0; i < schema->n; i++) {
-        const orr_key *k = &schema->key[i];
-        if (!k->required || strncmp(k->path, section, n) != 0 || strchr(k->path + n, '.') != NULL) continue;
-        if (among(map, k->path + n)) continue;
-        return orr_diag_at(r->diag, ORR_E_FORMAT, r->name, map->line, map->column, "'%s' is missing here",
-                           k->path);
+    for (size_t i = 0; i < scope->schema->n; i++) {
+        const orr_key *k = &scope->schema->key[i];
+        if (!k->required || (k->only != NULL) != conditional) continue;
+        if (orr_condition_broken(scope, k) != NULL || orr_map_member(scope->map, k->name) != NULL) continue;
+        char path[PATH_MAX_CHARS];
+        path_of(scope, k->name, path);
+        return orr_diag_at(r->diag, ORR_E_FORMAT, r->name, scope->map->line, scope->map->column,
+                           "'%s' is missing here", path);
     }
     return ORR_OK;
 }
 
-// `section` is the path within the table, `shown` the path within the file.
-static orr_status read_map(const reader *r, const orr_schema *schema, const orr_yaml_node *map,
-                           const char *section, const char *shown, char *base)
+static orr_status read_member(const reader *r, const orr_map_scope *scope, const orr_key *k,
+                              const orr_yaml_node *m, char *base)
 {
-    for (const orr_yaml_node *m = map->first; m != NULL; m = m->next) {
-        bool inside;
-        const orr_key *k = find_key(schema, section, m->key, &inside);
-        char path[PATH_MAX_CHARS], below[PATH_MAX_CHARS];
-        if (k == NULL && !inside) return unknown_key(r, schema, section, shown, m);
-        snprintf(path, sizeof path, "%s%s", shown, m->key);
-        orr_status s;
-        if (k != NULL) {
-            free_member(k, base + k->offset); // the default
-            if (k->list)
-                s = read_list(r, k, m, path, (any_list *)(void *)(base + k->offset));
-            else
-                s = read_value(r, k, m, path, base + k->offset);
-        } else if (m->kind == ORR_YAML_MAP) {
-            char in_table[PATH_MAX_CHARS];
-            snprintf(in_table, sizeof in_table, "%s%s.", section, m->key);
-            snprintf(below, sizeof below, "%.*s.", (int)sizeof below - 2, path);
-            s = read_map(r, schema, m, in_table, below, base);
-        } else if (m->kind == ORR_YAML_TEXT && m->text[0] == '\0' && !m->quoted) {
-            s = ORR_OK; // a section with nothing in it
-        } else {
-            s = refuse(r, m, path, "a map with keys is wanted here");
-        }
-        if (s != ORR_OK) return s;
-    }
-    return check_required(r, schema, map, section);
+    char path[PATH_MAX_CHARS];
+    path_of(scope, k->name, path);
+    if (k->kind == ORR_KEY_MAP && !orr_node_given(m) && m->kind == ORR_YAML_TEXT)
+        return ORR_OK; // "serve:" with nothing behind it
+    if (k->given != 0) *(bool *)(void *)(base + k->given) = true;
+    if (k->kind != ORR_KEY_MAP || k->list) free_member(k, base + k->offset); // the default
+    return k->list ? read_list(r, k, m, scope, path, (any_list *)(void *)(base + k->offset))
+                   : read_value(r, k, m, scope, path, base + k->offset);
 }
 
-static orr_status read_record(const reader *r, const orr_schema *schema, const orr_yaml_node *map,
-                              const char *prefix, void *base)
+// The words that conditions ask for are read first, so that a misspelt one is blamed before what depends on
+// it.
+static orr_status read_members(const reader *r, const orr_map_scope *scope, bool words, char *base)
 {
-    for (size_t i = 0; i < schema->n; i++) {
-        orr_status s = set_default(&schema->key[i], r, (char *)base + schema->key[i].offset);
-        if (s != ORR_OK) return s;
+    orr_status s = ORR_OK;
+    for (const orr_yaml_node *m = scope->map->first; s == ORR_OK && m != NULL; m = m->next) {
+        const orr_key *k = orr_schema_find(scope->schema, m->key, strlen(m->key));
+        if (k == NULL) return unknown_key(r, scope, m);
+        bool word = (k->kind == ORR_KEY_CHOICE || k->kind == ORR_KEY_BOOL) && k->only == NULL;
+        if (word == words) s = read_member(r, scope, k, m, base);
     }
-    char shown[PATH_MAX_CHARS] = "";
-    if (prefix[0] != '\0') snprintf(shown, sizeof shown, "%.*s.", (int)sizeof shown - 2, prefix);
-    return read_map(r, schema, map, "", shown, base);
+    return s;
+}
+
+static orr_status check_effects(const reader *r, const orr_map_scope *scope)
+{
+    for (const orr_yaml_node *m = scope->map->first; m != NULL; m = m->next) {
+        const orr_key *k = orr_schema_find(scope->schema, m->key, strlen(m->key));
+        const orr_condition *broken = orr_condition_broken(scope, k);
+        if (broken == NULL) continue;
+        char sentence[400];
+        orr_condition_sentence(scope, broken, sentence, sizeof sentence);
+        return refuse_key(r, scope, m, sentence);
+    }
+    return ORR_OK;
+}
+
+static orr_status read_map(const reader *r, const orr_schema *schema, const orr_yaml_node *map,
+                           const orr_map_scope *up, const char *path, char *base)
+{
+    const orr_map_scope scope = {schema, map, up, path};
+    orr_status s = read_members(r, &scope, true, base);
+    if (s == ORR_OK) s = check_required(r, &scope, false);
+    if (s == ORR_OK) s = check_effects(r, &scope);
+    if (s == ORR_OK) s = read_members(r, &scope, false, base);
+    if (s == ORR_OK) s = check_required(r, &scope, true);
+    if (s != ORR_OK || schema->check == NULL) return s;
+    char why[ORR_SCHEMA_WHY] = "";
+    const char *key = schema->check(base, why);
+    if (key == NULL) return ORR_OK;
+    const orr_yaml_node *blamed = orr_map_member(map, key);
+    if (blamed != NULL) return refuse_key(r, &scope, blamed, why);
+    return orr_diag_at(r->diag, ORR_E_FORMAT, r->name, map->line, map->column, "%s%s%s", path,
+                       path[0] != '\0' ? ": " : "", why);
 }
 
 orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const char *folder, void *base,
@@ -400,13 +430,12 @@ orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const ch
     reader r = {y->name, folder, diag};
     orr_yaml_node empty = {.kind = ORR_YAML_MAP, .line = 1, .column = 1};
     const orr_yaml_node *root = y->root != NULL ? y->root : &empty;
-    orr_status s;
-    if (root->kind == ORR_YAML_MAP)
-        s = read_record(&r, schema, root, "", base);
-    else
+    orr_status s = set_defaults(schema, &r, base);
+    if (s == ORR_OK && root->kind == ORR_YAML_MAP)
+        s = read_map(&r, schema, root, NULL, "", base);
+    else if (s == ORR_OK)
         s = orr_diag_at(diag, ORR_E_KIND, y->name, root->line, root->column,
-                        "a scenario is a map of keys and values, this is a %s",
-                        orr_yaml_kind_name(root->kind));
+                        "a map of keys and values is wanted, this is a %s", orr_yaml_kind_name(root->kind));
     if (s != ORR_OK) orr_schema_free(schema, base);
     return s;
 }

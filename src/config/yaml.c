@@ -46,7 +46,7 @@ static char *copy_text(struct fy_token *token, bool *has_nul)
 static orr_status add_node(builder *b, orr_yaml_kind kind, const struct fy_mark *mark, orr_yaml_node **out)
 {
     if (b->y->n_nodes >= ORR_YAML_MAX_NODES)
-        return refuse(b, ORR_E_LIMIT, mark, "too many values for a scenario");
+        return refuse(b, ORR_E_LIMIT, mark, "too many values for one file");
     orr_yaml_node *node = calloc(1, sizeof *node);
     if (node == NULL) return refuse(b, ORR_E_MEMORY, mark, "out of memory");
     node->made_before = b->y->made;
@@ -99,8 +99,7 @@ static orr_status take_key(builder *b, struct fy_event *e, const struct fy_mark 
 
 static orr_status take_scalar(builder *b, struct fy_event *e, const struct fy_mark *mark)
 {
-    if (e->scalar.tag != NULL)
-        return refuse(b, ORR_E_FORMAT, mark, "tags (!...) have no meaning in a scenario");
+    if (e->scalar.tag != NULL) return refuse(b, ORR_E_FORMAT, mark, "tags (!...) are not understood");
     if (wants_key(b)) return take_key(b, e, mark);
     orr_yaml_node *node = NULL;
     orr_status s = add_node(b, ORR_YAML_TEXT, mark, &node);
@@ -119,7 +118,7 @@ static orr_status take_scalar(builder *b, struct fy_event *e, const struct fy_ma
 
 static orr_status open_node(builder *b, orr_yaml_kind kind, bool tagged, const struct fy_mark *mark)
 {
-    if (tagged) return refuse(b, ORR_E_FORMAT, mark, "tags (!...) have no meaning in a scenario");
+    if (tagged) return refuse(b, ORR_E_FORMAT, mark, "tags (!...) are not understood");
     if (wants_key(b)) return refuse(b, ORR_E_FORMAT, mark, "a key must be a plain word");
     if (++b->depth > ORR_YAML_MAX_DEPTH) return refuse(b, ORR_E_LIMIT, mark, "nested too deeply");
     orr_yaml_node *node = NULL;
@@ -133,7 +132,7 @@ static orr_status take_event(builder *b, struct fy_event *e)
     const struct fy_mark *mark = fy_event_start_mark(e);
     switch (e->type) {
     case FYET_DOCUMENT_START:
-        if (b->done) return refuse(b, ORR_E_FORMAT, mark, "a second document ('---'); a scenario is one");
+        if (b->done) return refuse(b, ORR_E_FORMAT, mark, "a second document ('---'); the file is one");
         return ORR_OK;
     case FYET_DOCUMENT_END:
         b->done = true;
@@ -150,8 +149,7 @@ static orr_status take_event(builder *b, struct fy_event *e)
     case FYET_SCALAR:
         return take_scalar(b, e, mark);
     case FYET_ALIAS:
-        return refuse(b, ORR_E_FORMAT, mark,
-                      "aliases (*name) are not allowed in a scenario: write the value out");
+        return refuse(b, ORR_E_FORMAT, mark, "aliases (*name) are not understood: write the value out");
     default:
         return ORR_OK;
     }
@@ -208,7 +206,7 @@ static size_t utf8_length(const unsigned char *p, size_t n)
 static orr_status check_bytes(const orr_yaml *y, const char *text, size_t n, orr_diag *diag)
 {
     if (n > ORR_YAML_MAX_BYTES)
-        return orr_diag_at(diag, ORR_E_LIMIT, y->name, 0, 0, "a scenario of more than %d MiB",
+        return orr_diag_at(diag, ORR_E_LIMIT, y->name, 0, 0, "more than %d MiB of YAML",
                            ORR_YAML_MAX_BYTES >> 20);
     int64_t line = 1;
     const unsigned char *p = (const unsigned char *)text;
@@ -220,13 +218,13 @@ static orr_status check_bytes(const orr_yaml *y, const char *text, size_t n, orr
                                p[i]);
         if (p[i] == '%' && i == start)
             return orr_diag_at(diag, ORR_E_FORMAT, y->name, line, column,
-                               "directives (%%...) have no meaning in a scenario");
+                               "directives (%%...) are not understood");
         if (p[i] == '\n') {
             line++;
             start = i + 1;
         } else if ((p[i] < ' ' && p[i] != '\t' && p[i] != '\r') || p[i] == 0x7f) {
             return orr_diag_at(diag, ORR_E_FORMAT, y->name, line, column,
-                               "a control character (byte 0x%02x): this is no scenario text", p[i]);
+                               "a control character (byte 0x%02x): this is no text", p[i]);
         }
     }
     return ORR_OK;

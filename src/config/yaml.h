@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A YAML text as a tree that remembers where everything stands, so that a refused value can name its line and
-// column. libfyaml scans; what is not needed in a scenario (aliases, tags, several documents) is refused
+// column. libfyaml scans; what is not needed (aliases, tags, several documents) is refused
 // here, and so is whatever could make a small text large.
 #ifndef ORR_CONFIG_YAML_H
 #define ORR_CONFIG_YAML_H

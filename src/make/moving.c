@@ -17,16 +17,22 @@ static orr_spectrum spectrum(const orr_scenario_spectrum *s, double unit)
     return (orr_spectrum){s->rms * unit, s->low_hz, s->high_hz, s->slope};
 }
 
-static orr_status make_plan(const orr_scenario_motion *m, orr_time start, orr_trajectory *out, orr_diag *diag)
+_Static_assert(ORR_TRAJECTORY_MAX_WAYPOINTS == ORR_PLAN_MAX_WAYPOINTS &&
+                   ORR_TRAJECTORY_MAX_TERMS == ORR_ANALYTIC_MAX_TERMS,
+               "the table's limits are those of the makers");
+
+static orr_status make_plan(const orr_scenario_trajectory *m, orr_time start, orr_trajectory *out,
+                            orr_diag *diag)
 {
+    const orr_scenario_survey *v = &m->survey;
     orr_flight_plan p = {.survey = {.start = {m->lat_deg * DEG, m->lon_deg * DEG, m->height_m},
-                                    .azimuth_rad = m->azimuth_deg * DEG,
-                                    .length_m = m->length_m,
-                                    .spacing_m = m->spacing_m,
-                                    .lines = (int)m->lines,
-                                    .to_left = m->side == 1,
-                                    .tie_lines = (int)m->tie_lines,
-                                    .tie_spacing_m = m->tie_spacing_m},
+                                    .azimuth_rad = v->azimuth_deg * DEG,
+                                    .length_m = v->length_m,
+                                    .spacing_m = v->spacing_m,
+                                    .lines = (int)v->lines,
+                                    .to_left = v->side == ORR_SURVEY_LEFT,
+                                    .tie_lines = (int)v->tie_lines,
+                                    .tie_spacing_m = v->tie_spacing_m},
                          .speed_mps = m->speed_mps,
                          .bank_rad = m->bank_deg * DEG,
                          .turn_radius_m = m->turn_radius_m,
@@ -35,15 +41,14 @@ static orr_status make_plan(const orr_scenario_motion *m, orr_time start, orr_tr
                          .smoothing_s = m->smoothing_s,
                          .pitch_rad = m->pitch_deg * DEG,
                          .wind_mps = spectrum(&m->turbulence, 1.0),
-                         .heading_rad = spectrum(&m->heading, DEG),
-                         .pitch_osc_rad = spectrum(&m->pitch, DEG),
-                         .roll_rad = spectrum(&m->roll, DEG),
+                         .heading_rad = spectrum(&m->oscillation.heading, DEG),
+                         .pitch_osc_rad = spectrum(&m->oscillation.pitch, DEG),
+                         .roll_rad = spectrum(&m->oscillation.roll, DEG),
                          .seed = (uint64_t)m->seed,
                          .duration_s = (double)m->duration_ns * 1e-9,
                          .knot_step_s = m->knots_s};
     orr_waypoint *w = NULL;
     if (m->kind == ORR_MOTION_WAYPOINTS) {
-        if (m->waypoints.n == 0) return orr_diag_set(diag, ORR_E_FORMAT, "trajectory.waypoints is empty");
         w = malloc(m->waypoints.n * sizeof *w);
         if (w == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
         for (size_t k = 0; k < m->waypoints.n; k++) {
@@ -58,23 +63,36 @@ static orr_status make_plan(const orr_scenario_motion *m, orr_time start, orr_tr
     return s;
 }
 
-static orr_status make_analytic(const orr_scenario_motion *m, orr_time start, orr_trajectory *out,
+// Config's words are in an order of their own.
+static orr_analytic_kind term_kind(int word)
+{
+    switch ((orr_term_kind)word) {
+    case ORR_TERM_CIRCLE:
+        return ORR_ANALYTIC_CIRCLE;
+    case ORR_TERM_EIGHT:
+        return ORR_ANALYTIC_EIGHT;
+    case ORR_TERM_SINE:
+        return ORR_ANALYTIC_SINE;
+    case ORR_TERM_STRAIGHT:
+        break;
+    }
+    return ORR_ANALYTIC_STRAIGHT;
+}
+
+static orr_status make_analytic(const orr_scenario_trajectory *m, orr_time start, orr_trajectory *out,
                                 orr_diag *diag)
 {
     if (m->duration_ns <= 0)
         return orr_diag_set(diag, ORR_E_FORMAT, "an analytic trajectory needs trajectory.duration");
     orr_analytic_plan p = {
         .origin = {m->lat_deg * DEG, m->lon_deg * DEG, m->height_m},
-        .attitude = {m->body_heading_deg * DEG, m->body_pitch_deg * DEG, m->body_roll_deg * DEG},
-        .follow_course = m->follow_course,
+        .attitude = {m->body.heading_deg * DEG, m->body.pitch_deg * DEG, m->body.roll_deg * DEG},
+        .follow_course = m->body.follow_course,
         .n_terms = m->terms.n};
-    if (m->terms.n > ORR_ANALYTIC_MAX_TERMS)
-        return orr_diag_set(diag, ORR_E_LIMIT, "%zu motions are summed; the limit is %d", m->terms.n,
-                            ORR_ANALYTIC_MAX_TERMS);
     for (size_t k = 0; k < m->terms.n; k++) {
         const orr_scenario_term *q = &m->terms.item[k];
         p.term[k] =
-            (orr_analytic_term){.kind = (orr_analytic_kind)q->kind,
+            (orr_analytic_term){.kind = term_kind(q->kind),
                                 .velocity_mps = {q->east, q->north, q->up},
                                 .radius_m = q->radius_m,
                                 .period_s = q->period_s,
@@ -127,14 +145,11 @@ static orr_status join(joined *j, orr_time *zero, bool *absolute, orr_diag *diag
     return ORR_OK;
 }
 
-static orr_status make_telemetry(const orr_scenario_motion *m, orr_time fallback, orr_warnings *warnings,
+static orr_status make_telemetry(const orr_scenario_trajectory *m, orr_time fallback, orr_warnings *warnings,
                                  orr_moving *out, orr_diag *diag)
 {
     joined j;
     memset(&j, 0, sizeof j);
-    if (m->logs.n < 1 || m->logs.n > 2)
-        return orr_diag_set(diag, ORR_E_ARG,
-                            "telemetry comes in one file or two (places and angles), not in %zu", m->logs.n);
     orr_status s = ORR_OK;
     for (size_t k = 0; k < m->logs.n && s == ORR_OK; k++) {
         s = orr_telemetry_read(m->logs.item[k].file, m->logs.item[k].columns, &j.log[k], warnings, diag);
@@ -145,17 +160,17 @@ static orr_status make_telemetry(const orr_scenario_motion *m, orr_time fallback
     if (s == ORR_OK) s = join(&j, &zero, &absolute, diag);
     if (s == ORR_OK) {
         orr_fit_options o = orr_fit_options_default();
-        o.degree = m->degree == 1 ? 5 : 3;
-        o.position_per_knot = m->position_per_knot;
-        o.attitude_per_knot = m->attitude_per_knot;
-        if (m->max_gap_ns > 0) o.max_gap_s = (double)m->max_gap_ns * 1e-9;
+        o.degree = m->fit.degree == ORR_FIT_QUINTIC ? 5 : 3;
+        o.position_per_knot = m->fit.position_per_knot;
+        o.attitude_per_knot = m->fit.attitude_per_knot;
+        o.max_gap_s = (double)m->fit.max_gap_ns * 1e-9;
         s = orr_trajectory_from_telemetry(zero, &j.view, &o, &out->trajectory, &out->report, diag);
         out->from_telemetry = s == ORR_OK;
     }
     if (s == ORR_OK) {
         // A wished start moves the whole flight there; without one a relative clock begins where the scenario
         // does.
-        if (m->start != 0)
+        if (m->has_start)
             out->trajectory.t0 = m->start;
         else if (!absolute)
             out->trajectory.t0 = fallback;
@@ -167,9 +182,90 @@ static orr_status make_telemetry(const orr_scenario_motion *m, orr_time fallback
     return s;
 }
 
-static void transfer_profile(const orr_mat3 *C, orr_gravity_parts *p);
+// --- Gravity: what a made disturbance is under home, it is under a transferred flight ---
 
-static orr_status make_gravity(const orr_scenario_motion *m, const orr_mat3 *C, orr_moving *out,
+// Where a place comes to: turned as the flight is, at the ellipsoidal height that it had.
+static orr_geodetic transferred(const orr_mat3 *C, orr_geodetic at)
+{
+    orr_geodetic to = orr_earth_from_ecef(orr_mat3_apply_t(C, orr_earth_to_ecef(at)));
+    to.height_m = at.height_m;
+    return to;
+}
+
+// A gravity profile goes with the flight: its begin and direction turn as places do.
+static void transfer_profile(const orr_mat3 *C, orr_gravity_parts *p)
+{
+    double lat, lon, azimuth, length;
+    orr_earth_geodesic_direct(p->profile_lat_rad, p->profile_lon_rad, p->profile_azimuth_rad, 1e4, &lat, &lon,
+                              &azimuth);
+    orr_geodetic from = transferred(C, (orr_geodetic){p->profile_lat_rad, p->profile_lon_rad, 0.0}),
+                 to = transferred(C, (orr_geodetic){lat, lon, 0.0});
+    p->profile_lat_rad = from.lat_rad;
+    p->profile_lon_rad = from.lon_rad;
+    orr_earth_geodesic_inverse(from.lat_rad, from.lon_rad, to.lat_rad, to.lon_rad, &length,
+                               &p->profile_azimuth_rad, &azimuth);
+}
+
+// A profile in the scenario, or the place of one in a file. C: of a transfer, or NULL.
+static void add_profile(const orr_scenario_profile *q, const orr_mat3 *C, orr_gravity_parts *p)
+{
+    p->profile_lat_rad = q->lat_deg * DEG;
+    p->profile_lon_rad = q->lon_deg * DEG;
+    p->profile_azimuth_rad = q->azimuth_deg * DEG;
+    if (C != NULL) transfer_profile(C, p);
+    p->n_profile = q->distance_m.n;
+    p->profile_distance_m = q->distance_m.item;
+    p->profile_mgal = q->mgal.item;
+}
+
+static orr_status add_file(const orr_scenario_gravity *g, const orr_mat3 *C, const orr_gravity_file *file,
+                           orr_gravity_parts *p, orr_diag *diag)
+{
+    if (file->n_profile > 0) {
+        if (!g->has_profile)
+            return orr_diag_at(diag, ORR_E_FORMAT, g->file, 0, 0,
+                               "is a profile: gravity.profile has to tell its lat, lon and azimuth");
+        if (p->n_profile > 0)
+            return orr_diag_at(diag, ORR_E_FORMAT, g->file, 0, 0,
+                               "is a profile, and gravity.profile has distances of its own: one of them is "
+                               "possible");
+        p->n_profile = file->n_profile;
+        p->profile_distance_m = file->distance_m;
+        p->profile_mgal = file->mgal;
+        return ORR_OK;
+    }
+    if (g->has_profile && p->n_profile == 0)
+        return orr_diag_at(diag, ORR_E_FORMAT, g->file, 0, 0,
+                           "is a map: gravity.profile has no effect without distance and mgal");
+    if (C != NULL)
+        return orr_diag_at(diag, ORR_E_ARG, g->file, 0, 0,
+                           "is a map of its own part of the Earth, which a transfer of the trajectory "
+                           "leaves; gravity.profile and gravity.masses go with it");
+    p->n_lat = file->n_lat;
+    p->n_lon = file->n_lon;
+    p->map_lat_rad = file->lat_rad;
+    p->map_lon_rad = file->lon_rad;
+    p->map_mgal = file->mgal;
+    return ORR_OK;
+}
+
+static orr_status make_masses(const orr_scenario_gravity *g, const orr_mat3 *C, orr_point_mass **out,
+                              orr_diag *diag)
+{
+    *out = NULL;
+    if (g->masses.n == 0) return ORR_OK;
+    orr_point_mass *mass = malloc(g->masses.n * sizeof *mass);
+    if (mass == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    for (size_t k = 0; k < g->masses.n; k++) {
+        const orr_scenario_mass *q = &g->masses.item[k];
+        orr_geodetic at = {q->lat_deg * DEG, q->lon_deg * DEG, q->height_m};
+        mass[k] = (orr_point_mass){orr_earth_to_ecef(C != NULL ? transferred(C, at) : at), q->gm_m3ps2};
+    }
+    *out = mass;
+    return ORR_OK;
+}
+
+static orr_status make_gravity(const orr_scenario_gravity *g, const orr_mat3 *C, orr_moving *out,
                                orr_diag *diag)
 {
     orr_gravity_parts p = {0};
@@ -177,45 +273,18 @@ static orr_status make_gravity(const orr_scenario_motion *m, const orr_mat3 *C, 
     memset(&file, 0, sizeof file);
     orr_point_mass *mass = NULL;
     orr_status s = ORR_OK;
-    if (m->model != NULL) {
-        s = orr_gravity_model_open(m->model, m->model_folder, &out->model, diag);
+    if (g->model != NULL) {
+        s = orr_gravity_model_open(g->model, g->folder, &out->model, diag);
         p.model = out->model;
     }
-    p.profile_lat_rad = m->profile_lat_deg * DEG;
-    p.profile_lon_rad = m->profile_lon_deg * DEG;
-    p.profile_azimuth_rad = m->profile_azimuth_deg * DEG;
-    if (m->profile_distance_m.n != m->profile_mgal.n)
-        s = orr_diag_set(diag, ORR_E_FORMAT, "gravity.profile has %zu distances and %zu values",
-                         m->profile_distance_m.n, m->profile_mgal.n);
-    if (C != NULL) transfer_profile(C, &p);
-    p.n_profile = m->profile_distance_m.n;
-    p.profile_distance_m = m->profile_distance_m.item;
-    p.profile_mgal = m->profile_mgal.item;
-    if (s == ORR_OK && m->gravity_file != NULL) {
-        s = orr_gravity_file_read(m->gravity_file, &file, diag);
-        if (s == ORR_OK && file.n_profile > 0) {
-            p.n_profile = file.n_profile;
-            p.profile_distance_m = file.distance_m;
-            p.profile_mgal = file.mgal;
-        } else if (s == ORR_OK) {
-            p.n_lat = file.n_lat;
-            p.n_lon = file.n_lon;
-            p.map_lat_rad = file.lat_rad;
-            p.map_lon_rad = file.lon_rad;
-            p.map_mgal = file.mgal;
-        }
+    if (g->has_profile) add_profile(&g->profile, C, &p);
+    if (s == ORR_OK && g->file != NULL) {
+        s = orr_gravity_file_read(g->file, &file, diag);
+        if (s == ORR_OK) s = add_file(g, C, &file, &p, diag);
     }
-    if (s == ORR_OK && m->masses.n > 0) {
-        mass = malloc(m->masses.n * sizeof *mass);
-        if (mass == NULL) s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-        for (size_t k = 0; k < m->masses.n && mass != NULL; k++) {
-            const orr_scenario_mass *q = &m->masses.item[k];
-            mass[k].r_m = orr_earth_to_ecef((orr_geodetic){q->lat_deg * DEG, q->lon_deg * DEG, q->height_m});
-            mass[k].gm_m3ps2 = q->gm_m3ps2;
-        }
-        p.n_masses = m->masses.n;
-        p.mass = mass;
-    }
+    if (s == ORR_OK) s = make_masses(g, C, &mass, diag);
+    p.n_masses = g->masses.n;
+    p.mass = mass;
     if (s == ORR_OK && (p.model != NULL || p.n_profile + p.n_lat + p.n_masses > 0))
         s = orr_gravity_make(&p, &out->gravity, diag);
     if (s == ORR_OK) s = orr_gravity_covers(out->gravity, &out->trajectory, diag);
@@ -224,14 +293,11 @@ static orr_status make_gravity(const orr_scenario_motion *m, const orr_mat3 *C, 
     return s;
 }
 
-static orr_status mount_units(const orr_scenario_motion *m, orr_moving *out, orr_diag *diag)
+static orr_status mount_units(const orr_scenario_units *units, orr_moving *out, orr_diag *diag)
 {
     out->n_units = 1;
-    if (m->units.n + 1 > ORR_MOTION_MAX_UNITS)
-        return orr_diag_set(diag, ORR_E_LIMIT, "%zu units; the limit is %d", m->units.n + 1,
-                            ORR_MOTION_MAX_UNITS);
-    for (size_t k = 0; k < m->units.n; k++) {
-        const orr_scenario_unit *u = &m->units.item[k];
+    for (size_t k = 0; k < units->n; k++) {
+        const orr_scenario_unit *u = &units->item[k];
         orr_mounting mounting = {
             {u->right_m, u->forward_m, u->up_m},
             orr_body_from_enu((orr_angles){u->heading_deg * DEG, u->pitch_deg * DEG, u->roll_deg * DEG})};
@@ -242,27 +308,12 @@ static orr_status mount_units(const orr_scenario_motion *m, orr_moving *out, orr
     return ORR_OK;
 }
 
-// A gravity profile goes with the flight: its begin and direction turn as places do.
-static void transfer_profile(const orr_mat3 *C, orr_gravity_parts *p)
+static orr_status transfer(const orr_scenario_transfer *q, orr_trajectory *tr, orr_mat3 *C_out,
+                           orr_diag *diag)
 {
-    double lat, lon, azimuth, length;
-    orr_earth_geodesic_direct(p->profile_lat_rad, p->profile_lon_rad, p->profile_azimuth_rad, 1e4, &lat, &lon,
-                              &azimuth);
-    orr_vec3 a = orr_earth_to_ecef((orr_geodetic){p->profile_lat_rad, p->profile_lon_rad, 0.0});
-    orr_vec3 b = orr_earth_to_ecef((orr_geodetic){lat, lon, 0.0});
-    orr_geodetic from = orr_earth_from_ecef(orr_mat3_apply_t(C, a)),
-                 to = orr_earth_from_ecef(orr_mat3_apply_t(C, b));
-    p->profile_lat_rad = from.lat_rad;
-    p->profile_lon_rad = from.lon_rad;
-    orr_earth_geodesic_inverse(from.lat_rad, from.lon_rad, to.lat_rad, to.lon_rad, &length,
-                               &p->profile_azimuth_rad, &azimuth);
-}
-
-static orr_status transfer(const orr_scenario_motion *m, orr_trajectory *tr, orr_mat3 *C_out, orr_diag *diag)
-{
-    orr_vec3 to = orr_earth_to_ecef((orr_geodetic){m->to_lat_deg * DEG, m->to_lon_deg * DEG, 0.0});
-    if (m->to_lat_deg > 90.0 - 1e-9 || m->to_lat_deg < -90.0 + 1e-9) to.x = to.y = 0.0; // the pole itself
-    orr_mat3 C = orr_polar_rotation(orr_trajectory_middle(tr), to, m->to_azimuth_deg * DEG);
+    orr_vec3 to = orr_earth_to_ecef((orr_geodetic){q->lat_deg * DEG, q->lon_deg * DEG, 0.0});
+    if (q->lat_deg > 90.0 - 1e-9 || q->lat_deg < -90.0 + 1e-9) to.x = to.y = 0.0; // the pole itself
+    orr_mat3 C = orr_polar_rotation(orr_trajectory_middle(tr), to, q->azimuth_deg * DEG);
     orr_trajectory moved;
     *C_out = C;
     orr_status s = orr_polar_transfer(tr, &C, 0.0, &moved, diag);
@@ -274,38 +325,58 @@ static orr_status transfer(const orr_scenario_motion *m, orr_trajectory *tr, orr
 
 orr_time orr_moving_fallback_start(void) { return orr_time_from_week(2300, 0); }
 
+static orr_nav_frame nav_frame(int word)
+{
+    switch ((orr_imu_frame_word)word) {
+    case ORR_IMU_GEOGRAPHIC:
+        return ORR_FRAME_GEOGRAPHIC;
+    case ORR_IMU_BODY:
+        return ORR_FRAME_BODY;
+    case ORR_IMU_INERTIAL:
+        break;
+    }
+    return ORR_FRAME_INERTIAL;
+}
+
+static void set_mode(const orr_scenario_imu *i, orr_moving *out)
+{
+    out->rate_hz = i->rate_hz;
+    out->mode = (orr_imu_mode){.approach = i->approach == ORR_IMU_MATCHED ? 1 : 2,
+                               .frame = nav_frame(i->frame),
+                               .project_mid = i->projection == ORR_IMU_MID,
+                               .closed_loop = i->loop == ORR_IMU_CLOSED,
+                               .quadrature = i->quadrature == ORR_IMU_RIEMANN ? ORR_QUADRATURE_RIEMANN
+                                                                              : ORR_QUADRATURE_GAUSS,
+                               .order = (int)i->order};
+    if (out->mode.order == 0) out->mode.order = orr_moving_order(out, out->mode.quadrature, i->rate_hz);
+}
+
 orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, orr_warnings *warnings,
                            orr_moving *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
-    orr_time start = m->start != 0 ? m->start : fallback_start;
-    orr_status s;
-    switch ((orr_motion_kind)m->kind) {
+    const orr_scenario_trajectory *t = &m->trajectory;
+    orr_time start = t->has_start ? t->start : fallback_start;
+    orr_status s = ORR_OK;
+    switch ((orr_motion_kind)t->kind) {
     case ORR_MOTION_SURVEY:
     case ORR_MOTION_WAYPOINTS:
-        s = make_plan(m, start, &out->trajectory, diag);
+        s = make_plan(t, start, &out->trajectory, diag);
         break;
     case ORR_MOTION_TELEMETRY:
-        s = make_telemetry(m, fallback_start, warnings, out, diag);
+        s = make_telemetry(t, fallback_start, warnings, out, diag);
         break;
     case ORR_MOTION_ANALYTIC:
-        s = make_analytic(m, start, &out->trajectory, diag);
+        s = make_analytic(t, start, &out->trajectory, diag);
         break;
-    default:
+    case ORR_MOTION_NONE:
         return orr_diag_set(diag, ORR_E_NODATA, "the scenario has no trajectory (trajectory.kind)");
     }
     orr_mat3 C;
-    if (s == ORR_OK && m->transfer) s = transfer(m, &out->trajectory, &C, diag);
-    if (s == ORR_OK) s = make_gravity(m, m->transfer ? &C : NULL, out, diag);
-    if (s == ORR_OK) s = mount_units(m, out, diag);
-    out->rate_hz = m->rate_hz;
-    out->mode = (orr_imu_mode){.approach = m->approach + 1,
-                               .frame = (orr_nav_frame)m->frame,
-                               .project_mid = m->projection == 0,
-                               .closed_loop = m->loop == 0,
-                               .quadrature = (orr_quadrature)m->quadrature,
-                               .order = m->order > 0 ? (int)m->order : 0};
-    if (out->mode.order == 0) out->mode.order = orr_moving_order(out, out->mode.quadrature, m->rate_hz);
+    if (s == ORR_OK && t->has_transfer) s = transfer(&t->transfer, &out->trajectory, &C, diag);
+    if (s == ORR_OK) s = make_gravity(&m->gravity, t->has_transfer ? &C : NULL, out, diag);
+    if (s == ORR_OK) s = mount_units(&m->units, out, diag);
+    set_mode(&m->imu, out);
     if (s != ORR_OK) orr_moving_free(out);
     return s;
 }

@@ -8,7 +8,7 @@
 #include "inertial/motion/dual_unit.h"
 #include "inertial/motion/telemetry_fit.h"
 #include "inertial/readings/imu.h"
-#include "src/config/motion.h"
+#include "src/config/scenario.h"
 
 // A scenario's motion, prepared. Unit 0 is the body's own reference; unit k is units.item[k - 1].
 typedef struct orr_moving {

@@ -57,13 +57,13 @@ static const char *title_of(const orr_scenario *s)
 static void choose_receiver(const orr_scenario *s, orr_engine *e)
 {
     orr_vec3 station_m;
-    if (s->receiver.n == 3) {
-        const double *p = s->receiver.item;
+    if (s->receiver.position.n == 3) {
+        const double *p = s->receiver.position.item;
         e->receiver = ORR_RECEIVER_PLACE;
         e->place_m = orr_earth_to_ecef((orr_geodetic){p[0] * ORR_RAD_PER_DEG, p[1] * ORR_RAD_PER_DEG, p[2]});
     } else if (e->motion != NULL) {
         e->receiver = ORR_RECEIVER_UNIT;
-        e->receiver_unit = (size_t)s->receiver_unit;
+        e->receiver_unit = (size_t)s->receiver.unit;
     } else if (orr_source_iono_station(e->iono, &station_m)) {
         e->receiver = ORR_RECEIVER_STATION;
     }

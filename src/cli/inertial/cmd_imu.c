@@ -11,6 +11,20 @@
 
 #define MAX_INPUTS 4 // a scenario, two logs, a file of gravity
 
+// Options that belong to one approach, under the other.
+static int refuse_mode_options(const orr_cli *c, int approach)
+{
+    static const struct {
+        const char *name;
+        int approach;
+    } of[] = {{"frame", 1}, {"project", 1}, {"loop", 1}, {"quadrature", 2}, {"order", 2}};
+    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++)
+        if (of[k].approach != approach && orr_cli_given(c, of[k].name))
+            return orr_cli_usage(c, "--%s belongs to approach %d; these readings are of approach %d",
+                                 of[k].name, of[k].approach, approach);
+    return ORR_EXIT_OK;
+}
+
 static void mode_options(const orr_cli *c, const orr_moving *v, orr_imu_request *q)
 {
     orr_imu_mode *m = &q->mode;
@@ -58,9 +72,9 @@ static orr_status write_file(orr_cli *c, const char *path, const orr_imu *imu, c
     orr_nc_input input[MAX_INPUTS];
     size_t n_inputs = 0;
     if (c->n_operands > 0) input[n_inputs++].path = c->operand[0];
-    for (size_t k = 0; k < sc->motion.logs.n && k < 2; k++)
-        input[n_inputs++].path = sc->motion.logs.item[k].file;
-    if (sc->motion.gravity_file != NULL) input[n_inputs++].path = sc->motion.gravity_file;
+    for (size_t k = 0; k < sc->motion.trajectory.logs.n && k < 2; k++)
+        input[n_inputs++].path = sc->motion.trajectory.logs.item[k].file;
+    if (sc->motion.gravity.file != NULL) input[n_inputs++].path = sc->motion.gravity.file;
     for (size_t k = 0; k < n_inputs; k++) {
         orr_status s = orr_sha256_file(input[k].path, hex[k], diag);
         if (s != ORR_OK) return s;
@@ -68,8 +82,8 @@ static orr_status write_file(orr_cli *c, const char *path, const orr_imu *imu, c
     }
     orr_imu_labels labels = {.title = sc->title,
                              .history = c->call,
-                             .gravity_model_name = v->model != NULL ? sc->motion.model : NULL,
-                             .gravity_model_dir = v->model != NULL ? sc->motion.model_folder : NULL,
+                             .gravity_model_name = v->model != NULL ? sc->motion.gravity.model : NULL,
+                             .gravity_model_dir = v->model != NULL ? sc->motion.gravity.folder : NULL,
                              .input = input,
                              .n_inputs = n_inputs,
                              .truth_every = every};
@@ -93,6 +107,8 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
                          .instantaneous = orr_cli_given(c, "instantaneous"),
                          .gravity = v->gravity};
     mode_options(c, v, &q);
+    int refused = refuse_mode_options(c, q.mode.approach);
+    if (refused != ORR_EXIT_OK) return refused;
     orr_imu imu;
     orr_gravimetry truth = {0};
     orr_cli_hold(c);

@@ -6,34 +6,42 @@
 
 #include "core/outfile.h"
 
-static int read_logs(orr_cli *c, orr_scenario_motion *m, orr_diag *diag)
+// The scenario that the options --telemetry and --columns stand for.
+static int scenario_of_logs(orr_cli *c, orr_scenario *out)
 {
-    size_t n = orr_cli_count(c, "telemetry"), columns = orr_cli_count(c, "columns");
-    if (columns > n) return orr_cli_usage(c, "%zu lists of columns for %zu logs", columns, n);
-    m->logs.item = calloc(n, sizeof *m->logs.item);
-    if (m->logs.item == NULL) {
-        (void)orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-        return orr_cli_fail(c, diag);
+    const char *file[ORR_TRAJECTORY_MAX_LOGS] = {0}, *columns[ORR_TRAJECTORY_MAX_LOGS] = {0};
+    orr_diag diag = {0};
+    size_t n = orr_cli_count(c, "telemetry"), n_columns = orr_cli_count(c, "columns");
+    if (n_columns > n) return orr_cli_usage(c, "%zu lists of columns for %zu logs", n_columns, n);
+    for (size_t k = 0; k < n && k < ORR_TRAJECTORY_MAX_LOGS; k++) {
+        file[k] = orr_cli_text_at(c, "telemetry", k);
+        if (k < n_columns) columns[k] = orr_cli_text_at(c, "columns", k);
     }
-    m->logs.n = n;
-    for (size_t k = 0; k < n; k++) {
-        m->logs.item[k].file = strdup(orr_cli_text_at(c, "telemetry", k));
-        m->logs.item[k].columns = k < columns ? strdup(orr_cli_text_at(c, "columns", k)) : NULL;
-        if (m->logs.item[k].file == NULL || (k < columns && m->logs.item[k].columns == NULL)) {
-            (void)orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-            return orr_cli_fail(c, diag);
-        }
-    }
-    return ORR_EXIT_OK;
+    return orr_scenario_of_telemetry(file, columns, n, out, &diag) == ORR_OK ? ORR_EXIT_OK
+                                                                             : orr_cli_fail(c, &diag);
 }
 
-static int apply_options(orr_cli *c, orr_scenario_motion *m)
+// Options of a log alone, and whether one of them was given.
+static const char *log_option(const orr_cli *c)
 {
+    static const char *const names[] = {"columns", "degree", "per-knot", "attitude-per-knot", "report"};
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
+        if (orr_cli_given(c, names[k])) return names[k];
+    return NULL;
+}
+
+static int apply_options(orr_cli *c, orr_scenario_trajectory *m)
+{
+    const char *of_log = log_option(c);
+    if (of_log != NULL && m->kind != ORR_MOTION_TELEMETRY)
+        return orr_cli_usage(c, "--%s belongs to a log, and the scenario's trajectory is none", of_log);
+    if (orr_cli_given(c, "start")) m->has_start = true;
     m->start = orr_cli_time(c, "start", m->start);
     m->duration_ns = orr_cli_duration_ns(c, "duration", m->duration_ns);
-    if (orr_cli_given(c, "degree")) m->degree = *orr_cli_text(c, "degree", "3") == '5';
-    m->position_per_knot = orr_cli_real(c, "per-knot", m->position_per_knot);
-    m->attitude_per_knot = orr_cli_real(c, "attitude-per-knot", m->attitude_per_knot);
+    if (orr_cli_given(c, "degree"))
+        m->fit.degree = *orr_cli_text(c, "degree", "3") == '5' ? ORR_FIT_QUINTIC : ORR_FIT_CUBIC;
+    m->fit.position_per_knot = orr_cli_real(c, "per-knot", m->fit.position_per_knot);
+    m->fit.attitude_per_knot = orr_cli_real(c, "attitude-per-knot", m->fit.attitude_per_knot);
     const char *to = orr_cli_text(c, "transfer", NULL);
     if (to == NULL) return ORR_EXIT_OK;
     double v[3] = {0, 0, 0};
@@ -53,10 +61,8 @@ static int apply_options(orr_cli *c, orr_scenario_motion *m)
     if (k < 2 || *p != '\0' || !(v[0] >= -90.0 && v[0] <= 90.0) || !(v[1] >= -360.0 && v[1] <= 360.0) ||
         !(v[2] >= -360.0 && v[2] <= 360.0))
         return orr_cli_usage(c, "--transfer '%s' is not LATITUDE,LONGITUDE[,AZIMUTH] in degrees", to);
-    m->transfer = true;
-    m->to_lat_deg = v[0];
-    m->to_lon_deg = v[1];
-    m->to_azimuth_deg = v[2];
+    m->has_transfer = true;
+    m->transfer = (orr_scenario_transfer){v[0], v[1], v[2]};
     return ORR_EXIT_OK;
 }
 
@@ -112,13 +118,14 @@ int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_moving *moving)
     if (log == (c->n_operands == 1))
         return orr_cli_usage(c, log ? "a scenario or --telemetry, not both"
                                     : "name a scenario, or a log with --telemetry");
-    static const char telemetry_defaults[] = "trajectory: {kind: telemetry}\n";
-    orr_status s = log ? orr_scenario_parse("--telemetry", telemetry_defaults, sizeof telemetry_defaults - 1,
-                                            NULL, scenario, &diag)
-                       : orr_scenario_read(c->operand[0], scenario, &diag);
-    if (s != ORR_OK) return orr_cli_fail(c, &diag);
-    int status = log ? read_logs(c, &scenario->motion, &diag) : ORR_EXIT_OK;
-    if (status == ORR_EXIT_OK) status = apply_options(c, &scenario->motion);
+    orr_status s = ORR_OK;
+    int status = ORR_EXIT_OK;
+    if (log)
+        status = scenario_of_logs(c, scenario);
+    else if (orr_scenario_read(c->operand[0], scenario, &diag) != ORR_OK)
+        status = orr_cli_fail(c, &diag);
+    if (status != ORR_EXIT_OK) return status;
+    status = apply_options(c, &scenario->motion.trajectory);
     if (status == ORR_EXIT_OK) {
         s = orr_moving_open(&scenario->motion, orr_moving_fallback_start(), &warnings, moving, &diag);
         orr_cli_warnings(c, &warnings);

@@ -23,33 +23,6 @@ static orr_status is_product(const char *path, bool *yes, orr_diag *diag)
     return ORR_OK;
 }
 
-static void print_choices(const orr_key *k)
-{
-    if (k->choices == NULL) return;
-    fputs(" ", stdout);
-    for (const char *p = k->choices; *p != '\0'; p++) {
-        if (*p == '|')
-            fputs(", ", stdout);
-        else
-            putchar(*p);
-    }
-}
-
-static void print_schema(const orr_schema *schema, int indent)
-{
-    for (size_t i = 0; i < schema->n; i++) {
-        const orr_key *k = &schema->key[i];
-        printf("%*s%s: %s", indent, "", k->path, orr_schema_kind_words(k));
-        print_choices(k);
-        if (k->unit != NULL) printf(", in %s", k->unit);
-        if (k->min != 0 || k->max != 0) printf(", %g to %g", k->min, k->max);
-        if (k->fallback != NULL) printf(", default %s", k->fallback);
-        if (k->required) fputs(", required", stdout);
-        printf("\n%*s    %s\n", indent, "", k->help);
-        if (k->record != NULL) print_schema(k->record, indent + 4);
-    }
-}
-
 // What is told once the service can be reached; scripts wait for this line, so --quiet does not silence it.
 static void say_ready(const orr_engine *e, const orr_service *s)
 {
@@ -59,8 +32,12 @@ static void say_ready(const orr_engine *e, const orr_service *s)
     orr_engine_span(e, &t0, &t1);
     fputs("orrery serve: ready on", stderr);
     for (size_t i = 0; orr_service_url(s, i) != NULL; i++) fprintf(stderr, " %s", orr_service_url(s, i));
-    fprintf(stderr, " (%zu satellites, %s to %s)\n", orr_engine_satellites(e, &sats), orr_time_text(t0, from),
-            orr_time_text(t1, to));
+    size_t n = orr_engine_satellites(e, &sats), units = orr_engine_units(e);
+    if (n > 0)
+        fprintf(stderr, " (%zu satellites, ", n);
+    else
+        fprintf(stderr, " (%zu inertial unit%s, ", units, units == 1 ? "" : "s");
+    fprintf(stderr, "%s to %s)\n", orr_time_text(t0, from), orr_time_text(t1, to));
 }
 
 static int serve(orr_cli *c, const orr_engine *e, const orr_text_list *listen)
@@ -114,7 +91,7 @@ static orr_status prepare(orr_cli *c, const char *path, orr_scenario *scenario, 
 static int run(orr_cli *c)
 {
     if (orr_cli_given(c, "help-scenario")) {
-        print_schema(orr_scenario_schema(), 0);
+        orr_schema_describe(orr_scenario_schema(), stdout);
         return ORR_EXIT_OK;
     }
     if (c->n_operands != 1) return orr_cli_usage(c, "a scenario or an orbit product is wanted");
@@ -125,7 +102,7 @@ static int run(orr_cli *c)
     if (prepare(c, c->operand[0], &scenario, &e, &diag) != ORR_OK)
         status = orr_cli_fail(c, &diag);
     else
-        status = serve(c, e, &scenario.listen);
+        status = serve(c, e, &scenario.serve.listen);
     orr_engine_close(e);
     orr_scenario_free(&scenario);
     return status;

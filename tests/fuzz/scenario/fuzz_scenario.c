@@ -19,7 +19,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_status status = orr_scenario_parse("fuzz.yaml", (const char *)data, n, "folder", &s, &diag);
     if (status == ORR_OK) {
         if (s.orbit.product != NULL && s.orbit.sp3.n > 0) abort();
-        if (s.orbit.product == NULL && s.orbit.sp3.n == 0 && s.motion.kind == ORR_MOTION_NONE) abort();
+        if (s.orbit.product == NULL && s.orbit.sp3.n == 0 && s.motion.trajectory.kind == ORR_MOTION_NONE)
+            abort();
         for (size_t i = 0; i < s.orbit.exclude.n; i++)
             if (s.orbit.exclude.item[i].to < s.orbit.exclude.item[i].from) abort();
         orr_scenario_free(&s);

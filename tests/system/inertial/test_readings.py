@@ -190,6 +190,20 @@ class Readings(Folder):
         self.assertAlmostEqual(summary["true"]["max_mgal"], max(r["true_mgal"] for r in rows), delta=1e-6)
         self.assertLess(summary["difference"]["filtered_rms_mgal"], 0.01)
 
+    def test_a_transfer_takes_the_masses_along(self):
+        """49 mGal at home are 49 mGal over the pole (they were 0.000): lengths along the ground differ by at most 0.7 %."""
+        path = self.scenario("moved.yaml", "trajectory: {kind: analytic, duration: 100, lat: 50, lon: 20, height: 1000, "
+                             "motions: [{kind: straight, north: 80}]}\n"
+                             "gravity: {masses: [{lat: 50.0359, lon: 20, height: -3000, gm: 7840}]}\n")
+        nc, largest = self.path("moved.nc"), []
+        for more in ((), ("--transfer", "90,0"), ("--transfer", "-20,180,70")):
+            run("imu", "-q", path, *more, "-o", nc)
+            largest.append(run_json("gravimetry", nc, "--filter", "2", "--json")["true"]["max_mgal"])
+            self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4)
+        self.assertAlmostEqual(largest[0], 49, delta=0.1)
+        for other in largest[1:]:
+            self.assertAlmostEqual(other, largest[0], delta=0.01 * 49)
+
     def test_spherical_harmonics_and_their_folder(self):
         """A model of its central term alone, whose pull is closed: a unit at rest reads it, and the file of readings finds it again."""
         gm, lat = 3.9e14, math.radians(50)
@@ -276,6 +290,13 @@ class Readings(Folder):
                 (("imu", sample("survey.yaml"), "--rate", "0"), "between"),
                 (("imu", sample("survey.yaml"), "--rate", "nan"), "wants a number"),
                 (("imu", sample("survey.yaml"), "-o", "-", "--truth-rate", "5"), "CSV"),
+                ((*SURVEY, "--approach", "1", "--quadrature", "gauss"), "--quadrature belongs to approach 2"),
+                ((*SURVEY, "--approach", "1", "--order", "3"), "--order belongs to approach 2"),
+                ((*SURVEY, "--frame", "body"), "--frame belongs to approach 1"),
+                ((*SURVEY, "--loop", "open"), "--loop belongs to approach 1"),
+                ((*SURVEY, "--project", "start"), "--project belongs to approach 1"),
+                (("track", sample("survey.yaml"), "--degree", "5"), "--degree belongs to a log"),
+                (("track", sample("survey.yaml"), "--report", "x.csv"), "--report belongs to a log"),
                 (("track", sample("survey.yaml"), "--transfer", "91,0"), "LATITUDE,LONGITUDE"),
                 (("track", sample("survey.yaml"), "--transfer", "1,2,3,4"), "LATITUDE,LONGITUDE"),
                 (("track", sample("survey.yaml"), "--unit", "2"), "0 to 1"),
@@ -297,7 +318,7 @@ class Readings(Folder):
         before = self.left()
         for name, text, sentence in (
                 ("none.yaml", "title: x\n", "trajectory"),
-                ("long.yaml", "trajectory: {kind: analytic}\n", "duration"),
+                ("long.yaml", "trajectory: {kind: analytic, lat: 50, lon: 20}\n", "duration"),
                 ("pole.yaml", orbit.replace("lat: 50", "lat: 90"), "pole"),
                 ("over.yaml", orbit.replace("lat: 50", "lat: 89.99"), "pole"),
                 ("tight.yaml", "trajectory: {kind: waypoints, speed: 300, bank: 5, waypoints: [{lat: 50, lon: 20}, "

@@ -141,11 +141,11 @@ class Delays(unittest.TestCase):
         self.assertEqual(orrery("poll", self.url, "--carrier", "1575").returncode, 2)
 
     def test_scenarios_that_are_wrong(self):
-        for more, words in (("ionosphere: {field: a, session: b}\n", "exclude each other"),
+        for more, words in (("ionosphere: {field: a, session: b}\n", "cannot stand beside ionosphere.session"),
                             ("ionosphere: {field: missing.INX}\n", "missing.INX"),
                             ("ionosphere: {session: made.INX}\n", "made.INX"),
                             (f"ionosphere: {{session: {product()}}}\n", "no ionospheric session"),
-                            ("receiver: {position: [1, 2]}\n", "latitude, longitude and height"),
+                            ("receiver: {position: [1, 2]}\n", "3 are wanted"),
                             ("receiver: {position: [91, 2, 0]}\n", "no place")):
             done = orrery("serve", scenario("wrong.yaml", more))
             self.assertEqual(done.returncode, 1, more)

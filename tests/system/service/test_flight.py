@@ -240,5 +240,30 @@ class Flight(unittest.TestCase):
             json.loads(done.stdout.splitlines()[0] if done.stdout.count("\n") > 1 and done.stdout[0] == "{" else done.stdout)
 
 
+class Alone(unittest.TestCase):
+    """Inertial units without satellites."""
+
+    def test_a_trajectory_alone_is_served(self):
+        alone = "".join(line + "\n" for line in SCENARIO.splitlines() if not line.startswith(("orbit", "ionosphere")))
+        (WORK / "alone.yaml").write_text(alone, encoding="utf-8")
+        with Daemon(WORK / "alone.yaml") as d, orrery.Client(d.urls[0]) as c:
+            start = c.span[0]
+            self.assertEqual(c.span[1] - start, 600 * NS)
+            truth, reading = next(c.poll_truth(start + 100 * NS)), next(c.poll_imu(start + 100 * NS))
+            self.assertEqual((truth.answer, reading.answer), (0, 0))
+            self.assertAlmostEqual(truth.force_mps2[2], reading.dv_mps[2] * RATE_HZ, delta=0.1)
+            done = program("imu", WORK / "alone.yaml", "-q", "-o", "-")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            try:
+                states = c.states(start + 100 * NS)
+            except orrery.Refused as refusal:
+                self.assertEqual(refusal.code, messages.ErrorCode.NOT_SERVED)
+            else:
+                self.assertEqual((states.answer, len(list(states.satellites))), (messages.Answer.NOT_SERVED, 0))
+            with self.assertRaises(orrery.Refused) as refusal:
+                next(c.poll_delays(start, receiver_m=truth.pos_m))
+            self.assertEqual(refusal.exception.code, messages.ErrorCode.NOT_SERVED)
+
+
 if __name__ == "__main__":
     unittest.main(argv=[__file__])
