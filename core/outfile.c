@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,8 +16,36 @@ static orr_status io_error(orr_diag *diag, const char *path, const char *verb)
     return orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be %s: %s", verb, strerror(e));
 }
 
+// Names of temporaries, for a handler of signals: it sees the whole process, so this list is the process's.
+static _Atomic(char *) unfinished[ORR_OUTFILE_UNFINISHED];
+
+static void remember(char *temp)
+{
+    for (int i = 0; i < ORR_OUTFILE_UNFINISHED; i++) {
+        char *none = NULL;
+        if (atomic_compare_exchange_strong(&unfinished[i], &none, temp)) return;
+    }
+}
+
+static void finished(char *temp)
+{
+    for (int i = 0; i < ORR_OUTFILE_UNFINISHED && temp != NULL; i++) {
+        char *same = temp;
+        if (atomic_compare_exchange_strong(&unfinished[i], &same, NULL)) return;
+    }
+}
+
+void orr_outfile_remove_unfinished(void)
+{
+    for (int i = 0; i < ORR_OUTFILE_UNFINISHED; i++) {
+        const char *temp = atomic_load(&unfinished[i]);
+        if (temp != NULL) unlink(temp);
+    }
+}
+
 static void forget(orr_outfile *f)
 {
+    finished(f->temp);
     free(f->path);
     free(f->temp);
     *f = (orr_outfile){0};
@@ -40,8 +69,11 @@ static int create_beside(const char *path, mode_t mode, char **temp)
     int fd = -1;
     for (int k = 0; k < 1000; k++) {
         snprintf(name, size, "%s.part-%ld-%d", path, (long)getpid(), k);
+        remember(name); // before it is there, so that no signal falls between
         fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (fd >= 0 || errno != EEXIST) break;
+        if (fd >= 0) break;
+        finished(name);
+        if (errno != EEXIST) break;
     }
     if (fd < 0) {
         int e = errno;

@@ -21,5 +21,10 @@ orr_status orr_outfile_reserve(const char *path, orr_outfile *f, orr_diag *diag)
 orr_status orr_outfile_commit(orr_outfile *f, orr_diag *diag);
 // Removes the temporary. Ends f; harmless after commit.
 void orr_outfile_abort(orr_outfile *f);
+// Removes the temporaries of all files of the process that are neither committed nor aborted, for a handler
+// of signals that ends the process next: it is async-signal-safe. At most ORR_OUTFILE_UNFINISHED files are
+// remembered for it.
+#define ORR_OUTFILE_UNFINISHED 32
+void orr_outfile_remove_unfinished(void);
 
 #endif

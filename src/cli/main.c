@@ -88,6 +88,7 @@ int main(int argc, char **argv)
 {
     orr_cli c = {0};
     gsl_set_error_handler_off(); // its default one aborts; every result is checked instead
+    orr_cli_signals_take();
     if (argc < 2) {
         orr_cli_help_program(stderr, commands);
         return ORR_EXIT_USAGE;

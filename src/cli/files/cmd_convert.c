@@ -8,19 +8,14 @@
 #include "src/cli/frame/cli.h"
 
 typedef struct sink {
-    orr_cli *cli;
     FILE *stream;
     uint64_t lines;
-    bool interrupted;
 } sink;
 
 static bool put(void *user, const char *line, size_t n)
 {
     sink *s = user;
-    if ((++s->lines & 0xfff) == 0 && orr_cli_interrupted(s->cli)) {
-        s->interrupted = true;
-        return false;
-    }
+    s->lines++;
     return fwrite(line, 1, n, s->stream) == n && putc('\n', s->stream) != EOF;
 }
 
@@ -32,13 +27,11 @@ static int run(orr_cli *c)
     orr_outfile out;
     orr_status s = orr_input_open(c->operand[0], NULL, &in, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
-    orr_cli_hold(c);
     const char *path = orr_cli_text(c, "output", "-");
     s = orr_outfile_open(path, &out, &diag);
     if (s == ORR_OK) {
-        sink k = {.cli = c, .stream = out.stream};
+        sink k = {.stream = out.stream};
         s = orr_crinex_expand(in, put, &k, &warnings, &diag);
-        if (k.interrupted) s = orr_diag_set(&diag, ORR_E_INTERRUPTED, "stopped: no file was made");
         if (s == ORR_OK)
             s = orr_outfile_commit(&out, &diag);
         else
@@ -47,7 +40,6 @@ static int run(orr_cli *c)
             orr_cli_say(c, "%s: %llu lines of RINEX", path, (unsigned long long)k.lines);
     }
     orr_input_close(in);
-    orr_cli_release(c);
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);

@@ -96,11 +96,12 @@ void orr_cli_say(const orr_cli *c, const char *fmt, ...) ORR_PRINTF(2, 3);
 // One line that is redrawn, on a terminal only; `done` = `total` removes it.
 void orr_cli_progress(const orr_cli *c, const char *what, size_t done, size_t total);
 
-// --- Interrupts ---
-// While a file is being made, SIGINT, SIGTERM and SIGHUP wait: ask orr_cli_interrupted() now and then and
-// abort the file if it is true. orr_cli_release() lets a signal that came have its usual effect (the program
-// ends by it). Outside of such stretches nothing has to be cleaned up and signals act at once. Hold before
-// starting threads.
+// --- Signals ---
+// SIGINT, SIGTERM, SIGHUP and SIGQUIT end a command at once, wherever it is, by the signal itself (130 and
+// 143 in a shell); the temporary files of unfinished outputs (core/outfile.h) are removed first. A command
+// need do nothing. One that has more to tidy up holds them: it asks orr_cli_interrupted() at least ten times
+// a second and ends; after 0.2 s, or at a second signal, it is ended as above. orr_cli_release() lets a
+// signal that came have its effect.
 void orr_cli_hold(orr_cli *c);
 bool orr_cli_interrupted(const orr_cli *c);
 void orr_cli_release(orr_cli *c);

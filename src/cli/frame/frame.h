@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between main.c, args.c, help.c and talk.c; commands do not need it.
+// Between main.c and the files of this room; commands do not need it.
 #ifndef ORR_CLI_FRAME_FRAME_PRIVATE_H
 #define ORR_CLI_FRAME_FRAME_PRIVATE_H
 
@@ -16,6 +16,9 @@ typedef enum orr_cli_parse_result { ORR_CLI_RUN, ORR_CLI_HELP, ORR_CLI_WRONG } o
 // reordered (operands to the front). Free with orr_cli_args_free whatever it returned.
 orr_cli_parse_result orr_cli_args_parse(orr_cli *c, int n_words, char **words);
 void orr_cli_args_free(orr_cli *c);
+
+// Once, at the begin of main.
+void orr_cli_signals_take(void);
 
 void orr_cli_help_command(FILE *f, const orr_command *command);
 void orr_cli_help_program(FILE *f, const orr_command *const *list); // ends with NULL

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program says on stderr, and how it takes an interrupt.
+// What the program says on stderr.
 #include <errno.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <string.h>
 #include <unistd.h>
@@ -83,39 +82,6 @@ void orr_cli_progress(const orr_cli *c, const char *what, size_t done, size_t to
     else
         fprintf(stderr, "\r\033[K%s %zu/%zu", what, done, total);
     fflush(stderr);
-}
-
-static void held_signals(sigset_t *set)
-{
-    sigemptyset(set);
-    sigaddset(set, SIGINT);
-    sigaddset(set, SIGTERM);
-    sigaddset(set, SIGHUP);
-}
-
-void orr_cli_hold(orr_cli *c)
-{
-    (void)c;
-    sigset_t set;
-    held_signals(&set);
-    sigprocmask(SIG_BLOCK, &set, NULL);
-}
-
-bool orr_cli_interrupted(const orr_cli *c)
-{
-    (void)c;
-    sigset_t pending;
-    sigpending(&pending);
-    return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1 ||
-           sigismember(&pending, SIGHUP) == 1;
-}
-
-void orr_cli_release(orr_cli *c)
-{
-    (void)c;
-    sigset_t set;
-    held_signals(&set);
-    sigprocmask(SIG_UNBLOCK, &set, NULL);
 }
 
 int orr_cli_flush(const orr_cli *c)

@@ -111,15 +111,12 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
     if (refused != ORR_EXIT_OK) return refused;
     orr_imu imu;
     orr_gravimetry truth = {0};
-    orr_cli_hold(c);
     orr_status s = orr_imu_generate(tr, &q, &imu, &diag);
     if (s == ORR_OK) {
         size_t every = truth_every(c, &imu);
         s = orr_gravimetry_truth(tr, v->gravity, &imu,
                                  ((size_t)nearbyint(fmax(1.0, q.rate_hz / 10.0)) + every - 1) / every * every,
                                  &truth, &diag);
-        if (s == ORR_OK && orr_cli_interrupted(c))
-            s = orr_diag_set(&diag, ORR_E_INTERRUPTED, "stopped: no file was made");
         if (s == ORR_OK) s = write_file(c, path, &imu, &truth, v, sc, every, &diag);
         char mode[160], from[ORR_TIME_TEXT];
         if (s == ORR_OK)
@@ -129,7 +126,6 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
         orr_gravimetry_free(&truth);
         orr_imu_free(&imu);
     }
-    orr_cli_release(c);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
 }
 

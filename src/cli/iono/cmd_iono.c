@@ -192,9 +192,7 @@ static orr_status save(orr_cli *c, work *w, orr_diag *diag)
     input[n++] = orr_cli_text(c, "field", "");
     input[n++] = orr_cli_text(c, "orbit", "");
     for (size_t i = 0; i < w->n_biases; i++) input[n++] = orr_cli_text_at(c, "biases", i);
-    orr_cli_hold(c);
     orr_status s = orr_session_save(&w->session, orr_cli_text(c, "output", ""), c->call, input, n, diag);
-    orr_cli_release(c);
     return s;
 }
 

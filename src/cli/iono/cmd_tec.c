@@ -220,9 +220,7 @@ static int run(orr_cli *c)
     span when = {0, 1, 1};
     if (!ion) e = ask_times(c, field, &when);
     if (e == ORR_EXIT_OK) {
-        orr_cli_hold(c);
         s = to_files(c, field, when, format, orr_cli_text(c, "output", "-"), &diag);
-        orr_cli_release(c);
         if (s != ORR_OK) e = orr_cli_fail(c, &diag);
     }
     orr_tec_field_free(field);

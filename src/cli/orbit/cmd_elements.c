@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery elements: Kepler elements of the product's satellites as functions of time.
+#include <errno.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,120 +8,72 @@
 
 #include "core/ncfile.h"
 #include "core/outfile.h"
-#include "ingest/tables/erp.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/orbit/elements_rows.h"
+#include "src/make/elements.h"
 
-#define LEAST_SPACING_S 10
-
-typedef struct row {
-    orr_time t;
-    orr_sat sat;
-    orr_kepler k;
-} row;
+// A NetCDF file is written from memory: 72 bytes a row.
+#define MOST_ROWS_IN_MEMORY ((size_t)20 * 1000 * 1000)
 
 typedef struct table {
-    row *item;
+    orr_elements_row *item;
     size_t n, room;
 } table;
 
-static orr_status add_row(table *t, row r, orr_diag *diag)
+// Sinks of orr_elements_make.
+static orr_status keep_row(void *user, const orr_elements_row *row, orr_diag *diag)
 {
+    table *t = user;
+    if (t->n == MOST_ROWS_IN_MEMORY)
+        return orr_diag_set(diag, ORR_E_LIMIT,
+                            "more than %zu rows are too many for a NetCDF file; CSV and JSON have no limit",
+                            t->n);
     if (t->n == t->room) {
         size_t room = t->room > 0 ? 2 * t->room : 1024;
-        row *item = realloc(t->item, room * sizeof *item);
+        orr_elements_row *item = realloc(t->item, room * sizeof *item);
         if (item == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu rows", room);
         t->item = item;
         t->room = room;
     }
-    t->item[t->n++] = r;
+    t->item[t->n++] = *row;
     return ORR_OK;
 }
 
-// A product on the command line and what it covers.
-typedef struct product {
+typedef struct text_sink {
+    FILE *stream;
     const char *path;
-    orr_time from, to;
-} product;
+    size_t n;
+} text_sink;
 
-static int by_begin(const void *a, const void *b)
+static orr_status check_stream(const text_sink *k, orr_diag *diag)
 {
-    const product *x = a, *y = b;
-    if (x->from != y->from) return x->from < y->from ? -1 : 1;
-    return (x->to > y->to) - (x->to < y->to);
+    return ferror(k->stream) == 0 ? ORR_OK
+                                  : orr_diag_at(diag, ORR_E_IO, k->path, 0, 0, "cannot be written: %s",
+                                                strerror(errno != 0 ? errno : EIO));
 }
 
-// Spans first, so that rows come in order of time however the products are named.
-static orr_status put_in_order(const orr_cli *c, product *list, orr_diag *diag)
+static orr_status print_csv_row(void *user, const orr_elements_row *row, orr_diag *diag)
 {
-    for (int k = 0; k < c->n_operands; k++) {
-        orr_ephemeris *e = NULL;
-        list[k].path = c->operand[k];
-        orr_status s = orr_ephemeris_load(list[k].path, &e, diag);
-        if (s != ORR_OK) return s;
-        orr_ephemeris_span(e, &list[k].from, &list[k].to);
-        orr_ephemeris_free(e);
-    }
-    qsort(list, (size_t)c->n_operands, sizeof *list, by_begin);
-    return ORR_OK;
-}
-
-// Rows of one product, from its begin (or `after`, the last instant of the product before) on, where the
-// method has values.
-static orr_status collect(const orr_cli *c, const orr_ephemeris *e, const orr_elements_options *o,
-                          int64_t step, orr_time after, table *t, orr_diag *diag)
-{
-    const orr_sat *list;
-    size_t n = orr_ephemeris_satellites(e, &list);
-    const orr_sat_set *wanted = orr_cli_sats(c, "sat");
-    orr_time begin, end;
-    orr_ephemeris_span(e, &begin, &end);
-    orr_time at = orr_cli_time(c, "from", begin), to = orr_cli_time(c, "to", end);
-    if (after != ORR_TIME_NONE && begin <= after) begin = after + 1;
-    if (to > end) to = end;
-    if (at < begin) { // the first of the rows within
-        const int64_t steps = (begin - at - 1) / step + 1;
-        if (to < begin || steps > (to - at) / step) return ORR_OK;
-        at += steps * step;
-    }
-    orr_status s = ORR_OK;
-    for (; at <= to; at += step) {
-        orr_elements_axes axes;
-        orr_elements_axes_at(at, o, &axes);
-        for (size_t i = 0; i < n && s == ORR_OK; i++) {
-            row r = {.t = at, .sat = list[i]};
-            if (wanted != NULL && !orr_sat_set_has(wanted, list[i])) continue;
-            if (orr_elements_of(e, list[i], &axes, &r.k) == ORR_OK) s = add_row(t, r, diag);
-        }
-        if (s != ORR_OK || to - at < step) break; // the next row may lie beyond what an orr_time holds
-    }
-    return s;
-}
-
-static void print_csv(FILE *f, const table *t)
-{
+    text_sink *k = user;
     char sat[ORR_SAT_TEXT];
-    orr_elements_csv_head(f);
-    for (size_t i = 0; i < t->n; i++)
-        orr_elements_csv_row(f, t->item[i].t, orr_sat_text(t->item[i].sat, sat), &t->item[i].k);
+    if (k->n++ == 0) orr_elements_csv_head(k->stream);
+    orr_elements_csv_row(k->stream, row->t, orr_sat_text(row->sat, sat), &row->k);
+    return check_stream(k, diag);
 }
 
-static void print_json(FILE *f, const table *t)
+static orr_status print_json_row(void *user, const orr_elements_row *row, orr_diag *diag)
 {
+    text_sink *s = user;
+    const orr_kepler *k = &row->k;
     char time[ORR_TIME_TEXT], sat[ORR_SAT_TEXT];
-    fputs("[", f);
-    for (size_t i = 0; i < t->n; i++) {
-        const orr_kepler *k = &t->item[i].k;
-        fprintf(f,
-                "%s\n {\"t_gps\": \"%s\", \"sat\": \"%s\", \"a_m\": %.4f, \"e\": %.12f, \"i_deg\": %.10f, "
-                "\"raan_deg\": %.10f, "
-                "\"argp_deg\": %.10f, \"m_deg\": %.10f, \"u_deg\": %.10f}",
-                i > 0 ? "," : "", orr_time_text(t->item[i].t, time), orr_sat_text(t->item[i].sat, sat),
-                k->a_m, k->e, k->i_rad * ORR_DEG_PER_RAD, orr_elements_degrees(k->raan_rad),
-                orr_elements_degrees(k->argp_rad), orr_elements_degrees(k->m_rad),
-                orr_elements_degrees(k->u_rad));
-    }
-    fputs("\n]\n", f);
+    fprintf(s->stream,
+            "%s\n {\"t_gps\": \"%s\", \"sat\": \"%s\", \"a_m\": %.4f, \"e\": %.12f, \"i_deg\": %.10f, "
+            "\"raan_deg\": %.10f, "
+            "\"argp_deg\": %.10f, \"m_deg\": %.10f, \"u_deg\": %.10f}",
+            s->n++ > 0 ? "," : "[", orr_time_text(row->t, time), orr_sat_text(row->sat, sat), k->a_m, k->e,
+            k->i_rad * ORR_DEG_PER_RAD, orr_elements_degrees(k->raan_rad), orr_elements_degrees(k->argp_rad),
+            orr_elements_degrees(k->m_rad), orr_elements_degrees(k->u_rad));
+    return check_stream(s, diag);
 }
 
 static orr_status write_nc(const char *path, const table *t, const char *about, orr_diag *diag)
@@ -177,97 +130,61 @@ static orr_status write_nc(const char *path, const table *t, const char *about, 
     return s;
 }
 
-static orr_status read_eop(const orr_cli *c, orr_erp *erp, orr_elements_options *o, orr_warnings *w,
-                           orr_diag *diag)
-{
-    const char *path = orr_cli_text(c, "erp", NULL);
-    if (path == NULL) return ORR_OK;
-    orr_status s = orr_erp_read(path, NULL, NULL, erp, w, diag);
-    if (s == ORR_OK) o->eop = &erp->series;
-    return s;
-}
-
-static orr_status write_text(const char *path, const table *t, const char *format, orr_diag *diag)
+static orr_status to_text(const orr_elements_plan *plan, const char *path, bool json, size_t *n,
+                          orr_warnings *warnings, orr_diag *diag)
 {
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
     if (s != ORR_OK) return s;
-    if (strcmp(format, "json") == 0)
-        print_json(out.stream, t);
-    else
-        print_csv(out.stream, t);
+    text_sink k = {.stream = out.stream, .path = path};
+    s = orr_elements_make(plan, json ? print_json_row : print_csv_row, &k, n, warnings, diag);
+    if (s != ORR_OK) {
+        orr_outfile_abort(&out);
+        return s;
+    }
+    if (json) fputs("\n]\n", out.stream);
     return orr_outfile_commit(&out, diag);
 }
 
-static void warn_of_eop(const orr_eop_series *eop, const product *list, int n, orr_warnings *warnings)
+static orr_status to_nc(const orr_elements_plan *plan, const char *path, size_t *n, orr_warnings *warnings,
+                        orr_diag *diag)
 {
-    char when[ORR_TIME_TEXT];
-    for (int k = 0; k < n; k++) {
-        bool begin, end;
-        orr_eop_at(eop, list[k].from, NULL, &begin);
-        orr_eop_at(eop, list[k].to, NULL, &end);
-        if (begin && end) continue;
-        orr_warnings_add(warnings, list[k].path, 0, 0,
-                         "the Earth rotation given does not cover %s; it is carried on beyond its ends",
-                         orr_time_text(begin ? list[k].to : list[k].from, when));
-    }
-}
-
-static orr_status collect_all(const orr_cli *c, const orr_elements_options *o, product *list, table *t,
-                              orr_warnings *warnings, orr_diag *diag)
-{
-    const int64_t step = orr_cli_duration_ns(c, "step", 60 * ORR_NS_PER_S);
-    orr_time after = ORR_TIME_NONE;
-    orr_status s = put_in_order(c, list, diag);
-    if (s == ORR_OK && o->eop != NULL) warn_of_eop(o->eop, list, c->n_operands, warnings);
-    for (int k = 0; k < c->n_operands && s == ORR_OK; k++) {
-        orr_ephemeris *e = NULL;
-        s = orr_ephemeris_load(list[k].path, &e, diag);
-        if (s == ORR_OK && orr_cli_interrupted(c)) s = orr_diag_set(diag, ORR_E_INTERRUPTED, "stopped");
-        if (s == ORR_OK) s = collect(c, e, o, step, after, t, diag);
-        if (s == ORR_OK && t->n > 0) after = t->item[t->n - 1].t;
-        orr_ephemeris_free(e);
-    }
-    if (s != ORR_OK || t->n > 0) return s;
-    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
-    return orr_diag_set(
-        diag, ORR_E_NODATA,
-        "no elements: the first product covers %s to %s; no such satellite, or no instant where the "
-        "method has what it needs around it",
-        orr_time_text(list[0].from, from), orr_time_text(list[0].to, to));
+    table t = {0};
+    orr_status s = orr_elements_make(plan, keep_row, &t, n, warnings, diag);
+    if (s == ORR_OK) s = write_nc(path, &t, "orrery elements", diag);
+    free(t.item);
+    return s;
 }
 
 static int run(orr_cli *c)
 {
     orr_diag diag = {0};
     orr_warnings warnings = {0};
-    orr_erp erp = {0};
-    table t = {0};
     const char *format = orr_cli_text(c, "format", "csv"), *path = orr_cli_text(c, "output", "-");
-    if (strcmp(format, "nc") == 0 && strcmp(path, "-") == 0)
-        return orr_cli_usage(c, "--format nc needs a file: -o FILE");
+    const bool nc = strcmp(format, "nc") == 0;
+    if (nc && strcmp(path, "-") == 0) return orr_cli_usage(c, "--format nc needs a file: -o FILE");
     if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
-    if (orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) < LEAST_SPACING_S * ORR_NS_PER_S)
-        return orr_cli_usage(c, "--spacing: at least %d s, or three positions are one", LEAST_SPACING_S);
-    orr_elements_options o = {.frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),
-                              .method = orr_elements_method_of(orr_cli_text(c, "method", "state")),
-                              .spacing_s =
-                                  (double)orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) * 1e-9};
-    product *list = calloc((size_t)c->n_operands, sizeof *list);
-    orr_cli_hold(c);
-    orr_status s = list != NULL ? read_eop(c, &erp, &o, &warnings, &diag)
-                                : orr_diag_set(&diag, ORR_E_MEMORY, "out of memory");
-    if (s == ORR_OK) s = collect_all(c, &o, list, &t, &warnings, &diag);
-    if (s == ORR_OK)
-        s = strcmp(format, "nc") == 0 ? write_nc(path, &t, "orrery elements", &diag)
-                                      : write_text(path, &t, format, &diag);
-    if (s == ORR_OK && strcmp(path, "-") != 0) orr_cli_say(c, "%s: %zu rows", path, t.n);
-    orr_cli_release(c);
+    const orr_elements_plan plan = {
+        .product = (const char *const *)c->operand,
+        .n_products = (size_t)c->n_operands,
+        .erp = orr_cli_text(c, "erp", NULL),
+        .frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),
+        .method = orr_elements_method_of(orr_cli_text(c, "method", "state")),
+        .spacing_s = (double)orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) * 1e-9,
+        .from = orr_cli_time(c, "from", ORR_TIME_NONE),
+        .to = orr_cli_time(c, "to", ORR_TIME_NONE),
+        .step_ns = orr_cli_duration_ns(c, "step", 60 * ORR_NS_PER_S),
+        .sats = orr_cli_sats(c, "sat"),
+    };
+    if (plan.spacing_s < ORR_MAKE_ELEMENTS_LEAST_SPACING_S)
+        return orr_cli_usage(c, "--spacing: at least %g s; closer positions do not define a plane",
+                             ORR_MAKE_ELEMENTS_LEAST_SPACING_S);
+    size_t n = 0;
+    orr_status s = nc ? to_nc(&plan, path, &n, &warnings, &diag)
+                      : to_text(&plan, path, strcmp(format, "json") == 0, &n, &warnings, &diag);
+    if (s == ORR_OK && strcmp(path, "-") != 0) orr_cli_say(c, "%s: %zu rows", path, n);
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
-    orr_erp_free(&erp);
-    free(list);
-    free(t.item);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
 }
 

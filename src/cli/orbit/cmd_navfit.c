@@ -56,7 +56,7 @@ static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
     orr_ephemeris_span(w->product, &from, &to);
     from = orr_cli_time(c, "from", from);
     to = orr_cli_time(c, "to", to);
-    s = navfit_write_bits(c, w->set, from, to, bits, &n, diag);
+    s = navfit_write_bits(w->set, from, to, bits, &n, diag);
     if (s == ORR_OK) orr_cli_say(c, "%s: %zu subframes and strings", bits, n);
     return s;
 }
@@ -80,11 +80,9 @@ static int run(orr_cli *c)
     o.sats = orr_cli_sats(c, "sat");
     o.zero_clocks = orr_cli_given(c, "zero-clocks");
     o.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;
-    orr_cli_hold(c);
     orr_status s = read_inputs(c, &w, &o, &warnings, &diag);
     if (s == ORR_OK) s = orr_navset_build(w.product, &o, &w.set, &warnings, &diag);
     if (s == ORR_OK) s = write_outputs(c, &w, &diag);
-    orr_cli_release(c);
     orr_cli_warnings(c, &warnings);
     int status = ORR_EXIT_OK;
     if (s != ORR_OK)

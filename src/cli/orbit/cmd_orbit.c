@@ -268,9 +268,7 @@ static orr_status smooth_and_write(orr_cli *c, work *w, const orr_smoother_optio
     if (s == ORR_OK) s = orr_ephemeris_build(&w->solution, &w->ephemeris, diag);
     double t2 = now_s();
     if (s == ORR_OK) {
-        orr_cli_hold(c);
         s = orr_ephemeris_save(w->ephemeris, path, c->call, diag);
-        orr_cli_release(c);
     }
     w->seconds.smooth = t1 - t0;
     w->seconds.fit = t2 - t1;

@@ -61,12 +61,8 @@ static int write_states(orr_cli *c, const orr_ephemeris *e, const states_request
     const char *format = orr_cli_text(c, "format", "csv");
     states_count count = {0};
     orr_diag diag = {0};
-    bool file =
-        strcmp(q->path, "-") != 0; // on stdout there is nothing to clean up: an interrupt may act at once
-    if (file) orr_cli_hold(c);
     orr_status s = format[0] == 's' ? states_write_sp3(e, q, &count, &diag)
                                     : states_write_table(e, q, format[0] == 'j', &count, &diag);
-    if (file) orr_cli_release(c);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (count.missing > 0)
         orr_cli_say(c, "%zu states; %zu times a satellite had no orbit at an instant and is left out",
@@ -79,7 +75,7 @@ static int run(orr_cli *c)
     orr_diag diag = {0};
     orr_ephemeris *e = NULL;
     if (orr_ephemeris_load(c->operand[0], &e, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
-    states_request q = {.product = c->operand[0], .path = orr_cli_text(c, "output", "-"), .cli = c};
+    states_request q = {.product = c->operand[0], .path = orr_cli_text(c, "output", "-")};
     orr_time from, to;
     orr_ephemeris_span(e, &from, &to);
     q.from = orr_cli_time(c, "from", from);

@@ -52,8 +52,8 @@ static orr_status print_frame(FILE *f, const orr_navset *set, orr_sat sat, orr_t
     return ORR_OK;
 }
 
-orr_status navfit_write_bits(const orr_cli *c, const orr_navset *set, orr_time from, orr_time to,
-                             const char *path, size_t *n_pieces, orr_diag *diag)
+orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, const char *path,
+                             size_t *n_pieces, orr_diag *diag)
 {
     const orr_sat *sat;
     const int64_t block = 30 * ORR_NS_PER_S;
@@ -69,7 +69,6 @@ orr_status navfit_write_bits(const orr_cli *c, const orr_navset *set, orr_time f
         for (size_t i = 0; i < n && s == ORR_OK; i++)
             while (next[i] < t + block && next[i] < to && s == ORR_OK)
                 s = print_frame(out.stream, set, sat[i], &next[i], from, to, n_pieces, diag);
-        if (s == ORR_OK && orr_cli_interrupted(c)) s = orr_diag_set(diag, ORR_E_INTERRUPTED, "stopped");
         if (s != ORR_OK) orr_outfile_abort(&out);
     }
     free(next);

@@ -98,8 +98,6 @@ static orr_status write_rows(const orr_ephemeris *e, const states_request *q, bo
             fwrite(row, 1, make_row(&state[i], t_gps, json, row), f);
         }
         if (ferror(f)) s = orr_diag_set(diag, ORR_E_IO, "could not write: %s", strerror(errno));
-        if (s == ORR_OK && orr_cli_interrupted(q->cli))
-            s = orr_diag_set(diag, ORR_E_INTERRUPTED, "interrupted");
         if (q->to - t < q->step_ns) break;
     }
     fputs(json ? "\n]\n" : "", f);
@@ -194,7 +192,6 @@ orr_status states_write_sp3(const orr_ephemeris *e, const states_request *q, sta
             while (sp3.sat[k] != state[j].sat) k++; // both ascend
             put_record(&state[j], &sp3.record[i * n_sats + k]);
         }
-        if (orr_cli_interrupted(q->cli)) s = orr_diag_set(diag, ORR_E_INTERRUPTED, "interrupted");
     }
     if (s == ORR_OK) s = orr_sp3_write(&sp3, q->path, diag);
     free(state);

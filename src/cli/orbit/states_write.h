@@ -11,7 +11,6 @@ typedef struct states_request {
     orr_time from, to;          // within the product's span
     int64_t step_ns;
     const orr_sat_set *sats; // NULL: all
-    const orr_cli *cli;      // asked whether the user wants to stop
 } states_request;
 
 typedef struct states_count {

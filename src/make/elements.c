@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/make/elements.h"
+
+#include <stdlib.h>
+
+#include "ingest/tables/erp.h"
+
+// A product and what it covers.
+typedef struct product {
+    const char *path;
+    orr_time from, to;
+} product;
+
+static int by_begin(const void *a, const void *b)
+{
+    const product *x = a, *y = b;
+    if (x->from != y->from) return x->from < y->from ? -1 : 1;
+    return (x->to > y->to) - (x->to < y->to);
+}
+
+// Spans first, so that rows come in order of time however the products are named.
+static orr_status put_in_order(const orr_elements_plan *plan, product *list, orr_diag *diag)
+{
+    for (size_t k = 0; k < plan->n_products; k++) {
+        orr_ephemeris *e = NULL;
+        list[k].path = plan->product[k];
+        orr_status s = orr_ephemeris_load(list[k].path, &e, diag);
+        if (s != ORR_OK) return s;
+        orr_ephemeris_span(e, &list[k].from, &list[k].to);
+        orr_ephemeris_free(e);
+    }
+    qsort(list, plan->n_products, sizeof *list, by_begin);
+    return ORR_OK;
+}
+
+typedef struct run {
+    const orr_elements_plan *plan;
+    orr_elements_options options;
+    orr_elements_sink sink;
+    void *user;
+    size_t n_rows;
+    orr_time last; // instant of the last row, ORR_TIME_NONE before the first
+} run;
+
+static orr_status rows_at(run *r, const orr_ephemeris *e, orr_time at, orr_diag *diag)
+{
+    const orr_sat *list;
+    const size_t n = orr_ephemeris_satellites(e, &list);
+    orr_elements_axes axes;
+    orr_status s = ORR_OK;
+    orr_elements_axes_at(at, &r->options, &axes);
+    for (size_t i = 0; i < n && s == ORR_OK; i++) {
+        orr_elements_row row = {.t = at, .sat = list[i]};
+        if (r->plan->sats != NULL && !orr_sat_set_has(r->plan->sats, list[i])) continue;
+        if (orr_elements_of(e, list[i], &axes, &row.k) != ORR_OK) continue;
+        s = r->sink(r->user, &row, diag);
+        r->n_rows++;
+        r->last = at;
+    }
+    return s;
+}
+
+// Rows of one product, from its begin, or from behind the last row of the product before.
+static orr_status rows_of(run *r, const orr_ephemeris *e, orr_diag *diag)
+{
+    const int64_t step = r->plan->step_ns;
+    const orr_time after = r->last;
+    orr_time begin, end;
+    orr_ephemeris_span(e, &begin, &end);
+    orr_time at = r->plan->from != ORR_TIME_NONE ? r->plan->from : begin;
+    orr_time to = r->plan->to != ORR_TIME_NONE && r->plan->to < end ? r->plan->to : end;
+    if (after != ORR_TIME_NONE && begin <= after) begin = after + 1;
+    if (at < begin) { // the first of the rows within
+        const int64_t steps = (begin - at - 1) / step + 1;
+        if (to < begin || steps > (to - at) / step) return ORR_OK;
+        at += steps * step;
+    }
+    orr_status s = ORR_OK;
+    for (; at <= to && s == ORR_OK; at += step) {
+        s = rows_at(r, e, at, diag);
+        if (to - at < step) break; // the next row may lie beyond what an orr_time holds
+    }
+    return s;
+}
+
+static void warn_of_eop(const orr_eop_series *eop, const product *list, size_t n, orr_warnings *warnings)
+{
+    char when[ORR_TIME_TEXT];
+    for (size_t k = 0; k < n; k++) {
+        bool begin, end;
+        orr_eop_at(eop, list[k].from, NULL, &begin);
+        orr_eop_at(eop, list[k].to, NULL, &end);
+        if (begin && end) continue;
+        orr_warnings_add(warnings, list[k].path, 0, 0,
+                         "the Earth rotation given does not cover %s; it is carried on beyond its ends",
+                         orr_time_text(begin ? list[k].to : list[k].from, when));
+    }
+}
+
+static orr_status rows_of_all(run *r, product *list, orr_warnings *warnings, orr_diag *diag)
+{
+    const size_t n = r->plan->n_products;
+    orr_status s = put_in_order(r->plan, list, diag);
+    if (s == ORR_OK && r->options.eop != NULL) warn_of_eop(r->options.eop, list, n, warnings);
+    for (size_t k = 0; k < n && s == ORR_OK; k++) {
+        orr_ephemeris *e = NULL;
+        s = orr_ephemeris_load(list[k].path, &e, diag);
+        if (s == ORR_OK) s = rows_of(r, e, diag);
+        orr_ephemeris_free(e);
+    }
+    if (s != ORR_OK || r->n_rows > 0) return s;
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    return orr_diag_set(
+        diag, ORR_E_NODATA,
+        "no elements: the first product covers %s to %s; no such satellite, or no instant where the "
+        "method has what it needs around it",
+        orr_time_text(list[0].from, from), orr_time_text(list[0].to, to));
+}
+
+orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink sink, void *user,
+                             size_t *n_rows, orr_warnings *warnings, orr_diag *diag)
+{
+    if (plan->n_products == 0 || plan->step_ns <= 0)
+        return orr_diag_set(diag, ORR_E_ARG, "elements need an orbit product and a positive step");
+    if (plan->spacing_s < ORR_MAKE_ELEMENTS_LEAST_SPACING_S)
+        return orr_diag_set(diag, ORR_E_ARG,
+                            "three positions %g s apart do not define a plane: at least %g s",
+                            plan->spacing_s, ORR_MAKE_ELEMENTS_LEAST_SPACING_S);
+    run r = {.plan = plan,
+             .options = {.frame = plan->frame, .method = plan->method, .spacing_s = plan->spacing_s},
+             .sink = sink,
+             .user = user,
+             .last = ORR_TIME_NONE};
+    orr_erp erp = {0};
+    product *list = calloc(plan->n_products, sizeof *list);
+    orr_status s = list != NULL ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    if (s == ORR_OK && plan->erp != NULL) {
+        s = orr_erp_read(plan->erp, NULL, NULL, &erp, warnings, diag);
+        r.options.eop = &erp.series;
+    }
+    if (s == ORR_OK) s = rows_of_all(&r, list, warnings, diag);
+    if (n_rows != NULL) *n_rows = r.n_rows;
+    orr_erp_free(&erp);
+    free(list);
+    return s;
+}

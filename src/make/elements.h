@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kepler elements as functions of time out of orbit products, row by row in order of time.
+#ifndef ORR_MAKE_ELEMENTS_H
+#define ORR_MAKE_ELEMENTS_H
+
+#include "orbit/elements/elements.h"
+
+#define ORR_MAKE_ELEMENTS_LEAST_SPACING_S 10.0 // closer positions do not define a plane
+
+typedef struct orr_elements_plan {
+    const char *const *product; // orbit products, in any order
+    size_t n_products;
+    const char *erp; // Earth rotation parameters; NULL: the IERS secular pole
+    orr_elements_frame frame;
+    orr_elements_method method;
+    double spacing_s;        // of ORR_ELEMENTS_THREE_POSITIONS
+    orr_time from, to;       // ORR_TIME_NONE: where the products begin and end
+    int64_t step_ns;         // positive
+    const orr_sat_set *sats; // NULL: all
+} orr_elements_plan;
+
+typedef struct orr_elements_row {
+    orr_time t;
+    orr_sat sat;
+    orr_kepler k;
+} orr_elements_row;
+
+// Takes a row; a status other than ORR_OK, with its diagnostic, ends the run.
+typedef orr_status (*orr_elements_sink)(void *user, const orr_elements_row *row, orr_diag *diag);
+
+// Gives every row to `sink`: at `from`, `from` + step and so on within the products' spans, where the method
+// has what it needs. Nothing is kept, so that the number of rows is not limited. *n_rows, which may be NULL,
+// is their number. Errors: those of the readers and of the sink; ORR_E_NODATA where there is no row.
+orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink sink, void *user,
+                             size_t *n_rows, orr_warnings *warnings, orr_diag *diag);
+
+#endif
