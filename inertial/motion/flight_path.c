@@ -5,11 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
+
 #define G_MPS2 9.80665
 
 typedef struct builder {
     orr_flight_path *path;
-    size_t capacity;
     double speed_mps, up_m;
 } builder;
 
@@ -17,14 +18,8 @@ static orr_status append(builder *b, const orr_path_piece *piece, double to_up_m
 {
     if (!(piece->length_m > 0.0)) return ORR_OK;
     orr_flight_path *p = b->path;
-    if (p->n == b->capacity) {
-        size_t more = b->capacity == 0 ? 64 : 2 * b->capacity;
-        orr_flight_piece *grown = realloc(p->piece, more * sizeof *grown);
-        if (grown == NULL)
-            return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a flight plan of %zu pieces", more);
-        p->piece = grown;
-        b->capacity = more;
-    }
+    if (!ORR_ARRAY_GROW(p->piece, p->n))
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a flight plan of more than %zu pieces", p->n);
     orr_flight_piece *q = &p->piece[p->n++];
     q->path = *piece;
     q->from_s = p->duration_s;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "ingest/input/text_records.h"
 
 #define MAX_LINES 10000
@@ -30,7 +31,7 @@ typedef struct mirror_rule {
 } mirror_rule;
 
 struct orr_archives {
-    size_t n_names, n_mirrors, n_stations, capacity_names, capacity_mirrors, capacity_stations;
+    size_t n_names, n_mirrors, n_stations;
     name_rule *name;
     mirror_rule *mirror;
     char (*station)[10];
@@ -162,8 +163,7 @@ static orr_status read_name(table_reader *r, orr_view rest)
         else
             return bad(r, "expected start=week or shift=HOURS");
     }
-    orr_status s = orr_records_grow(&r->a->name, r->a->n_names, &r->a->capacity_names, sizeof n, MAX_LINES,
-                                    "names", &r->c, r->diag);
+    orr_status s = orr_records_grow(&r->a->name, r->a->n_names, sizeof n, MAX_LINES, "names", &r->c, r->diag);
     if (s == ORR_OK) r->a->name[r->a->n_names++] = n;
     return s;
 }
@@ -201,8 +201,8 @@ static orr_status read_mirror(table_reader *r, orr_view rest)
             return bad(r, "expected centres=..., tiers=... or login");
         }
     }
-    orr_status s = orr_records_grow(&r->a->mirror, r->a->n_mirrors, &r->a->capacity_mirrors, sizeof m,
-                                    MAX_LINES, "mirrors", &r->c, r->diag);
+    orr_status s =
+        orr_records_grow(&r->a->mirror, r->a->n_mirrors, sizeof m, MAX_LINES, "mirrors", &r->c, r->diag);
     if (s == ORR_OK) r->a->mirror[r->a->n_mirrors++] = m;
     return s;
 }
@@ -213,8 +213,8 @@ static orr_status read_station(table_reader *r, orr_view rest)
     bool sound = orr_view_word(&rest, &w) && w.n == 9;
     for (size_t i = 0; sound && i < w.n; i++) sound = isalnum((unsigned char)w.p[i]) != 0;
     if (!sound) return bad(r, "expected: station and nine letters or digits");
-    orr_status s = orr_records_grow(&r->a->station, r->a->n_stations, &r->a->capacity_stations,
-                                    sizeof *r->a->station, MAX_LINES, "stations", &r->c, r->diag);
+    orr_status s = orr_records_grow(&r->a->station, r->a->n_stations, sizeof *r->a->station, MAX_LINES,
+                                    "stations", &r->c, r->diag);
     if (s == ORR_OK) orr_view_copy(w, r->a->station[r->a->n_stations++], sizeof *r->a->station);
     return s;
 }
@@ -338,7 +338,7 @@ static bool listed(const char *list, const char *word)
 }
 
 typedef struct candidates {
-    size_t n, capacity;
+    size_t n;
     orr_candidate *item;
 } candidates;
 
@@ -361,14 +361,8 @@ static orr_status add(const orr_archives *a, const name_rule *rule, const fields
         snprintf(c.mirror, sizeof c.mirror, "%s", m->name);
         c.mirror_index = (int)i;
         c.login = m->login;
-        if (out->n == out->capacity) {
-            size_t next = out->capacity == 0 ? 16 : 2 * out->capacity;
-            orr_candidate *grown = realloc(out->item, next * sizeof *grown);
-            if (grown == NULL)
-                return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu places of a file", next);
-            out->item = grown;
-            out->capacity = next;
-        }
+        if (!ORR_ARRAY_GROW(out->item, out->n))
+            return orr_diag_set(diag, ORR_E_MEMORY, "no memory for more than %zu places of a file", out->n);
         out->item[out->n++] = c;
     }
     return ORR_OK;

@@ -79,7 +79,7 @@ static orr_status index_line(fetch_index *x, orr_view line, const orr_cursor *at
     if (f[0].n == 0 || orr_view_int(f[1], &bytes) != ORR_FIELD_OK || bytes < 0 ||
         f[2].n != ORR_SHA256_HEX - 1)
         return ORR_OK;
-    orr_status s = orr_records_grow(&x->entry, x->n, &x->capacity, sizeof *x->entry, INDEX_MAX,
+    orr_status s = orr_records_grow(&x->entry, x->n, sizeof *x->entry, INDEX_MAX,
                                     "lines of the cache's index", at, diag);
     if (s != ORR_OK) return s;
     fetch_entry e = {.name = orr_view_dup(f[0]), .bytes = bytes, .url = orr_view_dup(f[3])};

@@ -18,7 +18,7 @@ typedef struct fetch_entry {
 } fetch_entry;
 
 typedef struct fetch_index {
-    size_t n, capacity;
+    size_t n;
     fetch_entry *entry;
 } fetch_index;
 

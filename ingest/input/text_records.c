@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ingest/input/text_records.h"
+#include "core/array.h"
 #include "core/nan.h"
 
 #include <ctype.h>
@@ -13,21 +14,14 @@ orr_read_limits orr_read_default_limits(void)
         .max_bytes = (size_t)2 << 30, .max_records = 20 * 1000 * 1000, .max_values = 100 * 1000 * 1000};
 }
 
-orr_status orr_records_grow(void *array, size_t n, size_t *capacity, size_t element_size, size_t limit,
-                            const char *what, const orr_cursor *at, orr_diag *diag)
+orr_status orr_records_grow(void *array, size_t n, size_t element_size, size_t limit, const char *what,
+                            const orr_cursor *at, orr_diag *diag)
 {
-    if (n < *capacity) return ORR_OK;
     if (n >= limit)
         return orr_cursor_error(at, diag, ORR_E_LIMIT, 0,
                                 "more than %zu %s, which is the limit of this reader", limit, what);
-    size_t next = *capacity < 16 ? 16 : *capacity * 2;
-    if (next > limit) next = limit;
-    void *old;
-    memcpy(&old, array, sizeof old);
-    void *p = next > SIZE_MAX / element_size ? NULL : realloc(old, next * element_size);
-    if (p == NULL) return orr_cursor_error(at, diag, ORR_E_MEMORY, 0, "no memory for %zu %s", next, what);
-    memcpy(array, &p, sizeof p);
-    *capacity = next;
+    if (!orr_array_grow(array, n, element_size))
+        return orr_cursor_error(at, diag, ORR_E_MEMORY, 0, "no memory for more than %zu %s", n, what);
     return ORR_OK;
 }
 
@@ -120,10 +114,10 @@ bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scal
     return civil_from(f, scale, out);
 }
 
-orr_status orr_records_add_text(char ***list, size_t *n, size_t *capacity, orr_view v, size_t limit,
-                                const orr_cursor *at, orr_diag *diag)
+orr_status orr_records_add_text(char ***list, size_t *n, orr_view v, size_t limit, const orr_cursor *at,
+                                orr_diag *diag)
 {
-    orr_status s = orr_records_grow(list, *n, capacity, sizeof **list, limit, "lines of comment", at, diag);
+    orr_status s = orr_records_grow(list, *n, sizeof **list, limit, "lines of comment", at, diag);
     if (s != ORR_OK) return s;
     char *copy = orr_view_dup(orr_view_rtrim(v));
     if (copy == NULL) return orr_cursor_error(at, diag, ORR_E_MEMORY, 0, "no memory for a line of comment");

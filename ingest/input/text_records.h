@@ -9,10 +9,15 @@
 #include "ingest/input/input.h"
 #include "ingest/input/limits.h"
 
-// Makes room for one more element behind n; doubles *capacity. `limit` elements at most: ORR_E_LIMIT names
-// `what`.
-orr_status orr_records_grow(void *array, size_t n, size_t *capacity, size_t element_size, size_t limit,
-                            const char *what, const orr_cursor *at, orr_diag *diag);
+// Makes room for one more element of an array (core/array.h) under a limit.
+//   Given:    array         address of the pointer to the elements
+//             n             elements so far
+//             element_size  of one, bytes
+//             limit, what   the most elements, and their name in the plural for messages
+//             at            the line that they come from, for messages
+//   Returned: diag          ORR_E_LIMIT or ORR_E_MEMORY at that line
+orr_status orr_records_grow(void *array, size_t n, size_t element_size, size_t limit, const char *what,
+                            const orr_cursor *at, orr_diag *diag);
 
 // Reads a file whole under limits->max_bytes (NULL: defaults).
 orr_status orr_records_load(const char *path, const orr_read_limits *limits, orr_bytes *out, orr_diag *diag);
@@ -33,8 +38,8 @@ bool orr_records_civil(orr_view v, orr_scale scale, orr_time *out);
 bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scale, orr_time *out);
 
 // Appends a copy of v (right-trimmed) to a list of texts under `limit`.
-orr_status orr_records_add_text(char ***list, size_t *n, size_t *capacity, orr_view v, size_t limit,
-                                const orr_cursor *at, orr_diag *diag);
+orr_status orr_records_add_text(char ***list, size_t *n, orr_view v, size_t limit, const orr_cursor *at,
+                                orr_diag *diag);
 void orr_records_free_texts(char **list, size_t n);
 
 // The most frequent step of ascending instants, seconds; of equally frequent ones the shortest. NAN for fewer

@@ -19,7 +19,7 @@ typedef struct ion_reader {
     orr_warnings *warnings;
     orr_diag *diag;
     orr_read_limits limits;
-    size_t capacity_models, coefficients, row_length;
+    size_t coefficients, row_length;
     char title[81];
 } ion_reader;
 
@@ -283,7 +283,7 @@ static orr_status read_header(ion_reader *r, orr_ion_model *m)
     return ended(r, "a model's header");
 }
 
-static orr_status read_row(ion_reader *r, orr_ion_model *m, orr_view line, size_t *capacity)
+static orr_status read_row(ion_reader *r, orr_ion_model *m, orr_view line)
 {
     orr_ion_coefficient k = {.rms_tecu = ORR_NAN};
     // Rows are of one length: a shorter one at the very end of a file may hold half a number.
@@ -321,7 +321,7 @@ static orr_status read_row(ion_reader *r, orr_ion_model *m, orr_view line, size_
     if (++r->coefficients > r->limits.max_values)
         return orr_cursor_error(&r->c, r->diag, ORR_E_LIMIT, 0, "more than %zu coefficients",
                                 r->limits.max_values);
-    orr_status s = orr_records_grow(&m->coefficient, m->n_coefficients, capacity, sizeof *m->coefficient,
+    orr_status s = orr_records_grow(&m->coefficient, m->n_coefficients, sizeof *m->coefficient,
                                     r->limits.max_values, "coefficients", &r->c, r->diag);
     if (s == ORR_OK) m->coefficient[m->n_coefficients++] = k;
     return s;
@@ -376,11 +376,10 @@ static orr_status read_model(ion_reader *r, orr_ion_model *m)
 {
     memcpy(m->title, r->title, sizeof m->title);
     orr_status s = read_header(r, m);
-    size_t capacity = 0;
     orr_view line;
     bool more = true;
     while (s == ORR_OK && (more = orr_cursor_next(&r->c, &line)) && !orr_view_is_blank(line)) {
-        s = read_row(r, m, line, &capacity);
+        s = read_row(r, m, line);
     }
     if (s == ORR_OK) s = orr_cursor_status(&r->c, r->diag);
     if (s == ORR_OK) s = check_model(r, m);
@@ -433,8 +432,8 @@ orr_status orr_ion_parse(const char *name, const char *text, size_t n, const orr
             break;
         }
         titled = false;
-        s = orr_records_grow(&out->model, out->n_models, &r.capacity_models, sizeof *out->model,
-                             r.limits.max_records, "models", &r.c, diag);
+        s = orr_records_grow(&out->model, out->n_models, sizeof *out->model, r.limits.max_records, "models",
+                             &r.c, diag);
         if (s != ORR_OK) break;
         out->model[out->n_models] = untold();
         s = read_model(&r, &out->model[out->n_models++]);

@@ -79,8 +79,8 @@ static orr_status read_dcb(ionex_reader *r, orr_view line, bool station)
     }
     d.bias_s = bias_ns * 1e-9;
     if (orr_field_real(line, value_col + 10, 10, &rms_ns) == ORR_FIELD_OK) d.rms_s = rms_ns * 1e-9;
-    orr_status s = orr_records_grow(&x->dcb, x->n_dcbs, &r->capacity_dcbs, sizeof *x->dcb,
-                                    r->limits.max_records, "code biases", &r->c, r->diag);
+    orr_status s = orr_records_grow(&x->dcb, x->n_dcbs, sizeof *x->dcb, r->limits.max_records, "code biases",
+                                    &r->c, r->diag);
     if (s != ORR_OK) return s;
     x->dcb[x->n_dcbs++] = d;
     return ORR_OK;
@@ -130,13 +130,12 @@ static orr_status header_line(ionex_reader *r, orr_view line, orr_view label)
     orr_view text = orr_view_cols(line, 1, 60);
     int64_t k;
     if (orr_records_label_is(label, "COMMENT"))
-        return orr_records_add_text(&x->comment, &x->n_comments, &r->capacity_comments, text,
-                                    r->limits.max_records, &r->c, r->diag);
+        return orr_records_add_text(&x->comment, &x->n_comments, text, r->limits.max_records, &r->c, r->diag);
     if (orr_records_label_is(label, "PRN / BIAS / RMS")) return read_dcb(r, line, false);
     if (orr_records_label_is(label, "STATION / BIAS / RMS")) return read_dcb(r, line, true);
     if (orr_records_label_is(label, "DESCRIPTION"))
-        return orr_records_add_text(&x->description, &x->n_descriptions, &r->capacity_descriptions, text,
-                                    r->limits.max_records, &r->c, r->diag);
+        return orr_records_add_text(&x->description, &x->n_descriptions, text, r->limits.max_records, &r->c,
+                                    r->diag);
     if (orr_records_label_is(label, "PGM / RUN BY / DATE"))
         orr_records_program_line(line, x->program, x->run_by, x->date);
     else if (orr_records_label_is(label, "EPOCH OF FIRST MAP"))

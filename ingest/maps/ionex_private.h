@@ -36,7 +36,7 @@ typedef struct ionex_reader {
     ionex_maps maps[IONEX_KINDS];
     bool end_of_file_seen;
     int last_own_exponent_map; // number of maps seen with an exponent of their own
-    size_t negatives, capacity_descriptions, capacity_comments, capacity_dcbs;
+    size_t negatives;
 } ionex_reader;
 
 enum { IONEX_AXIS_HEIGHT, IONEX_AXIS_LAT, IONEX_AXIS_LON };

@@ -9,18 +9,17 @@
 // One clock while it is read.
 typedef struct clk_build {
     orr_clk_series s;
-    size_t capacity;
 } clk_build;
 
 typedef struct clk_list {
-    size_t n, capacity;
+    size_t n;
     size_t guess; // files name their clocks in the same order again and again
     clk_build *item;
 } clk_list;
 
 // Distinct instants in the order of the file.
 typedef struct clk_epochs {
-    size_t n, capacity;
+    size_t n;
     orr_time *t;
 } clk_epochs;
 

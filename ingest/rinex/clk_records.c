@@ -78,7 +78,7 @@ static orr_status find(clk_reader *r, clk_list *list, orr_sat sat, orr_view name
             return ORR_OK;
         }
     }
-    orr_status s = orr_records_grow(&list->item, list->n, &list->capacity, sizeof *list->item,
+    orr_status s = orr_records_grow(&list->item, list->n, sizeof *list->item,
                                     r->limits.max_records < 100000 ? r->limits.max_records : 100000, "clocks",
                                     &r->c, r->diag);
     if (s != ORR_OK) return s;
@@ -93,8 +93,8 @@ static orr_status find(clk_reader *r, clk_list *list, orr_sat sat, orr_view name
 static orr_status note_epoch(clk_reader *r, clk_epochs *e, orr_time t)
 {
     if (e->n > 0 && e->t[e->n - 1] == t) return ORR_OK;
-    orr_status s = orr_records_grow(&e->t, e->n, &e->capacity, sizeof *e->t, r->limits.max_records, "epochs",
-                                    &r->c, r->diag);
+    orr_status s =
+        orr_records_grow(&e->t, e->n, sizeof *e->t, r->limits.max_records, "epochs", &r->c, r->diag);
     if (s == ORR_OK) e->t[e->n++] = t;
     return s;
 }
@@ -120,8 +120,8 @@ static orr_status read_record(clk_reader *r, orr_view line, bool satellite)
     if (s == ORR_OK && r->records++ >= r->limits.max_records)
         s = orr_cursor_error(&r->c, r->diag, ORR_E_LIMIT, 0, "more than %zu records", r->limits.max_records);
     if (s == ORR_OK)
-        s = orr_records_grow(&b->s.record, b->s.n, &b->capacity, sizeof *b->s.record, r->limits.max_records,
-                             "records", &r->c, r->diag);
+        s = orr_records_grow(&b->s.record, b->s.n, sizeof *b->s.record, r->limits.max_records, "records",
+                             &r->c, r->diag);
     if (s == ORR_OK) s = note_epoch(r, satellite ? &r->sat_epochs : &r->receiver_epochs, t);
     if (s == ORR_OK) b->s.record[b->s.n++] = (orr_clk_record){t, v[0], v[1], v[2], v[3]};
     return s;

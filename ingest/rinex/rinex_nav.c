@@ -10,21 +10,6 @@
 
 orr_nav_limits orr_nav_default_limits(void) { return (orr_nav_limits){(size_t)2 << 30, 1000000, 100000}; }
 
-orr_status orr_nav_append(void *array, size_t *n, size_t size, const void *element, orr_diag *diag)
-{
-    char *base = NULL;
-    memcpy(&base, array, sizeof base); // *array is a pointer to objects of any type
-    if ((*n & (*n - 1)) == 0) {        // capacities are powers of two
-        char *grown = realloc(base, (*n == 0 ? 1 : 2 * *n) * size);
-        if (grown == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-        base = grown;
-        memcpy(array, &base, sizeof base);
-    }
-    memcpy(base + *n * size, element, size);
-    (*n)++;
-    return ORR_OK;
-}
-
 void orr_nav_free(orr_nav *nav)
 {
     for (size_t i = 0; i < nav->n_comments; i++) free(nav->comment[i]);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of navigation records: numbers, dates, seconds of week, and what is wrong with them.
+// Fields of navigation records: numbers, dates, seconds of week, names of messages, and what is wrong with them;
+// and the lists that records are appended to.
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "core/array.h"
 #include "core/decimal.h"
 #include "core/digits.h"
 #include "core/nan.h"
@@ -123,4 +126,32 @@ orr_time orr_nav_of_week(double sow_s, char system, orr_time near)
     if (d > WEEK_NS / 2) d -= WEEK_NS;
     if (d < -WEEK_NS / 2) d += WEEK_NS;
     return near + d;
+}
+
+static const char *const message_names[ORR_NAV_N_MESSAGES] = {
+    "",   "LNAV", "CNAV", "CNV1", "CNV2", "CNV3", "INAV", "FNAV", "D1",
+    "D2", "FDMA", "SBAS", "L1NV", "IFNV", "D1D2", "CNVX", "L1OC", "L3OC",
+};
+
+const char *orr_nav_message_name(orr_nav_message m)
+{
+    return (unsigned)m < ORR_NAV_N_MESSAGES ? message_names[m] : "?";
+}
+
+orr_nav_message orr_nav_message_parse(orr_view name)
+{
+    name = orr_view_trim(name);
+    for (int i = 1; i < ORR_NAV_N_MESSAGES; i++)
+        if (orr_view_equals(name, message_names[i])) return (orr_nav_message)i;
+    return ORR_NAV_NONE;
+}
+
+orr_status orr_nav_append(void *array, size_t *n, size_t size, const void *element, orr_diag *diag)
+{
+    if (!orr_array_grow(array, *n, size)) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    char *items = NULL;
+    memcpy(&items, array, sizeof items); // *array is a pointer to objects of any type
+    memcpy(items + *n * size, element, size);
+    (*n)++;
+    return ORR_OK;
 }

@@ -10,24 +10,6 @@
 
 #define RAD_PER_ARCSEC (ORR_PI / 648000.0)
 
-static const char *const message_names[ORR_NAV_N_MESSAGES] = {
-    "",   "LNAV", "CNAV", "CNV1", "CNV2", "CNV3", "INAV", "FNAV", "D1",
-    "D2", "FDMA", "SBAS", "L1NV", "IFNV", "D1D2", "CNVX", "L1OC", "L3OC",
-};
-
-const char *orr_nav_message_name(orr_nav_message m)
-{
-    return (unsigned)m < ORR_NAV_N_MESSAGES ? message_names[m] : "?";
-}
-
-orr_nav_message orr_nav_message_parse(orr_view name)
-{
-    name = orr_view_trim(name);
-    for (int i = 1; i < ORR_NAV_N_MESSAGES; i++)
-        if (orr_view_equals(name, message_names[i])) return (orr_nav_message)i;
-    return ORR_NAV_NONE;
-}
-
 // "> ION G12 LNAV": the satellite may be a system letter alone.
 static char take_tag(const nav_lines *r, orr_sat *sat, uint8_t *message)
 {

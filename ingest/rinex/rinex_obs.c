@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/digits.h"
 #include "core/nan.h"
 #include "ingest/rinex/rinex_obs_private.h"
@@ -179,13 +180,7 @@ static orr_status keep_event_line(orr_rinex_obs *r, orr_view line, orr_diag *dia
     if (r->n_event_lines >= r->limits.max_event_lines)
         return orr_diag_at(diag, ORR_E_LIMIT, orr_input_name(r->in), orr_input_line_number(r->in), 0,
                            "an event of more than %zu lines", r->limits.max_event_lines);
-    if (r->n_event_lines == r->event_capacity) {
-        size_t want = r->event_capacity * 2 + 16;
-        char **grown = realloc(r->event_line, want * sizeof *grown);
-        if (grown == NULL) return no_memory(diag);
-        r->event_line = grown;
-        r->event_capacity = want;
-    }
+    if (!ORR_ARRAY_GROW(r->event_line, r->n_event_lines)) return no_memory(diag);
     r->event_line[r->n_event_lines] = orr_view_dup(line);
     if (r->event_line[r->n_event_lines] == NULL) return no_memory(diag);
     r->n_event_lines++;

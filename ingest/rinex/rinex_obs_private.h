@@ -40,7 +40,7 @@ struct orr_rinex_obs {
     uint8_t *lli, *ssi;
     size_t cells;
     char **event_line; // as handed out
-    size_t n_event_lines, event_capacity;
+    size_t n_event_lines;
     uint64_t n_epochs, skipped;
     orr_time last;
     uint32_t warned; // WARNED_* and one bit a system

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/nan.h"
 #include "ingest/input/sniff.h"
 #include "ingest/sp3/sp3_private.h"
@@ -166,15 +167,10 @@ static orr_status read_satellites(sp3_parser *p, orr_view line)
         if (index < 0 && !unknown) return st;
         if (p->out->n_sats == known && !unknown)
             orr_cursor_warn(&p->c, p->warnings, col, "%.3s is twice in the list of satellites", id.p);
-        if (p->n_listed == p->listed_capacity) {
-            size_t n = p->listed_capacity == 0 ? 128 : 2 * p->listed_capacity;
-            int16_t *grown = n > 65536 ? NULL : realloc(p->listed, n * sizeof *grown);
-            if (grown == NULL)
-                return orr_cursor_error(&p->c, p->diag, ORR_E_LIMIT, col,
-                                        "the list of satellites does not end");
-            p->listed = grown;
-            p->listed_capacity = n;
-        }
+        if (p->n_listed >= 65536)
+            return orr_cursor_error(&p->c, p->diag, ORR_E_LIMIT, col, "the list of satellites does not end");
+        if (!ORR_ARRAY_GROW(p->listed, p->n_listed))
+            return orr_diag_set(p->diag, ORR_E_MEMORY, "out of memory");
         p->listed[p->n_listed++] = (int16_t)index;
     }
     return ORR_OK;
@@ -254,13 +250,8 @@ static orr_status read_comment(sp3_parser *p, orr_view line, size_t marker)
     if (o->n_comments >= p->limits.max_comments)
         return orr_cursor_error(&p->c, p->diag, ORR_E_LIMIT, 0, "more than %zu comment lines",
                                 p->limits.max_comments);
-    if (o->n_comments == p->comment_capacity) {
-        size_t n = p->comment_capacity == 0 ? 8 : 2 * p->comment_capacity;
-        char **grown = realloc(o->comment, n * sizeof *grown);
-        if (grown == NULL) return orr_diag_set(p->diag, ORR_E_MEMORY, "out of memory");
-        o->comment = grown;
-        p->comment_capacity = n;
-    }
+    if (!ORR_ARRAY_GROW(o->comment, o->n_comments))
+        return orr_diag_set(p->diag, ORR_E_MEMORY, "out of memory");
     size_t columns = 0;
     for (size_t i = 0; i < line.n; i++) columns += ((unsigned char)line.p[i] & 0xc0) != 0x80; // UTF-8 goes on
     if (columns > 80)

@@ -42,11 +42,10 @@ typedef struct sp3_parser {
     orr_civil start;
     size_t n_listed, n_accuracies; // places in the + and ++ lists
     int16_t *listed;               // satellite index of each place of the + list
-    size_t listed_capacity;
 
-    size_t stride, epoch_capacity, sat_capacity, comment_capacity; // cells are [epoch * stride + satellite]
-    int16_t index[ORR_N_SYSTEMS][100];                             // satellite index, -1 for none
-    float pos_sdev[100], clock_sdev[1000];                         // of the exponents, in mm and ps
+    size_t stride, epoch_capacity, sat_capacity; // cells are [epoch * stride + satellite]
+    int16_t index[ORR_N_SYSTEMS][100];           // satellite index, -1 for none
+    float pos_sdev[100], clock_sdev[1000];       // of the exponents, in mm and ps
 
     // Where we are.
     orr_sp3_record *row; // of the epoch now, NULL before the first and after a line that cannot be read
@@ -62,12 +61,16 @@ typedef struct sp3_parser {
 
 enum { SP3_SEEN_P = 1 << 7, SP3_SEEN_V = 1 << 6 }; // orr_sp3_record.flags while reading
 
-void sp3_fault_note(sp3_parser *p, sp3_fault f);
+// sp3.c: the file from the first line to the last. Below it, in this order: the records, the header, the cells.
 orr_status sp3_parse_header(sp3_parser *p, orr_view *first_epoch_line);
 orr_status sp3_read_comment(sp3_parser *p, orr_view line);
 orr_status sp3_parse_body(sp3_parser *p, orr_view first_epoch_line);
 orr_status sp3_finish(sp3_parser *p);
 
+// Counts a fault, with the line of the first.
+void sp3_fault_note(sp3_parser *p, sp3_fault f);
+// Lays the rows out with another distance, which the cells beyond the old one find empty.
+orr_status sp3_set_stride(sp3_parser *p, size_t stride);
 // Index of a satellite, added if it is new; -1 with a diagnostic in p->diag when that is refused.
 int sp3_sat_index(sp3_parser *p, orr_sat sat, orr_status *st);
 // A fresh row of missing records for an epoch.

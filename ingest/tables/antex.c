@@ -78,8 +78,8 @@ static orr_status read_header(antex_reader *r)
 static orr_status one_antenna(antex_reader *r)
 {
     orr_antex *x = r->out;
-    orr_status s = orr_records_grow(&x->antenna, x->n_antennas, &r->capacity, sizeof *x->antenna,
-                                    r->limits.max_records, "antennas", &r->c, r->diag);
+    orr_status s = orr_records_grow(&x->antenna, x->n_antennas, sizeof *x->antenna, r->limits.max_records,
+                                    "antennas", &r->c, r->diag);
     if (s != ORR_OK) return s;
     int64_t start = r->c.line;
     orr_antex_antenna a = {0};

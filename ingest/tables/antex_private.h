@@ -12,7 +12,7 @@ typedef struct antex_reader {
     orr_warnings *warnings;
     orr_diag *diag;
     orr_read_limits limits;
-    size_t capacity, values, left_out;
+    size_t values, left_out;
     orr_diag first_reason;
     bool ended;             // the file ended inside the antenna
     bool at_end_of_antenna; // the complaint was about the END OF ANTENNA line or found there

@@ -15,22 +15,6 @@ void orr_bias_free(orr_bias_set *x)
     *x = (orr_bias_set){0};
 }
 
-orr_status bias_add(bias_reader *r, const orr_bias *b)
-{
-    orr_bias_set *x = r->out;
-    orr_status s = orr_records_grow(&x->bias, x->n, &r->capacity, sizeof *x->bias, r->limits.max_records,
-                                    "biases", &r->c, r->diag);
-    if (s == ORR_OK) x->bias[x->n++] = *b;
-    return s;
-}
-
-orr_status bias_leave_out(bias_reader *r, int column, const char *why)
-{
-    if (r->left_out++ == 0) orr_cursor_error(&r->c, &r->first_reason, ORR_E_FORMAT, column, "%s", why);
-    orr_cursor_warn(&r->c, r->warnings, column, "%s; the line is left out", why);
-    return ORR_OK;
-}
-
 orr_status orr_bias_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                           orr_bias_set *out, orr_warnings *warnings, orr_diag *diag)
 {

@@ -12,7 +12,7 @@ typedef struct bias_reader {
     orr_warnings *warnings;
     orr_diag *diag;
     orr_read_limits limits;
-    size_t capacity, left_out;
+    size_t left_out;
     orr_diag first_reason; // why the first line that was left out was
 } bias_reader;
 

@@ -77,7 +77,7 @@ typedef struct erp_reader {
     size_t n_columns;
     bool other_count_said;
     erp_row *row;
-    size_t n, capacity;
+    size_t n;
 } erp_reader;
 
 void orr_erp_series_free(orr_eop_series *s)
@@ -234,7 +234,7 @@ static orr_status read_row(erp_reader *r, orr_view line)
                                 .n_receivers = count(v, has, C_NR),
                                 .n_fixed = count(v, has, C_NF),
                                 .n_satellites = count(v, has, C_NT)};
-    orr_status s = orr_records_grow(&r->row, r->n, &r->capacity, sizeof *r->row, r->limits.max_records,
+    orr_status s = orr_records_grow(&r->row, r->n, sizeof *r->row, r->limits.max_records,
                                     "lines of Earth rotation", &r->c, r->diag);
     if (s == ORR_OK) r->row[r->n++] = e;
     return s;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/ncfile.h"
 #include "core/vec.h"
 #include "ingest/input/input.h"
@@ -57,7 +58,6 @@ static row read_row(orr_view line)
 static orr_status read_points(orr_input *in, point **out, size_t *n, int *per_row, orr_diag *diag)
 {
     orr_view line;
-    size_t room = 0;
     bool first = true;
     while (orr_input_line(in, &line)) {
         orr_view v = orr_view_trim(line);
@@ -76,13 +76,8 @@ static orr_status read_points(orr_input *in, point **out, size_t *n, int *per_ro
         if (*n == MAX_POINTS)
             return orr_diag_at(diag, ORR_E_LIMIT, orr_input_name(in), orr_input_line_number(in), 0,
                                "more than %zu points", MAX_POINTS);
-        if (*n == room) {
-            room = room == 0 ? 1024 : 2 * room;
-            point *more = realloc(*out, room * sizeof *more);
-            if (more == NULL)
-                return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu points of gravity", room);
-            *out = more;
-        }
+        if (!orr_array_grow(out, *n, sizeof **out))
+            return orr_diag_set(diag, ORR_E_MEMORY, "no memory for more than %zu points of gravity", *n);
         (*out)[(*n)++] = k == 2 ? (point){r.v[0], 0.0, r.v[1]} : (point){r.v[0], r.v[1], r.v[2]};
     }
     orr_status s = orr_input_status(in, diag);

@@ -18,7 +18,7 @@ typedef struct sinex_reader {
     orr_warnings *warnings;
     orr_diag *diag;
     orr_read_limits limits;
-    size_t capacity_sites, capacity_eccentricities, capacity_estimates, last_estimate;
+    size_t last_estimate;
 } sinex_reader;
 
 void orr_sinex_free(orr_sinex *x)
@@ -91,8 +91,8 @@ static orr_status site(sinex_reader *r, orr_view line)
         s.lon_deg = s.lat_deg = s.height_m = ORR_NAN;
         orr_cursor_warn(&r->c, r->warnings, 45, "the approximate place of %s is malformed", s.code);
     }
-    orr_status st = orr_records_grow(&x->site, x->n_sites, &r->capacity_sites, sizeof s,
-                                     r->limits.max_records, "sites", &r->c, r->diag);
+    orr_status st =
+        orr_records_grow(&x->site, x->n_sites, sizeof s, r->limits.max_records, "sites", &r->c, r->diag);
     if (st == ORR_OK) x->site[x->n_sites++] = s;
     return st;
 }
@@ -113,8 +113,8 @@ static orr_status eccentricity(sinex_reader *r, orr_view line)
     for (int i = 0; i < 3; i++)
         if (orr_field_real(line, 47 + 9 * i, 8, &e.offset_m[i]) != ORR_FIELD_OK)
             return bad(r, 47 + 9 * i, "an eccentricity is missing or malformed");
-    orr_status s = orr_records_grow(&x->eccentricity, x->n_eccentricities, &r->capacity_eccentricities,
-                                    sizeof e, r->limits.max_records, "eccentricities", &r->c, r->diag);
+    orr_status s = orr_records_grow(&x->eccentricity, x->n_eccentricities, sizeof e, r->limits.max_records,
+                                    "eccentricities", &r->c, r->diag);
     if (s == ORR_OK) x->eccentricity[x->n_eccentricities++] = e;
     return s;
 }
@@ -141,8 +141,8 @@ static orr_status estimate_of(sinex_reader *r, const orr_sinex_estimate *key, or
         *out = &x->estimate[i];
         return ORR_OK;
     }
-    orr_status s = orr_records_grow(&x->estimate, x->n_estimates, &r->capacity_estimates, sizeof *key,
-                                    r->limits.max_records, "coordinates", &r->c, r->diag);
+    orr_status s = orr_records_grow(&x->estimate, x->n_estimates, sizeof *key, r->limits.max_records,
+                                    "coordinates", &r->c, r->diag);
     if (s != ORR_OK) return s;
     r->last_estimate = x->n_estimates;
     *out = &x->estimate[x->n_estimates++];

@@ -30,55 +30,6 @@ void orr_telemetry_free(orr_telemetry *t)
     memset(t, 0, sizeof *t);
 }
 
-void telemetry_drop(orr_telemetry *t, const orr_input *in, orr_warnings *w, const char *why)
-{
-    t->unreadable++;
-    orr_warnings_add(w, orr_input_name(in), orr_input_line_number(in), 0, "row left out: %s", why);
-}
-
-// Grows the arrays behind `slot` to hold n + 1 elements, when n is a power of two (or 0).
-static bool grow(void **slot, size_t n, size_t size)
-{
-    if (n != 0 && (n & (n - 1)) != 0) return true;
-    void *p = realloc(*slot, (n == 0 ? 1 : 2 * n) * size);
-    if (p == NULL) return false;
-    *slot = p;
-    return true;
-}
-#define GROW(array, n) grow((void **)&(array), (n), sizeof *(array))
-
-orr_status telemetry_add_position(orr_telemetry *t, double t_s, orr_geodetic at, int64_t line, orr_diag *diag)
-{
-    size_t n = t->n_position;
-    if (n >= ORR_TELEMETRY_MAX_ROWS)
-        return orr_diag_set(diag, ORR_E_LIMIT, "more than %zu rows of telemetry", n);
-    if (!GROW(t->position_t_s, n) || !GROW(t->position, n) || !GROW(t->position_line, n))
-        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu rows of telemetry", n);
-    t->position_t_s[n] = t_s;
-    t->position[n] = at;
-    t->position_line[n] = line;
-    t->n_position = n + 1;
-    return ORR_OK;
-}
-
-orr_status telemetry_add_attitude(orr_telemetry *t, double t_s, double heading_rad, double pitch_rad,
-                                  double roll_rad, int64_t line, orr_diag *diag)
-{
-    size_t n = t->n_attitude;
-    if (n >= ORR_TELEMETRY_MAX_ROWS)
-        return orr_diag_set(diag, ORR_E_LIMIT, "more than %zu rows of telemetry", n);
-    if (!GROW(t->attitude_t_s, n) || !GROW(t->heading_rad, n) || !GROW(t->pitch_rad, n) ||
-        !GROW(t->roll_rad, n) || !GROW(t->attitude_line, n))
-        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu rows of telemetry", n);
-    t->attitude_t_s[n] = t_s;
-    t->heading_rad[n] = heading_rad;
-    t->pitch_rad[n] = pitch_rad;
-    t->roll_rad[n] = roll_rad;
-    t->attitude_line[n] = line;
-    t->n_attitude = n + 1;
-    return ORR_OK;
-}
-
 static char separator_of(orr_view line)
 {
     for (const char *s = ",;\t"; *s != '\0'; s++)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between telemetry.c, telemetry_columns.c and telemetry_nmea.c.
+// Inside of the telemetry reader: telemetry.c opens a log and reads tables, telemetry_nmea.c reads NMEA,
+// telemetry_columns.c names columns, telemetry_rows.c keeps what is read.
 #ifndef ORR_INGEST_TELEMETRY_TELEMETRY_PRIVATE_H
 #define ORR_INGEST_TELEMETRY_TELEMETRY_PRIVATE_H
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/nan.h"
 #include "iono/fusion/fusion_private.h"
 
@@ -145,16 +146,15 @@ static orr_status split(orr_phase_sat *sat, size_t k, size_t at, double step, co
     orr_arcs *a = &sat->arcs;
     orr_arc *arcs = realloc(a->arc, (a->n_arcs + 1) * sizeof *arcs);
     if (arcs != NULL) a->arc = arcs;
-    orr_slip *slips = realloc(a->slip, (a->n_slips + 1) * sizeof *slips);
-    if (slips != NULL) a->slip = slips;
-    if (arcs == NULL || slips == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory to split an arc");
-    slips[a->n_slips++] = (orr_slip){.at = at,
-                                     .causes = ORR_SLIP_STEP,
-                                     .verdict = ORR_SLIP_BREAK,
-                                     .gf_tecu = step,
-                                     .gf_sigma_tecu = ORR_NAN,
-                                     .mw_cyc = ORR_NAN,
-                                     .mw_sigma_cyc = ORR_NAN};
+    if (arcs == NULL || !ORR_ARRAY_GROW(a->slip, a->n_slips))
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory to split an arc");
+    a->slip[a->n_slips++] = (orr_slip){.at = at,
+                                       .causes = ORR_SLIP_STEP,
+                                       .verdict = ORR_SLIP_BREAK,
+                                       .gf_tecu = step,
+                                       .gf_sigma_tecu = ORR_NAN,
+                                       .mw_cyc = ORR_NAN,
+                                       .mw_sigma_cyc = ORR_NAN};
     size_t fresh = a->n_arcs++, last = arcs[k].last;
     arcs[fresh] = (orr_arc){0};
     for (size_t i = at; i <= last; i++)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/phase/arcs.h"
+#include "core/array.h"
 #include "core/linalg.h"
 #include "core/nan.h"
 #include "core/robust.h"
@@ -326,15 +327,9 @@ static void find_cuts(packed *p, const orr_arc_options *o)
     }
 }
 
-static bool keep_slip(orr_arcs *a, size_t *room, orr_slip s)
+static bool keep_slip(orr_arcs *a, orr_slip s)
 {
-    if (a->n_slips == *room) {
-        size_t more = *room > 0 ? 2 * *room : 16;
-        orr_slip *grown = realloc(a->slip, more * sizeof *grown);
-        if (grown == NULL) return false;
-        a->slip = grown;
-        *room = more;
-    }
+    if (!ORR_ARRAY_GROW(a->slip, a->n_slips)) return false;
     a->slip[a->n_slips++] = s;
     return true;
 }
@@ -369,7 +364,7 @@ static orr_slip decide(const packed *p, size_t start, size_t b, size_t next, con
 
 static orr_status collect(const orr_arc_series *series, packed *p, const orr_arc_options *o, orr_arcs *out)
 {
-    size_t room = 0, start = 0;
+    size_t start = 0;
     double fix = 0, wide = 0;
     out->n_samples = series->n;
     out->arc_of = malloc((series->n + 1) * sizeof *out->arc_of);
@@ -396,7 +391,7 @@ static orr_status collect(const orr_arc_series *series, packed *p, const orr_arc
             wide += mw_jump;
             // A neighbour of a slip that looked like one until that slip was known is no event.
             bool idle = s.verdict == ORR_SLIP_NONE && !(s.causes & (ORR_SLIP_GAP | ORR_SLIP_LLI));
-            if (!idle && !keep_slip(out, &room, s)) return ORR_E_MEMORY;
+            if (!idle && !keep_slip(out, s)) return ORR_E_MEMORY;
             ends = s.verdict == ORR_SLIP_BREAK;
         }
         if (ends && k > start) {
@@ -418,14 +413,13 @@ static orr_status collect(const orr_arc_series *series, packed *p, const orr_arc
         }
         if (k < p->n) {
             out->fix_tecu[p->from[k]] = fix;
-            if (p->gone[k] && !keep_slip(out, &room,
-                                         (orr_slip){.at = p->from[k],
-                                                    .causes = ORR_SLIP_GF,
-                                                    .verdict = ORR_SLIP_OUTLIER,
-                                                    .gf_tecu = ORR_NAN,
-                                                    .gf_sigma_tecu = ORR_NAN,
-                                                    .mw_cyc = ORR_NAN,
-                                                    .mw_sigma_cyc = ORR_NAN}))
+            if (p->gone[k] && !keep_slip(out, (orr_slip){.at = p->from[k],
+                                                         .causes = ORR_SLIP_GF,
+                                                         .verdict = ORR_SLIP_OUTLIER,
+                                                         .gf_tecu = ORR_NAN,
+                                                         .gf_sigma_tecu = ORR_NAN,
+                                                         .mw_cyc = ORR_NAN,
+                                                         .mw_sigma_cyc = ORR_NAN}))
                 return ORR_E_MEMORY;
         }
     }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/astro.h"
 #include "core/nan.h"
 #include "ingest/rinex/rinex_obs.h"
@@ -40,7 +41,7 @@ typedef struct choice {
 
 // Samples of one satellite as they are read.
 typedef struct raw {
-    size_t n, room;
+    size_t n;
     orr_time *t;
     double (*value)[4]; // phases in cycles, ranges in metres
     uint8_t *lost;
@@ -55,7 +56,7 @@ typedef struct reading {
     int8_t channel[100];
     double version;
     uint64_t n_samples;
-    size_t n_epochs, epoch_room;
+    size_t n_epochs;
     orr_time *epoch;
 } reading;
 
@@ -185,17 +186,7 @@ static void find_columns(reading *r, const orr_rinex_obs_header *h)
 
 static bool grow(raw *w)
 {
-    if (w->n < w->room) return true;
-    size_t room = w->room > 0 ? 2 * w->room : 512;
-    orr_time *t = realloc(w->t, room * sizeof *t);
-    if (t != NULL) w->t = t;
-    double(*value)[4] = realloc(w->value, room * sizeof *value);
-    if (value != NULL) w->value = value;
-    uint8_t *lost = realloc(w->lost, room);
-    if (lost != NULL) w->lost = lost;
-    if (t == NULL || value == NULL || lost == NULL) return false;
-    w->room = room;
-    return true;
+    return ORR_ARRAY_GROW(w->t, w->n) && ORR_ARRAY_GROW(w->value, w->n) && ORR_ARRAY_GROW(w->lost, w->n);
 }
 
 static orr_status take_epoch(reading *r, const orr_rinex_obs_epoch *e, bool skip, orr_diag *diag)
@@ -203,13 +194,8 @@ static orr_status take_epoch(reading *r, const orr_rinex_obs_epoch *e, bool skip
     if (e->flag == ORR_OBS_POWER_FAILURE)
         for (size_t s = 0; s < SAT_SLOTS; s++) r->raw[s].lost_next = true;
     if (!skip) {
-        if (r->n_epochs == r->epoch_room) {
-            size_t room = r->epoch_room > 0 ? 2 * r->epoch_room : 4096;
-            orr_time *more = realloc(r->epoch, room * sizeof *more);
-            if (more == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for epochs");
-            r->epoch = more;
-            r->epoch_room = room;
-        }
+        if (!ORR_ARRAY_GROW(r->epoch, r->n_epochs))
+            return orr_diag_set(diag, ORR_E_MEMORY, "no memory for epochs");
         r->epoch[r->n_epochs++] = e->t;
     }
     for (size_t i = 0; i < e->n_sats; i++) {

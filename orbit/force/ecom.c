@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/force/ecom.h"
 
-#include "orbit/force/force.h"
+#include "orbit/force/shadow.h"
 
 const double orr_ecom_sigma_nmps2[ORR_ECOM_TERMS] = {30, 3, 3, 5, 5, 5, 5, 3, 3};
 

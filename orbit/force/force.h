@@ -6,6 +6,7 @@
 
 #include "orbit/force/ecom.h"
 #include "orbit/force/gravity_field.h"
+#include "orbit/force/shadow.h"
 #include "orbit/force/sky.h"
 
 typedef struct orr_force {
@@ -23,15 +24,6 @@ typedef struct orr_force {
 orr_vec3 orr_force_acceleration(const orr_force *f, const orr_sky_point *p, orr_vec3 r_m);
 // The same for either kind of force; v_mps matters to a precise one alone.
 orr_vec3 orr_force_of_state(const orr_force *f, const orr_sky_point *p, orr_vec3 r_m, orr_vec3 v_mps);
-
-// Distance of the Sun's centre from the Earth's limb as seen from r, in radii of the Sun's disc, positive
-// outside: below -1 is umbra, between -1 and 1 penumbra. Infinite on the day side.
-double orr_force_limb_distance(orr_vec3 r_m, orr_vec3 sun_m);
-// Part of the Sun's disc that the Earth leaves uncovered: 1 in sunlight, 0 in umbra. The Earth's limb is
-// taken as a straight line over the disc (it is 50 times wider), which is exact to 1 % of the penumbra.
-double orr_force_sunlight(orr_vec3 r_m, orr_vec3 sun_m);
-// The same, without trigonometry where the satellite is well outside the shadow.
-double orr_force_sunlight_fast(orr_vec3 r_m, orr_vec3 sun_m);
 
 // (34): gradient of the central field, 3 mu/r^5 r r' - mu/r^3 E.
 orr_mat3 orr_force_central_gradient(orr_vec3 r_m);
