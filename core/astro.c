@@ -284,14 +284,6 @@ void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R)
     *R = from_erfa(rbpn);
 }
 
-void orr_astro_uniform_rotation(orr_time t, orr_time t0, orr_mat3 *R, orr_mat3 *dR)
-{
-    *R = orr_mat3_rot3(ORR_EARTH_RATE_RADPS * orr_time_diff_s(t, t0));
-    if (dR == NULL) return;
-    orr_mat3 hat = orr_mat3_hat((orr_vec3){0, 0, ORR_EARTH_RATE_RADPS});
-    *dR = orr_mat3_mul(&hat, R);
-}
-
 // ---- Sun and Moon
 // ---------------------------------------------------------------------------------------------
 

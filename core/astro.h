@@ -51,9 +51,6 @@ orr_vec3 orr_astro_sun(orr_time t);
 // The Moon, as above.
 orr_vec3 orr_astro_moon(orr_time t);
 
-// Constant-rate fallback frame: angle u (t - t0) about axis 3, r_ecef = R3(u (t - t0)) r; coincides with ecef
-// at t0.
-void orr_astro_uniform_rotation(orr_time t, orr_time t0, orr_mat3 *R, orr_mat3 *dR);
 // Velocity in the inertial sense, in ecef's axes of the instant: v + u x r.
 static inline orr_vec3 orr_velocity_inertial(orr_vec3 r_m, orr_vec3 v_mps)
 {

@@ -69,6 +69,16 @@ static bool scale_by_product(uint64_t mantissa, int exp10, double *out)
     return true;
 }
 
+// digits * 10^exp10, correctly rounded, for n digits (n <= 128, no sign, no point), for numbers whose mantissa has more than 19 of them.
+static double decimal_long(const char *digits, size_t n, int exp10)
+{
+    // Digits and exponent without a point: there is nothing here a locale could read differently.
+    char text[160];
+    memcpy(text, digits, n);
+    snprintf(text + n, sizeof text - n, "e%d", exp10);
+    return strtod(text, NULL);
+}
+
 double orr_decimal_scale(uint64_t mantissa, int exp10)
 {
     // Both operands are exact, so the one operation rounds once (Clinger 1990, "How to read floating point
@@ -80,16 +90,7 @@ double orr_decimal_scale(uint64_t mantissa, int exp10)
     if (scale_by_product(mantissa, exp10, &x)) return x;
     char text[48];
     int n = snprintf(text, sizeof text, "%" PRIu64, mantissa);
-    return orr_decimal_long(text, (size_t)n, exp10);
-}
-
-double orr_decimal_long(const char *digits, size_t n, int exp10)
-{
-    // Digits and exponent without a point: there is nothing here a locale could read differently.
-    char text[160];
-    memcpy(text, digits, n);
-    snprintf(text + n, sizeof text - n, "e%d", exp10);
-    return strtod(text, NULL);
+    return decimal_long(text, (size_t)n, exp10);
 }
 
 orr_field orr_view_real(orr_view v, double *out) { return orr_view_real_e(v, 0, out); }
@@ -143,7 +144,7 @@ orr_field orr_view_real_e(orr_view v, int power, double *out)
         size_t n = 0;
         for (const char *q = first; q < mantissa_end; q++)
             if (*q != '.') digits[n++] = *q;
-        x = orr_decimal_long(digits, n, scale);
+        x = decimal_long(digits, n, scale);
     }
     if (x > 1.7976931348623157e308) return ORR_FIELD_BAD;
     *out = minus ? -x : x;

@@ -9,7 +9,5 @@
 
 // mantissa * 10^exp10, correctly rounded; HUGE_VAL past the range of double.
 double orr_decimal_scale(uint64_t mantissa, int exp10);
-// The same for n digits (n <= 128, no sign, no point), for numbers whose mantissa has more than 19 digits.
-double orr_decimal_long(const char *digits, size_t n, int exp10);
 
 #endif

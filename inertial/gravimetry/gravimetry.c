@@ -15,7 +15,8 @@ void orr_gravimetry_result_free(orr_gravimetry_result *r)
     memset(r, 0, sizeof *r);
 }
 
-void orr_gaussian_filter(const double *x, size_t n, double sigma_samples, double *out)
+// out[n]: Gaussian of sigma_samples over x[n], renormalised where it reaches past the ends. Not in place.
+static void gaussian_filter(const double *x, size_t n, double sigma_samples, double *out)
 {
     // Far tails weigh nothing, and there are as many weights as distances: e^(-d^2/2) by a two-term
     // recurrence.
@@ -87,8 +88,8 @@ orr_status orr_gravimetry_recover(const orr_imu *imu, const orr_gravimetry *trut
         sum += e * e;
     }
     out->raw_rms_mgal = sqrt(sum / (double)n);
-    orr_gaussian_filter(out->recovered_mgal, n, sigma_s / step_s, out->recovered_filtered_mgal);
-    orr_gaussian_filter(out->true_mgal, n, sigma_s / step_s, out->true_filtered_mgal);
+    gaussian_filter(out->recovered_mgal, n, sigma_s / step_s, out->recovered_filtered_mgal);
+    gaussian_filter(out->true_mgal, n, sigma_s / step_s, out->true_filtered_mgal);
     size_t margin = (size_t)(3.0 * sigma_s / step_s), used = 0;
     sum = 0.0;
     for (size_t k = margin; k + margin < n; k++, used++) {

@@ -21,7 +21,4 @@ orr_status orr_gravimetry_recover(const orr_imu *imu, const orr_gravimetry *trut
                                   orr_gravimetry_result *out, orr_diag *diag);
 void orr_gravimetry_result_free(orr_gravimetry_result *r);
 
-// out[n]: Gaussian of sigma_samples over x[n], renormalised where it reaches past the ends. Not in place.
-void orr_gaussian_filter(const double *x, size_t n, double sigma_samples, double *out);
-
 #endif

@@ -52,32 +52,19 @@ orr_vec3 orr_motion_velocity_enu(const orr_motion *m)
     return orr_mat3_apply(&E, m->v_mps);
 }
 
-static orr_vec3 earth_rate_body(const orr_motion *m)
-{
-    orr_mat3 B = orr_mat3_from_quat(m->q_be);
-    return orr_vec3_make(U * B.m[0][2], U * B.m[1][2], U * B.m[2][2]);
-}
-
-orr_vec3 orr_motion_absolute_rate(const orr_motion *m)
-{
-    return orr_vec3_add(m->w_radps, earth_rate_body(m));
-}
-
-orr_vec3 orr_motion_absolute_rate_dot(const orr_motion *m)
-{
-    return orr_vec3_sub(m->wdot_radps2, orr_vec3_cross(m->w_radps, earth_rate_body(m)));
-}
-
 orr_vec3 orr_motion_absolute_acceleration(const orr_motion *m)
 {
     return orr_vec3_make(m->a_mps2.x - 2.0 * U * m->v_mps.y - U * U * m->r_m.x,
                          m->a_mps2.y + 2.0 * U * m->v_mps.x - U * U * m->r_m.y, m->a_mps2.z);
 }
 
-orr_vec3 orr_motion_specific_force(const orr_motion *m, orr_vec3 gravitation_mps2)
+void orr_motion_sense(const orr_motion *m, orr_vec3 gravitation_mps2, orr_vec3 *rate_radps,
+                      orr_vec3 *force_mps2)
 {
     orr_mat3 B = orr_mat3_from_quat(m->q_be);
-    return orr_mat3_apply(&B, orr_vec3_sub(orr_motion_absolute_acceleration(m), gravitation_mps2));
+    *rate_radps = orr_vec3_make(m->w_radps.x + U * B.m[0][2], m->w_radps.y + U * B.m[1][2],
+                                m->w_radps.z + U * B.m[2][2]);
+    *force_mps2 = orr_mat3_apply(&B, orr_vec3_sub(orr_motion_absolute_acceleration(m), gravitation_mps2));
 }
 
 // Vector part of conj(a) b.
@@ -103,12 +90,13 @@ void orr_rates_from_quat(const double p[4], const double d1[4], const double d2[
     *wdot_radps2 = orr_vec3_axpy(-n2_dot / n2, w, wd);
 }
 
-double orr_motion_eotvos(const orr_motion *m)
+double orr_motion_eotvos(const orr_motion *m, double *round_mps2)
 {
     orr_geodetic g = orr_earth_from_ecef(m->r_m);
     orr_mat3 E = orr_earth_enu_from_ecef(g.lat_rad, g.lon_rad);
     orr_vec3 v = orr_mat3_apply(&E, m->v_mps);
     double M, N;
     orr_earth_radii(g.lat_rad, &M, &N);
-    return 2.0 * U * v.x * cos(g.lat_rad) + v.x * v.x / (N + g.height_m) + v.y * v.y / (M + g.height_m);
+    *round_mps2 = v.x * v.x / (N + g.height_m) + v.y * v.y / (M + g.height_m);
+    return 2.0 * U * v.x * cos(g.lat_rad) + *round_mps2;
 }

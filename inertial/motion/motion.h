@@ -34,22 +34,20 @@ double orr_heading_shown_deg(double heading_rad, int decimals);
 
 // Velocity relative to the Earth in East, North, Up at the body.
 orr_vec3 orr_motion_velocity_enu(const orr_motion *m);
-// Absolute (inertial) angular rate, body axes, and its derivative in body axes.
-orr_vec3 orr_motion_absolute_rate(const orr_motion *m);
-orr_vec3 orr_motion_absolute_rate_dot(const orr_motion *m);
 // Second derivative of the position in the inertial frame, resolved in ecef axes.
 orr_vec3 orr_motion_absolute_acceleration(const orr_motion *m);
-// f = a - gravitation, body axes (Bogdanov 2015, eq. (15)); gravitation in ecef axes, without the centrifugal
-// part.
-orr_vec3 orr_motion_specific_force(const orr_motion *m, orr_vec3 gravitation_mps2);
+// What ideal sensors feel, body axes: the absolute (inertial) angular rate, rad/s, and the specific force
+// f = a - gravitation, m/s^2 (Bogdanov 2015, eq. (15)). gravitation: ecef axes, without the centrifugal part.
+void orr_motion_sense(const orr_motion *m, orr_vec3 gravitation_mps2, orr_vec3 *rate_radps,
+                      orr_vec3 *force_mps2);
 
 // The rate (body axes of B) and its derivative from a body-from-ecef quaternion curve p(t) that need not be
 // of unit length, with its first and second derivative; *unit is p/|p|.
 void orr_rates_from_quat(const double p[4], const double d1[4], const double d2[4], orr_quat *unit,
                          orr_vec3 *w_radps, orr_vec3 *wdot_radps2);
 
-// Eotvoes term 2 u v_E cos(lat) + v_E^2/(N + h) + v_N^2/(M + h), m/s^2, positive up: what motion over the
-// turning Earth takes off the weight.
-double orr_motion_eotvos(const orr_motion *m);
+// Eotvos term 2 u v_E cos(lat) + v_E^2/(N + h) + v_N^2/(M + h), m/s^2, positive up: what motion over the
+// turning Earth takes off the weight. *round_mps2 is its part without u, that of the Earth's roundness.
+double orr_motion_eotvos(const orr_motion *m, double *round_mps2);
 
 #endif

@@ -19,7 +19,8 @@ static double distance(const telemetry_series *s, size_t a, size_t b)
     return sqrt(sum);
 }
 
-void telemetry_collect(telemetry_series *s)
+// Good rows again from `fault`.
+static void collect(telemetry_series *s)
 {
     size_t n = 0;
     for (size_t k = 0; k < s->n_good; k++)
@@ -98,7 +99,7 @@ void telemetry_mark_frozen(telemetry_series *s)
         }
         k = e + 1;
     }
-    telemetry_collect(s);
+    collect(s);
 }
 
 static orr_status add_gap(orr_fit_report *r, bool attitude, double from_s, double to_s, orr_diag *diag)
@@ -128,7 +129,7 @@ orr_status telemetry_part(telemetry_series *s, double max_gap_s, orr_fit_report 
     }
     for (size_t k = 0; k < s->n_good; k++)
         if (k < best_from || k > best_to) s->fault[s->order[k]] = ORR_FAULT_OUTSIDE;
-    telemetry_collect(s);
+    collect(s);
     return ORR_OK;
 }
 
@@ -186,6 +187,6 @@ orr_status telemetry_mark_jumps(telemetry_series *s, double floor, orr_diag *dia
     free(w);
     free(e);
     free(sorted);
-    telemetry_collect(s);
+    collect(s);
     return status;
 }

@@ -28,7 +28,5 @@ void telemetry_mark_frozen(telemetry_series *s);
 orr_status telemetry_part(telemetry_series *s, double max_gap_s, orr_fit_report *report, orr_diag *diag);
 // Rows far off a smooth curve through the others.
 orr_status telemetry_mark_jumps(telemetry_series *s, double floor, orr_diag *diag);
-// Good rows again from `fault`.
-void telemetry_collect(telemetry_series *s);
 
 #endif

@@ -18,11 +18,6 @@ orr_status orr_trajectory_evaluate(const orr_trajectory *tr, double t_s, orr_mot
     return ORR_OK;
 }
 
-orr_status orr_trajectory_at(const orr_trajectory *tr, orr_time t, orr_motion *out, orr_diag *diag)
-{
-    return orr_trajectory_evaluate(tr, orr_time_diff_s(t, tr->t0), out, diag);
-}
-
 void orr_trajectory_free(orr_trajectory *tr)
 {
     if (tr->destroy != NULL) tr->destroy(tr->self);

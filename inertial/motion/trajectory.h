@@ -23,7 +23,6 @@ typedef struct orr_trajectory {
 // The motion t_s seconds after t0. Outside [begin_s, end_s] (by more than a microsecond) ORR_E_RANGE with a
 // sentence.
 orr_status orr_trajectory_evaluate(const orr_trajectory *tr, double t_s, orr_motion *out, orr_diag *diag);
-orr_status orr_trajectory_at(const orr_trajectory *tr, orr_time t, orr_motion *out, orr_diag *diag);
 void orr_trajectory_free(orr_trajectory *tr);
 
 // Samples of one half (position or attitude) of a trajectory and the spline to lay through them.

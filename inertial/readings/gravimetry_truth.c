@@ -18,11 +18,8 @@ void orr_gravity_terms(const orr_gravity *g, const orr_motion *m, double *distur
 {
     orr_geodetic at = orr_earth_from_ecef(m->r_m);
     orr_mat3 E = orr_earth_enu_from_ecef(at.lat_rad, at.lon_rad);
-    orr_vec3 v = orr_mat3_apply(&E, m->v_mps);
-    double M, N, u = ORR_EARTH_RATE_RADPS;
-    orr_earth_radii(at.lat_rad, &M, &N);
-    double round_mps2 = v.x * v.x / (N + at.height_m) + v.y * v.y / (M + at.height_m);
-    *eotvos_mgal = (2.0 * u * v.x * cos(at.lat_rad) + round_mps2) / ORR_MPS2_PER_MGAL;
+    double round_mps2;
+    *eotvos_mgal = orr_motion_eotvos(m, &round_mps2) / ORR_MPS2_PER_MGAL;
     *vertical_mps2 = orr_mat3_apply(&E, m->a_mps2).z + round_mps2;
     *disturbance_mgal = orr_gravity_disturbance_mgal(g, m->r_m);
 }

@@ -21,21 +21,12 @@ static const double weight[ORR_IMU_MAX_ORDER][3] = {
     {0.65214515486254614263, 0.34785484513745385737},
     {0.56888888888888888889, 0.47862867049936646804, 0.23692688505618908751}};
 
-static void sense(const orr_motion *m, orr_vec3 gravitation, orr_vec3 *gyro_radps, orr_vec3 *accel_mps2)
-{
-    orr_mat3 B = orr_mat3_from_quat(m->q_be);
-    double u = ORR_EARTH_RATE_RADPS;
-    *gyro_radps = orr_vec3_make(m->w_radps.x + u * B.m[0][2], m->w_radps.y + u * B.m[1][2],
-                                m->w_radps.z + u * B.m[2][2]);
-    *accel_mps2 = orr_mat3_apply(&B, orr_vec3_sub(orr_motion_absolute_acceleration(m), gravitation));
-}
-
 void orr_sensors_instant(const orr_trajectory *tr, const orr_gravity *g, double t_s, orr_vec3 *gyro_radps,
                          orr_vec3 *accel_mps2)
 {
     orr_motion m;
     tr->evaluate(tr->self, t_s, &m);
-    sense(&m, orr_gravity_gravitation(g, m.r_m), gyro_radps, accel_mps2);
+    orr_motion_sense(&m, orr_gravity_gravitation(g, m.r_m), gyro_radps, accel_mps2);
 }
 
 // Where gravitation comes from in a quadrature: from the field, or (field NULL, track set) from a parabola in
@@ -62,7 +53,7 @@ static void add_instant(const orr_trajectory *tr, const pull *p, double t_s, dou
     orr_motion m;
     orr_vec3 gyro, accel;
     tr->evaluate(tr->self, t_s, &m);
-    sense(&m, pull_at(p, t_s, m.r_m), &gyro, &accel);
+    orr_motion_sense(&m, pull_at(p, t_s, m.r_m), &gyro, &accel);
     *dtheta = orr_vec3_axpy(w, gyro, *dtheta);
     *dv = orr_vec3_axpy(w, accel, *dv);
 }

@@ -84,7 +84,7 @@ static orr_status header_line(clk_reader *r, orr_view line)
     return ORR_OK;
 }
 
-orr_status clk_read_header(clk_reader *r)
+static orr_status read_header(clk_reader *r)
 {
     orr_view line;
     bool first = true;
@@ -208,7 +208,7 @@ static orr_status count_epochs(clk_reader *r)
     return ORR_OK;
 }
 
-orr_status clk_finish(clk_reader *r)
+static orr_status finish(clk_reader *r)
 {
     orr_clk *x = r->out;
     orr_status s = hand_over(r, &r->sats, &x->sat, &x->n_sats);
@@ -239,9 +239,9 @@ orr_status orr_clk_parse(const char *name, const char *text, size_t n, const orr
     clk_reader r = {.out = out, .warnings = warnings, .diag = diag};
     r.limits = limits != NULL ? *limits : orr_read_default_limits();
     orr_cursor_init(&r.c, name, text, n);
-    orr_status s = clk_read_header(&r);
+    orr_status s = read_header(&r);
     if (s == ORR_OK) s = clk_read_records(&r);
-    if (s == ORR_OK) s = clk_finish(&r);
+    if (s == ORR_OK) s = finish(&r);
     free_list(&r.sats);
     free_list(&r.receivers);
     free(r.sat_epochs.t);

@@ -37,8 +37,6 @@ typedef struct clk_reader {
     orr_time last_time;
 } clk_reader;
 
-orr_status clk_read_header(clk_reader *r);
 orr_status clk_read_records(clk_reader *r);
-orr_status clk_finish(clk_reader *r); // sorts, removes doubles, hands over to r->out
 
 #endif

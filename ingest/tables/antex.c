@@ -11,7 +11,7 @@
 #include "ingest/input/text_records.h"
 #include "ingest/tables/antex_private.h"
 
-void antex_free_antenna(orr_antex_antenna *a)
+static void free_antenna(orr_antex_antenna *a)
 {
     for (size_t i = 0; i < a->n_frequencies; i++) free(a->frequency[i].pattern_m);
     free(a->frequency);
@@ -21,7 +21,7 @@ void antex_free_antenna(orr_antex_antenna *a)
 void orr_antex_free(orr_antex *x)
 {
     if (x == NULL) return;
-    for (size_t i = 0; i < x->n_antennas; i++) antex_free_antenna(&x->antenna[i]);
+    for (size_t i = 0; i < x->n_antennas; i++) free_antenna(&x->antenna[i]);
     free(x->antenna);
     *x = (orr_antex){0};
 }
@@ -93,7 +93,7 @@ static orr_status one_antenna(antex_reader *r)
     }
     char name[64];
     snprintf(name, sizeof name, "%s %s", a.type, a.serial);
-    antex_free_antenna(&a);
+    free_antenna(&a);
     r->values = values;
     if (s != ORR_E_FORMAT || r->ended) { // limits, memory, the end of the file: not this antenna's own fault
         if (r->diag != NULL) *r->diag = why;

@@ -20,6 +20,5 @@ typedef struct antex_reader {
 
 // From the line behind START OF ANTENNA to END OF ANTENNA. On failure *a still holds what is to be freed.
 orr_status antex_read_antenna(antex_reader *r, orr_antex_antenna *a, orr_diag *why);
-void antex_free_antenna(orr_antex_antenna *a);
 
 #endif

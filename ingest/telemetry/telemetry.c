@@ -10,13 +10,6 @@
 #include "core/robust.h"
 #include "ingest/telemetry/telemetry_private.h"
 
-const char *orr_telemetry_kind_name(orr_telemetry_kind k)
-{
-    static const char *const name[] = {"table", "NMEA", "user motion (ecef)",
-                                       "user motion (latitude, longitude, height)"};
-    return name[k];
-}
-
 void orr_telemetry_free(orr_telemetry *t)
 {
     free(t->position_t_s);

@@ -18,7 +18,6 @@ typedef enum orr_telemetry_kind {
     ORR_TELEMETRY_MOTION_ECEF, // gps-sdr-sim: t, x, y, z
     ORR_TELEMETRY_MOTION_LLH,  // gps-sdr-sim: t, latitude, longitude, height
 } orr_telemetry_kind;
-const char *orr_telemetry_kind_name(orr_telemetry_kind k);
 
 // Rows in the order of the file. Times are seconds of the file's own clock after clock_t0 (if absolute), else
 // after its zero. A file may hold places, angles or both.

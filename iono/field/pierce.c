@@ -77,8 +77,6 @@ orr_mapping orr_mapping_published(orr_mapping_kind kind)
 
 static const char *const MAPPING_NAMES[] = {"none", "thin-shell", "mslm"};
 
-const char *orr_mapping_name(orr_mapping_kind kind) { return MAPPING_NAMES[kind]; }
-
 orr_status orr_mapping_parse(const char *name, orr_mapping_kind *out, orr_diag *diag)
 {
     for (int i = 0; i < 3; i++)

@@ -48,7 +48,6 @@ typedef struct orr_mapping {
     double alpha;
 } orr_mapping;
 orr_mapping orr_mapping_published(orr_mapping_kind kind);
-const char *orr_mapping_name(orr_mapping_kind kind); // "none", "thin-shell", "mslm"
 orr_status orr_mapping_parse(const char *name, orr_mapping_kind *out, orr_diag *diag);
 // 1 at the zenith, growing to the horizon. NAN for an elevation outside [0, pi/2].
 double orr_mapping_factor(const orr_mapping *m, double el_rad);

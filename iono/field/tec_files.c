@@ -130,8 +130,10 @@ orr_status orr_tec_field_from_ion(const orr_ion *x, const char *name, const orr_
     return s;
 }
 
-orr_status orr_tec_field_from_nav(const orr_nav *nav, const char *name, const orr_tec_options *options,
-                                  orr_tec_field **out, orr_diag *diag)
+// GPS's Klobuchar coefficients (another system's where there are none of GPS), for the days that the file's
+// ephemerides span and one to either side.
+static orr_status from_nav(const orr_nav *nav, const char *name, const orr_tec_options *options,
+                           orr_tec_field **out, orr_diag *diag)
 {
     *out = NULL;
     const orr_nav_iono *best = NULL;
@@ -182,7 +184,7 @@ orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, 
     orr_nav nav;
     s = orr_nav_read(path, NULL, &nav, warnings, diag);
     if (s == ORR_OK) {
-        s = orr_tec_field_from_nav(&nav, name, options, out, diag);
+        s = from_nav(&nav, name, options, out, diag);
         orr_nav_free(&nav);
         return s;
     }

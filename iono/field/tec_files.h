@@ -19,10 +19,6 @@ orr_status orr_tec_field_from_ionex(const orr_ionex *x, const char *name, const 
                                     orr_tec_field **out, orr_diag *diag);
 orr_status orr_tec_field_from_ion(const orr_ion *x, const char *name, const orr_tec_options *options,
                                   orr_tec_field **out, orr_diag *diag);
-// GPS's Klobuchar coefficients (another system's where there are none of GPS), for the days that the file's
-// ephemerides span and one to either side.
-orr_status orr_tec_field_from_nav(const orr_nav *nav, const char *name, const orr_tec_options *options,
-                                  orr_tec_field **out, orr_diag *diag);
 
 // The coefficients of a harmonic field as Bernese models (snapshots, or with the ends they came with). Free
 // with orr_ion_free. ORR_E_UNSUPPORTED for other fields.

@@ -7,7 +7,9 @@
 #include "core/nan.h"
 #include "iono/fusion/fusion_private.h"
 
-void fusion_terms(const orr_correction *c, orr_vec3 unit, double term[ORR_CORRECTION_TERMS])
+// The six terms of the correction at a pierce point (faded beyond its reach), and the knots at either side of
+// t with their weights.
+static void terms_at(const orr_correction *c, orr_vec3 unit, double term[ORR_CORRECTION_TERMS])
 {
     double x = c->scale * orr_vec3_dot(unit, c->east), y = c->scale * orr_vec3_dot(unit, c->north), fade = 1;
     double r = orr_vec3_dot(unit, c->up) > 0 ? sqrt(x * x + y * y) : 1e9;
@@ -23,7 +25,7 @@ void fusion_terms(const orr_correction *c, orr_vec3 unit, double term[ORR_CORREC
     for (int j = 0; j < ORR_CORRECTION_TERMS; j++) term[j] = fade * all[j];
 }
 
-void fusion_knots(const orr_correction *c, orr_time t, size_t *knot, double *weight_of_next)
+static void knots_at(const orr_correction *c, orr_time t, size_t *knot, double *weight_of_next)
 {
     double at = orr_time_diff_s(t, c->t0) / c->knot_s, last = (double)(c->n - 1);
     if (at < 0) at = 0;
@@ -39,8 +41,8 @@ double orr_correction_at(const orr_correction *c, orr_time t, orr_vec3 unit)
     if (c->n == 0) return 0;
     double term[ORR_CORRECTION_TERMS], w, v = 0;
     size_t k;
-    fusion_terms(c, unit, term);
-    fusion_knots(c, t, &k, &w);
+    terms_at(c, unit, term);
+    knots_at(c, t, &k, &w);
     for (int j = 0; j < ORR_CORRECTION_TERMS; j++)
         v += term[j] * (c->n > 1 ? (1 - w) * c->term[k][j] + w * c->term[k + 1][j] : c->term[k][j]);
     return v;
@@ -102,8 +104,8 @@ static void add_phases(system_of *s, const orr_phase_tec *phase, const orr_fusio
         const double *vtec = f->model_vtec[arc->sat_index], *map = f->mapping[arc->sat_index];
         for (size_t i = SIZE_MAX; fusion_next_sample(sat, (int)arc->arc, o->thin_s, vtec, &i);) {
             size_t k, n = 0;
-            fusion_terms(c, sat->pierce[i].unit, term);
-            fusion_knots(c, sat->t[i], &k, &w);
+            terms_at(c, sat->pierce[i].unit, term);
+            knots_at(c, sat->t[i], &k, &w);
             for (size_t j = 0; j < ORR_CORRECTION_TERMS; j++) {
                 at[n] = k * ORR_CORRECTION_TERMS + j;
                 row[n++] = map[i] * (1 - w) * term[j];

@@ -5,11 +5,6 @@
 
 #include "iono/fusion/fusion.h"
 
-// The six terms of the correction at a pierce point (faded beyond its reach), and the knots at either side of
-// t with their weights.
-void fusion_terms(const orr_correction *c, orr_vec3 unit, double term[ORR_CORRECTION_TERMS]);
-void fusion_knots(const orr_correction *c, orr_time t, size_t *knot, double *weight_of_next);
-
 // Joint least squares of knots, arc biases and receiver biases over out->arc, out->group; fills them in.
 orr_status fusion_solve(const orr_phase_tec *phase, const orr_fusion_options *o, orr_fusion *out,
                         orr_diag *diag);

@@ -66,7 +66,6 @@ typedef enum orr_tec_origin {
     ORR_ORIGIN_TRANSFERRED = 2, // field, and the station's residual of this satellite carried over
     ORR_ORIGIN_NOISE = 3,       // field, what neighbouring rays tell, and seeded noise
 } orr_tec_origin;
-const char *orr_tec_origin_name(orr_tec_origin o); // "field", "fused", "transferred", "noise"
 
 typedef struct orr_realisation {
     orr_sat sat;

@@ -14,12 +14,6 @@
 #define FADE_S 300.0
 #define SAME_SITE_M 1.0 // closer to the station than this it is the station
 
-const char *orr_tec_origin_name(orr_tec_origin o)
-{
-    static const char *const names[] = {"field", "fused", "transferred", "noise"};
-    return names[o];
-}
-
 double orr_coloured_noise(uint64_t seed, orr_sat sat, orr_time t, double time_s)
 {
     // A cubic B-spline of white numbers h apart has correlation 1/e at a lag of about 1.65 h (its own

@@ -50,7 +50,7 @@ static uint32_t semicircles(draft *d, const char *name, double rad, int power, i
 
 // The six parity equations of table 20-XIV, as masks over d1..d24 (d1 the highest of 24 bits), and whether
 // D29* or D30* is added.
-uint32_t orr_lnav_parity(uint32_t data, bool d29, bool d30)
+static uint32_t parity_of(uint32_t data, bool d29, bool d30)
 {
     static const struct {
         uint8_t member[16];
@@ -78,10 +78,10 @@ uint32_t orr_lnav_parity(uint32_t data, bool d29, bool d30)
 static uint32_t word_ending_in_zeros(uint32_t data, bool d29, bool d30)
 {
     for (uint32_t t = 0; t < 4; t++) {
-        uint32_t w = orr_lnav_parity((data & ~UINT32_C(3)) | t, d29, d30);
+        uint32_t w = parity_of((data & ~UINT32_C(3)) | t, d29, d30);
         if ((w & 3u) == 0) return w;
     }
-    return orr_lnav_parity(data, d29, d30); // not reached: D29 and D30 depend on d23 and d24 independently
+    return parity_of(data, d29, d30); // not reached: D29 and D30 depend on d23 and d24 independently
 }
 
 // TLM and HOW in, parity over all.
@@ -101,8 +101,7 @@ static orr_status seal(draft *d, int number, const orr_lnav_how *how, orr_lnav_s
     for (int w = 0; w < 10; w++) {
         uint32_t data = 0;
         for (int k = 1; k <= 24; k++) data = data << 1 | d->bit[30 * w + k];
-        out->word[w] =
-            w == 1 || w == 9 ? word_ending_in_zeros(data, d29, d30) : orr_lnav_parity(data, d29, d30);
+        out->word[w] = w == 1 || w == 9 ? word_ending_in_zeros(data, d29, d30) : parity_of(data, d29, d30);
         d29 = out->word[w] >> 1 & 1u;
         d30 = out->word[w] & 1u;
     }
@@ -115,7 +114,7 @@ int orr_lnav_check(const orr_lnav_subframe *s)
     bool d29 = false, d30 = false;
     for (int w = 0; w < 10; w++) {
         uint32_t data = s->word[w] >> 6 ^ (d30 ? 0xffffffu : 0);
-        bad += orr_lnav_parity(data, d29, d30) != s->word[w];
+        bad += parity_of(data, d29, d30) != s->word[w];
         d29 = s->word[w] >> 1 & 1u;
         d30 = s->word[w] & 1u;
     }

@@ -60,9 +60,6 @@ orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_ho
 orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t health[32],
                                   const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
 
-// Parity of 24 data bits after a word that ended in D29*, D30*; returns the 30 bits as sent (data
-// complemented by D30*).
-uint32_t orr_lnav_parity(uint32_t data24, bool d29, bool d30);
 // Checks all ten words (the first follows a word ending in 00). Returns the number of words that fail.
 int orr_lnav_check(const orr_lnav_subframe *s);
 

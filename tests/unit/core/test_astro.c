@@ -301,18 +301,6 @@ static void series_is_smooth_at_its_nodes(void **state)
     }
 }
 
-static void uniform_rotation_coincides_at_its_start(void **state)
-{
-    (void)state;
-    orr_mat3 R, dR, e = orr_mat3_identity();
-    orr_time t0 = utc(2024, 2, 4, 0);
-    orr_astro_uniform_rotation(t0, t0, &R, &dR);
-    ASSERT_NEAR(largest(&R, &e), 0, 0);
-    ASSERT_NEAR(dR.m[0][1], ORR_EARTH_RATE_RADPS, 0);
-    orr_astro_uniform_rotation(orr_time_add_s(t0, 3600), t0, &R, NULL);
-    ASSERT_NEAR(atan2(R.m[0][1], R.m[0][0]), 3600 * ORR_EARTH_RATE_RADPS, 1e-15);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -325,7 +313,6 @@ int main(void)
         cmocka_unit_test(series_and_its_ends),
         cmocka_unit_test(ut1_without_a_series_has_no_step),
         cmocka_unit_test(series_is_smooth_at_its_nodes),
-        cmocka_unit_test(uniform_rotation_coincides_at_its_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

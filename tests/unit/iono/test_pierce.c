@@ -69,6 +69,7 @@ static void test_refused_rays(void **state)
 static void test_mapping(void **state)
 {
     (void)state;
+    static const char *const name[] = {"none", "thin-shell", "mslm"};
     for (int k = 0; k < 3; k++) {
         orr_mapping m = orr_mapping_published((orr_mapping_kind)k);
         ASSERT_NEAR(orr_mapping_factor(&m, ORR_PI / 2), 1, 1e-15);
@@ -81,7 +82,7 @@ static void test_mapping(void **state)
             before = f;
         }
         orr_mapping_kind again;
-        assert_int_equal(orr_mapping_parse(orr_mapping_name((orr_mapping_kind)k), &again, NULL), ORR_OK);
+        assert_int_equal(orr_mapping_parse(name[k], &again, NULL), ORR_OK);
         assert_int_equal(again, k);
     }
     assert_int_equal(orr_mapping_parse("cosz", &(orr_mapping_kind){0}, NULL), ORR_E_ARG);
