@@ -31,6 +31,9 @@ orr_status orr_input_read_all(const char *path, const orr_input_limits *limits, 
 orr_status orr_input_read_bytes(const char *name, const void *data, size_t n, const orr_input_limits *limits,
                                 orr_bytes *out, orr_diag *diag);
 void orr_bytes_free(orr_bytes *b);
+// The bytes as they are, compressed or not, of a file or a pipe; text[n] is a NUL that does not count. ORR_E_IO,
+// ORR_E_KIND (a folder), ORR_E_LIMIT, ORR_E_MEMORY.
+orr_status orr_input_read_raw(const char *path, size_t max_bytes, orr_bytes *out, orr_diag *diag);
 
 // The stream face: memory use does not grow with the file.
 typedef struct orr_input orr_input;

@@ -1,16 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scenario/source_navdata.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
-#include "src/make/nav_source.h"
+#include "src/make/navset.h"
 
 struct orr_source_navdata {
     const orr_source_orbit *orbits;
     orr_navset *set; // NULL: none, and why
-    char none[ORR_NAV_SOURCE_WHY];
+    char none[512];
     bool phase_centres;
 };
+
+// What the fit has to say of satellites, marked as being of the broadcast data: their orbits are served.
+static void pass_on(const orr_warnings *own, orr_warnings *warnings)
+{
+    for (size_t i = 0; i < own->kept; i++) {
+        const orr_diag *d = &own->item[i];
+        orr_warnings_add(warnings, d->file, d->line, d->column, "%s%s",
+                         d->file[0] == '\0' ? "broadcast data: " : "", d->text);
+    }
+    if (warnings != NULL) warnings->count += own->count - own->kept;
+}
+
+static orr_status make(orr_source_navdata *v, const orr_scenario *s, const orr_log *log,
+                       const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_navset_plan plan;
+    if (!orr_navset_plan_of(s, &plan)) {
+        snprintf(v->none, sizeof v->none, "the scenario wants no broadcast data (navdata.window: none)");
+        return ORR_OK;
+    }
+    plan.options.cancel = cancel;
+    orr_diag inner = {0};
+    orr_warnings own = {0};
+    orr_status status =
+        orr_navset_make(orr_source_orbit_ephemeris(v->orbits), &plan, &v->set, NULL, &own, &inner);
+    pass_on(&own, warnings);
+    orr_warnings_free(&own);
+    if (status == ORR_E_NODATA) { // no fault of the scenario: the rest of it is served
+        snprintf(v->none, sizeof v->none, "%s", inner.text);
+        ORR_LOG(log, ORR_LOG_INFO, "no broadcast data: %s", v->none);
+        return ORR_OK;
+    }
+    if (status != ORR_OK && diag != NULL) *diag = inner;
+    const orr_sat *list;
+    if (status == ORR_OK)
+        ORR_LOG(log, ORR_LOG_INFO, "fitted broadcast data of %zu satellites",
+                orr_navset_satellites(v->set, &list));
+    return status;
+}
 
 orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits, const orr_log *log,
                                    const volatile int *cancel, orr_warnings *warnings,
@@ -22,8 +62,7 @@ orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit
     if (v == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     v->orbits = orbits;
     v->phase_centres = s->navdata.antex != NULL;
-    orr_status status = orr_nav_source_build(s, orr_source_orbit_ephemeris(orbits), log, cancel, warnings,
-                                             &v->set, v->none, diag);
+    orr_status status = make(v, s, log, cancel, warnings, diag);
     if (status != ORR_OK) {
         orr_source_navdata_close(v);
         return status;

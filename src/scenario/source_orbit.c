@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "ingest/tables/erp.h"
-#include "src/make/orbit_source.h"
+#include "src/make/orbit.h"
 
 struct orr_source_orbit {
     orr_ephemeris *eph;
@@ -32,20 +32,24 @@ orr_status orr_source_orbit_open(const orr_scenario *s, const orr_log *log, cons
                                  orr_warnings *warnings, orr_source_orbit **out, orr_diag *diag)
 {
     *out = NULL;
-    orr_ephemeris *eph;
-    orr_eop_series eop = {0};
+    orr_orbit_made made = {0};
     orr_status status;
-    if (s->orbit.product != NULL)
-        status = orr_ephemeris_load(s->orbit.product, &eph, diag);
-    else if (s->orbit.sp3.n > 0)
-        status = orr_orbit_source_smooth(&s->orbit, log, cancel, warnings, &eph, &eop, diag);
-    else
+    if (s->orbit.product != NULL) {
+        status = orr_ephemeris_load(s->orbit.product, &made.ephemeris, diag);
+    } else if (s->orbit.sp3.n > 0) {
+        const orr_orbit_plan plan = orr_orbit_plan_of(&s->orbit);
+        status = orr_orbit_make(&plan, log, cancel, &made, warnings, diag);
+    } else
         return ORR_OK;
-    if (status == ORR_OK) status = orr_source_orbit_of_ephemeris(eph, out, diag);
-    if (status == ORR_OK)
-        (*out)->eop = eop;
-    else
-        orr_erp_series_free(&eop);
+    if (status == ORR_OK) {
+        status = orr_source_orbit_of_ephemeris(made.ephemeris, out, diag);
+        made.ephemeris = NULL; // taken over
+    }
+    if (status == ORR_OK) {
+        (*out)->eop = made.eop;
+        made.eop = (orr_eop_series){0};
+    }
+    orr_orbit_made_free(&made);
     return status;
 }
 

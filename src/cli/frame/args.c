@@ -293,6 +293,14 @@ const char *orr_cli_text_at(const orr_cli *c, const char *name, size_t i)
     return v != NULL ? v->text : NULL;
 }
 
+const char **orr_cli_texts(const orr_cli *c, const char *name, size_t *n)
+{
+    *n = orr_cli_count(c, name);
+    const char **list = calloc(*n + 1, sizeof *list);
+    for (size_t i = 0; list != NULL && i < *n; i++) list[i] = orr_cli_text_at(c, name, i);
+    return list;
+}
+
 int64_t orr_cli_int(const orr_cli *c, const char *name, int64_t otherwise)
 {
     const value *v = find(c, name, SIZE_MAX);

@@ -72,6 +72,8 @@ size_t orr_cli_count(const orr_cli *c, const char *name); // of a repeated optio
 const char *orr_cli_text(const orr_cli *c, const char *name,
                          const char *otherwise); // TEXT and CHOICE; the last given
 const char *orr_cli_text_at(const orr_cli *c, const char *name, size_t i);
+// All values of a repeated option as a list of *n, to be freed with free(); NULL without memory.
+const char **orr_cli_texts(const orr_cli *c, const char *name, size_t *n);
 int64_t orr_cli_int(const orr_cli *c, const char *name, int64_t otherwise);
 double orr_cli_real(const orr_cli *c, const char *name, double otherwise);
 orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise);

@@ -1,47 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery navfit: broadcast data that agree with a precise orbit.
+#include <stdlib.h>
 #include <string.h>
 
-#include "core/parallel.h"
 #include "src/cli/frame/cli.h"
-#include "src/cli/orbit/nav_files.h"
 #include "src/cli/orbit/navfit_write.h"
+#include "src/make/navset.h"
 
 // Everything that a run holds.
 typedef struct work {
     orr_ephemeris *product;
-    orr_antex antex;
-    orr_bias_set bias;
-    orr_nav nav; // of all files
     orr_navset *set;
 } work;
 
 static void work_free(work *w)
 {
     orr_navset_free(w->set);
-    orr_nav_free(&w->nav);
-    orr_bias_free(&w->bias);
-    orr_antex_free(&w->antex);
     orr_ephemeris_free(w->product);
 }
 
-static orr_status read_inputs(const orr_cli *c, work *w, orr_navset_options *o, orr_warnings *warnings,
-                              orr_diag *diag)
+static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
 {
-    const char *antex = orr_cli_text(c, "antex", NULL), *bias = orr_cli_text(c, "bias", NULL);
+    orr_navset_plan plan = orr_navset_plan_default();
+    const char **nav = orr_cli_texts(c, "nav", &plan.n_nav);
+    if (nav == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the names of files");
+    plan.nav = nav;
+    plan.antex = orr_cli_text(c, "antex", NULL);
+    plan.bias = orr_cli_text(c, "bias", NULL);
+    plan.options.jobs = (int)orr_cli_int(c, "jobs", plan.options.jobs);
+    plan.options.sats = orr_cli_sats(c, "sat");
+    plan.options.zero_clocks = orr_cli_given(c, "zero-clocks");
+    plan.options.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;
     orr_status s = orr_ephemeris_load(c->operand[0], &w->product, diag);
-    if (s == ORR_OK && antex != NULL) {
-        s = orr_antex_read(antex, NULL, &w->antex, warnings, diag);
-        o->antex = &w->antex;
-    }
-    if (s == ORR_OK && bias != NULL) {
-        s = orr_bias_read(bias, NULL, &w->bias, warnings, diag);
-        o->bias = &w->bias;
-    }
-    if (s == ORR_OK && orr_cli_given(c, "nav")) {
-        s = orr_cli_read_navs(c, "nav", &w->nav, warnings, diag);
-        o->nav = &w->nav;
-    }
+    if (s == ORR_OK) s = orr_navset_make(w->product, &plan, &w->set, NULL, warnings, diag);
+    free(nav);
     return s;
 }
 
@@ -75,13 +67,7 @@ static int run(orr_cli *c)
     work w = {0};
     orr_diag diag = {0};
     orr_warnings warnings = {0};
-    orr_navset_options o = orr_navset_defaults();
-    o.jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores());
-    o.sats = orr_cli_sats(c, "sat");
-    o.zero_clocks = orr_cli_given(c, "zero-clocks");
-    o.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;
-    orr_status s = read_inputs(c, &w, &o, &warnings, &diag);
-    if (s == ORR_OK) s = orr_navset_build(w.product, &o, &w.set, &warnings, &diag);
+    orr_status s = make(c, &w, &warnings, &diag);
     if (s == ORR_OK) s = write_outputs(c, &w, &diag);
     orr_cli_warnings(c, &warnings);
     int status = ORR_EXIT_OK;

@@ -5,14 +5,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/parallel.h"
-#include "core/sha256.h"
-#include "ingest/tables/erp.h"
-#include "orbit/ephemeris/ephemeris.h"
-#include "orbit/smooth/smoother.h"
 #include "src/cli/frame/cli.h"
-#include "src/cli/orbit/nav_files.h"
 #include "src/cli/orbit/orbit_summary.h"
+#include "src/make/orbit.h"
 
 static const orr_option options[] = {
     {.name = "output",
@@ -123,102 +118,15 @@ static const orr_option options[] = {
      .help = "find outliers and manoeuvres by innovation (flags of the input are always heeded)"},
 };
 
-// What a run holds, so that one place frees it.
-typedef struct work {
-    size_t n;
-    orr_sp3 *sp3;
-    orr_smoother_input *input;
-    orr_erp *erp;
-    size_t n_erp;
-    orr_eop_series eop;
-    orr_nav nav;            // of all files
-    orr_orbit_source *also; // provenance of the two kinds above
-    size_t n_also;
-    orr_interval *exclude;
-    orr_orbit_solution solution;
-    orr_smoother_report report;
-    orr_ephemeris *ephemeris;
-    orbit_seconds seconds;
-} work;
-
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static void work_free(work *w)
-{
-    for (size_t i = 0; i < w->n && w->sp3 != NULL; i++) orr_sp3_free(&w->sp3[i]);
-    for (size_t i = 0; i < w->n_erp && w->erp != NULL; i++) orr_erp_free(&w->erp[i]);
-    free(w->sp3);
-    free(w->input);
-    free(w->erp);
-    orr_nav_free(&w->nav);
-    free(w->also);
-    free(w->exclude);
-    orr_erp_series_free(&w->eop);
-    orr_orbit_solution_free(&w->solution);
-    orr_ephemeris_free(w->ephemeris);
-}
-
-static orr_status read_inputs(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
-{
-    w->n = (size_t)c->n_operands;
-    w->sp3 = calloc(w->n, sizeof *w->sp3);
-    w->input = calloc(w->n, sizeof *w->input);
-    if (w->sp3 == NULL || w->input == NULL)
-        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", w->n);
-    orr_status s = ORR_OK;
-    for (size_t i = 0; i < w->n && s == ORR_OK; i++) {
-        const char *path = c->operand[i], *slash = strrchr(path, '/');
-        orr_cli_progress(c, "reading", i, w->n);
-        snprintf(w->input[i].name, sizeof w->input[i].name, "%s", slash != NULL ? slash + 1 : path);
-        s = orr_sp3_read(path, NULL, &w->sp3[i], warnings, diag);
-        if (s == ORR_OK) s = orr_sha256_file(path, w->input[i].sha256, diag);
-        w->input[i].sp3 = &w->sp3[i];
-    }
-    orr_cli_progress(c, "reading", w->n, w->n);
-    return s;
-}
-
-static orr_status note_source(work *w, const char *path, orr_diag *diag)
-{
-    const char *slash = strrchr(path, '/');
-    orr_orbit_source *s = &w->also[w->n_also++];
-    snprintf(s->name, sizeof s->name, "%s", slash != NULL ? slash + 1 : path);
-    return orr_sha256_file(path, s->sha256, diag);
-}
-
-// Earth rotation and navigation files: what the options are made of.
-static orr_status read_others(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
-{
-    size_t n_erp = orr_cli_count(c, "erp"), n_nav = orr_cli_count(c, "nav");
-    w->erp = calloc(n_erp + 1, sizeof *w->erp);
-    w->also = calloc(n_erp + n_nav + 1, sizeof *w->also);
-    if (w->erp == NULL || w->also == NULL)
-        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n_erp + n_nav);
-    orr_status s = ORR_OK;
-    for (; w->n_erp < n_erp && s == ORR_OK; w->n_erp++) {
-        const char *path = orr_cli_text_at(c, "erp", w->n_erp);
-        s = orr_erp_read(path, NULL, NULL, &w->erp[w->n_erp], warnings, diag);
-        if (s == ORR_OK) s = note_source(w, path, diag);
-    }
-    if (s == ORR_OK && n_nav > 0) s = orr_cli_read_navs(c, "nav", &w->nav, warnings, diag);
-    for (size_t i = 0; i < n_nav && s == ORR_OK; i++) s = note_source(w, orr_cli_text_at(c, "nav", i), diag);
-    if (s == ORR_OK && n_erp > 0) s = orr_erp_merge(w->erp, n_erp, &w->eop, diag);
-    return s;
-}
-
 static bool says(const orr_cli *c, const char *option, const char *word, bool otherwise)
 {
     const char *text = orr_cli_text(c, option, NULL);
     return text != NULL ? strcmp(text, word) == 0 : otherwise;
 }
 
-static orr_status make_options(const orr_cli *c, work *w, orr_smoother_options *o, orr_diag *diag)
+static void smoother_options(const orr_cli *c, orr_smoother_options *o)
 {
+    const int jobs = o->jobs;
     *o = says(c, "method", "literal", false) ? orr_smoother_literal() : orr_smoother_defaults();
     if (orr_cli_given(c, "frame")) o->frame = says(c, "frame", "gcrs", true) ? ORR_SKY_GCRS : ORR_SKY_UNIFORM;
     o->gravity_degree = (int)orr_cli_int(c, "gravity", o->gravity_degree);
@@ -236,63 +144,73 @@ static orr_status make_options(const orr_cli *c, work *w, orr_smoother_options *
     o->node_step_s = (double)orr_cli_duration_ns(c, "nodes", 0) * 1e-9;
     o->max_gap_s = (double)orr_cli_duration_ns(c, "max-gap", (int64_t)(o->max_gap_s * 1e9)) * 1e-9;
     o->sats = orr_cli_sats(c, "sat");
-    o->eop = w->eop.n > 0 ? &w->eop : NULL;
-    o->nav = orr_cli_given(c, "nav") ? &w->nav : NULL;
     o->bridge = orr_cli_given(c, "bridge");
     o->extend_to = orr_cli_time(c, "extend-to", ORR_TIME_NONE);
-    if (orr_cli_given(c, "extend-to") && !o->bridge)
-        return orr_diag_set(diag, ORR_E_ARG, "--extend-to goes with --bridge");
-    o->also = w->also;
-    o->n_also = w->n_also;
-    o->jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores());
-    o->n_exclude = orr_cli_count(c, "exclude");
-    w->exclude = calloc(o->n_exclude + 1, sizeof *w->exclude);
-    if (w->exclude == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for intervals");
-    for (size_t i = 0; i < o->n_exclude; i++) {
-        orr_interval *x = &w->exclude[i];
+    o->jobs = (int)orr_cli_int(c, "jobs", jobs);
+}
+
+// Everything that a plan borrows besides the command line.
+typedef struct lists {
+    const char **erp, **nav;
+    orr_interval *exclude;
+} lists;
+
+static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, orr_diag *diag)
+{
+    *plan = orr_orbit_plan_default();
+    smoother_options(c, &plan->smoother);
+    plan->sp3 = (const char *const *)c->operand;
+    plan->n_sp3 = (size_t)c->n_operands;
+    l->erp = orr_cli_texts(c, "erp", &plan->n_erp);
+    l->nav = orr_cli_texts(c, "nav", &plan->n_nav);
+    const size_t n = orr_cli_count(c, "exclude");
+    l->exclude = calloc(n + 1, sizeof *l->exclude);
+    if (l->erp == NULL || l->nav == NULL || l->exclude == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for lists of options");
+    for (size_t i = 0; i < n; i++) {
+        orr_interval *x = &l->exclude[i];
         orr_cli_interval_at(c, "exclude", i, &x->from, &x->to);
         if (x->to == x->from) x->to++; // an interval holds its begin and not its end
     }
-    o->exclude = w->exclude;
+    plan->erp = l->erp;
+    plan->nav = l->nav;
+    plan->smoother.exclude = l->exclude;
+    plan->smoother.n_exclude = n;
     return ORR_OK;
 }
 
-static orr_status smooth_and_write(orr_cli *c, work *w, const orr_smoother_options *o, orr_warnings *warnings,
-                                   orr_diag *diag)
+static double now_s(void)
 {
-    const char *path = orr_cli_text(c, "output", NULL);
-    double t0 = now_s();
-    orr_status s =
-        orr_smoother_run(w->input, w->n, o, c->log, NULL, &w->solution, &w->report, warnings, diag);
-    double t1 = now_s();
-    if (s == ORR_OK) s = orr_ephemeris_build(&w->solution, &w->ephemeris, diag);
-    double t2 = now_s();
-    if (s == ORR_OK) {
-        s = orr_ephemeris_save(w->ephemeris, path, c->call, diag);
-    }
-    w->seconds.smooth = t1 - t0;
-    w->seconds.fit = t2 - t1;
-    w->seconds.write = now_s() - t2;
-    return s;
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static int run(orr_cli *c)
 {
-    work w = {0};
+    if (orr_cli_given(c, "extend-to") && !orr_cli_given(c, "bridge"))
+        return orr_cli_usage(c, "--extend-to goes with --bridge");
+    lists l = {0};
+    orr_orbit_plan plan;
+    orr_orbit_made made = {0};
     orr_diag diag = {0};
     orr_warnings warnings = {0};
-    orr_smoother_options o;
-    double t0 = now_s();
-    orr_status s = read_inputs(c, &w, &warnings, &diag);
-    if (s == ORR_OK) s = read_others(c, &w, &warnings, &diag);
-    w.seconds.read = now_s() - t0;
-    if (s == ORR_OK) s = make_options(c, &w, &o, &diag);
-    if (s == ORR_OK) s = smooth_and_write(c, &w, &o, &warnings, &diag);
+    orr_status s = make_plan(c, &l, &plan, &diag);
+    if (s == ORR_OK) s = orr_orbit_make(&plan, c->log, NULL, &made, &warnings, &diag);
+    const double made_s = now_s();
+    if (s == ORR_OK) s = orr_ephemeris_save(made.ephemeris, orr_cli_text(c, "output", NULL), c->call, &diag);
     orr_cli_warnings(c, &warnings);
-    int status = s == ORR_OK ? orbit_summary_print(c, &w.solution, &w.report, w.ephemeris, &w.seconds)
-                             : orr_cli_fail(c, &diag);
+    int status = ORR_EXIT_OK;
+    if (s == ORR_OK) {
+        const orbit_seconds seconds = {made.read_s, made.smooth_s, made.fit_s, now_s() - made_s};
+        status = orbit_summary_print(c, &made.solution, &made.report, made.ephemeris, &seconds);
+    } else
+        status = orr_cli_fail(c, &diag);
     orr_warnings_free(&warnings);
-    work_free(&w);
+    orr_orbit_made_free(&made);
+    free(l.erp);
+    free(l.nav);
+    free(l.exclude);
     return status;
 }
 

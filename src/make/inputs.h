@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input files of a product: each is read once, and the bytes that were read are hashed, so that provenance is true of a
+// pipe, and of a file that somebody replaces meanwhile.
+#ifndef ORR_MAKE_INPUTS_H
+#define ORR_MAKE_INPUTS_H
+
+#include "ingest/input/input.h"
+#include "ingest/rinex/rinex_nav.h"
+#include "orbit/smooth/solution.h"
+
+// Base names and SHA-256 of what was read, in the order of reading. Zero is an empty list; free with orr_inputs_free.
+typedef struct orr_inputs {
+    orr_orbit_source *item;
+    size_t n;
+} orr_inputs;
+void orr_inputs_free(orr_inputs *list);
+// Appends what another list has. ORR_E_MEMORY.
+orr_status orr_inputs_join(orr_inputs *list, const orr_inputs *more, orr_diag *diag);
+
+// Reads a file, appends it to the list (NULL: none), and gives its text, decompressed (free with orr_bytes_free).
+// Errors: those of orr_input_read_all.
+orr_status orr_inputs_read(orr_inputs *list, const char *path, orr_bytes *text, orr_diag *diag);
+// The same with the bytes as they are, compressed or not.
+orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, orr_bytes *bytes, orr_diag *diag);
+// Appends a file that a library opened by itself (NetCDF): its bytes are read again to be hashed.
+orr_status orr_inputs_note(orr_inputs *list, const char *path, orr_diag *diag);
+
+// Navigation files as one (orr_nav_merge). Free with orr_nav_free.
+orr_status orr_inputs_read_navs(orr_inputs *list, const char *const *path, size_t n, orr_nav *out,
+                                orr_warnings *warnings, orr_diag *diag);
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/make/navset.h"
+
+#include "core/parallel.h"
+
+enum { MAX_FILES = 400 };
+
+orr_navset_plan orr_navset_plan_default(void)
+{
+    orr_navset_plan p = {.options = orr_navset_defaults()};
+    p.options.jobs = orr_parallel_cores();
+    return p;
+}
+
+bool orr_navset_plan_of(const orr_scenario *s, orr_navset_plan *out)
+{
+    const orr_scenario_navdata *n = &s->navdata;
+    *out = orr_navset_plan_default();
+    out->antex = n->antex;
+    out->bias = n->bias;
+    out->nav = (const char *const *)n->nav.item;
+    out->n_nav = n->nav.n;
+    out->field = s->iono.field;
+    out->options.window_s = n->window == ORR_NAVDATA_4H ? 14400 : 7200;
+    out->options.zero_clocks = n->zero_clocks;
+    return n->window != ORR_NAVDATA_NONE;
+}
+
+// What the files say, and what the navset is shown of it.
+typedef struct files {
+    orr_antex antex;
+    orr_bias_set bias;
+    orr_nav named, field;
+    orr_nav shown; // borrows from the two
+} files;
+
+static void files_free(files *f)
+{
+    orr_nav_free(&f->named);
+    orr_nav_free(&f->field);
+    orr_bias_free(&f->bias);
+    orr_antex_free(&f->antex);
+}
+
+static bool has_klobuchar(const orr_nav *nav)
+{
+    for (size_t i = 0; i < nav->n_iono; i++)
+        if (nav->iono[i].kind == ORR_NAV_KLOBUCHAR && nav->iono[i].system == 'G') return true;
+    return false;
+}
+
+// A field of another kind (maps, coefficients) is no navigation file and no fault. Its warnings are told by who reads it
+// for the ionosphere.
+static orr_status read_field(const char *path, orr_inputs *inputs, orr_nav *out, bool *is_nav, orr_diag *diag)
+{
+    orr_bytes text;
+    orr_diag other = {0};
+    *is_nav = false;
+    if (path == NULL) return ORR_OK;
+    orr_inputs own = {0};
+    orr_status s = orr_inputs_read(&own, path, &text, &other);
+    if (s == ORR_OK) s = orr_nav_parse(path, text.text, text.n, NULL, out, NULL, &other);
+    orr_bytes_free(&text);
+    *is_nav = s == ORR_OK;
+    if (s == ORR_OK && inputs != NULL) s = orr_inputs_join(inputs, &own, &other);
+    orr_inputs_free(&own);
+    if (s == ORR_E_KIND) return ORR_OK;
+    if (s != ORR_OK && diag != NULL) *diag = other;
+    return s;
+}
+
+// Ephemerides (GLONASS' channels) of the files that are named for it, or else of the ionosphere's; likewise GPS'
+// Klobuchar.
+static orr_status read_navs(const orr_navset_plan *plan, files *f, orr_navset_options *o, orr_inputs *inputs,
+                            orr_warnings *warnings, orr_diag *diag)
+{
+    if (plan->n_nav > MAX_FILES)
+        return orr_diag_set(diag, ORR_E_LIMIT, "%zu navigation files; at most %d are read", plan->n_nav,
+                            MAX_FILES);
+    bool has_field = false;
+    orr_status s = orr_inputs_read_navs(inputs, plan->nav, plan->n_nav, &f->named, warnings, diag);
+    if (s == ORR_OK) s = read_field(plan->field, inputs, &f->field, &has_field, diag);
+    if (s != ORR_OK) return s;
+    f->shown = plan->n_nav > 0 ? f->named : f->field;
+    if (has_field && !has_klobuchar(&f->shown)) {
+        f->shown.iono = f->field.iono;
+        f->shown.n_iono = f->field.n_iono;
+    }
+    if (plan->n_nav > 0 || has_field) o->nav = &f->shown;
+    return ORR_OK;
+}
+
+static orr_status read_all(const orr_navset_plan *plan, files *f, orr_navset_options *o, orr_inputs *inputs,
+                           orr_warnings *warnings, orr_diag *diag)
+{
+    orr_bytes text;
+    orr_status s = ORR_OK;
+    if (plan->antex != NULL) {
+        s = orr_inputs_read(inputs, plan->antex, &text, diag);
+        if (s == ORR_OK) s = orr_antex_parse(plan->antex, text.text, text.n, NULL, &f->antex, warnings, diag);
+        orr_bytes_free(&text);
+        o->antex = &f->antex;
+    }
+    if (s == ORR_OK && plan->bias != NULL) {
+        s = orr_inputs_read(inputs, plan->bias, &text, diag);
+        if (s == ORR_OK) s = orr_bias_parse(plan->bias, text.text, text.n, NULL, &f->bias, warnings, diag);
+        orr_bytes_free(&text);
+        o->bias = &f->bias;
+    }
+    return s == ORR_OK ? read_navs(plan, f, o, inputs, warnings, diag) : s;
+}
+
+orr_status orr_navset_make(const orr_ephemeris *e, const orr_navset_plan *plan, orr_navset **out,
+                           orr_inputs *inputs, orr_warnings *warnings, orr_diag *diag)
+{
+    *out = NULL;
+    files f = {0};
+    orr_navset_options o = plan->options;
+    orr_status s = read_all(plan, &f, &o, inputs, warnings, diag);
+    if (s == ORR_OK) s = orr_navset_build(e, &o, out, warnings, diag);
+    files_free(&f);
+    return s;
+}

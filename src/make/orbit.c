@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/make/orbit.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "core/parallel.h"
+#include "ingest/tables/erp.h"
+#include "src/make/inputs.h"
+
+orr_orbit_plan orr_orbit_plan_default(void)
+{
+    orr_orbit_plan p = {.smoother = orr_smoother_defaults()};
+    p.smoother.jobs = orr_parallel_cores();
+    return p;
+}
+
+orr_orbit_plan orr_orbit_plan_of(const orr_scenario_orbit *section)
+{
+    orr_orbit_plan p = orr_orbit_plan_default();
+    p.sp3 = (const char *const *)section->sp3.item;
+    p.n_sp3 = section->sp3.n;
+    p.erp = (const char *const *)section->erp.item;
+    p.n_erp = section->erp.n;
+    p.smoother.node_step_s = section->nodes_s;
+    p.smoother.exclude = section->exclude.item;
+    p.smoother.n_exclude = section->exclude.n;
+    return p;
+}
+
+// What was read, as long as it is needed.
+typedef struct work {
+    orr_sp3 *sp3;
+    orr_smoother_input *input;
+    size_t n_sp3;
+    orr_nav nav;
+    orr_inputs inputs, also; // provenance: of the SP3 files, of the other kinds
+} work;
+
+static void work_free(work *w)
+{
+    for (size_t i = 0; i < w->n_sp3; i++) orr_sp3_free(&w->sp3[i]);
+    free(w->sp3);
+    free(w->input);
+    orr_nav_free(&w->nav);
+    orr_inputs_free(&w->inputs);
+    orr_inputs_free(&w->also);
+}
+
+static orr_status read_sp3(const orr_orbit_plan *plan, const orr_log *log, work *w, orr_warnings *warnings,
+                           orr_diag *diag)
+{
+    orr_status s = ORR_OK;
+    w->sp3 = calloc(plan->n_sp3 + 1, sizeof *w->sp3);
+    w->input = calloc(plan->n_sp3 + 1, sizeof *w->input);
+    if (w->sp3 == NULL || w->input == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", plan->n_sp3);
+    for (size_t i = 0; i < plan->n_sp3 && s == ORR_OK; i++) {
+        orr_bytes text;
+        ORR_LOG(log, ORR_LOG_INFO, "reading %s", plan->sp3[i]);
+        s = orr_inputs_read(&w->inputs, plan->sp3[i], &text, diag);
+        if (s == ORR_OK) s = orr_sp3_parse(plan->sp3[i], text.text, text.n, NULL, &w->sp3[i], warnings, diag);
+        orr_bytes_free(&text);
+        w->n_sp3 = i + 1;
+        if (s != ORR_OK) break;
+        w->input[i].sp3 = &w->sp3[i];
+        snprintf(w->input[i].name, sizeof w->input[i].name, "%s", w->inputs.item[i].name);
+        snprintf(w->input[i].sha256, sizeof w->input[i].sha256, "%s", w->inputs.item[i].sha256);
+    }
+    return s;
+}
+
+static orr_status read_erp(const orr_orbit_plan *plan, work *w, orr_eop_series *eop, orr_warnings *warnings,
+                           orr_diag *diag)
+{
+    if (plan->n_erp == 0) return ORR_OK;
+    orr_erp *erp = calloc(plan->n_erp, sizeof *erp);
+    if (erp == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", plan->n_erp);
+    orr_status s = ORR_OK;
+    for (size_t i = 0; i < plan->n_erp && s == ORR_OK; i++) {
+        orr_bytes text;
+        s = orr_inputs_read(&w->also, plan->erp[i], &text, diag);
+        if (s == ORR_OK)
+            s = orr_erp_parse(plan->erp[i], text.text, text.n, NULL, NULL, &erp[i], warnings, diag);
+        orr_bytes_free(&text);
+    }
+    if (s == ORR_OK) s = orr_erp_merge(erp, plan->n_erp, eop, diag);
+    for (size_t i = 0; i < plan->n_erp; i++) orr_erp_free(&erp[i]);
+    free(erp);
+    return s;
+}
+
+static orr_status read_all(const orr_orbit_plan *plan, const orr_log *log, work *w, orr_eop_series *eop,
+                           orr_warnings *warnings, orr_diag *diag)
+{
+    orr_status s = read_sp3(plan, log, w, warnings, diag);
+    if (s == ORR_OK) s = read_erp(plan, w, eop, warnings, diag);
+    if (s == ORR_OK && plan->n_nav > 0)
+        s = orr_inputs_read_navs(&w->also, plan->nav, plan->n_nav, &w->nav, warnings, diag);
+    return s;
+}
+
+static double now_s(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
+                          orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
+{
+    *out = (orr_orbit_made){0};
+    if (plan->n_sp3 > ORR_ORBIT_MAX_FILES || plan->n_erp > ORR_ORBIT_MAX_FILES ||
+        plan->n_nav > ORR_ORBIT_MAX_FILES)
+        return orr_diag_set(diag, ORR_E_LIMIT, "at most %d files of a kind are smoothed at once",
+                            ORR_ORBIT_MAX_FILES);
+    work w = {0};
+    const double begin_s = now_s();
+    orr_status s = read_all(plan, log, &w, &out->eop, warnings, diag);
+    const double read_s = now_s();
+    if (s == ORR_OK) {
+        orr_smoother_options options = plan->smoother;
+        options.eop = out->eop.n > 0 ? &out->eop : NULL;
+        options.nav = plan->n_nav > 0 ? &w.nav : NULL;
+        options.also = w.also.item;
+        options.n_also = w.also.n;
+        s = orr_smoother_run(w.input, w.n_sp3, &options, log, cancel, &out->solution, &out->report, warnings,
+                             diag);
+    }
+    const double smoothed_s = now_s();
+    if (s == ORR_OK) {
+        ORR_LOG(log, ORR_LOG_INFO, "smoothed %zu nodes of %zu satellites, residual RMS %.2f mm",
+                out->report.nodes_used, out->solution.n_sats, 1e3 * out->report.residual_rms_m);
+        s = orr_ephemeris_build(&out->solution, &out->ephemeris, diag);
+    }
+    out->read_s = read_s - begin_s;
+    out->smooth_s = smoothed_s - read_s;
+    out->fit_s = now_s() - smoothed_s;
+    work_free(&w);
+    return s;
+}
+
+void orr_orbit_made_free(orr_orbit_made *m)
+{
+    orr_ephemeris_free(m->ephemeris);
+    orr_erp_series_free(&m->eop);
+    orr_orbit_solution_free(&m->solution);
+    *m = (orr_orbit_made){0};
+}

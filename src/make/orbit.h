@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SP3 files and options to an orbit product: what `orrery orbit` writes and what a scenario's `orbit.sp3` is served from.
+#ifndef ORR_MAKE_ORBIT_H
+#define ORR_MAKE_ORBIT_H
+
+#include "core/log.h"
+#include "orbit/ephemeris/ephemeris.h"
+#include "orbit/smooth/smoother.h"
+#include "src/config/scenario.h"
+
+typedef struct orr_orbit_plan {
+    const char *const *sp3; // of consecutive days, in any order
+    size_t n_sp3;
+    const char *const *erp; // Earth rotation parameters; n_erp 0: a secular pole, UT1 by the leap seconds
+    size_t n_erp;
+    const char *const *nav; // navigation files for the a-priori orbit; n_nav 0: from the nodes alone
+    size_t n_nav;
+    orr_smoother_options smoother; // eop, nav, also and n_also are set by orr_orbit_make
+} orr_orbit_plan;
+
+// A plan without files and with the smoother's defaults on all cores.
+orr_orbit_plan orr_orbit_plan_default(void);
+// What a scenario's section asks for. The plan borrows from it.
+orr_orbit_plan orr_orbit_plan_of(const orr_scenario_orbit *section);
+
+typedef struct orr_orbit_made {
+    orr_ephemeris *ephemeris; // carries the names and SHA-256 of all inputs and the smoother's options
+    orr_eop_series eop;       // the Earth rotation that was used; n 0 without plan->erp
+    orr_orbit_solution solution;
+    orr_smoother_report report;
+    double read_s, smooth_s, fit_s; // wall clock
+} orr_orbit_made;
+
+// Reads every input once, smooths jointly, fits. `cancel` (may be NULL) ends the smoothing with ORR_E_INTERRUPTED.
+// Errors: those of the readers (file, line, column), of the smoother and of the fit; ORR_E_LIMIT for more than
+// ORR_ORBIT_MAX_FILES files of a kind. Free with orr_orbit_made_free whatever it returned.
+#define ORR_ORBIT_MAX_FILES 400
+orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
+                          orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag);
+void orr_orbit_made_free(orr_orbit_made *m);
+
+#endif
