@@ -249,6 +249,7 @@ static orr_status read_list(const reader *r, const orr_key *k, const orr_yaml_no
                             const orr_map_scope *scope, const char *path, any_list *to)
 {
     size_t n = node->kind == ORR_YAML_LIST ? node->n : 1, size = kind_size(k);
+    if (node->kind == ORR_YAML_TEXT && !orr_node_given(node)) return refuse(r, node, path, "has no value");
     orr_status counted = check_count(r, k, node, path, n);
     if (counted != ORR_OK || n == 0) return counted;
     to->item = calloc(n, size);
@@ -355,7 +356,9 @@ static orr_status check_required(const reader *r, const orr_map_scope *scope, bo
     for (size_t i = 0; i < scope->schema->n; i++) {
         const orr_key *k = &scope->schema->key[i];
         if (!k->required || (k->only != NULL) != conditional) continue;
-        if (orr_condition_broken(scope, k) != NULL || orr_map_member(scope->map, k->name) != NULL) continue;
+        if (orr_condition_broken(scope, k) != NULL) continue;
+        const orr_yaml_node *there = orr_map_member(scope->map, k->name);
+        if (there != NULL && (k->kind != ORR_KEY_MAP || orr_node_given(there))) continue;
         char path[PATH_MAX_CHARS];
         path_of(scope, k->name, path);
         return orr_diag_at(r->diag, ORR_E_FORMAT, r->name, scope->map->line, scope->map->column,
@@ -369,7 +372,7 @@ static orr_status read_member(const reader *r, const orr_map_scope *scope, const
 {
     char path[PATH_MAX_CHARS];
     path_of(scope, k->name, path);
-    if (k->kind == ORR_KEY_MAP && !orr_node_given(m) && m->kind == ORR_YAML_TEXT)
+    if (k->kind == ORR_KEY_MAP && !k->list && !orr_node_given(m) && m->kind == ORR_YAML_TEXT)
         return ORR_OK; // "serve:" with nothing behind it
     if (k->given != 0) *(bool *)(void *)(base + k->given) = true;
     if (k->kind != ORR_KEY_MAP || k->list) free_member(k, base + k->offset); // the default

@@ -120,6 +120,8 @@ static void refusals(void **state)
         {"trajectory:\n  kind: survey\n  lat: 56\n", 2, 3, "'trajectory.lon' is missing"},
         {"trajectory: {kind: waypoints}\n", 1, 13, "'trajectory.waypoints' is missing"},
         {"trajectory: {kind: telemetry}\n", 1, 13, "'trajectory.telemetry' is missing"},
+        {"trajectory:\n  kind: waypoints\n  waypoints:\n", 3, 3, "trajectory.waypoints: has no value"},
+        {REST "units:\n", 2, 1, "units: has no value"},
         {WAYPOINTS "  survey: {lines: 3}\n", 4, 3,
          "trajectory.survey: has no effect with trajectory.kind waypoints; it belongs to trajectory.kind "
          "survey"},

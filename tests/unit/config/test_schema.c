@@ -194,6 +194,89 @@ static void every_kind_refuses(void **state)
     }
 }
 
+// Another root: a file of its own that takes sections of the scenario, where and how it wants them.
+typedef struct study {
+    int64_t seeds;
+    struct {
+        size_t n;
+        orr_scenario_imu *item;
+    } grades;
+    orr_scenario_trajectory flight;
+} study;
+static const orr_condition of_flight[] = {{.key = "flight.kind", .words = "survey|waypoints"}, {0}};
+static const orr_key study_keys[] = {
+    {.name = "seeds",
+     .kind = ORR_KEY_INT,
+     .offset = offsetof(study, seeds),
+     .min = 1,
+     .max = 1000,
+     .fallback = "20",
+     .only = of_flight,
+     .help = "h"},
+    {.name = "grades",
+     .kind = ORR_KEY_MAP,
+     .list = true,
+     .required = true,
+     .offset = offsetof(study, grades),
+     .least = 1,
+     .map = &orr_section_imu,
+     .help = "h"},
+    {.name = "flight",
+     .kind = ORR_KEY_MAP,
+     .required = true,
+     .offset = offsetof(study, flight),
+     .map = &orr_section_trajectory,
+     .help = "h"},
+};
+static const orr_schema study_schema = {.key = study_keys,
+                                        .n = sizeof study_keys / sizeof study_keys[0],
+                                        .size = sizeof(study),
+                                        .hint = "see the study's page"};
+
+static orr_status read_study(const char *text, study *s, orr_diag *diag)
+{
+    orr_yaml y;
+    ASSERT_OK(orr_yaml_parse("study.yaml", text, strlen(text), &y, diag), *diag);
+    orr_status status = orr_schema_read(&study_schema, &y, NULL, s, diag);
+    orr_yaml_free(&y);
+    return status;
+}
+
+static void sections_serve_other_roots(void **state)
+{
+    (void)state;
+    study s;
+    orr_diag diag = {0};
+    const char *const flight = "flight: {kind: survey, lat: 1, lon: 2}\n";
+    char text[300];
+    snprintf(text, sizeof text, "%sseeds: 5\ngrades: [{rate: 50}, {approach: 1, frame: body}]\n", flight);
+    ASSERT_OK(read_study(text, &s, &diag), diag);
+    assert_true(s.seeds == 5 && s.grades.n == 2 && s.grades.item[0].rate_hz == 50 &&
+                s.grades.item[1].rate_hz == 100);
+    assert_true(s.grades.item[1].frame == ORR_IMU_BODY && s.flight.lon_deg == 2 &&
+                s.flight.survey.lines == 6);
+    orr_schema_free(&study_schema, &s);
+    const char *const cases[][2] = {
+        {"grades: [{rate: 50}, {frame: body}]\n", "grades[1].frame: has no effect with grades[1].approach 2"},
+        {"grades: []\n", "'grades' is missing"},
+        {"seeds: 5\n", "'grades' is missing"},
+        {"seeds: 5\ngrades:\n", "'grades' is missing"},
+        {"orbit: {product: p}\ngrades: {rate: 5}\n", "unknown key 'orbit' (see the study's page)"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        snprintf(text, sizeof text, "%s%s", flight, cases[i][0]);
+        if (read_study(text, &s, &diag) == ORR_OK || strstr(diag.text, cases[i][1]) == NULL)
+            fail_msg("%s: \"%s\"", text, diag.text);
+    }
+    if (read_study("grades: {rate: 5}\nflight:\n", &s, &diag) == ORR_OK ||
+        strstr(diag.text, "'flight' is missing") == NULL)
+        fail_msg("\"%s\"", diag.text);
+    if (read_study("seeds: 5\ngrades: {rate: 5}\nflight: {kind: analytic, lat: 1, lon: 2}\n", &s, &diag) ==
+            ORR_OK ||
+        strstr(diag.text, "seeds: has no effect with flight.kind analytic") == NULL)
+        fail_msg("\"%s\"", diag.text);
+}
+
 // The key that a condition's path means, from the table `at` within `up`.
 static const orr_key *find(const orr_schema *at, const orr_schema *up, const char *path, size_t n)
 {
@@ -259,6 +342,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_kind),
         cmocka_unit_test(every_kind_refuses),
+        cmocka_unit_test(sections_serve_other_roots),
         cmocka_unit_test(the_tables_are_sound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
