@@ -132,14 +132,15 @@ static orr_eop inside_series(const orr_eop_series *s, size_t lo, double at, orr_
     return e;
 }
 
-#define FORGET_DAYS 10.0
+#define SLOPE_DECAY_DAYS 10.0
 
-// How a quantity leaves the series: what it differed by at the end stays, its slope is forgotten in ten days.
+// Extrapolation beyond the series: the offset at its end is held, its slope decays with a time constant of
+// ten days.
 static double carried(double difference, double slope_difference, double dt, double *slope)
 {
-    double rest = exp(-fabs(dt) / FORGET_DAYS);
+    double rest = exp(-fabs(dt) / SLOPE_DECAY_DAYS);
     *slope = slope_difference * rest;
-    return difference + slope_difference * FORGET_DAYS * (1 - rest) * (dt < 0 ? -1 : 1);
+    return difference + slope_difference * SLOPE_DECAY_DAYS * (1 - rest) * (dt < 0 ? -1 : 1);
 }
 
 // Beyond a series' end, dt days from it: no step and no kink.

@@ -24,7 +24,7 @@ typedef struct telemetry_series {
 orr_status telemetry_mark_clock(telemetry_series *s, orr_diag *diag);
 // Values that stand still for a second or more and then leap on to where the motion had gone meanwhile.
 void telemetry_mark_frozen(telemetry_series *s);
-// Keeps the longest part (in time) without silences over max_gap_s.
+// Keeps the longest part (in time) without gaps over max_gap_s.
 orr_status telemetry_part(telemetry_series *s, double max_gap_s, orr_fit_report *report, orr_diag *diag);
 // Rows far off a smooth curve through the others.
 orr_status telemetry_mark_jumps(telemetry_series *s, double floor, orr_diag *diag);

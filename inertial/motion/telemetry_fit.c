@@ -81,7 +81,7 @@ static const char *fault_words(orr_fault f)
                                         "times that do not ascend",
                                         "values that stand still while the body moves",
                                         "far off the motion around them",
-                                        "beyond a silence that parts the log",
+                                        "beyond a gap that splits the log",
                                         "not finite",
                                         ""};
     return words[f];

@@ -23,7 +23,7 @@ typedef struct orr_fit_options {
     int degree;               // 3 (the source's) or 5
     double position_per_knot; // p of the source: samples per knot; 0: enough for a knot a second
     double attitude_per_knot; // 0: enough for a knot every 0.2 s
-    double max_gap_s;         // longer silences part the log; the longest part is used
+    double max_gap_s;         // longer gaps split the log; the longest segment is used
     double grid_s;            // knots and the begin are multiples of it, so that samples of an IMU meet them
     double jump_m, jump_rad;  // a sample farther than this and than 8 robust sigmas from the fit is no motion
 } orr_fit_options;
@@ -58,7 +58,7 @@ typedef struct orr_fit_report {
     size_t count[2][ORR_FAULTS]; // [attitude?][fault]
     size_t n_excluded;
     orr_excluded_row *excluded;
-    size_t n_gaps; // silences over 3 usual intervals
+    size_t n_gaps; // gaps over 3 usual intervals
     orr_telemetry_gap *gap;
     size_t wraps; // steps of heading or roll through 180 or 360 deg, nothing wrong with them
     double position_interval_s, attitude_interval_s; // usual

@@ -24,8 +24,19 @@ typedef struct orr_uspline {
 // one (1e-9) fills gaps and the free ends smoothly and leaves well-observed stretches alone. The uniform
 // knots and their least squares are the source's (Bogdanov 2015, eq. (5)-(9), (16), (17)); its basis is 3/2
 // of the standard one, which changes coefficients and nothing else.
-// Errors: ORR_E_ARG (degree, dim, times outside or descending), ORR_E_NUMERIC (singular), ORR_E_MEMORY,
-// ORR_E_LIMIT.
+//   Given:    degree, dim   3 or 5; 1 to ORR_USPLINE_MAX_DIM components
+//             origin_s      first knot
+//             step_s        knot step, and
+//             n_intervals   number of knot intervals
+//             m             samples
+//             t_s           [m] their times, ascending
+//             value         [m][dim]
+//             weight        [m]; NULL: all 1
+//             roughness     factor of the squared third differences
+//   Returned: out           the spline; free with orr_uspline_free
+//   Notes:    ORR_E_ARG (degree, dim, times outside or descending), ORR_E_NUMERIC (singular), ORR_E_MEMORY,
+//             ORR_E_LIMIT.
+//   Reference: Bogdanov 2015, eq. (5)-(9), (16), (17).
 orr_status orr_uspline_fit(int degree, int dim, double origin_s, double step_s, size_t n_intervals, size_t m,
                            const double *t_s, const double *value, const double *weight, double roughness,
                            orr_uspline *out, orr_diag *diag);

@@ -226,7 +226,7 @@ static orr_status near_earth(orr_vec3 r_m, double t_s, orr_diag *diag)
     double n = orr_vec3_norm(r_m);
     if (n > 1e6 && n < 1e8) return ORR_OK;
     return orr_diag_set(diag, ORR_E_NUMERIC,
-                        "navigation lost itself: %.0f s after t0 it is %.3g km from the Earth's centre", t_s,
+                        "the navigation diverged: %.0f s after t0 it is %.3g km from the Earth's centre", t_s,
                         n / 1e3);
 }
 

@@ -23,9 +23,19 @@ typedef struct orr_one_step {
     double height_m;  // (geographic frame only)
 } orr_one_step;
 
-// Starts at t_s from inertial position and velocity and the attitude.
+// Starts the stepper.
+//   Given:    frame        the frame that the velocity is integrated in
+//             project_mid  forces are projected with the attitude in the middle of the step, not at its start
+//             dt_s         step
+//             gravity      field; NULL: normal gravity. Borrowed.
+//             t_s          time since t0 of the readings
+//             r_m, v_mps   inertial position and absolute velocity, in inertial axes
+//             q_bi         body from inertial axes
+//   Returned: s            the state, at t_s
+//   Reference: Bogdanov 2015, eq. (11)-(14).
 void orr_one_step_start(orr_one_step *s, orr_nav_frame frame, bool project_mid, double dt_s,
                         const orr_gravity *gravity, double t_s, orr_vec3 r_m, orr_vec3 v_mps, orr_quat q_bi);
+// One step by a reading: the increments of angle and of velocity over dt_s, body axes.
 void orr_one_step_advance(orr_one_step *s, orr_vec3 dtheta_rad, orr_vec3 dv_mps);
 // Absolute velocity in inertial axes.
 orr_vec3 orr_one_step_velocity(const orr_one_step *s);

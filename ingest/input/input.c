@@ -156,7 +156,8 @@ static orr_status draw(orr_input *in, void *to, size_t capacity, size_t *got, or
     uint64_t out = in->top->total, packed = in->bottom->total;
     if (out > in->limits.max_bytes)
         return orr_diag_at(diag, ORR_E_LIMIT, in->name, 0, 0,
-                           "the text is longer than %zu bytes, the limit here", in->limits.max_bytes);
+                           "the text is longer than %zu bytes, the limit of this reader",
+                           in->limits.max_bytes);
     if (out > in->limits.ratio_grace && out / in->limits.max_ratio > packed)
         return orr_diag_at(diag, ORR_E_LIMIT, in->name, 0, 0,
                            "expands more than %zu-fold, which no data file does (a decompression bomb?)",

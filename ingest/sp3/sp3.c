@@ -46,8 +46,8 @@ orr_status orr_sp3_parse(const char *name, const char *text, size_t n, const orr
     memset(p->index, 0xff, sizeof p->index);
     orr_status st = ORR_OK;
     if (n > p->limits.max_bytes) {
-        st = orr_diag_at(diag, ORR_E_LIMIT, name, 0, 0, "the text is longer than %zu bytes, the limit here",
-                         p->limits.max_bytes);
+        st = orr_diag_at(diag, ORR_E_LIMIT, name, 0, 0,
+                         "the text is longer than %zu bytes, the limit of this reader", p->limits.max_bytes);
     } else {
         orr_cursor_init(&p->c, name, text, n);
         st = parse(p);

@@ -16,7 +16,7 @@ typedef struct work {
     double *design;                // [cell][n]
     double *normal, *full, *rhs;   // lower triangles, row-major
     double *x;
-    unsigned char *state; // of a cell in the map at hand
+    unsigned char *state; // of a cell in the map that is fitted
 } work;
 enum { CELL_USED, CELL_CLIPPED, CELL_HELD, CELL_HOLE };
 

@@ -247,7 +247,7 @@ static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_f
     f->model_residual_tecu = sqrt(plain / (double)f->n_samples);
     for (int b = 0; b < ORR_FUSION_BANDS; b++)
         if (f->band[b].n > 0) f->band[b].rms_tecu = sqrt(sums[b] / (double)f->band[b].n);
-    // Galileo's codes as a witness: each group has its own receiver bias, which a mean takes out.
+    // Galileo's codes as an independent check: each group has its own receiver bias, which a mean takes out.
     double mean[64] = {0}, count[64] = {0}, square = 0;
     f->galileo_withheld = strchr(o->code_systems, 'E') == NULL || f->method == ORR_FUSION_THESIS;
     f->galileo_n = 0;

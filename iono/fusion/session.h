@@ -82,10 +82,20 @@ typedef struct orr_transfer_options {
     bool noise; // off: the expectation
 } orr_transfer_options;
 
-// Slant TEC from a receiver at site_m to n satellites (n <= ORR_SESSION_MAX_SATS) at t. Satellites below the
-// horizon or where the field says nothing are left out; *n_out tells how many were written, in the order
-// given. The same question with the same seed always gets the same bytes. Outside the session's span the
-// field speaks alone; ORR_E_RANGE where the field does not cover t, ORR_E_ARG for a site that is none.
+// Slant TEC from a receiver to satellites.
+//   Given:    s        the session
+//             t        instant; outside the session's span the field alone is used
+//             site_m   receiver, ecef
+//             sat      [n] satellites, and
+//             sat_m    [n] their positions, ecef
+//             n        at most ORR_SESSION_MAX_SATS
+//             options  seed and noise; NULL: seed 1, with noise
+//   Returned: out      [n] in the order given, without those below the horizon or where the field has no
+//             value
+//             n_out    how many were written
+//   Notes:    ORR_E_RANGE where the field does not cover t, ORR_E_ARG for a site that is none, ORR_E_LIMIT,
+//             ORR_E_NUMERIC.
+//             The same call with the same seed always gives the same bytes.
 orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m, const orr_sat *sat,
                                const orr_vec3 *sat_m, size_t n, const orr_transfer_options *options,
                                orr_realisation *out, size_t *n_out, orr_diag *diag);

@@ -134,7 +134,7 @@ orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m
         k[i * m + i] = variance / (f * f) + 1e-9;
         y[i] = ray[i].residual;
     }
-    // Where no arc vouches for a ray, it is known as well as arcs are on the whole.
+    // A ray without an arc of its own has the typical uncertainty of the arcs.
     double typical = 0, arcs = 0;
     for (size_t i = 0; i < m; i++)
         if (!isnan(ray[i].sigma)) {

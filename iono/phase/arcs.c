@@ -269,7 +269,7 @@ static judgement judge(const packed *p, const step *s)
 static double evidence_of(const packed *p, const step *s, double needed)
 {
     if (isnan(s->gf)) return 0;
-    // At the ends of a pass the noise grows fast and few samples vouch for it.
+    // At the ends of a pass the noise grows fast and few samples support a slip.
     needed *= 1 + 2 * (1 - (double)s->side / GF_SIDE);
     judgement j = judge(p, s);
     if (j.best < FITS && j.none - j.best > needed) return j.none - j.best;

@@ -89,9 +89,9 @@ static void say_fit(orr_cli *c, const orr_fit_report *r)
                 orr_cli_say(c, "left out: %zu rows of %s: %s", r->count[half][f],
                             half == 0 ? "places" : "angles", orr_fault_name((orr_fault)f));
     for (size_t k = 0; k < r->n_gaps && k < 10; k++)
-        orr_cli_say(c, "silence of %s from %.3f s to %.3f s", r->gap[k].attitude ? "angles" : "places",
+        orr_cli_say(c, "gap of %s from %.3f s to %.3f s", r->gap[k].attitude ? "angles" : "places",
                     r->gap[k].from_s, r->gap[k].to_s);
-    if (r->n_gaps > 10) orr_cli_say(c, "and %zu more silences", r->n_gaps - 10);
+    if (r->n_gaps > 10) orr_cli_say(c, "and %zu more gaps", r->n_gaps - 10);
     orr_cli_say(c, "trajectory: %.3f s to %.3f s of the log's clock", r->from_s, r->to_s);
 }
 

@@ -151,7 +151,7 @@ class Logs(Folder):
         good = flight(100)
         short = [r for r in good if not 40 < r[0] < 44]
         done = run("track", "--telemetry", self.log(text(short)), "--rate", "5")
-        self.assertIn("silence of places from 40.000 s to 44.000 s", done.stderr)
+        self.assertIn("gap of places from 40.000 s to 44.000 s", done.stderr)
         self.assertEqual(len(track(done.stdout)), len(good))
         self.assert_same_way(good, track(done.stdout), 0, 0.5)  # nothing but the spline's own roughness bridges the 4 s
         long = [r for r in good if not 30 < r[0] < 45]
@@ -181,7 +181,7 @@ class Logs(Folder):
                 ("backward", lines[0] + "".join(lines[:0:-1]), "do not ascend"),
                 ("one time", text([(5.0, *r[1:]) for r in flight(20)]), "do not ascend"),
                 ("short", text([(r[0] * 1e-3, *r[1:]) for r in flight(20)]), "a second at least"),
-                ("far apart", text([(r[0] * 1e6, *r[1:]) for r in flight(20)]), "silence"),
+                ("far apart", text([(r[0] * 1e6, *r[1:]) for r in flight(20)]), "gap"),
                 ("past all clocks", text([(r[0] + 1e12, *r[1:]) for r in flight(20)]), "no row"),
                 ("angles alone", "\n".join(["t,heading,pitch,roll"] + ["1,2,3,4"] * 20), "no place"),
                 ("five numbers", "1 2 3 4 5\n", "declare the columns"), ("no time", "lat,lon,height\n1,2,3\n", "no time"),
