@@ -292,7 +292,7 @@ records.poll_delays = {fields = {
 }}
 records.delays = {fields = {
     {name = "epoch", kind = "struct", record = "epoch"},
-    {name = "receiver_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "receiver_m", kind = "array", scalar = "f64", length = 3, show = "place", unit = "m"},
     {name = "carriers_hz", kind = "list", scalar = "f64", limit = 4, unit = "Hz"},
     {name = "satellites", kind = "list", record = "sat_delay", limit = 800},
 }}

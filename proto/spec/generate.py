@@ -17,6 +17,7 @@ import sys
 import gen_c
 import gen_client
 import gen_docs
+import gen_fields
 import gen_lua
 import gen_python
 from model import Spec, SpecError
@@ -80,6 +81,7 @@ def outputs(spec):
         "proto/gen/messages.h": c.header(),
         "proto/gen/messages.c": c.code(),
         "proto/gen/crc32_table.h": gen_c.crc_header(),
+        "proto/gen/fields.c": gen_fields.Fields(spec, SOURCE).code(),
         "proto/gen/verbs.h": verbs.header(),
         "proto/gen/verbs.c": verbs.code(),
         "proto/gen/orrery.lua": gen_lua.Lua(spec, SOURCE).module(),

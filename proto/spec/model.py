@@ -53,11 +53,13 @@ class Type:
 
 class Field:
     def __init__(self, owner, raw):
-        unknown = set(raw) - {"name", "type", "unit", "doc", "show", "when", "since"}
+        unknown = set(raw) - {"name", "type", "unit", "doc", "show", "when", "since", "text", "table", "head", "per"}
         if unknown:
             raise SpecError(f"{owner}: unknown key {sorted(unknown)[0]} of a field")
         self.name, self.doc, self.unit = raw["name"], raw.get("doc", ""), raw.get("unit", "")
         self.show, self.when, self.since = raw.get("show", ""), raw.get("when"), raw.get("since", 0)
+        self.text, self.table = str(raw.get("text", "")), str(raw.get("table", ""))
+        self.head, self.per = raw.get("head"), raw.get("per", "")
         self.raw_type = raw["type"]
         if not NAME.match(self.name) or self.name in RESERVED:
             raise SpecError(f"{owner}.{self.name}: a field's name is lower case and no keyword of C, C++, Python or Lua")

@@ -4,11 +4,11 @@
 #include <time.h>
 
 #include "src/cli/frame/cli.h"
-#include "src/cli/service/poll_delays.h"
-#include "src/cli/service/poll_elements.h"
-#include "src/cli/service/poll_motion.h"
-#include "src/cli/service/poll_navdata.h"
-#include "src/cli/service/poll_states.h"
+#include "src/cli/service/message_show.h"
+#include "src/cli/service/message_text.h"
+#include "src/cli/service/poll_ask.h"
+#include "src/cli/service/poll_pages.h"
+#include "src/service/dial.h"
 
 typedef struct poll_job {
     orr_cli *c;
@@ -16,52 +16,62 @@ typedef struct poll_job {
     orr_time t;
     int64_t step_ns, count; // count < 0: until interrupted
     orr_msg_sat_id id[ORR_MSG_MAX_SATELLITES];
-    uint16_t n_ids;   // 0: all
-    uint64_t numbers; // satellites that had what was asked for
+    uint16_t n_ids; // 0: all
+    orr_poll_request request;
+    orr_show_format format;
+    bool headed;
+    char frame[65];   // of CAPS, for the table's head
+    uint64_t numbers; // satellites (or epochs) that had what was asked for
     bool outside;     // an epoch was outside the span
-    const char *what; // is asked for, in the words of a failure
-    orr_state_poll states;
-    orr_delay_poll delays; // instead of states, if asked for; likewise the others
-    orr_element_poll elements;
-    orr_navdata_poll navdata;
-    orr_motion_poll motion; // inertial increments, or the true motion
 } poll_job;
 
 // --- Asking ---
 
+static void *member(void *m, const orr_record *r, const char *name)
+{
+    const orr_field *f = orr_record_field(r, name);
+    return f != NULL ? (char *)m + f->offset : NULL;
+}
+
+static orr_wire_status send_request(poll_job *p, orr_time t, uint32_t count)
+{
+    const orr_message_info *info = p->request.info;
+    orr_msg_epochs *epochs = member(&p->request.m, info->record, "epochs");
+    orr_msg_sat_id_list *satellites = member(&p->request.m, info->record, "satellites");
+    *epochs = (orr_msg_epochs){t, p->step_ns, count};
+    if (satellites != NULL) *satellites = (orr_msg_sat_id_list){.count = p->n_ids, .item = p->id};
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(&p->d->client, info->type, &w, &start);
+    info->encode(&p->request.m, &w);
+    orr_client_expect(&p->d->client, count);
+    return orr_client_send(&p->d->client, &w, start);
+}
+
+static orr_wire_status take_answer(poll_job *p)
+{
+    const orr_message_info *info = orr_message_of(p->request.info->answer);
+    orr_frame f;
+    orr_msg_any m;
+    orr_wire_status ws = orr_client_answer(&p->d->client, info->type, &f);
+    if (ws == ORR_WIRE_OK) ws = info->decode(f.payload, f.size, &m);
+    const orr_msg_epoch *epoch = member(&m, info->record, "epoch");
+    if (ws == ORR_WIRE_OK) ws = orr_client_epoch(&p->d->client, epoch->index, epoch->count);
+    if (ws != ORR_WIRE_OK) return ws;
+    p->outside = p->outside || epoch->answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
+    p->numbers += orr_message_numbers(info->record, &m);
+    if (p->request.pages)
+        orr_poll_pages(&m.navdata, &p->headed);
+    else
+        orr_message_show(info, &m, p->format, p->frame, &p->headed);
+    return ORR_WIRE_OK;
+}
+
 static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
 {
-    const orr_msg_sat_id_list satellites = {.count = p->n_ids, .item = p->id};
-    orr_status s;
-    if (p->motion.imu || p->motion.truth) {
-        s = orr_motion_poll_run(&p->motion, p->d, t, p->step_ns, count, diag);
-        p->numbers = p->motion.numbers;
-        p->outside = p->motion.outside;
-    } else if (p->delays.asked) {
-        p->delays.poll.epochs.step = p->step_ns;
-        p->delays.poll.satellites = satellites;
-        s = orr_delay_poll_run(&p->delays, p->d, t, count, diag);
-        p->numbers = p->delays.numbers;
-        p->outside = p->delays.outside;
-    } else if (p->elements.asked) {
-        p->elements.poll.epochs.step = p->step_ns;
-        p->elements.poll.satellites = satellites;
-        s = orr_element_poll_run(&p->elements, p->d, t, count, diag);
-        p->numbers = p->elements.numbers;
-        p->outside = p->elements.outside;
-    } else if (p->navdata.asked) {
-        p->navdata.poll.epochs.step = p->step_ns;
-        p->navdata.poll.satellites = satellites;
-        s = orr_navdata_poll_run(&p->navdata, p->d, t, count, diag);
-        p->numbers = p->navdata.numbers;
-        p->outside = p->navdata.outside;
-    } else {
-        const orr_msg_poll poll = {.epochs = {t, p->step_ns, count}, .satellites = satellites};
-        s = orr_state_poll_run(&p->states, p->d, &poll, diag);
-        p->numbers = p->states.numbers;
-        p->outside = p->states.outside;
-    }
-    return s;
+    orr_wire_status ws = send_request(p, t, count);
+    for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) ws = take_answer(p);
+    return ws == ORR_WIRE_OK ? ORR_OK : orr_dial_status(p->d, ws, p->request.info->name, diag);
 }
 
 // As many epochs a request as the server allows.
@@ -130,7 +140,7 @@ static int poll_service(poll_job *p)
         (void)orr_dial_status(p->d, ws, "HELLO", &diag);
         return orr_cli_fail(c, &diag);
     }
-    orr_wire_text_copy(caps.frame, p->states.frame, sizeof p->states.frame);
+    orr_wire_text_copy(caps.frame, p->frame, sizeof p->frame);
     p->t = orr_cli_time(c, "at", caps.span.first);
     char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     orr_time_text(caps.span.first, from);
@@ -141,41 +151,34 @@ static int poll_service(poll_job *p)
     orr_status s = orr_cli_given(c, "realtime") ? ask_in_real_time(p, &diag) : ask_all(p, most, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (p->numbers > 0) return ORR_EXIT_OK;
-    if (p->motion.imu || p->motion.truth) return orr_cli_failf(c, "the trajectory does not reach there");
-    if (p->outside && p->delays.asked)
+    bool moving =
+        p->request.info->type == ORR_MSG_TYPE_POLL_IMU || p->request.info->type == ORR_MSG_TYPE_POLL_TRUTH;
+    if (moving) return orr_cli_failf(c, "the trajectory does not reach there");
+    if (p->outside && p->request.info->type == ORR_MSG_TYPE_POLL_DELAYS)
         return orr_cli_failf(
             c,
             "nothing there: %s serves orbits of %s to %s, and delays where its ionosphere and "
             "the scenario's receiver are there too",
             p->d->url, from, to);
     if (p->outside) return orr_cli_failf(c, "nothing there: %s serves %s to %s", p->d->url, from, to);
-    return orr_cli_failf(c, "no satellite has %s there", p->what);
+    return orr_cli_failf(c, "no satellite has %s there", p->request.what);
 }
 
 static int run(orr_cli *c)
 {
-    static const char *const kinds[] = {"delays", "elements", "imu", "navdata", "truth"};
-    bool realtime = orr_cli_given(c, "realtime"), json = orr_cli_given(c, "json");
+    bool realtime = orr_cli_given(c, "realtime"), imu = orr_cli_given(c, "imu");
     poll_job p = {.c = c,
-                  .step_ns = orr_cli_duration_ns(c, "step", ORR_NS_PER_S),
+                  .step_ns = orr_cli_duration_ns(c, "step", imu ? 0 : ORR_NS_PER_S),
                   .count = orr_cli_int(c, "count", realtime ? -1 : 1),
-                  .what = "a state",
-                  .states.json = json,
-                  .delays.json = json};
-    if (p.count > 1 && !orr_cli_given(c, "step") && !orr_cli_given(c, "imu"))
+                  .format = orr_cli_given(c, "json")  ? ORR_AS_JSON
+                            : orr_cli_given(c, "csv") ? ORR_AS_CSV
+                                                      : ORR_AS_TABLE};
+    if (p.count > 1 && !orr_cli_given(c, "step") && !imu)
         return orr_cli_usage(c, "--count %lld needs a --step", (long long)p.count);
-    size_t n_kinds = 0;
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) n_kinds += orr_cli_given(c, kinds[i]);
-    if (n_kinds > 1)
-        return orr_cli_usage(c, "--delays, --elements, --navdata, --imu and --truth exclude each other");
-    int asked = orr_delay_poll_ask(c, &p.delays);
-    if (asked == ORR_EXIT_OK) asked = orr_element_poll_ask(c, &p.elements);
-    if (asked == ORR_EXIT_OK) asked = orr_navdata_poll_ask(c, &p.navdata);
-    if (asked == ORR_EXIT_OK) asked = orr_motion_poll_ask(c, &p.motion);
+    if (orr_cli_given(c, "json") && orr_cli_given(c, "csv"))
+        return orr_cli_usage(c, "--json and --csv exclude each other");
+    int asked = orr_poll_ask(c, &p.request);
     if (asked != ORR_EXIT_OK) return asked;
-    if (p.delays.asked) p.what = "a delay";
-    if (p.elements.asked) p.what = "elements";
-    if (p.navdata.asked) p.what = "broadcast data";
     orr_diag diag = {0};
     orr_status s = orr_dial_open(
         c->operand[0], (double)orr_cli_duration_ns(c, "timeout", 10 * ORR_NS_PER_S) * 1e-9, &p.d, &diag);
@@ -221,7 +224,11 @@ static const orr_option options[] = {
      .help = "give up when the server is silent for so long. Default 10 s"},
     {.name = "json",
      .kind = ORR_OPT_FLAG,
-     .help = "one JSON object an epoch and line (docs/protocol.md lists the keys)"},
+     .help = "one JSON object an epoch and line, with the protocol's names of fields"},
+    {.name = "csv",
+     .kind = ORR_OPT_FLAG,
+     .help =
+         "CSV with the protocol's names of fields, a row for each satellite; blank where there is no number"},
 };
 
 const orr_command orr_cmd_poll = {
@@ -242,11 +249,12 @@ const orr_command orr_cmd_poll = {
         "(a carrier phase is early by as much), and what it came from. Without --receiver it is the "
         "scenario's own; of a scenario with a trajectory, where the trajectory is at each epoch, so that "
         "satellites and inertial readings (--imu) are of one flight.\n\n"
-        "With --elements: Kepler elements as CSV, in the columns of `orrery elements`; cells are blank "
-        "where a satellite has none.\n\n"
+        "With --elements: Kepler elements; with --csv in the columns of `orrery elements`, and what was "
+        "answered.\n\n"
         "With --navdata: what GPS and GLONASS satellites broadcast, fitted to the orbits that are served "
-        "(as `orrery navfit` does): the sets as CSV, or with --pages the bits. Asked every 30 s it is "
-        "all that they send.",
+        "(as `orrery navfit` does): the sets, whole with --csv and --json, or with --pages the bits as CSV. "
+        "Asked "
+        "every 30 s it is all that they send.",
     .example = "orrery poll tcp://127.0.0.1:15754 --at 2024-02-04T12:00:00 --sat G05,E\n"
                "orrery poll unix:/tmp/orrery.sock --step 0.1 --count 100 --json\n"
                "orrery poll tcp://127.0.0.1:15754 --step 0.1 --realtime --sat G\n"

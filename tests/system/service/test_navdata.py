@@ -153,13 +153,14 @@ class OnTheWire:
         pages = [p for m in self.client.poll_navdata(at, 30, n) for s in m.satellites for p in s.pages]
         self.assertEqual(len(over), len(pages) + 1)
         self.assertEqual(over - direct, set())  # every bit of them
-        rows = list(csv.DictReader(io.StringIO(program("poll", self.url, "--navdata", "--at", orrery.to_text(at)).stdout)))
+        rows = list(csv.DictReader(io.StringIO(program("poll", self.url, "--navdata", "--csv", "--at", orrery.to_text(at)).stdout)))
         line = program("poll", self.url, "--navdata", "--json", "--at", orrery.to_text(at)).stdout
         for s, row, j in zip(self.client.navdata(at).satellites, rows, json.loads(line)["satellites"], strict=True):
             self.assertEqual((row["sat"], j["sat"]), (orrery.sat_name(s.sat),) * 2)
             self.assertEqual(j["answer"], orrery.Answer(s.answer).name)
             if s.answer != orrery.Answer.OK:
-                self.assertEqual(set(row.values()) - {row["t_gps"], row["sat"]}, {""})
+                self.assertEqual(row["answer"], orrery.Answer(s.answer).name)
+                self.assertEqual(set(row.values()) - {row["t_gps"], row["sat"], row["answer"]}, {""})
                 continue
             self.assertEqual((float(row["af0_s"]), j["af0_s"], float(row["fit_max_m"])), (s.af0_s, s.af0_s, s.fit_max_m))
             self.assertEqual([p["hex"] for p in j["pages"]], [p.data.hex() for p in s.pages])
@@ -170,7 +171,7 @@ class OnTheWire:
 
     def test_zero_has_no_sign(self):
         """Rates and accelerations below half of their last digit are sent as zero, and shown as that."""
-        done = program("poll", self.url, "--navdata", "--at", orrery.to_text(self.start + 60 * NS), "--step", 1800, "--count", 46)
+        done = program("poll", self.url, "--navdata", "--csv", "--at", orrery.to_text(self.start + 60 * NS), "--step", 1800, "--count", 46)
         cells = [x for row in csv.reader(io.StringIO(done.stdout)) for x in row]
         self.assertIn("0", cells)
         self.assertEqual([x for x in cells if x.startswith("-") and float(x) == 0], [])

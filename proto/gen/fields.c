@@ -1,0 +1,634 @@
+// SPDX-License-Identifier: MIT
+// Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+// clang-format off
+#include "proto/fields.h"
+
+static const orr_field_word words_error_code[] = {
+    {1, "BAD_MAGIC", "bad magic", false},
+    {2, "BAD_LENGTH", "bad length", false},
+    {3, "BAD_CRC", "bad crc", false},
+    {4, "BAD_VERSION", "bad version", false},
+    {5, "UNKNOWN_TYPE", "unknown type", false},
+    {6, "BAD_PAYLOAD", "bad payload", false},
+    {7, "BAD_REQUEST", "bad request", false},
+    {8, "LIMIT", "limit", false},
+    {9, "NOT_SERVED", "not served", false},
+    {10, "BUSY", "busy", false},
+    {11, "TIMEOUT", "timeout", false},
+    {12, "CLOSING", "closing", false},
+    {13, "INTERNAL", "internal", false},
+};
+
+static const orr_field_word words_answer[] = {
+    {0, "OK", "ok", false},
+    {1, "OUTSIDE_SPAN", "outside the served span", false},
+    {2, "NO_ARC", "no valid arc", false},
+    {3, "NOT_SERVED", "not served", false},
+    {4, "BELOW_HORIZON", "below the horizon", true},
+    {5, "NO_VALUE", "no value there", false},
+};
+
+static const orr_field_word words_nav_message[] = {
+    {0, "NONE", "none", false},
+    {1, "LNAV", "lnav", false},
+    {2, "FDMA", "fdma", false},
+};
+
+static const orr_field_word words_elements_frame[] = {
+    {0, "DATE", "date", false},
+    {1, "J2000", "j2000", false},
+    {2, "ECEF", "ecef", false},
+};
+
+static const orr_field_word words_elements_method[] = {
+    {0, "STATE", "state", false},
+    {1, "THREE_POSITIONS", "three positions", false},
+    {2, "MEAN", "mean", false},
+};
+
+static const orr_field_word words_orbit_point[] = {
+    {0, "NONE", "none", false},
+    {1, "CENTRE_OF_MASS", "centre of mass", false},
+    {2, "PHASE_CENTRE", "phase centre", false},
+};
+
+static const orr_field_word words_receiver_source[] = {
+    {0, "NONE", "none", false},
+    {1, "POSITION", "position", false},
+    {2, "TRAJECTORY", "trajectory", false},
+    {3, "STATION", "station", false},
+};
+
+static const orr_field_word words_tec_origin[] = {
+    {0, "FIELD", "field", false},
+    {1, "FUSED", "fused", false},
+    {2, "TRANSFERRED", "transferred", false},
+    {3, "NOISE", "noise", false},
+};
+
+static const orr_field_word words_delay_flags[] = {
+    {UINT64_C(1), "CLIPPED", "clipped at 0", false},
+};
+
+static const orr_field_word words_state_flags[] = {
+    {UINT64_C(1), "CLOCK_VALID", "", false},
+    {UINT64_C(2), "PREDICTED", "predicted", false},
+    {UINT64_C(4), "MANOEUVRE", "manoeuvre", false},
+    {UINT64_C(8), "CLOCK_EVENT", "clock event", false},
+    {UINT64_C(16), "ECLIPSE", "eclipse", false},
+    {UINT64_C(32), "GAP", "gap", false},
+};
+
+static const orr_field_word words_nav_notes[] = {
+    {UINT64_C(1), "MANOEUVRE", "manoeuvre", false},
+    {UINT64_C(2), "SHIFTED", "shifted", false},
+    {UINT64_C(4), "NO_CLOCK", "no clock", false},
+    {UINT64_C(8), "NO_ANTENNA", "no antenna", false},
+    {UINT64_C(16), "NO_DELAY", "no delay", false},
+    {UINT64_C(32), "NOMINAL_CHANNEL", "nominal channel", false},
+    {UINT64_C(64), "CLOCK_JUMP", "clock jump", false},
+};
+
+static const orr_field fields_sat_id[] = {
+    {.name = "system", .unit = "", .doc = "letter: G R E C J I S L; any other is NOT_SERVED", .kind = ORR_FIELD_U8, .show = ORR_SHOW_CHAR, .offset = offsetof(orr_msg_sat_id, system), .in_text = true, .text_name = "system", .text_factor = 1.0, .in_table = true, .head = "system", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "number", .unit = "", .doc = "1 to 99; any other is NOT_SERVED", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_id, number), .in_text = true, .text_name = "number", .text_factor = 1.0, .in_table = true, .head = "number", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_sat_id = {"sat_id", fields_sat_id, 2, sizeof(orr_msg_sat_id), false, true};
+
+static const orr_field fields_epochs[] = {
+    {.name = "t", .unit = "ns", .doc = "first epoch", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_epochs, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "step", .unit = "ns", .doc = "from one epoch to the next; any sign, not 0 unless count is 1", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_epochs, step), .in_text = true, .text_name = "step", .text_factor = 1.0, .in_table = true, .head = "step", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "count", .unit = "", .doc = "how many, 1 to MAX_EPOCHS", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_epochs, count), .in_text = true, .text_name = "count", .text_factor = 1.0, .in_table = true, .head = "count", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_epochs = {"epochs", fields_epochs, 3, sizeof(orr_msg_epochs), true, false};
+
+static const orr_field fields_epoch[] = {
+    {.name = "t", .unit = "ns", .doc = "the instant", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_epoch, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "index", .unit = "", .doc = "which epoch of the request, from 0; the frame of count - 1 ends the answer", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_epoch, index), .in_text = false, .text_name = "index", .text_factor = 1.0, .in_table = false, .head = "index", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "count", .unit = "", .doc = "how many epochs the request asked for", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_epoch, count), .in_text = false, .text_name = "count", .text_factor = 1.0, .in_table = false, .head = "count", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "answer", .unit = "", .doc = "whether there are numbers at this instant", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ANSWER, .offset = offsetof(orr_msg_epoch, answer), .word = words_answer, .n_words = sizeof words_answer / sizeof words_answer[0], .in_text = true, .text_name = "answer", .text_factor = 1.0, .in_table = true, .head = "answer", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_epoch = {"epoch", fields_epoch, 4, sizeof(orr_msg_epoch), true, false};
+
+static const orr_field fields_span[] = {
+    {.name = "first", .unit = "ns", .doc = "first instant; -2^63 where there is none", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_span, first), .in_text = true, .text_name = "first", .text_factor = 1.0, .in_table = true, .head = "first", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "last", .unit = "ns", .doc = "last instant; likewise", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_span, last), .in_text = true, .text_name = "last", .text_factor = 1.0, .in_table = true, .head = "last", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_span = {"span", fields_span, 2, sizeof(orr_msg_span), false, false};
+
+static const orr_field fields_served_request[] = {
+    {.name = "request", .unit = "", .doc = "its message type", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_served_request, request), .in_text = true, .text_name = "request", .text_factor = 1.0, .in_table = true, .head = "request", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "answer", .unit = "", .doc = "message type of its answer", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_served_request, answer), .in_text = true, .text_name = "answer", .text_factor = 1.0, .in_table = true, .head = "answer", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "span", .unit = "", .doc = "instants at which there can be numbers; none of a request without epochs", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_served_request, span), .record = &record_span, .in_text = true, .text_name = "span", .text_factor = 1.0, .in_table = true, .head = "span", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_served_request = {"served_request", fields_served_request, 3, sizeof(orr_msg_served_request), false, false};
+
+static const orr_field fields_inertial_unit[] = {
+    {.name = "unit", .unit = "", .doc = "its number in POLL_IMU and POLL_TRUTH; 0 is the trajectory's own point", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_inertial_unit, unit), .in_text = true, .text_name = "unit", .text_factor = 1.0, .in_table = true, .head = "unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "name", .unit = "", .doc = "its name in the scenario", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_inertial_unit, name), .limit = 64, .in_text = true, .text_name = "name", .text_factor = 1.0, .in_table = true, .head = "name", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "lever_m", .unit = "m", .doc = "where it is from unit 0: to the right, forward, up in the vehicle's axes", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "lever_", .suffix = "_m", .offset = offsetof(orr_msg_inertial_unit, lever_m), .in_text = true, .text_name = "lever_m", .text_factor = 1.0, .in_table = true, .head = "lever", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "heading_rad", .unit = "rad", .doc = "how it is mounted: heading against the vehicle's axes", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_inertial_unit, heading_rad), .in_text = true, .text_name = "heading_rad", .text_factor = 1.0, .in_table = true, .head = "heading", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "pitch_rad", .unit = "rad", .doc = "likewise pitch", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_inertial_unit, pitch_rad), .in_text = true, .text_name = "pitch_rad", .text_factor = 1.0, .in_table = true, .head = "pitch", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "roll_rad", .unit = "rad", .doc = "likewise roll", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_inertial_unit, roll_rad), .in_text = true, .text_name = "roll_rad", .text_factor = 1.0, .in_table = true, .head = "roll", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_inertial_unit = {"inertial_unit", fields_inertial_unit, 6, sizeof(orr_msg_inertial_unit), false, false};
+
+static const orr_field fields_leap_seconds[] = {
+    {.name = "gps_utc_s", .unit = "s", .doc = "GPS time minus UTC, in force at the first instant served", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_leap_seconds, gps_utc_s), .in_text = true, .text_name = "gps_utc_s", .text_factor = 1.0, .in_table = true, .head = "gps utc", .table_unit = "s", .table_factor = 1.0, .digits = -1},
+    {.name = "next_gps_utc_s", .unit = "s", .doc = "from `next` on; the same where no later change is known", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_leap_seconds, next_gps_utc_s), .in_text = true, .text_name = "next_gps_utc_s", .text_factor = 1.0, .in_table = true, .head = "next gps utc", .table_unit = "s", .table_factor = 1.0, .digits = -1},
+    {.name = "next", .unit = "ns", .doc = "first instant of the next value; -2^63 where no later change is known", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_leap_seconds, next), .in_text = true, .text_name = "next", .text_factor = 1.0, .in_table = true, .head = "next", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_leap_seconds = {"leap_seconds", fields_leap_seconds, 3, sizeof(orr_msg_leap_seconds), false, false};
+
+static const orr_field fields_sat_state[] = {
+    {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_state, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "answer", .unit = "", .doc = "OK, NO_ARC or NOT_SERVED", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ANSWER, .offset = offsetof(orr_msg_sat_state, answer), .word = words_answer, .n_words = sizeof words_answer / sizeof words_answer[0], .in_text = true, .text_name = "answer", .text_factor = 1.0, .in_table = true, .head = "answer", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_state, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "flags", .unit = "", .doc = "0 unless answer is OK", .kind = ORR_FIELD_U32, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_sat_state, flags), .word = words_state_flags, .n_words = sizeof words_state_flags / sizeof words_state_flags[0], .in_text = true, .text_name = "flags", .text_factor = 1.0, .in_table = true, .head = "flags", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "pos_m", .unit = "m", .doc = "position of the centre of mass", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "", .suffix = "_m", .offset = offsetof(orr_msg_sat_state, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "vel_mps", .unit = "m/s", .doc = "its first derivative (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "v", .suffix = "_mps", .offset = offsetof(orr_msg_sat_state, vel_mps), .in_text = true, .text_name = "vel_mps", .text_factor = 1.0, .in_table = true, .head = "v", .table_unit = "m/s", .table_factor = 1.0, .digits = 5},
+    {.name = "acc_mps2", .unit = "m/s2", .doc = "its second derivative (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "a", .suffix = "_mps2", .offset = offsetof(orr_msg_sat_state, acc_mps2), .in_text = true, .text_name = "acc_mps2", .text_factor = 1.0, .in_table = false, .head = "a", .table_unit = "m/s2", .table_factor = 1.0, .digits = 6},
+    {.name = "clock_s", .unit = "s", .doc = "clock offset, periodic relativity not included", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_state, clock_s), .in_text = true, .text_name = "clock_s", .text_factor = 1.0, .in_table = true, .head = "clock", .table_unit = "us", .table_factor = 1000000.0, .digits = 6},
+    {.name = "clock_rate_sps", .unit = "s/s", .doc = "its derivative", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_state, clock_rate_sps), .in_text = true, .text_name = "clock_rate_sps", .text_factor = 1.0, .in_table = false, .head = "clock rate", .table_unit = "s/s", .table_factor = 1.0, .digits = -1},
+    {.name = "valid_from", .unit = "ns", .doc = "start of the arc that was evaluated", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_state, valid_from), .in_text = true, .text_name = "valid_from", .text_factor = 1.0, .in_table = false, .head = "valid from", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "valid_to", .unit = "ns", .doc = "its end", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_state, valid_to), .in_text = true, .text_name = "valid_to", .text_factor = 1.0, .in_table = false, .head = "valid to", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "sigma_m", .unit = "m", .doc = "1-sigma of the position, 3-D", .kind = ORR_FIELD_F32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_state, sigma_m), .in_text = true, .text_name = "sigma_m", .text_factor = 1.0, .in_table = true, .head = "sigma", .table_unit = "mm", .table_factor = 1000.0, .digits = 1},
+};
+static const orr_record record_sat_state = {"sat_state", fields_sat_state, 12, sizeof(orr_msg_sat_state), false, false};
+
+static const orr_field fields_sat_elements[] = {
+    {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "answer", .unit = "", .doc = "OK, NO_ARC, NOT_SERVED, or NO_VALUE where the arc is too short for the method", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ANSWER, .offset = offsetof(orr_msg_sat_elements, answer), .word = words_answer, .n_words = sizeof words_answer / sizeof words_answer[0], .in_text = true, .text_name = "answer", .text_factor = 1.0, .in_table = true, .head = "answer", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "flags", .unit = "", .doc = "of the state at the epoch; 0 unless answer is OK", .kind = ORR_FIELD_U32, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_sat_elements, flags), .word = words_state_flags, .n_words = sizeof words_state_flags / sizeof words_state_flags[0], .in_text = true, .text_name = "flags", .text_factor = 1.0, .in_table = true, .head = "flags", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "a_m", .unit = "m", .doc = "semi-major axis", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, a_m), .in_text = true, .text_name = "a_m", .text_factor = 1.0, .in_table = true, .head = "a", .table_unit = "m", .table_factor = 1.0, .digits = 3},
+    {.name = "e", .unit = "", .doc = "eccentricity", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, e), .in_text = true, .text_name = "e", .text_factor = 1.0, .in_table = true, .head = "e", .table_unit = "", .table_factor = 1.0, .digits = 9},
+    {.name = "i_rad", .unit = "rad", .doc = "inclination", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, i_rad), .in_text = true, .text_name = "i_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "i", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 6},
+    {.name = "raan_rad", .unit = "rad", .doc = "right ascension of the ascending node, 0 to 2 pi", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, raan_rad), .in_text = true, .text_name = "raan_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "raan", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 6},
+    {.name = "argp_rad", .unit = "rad", .doc = "argument of perigee; ill-determined in near-circular orbits", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, argp_rad), .in_text = true, .text_name = "argp_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "argp", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 6},
+    {.name = "m_rad", .unit = "rad", .doc = "mean anomaly; likewise", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, m_rad), .in_text = true, .text_name = "m_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "m", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 6},
+    {.name = "u_rad", .unit = "rad", .doc = "argument of latitude", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, u_rad), .in_text = true, .text_name = "u_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "u", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 6},
+};
+static const orr_record record_sat_elements = {"sat_elements", fields_sat_elements, 11, sizeof(orr_msg_sat_elements), false, false};
+
+static const orr_field fields_nav_page[] = {
+    {.name = "t", .unit = "ns", .doc = "begin of its first bit", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_nav_page, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "number", .unit = "", .doc = "subframe 1-5, string 1-15", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, number), .in_text = true, .text_name = "number", .text_factor = 1.0, .in_table = true, .head = "number", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "page", .unit = "", .doc = "LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, page), .in_text = true, .text_name = "page", .text_factor = 1.0, .in_table = true, .head = "page", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "bits", .unit = "", .doc = "300 or 85", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, bits), .in_text = true, .text_name = "bits", .text_factor = 1.0, .in_table = true, .head = "bits", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "data", .unit = "", .doc = "the first bit in time is the highest of the first byte; what is left of the last is 0", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, data), .limit = 38, .in_text = true, .text_name = "hex", .text_factor = 1.0, .in_table = true, .head = "data", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_nav_page = {"nav_page", fields_nav_page, 5, sizeof(orr_msg_nav_page), false, false};
+
+static const orr_field fields_lnav_set[] = {
+    {.name = "sqrt_a_sqrtm", .unit = "sqrt(m)", .doc = "root of the semi-major axis", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, sqrt_a_sqrtm), .in_text = true, .text_name = "sqrt_a_sqrtm", .text_factor = 1.0, .in_table = true, .head = "sqrt a sqrtm", .table_unit = "sqrt(m)", .table_factor = 1.0, .digits = -1},
+    {.name = "e", .unit = "", .doc = "eccentricity", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, e), .in_text = true, .text_name = "e", .text_factor = 1.0, .in_table = true, .head = "e", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "m0_rad", .unit = "rad", .doc = "mean anomaly at toe", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, m0_rad), .in_text = true, .text_name = "m0_rad", .text_factor = 1.0, .in_table = true, .head = "m0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "i0_rad", .unit = "rad", .doc = "inclination at toe", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, i0_rad), .in_text = true, .text_name = "i0_rad", .text_factor = 1.0, .in_table = true, .head = "i0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "omega0_rad", .unit = "rad", .doc = "longitude of the node at the week's begin", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, omega0_rad), .in_text = true, .text_name = "omega0_rad", .text_factor = 1.0, .in_table = true, .head = "omega0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "omega_rad", .unit = "rad", .doc = "argument of perigee", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, omega_rad), .in_text = true, .text_name = "omega_rad", .text_factor = 1.0, .in_table = true, .head = "omega", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "delta_n_radps", .unit = "rad/s", .doc = "mean motion difference", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, delta_n_radps), .in_text = true, .text_name = "delta_n_radps", .text_factor = 1.0, .in_table = true, .head = "delta n", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "idot_radps", .unit = "rad/s", .doc = "rate of the inclination", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, idot_radps), .in_text = true, .text_name = "idot_radps", .text_factor = 1.0, .in_table = true, .head = "idot", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "omega_dot_radps", .unit = "rad/s", .doc = "rate of the node", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, omega_dot_radps), .in_text = true, .text_name = "omega_dot_radps", .text_factor = 1.0, .in_table = true, .head = "omega dot", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "cuc_rad", .unit = "rad", .doc = "cosine term of the argument of latitude", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cuc_rad), .in_text = true, .text_name = "cuc_rad", .text_factor = 1.0, .in_table = true, .head = "cuc", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "cus_rad", .unit = "rad", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cus_rad), .in_text = true, .text_name = "cus_rad", .text_factor = 1.0, .in_table = true, .head = "cus", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "crc_m", .unit = "m", .doc = "cosine term of the radius", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, crc_m), .in_text = true, .text_name = "crc_m", .text_factor = 1.0, .in_table = true, .head = "crc", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "crs_m", .unit = "m", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, crs_m), .in_text = true, .text_name = "crs_m", .text_factor = 1.0, .in_table = true, .head = "crs", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "cic_rad", .unit = "rad", .doc = "cosine term of the inclination", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cic_rad), .in_text = true, .text_name = "cic_rad", .text_factor = 1.0, .in_table = true, .head = "cic", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "cis_rad", .unit = "rad", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cis_rad), .in_text = true, .text_name = "cis_rad", .text_factor = 1.0, .in_table = true, .head = "cis", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "tgd_s", .unit = "s", .doc = "group delay differential", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, tgd_s), .in_text = true, .text_name = "tgd_s", .text_factor = 1.0, .in_table = true, .head = "tgd", .table_unit = "s", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_lnav_set = {"lnav_set", fields_lnav_set, 16, sizeof(orr_msg_lnav_set), false, false};
+
+static const orr_field fields_glonass_set[] = {
+    {.name = "pos_m", .unit = "m", .doc = "position at toe (t_b), PZ-90", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "", .suffix = "_m", .offset = offsetof(orr_msg_glonass_set, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "vel_mps", .unit = "m/s", .doc = "velocity at toe", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "v", .suffix = "_mps", .offset = offsetof(orr_msg_glonass_set, vel_mps), .in_text = true, .text_name = "vel_mps", .text_factor = 1.0, .in_table = true, .head = "v", .table_unit = "m/s", .table_factor = 1.0, .digits = 5},
+    {.name = "acc_mps2", .unit = "m/s2", .doc = "acceleration by Sun and Moon", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "a", .suffix = "_mps2", .offset = offsetof(orr_msg_glonass_set, acc_mps2), .in_text = true, .text_name = "acc_mps2", .text_factor = 1.0, .in_table = true, .head = "a", .table_unit = "m/s2", .table_factor = 1.0, .digits = 6},
+    {.name = "delta_tau_s", .unit = "s", .doc = "L2 behind L1", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_glonass_set, delta_tau_s), .in_text = true, .text_name = "delta_tau_s", .text_factor = 1.0, .in_table = true, .head = "delta tau", .table_unit = "s", .table_factor = 1.0, .digits = -1},
+    {.name = "channel", .unit = "", .doc = "frequency channel -7 to 6", .kind = ORR_FIELD_I8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_glonass_set, channel), .in_text = true, .text_name = "channel", .text_factor = 1.0, .in_table = true, .head = "channel", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_glonass_set, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_glonass_set = {"glonass_set", fields_glonass_set, 6, sizeof(orr_msg_glonass_set), false, false};
+
+static bool next_lnav_set(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_lnav_set_next((const orr_msg_lnav_set_list *)list, it, (orr_msg_lnav_set *)out);
+}
+
+static bool next_glonass_set(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_glonass_set_next((const orr_msg_glonass_set_list *)list, it, (orr_msg_glonass_set *)out);
+}
+
+static bool next_nav_page(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_nav_page_next((const orr_msg_nav_page_list *)list, it, (orr_msg_nav_page *)out);
+}
+
+static const orr_field fields_sat_navdata[] = {
+    {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "answer", .unit = "", .doc = "OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not fit its field)", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ANSWER, .offset = offsetof(orr_msg_sat_navdata, answer), .word = words_answer, .n_words = sizeof words_answer / sizeof words_answer[0], .in_text = true, .text_name = "answer", .text_factor = 1.0, .in_table = true, .head = "answer", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "message", .unit = "", .doc = "LNAV or FDMA; NONE unless answer is OK", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_sat_navdata, message), .word = words_nav_message, .n_words = sizeof words_nav_message / sizeof words_nav_message[0], .in_text = true, .text_name = "message", .text_factor = 1.0, .in_table = true, .head = "message", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "notes", .unit = "", .doc = "0 unless answer is OK", .kind = ORR_FIELD_U32, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_sat_navdata, notes), .word = words_nav_notes, .n_words = sizeof words_nav_notes / sizeof words_nav_notes[0], .in_text = true, .text_name = "notes", .text_factor = 1.0, .in_table = true, .head = "notes", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "set_from", .unit = "ns", .doc = "the set is sent from then on", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, set_from), .in_text = true, .text_name = "set_from", .text_factor = 1.0, .in_table = false, .head = "set from", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "set_to", .unit = "ns", .doc = "and before then", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, set_to), .in_text = true, .text_name = "set_to", .text_factor = 1.0, .in_table = false, .head = "set to", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "toe", .unit = "ns", .doc = "reference of the orbit", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, toe), .in_text = true, .text_name = "toe", .text_factor = 1.0, .in_table = true, .head = "toe", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "toc", .unit = "ns", .doc = "reference of the clock", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, toc), .in_text = true, .text_name = "toc", .text_factor = 1.0, .in_table = false, .head = "toc", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "week", .unit = "", .doc = "GPS week of toe; -1 for GLONASS", .kind = ORR_FIELD_I32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, week), .in_text = true, .text_name = "week", .text_factor = 1.0, .in_table = false, .head = "week", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "iode", .unit = "", .doc = "issue of the orbit; -1 for GLONASS", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, iode), .in_text = true, .text_name = "iode", .text_factor = 1.0, .in_table = true, .head = "iode", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "iodc", .unit = "", .doc = "issue of the clock; -1 for GLONASS", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, iodc), .in_text = true, .text_name = "iodc", .text_factor = 1.0, .in_table = false, .head = "iodc", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "health", .unit = "", .doc = "LNAV: six bits, 0 is good; GLONASS: 1 for unfit", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, health), .in_text = true, .text_name = "health", .text_factor = 1.0, .in_table = true, .head = "health", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "accuracy_m", .unit = "m", .doc = "LNAV: user range accuracy that is sent; NAN for GLONASS", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, accuracy_m), .in_text = true, .text_name = "accuracy_m", .text_factor = 1.0, .in_table = false, .head = "accuracy", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "fit_rms_m", .unit = "m", .doc = "3-D RMS of the rounded set against the orbit, over its window", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, fit_rms_m), .in_text = true, .text_name = "fit_rms_m", .text_factor = 1.0, .in_table = true, .head = "fit rms", .table_unit = "m", .table_factor = 1.0, .digits = 3},
+    {.name = "fit_max_m", .unit = "m", .doc = "largest of these distances", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, fit_max_m), .in_text = true, .text_name = "fit_max_m", .text_factor = 1.0, .in_table = true, .head = "fit max", .table_unit = "m", .table_factor = 1.0, .digits = 3},
+    {.name = "clock_rms_s", .unit = "s", .doc = "the same of the clock; NAN with NO_CLOCK", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, clock_rms_s), .in_text = true, .text_name = "clock_rms_s", .text_factor = 1.0, .in_table = true, .head = "clock rms", .table_unit = "ns", .table_factor = 1000000000.0, .digits = 3},
+    {.name = "af0_s", .unit = "s", .doc = "clock at toc; GLONASS: -tau_n", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, af0_s), .in_text = true, .text_name = "af0_s", .text_factor = 1.0, .in_table = true, .head = "af0", .table_unit = "us", .table_factor = 1000000.0, .digits = 6},
+    {.name = "af1_sps", .unit = "s/s", .doc = "its rate; GLONASS: gamma_n", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, af1_sps), .in_text = true, .text_name = "af1_sps", .text_factor = 1.0, .in_table = false, .head = "af1", .table_unit = "s/s", .table_factor = 1.0, .digits = -1},
+    {.name = "af2_sps2", .unit = "s/s2", .doc = "its second coefficient; 0 for GLONASS", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, af2_sps2), .in_text = true, .text_name = "af2_sps2", .text_factor = 1.0, .in_table = false, .head = "af2 sps2", .table_unit = "s/s2", .table_factor = 1.0, .digits = -1},
+    {.name = "frame_from", .unit = "ns", .doc = "begin of the frame of the message that holds the epoch", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, frame_from), .in_text = true, .text_name = "frame_from", .text_factor = 1.0, .in_table = false, .head = "frame from", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "frame_to", .unit = "ns", .doc = "its end: the next frame's begin", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, frame_to), .in_text = true, .text_name = "frame_to", .text_factor = 1.0, .in_table = false, .head = "frame to", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "kepler", .unit = "", .doc = "of LNAV: one", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, kepler), .limit = 1, .record = &record_lnav_set, .next = next_lnav_set, .in_text = true, .text_name = "kepler", .text_factor = 1.0, .in_table = false, .head = "kepler", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "glonass", .unit = "", .doc = "of FDMA: one", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, glonass), .limit = 1, .record = &record_glonass_set, .next = next_glonass_set, .in_text = true, .text_name = "glonass", .text_factor = 1.0, .in_table = false, .head = "glonass", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "pages", .unit = "", .doc = "all of the frame: five subframes, or fifteen strings", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, pages), .limit = 15, .record = &record_nav_page, .next = next_nav_page, .in_text = true, .text_name = "pages", .text_factor = 1.0, .in_table = false, .head = "pages", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_sat_navdata = {"sat_navdata", fields_sat_navdata, 24, sizeof(orr_msg_sat_navdata), false, false};
+
+static const orr_field fields_sat_delay[] = {
+    {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "answer", .unit = "", .doc = "OK, NO_ARC, NOT_SERVED, BELOW_HORIZON or NO_VALUE", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ANSWER, .offset = offsetof(orr_msg_sat_delay, answer), .word = words_answer, .n_words = sizeof words_answer / sizeof words_answer[0], .in_text = true, .text_name = "answer", .text_factor = 1.0, .in_table = true, .head = "answer", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "origin", .unit = "", .doc = "what it came from", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_sat_delay, origin), .word = words_tec_origin, .n_words = sizeof words_tec_origin / sizeof words_tec_origin[0], .in_text = true, .text_name = "origin", .text_factor = 1.0, .in_table = true, .head = "origin", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "flags", .unit = "", .doc = "0 unless answer is OK", .kind = ORR_FIELD_U8, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_sat_delay, flags), .word = words_delay_flags, .n_words = sizeof words_delay_flags / sizeof words_delay_flags[0], .in_text = true, .text_name = "flags", .text_factor = 1.0, .in_table = true, .head = "flags", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "az_rad", .unit = "rad", .doc = "azimuth, clockwise from North", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, az_rad), .in_text = true, .text_name = "az_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "az", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 2},
+    {.name = "el_rad", .unit = "rad", .doc = "elevation above the ellipsoidal horizon", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, el_rad), .in_text = true, .text_name = "el_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "el", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 2},
+    {.name = "pierce_lat_rad", .unit = "rad", .doc = "geocentric latitude of the pierce point", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, pierce_lat_rad), .in_text = true, .text_name = "pierce_lat_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "lat", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 3},
+    {.name = "pierce_lon_rad", .unit = "rad", .doc = "its longitude, East", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, pierce_lon_rad), .in_text = true, .text_name = "pierce_lon_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "lon", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 3},
+    {.name = "mapping", .unit = "", .doc = "slant over vertical", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, mapping), .in_text = true, .text_name = "mapping", .text_factor = 1.0, .in_table = false, .head = "mapping", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "stec_tecu", .unit = "TECU", .doc = "slant total electron content", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, stec_tecu), .in_text = true, .text_name = "stec_tecu", .text_factor = 1.0, .in_table = true, .head = "stec", .table_unit = "TECU", .table_factor = 1.0, .digits = 3},
+    {.name = "model_stec_tecu", .unit = "TECU", .doc = "the part of the field as it is", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, model_stec_tecu), .in_text = true, .text_name = "model_stec_tecu", .text_factor = 1.0, .in_table = false, .head = "model stec", .table_unit = "TECU", .table_factor = 1.0, .digits = 3},
+    {.name = "delay_m", .unit = "m", .doc = "delay of a code on each carrier asked for, NAN beyond them; a carrier phase is early by it", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 4, .stem = "delay_", .suffix = "_m", .offset = offsetof(orr_msg_sat_delay, delay_m), .per = "carriers_hz", .in_text = true, .text_name = "delay_m", .text_factor = 1.0, .in_table = true, .head = "delay", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "sigma_tecu", .unit = "TECU", .doc = "1-sigma of stec_tecu, NAN where unknown", .kind = ORR_FIELD_F32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, sigma_tecu), .in_text = true, .text_name = "sigma_tecu", .text_factor = 1.0, .in_table = true, .head = "sigma", .table_unit = "TECU", .table_factor = 1.0, .digits = 3},
+};
+static const orr_record record_sat_delay = {"sat_delay", fields_sat_delay, 14, sizeof(orr_msg_sat_delay), false, false};
+
+static const orr_field fields_hello[] = {
+    {.name = "major_min", .unit = "", .doc = "lowest major version the client speaks", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, major_min), .in_text = true, .text_name = "major_min", .text_factor = 1.0, .in_table = true, .head = "major min", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "major_max", .unit = "", .doc = "highest", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, major_max), .in_text = true, .text_name = "major_max", .text_factor = 1.0, .in_table = true, .head = "major max", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "name", .unit = "", .doc = "name of the client, for the server's log", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, name), .limit = 64, .in_text = true, .text_name = "name", .text_factor = 1.0, .in_table = true, .head = "name", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "version", .unit = "", .doc = "its version", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, version), .limit = 32, .in_text = true, .text_name = "version", .text_factor = 1.0, .in_table = true, .head = "version", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_hello = {"hello", fields_hello, 4, sizeof(orr_msg_hello), false, false};
+
+static orr_wire_status encode_hello(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_hello_encode((const orr_msg_hello *)m, w);
+}
+static orr_wire_status decode_hello(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_hello_decode(payload, size, (orr_msg_hello *)m);
+}
+
+static bool next_inertial_unit(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_inertial_unit_next((const orr_msg_inertial_unit_list *)list, it, (orr_msg_inertial_unit *)out);
+}
+
+static bool next_served_request(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_served_request_next((const orr_msg_served_request_list *)list, it, (orr_msg_served_request *)out);
+}
+
+static bool next_sat_id(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_sat_id_next((const orr_msg_sat_id_list *)list, it, (orr_msg_sat_id *)out);
+}
+
+static const orr_field fields_caps[] = {
+    {.name = "major", .unit = "", .doc = "version chosen for the conversation", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, major), .in_text = true, .text_name = "major", .text_factor = 1.0, .in_table = true, .head = "major", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "minor", .unit = "", .doc = "minor version of the server", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, minor), .in_text = true, .text_name = "minor", .text_factor = 1.0, .in_table = true, .head = "minor", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "max_request", .unit = "", .doc = "bytes of payload it reads of one request", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, max_request), .in_text = true, .text_name = "max_request", .text_factor = 1.0, .in_table = true, .head = "max request", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "max_epochs", .unit = "", .doc = "epochs one POLL may ask for", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, max_epochs), .in_text = true, .text_name = "max_epochs", .text_factor = 1.0, .in_table = true, .head = "max epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "span", .unit = "", .doc = "first and last instant at which anything is served", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, span), .record = &record_span, .in_text = true, .text_name = "span", .text_factor = 1.0, .in_table = true, .head = "span", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "name", .unit = "", .doc = "name of the server", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, name), .limit = 64, .in_text = true, .text_name = "name", .text_factor = 1.0, .in_table = true, .head = "name", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "version", .unit = "", .doc = "its version", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, version), .limit = 32, .in_text = true, .text_name = "version", .text_factor = 1.0, .in_table = true, .head = "version", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "title", .unit = "", .doc = "title of the scenario", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, title), .limit = 128, .in_text = true, .text_name = "title", .text_factor = 1.0, .in_table = true, .head = "title", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "frame", .unit = "", .doc = "terrestrial frame of positions, e.g. IGS20", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, frame), .limit = 64, .in_text = true, .text_name = "frame", .text_factor = 1.0, .in_table = true, .head = "frame", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "leap", .unit = "", .doc = "leap second in force, and the next", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, leap), .record = &record_leap_seconds, .in_text = true, .text_name = "leap", .text_factor = 1.0, .in_table = true, .head = "leap", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "navdata_point", .unit = "", .doc = "the point of a satellite whose orbit NAVDATA describes; STATES gives the centre of mass", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_caps, navdata_point), .word = words_orbit_point, .n_words = sizeof words_orbit_point / sizeof words_orbit_point[0], .in_text = true, .text_name = "navdata_point", .text_factor = 1.0, .in_table = true, .head = "navdata point", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "receiver_source", .unit = "", .doc = "receiver that is used when a POLL_DELAYS names none", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_caps, receiver_source), .word = words_receiver_source, .n_words = sizeof words_receiver_source / sizeof words_receiver_source[0], .in_text = true, .text_name = "receiver_source", .text_factor = 1.0, .in_table = true, .head = "receiver source", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "receiver_unit", .unit = "", .doc = "with TRAJECTORY: the unit whose point it is", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, receiver_unit), .in_text = true, .text_name = "receiver_unit", .text_factor = 1.0, .in_table = true, .head = "receiver unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "receiver_m", .unit = "m", .doc = "where it is (ecef); NAN with NONE and TRAJECTORY", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "receiver_", .suffix = "_m", .offset = offsetof(orr_msg_caps, receiver_m), .in_text = true, .text_name = "receiver_m", .text_factor = 1.0, .in_table = true, .head = "receiver", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "imu_rate_hz", .unit = "Hz", .doc = "readings a second where POLL_IMU has step 0; NAN where POLL_IMU is not answered", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, imu_rate_hz), .in_text = true, .text_name = "imu_rate_hz", .text_factor = 1.0, .in_table = true, .head = "imu rate", .table_unit = "Hz", .table_factor = 1.0, .digits = -1},
+    {.name = "units", .unit = "", .doc = "inertial units; none without a trajectory", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, units), .limit = 64, .record = &record_inertial_unit, .next = next_inertial_unit, .in_text = true, .text_name = "units", .text_factor = 1.0, .in_table = true, .head = "units", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "requests", .unit = "", .doc = "what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, requests), .limit = 64, .record = &record_served_request, .next = next_served_request, .in_text = true, .text_name = "requests", .text_factor = 1.0, .in_table = true, .head = "requests", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "served satellites, in the order in which STATES lists them", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_caps = {"caps", fields_caps, 18, sizeof(orr_msg_caps), false, false};
+
+static orr_wire_status encode_caps(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_caps_encode((const orr_msg_caps *)m, w);
+}
+static orr_wire_status decode_caps(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_caps_decode(payload, size, (orr_msg_caps *)m);
+}
+
+static const orr_field fields_ping[] = {
+    {.name = "token", .unit = "", .doc = "anything", .kind = ORR_FIELD_U64, .show = ORR_SHOW_HEX, .offset = offsetof(orr_msg_ping, token), .in_text = true, .text_name = "token", .text_factor = 1.0, .in_table = true, .head = "token", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_ping = {"ping", fields_ping, 1, sizeof(orr_msg_ping), false, false};
+
+static orr_wire_status encode_ping(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_ping_encode((const orr_msg_ping *)m, w);
+}
+static orr_wire_status decode_ping(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_ping_decode(payload, size, (orr_msg_ping *)m);
+}
+
+static const orr_field fields_pong[] = {
+    {.name = "token", .unit = "", .doc = "that of the PING", .kind = ORR_FIELD_U64, .show = ORR_SHOW_HEX, .offset = offsetof(orr_msg_pong, token), .in_text = true, .text_name = "token", .text_factor = 1.0, .in_table = true, .head = "token", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_pong = {"pong", fields_pong, 1, sizeof(orr_msg_pong), false, false};
+
+static orr_wire_status encode_pong(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_pong_encode((const orr_msg_pong *)m, w);
+}
+static orr_wire_status decode_pong(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_pong_decode(payload, size, (orr_msg_pong *)m);
+}
+
+static const orr_field fields_error[] = {
+    {.name = "code", .unit = "", .doc = "class of failure, for programs", .kind = ORR_FIELD_U16, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_error, code), .word = words_error_code, .n_words = sizeof words_error_code / sizeof words_error_code[0], .in_text = true, .text_name = "code", .text_factor = 1.0, .in_table = true, .head = "code", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "request", .unit = "", .doc = "message type of the refused request, 0 if none", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_error, request), .in_text = true, .text_name = "request", .text_factor = 1.0, .in_table = true, .head = "request", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "sentence", .unit = "", .doc = "what was wrong, for people", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_error, sentence), .limit = 512, .in_text = true, .text_name = "sentence", .text_factor = 1.0, .in_table = true, .head = "sentence", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_error = {"error", fields_error, 3, sizeof(orr_msg_error), false, false};
+
+static orr_wire_status encode_error(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_error_encode((const orr_msg_error *)m, w);
+}
+static orr_wire_status decode_error(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_error_decode(payload, size, (orr_msg_error *)m);
+}
+
+static const orr_field fields_poll[] = {
+    {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "which, in the order of the answer; empty for all", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll = {"poll", fields_poll, 2, sizeof(orr_msg_poll), false, false};
+
+static orr_wire_status encode_poll(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_encode((const orr_msg_poll *)m, w);
+}
+static orr_wire_status decode_poll(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_decode(payload, size, (orr_msg_poll *)m);
+}
+
+static bool next_sat_state(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_sat_state_next((const orr_msg_sat_state_list *)list, it, (orr_msg_sat_state *)out);
+}
+
+static const orr_field fields_states[] = {
+    {.name = "epoch", .unit = "", .doc = "OK, or OUTSIDE_SPAN with no satellites", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_states, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "those asked for, in that order; for all, those of CAPS", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_states, satellites), .limit = 800, .record = &record_sat_state, .next = next_sat_state, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_states = {"states", fields_states, 2, sizeof(orr_msg_states), false, false};
+
+static orr_wire_status encode_states(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_states_encode((const orr_msg_states *)m, w);
+}
+static orr_wire_status decode_states(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_states_decode(payload, size, (orr_msg_states *)m);
+}
+
+static const orr_field fields_poll_elements[] = {
+    {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_elements, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "frame", .unit = "", .doc = "axes that the elements refer to", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_poll_elements, frame), .word = words_elements_frame, .n_words = sizeof words_elements_frame / sizeof words_elements_frame[0], .in_text = true, .text_name = "frame", .text_factor = 1.0, .in_table = true, .head = "frame", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "method", .unit = "", .doc = "how they are made", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_poll_elements, method), .word = words_elements_method, .n_words = sizeof words_elements_method / sizeof words_elements_method[0], .in_text = true, .text_name = "method", .text_factor = 1.0, .in_table = true, .head = "method", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "which, in the order of the answer; empty for all", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_elements, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll_elements = {"poll_elements", fields_poll_elements, 4, sizeof(orr_msg_poll_elements), false, false};
+
+static orr_wire_status encode_poll_elements(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_elements_encode((const orr_msg_poll_elements *)m, w);
+}
+static orr_wire_status decode_poll_elements(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_elements_decode(payload, size, (orr_msg_poll_elements *)m);
+}
+
+static bool next_sat_elements(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_sat_elements_next((const orr_msg_sat_elements_list *)list, it, (orr_msg_sat_elements *)out);
+}
+
+static const orr_field fields_elements[] = {
+    {.name = "epoch", .unit = "", .doc = "OK, or OUTSIDE_SPAN with no satellites", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_elements, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "frame", .unit = "", .doc = "as asked", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_elements, frame), .word = words_elements_frame, .n_words = sizeof words_elements_frame / sizeof words_elements_frame[0], .in_text = true, .text_name = "frame", .text_factor = 1.0, .in_table = true, .head = "frame", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "method", .unit = "", .doc = "as asked", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_elements, method), .word = words_elements_method, .n_words = sizeof words_elements_method / sizeof words_elements_method[0], .in_text = true, .text_name = "method", .text_factor = 1.0, .in_table = true, .head = "method", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "those asked for, in that order; for all, those of CAPS", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_elements, satellites), .limit = 800, .record = &record_sat_elements, .next = next_sat_elements, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_elements = {"elements", fields_elements, 4, sizeof(orr_msg_elements), false, false};
+
+static orr_wire_status encode_elements(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_elements_encode((const orr_msg_elements *)m, w);
+}
+static orr_wire_status decode_elements(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_elements_decode(payload, size, (orr_msg_elements *)m);
+}
+
+static const orr_field fields_poll_navdata[] = {
+    {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_navdata, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "which, in the order of the answer; empty for all", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_navdata, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll_navdata = {"poll_navdata", fields_poll_navdata, 2, sizeof(orr_msg_poll_navdata), false, false};
+
+static orr_wire_status encode_poll_navdata(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_navdata_encode((const orr_msg_poll_navdata *)m, w);
+}
+static orr_wire_status decode_poll_navdata(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_navdata_decode(payload, size, (orr_msg_poll_navdata *)m);
+}
+
+static bool next_sat_navdata(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_sat_navdata_next((const orr_msg_sat_navdata_list *)list, it, (orr_msg_sat_navdata *)out);
+}
+
+static const orr_field fields_navdata[] = {
+    {.name = "epoch", .unit = "", .doc = "OK, or OUTSIDE_SPAN with no satellites", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_navdata, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "those asked for, in that order; for all, those of CAPS", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_navdata, satellites), .limit = 800, .record = &record_sat_navdata, .next = next_sat_navdata, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_navdata = {"navdata", fields_navdata, 2, sizeof(orr_msg_navdata), false, false};
+
+static orr_wire_status encode_navdata(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_navdata_encode((const orr_msg_navdata *)m, w);
+}
+static orr_wire_status decode_navdata(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_navdata_decode(payload, size, (orr_msg_navdata *)m);
+}
+
+static bool next_f64(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_f64_next((const orr_msg_f64_list *)list, it, (double *)out);
+}
+
+static const orr_field fields_poll_delays[] = {
+    {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_delays, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "receiver_m", .unit = "m", .doc = "receiver (ecef); three times NAN for the scenario's own, which may move from epoch to epoch", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "receiver_", .suffix = "_m", .offset = offsetof(orr_msg_poll_delays, receiver_m), .in_text = true, .text_name = "receiver_m", .text_factor = 1.0, .in_table = true, .head = "receiver", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "carriers_hz", .unit = "Hz", .doc = "carriers to give delays for; empty for 1575.42 MHz", .kind = ORR_FIELD_LIST, .element = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_delays, carriers_hz), .limit = 4, .next = next_f64, .in_text = true, .text_name = "carriers_hz", .text_factor = 1.0, .in_table = true, .head = "carriers", .table_unit = "Hz", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "which, in the order of the answer; empty for all", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_delays, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll_delays = {"poll_delays", fields_poll_delays, 4, sizeof(orr_msg_poll_delays), false, false};
+
+static orr_wire_status encode_poll_delays(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_delays_encode((const orr_msg_poll_delays *)m, w);
+}
+static orr_wire_status decode_poll_delays(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_delays_decode(payload, size, (orr_msg_poll_delays *)m);
+}
+
+static bool next_sat_delay(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_sat_delay_next((const orr_msg_sat_delay_list *)list, it, (orr_msg_sat_delay *)out);
+}
+
+static const orr_field fields_delays[] = {
+    {.name = "epoch", .unit = "", .doc = "OK, or OUTSIDE_SPAN of orbits, ionosphere or trajectory, with no satellites", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_delays, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "receiver_m", .unit = "m", .doc = "the receiver that was taken (ecef); NAN outside the span of the scenario's trajectory", .kind = ORR_FIELD_F64, .show = ORR_SHOW_PLACE, .length = 3, .stem = "receiver_", .suffix = "_m", .offset = offsetof(orr_msg_delays, receiver_m), .in_text = true, .text_name = "receiver_m", .text_factor = 1.0, .in_table = true, .head = "receiver", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "carriers_hz", .unit = "Hz", .doc = "the carriers of delay_m", .kind = ORR_FIELD_LIST, .element = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_delays, carriers_hz), .limit = 4, .next = next_f64, .in_text = true, .text_name = "carriers_hz", .text_factor = 1.0, .in_table = true, .head = "carriers", .table_unit = "MHz", .table_factor = 1e-06, .digits = 2},
+    {.name = "satellites", .unit = "", .doc = "those asked for, in that order; for all, those of CAPS", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_delays, satellites), .limit = 800, .record = &record_sat_delay, .next = next_sat_delay, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_delays = {"delays", fields_delays, 4, sizeof(orr_msg_delays), false, false};
+
+static orr_wire_status encode_delays(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_delays_encode((const orr_msg_delays *)m, w);
+}
+static orr_wire_status decode_delays(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_delays_decode(payload, size, (orr_msg_delays *)m);
+}
+
+static const orr_field fields_poll_imu[] = {
+    {.name = "epochs", .unit = "", .doc = "begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_imu, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "unit", .unit = "", .doc = "which inertial unit of the scenario; 0 is the trajectory's own point", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_imu, unit), .in_text = true, .text_name = "unit", .text_factor = 1.0, .in_table = true, .head = "unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll_imu = {"poll_imu", fields_poll_imu, 2, sizeof(orr_msg_poll_imu), false, false};
+
+static orr_wire_status encode_poll_imu(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_imu_encode((const orr_msg_poll_imu *)m, w);
+}
+static orr_wire_status decode_poll_imu(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_imu_decode(payload, size, (orr_msg_poll_imu *)m);
+}
+
+static const orr_field fields_imu[] = {
+    {.name = "epoch", .unit = "", .doc = "begin of the interval; OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_imu, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "t1", .unit = "ns", .doc = "end of the interval", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_imu, t1), .in_text = true, .text_name = "t1", .text_factor = 1.0, .in_table = true, .head = "t1", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "unit", .unit = "", .doc = "the unit asked for", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_imu, unit), .in_text = true, .text_name = "unit", .text_factor = 1.0, .in_table = true, .head = "unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "dtheta_rad", .unit = "rad", .doc = "integral of the absolute angular rate", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "dtheta_", .suffix = "_rad", .offset = offsetof(orr_msg_imu, dtheta_rad), .in_text = true, .text_name = "dtheta_rad", .text_factor = 1.0, .in_table = true, .head = "dtheta", .table_unit = "rad", .table_factor = 1.0, .digits = 12},
+    {.name = "dv_mps", .unit = "m/s", .doc = "integral of the specific force; at rest +g upward", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "dv_", .suffix = "_mps", .offset = offsetof(orr_msg_imu, dv_mps), .in_text = true, .text_name = "dv_mps", .text_factor = 1.0, .in_table = true, .head = "dv", .table_unit = "m/s", .table_factor = 1.0, .digits = 9},
+};
+static const orr_record record_imu = {"imu", fields_imu, 5, sizeof(orr_msg_imu), false, false};
+
+static orr_wire_status encode_imu(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_imu_encode((const orr_msg_imu *)m, w);
+}
+static orr_wire_status decode_imu(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_imu_decode(payload, size, (orr_msg_imu *)m);
+}
+
+static const orr_field fields_poll_truth[] = {
+    {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_truth, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "unit", .unit = "", .doc = "which inertial unit of the scenario; 0 is the trajectory's own point", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_truth, unit), .in_text = true, .text_name = "unit", .text_factor = 1.0, .in_table = true, .head = "unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll_truth = {"poll_truth", fields_poll_truth, 2, sizeof(orr_msg_poll_truth), false, false};
+
+static orr_wire_status encode_poll_truth(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_truth_encode((const orr_msg_poll_truth *)m, w);
+}
+static orr_wire_status decode_poll_truth(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_truth_decode(payload, size, (orr_msg_poll_truth *)m);
+}
+
+static const orr_field fields_truth[] = {
+    {.name = "epoch", .unit = "", .doc = "OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "unit", .unit = "", .doc = "the unit asked for", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, unit), .in_text = true, .text_name = "unit", .text_factor = 1.0, .in_table = true, .head = "unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "pos_m", .unit = "m", .doc = "position (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "pos_", .suffix = "_m", .offset = offsetof(orr_msg_truth, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "pos", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "vel_mps", .unit = "m/s", .doc = "velocity relative to the Earth (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "vel_", .suffix = "_mps", .offset = offsetof(orr_msg_truth, vel_mps), .in_text = true, .text_name = "vel_mps", .text_factor = 1.0, .in_table = true, .head = "vel", .table_unit = "m/s", .table_factor = 1.0, .digits = 5},
+    {.name = "acc_mps2", .unit = "m/s2", .doc = "second derivative of the position (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "acc_", .suffix = "_mps2", .offset = offsetof(orr_msg_truth, acc_mps2), .in_text = true, .text_name = "acc_mps2", .text_factor = 1.0, .in_table = true, .head = "acc", .table_unit = "m/s2", .table_factor = 1.0, .digits = 6},
+    {.name = "attitude", .unit = "", .doc = "quaternion w x y z of body from ecef: v_body = conj(q) v_ecef q", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 4, .stem = "attitude_", .suffix = "", .offset = offsetof(orr_msg_truth, attitude), .in_text = true, .text_name = "attitude", .text_factor = 1.0, .in_table = true, .head = "attitude", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "heading_rad", .unit = "rad", .doc = "clockwise from true North, 0 to 2 pi", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, heading_rad), .in_text = true, .text_name = "heading_rad", .text_factor = 1.0, .in_table = true, .head = "heading", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 5},
+    {.name = "pitch_rad", .unit = "rad", .doc = "nose up", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, pitch_rad), .in_text = true, .text_name = "pitch_rad", .text_factor = 1.0, .in_table = true, .head = "pitch", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 5},
+    {.name = "roll_rad", .unit = "rad", .doc = "right wing down", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, roll_rad), .in_text = true, .text_name = "roll_rad", .text_factor = 1.0, .in_table = true, .head = "roll", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 5},
+    {.name = "rate_radps", .unit = "rad/s", .doc = "absolute angular rate, body axes", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "rate_", .suffix = "_radps", .offset = offsetof(orr_msg_truth, rate_radps), .in_text = true, .text_name = "rate_radps", .text_factor = 1.0, .in_table = true, .head = "rate", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "force_mps2", .unit = "m/s2", .doc = "specific force, body axes", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "force_", .suffix = "_mps2", .offset = offsetof(orr_msg_truth, force_mps2), .in_text = true, .text_name = "force_mps2", .text_factor = 1.0, .in_table = true, .head = "force", .table_unit = "m/s2", .table_factor = 1.0, .digits = 6},
+    {.name = "disturbance_mgal", .unit = "mGal", .doc = "gravity disturbance, stronger gravity positive", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, disturbance_mgal), .in_text = true, .text_name = "disturbance_mgal", .text_factor = 1.0, .in_table = true, .head = "disturbance", .table_unit = "mGal", .table_factor = 1.0, .digits = 3},
+    {.name = "eotvos_mgal", .unit = "mGal", .doc = "Eotvoes term: what the motion takes off the weight", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, eotvos_mgal), .in_text = true, .text_name = "eotvos_mgal", .text_factor = 1.0, .in_table = true, .head = "eotvos", .table_unit = "mGal", .table_factor = 1.0, .digits = 3},
+    {.name = "vertical_mps2", .unit = "m/s2", .doc = "rate of the vertical velocity over the ellipsoid", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_truth, vertical_mps2), .in_text = true, .text_name = "vertical_mps2", .text_factor = 1.0, .in_table = true, .head = "vertical", .table_unit = "m/s2", .table_factor = 1.0, .digits = 6},
+};
+static const orr_record record_truth = {"truth", fields_truth, 14, sizeof(orr_msg_truth), false, false};
+
+static orr_wire_status encode_truth(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_truth_encode((const orr_msg_truth *)m, w);
+}
+static orr_wire_status decode_truth(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_truth_decode(payload, size, (orr_msg_truth *)m);
+}
+
+static const orr_message_info messages[] = {
+    {"HELLO", ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, true, &record_hello, encode_hello, decode_hello},
+    {"CAPS", ORR_MSG_TYPE_CAPS, 0, false, &record_caps, encode_caps, decode_caps},
+    {"PING", ORR_MSG_TYPE_PING, ORR_MSG_TYPE_PONG, true, &record_ping, encode_ping, decode_ping},
+    {"PONG", ORR_MSG_TYPE_PONG, 0, false, &record_pong, encode_pong, decode_pong},
+    {"ERROR", ORR_MSG_TYPE_ERROR, 0, false, &record_error, encode_error, decode_error},
+    {"POLL", ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, true, &record_poll, encode_poll, decode_poll},
+    {"STATES", ORR_MSG_TYPE_STATES, 0, false, &record_states, encode_states, decode_states},
+    {"POLL_ELEMENTS", ORR_MSG_TYPE_POLL_ELEMENTS, ORR_MSG_TYPE_ELEMENTS, true, &record_poll_elements, encode_poll_elements, decode_poll_elements},
+    {"ELEMENTS", ORR_MSG_TYPE_ELEMENTS, 0, false, &record_elements, encode_elements, decode_elements},
+    {"POLL_NAVDATA", ORR_MSG_TYPE_POLL_NAVDATA, ORR_MSG_TYPE_NAVDATA, true, &record_poll_navdata, encode_poll_navdata, decode_poll_navdata},
+    {"NAVDATA", ORR_MSG_TYPE_NAVDATA, 0, false, &record_navdata, encode_navdata, decode_navdata},
+    {"POLL_DELAYS", ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, true, &record_poll_delays, encode_poll_delays, decode_poll_delays},
+    {"DELAYS", ORR_MSG_TYPE_DELAYS, 0, false, &record_delays, encode_delays, decode_delays},
+    {"POLL_IMU", ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, true, &record_poll_imu, encode_poll_imu, decode_poll_imu},
+    {"IMU", ORR_MSG_TYPE_IMU, 0, false, &record_imu, encode_imu, decode_imu},
+    {"POLL_TRUTH", ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, true, &record_poll_truth, encode_poll_truth, decode_poll_truth},
+    {"TRUTH", ORR_MSG_TYPE_TRUTH, 0, false, &record_truth, encode_truth, decode_truth},
+};
+
+const orr_message_info *orr_message_of(uint16_t type)
+{
+    for (size_t i = 0; i < sizeof messages / sizeof messages[0]; i++)
+        if (messages[i].type == type) return &messages[i];
+    return NULL;
+}

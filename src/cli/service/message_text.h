@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the three forms of a message as text share: its answer, its rows, its values that are words.
+#ifndef ORR_CLI_SERVICE_MESSAGE_TEXT_H
+#define ORR_CLI_SERVICE_MESSAGE_TEXT_H
+
+#include "proto/fields.h"
+
+// The answer in a message or record, ORR_MSG_ANSWER_OK where it has no such field.
+uint8_t orr_message_answer(const orr_record *r, const void *m);
+// How many have numbers: records of its list whose answer is OK; of a message without a list itself, 1 or 0.
+uint64_t orr_message_numbers(const orr_record *r, const void *m);
+
+#define ORR_MESSAGE_CELL 96
+static inline const void *orr_message_member(const orr_field *f, const void *m)
+{
+    return (const char *)m + f->offset;
+}
+// The list of records that the rows of a table are; NULL where a message has none.
+const orr_field *orr_message_rows(const orr_record *r);
+// Room for one record of a list; NULL (and a sentence on stderr) without memory. Free it.
+void *orr_message_room(const orr_record *r);
+// An enum's value, a bit set's names, a satellite, an instant, a letter or an integer as text; `words`: as for
+// people, otherwise as the specification names it.
+char *orr_message_text(const orr_field *f, const void *at, bool words, char cell[ORR_MESSAGE_CELL]);
+// "x" of the first of three, "1" of the first of any other number.
+const char *orr_message_axis(const orr_field *f, uint16_t k, char buf[8]);
+void orr_message_json(const orr_record *r, const void *m);
+void orr_message_csv(const orr_record *r, const void *m, bool *headed);
+void orr_message_table(const orr_record *r, const void *m, const char *frame);
+
+#endif
