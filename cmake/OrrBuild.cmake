@@ -24,14 +24,18 @@ endif()
 
 add_library(orr_flags INTERFACE)
 # No contraction into FMA: the same product and time give the same bytes whichever compiler built us.
-target_compile_options(orr_flags INTERFACE -ffp-contract=off -fno-math-errno
-  -Wall -Wextra -Wpedantic -Wshadow -Wdouble-promotion
-  $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla>)
-target_compile_definitions(orr_flags INTERFACE _POSIX_C_SOURCE=200809L _XOPEN_SOURCE=700
-  ORR_VERSION="${PROJECT_VERSION}")
-target_include_directories(orr_flags INTERFACE "${PROJECT_SOURCE_DIR}")
+set(ORR_C_WARNINGS -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla)
+# Users of the installed libraries compile as they like: these are for the build of Orrery alone.
+target_compile_options(orr_flags INTERFACE
+  "$<BUILD_INTERFACE:-ffp-contract=off;-fno-math-errno;-Wall;-Wextra;-Wpedantic;-Wshadow;-Wdouble-promotion>"
+  "$<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C>:${ORR_C_WARNINGS}>>")
+target_compile_definitions(orr_flags INTERFACE
+  "$<BUILD_INTERFACE:_POSIX_C_SOURCE=200809L;_XOPEN_SOURCE=700;ORR_VERSION=\"${PROJECT_VERSION}\">")
+include(GNUInstallDirs)
+target_include_directories(orr_flags INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/orrery>")
 if(ORR_WERROR)
-  target_compile_options(orr_flags INTERFACE -Werror)
+  target_compile_options(orr_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(ORR_SANITIZE)
   target_compile_options(orr_flags INTERFACE -fsanitize=${ORR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -51,3 +55,9 @@ function(orr_room name)
   add_library(orr_${name} STATIC ${R_SOURCES})
   target_link_libraries(orr_${name} PUBLIC orr_flags ${R_PUBLIC} PRIVATE ${R_PRIVATE} m)
 endfunction()
+
+# Where real IGS files are; tests that need them are given this path and skip with a reason where it is empty.
+set(ORR_DATA_DIR "$ENV{ORRERY_DATA}")
+if(NOT ORR_DATA_DIR)
+  set(ORR_DATA_DIR "${PROJECT_SOURCE_DIR}/../shared/data")
+endif()

@@ -57,6 +57,26 @@ static int help(const orr_cli *c, const char *name)
     return orr_cli_flush(c);
 }
 
+// The manual page of a command, or of the program; the build makes pages by it.
+static int man(const orr_cli *c, const char *name)
+{
+    const orr_command *cmd = name != NULL ? find_command(name) : NULL;
+    if (name != NULL && cmd == NULL) return unknown_command(c, name);
+    if (cmd != NULL)
+        orr_cli_man_command(stdout, cmd);
+    else
+        orr_cli_man_program(stdout, commands);
+    return orr_cli_flush(c);
+}
+
+static int completion(const orr_cli *c, const char *shell)
+{
+    const bool zsh = strcmp(shell, "zsh") == 0;
+    if (!zsh && strcmp(shell, "bash") != 0) return orr_cli_usage(c, "--completion goes with bash or zsh");
+    orr_cli_completion(stdout, commands, zsh);
+    return orr_cli_flush(c);
+}
+
 // "orrery orbit -o day.nc day.sp3", cut if it is very long.
 static void join_call(int argc, char *const *argv, char *call, size_t n)
 {
@@ -95,11 +115,16 @@ int main(int argc, char **argv)
     }
     const char *word = argv[1];
     if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
-        puts("orrery " ORR_VERSION);
+        const char *more = argc > 2 ? argv[2] : "";
+        const bool verbose = strcmp(more, "--verbose") == 0 || strcmp(more, "-v") == 0;
+        if (argc > (verbose ? 3 : 2)) return orr_cli_usage(&c, "--version goes with --verbose alone");
+        orr_cli_version(stdout, verbose);
         return orr_cli_flush(&c);
     }
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) return help(&c, NULL);
     if (strcmp(word, "help") == 0) return help(&c, argc > 2 ? argv[2] : NULL);
+    if (strcmp(word, "--man") == 0) return man(&c, argc > 2 ? argv[2] : NULL);
+    if (strcmp(word, "--completion") == 0) return completion(&c, argc > 2 ? argv[2] : "");
     if (word[0] == '-') return orr_cli_usage(&c, "there is no option %s before a command", word);
     c.command = find_command(word);
     if (c.command == NULL) return unknown_command(&c, word);

@@ -20,6 +20,22 @@ void orr_cli_args_free(orr_cli *c);
 // Once, at the begin of main.
 void orr_cli_signals_take(void);
 
+// Texts that help and manual pages share.
+#define ORR_CLI_ABOUT_TEXT                                                                                   \
+    "Orrery is the back end of a GNSS signal generator. It turns IGS products into satellite states, "       \
+    "ionospheric delays and matching inertial readings, and serves them by time tag."
+#define ORR_CLI_TIMES_TEXT                                                                                   \
+    "2024-02-04T00:15:00 (GPS scale), 2024-02-04T00:14:42Z (UTC), 2300:900 (GPS week:seconds), 2024-035 "    \
+    "(year-day)."
+#define ORR_CLI_STATUS_TEXT                                                                                  \
+    "0: done. 1: it could not be done. 2: usage error. A signal ends a command at once (130 after SIGINT, "  \
+    "143 after SIGTERM in a shell); unfinished output files are removed."
+
+void orr_cli_man_command(FILE *f, const orr_command *command);
+void orr_cli_man_program(FILE *f, const orr_command *const *list);
+void orr_cli_completion(FILE *f, const orr_command *const *list, bool zsh);
+void orr_cli_version(FILE *f, bool verbose); // verbose: commit, compiler and libraries too
+
 void orr_cli_help_command(FILE *f, const orr_command *command);
 void orr_cli_help_program(FILE *f, const orr_command *const *list); // ends with NULL
 

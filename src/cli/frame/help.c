@@ -49,7 +49,7 @@ static void help_option(FILE *f, const orr_option *o)
         fprintf(f, "%*s", HELP_COLUMN - n, "");
     }
     char help[640];
-    snprintf(help, sizeof help, "%s%s%s", o->help, o->required ? " (needed)" : "",
+    snprintf(help, sizeof help, "%s%s%s", o->help, o->required ? " (required)" : "",
              o->repeated ? " (may be repeated)" : "");
     wrap(f, help, HELP_COLUMN, HELP_COLUMN);
 }
@@ -77,11 +77,10 @@ void orr_cli_help_command(FILE *f, const orr_command *cmd)
     bool times = false;
     for (size_t i = 0; i < cmd->n_options; i++)
         times |= cmd->option[i].kind == ORR_OPT_TIME || cmd->option[i].kind == ORR_OPT_INTERVAL;
-    if (times)
-        fputs("\nTimes: 2024-02-04T00:15:00 (GPS scale), 2024-02-04T00:14:42Z (UTC), 2300:900 (GPS "
-              "week:seconds),\n"
-              "2024-035 (year-day).\n",
-              f);
+    if (times) {
+        fputs("\nTimes: ", f);
+        wrap(f, ORR_CLI_TIMES_TEXT, 7, 0);
+    }
     if (cmd->example != NULL) {
         fputs("\nExample:\n", f);
         for (const char *p = cmd->example; *p != '\0';) {
@@ -95,18 +94,17 @@ void orr_cli_help_command(FILE *f, const orr_command *cmd)
 
 void orr_cli_help_program(FILE *f, const orr_command *const *list)
 {
-    fputs("Orrery: the back end of a GNSS signal generator. It turns IGS products into satellite states, "
-          "ionospheric\n"
-          "delays and matching inertial readings, and serves them by time tag.\n\n"
-          "Usage: orrery COMMAND [options]\n",
-          f);
+    wrap(f, ORR_CLI_ABOUT_TEXT, 0, 0);
+    fputs("\nUsage: orrery COMMAND [options]\n", f);
     for (size_t i = 0; list[i] != NULL; i++) {
         if (i == 0 || strcmp(list[i]->group, list[i - 1]->group) != 0) fprintf(f, "\n%s\n", list[i]->group);
         fprintf(f, "  %-12s %s\n", list[i]->name, list[i]->summary);
     }
-    fputs("\n'orrery help COMMAND' or 'orrery COMMAND --help' tells more, with an example. 'orrery "
-          "--version' is the version.\n"
-          "Data go to stdout, talk to stderr. Exit status: 0 done, 1 it could not be done, 2 it was asked "
-          "wrongly.\n",
+    fputs("\n'orrery help COMMAND' or 'orrery COMMAND --help' shows the options of a command, with an "
+          "example.\n"
+          "'orrery --version' prints the version, with --verbose also the commit, the compiler and the "
+          "libraries.\n"
+          "Data go to standard output, messages to standard error.\n\nExit status: ",
           f);
+    wrap(f, ORR_CLI_STATUS_TEXT, 13, 0);
 }

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""cmake --install into a folder: the program runs from there, its libraries build others' programs through pkg-config and
+through find_package, manual pages are clean, bash completes from the command table."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from program import ORRERY, ROOT, Folder, run, sample  # noqa: E402
+
+BUILD = pathlib.Path(ORRERY).resolve().parent.parent
+
+USER = r"""
+#include <stdio.h>
+
+#include "orbit/ephemeris/ephemeris.h"
+#include "proto/client.h"
+
+int main(int argc, char **argv)
+{
+    orr_diag diag = {0};
+    orr_ephemeris *e = NULL;
+    const orr_sat *list;
+    if (argc != 2 || orr_ephemeris_load(argv[1], &e, &diag) != ORR_OK) {
+        fprintf(stderr, "%s\n", diag.text);
+        return 1;
+    }
+    printf("%zu satellites\n", orr_ephemeris_satellites(e, &list));
+    orr_ephemeris_free(e);
+    return 0;
+}
+"""
+
+CLIENT = r"""
+#include <stdio.h>
+#include "proto/crc32.h"
+int main(void) { printf("%08lx\n", (unsigned long)orr_crc32(0, (const unsigned char *)"123456789", 9)); return 0; }
+"""
+
+PROJECT = """
+cmake_minimum_required(VERSION 3.25)
+project(user LANGUAGES C CXX)
+find_package(Orrery 0.1 REQUIRED)
+add_executable(user user.c)
+target_link_libraries(user PRIVATE Orrery::orbit Orrery::proto)
+"""
+
+
+def call(*args, **kwargs):
+    done = subprocess.run([str(a) for a in args], capture_output=True, text=True, timeout=240, check=False, **kwargs)
+    if done.returncode != 0:
+        raise AssertionError(f"{args}: status {done.returncode}\n{done.stdout}\n{done.stderr}")
+    return done.stdout
+
+
+def commands():
+    return [line.split()[0] for line in run("--help").stdout.splitlines()
+            if line.startswith("  ") and not line.startswith("   ")]
+
+
+class Installed(Folder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.prefix = cls.folder / "prefix"
+        call("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        cls.product = cls.path("day.nc")
+        call(cls.prefix / "bin/orrery", "orbit", "-q", "-o", cls.product, sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
+        cls.user = cls.folder / "user.c"
+        cls.user.write_text(USER)
+
+    def found(self, pattern):
+        """The one file of that name below the prefix."""
+        files = list(self.prefix.rglob(pattern))
+        self.assertEqual(len(files), 1, pattern)
+        return files[0]
+
+    def test_no_private_header_is_installed(self):
+        self.assertTrue(list(self.prefix.rglob("ephemeris.h")))
+        self.assertEqual(list(self.prefix.rglob("*_private.h")), [])
+
+    def test_pkg_config(self):
+        env = dict(os.environ, PKG_CONFIG_PATH=str(self.found("orrery.pc").parent))
+        flags = call("pkg-config", "--cflags", "--libs", "orrery", "orrery-client", env=env).split()
+        call("cc", "-std=c17", self.user, "-o", self.folder / "by-pkg-config", *flags)
+        self.assertEqual(call(self.folder / "by-pkg-config", self.product), "80 satellites\n")
+
+    def test_client_needs_libc_alone(self):
+        env = dict(os.environ, PKG_CONFIG_PATH=str(self.found("orrery-client.pc").parent))
+        flags = call("pkg-config", "--cflags", "--libs", "orrery-client", env=env).split()
+        (self.folder / "client.c").write_text(CLIENT)
+        call("cc", "-std=c17", self.folder / "client.c", "-o", self.folder / "client", *flags)
+        self.assertEqual(call(self.folder / "client"), "cbf43926\n")
+
+    def test_find_package(self):
+        project = self.folder / "project"
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(PROJECT)
+        (project / "user.c").write_text(USER)
+        call("cmake", "-S", project, "-B", project / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        call("cmake", "--build", project / "build")
+        self.assertEqual(call(project / "build/user", self.product), "80 satellites\n")
+
+    def test_manual_pages(self):
+        pages = sorted(p.name for p in (self.prefix / "share/man/man1").iterdir())
+        self.assertEqual(pages, sorted(["orrery.1"] + [f"orrery-{name}.1" for name in commands()]))
+        for name in pages:
+            with self.subTest(page=name):
+                done = subprocess.run(["groff", "-man", "-ww", "-K", "utf8", "-T", "utf8", self.prefix / "share/man/man1" / name],
+                                      capture_output=True, text=True, timeout=60, check=False)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("NAME", re.sub(".\b", "", done.stdout))  # bold is overstruck
+        text = (self.prefix / "share/man/man1/orrery-orbit.1").read_text()
+        self.assertIn(r"\fB\-\-output\fR \fIFILE\fR", text)
+
+    def complete(self, *words):
+        """What bash offers for the last word."""
+        script = ('source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
+                  'function=$(complete -p orrery | sed "s/.*-F \\([^ ]*\\).*/\\1/"); $function; printf "%s\\n" "${COMPREPLY[@]}"')
+        file = self.prefix / "share/bash-completion/completions/orrery"
+        return call("bash", "-c", script, "bash", file, "orrery", *words, cwd=self.folder).split()
+
+    def test_bash_completion(self):
+        self.assertEqual(self.complete("ecl"), ["eclipses"])
+        self.assertLessEqual(set(commands()), set(self.complete("")))
+        self.assertEqual(self.complete("help", "gravi"), ["gravimetry"])
+        self.assertEqual(self.complete("states", "--form"), ["--format"])
+        self.assertEqual(sorted(self.complete("states", "x.nc", "--format", "")), ["csv", "json", "sp3"])
+        self.assertEqual(self.complete("states", "day"), ["day.nc"])
+        self.assertEqual(self.complete("states", "-o", "user"), ["user.c"])
+        self.assertEqual(self.complete("states", "--from", "2"), [])
+        self.assertIn("--quiet", self.complete("orbit", "--"))
+
+    def test_version(self):
+        lines = run("--version", "--verbose").stdout.splitlines()
+        self.assertEqual([line.split()[0] for line in lines], ["orrery", "built", "compiler", "libraries"])
+        in_git = (ROOT / ".git").exists()
+        self.assertRegex(lines[1], r"^built from commit [0-9a-f]{12}(-dirty)?$" if in_git else r"^built from release \d")
+        self.assertRegex(lines[3], r"GSL \d.*NetCDF \d")
+        self.assertEqual(run("--version", "-v").stdout.splitlines(), lines)
+        self.assertIn("--verbose", run("--version", "--json", status=2).stderr)
+
+    def test_benchmarks_without_tests(self):
+        """./demo configures without tests; the target bench is there all the same."""
+        build = self.folder / "without-tests"
+        call("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DORR_TESTS=OFF")
+        call("ninja", "-C", build, "-n", "bench")
+
+
+if __name__ == "__main__":
+    unittest.main()
