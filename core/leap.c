@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The leap second table: built in, or read from the IERS file.
+#include "core/leap.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "core/time.h"
-#include "core/time_private.h"
 
 // IERS Bulletin C; TAI - UTC of the leap-seconds.list that IERS serves.
 static const orr_leap_entry BUILTIN[] = {
@@ -151,16 +150,4 @@ int orr_leap_of_day(const orr_leap_table *leap, int32_t mjd)
     size_t i = leap->n - 1;
     while (i > 0 && mjd < leap->entry[i].mjd) i--;
     return leap->entry[i].tai_minus_utc_s;
-}
-
-int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap)
-{
-    if (leap == NULL) leap = &TABLE;
-    return leap->entry[orr_leap_index_tai(leap, orr_tai_seconds(t))].tai_minus_utc_s;
-}
-
-bool orr_leap_expired(orr_time t, const orr_leap_table *leap)
-{
-    if (leap == NULL) leap = &TABLE;
-    return orr_tai_seconds(t) - orr_leap_tai_minus_utc(t, leap) >= (int64_t)leap->expires_mjd * ORR_S_PER_DAY;
 }

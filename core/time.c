@@ -84,6 +84,18 @@ int orr_day_of_year(int year, int month, int day)
 // ---- scales
 // ---------------------------------------------------------------------------------------------------
 
+int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap)
+{
+    if (leap == NULL) leap = orr_leap_builtin();
+    return leap->entry[orr_leap_index_tai(leap, orr_tai_seconds(t))].tai_minus_utc_s;
+}
+
+bool orr_leap_expired(orr_time t, const orr_leap_table *leap)
+{
+    if (leap == NULL) leap = orr_leap_builtin();
+    return orr_tai_seconds(t) - orr_leap_tai_minus_utc(t, leap) >= (int64_t)leap->expires_mjd * ORR_S_PER_DAY;
+}
+
 static bool is_utc(orr_scale s) { return s == ORR_SCALE_UTC || s == ORR_SCALE_GLO; }
 
 // Scale - GPS in nanoseconds, for those that differ by a constant.
@@ -105,7 +117,7 @@ static int64_t offset_ns(orr_scale s)
 static void split(orr_time t, orr_scale scale, const orr_leap_table *leap, int32_t *mjd, int64_t *ns_of_day)
 {
     if (leap == NULL) leap = orr_leap_builtin();
-    int64_t s = orr_floor_div(t, ORR_NS_PER_S), ns = t - s * ORR_NS_PER_S;
+    int64_t s = orr_floor_div(t, ORR_NS_PER_S), ns = orr_floor_mod(t, ORR_NS_PER_S);
     if (is_utc(scale)) {
         int64_t tai_s = orr_tai_seconds(t);
         size_t i = orr_leap_index_tai(leap, tai_s);
@@ -125,13 +137,26 @@ static void split(orr_time t, orr_scale scale, const orr_leap_table *leap, int32
     *ns_of_day = (s - day * ORR_S_PER_DAY) * ORR_NS_PER_S + ns;
 }
 
+// n units of so many nanoseconds, or the end of the axis.
+static orr_time of_units(int64_t n, int64_t unit_ns)
+{
+    const int64_t most = INT64_MAX / unit_ns;
+    return n > most ? INT64_MAX : n < -most ? -INT64_MAX : n * unit_ns;
+}
+
+// What is added to an end leads nowhere back.
+static orr_time beyond(orr_time t, int64_t ns)
+{
+    return t == INT64_MAX || t == -INT64_MAX ? t : orr_time_add(t, ns);
+}
+
 static orr_time join(int32_t mjd, int64_t ns_of_day, orr_scale scale, const orr_leap_table *leap)
 {
     if (leap == NULL) leap = orr_leap_builtin();
-    int64_t day_ns = ((int64_t)mjd - ORR_MJD_GPS_EPOCH) * ORR_S_PER_DAY * ORR_NS_PER_S;
-    if (is_utc(scale))
-        return day_ns + ns_of_day + (orr_leap_of_day(leap, mjd) - ORR_TAI_MINUS_GPS_S) * ORR_NS_PER_S;
-    return day_ns + ns_of_day - offset_ns(scale);
+    int64_t shift_ns =
+        is_utc(scale) ? (orr_leap_of_day(leap, mjd) - ORR_TAI_MINUS_GPS_S) * ORR_NS_PER_S : -offset_ns(scale);
+    orr_time day = of_units((int64_t)mjd - ORR_MJD_GPS_EPOCH, ORR_S_PER_DAY * ORR_NS_PER_S);
+    return beyond(beyond(day, ns_of_day), shift_ns);
 }
 
 orr_status orr_time_from_civil(const orr_civil *c, orr_scale scale, const orr_leap_table *leap, orr_time *out)
@@ -141,7 +166,7 @@ orr_status orr_time_from_civil(const orr_civil *c, orr_scale scale, const orr_le
         c->second > 60 || c->ns < 0 || c->ns > 999999999 || c->hour > 24 || c->day < 1)
         return ORR_E_ARG;
     if (c->hour == 24 && (c->minute != 0 || c->second != 0 || c->ns != 0)) return ORR_E_ARG;
-    if (c->year < 1900 || c->year > 2250) return ORR_E_RANGE;
+    if (c->year < ORR_TIME_FIRST_YEAR || c->year > ORR_TIME_LAST_YEAR) return ORR_E_RANGE;
     if (c->day > days_in_month(c->year, c->month)) return ORR_E_ARG;
     int32_t mjd = orr_mjd_from_date(c->year, c->month, c->day);
     int64_t second_of_day = c->hour * 3600 + c->minute * 60 + c->second;
@@ -187,9 +212,8 @@ void orr_time_mjd(orr_time t, orr_scale scale, const orr_leap_table *leap, int32
 
 orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const orr_leap_table *leap)
 {
-    // whole seconds first: the nanoseconds of a day need more bits than a product of doubles keeps exactly
-    double s = fraction * ORR_S_PER_DAY, whole = floor(s);
-    return join(mjd, (int64_t)whole * ORR_NS_PER_S + llround((s - whole) * 1e9), scale, leap);
+    orr_time ns_of_day = orr_time_add_s(0, fraction * ORR_S_PER_DAY);
+    return join(mjd, ns_of_day, scale, leap);
 }
 
 // ---- weeks and sums
@@ -201,10 +225,13 @@ void orr_time_week(orr_time t, int32_t *week, int64_t *ns_of_week)
 {
     int64_t w = orr_floor_div(t, NS_PER_WEEK);
     *week = (int32_t)w;
-    *ns_of_week = t - w * NS_PER_WEEK;
+    *ns_of_week = orr_floor_mod(t, NS_PER_WEEK);
 }
 
-orr_time orr_time_from_week(int32_t week, int64_t ns_of_week) { return week * NS_PER_WEEK + ns_of_week; }
+orr_time orr_time_from_week(int32_t week, int64_t ns_of_week)
+{
+    return beyond(of_units(week, NS_PER_WEEK), ns_of_week);
+}
 
 int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near)
 {
@@ -216,9 +243,8 @@ int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near)
 
 orr_time orr_time_add_s(orr_time t, double s)
 {
+    // Whole seconds first: the nanoseconds of a year need more bits than a product of doubles keeps exactly.
     if (!(fabs(s) < 9.2e9)) return s < 0 ? -INT64_MAX : INT64_MAX; // NAN too
     double whole = floor(s);
-    int64_t ns = (int64_t)whole * ORR_NS_PER_S + llround((s - whole) * 1e9);
-    if (ns > 0) return t > INT64_MAX - ns ? INT64_MAX : t + ns;
-    return t < -INT64_MAX - ns ? -INT64_MAX : t + ns;
+    return orr_time_add(t, (int64_t)whole * ORR_NS_PER_S + llround((s - whole) * 1e9));
 }

@@ -5,7 +5,7 @@
 #ifndef ORR_CORE_TIME_H
 #define ORR_CORE_TIME_H
 
-#include "core/status.h"
+#include "core/leap.h"
 
 typedef int64_t orr_time; // covers 1687 to 2272
 
@@ -14,8 +14,10 @@ typedef int64_t orr_time; // covers 1687 to 2272
 // nearer fit in an orr_time.
 #define ORR_TIME_FAR (INT64_C(1) << 61)
 static inline bool orr_time_is_near(orr_time t) { return t > -ORR_TIME_FAR && t < ORR_TIME_FAR; }
+// The years that are read: any two instants within them are nearer than an orr_time can say.
+#define ORR_TIME_FIRST_YEAR 1960
+#define ORR_TIME_LAST_YEAR 2250
 #define ORR_NS_PER_S INT64_C(1000000000)
-#define ORR_S_PER_DAY 86400
 #define ORR_S_PER_WEEK 604800
 
 typedef enum orr_scale {
@@ -41,28 +43,12 @@ typedef struct orr_civil {
     int32_t ns;                                 // 0 .. 999999999
 } orr_civil;
 
-// Leap seconds: from each entry's UTC day on (MJD), TAI - UTC is so many seconds. The table is data; the
-// built-in one carries the IERS bulletins known when it was written and says until when it is certain.
-typedef struct orr_leap_entry {
-    int32_t mjd;
-    int32_t tai_minus_utc_s;
-} orr_leap_entry;
-typedef struct orr_leap_table {
-    size_t n;
-    const orr_leap_entry *entry; // ascending
-    int32_t expires_mjd;         // no promise from this UTC day on
-} orr_leap_table;
-
-const orr_leap_table *orr_leap_builtin(void);
-// Reads IERS' leap-seconds.list (NTP seconds). Entries are allocated; free with orr_leap_free.
-orr_status orr_leap_read(const char *path, orr_leap_table *out, orr_diag *diag);
-void orr_leap_free(orr_leap_table *t);
-// TAI - UTC at an instant, in seconds. leap may be NULL (built-in) here and in every routine below.
+// TAI - UTC at an instant, in seconds. leap may be NULL (built-in) in this and every routine below.
 int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap);
 bool orr_leap_expired(orr_time t, const orr_leap_table *leap);
 
 // Checks every field (months, days, a 60th second only where the table has one). 24:00:00 is accepted and is
-// the next day's 00:00:00. ORR_E_ARG if it is no date, ORR_E_RANGE outside 1900..2250 and, in UTC and GLO,
+// the next day's 00:00:00. ORR_E_ARG if it is no date, ORR_E_RANGE outside the years above and, in UTC and GLO,
 // before the table's first day (1972: UTC had no whole leap seconds before). The way back has no error:
 // before 1972 it holds the first entry.
 orr_status orr_time_from_civil(const orr_civil *c, orr_scale scale, const orr_leap_table *leap,
@@ -89,6 +75,21 @@ orr_time orr_time_from_week(int32_t week, int64_t ns_of_week);
 // `truncated`.
 int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
 
+// Sums and differences in nanoseconds. What does not fit is the nearest that does, never ORR_TIME_NONE: an
+// instant of anyone may be at an end of the axis.
+static inline orr_time orr_time_add(orr_time t, int64_t ns)
+{
+    int64_t sum;
+    if (__builtin_add_overflow(t, ns, &sum)) return ns < 0 ? -INT64_MAX : INT64_MAX;
+    return sum == INT64_MIN ? -INT64_MAX : sum;
+}
+static inline int64_t orr_time_sub_ns(orr_time a, orr_time b)
+{
+    int64_t difference;
+    if (__builtin_sub_overflow(a, b, &difference)) return a < b ? -INT64_MAX : INT64_MAX;
+    return difference == INT64_MIN ? -INT64_MAX : difference;
+}
+
 // a / b rounded down, whatever the signs.
 static inline int64_t orr_floor_div(int64_t a, int64_t b)
 {
@@ -96,8 +97,16 @@ static inline int64_t orr_floor_div(int64_t a, int64_t b)
     return a % b != 0 && (a < 0) != (b < 0) ? q - 1 : q;
 }
 
-// a - b in seconds; exact to half a nanosecond for |a - b| < 48 days.
-static inline double orr_time_diff_s(orr_time a, orr_time b) { return (double)(a - b) * 1e-9; }
+// What orr_floor_div leaves: [0, b) for b > 0.
+static inline int64_t orr_floor_mod(int64_t a, int64_t b)
+{
+    int64_t r = a % b;
+    return r != 0 && (r < 0) != (b < 0) ? r + b : r;
+}
+
+// a - b in seconds, the double nearest to the true value: whole seconds are whole, and half a nanosecond is
+// kept for |a - b| < 48 days. Saturates as orr_time_sub_ns.
+static inline double orr_time_diff_s(orr_time a, orr_time b) { return (double)orr_time_sub_ns(a, b) / 1e9; }
 // t + s seconds, rounded to the nearest nanosecond; a sum beyond the axis is its end, never ORR_TIME_NONE.
 orr_time orr_time_add_s(orr_time t, double s);
 

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "core/time.h"
-#include "core/time_private.h"
 
 static bool digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -35,7 +34,7 @@ char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_
     // Rounded in the scale itself: TT alone differs from GPS by a part of a second.
     int64_t q = POWER10[9 - decimals], part = scale == ORR_SCALE_TT ? INT64_C(184000000) : 0;
     int64_t rest = (t % q + part % q + q) % q;
-    t += 2 * rest >= q ? q - rest : -rest;
+    t = orr_time_add(t, 2 * rest >= q ? q - rest : -rest);
     char suffix[8] = "";
     if (scale == ORR_SCALE_UTC)
         snprintf(suffix, sizeof suffix, "Z");
@@ -49,7 +48,7 @@ char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_
 
 char *orr_time_text(orr_time t, char buf[ORR_TIME_TEXT])
 {
-    int64_t ns = t - orr_floor_div(t, ORR_NS_PER_S) * ORR_NS_PER_S;
+    int64_t ns = orr_floor_mod(t, ORR_NS_PER_S);
     int decimals = 0;
     for (; ns != 0; decimals++) ns = ns * 10 % ORR_NS_PER_S;
     print(t, ORR_SCALE_GPS, decimals, NULL, "", buf);
@@ -107,7 +106,7 @@ static orr_status parse_week(const char *text, orr_time *out, orr_diag *diag)
         return refuse(diag, ORR_E_ARG, text, FORMS);
     if (second >= ORR_S_PER_WEEK)
         return refuse(diag, ORR_E_ARG, text, "a week has 604800 seconds, counted from 0");
-    if (week > 14091) return refuse(diag, ORR_E_RANGE, text, "the years 1900 to 2250 are understood");
+    if (week > 14091) return refuse(diag, ORR_E_RANGE, text, "the years 1960 to 2250 are understood");
     *out = orr_time_from_week(week, second * ORR_NS_PER_S + ns);
     return ORR_OK;
 }
@@ -169,10 +168,10 @@ orr_status orr_time_parse(const char *text, const orr_leap_table *leap, orr_time
         return refuse(diag, ORR_E_ARG, text, FORMS);
 
     orr_status status = orr_time_from_civil(&c, scale, leap, out);
-    if (status == ORR_E_RANGE && c.year >= 1900 && c.year <= 2250)
+    if (status == ORR_E_RANGE && c.year >= ORR_TIME_FIRST_YEAR && c.year <= ORR_TIME_LAST_YEAR)
         return refuse(diag, status, text,
                       "UTC and GLO have whole leap seconds since 1972-01-01 only; use GPS or TAI");
-    if (status == ORR_E_RANGE) return refuse(diag, status, text, "the years 1900 to 2250 are understood");
+    if (status == ORR_E_RANGE) return refuse(diag, status, text, "the years 1960 to 2250 are understood");
     if (status != ORR_OK && c.second == 60)
         return refuse(diag, status, text, "no leap second was inserted there, or the scale has none");
     if (status != ORR_OK) return refuse(diag, status, text, "there is no such date or time of day");

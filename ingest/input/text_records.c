@@ -78,7 +78,9 @@ bool orr_records_sinex_time(orr_view v, orr_scale scale, orr_time *out)
         return false;
     if (year == 0 && doy == 0 && sod == 0) return true;
     if (part[0].n <= 2) year += year <= 50 ? 2000 : 1900;
-    if (doy == 0 || doy > (orr_is_leap_year(year) ? 366 : 365) || year < 1900 || year > 2250) return false;
+    if (doy == 0 || doy > (orr_is_leap_year(year) ? 366 : 365) || year < ORR_TIME_FIRST_YEAR ||
+        year > ORR_TIME_LAST_YEAR)
+        return false;
     int32_t mjd = orr_mjd_from_date(year, 1, 1) + doy - 1;
     orr_civil c = {.hour = sod / 3600, .minute = sod / 60 % 60, .second = sod % 60};
     orr_date_from_mjd(mjd, &c.year, &c.month, &c.day);

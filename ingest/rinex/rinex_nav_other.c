@@ -222,7 +222,7 @@ static orr_time of_week(int64_t week, int64_t sow_s, char system)
     if (week <= 0 || week > 9999 || sow_s < 0 || sow_s > 604800) return ORR_TIME_NONE;
     int64_t shift = system == 'C' ? 14 : 0;
     if (system == 'C') week += 1356;
-    return orr_time_from_week((int32_t)week, sow_s * ORR_NS_PER_S) + shift * ORR_NS_PER_S;
+    return orr_time_add(orr_time_from_week((int32_t)week, sow_s * ORR_NS_PER_S), shift * ORR_NS_PER_S);
 }
 
 static orr_status add_sto(const header_context *c, const char *code, double a0, double a1, orr_time t)

@@ -64,7 +64,7 @@ static double transmission_sow(const orr_nav_eph *e, int32_t week, char system)
     if (e->transmission == ORR_TIME_NONE) return 0.9999e9;
     int64_t shift = system == 'C' ? BDT_MINUS_GPS_NS : 0;
     int32_t gps_week = system == 'C' ? week + BDT_WEEK0 : week;
-    return (double)(e->transmission - shift - orr_time_from_week(gps_week, 0)) * 1e-9;
+    return orr_time_diff_s(e->transmission - shift, orr_time_from_week(gps_week, 0));
 }
 
 static void put_kepler(FILE *f, const orr_nav_eph *e)

@@ -65,19 +65,20 @@ static size_t pass_over_twins(const orr_smoother_input *input, size_t n, size_t 
     return kept;
 }
 
-// The clock of a file's own time system, in ns since MJD 0 of its days: what decimation counts in.
+// The clock of a file's own time system, in ns since the GPS epoch's label: what decimation counts in.
 static int64_t label_ns(orr_time t, orr_scale scale)
 {
     orr_civil c;
     orr_time_to_civil(t, scale, NULL, &c);
     int64_t s = c.hour * INT64_C(3600) + c.minute * INT64_C(60) + c.second;
-    return ((int64_t)orr_mjd_from_date(c.year, c.month, c.day) * ORR_S_PER_DAY + s) * ORR_NS_PER_S + c.ns;
+    orr_time day = orr_time_from_mjd(orr_mjd_from_date(c.year, c.month, c.day), 0.0, ORR_SCALE_GPS, NULL);
+    return orr_time_add(day, s * ORR_NS_PER_S + c.ns);
 }
 
 static bool wanted_epoch(orr_time t, orr_scale scale, int64_t midnight, int64_t step_ns,
                          const orr_smoother_options *o)
 {
-    if (step_ns > 0 && (label_ns(t, scale) - midnight) % step_ns != 0) return false;
+    if (step_ns > 0 && orr_time_sub_ns(label_ns(t, scale), midnight) % step_ns != 0) return false;
     for (size_t i = 0; i < o->n_exclude; i++)
         if (orr_interval_holds(o->exclude[i], t)) return false;
     return true;
@@ -310,7 +311,7 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
     n_inputs = pass_over_twins(input, n_inputs, order, warnings);
     const int64_t day = ORR_S_PER_DAY * ORR_NS_PER_S;
     int64_t midnight = label_ns(input[order[0]].sp3->epoch[0], input[order[0]].sp3->scale);
-    midnight -= midnight % day;
+    midnight = orr_time_add(midnight, -orr_floor_mod(midnight, day));
 
     out->list = calloc(n_sats + 1, sizeof *out->list);
     if (out->list == NULL) goto memory;
