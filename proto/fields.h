@@ -87,13 +87,6 @@ typedef struct orr_message_info {
     orr_wire_status (*decode)(const uint8_t *payload, size_t size, void *m);
 } orr_message_info;
 
-// Room for any message.
-typedef union orr_msg_any {
-#define ORR_MSG_MEMBER(name) orr_msg_##name name;
-    ORR_MSG_EACH(ORR_MSG_MEMBER)
-#undef ORR_MSG_MEMBER
-} orr_msg_any;
-
 // NULL for a type that the specification does not know.
 const orr_message_info *orr_message_of(uint16_t type);
 // The field of a record by name, NULL where there is none.

@@ -23,13 +23,6 @@ void orr_server_error(orr_wire_writer *out, uint16_t code, const char *sentence)
     put_error(out, 0, 0, code, sentence);
 }
 
-static const orr_server_route *route_of(const orr_server *s, uint16_t type)
-{
-    for (size_t i = 0; i < s->n_routes; i++)
-        if (s->route[i].request == type) return &s->route[i];
-    return NULL;
-}
-
 // What a client calls itself goes into logs: printable ASCII only.
 static void note_client(orr_server_conn *c, const orr_msg_hello *hello)
 {
@@ -62,9 +55,11 @@ static uint16_t answer_hello(const orr_server *s, orr_wire_writer *w)
     orr_msg_served_request requests[64] = {{ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, never},
                                            {ORR_MSG_TYPE_PING, ORR_MSG_TYPE_PONG, never}};
     uint16_t n = 2;
-    for (size_t i = 0; i < s->n_routes && n < 64; i++) {
-        requests[n] = (orr_msg_served_request){s->route[i].request, s->route[i].reply, never};
-        if (s->served == NULL || s->served(s->user, s->route[i].request, &requests[n].span)) n++;
+    uint16_t type;
+    for (size_t i = 0; n < 64 && (type = orr_msg_request_type(i)) != 0; i++) {
+        requests[n] = (orr_msg_served_request){type, orr_msg_handled(s->handlers, type), never};
+        if (requests[n].answer == 0) continue;
+        if (s->served == NULL || s->served(s->user, type, &requests[n].span)) n++;
     }
     orr_msg_caps caps;
     memset(&caps, 0, sizeof caps);
@@ -97,7 +92,28 @@ static void next_part(orr_server_conn *c, uint32_t index)
     c->unfinished = 0;
 }
 
-static uint16_t begin(const orr_server *s, orr_server_conn *c, const orr_frame *f, orr_server_refusal *why)
+// A request of the table of handlers, decoded or not: 0 and the frames of its answer, or a code.
+static uint16_t begin_handled(const orr_server *s, orr_server_conn *c, const orr_frame *f,
+                              const orr_msg_any *request, orr_wire_status decoded, orr_server_refusal *why)
+{
+    const char *name = orr_msg_type_name(f->type);
+    if (decoded == ORR_WIRE_LIMIT) {
+        snprintf(why->sentence, sizeof why->sentence, "%s: more members than a list may have", name);
+        return ORR_MSG_ERROR_CODE_LIMIT;
+    }
+    if (decoded != ORR_WIRE_OK) {
+        snprintf(why->sentence, sizeof why->sentence, "%s: %s", name, orr_wire_status_text(decoded));
+        return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
+    }
+    c->frames = orr_msg_request_frames(f->type, request);
+    uint16_t code = orr_msg_begin(s->handlers, s->user, f->type, request, why);
+    if (code != 0 || c->frames > 0) return code;
+    snprintf(why->sentence, sizeof why->sentence, "%s: count is 0, no epoch is asked for", name);
+    return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+}
+
+static uint16_t begin(const orr_server *s, orr_server_conn *c, const orr_frame *f, const orr_msg_any *request,
+                      orr_wire_status decoded, orr_server_refusal *why)
 {
     c->frames = 1;
     next_part(c, 0);
@@ -109,8 +125,7 @@ static uint16_t begin(const orr_server *s, orr_server_conn *c, const orr_frame *
         snprintf(why->sentence, sizeof why->sentence, "PING: %s", orr_wire_status_text(ws));
         return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
     }
-    const orr_server_route *route = route_of(s, f->type);
-    if (route != NULL) return route->begin(s->user, f, &c->frames, why);
+    if (orr_msg_handled(s->handlers, f->type) != 0) return begin_handled(s, c, f, request, decoded, why);
     const char *name = orr_msg_type_name(f->type);
     if (name == NULL)
         snprintf(why->sentence, sizeof why->sentence, "unknown message type %u", (unsigned)f->type);
@@ -121,23 +136,21 @@ static uint16_t begin(const orr_server *s, orr_server_conn *c, const orr_frame *
 
 // One call of a handler: begins a frame at the writer's end or goes on with it there; `more` when it is not
 // finished.
-static uint16_t answer(const orr_server *s, orr_server_conn *c, const orr_frame *f, orr_wire_writer *w,
-                       orr_server_refusal *why)
+static uint16_t answer(const orr_server *s, orr_server_conn *c, const orr_frame *f,
+                       const orr_msg_any *request, orr_wire_writer *w, orr_server_refusal *why)
 {
-    const orr_server_route *route = NULL;
-    uint16_t reply = f->type == ORR_MSG_TYPE_PING ? ORR_MSG_TYPE_PONG : ORR_MSG_TYPE_CAPS, code = 0;
-    if (f->type != ORR_MSG_TYPE_PING && f->type != ORR_MSG_TYPE_HELLO) {
-        route = route_of(s, f->type);
-        reply = route->reply;
-    }
+    uint16_t handled = orr_msg_handled(s->handlers, f->type), code = 0;
+    uint16_t reply = f->type == ORR_MSG_TYPE_PING ? ORR_MSG_TYPE_PONG
+                     : handled != 0               ? handled
+                                                  : ORR_MSG_TYPE_CAPS;
     size_t start = w->size;
     if (c->unfinished > 0)
         w->size += c->unfinished;
     else
         orr_frame_begin(w, reply, f->sequence, &start);
     c->part.more = false;
-    if (route != NULL)
-        code = route->answer(s->user, f, &c->part, w, why);
+    if (handled != 0)
+        code = orr_msg_answer(s->handlers, s->user, f->type, request, &c->part, w, why);
     else if (f->type == ORR_MSG_TYPE_PING)
         code = answer_ping(f, w);
     else
@@ -170,12 +183,13 @@ static void refuse_stream(orr_wire_status status, const orr_frame *f, orr_wire_w
 }
 
 // Answers the request under way as far as there is room and time. True when it is done with.
-static bool answer_some(const orr_server *s, orr_server_conn *c, const orr_frame *f, uint16_t refused,
-                        orr_server_refusal *why, orr_wire_writer *out, orr_server_step *step)
+static bool answer_some(const orr_server *s, orr_server_conn *c, const orr_frame *f,
+                        const orr_msg_any *request, uint16_t refused, orr_server_refusal *why,
+                        orr_wire_writer *out, orr_server_step *step)
 {
     while (refused == 0 && c->part.index < c->frames) {
         size_t mark = out->size;
-        refused = answer(s, c, f, out, why);
+        refused = answer(s, c, f, request, out, why);
         if (refused == 0 && out->status == ORR_WIRE_OK) {
             if (c->part.more) {
                 c->unfinished = out->size - mark;
@@ -234,8 +248,10 @@ void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, 
         }
         orr_server_refusal why = {""};
         uint16_t refused = 0;
-        if (!under_way) refused = begin(s, c, &f, &why);
-        if (!answer_some(s, c, &f, refused, &why, out, step)) {
+        orr_msg_any request;
+        orr_wire_status decoded = orr_msg_request_decode(f.type, f.payload, f.size, &request);
+        if (!under_way) refused = begin(s, c, &f, &request, decoded, &why);
+        if (!answer_some(s, c, &f, &request, refused, &why, out, step)) {
             if (refused != 0) c->frames = 0;
             return;
         }

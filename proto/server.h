@@ -45,23 +45,19 @@ static inline bool orr_server_next_piece(orr_server_part *part, uint32_t all)
     return part->done < all && !part->more;
 }
 
-// How one kind of request is answered: begin looks at it and says how many frames will answer (at least 1);
-// answer encodes the payload of frame number part->index into w, as a pure function of (request, index), for
-// it is called again from the frame's begin when the output was too small. Both return 0 or a code with a
-// sentence in *why. A writer that is full is no error of theirs.
-typedef struct orr_server_route {
-    uint16_t request, reply; // ORR_MSG_TYPE_*
-    uint16_t (*begin)(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why);
-    uint16_t (*answer)(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
-                       orr_server_refusal *why);
-} orr_server_route;
+// How one kind of request is answered: it is decoded once a turn and its handlers get the struct, whose lists
+// and strings are borrowed until they return. begin (which may be NULL) looks at it; it is answered by one
+// frame, or by one an epoch. The other encodes the payload of frame number part->index into w, as a pure
+// function of (request, index), for it is called again from the frame's begin when the output was too small.
+// Both return 0 or a code with a sentence in *why. A writer that is full is no error of theirs. A kind whose
+// handler is NULL is refused with NOT_SERVED.
+#include "proto/gen/handlers.h"
 
 // Shared by all connections, read only. HELLO and PING are answered here. caps fills all but versions, limits
-// and requests. `served`, which may be NULL, says of a route whether it has anything to answer with, and over
+// and requests. `served`, which may be NULL, says of a request that has a handler whether there is anything to answer it with, and over
 // which span (*span comes as "no instant"); the others are not among the requests of CAPS.
 typedef struct orr_server {
-    const orr_server_route *route;
-    size_t n_routes;
+    const orr_msg_handlers *handlers;
     void (*caps)(void *user, orr_msg_caps *caps);
     bool (*served)(void *user, uint16_t request, orr_msg_span *span);
     void *user;

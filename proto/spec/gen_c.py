@@ -155,7 +155,8 @@ class CWriter:
             out += [f"orr_wire_status {name}_encode(const {name} *m, orr_wire_writer *w);",
                     f"orr_wire_status {name}_decode(const uint8_t *payload, size_t size, {name} *m);", ""]
         names = " ".join(f"X({m.name})" for m in s.messages.values())
-        out += ["// All messages, for code that does the same with each.", f"#define {up}_EACH(X) {names}", "", "#ifdef __cplusplus", "}", "#endif", "", "#endif"]
+        out += ["// All messages, for code that does the same with each.", f"#define {up}_EACH(X) {names}", "",
+                "// Room for any of them.", f"typedef union {p}_any {{"] + [f"    {p}_{m.name} {m.name};" for m in s.messages.values()] + [f"}} {p}_any;", "", "#ifdef __cplusplus", "}", "#endif", "", "#endif"]
         return "\n".join(out) + "\n"
 
     def lists_before(self, struct, done):

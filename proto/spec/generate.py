@@ -18,6 +18,7 @@ import gen_c
 import gen_client
 import gen_docs
 import gen_fields
+import gen_handlers
 import gen_lua
 import gen_python
 from model import Spec, SpecError
@@ -74,6 +75,7 @@ def outputs(spec):
     """path -> text of everything generated."""
     c = gen_c.CWriter(spec, SOURCE, "proto/gen/messages.h")
     verbs = gen_client.Verbs(spec, SOURCE)
+    handlers = gen_handlers.Handlers(spec, SOURCE)
     messages_text = gen_python.module(spec, SOURCE)
     check_examples(spec, load_package(messages_text))
     page = ROOT / "docs/protocol.md"
@@ -82,6 +84,8 @@ def outputs(spec):
         "proto/gen/messages.c": c.code(),
         "proto/gen/crc32_table.h": gen_c.crc_header(),
         "proto/gen/fields.c": gen_fields.Fields(spec, SOURCE).code(),
+        "proto/gen/handlers.h": handlers.header(),
+        "proto/gen/handlers.c": handlers.code(),
         "proto/gen/verbs.h": verbs.header(),
         "proto/gen/verbs.c": verbs.code(),
         "proto/gen/orrery.lua": gen_lua.Lua(spec, SOURCE).module(),

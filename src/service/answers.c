@@ -61,17 +61,6 @@ orr_msg_epoch orr_answers_epoch(const orr_msg_epochs *epochs, uint32_t index)
     return (orr_msg_epoch){epochs->t + epochs->step * (int64_t)index, index, epochs->count, 0};
 }
 
-uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why)
-{
-    if (ws == ORR_WIRE_OK) return 0;
-    if (ws == ORR_WIRE_LIMIT) {
-        snprintf(why->sentence, sizeof why->sentence, "%s: more members than a list may have", name);
-        return ORR_MSG_ERROR_CODE_LIMIT;
-    }
-    snprintf(why->sentence, sizeof why->sentence, "%s: %s", name, orr_wire_status_text(ws));
-    return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
-}
-
 const orr_sat *orr_answers_asked(orr_answers *a, const orr_msg_sat_id_list *satellites, uint16_t *n)
 {
     *n = satellites->count;
@@ -91,17 +80,14 @@ orr_wire_records orr_answers_promise(uint16_t stride)
     return (orr_wire_records){.data = &none, .size = 0, .stride = stride};
 }
 
-static uint16_t begin_poll(void *user, const orr_frame *request, uint32_t *frames, orr_server_refusal *why)
+static uint16_t begin_poll(void *user, const orr_msg_poll *poll, orr_server_refusal *why)
 {
     const orr_answers *a = user;
-    orr_msg_poll poll;
-    orr_wire_status ws = orr_msg_poll_decode(request->payload, request->size, &poll);
-    uint16_t code = orr_answers_check_decoded("POLL", ws, why);
-    if (code == 0 && a->n_ids == 0)
+    uint16_t code = 0;
+    if (a->n_ids == 0)
         code = orr_answers_refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED,
                                   "POLL: this scenario has no satellites (orbit.product, orbit.sp3)");
-    if (code == 0) code = orr_answers_check_epochs("POLL", &poll.epochs, why);
-    *frames = poll.epochs.count;
+    if (code == 0) code = orr_answers_check_epochs("POLL", &poll->epochs, why);
     return code;
 }
 
@@ -130,17 +116,15 @@ static void fill(const orr_sat_state *s, orr_msg_sat_id sat, orr_answer answer, 
     m->valid_to = s->valid_to;
 }
 
-static uint16_t answer_poll(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
+static uint16_t answer_poll(void *user, const orr_msg_poll *poll, orr_server_part *part, orr_wire_writer *w,
                             orr_server_refusal *why)
 {
     (void)why;
     orr_answers *a = user;
-    orr_msg_poll poll;
-    orr_msg_poll_decode(request->payload, request->size, &poll); // begin_poll has seen that it decodes
     uint16_t n;
-    const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_states m = {.epoch = orr_answers_epoch(&poll.epochs, part->index)};
-    orr_answer answer = orr_engine_states(a->engine, m.epoch.t, poll.satellites.count > 0 ? sats : NULL, n,
+    const orr_sat *sats = orr_answers_asked(a, &poll->satellites, &n);
+    orr_msg_states m = {.epoch = orr_answers_epoch(&poll->epochs, part->index)};
+    orr_answer answer = orr_engine_states(a->engine, m.epoch.t, poll->satellites.count > 0 ? sats : NULL, n,
                                           a->state, a->answer);
     m.epoch.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK) {
@@ -152,13 +136,19 @@ static uint16_t answer_poll(void *user, const orr_frame *request, orr_server_par
     return 0;
 }
 
-static const orr_server_route routes[] = {
-    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, begin_poll, answer_poll},
-    {ORR_MSG_TYPE_POLL_ELEMENTS, ORR_MSG_TYPE_ELEMENTS, orr_answers_begin_elements, orr_answers_elements},
-    {ORR_MSG_TYPE_POLL_NAVDATA, ORR_MSG_TYPE_NAVDATA, orr_answers_begin_navdata, orr_answers_navdata},
-    {ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, orr_answers_begin_delays, orr_answers_delays},
-    {ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, orr_answers_begin_imu, orr_answers_imu},
-    {ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, orr_answers_begin_truth, orr_answers_truth},
+static const orr_msg_handlers handlers = {
+    .begin_poll = begin_poll,
+    .poll = answer_poll,
+    .begin_poll_elements = orr_answers_begin_elements,
+    .poll_elements = orr_answers_elements,
+    .begin_poll_navdata = orr_answers_begin_navdata,
+    .poll_navdata = orr_answers_navdata,
+    .begin_poll_delays = orr_answers_begin_delays,
+    .poll_delays = orr_answers_delays,
+    .begin_poll_imu = orr_answers_begin_imu,
+    .poll_imu = orr_answers_imu,
+    .begin_poll_truth = orr_answers_begin_truth,
+    .poll_truth = orr_answers_truth,
 };
 
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag)
@@ -174,8 +164,7 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
     a->all = sats;
     a->n_ids = (uint16_t)n;
     for (size_t i = 0; i < n; i++) a->id[i] = orr_answers_sat_id(sats[i]);
-    a->server =
-        (orr_server){routes, sizeof routes / sizeof routes[0], orr_answers_caps, orr_answers_served, a};
+    a->server = (orr_server){&handlers, orr_answers_caps, orr_answers_served, a};
     *out = a;
     return ORR_OK;
 }

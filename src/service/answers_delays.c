@@ -41,21 +41,17 @@ static uint16_t check_receiver(orr_vec3 receiver, orr_server_refusal *why)
     return ORR_MSG_ERROR_CODE_BAD_REQUEST;
 }
 
-uint16_t orr_answers_begin_delays(void *user, const orr_frame *request, uint32_t *frames,
-                                  orr_server_refusal *why)
+uint16_t orr_answers_begin_delays(void *user, const orr_msg_poll_delays *poll, orr_server_refusal *why)
 {
     const orr_answers *a = user;
-    orr_msg_poll_delays poll;
-    uint16_t code = orr_answers_check_decoded(
-        "POLL_DELAYS", orr_msg_poll_delays_decode(request->payload, request->size, &poll), why);
-    if (code == 0) code = orr_answers_check_epochs("POLL_DELAYS", &poll.epochs, why);
+    uint16_t code = orr_answers_check_epochs("POLL_DELAYS", &poll->epochs, why);
     if (code != 0) return code;
     if (!orr_engine_has_ionosphere(a->engine))
         return orr_answers_refuse(
             why, ORR_MSG_ERROR_CODE_NOT_SERVED,
             "POLL_DELAYS: this scenario has no ionosphere (ionosphere.field, ionosphere.session)");
     orr_vec3 receiver;
-    orr_answer where = receiver_of(a, &poll, poll.epochs.t, &receiver);
+    orr_answer where = receiver_of(a, poll, poll->epochs.t, &receiver);
     if (where == ORR_ANSWER_NOT_SERVED)
         return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
                                   "POLL_DELAYS: it names no receiver, and neither does the scenario "
@@ -64,12 +60,11 @@ uint16_t orr_answers_begin_delays(void *user, const orr_frame *request, uint32_t
     if (code != 0) return code;
     double hz;
     orr_wire_iter it = {0};
-    while (orr_msg_f64_next(&poll.carriers_hz, &it, &hz))
+    while (orr_msg_f64_next(&poll->carriers_hz, &it, &hz))
         if (!(hz >= 1e8 && hz <= 3e10))
             return orr_answers_refuse(
                 why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
                 "POLL_DELAYS: a carrier outside 100 MHz to 30 GHz, for which 40.3 TEC/f^2 does not hold");
-    *frames = poll.epochs.count;
     return 0;
 }
 
@@ -96,23 +91,20 @@ static void fill_delay(const orr_realisation *d, orr_msg_sat_id sat, orr_answer 
         m->delay_m[k] = orr_iono_delay_m(d->stec_tecu, hz[k], ORR_MEASURES_CODE);
 }
 
-uint16_t orr_answers_delays(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
-                            orr_server_refusal *why)
+uint16_t orr_answers_delays(void *user, const orr_msg_poll_delays *poll, orr_server_part *part,
+                            orr_wire_writer *w, orr_server_refusal *why)
 {
     orr_answers *a = user;
-    orr_msg_poll_delays poll;
-    orr_msg_poll_delays_decode(request->payload, request->size,
-                               &poll); // its begin has seen that it decodes
     double hz[ORR_MSG_MAX_CARRIERS] = {1575.42e6};
-    uint16_t n_hz = poll.carriers_hz.count, n;
-    for (uint16_t k = 0; k < n_hz; k++) orr_msg_f64_at(&poll.carriers_hz, k, &hz[k]);
+    uint16_t n_hz = poll->carriers_hz.count, n;
+    for (uint16_t k = 0; k < n_hz; k++) orr_msg_f64_at(&poll->carriers_hz, k, &hz[k]);
     if (n_hz == 0) n_hz = 1;
-    const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_delays m = {.epoch = orr_answers_epoch(&poll.epochs, part->index),
+    const orr_sat *sats = orr_answers_asked(a, &poll->satellites, &n);
+    orr_msg_delays m = {.epoch = orr_answers_epoch(&poll->epochs, part->index),
                         .carriers_hz = {.count = n_hz, .item = hz},
                         .satellites = {n, NULL, orr_answers_promise(ORR_MSG_SAT_DELAY_SIZE)}};
     orr_vec3 receiver = {ORR_NAN, ORR_NAN, ORR_NAN};
-    orr_answer answer = receiver_of(a, &poll, m.epoch.t, &receiver);
+    orr_answer answer = receiver_of(a, poll, m.epoch.t, &receiver);
     uint16_t code = answer == ORR_ANSWER_OK ? check_receiver(receiver, why) : 0;
     if (code != 0) return code; // it has flown up there since the first epoch
     m.receiver_m[0] = receiver.x;

@@ -34,20 +34,16 @@ static void put(double to[3], orr_vec3 v)
     to[2] = v.z;
 }
 
-uint16_t orr_answers_begin_imu(void *user, const orr_frame *request, uint32_t *frames,
-                               orr_server_refusal *why)
+uint16_t orr_answers_begin_imu(void *user, const orr_msg_poll_imu *poll, orr_server_refusal *why)
 {
     const orr_engine *e = orr_answers_engine(user);
-    orr_msg_poll_imu poll;
-    uint16_t code = orr_answers_check_decoded(
-        "POLL_IMU", orr_msg_poll_imu_decode(request->payload, request->size, &poll), why);
-    if (code == 0) code = check_unit(e, "POLL_IMU", poll.unit, why);
+    uint16_t code = check_unit(e, "POLL_IMU", poll->unit, why);
     if (code != 0) return code;
     if (!orr_engine_imu_physical(e))
         return refuse(
             why, ORR_MSG_ERROR_CODE_NOT_SERVED, "POLL_IMU",
             "readings of approach 1 depend on all before them; they are made by 'orrery imu', not by time");
-    const orr_msg_epochs *q = &poll.epochs;
+    const orr_msg_epochs *q = &poll->epochs;
     if (q->step < 0 || q->step > INT64_C(3600000000000))
         return refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL_IMU",
                       "an interval has a length of 0 to an hour");
@@ -58,7 +54,6 @@ uint16_t orr_answers_begin_imu(void *user, const orr_frame *request, uint32_t *f
     if (code == 0 && q->t > INT64_MAX - ends.step * (int64_t)q->count)
         code = refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "POLL_IMU",
                       "its last interval ends beyond what a time can be");
-    *frames = q->count;
     return code;
 }
 
@@ -69,27 +64,25 @@ static orr_time begin_of(const orr_engine *e, const orr_msg_poll_imu *poll, uint
     return poll->epochs.t + (int64_t)llround((double)k * 1e9 / orr_engine_imu_rate(e));
 }
 
-uint16_t orr_answers_imu(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
+uint16_t orr_answers_imu(void *user, const orr_msg_poll_imu *poll, orr_server_part *part, orr_wire_writer *w,
                          orr_server_refusal *why)
 {
     (void)why;
     const orr_engine *e = orr_answers_engine(user);
-    orr_msg_poll_imu poll;
-    orr_msg_poll_imu_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
-    orr_msg_imu m = {.epoch = {begin_of(e, &poll, part->index), part->index, poll.epochs.count, 0},
-                     .t1 = begin_of(e, &poll, part->index + 1),
-                     .unit = poll.unit};
+    orr_msg_imu m = {.epoch = {begin_of(e, poll, part->index), part->index, poll->epochs.count, 0},
+                     .t1 = begin_of(e, poll, part->index + 1),
+                     .unit = poll->unit};
     enum { PIECE = 8 }; // some microseconds
     orr_sensors_sum sum;
     _Static_assert(sizeof sum <= sizeof part->kept, "the sum is kept between two pieces of a frame");
     if (part->done == 0)
-        m.epoch.answer = (uint8_t)orr_engine_imu_begin(e, poll.unit, m.epoch.t, m.t1, &sum);
+        m.epoch.answer = (uint8_t)orr_engine_imu_begin(e, poll->unit, m.epoch.t, m.t1, &sum);
     else
         memcpy(&sum, part->kept, sizeof sum);
     if (m.epoch.answer != ORR_MSG_ANSWER_OK)
         sum.dtheta_rad = sum.dv_mps = (orr_vec3){ORR_NAN, ORR_NAN, ORR_NAN};
     else
-        while (!orr_engine_imu_add(e, poll.unit, &sum, PIECE))
+        while (!orr_engine_imu_add(e, poll->unit, &sum, PIECE))
             if (!orr_server_next_piece(part, UINT32_MAX)) {
                 memcpy(part->kept, &sum, sizeof sum);
                 return 0;
@@ -100,27 +93,20 @@ uint16_t orr_answers_imu(void *user, const orr_frame *request, orr_server_part *
     return 0;
 }
 
-uint16_t orr_answers_begin_truth(void *user, const orr_frame *request, uint32_t *frames,
-                                 orr_server_refusal *why)
+uint16_t orr_answers_begin_truth(void *user, const orr_msg_poll_truth *poll, orr_server_refusal *why)
 {
-    orr_msg_poll_truth poll;
-    uint16_t code = orr_answers_check_decoded(
-        "POLL_TRUTH", orr_msg_poll_truth_decode(request->payload, request->size, &poll), why);
-    if (code == 0) code = check_unit(orr_answers_engine(user), "POLL_TRUTH", poll.unit, why);
-    if (code == 0) code = orr_answers_check_epochs("POLL_TRUTH", &poll.epochs, why);
-    *frames = poll.epochs.count;
+    uint16_t code = check_unit(orr_answers_engine(user), "POLL_TRUTH", poll->unit, why);
+    if (code == 0) code = orr_answers_check_epochs("POLL_TRUTH", &poll->epochs, why);
     return code;
 }
 
-uint16_t orr_answers_truth(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
-                           orr_server_refusal *why)
+uint16_t orr_answers_truth(void *user, const orr_msg_poll_truth *poll, orr_server_part *part,
+                           orr_wire_writer *w, orr_server_refusal *why)
 {
     (void)why;
-    orr_msg_poll_truth poll;
-    orr_msg_poll_truth_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
-    orr_msg_truth m = {.epoch = orr_answers_epoch(&poll.epochs, part->index), .unit = poll.unit};
+    orr_msg_truth m = {.epoch = orr_answers_epoch(&poll->epochs, part->index), .unit = poll->unit};
     orr_truth t;
-    m.epoch.answer = (uint8_t)orr_engine_truth(orr_answers_engine(user), poll.unit, m.epoch.t, &t);
+    m.epoch.answer = (uint8_t)orr_engine_truth(orr_answers_engine(user), poll->unit, m.epoch.t, &t);
     if (m.epoch.answer != ORR_MSG_ANSWER_OK) {
         orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
         t = (orr_truth){.motion = {.r_m = none,

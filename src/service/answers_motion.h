@@ -5,13 +5,11 @@
 
 #include "proto/server.h"
 
-uint16_t orr_answers_begin_imu(void *user, const orr_frame *request, uint32_t *frames,
-                               orr_server_refusal *why);
-uint16_t orr_answers_imu(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
+uint16_t orr_answers_begin_imu(void *user, const orr_msg_poll_imu *poll, orr_server_refusal *why);
+uint16_t orr_answers_imu(void *user, const orr_msg_poll_imu *poll, orr_server_part *part, orr_wire_writer *w,
                          orr_server_refusal *why);
-uint16_t orr_answers_begin_truth(void *user, const orr_frame *request, uint32_t *frames,
-                                 orr_server_refusal *why);
-uint16_t orr_answers_truth(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
-                           orr_server_refusal *why);
+uint16_t orr_answers_begin_truth(void *user, const orr_msg_poll_truth *poll, orr_server_refusal *why);
+uint16_t orr_answers_truth(void *user, const orr_msg_poll_truth *poll, orr_server_part *part,
+                           orr_wire_writer *w, orr_server_refusal *why);
 
 #endif

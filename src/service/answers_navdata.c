@@ -16,21 +16,16 @@ _Static_assert((uint32_t)ORR_NAVSET_MANOEUVRE == ORR_MSG_NAV_NOTES_MANOEUVRE &&
                "the navset's notes are the wire's");
 _Static_assert(ORR_MSG_MAX_PAGES == ORR_NAVFRAME_PIECES, "one list holds a frame");
 
-uint16_t orr_answers_begin_navdata(void *user, const orr_frame *request, uint32_t *frames,
-                                   orr_server_refusal *why)
+uint16_t orr_answers_begin_navdata(void *user, const orr_msg_poll_navdata *poll, orr_server_refusal *why)
 {
     const orr_answers *a = user;
-    orr_msg_poll_navdata poll;
-    orr_wire_status ws = orr_msg_poll_navdata_decode(request->payload, request->size, &poll);
-    uint16_t code = orr_answers_check_decoded("POLL_NAVDATA", ws, why);
-    if (code == 0) code = orr_answers_check_epochs("POLL_NAVDATA", &poll.epochs, why);
+    uint16_t code = orr_answers_check_epochs("POLL_NAVDATA", &poll->epochs, why);
     if (code != 0) return code;
     const char *none = orr_engine_no_navdata(a->engine);
     if (none != NULL) {
         snprintf(why->sentence, sizeof why->sentence, "POLL_NAVDATA: %.220s", none);
         return ORR_MSG_ERROR_CODE_NOT_SERVED;
     }
-    *frames = poll.epochs.count;
     return 0;
 }
 
@@ -134,16 +129,14 @@ static void fill(orr_msg_sat_id sat, orr_answer answer, const orr_navset_item *s
     m->pages.item = r->page;
 }
 
-uint16_t orr_answers_navdata(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
-                             orr_server_refusal *why)
+uint16_t orr_answers_navdata(void *user, const orr_msg_poll_navdata *poll, orr_server_part *part,
+                             orr_wire_writer *w, orr_server_refusal *why)
 {
     (void)why;
     orr_answers *a = user;
-    orr_msg_poll_navdata poll;
-    orr_msg_poll_navdata_decode(request->payload, request->size, &poll); // its begin has seen that it decodes
     uint16_t n;
-    const orr_sat *sats = orr_answers_asked(a, &poll.satellites, &n);
-    orr_msg_navdata m = {.epoch = orr_answers_epoch(&poll.epochs, part->index),
+    const orr_sat *sats = orr_answers_asked(a, &poll->satellites, &n);
+    orr_msg_navdata m = {.epoch = orr_answers_epoch(&poll->epochs, part->index),
                          .satellites = {n, NULL, orr_answers_promise(0)}};
     bool another = true;
     if (part->done == 0) { // the message without its records, then one a piece

@@ -5,9 +5,8 @@
 
 #include "proto/server.h"
 
-uint16_t orr_answers_begin_navdata(void *user, const orr_frame *request, uint32_t *frames,
-                                   orr_server_refusal *why);
-uint16_t orr_answers_navdata(void *user, const orr_frame *request, orr_server_part *part, orr_wire_writer *w,
-                             orr_server_refusal *why);
+uint16_t orr_answers_begin_navdata(void *user, const orr_msg_poll_navdata *poll, orr_server_refusal *why);
+uint16_t orr_answers_navdata(void *user, const orr_msg_poll_navdata *poll, orr_server_part *part,
+                             orr_wire_writer *w, orr_server_refusal *why);
 
 #endif

@@ -23,8 +23,7 @@ struct orr_answers {
 
 // Writes the sentence and returns the code.
 uint16_t orr_answers_refuse(orr_server_refusal *why, uint16_t code, const char *sentence);
-// Whether a payload was decoded, and whether its epochs can be: 0 or a code. `name` is for the sentence.
-uint16_t orr_answers_check_decoded(const char *name, orr_wire_status ws, orr_server_refusal *why);
+// Whether epochs can be: 0 or a code. `name` is for the sentence.
 uint16_t orr_answers_check_epochs(const char *name, const orr_msg_epochs *epochs, orr_server_refusal *why);
 // Epoch number `index` of a request, its answer still open.
 orr_msg_epoch orr_answers_epoch(const orr_msg_epochs *epochs, uint32_t index);

@@ -944,6 +944,27 @@ orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_ms
 // All messages, for code that does the same with each.
 #define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
 
+// Room for any of them.
+typedef union orr_msg_any {
+    orr_msg_hello hello;
+    orr_msg_caps caps;
+    orr_msg_ping ping;
+    orr_msg_pong pong;
+    orr_msg_error error;
+    orr_msg_poll poll;
+    orr_msg_states states;
+    orr_msg_poll_elements poll_elements;
+    orr_msg_elements elements;
+    orr_msg_poll_navdata poll_navdata;
+    orr_msg_navdata navdata;
+    orr_msg_poll_delays poll_delays;
+    orr_msg_delays delays;
+    orr_msg_poll_imu poll_imu;
+    orr_msg_imu imu;
+    orr_msg_poll_truth poll_truth;
+    orr_msg_truth truth;
+} orr_msg_any;
+
 // The client's side of a conversation, for a generator's firmware: C99 and libc alone, no allocation, no
 // clock, no socket. The caller supplies read and write callbacks (a socket, a UART, a test's pipe) and one
 // buffer.

@@ -20,41 +20,32 @@ static inline orr_msg_sat_state fake_state(uint8_t number, int64_t t)
     return s;
 }
 
-static inline uint16_t fake_begin(void *user, const orr_frame *request, uint32_t *frames,
-                                  orr_server_refusal *why)
+static inline uint16_t fake_begin(void *user, const orr_msg_poll *poll, orr_server_refusal *why)
 {
     fake *f = user;
     f->begun++;
-    orr_msg_poll poll;
-    if (orr_msg_poll_decode(request->payload, request->size, &poll) != ORR_WIRE_OK) {
-        snprintf(why->sentence, sizeof why->sentence, "POLL cannot be read");
-        return ORR_MSG_ERROR_CODE_BAD_PAYLOAD;
-    }
-    if (poll.epochs.count == 0) {
+    if (poll->epochs.count == 0) {
         snprintf(why->sentence, sizeof why->sentence, "no epochs asked for");
         return ORR_MSG_ERROR_CODE_BAD_REQUEST;
     }
-    *frames = poll.epochs.count;
     return 0;
 }
 
-static inline uint16_t fake_answer(void *user, const orr_frame *request, orr_server_part *part,
+static inline uint16_t fake_answer(void *user, const orr_msg_poll *poll, orr_server_part *part,
                                    orr_wire_writer *w, orr_server_refusal *why)
 {
     fake *f = user;
     const uint32_t index = part->index;
     f->answered++;
-    orr_msg_poll poll;
-    orr_msg_poll_decode(request->payload, request->size, &poll);
     int64_t t =
-        (int64_t)((uint64_t)poll.epochs.t + index * (uint64_t)poll.epochs.step); // of anyone: may wrap
+        (int64_t)((uint64_t)poll->epochs.t + index * (uint64_t)poll->epochs.step); // of anyone: may wrap
     if (t == 666) {
         snprintf(why->sentence, sizeof why->sentence, "broken at 666");
         return ORR_MSG_ERROR_CODE_INTERNAL;
     }
     orr_msg_sat_state sats[99];
     for (uint16_t i = 0; i < f->n_sats; i++) sats[i] = fake_state((uint8_t)(i + 1), t);
-    orr_msg_states m = {{t, index, poll.epochs.count, ORR_MSG_ANSWER_OK}, {f->n_sats, sats, {NULL, 0, 0}}};
+    orr_msg_states m = {{t, index, poll->epochs.count, ORR_MSG_ANSWER_OK}, {f->n_sats, sats, {NULL, 0, 0}}};
     orr_msg_states_encode(&m, w);
     return 0;
 }
@@ -67,9 +58,8 @@ static inline void fake_caps(void *user, orr_msg_caps *caps)
     caps->span = (orr_msg_span){-5, 1000};
 }
 
-static const orr_server_route fake_routes[] = {
-    {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, fake_answer}};
+static const orr_msg_handlers fake_handlers = {.begin_poll = fake_begin, .poll = fake_answer};
 
-static inline orr_server fake_server(fake *f) { return (orr_server){fake_routes, 1, fake_caps, NULL, f}; }
+static inline orr_server fake_server(fake *f) { return (orr_server){&fake_handlers, fake_caps, NULL, f}; }
 
 #endif

@@ -69,19 +69,17 @@ static void a_series_ends_clearly(void **state)
 }
 
 // Each satellite of a frame is a piece; what they are computed from is kept from the first to the last.
-static uint16_t answer_in_pieces(void *user, const orr_frame *request, orr_server_part *part,
+static uint16_t answer_in_pieces(void *user, const orr_msg_poll *poll, orr_server_part *part,
                                  orr_wire_writer *w, orr_server_refusal *why)
 {
     (void)why;
     fake *f = user;
-    orr_msg_poll poll;
     static const uint8_t none;
-    orr_msg_poll_decode(request->payload, request->size, &poll);
     bool another = true;
     if (part->done == 0) {
-        orr_msg_states m = {{poll.epochs.t, part->index, poll.epochs.count, ORR_MSG_ANSWER_OK},
+        orr_msg_states m = {{poll->epochs.t, part->index, poll->epochs.count, ORR_MSG_ANSWER_OK},
                             {f->n_sats, NULL, {&none, 0, ORR_MSG_SAT_STATE_SIZE}}};
-        part->kept[0] = (double)(poll.epochs.t + part->index);
+        part->kept[0] = (double)(poll->epochs.t + part->index);
         orr_msg_states_encode(&m, w);
         f->answered++;
         another = orr_server_next_piece(part, f->n_sats + 1u);
@@ -106,9 +104,9 @@ static void turns_end_between_pieces(void **state)
 {
     (void)state;
     fake f = {.n_sats = 3};
-    const orr_server_route route = {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_STATES, fake_begin, answer_in_pieces};
+    const orr_msg_handlers handlers = {.begin_poll = fake_begin, .poll = answer_in_pieces};
     orr_server s = fake_server(&f);
-    s.route = &route;
+    s.handlers = &handlers;
     orr_server_conn whole = {0};
     orr_server_step step;
     size_t n = put_poll(in, 9, 100, 1, 4);
