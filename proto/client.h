@@ -60,7 +60,7 @@ orr_wire_status orr_client_open(orr_client *c, const char *name, const char *ver
 orr_wire_status orr_client_check(orr_client *c, uint64_t token);
 
 // What the verbs are made of: begin, encode into *w, send; then wait for the next frame of a type. A request
-// of epochs says how many frames it expects; each that comes is compared with what is due.
+// of epochs says how many frames it expects; each that comes is compared with what is due (I11, I12).
 void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);
 orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start);
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);

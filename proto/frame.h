@@ -25,7 +25,7 @@ typedef struct orr_frame {
     uint32_t size;
 } orr_frame;
 
-// Looks for one frame at the start of data[0..n). Returns
+// (I4, I5) Looks for one frame at the start of data[0..n). Returns
 //   ORR_WIRE_OK: *f is set, *used is its length;
 //   ORR_WIRE_MORE: *used is how many bytes are needed at least (so a buffer can be sized before they come);
 //   ORR_WIRE_MAGIC, _VERSION, _LENGTH (payload above max_payload), _CRC: the stream is lost; the header's

@@ -23,7 +23,7 @@ void orr_server_error(orr_wire_writer *out, uint16_t code, const char *sentence)
     put_error(out, 0, 0, code, sentence);
 }
 
-// What a client calls itself goes into logs: printable ASCII only.
+// (I13) What a client calls itself goes into logs: printable ASCII only.
 static void note_client(orr_server_conn *c, const orr_msg_hello *hello)
 {
     char name[65], version[33];
@@ -92,7 +92,7 @@ static void next_part(orr_server_conn *c, uint32_t index)
     c->unfinished = 0;
 }
 
-// A request of the table of handlers, decoded or not: 0 and the frames of its answer, or a code.
+// (I9) A request of the table of handlers, decoded or not: 0 and the frames of its answer, or a code.
 static uint16_t begin_handled(const orr_server *s, orr_server_conn *c, const orr_frame *f,
                               const orr_msg_any *request, orr_wire_status decoded, orr_server_refusal *why)
 {

@@ -90,7 +90,7 @@ typedef struct orr_server_step {
     char reason[ORR_SERVER_SENTENCE];
 } orr_server_step;
 
-// Answers as many complete requests of in[0..n) as fit into `out` (which may already hold bytes; whole frames
+// (I10) Answers as many complete requests of in[0..n) as fit into `out` (which may already hold bytes; whole frames
 // only are appended) and as there is time for, one piece of an answer at least. Of a frame that is not
 // finished c->unfinished bytes stand behind the end of the output; who sends and moves the output keeps them
 // behind its end until the next call. The output's capacity must be ORR_SERVER_OUT at least, or, of a

@@ -77,7 +77,7 @@ static inline orr_wire_bytes orr_wire_text(const char *text)
 // Copies a string into buf[0..n) with a NUL, cut if need be (n > 0); returns buf.
 char *orr_wire_text_copy(orr_wire_bytes b, char *buf, size_t n);
 
-// Room for n bytes at the writer's end, already counted; NULL (and the writer's status) where there is none.
+// (I2) Room for n bytes at the writer's end, already counted; NULL (and the writer's status) where there is none.
 static inline uint8_t *orr_wire_room(orr_wire_writer *w, size_t n)
 {
     if (w->status != ORR_WIRE_OK) return NULL;
@@ -89,7 +89,7 @@ static inline uint8_t *orr_wire_room(orr_wire_writer *w, size_t n)
     return w->data + (w->size - n);
 }
 
-// The next n bytes of the reader, already passed; NULL (and the reader's status) where there are fewer.
+// (I1) The next n bytes of the reader, already passed; NULL (and the reader's status) where there are fewer.
 static inline const uint8_t *orr_wire_take(orr_wire_reader *r, size_t n)
 {
     if (r->status != ORR_WIRE_OK) return NULL;
@@ -201,7 +201,7 @@ static inline double orr_wire_load_f64(const uint8_t *p)
     return v;
 }
 
-// u16 length and the bytes; above `max` the status is ORR_WIRE_LIMIT, on either side.
+// (I3) u16 length and the bytes; above `max` the status is ORR_WIRE_LIMIT, on either side.
 void orr_wire_put_bytes(orr_wire_writer *w, orr_wire_bytes b, uint16_t max);
 orr_wire_bytes orr_wire_get_bytes(orr_wire_reader *r, uint16_t max);
 // Records already in wire form, as they are.

@@ -485,7 +485,7 @@ static void get_lnav_set_list(orr_wire_reader *r, orr_msg_lnav_set_list *list, u
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 128) {
         r->status = ORR_WIRE_SHORT;
         return;
@@ -553,7 +553,7 @@ static void get_glonass_set_list(orr_wire_reader *r, orr_msg_glonass_set_list *l
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 82) {
         r->status = ORR_WIRE_SHORT;
         return;
@@ -626,7 +626,7 @@ static void get_nav_page_list(orr_wire_reader *r, orr_msg_nav_page_list *list, u
     }
     size_t start = r->at;
     p = r->data + r->at;
-    for (uint16_t i = 0; i < count; i++) { // every record is read once, so that reading it later cannot fail
+    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail
         const uint8_t *q = orr_wire_take(r, 2);
         if (q == NULL) return;
         uint16_t size = orr_wire_load_u16(q);
@@ -846,7 +846,7 @@ static void get_inertial_unit_list(orr_wire_reader *r, orr_msg_inertial_unit_lis
     }
     size_t start = r->at;
     p = r->data + r->at;
-    for (uint16_t i = 0; i < count; i++) { // every record is read once, so that reading it later cannot fail
+    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail
         const uint8_t *q = orr_wire_take(r, 2);
         if (q == NULL) return;
         uint16_t size = orr_wire_load_u16(q);
@@ -921,7 +921,7 @@ static void get_served_request_list(orr_wire_reader *r, orr_msg_served_request_l
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 20) {
         r->status = ORR_WIRE_SHORT;
         return;
@@ -989,7 +989,7 @@ static void get_sat_id_list(orr_wire_reader *r, orr_msg_sat_id_list *list, uint1
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 2) {
         r->status = ORR_WIRE_SHORT;
         return;
@@ -1255,7 +1255,7 @@ static void get_sat_state_list(orr_wire_reader *r, orr_msg_sat_state_list *list,
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 116) {
         r->status = ORR_WIRE_SHORT;
         return;
@@ -1391,7 +1391,7 @@ static void get_sat_elements_list(orr_wire_reader *r, orr_msg_sat_elements_list 
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 64) {
         r->status = ORR_WIRE_SHORT;
         return;
@@ -1532,7 +1532,7 @@ static void get_sat_navdata_list(orr_wire_reader *r, orr_msg_sat_navdata_list *l
     }
     size_t start = r->at;
     p = r->data + r->at;
-    for (uint16_t i = 0; i < count; i++) { // every record is read once, so that reading it later cannot fail
+    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail
         const uint8_t *q = orr_wire_take(r, 2);
         if (q == NULL) return;
         uint16_t size = orr_wire_load_u16(q);
@@ -1633,7 +1633,7 @@ static void get_f64_list(orr_wire_reader *r, orr_msg_f64_list *list, uint16_t ma
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 8) {
         r->status = ORR_WIRE_SHORT;
         return;
@@ -1741,7 +1741,7 @@ static void get_sat_delay_list(orr_wire_reader *r, orr_msg_sat_delay_list *list,
         r->status = ORR_WIRE_LIMIT;
         return;
     }
-    uint16_t stride = orr_wire_load_u16(p + 2);
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
     if (count > 0 && stride < 98) {
         r->status = ORR_WIRE_SHORT;
         return;

@@ -131,7 +131,7 @@ enum { // tec_origin (u8): What a delay came from.
 #define ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 5)) // GLONASS: the frequency channel is the nominal one of the slot
 #define ORR_MSG_NAV_NOTES_CLOCK_JUMP ((uint32_t)(UINT64_C(1) << 6)) // the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
 
-// Names as in the specification; NULL for a value that it does not know.
+// (I8) Names as in the specification; NULL for a value that it does not know.
 const char *orr_msg_type_name(uint16_t type);
 const char *orr_msg_error_code_name(uint16_t value);
 const char *orr_msg_answer_name(uint8_t value);

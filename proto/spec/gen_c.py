@@ -130,7 +130,7 @@ class CWriter:
             out += [f"#define {up}_{name.upper()}_{n} (({CTYPE[b['is']]})(UINT64_C(1) << {v['bit']})) // {v['doc']}"
                     for n, v in b["values"].items()]
             out.append("")
-        out += ["// Names as in the specification; NULL for a value that it does not know.",
+        out += ["// (I8) Names as in the specification; NULL for a value that it does not know.",
                 f"const char *{p}_type_name(uint16_t type);"]
         out += [f"const char *{p}_{n}_name({CTYPE[e['is']]} value);" for n, e in s.enums.items()]
         out += [f"const char *{p}_{n}_name(unsigned bit);" for n in s.bits]
@@ -309,13 +309,13 @@ class CWriter:
                 "    uint16_t count = orr_wire_load_u16(p);", "    if (count > max) {",
                 "        r->status = ORR_WIRE_LIMIT;", "        return;", "    }"]
         if fixed:
-            out += ["    uint16_t stride = orr_wire_load_u16(p + 2);", f"    if (count > 0 && {' && '.join([f'stride < {size}'] + [f'stride != {n}' for n in older])}) {{",
+            out += ["    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)", f"    if (count > 0 && {' && '.join([f'stride < {size}'] + [f'stride != {n}' for n in older])}) {{",
                     "        r->status = ORR_WIRE_SHORT;", "        return;", "    }",
                     "    p = orr_wire_take(r, (size_t)count * stride);", "    if (p == NULL) return;",
                     "    list->wire.size = (size_t)count * stride;", "    list->wire.stride = stride;"]
         else:
             out += ["    size_t start = r->at;", "    p = r->data + r->at;",
-                    "    for (uint16_t i = 0; i < count; i++) { // every record is read once, so that reading it later cannot fail",
+                    "    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail",
                     "        const uint8_t *q = orr_wire_take(r, 2);", "        if (q == NULL) return;",
                     "        uint16_t size = orr_wire_load_u16(q);", "        q = orr_wire_take(r, size);",
                     "        if (q == NULL) return;", "        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};",

@@ -83,7 +83,7 @@ static inline orr_wire_bytes orr_wire_text(const char *text)
 // Copies a string into buf[0..n) with a NUL, cut if need be (n > 0); returns buf.
 char *orr_wire_text_copy(orr_wire_bytes b, char *buf, size_t n);
 
-// Room for n bytes at the writer's end, already counted; NULL (and the writer's status) where there is none.
+// (I2) Room for n bytes at the writer's end, already counted; NULL (and the writer's status) where there is none.
 static inline uint8_t *orr_wire_room(orr_wire_writer *w, size_t n)
 {
     if (w->status != ORR_WIRE_OK) return NULL;
@@ -95,7 +95,7 @@ static inline uint8_t *orr_wire_room(orr_wire_writer *w, size_t n)
     return w->data + (w->size - n);
 }
 
-// The next n bytes of the reader, already passed; NULL (and the reader's status) where there are fewer.
+// (I1) The next n bytes of the reader, already passed; NULL (and the reader's status) where there are fewer.
 static inline const uint8_t *orr_wire_take(orr_wire_reader *r, size_t n)
 {
     if (r->status != ORR_WIRE_OK) return NULL;
@@ -207,7 +207,7 @@ static inline double orr_wire_load_f64(const uint8_t *p)
     return v;
 }
 
-// u16 length and the bytes; above `max` the status is ORR_WIRE_LIMIT, on either side.
+// (I3) u16 length and the bytes; above `max` the status is ORR_WIRE_LIMIT, on either side.
 void orr_wire_put_bytes(orr_wire_writer *w, orr_wire_bytes b, uint16_t max);
 orr_wire_bytes orr_wire_get_bytes(orr_wire_reader *r, uint16_t max);
 // Records already in wire form, as they are.
@@ -231,7 +231,7 @@ typedef struct orr_frame {
     uint32_t size;
 } orr_frame;
 
-// Looks for one frame at the start of data[0..n). Returns
+// (I4, I5) Looks for one frame at the start of data[0..n). Returns
 //   ORR_WIRE_OK: *f is set, *used is its length;
 //   ORR_WIRE_MORE: *used is how many bytes are needed at least (so a buffer can be sized before they come);
 //   ORR_WIRE_MAGIC, _VERSION, _LENGTH (payload above max_payload), _CRC: the stream is lost; the header's
@@ -374,7 +374,7 @@ enum { // tec_origin (u8): What a delay came from.
 #define ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 5)) // GLONASS: the frequency channel is the nominal one of the slot
 #define ORR_MSG_NAV_NOTES_CLOCK_JUMP ((uint32_t)(UINT64_C(1) << 6)) // the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
 
-// Names as in the specification; NULL for a value that it does not know.
+// (I8) Names as in the specification; NULL for a value that it does not know.
 const char *orr_msg_type_name(uint16_t type);
 const char *orr_msg_error_code_name(uint16_t value);
 const char *orr_msg_answer_name(uint8_t value);
@@ -1017,7 +1017,7 @@ orr_wire_status orr_client_open(orr_client *c, const char *name, const char *ver
 orr_wire_status orr_client_check(orr_client *c, uint64_t token);
 
 // What the verbs are made of: begin, encode into *w, send; then wait for the next frame of a type. A request
-// of epochs says how many frames it expects; each that comes is compared with what is due.
+// of epochs says how many frames it expects; each that comes is compared with what is due (I11, I12).
 void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);
 orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start);
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);

@@ -130,6 +130,32 @@ static void small_buffers(void **state)
     }
 }
 
+// A frame that does not answer the request is told: another type, another's sequence, an ERROR of another's.
+static void strange_frames_are_told(void **state)
+{
+    (void)state;
+    const struct {
+        uint16_t type;
+        uint32_t sequence;
+        orr_wire_status want;
+    } cases[] = {{ORR_MSG_TYPE_PONG, 1, ORR_WIRE_OK},          {ORR_MSG_TYPE_PONG, 2, ORR_WIRE_UNEXPECTED},
+                 {ORR_MSG_TYPE_PONG, 0, ORR_WIRE_UNEXPECTED},  {ORR_MSG_TYPE_CAPS, 1, ORR_WIRE_UNEXPECTED},
+                 {ORR_MSG_TYPE_ERROR, 2, ORR_WIRE_UNEXPECTED}, {999, 1, ORR_WIRE_UNEXPECTED},
+                 {ORR_MSG_TYPE_ERROR, 1, ORR_WIRE_SHORT}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        fake f = {.n_sats = 1};
+        orr_client c = connect_fake(&f, 1000, sizeof buffer);
+        orr_wire_writer w = {the_wire.down, 0, sizeof the_wire.down, ORR_WIRE_OK};
+        size_t start;
+        orr_frame_begin(&w, cases[k].type, cases[k].sequence, &start);
+        orr_wire_put_raw(&w, (const uint8_t *)"\3\0\0\0\0\0\0\0",
+                         cases[k].type == ORR_MSG_TYPE_ERROR ? 3 : 8);
+        orr_frame_end(&w, start);
+        the_wire.n_down = w.size; // it stands in front of the true answer
+        assert_int_equal(orr_client_check(&c, 3), cases[k].want);
+    }
+}
+
 // An answer is complete: an epoch that is left out, repeated or of another request is told.
 static void epochs_are_counted(void **state)
 {
@@ -148,9 +174,9 @@ static void epochs_are_counted(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(epochs_are_counted), cmocka_unit_test(conversation),
-        cmocka_unit_test(refusals_are_told),  cmocka_unit_test(broken_wires),
-        cmocka_unit_test(small_buffers),
+        cmocka_unit_test(epochs_are_counted), cmocka_unit_test(strange_frames_are_told),
+        cmocka_unit_test(conversation),       cmocka_unit_test(refusals_are_told),
+        cmocka_unit_test(broken_wires),       cmocka_unit_test(small_buffers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,6 +15,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 TOY = pathlib.Path(sys.argv.pop(1))
 sys.path[:0] = [str(ROOT / "proto/python"), str(ROOT / "proto/spec")]
 import yaml  # noqa: E402
+import gen_client  # noqa: E402
+import gen_handlers  # noqa: E402
 from model import Spec, SpecError  # noqa: E402
 from orrery import codec, frame, messages  # noqa: E402
 
@@ -155,6 +157,18 @@ class Specification(unittest.TestCase):
         self.refused("above max_payload", [{"name": "a", "type": "bytes<2000>"}])
         self.refused("number of its own", type=0)
         self.refused("names its answer", **{"from": "client"})
+        self.refused("unknown key", answers="M")
+
+    def test_a_message_without_an_answer(self):
+        """What only goes one way (motion, credit) needs no special case: a verb that sends, and no handler that answers."""
+        raw = yaml.safe_load(yaml.safe_dump(self.BASE))
+        raw["messages"]["N"] = {"type": 2, "from": "client", "answer": "none", "doc": "d", "fields": [{"name": "a", "type": "u8", "doc": "d"}]}
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            yaml.safe_dump(raw, file)
+            file.flush()
+            spec = Spec(file.name)
+        self.assertIn("orr_client_n(orr_client *c, const t_n *request);", gen_client.Verbs(spec, "s").header())
+        self.assertNotIn("begin_n", gen_handlers.Handlers(spec, "s").header())
 
 
 if __name__ == "__main__":

@@ -385,6 +385,29 @@ static void short_payloads_and_server_messages(void **state)
         assert_int_equal(e.request, cases[k].type);
         assert_true(step.consumed == n && step.closing == 0);
     }
+    assert_int_equal(f.begun + f.answered, 0); // no handler has seen any of them
+}
+
+// A payload that is cut, or whose count is above its limit, is refused before a handler sees it.
+static void handlers_see_decoded_requests_alone(void **state)
+{
+    (void)state;
+    fake f = {.n_sats = 1};
+    orr_server s = fake_server(&f);
+    orr_server_step step;
+    uint8_t payload[64] = {0};
+    orr_wire_store_u32(payload + 16, 1);                           // count of epochs
+    orr_wire_store_u16(payload + 20, ORR_MSG_MAX_SATELLITES + 1u); // of satellites
+    for (size_t size = 0; size <= 24; size++) {
+        orr_server_conn c = {0};
+        size_t n = put_frame(in, ORR_MSG_TYPE_POLL, 40, (const char *)payload, size), at = 0;
+        orr_wire_writer w = {out, 0, sizeof out, ORR_WIRE_OK};
+        orr_server_run(&s, &c, in, n, &w, &step);
+        assert_int_equal(error_at(out, w.size, &at, 40).code,
+                         size < 24 ? ORR_MSG_ERROR_CODE_BAD_PAYLOAD : ORR_MSG_ERROR_CODE_LIMIT);
+        assert_int_equal(at, w.size);
+    }
+    assert_int_equal(f.begun + f.answered, 0);
 }
 
 static void random_streams(void **state)
@@ -424,6 +447,7 @@ int main(void)
         cmocka_unit_test(hello_tells_what_is_served),
         cmocka_unit_test(broken_streams_close),
         cmocka_unit_test(short_payloads_and_server_messages),
+        cmocka_unit_test(handlers_see_decoded_requests_alone),
         cmocka_unit_test(random_streams),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
