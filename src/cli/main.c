@@ -96,6 +96,7 @@ static int run(orr_cli *c, int n_words, char **words)
     case ORR_CLI_RUN:
         break;
     }
+    if (orr_cli_applies_check(c) != ORR_EXIT_OK) return ORR_EXIT_USAGE;
     c->quiet = orr_cli_given(c, "quiet");
     if (orr_cli_given(c, "verbose")) log.level = ORR_LOG_DEBUG;
     c->log = &log;

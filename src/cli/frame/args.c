@@ -17,6 +17,7 @@ typedef struct value {
         double real;
         orr_time time[2]; // TIME, INTERVAL
         orr_sat_set sats;
+        orr_geodetic place;
     } as;
 } value;
 
@@ -26,9 +27,12 @@ struct orr_cli_values {
 };
 
 const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS] = {
-    {.name = "help", .letter = 'h', .kind = ORR_OPT_FLAG, .help = "show this help"},
-    {.name = "quiet", .letter = 'q', .kind = ORR_OPT_FLAG, .help = "say nothing but warnings and errors"},
-    {.name = "verbose", .letter = 'v', .kind = ORR_OPT_FLAG, .help = "say more of what is being done"},
+    {.name = "help", .letter = 'h', .kind = ORR_OPT_FLAG, .help = "Show this help."},
+    {.name = "quiet",
+     .letter = 'q',
+     .kind = ORR_OPT_FLAG,
+     .help = "Print nothing but warnings and errors on standard error."},
+    {.name = "verbose", .letter = 'v', .kind = ORR_OPT_FLAG, .help = "Print what is being done."},
 };
 
 // The i-th option of the command: its own first, then the common ones; NULL behind the last.
@@ -122,6 +126,55 @@ static bool read_interval(const char *text, orr_time t[2], orr_diag *diag)
     return true;
 }
 
+// n numbers that commas divide and that are the whole text; how many, 0 where it is something else.
+static int read_numbers(const char *text, double *v, int most)
+{
+    for (int n = 0; n < most; n++) {
+        char *end;
+        v[n] = strtod(text, &end);
+        if (end == text || !isfinite(v[n])) return 0;
+        if (*end == '\0') return n + 1;
+        if (*end != ',') return 0;
+        text = end + 1;
+    }
+    return 0;
+}
+
+static bool read_place(const char *text, orr_geodetic *out, orr_diag *diag)
+{
+    static const char ecef[] = "ecef:";
+    double v[3] = {0, 0, 0};
+    if (strncmp(text, ecef, sizeof ecef - 1) == 0) {
+        const bool good = read_numbers(text + sizeof ecef - 1, v, 3) == 3;
+        const orr_vec3 r = {v[0], v[1], v[2]};
+        const double radius_m = orr_vec3_norm(r);
+        if (!good)
+            orr_diag_set(diag, ORR_E_ARG, "'%s' is not ecef:X,Y,Z in metres", text);
+        else if (radius_m < 6.3e6 || radius_m > 7e6)
+            orr_diag_set(diag, ORR_E_ARG, "'%s' is %.0f km from the Earth's centre, not on the Earth", text,
+                         radius_m / 1e3);
+        else
+            *out = orr_earth_from_ecef(r);
+        return good && radius_m >= 6.3e6 && radius_m <= 7e6;
+    }
+    const int n = read_numbers(text, v, 3);
+    if (n < 2) {
+        orr_diag_set(diag, ORR_E_ARG,
+                     "'%s' is neither LAT,LON[,H] in degrees and metres nor ecef:X,Y,Z in metres", text);
+        return false;
+    }
+    if (fabs(v[0]) > 90 || fabs(v[1]) > 360 || v[2] < -1000 || v[2] > 400000) {
+        orr_diag_set(
+            diag, ORR_E_ARG,
+            "'%s': a latitude lies between -90 and 90 degrees, a longitude between -360 and 360, a height "
+            "between -1000 and 400000 m",
+            text);
+        return false;
+    }
+    *out = (orr_geodetic){v[0] * ORR_RAD_PER_DEG, v[1] * ORR_RAD_PER_DEG, v[2]};
+    return true;
+}
+
 // Reads text as the option's kind; prints the sentence and returns false if it cannot be.
 static bool read_value(const orr_cli *c, const orr_option *o, const char *text, value *v)
 {
@@ -142,6 +195,9 @@ static bool read_value(const orr_cli *c, const orr_option *o, const char *text, 
     case ORR_OPT_INTERVAL:
         ok = read_interval(text, v->as.time, &diag);
         break;
+    case ORR_OPT_PLACE:
+        ok = read_place(text, &v->as.place, &diag);
+        break;
     case ORR_OPT_SATS:
         ok = orr_sat_set_parse(text, &v->as.sats, &diag) == ORR_OK;
         break;
@@ -149,7 +205,7 @@ static bool read_value(const orr_cli *c, const orr_option *o, const char *text, 
         ok = orr_duration_parse(text, &v->as.integer, &diag) == ORR_OK;
         if (ok && v->as.integer <= 0) {
             ok = false;
-            orr_diag_set(&diag, ORR_E_ARG, "it must be longer than nothing");
+            orr_diag_set(&diag, ORR_E_ARG, "it must be positive");
         }
         break;
     }
@@ -317,6 +373,13 @@ orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise)
 {
     const value *v = find(c, name, SIZE_MAX);
     return v != NULL ? v->as.time[0] : otherwise;
+}
+
+bool orr_cli_place(const orr_cli *c, const char *name, orr_geodetic *out)
+{
+    const value *v = find(c, name, SIZE_MAX);
+    if (v != NULL) *out = v->as.place;
+    return v != NULL;
 }
 
 bool orr_cli_backward(const orr_cli *c)

@@ -9,6 +9,7 @@
 #ifndef ORR_CLI_FRAME_CLI_H
 #define ORR_CLI_FRAME_CLI_H
 
+#include "core/earth.h"
 #include "core/log.h"
 #include "core/sat.h"
 #include "core/status.h"
@@ -26,6 +27,7 @@ typedef enum orr_option_kind {
     ORR_OPT_INTERVAL, // TIME/TIME, the second not before the first
     ORR_OPT_DURATION, // orr_duration_parse, positive
     ORR_OPT_SATS,     // orr_sat_set_parse
+    ORR_OPT_PLACE,    // LAT,LON[,H] in degrees (geodetic) and metres, or ecef:X,Y,Z in metres
     ORR_OPT_CHOICE,   // one of the words of `value`, which are divided by '|'
 } orr_option_kind;
 
@@ -36,6 +38,13 @@ typedef struct orr_option {
     const char *value; // how help shows the value: "FILE", "T", "csv|json"; NULL for a flag
     const char *help;  // one sentence or two; the default belongs in it
     bool required, repeated;
+    // Where the option applies, as conditions that all have to hold, divided by commas; elsewhere it is refused, and help
+    // says so. "bits": --bits is given; "el|az": one of them is; "!grid": --grid is not; "method=mean|state": so says
+    // --method, or its fallback. NULL: everywhere.
+    const char *applies;
+    const char
+        *fallback;   // of a CHOICE that conditions ask for: its value where it is not given; NULL: not known
+                     // before the inputs are read (orr_cli_settle)
     double min, max; // of INT and REAL; both 0: no bounds
 } orr_option;
 
@@ -77,11 +86,17 @@ const char **orr_cli_texts(const orr_cli *c, const char *name, size_t *n);
 int64_t orr_cli_int(const orr_cli *c, const char *name, int64_t otherwise);
 double orr_cli_real(const orr_cli *c, const char *name, double otherwise);
 orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise);
+// A place as geodetic coordinates (height 0 where none was given); *out is left alone where it was not given.
+bool orr_cli_place(const orr_cli *c, const char *name, orr_geodetic *out);
 bool orr_cli_backward(const orr_cli *c); // --from and --to are both given, and --to is before --from
 int64_t orr_cli_duration_ns(const orr_cli *c, const char *name, int64_t otherwise_ns);
 void orr_cli_interval_at(const orr_cli *c, const char *name, size_t i, orr_time *from, orr_time *to);
 const orr_sat_set *orr_cli_sats(const orr_cli *c,
                                 const char *name); // NULL where it was not given: all satellites
+
+// Tells the value of an option that was not given and has no fallback, once the inputs told it: whatever was given and
+// does not apply with it is refused. An exit status.
+int orr_cli_settle(const orr_cli *c, const char *name, const char *value);
 
 // --- Talk (stderr) ---
 // "orrery states: <the diagnostic>"; returns ORR_EXIT_FAILED, so that a command can `return orr_cli_fail(c,

@@ -17,6 +17,11 @@ typedef enum orr_cli_parse_result { ORR_CLI_RUN, ORR_CLI_HELP, ORR_CLI_WRONG } o
 orr_cli_parse_result orr_cli_args_parse(orr_cli *c, int n_words, char **words);
 void orr_cli_args_free(orr_cli *c);
 
+// Whether everything that was given applies (orr_option.applies); an exit status, with its sentence.
+int orr_cli_applies_check(const orr_cli *c);
+// The conditions in words: "only with --bits, not with --grid".
+void orr_cli_applies_words(const char *applies, char *out, size_t n);
+
 // Once, at the begin of main.
 void orr_cli_signals_take(void);
 

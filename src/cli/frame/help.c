@@ -48,9 +48,11 @@ static void help_option(FILE *f, const orr_option *o)
     } else {
         fprintf(f, "%*s", HELP_COLUMN - n, "");
     }
-    char help[640];
-    snprintf(help, sizeof help, "%s%s%s", o->help, o->required ? " (required)" : "",
-             o->repeated ? " (may be repeated)" : "");
+    char help[1024], applies[320] = "";
+    if (o->applies != NULL) orr_cli_applies_words(o->applies, applies, sizeof applies);
+    snprintf(help, sizeof help, "%s%s%s%s%s%s", o->help, o->required ? " (required)" : "",
+             o->repeated ? " (may be repeated)" : "", applies[0] != '\0' ? " (" : "", applies,
+             applies[0] != '\0' ? ")" : "");
     wrap(f, help, HELP_COLUMN, HELP_COLUMN);
 }
 

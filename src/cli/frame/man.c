@@ -76,7 +76,15 @@ static void put_option(FILE *f, const orr_option *o)
     }
     fputc('\n', f);
     put_text(f, o->help, (int)strlen(o->help));
-    fprintf(f, "%s%s\n", o->required ? " (required)" : "", o->repeated ? " (may be repeated)" : "");
+    fprintf(f, "%s%s", o->required ? " (required)" : "", o->repeated ? " (may be repeated)" : "");
+    if (o->applies != NULL) {
+        char words[320];
+        orr_cli_applies_words(o->applies, words, sizeof words);
+        fputs(" (", f);
+        put_text(f, words, (int)strlen(words));
+        fputc(')', f);
+    }
+    fputc('\n', f);
 }
 
 static void put_example(FILE *f, const char *example)

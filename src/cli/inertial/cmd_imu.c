@@ -11,20 +11,6 @@
 
 #define MAX_INPUTS 4 // a scenario, two logs, a file of gravity
 
-// Options that belong to one approach, under the other.
-static int refuse_mode_options(const orr_cli *c, int approach)
-{
-    static const struct {
-        const char *name;
-        int approach;
-    } of[] = {{"frame", 1}, {"project", 1}, {"loop", 1}, {"quadrature", 2}, {"order", 2}};
-    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++)
-        if (of[k].approach != approach && orr_cli_given(c, of[k].name))
-            return orr_cli_usage(c, "--%s belongs to approach %d; these readings are of approach %d",
-                                 of[k].name, of[k].approach, approach);
-    return ORR_EXIT_OK;
-}
-
 static void mode_options(const orr_cli *c, const orr_moving *v, orr_imu_request *q)
 {
     orr_imu_mode *m = &q->mode;
@@ -107,7 +93,7 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
                          .instantaneous = orr_cli_given(c, "instantaneous"),
                          .gravity = v->gravity};
     mode_options(c, v, &q);
-    int refused = refuse_mode_options(c, q.mode.approach);
+    int refused = orr_cli_settle(c, "approach", q.mode.approach == 1 ? "1" : "2");
     if (refused != ORR_EXIT_OK) return refused;
     orr_imu imu;
     orr_gravimetry truth = {0};
@@ -159,31 +145,37 @@ static const orr_option options[] = {
      .value = "1|2",
      .min = 1,
      .max = 2,
-     .help = "2: integrals of the true rate and force, physical. 1: what one step of a navigator needs; such "
+     .help = "How readings are made. 2: integrals of the true rate and force, physical. 1: what one step of "
+             "a navigator needs; such "
              "readings suit that "
              "navigator alone. Default 2."},
     {.name = "frame",
+     .applies = "approach=1",
      .kind = ORR_OPT_CHOICE,
      .value = "inertial|geographic|body",
-     .help = "Of approach 1. Default inertial."},
+     .help = "Frame of the navigator. Default inertial."},
     {.name = "project",
+     .applies = "approach=1",
      .kind = ORR_OPT_CHOICE,
      .value = "mid|start",
-     .help = "Of approach 1: matrices of the middle of the step, or of its begin t_j. Default mid."},
+     .help = "Matrices of the middle of the step, or of its begin t_j. Default mid."},
     {.name = "loop",
+     .applies = "approach=1",
      .kind = ORR_OPT_CHOICE,
      .value = "closed|open",
-     .help = "Of approach 1: the generator carries the navigator's state, or the truth's. Default closed."},
+     .help = "The generator carries the navigator's state, or the truth's. Default closed."},
     {.name = "quadrature",
+     .applies = "approach=2",
      .kind = ORR_OPT_CHOICE,
      .value = "gauss|riemann",
-     .help = "Of approach 2. Default gauss."},
+     .help = "Quadrature of each step. Default gauss."},
     {.name = "order",
+     .applies = "approach=2",
      .kind = ORR_OPT_INT,
      .value = "M",
      .min = 1,
      .max = 1000,
-     .help = "Of approach 2: nodes (1 to 5) or rectangles a step. Default 2 nodes from 50 Hz on, 3 below and "
+     .help = "Nodes (1 to 5) or rectangles a step. Default 2 nodes from 50 Hz on, 3 below and "
              "for logs; 100 rectangles."},
     {.name = "unit",
      .kind = ORR_OPT_INT,

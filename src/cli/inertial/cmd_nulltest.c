@@ -22,6 +22,11 @@ static orr_status put_point(void *user, const orr_null_point *p)
     return ORR_OK;
 }
 
+static const char *usual_navigator(const orr_imu_file *f)
+{
+    return f->imu.mode.approach == 1 ? "one-step" : "reference";
+}
+
 // "reference", "one-step", "2-sample", "4-sample", "5-sample"; the frame and projection are those of the
 // readings unless told.
 static orr_navigator choose(const orr_cli *c, const orr_imu_file *f)
@@ -33,7 +38,7 @@ static orr_navigator choose(const orr_cli *c, const orr_imu_file *f)
                          .project_mid = m->approach == 1 ? m->project_mid : true,
                          .hold_vertical = *orr_cli_text(c, "vertical", "free") == 'h',
                          .gravity = f->gravity};
-    const char *name = orr_cli_text(c, "navigator", m->approach == 1 ? "one-step" : "reference");
+    const char *name = orr_cli_text(c, "navigator", usual_navigator(f));
     if (strcmp(name, "one-step") == 0) {
         nav.kind = ORR_NAVIGATOR_ONE_STEP;
     } else if (strcmp(name, "reference") != 0) {
@@ -100,10 +105,13 @@ static int run(orr_cli *c)
     const char *path = orr_cli_text(c, "csv", NULL);
     const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_given(c, "json");
     if (csv_only && json) return orr_cli_usage(c, "only one of --csv - and --json can go to standard output");
-    if (orr_cli_given(c, "samples") && strcmp(orr_cli_text(c, "navigator", "reference"), "reference") != 0)
-        return orr_cli_usage(c, "--samples is of the reference navigator");
     orr_status s = orr_imu_read(c->operand[0], orr_cli_text(c, "gravity-folder", NULL), &f, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
+    const int refused = orr_cli_settle(c, "navigator", usual_navigator(&f));
+    if (refused != ORR_EXIT_OK) {
+        orr_imu_file_free(&f);
+        return refused;
+    }
     orr_navigator nav = choose(c, &f);
     orr_null_report r;
     orr_outfile out = {0};
@@ -136,29 +144,33 @@ static const orr_option options[] = {
      .value = "reference|one-step|2-sample|4-sample|5-sample",
      .help = "Default: one-step for readings of approach 1, reference for physical ones."},
     {.name = "frame",
+     .applies = "navigator=one-step",
      .kind = ORR_OPT_CHOICE,
      .value = "inertial|geographic|body",
-     .help = "Of the one-step navigator. Default: that of the readings, or geographic."},
+     .help = "Frame. Default: that of the readings, or geographic."},
     {.name = "project",
+     .applies = "navigator=one-step",
      .kind = ORR_OPT_CHOICE,
      .value = "mid|start",
-     .help = "Of the one-step navigator: matrices of mid-step or of t_j. Default: as the readings, or mid."},
+     .help = "Matrices of mid-step or of t_j. Default: as the readings, or mid."},
     {.name = "vertical",
+     .applies = "navigator=one-step",
      .kind = ORR_OPT_CHOICE,
      .value = "free|held",
-     .help =
-         "Of the one-step navigator: free, or height and vertical velocity held on the truth. Default free."},
+     .help = "Vertical channel: free, or height and vertical velocity held on the truth. Default free."},
     {.name = "samples",
+     .applies = "navigator=reference",
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 1,
      .max = 5,
-     .help = "Samples a group of the reference navigator. Default 5."},
+     .help = "Samples a group. Default 5."},
     {.name = "csv",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "The differences over time; - for standard output, instead of the table."},
     {.name = "every",
+     .applies = "csv",
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 1,

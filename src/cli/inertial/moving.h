@@ -18,6 +18,7 @@
              "gps-sdr-sim; may be "                                                                          \
              "compressed. Twice for places and angles in two logs on one clock."},                           \
         {.name = "columns",                                                                                  \
+         .applies = "telemetry",                                                                             \
          .kind = ORR_OPT_TEXT,                                                                               \
          .value = "LIST",                                                                                    \
          .repeated = true,                                                                                   \

@@ -44,20 +44,14 @@ static void work_free(work *w)
     orr_warnings_free(&w->warnings);
 }
 
-// --position X,Y,Z or --sinex FILE (the station by the first four characters of the file's name in the
+// --receiver PLACE or --sinex FILE (the station by the first four characters of the file's name in the
 // observations).
 static orr_status ask_position(const orr_cli *c, bool *given, orr_vec3 *out, orr_diag *diag)
 {
-    *given = orr_cli_given(c, "position");
+    orr_geodetic place;
+    *given = orr_cli_place(c, "receiver", &place);
     if (*given) {
-        const char *text = orr_cli_text(c, "position", "");
-        char *end, *rest;
-        out->x = strtod(text, &end);
-        out->y = *end == ',' ? strtod(end + 1, &rest) : ORR_NAN;
-        if (!isnan(out->y)) end = rest;
-        out->z = *end == ',' ? strtod(end + 1, &rest) : ORR_NAN;
-        if (isnan(out->x) || isnan(out->y) || isnan(out->z) || *rest != '\0')
-            return orr_diag_set(diag, ORR_E_ARG, "--position \"%s\" is no X,Y,Z in metres", text);
+        *out = orr_earth_to_ecef(place);
         return ORR_OK;
     }
     if (!orr_cli_given(c, "sinex")) return ORR_OK;
@@ -158,8 +152,6 @@ static int compare(const orr_cli *c, work *w)
     orr_diag diag = {0};
     orr_vec3 site = {0};
     bool given = false;
-    if (orr_cli_given(c, "output"))
-        return orr_cli_usage(c, "--compare makes no session; its curves go to --csv");
     orr_status s = read_inputs(c, w, &diag);
     if (s == ORR_OK) s = ask_position(c, &given, &site, &diag);
     if (s == ORR_OK) s = read_phases(c, w, c->operand[0], given ? &site : NULL, &w->phase, &diag);
@@ -272,21 +264,26 @@ static const orr_option options[] = {
      .value = "FILE",
      .help = "Positions of satellites: a product of `orrery orbit`, or a RINEX navigation file."},
     {.name = "method",
+     .applies = "!compare",
      .kind = ORR_OPT_CHOICE,
      .value = "thesis|joint",
-     .help = "joint (default): all arcs' biases and an hourly quadratic correction of the field in one least "
-             "squares. thesis: the mean "
-             "of phase minus model over each arc (Bogdanov 2015)."},
+     .help = "How arcs are levelled. joint (default): all arcs' biases and an hourly quadratic correction of "
+             "the field in one least-squares adjustment. thesis: the mean of phase minus model over each arc "
+             "(Bogdanov 2015)."},
     {.name = "biases",
+     .applies = "!compare",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .repeated = true,
      .help = "Code biases of satellites (Bias-SINEX or CODE's DCB files): codes then help to level arcs."},
     {.name = "code",
+     .applies = "!compare",
      .kind = ORR_OPT_TEXT,
      .value = "SYSTEMS",
-     .help = "Whose codes level arcs, e.g. GE, or none; G by default, so that Galileo's bear witness."},
+     .help = "Systems whose codes help to level arcs, e.g. GE, or none. G by default; Galileo codes are then "
+             "an independent check."},
     {.name = "output",
+     .applies = "!compare",
      .letter = 'o',
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
@@ -297,9 +294,11 @@ static const orr_option options[] = {
      .help = "The fused curves (or, with --compare, both stations') as CSV; - is standard output."},
     {.name = "json", .kind = ORR_OPT_FLAG, .help = "The report as JSON."},
     {.name = "explain",
+     .applies = "!compare",
      .kind = ORR_OPT_FLAG,
      .help = "List every arc and every slip, with what was decided and why."},
     {.name = "leave-one-out",
+     .applies = "!compare",
      .kind = ORR_OPT_FLAG,
      .help = "Predict each arc of an hour and more from the others, and tell how well."},
     {.name = "compare",
@@ -308,6 +307,7 @@ static const orr_option options[] = {
      .help =
          "Another station: the same satellites' curves side by side, centred; needs no field, and no orbit."},
     {.name = "match",
+     .applies = "compare",
      .kind = ORR_OPT_REAL,
      .value = "S",
      .min = 0,
@@ -329,19 +329,21 @@ static const orr_option options[] = {
      .min = 0,
      .max = 80,
      .help = "Elevation mask; 10 by default."},
-    {.name = "position",
-     .kind = ORR_OPT_TEXT,
-     .value = "X,Y,Z",
-     .help = "The station in metres, ecef; the header's by default."},
+    {.name = "receiver",
+     .kind = ORR_OPT_PLACE,
+     .value = "LAT,LON,H|ecef:X,Y,Z",
+     .help = "The station, in degrees (geodetic) and metres; where the file's header puts it by default."},
     {.name = "sinex",
+     .applies = "!receiver",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "Take the station's position from a SINEX file."},
     {.name = "station",
+     .applies = "sinex",
      .kind = ORR_OPT_TEXT,
      .value = "CODE",
      .help = "Its name there; the first four characters of OBS by default."},
-    {.name = "no-windup", .kind = ORR_OPT_FLAG, .help = "Leave phase wind-up in (to see what it does)."},
+    {.name = "no-windup", .kind = ORR_OPT_FLAG, .help = "Do not correct phase wind-up, to see its effect."},
     ORR_TEC_OPTIONS,
 };
 

@@ -25,8 +25,6 @@ static int ask_times(const orr_cli *c, const orr_tec_field *f, span *out)
     const orr_time *epochs;
     size_t n = orr_tec_field_epochs(f, &epochs);
     if (orr_cli_given(c, "at")) {
-        if (orr_cli_given(c, "from") || orr_cli_given(c, "to") || orr_cli_given(c, "step"))
-            return orr_cli_usage(c, "--at names one instant; --from, --to and --step a row of them");
         *out = (span){orr_cli_time(c, "at", 0), ORR_NS_PER_S, 1};
         return ORR_EXIT_OK;
     }
@@ -77,7 +75,9 @@ static orr_vec3 on_sphere(double lat_deg, double lon_deg)
 static orr_status print_points(const orr_cli *c, FILE *f, const orr_tec_field *field, span when, bool json,
                                orr_diag *diag)
 {
-    double lat = orr_cli_real(c, "lat", 0), lon = orr_cli_real(c, "lon", 0);
+    orr_geodetic point = {0};
+    orr_cli_place(c, "point", &point);
+    const double lat = point.lat_rad * ORR_DEG_PER_RAD, lon = point.lon_rad * ORR_DEG_PER_RAD;
     orr_tec_instant *at = malloc(sizeof *at);
     if (at == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     if (!json) fputs("t_gps,lat_deg,lon_deg,vtec_tecu,sigma_tecu\n", f);
@@ -96,9 +96,9 @@ static orr_status print_rays(const orr_cli *c, FILE *f, const orr_tec_field *fie
                              orr_diag *diag)
 {
     double az = orr_cli_real(c, "az", 0), el = orr_cli_real(c, "el", 90),
-           hz = orr_cli_real(c, "freq", 1575.42) * 1e6;
-    orr_geodetic place = {orr_cli_real(c, "lat", 0) * ORR_RAD_PER_DEG,
-                          orr_cli_real(c, "lon", 0) * ORR_RAD_PER_DEG, orr_cli_real(c, "height", 0)};
+           hz = orr_cli_real(c, "carrier", 1575.42) * 1e6;
+    orr_geodetic place = {0};
+    orr_cli_place(c, "receiver", &place);
     orr_iono_site site;
     orr_pierce p;
     orr_status s = orr_iono_site_at(orr_earth_to_ecef(place), &site, diag);
@@ -125,9 +125,9 @@ static orr_status print_rays(const orr_cli *c, FILE *f, const orr_tec_field *fie
                        "\"vtec_tecu\": %.4f, "
                        "\"stec_tecu\": %.4f, \"sigma_tecu\": "
                      : "%s%s,%.6f,%.6f,%.4f,%.4f,%.6f,%.6f,%.6f,%.4f,%.4f,",
-                json && i > 0 ? "," : "", orr_time_text(at->t, time), orr_cli_real(c, "lat", 0),
-                orr_cli_real(c, "lon", 0), az, el, p.lat_rad * ORR_DEG_PER_RAD, p.lon_rad * ORR_DEG_PER_RAD,
-                r.mapping, r.vtec_tecu, r.stec_tecu);
+                json && i > 0 ? "," : "", orr_time_text(at->t, time), place.lat_rad * ORR_DEG_PER_RAD,
+                place.lon_rad * ORR_DEG_PER_RAD, az, el, p.lat_rad * ORR_DEG_PER_RAD,
+                p.lon_rad * ORR_DEG_PER_RAD, r.mapping, r.vtec_tecu, r.stec_tecu);
         number(f, json, r.sigma_tecu, 4);
         fprintf(f, json ? ", \"freq_mhz\": %.4f, \"delay_m\": %.6f}" : ",%.4f,%.6f\n", hz / 1e6,
                 orr_iono_delay_m(r.stec_tecu, hz, ORR_MEASURES_CODE));
@@ -181,7 +181,7 @@ static orr_status to_files(const orr_cli *c, const orr_tec_field *field, span wh
         if (json) fputs("[", out.stream);
         if (orr_cli_given(c, "grid"))
             print_grid(out.stream, &maps, json);
-        else if (orr_cli_given(c, "el") || orr_cli_given(c, "az"))
+        else if (orr_cli_given(c, "receiver"))
             s = print_rays(c, out.stream, field, when, json, diag);
         else
             s = print_points(c, out.stream, field, when, json, diag);
@@ -199,13 +199,11 @@ static int run(orr_cli *c)
 {
     const char *format = orr_cli_text(c, "format", "csv");
     bool grid = orr_cli_given(c, "grid"), ion = strcmp(format, "ion") == 0;
-    if (!grid && !ion && !(orr_cli_given(c, "lat") && orr_cli_given(c, "lon")))
-        return orr_cli_usage(c, "where? --lat DEG --lon DEG, or --grid");
+    if (!grid && !ion && !orr_cli_given(c, "point") && !orr_cli_given(c, "receiver"))
+        return orr_cli_usage(
+            c, "where? --point LAT,LON on the shell, --receiver LAT,LON,H for a ray, or --grid");
     if (!grid && strcmp(format, "ionex") == 0)
         return orr_cli_usage(c, "IONEX holds maps: it goes with --grid");
-    if (grid && (orr_cli_given(c, "lat") || orr_cli_given(c, "lon") || orr_cli_given(c, "el") ||
-                 orr_cli_given(c, "az")))
-        return orr_cli_usage(c, "--grid is the whole Earth; a place or a ray does not go with it");
     orr_diag diag = {0};
     orr_warnings warnings = {0};
     orr_tec_options o;
@@ -230,56 +228,53 @@ static int run(orr_cli *c)
 static const orr_option options[] = {
     {.name = "at", .kind = ORR_OPT_TIME, .value = "T", .help = "The instant."},
     {.name = "from",
+     .applies = "!at",
      .kind = ORR_OPT_TIME,
      .value = "T",
      .help = "First of several instants; with --grid the first map by default."},
-    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "Last of them."},
+    {.name = "to", .applies = "!at", .kind = ORR_OPT_TIME, .value = "T", .help = "Last of them."},
     {.name = "step",
+     .applies = "!at",
      .kind = ORR_OPT_DURATION,
      .value = "S",
      .help = "From one to the next; the maps' own interval by default."},
-    {.name = "lat",
-     .kind = ORR_OPT_REAL,
-     .value = "DEG",
-     .min = -90,
-     .max = 90,
-     .help = "Latitude: of a point of the shell, GEOCENTRIC as in maps; with --el or --az of a receiver, "
-             "geodetic."},
-    {.name = "lon",
-     .kind = ORR_OPT_REAL,
-     .value = "DEG",
-     .min = -360,
-     .max = 360,
-     .help = "Longitude, East."},
+    {.name = "point",
+     .kind = ORR_OPT_PLACE,
+     .value = "LAT,LON",
+     .applies = "!grid,!receiver",
+     .help = "A point of the ionosphere's shell in degrees; the latitude is geocentric, as in maps."},
+    {.name = "receiver",
+     .kind = ORR_OPT_PLACE,
+     .value = "LAT,LON,H|ecef:X,Y,Z",
+     .applies = "!grid",
+     .help = "Along a ray: the receiver, in degrees (geodetic) and metres."},
     {.name = "el",
      .kind = ORR_OPT_REAL,
      .value = "DEG",
      .min = -90,
      .max = 90,
-     .help = "Along a ray: elevation at the receiver; 90 by default."},
+     .applies = "receiver",
+     .help = "Elevation of the ray at the receiver; 90 by default."},
     {.name = "az",
      .kind = ORR_OPT_REAL,
      .value = "DEG",
      .min = -360,
      .max = 360,
-     .help = "Along a ray: azimuth, clockwise from North; 0 by default."},
-    {.name = "height",
-     .kind = ORR_OPT_REAL,
-     .value = "M",
-     .min = -1000,
-     .max = 400000,
-     .help = "Along a ray: the receiver's ellipsoidal height; 0 by default."},
-    {.name = "freq",
+     .applies = "receiver",
+     .help = "Azimuth of the ray, clockwise from North; 0 by default."},
+    {.name = "carrier",
      .kind = ORR_OPT_REAL,
      .value = "MHZ",
      .min = 100,
      .max = 30000,
-     .help = "Along a ray: carrier of the delay; 1575.42 by default."},
+     .applies = "receiver",
+     .help = "The carrier to give the delay for; 1575.42 by default."},
     {.name = "grid", .kind = ORR_OPT_FLAG, .help = "Maps of the whole Earth, 2.5 by 5 degrees."},
     {.name = "format",
      .kind = ORR_OPT_CHOICE,
      .value = "csv|json|ionex|ion",
-     .help = "csv by default. ion: the field's coefficients (all epochs), as Bernese writes them."},
+     .help = "The format of the output; csv by default. ion: the coefficients of the field (all epochs), as "
+             "Bernese writes them."},
     {.name = "output",
      .letter = 'o',
      .kind = ORR_OPT_TEXT,
@@ -300,11 +295,11 @@ const orr_command orr_cmd_tec = {
              "spherical harmonics of degree 15 in the solar-geomagnetic frame, which is what they are "
              "printed from; --bilinear "
              "takes them as they are.\n\n"
-             "TEC is in TECU (1e16 electrons per square metre). With --el or --az the slant content along a "
+             "TEC is in TECU (1e16 electrons per square metre). With --receiver the slant content along a "
              "ray and the delay "
              "of a code on one carrier are given too; a carrier phase is early by as much.",
-    .example = "orrery tec maps.INX --at 2024-02-04T12:30 --lat 52.1 --lon 17\n"
-               "orrery tec maps.INX --at 2024-02-04T12:30 --lat 52.3 --lon 17.1 --el 30 --az 180\n"
+    .example = "orrery tec maps.INX --at 2024-02-04T12:30 --point 52.1,17\n"
+               "orrery tec maps.INX --at 2024-02-04T12:30 --receiver 52.3,17.1,0 --el 30 --az 180\n"
                "orrery tec maps.INX --grid --step 15min --format ionex -o quarter-hours.INX\n"
                "orrery tec maps.INX --format ion -o maps.ION",
     .n_options = sizeof options / sizeof options[0],

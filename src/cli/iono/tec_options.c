@@ -7,15 +7,11 @@ int orr_tec_options_ask(const orr_cli *c, orr_tec_options *out)
 {
     *out = orr_tec_default_options();
     if (orr_cli_given(c, "bilinear")) out->spatial = ORR_TEC_BILINEAR;
-    if (orr_cli_given(c, "bilinear") && orr_cli_given(c, "degree"))
-        return orr_cli_usage(c, "--degree is of the refit, which --bilinear does without");
     out->degree = (int)orr_cli_int(c, "degree", out->degree);
     const char *between = orr_cli_text(c, "between", "rotated");
     out->temporal = strcmp(between, "nearest") == 0  ? ORR_TEC_NEAREST
                     : strcmp(between, "linear") == 0 ? ORR_TEC_LINEAR
                                                      : ORR_TEC_ROTATED;
-    if (orr_cli_given(c, "rotation") && out->temporal != ORR_TEC_ROTATED)
-        return orr_cli_usage(c, "--rotation goes with --between rotated");
     out->rotation = orr_cli_real(c, "rotation", 1);
     orr_diag diag = {0};
     if (orr_mapping_parse(orr_cli_text(c, "mapping", "mslm"), &out->mapping, &diag) != ORR_OK)

@@ -10,17 +10,20 @@
 #define ORR_TEC_OPTIONS                                                                                      \
     {.name = "bilinear", .kind = ORR_OPT_FLAG, .help = "Take maps as they are, bilinear; no refit."},        \
         {.name = "degree",                                                                                   \
+         .applies = "!bilinear",                                                                             \
          .kind = ORR_OPT_INT,                                                                                \
          .value = "N",                                                                                       \
          .min = 0,                                                                                           \
          .max = ORR_HARM_MAX_DEGREE,                                                                         \
          .help = "Degree of the refit of maps; 15 by default."},                                             \
         {.name = "between",                                                                                  \
+         .fallback = "rotated",                                                                              \
          .kind = ORR_OPT_CHOICE,                                                                             \
          .value = "nearest|linear|rotated",                                                                  \
          .help = "Between epochs: the nearest map; linear; or linear with the Earth turned under the maps "  \
                  "(default)."},                                                                              \
         {.name = "rotation",                                                                                 \
+         .applies = "between=rotated",                                                                       \
          .kind = ORR_OPT_REAL,                                                                               \
          .value = "P",                                                                                       \
          .min = 0,                                                                                           \

@@ -153,12 +153,12 @@ static const orr_option options[] = {
     {.name = "velocity",
      .kind = ORR_OPT_CHOICE,
      .value = "records|positions",
-     .help =
-         "the truth's velocity: its V records where it has them (the default), or always from its positions"},
+     .help = "Velocity of the truth. records (default): its V records where it has them. positions: always "
+             "the derivative of its positions."},
     {.name = "inputs",
      .kind = ORR_OPT_FLAG,
-     .help = "compare at epochs that the product was made from as well: for the orbits of another centre"},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "print a JSON object instead of a table"},
+     .help = "Compare also at epochs that the product was made from, for orbits of another centre."},
+    {.name = "json", .kind = ORR_OPT_FLAG, .help = "Print a JSON object instead of a table."},
 };
 
 const orr_command orr_cmd_compare = {

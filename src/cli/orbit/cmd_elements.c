@@ -194,20 +194,21 @@ static const orr_option options[] = {
      .value = "LIST",
      .help = "Satellites, e.g. G05,R or all; all by default."},
     {.name = "method",
+     .fallback = "state",
      .kind = ORR_OPT_CHOICE,
      .value = ORR_ELEMENTS_METHODS,
-     .help = "state (default): osculating, from position and velocity. three-positions: the plane through "
-             "three positions "
-             "--spacing apart and the standard formulas; the plane is good to 4e-6 deg, but a is off by "
-             "about 2 km (J2) and e and "
-             "argp with it. mean: osculating averaged over one revolution, half of it to each side."},
+     .help = "How elements are made. state (default): osculating elements of position and velocity. "
+             "three-positions: the plane through three positions --spacing apart and the standard formulas; "
+             "the plane is good to 4e-6 deg, but a is off by about 2 km (J2), and e and argp with it. mean: "
+             "osculating elements averaged over one revolution, half of it to each side."},
     {.name = "frame",
      .kind = ORR_OPT_CHOICE,
      .value = ORR_ELEMENTS_FRAMES,
-     .help = "date (default): true equator and equinox of date. j2000: GCRS. ecef: Earth-fixed axes of the "
-             "instant, frozen there (for mean: at the middle of its revolution)."},
+     .help = "The axes. date (default): true equator and equinox of date. j2000: GCRS. ecef: Earth-fixed "
+             "axes of the instant, held fixed (for mean: of the middle of its revolution)."},
     {.name = "step", .kind = ORR_OPT_DURATION, .value = "S", .help = "Distance of rows; 60 s by default."},
     {.name = "spacing",
+     .applies = "method=three-positions",
      .kind = ORR_OPT_DURATION,
      .value = "S",
      .help = "Distance of the three positions, from 10 s to a quarter of a revolution; 300 s by default."},
@@ -220,7 +221,10 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "Earth orientation; the IERS secular pole by default."},
-    {.name = "format", .kind = ORR_OPT_CHOICE, .value = "csv|json|nc", .help = "csv by default."},
+    {.name = "format",
+     .kind = ORR_OPT_CHOICE,
+     .value = "csv|json|nc",
+     .help = "The format of the output; csv by default."},
     {.name = "output",
      .letter = 'o',
      .kind = ORR_OPT_TEXT,

@@ -59,8 +59,6 @@ static int run(orr_cli *c)
     const bool json = orr_cli_given(c, "json");
     if ((strcmp(rinex, "-") == 0) + (strcmp(bits, "-") == 0) + json > 1)
         return orr_cli_usage(c, "only one of --output, --bits and --json can go to standard output");
-    if ((orr_cli_given(c, "from") || orr_cli_given(c, "to")) && !orr_cli_given(c, "bits"))
-        return orr_cli_usage(c, "--from and --to go with --bits");
     if (orr_cli_given(c, "from") && orr_cli_given(c, "to") &&
         orr_cli_time(c, "to", 0) <= orr_cli_time(c, "from", 0))
         return orr_cli_usage(c, "--to is not after --from");
@@ -87,59 +85,61 @@ static const orr_option options[] = {
      .letter = 'o',
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "the sets as RINEX NAV 3.05"},
+     .help = "Write the sets as RINEX NAV 3.05."},
     {.name = "bits",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "what the satellites send, bit by bit, as CSV: t_gps (of the first bit), sat, message (LNAV or "
-             "FDMA), number "
-             "(of the subframe or string), page (of subframes 4 and 5; GLONASS: frame of the superframe), "
-             "bits, hex "
-             "(first bit highest)"},
+     .help = "Write what the satellites transmit, bit by bit, as CSV: t_gps (of the first bit), sat, message "
+             "(LNAV or FDMA), number (of the subframe or string), page (of subframes 4 and 5; GLONASS: frame "
+             "of the superframe), bits, hex (first bit highest)."},
     {.name = "from",
+     .applies = "bits",
      .kind = ORR_OPT_TIME,
      .value = "T",
-     .help = "of --bits: begin; the product's by default"},
-    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "of --bits: end; the product's by default"},
+     .help = "First instant of the bits; the product's beginning by default."},
+    {.name = "to",
+     .applies = "bits",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "End of the bits; the product's end by default."},
     {.name = "window",
      .kind = ORR_OPT_CHOICE,
      .value = "2h|4h",
-     .help = "how much of the orbit an LNAV set describes: 2h (default) fits closest, 4h is what a receiver "
-             "may use "
-             "one set for. New sets come every two hours either way"},
+     .help = "How much of the orbit an LNAV set describes. 2h (default) fits closest; 4h is how long a "
+             "receiver may use one set. New sets come every two hours either way."},
     {.name = "sat",
      .kind = ORR_OPT_SATS,
      .value = "LIST",
-     .help = "satellites, e.g. G05,R; all of GPS and GLONASS by default"},
+     .help = "Satellites, e.g. G05,R; all of GPS and GLONASS by default."},
     {.name = "antex",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "describe the antennas' phase centres (ionosphere-free); without it the centres of mass, as "
-             "'orrery states' "
-             "and the service tell them"},
+     .help = "ANTEX file: describe the antennas' phase centres (ionosphere-free). Without it the sets "
+             "describe the centres of mass, as 'orrery states' and the service do."},
     {.name = "bias",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "Bias-SINEX or DCB file: TGD and GLONASS' delta tau; without it they are zero"},
+     .help = "Bias-SINEX or DCB file: TGD and GLONASS' delta tau. Without it they are zero."},
     {.name = "nav",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .repeated = true,
-     .help = "RINEX navigation file to take GLONASS' frequency channels and Klobuchar's coefficients from; "
-             "without it the "
-             "nominal channels, and coefficients of zero"},
+     .help = "RINEX navigation file with GLONASS' frequency channels and Klobuchar's coefficients. Without "
+             "it the nominal channels and coefficients of zero are sent."},
     {.name = "zero-clocks",
      .kind = ORR_OPT_FLAG,
-     .help = "send a clock of zero for satellites whose clock the product does not know; they are left out "
-             "otherwise"},
+     .help = "Send a clock of zero for satellites whose clock the product does not know. Without it they are "
+             "left out."},
     {.name = "jobs",
      .letter = 'j',
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 1,
      .max = 256,
-     .help = "threads; the machine's cores by default. The data do not depend on it"},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "the report, with every set, as JSON on standard output"},
+     .help = "Number of threads; the machine's cores by default. The data do not depend on it."},
+    {.name = "json",
+     .kind = ORR_OPT_FLAG,
+     .help = "Print the report, with every set, as a JSON object on standard output."},
 };
 
 const orr_command orr_cmd_navfit = {

@@ -316,7 +316,10 @@ static const orr_option options[] = {
      .value = "LIST",
      .help = "Signals as RINEX 3 codes without the first letter, e.g. 1C,2W,5Q: a column each of the delay "
              "against the clock's pair, to be subtracted from the clock for a user of that signal alone."},
-    {.name = "format", .kind = ORR_OPT_CHOICE, .value = "table|csv|json", .help = "csv by default."},
+    {.name = "format",
+     .kind = ORR_OPT_CHOICE,
+     .value = "table|csv|json",
+     .help = "The format of the output; csv by default."},
     {.name = "output",
      .letter = 'o',
      .kind = ORR_OPT_TEXT,

@@ -7,26 +7,40 @@
 #include "src/cli/orbit/states_write.h"
 
 static const orr_option options[] = {
-    {.name = "from",
+    {.name = "at",
+     .letter = 't',
      .kind = ORR_OPT_TIME,
      .value = "T",
-     .help = "first instant; the product's beginning by default"},
-    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "last instant; the product's end by default"},
+     .help = "One instant, instead of --from, --to and --step."},
+    {.name = "from",
+     .applies = "!at",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "First instant; the product's beginning by default."},
+    {.name = "to",
+     .applies = "!at",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "Last instant; the product's end by default."},
     {.name = "step",
+     .applies = "!at",
      .letter = 's',
      .kind = ORR_OPT_DURATION,
      .value = "S",
-     .help = "time between states, e.g. 0.1, 30s, 15min; 900 s by default"},
+     .help = "Time between states, e.g. 0.1, 30s, 15min; 900 s by default."},
     {.name = "sat",
      .kind = ORR_OPT_SATS,
      .value = "LIST",
-     .help = "satellites, e.g. G05,R,E01-E09; all by default"},
-    {.name = "format", .kind = ORR_OPT_CHOICE, .value = "csv|sp3|json", .help = "csv by default"},
+     .help = "Satellites, e.g. G05,R,E01-E09; all by default."},
+    {.name = "format",
+     .kind = ORR_OPT_CHOICE,
+     .value = "csv|sp3|json",
+     .help = "The format of the output; csv by default."},
     {.name = "output",
      .letter = 'o',
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "write here instead of stdout; the file appears whole or not at all"},
+     .help = "Write to FILE instead of standard output; the file appears whole or not at all."},
 };
 
 // The request's instants against the product's span: outside of it there is nothing to tell, and a table that
@@ -78,8 +92,8 @@ static int run(orr_cli *c)
     states_request q = {.product = c->operand[0], .path = orr_cli_text(c, "output", "-")};
     orr_time from, to;
     orr_ephemeris_span(e, &from, &to);
-    q.from = orr_cli_time(c, "from", from);
-    q.to = orr_cli_time(c, "to", to);
+    q.from = orr_cli_time(c, "at", orr_cli_time(c, "from", from));
+    q.to = orr_cli_time(c, "at", orr_cli_time(c, "to", to));
     q.step_ns = orr_cli_duration_ns(c, "step", 900 * ORR_NS_PER_S);
     q.sats = orr_cli_sats(c, "sat");
     int status = q.to < q.from ? ORR_EXIT_USAGE : ORR_EXIT_FAILED;

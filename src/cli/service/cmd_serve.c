@@ -114,16 +114,15 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "URL",
      .repeated = true,
-     .help = "where to listen: tcp://HOST:PORT (port 0: any free one) or unix:PATH. Default: what the "
-             "scenario says, else "
-             "tcp://127.0.0.1:15754"},
+     .help = "Listen at tcp://HOST:PORT (port 0: any free one) or unix:PATH. By default where the scenario "
+             "says, else tcp://127.0.0.1:15754."},
     {.name = "max-clients",
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 1,
      .max = 10000,
-     .help = "clients at once; one more is told BUSY; 256 by default"},
-    {.name = "help-scenario", .kind = ORR_OPT_FLAG, .help = "print all keys of a scenario file, and end"},
+     .help = "Largest number of clients at once; one more is answered BUSY. 256 by default."},
+    {.name = "help-scenario", .kind = ORR_OPT_FLAG, .help = "Print all keys of a scenario file, and end."},
 };
 
 const orr_command orr_cmd_serve = {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The manners of the program: help for every command, nearest words, exit status, stdout and stderr apart."""
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -27,6 +28,16 @@ class Program(unittest.TestCase):
                 self.assertIn("\nExample:\n", text)
                 self.assertIn(f"  orrery {name} ", text.split("\nExample:\n")[1])
                 self.assertLessEqual(max(map(len, text.splitlines())), 130)
+
+    def test_help_is_sentences(self):
+        for name in commands():
+            if name == "poll":
+                continue  # the polls' options are worded with the messages
+            page = run("--man", name).stdout
+            for option, text in re.findall(r"^\.TP\n.*\\fB\\-\\-(.*?)\\fR.*\n(.*)\n", page, re.M):
+                with self.subTest(command=name, option=option):
+                    text = re.sub(r"( \([^()]*\))+$", "", text)
+                    self.assertRegex(text, r"^[A-Z].*\.$")
 
     def test_groups_stand_together(self):
         lines = run("--help").stdout.splitlines()

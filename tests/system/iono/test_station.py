@@ -49,14 +49,14 @@ class Station(unittest.TestCase):
             self.assertIn(word, done.stderr)
 
     def test_tec_at_a_place(self):
-        rows = list(csv.DictReader(io.StringIO(self.ok("tec", MAPS, "--at", "2024-02-04T12:00:00Z", "--lat", 50, "--lon", 15))))
+        rows = list(csv.DictReader(io.StringIO(self.ok("tec", MAPS, "--at", "2024-02-04T12:00:00Z", "--point", "50,15"))))
         self.assertEqual(len(rows), 1)
         with gzip.open(MAPS, "rt", errors="replace") as f:  # the 13th map's cell, read by hand
             text = f.read()
         one = text.split("START OF TEC MAP")[13].split("    50.0-180.0 180.0   5.0 450.0")[1].split("LAT/LON")[1]
         values = one.split("\n", 1)[1].split()[:73]
         self.assertAlmostEqual(float(rows[0]["vtec_tecu"]), int(values[39]) / 10, delta=0.08)
-        ray = json.loads(self.ok("tec", MAPS, "--at", "2024-02-04T12:00", "--lat", 52, "--lon", 17, "--el", 30, "--format", "json"))[0]
+        ray = json.loads(self.ok("tec", MAPS, "--at", "2024-02-04T12:00", "--receiver", "52,17,0", "--el", 30, "--format", "json"))[0]
         self.assertAlmostEqual(ray["delay_m"], 40.3e16 * ray["stec_tecu"] / 1575.42e6**2, places=4)
         self.assertAlmostEqual(ray["stec_tecu"], ray["mapping"] * ray["vtec_tecu"], places=2)
 
@@ -64,14 +64,14 @@ class Station(unittest.TestCase):
         maps, ion = WORK / "g.INX", WORK / "g.ION"
         self.ok("tec", MAPS, "--grid", "--format", "ionex", "-o", maps)
         self.ok("tec", MAPS, "--format", "ion", "-o", ion)
-        place = ["--at", "2024-02-04T07:20", "--lat", "-20", "--lon", "-60"]
+        place = ["--at", "2024-02-04T07:20", "--point", "-20,-60"]
         values = [float(list(csv.DictReader(io.StringIO(self.ok("tec", f, *place))))[0]["vtec_tecu"]) for f in (MAPS, ion, maps)]
         self.assertAlmostEqual(values[0], values[1], delta=1e-3)  # the .ION's epochs are as the maps': 4 decimals are printed
         self.assertAlmostEqual(values[0], values[2], delta=0.1)   # printed to 0.1 and fitted again
-        self.ok("tec", NAV, "--at", "2024-02-04T07:20", "--lat", 0, "--lon", 0)
-        self.refused("covers", "tec", MAPS, "--at", "2024-02-06T00:00", "--lat", 0, "--lon", 0)
-        self.refused("below the horizon", "tec", MAPS, "--at", "2024-02-04T07:20", "--lat", 0, "--lon", 0, "--el", "-3")
-        self.refused("neither an IONEX", "tec", OBS, "--at", "2024-02-04T07:20", "--lat", 0, "--lon", 0)
+        self.ok("tec", NAV, "--at", "2024-02-04T07:20", "--point", "0,0")
+        self.refused("covers", "tec", MAPS, "--at", "2024-02-06T00:00", "--point", "0,0")
+        self.refused("below the horizon", "tec", MAPS, "--at", "2024-02-04T07:20", "--receiver", "0,0,0", "--el", "-3")
+        self.refused("neither an IONEX", "tec", OBS, "--at", "2024-02-04T07:20", "--point", "0,0")
         self.refused("where?", "tec", MAPS, "--at", "2024-02-04T07:20", status=2)
 
     def test_fusion(self):
@@ -179,8 +179,8 @@ class Station(unittest.TestCase):
         self.refused("covers", "iono", OBS, "--field", DATA / "odd/ionex/split-2.19i.gz", "--orbit", orbit())
         self.refused("--orbit", "iono", OBS, "--field", MAPS, status=2)
         self.refused("neither an orbit product", "iono", OBS, "--field", MAPS, "--orbit", MAPS)
-        self.refused("no X,Y,Z", "iono", OBS, *args, "--position", "1,2")
-        self.refused("not on the Earth", "iono", OBS, *args, "--position", "1,2,3")
+        self.refused("neither LAT,LON", "iono", OBS, *args, "--receiver", "1", status=2)
+        self.refused("not on the Earth", "iono", OBS, *args, "--receiver", "ecef:1,2,3", status=2)
         self.refused("--code", "iono", OBS, *args, "--code", "xyz", status=2)
 
     def test_odd_maps(self):
@@ -196,13 +196,13 @@ class Station(unittest.TestCase):
         first = text.index("LAT/LON1/LON2/DLON/H") + len("LAT/LON1/LON2/DLON/H\n")
         negative, hole = WORK / "negative.INX", WORK / "hole.INX"
         negative.write_text(text[:first] + "   -7" + text[first + 5:])
-        self.refused("not negative", "tec", negative, "--at", "2024-02-04T00:00", "--lat", 87.5, "--lon", -180)
+        self.refused("not negative", "tec", negative, "--at", "2024-02-04T00:00", "--point", "87.5,-180")
         row = text.index("    50.0-180.0 180.0   5.0 450.0")
         cells = text.index("\n", row) + 1
         hole.write_text(text[:cells] + " 9999" * 16 + text[cells + 80:])
-        self.refused("hole", "tec", hole, "--at", "2024-02-04T00:30", "--lat", 50, "--lon", -150)
-        self.refused("hole", "tec", hole, "--at", "2024-02-04T00:30", "--lat", 50, "--lon", -150, "--bilinear")
-        self.ok("tec", hole, "--at", "2024-02-04T02:30", "--lat", 50, "--lon", -150)
+        self.refused("hole", "tec", hole, "--at", "2024-02-04T00:30", "--point", "50,-150")
+        self.refused("hole", "tec", hole, "--at", "2024-02-04T00:30", "--point", "50,-150", "--bilinear")
+        self.ok("tec", hole, "--at", "2024-02-04T02:30", "--point", "50,-150")
 
 
 if __name__ == "__main__":

@@ -93,7 +93,7 @@ class Elements(Folder):
         for args, word in ((("--sat", "C09"), "no such satellite"), (("--from", "2030-01-01"), "covers"),
                            (("--method", "three-positions", "--spacing", "8h"), "covers")):
             self.assertIn(word, run("elements", self.day[0], *args, status=1).stderr)
-        self.assertIn("at least 10 s", run("elements", self.day[0], "--spacing", "1", status=2).stderr)
+        self.assertIn("at least 10 s", run("elements", self.day[0], "--method", "three-positions", "--spacing", "1", status=2).stderr)
         self.assertIn("-o FILE", run("elements", self.day[0], "--format", "nc", status=2).stderr)
 
 

@@ -16,6 +16,13 @@ static const orr_option options[] = {
     {.name = "sat", .kind = ORR_OPT_SATS, .value = "LIST", .help = "h"},
     {.name = "format", .kind = ORR_OPT_CHOICE, .value = "csv|sp3", .help = "h"},
     {.name = "json", .kind = ORR_OPT_FLAG, .help = "h"},
+    {.name = "place", .kind = ORR_OPT_PLACE, .value = "LAT,LON,H", .help = "h"},
+    {.name = "grid", .kind = ORR_OPT_FLAG, .applies = "!place", .help = "h"},
+    {.name = "height", .kind = ORR_OPT_REAL, .value = "M", .applies = "place|lat", .help = "h"},
+    {.name = "method", .kind = ORR_OPT_CHOICE, .value = "mean|three|state", .fallback = "state", .help = "h"},
+    {.name = "spacing", .kind = ORR_OPT_REAL, .value = "S", .applies = "method=three|mean", .help = "h"},
+    {.name = "approach", .kind = ORR_OPT_INT, .value = "1|2", .min = 1, .max = 2, .help = "h"},
+    {.name = "order", .kind = ORR_OPT_INT, .value = "N", .applies = "approach=2", .help = "h"},
 };
 static const orr_option needed[] = {
     {.name = "output", .letter = 'o', .kind = ORR_OPT_TEXT, .value = "FILE", .required = true, .help = "h"}};
@@ -38,7 +45,9 @@ static orr_cli_parse_result parse(orr_cli *c, const orr_command *cmd, const char
     snprintf(text, sizeof text, "%s", line);
     for (char *w = strtok(text, " "); w != NULL; w = strtok(NULL, " ")) words[n++] = w;
     *c = (orr_cli){.command = cmd};
-    return orr_cli_args_parse(c, n, words);
+    orr_cli_parse_result r = orr_cli_args_parse(c, n, words);
+    if (r == ORR_CLI_RUN && orr_cli_applies_check(c) != ORR_EXIT_OK) r = ORR_CLI_WRONG;
+    return r;
 }
 
 // What parse says on stderr, kept in a file for the time.
@@ -134,13 +143,26 @@ static void test_wrong(void **state)
         {"a --at yesterday", "--at"},
         {"a --exclude 2024-02-05", "FROM/TO"},
         {"a --exclude 2024-02-05/2024-02-04", "before it begins"},
-        {"a --step 0", "longer than nothing"},
+        {"a --step 0", "positive"},
         {"a --step -5", "--step"},
         {"a --sat Q5", "--sat"},
         {"a --format json", "csv|sp3"},
         {"a --format cs", "csv|sp3"},
         {"a --json=1", "takes no value"},
         {"a -x", "-x"},
+        {"a --place 1", "neither LAT,LON"},
+        {"a --place 1,2,3,4", "neither LAT,LON"},
+        {"a --place 1,2,x", "neither LAT,LON"},
+        {"a --place 1,,2", "neither LAT,LON"},
+        {"a --place 91,0", "between -90 and 90"},
+        {"a --place 0,0,inf", "neither LAT,LON"},
+        {"a --place ecef:1,2", "not ecef:X,Y,Z"},
+        {"a --place ecef:1,2,3", "not on the Earth"},
+        {"a --grid --place 1,2", "--grid does not apply with --place"},
+        {"a --height 5", "--height applies only with --place or --lat"},
+        {"a --spacing 5", "--spacing applies only with --method three or mean"},
+        {"a --spacing 5 --method state", "--spacing applies only with --method three or mean"},
+        {"a --order 5 --approach 1", "--order applies only with --approach 2"},
         {"--json", "FILE... is needed"},
         {"a b c d", "'d'"},
     };
@@ -153,6 +175,56 @@ static void test_wrong(void **state)
     assert_non_null(strstr(said, "--output FILE is needed"));
     assert_int_equal(parse_wrong(&strict, "-o x y"), ORR_CLI_WRONG);
     assert_non_null(strstr(said, "one word too many"));
+}
+
+static void test_places(void **state)
+{
+    (void)state;
+    orr_cli c;
+    orr_geodetic g = {7, 7, 7};
+    assert_int_equal(parse(&c, &command, "a"), ORR_CLI_RUN);
+    assert_false(orr_cli_place(&c, "place", &g));
+    ASSERT_NEAR(g.lat_rad, 7, 0);
+    orr_cli_args_free(&c);
+    assert_int_equal(parse(&c, &command, "a --place -52.5,17.25,124"), ORR_CLI_RUN);
+    assert_true(orr_cli_place(&c, "place", &g));
+    ASSERT_NEAR(g.lat_rad * ORR_DEG_PER_RAD, -52.5, 1e-13);
+    ASSERT_NEAR(g.lon_rad * ORR_DEG_PER_RAD, 17.25, 1e-13);
+    ASSERT_NEAR(g.height_m, 124, 0);
+    const orr_vec3 r = orr_earth_to_ecef(g);
+    orr_cli_args_free(&c);
+    char line[128];
+    snprintf(line, sizeof line, "a --place ecef:%.6f,%.6f,%.6f", r.x, r.y, r.z);
+    orr_geodetic same;
+    assert_int_equal(parse(&c, &command, line), ORR_CLI_RUN);
+    assert_true(orr_cli_place(&c, "place", &same));
+    ASSERT_NEAR(same.height_m, g.height_m, 2e-6); // a micrometre was written
+    ASSERT_NEAR(same.lat_rad, g.lat_rad, 1e-12);
+    orr_cli_args_free(&c);
+}
+
+// An option applies where the table says so; a value that only the inputs tell is settled later.
+static void test_applies(void **state)
+{
+    (void)state;
+    static const char *const right[] = {
+        "a --grid",
+        "a --place 1,2 --height 5",
+        "a --lat 1 --height 5",
+        "a --spacing 5 --method mean",
+        "a --order 5",
+        "a --order 5 --approach 2",
+        "a --method three --spacing 1",
+    };
+    orr_cli c;
+    for (size_t i = 0; i < sizeof right / sizeof right[0]; i++) {
+        assert_int_equal(parse(&c, &command, right[i]), ORR_CLI_RUN);
+        orr_cli_args_free(&c);
+    }
+    assert_int_equal(parse(&c, &command, "a --order 5"), ORR_CLI_RUN);
+    assert_int_equal(orr_cli_settle(&c, "approach", "2"), ORR_EXIT_OK);
+    assert_int_equal(orr_cli_settle(&c, "approach", "1"), ORR_EXIT_USAGE);
+    orr_cli_args_free(&c);
 }
 
 // Help names every option of the table.
@@ -180,10 +252,8 @@ static void test_help(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_absent_and_short),
-        cmocka_unit_test(test_wrong),
-        cmocka_unit_test(test_help),
+        cmocka_unit_test(test_values), cmocka_unit_test(test_absent_and_short), cmocka_unit_test(test_wrong),
+        cmocka_unit_test(test_places), cmocka_unit_test(test_applies),          cmocka_unit_test(test_help),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
