@@ -22,6 +22,18 @@ typedef struct orr_log {
 // Formats and hands one line (at most 1023 bytes) to log->write. Call it through ORR_LOG.
 void orr_log_write(const orr_log *log, orr_log_level level, const char *fmt, ...) ORR_PRINTF(3, 4);
 
+// A limit to lines that others cause: `burst` at once, then one every `every_ns`. Zero-initialise but for
+// these two.
+typedef struct orr_log_rate {
+    int burst;
+    int64_t every_ns;
+    bool begun;
+    int64_t spent_ns; // when all that was said is paid for
+    uint64_t held;    // lines not said since the last one that was
+} orr_log_rate;
+// Whether a line may be said at a time of any monotonic clock; *held is how many before it were not.
+bool orr_log_rate_allows(orr_log_rate *r, int64_t now_ns, uint64_t *held);
+
 // ORR_LOG(log, ORR_LOG_INFO, "read %s", name); log may be NULL.
 #define ORR_LOG(log, lvl, ...)                                                                               \
     do {                                                                                                     \

@@ -19,18 +19,18 @@ static orr_status io_error(orr_diag *diag, const char *path, const char *verb)
 // Names of temporaries, for a handler of signals: it sees the whole process, so this list is the process's.
 static _Atomic(char *) unfinished[ORR_OUTFILE_UNFINISHED];
 
-static void remember(char *temp)
+void orr_outfile_remember(char *name)
 {
     for (int i = 0; i < ORR_OUTFILE_UNFINISHED; i++) {
         char *none = NULL;
-        if (atomic_compare_exchange_strong(&unfinished[i], &none, temp)) return;
+        if (atomic_compare_exchange_strong(&unfinished[i], &none, name)) return;
     }
 }
 
-static void finished(char *temp)
+void orr_outfile_forget(char *name)
 {
-    for (int i = 0; i < ORR_OUTFILE_UNFINISHED && temp != NULL; i++) {
-        char *same = temp;
+    for (int i = 0; i < ORR_OUTFILE_UNFINISHED && name != NULL; i++) {
+        char *same = name;
         if (atomic_compare_exchange_strong(&unfinished[i], &same, NULL)) return;
     }
 }
@@ -45,7 +45,7 @@ void orr_outfile_remove_unfinished(void)
 
 static void forget(orr_outfile *f)
 {
-    finished(f->temp);
+    orr_outfile_forget(f->temp);
     free(f->path);
     free(f->temp);
     *f = (orr_outfile){0};
@@ -69,10 +69,10 @@ static int create_beside(const char *path, mode_t mode, char **temp)
     int fd = -1;
     for (int k = 0; k < 1000; k++) {
         snprintf(name, size, "%s.part-%ld-%d", path, (long)getpid(), k);
-        remember(name); // before it is there, so that no signal falls between
+        orr_outfile_remember(name); // before it is there, so that no signal falls between
         fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (fd >= 0) break;
-        finished(name);
+        orr_outfile_forget(name);
         if (errno != EEXIST) break;
     }
     if (fd < 0) {

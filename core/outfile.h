@@ -26,5 +26,9 @@ void orr_outfile_abort(orr_outfile *f);
 // remembered for it.
 #define ORR_OUTFILE_UNFINISHED 32
 void orr_outfile_remove_unfinished(void);
+// Another file that is of no use without the process (a socket's): removed with those, until it is forgotten.
+// The name stays where it is meanwhile.
+void orr_outfile_remember(char *name);
+void orr_outfile_forget(char *name);
 
 #endif

@@ -11,7 +11,8 @@ static const orr_key serve_rows[] = {
      .kind = ORR_KEY_TEXT,
      .list = true,
      .offset = offsetof(orr_scenario_serve, listen),
-     .help = "where to listen: tcp://HOST:PORT (port 0: any free one) or unix:PATH. 'orrery serve --listen' "
+     .help = "where to listen: tcp://HOST:PORT (host *: every address; port 0: any free one) or unix:PATH. "
+             "'orrery serve --listen' "
              "overrules it"},
 };
 static const orr_schema serve_table = ORR_SCHEMA(serve_rows, orr_scenario_serve);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One client: bytes between its socket and the server's state machine. Replies go out by a direct write from
-// the read event, so that an answered request costs one wait, one read and one write; only what the socket
-// does not take waits for a write event, and as long as something waits nothing more is read: a slow client
-// holds one output buffer, no more.
+// One client: bytes between its socket and the server's state machine. What has been read waits for its turn
+// (src/service/turns.h); replies go out by a direct write at the turn's end, so that an answered request costs
+// one wait, one read and one write. Only what the socket does not take waits for a write event, and as long as
+// something waits nothing more is read: a slow client holds one output buffer, no more.
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +20,7 @@ typedef enum conn_state {
 } conn_state;
 
 struct orr_conn {
+    orr_turns_member turn; // first, so that the member is the connection
     orr_service *service;
     int fd;
     conn_state state;
@@ -31,6 +32,7 @@ struct orr_conn {
     bool busy;  // an answer is not finished
     bool yield; // and takes long: others come first
     bool half;  // the input holds the beginning of a frame
+    bool joined, counted;
     int64_t turn_ends_ns;
     int64_t since_ns; // what the deadline counts from
     int64_t last_ns;  // last complete request
@@ -48,7 +50,8 @@ void orr_conn_close(orr_conn *c)
     else
         s->conns = c->next;
     if (c->next != NULL) c->next->prev = c->prev;
-    s->n_conns--;
+    if (c->counted) s->n_conns--;
+    if (c->joined) orr_turns_leave(&s->turns, &c->turn);
     ORR_LOG(s->log, ORR_LOG_DEBUG, "%s gone after %llu requests", c->peer,
             (unsigned long long)c->conn.requests);
     if (c->on_read != NULL) event_free(c->on_read);
@@ -97,10 +100,25 @@ static void end(orr_conn *c)
     c->since_ns = 0;
 }
 
+// One ERROR straight to the socket, which is empty: it takes that much, or the peer is gone.
+static void send_error(const orr_conn *c, uint16_t code, const char *sentence)
+{
+    uint8_t frame[ORR_FRAME_OVERHEAD + ORR_SERVER_SENTENCE + 64];
+    orr_wire_writer w = {frame, 0, sizeof frame, ORR_WIRE_OK};
+    orr_server_error(&w, code, sentence);
+    if (send(c->fd, frame, w.size, MSG_NOSIGNAL) < 0)
+        ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: %s", c->peer, strerror(errno));
+}
+
 // Puts an ERROR behind the output, if there is room, and ends.
 static void end_with(orr_conn *c, uint16_t code, const char *sentence)
 {
     if (c->state != CONN_OPEN) return;
+    if (c->out == NULL) { // a client that has sent nothing yet: its ERROR goes past the buffers
+        send_error(c, code, sentence);
+        end(c);
+        return;
+    }
     orr_wire_writer w = {c->out, c->out_size, c->out_capacity, ORR_WIRE_OK};
     orr_server_error(&w, code, sentence);
     c->out_size = w.size;
@@ -119,7 +137,13 @@ static bool grow(uint8_t **data, size_t *capacity, size_t need)
 static bool turn_over(void *owner)
 {
     const orr_conn *c = owner;
-    return orr_service_now_ns() >= c->turn_ends_ns;
+    return orr_service_clock_ns(c->service) >= c->turn_ends_ns;
+}
+
+// Only who has sent something has buffers.
+static bool get_buffers(orr_conn *c)
+{
+    return grow(&c->in, &c->in_capacity, ORR_CONN_IN) && grow(&c->out, &c->out_capacity, ORR_CONN_OUT);
 }
 
 // Answers what is in the input, as far as the output buffer allows.
@@ -128,7 +152,6 @@ static void answer(orr_conn *c)
     orr_wire_writer w = {c->out, c->out_size, c->out_capacity, ORR_WIRE_OK};
     orr_server_step step;
     uint64_t before = c->conn.requests;
-    c->turn_ends_ns = orr_service_now_ns() + ORR_CONN_TURN_NS;
     orr_server_run(c->service->server, &c->conn, c->in, c->in_size, &w, &step);
     c->out_size = w.size;
     c->busy = step.busy;
@@ -139,14 +162,14 @@ static void answer(orr_conn *c)
     if (half && !c->half) c->since_ns = 0;
     c->half = half;
     if (c->conn.requests != before) {
-        c->last_ns = orr_service_now_ns();
+        c->last_ns = orr_service_clock_ns(c->service);
         c->since_ns = 0;
     }
     if (step.closing != 0) {
         const char *name = orr_msg_error_code_name(step.closing);
-        ORR_LOG(c->service->log, ORR_LOG_WARN, "%s%s%s: closing: %s (%s)", c->peer,
-                c->conn.client[0] != '\0' ? ", " : "", c->conn.client, step.reason,
-                name != NULL ? name : "?");
+        orr_service_tell(c->service, "%s%s%s: closing: %s (%s)", c->peer,
+                         c->conn.client[0] != '\0' ? ", " : "", c->conn.client, step.reason,
+                         name != NULL ? name : "?");
         end(c);
         return;
     }
@@ -157,7 +180,10 @@ static void answer(orr_conn *c)
 }
 
 // Nothing is under way: all that was asked is answered and sent.
-static bool at_rest(const orr_conn *c) { return c->state == CONN_OPEN && !c->busy && !has_output(c); }
+static bool at_rest(const orr_conn *c)
+{
+    return c->state == CONN_OPEN && !c->busy && !has_output(c) && c->turn.place == 0;
+}
 
 static void shut_down(orr_conn *c) { end_with(c, ORR_MSG_ERROR_CODE_CLOSING, "the server is shutting down"); }
 
@@ -177,8 +203,8 @@ static void settle(orr_conn *c)
         c->state = CONN_LINGER;
         c->since_ns = 0;
     }
-    bool write = has_output(c) || c->busy;
-    bool read = !write && !c->peer_done;
+    bool write = has_output(c);
+    bool read = !write && !c->busy && !c->peer_done;
     if (write)
         event_add(c->on_write, NULL);
     else
@@ -187,24 +213,33 @@ static void settle(orr_conn *c)
         event_add(c->on_read, NULL);
     else
         event_del(c->on_read);
+    if (c->busy && !write) orr_turns_wait(&c->service->turns, &c->turn);
 }
 
-static void work(orr_conn *c)
+// The last answer before a stop has gone out: until the next sweep it would answer what is asked meanwhile.
+static void go_on(orr_conn *c)
 {
-    for (int turn = 0; turn < ORR_CONN_TURNS; turn++) {
-        if (!flush(c)) return;
-        if (has_output(c) || c->state != CONN_OPEN) break;
-        if (turn > 0 && (!c->busy || c->yield)) break; // the input has been looked at to its end
-        answer(c);
-    }
     if (!flush(c)) return;
-    // The last answer before a stop has gone out: until the next sweep it would answer what is asked
-    // meanwhile.
     if (c->service->draining && at_rest(c)) {
         shut_down(c);
         if (!flush(c)) return;
     }
     settle(c);
+}
+
+void orr_conn_turn(orr_turns_member *m)
+{
+    orr_conn *c = (orr_conn *)m;
+    const int64_t begin_ns = orr_service_clock_ns(c->service);
+    c->turn_ends_ns = begin_ns + ORR_CONN_TURN_NS;
+    for (bool more = true; more && c->state == CONN_OPEN && !has_output(c);) {
+        answer(c);
+        more = c->busy && !c->yield; // for want of room alone
+        if (more && !flush(c)) return;
+        more = more && !turn_over(c);
+    }
+    orr_turns_charge(&c->turn, orr_service_clock_ns(c->service) - begin_ns);
+    go_on(c);
 }
 
 static void on_read(evutil_socket_t fd, short what, void *user)
@@ -213,6 +248,15 @@ static void on_read(evutil_socket_t fd, short what, void *user)
     orr_conn *c = user;
     uint8_t waste[4096];
     bool open = c->state == CONN_OPEN;
+    if (open && c->turn.place > 0) { // it waits for its turn with what it has sent before
+        event_del(c->on_read);
+        return;
+    }
+    if (open && c->in == NULL && !get_buffers(c)) {
+        end_with(c, ORR_MSG_ERROR_CODE_INTERNAL, "the server is out of memory");
+        go_on(c);
+        return;
+    }
     ssize_t n =
         recv(fd, open ? c->in + c->in_size : waste, open ? c->in_capacity - c->in_size : sizeof waste, 0);
     if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return;
@@ -223,54 +267,69 @@ static void on_read(evutil_socket_t fd, short what, void *user)
     if (!open) return;
     if (n == 0) c->peer_done = true; // it may still be reading
     c->in_size += (size_t)n;
-    work(c);
+    if (n == 0)
+        settle(c);
+    else
+        orr_turns_wait(&c->service->turns, &c->turn);
 }
 
 static void on_write(evutil_socket_t fd, short what, void *user)
 {
     (void)fd;
     (void)what;
-    work(user);
+    go_on(user);
 }
 
-void orr_conn_open(orr_service *s, int fd, const char *peer)
+orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer)
 {
     orr_conn *c = calloc(1, sizeof *c);
     if (c == NULL) {
         close(fd);
-        return;
+        return NULL;
     }
     c->service = s;
     c->fd = fd;
     c->next = s->conns;
     if (s->conns != NULL) s->conns->prev = c;
     s->conns = c;
-    s->n_conns++;
     size_t n = strlen(peer) < sizeof c->peer ? strlen(peer) : sizeof c->peer - 1;
     memcpy(c->peer, peer, n);
-    c->in = malloc(ORR_CONN_IN);
-    c->in_capacity = ORR_CONN_IN;
-    c->out = malloc(ORR_CONN_OUT);
-    c->out_capacity = ORR_CONN_OUT;
     c->conn.can_grow = true;
     c->conn.over = turn_over;
     c->conn.owner = c;
     c->on_read = event_new(s->base, fd, EV_READ | EV_PERSIST, on_read, c);
     c->on_write = event_new(s->base, fd, EV_WRITE | EV_PERSIST, on_write, c);
-    c->last_ns = orr_service_now_ns();
-    if (c->in == NULL || c->out == NULL || c->on_read == NULL || c->on_write == NULL) {
-        ORR_LOG(s->log, ORR_LOG_ERROR, "out of memory for %s", c->peer);
+    c->last_ns = orr_service_clock_ns(s);
+    c->joined = orr_turns_join(&s->turns, &c->turn);
+    if (c->on_read == NULL || c->on_write == NULL || !c->joined) {
+        orr_service_tell(s, "out of memory for %s", c->peer);
         orr_conn_close(c);
-        return;
+        return NULL;
     }
-    ORR_LOG(s->log, ORR_LOG_DEBUG, "%s connected", c->peer);
-    if (s->n_conns > s->options.max_clients) {
-        ORR_LOG(s->log, ORR_LOG_WARN, "%s refused: %d clients are connected", c->peer,
-                s->options.max_clients);
-        end_with(c, ORR_MSG_ERROR_CODE_BUSY, "as many clients are connected as this server allows");
-    }
-    work(c);
+    return c;
 }
+
+void orr_conn_serve(orr_conn *c)
+{
+    ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s connected", c->peer);
+    c->counted = true;
+    c->service->n_conns++;
+    go_on(c);
+}
+
+void orr_conn_refuse(orr_conn *c, uint16_t code, const char *sentence)
+{
+    end_with(c, code, sentence);
+    if (c->counted) { // its place is free at once
+        c->counted = false;
+        c->service->n_conns--;
+    }
+    go_on(c);
+}
+
+bool orr_conn_is_idle(const orr_conn *c) { return c->counted && at_rest(c); }
+int64_t orr_conn_last_ns(const orr_conn *c) { return c->last_ns; }
+const char *orr_conn_peer(const orr_conn *c) { return c->peer; }
 
 void orr_conn_sweep(orr_conn *c, int64_t now_ns)
 {
@@ -285,9 +344,10 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
         if (waited > linger_s) orr_conn_close(c);
         return;
     }
+    if (c->turn.place > 0) return; // it waits for us
     if (has_output(c) || c->busy) {
         if (waited <= o->stall_s) return;
-        ORR_LOG(c->service->log, ORR_LOG_WARN, "%s closed: it takes no answers", c->peer);
+        orr_service_tell(c->service, "%s closed: it takes no answers", c->peer);
         orr_conn_close(c); // it would not read an ERROR either
         return;
     }
@@ -298,9 +358,9 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
     else if (c->in_size == 0 && c->conn.requests > 0 && quiet > o->idle_s)
         why = "no request for too long";
     if (why == NULL) return;
-    ORR_LOG(c->service->log, ORR_LOG_WARN, "%s: closing: %s", c->peer, why);
+    orr_service_tell(c->service, "%s: closing: %s", c->peer, why);
     end_with(c, ORR_MSG_ERROR_CODE_TIMEOUT, why);
-    work(c);
+    go_on(c);
 }
 
 void orr_conn_drain(orr_conn *c, int64_t now_ns)
@@ -309,6 +369,6 @@ void orr_conn_drain(orr_conn *c, int64_t now_ns)
         orr_conn_sweep(c, now_ns);
     else if (at_rest(c)) {
         shut_down(c);
-        work(c);
+        go_on(c);
     }
 }

@@ -7,6 +7,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,10 +16,11 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/outfile.h"
 #include "src/service/service_private.h"
 #include "src/service/url.h"
 
-enum { MAX_URLS = 16, BACKLOG = 128 };
+enum { MAX_URLS = 16, BACKLOG = 128, SLICE_NS = 500000 };
 static const double sweep_s = 0.2; // how finely time-outs are kept
 
 struct listener {
@@ -34,6 +36,7 @@ struct listener {
 orr_service_options orr_service_defaults(void)
 {
     return (orr_service_options){.max_clients = 256,
+                                 .spare_s = 2,
                                  .first_s = 30,
                                  .idle_s = 600,
                                  .half_frame_s = 10,
@@ -42,11 +45,28 @@ orr_service_options orr_service_defaults(void)
                                  .signals = true};
 }
 
-int64_t orr_service_now_ns(void)
+int64_t orr_service_clock_ns(const orr_service *s)
 {
+    if (s->options.clock_ns != NULL) return s->options.clock_ns(s->options.clock_user);
     struct timespec ts;
     clock_gettime(CLOCK_MONOTONIC, &ts);
     return (int64_t)ts.tv_sec * 1000000000 + ts.tv_nsec;
+}
+
+void orr_service_tell(orr_service *s, const char *fmt, ...)
+{
+    uint64_t held;
+    if (s->log == NULL || s->log->level < ORR_LOG_WARN) return;
+    if (!orr_log_rate_allows(&s->rate, orr_service_clock_ns(s), &held)) return;
+    char line[600];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(line, sizeof line, fmt, args);
+    va_end(args);
+    if (held > 0)
+        orr_log_write(s->log, ORR_LOG_WARN, "%llu more lines about clients were left out",
+                      (unsigned long long)held);
+    orr_log_write(s->log, ORR_LOG_WARN, "%s", line);
 }
 
 static void name_peer(const struct listener *l, const struct sockaddr *a, socklen_t n, int fd, char *buf,
@@ -61,6 +81,24 @@ static void name_peer(const struct listener *l, const struct sockaddr *a, sockle
         snprintf(buf, size, "client %d", fd);
 }
 
+// As many clients are connected as may be: the one that has been idle longest, and long enough, gives its
+// place.
+static bool make_room(orr_service *s)
+{
+    if (s->n_conns < s->options.max_clients) return true;
+    orr_conn *idlest = NULL;
+    for (orr_conn *c = s->conns; c != NULL; c = orr_conn_next(c))
+        if (orr_conn_is_idle(c) && (idlest == NULL || orr_conn_last_ns(c) < orr_conn_last_ns(idlest)))
+            idlest = c;
+    if (idlest == NULL ||
+        (double)(orr_service_clock_ns(s) - orr_conn_last_ns(idlest)) < s->options.spare_s * 1e9)
+        return false;
+    orr_service_tell(s, "%s: closing: it was idle, and its place is needed", orr_conn_peer(idlest));
+    orr_conn_refuse(idlest, ORR_MSG_ERROR_CODE_BUSY,
+                    "it was idle, and another client needed the place: this server allows no more");
+    return true;
+}
+
 static void on_accept(evutil_socket_t fd, short what, void *user)
 {
     (void)what;
@@ -72,7 +110,7 @@ static void on_accept(evutil_socket_t fd, short what, void *user)
         if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
             // The connection stays in the queue and the event would fire again at once: look again at the
             // next sweep.
-            ORR_LOG(l->service->log, ORR_LOG_WARN, "cannot accept a client: %s", strerror(errno));
+            orr_service_tell(l->service, "cannot accept a client: %s", strerror(errno));
             event_del(l->on_accept);
             l->paused = true;
         }
@@ -82,7 +120,16 @@ static void on_accept(evutil_socket_t fd, short what, void *user)
     if (!l->url.is_unix) setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
     char peer[160];
     name_peer(l, (struct sockaddr *)&a, n, client, peer, sizeof peer);
-    orr_conn_open(l->service, client, peer);
+    bool room = make_room(l->service);
+    orr_conn *c = orr_conn_open(l->service, client, peer);
+    if (c == NULL) return;
+    if (room) {
+        orr_conn_serve(c);
+        return;
+    }
+    orr_service_tell(l->service, "%s refused: %d clients are connected", peer,
+                     l->service->options.max_clients);
+    orr_conn_refuse(c, ORR_MSG_ERROR_CODE_BUSY, "as many clients are connected as this server allows");
 }
 
 static void stop_listening(orr_service *s)
@@ -97,6 +144,7 @@ static void stop_listening(orr_service *s)
         struct stat st;
         if (l->url.is_unix && lstat(l->url.path, &st) == 0 && S_ISSOCK(st.st_mode) && st.st_ino == l->inode)
             unlink(l->url.path);
+        if (l->url.is_unix) orr_outfile_forget(l->url.path);
     }
 }
 
@@ -105,7 +153,7 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
     (void)fd;
     (void)what;
     orr_service *s = user;
-    int64_t now = orr_service_now_ns();
+    int64_t now = orr_service_clock_ns(s);
     for (orr_conn *c = s->conns, *next; c != NULL; c = next) {
         next = orr_conn_next(c);
         if (s->draining)
@@ -116,7 +164,7 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
     if (s->draining && (s->conns == NULL || now > s->drain_until_ns)) {
         if (s->conns != NULL)
             ORR_LOG(s->log, ORR_LOG_WARN, "%d clients did not take their answers in time", s->n_conns);
-        event_base_loopbreak(s->base);
+        s->done = true;
         return;
     }
     for (size_t i = 0; i < s->n_listeners; i++) {
@@ -140,15 +188,23 @@ static void on_stop(evutil_socket_t fd, short what, void *user)
         if (read(fd, waste, sizeof waste) < 0 && errno == EAGAIN) return;
     }
     if (s->draining) { // the second time: at once
-        event_base_loopbreak(s->base);
+        s->done = true;
         return;
     }
     s->draining = true;
-    s->drain_until_ns = orr_service_now_ns() + (int64_t)(s->options.drain_s * 1e9);
+    s->drain_until_ns = orr_service_clock_ns(s) + (int64_t)(s->options.drain_s * 1e9);
     stop_listening(s);
     ORR_LOG(s->log, ORR_LOG_INFO, "stopping, %d clients connected", s->n_conns);
     sweep_every(s, 0.02);
     on_sweep(-1, 0, s);
+}
+
+static void on_hangup(evutil_socket_t fd, short what, void *user)
+{
+    (void)fd;
+    (void)what;
+    const orr_service *s = user;
+    ORR_LOG(s->log, ORR_LOG_INFO, "SIGHUP changes nothing");
 }
 
 static orr_status add_listener(orr_service *s, const char *text, orr_diag *diag)
@@ -161,6 +217,7 @@ static orr_status add_listener(orr_service *s, const char *text, orr_diag *diag)
     if (status != ORR_OK) return status;
     s->n_listeners++; // from here on closed by stop_listening
     struct stat st;
+    if (l->url.is_unix) orr_outfile_remember(l->url.path);
     if (l->url.is_unix && lstat(l->url.path, &st) == 0) l->inode = st.st_ino;
     orr_url_text(&l->url, l->text);
     if (!orr_url_is_local(&l->url))
@@ -177,12 +234,6 @@ static orr_status add_events(orr_service *s, orr_diag *diag)
     s->on_sweep = event_new(s->base, -1, EV_PERSIST, on_sweep, s);
     s->on_stop = event_new(s->base, s->stop_pipe[0], EV_READ | EV_PERSIST, on_stop, s);
     bool good = s->on_sweep != NULL && s->on_stop != NULL && event_add(s->on_stop, NULL) == 0;
-    if (good && s->options.signals) {
-        s->on_int = event_new(s->base, SIGINT, EV_SIGNAL | EV_PERSIST, on_stop, s);
-        s->on_term = event_new(s->base, SIGTERM, EV_SIGNAL | EV_PERSIST, on_stop, s);
-        good = s->on_int != NULL && s->on_term != NULL && event_add(s->on_int, NULL) == 0 &&
-               event_add(s->on_term, NULL) == 0;
-    }
     if (!good) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     sweep_every(s, sweep_s);
     return ORR_OK;
@@ -200,6 +251,8 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     s->options = *options;
     s->server = server;
     s->log = log;
+    s->rate = (orr_log_rate){.burst = 20, .every_ns = 200000000};
+    orr_turns_init(&s->turns, ORR_CONN_TURN_NS);
     s->stop_pipe[0] = s->stop_pipe[1] = -1;
     s->listener = calloc(n, sizeof *s->listener);
     s->base = event_base_new();
@@ -224,14 +277,43 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     return ORR_OK;
 }
 
+void orr_service_provide(orr_service *s, const orr_server *server) { s->server = server; }
+
 const char *orr_service_url(const orr_service *s, size_t i)
 {
     return i < s->n_listeners ? s->listener[i].text : NULL;
 }
 
-orr_status orr_service_run(orr_service *s, orr_diag *diag)
+// From here on signals are the loop's.
+static bool take_signals(orr_service *s)
 {
-    if (event_base_dispatch(s->base) < 0) return orr_diag_set(diag, ORR_E_IO, "the event loop failed");
+    s->on_int = event_new(s->base, SIGINT, EV_SIGNAL | EV_PERSIST, on_stop, s);
+    s->on_term = event_new(s->base, SIGTERM, EV_SIGNAL | EV_PERSIST, on_stop, s);
+    s->on_hangup = event_new(s->base, SIGHUP, EV_SIGNAL | EV_PERSIST, on_hangup, s);
+    return s->on_int != NULL && s->on_term != NULL && s->on_hangup != NULL &&
+           event_add(s->on_int, NULL) == 0 && event_add(s->on_term, NULL) == 0 &&
+           event_add(s->on_hangup, NULL) == 0;
+}
+
+// Turns for about a slice of time; then whoever has sent something meanwhile joins the queue.
+static void take_turns(orr_service *s)
+{
+    orr_turns_member *m = orr_turns_next(&s->turns);
+    if (m == NULL) return;
+    const int64_t until_ns = orr_service_clock_ns(s) + SLICE_NS;
+    for (; m != NULL; m = orr_service_clock_ns(s) < until_ns ? orr_turns_next(&s->turns) : NULL)
+        orr_conn_turn(m);
+}
+
+orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user, orr_diag *diag)
+{
+    if (s->options.signals && !take_signals(s)) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    if (ready != NULL) ready(user);
+    while (!s->done) {
+        int how = EVLOOP_ONCE | (s->turns.n > 0 ? EVLOOP_NONBLOCK : 0);
+        if (event_base_loop(s->base, how) < 0) return orr_diag_set(diag, ORR_E_IO, "the event loop failed");
+        take_turns(s);
+    }
     return ORR_OK;
 }
 
@@ -247,12 +329,13 @@ void orr_service_close(orr_service *s)
     if (s == NULL) return;
     while (s->conns != NULL) orr_conn_close(s->conns);
     if (s->listener != NULL) stop_listening(s);
-    struct event *events[] = {s->on_stop, s->on_sweep, s->on_int, s->on_term};
+    struct event *events[] = {s->on_stop, s->on_sweep, s->on_int, s->on_term, s->on_hangup};
     for (size_t i = 0; i < sizeof events / sizeof events[0]; i++)
         if (events[i] != NULL) event_free(events[i]);
     if (s->base != NULL) event_base_free(s->base);
     for (int i = 0; i < 2; i++)
         if (s->stop_pipe[i] >= 0) close(s->stop_pipe[i]);
+    orr_turns_free(&s->turns);
     free(s->listener);
     free(s);
 }

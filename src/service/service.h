@@ -10,27 +10,32 @@
 typedef struct orr_service_options {
     const char *const *url; // where to listen; none: loopback and the default port
     size_t n_urls;
-    int max_clients;     // at once; one more is told BUSY
-    double first_s;      // a connection that has sent no complete request for so long is closed
-    double idle_s;       // the same later on; PING keeps a connection
-    double half_frame_s; // from the first byte of a frame to its last
-    double stall_s;      // a client that takes nothing of what waits for it
-    double drain_s;      // after SIGTERM, for answers under way
-    bool signals;        // SIGINT and SIGTERM stop it
+    int max_clients;                 // at once; one more takes the place of the longest idle, or is told BUSY
+    double spare_s;                  // so long a client must have been idle to lose its place to a new one
+    double first_s;                  // a connection that has sent no complete request for so long is closed
+    double idle_s;                   // the same later on; PING keeps a connection
+    double half_frame_s;             // from the first byte of a frame to its last
+    double stall_s;                  // a client that takes nothing of what waits for it
+    double drain_s;                  // after SIGTERM, for answers under way
+    bool signals;                    // SIGINT and SIGTERM stop it, SIGHUP does nothing
+    int64_t (*clock_ns)(void *user); // monotonic; NULL: the machine's. Tests count work by it
+    void *clock_user;
 } orr_service_options;
-orr_service_options orr_service_defaults(void); // 256 clients; 30, 600, 10, 30 and 5 s; signals
+orr_service_options orr_service_defaults(void); // 256 clients; 2, 30, 600, 10, 30 and 5 s; signals
 
 typedef struct orr_service orr_service;
 
-// Listens. `server` and `log` must outlive it. Errors: ORR_E_ARG (a URL), ORR_E_IO (a port in use, ...),
+// Listens; who connects before it runs waits. `server`, which may come later, and `log` must outlive it. Errors: ORR_E_ARG (a URL), ORR_E_IO (a port in use, ...),
 // ORR_E_MEMORY.
 orr_status orr_service_open(const orr_service_options *options, const orr_server *server, const orr_log *log,
                             orr_service **out, orr_diag *diag);
+// Before it runs, if it was opened without.
+void orr_service_provide(orr_service *s, const orr_server *server);
 // The URLs as bound (port 0 has become a real one); NULL beyond the last.
 const char *orr_service_url(const orr_service *s, size_t i);
-// Serves until a signal or orr_service_stop, then finishes what is under way. A second signal does not wait
+// Takes the signals, calls `ready` (which may be NULL), and serves until a signal or orr_service_stop, then finishes what is under way. A second signal does not wait
 // for that.
-orr_status orr_service_run(orr_service *s, orr_diag *diag);
+orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user, orr_diag *diag);
 void orr_service_stop(orr_service *s); // from any thread
 void orr_service_close(orr_service *s);
 

@@ -6,12 +6,13 @@
 #include <event2/event.h>
 
 #include "src/service/service.h"
+#include "src/service/turns.h"
 
 enum {
     ORR_CONN_OUT = 128 << 10, // output at first: many frames a write; grows up to one largest frame
     ORR_CONN_IN = 4096,       // input at first; grows up to one largest request
-    ORR_CONN_TURNS = 8,       // output buffers filled before others have their turn
-    ORR_CONN_TURN_NS = 200000,
+    ORR_CONN_TURN_NS =
+        200000, // a turn; a piece of an answer may end it late, none takes longer than twice that
 };
 
 typedef struct orr_conn orr_conn;
@@ -23,18 +24,32 @@ struct orr_service {
     struct event_base *base;
     struct listener *listener;
     size_t n_listeners;
-    struct event *on_stop, *on_sweep, *on_int, *on_term;
+    struct event *on_stop, *on_sweep, *on_int, *on_term, *on_hangup;
     int stop_pipe[2];
     orr_conn *conns; // all, newest first
-    int n_conns;
+    int n_conns;     // of those that are served
+    orr_turns turns;
+    orr_log_rate rate; // of lines that clients cause
+    bool done;
     bool draining;
     int64_t drain_until_ns;
 };
 
-int64_t orr_service_now_ns(void); // monotonic
+int64_t orr_service_clock_ns(const orr_service *s); // monotonic
+// A warning that a client has caused, at a limited rate.
+void orr_service_tell(orr_service *s, const char *fmt, ...) ORR_PRINTF(2, 3);
 
-// Takes the accepted socket over; it is closed if this fails.
-void orr_conn_open(orr_service *s, int fd, const char *peer);
+// Takes the accepted socket over; NULL, and it is closed, if this fails. Then it is served or refused.
+orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer);
+void orr_conn_serve(orr_conn *c);
+// Tells it why and ends it; it may be gone afterwards.
+void orr_conn_refuse(orr_conn *c, uint16_t code, const char *sentence);
+// Its turn has come: answers for ORR_CONN_TURN_NS. It may be gone afterwards.
+void orr_conn_turn(orr_turns_member *m);
+// Whether it is served and nothing of it is under way; when it last asked, or came.
+bool orr_conn_is_idle(const orr_conn *c);
+int64_t orr_conn_last_ns(const orr_conn *c);
+const char *orr_conn_peer(const orr_conn *c);
 // Looks at the connection's deadline, closes it if that has passed.
 void orr_conn_sweep(orr_conn *c, int64_t now_ns);
 // No more requests: ends as soon as what is under way has been sent.

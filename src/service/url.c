@@ -129,14 +129,30 @@ static orr_status listen_unix(const orr_url *u, int backlog, int *fd, orr_diag *
     return s;
 }
 
+// Every address of this machine, as a listener alone can have it.
+static bool is_any(const orr_url *u) { return strcmp(u->host, "*") == 0; }
+
 static orr_status resolve(const orr_url *u, struct addrinfo **list, orr_diag *diag)
 {
     char port[8], text[ORR_URL_TEXT];
     snprintf(port, sizeof port, "%u", (unsigned)u->port);
-    struct addrinfo hints = {.ai_socktype = SOCK_STREAM, .ai_flags = AI_NUMERICSERV};
-    int error = getaddrinfo(u->host, port, &hints, list);
+    struct addrinfo hints = {.ai_socktype = SOCK_STREAM, .ai_flags = AI_NUMERICSERV | AI_PASSIVE};
+    int error = getaddrinfo(is_any(u) ? NULL : u->host, port, &hints, list);
     if (error == 0) return ORR_OK;
     return orr_diag_set(diag, ORR_E_IO, "%s: %s", orr_url_text(u, text), gai_strerror(error));
+}
+
+// One socket of IPv6 takes clients of IPv4 too; only a machine without it needs the other.
+static void ipv6_first(struct addrinfo **list)
+{
+    for (struct addrinfo **p = list; *p != NULL; p = &(*p)->ai_next) {
+        struct addrinfo *a = *p;
+        if (a->ai_family != AF_INET6) continue;
+        *p = a->ai_next;
+        a->ai_next = *list;
+        *list = a;
+        return;
+    }
 }
 
 static orr_status listen_tcp(const orr_url *u, int backlog, int *fd, orr_url *bound, orr_diag *diag)
@@ -146,9 +162,13 @@ static orr_status listen_tcp(const orr_url *u, int backlog, int *fd, orr_url *bo
     if (s != ORR_OK) return s;
     int error = EADDRNOTAVAIL;
     *fd = -1;
+    if (is_any(u)) ipv6_first(&list);
     for (struct addrinfo *a = list; a != NULL && *fd < 0; a = a->ai_next) {
         int one = 1, f = socket(a->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
         if (f >= 0) setsockopt(f, SOL_SOCKET, SO_REUSEADDR, &one, sizeof one);
+        int v6_alone = is_any(u) ? 0 : 1;
+        if (f >= 0 && a->ai_family == AF_INET6)
+            setsockopt(f, IPPROTO_IPV6, IPV6_V6ONLY, &v6_alone, sizeof v6_alone);
         if (f >= 0 && bind(f, a->ai_addr, a->ai_addrlen) == 0 && listen(f, backlog) == 0) {
             *fd = f;
             break;
@@ -164,7 +184,7 @@ static orr_status listen_tcp(const orr_url *u, int backlog, int *fd, orr_url *bo
     if (getsockname(*fd, (struct sockaddr *)&got, &n) == 0 &&
         getnameinfo((struct sockaddr *)&got, n, host, sizeof host, port, sizeof port,
                     NI_NUMERICHOST | NI_NUMERICSERV) == 0) {
-        memcpy(bound->host, host, sizeof host);
+        if (!is_any(u)) memcpy(bound->host, host, sizeof host);
         bound->port = (uint16_t)strtoul(port, NULL, 10);
     }
     return ORR_OK;
@@ -203,6 +223,8 @@ orr_status orr_url_connect(const orr_url *u, double timeout_s, int *fd, orr_diag
         if (f >= 0) close(f);
         return complain(u, "cannot connect to", error, diag);
     }
+    if (is_any(u))
+        return orr_diag_set(diag, ORR_E_ARG, "tcp://* is where a server listens; a client needs one address");
     struct addrinfo *list;
     orr_status s = resolve(u, &list, diag);
     if (s != ORR_OK) return s;

@@ -15,7 +15,7 @@ typedef struct orr_url {
 } orr_url;
 
 // "tcp://127.0.0.1:4000", "tcp://[::1]:4000", "tcp://localhost" (the default port), "tcp://:0" (loopback, any
-// port), "unix:/run/orrery.sock". ORR_E_ARG with a sentence otherwise.
+// port), "tcp://*:4000" (to listen on every address of this machine), "unix:/run/orrery.sock". ORR_E_ARG with a sentence otherwise.
 orr_status orr_url_parse(const char *text, orr_url *out, orr_diag *diag);
 char *orr_url_text(const orr_url *u, char buf[ORR_URL_TEXT]);
 

@@ -72,7 +72,7 @@ static void *run_echo(void *user)
 static void *run_service(void *user)
 {
     orr_diag diag = {0};
-    return orr_service_run(user, &diag) == ORR_OK ? NULL : user;
+    return orr_service_run(user, NULL, NULL, &diag) == ORR_OK ? NULL : user;
 }
 
 static double one_poll(orr_dial *d, int64_t t, size_t *reply)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery serve: a scenario, or an orbit product alone, answered by time over sockets.
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "src/cli/frame/cli.h"
+#include "src/cli/service/serve_log.h"
 #include "src/service/answers.h"
 #include "src/service/service.h"
 
@@ -23,68 +26,73 @@ static orr_status is_product(const char *path, bool *yes, orr_diag *diag)
     return ORR_OK;
 }
 
+// A service being made, and what it talks through: c->log until it runs, then one that waits for nobody.
+typedef struct serving {
+    orr_cli *c;
+    orr_scenario scenario;
+    const char **url; // of --listen
+    orr_service *service;
+    orr_engine *engine;
+    orr_answers *answers;
+    orr_serve_log talk;
+    orr_log log;
+} serving;
+
 // What is told once the service can be reached; scripts wait for this line, so --quiet does not silence it.
-static void say_ready(const orr_engine *e, const orr_service *s)
+static void say_ready(void *user)
 {
-    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    serving *v = user;
+    char text[1200], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     const orr_sat *sats;
     orr_time t0, t1;
-    orr_engine_span(e, &t0, &t1);
-    fputs("orrery serve: ready on", stderr);
-    for (size_t i = 0; orr_service_url(s, i) != NULL; i++) fprintf(stderr, " %s", orr_service_url(s, i));
-    size_t n = orr_engine_satellites(e, &sats), units = orr_engine_units(e);
+    orr_engine_span(v->engine, &t0, &t1);
+    size_t at = (size_t)snprintf(text, sizeof text, "ready on");
+    const char *url;
+    for (size_t i = 0; (url = orr_service_url(v->service, i)) != NULL && at + strlen(url) + 200 < sizeof text;
+         i++)
+        at += (size_t)snprintf(text + at, sizeof text - at, " %s", url);
+    size_t n = orr_engine_satellites(v->engine, &sats), units = orr_engine_units(v->engine);
     if (n > 0)
-        fprintf(stderr, " (%zu satellites, ", n);
+        at += (size_t)snprintf(text + at, sizeof text - at, " (%zu satellites, ", n);
     else
-        fprintf(stderr, " (%zu inertial unit%s, ", units, units == 1 ? "" : "s");
-    fprintf(stderr, "%s to %s)\n", orr_time_text(t0, from), orr_time_text(t1, to));
+        at += (size_t)snprintf(text + at, sizeof text - at, " (%zu inertial unit%s, ", units,
+                               units == 1 ? "" : "s");
+    snprintf(text + at, sizeof text - at, "%s to %s)", orr_time_text(t0, from), orr_time_text(t1, to));
+    orr_serve_log_say(&v->talk, text);
 }
 
-static int serve(orr_cli *c, const orr_engine *e, const orr_text_list *listen)
+// The addresses are taken before anything that lasts: one in use is told at once.
+static orr_status listen_on(serving *v, orr_diag *diag)
 {
-    orr_diag diag = {0};
-    orr_answers *answers;
-    if (orr_answers_open(e, &answers, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
+    const orr_text_list *listen = &v->scenario.serve.listen;
     orr_service_options options = orr_service_defaults();
-    size_t n = orr_cli_count(c, "listen");
-    const char **url = calloc(n > 0 ? n : 1, sizeof *url);
-    if (url == NULL) {
-        orr_answers_close(answers);
-        return orr_cli_failf(c, "out of memory");
-    }
-    for (size_t i = 0; i < n; i++) url[i] = orr_cli_text_at(c, "listen", i);
-    options.url = n > 0 ? url : (const char *const *)listen->item;
+    size_t n = orr_cli_count(v->c, "listen");
+    v->url = calloc(n > 0 ? n : 1, sizeof *v->url);
+    if (v->url == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    for (size_t i = 0; i < n; i++) v->url[i] = orr_cli_text_at(v->c, "listen", i);
+    options.url = n > 0 ? v->url : (const char *const *)listen->item;
     options.n_urls = n > 0 ? n : listen->n;
-    options.max_clients = (int)orr_cli_int(c, "max-clients", options.max_clients);
-    orr_service *service = NULL;
-    orr_status s = orr_service_open(&options, orr_answers_server(answers), c->log, &service, &diag);
-    if (s == ORR_OK) {
-        say_ready(e, service);
-        s = orr_service_run(service, &diag);
-        if (s == ORR_OK) orr_cli_say(c, "stopped");
-    }
-    orr_service_close(service);
-    orr_answers_close(answers);
-    free(url);
-    return s == ORR_OK      ? ORR_EXIT_OK
-           : s == ORR_E_ARG ? orr_cli_usage(c, "%s", diag.text)
-                            : orr_cli_fail(c, &diag);
+    options.max_clients = (int)orr_cli_int(v->c, "max-clients", options.max_clients);
+    return orr_service_open(&options, NULL, &v->log, &v->service, diag);
 }
 
-static orr_status prepare(orr_cli *c, const char *path, orr_scenario *scenario, orr_engine **e,
-                          orr_diag *diag)
+static orr_status prepare(serving *v, const char *path, orr_diag *diag)
 {
     bool product = false;
     orr_status s = is_product(path, &product, diag);
     if (s != ORR_OK) return s;
-    s = product ? orr_scenario_of_product(path, scenario, diag) : orr_scenario_read(path, scenario, diag);
+    s = product ? orr_scenario_of_product(path, &v->scenario, diag)
+                : orr_scenario_read(path, &v->scenario, diag);
+    if (s == ORR_OK) s = listen_on(v, diag);
     if (s != ORR_OK) return s;
-    if (scenario->orbit.sp3.n > 0)
-        orr_cli_say(c, "smoothing %zu file%s", scenario->orbit.sp3.n, scenario->orbit.sp3.n == 1 ? "" : "s");
+    size_t files = v->scenario.orbit.sp3.n;
+    if (files > 0) orr_cli_say(v->c, "smoothing %zu file%s", files, files == 1 ? "" : "s");
     orr_warnings warnings = {0};
-    s = orr_engine_open(scenario, c->log, NULL, &warnings, e, diag);
-    orr_cli_warnings(c, &warnings);
+    s = orr_engine_open(&v->scenario, v->c->log, NULL, &warnings, &v->engine, diag);
+    orr_cli_warnings(v->c, &warnings);
     orr_warnings_free(&warnings);
+    if (s == ORR_OK) s = orr_answers_open(v->engine, &v->answers, diag);
+    if (s == ORR_OK) orr_service_provide(v->service, orr_answers_server(v->answers));
     return s;
 }
 
@@ -95,17 +103,21 @@ static int run(orr_cli *c)
         return ORR_EXIT_OK;
     }
     if (c->n_operands != 1) return orr_cli_usage(c, "a scenario or an orbit product is wanted");
-    orr_scenario scenario = {0};
-    orr_engine *e = NULL;
+    serving v = {.c = c, .talk = {.fd = STDERR_FILENO}};
+    v.log = (orr_log){.level = c->log->level, .write = orr_serve_log_write, .user = &v.talk};
+    signal(SIGPIPE, SIG_IGN); // whoever reads what it says may leave
     orr_diag diag = {0};
-    int status;
-    if (prepare(c, c->operand[0], &scenario, &e, &diag) != ORR_OK)
-        status = orr_cli_fail(c, &diag);
-    else
-        status = serve(c, e, &scenario.serve.listen);
-    orr_engine_close(e);
-    orr_scenario_free(&scenario);
-    return status;
+    orr_status s = prepare(&v, c->operand[0], &diag);
+    bool asked_wrongly = s == ORR_E_ARG && v.service == NULL && v.url != NULL; // --listen, or serve.listen
+    if (s == ORR_OK) s = orr_service_run(v.service, say_ready, &v, &diag);
+    if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, "stopped");
+    orr_service_close(v.service);
+    orr_answers_close(v.answers);
+    orr_engine_close(v.engine);
+    orr_scenario_free(&v.scenario);
+    free(v.url);
+    if (s == ORR_OK) return ORR_EXIT_OK;
+    return asked_wrongly ? orr_cli_usage(c, "%s", diag.text) : orr_cli_fail(c, &diag);
 }
 
 static const orr_option options[] = {
@@ -114,14 +126,16 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "URL",
      .repeated = true,
-     .help = "Listen at tcp://HOST:PORT (port 0: any free one) or unix:PATH. By default where the scenario "
-             "says, else tcp://127.0.0.1:15754."},
+     .help = "Listen at tcp://HOST:PORT (host *: every address; port 0: any free one) or unix:PATH. By "
+             "default where the scenario says, else tcp://127.0.0.1:15754."},
     {.name = "max-clients",
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 1,
      .max = 10000,
-     .help = "Largest number of clients at once; one more is answered BUSY. 256 by default."},
+     .help =
+         "Largest number of clients at once. One more takes the place of the one that has been idle longest, "
+         "or is answered BUSY. 256 by default."},
     {.name = "help-scenario", .kind = ORR_OPT_FLAG, .help = "Print all keys of a scenario file, and end."},
 };
 

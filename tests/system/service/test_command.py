@@ -141,6 +141,81 @@ class Stopping(unittest.TestCase):
         for end in ends:
             os.close(end)
 
+    def test_an_address_in_use_is_told_before_the_preparation(self):
+        """The scenario cannot be prepared: nobody writes to its pipe. The address is refused all the same."""
+        if not (WORK / "unheard.pipe").exists():
+            os.mkfifo(WORK / "unheard.pipe")
+        waits = write("unheard.yaml", f"orbit: {{product: {product()}}}\nnavdata: {{nav: unheard.pipe}}\n")
+        with socket.create_server(("127.0.0.1", 0)) as other:
+            done = orrery("serve", waits, "--listen", f"tcp://127.0.0.1:{other.getsockname()[1]}")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("another program is listening there", done.stderr)
+        done = orrery("serve", waits, "--listen", "tcp://127.0.0.1:x")
+        self.assertEqual(done.returncode, 2)
+
+    def rude(self, url, times):
+        """Connections that send one wrong byte: each makes the service say something."""
+        host, port = url.removeprefix("tcp://").split(":")
+        for _ in range(times):
+            with socket.create_connection((host, int(port)), timeout=PATIENCE_S) as s:
+                s.sendall(b"X")
+                while s.recv(1000):
+                    pass
+
+    def serving(self, stderr, *args):
+        return subprocess.Popen([ORRERY, "serve", str(product()), "--listen", "tcp://127.0.0.1:0", *args], stderr=stderr)
+
+    def test_whoever_reads_its_log_may_leave(self):
+        reader, writer = os.pipe()
+        process = self.serving(writer)
+        os.close(writer)
+        try:
+            with os.fdopen(reader) as lines:
+                url = lines.readline().split(" on ")[1].split()[0]
+            self.rude(url, 3)  # nobody reads any more
+            with client_package.Client(url) as c:
+                c.ping()
+            process.terminate()
+            self.assertEqual(process.wait(PATIENCE_S), 0)
+        finally:
+            process.kill()
+            process.wait()
+
+    def test_whoever_reads_its_log_may_stop_reading(self):
+        """A pipe holds 64 KiB: with -v every connection is a line or two, and there are more of them than that."""
+        reader, writer = os.pipe()
+        process = self.serving(writer, "-v")
+        os.close(writer)
+        try:
+            text = b""
+            while b" on " not in text or not text.endswith(b"\n"):
+                text += os.read(reader, 4096)
+            url = text.decode().split(" on ")[1].split()[0]
+            self.rude(url, 900)
+            with client_package.Client(url) as c:
+                c.ping()
+            process.terminate()
+            self.assertEqual(process.wait(PATIENCE_S), 0)
+            with os.fdopen(reader, "rb") as rest:
+                self.assertGreater(len(rest.read()), 60000)
+        finally:
+            process.kill()
+            process.wait()
+
+    def test_hanging_up_does_not_end_it(self):
+        d = Daemon(product(), listen=(f"unix:{WORK}/hup.sock",))
+        d.process.send_signal(signal.SIGHUP)
+        with client_package.Client(d.urls[0]) as c:
+            c.ping()
+        self.assertEqual(d.stop(), 0)
+        self.assertFalse((WORK / "hup.sock").exists())
+
+    def test_every_address(self):
+        with Daemon(product(), listen=("tcp://*:0",)) as d:
+            self.assertRegex(d.urls[0], r"^tcp://\*:[0-9]+$")
+            with client_package.Client(d.urls[0].replace("*", "127.0.0.1")) as c:
+                c.ping()
+
     def test_answers_under_way_are_finished(self):
         d = Daemon(product())
         with client_package.Client(d.urls[0], timeout_s=PATIENCE_S) as c:

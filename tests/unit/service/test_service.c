@@ -47,7 +47,7 @@ static void *serve(void *user)
 {
     bench *b = user;
     orr_diag diag = {0};
-    return orr_service_run(b->service, &diag) == ORR_OK ? NULL : user;
+    return orr_service_run(b->service, NULL, NULL, &diag) == ORR_OK ? NULL : user;
 }
 
 static orr_service_options quick_options(void)
@@ -345,6 +345,125 @@ static void addresses_that_cannot_be_listened_on(void **state)
     finish(b);
 }
 
+// An idle client gives its place to a new one; one that is asking keeps it.
+static void the_idle_give_way(void **state)
+{
+    (void)state;
+    orr_service_options o = quick_options();
+    o.max_clients = 2;
+    o.spare_s = 0;
+    bench *b = start(o, 1);
+    orr_dial *idle = dial(b), *one = dial(b);
+    orr_frame f;
+    assert_int_equal(orr_client_check(&idle->client, 1), ORR_WIRE_OK);
+    assert_int_equal(orr_client_check(&one->client, 1), ORR_WIRE_OK);
+    orr_dial *other = dial(b);
+    assert_int_equal(orr_client_check(&other->client, 1), ORR_WIRE_OK);
+    assert_int_equal(orr_client_answer(&idle->client, ORR_MSG_TYPE_PONG, &f), ORR_WIRE_REFUSED);
+    assert_int_equal(idle->client.error_code, ORR_MSG_ERROR_CODE_BUSY);
+    assert_int_equal(orr_client_check(&one->client, 1), ORR_WIRE_OK);
+    assert_true(was_said(b, "its place is needed"));
+    orr_dial_close(idle);
+    // A crowd that says nothing at all holds nobody up.
+    int silent[20];
+    for (int k = 0; k < 20; k++) silent[k] = raw(b);
+    orr_dial *late = dial(b);
+    assert_int_equal(orr_client_check(&late->client, 1), ORR_WIRE_OK);
+    for (int k = 0; k < 20; k++) close(silent[k]);
+    orr_dial_close(late);
+    orr_dial_close(one);
+    orr_dial_close(other);
+    finish(b);
+}
+
+// A clock that work moves: each frame of a slow answer takes a tenth of a millisecond of it.
+typedef struct workshop {
+    int64_t now_ns;
+    int n_light;          // polls of one frame answered
+    int64_t heavy, until; // frames of long answers so far, and when the light poll was answered
+} workshop;
+
+static int64_t clock_of_work(void *user) { return ((workshop *)user)->now_ns; }
+
+static uint16_t answer_by_work(void *user, const orr_msg_poll *poll, orr_server_part *part,
+                               orr_wire_writer *w, orr_server_refusal *why)
+{
+    (void)why;
+    workshop *x = user;
+    x->now_ns += 100000;
+    if (poll->epochs.count > 1)
+        x->heavy++;
+    else if (x->n_light++ == 0)
+        x->until = x->heavy;
+    orr_msg_states m = {.epoch = {poll->epochs.t, part->index, poll->epochs.count, ORR_MSG_ANSWER_OK}};
+    orr_msg_states_encode(&m, w);
+    return 0;
+}
+
+// Twenty clients whose answers take 20 x 2000 frames, asked before one that wants one frame: it is answered
+// when each of them has had a few turns, long before they have what they want. Counted in frames.
+static void long_answers_hold_nobody_up(void **state)
+{
+    (void)state;
+    enum { HEAVY = 20, FRAMES = 2000 };
+    workshop x = {.now_ns = 1000000000};
+    const orr_msg_handlers handlers = {.poll = answer_by_work};
+    const orr_server server = {.handlers = &handlers, .user = &x};
+    orr_service_options o = quick_options();
+    o.clock_ns = clock_of_work;
+    o.clock_user = &x;
+    orr_service *service;
+    orr_diag diag = {0};
+    ASSERT_OK(orr_service_open(&o, &server, NULL, &service, &diag), diag);
+    bench b = {.service = service};
+    // All have connected and asked before the loop begins, so that nothing depends on how fast it is.
+    int heavy[HEAVY], light;
+    uint8_t frame[100];
+    for (int k = 0; k < HEAVY; k++) {
+        heavy[k] = raw(&b);
+        size_t n = poll_frame(frame, sizeof frame, 1, FRAMES);
+        assert_int_equal(send(heavy[k], frame, n, 0), (ssize_t)n);
+    }
+    light = raw(&b);
+    size_t n = poll_frame(frame, sizeof frame, 1, 1);
+    assert_int_equal(send(light, frame, n, 0), (ssize_t)n);
+    assert_int_equal(pthread_create(&b.thread, NULL, serve, &b), 0);
+    uint8_t answer[1000];
+    assert_true(recv(light, answer, sizeof answer, 0) > 0);
+    assert_true(x.until <= HEAVY * 20);
+    for (int k = 0; k < HEAVY; k++) close(heavy[k]);
+    close(light);
+    orr_service_stop(service);
+    void *result;
+    pthread_join(b.thread, &result);
+    assert_null(result);
+    orr_service_close(service);
+}
+
+// Garbage from a crowd is told at a limited rate, and what was left out is counted.
+static void a_crowd_fills_no_log(void **state)
+{
+    (void)state;
+    workshop still = {.now_ns = 1000000000};
+    orr_service_options o = quick_options();
+    o.clock_ns = clock_of_work;
+    o.clock_user = &still;
+    bench *b = start(o, 1);
+    uint8_t buf[1000];
+    for (int k = 0; k < 60; k++) {
+        int fd = raw(b);
+        assert_int_equal(send(fd, "X", 1, 0), 1);
+        assert_int_equal(error_code(buf, read_to_end(fd, buf, sizeof buf)), ORR_MSG_ERROR_CODE_BAD_MAGIC);
+        close(fd);
+    }
+    pthread_mutex_lock(&b->lock);
+    int lines = 0;
+    for (const char *p = b->talk; (p = strstr(p, "BAD_MAGIC")) != NULL; p++) lines++;
+    pthread_mutex_unlock(&b->lock);
+    assert_int_equal(lines, 20);
+    finish(b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -357,6 +476,9 @@ int main(void)
         cmocka_unit_test(a_half_closed_client_gets_its_answer),
         cmocka_unit_test(stopping_drains),
         cmocka_unit_test(addresses_that_cannot_be_listened_on),
+        cmocka_unit_test(the_idle_give_way),
+        cmocka_unit_test(long_answers_hold_nobody_up),
+        cmocka_unit_test(a_crowd_fills_no_log),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -17,6 +17,7 @@ static void what_is_read_is_written(void **state)
         {"tcp://localhost", "tcp://localhost:15754"},
         {"tcp://", "tcp://127.0.0.1:15754"},
         {"tcp://:0", "tcp://127.0.0.1:0"},
+        {"tcp://*:0", "tcp://*:0"},
         {"unix:/run/x.sock", "unix:/run/x.sock"},
         {"unix:///run/x.sock", "unix:/run/x.sock"},
         {"unix:x.sock", "unix:x.sock"},
@@ -92,6 +93,28 @@ static void a_port_in_use(void **state)
     assert_int_equal(orr_url_connect(&bound, 5, &other, &diag), ORR_E_IO); // nobody there any more
 }
 
+// Every address: IPv4 reaches it, and IPv6 where the machine has it; a client needs one.
+static void any_address(void **state)
+{
+    (void)state;
+    orr_url u, bound;
+    orr_diag diag = {0};
+    int fd, other;
+    assert_int_equal(orr_url_parse("tcp://*:0", &u, &diag), ORR_OK);
+    ASSERT_OK(orr_url_listen(&u, 5, &fd, &bound, &diag), diag);
+    assert_true(strcmp(bound.host, "*") == 0 && bound.port > 0 && !orr_url_is_local(&bound));
+    assert_int_equal(orr_url_connect(&bound, 5, &other, &diag), ORR_E_ARG);
+    memcpy(bound.host, "127.0.0.1", sizeof "127.0.0.1");
+    ASSERT_OK(orr_url_connect(&bound, 5, &other, &diag), diag);
+    close(other);
+    struct sockaddr_storage own;
+    socklen_t n = sizeof own;
+    assert_int_equal(getsockname(fd, (struct sockaddr *)&own, &n), 0);
+    memcpy(bound.host, "::1", sizeof "::1");
+    if (own.ss_family == AF_INET6 && orr_url_connect(&bound, 5, &other, &diag) == ORR_OK) close(other);
+    close(fd);
+}
+
 static void unix_sockets(void **state)
 {
     (void)state;
@@ -127,6 +150,7 @@ int main(void)
         cmocka_unit_test(what_is_no_url),
         cmocka_unit_test(local_or_not),
         cmocka_unit_test(a_port_in_use),
+        cmocka_unit_test(any_address),
         cmocka_unit_test(unix_sockets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
