@@ -202,7 +202,8 @@ static void print_field(const orr_field *f, const void *at, int width)
         return;
     }
     printf("%-*s", width, f->head);
-    for (uint16_t k = 0; k < (f->length > 0 ? f->length : 1); k++) {
+    const uint16_t n = f->length > 0 ? f->length : 1;
+    for (uint16_t k = 0; k < n; k++) {
         cell_text(f, at, k, text);
         printf(width > 0 ? " %15s" : " %s", text);
     }
