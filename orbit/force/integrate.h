@@ -18,8 +18,15 @@ void orr_integrator_free(orr_integrator *it);
 // Goes on with another force (which must outlive it) and another longest step.
 void orr_integrator_set(orr_integrator *it, const orr_force *force, double max_step_s);
 
-// Moves (r, v), integration axes, from t_s to t_s + h_s (either sign) in place. ORR_E_NUMERIC if the orbit
-// leaves sense (below 1000 km from the centre, or not finite).
+// Moves a state along its orbit.
+// Given:
+//   it     integrator
+//   t_s    time of the state, s since the sky's origin
+//   h_s    by how much, s; either sign
+// Given and returned:
+//   r_m    position, integration axes, m
+//   v_mps  velocity, m/s
+// Errors: ORR_E_NUMERIC if the orbit becomes impossible (below 1000 km from the centre, or not finite).
 orr_status orr_integrate(orr_integrator *it, double t_s, double h_s, orr_vec3 *r_m, orr_vec3 *v_mps);
 // Force at an instant, for callers that need the acceleration beside the state.
 orr_vec3 orr_integrator_acceleration(const orr_integrator *it, double t_s, orr_vec3 r_m);

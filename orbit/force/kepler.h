@@ -18,13 +18,18 @@ typedef struct orr_kepler {
 orr_status orr_kepler_from_state(orr_vec3 r_m, orr_vec3 v_mps, double gm, orr_kepler *out);
 void orr_kepler_to_state(const orr_kepler *k, double gm, orr_vec3 *r_m, orr_vec3 *v_mps);
 
-// Elements at the middle one of three positions in inertial axes (Bogdanov 2015, section 6; Gibbs' problem):
-// the plane through r1 and r3, r2 projected onto it (the source's regularisation), then the standard
-// formulas. Limits, measured on real orbits: the plane is good (i to 3.5e-6 deg at +-5 min), but two-body
-// motion is assumed, so a is off by 1.8-2.3 km whatever the spacing (J2), e and argp accordingly; a
-// centimetre of noise at +-5 min makes hundreds of metres in a. (r, v) of the smoothed orbit has none of
-// this. ORR_E_NUMERIC when the positions do not span a plane, or are not one after the other within half a
-// revolution.
+// Elements at the middle one of three positions.
+// Given:
+//   r1_m, r2_m, r3_m  positions in inertial axes, one after the other within half a revolution, m
+//   gm                m^3/s^2
+// Returned:
+//   out               elements
+// Errors: ORR_E_NUMERIC when the positions do not span a plane, or are not one after the other within half a revolution.
+// Notes: the plane goes through r1 and r3, r2 is projected onto it (the source's regularisation), then the standard
+// formulas follow. Limits, measured on real orbits: the plane is good (i to 3.5e-6 deg at +-5 min), but two-body motion is
+// assumed, so a is off by 1.8 to 2.3 km whatever the spacing (J2), e and argp accordingly; a centimetre of noise at +-5 min
+// makes hundreds of metres in a. Elements from (r, v) of the smoothed orbit have none of these errors.
+// Reference: Bogdanov 2015, section 6; Gibbs' problem.
 orr_status orr_kepler_from_positions(orr_vec3 r1_m, orr_vec3 r2_m, orr_vec3 r3_m, double gm, orr_kepler *out);
 
 // Eccentric anomaly of mean anomaly m, 0 <= e < 1, to rounding.

@@ -22,8 +22,16 @@ typedef struct orr_sky_point {
 
 typedef struct orr_sky orr_sky;
 
-// Covers [from, to]. Errors: ORR_E_ARG (to < from, more than ten years), ORR_E_MEMORY. *eop_known (may be
-// NULL) tells whether the whole span was inside the series (else IERS' secular pole stands in).
+// Tabulates the Earth's rotation, Sun and Moon over a span.
+// Given:
+//   from, to   span
+//   frame      integration axes
+//   eop        Earth orientation; NULL: the IERS secular pole, and UT1 by the leap seconds
+// Returned:
+//   out        the table; free with orr_sky_free
+//   eop_known  whether the whole span was inside the series; may be NULL
+//   diag       why it failed; may be NULL
+// Errors: ORR_E_ARG (to < from, more than ten years), ORR_E_MEMORY.
 orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
                         orr_sky **out, bool *eop_known, orr_diag *diag);
 // A precise sky in GCRS: IAU 2006/2000A, tides of the solid Earth, and a rotation that can be changed. It has
@@ -41,8 +49,19 @@ void orr_sky_at(const orr_sky *sky, double t_s, orr_sky_point *out);
 // Only R, Sun, Moon and tide: what a force needs.
 void orr_sky_force_point(const orr_sky *sky, double t_s, orr_sky_point *out);
 
-// Inertial state <-> ecef state at t_s.
+// Turns an inertial state into ecef.
+// Given:
+//   p               the sky at the instant
+//   r, v            state, integration axes, m and m/s
+// Returned:
+//   r_ecef, v_ecef  state, ecef; the velocity is relative to the turning axes
 void orr_sky_to_ecef(const orr_sky_point *p, orr_vec3 r, orr_vec3 v, orr_vec3 *r_ecef, orr_vec3 *v_ecef);
+// The inverse of orr_sky_to_ecef.
+// Given:
+//   p               the sky at the instant
+//   r_ecef, v_ecef  state, ecef, m and m/s
+// Returned:
+//   r, v            state, integration axes
 void orr_sky_from_ecef(const orr_sky_point *p, orr_vec3 r_ecef, orr_vec3 v_ecef, orr_vec3 *r, orr_vec3 *v);
 
 #endif

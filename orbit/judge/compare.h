@@ -50,11 +50,19 @@ typedef struct orr_compare_options {
     bool with_inputs; // also at epochs that the product was made from: for a truth that is another centre's
 } orr_compare_options;
 
-// Adds up all epochs of all truths. Velocities of the truth are its V records, else (or with derive_velocity
-// everywhere) derived from its positions within each file. V records are not always the derivatives of the
-// positions beside them: NGA's of 2015 differ from those by 6e-5 m/s, a rotation of 2.8e-12 rad/s about an
-// axis fixed in inertial space (precession and nutation). ORR_E_NODATA where not one epoch can be compared.
-// Free with orr_comparison_free.
+// Compares a product with precise orbits.
+// Given:
+//   e         product
+//   truth     [n_truths] precise orbits
+//   n_truths  how many
+//   options   velocities of the truth, epochs of the input
+// Returned:
+//   out       sums by system, place and satellite; free with orr_comparison_free
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_NODATA where not one epoch can be compared, ORR_E_MEMORY.
+// Notes: velocities of the truth are its V records, else (or with derive_velocity everywhere) derived from its positions
+// within each file. V records are not always the derivatives of the positions beside them: NGA's of 2015 differ from those
+// by 6e-5 m/s, a rotation of 2.8e-12 rad/s about an axis fixed in inertial space (precession and nutation).
 orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
                        const orr_compare_options *options, orr_comparison *out, orr_diag *diag);
 void orr_comparison_free(orr_comparison *c);

@@ -39,13 +39,32 @@ typedef struct orr_sisre_options {
     double outlier_m;       // 3-D orbit error above which a sample is an outlier; 0: 50 m (here and below)
 } orr_sisre_options;
 
-// Every satellite of the SP3 at every epoch that has a precise position and an allowed broadcast record.
-// *samples is allocated (free it), sums[8] in the order of ORR_SYSTEMS. GLONASS is brought to ITRF.
-// ORR_E_NODATA when nothing matches.
+// Judges broadcast ephemerides by a precise orbit, at every epoch of the SP3 file at which both exist.
+// Given:
+//   nav      broadcast records
+//   truth    precise orbit
+//   o        choice of records, antennas, outliers
+// Returned:
+//   samples  [n] allocated; free it
+//   n        how many
+//   sums     by system, in the order of ORR_SYSTEMS
+//   diag     why it failed; may be NULL
+// Errors: ORR_E_NODATA when nothing matches, ORR_E_MEMORY.
+// Notes: GLONASS is transformed to ITRF.
+// Reference: Montenbruck et al. 2015, GPS Solutions 19:321.
 orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sisre_options *o,
                          orr_sisre_sample **samples, size_t *n, orr_sisre_sum sums[ORR_N_SYSTEMS],
                          orr_diag *diag);
-// The same sum over one kind of orbit; out->n is 0 where there is none. ORR_E_MEMORY.
+// Sums the samples of one kind of orbit.
+// Given:
+//   samples    [n]
+//   n          how many
+//   system     letter of the system
+//   orbit      kind of orbit
+//   outlier_m  3-D error above which a sample is an outlier, m; 0: 50 m
+// Returned:
+//   out        the sum; out->n is 0 where there is no such sample
+// Errors: ORR_E_MEMORY.
 orr_status orr_sisre_sum_orbit(const orr_sisre_sample *samples, size_t n, char system, orr_orbit_class orbit,
                                double outlier_m, orr_sisre_sum *out);
 

@@ -25,8 +25,15 @@ typedef struct orr_velocity_filter {
 // step_s: 1 to 900 s. Errors: ORR_E_ARG, ORR_E_MEMORY, ORR_E_NUMERIC.
 orr_status orr_velocity_filter_init(double step_s, orr_velocity_filter *f, orr_diag *diag);
 void orr_velocity_filter_free(orr_velocity_filter *f);
-// Velocity at pos_m[at] of n positions (NAN where there is none) from the whole window that lies best about
-// it; false where no whole window holds it.
+// Velocity at one of equally spaced positions.
+// Given:
+//   f        filter of that spacing
+//   pos_m    [n] positions, ecef, m; NAN where there is none
+//   n        how many
+//   at       index of the wanted one
+// Returned:
+//   vel_mps  velocity, ecef, m/s, from the complete window that is centred best about it
+// Returns false where no complete window holds it.
 bool orr_velocity_filter_at(const orr_velocity_filter *f, const orr_vec3 *pos_m, size_t n, size_t at,
                             orr_vec3 *vel_mps);
 

@@ -40,12 +40,22 @@ typedef struct orr_glonass_almanac {
 orr_status orr_glonass_almanac_eval(const orr_glonass_almanac *a, orr_time t, orr_vec3 *pos_m,
                                     orr_vec3 *vel_mps);
 
-// Least squares over the positions, every 15 min, that the source has of the day in Moscow which holds `day`,
-// by the algorithm above; each word rounded to its LSB in turn and the rest fitted again. Sets number, day
-// and the orbit, delta_t_rate zero (a day does not tell it; its field ends at 0.004 s) and C_n true; the
-// caller sets tau_s, channel and type. report->rms_m is about a kilometre: the jump above, spread over the
-// day. ORR_E_ARG if sat is no slot of GLONASS, ORR_E_NODATA with less than half a day of positions,
-// ORR_E_NUMERIC if they are not such an orbit, ORR_E_RANGE if a word does not fit its field.
+// Fits an almanac to one day of a precise orbit.
+// Given:
+//   sat     GLONASS satellite, slot 1 to 24
+//   day     any instant of the day in Moscow that the almanac is for
+//   source  position of the satellite, ecef, m; asked every 15 min of that day
+//   user    handed to source
+// Returned:
+//   a       number, day and orbit; delta_t_rate is zero (one day does not determine it; its field ends at 0.004 s),
+//           operational is true. The caller sets tau_s, channel and type
+//   report  the almanac against the source over the day
+//   diag    why it failed; may be NULL
+// Errors: ORR_E_ARG if sat is no slot of GLONASS, ORR_E_NODATA with less than half a day of positions, ORR_E_NUMERIC if they
+// are not such an orbit, ORR_E_RANGE if a word does not fit its field.
+// Notes: least squares by the algorithm of orr_glonass_almanac_eval; each word is rounded to its LSB in turn and the rest
+// fitted again. report->rms_m is about a kilometre: the algorithm's jump at the nodes, spread over the day.
+// Reference: GLONASS ICD L1/L2 edition 5.1, 2008, A.3.2.
 orr_status orr_glonass_almanac_fit(orr_sat sat, orr_time day, orr_navfit_source source, void *user,
                                    orr_glonass_almanac *a, orr_navfit_report *report, orr_diag *diag);
 

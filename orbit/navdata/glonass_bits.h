@@ -35,10 +35,18 @@ typedef struct orr_glonass_immediate {
 // (orr_glonass_frame).
 void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, orr_glonass_immediate *out);
 
-// String 1..4 of a GLONASS record. t_b is toe's (a multiple of 15 min of the day in Moscow, 15..1425 min,
-// within half a day of t_k), P2 its oddness, N_T the day in Moscow of t_k; tau_n = -af0, gamma_n = af1, delta
-// tau_n 0 where the record has none (there is no blank), B_n 0 where the health word is 0, else 4 (the
-// malfunction bit).
+// Makes string 1, 2, 3 or 4 of a GLONASS satellite's own data.
+// Given:
+//   eph     GLONASS record; its toe is t_b, a multiple of 15 min of the day in Moscow (15 to 1425 min) within half a day
+//           of im->t_k
+//   im      frame time, flags and accuracy
+//   string  1 to 4
+// Returned:
+//   out     the string with its check bits
+//   diag    why it failed; may be NULL
+// Notes: P2 is the oddness of t_b, N_T the day in Moscow of t_k; tau_n = -af0, gamma_n = af1, delta tau_n is 0 where the
+// record has none (the field has no "unknown"), B_n is 0 where the health word is 0, else 4 (the malfunction bit).
+// Reference: GLONASS ICD L1/L2 edition 5.1, 2008, 4.4 and table 4.5.
 orr_status orr_glonass_encode_immediate(const orr_nav_eph *eph, const orr_glonass_immediate *im, int string,
                                         orr_glonass_string *out, orr_diag *diag);
 
@@ -52,8 +60,15 @@ typedef struct orr_glonass_time {
 } orr_glonass_time;
 orr_status orr_glonass_encode_time(const orr_glonass_time *time, orr_glonass_string *out, orr_diag *diag);
 
-// Strings 6 to 15: an almanac takes two, the even one first; `string` tells which half is meant. A NULL
-// almanac makes an empty one: satellite 0, C_n 0.
+// Makes one of strings 6 to 15: half an almanac, the even string first.
+// Given:
+//   almanac  the satellite that is described; NULL: an empty almanac (satellite 0, C_n 0)
+//   string   6 to 15; its parity tells which half is meant
+//   l_n      the transmitting satellite is unfit
+// Returned:
+//   out      the string with its check bits
+//   diag     why it failed; may be NULL
+// Reference: GLONASS ICD L1/L2 edition 5.1, 2008, 4.5.
 orr_status orr_glonass_encode_almanac(const orr_glonass_almanac *almanac, int string, bool l_n,
                                       orr_glonass_string *out, orr_diag *diag);
 
@@ -63,6 +78,15 @@ typedef struct orr_glonass_utc {
     double b2_s_per_day; // B2: its change
     int kp;              // KP: leap second at the end of the quarter: 0 none, 1 inserted, -1 left out
 } orr_glonass_utc;
+// Makes string 14 or 15 of the fifth frame: UT1, and the leap second to come.
+// Given:
+//   utc     B1, B2 and KP
+//   string  14 or 15
+//   l_n     the transmitting satellite is unfit
+// Returned:
+//   out     the string with its check bits
+//   diag    why it failed; may be NULL
+// Reference: GLONASS ICD L1/L2 edition 5.1, 2008, 4.5.
 orr_status orr_glonass_encode_utc(const orr_glonass_utc *utc, int string, bool l_n, orr_glonass_string *out,
                                   orr_diag *diag);
 

@@ -9,12 +9,18 @@
 
 #define ORR_LATTICE_MAX 15
 
-// Integers z that minimise |R z - y|^2 for an upper triangular, regular R (n x n, row-major, n <= 15), as a
-// QR decomposition gives it. The basis is reduced (Lenstra, Lenstra and Lovasz 1982, delta = 3/4), then
-// searched depth first from the rounded solution outward (Schnorr and Euchner 1994). The search ends after
-// max_nodes nodes with the best point so far, which is at worst that of rounding in the reduced basis
-// (max_nodes = 0 asks for this one). A pure function: no clock decides. ORR_E_NUMERIC for a singular or
-// non-finite R.
+// Finds the integers z that minimise |R z - y|^2.
+// Given:
+//   n          dimension, at most ORR_LATTICE_MAX
+//   R          upper triangular and regular, n x n, row-major, as a QR decomposition gives it
+//   y          [n]
+//   max_nodes  the search ends after so many nodes with the best point so far; 0: rounding in the reduced basis
+// Returned:
+//   z          [n] integers
+// Errors: ORR_E_NUMERIC for a singular or non-finite R.
+// Notes: the basis is reduced with delta = 3/4, then searched depth first from the rounded solution outward. The result
+// is at worst that of rounding in the reduced basis. The same input always gives the same output.
+// Reference: Lenstra, Lenstra and Lovasz 1982; Schnorr and Euchner 1994.
 orr_status orr_lattice_closest(size_t n, const double *R, const double *y, size_t max_nodes, double *z);
 
 #endif

@@ -20,9 +20,17 @@ typedef struct orr_lnav_how {
     int32_t week;         // of subframe 1: the full week it is sent in
 } orr_lnav_how;
 
-// Subframe `number` (1, 2, 3) of a Kepler record: how's week modulo 1024, URA index from accuracy_m, health
-// (6 bits), IODC and IODE, toc, toe, clock, TGD, elements; fit interval flag 1 above 4 h. ORR_E_RANGE with
-// the field's name when a value does not fit; ORR_E_ARG for another number or kind.
+// Makes subframe 1, 2 or 3 of a Kepler record.
+// Given:
+//   eph     GPS or QZSS record
+//   number  1 to 3
+//   how     TLM and HOW; its week is sent modulo 1024 in subframe 1
+// Returned:
+//   out     the subframe with its parity
+//   diag    why it failed; may be NULL
+// Errors: ORR_E_RANGE with the field's name when a value does not fit; ORR_E_ARG for another number or kind of record.
+// Notes: the URA index follows from accuracy_m; the fit interval flag is 1 above 4 h.
+// Reference: IS-GPS-200N 20.3.3.3 and 20.3.3.4.
 orr_status orr_lnav_encode_ephemeris(const orr_nav_eph *eph, int number, const orr_lnav_how *how,
                                      orr_lnav_subframe *out, orr_diag *diag);
 
@@ -33,8 +41,16 @@ typedef struct orr_lnav_utc {
     int32_t week, week_lsf;             // full weeks; sent modulo 256
     int32_t leap_s, leap_future_s, day; // GPS - UTC now and after, day 1..7 at whose end it changes
 } orr_lnav_utc;
-// Klobuchar's alpha (s, s/semicircle..) and beta, and UTC. ORR_E_RANGE with the field's name, e.g. "beta1",
-// when a value does not fit.
+// Makes subframe 4 page 18: ionosphere and UTC.
+// Given:
+//   alpha, beta  Klobuchar's coefficients: s, s/semicircle, ...
+//   utc          UTC parameters and leap seconds
+//   how          TLM and HOW
+// Returned:
+//   out          the subframe with its parity
+//   diag         why it failed; may be NULL
+// Errors: ORR_E_RANGE with the field's name, for example "beta1", when a value does not fit.
+// Reference: IS-GPS-200N 20.3.3.5.1.6 and 20.3.3.5.1.7.
 orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], const orr_lnav_utc *utc,
                                   const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
 
@@ -46,17 +62,44 @@ typedef struct orr_lnav_almanac {
     double af0_s, af1_sps;
     uint32_t health; // 8 bits
 } orr_lnav_almanac;
-// Page of an almanac: subframe 5 pages 1-24 for satellites 1-24, subframe 4 (pages 2-5, 7-10) for 25-32.
-// *subframe and *page tell which.
+// Makes the almanac page of one satellite: subframe 5 pages 1 to 24 for satellites 1 to 24, subframe 4 pages 2 to 5 and 7
+// to 10 for 25 to 32.
+// Given:
+//   almanac   orbit, clock and health
+//   how       TLM and HOW
+// Returned:
+//   subframe  4 or 5
+//   page      1 to 24
+//   out       the subframe with its parity
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_RANGE with the field's name, ORR_E_ARG for another satellite.
+// Reference: IS-GPS-200N 20.3.3.5.1.2.
 orr_status orr_lnav_encode_almanac(const orr_lnav_almanac *almanac, const orr_lnav_how *how, int *subframe,
                                    int *page, orr_lnav_subframe *out, orr_diag *diag);
-// A page of subframe 4 or 5 without content: ones and zeros in turn behind its identity (20.3.3.5.1): 0 in
-// place of a satellite that is not there, else the page's own number of table 20-V (57 for page 1 of subframe
-// 4, ...).
+// Makes a page of subframe 4 or 5 without content: alternating ones and zeros after its identity.
+// Given:
+//   subframe  4 or 5
+//   sv_id     0 in place of a satellite that does not exist, else the page's own identity of table 20-V (57 for page 1 of
+//             subframe 4, ...)
+//   how       TLM and HOW
+// Returned:
+//   out       the subframe with its parity
+//   diag      why it failed; may be NULL
+// Reference: IS-GPS-200N 20.3.3.5.1.
 orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_how *how,
                                  orr_lnav_subframe *out, orr_diag *diag);
-// Subframe 5 page 25 (number = 5): toa, week, health of 1-24. Subframe 4 page 25 (number = 4): configurations
-// and health of 25-32.
+// Makes page 25 of subframe 5 (toa, week, health of satellites 1 to 24) or of subframe 4 (configurations, and health of 25
+// to 32).
+// Given:
+//   number  subframe, 4 or 5
+//   toa_s   reference time of the almanac, seconds of week
+//   week    its full week
+//   health  [32] health words of satellites 1 to 32
+//   how     TLM and HOW
+// Returned:
+//   out     the subframe with its parity
+//   diag    why it failed; may be NULL
+// Reference: IS-GPS-200N 20.3.3.5.1.3 and 20.3.3.5.1.4.
 orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t health[32],
                                   const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
 

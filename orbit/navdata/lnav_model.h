@@ -34,9 +34,14 @@ orr_vec3 orr_lnav_position(const orr_nav_kepler *k, double tk_s, orr_vec3 d[ORR_
 // Derivatives with respect to e, omega and M0 in the places of EX, EY and LAMBDA: what is transmitted.
 void orr_lnav_by_elements(const orr_nav_kepler *k, orr_vec3 d[ORR_LNAV_N]);
 
-// Rates of the node, and of the mean argument of latitude beyond sqrt(mu/a^3) (omega stands still in the
-// model), that the Earth's flattening causes (Kaula 1966, 3.74): where a fit starts from, and what it stays
-// near to where its window says nothing.
+// Secular rates that the Earth's flattening causes.
+// Given:
+//   a_m, e, i_rad    semi-major axis, eccentricity, inclination
+// Returned:
+//   omega_dot_radps  rate of the node
+//   delta_n_radps    rate of the mean argument of latitude beyond sqrt(mu/a^3) (the model keeps omega constant)
+// Notes: fits start from these and stay near them where their window does not determine the rates.
+// Reference: Kaula 1966, 3.74.
 void orr_lnav_secular(double a_m, double e, double i_rad, double *omega_dot_radps, double *delta_n_radps);
 
 #endif

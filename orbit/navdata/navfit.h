@@ -27,30 +27,57 @@ typedef struct orr_navfit_report {
 // positions in the window, ORR_E_RANGE with the field's name if a parameter does not fit its field,
 // ORR_E_NUMERIC where the positions are no such orbit.
 
-// LNAV (GPS, QZSS): the fifteen Kepler parameters at toe (a multiple of 16 s of the week) by least squares
-// over [from, to], 1800 to 21600 s (IS-GPS-200N table 20-III); then, of all values that the message can send,
-// those that together fit best (integer least squares, see orbit/navdata/lattice.h). What a short window
-// cannot tell stays near the usual: rates to what the Earth's flattening causes, harmonics to zero, with
-// weights of millimetres. A rate or harmonic whose best value its field cannot hold is kept at the field's
-// end and the rest fitted again. On success eph holds kepler (quantised), toe, toc, week, fit_interval_h (as
-// given: what subframe 2 will promise; the window may be another), kind and message; the caller sets clock,
-// issue, health.
+// Fits the fifteen Kepler parameters of LNAV (GPS, QZSS) to a precise orbit and quantises them.
+// Given:
+//   sat             GPS or QZSS satellite
+//   toe             reference time, a multiple of 16 s of the week
+//   from, to        window of the positions, 1800 to 21600 s long
+//   fit_interval_h  what subframe 2 will promise, h; the window may be another
+//   source, user    positions, as above
+// Returned:
+//   eph             kepler (quantised), toe, toc, week, fit_interval_h, kind and message; the caller sets clock, issue and
+//                   health
+//   report          quantised model against the source
+//   diag            why it failed; may be NULL
+// Notes: least squares over the window, then, of all values that the message can send, those that together fit best
+// (integer least squares, orbit/navdata/lattice.h). What a short window does not determine stays near its usual value with
+// weights of millimetres: rates near those caused by the Earth's flattening, harmonics near zero. A rate or harmonic whose
+// best value its field cannot hold is kept at the field's end and the rest fitted again.
+// Reference: IS-GPS-200N tables 20-III and 20-IV.
 orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, orr_time from, orr_time to, double fit_interval_h,
                            orr_navfit_source source, void *user, orr_nav_eph *eph, orr_navfit_report *report,
                            orr_diag *diag);
 
-// GLONASS: position, velocity and acceleration at tb by least squares over [from, to], 600 to 7200 s (usually
-// tb +- 900 s), the acceleration starting from that of Sun and Moon at tb; then the best values on their LSBs
-// (2^-11 km, 2^-20 km/s, 2^-30 km/s^2), as above. Positions are PZ-90.11 (taken equal to ITRF). The caller
-// sets clock, channel, health.
+// Fits position, velocity and acceleration of a GLONASS record at tb to a precise orbit and quantises them.
+// Given:
+//   sat           GLONASS satellite
+//   tb            reference time
+//   from, to      window of the positions, 600 to 7200 s long, usually tb +- 900 s
+//   source, user  positions, as above
+// Returned:
+//   eph           state (quantised: 2^-11 km, 2^-20 km/s, 2^-30 km/s^2); the caller sets clock, channel and health
+//   report        quantised model against the source
+//   diag          why it failed; may be NULL
+// Notes: the acceleration starts from that of Sun and Moon at tb. Positions are PZ-90.11, taken equal to ITRF.
+// Reference: GLONASS ICD L1/L2 edition 5.1, 2008, A.3.1.
 orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time to, orr_navfit_source source,
                               void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
 
-// Clock polynomial at t0 from the product's clock over [from, to] (t0 within or outside): af0 and af1 (af2 =
-// 0), rounded to LNAV's or GLONASS' LSBs by eph->kind, which is set before. GLONASS' parameters get the
-// periodic relativity that its message has to hold. A rate beyond its field stands at the field's end. *rms_s
-// (may be NULL) is what is left. ORR_E_NODATA with fewer than two clock values in the window, ORR_E_RANGE
-// with its name if af0 does not fit its field.
+// Fits a clock polynomial to the product's clock and quantises it.
+// Given:
+//   e         orbit product
+//   sat       satellite
+//   t0        reference time, within the window or outside
+//   from, to  window of the clock values
+//   eph       its kind decides on the fields: LNAV's or GLONASS'
+// Returned:
+//   eph       af0 and af1 (af2 = 0)
+//   rms_s     residual, s; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_NODATA with fewer than two clock values in the window, ORR_E_RANGE with its name if af0 does not fit its
+// field.
+// Notes: GLONASS' parameters contain the periodic relativity, as its message defines. A rate beyond its field stands at
+// the field's end.
 orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                             orr_nav_eph *eph, double *rms_s, orr_diag *diag);
 

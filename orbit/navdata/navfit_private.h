@@ -16,16 +16,35 @@ typedef struct orr_navfit_window {
     orr_vec3 pos[ORR_NAVFIT_POSITIONS];
 } orr_navfit_window;
 
-// ORR_E_ARG unless from..to is so long, and t0 within it or no further outside than it is long.
+// Checks a window.
+// Given:
+//   t0               reference time
+//   from, to         window
+//   least_s, most_s  its allowed length
+// Returned:
+//   diag             the sentence
+// Errors: ORR_E_ARG for another length, or for a t0 that is further outside the window than the window is long.
 orr_status orr_navfit_check_window(orr_time t0, orr_time from, orr_time to, double least_s, double most_s,
                                    orr_diag *diag);
-// Positions every step_s or less, in 24 intervals at least, at most ORR_NAVFIT_POSITIONS; ORR_E_NODATA with
-// fewer than 9.
+// Collects the positions of a window.
+// Given:
+//   from, to      window
+//   step_s        longest step; at least 24 intervals are taken, at most ORR_NAVFIT_POSITIONS positions
+//   source, user  positions
+// Returned:
+//   w             positions that the source has
+//   diag          why it failed
+// Errors: ORR_E_NODATA with fewer than 9 positions.
 orr_status orr_navfit_gather(orr_time from, orr_time to, double step_s, orr_navfit_source source, void *user,
                              orr_navfit_window *w, orr_diag *diag);
-// Position and velocity in the middle of the window, in axes that turn with -earth_rate against ecef and
-// coincide with it at t0 (0: ecef): the derivative of the polynomial through the five positions that are
-// closest together. Returns which position it is.
+// Position and velocity in the middle of a window, where a fit starts.
+// Given:
+//   w           positions
+//   t0          instant at which the axes coincide with ecef
+//   earth_rate  the axes turn by -earth_rate against ecef, rad/s; 0: ecef
+// Returned:
+//   r, v        state, m and m/s: the derivative of the polynomial through the five positions closest together
+// Returns the index of the position.
 size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_rate, orr_vec3 *r,
                          orr_vec3 *v);
 
@@ -53,8 +72,16 @@ typedef struct orr_navfit_line {
     double dt_s[ORR_NAVFIT_CLOCKS], value[ORR_NAVFIT_CLOCKS]; // since t0; s
     double mean_dt_s, mean, slope;
 } orr_navfit_line;
-// relativity: with the periodic term, as GLONASS' parameters have to hold it. ORR_E_NODATA with fewer than
-// two values.
+// The product's clock over a window as a straight line about t0.
+// Given:
+//   e, sat      product and satellite
+//   t0          reference time
+//   from, to    window
+//   relativity  include the periodic relativity, as GLONASS' parameters have to
+// Returned:
+//   line        values and their line
+//   diag        why it failed
+// Errors: ORR_E_NODATA with fewer than two values.
 orr_status orr_navfit_clock_line(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                                  bool relativity, orr_navfit_line *line, orr_diag *diag);
 // What is left of the values after value + slope dt.

@@ -28,9 +28,15 @@ typedef struct orr_navframe {
     orr_navframe_piece piece[ORR_NAVFRAME_PIECES];
 } orr_navframe;
 
-// Frames begin at multiples of 30 s of GPS time (LNAV) or of UTC (GLONASS). The immediate data are those on
-// the air at the frame's begin. ORR_E_NODATA where the satellite has no set; ORR_E_RANGE if a value does not
-// fit its field.
+// The message bits that a satellite sends in the 30 s around an instant.
+// Given:
+//   set   broadcast data
+//   sat   satellite
+//   t     instant; frames begin at multiples of 30 s of GPS time (LNAV) or of UTC (GLONASS)
+// Returned:
+//   out   the pieces of the frame that holds t; ephemeris and clock are those on the air at the frame's begin
+//   diag  why it failed; may be NULL
+// Errors: ORR_E_NODATA where the satellite has no set, ORR_E_RANGE if a value does not fit its field.
 orr_status orr_navframe_at(const orr_navset *set, orr_sat sat, orr_time t, orr_navframe *out, orr_diag *diag);
 
 #endif

@@ -46,12 +46,19 @@ typedef struct orr_navset_item {
 
 typedef struct orr_navset orr_navset;
 
-// LNAV: toe every two hours of GPS time, window toe +- window/2, transmitted for two hours from the window's
-// begin on. IODC counts the two-hour slots since 1980 modulo 960 within the ranges that a fit interval of
-// four hours has (IS-GPS-200N 20.3.4.4), IODE is its lower part. GLONASS: tb at 15 and 45 minutes of each
-// hour of UTC, +- 15 min. A satellite or a window that cannot be fitted is left out with a warning. Errors:
-// ORR_E_ARG (window), ORR_E_NODATA (nothing could be fitted), ORR_E_LIMIT (a product longer than the 1024
-// weeks that LNAV counts), ORR_E_INTERRUPTED, ORR_E_MEMORY.
+// Fits the broadcast data of a whole orbit product.
+// Given:
+//   e         orbit product; not needed afterwards
+//   o         options
+// Returned:
+//   out       the broadcast data; free with orr_navset_free
+//   warnings  satellites and windows that were left out, and why; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_ARG (window), ORR_E_NODATA (nothing could be fitted), ORR_E_LIMIT (a product longer than the 1024 weeks that
+// LNAV counts), ORR_E_INTERRUPTED, ORR_E_MEMORY.
+// Notes: LNAV has toe at every even hour of GPS time, window toe +- window_s/2, and is transmitted for two hours from the
+// window's begin on. GLONASS has tb at 15 and 45 minutes of each hour of UTC, window +- 15 min.
+// Reference: IS-GPS-200N 20.3.4.4 (issue numbers).
 orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
                             orr_warnings *warnings, orr_diag *diag);
 void orr_navset_free(orr_navset *set);

@@ -41,14 +41,29 @@ typedef struct orr_antenna_pair {
 // GPS and QZSS L1/L2, GLONASS G1/G2, Galileo E1/E5a, BeiDou B1I/B3I, NavIC L5/S; NULL for other systems.
 const orr_antenna_pair *orr_antenna_pair_of(char system);
 
-// Offset of the phase centre from the centre of mass in body axes (X, Y, Z of orr_attitude.body), for one
-// frequency code or, with code2, for their ionosphere-free combination; carriers in Hz. ORR_E_NODATA where
-// ANTEX has no such frequency.
+// Offset of the phase centre from the centre of mass, in body axes.
+// Given:
+//   antenna   antenna of the satellite
+//   code1     ANTEX frequency code, for example "G01"
+//   f1_hz     its carrier, Hz
+//   code2     second code for the ionosphere-free combination; NULL: the first alone
+//   f2_hz     its carrier, Hz
+// Returned:
+//   offset_m  [3] X, Y, Z of orr_attitude.body, m
+// Errors: ORR_E_NODATA where ANTEX has no such frequency.
 orr_status orr_antenna_offset_body(const orr_antex_antenna *antenna, const char *code1, double f1_hz,
                                    const char *code2, double f2_hz, double offset_m[3]);
 // The same of a satellite at t, for the pair of its system; ORR_E_NODATA where ANTEX has no such antenna.
 orr_status orr_antenna_offset_of_sat(const orr_antex *antex, orr_sat sat, orr_time t, double offset_m[3]);
-// As orr_antenna_offset_body, in the axes that r was given in.
+// The same in the axes in which the attitude was given.
+// Given:
+//   antenna         antenna of the satellite
+//   attitude        attitude of the satellite
+//   code1, f1_hz    ANTEX frequency code and carrier, Hz
+//   code2, f2_hz    second ones for the ionosphere-free combination; NULL: the first alone
+// Returned:
+//   offset_m        offset, m
+// Errors: ORR_E_NODATA where ANTEX has no such frequency.
 orr_status orr_antenna_offset(const orr_antex_antenna *antenna, const orr_attitude *attitude,
                               const char *code1, double f1_hz, const char *code2, double f2_hz,
                               orr_vec3 *offset_m);

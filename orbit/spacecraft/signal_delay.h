@@ -16,9 +16,16 @@
 #include "ingest/tables/bias.h"
 #include "orbit/broadcast/broadcast.h"
 
-// From a bias file, of absolute (OSB) or differential (DSB, DCB) biases alike. Biases change by a tenth of a
-// nanosecond in weeks: an instant up to a day outside of the file's span gets the value at its end.
-// ORR_E_NODATA where the file does not tie the signal to the clock's pair; ORR_E_ARG for a code of another
+// Group delay of a signal from a bias file, of absolute (OSB) or differential (DSB, DCB) biases alike.
+// Given:
+//   bias     biases
+//   sat      satellite
+//   signal   RINEX 3 code without the leading letter, for example "1C"
+//   t        instant; up to a day outside the file's span the value at its end is taken, since biases change by a tenth of
+//            a nanosecond in weeks
+// Returned:
+//   delay_s  delay against the clock's pair, s
+// Errors: ORR_E_NODATA where the file does not connect the signal with the clock's pair; ORR_E_ARG for a code of another
 // length.
 orr_status orr_signal_delay_osb(const orr_bias_set *bias, orr_sat sat, const char *signal, orr_time t,
                                 double *delay_s);
@@ -35,9 +42,17 @@ orr_status orr_signal_broadcast_to_product(const orr_nav_eph *eph, double *shift
 // (f1/f2)^2. ORR_E_NODATA for other systems, and where the file does not tell.
 orr_status orr_signal_tgd(const orr_bias_set *bias, orr_sat sat, orr_time t, double *tgd_s);
 
-// GLONASS: its message gives the clock of L1 and by how much L2 lags behind L1, delta tau = b2 - b1 (ICD L1,
-// L2 5.1, 4.4); l1_clock_shift is to be added to the product's clock. Of the open signals where the file has
-// them, of the P signals otherwise. ORR_E_NODATA.
+// What GLONASS' message sends of its group delays.
+// Given:
+//   bias              biases
+//   sat               GLONASS satellite
+//   t                 instant
+// Returned:
+//   l1_clock_shift_s  to be added to the product's clock for the clock of L1, s
+//   delta_tau_s       by how much L2 lags behind L1, b2 - b1, s
+// Errors: ORR_E_NODATA.
+// Notes: of the open signals where the file has them, of the P signals otherwise.
+// Reference: GLONASS ICD L1/L2 edition 5.1, 2008, 4.4.
 orr_status orr_signal_glonass(const orr_bias_set *bias, orr_sat sat, orr_time t, double *l1_clock_shift_s,
                               double *delta_tau_s);
 

@@ -13,7 +13,7 @@ static orr_health health_at(const orr_nav *nav, orr_sat sat, orr_time t)
     return orr_nav_eph_usable(eph) ? ORR_HEALTH_OK : ORR_HEALTH_BAD;
 }
 
-static void place_antenna(const orr_antex *antex, orr_sat sat, orr_time t, orr_extras *x)
+static void place_antenna(const orr_antex *antex, orr_sat sat, orr_time t, orr_spacecraft *x)
 {
     const double nan = (double)NAN;
     x->antenna_ecef_m = (orr_vec3){nan, nan, nan};
@@ -24,10 +24,10 @@ static void place_antenna(const orr_antex *antex, orr_sat sat, orr_time t, orr_e
         x->antenna_ecef_m = orr_mat3_apply_t(&x->attitude.body, (orr_vec3){b[0], b[1], b[2]});
 }
 
-orr_status orr_extras_at(const orr_extras_sources *src, orr_sat sat, orr_time t, orr_vec3 sun,
-                         orr_extras *out)
+orr_status orr_spacecraft_at(const orr_spacecraft_sources *src, orr_sat sat, orr_time t, orr_vec3 sun,
+                             orr_spacecraft *out)
 {
-    orr_extras x = {0};
+    orr_spacecraft x = {0};
     const orr_status s = orr_ephemeris_eval(src->orbit, sat, t, &x.state);
     if (s != ORR_OK) return s;
     const orr_vec3 r = x.state.pos_m, v = orr_velocity_inertial(r, x.state.vel_mps);
@@ -42,8 +42,8 @@ orr_status orr_extras_at(const orr_extras_sources *src, orr_sat sat, orr_time t,
     return ORR_OK;
 }
 
-orr_status orr_extras_delay(const orr_extras_sources *src, orr_sat sat, const char *signal, orr_time t,
-                            double *delay_s)
+orr_status orr_spacecraft_delay(const orr_spacecraft_sources *src, orr_sat sat, const char *signal,
+                                orr_time t, double *delay_s)
 {
     if (src->bias != NULL) return orr_signal_delay_osb(src->bias, sat, signal, t, delay_s);
     if (src->nav == NULL) return ORR_E_NODATA;

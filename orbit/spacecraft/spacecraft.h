@@ -9,16 +9,16 @@
 #include "orbit/spacecraft/attitude.h"
 #include "orbit/spacecraft/signal_delay.h"
 
-typedef struct orr_extras_sources {
+typedef struct orr_spacecraft_sources {
     const orr_ephemeris *orbit;
     const orr_antex *antex;   // NULL: no antennas
     const orr_bias_set *bias; // NULL: group delays by nav
     const orr_nav *nav;       // NULL: no health, and no group delays without bias
-} orr_extras_sources;
+} orr_spacecraft_sources;
 
 typedef enum orr_health { ORR_HEALTH_UNKNOWN, ORR_HEALTH_OK, ORR_HEALTH_BAD } orr_health;
 
-typedef struct orr_extras {
+typedef struct orr_spacecraft {
     orr_sat_state state;
     bool has_attitude; // false where Sun, satellite and Earth stand in line
     bool orbit_normal; // geostationary satellites of BeiDou and QZSS; all others steer by the Sun
@@ -29,16 +29,32 @@ typedef struct orr_extras {
     orr_vec3 antenna_ecef_m;
     double relativity_s; // -2 r.v / c^2, to be added to state.clock_s
     orr_health health;   // by the broadcast record nearest in time, whatever it says
-} orr_extras;
+} orr_spacecraft;
 
-// sun_m: orr_attitude_sun(t), which is the same for all satellites. ORR_OK, or what orr_ephemeris_eval says.
-orr_status orr_extras_at(const orr_extras_sources *src, orr_sat sat, orr_time t, orr_vec3 sun_m,
-                         orr_extras *out);
+// Attitude, antenna, relativity and health of a satellite beside its state.
+// Given:
+//   src    what is known: orbit, antennas, biases, broadcast records
+//   sat    satellite
+//   t      instant
+//   sun_m  orr_attitude_sun(t), the same for all satellites, m
+// Returned:
+//   out    all of it; what is not known is NAN or says so
+// Errors: as orr_ephemeris_eval.
+orr_status orr_spacecraft_at(const orr_spacecraft_sources *src, orr_sat sat, orr_time t, orr_vec3 sun_m,
+                             orr_spacecraft *out);
 
-// Group delay of a signal against the product's clock (orbit/spacecraft/signal_delay.h). By biases where
-// there are any, else by the broadcast record; never from both, because their datums lie nanoseconds apart.
-// ORR_E_NODATA, ORR_E_ARG.
-orr_status orr_extras_delay(const orr_extras_sources *src, orr_sat sat, const char *signal, orr_time t,
-                            double *delay_s);
+// Group delay of a signal against the product's clock (orbit/spacecraft/signal_delay.h).
+// Given:
+//   src      what is known
+//   sat      satellite
+//   signal   RINEX 3 code without the leading letter
+//   t        instant
+// Returned:
+//   delay_s  delay, s
+// Errors: ORR_E_NODATA, ORR_E_ARG.
+// Notes: from biases where there are any, else from the broadcast record; never from both, because their datums differ by
+// nanoseconds.
+orr_status orr_spacecraft_delay(const orr_spacecraft_sources *src, orr_sat sat, const char *signal,
+                                orr_time t, double *delay_s);
 
 #endif

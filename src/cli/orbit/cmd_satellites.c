@@ -14,7 +14,7 @@
 #define MAX_CELLS (24 + MAX_SIGNALS)
 
 typedef struct request {
-    orr_extras_sources src;
+    orr_spacecraft_sources src;
     orr_time from, to;
     int64_t step_ns;
     const orr_sat_set *sats; // NULL: all
@@ -38,7 +38,7 @@ static const char *health_word(orr_health h)
     return h == ORR_HEALTH_OK ? "ok" : h == ORR_HEALTH_BAD ? "bad" : "";
 }
 
-static size_t fill(const request *q, const orr_extras *x, orr_time t, char names[MAX_SIGNALS][16],
+static size_t fill(const request *q, const orr_spacecraft *x, orr_time t, char names[MAX_SIGNALS][16],
                    cell row[MAX_CELLS])
 {
     const double nan = ORR_NAN;
@@ -74,7 +74,7 @@ static size_t fill(const request *q, const orr_extras *x, orr_time t, char names
     for (size_t i = 0; i < q->n_signals; i++) {
         double delay = nan;
         snprintf(names[i], 16, "delay_%s_s", q->signal[i]);
-        if (orr_extras_delay(&q->src, s->sat, q->signal[i], t, &delay) != ORR_OK) delay = nan;
+        if (orr_spacecraft_delay(&q->src, s->sat, q->signal[i], t, &delay) != ORR_OK) delay = nan;
         row[n++] = (cell){names[i], delay, 15, NULL};
     }
     return n;
@@ -122,7 +122,7 @@ static void print_number(FILE *f, int width, int decimals, double x)
 }
 
 // For people: microseconds, nanoseconds, millimetres, words.
-static void print_line(FILE *f, const request *q, const orr_extras *x, orr_time t)
+static void print_line(FILE *f, const request *q, const orr_spacecraft *x, orr_time t)
 {
     char sat[ORR_SAT_TEXT];
     const orr_sat_state *s = &x->state;
@@ -135,7 +135,7 @@ static void print_line(FILE *f, const request *q, const orr_extras *x, orr_time 
     print_number(f, 8, 3, x->relativity_s * 1e9);
     for (size_t i = 0; i < q->n_signals; i++) {
         double delay;
-        const bool known = orr_extras_delay(&q->src, s->sat, q->signal[i], t, &delay) == ORR_OK;
+        const bool known = orr_spacecraft_delay(&q->src, s->sat, q->signal[i], t, &delay) == ORR_OK;
         print_number(f, 8, 3, known ? delay * 1e9 : ORR_NAN);
     }
     print_number(f, 7, 2, (double)s->sigma_m * 1e3);
@@ -165,11 +165,11 @@ static orr_status print_all(const request *q, FILE *f, size_t *rows)
         orr_time_text(t, when);
         if (q->format == 't') print_head(f, q, when);
         for (size_t i = 0; i < n_sats; i++) {
-            orr_extras x;
+            orr_spacecraft x;
             char names[MAX_SIGNALS][16];
             cell row[MAX_CELLS];
             if (q->sats != NULL && !orr_sat_set_has(q->sats, list[i])) continue;
-            if (orr_extras_at(&q->src, list[i], t, sun, &x) != ORR_OK) continue;
+            if (orr_spacecraft_at(&q->src, list[i], t, sun, &x) != ORR_OK) continue;
             const size_t n = fill(q, &x, t, names, row);
             if (q->format == 't')
                 print_line(f, q, &x, t);
@@ -264,10 +264,10 @@ static int run(orr_cli *c)
     if (s != ORR_OK) {
         orr_cli_fail(c, &diag);
     } else {
-        q.src = (orr_extras_sources){.orbit = orbit,
-                                     .antex = antex_path != NULL ? &antex : NULL,
-                                     .bias = bias_path != NULL ? &bias : NULL,
-                                     .nav = nav_path != NULL ? &nav : NULL};
+        q.src = (orr_spacecraft_sources){.orbit = orbit,
+                                         .antex = antex_path != NULL ? &antex : NULL,
+                                         .bias = bias_path != NULL ? &bias : NULL,
+                                         .nav = nav_path != NULL ? &nav : NULL};
         if (read_times(c, &q))
             status = write_out(c, &q, &diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
     }
