@@ -12,6 +12,7 @@
 #define MAX_SEED ((size_t)1 << 20)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
+int LLVMFuzzerInitialize(int *argc, char ***argv);
 
 static uint64_t state;
 static uint64_t next_random(void) // splitmix64
@@ -74,6 +75,7 @@ static int compare_names(const void *a, const void *b)
 
 int main(int argc, char **argv)
 {
+    (void)LLVMFuzzerInitialize(&argc, &argv);
     size_t n_run = 0, n_files = 0;
     int bad = 0;
     for (int a = 1; a < argc; a++) {
