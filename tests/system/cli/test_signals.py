@@ -13,12 +13,13 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from program import ORRERY, Folder, run, sample  # noqa: E402
 
-SOON = 20  # seconds; a command needs milliseconds, but machines under test may be busy
+SOON = 60  # seconds; a command needs milliseconds, but machines under test may be busy
 
 
 def until(true, what):
     """Polls until true() is; fails after a generous time."""
-    for _ in range(SOON * 100):
+    end = time.monotonic() + SOON
+    while time.monotonic() < end:
         value = true()
         if value:
             return value
