@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/field/tec_files.h"
 #include "core/nan.h"
+#include "ingest/input/input.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -164,9 +165,21 @@ orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, 
                               orr_warnings *warnings, orr_diag *diag)
 {
     *out = NULL;
+    orr_bytes text;
+    orr_status s = orr_input_read_all(path, NULL, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_tec_field_parse(path, text.text, text.n, options, out, warnings, diag);
+    orr_bytes_free(&text);
+    return s;
+}
+
+orr_status orr_tec_field_parse(const char *path, const char *text, size_t n, const orr_tec_options *options,
+                               orr_tec_field **out, orr_warnings *warnings, orr_diag *diag)
+{
+    *out = NULL;
     const char *name = base_name(path);
     orr_ionex maps;
-    orr_status s = orr_ionex_read(path, NULL, &maps, warnings, diag);
+    orr_status s = orr_ionex_parse(path, text, n, NULL, &maps, warnings, diag);
     if (s == ORR_OK) {
         s = orr_tec_field_from_ionex(&maps, name, options, out, diag);
         orr_ionex_free(&maps);
@@ -174,7 +187,7 @@ orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, 
     }
     if (s != ORR_E_KIND) return s;
     orr_ion models;
-    s = orr_ion_read(path, NULL, &models, warnings, diag);
+    s = orr_ion_parse(path, text, n, NULL, &models, warnings, diag);
     if (s == ORR_OK) {
         s = orr_tec_field_from_ion(&models, name, options, out, diag);
         orr_ion_free(&models);
@@ -182,7 +195,7 @@ orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, 
     }
     if (s != ORR_E_KIND) return s;
     orr_nav nav;
-    s = orr_nav_read(path, NULL, &nav, warnings, diag);
+    s = orr_nav_parse(path, text, n, NULL, &nav, warnings, diag);
     if (s == ORR_OK) {
         s = from_nav(&nav, name, options, out, diag);
         orr_nav_free(&nav);

@@ -13,6 +13,9 @@
 // readers' and orr_tec_field_from_*'s. options may be NULL.
 orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, orr_tec_field **out,
                               orr_warnings *warnings, orr_diag *diag);
+// The same of a file's text, decompressed.
+orr_status orr_tec_field_parse(const char *path, const char *text, size_t n, const orr_tec_options *options,
+                               orr_tec_field **out, orr_warnings *warnings, orr_diag *diag);
 // `name` is for messages. ORR_E_UNSUPPORTED: three-dimensional maps, irregular grids, local models, models of
 // the true Sun or in geographical axes.
 orr_status orr_tec_field_from_ionex(const orr_ionex *x, const char *name, const orr_tec_options *options,

@@ -6,6 +6,7 @@
 #ifndef ORR_IONO_FUSION_SESSION_H
 #define ORR_IONO_FUSION_SESSION_H
 
+#include "core/ncfile.h"
 #include "iono/fusion/fusion.h"
 
 #define ORR_SESSION_MAX_SATS 800 // of one question
@@ -53,9 +54,9 @@ orr_status orr_session_make(const orr_phase_tec *phase, const orr_fusion *fusion
                             double max_gap_s, orr_session *out, orr_diag *diag);
 void orr_session_free(orr_session *s);
 
-// NetCDF-4. inputs may be NULL with n_inputs 0.
+// NetCDF-4. input: what the session was made from; NULL with n_inputs 0.
 orr_status orr_session_save(const orr_session *s, const char *path, const char *history,
-                            const char *const *inputs, size_t n_inputs, orr_diag *diag);
+                            const orr_nc_input *input, size_t n_inputs, orr_diag *diag);
 // ORR_E_KIND when the file is no session.
 orr_status orr_session_load(const char *path, orr_session *out, orr_diag *diag);
 

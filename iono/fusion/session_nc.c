@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/ncfile.h"
-#include "core/sha256.h"
 #include "iono/field/tec_field_nc.h"
 #include "iono/fusion/session.h"
 
@@ -14,7 +13,6 @@
 #define MAX_ARCS 100000
 #define MAX_SAMPLES 50000000
 #define MAX_KNOTS 20000
-#define MAX_INPUTS 64
 
 // One column of samples or arcs as a variable.
 typedef struct column {
@@ -121,17 +119,8 @@ static void put_number(orr_nc_writer *w, const char *name, double v, orr_diag *d
 }
 
 orr_status orr_session_save(const orr_session *s, const char *path, const char *history,
-                            const char *const *inputs, size_t n_inputs, orr_diag *diag)
+                            const orr_nc_input *input, size_t n_inputs, orr_diag *diag)
 {
-    char hash[MAX_INPUTS][ORR_SHA256_HEX];
-    orr_nc_input input[MAX_INPUTS];
-    if (n_inputs > MAX_INPUTS)
-        return orr_diag_set(diag, ORR_E_LIMIT, "%zu inputs; %d are the limit", n_inputs, MAX_INPUTS);
-    for (size_t i = 0; i < n_inputs; i++) {
-        orr_status one = orr_sha256_file(inputs[i], hash[i], diag);
-        if (one != ORR_OK) return one;
-        input[i] = (orr_nc_input){inputs[i], hash[i]};
-    }
     size_t most = s->n_samples > s->n_arcs ? s->n_samples : s->n_arcs;
     double *buf = malloc((most + 1) * sizeof *buf);
     int64_t *whole = malloc((most + 1) * sizeof *whole);

@@ -49,6 +49,8 @@ typedef struct raw {
 } raw;
 
 typedef struct reading {
+    const char *data; // the file's bytes; NULL: opened by its name
+    size_t n_data;
     const orr_phase_options *o;
     tally *tally[SAT_SLOTS];
     choice *choice[SAT_SLOTS];
@@ -228,11 +230,19 @@ static orr_status take_epoch(reading *r, const orr_rinex_obs_epoch *e, bool skip
     return ORR_OK;
 }
 
+// Opens the observations again for each pass.
+static orr_status open_observations(const reading *r, const char *path, orr_warnings *warnings,
+                                    orr_rinex_obs **out, orr_diag *diag)
+{
+    return r->data != NULL ? orr_rinex_obs_open_memory(path, r->data, r->n_data, NULL, warnings, out, diag)
+                           : orr_rinex_obs_open(path, NULL, warnings, out, diag);
+}
+
 static orr_status pass(reading *r, const char *path, bool counting, orr_phase_tec *out,
                        orr_warnings *warnings, orr_diag *diag)
 {
     orr_rinex_obs *file;
-    orr_status s = orr_rinex_obs_open(path, NULL, warnings, &file, diag);
+    orr_status s = open_observations(r, path, warnings, &file, diag);
     if (s != ORR_OK) return s;
     const orr_rinex_obs_header *h = orr_rinex_obs_header_of(file);
     const orr_phase_options *o = r->o;
@@ -437,14 +447,18 @@ static orr_status finish(reading *r, const char *path, orr_phase_tec *out, orr_d
     return ORR_OK;
 }
 
-orr_status orr_phase_tec_read(const char *path, const orr_phase_options *options, orr_phase_tec *out,
-                              orr_warnings *warnings, orr_diag *diag)
+// data NULL: of the file itself.
+static orr_status read_observations(const char *path, const char *data, size_t n,
+                                    const orr_phase_options *options, orr_phase_tec *out,
+                                    orr_warnings *warnings, orr_diag *diag)
 {
     *out = (orr_phase_tec){0};
     orr_phase_options o = options != NULL ? *options : orr_phase_default_options();
     reading *r = calloc(1, sizeof *r);
     if (r == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory to read observations");
     r->o = &o;
+    r->data = data;
+    r->n_data = n;
     orr_status s = pass(r, path, true, out, warnings, diag);
     for (size_t slot = 0; s == ORR_OK && slot < SAT_SLOTS; slot++) {
         if (r->tally[slot] == NULL) continue;
@@ -466,6 +480,19 @@ orr_status orr_phase_tec_read(const char *path, const orr_phase_options *options
     reading_free(r);
     if (s != ORR_OK) orr_phase_tec_free(out);
     return s;
+}
+
+orr_status orr_phase_tec_read(const char *path, const orr_phase_options *options, orr_phase_tec *out,
+                              orr_warnings *warnings, orr_diag *diag)
+{
+    return read_observations(path, NULL, 0, options, out, warnings, diag);
+}
+
+orr_status orr_phase_tec_read_bytes(const char *name, const void *data, size_t n,
+                                    const orr_phase_options *options, orr_phase_tec *out,
+                                    orr_warnings *warnings, orr_diag *diag)
+{
+    return read_observations(name, data, n, options, out, warnings, diag);
 }
 
 void orr_phase_tec_free(orr_phase_tec *p)

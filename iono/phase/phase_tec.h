@@ -61,6 +61,10 @@ typedef struct orr_phase_tec {
 // options may be NULL.
 orr_status orr_phase_tec_read(const char *path, const orr_phase_options *options, orr_phase_tec *out,
                               orr_warnings *warnings, orr_diag *diag);
+// The same of a file's bytes, compressed or not; `name` is for messages.
+orr_status orr_phase_tec_read_bytes(const char *name, const void *data, size_t n,
+                                    const orr_phase_options *options, orr_phase_tec *out,
+                                    orr_warnings *warnings, orr_diag *diag);
 void orr_phase_tec_free(orr_phase_tec *p);
 
 // Fig. 10: the same satellite seen from two receivers. Arcs of both are cut to common epochs (matched within

@@ -1,125 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery iono: a station's carrier phases and a TEC field fused into a session of delays; two stations side
 // by side.
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/nan.h"
 #include "core/outfile.h"
-#include "ingest/tables/sinex.h"
-#include "iono/field/tec_files.h"
-#include "iono/fusion/session.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/iono/iono_report.h"
-#include "src/cli/iono/position_source.h"
 #include "src/cli/iono/tec_options.h"
-
-#define MAX_BIAS_FILES 16
+#include "src/make/station.h"
 
 // What a run holds, so that one place frees it.
 typedef struct work {
-    orr_position_source *orbit;
-    orr_tec_field *field;
-    orr_bias_set bias[MAX_BIAS_FILES];
-    size_t n_biases;
-    orr_phase_tec phase, other;
-    orr_fusion fusion;
-    orr_session session;
+    orr_station_plan plan;
+    const char **biases;
+    orr_station station;
+    orr_phase_tec other;
     orr_curves comparison;
     orr_warnings warnings;
 } work;
 
 static void work_free(work *w)
 {
-    orr_position_source_close(w->orbit);
-    orr_tec_field_free(w->field);
-    for (size_t i = 0; i < w->n_biases; i++) orr_bias_free(&w->bias[i]);
-    orr_fusion_free(&w->fusion, &w->phase);
-    orr_phase_tec_free(&w->phase);
+    orr_station_free(&w->station);
     orr_phase_tec_free(&w->other);
-    orr_session_free(&w->session);
     orr_curves_free(&w->comparison);
     orr_warnings_free(&w->warnings);
+    free(w->biases);
 }
 
-// --receiver PLACE or --sinex FILE (the station by the first four characters of the file's name in the
-// observations).
-static orr_status ask_position(const orr_cli *c, bool *given, orr_vec3 *out, orr_diag *diag)
+// The options; an exit status.
+static int make_plan(const orr_cli *c, work *w)
 {
+    orr_station_plan *p = &w->plan;
+    *p = orr_station_plan_default();
+    p->observations = c->operand[0];
+    p->orbit = orr_cli_text(c, "orbit", NULL);
+    w->biases = orr_cli_texts(c, "biases", &p->n_biases);
+    if (w->biases == NULL) return orr_cli_failf(c, "out of memory");
+    p->biases = w->biases;
     orr_geodetic place;
-    *given = orr_cli_place(c, "receiver", &place);
-    if (*given) {
-        *out = orr_earth_to_ecef(place);
-        return ORR_OK;
-    }
-    if (!orr_cli_given(c, "sinex")) return ORR_OK;
-    const char *slash = strrchr(c->operand[0], '/'), *name = slash != NULL ? slash + 1 : c->operand[0];
-    char code[5] = "";
-    snprintf(code, sizeof code, "%.4s", name);
-    const char *station = orr_cli_text(c, "station", code);
-    orr_sinex x;
-    orr_status s = orr_sinex_read(orr_cli_text(c, "sinex", ""), NULL, &x, NULL, diag);
-    if (s != ORR_OK) return s;
-    double pos[3];
-    s = orr_sinex_position(&x, station, orr_cli_time(c, "from", x.from), pos);
-    orr_sinex_free(&x);
-    if (s != ORR_OK)
-        return orr_diag_set(diag, s, "%s has no coordinates of station %s (--station names another)",
-                            orr_cli_text(c, "sinex", ""), station);
-    *out = (orr_vec3){pos[0], pos[1], pos[2]};
-    *given = true;
-    return ORR_OK;
-}
-
-static orr_status read_phases(const orr_cli *c, work *w, const char *path, const orr_vec3 *site,
-                              orr_phase_tec *out, orr_diag *diag)
-{
-    orr_phase_options o = orr_phase_default_options();
-    o.sats = orr_cli_sats(c, "sat");
-    o.from = orr_cli_time(c, "from", ORR_TIME_NONE);
-    o.to = orr_cli_time(c, "to", ORR_TIME_NONE);
-    o.step_s = (double)orr_cli_duration_ns(c, "step", 0) * 1e-9;
-    o.mask_rad = orr_cli_real(c, "mask", 10) * ORR_RAD_PER_DEG;
-    o.site_m = site;
-    o.windup = !orr_cli_given(c, "no-windup");
-    if (w->orbit != NULL) {
-        o.position = orr_position_source_at;
-        o.user = w->orbit;
-    }
-    if (w->field != NULL) o.shell_radius_m = orr_tec_field_shell_radius_m(w->field);
-    // Gaps are measured in the data's own interval: what a pair of missing epochs is at 30 s is much at 1 s
-    // and nothing at 5 min.
-    orr_status s = orr_phase_tec_read(path, &o, out, &w->warnings, diag);
-    if (s == ORR_OK && out->interval_s * 4 > o.arcs.max_gap_s) {
-        o.arcs.max_gap_s = 4 * out->interval_s;
-        o.arcs.min_samples = 10;
-        orr_phase_tec_free(out);
-        s = orr_phase_tec_read(path, &o, out, NULL, diag);
-    }
-    return s;
-}
-
-static orr_status read_inputs(const orr_cli *c, work *w, orr_diag *diag)
-{
-    orr_status s = ORR_OK;
-    if (orr_cli_given(c, "orbit"))
-        s = orr_position_source_open(orr_cli_text(c, "orbit", ""), &w->orbit, &w->warnings, diag);
-    for (size_t i = 0; s == ORR_OK && i < orr_cli_count(c, "biases"); i++) {
-        if (i == MAX_BIAS_FILES)
-            return orr_diag_set(diag, ORR_E_LIMIT, "more than %d files of biases", MAX_BIAS_FILES);
-        s = orr_bias_read(orr_cli_text_at(c, "biases", i), NULL, &w->bias[i], &w->warnings, diag);
-        if (s == ORR_OK) w->n_biases = i + 1;
-    }
-    return s;
-}
-
-static orr_status open_field(const orr_cli *c, const orr_tec_options *o, work *w, orr_diag *diag)
-{
-    orr_status s = orr_tec_field_open(orr_cli_text(c, "field", ""), o, &w->field, &w->warnings, diag);
-    if (s == ORR_OK) orr_tec_fit_say(c, w->field);
-    return s;
+    p->has_site = orr_cli_place(c, "receiver", &place);
+    if (p->has_site) p->site_m = orr_earth_to_ecef(place);
+    p->sinex = orr_cli_text(c, "sinex", NULL);
+    p->code = orr_cli_text(c, "station", NULL);
+    p->phase.sats = orr_cli_sats(c, "sat");
+    p->phase.from = orr_cli_time(c, "from", ORR_TIME_NONE);
+    p->phase.to = orr_cli_time(c, "to", ORR_TIME_NONE);
+    p->phase.step_s = (double)orr_cli_duration_ns(c, "step", 0) * 1e-9;
+    p->phase.mask_rad = orr_cli_real(c, "mask", 10) * ORR_RAD_PER_DEG;
+    p->phase.windup = !orr_cli_given(c, "no-windup");
+    if (orr_cli_given(c, "compare")) return ORR_EXIT_OK;
+    p->field = orr_cli_text(c, "field", NULL);
+    if (p->field == NULL) return orr_cli_usage(c, "a fusion needs a field: --field FILE");
+    if (p->orbit == NULL) return orr_cli_usage(c, "a fusion needs the satellites' positions: --orbit FILE");
+    orr_fusion_options *f = &p->fusion;
+    f->method =
+        strcmp(orr_cli_text(c, "method", "joint"), "thesis") == 0 ? ORR_FUSION_THESIS : ORR_FUSION_JOINT;
+    const char *systems = orr_cli_text(c, "code", f->code_systems);
+    if (strcmp(systems, "none") == 0) systems = "";
+    if (strlen(systems) >= sizeof f->code_systems || strspn(systems, ORR_SYSTEMS) != strlen(systems))
+        return orr_cli_usage(c, "--code \"%s\" is no row of system letters (%s), nor none", systems,
+                             ORR_SYSTEMS);
+    memmove(f->code_systems, systems, strlen(systems) + 1);
+    return orr_tec_options_ask(c, &p->tec);
 }
 
 static orr_status print_to(const orr_cli *c, const work *w,
@@ -150,22 +95,20 @@ static void print_comparison(FILE *f, const orr_cli *c, const work *w)
 static int compare(const orr_cli *c, work *w)
 {
     orr_diag diag = {0};
-    orr_vec3 site = {0};
-    bool given = false;
-    orr_status s = read_inputs(c, w, &diag);
-    if (s == ORR_OK) s = ask_position(c, &given, &site, &diag);
-    if (s == ORR_OK) s = read_phases(c, w, c->operand[0], given ? &site : NULL, &w->phase, &diag);
-    if (s == ORR_OK) s = read_phases(c, w, orr_cli_text(c, "compare", ""), NULL, &w->other, &diag);
+    const orr_phase_tec *phase = &w->station.phase;
+    orr_status s = orr_station_open(&w->plan, &w->station, &w->warnings, &diag);
     if (s == ORR_OK)
-        s = orr_phase_compare(&w->phase, &w->other, orr_cli_real(c, "match", 0.1), 20, &w->comparison, &diag);
+        s = orr_station_other(&w->station, orr_cli_text(c, "compare", ""), &w->other, &w->warnings, &diag);
+    if (s == ORR_OK)
+        s = orr_phase_compare(phase, &w->other, orr_cli_real(c, "match", 0.1), 20, &w->comparison, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     const orr_curves *k = &w->comparison;
-    if (orr_cli_given(c, "json")) orr_iono_report_comparison_json(stdout, &w->phase, &w->other, k);
+    if (orr_cli_given(c, "json")) orr_iono_report_comparison_json(stdout, phase, &w->other, k);
     if (orr_cli_given(c, "csv") || !orr_cli_given(c, "json")) s = print_to(c, w, print_comparison, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     orr_cli_say(c,
                 "%s and %s, %.0f m apart: %zu curves, %zu epochs, RMS difference %.4f TECU (%.2f cm on L1)",
-                w->phase.marker, w->other.marker, k->baseline_m, k->n_curves, k->n_points, k->rms_tecu,
+                phase->marker, w->other.marker, k->baseline_m, k->n_curves, k->n_points, k->rms_tecu,
                 100 * orr_iono_delay_m(k->rms_tecu, 1575.42e6, ORR_MEASURES_CODE));
     return ORR_EXIT_OK;
 }
@@ -173,73 +116,43 @@ static int compare(const orr_cli *c, work *w)
 static void print_session(FILE *f, const orr_cli *c, const work *w)
 {
     (void)c;
-    orr_iono_report_session_csv(f, &w->session);
+    orr_iono_report_session_csv(f, &w->station.session);
 }
 
-static orr_status save(orr_cli *c, work *w, orr_diag *diag)
+static void report(const orr_cli *c, const orr_station *st, const orr_leave_out *left)
 {
-    const char *input[MAX_BIAS_FILES + 3];
-    size_t n = 0;
-    input[n++] = c->operand[0];
-    input[n++] = orr_cli_text(c, "field", "");
-    input[n++] = orr_cli_text(c, "orbit", "");
-    for (size_t i = 0; i < w->n_biases; i++) input[n++] = orr_cli_text_at(c, "biases", i);
-    orr_status s = orr_session_save(&w->session, orr_cli_text(c, "output", ""), c->call, input, n, diag);
-    return s;
+    const bool explain = orr_cli_given(c, "explain");
+    if (orr_cli_given(c, "json"))
+        orr_iono_report_json(stdout, &st->phase, &st->fusion, left, explain);
+    else
+        orr_iono_report_text(stdout, &st->phase, &st->fusion, left, explain);
 }
 
-static int fuse(orr_cli *c, work *w)
+static int fuse(const orr_cli *c, work *w)
 {
     orr_diag diag = {0};
-    orr_tec_options o;
-    int e = orr_tec_options_ask(c, &o);
-    if (e != ORR_EXIT_OK) return e;
-    if (!orr_cli_given(c, "field")) return orr_cli_usage(c, "a fusion needs a field: --field FILE");
-    if (!orr_cli_given(c, "orbit"))
-        return orr_cli_usage(c, "a fusion needs the satellites' positions: --orbit FILE");
-    orr_fusion_options f = orr_fusion_default_options();
-    f.method =
-        strcmp(orr_cli_text(c, "method", "joint"), "thesis") == 0 ? ORR_FUSION_THESIS : ORR_FUSION_JOINT;
-    const char *systems = orr_cli_text(c, "code", f.code_systems);
-    if (strcmp(systems, "none") == 0) systems = "";
-    if (strlen(systems) >= sizeof f.code_systems || strspn(systems, ORR_SYSTEMS) != strlen(systems))
-        return orr_cli_usage(c, "--code \"%s\" is no row of system letters (%s), nor none", systems,
-                             ORR_SYSTEMS);
-    memcpy(f.code_systems, systems, strlen(systems) + 1);
-    orr_status s = open_field(c, &o, w, &diag);
-    if (s == ORR_OK) s = read_inputs(c, w, &diag);
-    orr_vec3 site = {0};
-    bool given = false;
-    if (s == ORR_OK) s = ask_position(c, &given, &site, &diag);
-    if (s == ORR_OK) s = read_phases(c, w, c->operand[0], given ? &site : NULL, &w->phase, &diag);
+    orr_station *st = &w->station;
+    const char *output = orr_cli_text(c, "output", NULL);
+    const bool without_one = orr_cli_given(c, "leave-one-out"), csv = orr_cli_given(c, "csv");
     orr_leave_out left = {0};
-    if (s == ORR_OK && orr_cli_given(c, "leave-one-out"))
-        s = orr_fusion_leave_one_out(&w->phase, w->field, w->bias, w->n_biases, &f, 3600, &left, &diag);
-    if (s == ORR_OK) s = orr_fuse(&w->phase, w->field, w->bias, w->n_biases, &f, &w->fusion, &diag);
+    orr_status s = orr_station_open(&w->plan, st, &w->warnings, &diag);
+    if (st->field != NULL) orr_tec_fit_say(c, st->field);
+    if (s == ORR_OK && without_one)
+        s = orr_fusion_leave_one_out(&st->phase, st->field, st->bias, st->n_biases, &w->plan.fusion, 3600,
+                                     &left, &diag);
+    if (s == ORR_OK) s = orr_station_fuse(st, &w->warnings, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
-    if (w->fusion.n_no_model > 0)
-        orr_warnings_add(&w->warnings, orr_tec_field_source(w->field), 0, 0,
-                         "%zu samples pierce holes of the maps and are left out", w->fusion.n_no_model);
-    bool explain = orr_cli_given(c, "explain"), json = orr_cli_given(c, "json");
-    if (json)
-        orr_iono_report_json(stdout, &w->phase, &w->fusion, orr_cli_given(c, "leave-one-out") ? &left : NULL,
-                             explain);
-    else
-        orr_iono_report_text(stdout, &w->phase, &w->fusion, orr_cli_given(c, "leave-one-out") ? &left : NULL,
-                             explain);
-    if (!orr_cli_given(c, "output") && !orr_cli_given(c, "csv")) return ORR_EXIT_OK;
-    double gap = fmax(300, 4 * w->phase.interval_s);
-    orr_tec_field *field = w->field;
-    w->field = NULL; // the session owns it now
-    s = orr_session_make(&w->phase, &w->fusion, field, gap, &w->session, &diag);
-    if (s == ORR_OK && orr_cli_given(c, "csv")) s = print_to(c, w, print_session, &diag);
-    if (s == ORR_OK && orr_cli_given(c, "output")) s = save(c, w, &diag);
+    report(c, st, without_one ? &left : NULL);
+    if (output == NULL && !csv) return ORR_EXIT_OK;
+    s = orr_station_session(st, &diag);
+    if (s == ORR_OK && csv) s = print_to(c, w, print_session, &diag);
+    if (s == ORR_OK && output != NULL) s = orr_station_save(st, output, c->call, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
+    const orr_session *session = &st->session;
     orr_cli_say(c, "small-scale structure: %.2f TECU, fading over %.0f km and %.0f min",
-                w->session.small.sigma_tecu, w->session.small.length_m / 1e3, w->session.small.time_s / 60);
-    if (orr_cli_given(c, "output"))
-        orr_cli_say(c, "%s: %zu arcs, %zu samples", orr_cli_text(c, "output", ""), w->session.n_arcs,
-                    w->session.n_samples);
+                session->small.sigma_tecu, session->small.length_m / 1e3, session->small.time_s / 60);
+    if (output != NULL)
+        orr_cli_say(c, "%s: %zu arcs, %zu samples", output, session->n_arcs, session->n_samples);
     return ORR_EXIT_OK;
 }
 
@@ -247,7 +160,8 @@ static int run(orr_cli *c)
 {
     work *w = calloc(1, sizeof *w);
     if (w == NULL) return orr_cli_failf(c, "out of memory");
-    int e = orr_cli_given(c, "compare") ? compare(c, w) : fuse(c, w);
+    int e = make_plan(c, w);
+    if (e == ORR_EXIT_OK) e = orr_cli_given(c, "compare") ? compare(c, w) : fuse(c, w);
     orr_cli_warnings(c, &w->warnings);
     work_free(w);
     free(w);

@@ -3,6 +3,7 @@
 // that they did not use, and against arcs that they did not see.
 #include <unistd.h>
 
+#include "core/sha256.h"
 #include "iono/fusion/session.h"
 #include "station_day.h"
 
@@ -95,7 +96,9 @@ static void test_session(void **state)
     int fd = mkstemp(file);
     assert_true(fd >= 0);
     close(fd);
-    const char *inputs[] = {path};
+    char hash[ORR_SHA256_HEX];
+    ASSERT_OK(orr_sha256_file(path, hash, &d), d);
+    const orr_nc_input inputs[] = {{.path = path, .sha256 = hash}};
     ASSERT_OK(orr_session_save(&made, file, "a test", inputs, 1, &d), d);
     ASSERT_OK(orr_session_load(file, &s, &d), d);
     unlink(file);

@@ -3,11 +3,14 @@
 """orrery tec and orrery iono on a real station's day, and on what they must refuse."""
 import csv
 import gzip
+import hashlib
 import io
 import json
 import math
 import os
 import pathlib
+import re
+import subprocess
 import sys
 import unittest
 
@@ -73,6 +76,29 @@ class Station(unittest.TestCase):
         self.refused("below the horizon", "tec", MAPS, "--at", "2024-02-04T07:20", "--receiver", "0,0,0", "--el", "-3")
         self.refused("neither an IONEX", "tec", OBS, "--at", "2024-02-04T07:20", "--point", "0,0")
         self.refused("where?", "tec", MAPS, "--at", "2024-02-04T07:20", status=2)
+
+    def test_a_session_from_pipes_is_the_same(self):
+        """Each input is read once, so that pipes do as well as files, and their bytes are what is hashed."""
+        fed = [OBS, MAPS, NAV]
+        pipes = []
+        (WORK / "pipes").mkdir()
+        for path in fed:
+            pipes.append(WORK / "pipes" / path.name)
+            os.mkfifo(pipes[-1])
+        files, piped = WORK / "files.nc", WORK / "piped.nc"
+        self.ok("iono", fed[0], "--field", fed[1], "--orbit", fed[2], "--to", "2024-02-04T06:00", "-q", "-o", files)
+        writers = [subprocess.Popen(["cp", source, pipe]) for source, pipe in zip(fed, pipes)]
+        try:
+            self.ok("iono", pipes[0], "--field", pipes[1], "--orbit", pipes[2], "--to", "2024-02-04T06:00", "-q", "-o", piped)
+        finally:
+            for writer in writers:
+                writer.kill()
+                writer.wait()
+        dumps = [subprocess.run(["ncdump", f], capture_output=True, text=True, check=True).stdout.split("\n", 1)[1] for f in (files, piped)]
+        same = [re.sub(r"(:history = ).*", r"\1", text) for text in dumps]
+        self.assertTrue(same[0] == same[1], "sessions differ")
+        for path in fed:
+            self.assertIn(hashlib.sha256(path.read_bytes()).hexdigest(), dumps[1])
 
     def test_fusion(self):
         session = WORK / "session.nc"

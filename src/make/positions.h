@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Positions of satellites for rooms that do not know orbits: from an orbit product, or from broadcast
+// ephemerides.
+#ifndef ORR_MAKE_POSITIONS_H
+#define ORR_MAKE_POSITIONS_H
+
+#include "iono/phase/phase_tec.h"
+#include "src/make/inputs.h"
+
+typedef struct orr_positions orr_positions;
+
+// A product of `orrery orbit`, or a RINEX navigation file, by content. It is appended to `inputs` (may be NULL).
+orr_status orr_positions_open(const char *path, orr_positions **out, orr_inputs *inputs,
+                              orr_warnings *warnings, orr_diag *diag);
+void orr_positions_close(orr_positions *p);
+// An orr_position_fn; user is the source.
+bool orr_positions_at(void *user, orr_sat sat, orr_time t, orr_vec3 *pos_m);
+
+#endif

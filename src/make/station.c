@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/make/station.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ingest/tables/sinex.h"
+
+orr_station_plan orr_station_plan_default(void)
+{
+    return (orr_station_plan){.phase = orr_phase_default_options(),
+                              .tec = orr_tec_default_options(),
+                              .fusion = orr_fusion_default_options()};
+}
+
+void orr_station_free(orr_station *s)
+{
+    orr_bytes_free(&s->observations);
+    orr_positions_close(s->positions);
+    orr_tec_field_free(s->field);
+    for (size_t i = 0; i < s->n_biases; i++) orr_bias_free(&s->bias[i]);
+    orr_fusion_free(&s->fusion, &s->phase);
+    orr_phase_tec_free(&s->phase);
+    orr_session_free(&s->session);
+    orr_inputs_free(&s->inputs);
+    *s = (orr_station){0};
+}
+
+static orr_status read_biases(orr_station *s, orr_warnings *warnings, orr_diag *diag)
+{
+    const orr_station_plan *p = s->plan;
+    if (p->n_biases > ORR_STATION_MAX_BIASES)
+        return orr_diag_set(diag, ORR_E_LIMIT, "more than %d files of biases", ORR_STATION_MAX_BIASES);
+    orr_status status = ORR_OK;
+    for (size_t i = 0; i < p->n_biases && status == ORR_OK; i++) {
+        orr_bytes text;
+        status = orr_inputs_read(&s->inputs, p->biases[i], &text, diag);
+        if (status == ORR_OK)
+            status = orr_bias_parse(p->biases[i], text.text, text.n, NULL, &s->bias[i], warnings, diag);
+        orr_bytes_free(&text);
+        if (status == ORR_OK) s->n_biases = i + 1;
+    }
+    return status;
+}
+
+static orr_status site_of_sinex(orr_station *s, orr_diag *diag)
+{
+    const orr_station_plan *p = s->plan;
+    const char *slash = strrchr(p->observations, '/');
+    char code[5];
+    snprintf(code, sizeof code, "%.4s", slash != NULL ? slash + 1 : p->observations);
+    const char *name = p->code != NULL ? p->code : code;
+    orr_bytes text;
+    orr_sinex x;
+    double pos[3];
+    orr_status status = orr_inputs_read(&s->inputs, p->sinex, &text, diag);
+    if (status != ORR_OK) return status;
+    status = orr_sinex_parse(p->sinex, text.text, text.n, NULL, &x, NULL, diag);
+    orr_bytes_free(&text);
+    if (status != ORR_OK) return status;
+    status = orr_sinex_position(&x, name, p->phase.from != ORR_TIME_NONE ? p->phase.from : x.from, pos);
+    orr_sinex_free(&x);
+    if (status != ORR_OK)
+        return orr_diag_set(diag, status, "%s has no coordinates of station %s (--station names another)",
+                            p->sinex, name);
+    s->site_m = (orr_vec3){pos[0], pos[1], pos[2]};
+    return ORR_OK;
+}
+
+static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *diag)
+{
+    const orr_station_plan *p = s->plan;
+    orr_status status = orr_inputs_read_raw(&s->inputs, p->observations, &s->observations, diag);
+    if (status == ORR_OK && p->field != NULL) {
+        orr_bytes text;
+        status = orr_inputs_read(&s->inputs, p->field, &text, diag);
+        if (status == ORR_OK)
+            status = orr_tec_field_parse(p->field, text.text, text.n, &p->tec, &s->field, warnings, diag);
+        orr_bytes_free(&text);
+    }
+    if (status == ORR_OK && p->orbit != NULL)
+        status = orr_positions_open(p->orbit, &s->positions, &s->inputs, warnings, diag);
+    if (status == ORR_OK) status = read_biases(s, warnings, diag);
+    if (status == ORR_OK && !p->has_site && p->sinex != NULL) status = site_of_sinex(s, diag);
+    return status;
+}
+
+static orr_status read_phases(const char *name, const orr_bytes *raw, const orr_phase_options *options,
+                              orr_phase_tec *out, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_phase_options o = *options;
+    orr_status s = orr_phase_tec_read_bytes(name, raw->text, raw->n, &o, out, warnings, diag);
+    // Gaps are measured in the data's own interval: what a pair of missing epochs is at 30 s is much at 1 s and nothing
+    // at 5 min.
+    if (s == ORR_OK && out->interval_s * 4 > o.arcs.max_gap_s) {
+        o.arcs.max_gap_s = 4 * out->interval_s;
+        o.arcs.min_samples = 10;
+        orr_phase_tec_free(out);
+        s = orr_phase_tec_read_bytes(name, raw->text, raw->n, &o, out, NULL, diag);
+    }
+    return s;
+}
+
+orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_warnings *warnings,
+                            orr_diag *diag)
+{
+    *out = (orr_station){.plan = plan, .options = plan->phase, .site_m = plan->site_m};
+    orr_status s = read_inputs(out, warnings, diag);
+    if (s != ORR_OK) return s;
+    orr_phase_options *o = &out->options;
+    if (out->positions != NULL) {
+        o->position = orr_positions_at;
+        o->user = out->positions;
+    }
+    if (out->field != NULL) o->shell_radius_m = orr_tec_field_shell_radius_m(out->field);
+    orr_phase_options own = *o;
+    own.site_m = plan->has_site || plan->sinex != NULL ? &out->site_m : NULL;
+    s = read_phases(plan->observations, &out->observations, &own, &out->phase, warnings, diag);
+    orr_bytes_free(&out->observations);
+    return s;
+}
+
+orr_status orr_station_other(const orr_station *s, const char *path, orr_phase_tec *out,
+                             orr_warnings *warnings, orr_diag *diag)
+{
+    orr_bytes raw;
+    *out = (orr_phase_tec){0};
+    orr_status status = orr_inputs_read_raw(NULL, path, &raw, diag);
+    if (status == ORR_OK) status = read_phases(path, &raw, &s->options, out, warnings, diag);
+    orr_bytes_free(&raw);
+    return status;
+}
+
+orr_status orr_station_fuse(orr_station *s, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_status status =
+        orr_fuse(&s->phase, s->field, s->bias, s->n_biases, &s->plan->fusion, &s->fusion, diag);
+    if (status == ORR_OK && s->fusion.n_no_model > 0)
+        orr_warnings_add(warnings, orr_tec_field_source(s->field), 0, 0,
+                         "%zu samples pierce holes of the maps and are left out", s->fusion.n_no_model);
+    return status;
+}
+
+orr_status orr_station_session(orr_station *s, orr_diag *diag)
+{
+    orr_tec_field *field = s->field;
+    s->field = NULL; // the session owns it now
+    return orr_session_make(&s->phase, &s->fusion, field, fmax(300, 4 * s->phase.interval_s), &s->session,
+                            diag);
+}
+
+orr_status orr_station_save(const orr_station *s, const char *path, const char *history, orr_diag *diag)
+{
+    orr_nc_input *input = calloc(s->inputs.n + 1, sizeof *input);
+    if (input == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the names of inputs");
+    for (size_t i = 0; i < s->inputs.n; i++)
+        input[i] = (orr_nc_input){.path = s->inputs.item[i].name, .sha256 = s->inputs.item[i].sha256};
+    orr_status status = orr_session_save(&s->session, path, history, input, s->inputs.n, diag);
+    free(input);
+    return status;
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A station's observations, a TEC field, positions of satellites and options to a fused session of delays: what
+// `orrery iono` writes. Each input is read once.
+#ifndef ORR_MAKE_STATION_H
+#define ORR_MAKE_STATION_H
+
+#include "iono/field/tec_files.h"
+#include "iono/fusion/session.h"
+#include "src/make/positions.h"
+
+#define ORR_STATION_MAX_BIASES 16
+
+typedef struct orr_station_plan {
+    const char *observations;
+    const char *field;         // NULL: none (phases alone)
+    const char *orbit;         // an orbit product or a navigation file; NULL: none (phases alone)
+    const char *const *biases; // code biases of satellites
+    size_t n_biases;
+    bool has_site; // the station's position (ecef); else by `sinex`, else the header's
+    orr_vec3 site_m;
+    const char *sinex; // NULL: none
+    const char *code;  // the station's name there; NULL: the first four characters of the observations' name
+    orr_phase_options phase; // site_m, position, user and shell_radius_m are set by orr_station_open
+    orr_tec_options tec;
+    orr_fusion_options fusion;
+} orr_station_plan;
+// Defaults of all options, no files.
+orr_station_plan orr_station_plan_default(void);
+
+typedef struct orr_station {
+    const orr_station_plan *plan; // borrowed
+    orr_phase_options options;    // of phases, completed
+    orr_vec3 site_m;
+    orr_bytes observations; // as they were read
+    orr_positions *positions;
+    orr_tec_field *field; // NULL once the session has it
+    orr_bias_set bias[ORR_STATION_MAX_BIASES];
+    size_t n_biases;
+    orr_phase_tec phase;
+    orr_fusion fusion;
+    orr_session session;
+    orr_inputs inputs; // provenance
+} orr_station;
+
+// Reads everything, then the phases. Errors: those of the readers and of orr_phase_tec_read; ORR_E_LIMIT (biases);
+// ORR_E_NODATA (no such station in `sinex`). Free with orr_station_free whatever it returned.
+orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_warnings *warnings,
+                            orr_diag *diag);
+void orr_station_free(orr_station *s);
+
+// Phases of another station's file, at the position of its header, with the same options.
+orr_status orr_station_other(const orr_station *s, const char *path, orr_phase_tec *out,
+                             orr_warnings *warnings, orr_diag *diag);
+
+// Fuses phases and field into s->fusion; then makes a session of them, which takes the field over, in s->session.
+orr_status orr_station_fuse(orr_station *s, orr_warnings *warnings, orr_diag *diag);
+orr_status orr_station_session(orr_station *s, orr_diag *diag);
+// Writes the session with its provenance.
+orr_status orr_station_save(const orr_station *s, const char *path, const char *history, orr_diag *diag);
+
+#endif
