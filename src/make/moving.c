@@ -152,7 +152,13 @@ static orr_status make_telemetry(const orr_scenario_trajectory *m, orr_time fall
     memset(&j, 0, sizeof j);
     orr_status s = ORR_OK;
     for (size_t k = 0; k < m->logs.n && s == ORR_OK; k++) {
-        s = orr_telemetry_read(m->logs.item[k].file, m->logs.item[k].columns, &j.log[k], warnings, diag);
+        const char *path = m->logs.item[k].file;
+        orr_bytes raw;
+        s = orr_inputs_read_raw(&out->inputs, path, &raw, diag);
+        if (s == ORR_OK)
+            s = orr_telemetry_read_bytes(path, raw.text, raw.n, m->logs.item[k].columns, &j.log[k], warnings,
+                                         diag);
+        orr_bytes_free(&raw);
         j.n = k + 1;
     }
     orr_time zero = 0;
@@ -279,7 +285,10 @@ static orr_status make_gravity(const orr_scenario_gravity *g, const orr_mat3 *C,
     }
     if (g->has_profile) add_profile(&g->profile, C, &p);
     if (s == ORR_OK && g->file != NULL) {
-        s = orr_gravity_file_read(g->file, &file, diag);
+        orr_bytes raw;
+        s = orr_inputs_read_raw(&out->inputs, g->file, &raw, diag);
+        if (s == ORR_OK) s = orr_gravity_file_read_bytes(g->file, raw.text, raw.n, &file, diag);
+        orr_bytes_free(&raw);
         if (s == ORR_OK) s = add_file(g, C, &file, &p, diag);
     }
     if (s == ORR_OK) s = make_masses(g, C, &mass, diag);
@@ -394,6 +403,7 @@ void orr_moving_free(orr_moving *v)
     orr_gravity_free(v->gravity);
     orr_gravity_model_free(v->model);
     orr_fit_report_free(&v->report);
+    orr_inputs_free(&v->inputs);
     memset(v, 0, sizeof *v);
 }
 

@@ -9,6 +9,7 @@
 #include "inertial/motion/telemetry_fit.h"
 #include "inertial/readings/imu.h"
 #include "src/config/scenario.h"
+#include "src/make/inputs.h"
 
 // A scenario's motion, prepared. Unit 0 is the body's own reference; unit k is units.item[k - 1].
 typedef struct orr_moving {
@@ -21,6 +22,7 @@ typedef struct orr_moving {
     double rate_hz;
     bool from_telemetry;
     orr_fit_report report; // of telemetry
+    orr_inputs inputs;     // the files that were read: logs, gravity
 } orr_moving;
 
 // Begin of a motion that nothing dates (2024-02-04T00:00:00 GPS): readings of a file and of a service agree.

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery imu: ideal inertial readings of a scenario's flight or of a log.
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/sha256.h"
-#include "inertial/readings/imu_file.h"
-#include "inertial/sense/sensors.h"
+#include "core/outfile.h"
 #include "src/cli/inertial/moving.h"
+#include "src/make/readings.h"
 
-#define MAX_INPUTS 4 // a scenario, two logs, a file of gravity
-
-static void mode_options(const orr_cli *c, const orr_moving *v, orr_imu_request *q)
+static void mode_options(const orr_cli *c, orr_readings_plan *p)
 {
-    orr_imu_mode *m = &q->mode;
+    orr_imu_mode *m = &p->mode;
     m->approach = (int)orr_cli_int(c, "approach", m->approach);
     const char *frame = orr_cli_text(c, "frame", orr_nav_frame_name(m->frame));
     m->frame = *frame == 'i' ? ORR_FRAME_INERTIAL : *frame == 'g' ? ORR_FRAME_GEOGRAPHIC : ORR_FRAME_BODY;
@@ -23,17 +18,8 @@ static void mode_options(const orr_cli *c, const orr_moving *v, orr_imu_request 
         *orr_cli_text(c, "quadrature", m->quadrature == ORR_QUADRATURE_RIEMANN ? "riemann" : "gauss") == 'r';
     m->quadrature = riemann ? ORR_QUADRATURE_RIEMANN : ORR_QUADRATURE_GAUSS;
     if (orr_cli_given(c, "quadrature") || orr_cli_given(c, "rate"))
-        m->order = orr_moving_order(v, m->quadrature, q->rate_hz);
+        m->order = orr_moving_order(p->moving, m->quadrature, p->rate_hz);
     m->order = (int)orr_cli_int(c, "order", m->order);
-}
-
-// Readings from one instant of truth to the next: as many as the wished rate says, at most all of them.
-static size_t truth_every(const orr_cli *c, const orr_imu *imu)
-{
-    double wish =
-        orr_cli_real(c, "truth-rate", imu->mode.approach == 1 ? imu->rate_hz : fmin(imu->rate_hz, 20.0));
-    double k = floor(imu->rate_hz / wish + 1e-9);
-    return k < 1.0 ? 1 : k < (double)imu->n ? (size_t)k : imu->n;
 }
 
 static bool is_csv(const char *path)
@@ -42,88 +28,59 @@ static bool is_csv(const char *path)
     return strcmp(path, "-") == 0 || (n > 4 && strcmp(path + n - 4, ".csv") == 0);
 }
 
-static orr_status write_file(orr_cli *c, const char *path, const orr_imu *imu, const orr_gravimetry *truth,
-                             const orr_moving *v, const orr_scenario *sc, size_t every, orr_diag *diag)
+static orr_status write_csv(const char *path, const orr_imu *imu, orr_diag *diag)
 {
-    if (is_csv(path)) {
-        orr_outfile f;
-        orr_status s = orr_outfile_open(path, &f, diag);
-        if (s != ORR_OK) return s;
-        s = orr_imu_write_csv(f.stream, imu, diag);
-        if (s == ORR_OK) return orr_outfile_commit(&f, diag);
-        orr_outfile_abort(&f);
-        return s;
-    }
-    char hex[MAX_INPUTS][ORR_SHA256_HEX];
-    orr_nc_input input[MAX_INPUTS];
-    size_t n_inputs = 0;
-    if (c->n_operands > 0) input[n_inputs++].path = c->operand[0];
-    for (size_t k = 0; k < sc->motion.trajectory.logs.n && k < 2; k++)
-        input[n_inputs++].path = sc->motion.trajectory.logs.item[k].file;
-    if (sc->motion.gravity.file != NULL) input[n_inputs++].path = sc->motion.gravity.file;
-    for (size_t k = 0; k < n_inputs; k++) {
-        orr_status s = orr_sha256_file(input[k].path, hex[k], diag);
-        if (s != ORR_OK) return s;
-        input[k].sha256 = hex[k];
-    }
-    orr_imu_labels labels = {.title = sc->title,
-                             .history = c->call,
-                             .gravity_model_name = v->model != NULL ? sc->motion.gravity.model : NULL,
-                             .gravity_model_dir = v->model != NULL ? sc->motion.gravity.folder : NULL,
-                             .input = input,
-                             .n_inputs = n_inputs,
-                             .truth_every = every};
-    return orr_imu_write(path, imu, truth, v->gravity, &labels, diag);
+    orr_outfile f;
+    orr_status s = orr_outfile_open(path, &f, diag);
+    if (s != ORR_OK) return s;
+    s = orr_imu_write_csv(f.stream, imu, diag);
+    if (s == ORR_OK) return orr_outfile_commit(&f, diag);
+    orr_outfile_abort(&f);
+    return s;
 }
 
-static int generate(orr_cli *c, const orr_scenario *sc, const orr_moving *v)
+static int generate(orr_cli *c, const orr_scenario *sc, const orr_inputs *inputs, const orr_moving *v)
 {
     orr_diag diag = {0};
     const char *path = orr_cli_text(c, "output", "imu.nc");
     if (is_csv(path) && orr_cli_given(c, "truth-rate"))
         return orr_cli_usage(c, "--truth-rate is of NetCDF files; CSV has the truth beside every reading");
-    size_t unit = (size_t)orr_cli_int(c, "unit", 0);
-    if (unit >= v->n_units)
-        return orr_cli_usage(c, "there is no unit %zu; the scenario has 0 to %zu", unit, v->n_units - 1);
-    const orr_trajectory *tr = orr_moving_unit(v, unit);
-    orr_imu_request q = {.begin_s = tr->begin_s,
-                         .duration_s = tr->end_s - tr->begin_s,
-                         .rate_hz = orr_cli_real(c, "rate", v->rate_hz),
-                         .mode = v->mode,
-                         .instantaneous = orr_cli_given(c, "instantaneous"),
-                         .gravity = v->gravity};
-    mode_options(c, v, &q);
-    int refused = orr_cli_settle(c, "approach", q.mode.approach == 1 ? "1" : "2");
+    orr_readings_plan p = orr_readings_plan_of(v);
+    p.unit = (size_t)orr_cli_int(c, "unit", 0);
+    if (p.unit >= v->n_units)
+        return orr_cli_usage(c, "there is no unit %zu; the scenario has 0 to %zu", p.unit, v->n_units - 1);
+    p.rate_hz = orr_cli_real(c, "rate", p.rate_hz);
+    p.truth_rate_hz = orr_cli_real(c, "truth-rate", 0);
+    p.instantaneous = orr_cli_given(c, "instantaneous");
+    mode_options(c, &p);
+    int refused = orr_cli_settle(c, "approach", p.mode.approach == 1 ? "1" : "2");
     if (refused != ORR_EXIT_OK) return refused;
-    orr_imu imu;
-    orr_gravimetry truth = {0};
-    orr_status s = orr_imu_generate(tr, &q, &imu, &diag);
-    if (s == ORR_OK) {
-        size_t every = truth_every(c, &imu);
-        s = orr_gravimetry_truth(tr, v->gravity, &imu,
-                                 ((size_t)nearbyint(fmax(1.0, q.rate_hz / 10.0)) + every - 1) / every * every,
-                                 &truth, &diag);
-        if (s == ORR_OK) s = write_file(c, path, &imu, &truth, v, sc, every, &diag);
-        char mode[160], from[ORR_TIME_TEXT];
-        if (s == ORR_OK)
-            orr_cli_say(c, "%s: %zu readings at %g Hz from %s GPS, %s", path, imu.n, imu.rate_hz,
-                        orr_time_text(orr_time_add_s(imu.t0, imu.begin_s), from),
-                        orr_imu_mode_text(&imu.mode, mode, sizeof mode));
-        orr_gravimetry_free(&truth);
-        orr_imu_free(&imu);
-    }
+    orr_readings r;
+    orr_status s = orr_readings_make(&p, &r, &diag);
+    if (s == ORR_OK)
+        s = is_csv(path) ? write_csv(path, &r.imu, &diag)
+                         : orr_readings_save(&r, &p, sc, inputs, path, c->call, &diag);
+    char mode[160], from[ORR_TIME_TEXT];
+    if (s == ORR_OK)
+        orr_cli_say(c, "%s: %zu readings at %g Hz from %s GPS, %s", path, r.imu.n, r.imu.rate_hz,
+                    orr_time_text(orr_time_add_s(r.imu.t0, r.imu.begin_s), from),
+                    orr_imu_mode_text(&r.imu.mode, mode, sizeof mode));
+    orr_readings_free(&r);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
 }
 
 static int run(orr_cli *c)
 {
     orr_scenario sc;
+    orr_inputs inputs = {0};
     orr_moving v;
-    int status = orr_cli_moving_open(c, &sc, &v);
-    if (status != ORR_EXIT_OK) return status;
-    status = generate(c, &sc, &v);
-    orr_moving_free(&v);
-    orr_scenario_free(&sc);
+    int status = orr_cli_moving_open(c, &sc, &inputs, &v);
+    if (status == ORR_EXIT_OK) {
+        status = generate(c, &sc, &inputs, &v);
+        orr_moving_free(&v);
+        orr_scenario_free(&sc);
+    }
+    orr_inputs_free(&inputs);
     return status;
 }
 

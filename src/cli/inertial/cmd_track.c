@@ -10,7 +10,7 @@ static int run(orr_cli *c)
 {
     orr_scenario sc;
     orr_moving v;
-    int status = orr_cli_moving_open(c, &sc, &v);
+    int status = orr_cli_moving_open(c, &sc, NULL, &v);
     if (status != ORR_EXIT_OK) return status;
     orr_diag diag = {0};
     orr_outfile f;

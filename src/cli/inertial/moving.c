@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/outfile.h"
+#include "src/make/readings.h"
 
 // The scenario that the options --telemetry and --columns stand for.
 static int scenario_of_logs(orr_cli *c, orr_scenario *out)
@@ -108,7 +109,7 @@ static int write_report(orr_cli *c, const orr_fit_report *r, orr_diag *diag)
     return orr_outfile_commit(&f, diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, diag);
 }
 
-int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_moving *moving)
+int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_inputs *inputs, orr_moving *moving)
 {
     orr_diag diag = {0};
     orr_warnings warnings = {0};
@@ -122,7 +123,7 @@ int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_moving *moving)
     int status = ORR_EXIT_OK;
     if (log)
         status = scenario_of_logs(c, scenario);
-    else if (orr_scenario_read(c->operand[0], scenario, &diag) != ORR_OK)
+    else if (orr_inputs_scenario(inputs, c->operand[0], scenario, &diag) != ORR_OK)
         status = orr_cli_fail(c, &diag);
     if (status != ORR_EXIT_OK) return status;
     status = apply_options(c, &scenario->motion.trajectory);

@@ -62,7 +62,7 @@
     }
 
 // Reads the operand (a scenario) or --telemetry, applies the options, prepares the motion and says what a
-// log's fit did. An exit status; on ORR_EXIT_OK free both.
-int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_moving *moving);
+// log's fit did. `inputs` (may be NULL) gets the scenario's name and hash. An exit status; on ORR_EXIT_OK free both.
+int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_inputs *inputs, orr_moving *moving);
 
 #endif

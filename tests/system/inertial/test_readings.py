@@ -3,8 +3,10 @@
 """orrery imu, nulltest, gravimetry and track on scenarios: what the files hold against closed forms and against each other,
 against what docs/inertial.md says of them, and how they refuse."""
 import csv
+import hashlib
 import io
 import math
+import os
 import pathlib
 import re
 import signal
@@ -362,6 +364,22 @@ class Readings(Folder):
         for at in range(200, len(whole), len(whole) // 40):
             bad.write_bytes(whole[:at] + bytes([whole[at] ^ 0x55]) + whole[at + 1:])
             self.assertIn("bad.nc", run("nulltest", bad, status=1).stderr, at)
+
+    def test_inputs_are_read_once(self):
+        """A scenario and a log out of pipes: the bytes that were read are those that are hashed."""
+        for how, source in (([], sample("survey.yaml")), (["--telemetry"], sample("telemetry.csv"))):
+            with self.subTest(source=source):
+                folder = pathlib.Path(self.path("pipe" + pathlib.Path(source).suffix[1:]))
+                folder.mkdir()
+                pipe, nc = folder / pathlib.Path(source).name, folder / "imu.nc"
+                os.mkfifo(pipe)
+                with subprocess.Popen(["cp", source, pipe]) as writer:
+                    try:
+                        run("imu", "-q", *how, pipe, "--rate", "5", "-o", nc)
+                    finally:
+                        writer.kill()
+                head = subprocess.run(["ncdump", "-h", nc], capture_output=True, text=True, check=True).stdout
+                self.assertIn(hashlib.sha256(pathlib.Path(source).read_bytes()).hexdigest(), head)
 
     def test_an_interrupt_leaves_a_whole_file_or_none(self):
         before = self.left()

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A prepared motion and options to ideal inertial readings with their truth: what `orrery imu` writes.
+#ifndef ORR_MAKE_READINGS_H
+#define ORR_MAKE_READINGS_H
+
+#include "inertial/readings/imu_file.h"
+#include "src/make/moving.h"
+
+// A scenario, read once and appended to `inputs` (may be NULL). Errors and freeing as of orr_scenario_read.
+orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, orr_scenario *out, orr_diag *diag);
+
+typedef struct orr_readings_plan {
+    const orr_moving *moving;
+    size_t unit; // below moving->n_units
+    double rate_hz;
+    orr_imu_mode mode;
+    bool instantaneous;
+    double truth_rate_hz; // of the truth that a file has; 0: every reading of approach 1, 20 Hz of approach 2
+} orr_readings_plan;
+// What the motion's scenario asks for, of its own point.
+orr_readings_plan orr_readings_plan_of(const orr_moving *moving);
+
+typedef struct orr_readings {
+    orr_imu imu;
+    orr_gravimetry truth;
+    size_t truth_every; // readings from one instant of truth to the next
+} orr_readings;
+
+// Errors: those of orr_imu_generate and orr_gravimetry_truth. Free with orr_readings_free whatever it returned.
+orr_status orr_readings_make(const orr_readings_plan *plan, orr_readings *out, orr_diag *diag);
+void orr_readings_free(orr_readings *r);
+
+// Writes them as a NetCDF file with provenance: `inputs` (what the scenario was read from; may be NULL), then the files
+// of the motion.
+orr_status orr_readings_save(const orr_readings *r, const orr_readings_plan *plan,
+                             const orr_scenario *scenario, const orr_inputs *inputs, const char *path,
+                             const char *history, orr_diag *diag);
+
+#endif
