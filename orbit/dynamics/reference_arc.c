@@ -81,7 +81,7 @@ static orr_status advance(const orr_arc_room *room, double t_s, double span_s, o
     if (steps < 1) steps = 1;
     orr_integrator_set(room->integrator, &room->force, longest * (1 + 1e-9));
     for (int i = 0; i < steps; i++) {
-        orr_trajectory_step step = {
+        orr_orbit_step step = {
             .t_s = t_s + span_s * i / steps, .h_s = span_s / steps, .r0_m = *r, .v0_mps = *v};
         const orr_status s = orr_integrate(room->integrator, step.t_s, step.h_s, r, v);
         if (s != ORR_OK) return s;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-void orr_trajectory_middle(const orr_trajectory_step *s, orr_vec3 *r, orr_vec3 *v)
+void orr_orbit_step_middle(const orr_orbit_step *s, orr_vec3 *r, orr_vec3 *v)
 {
     *r = orr_vec3_axpy(s->h_s / 8, orr_vec3_sub(s->v0_mps, s->v1_mps),
                        orr_vec3_scale(0.5, orr_vec3_add(s->r0_m, s->r1_m)));
@@ -11,8 +11,7 @@ void orr_trajectory_middle(const orr_trajectory_step *s, orr_vec3 *r, orr_vec3 *
                        orr_vec3_scale(1.5 / s->h_s, orr_vec3_sub(s->r1_m, s->r0_m)));
 }
 
-void orr_trajectory_middle_exact(const orr_trajectory_step *s, orr_vec3 a0, orr_vec3 a1, orr_vec3 *r,
-                                 orr_vec3 *v)
+void orr_orbit_step_middle_exact(const orr_orbit_step *s, orr_vec3 a0, orr_vec3 a1, orr_vec3 *r, orr_vec3 *v)
 {
     const double h = s->h_s;
     *r = orr_vec3_scale(0.5, orr_vec3_add(s->r0_m, s->r1_m));
@@ -23,7 +22,7 @@ void orr_trajectory_middle_exact(const orr_trajectory_step *s, orr_vec3 a0, orr_
     *v = orr_vec3_axpy(h / 32, orr_vec3_sub(a1, a0), *v);
 }
 
-orr_mat3 orr_trajectory_axes(orr_vec3 r, orr_vec3 v)
+orr_mat3 orr_orbit_axes(orr_vec3 r, orr_vec3 v)
 {
     const orr_vec3 radial = orr_vec3_unit(r), cross = orr_vec3_unit(orr_vec3_cross(r, v)),
                    along = orr_vec3_cross(cross, radial);
@@ -85,13 +84,13 @@ static void driven_column(const orr_mat3 G[3], double h, const orr_vec3 b[3], in
     partial[3][column] = v.x, partial[4][column] = v.y, partial[5][column] = v.z;
 }
 
-void orr_variational_step(const orr_force *force, const orr_sky *sky, const orr_trajectory_step *s,
+void orr_variational_step(const orr_force *force, const orr_sky *sky, const orr_orbit_step *s,
                           const orr_mat3 axes[3], double partial[6][ORR_PARTIALS])
 {
     orr_vec3 r[3] = {s->r0_m, {0, 0, 0}, s->r1_m}, v[3] = {s->v0_mps, {0, 0, 0}, s->v1_mps};
     orr_vec3 basis[3][ORR_ECOM_TERMS];
     orr_mat3 G[3];
-    orr_trajectory_middle(s, &r[1], &v[1]);
+    orr_orbit_step_middle(s, &r[1], &v[1]);
     for (int i = 0; i < 3; i++) {
         orr_sky_point p = {0};
         if (force->earth.degree >= 2 || force->precise)

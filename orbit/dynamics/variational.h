@@ -15,25 +15,25 @@ enum {                     // columns of the partial derivatives
 };
 
 // A step of the trajectory: states at its two ends, integration axes.
-typedef struct orr_trajectory_step {
+typedef struct orr_orbit_step {
     double t_s, h_s;
     orr_vec3 r0_m, v0_mps, r1_m, v1_mps;
-} orr_trajectory_step;
+} orr_orbit_step;
 
 // Middle of a step by Hermite's cubic: metres off over 450 s of a GNSS satellite.
-void orr_trajectory_middle(const orr_trajectory_step *s, orr_vec3 *r_m, orr_vec3 *v_mps);
+void orr_orbit_step_middle(const orr_orbit_step *s, orr_vec3 *r_m, orr_vec3 *v_mps);
 // The same by the quintic through the accelerations as well: 4 um over 300 s.
-void orr_trajectory_middle_exact(const orr_trajectory_step *s, orr_vec3 a0_mps2, orr_vec3 a1_mps2,
-                                 orr_vec3 *r_m, orr_vec3 *v_mps);
+void orr_orbit_step_middle_exact(const orr_orbit_step *s, orr_vec3 a0_mps2, orr_vec3 a1_mps2, orr_vec3 *r_m,
+                                 orr_vec3 *v_mps);
 // Radial, along-track and cross-track axes as the columns of a matrix to the axes of r and v.
-orr_mat3 orr_trajectory_axes(orr_vec3 r_m, orr_vec3 v_mps);
+orr_mat3 orr_orbit_axes(orr_vec3 r_m, orr_vec3 v_mps);
 
 // Partial derivatives of the state at the step's end, rows position then velocity, by one classical
 // Runge-Kutta step with the gradient (central and flattening) at begin, middle and end: over 150 s of a GNSS
 // satellite they err by 4e-11 of the deviation, and by 1e-8 over 450 s. axes: those of the empirical
 // acceleration at begin, middle and end, or NULL: its columns are zero then, as those of ECOM are with a
 // plain force.
-void orr_variational_step(const orr_force *force, const orr_sky *sky, const orr_trajectory_step *s,
+void orr_variational_step(const orr_force *force, const orr_sky *sky, const orr_orbit_step *s,
                           const orr_mat3 axes[3], double partial[6][ORR_PARTIALS]);
 
 #endif

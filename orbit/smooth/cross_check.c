@@ -71,7 +71,7 @@ static double usual(const work *w, size_t *worst, distance *of_worst)
 static orr_status again(const work *w)
 {
     orr_filter_range(w->c, w->list, w->verdict, w->t, w->first, w->last);
-    return orr_smooth_range(w->t, w->first, w->last);
+    return orr_smooth_range(w->c, w->t, w->first, w->last);
 }
 
 // The worst of the used nodes goes, if it is one that the others disagree with. What is usual is taken

@@ -23,8 +23,6 @@
 // same orbit.
 #define JUMP_M 5.0
 #define SETTLE 8
-#define START_R_M 1e3
-#define START_V_MPS 1e2
 
 typedef struct group { // the usable nodes of one instant
     size_t instant;
@@ -55,17 +53,30 @@ void orr_segmentation_free(orr_segmentation *s)
 static void start_at(const work *w, size_t instant)
 {
     orr_instant *at = &w->t->at[instant];
-    orr_kalman_start(&at->predicted, START_R_M, START_V_MPS, w->c->options->f0_sigma_mps2);
+    const orr_filter_noise *n = &w->c->noise;
+    orr_kalman_start(&at->predicted, n->start_r_m, n->start_v_mps, n->f0_sigma_mps2);
     at->filtered = at->predicted;
+}
+
+// What is new where a window of the reference or a file begins.
+static void renew(orr_instant *at)
+{
+    for (int i = 0; i < ORR_ECOM_TERMS && at->renew; i++)
+        at->predicted.P[ORR_PARTIAL_ECOM + i][ORR_PARTIAL_ECOM + i] +=
+            orr_ecom_sigma_nmps2[i] * orr_ecom_sigma_nmps2[i];
+    for (int i = 0; i < 3 && at->step; i++) {
+        at->predicted.P[i][i] += ORR_FILE_STEP_R_M * ORR_FILE_STEP_R_M;
+        at->predicted.P[3 + i][3 + i] += ORR_FILE_STEP_V_MPS * ORR_FILE_STEP_V_MPS;
+    }
 }
 
 static void predict_to(const work *w, size_t from, size_t to)
 {
-    const orr_smoother_options *o = w->c->options;
+    const orr_filter_noise *n = &w->c->noise;
     for (size_t k = from; k < to; k++) {
         orr_instant *a = &w->t->at[k], *b = &w->t->at[k + 1];
-        orr_kalman_predict(&a->filtered, &a->next, a->noise * o->qf_m2ps5, o->qv_m2ps3, b->shift,
-                           &b->predicted);
+        orr_kalman_predict(&a->filtered, &a->next, n->nx, n->factor, b->shift, &b->predicted);
+        if (n->nx == ORR_NX) renew(b);
         b->filtered = b->predicted;
     }
 }
@@ -78,11 +89,14 @@ static bool take_nodes(const work *w, size_t instant, double floor_m, double *d2
     const bool test = isfinite(floor_m) && w->scale2 > 0;
     orr_instant *at = &w->t->at[instant];
     bool taken = false;
+    at->d2 = at->log_det = 0;
+    at->count = 0;
     for (size_t i = at->first; i < at->first + at->n; i++) {
         const orr_node *node = &w->list[i];
         if (node->superseded || w->verdict[i].rejected) continue;
         orr_vec3 z = orr_track_measured(w->c, at, node);
-        double length = 0, d2 = orr_kalman_innovation2(&at->filtered, z, node->sigma_m, &length);
+        double length = 0, log_det = 0,
+               d2 = orr_kalman_innovation2(&at->filtered, z, node->sigma_m, &length, &log_det);
         if (test && length > floor_m && d2 > THRESHOLD * THRESHOLD * w->scale2) {
             w->verdict[i].rejected = true;
             continue;
@@ -91,7 +105,12 @@ static bool take_nodes(const work *w, size_t instant, double floor_m, double *d2
             *d2_sum += d2;
             ++*d2_count;
         }
-        orr_kalman_update(&at->filtered, z, node->sigma_m);
+        if (!node->bridge) {
+            at->d2 += 3 * d2;
+            at->log_det += log_det;
+            at->count++;
+        }
+        orr_kalman_update(&at->filtered, w->c->noise.nx, z, node->sigma_m);
         taken = true;
     }
     return taken;
@@ -196,7 +215,7 @@ static void measure_jump(const work *w, size_t g)
     double length = 0;
     while (i + 1 < at->first + at->n && w->list[i].superseded) i++;
     orr_kalman_innovation2(&at->filtered, orr_track_measured(w->c, at, &w->list[i]), w->list[i].sigma_m,
-                           &length);
+                           &length, NULL);
     while (!w->g[joint].joint) joint--;
     orr_verdict *v = &w->verdict[w->t->at[w->g[joint].instant].first];
     v->jump_m = fmax(v->jump_m, length);
@@ -329,16 +348,18 @@ void orr_filter_range(const orr_track_context *c, const orr_node *list, const or
     start_at(&w, first);
     for (size_t k = first; k <= last; k++) {
         if (k > first) predict_to(&w, k - 1, k);
+        t->at[k].count = 0;
         if (t->at[k].n > 0) take_nodes(&w, k, UNTESTED, NULL, NULL);
     }
 }
 
-orr_status orr_smooth_range(orr_track *t, size_t first, size_t last)
+orr_status orr_smooth_range(const orr_track_context *c, orr_track *t, size_t first, size_t last)
 {
     t->at[last].smoothed = t->at[last].filtered;
     for (size_t k = last; k-- > first;) {
         orr_instant *a = &t->at[k], *b = &t->at[k + 1];
-        orr_status s = orr_kalman_smooth(&a->filtered, &a->next, &b->predicted, &b->smoothed, &a->smoothed);
+        orr_status s = orr_kalman_smooth(&a->filtered, &a->next, c->noise.nx, &b->predicted, &b->smoothed,
+                                         &a->smoothed, b->u);
         if (s != ORR_OK) return s;
     }
     return ORR_OK;

@@ -6,6 +6,11 @@
 
 #include "orbit/smooth/track.h"
 
+// Where a file begins its orbit may be elsewhere by centimetres: in the filter's units, of which a node's coordinate is
+// worth one millimetre and really a quarter of it.
+#define ORR_FILE_STEP_R_M 0.1
+#define ORR_FILE_STEP_V_MPS 2e-5
+
 typedef struct orr_verdict { // one per node
     bool rejected;
     // Where another file begins and goes on elsewhere: how far from what the one before predicts
@@ -33,6 +38,6 @@ void orr_segmentation_free(orr_segmentation *s);
 void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                       orr_track *t, size_t first, size_t last);
 // The smoother back over the same range. ORR_E_NUMERIC.
-orr_status orr_smooth_range(orr_track *t, size_t first, size_t last);
+orr_status orr_smooth_range(const orr_track_context *c, orr_track *t, size_t first, size_t last);
 
 #endif

@@ -6,9 +6,13 @@
 #include <string.h>
 
 #include "core/array.h"
+#include "orbit/smooth/between.h"
 #include "orbit/smooth/cross_check.h"
 #include "orbit/smooth/events.h"
+#include "orbit/smooth/join.h"
+#include "orbit/smooth/noise_choice.h"
 #include "orbit/smooth/prior.h"
+#include "orbit/smooth/reference.h"
 #include "orbit/smooth/segmentation.h"
 #include "orbit/smooth/solution.h"
 
@@ -20,7 +24,7 @@
 #define MAX_APART_M 1.0 // arcs that come nearer than this share an instant; else the manoeuvre leaves a hole
 
 typedef struct work {
-    const orr_track_context *c;
+    orr_track_context *c;
     const orr_node_table *table;
     orr_node *node; // of the satellite
     size_t n;
@@ -28,7 +32,9 @@ typedef struct work {
     orr_orbit_sat *out;
     orr_event_list events;
     orr_satellite_report *report;
-    double scale; // real to formal sigma of the last arc that told; 1 before
+    double scale;            // real to formal sigma of the last arc that told; 1 before
+    orr_noise_factor factor; // before an arc's own is chosen
+    bool failed;             // a stretch could not be smoothed
 } work;
 
 void orr_satellite_free(orr_orbit_sat *s)
@@ -117,51 +123,141 @@ static double real_over_formal(const work *w, const orr_track *t, const orr_verd
     return instants >= TELLING_NODES && formal2 > 0 ? sqrt(chi2 / formal2) : w->scale;
 }
 
+// Flags of samples between neighbouring nodes, as the samples go by.
+typedef struct between_nodes {
+    const orr_node *left, *right;
+    size_t next; // instant at which right is, or the track's end
+} between_nodes;
+
+static const orr_node *last_used(const work *w, const orr_instant *at, const orr_verdict *verdict)
+{
+    const orr_node *found = NULL;
+    for (size_t i = at->first; i < at->first + at->n; i++)
+        if (precise(&w->node[i]) && !verdict[i].rejected) found = &w->node[i];
+    return found;
+}
+
+static void pass_instant(const work *w, const orr_track *t, const orr_verdict *verdict, size_t k,
+                         between_nodes *b)
+{
+    const orr_node *here = last_used(w, &t->at[k], verdict);
+    if (here != NULL) b->left = here;
+    if (k < b->next) return;
+    b->right = NULL;
+    for (b->next = k + 1; b->next < t->n && b->right == NULL; b->next++)
+        b->right = last_used(w, &t->at[b->next], verdict);
+    if (b->right != NULL) b->next--;
+}
+
+// Variances at an instant: position along radial, along-track and cross-track axes, and velocity.
+typedef struct variances {
+    double rtn[3], velocity;
+} variances;
+
+static variances variances_at(const orr_instant *at, double scale)
+{
+    const orr_mat3 axes = orr_orbit_axes(at->r_m, at->v_mps);
+    variances v = {{0}, 0};
+    for (int a = 0; a < 3; a++) {
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) v.rtn[a] += axes.m[i][a] * at->smoothed.P[i][j] * axes.m[j][a];
+        v.rtn[a] = fmax(v.rtn[a], 0) * scale * scale;
+        v.velocity += fmax(at->smoothed.P[3 + a][3 + a], 0) * scale * scale;
+    }
+    return v;
+}
+
+// off_m: how far a joint of files moves the orbit there.
+static void set_sigmas(orr_orbit_sample *s, const variances *a, const variances *b, double u, double off_m)
+{
+    double sum = 0, rtn[3];
+    for (int i = 0; i < 3; i++) {
+        rtn[i] = (1 - u) * a->rtn[i] + u * b->rtn[i];
+        sum += rtn[i];
+    }
+    s->sigma_m = (float)sqrt(sum + off_m * off_m);
+}
+
+// Smoothed state x about point g as a sample.
+static void set_state(const work *w, const orr_grid_point *g, const double x[ORR_NX], const orr_join *join,
+                      orr_orbit_sample *s)
+{
+    orr_sky_point p;
+    orr_sky_at(w->c->sky, g->t_s, &p);
+    orr_vec3 r = orr_vec3_add(g->r_m, orr_vec3_make(x[0], x[1], x[2]));
+    orr_vec3 v = orr_vec3_add(g->v_mps, orr_vec3_make(x[3], x[4], x[5]));
+    if (join != NULL) {
+        r = orr_vec3_add(r, join->r_m);
+        v = orr_vec3_add(v, join->v_mps);
+    }
+    const orr_mat3 axes = orr_track_axes(w->c, g->t_s, g->r_m, g->v_mps);
+    orr_vec3 a = orr_force_of_state(w->c->force, &p, r, v);
+    a = orr_vec3_add(a, orr_mat3_apply(&axes, orr_vec3_make(x[6], x[7], x[8])));
+    if (join != NULL) a = orr_vec3_add(a, join->a_mps2);
+    orr_sky_to_ecef(&p, r, v, &s->pos_m, &s->vel_mps);
+    s->acc_mps2 = orr_vec3_add(orr_mat3_apply(&p.R, a), orr_mat3_apply(&p.ddR, r));
+    s->acc_mps2 = orr_vec3_axpy(2.0, orr_mat3_apply(&p.dR, v), s->acc_mps2);
+    if (orr_force_sunlight_fast(r, p.sun_m) < 1) s->flags |= ORR_EPH_ECLIPSE;
+}
+
+static orr_status make_samples(work *w, const orr_track *t, const orr_verdict *verdict, double scale,
+                               orr_orbit_arc *arc)
+{
+    const size_t longest = orr_track_longest(t, 0, t->n - 1);
+    double(*x)[ORR_NX] = malloc((longest + 1) * sizeof *x), (*b)[ORR_NW] = malloc(longest * sizeof *b);
+    orr_join *join = NULL;
+    if (x == NULL || b == NULL || (w->c->noise.nx == ORR_NX && orr_join_files(t, &join) != ORR_OK)) {
+        free(x);
+        free(b);
+        return ORR_E_MEMORY;
+    }
+    between_nodes nodes = {0};
+    variances after = variances_at(&t->at[0], scale);
+    for (size_t k = 0; k < t->n; k++) {
+        const orr_instant *at = &t->at[k], *next = k + 1 < t->n ? at + 1 : at;
+        const variances before = after;
+        after = variances_at(next, scale);
+        pass_instant(w, t, verdict, k, &nodes);
+        size_t n = next->grid - at->grid;
+        if (n == 0 && next != at) continue; // a file ends here and the next one begins
+        if (n > 0)
+            orr_track_between(w->c, t, k, x, b);
+        else
+            memcpy(x[n++], at->smoothed.x, sizeof x[0]);
+        orr_track_use_window(w->c, at->window, &at->smoothed.x[ORR_PARTIAL_ECOM]);
+        for (size_t j = 0; j < n; j++) {
+            const orr_grid_point *g = &t->grid[at->grid + j];
+            if (!g->sample) continue;
+            orr_orbit_sample *s = &arc->sample[arc->n++];
+            s->flags = nodes.left != NULL && nodes.right != NULL ? flags_between(w, nodes.left, nodes.right)
+                                                                 : ORR_EPH_PREDICTED; // beyond the last node
+            const orr_join *here = join != NULL ? &join[at->grid + j] : NULL;
+            set_state(w, g, x[j], here, s);
+            set_sigmas(s, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s),
+                       here != NULL ? here->off_m : 0);
+        }
+    }
+    free(x);
+    free(b);
+    free(join);
+    return ORR_OK;
+}
+
 // Samples of the smoothed track as an arc of the solution.
 static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdict)
 {
     const size_t first = 0, last = t->n - 1;
-    const double scale = real_over_formal(w, t, verdict);
+    const double scale = w->c->noise.nx == ORR_NX ? w->scale : real_over_formal(w, t, verdict);
     w->scale = scale;
     if (!ORR_ARRAY_GROW(w->out->arc, w->out->n_arcs)) return ORR_E_MEMORY;
     orr_orbit_arc arc = {.t0 = absolute(w, t->at[first].t_s),
                          .step_s = t->step_s,
                          .samples_per_segment = t->samples_per_segment};
-    arc.sample = malloc(t->n_samples * sizeof *arc.sample);
+    arc.sample = calloc(t->n_samples, sizeof *arc.sample);
     if (arc.sample == NULL) return ORR_E_MEMORY;
-    const orr_node *left = NULL, *right = NULL;
-    size_t next_instant = first;
-    for (size_t k = first; k <= last; k++) {
-        const orr_instant *at = &t->at[k];
-        for (size_t i = at->first; i < at->first + at->n; i++)
-            if (precise(&w->node[i]) && !verdict[i].rejected) left = &w->node[i];
-        if (!at->sample) continue;
-        if (next_instant <= k) { // the next used node after this sample
-            right = NULL;
-            for (next_instant = k + 1; next_instant <= last && right == NULL; next_instant++)
-                for (size_t i = t->at[next_instant].first;
-                     i < t->at[next_instant].first + t->at[next_instant].n; i++)
-                    if (precise(&w->node[i]) && !verdict[i].rejected) right = &w->node[i];
-            if (right != NULL) next_instant--;
-        }
-        orr_sky_point p;
-        orr_sky_at(w->c->sky, at->t_s, &p);
-        orr_vec3 r = smoothed_r(at), v = smoothed_v(at);
-        orr_vec3 a = orr_force_acceleration(w->c->force, &p, r);
-        a = orr_vec3_add(a, orr_mat3_apply(&at->axes, orr_vec3_make(at->smoothed.x[6], at->smoothed.x[7],
-                                                                    at->smoothed.x[8])));
-        orr_orbit_sample *s = &arc.sample[arc.n++];
-        orr_sky_to_ecef(&p, r, v, &s->pos_m, &s->vel_mps);
-        s->acc_mps2 = orr_vec3_add(orr_mat3_apply(&p.R, a), orr_mat3_apply(&p.ddR, r));
-        s->acc_mps2 = orr_vec3_axpy(2.0, orr_mat3_apply(&p.dR, v), s->acc_mps2);
-        double variance = at->smoothed.P[0][0] + at->smoothed.P[1][1] + at->smoothed.P[2][2];
-        s->sigma_m = (float)(scale * sqrt(variance > 0 ? variance : 0));
-        s->flags = left != NULL && right != NULL ? flags_between(w, left, right)
-                                                 : ORR_EPH_PREDICTED; // beyond the last node
-        if (orr_force_sunlight(r, p.sun_m) < 1) s->flags |= ORR_EPH_ECLIPSE;
-    }
+    orr_status s = make_samples(w, t, verdict, scale, &arc);
     w->out->arc[w->out->n_arcs++] = arc;
-    orr_status s = orr_events_eclipses(w->c->sky, &arc, &w->events);
+    if (s == ORR_OK) s = orr_events_eclipses(w->c->sky, &arc, &w->events);
 
     // Nodes: residuals, gaps, joints of files.
     const orr_node *used = NULL;
@@ -173,7 +269,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
             const orr_node *node = &w->node[i];
             orr_orbit_node *o = &w->out->node[i];
             o->residual_m = orr_vec3_sub(orr_mat3_apply(&p.R, smoothed_r(at)), node->ecef_m);
-            if (i > at->first && node->source != w->node[i - 1].source) {
+            if (i > 0 && w->node[i - 1].t == node->t && node->source != w->node[i - 1].source) {
                 double jump = orr_vec3_norm(orr_vec3_sub(node->ecef_m, w->node[i - 1].ecef_m));
                 s = orr_event_add(&w->events, ORR_EVENT_DAY_JUMP, node->t, node->t, jump);
             } else if (verdict[i].jump_m > 0) {
@@ -197,6 +293,21 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
     return s;
 }
 
+// Filter and smoother once more over the whole track, with noise as large as it is.
+static orr_status settle(work *w, orr_track *t, const orr_verdict *verdict)
+{
+    if (w->c->noise.nx == ORR_NX) {
+        w->c->noise.factor = w->factor;
+        const orr_noise_choice choice =
+            orr_noise_choose(w->c, w->node, verdict, t, 0, t->n - 1, w->table->step_s);
+        w->scale = choice.scale;
+        w->c->noise.factor = choice.factor;
+    } else {
+        orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
+    }
+    return orr_smooth_range(w->c, t, 0, t->n - 1);
+}
+
 // One arc again on a grid of its own, from from_s to to_s, which may reach beyond its nodes list[i0..i1).
 static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, size_t i1,
                                const orr_verdict *verdict)
@@ -211,8 +322,7 @@ static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, s
             t.at[k].first = i0;
         }
     s = orr_track_linearise(w->c, w->ref, &t);
-    if (s == ORR_OK) orr_filter_range(w->c, w->node, verdict, &t, 0, t.n - 1);
-    if (s == ORR_OK) s = orr_smooth_range(&t, 0, t.n - 1);
+    if (s == ORR_OK) s = settle(w, &t, verdict);
     if (s == ORR_OK) s = emit_arc(w, &t, verdict);
     orr_track_free(&t);
     return s;
@@ -242,7 +352,8 @@ static double distance_from_orbit(const work *w, const orr_track *t, const orr_s
     // The empirical acceleration as it is at the end: 1e-7 m/s^2 are 4 cm in a quarter of an hour.
     const double dt = node->t_s - end->t_s;
     const orr_vec3 f0 = orr_vec3_make(end->smoothed.x[6], end->smoothed.x[7], end->smoothed.x[8]);
-    there.r_m = orr_vec3_axpy(0.5 * dt * dt, orr_mat3_apply(&end->axes, f0), there.r_m);
+    const orr_mat3 axes = orr_track_axes(w->c, end->t_s, end->r_m, end->v_mps);
+    there.r_m = orr_vec3_axpy(0.5 * dt * dt, orr_mat3_apply(&axes, f0), there.r_m);
     return orr_vec3_norm(orr_track_measured(w->c, &there, node));
 }
 
@@ -298,7 +409,7 @@ static orr_status part_arcs(work *w, const orr_instant *x, const orr_instant *y,
     return orr_event_add(&w->events, ORR_EVENT_MANOEUVRE, absolute(w, x->t_s), absolute(w, y->t_s), dv);
 }
 
-static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *seg)
+static orr_status emit_all(work *w, orr_track *t, const orr_segmentation *seg)
 {
     double begin_s = 0;
     orr_status s = tell_left_out(w, t, seg);
@@ -313,7 +424,12 @@ static orr_status emit_all(work *w, const orr_track *t, const orr_segmentation *
         }
         if (to_s <= from_s) continue;
         bool whole = arc->first == 0 && arc->last == t->n - 1 && seg->n_arcs == 1;
-        s = whole ? emit_arc(w, t, seg->verdict) : smooth_alone(w, from_s, to_s, i0, i1, seg->verdict);
+        if (!whole) {
+            s = smooth_alone(w, from_s, to_s, i0, i1, seg->verdict);
+            continue;
+        }
+        if (w->c->noise.nx == ORR_NX) s = settle(w, t, seg->verdict);
+        if (s == ORR_OK) s = emit_arc(w, t, seg->verdict);
     }
     return s;
 }
@@ -361,6 +477,9 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
     orr_track t;
     orr_segmentation seg = {0};
     orr_status s = ORR_OK;
+    if (w->c->noise.nx == ORR_NX && i0 > 0) s = orr_reference_start_at(w->c, &w->node[i0], &w->ref[i0]);
+    if (s != ORR_OK) return s;
+    w->c->noise.factor = w->factor;
     int most = o->passes > 0 ? o->passes : MAX_PASSES;
     size_t left_out_before = 0, arcs_before = 1;
     for (int pass = 1;; pass++) {
@@ -370,7 +489,7 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, &t, &seg);
         double largest = 0;
         for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
-            s = orr_smooth_range(&t, seg.arc[a].first, seg.arc[a].last);
+            s = orr_smooth_range(w->c, &t, seg.arc[a].first, seg.arc[a].last);
         if (s == ORR_OK && o->detect) s = snoop_all(w, &t, &seg);
         if (s != ORR_OK) break;
         size_t left_out = forget_left_out(w, &t, &seg, i0, i1);
@@ -394,6 +513,7 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
     orr_segmentation_free(&seg);
     orr_track_free(&t);
     if (s == ORR_E_NUMERIC || s == ORR_E_NODATA) {
+        w->failed = true;
         note(w, "these positions are no orbit that can be integrated", from_s);
         return ORR_OK;
     }
@@ -408,6 +528,7 @@ static orr_status smooth_all(work *w)
             orr_prior_broadcast(c, w->out->sat, w->node, w->n, w->table->step_s, w->ref);
     else
         orr_prior_sparse(c, w->node, w->n, w->table->step_s, w->ref);
+    if (c->noise.nx == ORR_NX) orr_reference_use(c, w->node, w->n, w->ref);
     orr_status s = ORR_OK;
     for (size_t i = 0; i < w->n && s == ORR_OK;) {
         size_t j = i + 1;
@@ -437,9 +558,61 @@ static void drop_bridge(work *w)
     w->out->n_nodes = n;
 }
 
-orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, orr_node_list *list,
-                                orr_orbit_sat *out, orr_satellite_report *report)
+#define PLAIN_START_R_M 1e3
+#define PLAIN_START_V_MPS 1e2
+#define START_R_M 10.0 // the reference is within centimetres
+#define START_V_MPS 1e-2
+// Where it is not, the passes come there; more than so much is beyond what eighteen unknowns can carry in double
+// precision beside nodes of a millimetre.
+#define ROUGH_START_R_M 100.0
+#define ROUGH_START_V_MPS 1.0
+#define LOW_ORBIT_M 1.5e7 // below it drag and the field's details are no matter of ECOM
+
+static bool all_fitted(const orr_satellite_reference *r)
 {
+    for (size_t w = 0; w < r->n_windows; w++)
+        if (!r->fitted[w]) return false;
+    return true;
+}
+
+static bool any_fitted(const orr_satellite_reference *r)
+{
+    for (size_t w = 0; w < r->n_windows; w++)
+        if (r->fitted[w]) return true;
+    return false;
+}
+
+// About the reference with ECOM in the state where there is one; else, and for low orbits, about the nodes
+// alone.
+static void choose_method(orr_track_context *c, orr_node_list *list, bool may_be_rich)
+{
+    const orr_smoother_options *o = c->options;
+    const bool low = list->n_nodes > 0 && orr_vec3_norm(list->node[0].ecef_m) < LOW_ORBIT_M;
+    const bool rich = may_be_rich && c->reference != NULL && any_fitted(c->reference) && !low;
+    c->noise = (orr_filter_noise){.nx = rich ? ORR_NX : ORR_NX_PLAIN,
+                                  .qf_m2ps5 = rich ? o->qf_m2ps5 : o->plain.qf_m2ps5,
+                                  .qv_m2ps3 = rich ? 0 : o->plain.qv_m2ps3,
+                                  .start_r_m = rich ? ROUGH_START_R_M : PLAIN_START_R_M,
+                                  .start_v_mps = rich ? ROUGH_START_V_MPS : PLAIN_START_V_MPS,
+                                  .f0_sigma_mps2 = rich ? o->f0_sigma_mps2 : o->plain.f0_sigma_mps2,
+                                  .factor = {.q = 1}};
+    if (rich && all_fitted(c->reference)) {
+        c->noise.start_r_m = START_R_M;
+        c->noise.start_v_mps = START_V_MPS;
+    }
+    c->force->precise = rich;
+    if (rich) return;
+    c->reference = NULL;
+    for (size_t i = 0; i < list->n_nodes; i++)
+        if (!list->node[i].bridge)
+            list->node[i].sigma_m = list->node[i].predicted ? o->plain.sigma_predicted_m : o->plain.sigma_m;
+}
+
+orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_table *table,
+                                orr_node_list *list, orr_orbit_sat *out, orr_satellite_report *report)
+{
+    orr_track_context own = *shared, *c = &own;
+    choose_method(c, list, true);
     *out = (orr_orbit_sat){.sat = list->sat};
     *report = (orr_satellite_report){0};
     work w = {.c = c,
@@ -448,7 +621,8 @@ orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table
               .n = list->n_nodes,
               .out = out,
               .report = report,
-              .scale = 1};
+              .scale = 1,
+              .factor = c->noise.factor};
     out->node = calloc(list->n_nodes + 1, sizeof *out->node);
     out->clock = malloc((list->n_clocks + 1) * sizeof *out->clock);
     w.ref = calloc(list->n_nodes + 1, sizeof *w.ref);
@@ -466,6 +640,15 @@ orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table
         w.node[i].superseded = w.node[i].superseded || w.node[i].bridge;
     }
     s = smooth_all(&w);
+    if (s == ORR_OK && w.failed &&
+        c->noise.nx == ORR_NX) { // what is no orbit about the reference may be one by itself
+        choose_method(c, list, false);
+        forget_arcs(&w);
+        w.factor = c->noise.factor;
+        w.scale = 1;
+        for (size_t i = 0; i < w.n; i++) out->node[i].used = 0;
+        s = smooth_all(&w);
+    }
     if (s == ORR_OK && bridged) {
         // The formal sigmas of precise nodes are larger than the truth by 1/scale; those of the bridge, which
         // are true, have to be stretched likewise before the two are weighed against each other.

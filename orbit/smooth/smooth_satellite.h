@@ -14,8 +14,8 @@ typedef struct orr_satellite_report {
     char note[256];     // why something was left out; empty if nothing was
 } orr_satellite_report;
 
-// list is the satellite's own and may be changed. Fills out (arcs, clocks, nodes, events; out->sat too). A
-// stretch that cannot be smoothed leaves a note, not an error.
+// list is the satellite's own and may be changed. c's noise is chosen within. Fills out (arcs, clocks, nodes,
+// events; out->sat too). A stretch that cannot be smoothed leaves a note, not an error.
 orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, orr_node_list *list,
                                 orr_orbit_sat *out, orr_satellite_report *report);
 void orr_satellite_free(orr_orbit_sat *s);

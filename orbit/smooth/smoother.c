@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/parallel.h"
+#include "orbit/smooth/reference.h"
 #include "orbit/smooth/smooth_satellite.h"
 
 orr_smoother_options orr_smoother_defaults(void)
@@ -16,10 +17,15 @@ orr_smoother_options orr_smoother_defaults(void)
         .gravity_degree = 8,
         .sun_moon = true,
         .srp_mps2 = 1e-7,
-        .sigma_m = 0.025,
-        .sigma_predicted_m = 0.10,
-        .qf_m2ps5 = 1e-16,
-        .f0_sigma_mps2 = 1e-3, // diffuse: the first nodes decide
+        .reference = true,
+        .sigma_m = 1e-3,
+        .sigma_predicted_m = 4e-3,
+        .qf_m2ps5 = 3.16227766e-21,
+        .f0_sigma_mps2 = 1e-9,
+        .plain = {.sigma_m = 0.025,
+                  .sigma_predicted_m = 0.10,
+                  .qf_m2ps5 = 1e-16,
+                  .f0_sigma_mps2 = 1e-3}, // diffuse: the first nodes decide
         .f0_axes = ORR_F0_RTN,
         .max_gap_s = 8 * 3600.0,
         .extend_to = ORR_TIME_NONE,
@@ -36,8 +42,9 @@ orr_smoother_options orr_smoother_literal(void)
     o.gravity_degree = 0;
     o.sun_moon = false;
     o.srp_mps2 = 0;
-    o.qf_m2ps5 = 0;
-    o.qv_m2ps3 = 1e-6; // q1..q3 stand for J2, Sun and Moon; larger values change nothing any more
+    o.reference = false;
+    o.plain.qf_m2ps5 = 0;
+    o.plain.qv_m2ps3 = 1e-6; // q1..q3 stand for J2, Sun and Moon; larger values change nothing any more
     o.f0_axes = ORR_F0_ECEF;
     o.passes = 1;
     o.detect = false;
@@ -46,9 +53,11 @@ orr_smoother_options orr_smoother_literal(void)
 
 static orr_status check_options(const orr_smoother_options *o, orr_diag *diag)
 {
-    if (!(o->sigma_m > 0) || !(o->sigma_predicted_m > 0))
+    if (!(o->sigma_m > 0) || !(o->sigma_predicted_m > 0) || !(o->plain.sigma_m > 0) ||
+        !(o->plain.sigma_predicted_m > 0))
         return orr_diag_set(diag, ORR_E_ARG, "sigma of a node must be positive");
-    if (!(o->qf_m2ps5 >= 0) || !(o->qv_m2ps3 >= 0) || !(o->f0_sigma_mps2 > 0))
+    if (!(o->qf_m2ps5 >= 0) || !(o->plain.qf_m2ps5 >= 0) || !(o->plain.qv_m2ps3 >= 0) ||
+        !(o->f0_sigma_mps2 > 0) || !(o->plain.f0_sigma_mps2 > 0))
         return orr_diag_set(diag, ORR_E_ARG,
                             "noise of f0 and velocity cannot be negative, and f0's sigma must be positive");
     if (!(o->grid_s >= 1 && o->grid_s <= 900))
@@ -63,21 +72,35 @@ static orr_status check_options(const orr_smoother_options *o, orr_diag *diag)
     return ORR_OK;
 }
 
-static void describe(const orr_smoother_options *o, char *buf, size_t n)
+static void describe(const orr_smoother_options *o, bool about_reference, char *buf, size_t n)
 {
     static const char *axes[] = {"RTN", "inertial", "ecef"};
-    snprintf(buf, n,
-             "prior: %s; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; SRP: %g m/s2; sigma: %g m "
-             "(predicted %g m); "
-             "f0: %s, qf %g m2/s5, a-priori %g m/s2; qv: %g m2/s3; node step: %g s; longest gap: %g s; "
-             "detection: %s; passes: %d",
-             o->nav == NULL ? "sparse SP3"
-             : o->bridge    ? "broadcast, bridging"
-                            : "broadcast",
-             o->frame == ORR_SKY_GCRS ? "GCRS (IAU 2006/2000B)" : "uniform rotation", o->gravity_degree,
-             o->zonal_only ? " zonal" : "", o->sun_moon ? "yes" : "no", o->srp_mps2, o->sigma_m,
-             o->sigma_predicted_m, axes[o->f0_axes], o->qf_m2ps5, o->f0_sigma_mps2, o->qv_m2ps3,
-             o->node_step_s, o->max_gap_s, o->detect ? "yes" : "no", o->passes);
+    const int used = snprintf(buf, n, "prior: %s; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; ",
+                              o->nav == NULL ? "sparse SP3"
+                              : o->bridge    ? "broadcast, bridging"
+                                             : "broadcast",
+                              o->frame != ORR_SKY_GCRS ? "uniform rotation"
+                              : about_reference        ? "GCRS (IAU 2006/2000A)"
+                                                       : "GCRS (IAU 2006/2000B)",
+                              o->gravity_degree, o->zonal_only ? " zonal" : "", o->sun_moon ? "yes" : "no");
+    if (used < 0 || (size_t)used >= n) return;
+    buf += used;
+    n -= (size_t)used;
+    if (about_reference)
+        snprintf(buf, n,
+                 "reference fit: ECOM, solid tide, relativity, albedo; sigma: %g m (predicted %g m); f0: %s, "
+                 "qf %g "
+                 "m2/s5, a-priori %g m/s2; node step: %g s; longest gap: %g s; detection: %s; passes: %d",
+                 o->sigma_m, o->sigma_predicted_m, axes[o->f0_axes], o->qf_m2ps5, o->f0_sigma_mps2,
+                 o->node_step_s, o->max_gap_s, o->detect ? "yes" : "no", o->passes);
+    else
+        snprintf(buf, n,
+                 "SRP: %g m/s2; sigma: %g m (predicted %g m); f0: %s, qf %g m2/s5, a-priori %g m/s2; qv: %g "
+                 "m2/s3; node "
+                 "step: %g s; longest gap: %g s; detection: %s; passes: %d",
+                 o->srp_mps2, o->plain.sigma_m, o->plain.sigma_predicted_m, axes[o->f0_axes],
+                 o->plain.qf_m2ps5, o->plain.f0_sigma_mps2, o->plain.qv_m2ps3, o->node_step_s, o->max_gap_s,
+                 o->detect ? "yes" : "no", o->passes);
 }
 
 // Work shared by the threads: satellites are independent, each goes to whichever thread is free, into its own
@@ -88,6 +111,7 @@ typedef struct pool {
     const orr_force *force;
     const orr_node_table *table;
     bool eop_known;
+    const orr_satellite_reference *reference; // per list of the table, or NULL
     const volatile int *cancel;
     orr_orbit_sat *sat; // per list of the table
     orr_satellite_report *report;
@@ -99,8 +123,10 @@ static void *worker(void *arg)
 {
     pool *p = arg;
     orr_integrator *it = NULL;
-    orr_status ready = orr_integrator_init(p->force, p->sky, &it, NULL);
-    const orr_track_context c = {p->options, p->sky, p->force, it, p->eop_known};
+    orr_force force = *p->force;
+    orr_status ready = orr_integrator_init(&force, p->sky, &it, NULL);
+    orr_track_context c = {
+        .options = p->options, .sky = p->sky, .force = &force, .integrator = it, .eop_known = p->eop_known};
     for (;;) {
         size_t i = atomic_fetch_add(&p->next, 1);
         if (i >= p->table->n_sats) break;
@@ -108,8 +134,10 @@ static void *worker(void *arg)
             p->status[i] = ready;
         else if (p->cancel != NULL && *p->cancel)
             p->status[i] = ORR_E_INTERRUPTED;
-        else
+        else {
+            c.reference = p->reference != NULL ? &p->reference[i] : NULL;
             p->status[i] = orr_satellite_smooth(&c, p->table, &p->table->list[i], &p->sat[i], &p->report[i]);
+        }
     }
     orr_integrator_free(it);
     return NULL;
@@ -175,7 +203,7 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
 }
 
 static orr_status describe_sources(const orr_smoother_input *input, size_t n, const orr_smoother_options *o,
-                                   const orr_node_table *table, orr_orbit_solution *out)
+                                   const orr_node_table *table, bool about_reference, orr_orbit_solution *out)
 {
     out->source = calloc(n + o->n_also, sizeof *out->source);
     out->sat = calloc(table->n_sats + 1, sizeof *out->sat);
@@ -190,7 +218,7 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     out->clock_max_gap_s = table->clock_max_gap_s;
     out->from = table->from;
     out->to = table->to;
-    describe(o, out->options, sizeof out->options);
+    describe(o, about_reference, out->options, sizeof out->options);
     snprintf(out->frame, sizeof out->frame, "%s", input[0].sp3->coordinates);
     return ORR_OK;
 }
@@ -208,6 +236,47 @@ static void warn_of_eop(const orr_eop_series *eop, const orr_node_table *table, 
         "the Earth rotation given is of %s to %s and does not cover the positions of %s to %s; it is carried "
         "on beyond its ends",
         t[0], t[1], orr_time_text(table->from, t[2]), orr_time_text(table->to, t[3]));
+}
+
+#define MAS (ORR_RAD_PER_DEG / 3.6e6)
+// A centre's own pole is within 0.1 mas of what its orbits tell; another centre's, or a prediction, within these.
+#define POLE_CONTRADICTS_MAS 5.0
+#define LOD_CONTRADICTS_MS 0.5
+
+// Orbits and the Earth's rotation. A given rotation that covers the span is kept, unless the orbits contradict it.
+static orr_status fit_reference(const orr_smoother_options *o, const orr_node_table *table,
+                                const volatile int *cancel, orr_run_reference *r, bool *usable,
+                                orr_smoother_report *report, orr_warnings *warnings, orr_diag *diag)
+{
+    bool hold = o->eop != NULL && report->eop_known;
+    orr_status s = orr_run_reference_make(o, table, hold, cancel, r, diag);
+    if (s != ORR_OK) return s;
+    report->xp_off_rad = r->fit.xp_rad;
+    report->yp_off_rad = r->fit.yp_rad;
+    report->lod_off_s = r->fit.lod_s;
+    const double pole_mas = hypot(r->fit.xp_rad, r->fit.yp_rad) / MAS, lod_ms = 1e3 * r->fit.lod_s;
+    if (hold && r->fit.estimated && (pole_mas > POLE_CONTRADICTS_MAS || fabs(lod_ms) > LOD_CONTRADICTS_MS)) {
+        orr_warnings_add(
+            warnings, NULL, 0, 0,
+            "the Earth rotation given contradicts the orbits: they tell a pole that is %.1f mas off, and a "
+            "length of day that is %.2f ms off; what the orbits tell is used instead",
+            pole_mas, lod_ms);
+        report->eop_known = hold = false;
+        orr_run_reference_free(r);
+        s = orr_run_reference_make(o, table, hold, cancel, r, diag);
+        if (s != ORR_OK) return s;
+    }
+    report->eop_told = r->fit.estimated;
+    report->eop_estimated = r->fit.estimated && !hold;
+    report->pole_sigma_rad = r->fit.pole_sigma_rad;
+    *usable = r->fit.estimated || report->eop_known;
+    const orr_eop e =
+        orr_eop_at(&r->fit.rotation,
+                   orr_time_add_s(table->from, 0.5 * orr_time_diff_s(table->to, table->from)), NULL, NULL);
+    report->xp_rad = e.xp_rad;
+    report->yp_rad = e.yp_rad;
+    report->lod_s = e.lod_s;
+    return ORR_OK;
 }
 
 orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
@@ -229,22 +298,28 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     if (s != ORR_OK) return s;
     ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);
     s = orr_sky_init(table.from, table.to, options->frame, options->eop, &sky, &report->eop_known, diag);
-    if (s == ORR_OK && options->eop != NULL && !report->eop_known) {
+    const bool covered = report->eop_known;
+    orr_run_reference reference = {0};
+    bool about_reference = false;
+    if (s == ORR_OK && options->reference && options->frame == ORR_SKY_GCRS && options->gravity_degree >= 2)
+        s = fit_reference(options, &table, cancel, &reference, &about_reference, report, warnings, diag);
+    if (s == ORR_OK && options->eop != NULL && !covered) {
         report->eop_carried_on = true;
         warn_of_eop(options->eop, &table, warnings);
     }
 
     pool p = {.options = options,
-              .sky = sky,
+              .sky = about_reference ? reference.fit.sky : sky,
               .force = &force,
               .table = &table,
-              .eop_known = report->eop_known,
+              .eop_known = report->eop_known || report->eop_estimated,
+              .reference = about_reference ? reference.sat : NULL,
               .cancel = cancel};
     p.sat = calloc(table.n_sats + 1, sizeof *p.sat);
     p.report = calloc(table.n_sats + 1, sizeof *p.report);
     p.status = calloc(table.n_sats + 1, sizeof *p.status);
     if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL)) s = ORR_E_MEMORY;
-    if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, out);
+    if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, about_reference, out);
     if (s == ORR_E_MEMORY) orr_diag_set(diag, s, "out of memory for %zu satellites", table.n_sats);
     if (s == ORR_OK) {
         orr_parallel_run(options->jobs, worker, &p);
@@ -254,6 +329,7 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     free(p.sat);
     free(p.report);
     free(p.status);
+    orr_run_reference_free(&reference);
     orr_sky_free(sky);
     orr_nodes_free(&table);
     if (s != ORR_OK) orr_orbit_solution_free(out);

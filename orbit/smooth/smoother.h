@@ -25,12 +25,20 @@ typedef struct orr_smoother_options {
     bool zonal_only;    // with degree 2: J2 alone
     bool sun_moon;
     double srp_mps2; // plain radiation pressure at 1 au with the Earth's shadow
-    // noise
-    double sigma_m;           // of a node's coordinate, 1-sigma
+    // All satellites are fitted first, together with the Earth's rotation beneath them
+    // (dynamics/reference_fit.h); the smoother then works about these orbits, with ECOM's coefficients in its
+    // state. Without, or where there is nothing to fit, about what the nodes tell one by one, with `plain`
+    // noise.
+    bool reference;
+    // noise about the reference, and without it
+    double sigma_m; // of a node's coordinate, 1-sigma; its ratio to qf matters, the scale comes from the data
     double sigma_predicted_m; // of a node flagged as predicted
     double qf_m2ps5;          // random walk of f0; 0: a constant, as the source has it
-    double qv_m2ps3;          // white noise q1..q3 of (33)
     double f0_sigma_mps2;     // a-priori of f0 at an arc's start
+    struct {
+        double sigma_m, sigma_predicted_m, qf_m2ps5, f0_sigma_mps2;
+        double qv_m2ps3; // white noise q1..q3 of (33)
+    } plain;
     orr_f0_axes f0_axes;
     // input
     double node_step_s; // keep only epochs that are multiples of it from midnight of the first file, in the
@@ -56,8 +64,9 @@ typedef struct orr_smoother_options {
     int jobs;      // threads; 1 and more. Results do not depend on it
 } orr_smoother_options;
 
-// The settings that the measured facts call for: GCRS, 8x8 + Sun + Moon + 1e-7 m/s^2 with shadow, f0 as a
-// random walk in RTN with qf = 1e-16 m^2/s^5 beside sigma = 0.025 m.
+// The settings that the measured facts call for: a reference fit, 8x8 + Sun + Moon + all that is known of the
+// rest, f0 as a random walk in RTN with qf = 10^-14.5 sigma^2/s^5. Without a reference: 1e-7 m/s^2 of
+// radiation pressure with shadow, qf = 1e-16 m^2/s^5 beside sigma = 0.025 m.
 orr_smoother_options orr_smoother_defaults(void);
 // The dissertation to the letter: (33)-(34) in uniformly turning ecef, two-body a-priori, constant f0 beside
 // white noise q1..q3, sigma 2.5 cm, one pass, no detection.
@@ -73,7 +82,12 @@ typedef struct orr_smoother_input {
 typedef struct orr_smoother_report {
     size_t nodes_used, nodes_rejected, manoeuvres, arcs;
     int passes_max;
-    bool eop_known;        // Earth orientation came from the caller's series for the whole span
+    bool eop_known;     // Earth orientation came from the caller's series for the whole span
+    bool eop_estimated; // and otherwise from the orbits themselves
+    // In the middle of the span, where the orbits tell it: the pole, the excess length of day, the pole's formal sigma;
+    // and what it is off the given series.
+    bool eop_told;
+    double xp_rad, yp_rad, lod_s, pole_sigma_rad, xp_off_rad, yp_off_rad, lod_off_s;
     bool eop_carried_on;   // there is a series, but it does not cover the whole span
     double residual_rms_m; // of used nodes, 3-D
 } orr_smoother_report;

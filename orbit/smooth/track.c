@@ -4,13 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define STOP_S 900.0 // between instants without nodes, at most
 #define WIDE_GAP_S 10800.0
 #define OPEN_END 100.0
-#define SAME_INSTANT_S 1e-6 // SP3 writes epochs to 1e-8 s; filter steps are a hundred seconds
+#define OPEN_END_OF_REFERENCE 100.0 // three hours of 2010-182 are 3.6 sigma off without, 0.9 with it
+#define SAME_INSTANT_S 1e-6         // SP3 writes epochs to 1e-8 s; filter steps are a hundred seconds
 
 void orr_track_free(orr_track *t)
 {
     free(t->at);
+    free(t->grid);
     *t = (orr_track){0};
 }
 
@@ -56,16 +59,74 @@ static void widen_gaps(const orr_track_context *c, const orr_node *list, orr_tra
 {
     size_t from = 0;
     for (size_t k = 0; k < t->n; k++) t->at[k].noise = 1;
-    for (size_t k = 1; k < t->n && !c->eop_known; k++) {
+    for (size_t k = 1; k < t->n; k++) {
         bool precise = false;
         for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n; i++)
             precise = precise || (!list[i].bridge && !list[i].superseded);
         if (!precise && k + 1 < t->n) continue;
+        if (c->eop_known) { // beyond the last node the reference is what errs: pressure that is not ECOM's
+            for (size_t j = from; j < k && !precise && c->noise.nx == ORR_NX; j++)
+                t->at[j].noise = OPEN_END_OF_REFERENCE;
+            from = k;
+            continue;
+        }
         const double times = (t->at[k].t_s - t->at[from].t_s) / WIDE_GAP_S;
         const double noise = fmax(times * times * times * times, precise ? 1 : OPEN_END);
         for (size_t j = from; j < k; j++) t->at[j].noise = noise;
         from = k;
     }
+}
+
+// Instants without nodes, as far apart as STOP_S at most, in the step from grid point g0 to g1.
+static void fill(orr_track *t, size_t g0, size_t g1)
+{
+    const double span = t->grid[g1].t_s - t->grid[g0].t_s;
+    const size_t parts = (size_t)fmax(ceil(span / STOP_S - 1e-6), 1);
+    size_t last = g0;
+    for (size_t k = 1; k < parts; k++) {
+        const double want = t->grid[g0].t_s + span * (double)k / (double)parts;
+        size_t g = last + 1;
+        while (g + 1 < g1 && fabs(t->grid[g + 1].t_s - want) < fabs(t->grid[g].t_s - want)) g++;
+        if (g >= g1) break;
+        t->at[t->n++] = (orr_instant){.t_s = t->grid[g].t_s, .grid = g};
+        last = g;
+    }
+}
+
+size_t orr_track_window(const orr_track_context *c, double t_s)
+{
+    size_t w = 0;
+    if (c->reference != NULL)
+        while (w + 1 < c->reference->n_windows && t_s >= c->reference->border_s[w + 1] - SAME_INSTANT_S) w++;
+    return w;
+}
+
+static bool usable(const orr_node *n) { return !n->superseded && !n->bridge; }
+
+// Whether from node i on the file is another than that of the node before, at the same instant or a later
+// one.
+static bool other_file(const orr_node *list, size_t i)
+{
+    size_t k = i;
+    if (!usable(&list[i])) return false;
+    while (k > 0 && !usable(&list[k - 1])) k--;
+    return k > 0 && list[k - 1].source != list[i].source && list[i].rank > list[k - 1].rank;
+}
+
+// The instants of one point of the grid: one, or two where a file ends and the next one begins.
+static void stop(const orr_track_context *c, const orr_node *list, size_t first, size_t n, size_t g,
+                 orr_track *t)
+{
+    const double t_s = t->grid[g].t_s;
+    size_t split = first;
+    while (split < first + n && !other_file(list, split)) split++;
+    const bool step = c->noise.nx == ORR_NX && split < first + n;
+    if (step && split > first) {
+        t->at[t->n++] = (orr_instant){.t_s = t_s, .grid = g, .first = first, .n = split - first};
+        n -= split - first;
+        first = split;
+    }
+    t->at[t->n++] = (orr_instant){.t_s = t_s, .grid = g, .first = first, .n = n, .step = step};
 }
 
 orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s, double node_step_s,
@@ -76,32 +137,45 @@ orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s
     size_t intervals = choose_intervals(span_ns, node_step_s, c->options->grid_s, &out->samples_per_segment);
     out->n_samples = intervals + 1;
     out->step_s = (double)span_ns / (double)intervals * 1e-9;
-    out->at = calloc(out->n_samples + n, sizeof *out->at);
-    if (out->at == NULL) return ORR_E_MEMORY;
-    size_t i = 0, k = 0;
+    size_t i = 0, k = 0, inside = 0;
     while (i < n && list[i].t_s < from_s - SAME_INSTANT_S) i++;
+    for (size_t j = i; j < n && list[j].t_s <= to_s + SAME_INSTANT_S; j++) inside++;
+    out->grid = malloc((out->n_samples + inside) * sizeof *out->grid);
+    const size_t stops = 2 * inside + 4 + (size_t)((to_s - from_s) / (STOP_S / 2));
+    out->at = malloc(stops * sizeof *out->at);
+    if (out->at == NULL || out->grid == NULL) {
+        orr_track_free(out);
+        return ORR_E_MEMORY;
+    }
+    size_t last_stop = 0;
     while (k < out->n_samples || (i < n && list[i].t_s <= to_s + SAME_INSTANT_S)) {
         double sample_s = k < out->n_samples ? from_s + out->step_s * (double)k : HUGE_VAL;
         double node_s = i < n && list[i].t_s <= to_s + SAME_INSTANT_S ? list[i].t_s : HUGE_VAL;
-        orr_instant *at = &out->at[out->n++];
-        at->t_s = sample_s < node_s ? sample_s : node_s;
+        const size_t g = out->n_grid++;
+        orr_grid_point *at = &out->grid[g];
+        *at = (orr_grid_point){.t_s = sample_s < node_s ? sample_s : node_s};
         if (fabs(sample_s - node_s) < SAME_INSTANT_S) at->t_s = node_s;
         if (sample_s <= at->t_s + SAME_INSTANT_S) {
             at->sample = true;
             k++;
         }
-        at->first = i;
-        while (i < n && list[i].t_s <= at->t_s + SAME_INSTANT_S) {
-            at->n++;
-            i++;
-        }
+        const size_t first = i;
+        while (i < n && list[i].t_s <= at->t_s + SAME_INSTANT_S) i++;
+        const bool end = k == out->n_samples && !(i < n && list[i].t_s <= to_s + SAME_INSTANT_S);
+        if (i == first && g > 0 && !end) continue;
+        if (g > 0) fill(out, last_stop, g);
+        stop(c, list, first, i - first, g, out);
+        last_stop = g;
+    }
+    for (size_t j = 0; j < out->n; j++) {
+        out->at[j].window = orr_track_window(c, out->at[j].t_s);
+        out->at[j].renew = j > 0 && out->at[j].window != out->at[j - 1].window;
     }
     widen_gaps(c, list, out);
     return ORR_OK;
 }
 
-// Axes of f0 at an instant, as a matrix to integration axes.
-static orr_mat3 f0_axes(const orr_track_context *c, double t_s, orr_vec3 r, orr_vec3 v)
+orr_mat3 orr_track_axes(const orr_track_context *c, double t_s, orr_vec3 r, orr_vec3 v)
 {
     switch (c->options->f0_axes) {
     case ORR_F0_INERTIAL:
@@ -114,56 +188,25 @@ static orr_mat3 f0_axes(const orr_track_context *c, double t_s, orr_vec3 r, orr_
     case ORR_F0_RTN:
         break;
     }
-    orr_vec3 radial = orr_vec3_unit(r), cross = orr_vec3_unit(orr_vec3_cross(r, v)),
-             along = orr_vec3_cross(cross, radial);
-    return (orr_mat3){
-        {{radial.x, along.x, cross.x}, {radial.y, along.y, cross.y}, {radial.z, along.z, cross.z}}};
+    return orr_orbit_axes(r, v);
 }
 
-// Variational equations d_eta' = d_V, d_V' = G d_eta + B f0 (33)-(34) over one step, all nine columns by one
-// classical Runge-Kutta step with the gradient at begin, middle and end. At 150 s it errs by 4e-11 of the
-// deviation.
-static void variational_step(const orr_mat3 G[3], const orr_mat3 B[3], double h, double F[6][ORR_NX])
+void orr_track_use_window(const orr_track_context *c, size_t window, const double *change)
 {
-    static const double along[4] = {0, 0.5, 0.5, 1}, weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-    static const int where[4] = {0, 1, 1, 2};
-    for (int col = 0; col < ORR_NX; col++) {
-        double y0[6] = {0}, sum[6] = {0}, k[6] = {0};
-        if (col < 6) y0[col] = 1;
-        for (int s = 0; s < 4; s++) {
-            double y[6];
-            for (int i = 0; i < 6; i++) y[i] = y0[i] + along[s] * h * k[i];
-            const orr_mat3 *g = &G[where[s]], *b = &B[where[s]];
-            for (int i = 0; i < 3; i++) {
-                k[i] = y[3 + i];
-                k[3 + i] = g->m[i][0] * y[0] + g->m[i][1] * y[1] + g->m[i][2] * y[2];
-                if (col >= 6) k[3 + i] += b->m[i][col - 6];
-            }
-            for (int i = 0; i < 6; i++) sum[i] += weight[s] * k[i];
-        }
-        for (int i = 0; i < 6; i++) F[i][col] = y0[i] + h * sum[i];
-    }
+    for (int i = 0; i < ORR_ECOM_TERMS && c->reference != NULL; i++)
+        c->force->ecom_nmps2[i] = c->reference->ecom_nmps2[window][i] + (change != NULL ? change[i] : 0);
 }
 
-static void transition_between(const orr_track_context *c, double t_s, double h, orr_vec3 r0, orr_vec3 v0,
-                               orr_vec3 r1, orr_vec3 v1, orr_transition *out)
+// The step that departs from grid point g and arrives at (r1, v1).
+static void linear_step(const orr_track_context *c, orr_grid_point *a, double h, orr_vec3 r1, orr_vec3 v1)
 {
-    // Middle of the step by the quintic through both ends' states and accelerations: metres off at most.
-    orr_vec3 a0 = orr_integrator_acceleration(c->integrator, t_s, r0);
-    orr_vec3 a1 = orr_integrator_acceleration(c->integrator, t_s + h, r1);
-    orr_vec3 rm = orr_vec3_scale(0.5, orr_vec3_add(r0, r1));
-    rm = orr_vec3_axpy(5.0 / 32 * h, orr_vec3_sub(v0, v1), rm);
-    rm = orr_vec3_axpy(h * h / 64, orr_vec3_add(a0, a1), rm);
-    orr_vec3 vm = orr_vec3_scale(15.0 / 8 / h, orr_vec3_sub(r1, r0));
-    vm = orr_vec3_axpy(-7.0 / 16, orr_vec3_add(v0, v1), vm);
-    vm = orr_vec3_axpy(h / 32, orr_vec3_sub(a1, a0), vm);
-
-    orr_mat3 G[3] = {orr_force_central_gradient(r0), orr_force_central_gradient(rm),
-                     orr_force_central_gradient(r1)};
-    orr_mat3 B[3] = {f0_axes(c, t_s, r0, v0), f0_axes(c, t_s + h / 2, rm, vm), f0_axes(c, t_s + h, r1, v1)};
-    variational_step(G, B, h, out->F);
-    out->h_s = h;
-    out->axes = B[1];
+    const orr_orbit_step s = {a->t_s, h, a->r_m, a->v_mps, r1, v1};
+    orr_vec3 rm, vm;
+    orr_orbit_step_middle(&s, &rm, &vm);
+    const orr_mat3 B[3] = {orr_track_axes(c, a->t_s, a->r_m, a->v_mps),
+                           orr_track_axes(c, a->t_s + h / 2, rm, vm), orr_track_axes(c, a->t_s + h, r1, v1)};
+    orr_variational_step(c->force, c->sky, &s, B, a->F);
+    a->axes = B[1];
 }
 
 static const orr_reference *reference_at(const orr_instant *at, const orr_reference *reference)
@@ -173,6 +216,41 @@ static const orr_reference *reference_at(const orr_instant *at, const orr_refere
     return NULL;
 }
 
+#define SHADOW_MARGIN_S 900.0 // after a satellite leaves the shadow, and before
+
+// Whether the satellite is near the Earth's shadow on the step from g on, by a circle through where it is.
+static bool near_shadow(const orr_track_context *c, const orr_grid_point *g)
+{
+    orr_sky_point p;
+    orr_sky_force_point(c->sky, g->t_s, &p);
+    const double rate = orr_vec3_norm(g->v_mps) / orr_vec3_norm(g->r_m);
+    for (int k = -1; k <= 1; k++) {
+        const double turn = k * SHADOW_MARGIN_S * rate;
+        const orr_vec3 r = orr_vec3_axpy(sin(turn) / rate, g->v_mps, orr_vec3_scale(cos(turn), g->r_m));
+        if (orr_force_sunlight_fast(r, p.sun_m) < 0.5) return true;
+    }
+    return false;
+}
+
+// From instant k to the next one: the grid's states and the transition.
+static orr_status go_on(const orr_track_context *c, orr_track *t, size_t k, orr_vec3 *r, orr_vec3 *v)
+{
+    orr_instant *at = &t->at[k];
+    orr_transition_start(&at->next);
+    for (size_t g = at->grid; g < t->at[k + 1].grid; g++) {
+        orr_grid_point *a = &t->grid[g];
+        const double h = t->grid[g + 1].t_s - a->t_s;
+        a->r_m = *r, a->v_mps = *v;
+        orr_status s = orr_integrate(c->integrator, a->t_s, h, r, v);
+        if (s != ORR_OK) return s;
+        linear_step(c, a, h, *r, *v);
+        a->near_shadow = c->noise.nx == ORR_NX && near_shadow(c, a);
+        orr_transition_append(&at->next, a->F, &a->axes, h, at->noise * c->noise.qf_m2ps5, c->noise.qv_m2ps3,
+                              a->near_shadow);
+    }
+    return ORR_OK;
+}
+
 orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *reference, orr_track *t)
 {
     size_t k0 = 0;
@@ -180,6 +258,7 @@ orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *
     if (k0 == t->n) return ORR_E_NODATA;
     const orr_reference *start = reference_at(&t->at[k0], reference);
     orr_vec3 r = start->r_m, v = start->v_mps;
+    orr_track_use_window(c, t->at[k0].window, NULL);
     orr_status s = orr_integrate(c->integrator, t->at[k0].t_s, t->at[0].t_s - t->at[k0].t_s, &r, &v);
     if (s != ORR_OK) return s;
     for (size_t k = 0; k < t->n; k++) {
@@ -188,16 +267,19 @@ orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *
         memset(at->shift, 0, sizeof at->shift);
         if (restart != NULL && k > 0) {
             orr_vec3 dr = orr_vec3_sub(r, restart->r_m), dv = orr_vec3_sub(v, restart->v_mps);
-            memcpy(at->shift, (double[6]){dr.x, dr.y, dr.z, dv.x, dv.y, dv.z}, sizeof at->shift);
+            memcpy(at->shift, (double[6]){dr.x, dr.y, dr.z, dv.x, dv.y, dv.z}, 6 * sizeof at->shift[0]);
             r = restart->r_m, v = restart->v_mps;
         }
+        if (at->renew)
+            for (int i = 0; i < ORR_ECOM_TERMS; i++)
+                at->shift[ORR_PARTIAL_ECOM + i] = c->reference->ecom_nmps2[t->at[k - 1].window][i] -
+                                                  c->reference->ecom_nmps2[at->window][i];
         at->r_m = r, at->v_mps = v;
-        at->axes = f0_axes(c, at->t_s, r, v);
+        t->grid[at->grid].r_m = r, t->grid[at->grid].v_mps = v;
         if (k + 1 == t->n) break;
-        double h = t->at[k + 1].t_s - at->t_s;
-        s = orr_integrate(c->integrator, at->t_s, h, &r, &v);
+        orr_track_use_window(c, at->window, NULL);
+        s = go_on(c, t, k, &r, &v);
         if (s != ORR_OK) return s;
-        transition_between(c, at->t_s, h, at->r_m, at->v_mps, r, v, &at->next);
     }
     return ORR_OK;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One stretch of one satellite on the filter's time grid: the a-priori trajectory with its transition
-// matrices, and room for what filter and smoother leave at every instant. Room-internal.
+// One stretch of one satellite: the a-priori trajectory on the product's grid, and the instants between which
+// the filter steps, with transition matrices and what filter and smoother leave at them. Room-internal.
 #ifndef ORR_ORBIT_SMOOTH_TRACK_H
 #define ORR_ORBIT_SMOOTH_TRACK_H
 
@@ -21,33 +21,70 @@ typedef struct orr_reference {
     orr_vec3 r_m, v_mps; // integration axes
 } orr_reference;
 
-// An instant of the grid.
+// A point of the grid: the a-priori state from which the next step departs, and the step.
+typedef struct orr_grid_point {
+    double t_s;
+    bool sample;      // on the uniform grid that the product takes its samples from
+    bool near_shadow; // the step is, or the satellite has just left it
+    orr_vec3 r_m, v_mps;
+    orr_mat3 axes;       // f0's to integration axes, at mid-step
+    double F[6][ORR_NX]; // partial derivatives of the step
+} orr_grid_point;
+
+// An instant at which the filter stops: nodes, both ends, and places between that are not far apart.
 typedef struct orr_instant {
     double t_s;
-    bool sample;         // on the uniform grid that the product takes its samples from
+    size_t grid;         // its point
     size_t first, n;     // nodes (indices into the list) at this instant; n = 0: none
+    size_t window;       // of the reference
+    bool renew;          // another window begins: ECOM's coefficients are those of another day
+    bool step;           // another file begins: its orbit may be elsewhere
     orr_vec3 r_m, v_mps; // a-priori state from which the next step departs
-    orr_mat3 axes;       // f0 axes to integration axes
     orr_transition next; // to the following instant
-    double noise;    // factor of qf over the next step; above 1 in long gaps without Earth-orientation data
-    double shift[6]; // arriving minus departing a-priori state
+    double noise; // factor of qf over the next step; above 1 in long gaps without Earth-orientation data
+    double shift[ORR_NX]; // arriving minus departing a-priori state
+    double u[ORR_NX];     // the smoother's, of the step that arrives
+    double d2,
+        log_det; // normalised squares of the innovations, and half ln det of their covariance; of count nodes
+    size_t count;
     orr_gauss predicted, filtered, smoothed; // of deviations from the departing state
 } orr_instant;
 
 typedef struct orr_track {
-    size_t n;
+    size_t n, n_grid;
     orr_instant *at;
+    orr_grid_point *grid;
     double step_s; // of the samples
     size_t n_samples, samples_per_segment;
 } orr_track;
 
-// What all satellites of a run share, per thread.
+// What the reference fit tells of a satellite, by window of time.
+typedef struct orr_satellite_reference {
+    size_t n_windows;
+    const double *border_s; // n_windows + 1
+    bool *fitted;
+    double (*ecom_nmps2)[ORR_ECOM_TERMS]; // of the a-priori force
+    orr_vec3 *state;                      // position and velocity at t_s, where fitted
+    double *t_s;
+} orr_satellite_reference;
+
+// Noise that the filter reckons with.
+typedef struct orr_filter_noise {
+    int nx; // ORR_NX, or ORR_NX_PLAIN
+    double qf_m2ps5, qv_m2ps3;
+    double start_r_m, start_v_mps, f0_sigma_mps2; // at an arc's start
+    orr_noise_factor factor;
+} orr_filter_noise;
+
+// What all satellites of a run share, per thread, and what is the satellite's.
 typedef struct orr_track_context {
     const orr_smoother_options *options;
     const orr_sky *sky;
-    const orr_force *force;
+    orr_force *force; // the thread's own: ECOM is that of a window
     orr_integrator *integrator;
-    bool eop_known; // Earth orientation came from data, not from the secular pole
+    bool eop_known;                           // Earth orientation came from data, not from the secular pole
+    const orr_satellite_reference *reference; // NULL: none
+    orr_filter_noise noise;
 } orr_track_context;
 
 // An instant of a track in nanoseconds: whole microseconds where a double of its size cannot tell them from
@@ -69,6 +106,13 @@ void orr_track_free(orr_track *t);
 // restarts at every later one; reference[i] belongs to node list[i]. ORR_E_NUMERIC if it leaves sense,
 // ORR_E_NODATA without any reference.
 orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *reference, orr_track *t);
+
+// The window of the reference that an instant lies in.
+size_t orr_track_window(const orr_track_context *c, double t_s);
+// The force of a window of the reference, ECOM's coefficients changed by `change` (NULL: not).
+void orr_track_use_window(const orr_track_context *c, size_t window, const double *change);
+// Axes of f0 at an instant, as a matrix to integration axes.
+orr_mat3 orr_track_axes(const orr_track_context *c, double t_s, orr_vec3 r_m, orr_vec3 v_mps);
 
 // Measured minus a-priori position of node `n` at instant `at`, integration axes.
 orr_vec3 orr_track_measured(const orr_track_context *c, const orr_instant *at, const orr_node *n);

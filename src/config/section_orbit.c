@@ -16,7 +16,7 @@ static const orr_key rows[] = {
      .only = no_product,
      .help = "precise orbit files, smoothed jointly when the service starts (seconds)"},
     FILES_ROW(orr_scenario_orbit, "erp", erp, not_a_product,
-              "Earth rotation parameters; without them IERS' secular pole, and UT1 by the leap seconds"),
+              "Earth rotation parameters; without them the orbits themselves tell pole and length of day"),
     REAL_ROW(orr_scenario_orbit, "nodes", nodes_s, 0, 86400, "s", "0", not_a_product,
              "use only epochs that are multiples of this; 0 for all"),
     {.name = "exclude",

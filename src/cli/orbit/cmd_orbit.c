@@ -35,8 +35,9 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .repeated = true,
-     .help = "File of Earth rotation parameters. Without one the IERS secular pole is used, and UT1 by the "
-             "leap seconds."},
+     .help = "File of Earth rotation parameters. Without one the orbits themselves tell the pole and the "
+             "length of day; of fewer than four satellites nothing does, and the IERS secular pole is used, "
+             "and UT1 by the leap seconds."},
     {.name = "nav",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
@@ -50,8 +51,7 @@ static const orr_option options[] = {
      .applies = "bridge",
      .kind = ORR_OPT_TIME,
      .value = "T",
-     .help = "Go on beyond the last node up to T, as long as there are broadcast ephemerides; --erp makes "
-             "the first hours ten times better."},
+     .help = "Go on beyond the last node up to T, as long as there are broadcast ephemerides."},
     {.name = "max-gap",
      .kind = ORR_OPT_DURATION,
      .value = "S",
@@ -143,8 +143,10 @@ static void smoother_options(const orr_cli *c, orr_smoother_options *o)
                      : says(c, "f0", "ecef", true) ? ORR_F0_ECEF
                                                    : ORR_F0_INERTIAL;
     o->qf_m2ps5 = orr_cli_real(c, "qf", o->qf_m2ps5);
-    o->qv_m2ps3 = orr_cli_real(c, "qv", o->qv_m2ps3);
+    o->plain.qf_m2ps5 = orr_cli_real(c, "qf", o->plain.qf_m2ps5);
+    o->plain.qv_m2ps3 = orr_cli_real(c, "qv", o->plain.qv_m2ps3);
     o->sigma_m = orr_cli_real(c, "sigma", o->sigma_m);
+    o->plain.sigma_m = orr_cli_real(c, "sigma", o->plain.sigma_m);
     o->passes = (int)orr_cli_int(c, "passes", o->passes);
     o->detect = says(c, "detect", "yes", o->detect);
     o->node_step_s = (double)orr_cli_duration_ns(c, "nodes", 0) * 1e-9;
@@ -236,6 +238,7 @@ const orr_command orr_cmd_orbit = {
         "reader will read. "
         "JSON has all of them: events[].{sat,kind,from,to} with kind manoeuvre (change_mps), outlier, jump "
         "(size_m) or gap; "
+        "earth_rotation.{xp_mas,yp_mas,lod_ms,pole_sigma_mas,used} as the orbits tell it; "
         "systems.G.{satellites,nodes,left_out,residual_rms_mm,manoeuvres,gaps,eclipses}, day_jumps, seconds.",
     .example = "orrery orbit -o day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T13:00 "

@@ -102,10 +102,22 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
         orr_cli_say(
             c, "where files join or overlap they differ by %.1f mm RMS, %.1f mm at most (%s; %zu places)",
             1e3 * j.rms_m, 1e3 * j.max_m, orr_sat_text(j.worst, name), j.n);
-    orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s",
-                report->eop_known        ? "as given"
-                : report->eop_carried_on ? "as given, carried on beyond its ends"
-                                         : "secular pole, UT1 by the leap seconds",
+    char rotation[256];
+    const double mas = ORR_RAD_PER_DEG / 3.6e6;
+    snprintf(rotation, sizeof rotation, "%s",
+             report->eop_known        ? "as given"
+             : report->eop_carried_on ? "as given, carried on beyond its ends"
+                                      : "secular pole, UT1 by the leap seconds");
+    if (report->eop_estimated)
+        snprintf(rotation, sizeof rotation,
+                 "told by the orbits themselves, pole %.3f, %.3f mas (sigma %.3f), length of day %+.4f ms",
+                 report->xp_rad / mas, report->yp_rad / mas, report->pole_sigma_rad / mas,
+                 1e3 * report->lod_s);
+    else if (report->eop_known && report->eop_told)
+        snprintf(rotation, sizeof rotation,
+                 "as given; the orbits tell a pole %+.3f, %+.3f mas and a length of day %+.4f ms off it",
+                 report->xp_off_rad / mas, report->yp_off_rad / mas, 1e3 * report->lod_off_s);
+    orr_cli_say(c, "Earth rotation: %s; segments meet the smoothed orbit to %.4f mm and %.1e m/s", rotation,
                 1e3 * pos, vel);
     size_t rough = orr_ephemeris_shortened(e);
     if (rough > 0)
@@ -176,6 +188,21 @@ static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_s
     json_object_set_new(j, "day_jumps", jumps);
     json_object_set_new(j, "events", json_events(s));
     json_object_set_new(j, "earth_rotation_given", json_boolean(report->eop_known));
+    if (report->eop_told) {
+        const double mas = ORR_RAD_PER_DEG / 3.6e6;
+        json_t *r = json_object();
+        json_object_set_new(r, "used", json_boolean(report->eop_estimated));
+        json_object_set_new(r, "xp_mas", json_real(report->xp_rad / mas));
+        json_object_set_new(r, "yp_mas", json_real(report->yp_rad / mas));
+        json_object_set_new(r, "lod_ms", json_real(1e3 * report->lod_s));
+        json_object_set_new(r, "pole_sigma_mas", json_real(report->pole_sigma_rad / mas));
+        if (report->eop_known) {
+            json_object_set_new(r, "xp_off_mas", json_real(report->xp_off_rad / mas));
+            json_object_set_new(r, "yp_off_mas", json_real(report->yp_off_rad / mas));
+            json_object_set_new(r, "lod_off_ms", json_real(1e3 * report->lod_off_s));
+        }
+        json_object_set_new(j, "earth_rotation", r);
+    }
     json_object_set_new(j, "segment_error_mm", orr_json_number(1e3 * pos));
     json_object_set_new(j, "segment_error_mps", orr_json_number(vel));
     json_object_set_new(j, "rough_arcs", orr_json_count(orr_ephemeris_shortened(e)));

@@ -237,7 +237,7 @@ static void partials_are_those_of_integrated_orbits(void **state)
     orr_diag d = {0};
     ASSERT_OK(orr_integrator_init(&m.force[2], m.sky, &it, &d), d);
     const double h = 150, change[3] = {100, 0.1, 10}; // m, m/s, nm/s^2
-    orr_trajectory_step s = {
+    orr_orbit_step s = {
         .t_s = 30000, .h_s = h, .r0_m = m.r[2], .v0_mps = m.v[2], .r1_m = m.r[2], .v1_mps = m.v[2]};
     ASSERT_OK(orr_integrate(it, s.t_s, h, &s.r1_m, &s.v1_mps), d);
     double F[6][ORR_PARTIALS];

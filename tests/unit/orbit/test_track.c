@@ -25,7 +25,7 @@ static void steps_are_whole_nanoseconds(void **state)
             const double ns = t.step_s * 1e9;
             ASSERT_NEAR(ns, nearbyint(ns), 1e-3); // what orr_ephemeris_build asks for
             assert_true(t.step_s <= o.grid_s * (1 + 1e-9));
-            assert_int_equal(t.n, t.n_samples);
+            assert_int_equal(t.n_grid, t.n_samples);
             // The arc's last sample is where the next arc begins.
             assert_int_equal(orr_track_ns(fmin(push_s, node_s)) + llround(ns) * (int64_t)(t.n_samples - 1),
                              orr_track_ns(fmax(push_s, node_s)));

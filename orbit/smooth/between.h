@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smoothed orbit at every point of the grid, from what the smoother left at the instants. Room-internal.
+#ifndef ORR_ORBIT_SMOOTH_BETWEEN_H
+#define ORR_ORBIT_SMOOTH_BETWEEN_H
+
+#include "orbit/smooth/track.h"
+
+// The mean of the smoothed state x at grid points at[k].grid to at[k + 1].grid - 1, as deviations from the
+// grid's states: x[g - at[k].grid]. Noise of the steps is what the instants' u tells (Bryson and Frazier).
+// room: as many vectors b.
+void orr_track_between(const orr_track_context *c, const orr_track *t, size_t k, double (*x)[ORR_NX],
+                       double (*b)[ORR_NW]);
+// Steps of the longest interval of instants first..last, at least 1.
+size_t orr_track_longest(const orr_track *t, size_t first, size_t last);
+
+#endif

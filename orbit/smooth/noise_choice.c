@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/smooth/noise_choice.h"
+
+#define DENSE_S 1900.0 // the ratio is known for nodes up to here
+#define YOUNG 3        // nodes of an arc that a start decides
+#define SCALE_MM 0.30  // rounding of SP3 to a millimetre, a coordinate
+#define SCALE_SPREAD 0.35
+#define LOG_Q (-3.7) // nm^2/s^5
+#define LOG_Q_SPREAD 1.2
+#define LOWEST (-2.0) // log10 of the factors of qf that are tried
+#define HIGHEST 2.6
+#define STEP 0.5
+#define LEAST_S 0.05 // scales that are tried
+#define MOST_S 20.0
+#define SCALES 80
+
+typedef struct evidence { // of the innovations after the young ones
+    double chi2, log_det;
+    size_t n; // coordinates
+} evidence;
+
+static evidence look(orr_track_context *c, const orr_node *list, const orr_verdict *verdict, orr_track *t,
+                     size_t first, size_t last)
+{
+    evidence e = {0};
+    size_t seen = 0;
+    orr_filter_range(c, list, verdict, t, first, last);
+    for (size_t k = first; k <= last; k++) {
+        if (t->at[k].count == 0 || seen++ < YOUNG) continue;
+        e.chi2 += t->at[k].d2;
+        e.log_det += t->at[k].log_det;
+        e.n += 3 * t->at[k].count;
+    }
+    return e;
+}
+
+// Logarithm of the posterior of scale s; q in nm^2/s^5 for a scale of one.
+static double posterior(const evidence *e, double s, double sigma_mm, double q)
+{
+    const double a = (log(s * sigma_mm) - log(SCALE_MM)) / SCALE_SPREAD,
+                 b = (log10(q * s * s) - LOG_Q) / LOG_Q_SPREAD;
+    return -e->log_det - (double)e->n * log(s) - 0.5 * e->chi2 / (s * s) - 0.5 * a * a - 0.5 * b * b;
+}
+
+orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                                  orr_track *t, size_t first, size_t last, double node_step_s)
+{
+    const orr_noise_factor factor = c->noise.factor;
+    const double sigma_mm = 1e3 * c->options->sigma_m;
+    orr_noise_choice best = {.scale = SCALE_MM / sigma_mm, .factor = factor};
+    if (node_step_s <= DENSE_S) {
+        const evidence e = look(c, list, verdict, t, first, last);
+        best.nodes = e.n / 3;
+        // few nodes: the rounding has the word of some of them
+        const double prior = 3, s0 = SCALE_MM / sigma_mm;
+        best.scale = sqrt((e.chi2 + 3 * prior * s0 * s0) / ((double)e.n + 3 * prior));
+        return best;
+    }
+    double most = -HUGE_VAL;
+    for (double lq = LOWEST; lq <= HIGHEST; lq += STEP) {
+        c->noise.factor.q = factor.q * pow(10, lq);
+        const evidence e = look(c, list, verdict, t, first, last);
+        const double q = c->noise.factor.q * c->noise.qf_m2ps5 * 1e18;
+        for (int k = 0; k < SCALES; k++) {
+            const double s = LEAST_S * pow(MOST_S / LEAST_S, k / (SCALES - 1.0)),
+                         p = posterior(&e, s, sigma_mm, q);
+            if (!(p > most)) continue;
+            most = p;
+            best = (orr_noise_choice){s, c->noise.factor, e.n / 3};
+        }
+    }
+    c->noise.factor = best.factor;
+    look(c, list, verdict, t, first, last);
+    return best;
+}

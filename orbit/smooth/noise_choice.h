@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How large the noise really is. Only the ratio of f0's random walk to the nodes' variance shapes an orbit;
+// the common scale has to come from the data, and where nodes are sparse the ratio as well. Room-internal.
+#ifndef ORR_ORBIT_SMOOTH_NOISE_CHOICE_H
+#define ORR_ORBIT_SMOOTH_NOISE_CHOICE_H
+
+#include "orbit/smooth/segmentation.h"
+
+typedef struct orr_noise_choice {
+    double scale;            // real to formal sigma
+    orr_noise_factor factor; // of the filter
+    size_t nodes;            // that told
+} orr_noise_choice;
+
+// Instants first..last with the verdicts given. Nodes up to half an hour apart: the scale by the mean square
+// of the innovations, the ratio as it is. Sparser ones: both by the largest likelihood of the innovations
+// with priors (ln s about the rounding of SP3, 0.30 mm, 0.35; log10 qf in nm^2/s^5 about -3.7, 1.2). Filters
+// again, leaves the filtered states of the choice.
+orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                                  orr_track *t, size_t first, size_t last, double node_step_s);
+
+#endif
