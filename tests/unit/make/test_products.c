@@ -44,7 +44,7 @@ static void test_orbit_of_files_and_of_a_scenario(void **state)
     orr_scenario s = {0};
     ASSERT_OK(orr_scenario_parse("test", scenario_text, sizeof scenario_text - 1, ".", &s, &d), d);
     const orr_orbit_plan asked[2] = {plan_of_file(path), orr_orbit_plan_of(&s.orbit)};
-    static const char *const file[2] = {"files.nc", "scenario.nc"};
+    static const char *const file[2] = {ORR_BINARY_DIR "/files.nc", ORR_BINARY_DIR "/scenario.nc"};
     orr_bytes bytes[2];
     for (int k = 0; k < 2; k++) {
         orr_orbit_made made;
@@ -100,7 +100,7 @@ static void test_navset_of_files_and_of_a_scenario(void **state)
 static void test_inputs_from_a_pipe(void **state)
 {
     (void)state;
-    static const char *const fifo[] = {"./" SP3_NAME};
+    static const char *const fifo[] = {ORR_BINARY_DIR "/" SP3_NAME};
     char wanted[ORR_SHA256_HEX];
     orr_diag d = {0};
     orr_bytes sp3;
