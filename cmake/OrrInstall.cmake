@@ -49,6 +49,11 @@ foreach(folder IN ITEMS core ingest orbit iono inertial proto src/config src/mak
     PATTERN "spec" EXCLUDE)
 endforeach()
 
+# --- Python client and Wireshark dissector ---
+install(DIRECTORY proto/python/orrery DESTINATION ${CMAKE_INSTALL_DATADIR}/orrery/python FILES_MATCHING
+  PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+install(FILES proto/gen/orrery.lua DESTINATION ${CMAKE_INSTALL_DATADIR}/orrery/wireshark)
+
 # --- pkg-config, wherever the prefix comes to lie ---
 file(RELATIVE_PATH pc_up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 set(pc_libs "")

@@ -90,6 +90,7 @@ def outputs(spec):
         "proto/gen/verbs.c": verbs.code(),
         "proto/gen/orrery.lua": gen_lua.Lua(spec, SOURCE).module(),
         "proto/python/orrery/messages.py": messages_text,
+        "proto/python/orrery/verbs.py": gen_python.verbs(spec, SOURCE),
         "docs/protocol.md": gen_docs.page(spec, page.read_text(encoding="utf-8")),
         "tests/golden/proto/frames.h": gen_docs.golden_header(spec, SOURCE),
     }

@@ -4,14 +4,22 @@
     import orrery
 
     with orrery.Client("tcp://127.0.0.1:15754") as client:
-        print(client.caps.title, [str(s) for s in client.satellites])
-        for states in client.poll("2024-02-04T12:00:00", step_s=0.1, count=10, satellites=["G05", "E11"]):
+        print(client.caps.title, client.satellites)
+        for states in client.poll("2024-02-04T12:00:00Z", step_s=0.1, count=10, satellites=["G05", "E11"]):
             for s in states.satellites:
-                print(states.t, orrery.sat_name(s.sat), s.pos_m if s.answer == orrery.Answer.OK else "no state")
-"""
-from .client import Client, ProtocolError, Refused, sat_id, sat_name
-from .gpstime import from_datetime, from_text, to_datetime, to_text
-from .messages import Answer, ElementsFrame, ElementsMethod, ErrorCode, NavMessage, NavNotes, StateFlags
+                print(orrery.to_text(states.t), s.sat, s.pos_m if s.answer == orrery.Answer.OK else s.answer.name)
 
-__all__ = ["Answer", "Client", "ElementsFrame", "ElementsMethod", "ErrorCode", "NavMessage", "NavNotes", "ProtocolError",
-           "Refused", "StateFlags", "from_datetime", "from_text", "sat_id", "sat_name", "to_datetime", "to_text"]
+orrery.ReconnectingClient has the same methods and outlives its connection.
+"""
+from ._version import __version__
+from .client import Client, ProtocolError, Refused
+from .codec import CodecError
+from .gpstime import from_datetime, from_text, time_tag, to_datetime, to_text, to_utc
+from .messages import (Answer, DelayFlags, ElementsFrame, ElementsMethod, ErrorCode, NavMessage, NavNotes, OrbitPoint, ReceiverSource,
+                       SatId, StateFlags, TecOrigin)
+from .reconnect import ReconnectingClient
+from .satellite import sat_id, sat_name
+
+__all__ = ["Answer", "Client", "CodecError", "DelayFlags", "ElementsFrame", "ElementsMethod", "ErrorCode", "NavMessage", "NavNotes",
+           "OrbitPoint", "ProtocolError", "ReceiverSource", "ReconnectingClient", "Refused", "SatId", "StateFlags", "TecOrigin",
+           "__version__", "from_datetime", "from_text", "sat_id", "sat_name", "time_tag", "to_datetime", "to_text", "to_utc"]

@@ -1,11 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""A blocking client: one socket, one request at a time."""
+"""A blocking client over one socket. Answers may be read in any order: a loop over poll() may ask for something else in its
+body, and may be left early."""
+from __future__ import annotations
+
+import collections
 import socket
+from types import TracebackType
+from typing import Deque, Dict, Iterator, Optional, Type
 from urllib.parse import urlsplit
 
-from . import frame, gpstime, messages
+from . import frame, messages
+from ._version import __version__
+from .asking import A, M, Message, Request, from_epoch, next_epoch
+from .codec import CodecError
+from .satellite import sat_id, sat_name
+from .verbs import Verbs
 
-VERSION = "1.0"
+__all__ = ["Client", "ProtocolError", "Refused", "connect", "sat_id", "sat_name"]
+
+EPOCHS_A_REQUEST = 500  # a longer series is asked in several requests, so that what is left of one is soon read over
 
 
 class ProtocolError(Exception):
@@ -13,30 +26,14 @@ class ProtocolError(Exception):
 
 
 class Refused(Exception):
-    """The server answered with ERROR. code: an ErrorCode (or an int that this version does not know)."""
+    """The server answered with ERROR. code: an ErrorCode."""
 
-    def __init__(self, code, sentence):
+    def __init__(self, code: int, sentence: str) -> None:
         super().__init__(sentence)
-        try:
-            self.code = messages.ErrorCode(code)
-        except ValueError:
-            self.code = code
+        self.code = messages.ErrorCode(code)
 
 
-def sat_id(text):
-    """The wire's satellite of "G05"."""
-    text = text.strip().upper()
-    if len(text) < 2 or not text[0].isalpha() or not text[1:].isdigit() or not 1 <= int(text[1:]) <= 99:
-        raise ValueError(f"'{text}' is no satellite: G05 is wanted")
-    return messages.SatId(ord(text[0]), int(text[1:]))
-
-
-def sat_name(sat):
-    """"G05" of the wire's satellite."""
-    return f"{chr(sat.system)}{sat.number:02d}"
-
-
-def connect(url, timeout_s):
+def connect(url: str, timeout_s: float) -> socket.socket:
     """A connected socket for tcp://HOST:PORT or unix:PATH."""
     if url.startswith("unix:"):
         path = url[5:]
@@ -58,185 +55,144 @@ def connect(url, timeout_s):
     return sock
 
 
-class Client:
-    """A conversation with a service. Says HELLO on connecting; `caps` is what the server answered."""
+class Client(Verbs):
+    """A conversation with a service. Says HELLO on connecting; `caps` is what the server answered. OSError (TimeoutError among them),
+    ProtocolError and Refused are what its methods raise; after a timeout and after most refusals it can be asked on."""
 
-    def __init__(self, url, name="python", timeout_s=10.0):
-        self._sock = connect(url, timeout_s)
+    def __init__(self, url: str, name: str = "python", timeout_s: float = 10.0) -> None:
         self._sequence = 0
+        self._read = bytearray()  # received, and not yet a whole frame
+        self._inbox: Dict[int, Deque[frame.Frame]] = {}  # of requests whose answers somebody still waits for
+        self._closed = ""  # why it is of no more use
+        self._sock = connect(url, timeout_s)
         try:
-            self.caps = self._ask(messages.Hello(messages.MAJOR, messages.MAJOR, name, VERSION), messages.Caps)
+            self.caps = self._ask(messages.Hello(messages.MAJOR, messages.MAJOR, name, __version__), messages.Caps)
         except BaseException:
             self.close()
             raise
 
-    def __enter__(self):
+    def __enter__(self) -> Client:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]) -> None:
         self.close()
 
-    def close(self):
+    def close(self) -> None:
+        self._closed = self._closed or "it was closed"
         self._sock.close()
 
     @property
-    def span(self):
+    def span(self) -> tuple[int, int]:
         """First and last instant served, as time tags."""
         return self.caps.span.first, self.caps.span.last
 
     @property
-    def satellites(self):
+    def satellites(self) -> list[str]:
         """Names of all satellites served, in the order of the answers."""
         return [sat_name(s) for s in self.caps.satellites]
 
-    def ping(self, token=0):
-        """Asks for a sign of life."""
-        answer = self._ask(messages.Ping(token), messages.Pong)
-        if answer.token != token:
-            raise ProtocolError("the PONG is not that of this PING")
+    def ping(self, token: int = 0) -> None:
+        """Asks whether the server is alive."""
+        if self._ask(messages.Ping(token), messages.Pong).token != token:
+            raise self._broken("the PONG is not that of this PING")
 
-    def poll(self, t, step_s=0.0, count=1, satellites=()):
-        """Yields the States of `count` epochs from t on, step_s apart (rounded to a nanosecond). t: a time tag (int) or a text
-        of GPS time; satellites: names, empty for all. More epochs than one request may ask for are asked in several."""
-        if isinstance(t, str):
-            t = gpstime.from_text(t)
-        step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
-        while count > 0:
-            n = min(count, self.caps.max_epochs)
-            self._send(messages.Poll(messages.Epochs(t, step, n), sats))
-            for index in range(n):
-                states = self._receive(messages.States)
-                if states.index != index or states.count != n:
-                    raise ProtocolError("an epoch of the answer is missing")
-                yield states
-            t, count = t + n * step, count - n
+    def _series(self, request: Request, reply: Type[A], count: int) -> Iterator[A]:
+        if count < 0:
+            raise ValueError(f"a series of {count} epochs")
+        return self._answers(request, reply, count)
 
-    def states(self, t, satellites=()):
-        """The States of one epoch."""
-        return next(iter(list(self.poll(t, satellites=satellites))))
+    def _answers(self, request: Request, reply: Type[A], count: int) -> Iterator[A]:
+        t, step, done = request.epochs.t, request.epochs.step, 0
+        while done < count:
+            n = min(count - done, self.caps.max_epochs, EPOCHS_A_REQUEST)
+            sequence = self._send(from_epoch(request, t, step, n))
+            self._inbox[sequence] = collections.deque()
+            try:
+                for index in range(n):
+                    answer = self._decode(self._next_frame(sequence), reply)
+                    if answer.epoch.index != index or answer.epoch.count != n:
+                        raise self._broken("an epoch of the answer is missing")
+                    answer.epoch.index, answer.epoch.count = done, count
+                    t, done = next_epoch(answer, step), done + 1
+                    yield answer
+            finally:
+                del self._inbox[sequence]  # what still comes of it is read over
 
-    def poll_elements(self, t, step_s=0.0, count=1, frame="DATE", method="STATE", satellites=()):
-        """Yields the Elements of `count` epochs, as poll does. frame: DATE, J2000 or ECEF; method: STATE, THREE_POSITIONS or
-        MEAN (names, or values of ElementsFrame and ElementsMethod)."""
-        if isinstance(t, str):
-            t = gpstime.from_text(t)
-        axes = messages.ElementsFrame[frame.upper()] if isinstance(frame, str) else frame
-        way = messages.ElementsMethod[method.upper().replace("-", "_")] if isinstance(method, str) else method
-        step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
-        while count > 0:
-            n = min(count, self.caps.max_epochs)
-            self._send(messages.PollElements(messages.Epochs(t, step, n), axes, way, sats))
-            for index in range(n):
-                elements = self._receive(messages.Elements)
-                if elements.index != index or elements.count != n:
-                    raise ProtocolError("an epoch of the answer is missing")
-                yield elements
-            t, count = t + n * step, count - n
-
-    def elements(self, t, frame="DATE", method="STATE", satellites=()):
-        """The Elements of one epoch."""
-        return next(iter(list(self.poll_elements(t, frame=frame, method=method, satellites=satellites))))
-
-    def poll_navdata(self, t, step_s=0.0, count=1, satellites=()):
-        """Yields the Navdata of `count` epochs, as poll does: the broadcast sets on the air, and all subframes or strings of the
-        frames that hold each epoch. Asked every 30 s it is the whole of what GPS satellites send, and GLONASS' too (whose frames
-        begin at multiples of 30 s of UTC: take those whose frame_from is new)."""
-        if isinstance(t, str):
-            t = gpstime.from_text(t)
-        step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
-        while count > 0:
-            n = min(count, self.caps.max_epochs)
-            self._send(messages.PollNavdata(messages.Epochs(t, step, n), sats))
-            for index in range(n):
-                navdata = self._receive(messages.Navdata)
-                if navdata.index != index or navdata.count != n:
-                    raise ProtocolError("an epoch of the answer is missing")
-                yield navdata
-            t, count = t + n * step, count - n
-
-    def navdata(self, t, satellites=()):
-        """The Navdata of one epoch."""
-        return next(iter(list(self.poll_navdata(t, satellites=satellites))))
-
-    def poll_delays(self, t, receiver_m=None, carriers_hz=(), step_s=0.0, count=1, satellites=()):
-        """Yields the Delays of `count` epochs, as poll does. receiver_m: x, y, z (ecef), None for the scenario's own (of a
-        scenario with a trajectory, where that is at each epoch); carriers_hz: at most four, empty for 1575.42 MHz."""
-        if isinstance(t, str):
-            t = gpstime.from_text(t)
-        step, sats = round(step_s * gpstime.NS_PER_S), [sat_id(s) for s in satellites]
-        place = [float("nan")] * 3 if receiver_m is None else [float(x) for x in receiver_m]
-        while count > 0:
-            n = min(count, self.caps.max_epochs)
-            self._send(messages.PollDelays(messages.Epochs(t, step, n), place, [float(f) for f in carriers_hz], sats))
-            for index in range(n):
-                delays = self._receive(messages.Delays)
-                if delays.index != index or delays.count != n:
-                    raise ProtocolError("an epoch of the answer is missing")
-                yield delays
-            t, count = t + n * step, count - n
-
-    def delays(self, t, receiver_m=None, carriers_hz=(), satellites=()):
-        """The Delays of one epoch."""
-        return next(iter(list(self.poll_delays(t, receiver_m, carriers_hz, satellites=satellites))))
-
-    def poll_imu(self, t, step_s=0.0, count=1, unit=0):
-        """Yields the Imu increments over `count` intervals of step_s from t on (0: the scenario's own interval; then one request
-        asks for them all)."""
-        if isinstance(t, str):
-            t = gpstime.from_text(t)
-        step = round(step_s * gpstime.NS_PER_S)
-        while count > 0:
-            n = min(count, self.caps.max_epochs)
-            self._send(messages.PollImu(messages.Epochs(t, step, n), unit))
-            last = None
-            for index in range(n):
-                last = self._receive(messages.Imu)
-                if last.index != index or last.count != n:
-                    raise ProtocolError("an interval of the answer is missing")
-                yield last
-            t, count = last.t1, count - n
-
-    def poll_truth(self, t, step_s=0.0, count=1, unit=0):
-        """Yields the Truth of a unit at `count` epochs, as poll does."""
-        if isinstance(t, str):
-            t = gpstime.from_text(t)
-        step = round(step_s * gpstime.NS_PER_S)
-        while count > 0:
-            n = min(count, self.caps.max_epochs)
-            self._send(messages.PollTruth(messages.Epochs(t, step, n), unit))
-            for index in range(n):
-                truth = self._receive(messages.Truth)
-                if truth.index != index or truth.count != n:
-                    raise ProtocolError("an epoch of the answer is missing")
-                yield truth
-            t, count = t + n * step, count - n
-
-    def _send(self, message):
+    def _send(self, message: Message) -> int:
+        """The sequence number that it was sent with."""
+        if self._closed:
+            raise ProtocolError(f"the connection is of no more use: {self._closed}")
+        data = message.encode()
         self._sequence = self._sequence % (2**32 - 1) + 1  # never 0: that is the server's
-        self._sock.sendall(frame.make(message.TYPE, self._sequence, message.encode()))
-
-    def _receive(self, wanted):
         try:
-            got = frame.read(self._receive_bytes)
+            self._sock.sendall(frame.make(message.TYPE, self._sequence, data))
+        except OSError as error:  # part of it may have been sent
+            self._broken(str(error))
+            raise
+        return self._sequence
+
+    def _ask(self, message: Message, wanted: Type[M]) -> M:
+        return self._decode(self._next_frame(self._send(message)), wanted)
+
+    def _receive(self, wanted: Type[M]) -> M:
+        """The next answer to the request that was sent last."""
+        return self._decode(self._next_frame(self._sequence), wanted)
+
+    def _decode(self, got: frame.Frame, wanted: Type[M]) -> M:
+        try:
+            if got.type == messages.Error.TYPE:
+                error = messages.Error.decode(got.payload)
+                refusal = Refused(error.code, error.sentence)
+                if refusal.code.closes:
+                    self._broken(error.sentence)
+                raise refusal
+            if got.type != wanted.TYPE:
+                raise self._broken(f"a message of type {got.type} that does not answer the request")
+            return wanted.decode(got.payload)
+        except CodecError as error:
+            raise self._broken(str(error)) from None
+
+    def _next_frame(self, sequence: int) -> frame.Frame:
+        """The next frame that answers a request. Frames of other requests are kept for whom waits for them, or read over."""
+        if self._inbox.get(sequence):
+            return self._inbox[sequence].popleft()
+        while True:
+            got = self._read_frame()
+            if got.sequence == sequence or (got.sequence == 0 and got.type == messages.Error.TYPE):
+                return got
+            if got.sequence in self._inbox:
+                self._inbox[got.sequence].append(got)
+            elif not 0 < got.sequence < self._sequence:
+                raise self._broken(f"an answer to request {got.sequence}, which was never sent")
+
+    def _read_frame(self) -> frame.Frame:
+        try:
+            self._fill(frame.HEADER.size)
+            total = frame.OVERHEAD + frame.check_header(bytes(self._read[:frame.HEADER.size]))[2]
+            self._fill(total)
+            data = bytes(self._read[:total])
+            del self._read[:total]
+            return frame.parse(data)
         except frame.FrameError as error:
-            raise ProtocolError(str(error)) from None
-        if got.type == messages.Error.TYPE and got.sequence in (self._sequence, 0):
-            error = got.message()
-            raise Refused(error.code, error.sentence)
-        if got.type != wanted.TYPE or got.sequence != self._sequence:
-            raise ProtocolError(f"a message of type {got.type} that does not answer the request")
-        return got.message()
+            raise self._broken(str(error)) from None
 
-    def _ask(self, message, wanted):
-        self._send(message)
-        return self._receive(wanted)
-
-    def _receive_bytes(self, n):
-        parts = []
-        while n > 0:
-            part = self._sock.recv(n)
+    def _fill(self, n: int) -> None:
+        """Receives until n bytes are there. What was received before a timeout stays."""
+        while len(self._read) < n:
+            if self._closed:
+                raise ProtocolError(f"the connection is of no more use: {self._closed}")
+            try:
+                part = self._sock.recv(max(65536, n - len(self._read)))
+            except TimeoutError:
+                raise
+            except OSError as error:
+                self._broken(str(error))
+                raise
             if not part:
-                raise ProtocolError("the server closed the connection")
-            parts.append(part)
-            n -= len(part)
-        return b"".join(parts)
+                raise self._broken("the server closed the connection")
+            self._read += part
+
+    def _broken(self, why: str) -> ProtocolError:
+        self._closed = self._closed or why
+        self._sock.close()
+        return ProtocolError(why)

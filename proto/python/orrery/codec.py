@@ -1,49 +1,83 @@
 # SPDX-License-Identifier: MIT
 """Encoding and decoding of messages whose layout is a table (see messages.py, which is generated): little-endian, every
 access checked. Standard library only."""
+from __future__ import annotations
+
+import dataclasses
+import enum
 import struct
+from typing import Any, ClassVar, Optional, Sequence, Type, TypeVar, Union
 
 FORMATS = {"u8": "B", "u16": "H", "u32": "I", "u64": "Q", "i8": "b", "i16": "h", "i32": "i", "i64": "q", "f32": "f",
            "f64": "d"}
+R = TypeVar("R", bound="Record")
 
 
 class CodecError(ValueError):
     """Bytes that are no such message, or a value that cannot be put into one."""
 
 
+class WireEnum(enum.IntEnum):
+    """An enumeration of the wire. A value that this version does not know becomes a member called UNKNOWN_<value>."""
+
+    @classmethod
+    def _missing_(cls, value: object) -> Optional["WireEnum"]:
+        if not isinstance(value, int) or not 0 <= value < 1 << 64:
+            return None
+        made = int.__new__(cls, value)
+        made._name_ = f"UNKNOWN_{value}"
+        made._value_ = value
+        return made
+
+
+@dataclasses.dataclass(frozen=True)
 class Field:
     """One field of a layout. kind: scalar, array, struct, string, bytes, list."""
 
-    __slots__ = ("name", "kind", "scalar", "length", "record", "limit", "when", "since")
+    name: str
+    kind: str
+    scalar: str = ""
+    length: int = 0
+    record: Optional[Type["Record"]] = None
+    limit: int = 0
+    when: Optional[tuple[str, int]] = None  # (field, mask): there only if a bit of an earlier field is set
+    since: int = 0                          # minor version that appended it
+    enum: Optional[Union[Type[WireEnum], Type[enum.IntFlag]]] = None
 
-    def __init__(self, name, kind, scalar=None, length=0, record=None, limit=0, when=None, since=0):
-        self.name, self.kind, self.scalar, self.length = name, kind, scalar, length
-        self.record, self.limit, self.when, self.since = record, limit, when, since  # when: (field, mask)
+    @property
+    def inner(self) -> Type["Record"]:
+        """The record of a struct or of a list of structs."""
+        if self.record is None:
+            raise CodecError(f"{self.name} holds no records")
+        return self.record
 
 
 class _Reader:
-    def __init__(self, data):
+    def __init__(self, data: Union[bytes, bytearray, memoryview]) -> None:
         self.data, self.at = memoryview(data), 0
 
-    def take(self, n):
+    def take(self, n: int) -> memoryview:
         if n > len(self.data) - self.at:
             raise CodecError(f"{n} bytes wanted at byte {self.at}, {len(self.data) - self.at} there")
         self.at += n
         return self.data[self.at - n:self.at]
 
-    def unpack(self, code, n):
+    def unpack(self, code: str, n: int) -> tuple[Any, ...]:
         return struct.unpack("<" + code, self.take(n))
 
 
 class Record:
-    """Base of all generated classes: fields are attributes; LAYOUT tells how they travel."""
+    """Base of all generated classes: fields are attributes; LAYOUT tells how they travel. Two of a class are equal if they say the same,
+    where NAN is equal to NAN."""
 
-    LAYOUT = ()
+    __slots__ = ()
+    LAYOUT: ClassVar[tuple[Field, ...]] = ()
 
-    def encode(self):
+    def encode(self) -> bytes:
+        """The payload's bytes; CodecError if a value does not fit its field."""
         out = bytearray()
         for field in self.LAYOUT:
-            if field.when is None or getattr(self, field.when[0]) & field.when[1]:
+            if self._holds(field):
                 try:
                     self._put(out, field, getattr(self, field.name))
                 except (struct.error, TypeError, AttributeError) as error:
@@ -51,19 +85,19 @@ class Record:
         return bytes(out)
 
     @classmethod
-    def decode(cls, data):
+    def decode(cls: Type[R], data: Union[bytes, bytearray, memoryview]) -> R:
         """Reads one message or record; bytes after the last known field are of a later version and are ignored."""
         return cls._get(_Reader(data))
 
-    @classmethod
-    def fixed_format(cls):
-        """The struct format of a record of fixed size, or None."""
-        if "_fixed" not in cls.__dict__:
-            cls._fixed = cls._make_format()
-        return cls._fixed
+    def __eq__(self, other: object) -> bool:
+        if type(self) is not type(other):
+            return NotImplemented
+        return all(_same(getattr(self, f.name), getattr(other, f.name)) for f in self.LAYOUT
+                   if self._holds(f) or other._holds(f))  # type: ignore[attr-defined]
 
     @classmethod
-    def _make_format(cls):
+    def fixed_format(cls) -> Optional[str]:
+        """The struct format of a record of fixed size, or None."""
         code = ""
         for field in cls.LAYOUT:
             if field.when:
@@ -72,13 +106,17 @@ class Record:
                 code += FORMATS[field.scalar]
             elif field.kind == "array":
                 code += str(field.length) + FORMATS[field.scalar]
-            elif field.kind == "struct" and field.record.fixed_format() is not None:
-                code += field.record.fixed_format()
             else:
-                return None
+                inner = field.inner.fixed_format() if field.kind == "struct" else None
+                if inner is None:
+                    return None
+                code += inner
         return code
 
-    def _put(self, out, field, value):
+    def _holds(self, field: Field) -> bool:
+        return field.when is None or bool(getattr(self, field.when[0]) & field.when[1])
+
+    def _put(self, out: bytearray, field: Field, value: Any) -> None:
         where = f"{type(self).__name__}.{field.name}"
         if field.kind == "scalar":
             out += _pack(field.scalar, [value])
@@ -97,14 +135,16 @@ class Record:
             self._put_list(out, field, value, where)
 
     @staticmethod
-    def _put_list(out, field, value, where):
+    def _put_list(out: bytearray, field: Field, value: Sequence[Any], where: str) -> None:
         if len(value) > field.limit:
             raise CodecError(f"{where}: {len(value)} records, at most {field.limit} allowed")
         out += struct.pack("<H", len(value))
         if field.scalar:
             out += struct.pack("<H", struct.calcsize(FORMATS[field.scalar])) + _pack(field.scalar, value)
-        elif field.record.fixed_format() is not None:
-            out += struct.pack("<H", struct.calcsize("<" + field.record.fixed_format()))
+            return
+        code = field.inner.fixed_format()
+        if code is not None:
+            out += struct.pack("<H", struct.calcsize("<" + code))
             out += b"".join(record.encode() for record in value)
         else:
             for record in value:
@@ -112,10 +152,10 @@ class Record:
                 out += struct.pack("<H", len(raw)) + raw
 
     @classmethod
-    def _get(cls, reader):
+    def _get(cls: Type[R], reader: _Reader) -> R:
         self = cls()
         for field in cls.LAYOUT:
-            if field.when is not None and not getattr(self, field.when[0]) & field.when[1]:
+            if not self._holds(field):
                 continue
             if field.since and reader.at == len(reader.data):
                 break  # the sender is of an older minor version
@@ -123,13 +163,14 @@ class Record:
         return self
 
     @classmethod
-    def _get_value(cls, reader, field):
+    def _get_value(cls, reader: _Reader, field: Field) -> Any:
         if field.kind == "scalar":
-            return reader.unpack(FORMATS[field.scalar], struct.calcsize(FORMATS[field.scalar]))[0]
+            value = reader.unpack(FORMATS[field.scalar], struct.calcsize(FORMATS[field.scalar]))[0]
+            return field.enum(value) if field.enum else value
         if field.kind == "array":
             return list(reader.unpack(str(field.length) + FORMATS[field.scalar], _size(field)))
         if field.kind == "struct":
-            return field.record._get(reader)
+            return field.inner._get(reader)
         if field.kind in ("string", "bytes"):
             size = reader.unpack("H", 2)[0]
             if size > field.limit:
@@ -139,29 +180,32 @@ class Record:
         return cls._get_list(reader, field)
 
     @classmethod
-    def _get_list(cls, reader, field):
+    def _get_list(cls, reader: _Reader, field: Field) -> list[Any]:
         count = reader.unpack("H", 2)[0]
         if count > field.limit:
             raise CodecError(f"{cls.__name__}.{field.name}: {count} records, at most {field.limit} allowed")
-        fixed = field.scalar or field.record.fixed_format() is not None
-        if not fixed:
-            return [field.record.decode(reader.take(reader.unpack("H", 2)[0])) for _ in range(count)]
+        if not field.scalar and field.inner.fixed_format() is None:
+            return [field.inner.decode(reader.take(reader.unpack("H", 2)[0])) for _ in range(count)]
         stride = reader.unpack("H", 2)[0]
         raw = reader.take(count * stride)
         if field.scalar:
             if count and stride < struct.calcsize(FORMATS[field.scalar]):
                 raise CodecError(f"{cls.__name__}.{field.name}: values of {stride} bytes")
             return [struct.unpack_from("<" + FORMATS[field.scalar], raw, k * stride)[0] for k in range(count)]
-        return [field.record.decode(raw[k * stride:(k + 1) * stride]) for k in range(count)]
+        return [field.inner.decode(raw[k * stride:(k + 1) * stride]) for k in range(count)]
 
 
-def _pack(scalar, values):
+def _pack(scalar: str, values: Sequence[Any]) -> bytes:
     if scalar in ("f32", "f64"):  # one NAN for all: equal messages are equal bytes
         values = [float("nan") if v != v else v for v in values]
     return struct.pack(f"<{len(values)}{FORMATS[scalar]}", *values)
 
 
-def _size(field):
-    if field.kind == "struct":
-        return struct.calcsize("<" + field.record.fixed_format())
-    return struct.calcsize("<" + FORMATS[field.scalar]) * (field.length if field.kind == "array" else 1)
+def _size(field: Field) -> int:
+    return struct.calcsize("<" + FORMATS[field.scalar]) * field.length
+
+
+def _same(a: Any, b: Any) -> bool:
+    if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
+        return len(a) == len(b) and all(map(_same, a, b))
+    return bool(a == b or (a != a and b != b))

@@ -2,9 +2,11 @@
 # Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
 # pylint: skip-file
 """Messages of Orrery, protocol 1.0."""
+import dataclasses
 import enum
+from typing import ClassVar, Type
 
-from .codec import Field, Record
+from .codec import Field, Record, WireEnum
 
 MAGIC = b'ORRY'
 MAJOR = 1
@@ -19,7 +21,7 @@ MAX_UNITS = 64  # inertial units in one list
 MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
 
 
-class ErrorCode(enum.IntEnum):
+class ErrorCode(WireEnum):
     """Why a request was refused or a connection is being closed."""
 
     BAD_MAGIC = 1  # the bytes are no frame of this protocol
@@ -36,8 +38,13 @@ class ErrorCode(enum.IntEnum):
     CLOSING = 12  # the server is shutting down
     INTERNAL = 13  # the server failed; its log says how
 
+    @property
+    def closes(self) -> bool:
+        """Whether the server closes the connection with it."""
+        return self.value in (1, 2, 3, 4, 10, 11, 12,)
 
-class Answer(enum.IntEnum):
+
+class Answer(WireEnum):
     """Whether there are numbers, and if not, why not."""
 
     OK = 0  # the numbers are there
@@ -48,7 +55,7 @@ class Answer(enum.IntEnum):
     NO_VALUE = 5  # the ionosphere has a hole where the ray pierces it, or the arc is too short for the method
 
 
-class NavMessage(enum.IntEnum):
+class NavMessage(WireEnum):
     """A navigation message."""
 
     NONE = 0  # none
@@ -56,7 +63,7 @@ class NavMessage(enum.IntEnum):
     FDMA = 2  # GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
 
 
-class ElementsFrame(enum.IntEnum):
+class ElementsFrame(WireEnum):
     """Axes that Kepler elements refer to."""
 
     DATE = 0  # true equator and equinox of date
@@ -64,7 +71,7 @@ class ElementsFrame(enum.IntEnum):
     ECEF = 2  # axes of ecef, frozen at the epoch, for MEAN through its whole revolution
 
 
-class ElementsMethod(enum.IntEnum):
+class ElementsMethod(WireEnum):
     """How Kepler elements are made."""
 
     STATE = 0  # osculating, from position and velocity
@@ -72,7 +79,7 @@ class ElementsMethod(enum.IntEnum):
     MEAN = 2  # osculating averaged over one revolution centred on the epoch
 
 
-class OrbitPoint(enum.IntEnum):
+class OrbitPoint(WireEnum):
     """The point of a satellite whose orbit is described."""
 
     NONE = 0  # no orbit is described
@@ -80,7 +87,7 @@ class OrbitPoint(enum.IntEnum):
     PHASE_CENTRE = 2  # the antenna's phase centre; the centre of mass of a satellite marked NO_ANTENNA
 
 
-class ReceiverSource(enum.IntEnum):
+class ReceiverSource(WireEnum):
     """Where the receiver comes from that is used when a request names none."""
 
     NONE = 0  # there is none: a request has to name one
@@ -89,7 +96,7 @@ class ReceiverSource(enum.IntEnum):
     STATION = 3  # the station of the ionosphere's session
 
 
-class TecOrigin(enum.IntEnum):
+class TecOrigin(WireEnum):
     """What a delay came from."""
 
     FIELD = 0  # the field alone: maps, coefficients or the broadcast model
@@ -127,6 +134,7 @@ class NavNotes(enum.IntFlag):
     CLOCK_JUMP = 64  # the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class SatId(Record):
     """A satellite as IGS files name it.
 
@@ -134,16 +142,19 @@ class SatId(Record):
     number: 1 to 99; any other is NOT_SERVED
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("system", "scalar", scalar="u8"),
         Field("number", "scalar", scalar="u8"),
     )
 
-    def __init__(self, system=0, number=0):
-        self.system = system
-        self.number = number
+    system: int = 0
+    number: int = 0
+
+    def __str__(self) -> str:
+        return f"{chr(self.system)}{self.number:02d}"
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Epochs(Record):
     """The instants of a request - t, t + step, ..., t + (count - 1) step. A request that has them is answered by count frames.
 
@@ -152,18 +163,18 @@ class Epochs(Record):
     count: how many, 1 to MAX_EPOCHS
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("t", "scalar", scalar="i64"),
         Field("step", "scalar", scalar="i64"),
         Field("count", "scalar", scalar="u32"),
     )
 
-    def __init__(self, t=0, step=0, count=0):
-        self.t = t
-        self.step = step
-        self.count = count
+    t: int = 0
+    step: int = 0
+    count: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Epoch(Record):
     """Which of the instants of a request a frame answers.
 
@@ -173,20 +184,20 @@ class Epoch(Record):
     answer: whether there are numbers at this instant
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("t", "scalar", scalar="i64"),
         Field("index", "scalar", scalar="u32"),
         Field("count", "scalar", scalar="u32"),
-        Field("answer", "scalar", scalar="u8"),
+        Field("answer", "scalar", scalar="u8", enum=Answer),
     )
 
-    def __init__(self, t=0, index=0, count=0, answer=0):
-        self.t = t
-        self.index = index
-        self.count = count
-        self.answer = answer
+    t: int = 0
+    index: int = 0
+    count: int = 0
+    answer: Answer = Answer(0)
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Span(Record):
     """A length of time with both of its ends.
 
@@ -194,16 +205,16 @@ class Span(Record):
     last [ns]: last instant; likewise
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("first", "scalar", scalar="i64"),
         Field("last", "scalar", scalar="i64"),
     )
 
-    def __init__(self, first=0, last=0):
-        self.first = first
-        self.last = last
+    first: int = 0
+    last: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class ServedRequest(Record):
     """A request that is answered.
 
@@ -212,18 +223,18 @@ class ServedRequest(Record):
     span: instants at which there can be numbers; none of a request without epochs
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("request", "scalar", scalar="u16"),
         Field("answer", "scalar", scalar="u16"),
         Field("span", "struct", record=Span),
     )
 
-    def __init__(self, request=0, answer=0, span=None):
-        self.request = request
-        self.answer = answer
-        self.span = Span() if span is None else span
+    request: int = 0
+    answer: int = 0
+    span: Span = dataclasses.field(default_factory=Span)
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class InertialUnit(Record):
     """An inertial measurement unit of the scenario's vehicle.
 
@@ -235,7 +246,7 @@ class InertialUnit(Record):
     roll_rad [rad]: likewise roll
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("unit", "scalar", scalar="u16"),
         Field("name", "string", limit=64),
         Field("lever_m", "array", scalar="f64", length=3),
@@ -244,15 +255,15 @@ class InertialUnit(Record):
         Field("roll_rad", "scalar", scalar="f64"),
     )
 
-    def __init__(self, unit=0, name="", lever_m=None, heading_rad=0.0, pitch_rad=0.0, roll_rad=0.0):
-        self.unit = unit
-        self.name = name
-        self.lever_m = [0.0] * 3 if lever_m is None else lever_m
-        self.heading_rad = heading_rad
-        self.pitch_rad = pitch_rad
-        self.roll_rad = roll_rad
+    unit: int = 0
+    name: str = ""
+    lever_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    heading_rad: float = 0.0
+    pitch_rad: float = 0.0
+    roll_rad: float = 0.0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class LeapSeconds(Record):
     """Leap seconds of UTC as the server knows them.
 
@@ -261,18 +272,18 @@ class LeapSeconds(Record):
     next [ns]: first instant of the next value; -2^63 where no later change is known
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("gps_utc_s", "scalar", scalar="i16"),
         Field("next_gps_utc_s", "scalar", scalar="i16"),
         Field("next", "scalar", scalar="i64"),
     )
 
-    def __init__(self, gps_utc_s=0, next_gps_utc_s=0, next=0):
-        self.gps_utc_s = gps_utc_s
-        self.next_gps_utc_s = next_gps_utc_s
-        self.next = next
+    gps_utc_s: int = 0
+    next_gps_utc_s: int = 0
+    next: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class SatState(Record):
     """State of one satellite in the terrestrial frame of the input orbits (ecef). Numbers are NAN unless answer is OK.
 
@@ -290,11 +301,11 @@ class SatState(Record):
     sigma_m [m]: 1-sigma of the position, 3-D
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("sat", "struct", record=SatId),
-        Field("answer", "scalar", scalar="u8"),
+        Field("answer", "scalar", scalar="u8", enum=Answer),
         Field("reserved", "scalar", scalar="u8"),
-        Field("flags", "scalar", scalar="u32"),
+        Field("flags", "scalar", scalar="u32", enum=StateFlags),
         Field("pos_m", "array", scalar="f64", length=3),
         Field("vel_mps", "array", scalar="f64", length=3),
         Field("acc_mps2", "array", scalar="f64", length=3),
@@ -305,21 +316,21 @@ class SatState(Record):
         Field("sigma_m", "scalar", scalar="f32"),
     )
 
-    def __init__(self, sat=None, answer=0, reserved=0, flags=0, pos_m=None, vel_mps=None, acc_mps2=None, clock_s=0.0, clock_rate_sps=0.0, valid_from=0, valid_to=0, sigma_m=0.0):
-        self.sat = SatId() if sat is None else sat
-        self.answer = answer
-        self.reserved = reserved
-        self.flags = flags
-        self.pos_m = [0.0] * 3 if pos_m is None else pos_m
-        self.vel_mps = [0.0] * 3 if vel_mps is None else vel_mps
-        self.acc_mps2 = [0.0] * 3 if acc_mps2 is None else acc_mps2
-        self.clock_s = clock_s
-        self.clock_rate_sps = clock_rate_sps
-        self.valid_from = valid_from
-        self.valid_to = valid_to
-        self.sigma_m = sigma_m
+    sat: SatId = dataclasses.field(default_factory=SatId)
+    answer: Answer = Answer(0)
+    reserved: int = 0
+    flags: StateFlags = StateFlags(0)
+    pos_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    vel_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    acc_mps2: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    clock_s: float = 0.0
+    clock_rate_sps: float = 0.0
+    valid_from: int = 0
+    valid_to: int = 0
+    sigma_m: float = 0.0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class SatElements(Record):
     """Kepler elements of one satellite. Numbers are NAN unless answer is OK.
 
@@ -336,11 +347,11 @@ class SatElements(Record):
     u_rad [rad]: argument of latitude
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("sat", "struct", record=SatId),
-        Field("answer", "scalar", scalar="u8"),
+        Field("answer", "scalar", scalar="u8", enum=Answer),
         Field("reserved", "scalar", scalar="u8"),
-        Field("flags", "scalar", scalar="u32"),
+        Field("flags", "scalar", scalar="u32", enum=StateFlags),
         Field("a_m", "scalar", scalar="f64"),
         Field("e", "scalar", scalar="f64"),
         Field("i_rad", "scalar", scalar="f64"),
@@ -350,20 +361,20 @@ class SatElements(Record):
         Field("u_rad", "scalar", scalar="f64"),
     )
 
-    def __init__(self, sat=None, answer=0, reserved=0, flags=0, a_m=0.0, e=0.0, i_rad=0.0, raan_rad=0.0, argp_rad=0.0, m_rad=0.0, u_rad=0.0):
-        self.sat = SatId() if sat is None else sat
-        self.answer = answer
-        self.reserved = reserved
-        self.flags = flags
-        self.a_m = a_m
-        self.e = e
-        self.i_rad = i_rad
-        self.raan_rad = raan_rad
-        self.argp_rad = argp_rad
-        self.m_rad = m_rad
-        self.u_rad = u_rad
+    sat: SatId = dataclasses.field(default_factory=SatId)
+    answer: Answer = Answer(0)
+    reserved: int = 0
+    flags: StateFlags = StateFlags(0)
+    a_m: float = 0.0
+    e: float = 0.0
+    i_rad: float = 0.0
+    raan_rad: float = 0.0
+    argp_rad: float = 0.0
+    m_rad: float = 0.0
+    u_rad: float = 0.0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class NavPage(Record):
     """A subframe or string as it is sent, bit by bit.
 
@@ -374,7 +385,7 @@ class NavPage(Record):
     data: the first bit in time is the highest of the first byte; what is left of the last is 0
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("t", "scalar", scalar="i64"),
         Field("number", "scalar", scalar="u8"),
         Field("page", "scalar", scalar="u8"),
@@ -382,14 +393,14 @@ class NavPage(Record):
         Field("data", "bytes", limit=38),
     )
 
-    def __init__(self, t=0, number=0, page=0, bits=0, data=b""):
-        self.t = t
-        self.number = number
-        self.page = page
-        self.bits = bits
-        self.data = data
+    t: int = 0
+    number: int = 0
+    page: int = 0
+    bits: int = 0
+    data: bytes = b""
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class LnavSet(Record):
     """What subframes 1 to 3 hold beside clock and issue, on the message's lattice (IS-GPS-200N tables 20-I and 20-III).
 
@@ -411,7 +422,7 @@ class LnavSet(Record):
     tgd_s [s]: group delay differential
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("sqrt_a_sqrtm", "scalar", scalar="f64"),
         Field("e", "scalar", scalar="f64"),
         Field("m0_rad", "scalar", scalar="f64"),
@@ -430,25 +441,25 @@ class LnavSet(Record):
         Field("tgd_s", "scalar", scalar="f64"),
     )
 
-    def __init__(self, sqrt_a_sqrtm=0.0, e=0.0, m0_rad=0.0, i0_rad=0.0, omega0_rad=0.0, omega_rad=0.0, delta_n_radps=0.0, idot_radps=0.0, omega_dot_radps=0.0, cuc_rad=0.0, cus_rad=0.0, crc_m=0.0, crs_m=0.0, cic_rad=0.0, cis_rad=0.0, tgd_s=0.0):
-        self.sqrt_a_sqrtm = sqrt_a_sqrtm
-        self.e = e
-        self.m0_rad = m0_rad
-        self.i0_rad = i0_rad
-        self.omega0_rad = omega0_rad
-        self.omega_rad = omega_rad
-        self.delta_n_radps = delta_n_radps
-        self.idot_radps = idot_radps
-        self.omega_dot_radps = omega_dot_radps
-        self.cuc_rad = cuc_rad
-        self.cus_rad = cus_rad
-        self.crc_m = crc_m
-        self.crs_m = crs_m
-        self.cic_rad = cic_rad
-        self.cis_rad = cis_rad
-        self.tgd_s = tgd_s
+    sqrt_a_sqrtm: float = 0.0
+    e: float = 0.0
+    m0_rad: float = 0.0
+    i0_rad: float = 0.0
+    omega0_rad: float = 0.0
+    omega_rad: float = 0.0
+    delta_n_radps: float = 0.0
+    idot_radps: float = 0.0
+    omega_dot_radps: float = 0.0
+    cuc_rad: float = 0.0
+    cus_rad: float = 0.0
+    crc_m: float = 0.0
+    crs_m: float = 0.0
+    cic_rad: float = 0.0
+    cis_rad: float = 0.0
+    tgd_s: float = 0.0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class GlonassSet(Record):
     """What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
 
@@ -460,7 +471,7 @@ class GlonassSet(Record):
     reserved: 0
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("pos_m", "array", scalar="f64", length=3),
         Field("vel_mps", "array", scalar="f64", length=3),
         Field("acc_mps2", "array", scalar="f64", length=3),
@@ -469,20 +480,21 @@ class GlonassSet(Record):
         Field("reserved", "scalar", scalar="u8"),
     )
 
-    def __init__(self, pos_m=None, vel_mps=None, acc_mps2=None, delta_tau_s=0.0, channel=0, reserved=0):
-        self.pos_m = [0.0] * 3 if pos_m is None else pos_m
-        self.vel_mps = [0.0] * 3 if vel_mps is None else vel_mps
-        self.acc_mps2 = [0.0] * 3 if acc_mps2 is None else acc_mps2
-        self.delta_tau_s = delta_tau_s
-        self.channel = channel
-        self.reserved = reserved
+    pos_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    vel_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    acc_mps2: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    delta_tau_s: float = 0.0
+    channel: int = 0
+    reserved: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class SatNavdata(Record):
     """What one satellite sends. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
 
     sat: which satellite
-    answer: OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not fit its field)
+    answer: OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not
+    fit its field)
     message: LNAV or FDMA; NONE unless answer is OK
     notes: 0 unless answer is OK
     set_from [ns]: the set is sent from then on
@@ -507,11 +519,11 @@ class SatNavdata(Record):
     pages: all of the frame: five subframes, or fifteen strings
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("sat", "struct", record=SatId),
-        Field("answer", "scalar", scalar="u8"),
-        Field("message", "scalar", scalar="u8"),
-        Field("notes", "scalar", scalar="u32"),
+        Field("answer", "scalar", scalar="u8", enum=Answer),
+        Field("message", "scalar", scalar="u8", enum=NavMessage),
+        Field("notes", "scalar", scalar="u32", enum=NavNotes),
         Field("set_from", "scalar", scalar="i64"),
         Field("set_to", "scalar", scalar="i64"),
         Field("toe", "scalar", scalar="i64"),
@@ -534,33 +546,33 @@ class SatNavdata(Record):
         Field("pages", "list", record=NavPage, limit=15),
     )
 
-    def __init__(self, sat=None, answer=0, message=0, notes=0, set_from=0, set_to=0, toe=0, toc=0, week=0, iode=0, iodc=0, health=0, accuracy_m=0.0, fit_rms_m=0.0, fit_max_m=0.0, clock_rms_s=0.0, af0_s=0.0, af1_sps=0.0, af2_sps2=0.0, frame_from=0, frame_to=0, kepler=None, glonass=None, pages=None):
-        self.sat = SatId() if sat is None else sat
-        self.answer = answer
-        self.message = message
-        self.notes = notes
-        self.set_from = set_from
-        self.set_to = set_to
-        self.toe = toe
-        self.toc = toc
-        self.week = week
-        self.iode = iode
-        self.iodc = iodc
-        self.health = health
-        self.accuracy_m = accuracy_m
-        self.fit_rms_m = fit_rms_m
-        self.fit_max_m = fit_max_m
-        self.clock_rms_s = clock_rms_s
-        self.af0_s = af0_s
-        self.af1_sps = af1_sps
-        self.af2_sps2 = af2_sps2
-        self.frame_from = frame_from
-        self.frame_to = frame_to
-        self.kepler = [] if kepler is None else kepler
-        self.glonass = [] if glonass is None else glonass
-        self.pages = [] if pages is None else pages
+    sat: SatId = dataclasses.field(default_factory=SatId)
+    answer: Answer = Answer(0)
+    message: NavMessage = NavMessage(0)
+    notes: NavNotes = NavNotes(0)
+    set_from: int = 0
+    set_to: int = 0
+    toe: int = 0
+    toc: int = 0
+    week: int = 0
+    iode: int = 0
+    iodc: int = 0
+    health: int = 0
+    accuracy_m: float = 0.0
+    fit_rms_m: float = 0.0
+    fit_max_m: float = 0.0
+    clock_rms_s: float = 0.0
+    af0_s: float = 0.0
+    af1_sps: float = 0.0
+    af2_sps2: float = 0.0
+    frame_from: int = 0
+    frame_to: int = 0
+    kepler: list[LnavSet] = dataclasses.field(default_factory=list)
+    glonass: list[GlonassSet] = dataclasses.field(default_factory=list)
+    pages: list[NavPage] = dataclasses.field(default_factory=list)
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class SatDelay(Record):
     """The ionosphere between a receiver and one satellite. Numbers are NAN unless answer is OK.
 
@@ -580,11 +592,11 @@ class SatDelay(Record):
     sigma_tecu [TECU]: 1-sigma of stec_tecu, NAN where unknown
     """
 
-    LAYOUT = (
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("sat", "struct", record=SatId),
-        Field("answer", "scalar", scalar="u8"),
-        Field("origin", "scalar", scalar="u8"),
-        Field("flags", "scalar", scalar="u8"),
+        Field("answer", "scalar", scalar="u8", enum=Answer),
+        Field("origin", "scalar", scalar="u8", enum=TecOrigin),
+        Field("flags", "scalar", scalar="u8", enum=DelayFlags),
         Field("reserved", "scalar", scalar="u8"),
         Field("az_rad", "scalar", scalar="f64"),
         Field("el_rad", "scalar", scalar="f64"),
@@ -597,23 +609,23 @@ class SatDelay(Record):
         Field("sigma_tecu", "scalar", scalar="f32"),
     )
 
-    def __init__(self, sat=None, answer=0, origin=0, flags=0, reserved=0, az_rad=0.0, el_rad=0.0, pierce_lat_rad=0.0, pierce_lon_rad=0.0, mapping=0.0, stec_tecu=0.0, model_stec_tecu=0.0, delay_m=None, sigma_tecu=0.0):
-        self.sat = SatId() if sat is None else sat
-        self.answer = answer
-        self.origin = origin
-        self.flags = flags
-        self.reserved = reserved
-        self.az_rad = az_rad
-        self.el_rad = el_rad
-        self.pierce_lat_rad = pierce_lat_rad
-        self.pierce_lon_rad = pierce_lon_rad
-        self.mapping = mapping
-        self.stec_tecu = stec_tecu
-        self.model_stec_tecu = model_stec_tecu
-        self.delay_m = [0.0] * 4 if delay_m is None else delay_m
-        self.sigma_tecu = sigma_tecu
+    sat: SatId = dataclasses.field(default_factory=SatId)
+    answer: Answer = Answer(0)
+    origin: TecOrigin = TecOrigin(0)
+    flags: DelayFlags = DelayFlags(0)
+    reserved: int = 0
+    az_rad: float = 0.0
+    el_rad: float = 0.0
+    pierce_lat_rad: float = 0.0
+    pierce_lon_rad: float = 0.0
+    mapping: float = 0.0
+    stec_tecu: float = 0.0
+    model_stec_tecu: float = 0.0
+    delay_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 4)
+    sigma_tecu: float = 0.0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Hello(Record):
     """Opens a conversation. Optional, but a client that sends it learns what is served.
 
@@ -623,21 +635,21 @@ class Hello(Record):
     version: its version
     """
 
-    TYPE = 1
-    LAYOUT = (
+    TYPE: ClassVar[int] = 1
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("major_min", "scalar", scalar="u8"),
         Field("major_max", "scalar", scalar="u8"),
         Field("name", "string", limit=64),
         Field("version", "string", limit=32),
     )
 
-    def __init__(self, major_min=0, major_max=0, name="", version=""):
-        self.major_min = major_min
-        self.major_max = major_max
-        self.name = name
-        self.version = version
+    major_min: int = 0
+    major_max: int = 0
+    name: str = ""
+    version: str = ""
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Caps(Record):
     """What the server is and what it serves.
 
@@ -661,8 +673,8 @@ class Caps(Record):
     satellites: served satellites, in the order in which STATES lists them
     """
 
-    TYPE = 2
-    LAYOUT = (
+    TYPE: ClassVar[int] = 2
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("major", "scalar", scalar="u8"),
         Field("minor", "scalar", scalar="u8"),
         Field("max_request", "scalar", scalar="u32"),
@@ -673,8 +685,8 @@ class Caps(Record):
         Field("title", "string", limit=128),
         Field("frame", "string", limit=64),
         Field("leap", "struct", record=LeapSeconds),
-        Field("navdata_point", "scalar", scalar="u8"),
-        Field("receiver_source", "scalar", scalar="u8"),
+        Field("navdata_point", "scalar", scalar="u8", enum=OrbitPoint),
+        Field("receiver_source", "scalar", scalar="u8", enum=ReceiverSource),
         Field("receiver_unit", "scalar", scalar="u16"),
         Field("receiver_m", "array", scalar="f64", length=3),
         Field("imu_rate_hz", "scalar", scalar="f64"),
@@ -683,57 +695,57 @@ class Caps(Record):
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, major=0, minor=0, max_request=0, max_epochs=0, span=None, name="", version="", title="", frame="", leap=None, navdata_point=0, receiver_source=0, receiver_unit=0, receiver_m=None, imu_rate_hz=0.0, units=None, requests=None, satellites=None):
-        self.major = major
-        self.minor = minor
-        self.max_request = max_request
-        self.max_epochs = max_epochs
-        self.span = Span() if span is None else span
-        self.name = name
-        self.version = version
-        self.title = title
-        self.frame = frame
-        self.leap = LeapSeconds() if leap is None else leap
-        self.navdata_point = navdata_point
-        self.receiver_source = receiver_source
-        self.receiver_unit = receiver_unit
-        self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
-        self.imu_rate_hz = imu_rate_hz
-        self.units = [] if units is None else units
-        self.requests = [] if requests is None else requests
-        self.satellites = [] if satellites is None else satellites
+    major: int = 0
+    minor: int = 0
+    max_request: int = 0
+    max_epochs: int = 0
+    span: Span = dataclasses.field(default_factory=Span)
+    name: str = ""
+    version: str = ""
+    title: str = ""
+    frame: str = ""
+    leap: LeapSeconds = dataclasses.field(default_factory=LeapSeconds)
+    navdata_point: OrbitPoint = OrbitPoint(0)
+    receiver_source: ReceiverSource = ReceiverSource(0)
+    receiver_unit: int = 0
+    receiver_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    imu_rate_hz: float = 0.0
+    units: list[InertialUnit] = dataclasses.field(default_factory=list)
+    requests: list[ServedRequest] = dataclasses.field(default_factory=list)
+    satellites: list[SatId] = dataclasses.field(default_factory=list)
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Ping(Record):
     """Asks whether the server is alive; also keeps an idle connection open.
 
     token: anything
     """
 
-    TYPE = 3
-    LAYOUT = (
+    TYPE: ClassVar[int] = 3
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("token", "scalar", scalar="u64"),
     )
 
-    def __init__(self, token=0):
-        self.token = token
+    token: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Pong(Record):
     """The answer to a PING.
 
     token: that of the PING
     """
 
-    TYPE = 4
-    LAYOUT = (
+    TYPE: ClassVar[int] = 4
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("token", "scalar", scalar="u64"),
     )
 
-    def __init__(self, token=0):
-        self.token = token
+    token: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Error(Record):
     """A refusal. Answers the request whose sequence number it bears; 0 where no request could be read.
 
@@ -742,19 +754,19 @@ class Error(Record):
     sentence: what was wrong, for people
     """
 
-    TYPE = 5
-    LAYOUT = (
-        Field("code", "scalar", scalar="u16"),
+    TYPE: ClassVar[int] = 5
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("code", "scalar", scalar="u16", enum=ErrorCode),
         Field("request", "scalar", scalar="u16"),
         Field("sentence", "string", limit=512),
     )
 
-    def __init__(self, code=0, request=0, sentence=""):
-        self.code = code
-        self.request = request
-        self.sentence = sentence
+    code: ErrorCode = ErrorCode(0)
+    request: int = 0
+    sentence: str = ""
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Poll(Record):
     """Asks for satellite states. The same POLL gets the same bytes, always.
 
@@ -762,32 +774,32 @@ class Poll(Record):
     satellites: which, in the order of the answer; empty for all
     """
 
-    TYPE = 6
-    LAYOUT = (
+    TYPE: ClassVar[int] = 6
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, epochs=None, satellites=None):
-        self.epochs = Epochs() if epochs is None else epochs
-        self.satellites = [] if satellites is None else satellites
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+    satellites: list[SatId] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """first epoch"""
         return self.epochs.t
 
     @property
-    def step(self):
+    def step(self) -> int:
         """from one epoch to the next; any sign, not 0 unless count is 1"""
         return self.epochs.step
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many, 1 to MAX_EPOCHS"""
         return self.epochs.count
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class States(Record):
     """Satellite states at one epoch.
 
@@ -795,37 +807,37 @@ class States(Record):
     satellites: those asked for, in that order; for all, those of CAPS
     """
 
-    TYPE = 7
-    LAYOUT = (
+    TYPE: ClassVar[int] = 7
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epoch", "struct", record=Epoch),
         Field("satellites", "list", record=SatState, limit=800),
     )
 
-    def __init__(self, epoch=None, satellites=None):
-        self.epoch = Epoch() if epoch is None else epoch
-        self.satellites = [] if satellites is None else satellites
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    satellites: list[SatState] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """the instant"""
         return self.epoch.t
 
     @property
-    def index(self):
+    def index(self) -> int:
         """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
         return self.epoch.index
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many epochs the request asked for"""
         return self.epoch.count
 
     @property
-    def answer(self):
+    def answer(self) -> Answer:
         """whether there are numbers at this instant"""
         return self.epoch.answer
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class PollElements(Record):
     """Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
 
@@ -835,36 +847,36 @@ class PollElements(Record):
     satellites: which, in the order of the answer; empty for all
     """
 
-    TYPE = 8
-    LAYOUT = (
+    TYPE: ClassVar[int] = 8
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
-        Field("frame", "scalar", scalar="u8"),
-        Field("method", "scalar", scalar="u8"),
+        Field("frame", "scalar", scalar="u8", enum=ElementsFrame),
+        Field("method", "scalar", scalar="u8", enum=ElementsMethod),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, epochs=None, frame=0, method=0, satellites=None):
-        self.epochs = Epochs() if epochs is None else epochs
-        self.frame = frame
-        self.method = method
-        self.satellites = [] if satellites is None else satellites
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+    frame: ElementsFrame = ElementsFrame(0)
+    method: ElementsMethod = ElementsMethod(0)
+    satellites: list[SatId] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """first epoch"""
         return self.epochs.t
 
     @property
-    def step(self):
+    def step(self) -> int:
         """from one epoch to the next; any sign, not 0 unless count is 1"""
         return self.epochs.step
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many, 1 to MAX_EPOCHS"""
         return self.epochs.count
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Elements(Record):
     """Kepler elements at one epoch.
 
@@ -874,41 +886,41 @@ class Elements(Record):
     satellites: those asked for, in that order; for all, those of CAPS
     """
 
-    TYPE = 9
-    LAYOUT = (
+    TYPE: ClassVar[int] = 9
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epoch", "struct", record=Epoch),
-        Field("frame", "scalar", scalar="u8"),
-        Field("method", "scalar", scalar="u8"),
+        Field("frame", "scalar", scalar="u8", enum=ElementsFrame),
+        Field("method", "scalar", scalar="u8", enum=ElementsMethod),
         Field("satellites", "list", record=SatElements, limit=800),
     )
 
-    def __init__(self, epoch=None, frame=0, method=0, satellites=None):
-        self.epoch = Epoch() if epoch is None else epoch
-        self.frame = frame
-        self.method = method
-        self.satellites = [] if satellites is None else satellites
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    frame: ElementsFrame = ElementsFrame(0)
+    method: ElementsMethod = ElementsMethod(0)
+    satellites: list[SatElements] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """the instant"""
         return self.epoch.t
 
     @property
-    def index(self):
+    def index(self) -> int:
         """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
         return self.epoch.index
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many epochs the request asked for"""
         return self.epoch.count
 
     @property
-    def answer(self):
+    def answer(self) -> Answer:
         """whether there are numbers at this instant"""
         return self.epoch.answer
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class PollNavdata(Record):
     """Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
 
@@ -916,32 +928,32 @@ class PollNavdata(Record):
     satellites: which, in the order of the answer; empty for all
     """
 
-    TYPE = 10
-    LAYOUT = (
+    TYPE: ClassVar[int] = 10
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, epochs=None, satellites=None):
-        self.epochs = Epochs() if epochs is None else epochs
-        self.satellites = [] if satellites is None else satellites
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+    satellites: list[SatId] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """first epoch"""
         return self.epochs.t
 
     @property
-    def step(self):
+    def step(self) -> int:
         """from one epoch to the next; any sign, not 0 unless count is 1"""
         return self.epochs.step
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many, 1 to MAX_EPOCHS"""
         return self.epochs.count
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Navdata(Record):
     """Broadcast data at one epoch.
 
@@ -949,37 +961,37 @@ class Navdata(Record):
     satellites: those asked for, in that order; for all, those of CAPS
     """
 
-    TYPE = 11
-    LAYOUT = (
+    TYPE: ClassVar[int] = 11
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epoch", "struct", record=Epoch),
         Field("satellites", "list", record=SatNavdata, limit=800),
     )
 
-    def __init__(self, epoch=None, satellites=None):
-        self.epoch = Epoch() if epoch is None else epoch
-        self.satellites = [] if satellites is None else satellites
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    satellites: list[SatNavdata] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """the instant"""
         return self.epoch.t
 
     @property
-    def index(self):
+    def index(self) -> int:
         """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
         return self.epoch.index
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many epochs the request asked for"""
         return self.epoch.count
 
     @property
-    def answer(self):
+    def answer(self) -> Answer:
         """whether there are numbers at this instant"""
         return self.epoch.answer
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class PollDelays(Record):
     """Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
 
@@ -989,36 +1001,36 @@ class PollDelays(Record):
     satellites: which, in the order of the answer; empty for all
     """
 
-    TYPE = 12
-    LAYOUT = (
+    TYPE: ClassVar[int] = 12
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
         Field("receiver_m", "array", scalar="f64", length=3),
         Field("carriers_hz", "list", scalar="f64", limit=4),
         Field("satellites", "list", record=SatId, limit=800),
     )
 
-    def __init__(self, epochs=None, receiver_m=None, carriers_hz=None, satellites=None):
-        self.epochs = Epochs() if epochs is None else epochs
-        self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
-        self.carriers_hz = [] if carriers_hz is None else carriers_hz
-        self.satellites = [] if satellites is None else satellites
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+    receiver_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    carriers_hz: list[float] = dataclasses.field(default_factory=list)
+    satellites: list[SatId] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """first epoch"""
         return self.epochs.t
 
     @property
-    def step(self):
+    def step(self) -> int:
         """from one epoch to the next; any sign, not 0 unless count is 1"""
         return self.epochs.step
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many, 1 to MAX_EPOCHS"""
         return self.epochs.count
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Delays(Record):
     """Ionospheric delays at one epoch.
 
@@ -1028,41 +1040,41 @@ class Delays(Record):
     satellites: those asked for, in that order; for all, those of CAPS
     """
 
-    TYPE = 13
-    LAYOUT = (
+    TYPE: ClassVar[int] = 13
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epoch", "struct", record=Epoch),
         Field("receiver_m", "array", scalar="f64", length=3),
         Field("carriers_hz", "list", scalar="f64", limit=4),
         Field("satellites", "list", record=SatDelay, limit=800),
     )
 
-    def __init__(self, epoch=None, receiver_m=None, carriers_hz=None, satellites=None):
-        self.epoch = Epoch() if epoch is None else epoch
-        self.receiver_m = [0.0] * 3 if receiver_m is None else receiver_m
-        self.carriers_hz = [] if carriers_hz is None else carriers_hz
-        self.satellites = [] if satellites is None else satellites
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    receiver_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    carriers_hz: list[float] = dataclasses.field(default_factory=list)
+    satellites: list[SatDelay] = dataclasses.field(default_factory=list)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """the instant"""
         return self.epoch.t
 
     @property
-    def index(self):
+    def index(self) -> int:
         """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
         return self.epoch.index
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many epochs the request asked for"""
         return self.epoch.count
 
     @property
-    def answer(self):
+    def answer(self) -> Answer:
         """whether there are numbers at this instant"""
         return self.epoch.answer
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class PollImu(Record):
     """Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
 
@@ -1070,32 +1082,32 @@ class PollImu(Record):
     unit: which inertial unit of the scenario; 0 is the trajectory's own point
     """
 
-    TYPE = 16
-    LAYOUT = (
+    TYPE: ClassVar[int] = 16
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
         Field("unit", "scalar", scalar="u16"),
     )
 
-    def __init__(self, epochs=None, unit=0):
-        self.epochs = Epochs() if epochs is None else epochs
-        self.unit = unit
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+    unit: int = 0
 
     @property
-    def t(self):
+    def t(self) -> int:
         """first epoch"""
         return self.epochs.t
 
     @property
-    def step(self):
+    def step(self) -> int:
         """from one epoch to the next; any sign, not 0 unless count is 1"""
         return self.epochs.step
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many, 1 to MAX_EPOCHS"""
         return self.epochs.count
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Imu(Record):
     """Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up).
 
@@ -1106,8 +1118,8 @@ class Imu(Record):
     dv_mps [m/s]: integral of the specific force; at rest +g upward
     """
 
-    TYPE = 17
-    LAYOUT = (
+    TYPE: ClassVar[int] = 17
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epoch", "struct", record=Epoch),
         Field("t1", "scalar", scalar="i64"),
         Field("unit", "scalar", scalar="u16"),
@@ -1115,34 +1127,34 @@ class Imu(Record):
         Field("dv_mps", "array", scalar="f64", length=3),
     )
 
-    def __init__(self, epoch=None, t1=0, unit=0, dtheta_rad=None, dv_mps=None):
-        self.epoch = Epoch() if epoch is None else epoch
-        self.t1 = t1
-        self.unit = unit
-        self.dtheta_rad = [0.0] * 3 if dtheta_rad is None else dtheta_rad
-        self.dv_mps = [0.0] * 3 if dv_mps is None else dv_mps
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    t1: int = 0
+    unit: int = 0
+    dtheta_rad: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    dv_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
 
     @property
-    def t(self):
+    def t(self) -> int:
         """the instant"""
         return self.epoch.t
 
     @property
-    def index(self):
+    def index(self) -> int:
         """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
         return self.epoch.index
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many epochs the request asked for"""
         return self.epoch.count
 
     @property
-    def answer(self):
+    def answer(self) -> Answer:
         """whether there are numbers at this instant"""
         return self.epoch.answer
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class PollTruth(Record):
     """Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.
 
@@ -1150,32 +1162,32 @@ class PollTruth(Record):
     unit: which inertial unit of the scenario; 0 is the trajectory's own point
     """
 
-    TYPE = 18
-    LAYOUT = (
+    TYPE: ClassVar[int] = 18
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
         Field("unit", "scalar", scalar="u16"),
     )
 
-    def __init__(self, epochs=None, unit=0):
-        self.epochs = Epochs() if epochs is None else epochs
-        self.unit = unit
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+    unit: int = 0
 
     @property
-    def t(self):
+    def t(self) -> int:
         """first epoch"""
         return self.epochs.t
 
     @property
-    def step(self):
+    def step(self) -> int:
         """from one epoch to the next; any sign, not 0 unless count is 1"""
         return self.epochs.step
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many, 1 to MAX_EPOCHS"""
         return self.epochs.count
 
 
+@dataclasses.dataclass(eq=False, slots=True)
 class Truth(Record):
     """True motion and gravity at one epoch.
 
@@ -1195,8 +1207,8 @@ class Truth(Record):
     vertical_mps2 [m/s2]: rate of the vertical velocity over the ellipsoid
     """
 
-    TYPE = 19
-    LAYOUT = (
+    TYPE: ClassVar[int] = 19
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epoch", "struct", record=Epoch),
         Field("unit", "scalar", scalar="u16"),
         Field("pos_m", "array", scalar="f64", length=3),
@@ -1213,59 +1225,58 @@ class Truth(Record):
         Field("vertical_mps2", "scalar", scalar="f64"),
     )
 
-    def __init__(self, epoch=None, unit=0, pos_m=None, vel_mps=None, acc_mps2=None, attitude=None, heading_rad=0.0, pitch_rad=0.0, roll_rad=0.0, rate_radps=None, force_mps2=None, disturbance_mgal=0.0, eotvos_mgal=0.0, vertical_mps2=0.0):
-        self.epoch = Epoch() if epoch is None else epoch
-        self.unit = unit
-        self.pos_m = [0.0] * 3 if pos_m is None else pos_m
-        self.vel_mps = [0.0] * 3 if vel_mps is None else vel_mps
-        self.acc_mps2 = [0.0] * 3 if acc_mps2 is None else acc_mps2
-        self.attitude = [0.0] * 4 if attitude is None else attitude
-        self.heading_rad = heading_rad
-        self.pitch_rad = pitch_rad
-        self.roll_rad = roll_rad
-        self.rate_radps = [0.0] * 3 if rate_radps is None else rate_radps
-        self.force_mps2 = [0.0] * 3 if force_mps2 is None else force_mps2
-        self.disturbance_mgal = disturbance_mgal
-        self.eotvos_mgal = eotvos_mgal
-        self.vertical_mps2 = vertical_mps2
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    unit: int = 0
+    pos_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    vel_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    acc_mps2: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    attitude: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 4)
+    heading_rad: float = 0.0
+    pitch_rad: float = 0.0
+    roll_rad: float = 0.0
+    rate_radps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    force_mps2: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    disturbance_mgal: float = 0.0
+    eotvos_mgal: float = 0.0
+    vertical_mps2: float = 0.0
 
     @property
-    def t(self):
+    def t(self) -> int:
         """the instant"""
         return self.epoch.t
 
     @property
-    def index(self):
+    def index(self) -> int:
         """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
         return self.epoch.index
 
     @property
-    def count(self):
+    def count(self) -> int:
         """how many epochs the request asked for"""
         return self.epoch.count
 
     @property
-    def answer(self):
+    def answer(self) -> Answer:
         """whether there are numbers at this instant"""
         return self.epoch.answer
 
 
-MESSAGES = {cls.TYPE: cls for cls in (
-    Hello,
-    Caps,
-    Ping,
-    Pong,
-    Error,
-    Poll,
-    States,
-    PollElements,
-    Elements,
-    PollNavdata,
-    Navdata,
-    PollDelays,
-    Delays,
-    PollImu,
-    Imu,
-    PollTruth,
-    Truth,
-)}
+MESSAGES: dict[int, Type[Record]] = {
+    1: Hello,
+    2: Caps,
+    3: Ping,
+    4: Pong,
+    5: Error,
+    6: Poll,
+    7: States,
+    8: PollElements,
+    9: Elements,
+    10: PollNavdata,
+    11: Navdata,
+    12: PollDelays,
+    13: Delays,
+    16: PollImu,
+    17: Imu,
+    18: PollTruth,
+    19: Truth,
+}

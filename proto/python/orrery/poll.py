@@ -3,29 +3,31 @@
 
     python3 -m orrery.poll tcp://127.0.0.1:15754 --rate 10 --seconds 3 --sat G05 E11
 """
+from __future__ import annotations
+
 import argparse
 import math
 import sys
 import time
+from typing import Iterator
 
 from . import client, codec, gpstime
-from .messages import Answer, StateFlags, TecOrigin
+from .messages import Answer, Delays, StateFlags, States
 
 
-def rows(states):
+def rows(states: States) -> Iterator[str]:
     """Lines of a table, one a satellite."""
     for s in states.satellites:
-        name = client.sat_name(s.sat)
         if s.answer != Answer.OK:
-            yield f"{name}  {Answer(s.answer).name.lower().replace('_', ' ')}"
+            yield f"{s.sat}  {s.answer.name.lower().replace('_', ' ')}"
             continue
-        flags = ", ".join(f.name.lower().replace("_", " ") for f in StateFlags if f & s.flags and f != StateFlags.CLOCK_VALID)
+        flags = ", ".join(str(f.name).lower().replace("_", " ") for f in StateFlags if f & s.flags and f != StateFlags.CLOCK_VALID)
         clock = f"{s.clock_s * 1e6:14.6f}" if s.flags & StateFlags.CLOCK_VALID else f"{'-':>14}"
-        yield f"{name} " + " ".join(f"{x:15.4f}" for x in s.pos_m) + " " + " ".join(f"{v:11.5f}" for v in s.vel_mps) + \
+        yield f"{s.sat} " + " ".join(f"{x:15.4f}" for x in s.pos_m) + " " + " ".join(f"{v:11.5f}" for v in s.vel_mps) + \
             f" {clock}  {flags}"
 
 
-def show(states):
+def show(states: States) -> None:
     print(f"{gpstime.to_text(states.t)} GPS")
     if states.answer != Answer.OK:
         print("  outside the served span")
@@ -35,7 +37,7 @@ def show(states):
         print(line.rstrip())
 
 
-def show_delays(delays):
+def show_delays(delays: Delays) -> None:
     print(f"{gpstime.to_text(delays.t)} GPS")
     if delays.answer != Answer.OK:
         print("  outside the served span")
@@ -45,13 +47,13 @@ def show_delays(delays):
     for s in delays.satellites:
         if s.answer != Answer.OK:
             continue  # most are below the horizon
-        print(f"{client.sat_name(s.sat)} {math.degrees(s.az_rad):8.2f} {math.degrees(s.el_rad):8.2f} {s.stec_tecu:9.3f} " +
-              " ".join(f"{d:10.4f}" for d, _ in zip(s.delay_m, delays.carriers_hz)) + f"  {TecOrigin(s.origin).name.lower()}")
+        print(f"{s.sat} {math.degrees(s.az_rad):8.2f} {math.degrees(s.el_rad):8.2f} {s.stec_tecu:9.3f} " +
+              " ".join(f"{d:10.4f}" for d, _ in zip(s.delay_m, delays.carriers_hz)) + f"  {s.origin.name.lower()}")
 
 
-def show_motion(c, t, step_s, unit):
+def show_motion(c: client.Client, t: int, step_s: float, unit: int) -> None:
     """Truth at t and the increments that follow."""
-    truth, imu = next(iter(list(c.poll_truth(t, unit=unit)))), next(iter(list(c.poll_imu(t, step_s, unit=unit))))
+    truth, imu = c.truth(t, unit), c.imu(t, step_s, unit)
     print(f"{gpstime.to_text(t)} GPS  unit {unit}")
     if truth.answer != Answer.OK:
         print("  outside the trajectory's span")
@@ -61,15 +63,15 @@ def show_motion(c, t, step_s, unit):
     print("  heading pitch roll deg " + " ".join(f"{math.degrees(a):10.5f}" for a in (truth.heading_rad, truth.pitch_rad, truth.roll_rad)))
     print(f"  gravity disturbance {truth.disturbance_mgal:.3f} mGal, Eotvoes {truth.eotvos_mgal:.3f} mGal")
     if imu.answer == Answer.OK:
-        print(f"  increments over {(imu.t1 - imu.t0) * 1e-9:g} s: rad " + " ".join(f"{x:.9e}" for x in imu.dtheta_rad) +
+        print(f"  increments over {(imu.t1 - imu.t) * 1e-9:g} s: rad " + " ".join(f"{x:.9e}" for x in imu.dtheta_rad) +
               ", m/s " + " ".join(f"{x:.9e}" for x in imu.dv_mps))
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(prog="python3 -m orrery.poll", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("url", help="tcp://HOST:PORT or unix:PATH")
-    parser.add_argument("--at", help="first epoch, GPS time (default: the start of the served span)")
+    parser.add_argument("--at", help="first epoch, GPS time, or with Z or another scale behind it (default: the start of the served span)")
     parser.add_argument("--sat", nargs="+", default=[], metavar="SAT", help="satellites, e.g. G05 E11 (default: all)")
     parser.add_argument("--rate", type=float, default=1.0, help="epochs a second (default 1)")
     parser.add_argument("--seconds", type=float, help="poll in real time for so long (default: one epoch)")

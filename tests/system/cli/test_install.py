@@ -104,6 +104,14 @@ class Installed(Folder):
         call("cmake", "--build", project / "build")
         self.assertEqual(call(project / "build/user", self.product), "80 satellites\n")
 
+    def test_python_client_and_dissector(self):
+        package = self.prefix / "share/orrery/python"
+        done = subprocess.run([sys.executable, "-B", "-c", "import orrery; print(orrery.__file__)"], capture_output=True, text=True,
+                              check=True, env=dict(os.environ, PYTHONPATH=str(package)))
+        self.assertEqual(done.stdout.strip(), str(package / "orrery/__init__.py"))
+        self.assertTrue((package / "orrery/py.typed").exists())
+        self.assertTrue((self.prefix / "share/orrery/wireshark/orrery.lua").exists())
+
     def test_manual_pages(self):
         pages = sorted(p.name for p in (self.prefix / "share/man/man1").iterdir())
         self.assertEqual(pages, sorted(["orrery.1"] + [f"orrery-{name}.1" for name in commands()]))

@@ -90,8 +90,8 @@ class Delays(unittest.TestCase):
     def test_same_bytes(self):
         with client_package.Client(self.url) as a, client_package.Client(self.url) as b:
             t = a.span[0] + 1234567891011
-            one = [d.encode() for d in a.poll_delays(t, PLACE, step_s=0.1, count=5)]
-            two = [d.encode() for d in b.poll_delays(t, PLACE, step_s=0.1, count=5)]
+            one = [d.encode() for d in a.poll_delays(t, 0.1, 5, PLACE)]
+            two = [d.encode() for d in b.poll_delays(t, 0.1, 5, PLACE)]
             alone = a.delays(t + 3 * NS // 10, PLACE).encode()
             self.assertEqual(one, two)
             self.assertEqual(one[3][:8], alone[:8])

@@ -220,11 +220,11 @@ class Stopping(unittest.TestCase):
         d = Daemon(product())
         with client_package.Client(d.urls[0], timeout_s=PATIENCE_S) as c:
             c._send(messages.Poll(messages.Epochs(c.span[0], 10**8, 8000), []))  # 10 MB: more than the buffers of a socket hold
-            frame.read(c._receive_bytes)
+            c._read_frame()
             d.process.send_signal(signal.SIGTERM)
             time.sleep(0.1)
             self.assertIsNone(d.process.poll())
-            rest = [frame.read(c._receive_bytes) for _ in range(7999)]
+            rest = [c._read_frame() for _ in range(7999)]
             self.assertTrue(all(f.type == messages.States.TYPE for f in rest))
             with self.assertRaises((client_package.Refused, client_package.ProtocolError, OSError)):
                 c.ping()

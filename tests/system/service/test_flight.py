@@ -147,7 +147,7 @@ class Flight(unittest.TestCase):
     def delays_are_those_of_the_truth(self, client, unit):
         """Delays of a question without a receiver are those of one that sends the true position, bit for bit."""
         t, carriers, step, seen, places = self.start + 20 * NS, (1575.42e6, 1176.45e6), 60, 0, set()
-        own = list(client.poll_delays(t, None, carriers, step, 8))
+        own = list(client.poll_delays(t, step, 8, None, carriers))
         truth = list(client.poll_truth(t, step, 8, unit=unit))
         for k in range(8):
             self.assertEqual(own[k].receiver_m, truth[k].pos_m)

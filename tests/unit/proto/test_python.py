@@ -25,6 +25,7 @@ def load_toy():
     """toy.py is written as a member of the package: it is loaded as one."""
     spec = importlib.util.spec_from_file_location("orrery.toy", TOY / "toy.py")
     module = importlib.util.module_from_spec(spec)
+    sys.modules["orrery.toy"] = module
     spec.loader.exec_module(module)
     return module
 

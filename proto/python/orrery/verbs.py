@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+# Generated from proto/spec/messages.yaml by proto/spec/generate.py: change that, not this.
+# pylint: skip-file
+"""What a client of Orrery can ask for: two methods a message with epochs."""
+from __future__ import annotations
+
+from typing import Iterable, Iterator, Optional, Union
+
+from . import messages
+from .asking import Asking, choice, step_ns, vector
+from .gpstime import Time, time_tag
+from .satellite import Satellite, sat_id
+
+
+class Verbs(Asking):
+    """Methods by message. t: a time tag, a text or a datetime (orrery.gpstime); satellites: names, empty for all."""
+
+    def poll(self, t: Time, step_s: float = 0.0, count: int = 1,
+             satellites: Iterable[Satellite] = ()) -> Iterator[messages.States]:
+        """Yields the States of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for satellite states.
+        The same POLL gets the same bytes, always.
+
+        satellites: which, in the order of the answer; empty for all
+        """
+        return self._series(messages.Poll(messages.Epochs(time_tag(t), step_ns(step_s), 1),
+                            satellites=[sat_id(s) for s in satellites]), messages.States, count)
+
+    def states(self, t: Time, satellites: Iterable[Satellite] = ()) -> messages.States:
+        """The States of one epoch; poll says more."""
+        return self._single(messages.Poll(messages.Epochs(time_tag(t), 0, 1), satellites=[sat_id(s) for s in satellites]),
+                            messages.States)
+
+    def poll_elements(self, t: Time, step_s: float = 0.0, count: int = 1,
+                      frame: Union[messages.ElementsFrame, str] = messages.ElementsFrame(0),
+                      method: Union[messages.ElementsMethod, str] = messages.ElementsMethod(0),
+                      satellites: Iterable[Satellite] = ()) -> Iterator[messages.Elements]:
+        """Yields the Elements of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for Kepler elements.
+        The same POLL_ELEMENTS gets the same bytes, always.
+
+        frame: axes that the elements refer to
+        method: how they are made
+        satellites: which, in the order of the answer; empty for all
+        """
+        return self._series(messages.PollElements(messages.Epochs(time_tag(t), step_ns(step_s), 1),
+                            frame=choice(messages.ElementsFrame, frame), method=choice(messages.ElementsMethod, method),
+                            satellites=[sat_id(s) for s in satellites]), messages.Elements, count)
+
+    def elements(self, t: Time, frame: Union[messages.ElementsFrame, str] = messages.ElementsFrame(0),
+                 method: Union[messages.ElementsMethod, str] = messages.ElementsMethod(0),
+                 satellites: Iterable[Satellite] = ()) -> messages.Elements:
+        """The Elements of one epoch; poll_elements says more."""
+        return self._single(messages.PollElements(messages.Epochs(time_tag(t), 0, 1), frame=choice(messages.ElementsFrame, frame),
+                            method=choice(messages.ElementsMethod, method), satellites=[sat_id(s) for s in satellites]),
+                            messages.Elements)
+
+    def poll_navdata(self, t: Time, step_s: float = 0.0, count: int = 1,
+                     satellites: Iterable[Satellite] = ()) -> Iterator[messages.Navdata]:
+        """Yields the Navdata of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for the broadcast data;
+        every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+
+        satellites: which, in the order of the answer; empty for all
+        """
+        return self._series(messages.PollNavdata(messages.Epochs(time_tag(t), step_ns(step_s), 1),
+                            satellites=[sat_id(s) for s in satellites]), messages.Navdata, count)
+
+    def navdata(self, t: Time, satellites: Iterable[Satellite] = ()) -> messages.Navdata:
+        """The Navdata of one epoch; poll_navdata says more."""
+        return self._single(messages.PollNavdata(messages.Epochs(time_tag(t), 0, 1), satellites=[sat_id(s) for s in satellites]),
+                            messages.Navdata)
+
+    def poll_delays(self, t: Time, step_s: float = 0.0, count: int = 1, receiver_m: Optional[Iterable[float]] = None,
+                    carriers_hz: Iterable[float] = (), satellites: Iterable[Satellite] = ()) -> Iterator[messages.Delays]:
+        """Yields the Delays of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for ionospheric delays.
+        The same POLL_DELAYS gets the same bytes, always.
+
+        receiver_m [m]: receiver (ecef); three times NAN for the scenario's own, which may move from epoch to epoch
+        carriers_hz [Hz]: carriers to give delays for; empty for 1575.42 MHz
+        satellites: which, in the order of the answer; empty for all
+        """
+        return self._series(messages.PollDelays(messages.Epochs(time_tag(t), step_ns(step_s), 1), receiver_m=vector(receiver_m, 3),
+                            carriers_hz=[float(x) for x in carriers_hz], satellites=[sat_id(s) for s in satellites]),
+                            messages.Delays, count)
+
+    def delays(self, t: Time, receiver_m: Optional[Iterable[float]] = None, carriers_hz: Iterable[float] = (),
+               satellites: Iterable[Satellite] = ()) -> messages.Delays:
+        """The Delays of one epoch; poll_delays says more."""
+        return self._single(messages.PollDelays(messages.Epochs(time_tag(t), 0, 1), receiver_m=vector(receiver_m, 3),
+                            carriers_hz=[float(x) for x in carriers_hz], satellites=[sat_id(s) for s in satellites]),
+                            messages.Delays)
+
+    def poll_imu(self, t: Time, step_s: float = 0.0, count: int = 1, unit: int = 0) -> Iterator[messages.Imu]:
+        """Yields the Imu of `count` epochs from t on, step_s apart (rounded to a nanosecond). t, step_s, count: begins of the
+        intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz). Asks for ideal inertial increments over
+        intervals. The same POLL_IMU gets the same bytes, always.
+
+        unit: which inertial unit of the scenario; 0 is the trajectory's own point
+        """
+        return self._series(messages.PollImu(messages.Epochs(time_tag(t), step_ns(step_s), 1), unit=unit), messages.Imu, count)
+
+    def imu(self, t: Time, step_s: float = 0.0, unit: int = 0) -> messages.Imu:
+        """The Imu of one epoch; poll_imu says more."""
+        return self._single(messages.PollImu(messages.Epochs(time_tag(t), step_ns(step_s), 1), unit=unit), messages.Imu)
+
+    def poll_truth(self, t: Time, step_s: float = 0.0, count: int = 1, unit: int = 0) -> Iterator[messages.Truth]:
+        """Yields the Truth of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for the true motion of an
+        inertial unit. The same POLL_TRUTH gets the same bytes, always.
+
+        unit: which inertial unit of the scenario; 0 is the trajectory's own point
+        """
+        return self._series(messages.PollTruth(messages.Epochs(time_tag(t), step_ns(step_s), 1), unit=unit), messages.Truth, count)
+
+    def truth(self, t: Time, unit: int = 0) -> messages.Truth:
+        """The Truth of one epoch; poll_truth says more."""
+        return self._single(messages.PollTruth(messages.Epochs(time_tag(t), 0, 1), unit=unit), messages.Truth)
