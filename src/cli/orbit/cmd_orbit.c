@@ -234,12 +234,15 @@ const orr_command orr_cmd_orbit = {
         "its inputs; "
         "'ncdump -h' shows how to evaluate it, 'orrery states' prints from it, 'orrery compare' judges "
         "it.\n\n"
-        "What was done is told on stderr: manoeuvres, positions left out and gaps one by one, as many as a "
-        "reader will read. "
-        "JSON has all of them: events[].{sat,kind,from,to} with kind manoeuvre (change_mps), outlier, jump "
-        "(size_m) or gap; "
-        "earth_rotation.{xp_mas,yp_mas,lod_ms,pole_sigma_mas,used} as the orbits tell it; "
-        "systems.G.{satellites,nodes,left_out,residual_rms_mm,manoeuvres,gaps,eclipses}, day_jumps, seconds.",
+        "The report on stderr lists manoeuvres, rejected positions and gaps, up to a number that a reader "
+        "can take "
+        "in. --json has all of them. Its events have sat, kind, from and to; kind is manoeuvre (change_mps), "
+        "outlier, "
+        "jump (size_m) or gap. Its earth_rotation has xp_mas, yp_mas, lod_ms, pole_sigma_mas and used, as "
+        "estimated "
+        "from the orbits. Each of its systems has satellites, nodes, left_out, residual_rms_mm, manoeuvres, "
+        "gaps and "
+        "eclipses; day_jumps and seconds follow.",
     .example = "orrery orbit -o day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T13:00 "
                "day1.sp3 day2.sp3 day3.sp3",
