@@ -204,14 +204,14 @@ static void kinds_by_block(void **state)
     static const bar bars[] = {
         {"Galileo", {0.225, 0.3, 0.6}, 0.5, 1.5}, {"IIIA", {0.15, 0.3, 0.675}, 0.5, 1.5},
         {"IIF", {0.3, 0.6, 1.05}, 0.5, 1.5},      {"IIR-M", {0.375, 0.75, 1.05}, 0.4, 1.5},
-        {"GLONASS", {0.9, 2.1, 5.55}, 0.5, 1.5},  {NULL}};
+        {"GLONASS", {0.9, 2.1, 5.55}, 0.5, 1.5},  {NULL, {0}, 0, 0}};
     run("CODE 2024", cod24, 3, true, bars);
 }
 
 static void kinds_by_noise(void **state)
 {
     (void)state;
-    static const bar bars[] = {{"GPS", {0.375, 0.75, 1.05}, 0.5, 1.5}, {NULL}};
+    static const bar bars[] = {{"GPS", {0.375, 0.75, 1.05}, 0.5, 1.5}, {NULL, {0}, 0, 0}};
     run("CODE 2024", cod24, 3, false, bars);
 }
 
@@ -219,7 +219,7 @@ static void kinds_by_noise(void **state)
 static void older_clocks(void **state)
 {
     (void)state;
-    static const bar bars[] = {{"GPS", {0.6, 1.2, 4.0}, 0.5, 1.5}, {NULL}};
+    static const bar bars[] = {{"GPS", {0.6, 1.2, 4.0}, 0.5, 1.5}, {NULL, {0}, 0, 0}};
     static const char *const c11[] = {"2011-week1651/COD16510.EPH_R.gz", "2011-week1651/COD16511.EPH_R.gz",
                                       "2011-week1651/COD16512.EPH_R.gz"};
     static const char *const c08[] = {"2008-279/COD14996.EPH.Z", "2008-279/COD15000.EPH.Z",
