@@ -21,8 +21,7 @@ static days in_scale(orr_time t, orr_scale scale)
     return (days){mjd, fraction};
 }
 
-// ---- Earth orientation
-// ----------------------------------------------------------------------------------------
+// --- Earth orientation ---
 
 // Slope at node i of a curve through (x, y): the mean of its two neighbours' chords weighted as a parabola
 // through the three points has it there; the end chord at an end.
@@ -187,8 +186,7 @@ orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *le
     return inside_series(s, lo, at, t, leap);
 }
 
-// ---- rotations
-// ------------------------------------------------------------------------------------------------
+// --- rotations ---
 
 static orr_mat3 from_erfa(double m[3][3])
 {
@@ -285,8 +283,7 @@ void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R)
     *R = from_erfa(rbpn);
 }
 
-// ---- Sun and Moon
-// ---------------------------------------------------------------------------------------------
+// --- Sun and Moon ---
 
 // Both series want TDB; TT differs by less than 2 ms, in which the Moon moves 2 m and the Sun 60 m.
 orr_vec3 orr_astro_sun(orr_time t)

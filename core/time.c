@@ -41,8 +41,7 @@ orr_status orr_scale_parse(const char *name, size_t len, orr_scale *out)
     return ORR_E_ARG;
 }
 
-// ---- calendar
-// -------------------------------------------------------------------------------------------------
+// --- calendar ---
 
 bool orr_is_leap_year(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
 
@@ -81,8 +80,7 @@ int orr_day_of_year(int year, int month, int day)
     return orr_mjd_from_date(year, month, day) - orr_mjd_from_date(year, 1, 1) + 1;
 }
 
-// ---- scales
-// ---------------------------------------------------------------------------------------------------
+// --- scales ---
 
 int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap)
 {
@@ -216,8 +214,7 @@ orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const 
     return join(mjd, ns_of_day, scale, leap);
 }
 
-// ---- weeks and sums
-// -------------------------------------------------------------------------------------------
+// --- weeks and sums ---
 
 #define NS_PER_WEEK (ORR_S_PER_WEEK * ORR_NS_PER_S)
 

@@ -10,8 +10,7 @@ static bool digit(char c) { return c >= '0' && c <= '9'; }
 static const int32_t POWER10[10] = {1,      10,      100,      1000,      10000,
                                     100000, 1000000, 10000000, 100000000, 1000000000};
 
-// ---- writing
-// --------------------------------------------------------------------------------------------------
+// --- writing ---
 
 static void print(orr_time t, orr_scale scale, int decimals, const orr_leap_table *leap, const char *suffix,
                   char buf[ORR_TIME_TEXT])
@@ -55,8 +54,7 @@ char *orr_time_text(orr_time t, char buf[ORR_TIME_TEXT])
     return buf;
 }
 
-// ---- reading
-// --------------------------------------------------------------------------------------------------
+// --- reading ---
 
 // An unsigned integer of min to max digits (at most nine); moves *p on.
 static bool take_int(const char **p, int min, int max, int *out)

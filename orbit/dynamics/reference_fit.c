@@ -56,8 +56,7 @@ typedef struct work {
 
 static size_t unknowns(const work *w) { return ORR_KNOT_VALUES * w->knots.n; }
 
-// ---- one pass over the arcs, by threads
-// ----------------------------------------------------------------------------
+// --- one pass over the arcs, by threads ---
 
 // The satellite's unknowns are eliminated: N^-1 C and N^-1 r, and what is left for the rotation.
 static bool reduce(const orr_arc_equations *e, share *s)
@@ -127,8 +126,7 @@ static orr_status pass_over_arcs(work *w)
     return ORR_OK;
 }
 
-// ---- the rotation's equations
-// --------------------------------------------------------------------------------------
+// --- the rotation's equations ---
 
 // prior: squares of ECOM's distance from what was known before, in units of its sigma; they are in s->vv.
 static double rms_of(const share *s, const double *change, double prior)
@@ -289,8 +287,7 @@ static void update_arcs(work *w, const double *change)
     }
 }
 
-// ---- passes
-// --------------------------------------------------------------------------------------------------------
+// --- passes ---
 
 static size_t satellites(const work *w)
 {
