@@ -18,6 +18,9 @@ typedef struct orr_node {
     uint16_t rank;   // of the file in time
 } orr_node;
 
+// A node of an input file that counts.
+static inline bool orr_node_counts(const orr_node *n) { return !n->superseded && !n->bridge; }
+
 typedef struct orr_node_list {
     orr_sat sat;
     size_t n_nodes, n_clocks;

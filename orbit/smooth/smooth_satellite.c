@@ -6,13 +6,12 @@
 #include <string.h>
 
 #include "core/array.h"
-#include "orbit/smooth/between.h"
 #include "orbit/smooth/cross_check.h"
 #include "orbit/smooth/events.h"
-#include "orbit/smooth/join.h"
 #include "orbit/smooth/noise_choice.h"
 #include "orbit/smooth/prior.h"
 #include "orbit/smooth/reference.h"
+#include "orbit/smooth/samples.h"
 #include "orbit/smooth/segmentation.h"
 #include "orbit/smooth/solution.h"
 
@@ -84,20 +83,6 @@ static double take_references(const work *w, const orr_track *t, const orr_arc_r
     return largest;
 }
 
-// A node of an input file that counts.
-static bool precise(const orr_node *n) { return !n->superseded && !n->bridge; }
-
-static uint32_t flags_between(const work *w, const orr_node *a, const orr_node *b)
-{
-    uint32_t flags = 0;
-    if (a->predicted || b->predicted) flags |= ORR_EPH_PREDICTED;
-    if (b->t_s - a->t_s > 2.0 * w->table->step_s + 1e-3) {
-        flags |= ORR_EPH_GAP;
-        if (w->c->options->bridge) flags |= ORR_EPH_PREDICTED;
-    }
-    return flags;
-}
-
 // Ratio of real to formal sigma: residuals of the used nodes against their formal covariance sigma^2 E - P.
 // Only the ratio qf / sigma^2 shapes the orbit, so their common scale is free and has to come from the data.
 // Two or three nodes, which an orbit meets whatever they are, tell nothing: then it stays as it was.
@@ -110,7 +95,7 @@ static double real_over_formal(const work *w, const orr_track *t, const orr_verd
         bool any = false;
         for (size_t i = at->first; i < at->first + at->n; i++) {
             const orr_node *node = &w->node[i];
-            if (node->superseded || node->bridge || verdict[i].rejected) continue;
+            if (!orr_node_counts(node) || verdict[i].rejected) continue;
             orr_vec3 x = orr_vec3_make(at->smoothed.x[0], at->smoothed.x[1], at->smoothed.x[2]);
             orr_vec3 e = orr_vec3_sub(orr_track_measured(w->c, at, node), x);
             double weight = 1.0 / (node->sigma_m * node->sigma_m);
@@ -121,126 +106,6 @@ static double real_over_formal(const work *w, const orr_track *t, const orr_verd
         instants += any;
     }
     return instants >= TELLING_NODES && formal2 > 0 ? sqrt(chi2 / formal2) : w->scale;
-}
-
-// Flags of samples between neighbouring nodes, as the samples go by.
-typedef struct between_nodes {
-    const orr_node *left, *right;
-    size_t next; // instant at which right is, or the track's end
-} between_nodes;
-
-static const orr_node *last_used(const work *w, const orr_instant *at, const orr_verdict *verdict)
-{
-    const orr_node *found = NULL;
-    for (size_t i = at->first; i < at->first + at->n; i++)
-        if (precise(&w->node[i]) && !verdict[i].rejected) found = &w->node[i];
-    return found;
-}
-
-static void pass_instant(const work *w, const orr_track *t, const orr_verdict *verdict, size_t k,
-                         between_nodes *b)
-{
-    const orr_node *here = last_used(w, &t->at[k], verdict);
-    if (here != NULL) b->left = here;
-    if (k < b->next) return;
-    b->right = NULL;
-    for (b->next = k + 1; b->next < t->n && b->right == NULL; b->next++)
-        b->right = last_used(w, &t->at[b->next], verdict);
-    if (b->right != NULL) b->next--;
-}
-
-// Variances at an instant: position along radial, along-track and cross-track axes, and velocity.
-typedef struct variances {
-    double rtn[3], velocity;
-} variances;
-
-static variances variances_at(const orr_instant *at, double scale)
-{
-    const orr_mat3 axes = orr_orbit_axes(at->r_m, at->v_mps);
-    variances v = {{0}, 0};
-    for (int a = 0; a < 3; a++) {
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) v.rtn[a] += axes.m[i][a] * at->smoothed.P[i][j] * axes.m[j][a];
-        v.rtn[a] = fmax(v.rtn[a], 0) * scale * scale;
-        v.velocity += fmax(at->smoothed.P[3 + a][3 + a], 0) * scale * scale;
-    }
-    return v;
-}
-
-// off_m: how far a joint of files moves the orbit there.
-static void set_sigmas(orr_orbit_sample *s, const variances *a, const variances *b, double u, double off_m)
-{
-    double sum = 0, rtn[3];
-    for (int i = 0; i < 3; i++) {
-        rtn[i] = (1 - u) * a->rtn[i] + u * b->rtn[i];
-        sum += rtn[i];
-    }
-    s->sigma_m = (float)sqrt(sum + off_m * off_m);
-}
-
-// Smoothed state x about point g as a sample.
-static void set_state(const work *w, const orr_grid_point *g, const double x[ORR_NX], const orr_join *join,
-                      orr_orbit_sample *s)
-{
-    orr_sky_point p;
-    orr_sky_at(w->c->sky, g->t_s, &p);
-    orr_vec3 r = orr_vec3_add(g->r_m, orr_vec3_make(x[0], x[1], x[2]));
-    orr_vec3 v = orr_vec3_add(g->v_mps, orr_vec3_make(x[3], x[4], x[5]));
-    if (join != NULL) {
-        r = orr_vec3_add(r, join->r_m);
-        v = orr_vec3_add(v, join->v_mps);
-    }
-    const orr_mat3 axes = orr_track_axes(w->c, g->t_s, g->r_m, g->v_mps);
-    orr_vec3 a = orr_force_of_state(w->c->force, &p, r, v);
-    a = orr_vec3_add(a, orr_mat3_apply(&axes, orr_vec3_make(x[6], x[7], x[8])));
-    if (join != NULL) a = orr_vec3_add(a, join->a_mps2);
-    orr_sky_to_ecef(&p, r, v, &s->pos_m, &s->vel_mps);
-    s->acc_mps2 = orr_vec3_add(orr_mat3_apply(&p.R, a), orr_mat3_apply(&p.ddR, r));
-    s->acc_mps2 = orr_vec3_axpy(2.0, orr_mat3_apply(&p.dR, v), s->acc_mps2);
-    if (orr_force_sunlight_fast(r, p.sun_m) < 1) s->flags |= ORR_EPH_ECLIPSE;
-}
-
-static orr_status make_samples(work *w, const orr_track *t, const orr_verdict *verdict, double scale,
-                               orr_orbit_arc *arc)
-{
-    const size_t longest = orr_track_longest(t, 0, t->n - 1);
-    double(*x)[ORR_NX] = malloc((longest + 1) * sizeof *x), (*b)[ORR_NW] = malloc(longest * sizeof *b);
-    orr_join *join = NULL;
-    if (x == NULL || b == NULL || (w->c->noise.nx == ORR_NX && orr_join_files(t, &join) != ORR_OK)) {
-        free(x);
-        free(b);
-        return ORR_E_MEMORY;
-    }
-    between_nodes nodes = {0};
-    variances after = variances_at(&t->at[0], scale);
-    for (size_t k = 0; k < t->n; k++) {
-        const orr_instant *at = &t->at[k], *next = k + 1 < t->n ? at + 1 : at;
-        const variances before = after;
-        after = variances_at(next, scale);
-        pass_instant(w, t, verdict, k, &nodes);
-        size_t n = next->grid - at->grid;
-        if (n == 0 && next != at) continue; // a file ends here and the next one begins
-        if (n > 0)
-            orr_track_between(w->c, t, k, x, b);
-        else
-            memcpy(x[n++], at->smoothed.x, sizeof x[0]);
-        orr_track_use_window(w->c, at->window, &at->smoothed.x[ORR_PARTIAL_ECOM]);
-        for (size_t j = 0; j < n; j++) {
-            const orr_grid_point *g = &t->grid[at->grid + j];
-            if (!g->sample) continue;
-            orr_orbit_sample *s = &arc->sample[arc->n++];
-            s->flags = nodes.left != NULL && nodes.right != NULL ? flags_between(w, nodes.left, nodes.right)
-                                                                 : ORR_EPH_PREDICTED; // beyond the last node
-            const orr_join *here = join != NULL ? &join[at->grid + j] : NULL;
-            set_state(w, g, x[j], here, s);
-            set_sigmas(s, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s),
-                       here != NULL ? here->off_m : 0);
-        }
-    }
-    free(x);
-    free(b);
-    free(join);
-    return ORR_OK;
 }
 
 // Samples of the smoothed track as an arc of the solution.
@@ -255,7 +120,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
                          .samples_per_segment = t->samples_per_segment};
     arc.sample = calloc(t->n_samples, sizeof *arc.sample);
     if (arc.sample == NULL) return ORR_E_MEMORY;
-    orr_status s = make_samples(w, t, verdict, scale, &arc);
+    orr_status s = orr_samples_make(w->c, w->node, w->table->step_s, t, verdict, scale, &arc);
     w->out->arc[w->out->n_arcs++] = arc;
     if (s == ORR_OK) s = orr_events_eclipses(w->c->sky, &arc, &w->events);
 
@@ -275,7 +140,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
             } else if (verdict[i].jump_m > 0) {
                 s = orr_event_add(&w->events, ORR_EVENT_DAY_JUMP, node->t, node->t, verdict[i].jump_m);
             }
-            if (!precise(node) || s != ORR_OK) continue;
+            if (!orr_node_counts(node) || s != ORR_OK) continue;
             if (verdict[i].rejected) {
                 w->report->nodes_rejected++;
                 s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, node->t, node->t,
@@ -285,7 +150,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
             o->used = 1;
             w->report->nodes_used++;
             w->report->residual_m2 += orr_vec3_dot(o->residual_m, o->residual_m);
-            if (used != NULL && (flags_between(w, used, node) & ORR_EPH_GAP))
+            if (used != NULL && (orr_samples_flags(w->c, w->table->step_s, used, node) & ORR_EPH_GAP))
                 s = orr_event_add(&w->events, ORR_EVENT_GAP, used->t, node->t, 0);
             used = node;
         }
@@ -365,7 +230,7 @@ static orr_status tell_left_out(work *w, const orr_track *t, const orr_segmentat
         while (a < seg->n_arcs && seg->arc[a].last < k) a++;
         if (a < seg->n_arcs && seg->arc[a].first <= k) continue; // told with its arc
         for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n && s == ORR_OK; i++) {
-            if (!precise(&w->node[i])) continue;
+            if (!orr_node_counts(&w->node[i])) continue;
             w->report->nodes_rejected++;
             s = orr_event_add(&w->events, ORR_EVENT_OUTLIER, w->node[i].t, w->node[i].t,
                               distance_from_orbit(w, t, seg, k, &w->node[i]));
@@ -544,6 +409,7 @@ static orr_status smooth_all(work *w)
 static void forget_arcs(work *w)
 {
     for (size_t i = 0; i < w->out->n_arcs; i++) free(w->out->arc[i].sample);
+    for (size_t i = 0; i < w->n; i++) w->out->node[i].used = 0;
     w->out->n_arcs = 0;
     w->events.n = 0;
     *w->report = (orr_satellite_report){0};
@@ -646,7 +512,6 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
         forget_arcs(&w);
         w.factor = c->noise.factor;
         w.scale = 1;
-        for (size_t i = 0; i < w.n; i++) out->node[i].used = 0;
         s = smooth_all(&w);
     }
     if (s == ORR_OK && bridged) {
@@ -659,7 +524,6 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
                 w.node[i].sigma_m /= scale;
             }
         forget_arcs(&w);
-        for (size_t i = 0; i < w.n; i++) out->node[i].used = 0;
         s = smooth_all(&w);
         drop_bridge(&w);
     }

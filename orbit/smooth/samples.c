@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/smooth/samples.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "orbit/smooth/between.h"
+#include "orbit/smooth/join.h"
+#include "orbit/smooth/solution.h"
+
+uint32_t orr_samples_flags(const orr_track_context *c, double node_step_s, const orr_node *a,
+                           const orr_node *b)
+{
+    uint32_t flags = 0;
+    if (a->predicted || b->predicted) flags |= ORR_EPH_PREDICTED;
+    if (b->t_s - a->t_s > 2.0 * node_step_s + 1e-3) {
+        flags |= ORR_EPH_GAP;
+        if (c->options->bridge) flags |= ORR_EPH_PREDICTED;
+    }
+    return flags;
+}
+
+// Flags of samples between neighbouring nodes, as the samples go by.
+typedef struct between_nodes {
+    const orr_node *left, *right;
+    size_t next; // instant at which right is, or the track's end
+} between_nodes;
+
+static const orr_node *last_used(const orr_node *list, const orr_instant *at, const orr_verdict *verdict)
+{
+    const orr_node *found = NULL;
+    for (size_t i = at->first; i < at->first + at->n; i++)
+        if (orr_node_counts(&list[i]) && !verdict[i].rejected) found = &list[i];
+    return found;
+}
+
+static void pass_instant(const orr_node *list, const orr_track *t, const orr_verdict *verdict, size_t k,
+                         between_nodes *b)
+{
+    const orr_node *here = last_used(list, &t->at[k], verdict);
+    if (here != NULL) b->left = here;
+    if (k < b->next) return;
+    b->right = NULL;
+    for (b->next = k + 1; b->next < t->n && b->right == NULL; b->next++)
+        b->right = last_used(list, &t->at[b->next], verdict);
+    if (b->right != NULL) b->next--;
+}
+
+// Variances of position at an instant, along radial, along-track and cross-track axes.
+typedef struct variances {
+    double rtn[3];
+} variances;
+
+static variances variances_at(const orr_instant *at, double scale)
+{
+    const orr_mat3 axes = orr_orbit_axes(at->r_m, at->v_mps);
+    variances v = {{0}};
+    for (int a = 0; a < 3; a++) {
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) v.rtn[a] += axes.m[i][a] * at->smoothed.P[i][j] * axes.m[j][a];
+        v.rtn[a] = fmax(v.rtn[a], 0) * scale * scale;
+    }
+    return v;
+}
+
+// off_m: how far a joint of files moves the orbit there.
+static void set_sigma(orr_orbit_sample *s, const variances *a, const variances *b, double u, double off_m)
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++) sum += (1 - u) * a->rtn[i] + u * b->rtn[i];
+    s->sigma_m = (float)sqrt(sum + off_m * off_m);
+}
+
+// Smoothed state x about point g as a sample.
+static void set_state(const orr_track_context *c, const orr_grid_point *g, const double x[ORR_NX],
+                      const orr_join *join, orr_orbit_sample *s)
+{
+    orr_sky_point p;
+    orr_sky_at(c->sky, g->t_s, &p);
+    orr_vec3 r = orr_vec3_add(g->r_m, orr_vec3_make(x[0], x[1], x[2]));
+    orr_vec3 v = orr_vec3_add(g->v_mps, orr_vec3_make(x[3], x[4], x[5]));
+    if (join != NULL) {
+        r = orr_vec3_add(r, join->r_m);
+        v = orr_vec3_add(v, join->v_mps);
+    }
+    const orr_mat3 axes = orr_track_axes(c, g->t_s, g->r_m, g->v_mps);
+    orr_vec3 a = orr_force_of_state(c->force, &p, r, v);
+    a = orr_vec3_add(a, orr_mat3_apply(&axes, orr_vec3_make(x[6], x[7], x[8])));
+    if (join != NULL) a = orr_vec3_add(a, join->a_mps2);
+    orr_sky_to_ecef(&p, r, v, &s->pos_m, &s->vel_mps);
+    s->acc_mps2 = orr_vec3_add(orr_mat3_apply(&p.R, a), orr_mat3_apply(&p.ddR, r));
+    s->acc_mps2 = orr_vec3_axpy(2.0, orr_mat3_apply(&p.dR, v), s->acc_mps2);
+    if (orr_force_sunlight_fast(r, p.sun_m) < 1) s->flags |= ORR_EPH_ECLIPSE;
+}
+
+orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double node_step_s,
+                            const orr_track *t, const orr_verdict *verdict, double scale, orr_orbit_arc *arc)
+{
+    const size_t longest = orr_track_longest(t, 0, t->n - 1);
+    double(*x)[ORR_NX] = malloc((longest + 1) * sizeof *x), (*b)[ORR_NW] = malloc(longest * sizeof *b);
+    orr_join *join = NULL;
+    if (x == NULL || b == NULL || (c->noise.nx == ORR_NX && orr_join_files(t, &join) != ORR_OK)) {
+        free(x);
+        free(b);
+        return ORR_E_MEMORY;
+    }
+    between_nodes nodes = {0};
+    variances after = variances_at(&t->at[0], scale);
+    for (size_t k = 0; k < t->n; k++) {
+        const orr_instant *at = &t->at[k], *next = k + 1 < t->n ? at + 1 : at;
+        const variances before = after;
+        after = variances_at(next, scale);
+        pass_instant(list, t, verdict, k, &nodes);
+        size_t n = next->grid - at->grid;
+        if (n == 0 && next != at) continue; // a file ends here and the next one begins
+        if (n > 0)
+            orr_track_between(c, t, k, x, b);
+        else
+            memcpy(x[n++], at->smoothed.x, sizeof x[0]);
+        orr_track_use_window(c, at->window, &at->smoothed.x[ORR_PARTIAL_ECOM]);
+        for (size_t j = 0; j < n; j++) {
+            const orr_grid_point *g = &t->grid[at->grid + j];
+            if (!g->sample) continue;
+            orr_orbit_sample *s = &arc->sample[arc->n++];
+            s->flags = nodes.left != NULL && nodes.right != NULL
+                           ? orr_samples_flags(c, node_step_s, nodes.left, nodes.right)
+                           : ORR_EPH_PREDICTED; // beyond the last node
+            const orr_join *here = join != NULL ? &join[at->grid + j] : NULL;
+            set_state(c, g, x[j], here, s);
+            set_sigma(s, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s),
+                      here != NULL ? here->off_m : 0);
+        }
+    }
+    free(x);
+    free(b);
+    free(join);
+    return ORR_OK;
+}
