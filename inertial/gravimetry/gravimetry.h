@@ -15,10 +15,17 @@ typedef struct orr_gravimetry_result {
     double *t_s, *recovered_mgal, *true_mgal, *recovered_filtered_mgal, *true_filtered_mgal;
     double raw_rms_mgal, filtered_rms_mgal, filtered_max_mgal;
 } orr_gravimetry_result;
-// Errors: ORR_E_ARG (sigma, run shorter than 8 sigma), ORR_E_UNSUPPORTED (readings of approach 1 are no
-// physical force), ORR_E_MEMORY.
+
+// Recovers the disturbance of a run.
+//   Given:    imu           physical readings (approach 2) with truth at every instant that `truth` has
+//             truth         true disturbance on the edges of imu, every truth->every samples
+//             sigma_s       standard deviation of the Gaussian, s; the run is at least 8 of them long
+//   Returned: out           truth->n - 1 values, one a span between two instants of the truth, at its middle
+//   Notes:    ORR_E_ARG (sigma, run shorter than 8 sigma, truth of gravity where the motion has none),
+//             ORR_E_UNSUPPORTED (readings of approach 1 are no physical force), ORR_E_MEMORY.
 orr_status orr_gravimetry_recover(const orr_imu *imu, const orr_gravimetry *truth, double sigma_s,
                                   orr_gravimetry_result *out, orr_diag *diag);
+// Frees the series; an empty result is allowed.
 void orr_gravimetry_result_free(orr_gravimetry_result *r);
 
 #endif

@@ -36,6 +36,7 @@ typedef struct orr_gravity_parts {
 // Errors: ORR_E_ARG with a sentence (too few points, not ascending by a micrometre, not of the Earth),
 // ORR_E_MEMORY.
 orr_status orr_gravity_make(const orr_gravity_parts *parts, orr_gravity **out, orr_diag *diag);
+// Frees a field; NULL is allowed. The model of spherical harmonics is the caller's.
 void orr_gravity_free(orr_gravity *g);
 // What it was made of, borrowed from it (for writing it down beside readings). A NULL g has no parts.
 orr_gravity_parts orr_gravity_parts_view(const orr_gravity *g);

@@ -36,8 +36,13 @@ typedef struct orr_analytic_plan {
     orr_analytic_term term[ORR_ANALYTIC_MAX_TERMS];
 } orr_analytic_plan;
 
-// The motion may not come within 100 m of a pole, where headings turn about at once (orr_polar_transfer
-// carries a trajectory there). Errors: ORR_E_ARG, ORR_E_MEMORY.
+// A trajectory in closed form.
+//   Given:    t0              instant of its second 0
+//             begin_s, end_s  time it may be evaluated in, s after t0; terms are functions of the same seconds
+//             plan            origin, mean attitude and the terms that are summed; copied
+//   Returned: out             the trajectory, without knots; free with orr_trajectory_free
+//   Notes:    The motion may not come within 100 m of a pole, where headings turn about at once
+//             (orr_polar_transfer carries a trajectory there). ORR_E_ARG, ORR_E_MEMORY.
 orr_status orr_trajectory_analytic(orr_time t0, double begin_s, double end_s, const orr_analytic_plan *plan,
                                    orr_trajectory *out, orr_diag *diag);
 

@@ -17,6 +17,7 @@ typedef struct orr_path_piece {
     int turn;
 } orr_path_piece;
 
+// Pose along_m behind the begin of a piece; beyond its ends the curve of the piece goes on.
 orr_pose orr_path_at(const orr_path_piece *p, double along_m);
 // Three pieces (some may have length 0) of the shortest path with turns of radius_m; returns its length.
 double orr_dubins(orr_pose from, orr_pose to, double radius_m, orr_path_piece piece[3]);

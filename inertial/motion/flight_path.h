@@ -22,7 +22,10 @@ typedef struct orr_flight_path {
     double duration_s, length_m, radius_m;
 } orr_flight_path;
 
+// Lines and arcs of a plan, over a map about its middle (waypoints) or its start (survey). Free with
+// orr_flight_path_free. Errors: ORR_E_ARG with a sentence on what cannot be flown, ORR_E_MEMORY.
 orr_status orr_flight_path_make(const orr_flight_plan *plan, orr_flight_path *out, orr_diag *diag);
+// Frees the pieces; an empty path is allowed.
 void orr_flight_path_free(orr_flight_path *p);
 // Place over the map at t_s; before the begin and after the end the first and last piece go straight on.
 // *hint is the piece of the last call (start with 0).

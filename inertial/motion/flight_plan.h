@@ -60,8 +60,14 @@ typedef struct orr_flight_summary {
     size_t lines;
 } orr_flight_summary;
 
-// Errors, each with a sentence: ORR_E_ARG (a turn too tight for its speed, legs shorter than their turns, a
-// climb too steep, latitude past a pole, a plan that reaches too far), ORR_E_LIMIT, ORR_E_MEMORY.
+// The flight of a plan.
+//   Given:    t0            instant of its begin
+//             plan          waypoints or a survey, and how they are flown
+//   Returned: out           the trajectory from 0 s on, a quintic spline; free with orr_trajectory_free
+//             summary       length, duration and turns of the plan; may be NULL
+//   Notes:    Each error has a sentence: ORR_E_ARG (a turn too tight for its speed, legs shorter than their
+//             turns, a climb too steep, latitude past a pole, a plan that reaches too far), ORR_E_LIMIT,
+//             ORR_E_MEMORY.
 orr_status orr_trajectory_flight_plan(orr_time t0, const orr_flight_plan *plan, orr_trajectory *out,
                                       orr_flight_summary *summary, orr_diag *diag);
 

@@ -28,6 +28,7 @@ orr_mat3 orr_body_from_enu(orr_angles a);
 // Inverse of the above. Where the nose points straight up or down (|pitch| = 90 deg within rounding), roll is
 // taken 0.
 orr_angles orr_angles_from_body_enu(const orr_mat3 *L);
+// Heading, pitch and roll of a motion, against the ellipsoid's East, North, Up at its place.
 orr_angles orr_motion_angles(const orr_motion *m);
 // Its heading in degrees as a table with so many decimals may show it: in [0, 360) after rounding too.
 double orr_heading_shown_deg(double heading_rad, int decimals);
@@ -41,8 +42,12 @@ orr_vec3 orr_motion_absolute_acceleration(const orr_motion *m);
 void orr_motion_sense(const orr_motion *m, orr_vec3 gravitation_mps2, orr_vec3 *rate_radps,
                       orr_vec3 *force_mps2);
 
-// The rate (body axes of B) and its derivative from a body-from-ecef quaternion curve p(t) that need not be
-// of unit length, with its first and second derivative; *unit is p/|p|.
+// Angular rate of a curve of quaternions p(t), which need not be of unit length.
+//   Given:    p             [4] w x y z of body from ecef, times any positive factor that may vary in time
+//             d1, d2        [4] its first and second derivative, 1/s and 1/s^2
+//   Returned: unit          p / |p|
+//             w_radps       rate of the body relative to ecef, body axes, rad/s
+//             wdot_radps2   its derivative in body axes, rad/s^2
 void orr_rates_from_quat(const double p[4], const double d1[4], const double d2[4], orr_quat *unit,
                          orr_vec3 *w_radps, orr_vec3 *wdot_radps2);
 

@@ -16,10 +16,15 @@ orr_mat3 orr_polar_rotation(orr_vec3 from_m, orr_vec3 to_m, double azimuth_rad);
 // radius.
 orr_vec3 orr_trajectory_middle(const orr_trajectory *tr);
 
-// eta_P = C^T eta (19), B_P = B C (20), each place then moved along its vertical to the ellipsoidal height it
-// had, since the Earth is no sphere. Lengths over the ground change by the ratio of the radii (at most 0.7
-// %), nothing else does. The result is a quintic spline with knots of step_s (0: the knots of `in`, or 0.2
-// s). Errors: ORR_E_ARG, ORR_E_MEMORY.
+// Carries a trajectory by a rotation.
+//   Given:    in            the trajectory
+//             C             of orr_polar_rotation
+//             step_s        knots of the result; 0: the knots of `in`, or 0.2 s
+//   Returned: out           the moved trajectory, a quintic spline; free with orr_trajectory_free
+//   Notes:    eta_P = C^T eta (19), B_P = B C (20), each place then moved along its vertical to the ellipsoidal
+//             height it had, since the Earth is no sphere. Lengths over the ground change by the ratio of the
+//             radii (at most 0.7 %). ORR_E_ARG, ORR_E_MEMORY.
+//   Reference: Bogdanov 2015, eq. (19), (20).
 orr_status orr_polar_transfer(const orr_trajectory *in, const orr_mat3 *C, double step_s, orr_trajectory *out,
                               orr_diag *diag);
 

@@ -67,11 +67,19 @@ typedef struct orr_fit_report {
     orr_spline_residuals residuals;
     bool attitude_from_motion;
 } orr_fit_report;
+// Frees the lists of a report; an empty one is allowed.
 void orr_fit_report_free(orr_fit_report *r);
 
-// log_t0 is the instant of the log's zero. The trajectory's own seconds start with 0 at *from_s* of the
-// report. Errors: ORR_E_NODATA (too few rows, no time common to places and angles), ORR_E_ARG, ORR_E_NUMERIC,
-// ORR_E_MEMORY.
+// Smooth motion through a log.
+//   Given:    log_t0        instant of the log's second 0
+//             log           its rows, in any order of time
+//             options       degree and knots of the splines, limits of gaps and jumps
+//   Returned: out           the trajectory; its second 0 is from_s of the report on the log's clock. Free with
+//                           orr_trajectory_free
+//             report        what was used and what was left out; free with orr_fit_report_free
+//   Notes:    ORR_E_NODATA (too few rows, no time common to places and angles), ORR_E_ARG, ORR_E_NUMERIC,
+//             ORR_E_MEMORY; then there is nothing to free.
+//   Reference: Bogdanov 2015, section 1.7, eq. (5)-(9), (16), (17).
 orr_status orr_trajectory_from_telemetry(orr_time log_t0, const orr_telemetry_log *log,
                                          const orr_fit_options *options, orr_trajectory *out,
                                          orr_fit_report *report, orr_diag *diag);

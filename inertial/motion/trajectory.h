@@ -23,6 +23,7 @@ typedef struct orr_trajectory {
 // The motion t_s seconds after t0. Outside [begin_s, end_s] (by more than a microsecond) ORR_E_RANGE with a
 // sentence.
 orr_status orr_trajectory_evaluate(const orr_trajectory *tr, double t_s, orr_motion *out, orr_diag *diag);
+// Frees what the trajectory owns; an empty one is allowed.
 void orr_trajectory_free(orr_trajectory *tr);
 
 // Samples of one half (position or attitude) of a trajectory and the spline to lay through them.
@@ -37,11 +38,7 @@ typedef struct orr_spline_residuals {
     double attitude_rms_rad, attitude_max_rad;
 } orr_spline_residuals;
 
-// Splines through positions (ecef, relative to a local origin) and attitudes (sign-continuous quaternions),
-// so that the poles, the date line and the wraps of heading and roll are nothing special. Knots of both start
-// at begin_s; one knot step is a whole multiple of the other. Samples may lie beyond begin_s and end_s by up
-// to 16 knots (they make the ends as good as the middle). r_weight and q_weight (may be NULL) are per sample.
-// Signs of q_be need not be continuous. Errors: ORR_E_ARG, ORR_E_NUMERIC, ORR_E_MEMORY, ORR_E_LIMIT.
+// Positions (ecef) and attitudes, each at ascending times of its own, in seconds after t0.
 typedef struct orr_spline_samples {
     size_t n_r;
     const double *r_t_s;
@@ -50,13 +47,30 @@ typedef struct orr_spline_samples {
     const double *q_t_s;
     const orr_quat *q_be;
 } orr_spline_samples;
+
+// Splines through positions (ecef, relative to a local origin) and attitudes (sign-continuous quaternions),
+// so that the poles, the date line and the wraps of heading and roll are nothing special.
+//   Given:    t0              instant of second 0
+//             begin_s, end_s  time that the trajectory may be evaluated in
+//             samples         positions and attitudes; the signs of quaternions need not be continuous. They
+//                             may lie beyond begin_s and end_s, which makes the ends as good as the middle
+//             position        degree and knots of the positions' spline, and
+//             attitude        of the attitudes'; one knot step is a whole multiple of the other
+//   Returned: out             the trajectory, knots of both halves at begin_s; free with orr_trajectory_free
+//             residuals       what the samples differ by from the splines; may be NULL
+//   Notes:    ORR_E_ARG, ORR_E_NUMERIC (samples that determine no spline), ORR_E_MEMORY, ORR_E_LIMIT.
 orr_status orr_trajectory_from_samples(orr_time t0, double begin_s, double end_s,
                                        const orr_spline_samples *samples, orr_spline_plan position,
                                        orr_spline_plan attitude, orr_trajectory *out,
                                        orr_spline_residuals *residuals, orr_diag *diag);
 
-// Samples another trajectory every step_s (through `change`, which may alter r_m and q_be; NULL: nothing) and
-// interpolates with a quintic spline of that knot step. The result is its own function of time.
+// A quintic spline through samples of another trajectory, which need not outlive it.
+//   Given:    in            the trajectory
+//             step_s        step of the samples and of the knots, s
+//             change        called for each sample at t_s, with `user`; may alter r_m and q_be; NULL: no change
+//             user          for `change`
+//   Returned: out           the spline over the same time; free with orr_trajectory_free
+//   Notes:    ORR_E_ARG (step or span), ORR_E_NUMERIC, ORR_E_MEMORY.
 orr_status orr_trajectory_resample(const orr_trajectory *in, double step_s,
                                    void (*change)(void *user, double t_s, orr_motion *m), void *user,
                                    orr_trajectory *out, orr_diag *diag);

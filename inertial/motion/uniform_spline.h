@@ -40,10 +40,14 @@ typedef struct orr_uspline {
 orr_status orr_uspline_fit(int degree, int dim, double origin_s, double step_s, size_t n_intervals, size_t m,
                            const double *t_s, const double *value, const double *weight, double roughness,
                            orr_uspline *out, orr_diag *diag);
+// Frees the polynomials; an empty spline is allowed.
 void orr_uspline_free(orr_uspline *s);
 
-// Value and derivatives (1/s, 1/s^2; each dim long, d1 and d2 may be NULL) at t_s; outside the knots the end
-// intervals' polynomials continue.
+// Value and derivatives of a spline.
+//   Given:    s             the spline
+//             t_s           time; outside the knots the polynomials of the end intervals continue
+//   Returned: value         [dim]
+//             d1, d2        [dim] first and second derivative, by s and s^2; may be NULL
 void orr_uspline_eval(const orr_uspline *s, double t_s, double *value, double *d1, double *d2);
 
 #endif

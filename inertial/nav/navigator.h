@@ -37,9 +37,15 @@ typedef struct orr_nav_state {
     orr_mat3 A_bi;       // body from inertial
 } orr_nav_state;
 
-// Calls `visit` at the start and after every group or step, in order. A visit that returns other than ORR_OK
-// ends the run with it. Errors: ORR_E_ARG (samples, kind), ORR_E_NUMERIC (the solution left the Earth's
-// surroundings).
+// Navigates on a run of readings from its start state.
+//   Given:    imu           readings and start state
+//             nav           which navigator
+//             visit         called with `user` at the start and after every group or step, in order; if it
+//                           returns other than ORR_OK, that ends the run and is returned
+//             user          for `visit`
+//   Returned: diag          a sentence on what went wrong
+//   Notes:    ORR_E_ARG (samples), ORR_E_UNSUPPORTED (a vertical channel that cannot be held), ORR_E_NUMERIC
+//             (the solution left the Earth's surroundings).
 orr_status orr_navigate(const orr_imu *imu, const orr_navigator *nav,
                         orr_status (*visit)(void *user, const orr_nav_state *state), void *user,
                         orr_diag *diag);

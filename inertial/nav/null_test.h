@@ -24,7 +24,15 @@ typedef struct orr_null_point {
     double attitude_rad; // angle between the two attitudes
 } orr_null_point;
 
-// `point` (may be NULL) is called at every compared edge.
+// Navigates and compares with the truth beside the readings.
+//   Given:    imu           readings with their truth
+//             nav           which navigator; its gravity is that of the readings
+//             point         called with `user` at every compared edge; may be NULL. Other than ORR_OK ends the
+//                           test and is returned
+//             user          for `point`
+//   Returned: out           largest and last differences
+//   Notes:    Errors: those of orr_navigate.
+//   Reference: Bogdanov 2015, section 2.5.
 orr_status orr_null_test(const orr_imu *imu, const orr_navigator *nav,
                          orr_status (*point)(void *user, const orr_null_point *p), void *user,
                          orr_null_report *out, orr_diag *diag);

@@ -48,9 +48,18 @@ typedef struct orr_imu {
     orr_vec3 *carried_r_m; // [n + 1] inertial position that a closed loop carried, NULL otherwise
 } orr_imu;
 
+// Frees the arrays of a run; an empty one is allowed.
 void orr_imu_free(orr_imu *m);
+// Arrays for a run, not filled in.
+//   Given:    n              samples, 1 to 50 million
+//             truth_every    samples from one instant of truth to the next, at least 1
+//             instantaneous  arrays for instantaneous readings too
+//             carried        an array for the position that a closed loop carries
+//   Returned: m              n, truth_every and the arrays; other members stay as they are
+//   Notes:    ORR_E_LIMIT, ORR_E_ARG, ORR_E_MEMORY.
 orr_status orr_imu_allocate(orr_imu *m, size_t n, size_t truth_every, bool instantaneous, bool carried,
                             orr_diag *diag);
+// Time of edge j after t0, s.
 static inline double orr_imu_edge_s(const orr_imu *m, size_t j)
 {
     return m->begin_s + (double)j / m->rate_hz;
@@ -58,7 +67,12 @@ static inline double orr_imu_edge_s(const orr_imu *m, size_t j)
 
 // Matrix from ecef to the inertial axes at t_s after t0: r_inertial = R r_ecef (R3(-u t)).
 orr_mat3 orr_inertial_from_ecef(double t_s);
-// True inertial state at edge j, from the truth arrays; j is a multiple of truth_every.
+// True inertial state at an edge, from the truth beside the readings.
+//   Given:    m                   the run
+//             j                   edge, a multiple of truth_every
+//   Returned: r_m                 inertial position, m
+//             v_mps               absolute velocity in inertial axes, m/s
+//             body_from_inertial  attitude
 void orr_imu_true_state(const orr_imu *m, size_t j, orr_vec3 *r_m, orr_vec3 *v_mps,
                         orr_mat3 *body_from_inertial);
 

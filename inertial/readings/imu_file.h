@@ -18,11 +18,17 @@ typedef struct orr_imu_labels {
     size_t truth_every; // truth is written at every so many edges; 0 or 1: all
 } orr_imu_labels;
 
-// Layout: dimensions step (n), edge (n + 1), truth (n / truth_every + 1), xyz (3), quat (4), gravimetry;
+// Writes a run of readings as NetCDF-4. Layout: dimensions step (n), edge (n + 1), truth (n / truth_every + 1), xyz (3), quat (4), gravimetry;
 // variables time_s(truth), dtheta_rad(step, xyz), dv_mps(step, xyz), [gyro_radps, accel_mps2 (edge, xyz)],
 // position_m, velocity_mps (truth, xyz; ecef), attitude(truth, quat; w x y z, body from ecef),
-// [carried_position_m (edge, xyz; inertial)], start_*, gravity and gravimetry. docs/inertial.md. `gravimetry`
-// may be NULL. Errors as of core/ncfile.h.
+// [carried_position_m (edge, xyz; inertial)], start_*, gravity and gravimetry. docs/inertial.md.
+//   Given:    path          of the file; it appears there when it is whole
+//             imu           the readings with their truth
+//             gravimetry    true gravity along the track; NULL: none
+//             gravity       field that the readings were made in; NULL: normal gravity
+//             labels        title, history and inputs, and how often truth is written
+//   Returned: diag          a sentence on what went wrong
+//   Notes:    ORR_E_ARG (truth at instants that are not there), else as of core/ncfile.h.
 orr_status orr_imu_write(const char *path, const orr_imu *imu, const orr_gravimetry *gravimetry,
                          const orr_gravity *gravity, const orr_imu_labels *labels, orr_diag *diag);
 
@@ -35,7 +41,11 @@ typedef struct orr_imu_file {
     orr_gravity_model *model;
     char title[256];
 } orr_imu_file;
+
+// Reads a file that orr_imu_write wrote. Errors: ORR_E_KIND (another kind of file), ORR_E_FORMAT (not whole, or
+// no numbers), those of orr_gravity_model_open and of core/ncfile.h.
 orr_status orr_imu_read(const char *path, const char *model_dir, orr_imu_file *out, orr_diag *diag);
+// Frees readings, gravity and model; an empty file is allowed.
 void orr_imu_file_free(orr_imu_file *f);
 
 // What a file of readings is, from its head alone: neither the readings nor a gravity model are opened.
@@ -50,7 +60,7 @@ typedef struct orr_imu_summary {
     char gravity[256];   // "normal gravity, profile of 14 points"
     char title[256];
 } orr_imu_summary;
-// Errors as orr_imu_read.
+// Reads the head of a file. Errors: ORR_E_KIND, ORR_E_FORMAT, those of core/ncfile.h.
 orr_status orr_imu_summarise(const char *path, orr_imu_summary *out, orr_diag *diag);
 
 // One line per edge: time, increments since the edge before, position, velocity, angles, and the

@@ -9,13 +9,26 @@
 #define ORR_IMU_MAX_ORDER 5 // Gauss-Legendre nodes
 #define ORR_IMU_MAX_RECTANGLES 1000
 
-// Absolute rate and specific force at t_s, body axes.
+// What the sensors read at an instant.
+//   Given:    tr            trajectory, evaluated at
+//             t_s           seconds after its t0
+//             g             gravity; NULL: normal gravity
+//   Returned: gyro_radps    absolute angular rate, body axes, rad/s
+//             accel_mps2    specific force, body axes, m/s^2
+//   Reference: Bogdanov 2015, eq. (15).
 void orr_sensors_instant(const orr_trajectory *tr, const orr_gravity *g, double t_s, orr_vec3 *gyro_radps,
                          orr_vec3 *accel_mps2);
 
-// Integrals of both over [from_s, to_s] (Bogdanov 2015, eq. (3), (4), (15)), by Gauss-Legendre of `order`
-// nodes between the trajectory's knots (the interval is cut at each knot inside it), or by the source's sum
-// over `order` rectangles, each of the value in its middle.
+// Integrals of both over an interval.
+//   Given:    tr            trajectory
+//             g             gravity; NULL: normal gravity
+//             quadrature    Gauss-Legendre between the trajectory's knots (the interval is cut at each knot
+//                           inside it), or the source's sum over rectangles, each of the value in its middle
+//             order         nodes, 1 to ORR_IMU_MAX_ORDER, or rectangles of the whole interval
+//             from_s, to_s  the interval, s after the trajectory's t0
+//   Returned: dtheta_rad    integral of the rate, body axes, rad
+//             dv_mps        integral of the specific force, body axes, m/s
+//   Reference: Bogdanov 2015, eq. (3), (4), (15).
 void orr_sensors_increment(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature,
                            int order, double from_s, double to_s, orr_vec3 *dtheta_rad, orr_vec3 *dv_mps);
 
@@ -26,8 +39,14 @@ typedef struct orr_sensors_sum {
     long rectangle;
     orr_vec3 dtheta_rad, dv_mps; // so far
 } orr_sensors_sum;
+// A sum over [from_s, to_s] to which nothing has been added.
 orr_sensors_sum orr_sensors_sum_begin(const orr_trajectory *tr, double from_s, double to_s);
-// Adds at most `pieces`; true when none is left.
+// Adds pieces to a sum.
+//   Given:    tr, g              trajectory and gravity
+//             quadrature, order  as of orr_sensors_increment; the same in each call
+//             s                  the sum so far
+//             pieces             how many at most
+//   Returned: s                  the sum with these pieces; true if none is left to add
 bool orr_sensors_sum_add(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature, int order,
                          orr_sensors_sum *s, long pieces);
 

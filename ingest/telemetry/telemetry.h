@@ -46,13 +46,29 @@ typedef struct orr_telemetry {
 // sign. NULL: the file says so itself, in a header row or a line "# columns: ...", or it has one of the known
 // shapes: 7 numbers (t, lat, lon, height, heading, pitch, roll in s, deg, m) or 4 (motion). Fields are
 // divided by commas, semicolons, tabs or blanks; lines starting with '#' are comments. Files may be
-// compressed. Every row that is left out raises a warning with its line. Errors: ORR_E_KIND (no telemetry),
-// ORR_E_FORMAT (columns that make no place and no angles), ORR_E_ARG (a bad declaration), ORR_E_LIMIT,
-// ORR_E_MEMORY.
+// compressed. Every row that is left out raises a warning with its line.
+//
+// Reads a log.
+//   Given:    path          of the file
+//             columns       declaration of the columns, NULL: the file says so
+//   Returned: out           its rows; free with orr_telemetry_free
+//             warnings      rows that were left out, columns that are not known; may be NULL
+//   Notes:    ORR_E_FORMAT (no telemetry, columns that make no place and no angles), ORR_E_ARG (a bad
+//             declaration), ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_telemetry_read(const char *path, const char *columns, orr_telemetry *out,
                               orr_warnings *warnings, orr_diag *diag);
+
+// The same from bytes in memory.
+//   Given:    name          of the file, for sentences
+//             data, n       its bytes, compressed or not
+//             columns       as above
+//   Returned: out           its rows; free with orr_telemetry_free
+//             warnings      as above
+//   Notes:    As above.
 orr_status orr_telemetry_read_bytes(const char *name, const void *data, size_t n, const char *columns,
                                     orr_telemetry *out, orr_warnings *warnings, orr_diag *diag);
+
+// Frees the rows; an empty log is allowed.
 void orr_telemetry_free(orr_telemetry *t);
 
 #endif

@@ -28,10 +28,15 @@ typedef struct orr_moving {
 // Begin of a motion that nothing dates (2024-02-04T00:00:00 GPS): readings of a file and of a service agree.
 orr_time orr_moving_fallback_start(void);
 
-// Prepares; fallback_start is the start where the scenario has none. Errors: those of readers and makers,
-// with files and lines. Free with orr_moving_free.
+// Prepares the motion of a scenario.
+//   Given:    m               its sections on trajectory, gravity, units and readings
+//             fallback_start  start where neither the scenario nor a log tells one
+//   Returned: warnings        rows of logs that were left out, and the like
+//             out             the motion; free with orr_moving_free
+//   Notes:    Errors: those of readers and makers, with files and lines.
 orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, orr_warnings *warnings,
                            orr_moving *out, orr_diag *diag);
+// Frees all of it; an empty motion is allowed.
 void orr_moving_free(orr_moving *v);
 // Nodes (or rectangles) a step where nobody says: 2 Gauss-Legendre nodes at 50 Hz and more, 3 below and on
 // the livelier motion of a log.

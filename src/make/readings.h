@@ -28,10 +28,18 @@ typedef struct orr_readings {
 
 // Errors: those of orr_imu_generate and orr_gravimetry_truth. Free with orr_readings_free whatever it returned.
 orr_status orr_readings_make(const orr_readings_plan *plan, orr_readings *out, orr_diag *diag);
+// Frees readings and truth; empty readings are allowed.
 void orr_readings_free(orr_readings *r);
 
-// Writes them as a NetCDF file with provenance: `inputs` (what the scenario was read from; may be NULL), then the files
-// of the motion.
+// Writes readings as a NetCDF file with provenance.
+//   Given:    r             the readings
+//             plan          what they were made by
+//             scenario      title and gravity
+//             inputs        what the scenario was read from; NULL: nothing. The motion's own files follow
+//             path          of the file
+//             history       the command line
+//   Returned: diag          a sentence on what went wrong
+//   Notes:    Errors: those of orr_imu_write.
 orr_status orr_readings_save(const orr_readings *r, const orr_readings_plan *plan,
                              const orr_scenario *scenario, const orr_inputs *inputs, const char *path,
                              const char *history, orr_diag *diag);
