@@ -25,6 +25,7 @@ typedef struct orr_harm_basis {
 
 // degree 0..ORR_HARM_MAX_DEGREE, else ORR_E_ARG. Free with orr_harm_basis_free.
 orr_status orr_harm_basis_init(int degree, orr_harm_basis *out, orr_diag *diag);
+// Frees the tables; harmless on a basis that is all zeroes.
 void orr_harm_basis_free(orr_harm_basis *b);
 
 // Where a_nm (m >= 0) or b_n|m| (m < 0) lives in a coefficient array. 0 <= |m| <= n <= degree.
@@ -34,15 +35,30 @@ static inline size_t orr_harm_slot(const orr_harm_basis *b, int n, int m)
     return (2 * ((size_t)n - order) + (m < 0 ? 1 : 0)) * b->stride + order;
 }
 
-// Value at a point given by sine and cosine (>= 0) of its latitude and of its longitude.
+// Sum of the expansion at one point.
+// Given:
+//   b                 tables of the degree
+//   coef              [b->size] coefficient array
+//   sin_lat, cos_lat  of the point's latitude in the expansion's axes; cos_lat >= 0
+//   sin_lon, cos_lon  of its longitude there
+// Returned: the value, in the unit of the coefficients.
+// Notes: orders are summed by Clenshaw's recurrence.
+// Reference: Bogdanov 2015, eq. (35); Schaer 1999, eq. (4.4).
 double orr_harm_eval(const orr_harm_basis *b, const double *coef, double sin_lat, double cos_lat,
                      double sin_lon, double cos_lon);
-// The n_coef basis functions at a point, in the order n = 0.., and for each n: m = 0, 1, -1, 2, -2, .. (as
-// Bernese files list them); orr_harm_unpack turns a vector in that order into a coefficient array,
-// orr_harm_pack back.
+// The basis functions at one point: a row of the design matrix of a fit.
+// Given:
+//   b                 tables of the degree
+//   sin_lat, cos_lat  of the point's latitude in the expansion's axes; cos_lat >= 0
+//   sin_lon, cos_lon  of its longitude there
+// Returned:
+//   row               [b->n_coef], listed by n = 0.. and within each n by m = 0, 1, -1, 2, -2, .. (as Bernese files
+//                     list them)
 void orr_harm_row(const orr_harm_basis *b, double sin_lat, double cos_lat, double sin_lon, double cos_lon,
                   double *row);
+// Turns n_coef coefficients listed in the order of orr_harm_row into a coefficient array of `size`.
 void orr_harm_unpack(const orr_harm_basis *b, const double *listed, double *coef);
+// The way back: a coefficient array to n_coef coefficients in the order of orr_harm_row.
 void orr_harm_pack(const orr_harm_basis *b, const double *coef, double *listed);
 // The same function seen in axes turned about the pole: longitude' = longitude - turn. in and out may be one
 // array.

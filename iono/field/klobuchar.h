@@ -9,8 +9,15 @@ typedef struct orr_klobuchar {
     double alpha[4], beta[4]; // s, s/semicircle, ..; as broadcast
 } orr_klobuchar;
 
-// Slant code delay on L1 (1575.42 MHz), metres, for a receiver at geodetic latitude and longitude and a
-// satellite at azimuth and elevation (el >= 0). The algorithm's own pierce point, obliquity and 5 ns night.
+// Slant code delay on L1 (1575.42 MHz) by the broadcast model.
+// Given:
+//   k                 coefficients
+//   t                 instant; the model takes its GPS second of the day
+//   lat_rad, lon_rad  receiver, geodetic
+//   az_rad, el_rad    satellite, el >= 0
+// Returned: the delay, m.
+// Notes: pierce point, obliquity and the 5 ns of the night are the algorithm's own.
+// Reference: IS-GPS-200N 20.3.3.5.2.5; Klobuchar 1987.
 double orr_klobuchar_delay_m(const orr_klobuchar *k, orr_time t, double lat_rad, double lon_rad,
                              double az_rad, double el_rad);
 // The model's vertical delay on L1 at a pierce point, metres (obliquity 1).

@@ -27,11 +27,27 @@ typedef struct orr_pierce {
     orr_vec3 unit;           // the same as a unit vector, ecef
 } orr_pierce;
 
-// Exact intersection of the straight ray with the sphere of shell_radius_m. Errors: ORR_E_RANGE when the
-// satellite is below the horizon or the receiver is not inside the shell.
+// Pierce point of the straight ray from a receiver to a satellite, exact.
+// Given:
+//   site            receiver
+//   sat_m           satellite, ecef
+//   shell_radius_m  of the sphere, from the Earth's centre
+// Returned:
+//   out             azimuth, elevation and pierce point
+//   diag            why there is none; may be NULL
+// Errors: ORR_E_RANGE when the satellite is below the ellipsoidal horizon or the receiver is not inside the shell.
 orr_status orr_pierce_ray(const orr_iono_site *site, orr_vec3 sat_m, double shell_radius_m, orr_pierce *out,
                           orr_diag *diag);
-// The same for a direction.
+// Pierce point of a ray in a given direction.
+// Given:
+//   site            receiver
+//   az_rad          clockwise from North
+//   el_rad          above the ellipsoidal horizon
+//   shell_radius_m  of the sphere, from the Earth's centre
+// Returned:
+//   out             azimuth, elevation and pierce point
+//   diag            why there is none; may be NULL
+// Errors: as orr_pierce_ray.
 orr_status orr_pierce_direction(const orr_iono_site *site, double az_rad, double el_rad,
                                 double shell_radius_m, orr_pierce *out, orr_diag *diag);
 
@@ -47,16 +63,17 @@ typedef struct orr_mapping {
     double ratio; // R / (R + H)
     double alpha;
 } orr_mapping;
+// The mapping function of a kind with its published constants.
 orr_mapping orr_mapping_published(orr_mapping_kind kind);
+// "none", "thin-shell" or "mslm"; ORR_E_ARG for any other name.
 orr_status orr_mapping_parse(const char *name, orr_mapping_kind *out, orr_diag *diag);
 // 1 at the zenith, growing to the horizon. NAN for an elevation outside [0, pi/2].
 double orr_mapping_factor(const orr_mapping *m, double el_rad);
 
-// Bogdanov 2015, eq. (36): 40.3e16 E / f^2 metres for E TECU (1e16 electrons/m^2); a code measurement is late
-// by so much
-// (+), the phase early (-).
-#define ORR_IONO_K_M3_PER_S2 40.3e16
+#define ORR_IONO_K_M3_PER_S2 40.3e16 // metres of delay for one TECU (1e16 electrons/m^2) at 1 Hz, times Hz^2
 typedef enum orr_measurement { ORR_MEASURES_CODE, ORR_MEASURES_PHASE } orr_measurement;
+// 40.3e16 E / f^2 metres for a slant content of E TECU: positive for a code, which is late by so much, negative for a
+// phase, which is early (Bogdanov 2015, eq. (36)).
 static inline double orr_iono_delay_m(double tec_tecu, double freq_hz, orr_measurement what)
 {
     double d = ORR_IONO_K_M3_PER_S2 * tec_tecu / (freq_hz * freq_hz);

@@ -74,25 +74,45 @@ typedef struct orr_tec_model {
     double shell_radius_m;
     const char *source;
 } orr_tec_model;
+// A field of spherical-harmonic coefficients; the degree is the highest of the sets, the pole the model's. Errors:
+// ORR_E_NODATA (no set), ORR_E_FORMAT (epochs out of order, a coefficient that is no number), ORR_E_ARG, ORR_E_LIMIT,
+// ORR_E_MEMORY. options may be NULL. Free with orr_tec_field_free.
 orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_options *options,
                                     orr_tec_field **out, orr_diag *diag);
 
-// The broadcast model; it says it holds from `from` to `to`.
+// A field of the broadcast Klobuchar model.
+// Given:
+//   k         coefficients
+//   from, to  interval that the field is to cover
+//   source    name for messages
+//   options   may be NULL
+// Returned:
+//   out       the field; free with orr_tec_field_free
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_FORMAT (a coefficient that is no number), ORR_E_ARG (options), ORR_E_MEMORY.
 orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, orr_time to,
                                         const char *source, const orr_tec_options *options,
                                         orr_tec_field **out, orr_diag *diag);
+// Frees a field; f may be NULL.
 void orr_tec_field_free(orr_tec_field *f);
 
-// What the field is.
+// First and last instant that the field covers.
 void orr_tec_field_span(const orr_tec_field *f, orr_time *from, orr_time *to);
-const char *orr_tec_field_source(const orr_tec_field *f);
-const char *orr_tec_field_kind(const orr_tec_field *f); // "harmonics", "maps", "klobuchar"
-const orr_tec_options *orr_tec_field_options(const orr_tec_field *f);
-const orr_tec_fit *orr_tec_field_fit(const orr_tec_field *f); // NULL unless maps were refitted
-double orr_tec_field_shell_radius_m(const orr_tec_field *f);
-// The coefficients of a harmonic field, for writing them: the number of sets (0 for other kinds); set k into
-// *out, whose value (and rms) go to the caller's arrays of (degree+1)^2 (rms may be NULL).
+const char *orr_tec_field_source(const orr_tec_field *f); // name for messages, as it was made with
+const char *orr_tec_field_kind(const orr_tec_field *f);   // "harmonics", "maps", "klobuchar"
+const orr_tec_options *orr_tec_field_options(const orr_tec_field *f); // as in force (degree, pole)
+const orr_tec_fit *orr_tec_field_fit(const orr_tec_field *f);         // NULL unless maps were refitted
+double orr_tec_field_shell_radius_m(const orr_tec_field *f);          // from the Earth's centre
+// Number of sets of coefficients of a harmonic field, and their degree; 0 for other kinds (*degree is left alone).
 size_t orr_tec_field_sets(const orr_tec_field *f, int *degree);
+// One set of coefficients of a harmonic field, for writing it.
+// Given:
+//   f       harmonic field
+//   k       which set, from 0
+// Returned:
+//   t, t1   its epoch, or the interval it holds for; t1 is ORR_TIME_NONE for a snapshot
+//   value   [(degree + 1)^2] in the order of orr_harm_row, TECU
+//   rms     the same, zeroes where the source has none; may be NULL
 void orr_tec_field_set(const orr_tec_field *f, size_t k, orr_time *t, orr_time *t1, double *value,
                        double *rms);
 // Epochs of a field of maps, whichever way they are kept; 0 for others. *t stays valid as long as f.
@@ -133,11 +153,27 @@ typedef struct orr_tec_ray {
     double sigma_tecu; // of the slant, NAN where unknown
     unsigned flags;
 } orr_tec_ray;
-// One ray from a site to a satellite. Errors of orr_pierce_ray and orr_tec_vertical. A Klobuchar field uses
-// its own algorithm for the slant; its mapping is the quotient.
+// One ray from a receiver to a satellite.
+// Given:
+//   at     the field at an instant
+//   site   receiver
+//   sat_m  satellite, ecef
+// Returned:
+//   out    pierce point, vertical and slant content
+//   diag   why there is none; may be NULL
+// Errors: those of orr_pierce_ray and orr_tec_vertical.
+// Notes: a Klobuchar field uses its own algorithm for the slant; its mapping is the quotient.
 orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
                         orr_tec_ray *out, orr_diag *diag);
-// The same for a pierce point already made (with the field's shell radius).
+// One ray through a pierce point that is known already.
+// Given:
+//   at      the field at an instant
+//   site    receiver; only a Klobuchar field uses it
+//   pierce  made with the field's shell radius
+// Returned:
+//   out     the same pierce point, vertical and slant content
+//   diag    why there is none; may be NULL
+// Errors: those of orr_tec_vertical.
 orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *site,
                                 const orr_pierce *pierce, orr_tec_ray *out, orr_diag *diag);
 

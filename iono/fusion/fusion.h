@@ -29,7 +29,7 @@ typedef struct orr_fusion_options {
         *withhold_sat; // leave one arc out: this arc of this satellite is not fitted (its bias is NAN)
     size_t withhold_arc;
 } orr_fusion_options;
-orr_fusion_options orr_fusion_default_options(void);
+orr_fusion_options orr_fusion_default_options(void); // joint, with the values named above
 
 // Correction of vertical TEC over a station: at each knot a + bx x + by y + cxx x^2 + cxy x y + cyy y^2, x
 // East and y North in units of 1000 km on the shell from the station's zenith, linear in time. Beyond `reach`
@@ -44,6 +44,8 @@ typedef struct orr_correction {
     double scale;             // shell radius in units of 1000 km
     double reach;
 } orr_correction;
+// Its vertical value at an instant and a pierce point (geocentric unit vector), TECU; held before the first and after
+// the last knot, 0 where there is no knot.
 double orr_correction_at(const orr_correction *c, orr_time t, orr_vec3 unit);
 
 typedef struct orr_fused_arc {
@@ -96,11 +98,22 @@ typedef struct orr_fusion {
     double **model_vtec, **mapping;
 } orr_fusion;
 
-// Fits. The arcs of `phase` are split where the step test finds a jump (recorded in its slips). Every
-// sample's instant must be covered by the field (ORR_E_RANGE with the field's sentence). biases: n_biases
-// sets, may be 0. Errors besides: ORR_E_NODATA (no arc), ORR_E_NUMERIC, ORR_E_MEMORY.
+// Levels the arcs of a station against a field.
+// Given:
+//   phase             the station's phases, with geometry
+//   field             has to cover every sample's instant
+//   biases, n_biases  code biases of satellites; n_biases may be 0
+//   options           may be NULL
+// Returned:
+//   phase             its arcs are split where the step test finds a jump (recorded in its slips)
+//   out               the fusion; free with orr_fusion_free
+//   diag              why it failed; may be NULL
+// Errors: ORR_E_ARG (no geometry), ORR_E_RANGE (the field does not cover an instant), ORR_E_NODATA (no arc),
+// ORR_E_NUMERIC, ORR_E_LIMIT, ORR_E_MEMORY.
+// Reference: Bogdanov 2015, 7.4.
 orr_status orr_fuse(orr_phase_tec *phase, const orr_tec_field *field, const orr_bias_set *biases,
                     size_t n_biases, const orr_fusion_options *options, orr_fusion *out, orr_diag *diag);
+// Frees what a fusion holds; `phase` is the one it was made of.
 void orr_fusion_free(orr_fusion *f, const orr_phase_tec *phase);
 
 // Leave one arc out: every arc of at least min_span_s in turn is not fitted; corrected field and plain field
@@ -114,6 +127,18 @@ typedef struct orr_leave_out {
         double corrected_tecu, plain_tecu;
     } band[ORR_FUSION_BANDS];
 } orr_leave_out;
+// Judges the correction by arcs that it was not fitted to.
+// Given:
+//   phase             the station's phases, with geometry
+//   field             has to cover every sample's instant
+//   biases, n_biases  code biases of satellites; n_biases may be 0
+//   options           may be NULL; the method is `joint` whatever they say
+//   min_span_s        shorter arcs are not left out
+// Returned:
+//   phase             as orr_fuse leaves it
+//   out               RMS over all samples of the arcs left out, and by elevation
+//   diag              why it failed; may be NULL
+// Errors: as orr_fuse.
 orr_status orr_fusion_leave_one_out(orr_phase_tec *phase, const orr_tec_field *field,
                                     const orr_bias_set *biases, size_t n_biases,
                                     const orr_fusion_options *options, double min_span_s, orr_leave_out *out,

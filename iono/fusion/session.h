@@ -49,12 +49,30 @@ typedef struct orr_session {
     orr_small_scale small;
 } orr_session;
 
-// Takes the field over (also when it fails). ORR_E_MEMORY.
+// Makes a session of a fusion and learns its small-scale structure.
+// Given:
+//   phase      the station's phases
+//   fusion     made of them
+//   field      the field of the fusion; the session takes it over, also when this fails
+//   max_gap_s  longer gaps between samples of an arc are not bridged
+// Returned:
+//   out        the session; free with orr_session_free
+//   diag       why it failed; may be NULL
+// Errors: ORR_E_MEMORY.
 orr_status orr_session_make(const orr_phase_tec *phase, const orr_fusion *fusion, orr_tec_field *field,
                             double max_gap_s, orr_session *out, orr_diag *diag);
+// Frees what a session holds, its field included.
 void orr_session_free(orr_session *s);
 
-// NetCDF-4. input: what the session was made from; NULL with n_inputs 0.
+// Writes a session as a NetCDF-4 file.
+// Given:
+//   s                the session
+//   path             where to
+//   history          the command that made it
+//   input, n_inputs  what it was made from; NULL with n_inputs 0
+// Returned:
+//   diag             why it failed; may be NULL
+// Errors: those of core/ncfile.h.
 orr_status orr_session_save(const orr_session *s, const char *path, const char *history,
                             const orr_nc_input *input, size_t n_inputs, orr_diag *diag);
 // ORR_E_KIND when the file is no session.
@@ -100,7 +118,19 @@ typedef struct orr_transfer_options {
 orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m, const orr_sat *sat,
                                const orr_vec3 *sat_m, size_t n, const orr_transfer_options *options,
                                orr_realisation *out, size_t *n_out, orr_diag *diag);
-// The same of a field alone.
+// Slant TEC of a field alone from a receiver to satellites.
+// Given:
+//   f       the field
+//   t       instant
+//   site_m  receiver, ecef
+//   sat     [n] satellites, and
+//   sat_m   [n] their positions, ecef
+//   n       number of satellites
+// Returned:
+//   out     [n] in the order given, without those below the horizon or where the field has no value
+//   n_out   how many were written
+//   diag    why it failed; may be NULL
+// Errors: ORR_E_RANGE where the field does not cover t, ORR_E_ARG for a site that is none.
 orr_status orr_field_realise(const orr_tec_field *f, orr_time t, orr_vec3 site_m, const orr_sat *sat,
                              const orr_vec3 *sat_m, size_t n, orr_realisation *out, size_t *n_out,
                              orr_diag *diag);

@@ -42,7 +42,7 @@ typedef enum orr_slip_verdict {
     ORR_SLIP_NONE,     // no jump after all: the arc goes on
     ORR_SLIP_OUTLIER,  // one sample off, before and after agree: the sample is dropped
 } orr_slip_verdict;
-const char *orr_slip_verdict_name(orr_slip_verdict v);
+const char *orr_slip_verdict_name(orr_slip_verdict v); // "break", "repaired", "none", "outlier"
 // "gap+lli" into buf; returns buf.
 char *orr_slip_cause_text(unsigned causes, char buf[40]);
 
@@ -72,11 +72,20 @@ typedef struct orr_arcs {
 // Errors: ORR_E_ARG (times do not ascend), ORR_E_MEMORY. options may be NULL. Free with orr_arcs_free.
 orr_status orr_arcs_find(const orr_arc_series *series, const orr_arc_options *options, orr_arcs *out,
                          orr_diag *diag);
+// Frees what orr_arcs_find made.
 void orr_arcs_free(orr_arcs *a);
 
-// The test after the fit: residuals of one arc against a smooth field. Where the best straight line with one
-// step in it (20 samples either side) jumps by more than options->step_tecu and eight times its sigma, *at is
-// the first sample after (index into the arrays) and true is returned.
+// The test after the fit: looks for the largest step in the residuals of one arc against a smooth field.
+// Given:
+//   t_s            [n] ascending times
+//   residual_tecu  [n] residuals
+//   n              samples
+//   options        step_tecu is used; may be NULL
+// Returned: whether there is a step, and if so
+//   at             the first sample after it
+//   step_tecu      its size
+// Notes: the model is a straight line with one step in it over 20 samples either side; a step counts when it exceeds
+// options->step_tecu and eight times its sigma, and most of it happens within one interval.
 bool orr_arc_step(const double *t_s, const double *residual_tecu, size_t n, const orr_arc_options *options,
                   size_t *at, double *step_tecu);
 

@@ -56,19 +56,36 @@ typedef struct orr_phase_tec {
         n_unknown; // satellites left out: without a second carrier; without a position at any epoch
 } orr_phase_tec;
 
-// Reads an observation file. Errors: those of the reader; ORR_E_NODATA (no position in the header and none
-// given; no satellite with two carriers; nothing left), ORR_E_UNSUPPORTED (the antenna moves), ORR_E_LIMIT.
-// options may be NULL.
+// Slant TEC along the arcs of an observation file.
+// Given:
+//   path      RINEX 2 to 4, Hatanaka or plain, compressed or not
+//   options   may be NULL
+// Returned:
+//   out       satellites with their samples and arcs; free with orr_phase_tec_free
+//   warnings  of the reader, and satellites left out; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: those of the reader; ORR_E_NODATA (no position in the header and none given; no satellite with two carriers;
+// nothing left), ORR_E_UNSUPPORTED (the antenna moves), ORR_E_LIMIT.
+// Reference: Bogdanov 2015, eqs. (37) to (39).
 orr_status orr_phase_tec_read(const char *path, const orr_phase_options *options, orr_phase_tec *out,
                               orr_warnings *warnings, orr_diag *diag);
-// The same of a file's bytes, compressed or not; `name` is for messages.
+// The same of a file in memory.
+// Given:
+//   name      for messages
+//   data, n   the file's bytes, compressed or not
+//   options   may be NULL
+// Returned:
+//   out       as orr_phase_tec_read
+//   warnings  may be NULL
+//   diag      why it failed; may be NULL
+// Errors: as orr_phase_tec_read.
 orr_status orr_phase_tec_read_bytes(const char *name, const void *data, size_t n,
                                     const orr_phase_options *options, orr_phase_tec *out,
                                     orr_warnings *warnings, orr_diag *diag);
+// Frees what a reading made.
 void orr_phase_tec_free(orr_phase_tec *p);
 
-// Fig. 10: the same satellite seen from two receivers. Arcs of both are cut to common epochs (matched within
-// match_s), each curve is centred over them; curves of fewer than min_samples are left out.
+// The same satellite seen from two receivers (Bogdanov 2015, Fig. 10).
 typedef struct orr_curve_point {
     orr_time t;
     double a_tecu, b_tecu; // centred
@@ -85,9 +102,18 @@ typedef struct orr_curves {
     double rms_tecu; // pooled
     double baseline_m;
 } orr_curves;
-// ORR_E_NODATA when there are no common arcs; ORR_E_MEMORY.
+// Compares the curves of two receivers, each centred over the epochs that both have.
+// Given:
+//   a, b         phases of the two
+//   match_s      epochs count as one within this
+//   min_samples  curves of fewer common epochs are left out
+// Returned:
+//   out          curves, their differences and the baseline; free with orr_curves_free
+//   diag         why it failed; may be NULL
+// Errors: ORR_E_NODATA when there are no common arcs; ORR_E_MEMORY.
 orr_status orr_phase_compare(const orr_phase_tec *a, const orr_phase_tec *b, double match_s,
                              size_t min_samples, orr_curves *out, orr_diag *diag);
+// Frees what a comparison made.
 void orr_curves_free(orr_curves *c);
 
 #endif
