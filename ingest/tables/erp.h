@@ -5,6 +5,8 @@
 #ifndef ORR_INGEST_TABLES_ERP_H
 #define ORR_INGEST_TABLES_ERP_H
 
+#include <stdio.h>
+
 #include "core/astro.h"
 #include "core/status.h"
 #include "ingest/input/limits.h"
@@ -33,6 +35,25 @@ orr_status orr_erp_read(const char *path, const orr_leap_table *leap, const orr_
 orr_status orr_erp_parse(const char *name, const char *text, size_t n, const orr_leap_table *leap,
                          const orr_read_limits *limits, orr_erp *out, orr_warnings *warnings, orr_diag *diag);
 void orr_erp_free(orr_erp *x);
+
+// Writes a file of version 2. What a detail does not know (NAN, -1) is written as 0, as the format has it.
+// Given:
+//   x          series and details; instants are whole hundredths of a day, as the format writes them
+//   remark     lines of text that stand between the title and the columns' names; none begins with "MJD"
+//   n_remarks  how many
+//   stream     where it goes
+// Returned:
+//   diag       ORR_E_ARG (an instant that the format cannot hold), ORR_E_IO
+orr_status orr_erp_print(const orr_erp *x, const char *const *remark, size_t n_remarks, FILE *stream,
+                         orr_diag *diag);
+// The same to a file, which appears whole or not at all; "-" is standard output.
+// Given:
+//   x, remark, n_remarks  as above
+//   path                  of the file
+// Returned:
+//   diag                  as above
+orr_status orr_erp_write(const orr_erp *x, const char *const *remark, size_t n_remarks, const char *path,
+                         orr_diag *diag);
 
 // One series from several files (daily ones of a campaign): ascending; of two values at one instant that of
 // the later file in the list. Free the series with orr_erp_series_free.

@@ -65,6 +65,7 @@ void orr_ephemeris_free(orr_ephemeris *e)
     free(e->event);
     free(e->span);
     free(e->source);
+    orr_earth_rotation_free(&e->rotation);
     free(e);
 }
 
@@ -274,6 +275,11 @@ size_t orr_ephemeris_sources(const orr_ephemeris *e, const orr_orbit_source **li
 }
 
 double orr_ephemeris_node_step_s(const orr_ephemeris *e) { return e->node_step_s; }
+const orr_earth_rotation *orr_ephemeris_rotation(const orr_ephemeris *e) { return &e->rotation; }
+const orr_eop_series *orr_ephemeris_eop(const orr_ephemeris *e)
+{
+    return e->rotation.series.n > 0 ? &e->rotation.series : NULL;
+}
 const char *orr_ephemeris_options(const orr_ephemeris *e) { return e->options; }
 const char *orr_ephemeris_frame(const orr_ephemeris *e) { return e->frame; }
 

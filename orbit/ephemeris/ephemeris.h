@@ -51,6 +51,10 @@ size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit
 size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list);
 size_t orr_ephemeris_sources(const orr_ephemeris *e, const orr_orbit_source **list);
 double orr_ephemeris_node_step_s(const orr_ephemeris *e);
+// The Earth's rotation that the orbits were made with; its series has n 0 where a product keeps none.
+const orr_earth_rotation *orr_ephemeris_rotation(const orr_ephemeris *e);
+// The same as orr_eop_at takes it: NULL for the secular pole.
+const orr_eop_series *orr_ephemeris_eop(const orr_ephemeris *e);
 const char *orr_ephemeris_options(const orr_ephemeris *e);
 const char *orr_ephemeris_frame(const orr_ephemeris *e);
 // Largest difference between the segments and the samples that they were fitted to.

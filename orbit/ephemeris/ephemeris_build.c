@@ -278,6 +278,11 @@ orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out,
     if (st == ORR_OK) st = eph_alloc(&counts, &e, diag);
     if (st == ORR_OK) {
         copy(s, fit, e);
+        e->rotation = s->rotation;
+        st = orr_eop_series_copy(&s->rotation.series, &e->rotation.series);
+        if (st != ORR_OK) orr_diag_set(diag, st, "no memory for the Earth's rotation");
+    }
+    if (st == ORR_OK) {
         st = eph_finish(e, diag);
     }
     for (size_t i = 0; i < counts.n_arcs; i++) free(fit[i].coef);

@@ -84,6 +84,7 @@ struct orr_ephemeris {
     orr_orbit_event *event;
     eph_span *span;
     orr_orbit_source *source;
+    orr_earth_rotation rotation;
     double node_step_s, clock_max_gap_s;
     bool wide;                                 // evaluate with four-lane vectors; same bits
     size_t n_shortened;                        // arcs

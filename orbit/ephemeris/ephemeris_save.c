@@ -265,6 +265,31 @@ static void put_sources(file *f, const orr_ephemeris *e)
     free(sums);
 }
 
+static void put_rotation(file *f, const orr_ephemeris *e)
+{
+    const orr_earth_rotation *r = &e->rotation;
+    const orr_eop_series *eop = &r->series;
+    text(f, NULL, "earth_rotation_source", orr_rotation_source_name(r->source));
+    if (eop->n == 0) return;
+    if (r->source == ORR_ROTATION_ESTIMATED) {
+        number(f, "earth_rotation_pole_sigma_arcsec", r->pole_sigma_rad * ORR_DEG_PER_RAD * 3600);
+        number(f, "earth_rotation_lod_sigma_s", r->lod_sigma_s);
+        text(f, NULL, "earth_rotation_comment",
+             "estimated together with the orbits, which tell the pole, its rates and the length of day; UT1 "
+             "itself "
+             "starts from the leap seconds. Sigmas are formal, of the middle of the span. Zonal tides are in "
+             "UT1, the ocean's daily and half-daily tides are not in the pole and UT1");
+    }
+    put(f, "earth_rotation_mjd", ORR_NC_DOUBLE, "earth_rotation", eop->mjd_utc,
+        "days since 1858-11-17 00:00:00", "time of the Earth's rotation, UTC");
+    COLUMN(double, eop->n, eop->value[i].xp_rad,
+           put(f, "pole_x", ORR_NC_DOUBLE, "earth_rotation", column, "radian", "x coordinate of the pole"));
+    COLUMN(double, eop->n, eop->value[i].yp_rad,
+           put(f, "pole_y", ORR_NC_DOUBLE, "earth_rotation", column, "radian", "y coordinate of the pole"));
+    COLUMN(double, eop->n, eop->value[i].ut1_utc_s,
+           put(f, "ut1_minus_utc", ORR_NC_DOUBLE, "earth_rotation", column, "s", "UT1 minus UTC"));
+}
+
 static void put_dimensions(file *f, const orr_ephemeris *e, size_t n_coefficients)
 {
     const struct {
@@ -280,6 +305,7 @@ static void put_dimensions(file *f, const orr_ephemeris *e, size_t n_coefficient
                 {"clock", e->n_clocks},
                 {"node", e->n_nodes},
                 {"event", e->n_events},
+                {"earth_rotation", e->rotation.series.n},
                 {"source", e->n_sources},
                 {"source_name_length", e->n_sources > 0 ? sizeof e->source[0].name : 0},
                 {"sha256_length", e->n_sources > 0 ? sizeof e->source[0].sha256 : 0}};
@@ -305,6 +331,7 @@ orr_status orr_ephemeris_save(const orr_ephemeris *e, const char *path, const ch
     put_clocks(&f, e);
     put_nodes(&f, e);
     put_events(&f, e);
+    put_rotation(&f, e);
     put_sources(&f, e);
     return orr_nc_commit(&f.w, diag);
 }

@@ -217,7 +217,7 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
     for (int k = 0; k < ORR_N_SYSTEMS; k++)
         sums[k] = (orr_sisre_sum){.system = ORR_SYSTEMS[k], .orbit = ORR_ORBIT_CLASSES};
     for (size_t e = 0; e < truth->n_epochs; e++) {
-        const orr_vec3 sun = orr_attitude_sun(truth->epoch[e]);
+        const orr_vec3 sun = orr_attitude_sun(truth->epoch[e], NULL);
         size_t first = *n;
         for (size_t i = 0; i < truth->n_sats; i++) {
             const orr_sp3_record *r = &truth->record[e * truth->n_sats + i];

@@ -279,6 +279,25 @@ static orr_status fit_reference(const orr_smoother_options *o, const orr_node_ta
     return ORR_OK;
 }
 
+// What the product's frame turns with: the reference's rotation where the satellites go by it.
+static orr_status keep_rotation(const orr_smoother_options *o, orr_reference_fit *fit, bool about_reference,
+                                const orr_smoother_report *report, orr_earth_rotation *out)
+{
+    if (!about_reference) {
+        if (o->eop == NULL) return ORR_OK;
+        out->source = ORR_ROTATION_GIVEN;
+        return orr_eop_series_copy(o->eop, &out->series);
+    }
+    out->series = fit->rotation;
+    fit->rotation = (orr_eop_series){0};
+    out->source = ORR_ROTATION_GIVEN;
+    if (!report->eop_estimated) return ORR_OK;
+    out->source = ORR_ROTATION_ESTIMATED;
+    out->pole_sigma_rad = fit->pole_sigma_rad;
+    out->lod_sigma_s = fit->lod_sigma_s;
+    return ORR_OK;
+}
+
 orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
                             const orr_smoother_options *options, const orr_log *log,
                             const volatile int *cancel, orr_orbit_solution *out, orr_smoother_report *report,
@@ -320,6 +339,7 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     p.status = calloc(table.n_sats + 1, sizeof *p.status);
     if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL)) s = ORR_E_MEMORY;
     if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, about_reference, out);
+    if (s == ORR_OK) s = keep_rotation(options, &reference.fit, about_reference, report, &out->rotation);
     if (s == ORR_E_MEMORY) orr_diag_set(diag, s, "out of memory for %zu satellites", table.n_sats);
     if (s == ORR_OK) {
         orr_parallel_run(options->jobs, worker, &p);
@@ -341,5 +361,6 @@ void orr_orbit_solution_free(orr_orbit_solution *s)
     for (size_t i = 0; i < s->n_sats; i++) orr_satellite_free(&s->sat[i]);
     free(s->sat);
     free(s->source);
+    orr_earth_rotation_free(&s->rotation);
     *s = (orr_orbit_solution){0};
 }

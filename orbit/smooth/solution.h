@@ -9,6 +9,7 @@
 #include "core/time.h"
 #include "core/vec.h"
 #include "orbit/clock/clock_node.h"
+#include "orbit/dynamics/earth_rotation.h"
 
 // State in ecef (ITRS) at one instant. acc is the second derivative of the ecef coordinates (what a
 // receiver's polynomial needs), not the specific force.
@@ -68,11 +69,12 @@ typedef struct orr_orbit_solution {
     size_t n_sats, n_sources;
     orr_orbit_sat *sat; // ascending
     orr_orbit_source *source;
-    double node_step_s;     // the usual step of input nodes
-    double clock_max_gap_s; // longest interval that a clock is interpolated over
-    orr_time from, to;      // span of the input nodes
-    char options[1024];     // the settings in words, for provenance
-    char frame[64];         // input's coordinate system, e.g. "IGS20"
+    double node_step_s;          // the usual step of input nodes
+    double clock_max_gap_s;      // longest interval that a clock is interpolated over
+    orr_time from, to;           // span of the input nodes
+    char options[1024];          // the settings in words, for provenance
+    orr_earth_rotation rotation; // that the frame turns with
+    char frame[64];              // input's coordinate system, e.g. "IGS20"
 } orr_orbit_solution;
 
 void orr_orbit_solution_free(orr_orbit_solution *s);

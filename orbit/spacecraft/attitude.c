@@ -3,10 +3,10 @@
 
 #define SLOWEST_TURN_RADPS (0.10 * ORR_RAD_PER_DEG)
 
-orr_vec3 orr_attitude_sun(orr_time t)
+orr_vec3 orr_attitude_sun(orr_time t, const orr_eop_series *series)
 {
     orr_mat3 R;
-    orr_eop eop = orr_eop_at(NULL, t, NULL, NULL);
+    orr_eop eop = orr_eop_at(series, t, NULL, NULL);
     orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
     return orr_mat3_apply(&R, orr_astro_sun(t));
 }

@@ -18,9 +18,9 @@ typedef struct orr_attitude {
     double sunlight; // 1 in the Sun, 0 in umbra
 } orr_attitude;
 
-// The Sun's place in ecef, metres, with the secular pole and UT1 by the leap seconds: a second of UT1 turns
-// it by 0.004 deg.
-orr_vec3 orr_attitude_sun(orr_time t);
+// The Sun's place in ecef, metres, with the Earth's rotation of a product (orr_ephemeris_eop), or, NULL, the
+// secular pole and UT1 by the leap seconds: a second of UT1 turns it by 0.004 deg.
+orr_vec3 orr_attitude_sun(orr_time t, const orr_eop_series *eop);
 
 // Nominal yaw steering at r moving with v_inertial (velocity in the inertial sense resolved in the same axes:
 // for ecef v + u x r) under a Sun at sun_m. Real satellites depart from it in eclipses and around noon and

@@ -36,7 +36,7 @@ typedef struct orr_spacecraft {
 //   src    what is known: orbit, antennas, biases, broadcast records
 //   sat    satellite
 //   t      instant
-//   sun_m  orr_attitude_sun(t), the same for all satellites, m
+//   sun_m  orr_attitude_sun(t, eop), the same for all satellites, m
 // Returned:
 //   out    all of it; what is not known is NAN or says so
 // Errors: as orr_ephemeris_eval.

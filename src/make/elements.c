@@ -65,6 +65,7 @@ static orr_status rows_of(run *r, const orr_ephemeris *e, orr_diag *diag)
 {
     const int64_t step = r->plan->step_ns;
     const orr_time after = r->last;
+    if (r->plan->erp == NULL) r->options.eop = orr_ephemeris_eop(e);
     orr_time begin, end;
     orr_ephemeris_span(e, &begin, &end);
     orr_time at = r->plan->from != ORR_TIME_NONE ? r->plan->from : begin;
@@ -101,7 +102,7 @@ static orr_status rows_of_all(run *r, product *list, orr_warnings *warnings, orr
 {
     const size_t n = r->plan->n_products;
     orr_status s = put_in_order(r->plan, list, diag);
-    if (s == ORR_OK && r->options.eop != NULL) warn_of_eop(r->options.eop, list, n, warnings);
+    if (s == ORR_OK && r->plan->erp != NULL) warn_of_eop(r->options.eop, list, n, warnings);
     for (size_t k = 0; k < n && s == ORR_OK; k++) {
         orr_ephemeris *e = NULL;
         s = orr_ephemeris_load(list[k].path, &e, diag);

@@ -117,12 +117,13 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
         return orr_diag_set(diag, ORR_E_LIMIT, "at most %d files of a kind are smoothed at once",
                             ORR_ORBIT_MAX_FILES);
     work w = {0};
+    orr_eop_series eop = {0};
     const double begin_s = now_s();
-    orr_status s = read_all(plan, log, &w, &out->eop, warnings, diag);
+    orr_status s = read_all(plan, log, &w, &eop, warnings, diag);
     const double read_s = now_s();
     if (s == ORR_OK) {
         orr_smoother_options options = plan->smoother;
-        options.eop = out->eop.n > 0 ? &out->eop : NULL;
+        options.eop = eop.n > 0 ? &eop : NULL;
         options.nav = plan->n_nav > 0 ? &w.nav : NULL;
         options.also = w.also.item;
         options.n_also = w.also.n;
@@ -138,6 +139,7 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
     out->read_s = read_s - begin_s;
     out->smooth_s = smoothed_s - read_s;
     out->fit_s = now_s() - smoothed_s;
+    orr_erp_series_free(&eop);
     work_free(&w);
     return s;
 }
@@ -145,7 +147,6 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
 void orr_orbit_made_free(orr_orbit_made *m)
 {
     orr_ephemeris_free(m->ephemeris);
-    orr_erp_series_free(&m->eop);
     orr_orbit_solution_free(&m->solution);
     *m = (orr_orbit_made){0};
 }

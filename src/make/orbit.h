@@ -25,7 +25,6 @@ orr_orbit_plan orr_orbit_plan_of(const orr_scenario_orbit *section);
 
 typedef struct orr_orbit_made {
     orr_ephemeris *ephemeris; // carries the names and SHA-256 of all inputs and the smoother's options
-    orr_eop_series eop;       // the Earth rotation that was used; n 0 without plan->erp
     orr_orbit_solution solution;
     orr_smoother_report report;
     double read_s, smooth_s, fit_s; // wall clock

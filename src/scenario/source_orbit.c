@@ -3,12 +3,10 @@
 
 #include <stdlib.h>
 
-#include "ingest/tables/erp.h"
 #include "src/make/orbit.h"
 
 struct orr_source_orbit {
     orr_ephemeris *eph;
-    orr_eop_series eop; // what the orbits were smoothed with; n 0: IERS' secular pole
     orr_span span;
     const orr_sat *sat; // borrowed from eph
     size_t n_sats;
@@ -45,10 +43,6 @@ orr_status orr_source_orbit_open(const orr_scenario *s, const orr_log *log, cons
         status = orr_source_orbit_of_ephemeris(made.ephemeris, out, diag);
         made.ephemeris = NULL; // taken over
     }
-    if (status == ORR_OK) {
-        (*out)->eop = made.eop;
-        made.eop = (orr_eop_series){0};
-    }
     orr_orbit_made_free(&made);
     return status;
 }
@@ -57,7 +51,6 @@ void orr_source_orbit_close(orr_source_orbit *o)
 {
     if (o == NULL) return;
     orr_ephemeris_free(o->eph);
-    orr_erp_series_free(&o->eop);
     free(o);
 }
 
@@ -134,8 +127,7 @@ orr_answer orr_source_orbit_axes(const orr_source_orbit *o, orr_time t, orr_elem
 {
     if (o == NULL) return ORR_ANSWER_NOT_SERVED;
     if (!orr_span_holds(o->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
-    const orr_elements_options options = {
-        .frame = frame, .method = method, .eop = o->eop.n > 0 ? &o->eop : NULL};
+    const orr_elements_options options = {.frame = frame, .method = method, .eop = orr_ephemeris_eop(o->eph)};
     orr_elements_axes_at(t, &options, out);
     return ORR_ANSWER_OK;
 }

@@ -8,6 +8,7 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/orbit/orbit_summary.h"
 #include "src/make/orbit.h"
+#include "src/make/rotation_file.h"
 
 static const orr_option options[] = {
     {.name = "output",
@@ -38,6 +39,12 @@ static const orr_option options[] = {
      .help = "File of Earth rotation parameters. Without one the orbits themselves tell the pole and the "
              "length of day; of fewer than four satellites nothing does, and the IERS secular pole is used, "
              "and UT1 by the leap seconds."},
+    {.name = "erp-out",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help =
+         "Write the Earth rotation that the product holds, estimated or given, as a file of Earth rotation "
+         "parameters (IGS version 2)."},
     {.name = "nav",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
@@ -205,6 +212,8 @@ static int run(orr_cli *c)
     if (s == ORR_OK) s = orr_orbit_make(&plan, c->log, NULL, &made, &warnings, &diag);
     const double made_s = now_s();
     if (s == ORR_OK) s = orr_ephemeris_save(made.ephemeris, orr_cli_text(c, "output", NULL), c->call, &diag);
+    const char *erp_out = orr_cli_text(c, "erp-out", NULL);
+    if (s == ORR_OK && erp_out != NULL) s = orr_rotation_file_write(made.ephemeris, erp_out, &diag);
     orr_cli_warnings(c, &warnings);
     int status = ORR_EXIT_OK;
     if (s == ORR_OK) {

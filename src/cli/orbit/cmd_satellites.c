@@ -161,7 +161,7 @@ static orr_status print_all(const request *q, FILE *f, size_t *rows)
     *rows = 0;
     for (orr_time t = q->from;; t += q->step_ns) {
         char when[ORR_TIME_TEXT], sat[ORR_SAT_TEXT];
-        const orr_vec3 sun = orr_attitude_sun(t);
+        const orr_vec3 sun = orr_attitude_sun(t, orr_ephemeris_eop(q->src.orbit));
         orr_time_text(t, when);
         if (q->format == 't') print_head(f, q, when);
         for (size_t i = 0; i < n_sats; i++) {

@@ -97,8 +97,10 @@ static void lengths_are_the_closed_forms(void **state)
             const orr_spacecraft_sources src = {.orbit = e};
             const orr_time middle = x[m].from + (x[m].to - x[m].from) / 2, before = x[m].from - ORR_NS_PER_S;
             orr_spacecraft in, out;
-            assert_int_equal(orr_spacecraft_at(&src, sat, middle, orr_attitude_sun(middle), &in), ORR_OK);
-            assert_int_equal(orr_spacecraft_at(&src, sat, before, orr_attitude_sun(before), &out), ORR_OK);
+            assert_int_equal(orr_spacecraft_at(&src, sat, middle, orr_attitude_sun(middle, NULL), &in),
+                             ORR_OK);
+            assert_int_equal(orr_spacecraft_at(&src, sat, before, orr_attitude_sun(before, NULL), &out),
+                             ORR_OK);
             assert_true((in.state.flags & ORR_EPH_ECLIPSE) != 0 && in.attitude.sunlight < 1);
             assert_true((out.state.flags & ORR_EPH_ECLIPSE) == 0);
             ASSERT_NEAR(out.attitude.sunlight, 1, 1e-6);
@@ -182,13 +184,14 @@ static void extras_say_what_they_do_not_know(void **state)
     orr_spacecraft_sources src = {.orbit = e};
     orr_spacecraft x;
     double delay;
-    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t), &x), ORR_OK);
+    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t, NULL), &x), ORR_OK);
     assert_true(x.has_attitude && x.health == ORR_HEALTH_UNKNOWN);
     assert_true(isnan(x.antenna_body_m[2]) && isnan(x.antenna_ecef_m.x));
     assert_int_equal(orr_spacecraft_delay(&src, sat, "1C", t, &delay), ORR_E_NODATA);
     // Periodic relativity of a Kepler orbit is F e sqrt(a) sin E, below 2.3 ns for e of 1e-3.
     ASSERT_NEAR(x.relativity_s, 0, 3e-9);
-    assert_int_equal(orr_spacecraft_at(&src, orr_sat_make('G', 8), t, orr_attitude_sun(t), &x), ORR_E_NODATA);
+    assert_int_equal(orr_spacecraft_at(&src, orr_sat_make('G', 8), t, orr_attitude_sun(t, NULL), &x),
+                     ORR_E_NODATA);
 
     // A record that says 63 is about an unhealthy satellite, and its TGD counts as long as no biases are
     // given.
@@ -198,10 +201,10 @@ static void extras_say_what_they_do_not_know(void **state)
     const orr_nav nav = {.n_eph = 1, .eph = &eph};
     const orr_bias_set bias = {0};
     src.nav = &nav;
-    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t), &x), ORR_OK);
+    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t, NULL), &x), ORR_OK);
     assert_int_equal(x.health, ORR_HEALTH_BAD);
     eph.health = 0;
-    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t), &x), ORR_OK);
+    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t, NULL), &x), ORR_OK);
     assert_int_equal(x.health, ORR_HEALTH_OK);
     assert_int_equal(orr_spacecraft_delay(&src, sat, "1C", t, &delay), ORR_OK);
     ASSERT_NEAR(delay, 5e-9, 0);
@@ -218,7 +221,7 @@ static void extras_say_what_they_do_not_know(void **state)
                                  .valid_until = ORR_TIME_NONE};
     const orr_antex antex = {.n_antennas = 1, .n_satellites = 1, .antenna = &antenna};
     src.antex = &antex;
-    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t), &x), ORR_OK);
+    assert_int_equal(orr_spacecraft_at(&src, sat, t, orr_attitude_sun(t, NULL), &x), ORR_OK);
     ASSERT_NEAR(x.antenna_body_m[2], 1.5, 1e-12);
     ASSERT_NEAR(orr_vec3_dot(x.antenna_ecef_m, orr_vec3_unit(x.state.pos_m)), -1.5, 1e-12);
     orr_ephemeris_free(e);

@@ -90,7 +90,13 @@ static void test_round_trip(void **state)
         double t = 150.0 * (i - 3) + 50;
         p[i].pos_m.x += 0.5e-7 * t * t, p[i].vel_mps.x += 1e-7 * t, p[i].acc_mps2.x += 1e-7;
     }
+    double mjd[3] = {60000.125, 60000.25, 60001};
+    orr_eop eop[3] = {{.xp_rad = 1e-6, .yp_rad = -2e-6, .ut1_utc_s = 0.3},
+                      {.xp_rad = 1.1e-6, .yp_rad = -2.2e-6, .ut1_utc_s = 0.31},
+                      {.xp_rad = 1.3e-6, .yp_rad = -2.1e-6, .ut1_utc_s = 0.29}};
+    s.rotation = (orr_earth_rotation){ORR_ROTATION_ESTIMATED, {3, mjd, eop}, 2e-11, 3e-7};
     orr_ephemeris *a = built(&s), *b = NULL;
+    s.rotation = (orr_earth_rotation){0};
     const char *path = in_folder("round.nc");
     ASSERT_OK(orr_ephemeris_save(a, path, "made by a test", &diag), diag);
     ASSERT_OK(orr_ephemeris_load(path, &b, &diag), diag);
@@ -113,6 +119,12 @@ static void test_round_trip(void **state)
         for (size_t k = 0; k < n; k++)
             assert_true(ca[k].t == cb[k].t && ca[k].clock_s == cb[k].clock_s && ca[k].flags == cb[k].flags);
     }
+    const orr_earth_rotation *r = orr_ephemeris_rotation(b);
+    assert_int_equal(r->source, ORR_ROTATION_ESTIMATED);
+    ASSERT_NEAR(r->pole_sigma_rad, 2e-11, 1e-25); // through arc seconds
+    assert_true(r->lod_sigma_s == 3e-7 && orr_ephemeris_eop(b) == &r->series && r->series.n == 3);
+    assert_memory_equal(r->series.mjd_utc, mjd, sizeof mjd);
+    assert_memory_equal(r->series.value, eop, sizeof eop);
     const orr_orbit_source *src;
     assert_int_equal(orr_ephemeris_sources(b, &src), 1);
     assert_string_equal(src[0].name, "made.sp3");
