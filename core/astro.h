@@ -33,14 +33,20 @@ typedef struct orr_eop_series {
 // *from_series (may be NULL) tells whether the series covers t.
 orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series);
 
-// R maps GCRS components to ITRS: r_itrs = R r_gcrs. dR is its full time derivative (1/s),
-// precession-nutation, Earth rotation and LOD included: v_itrs = R v_gcrs + dR r_gcrs. dR may be NULL.
+// The rotation from GCRS to ITRS: r_itrs = R r_gcrs, v_itrs = R v_gcrs + dR r_gcrs.
+//   Given:    t      the instant
+//             eop    Earth orientation at it (orr_eop_at)
+//             leap   table of leap seconds; NULL: built-in
+//   Returned: R      the rotation
+//             dR     its full time derivative, 1/s: precession-nutation, Earth rotation, LOD and the rates of
+//                    the pole; may be NULL
+//   Notes:    IAU 2006 precession with IAU 2000B nutation.
 void orr_astro_gcrs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap, orr_mat3 *R,
                             orr_mat3 *dR);
-// The same rotation in its two parts, the first by IAU 2006/2000A (a microarcsecond; 2000B above errs by up
-// to 1 mas): GCRS to the celestial intermediate frame, which turns slowly, and from there to ITRS by UT1 and
-// pole.
+// The first of the two parts of that rotation, by IAU 2006/2000A (a microarcsecond; 2000B above errs by up to
+// 1 mas): GCRS to the celestial intermediate frame, which turns slowly.
 orr_mat3 orr_astro_gcrs_to_cirs(orr_time t);
+// The second: from the celestial intermediate frame to ITRS, by UT1 and the pole. leap NULL: built-in.
 orr_mat3 orr_astro_cirs_to_itrs(orr_time t, const orr_eop *eop, const orr_leap_table *leap);
 // GCRS to the true equator and equinox of date (frame of osculating elements).
 void orr_astro_gcrs_to_tod(orr_time t, orr_mat3 *R);

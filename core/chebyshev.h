@@ -7,11 +7,19 @@
 
 #define ORR_CHEB_MAX_DEGREE 32
 
-// Value at x of the series c[degree + 1], by Clenshaw's recurrence; *dv and *ddv are its first and second
-// derivative with respect to x (either may be NULL).
+// The value of a series at x, by Clenshaw's recurrence.
+//   Given:    c        degree + 1 coefficients
+//             degree   0 or more
+//             x        in [-1, 1]
+//   Returned: dv, ddv  first and second derivative with respect to x; either may be NULL
+//             (value)  the sum
 double orr_cheb_eval(const double *c, int degree, double x, double *dv, double *ddv);
-// T_j(x) into t[degree + 1], T'_j(x) into d and T''_j(x) into dd, by recurrence. Either of d and dd may be
-// NULL.
+// The polynomials themselves at x, by recurrence.
+//   Given:    degree   0 or more
+//             x        in [-1, 1]
+//   Returned: t        T_0(x) .. T_degree(x), degree + 1 values
+//             d        their first derivatives, as many; may be NULL
+//             dd       their second derivatives, as many; may be NULL
 void orr_cheb_basis(int degree, double x, double *t, double *d, double *dd);
 // Coefficients c[degree + 1] of the interpolant through value[degree + 1] at the Chebyshev-Lobatto points
 // x_k = -cos(pi k / degree). degree: 0 to ORR_CHEB_MAX_DEGREE.

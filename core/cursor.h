@@ -32,10 +32,20 @@ void orr_cursor_init(orr_cursor *c, const char *name, const char *text, size_t n
 bool orr_cursor_next(orr_cursor *c, orr_view *line);
 // ORR_OK, or ORR_E_LIMIT with a sentence when the walk stopped at a line that is too long.
 orr_status orr_cursor_status(const orr_cursor *c, orr_diag *diag);
-// An error at the line returned last: file and line are filled in. Returns s.
+// An error at the line returned last.
+//   Given:    c          the walk; its file name and line number go into the diagnostic
+//             s          class of the failure
+//             column     from 1; 0 where none is to blame
+//             fmt, ...   the sentence, as of printf
+//   Returned: diag       class, place and sentence; may be NULL
+//             (value)    s
 orr_status orr_cursor_error(const orr_cursor *c, orr_diag *diag, orr_status s, int column, const char *fmt,
                             ...) ORR_PRINTF(5, 6);
-// A warning about that line.
+// A warning about the line returned last.
+//   Given:    c          the walk; its file name and line number go into the warning
+//             column     from 1; 0 where none is to blame
+//             fmt, ...   the sentence, as of printf
+//   Returned: w          with the warning counted and, if there is room, kept; may be NULL
 void orr_cursor_warn(const orr_cursor *c, orr_warnings *w, int column, const char *fmt, ...) ORR_PRINTF(4, 5);
 
 // Views. Blanks are space and tab.
@@ -48,9 +58,11 @@ orr_view orr_view_rtrim(orr_view v);
 orr_view orr_view_trim(orr_view v);
 // Empty or blanks alone.
 bool orr_view_is_blank(orr_view v);
-// Whether v is s, starts with s, has s somewhere (bytes, case matters).
+// Whether v is s, byte for byte (case matters).
 bool orr_view_equals(orr_view v, const char *s);
+// Whether v begins with s.
 bool orr_view_starts(orr_view v, const char *s);
+// Whether s stands somewhere in v.
 bool orr_view_contains(orr_view v, const char *s);
 // The character in a column; a blank for a tab and past the end.
 static inline char orr_view_char(orr_view line, int col)
@@ -79,9 +91,13 @@ typedef enum orr_field { ORR_FIELD_OK, ORR_FIELD_BLANK, ORR_FIELD_BAD } orr_fiel
 orr_field orr_field_real(orr_view line, int col, int width, double *out);
 // An integer: optional sign and digits; BAD past int64.
 orr_field orr_field_int(orr_view line, int col, int width, int64_t *out);
-// The same with a range, for fields that are used as counts or indices: BAD outside [lo, hi].
+// An integer within a range, for fields that are used as counts or indices.
+//   Given:    line, col, width   the field: columns col .. col + width - 1 of the line
+//             lo, hi             the range, both ends included
+//   Returned: out                the number; untouched unless the field is OK
+//             (value)            BLANK, BAD (no integer, or outside the range) or OK
 orr_field orr_field_int_in(orr_view line, int col, int width, int lo, int hi, int *out);
-// The same of a whole view, for words.
+// The number that a whole view holds, by the rules of orr_field_real: for words.
 orr_field orr_view_real(orr_view v, double *out);
 // number * 10^power, rounded once: for fields in other units than ours (1e-6 s, km).
 orr_field orr_view_real_e(orr_view v, int power, double *out);

@@ -55,12 +55,12 @@ void orr_earth_geodesic_inverse(double lat1_rad, double lon1_rad, double lat2_ra
 void orr_earth_geodesic_direct(double lat1_rad, double lon1_rad, double az1_rad, double dist_m,
                                double *lat2_rad, double *lon2_rad, double *az2_rad);
 
-// A spherical-harmonic gravity model in GeographicLib's file format (name.egm + coefficients in folder
+typedef struct orr_gravity_model orr_gravity_model;
+// Opens a spherical-harmonic gravity model in GeographicLib's file format (name.egm + coefficients in folder
 // `dir`; NULL: where GeographicLib keeps its own, GEOGRAPHICLIB_GRAVITY_PATH). It is the series and nothing
 // else: it also has values below the model's sphere, where it is a continuation that grows with the degree.
 // Errors: ORR_E_IO with the library's reason (no such files, no model in them, cut coefficients),
 // ORR_E_MEMORY.
-typedef struct orr_gravity_model orr_gravity_model;
 orr_status orr_gravity_model_open(const char *name, const char *dir, orr_gravity_model **out, orr_diag *diag);
 // Gravitation at an ecef point, m/s^2 in ecef axes, without the centrifugal part.
 orr_vec3 orr_gravity_model_gravitation(const orr_gravity_model *m, orr_vec3 r_m);

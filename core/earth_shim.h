@@ -11,18 +11,40 @@ extern "C" {
 #endif
 
 // All fill their outputs with NAN where GeographicLib throws.
+
+// Geodetic to ecef coordinates on WGS 84, metres.
 void orr_shim_forward(double lat_deg, double lon_deg, double height_m, double r_m[3]);
+// Ecef to geodetic coordinates on WGS 84.
 void orr_shim_reverse(const double r_m[3], double *lat_deg, double *lon_deg, double *height_m);
+// Normal gravitation of WGS 84 in ecef axes, without the centrifugal part.
 void orr_shim_normal_gravitation(const double r_m[3], double g_mps2[3]);
+// Normal gravity on the ellipsoid, m/s^2.
 double orr_shim_surface_gravity(double lat_deg);
+// The inverse geodesic problem on WGS 84.
+//   Given:    lat1_deg, lon1_deg   the first point
+//             lat2_deg, lon2_deg   the second point
+//   Returned: dist_m               length of the geodesic
+//             az1_deg, az2_deg     forward azimuths at the two points
 void orr_shim_geodesic_inverse(double lat1_deg, double lon1_deg, double lat2_deg, double lon2_deg,
                                double *dist_m, double *az1_deg, double *az2_deg);
+// The direct geodesic problem on WGS 84.
+//   Given:    lat1_deg, lon1_deg   the first point
+//             az1_deg, dist_m      azimuth there, and length
+//   Returned: lat2_deg, lon2_deg   the second point
+//             az2_deg              forward azimuth there
 void orr_shim_geodesic_direct(double lat1_deg, double lon1_deg, double az1_deg, double dist_m,
                               double *lat2_deg, double *lon2_deg, double *az2_deg);
 
-// NULL and a sentence in text[n] if the model cannot be had; *no_memory tells that case apart.
+// Opens a gravity model.
+//   Given:    name, dir   the model and its folder; dir NULL: GeographicLib's own
+//             n           bytes that `text` has room for
+//   Returned: text        the library's reason where the model cannot be had
+//             no_memory   1 where the reason is memory, else 0
+//             (value)     the model, for the two below; NULL where it cannot be had
 void *orr_shim_gravity_open(const char *name, const char *dir, char *text, size_t n, int *no_memory);
+// Gravitation of a model in ecef axes, without the centrifugal part.
 void orr_shim_gravity(const void *model, const double r_m[3], double g_mps2[3]);
+// Frees a model; NULL is allowed.
 void orr_shim_gravity_free(void *model);
 
 #ifdef __cplusplus

@@ -9,6 +9,7 @@ typedef struct orr_interval {
     orr_time from, to; // from <= t < to
 } orr_interval;
 
+// Whether from <= t < to.
 static inline bool orr_interval_holds(orr_interval i, orr_time t) { return i.from <= t && t < i.to; }
 
 #endif

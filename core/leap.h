@@ -19,9 +19,12 @@ typedef struct orr_leap_table {
     int32_t expires_mjd;         // no promise from this UTC day on
 } orr_leap_table;
 
+// The table that is built in; never NULL, not to be freed.
 const orr_leap_table *orr_leap_builtin(void);
-// Reads IERS' leap-seconds.list (NTP seconds). Entries are allocated; free with orr_leap_free.
+// Reads IERS' leap-seconds.list (NTP seconds). Entries are allocated; free with orr_leap_free. Errors: ORR_E_IO,
+// ORR_E_KIND (no such list), ORR_E_FORMAT with the line, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_leap_read(const char *path, orr_leap_table *out, orr_diag *diag);
+// Frees the entries and leaves the table empty. NULL is allowed.
 void orr_leap_free(orr_leap_table *t);
 
 // TAI seconds since MJD 0 at which entry i begins.

@@ -19,7 +19,10 @@ typedef struct orr_log {
     void *user;
 } orr_log;
 
-// Formats and hands one line (at most 1023 bytes) to log->write. Call it through ORR_LOG.
+// Formats one line and hands it to log->write. Call it through ORR_LOG, which looks at the level.
+//   Given:    log        where to; NULL, or one without `write`: nowhere
+//             level      of the line
+//             fmt, ...   the line without its newline, as of printf; cut with "..." at 1023 bytes
 void orr_log_write(const orr_log *log, orr_log_level level, const char *fmt, ...) ORR_PRINTF(3, 4);
 
 // A limit to lines that others cause: `burst` at once, then one every `every_ns`. Zero-initialise but for

@@ -58,20 +58,42 @@ orr_status orr_nc_put_dim(orr_nc_writer *w, const char *name, size_t len, orr_di
 orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
                           const char *const dims[], const void *values, const char *units,
                           const char *long_name, orr_diag *diag);
-// Attributes of variable `var`, of the file where var is NULL.
+// Writes a text attribute.
+//   Given:    w           the writer
+//             var         the variable that it belongs to; NULL: the file
+//             name, text  of the attribute
+//   Returned: diag        why it could not be written (ORR_E_IO; also where there is no such variable)
 orr_status orr_nc_put_att_text(orr_nc_writer *w, const char *var, const char *name, const char *text,
                                orr_diag *diag);
+// Writes an attribute of doubles.
+//   Given:    w           the writer
+//             var         the variable that it belongs to; NULL: the file
+//             name        of the attribute
+//             v, n        its n numbers
+//   Returned: diag        why it could not be written (ORR_E_IO)
 orr_status orr_nc_put_att_double(orr_nc_writer *w, const char *var, const char *name, const double *v,
                                  size_t n, orr_diag *diag);
+// Writes an attribute of 64-bit integers.
+//   Given:    w           the writer
+//             var         the variable that it belongs to; NULL: the file
+//             name        of the attribute
+//             v, n        its n numbers
+//   Returned: diag        why it could not be written (ORR_E_IO)
 orr_status orr_nc_put_att_int64(orr_nc_writer *w, const char *var, const char *name, const int64_t *v,
                                 size_t n, orr_diag *diag);
 
-// Where a product came from. Writes Conventions = "CF-1.8", title, source = "orrery <version>", history, and
-// for the inputs input_files and input_sha256, one a line each. The file name is kept, not its folder.
+// An input of a product. Its file name is kept, not its folder.
 typedef struct orr_nc_input {
     const char *path;
     const char *sha256; // orr_sha256_file
 } orr_nc_input;
+// Writes where a product came from: the attributes Conventions = "CF-1.8", title, source = "orrery <version>",
+// history, and for the inputs input_files and input_sha256, one a line each.
+//   Given:    w           the writer
+//             title       what the product is
+//             history     how it was made; NULL leaves it out
+//             input       n_inputs files that it was made from
+//   Returned: diag        why it could not be written (ORR_E_IO, ORR_E_MEMORY)
 orr_status orr_nc_put_provenance(orr_nc_writer *w, const char *title, const char *history,
                                  const orr_nc_input *input, size_t n_inputs, orr_diag *diag);
 
@@ -91,7 +113,12 @@ typedef struct orr_nc_reader {
 orr_status orr_nc_open(const char *path, orr_nc_reader *r, orr_diag *diag);
 // Harmless on a reader that is not open.
 void orr_nc_close(orr_nc_reader *r);
-// Length of a dimension. ORR_E_KIND if there is none of the name, ORR_E_LIMIT if it is longer than max.
+// The length of a dimension.
+//   Given:    r, name     the reader, and the dimension's name
+//             max         the longest that the caller accepts
+//   Returned: len         the length
+//             diag        ORR_E_KIND if there is no such dimension, ORR_E_LIMIT if it is longer than max,
+//                         ORR_E_FORMAT if NetCDF cannot read it
 orr_status orr_nc_get_dim(const orr_nc_reader *r, const char *name, size_t max, size_t *len, orr_diag *diag);
 // Whether the file has a variable of the name.
 bool orr_nc_has_var(const orr_nc_reader *r, const char *name);
@@ -106,15 +133,38 @@ bool orr_nc_has_var(const orr_nc_reader *r, const char *name);
 //             if a number does not fit `type`.
 orr_status orr_nc_get_var(const orr_nc_reader *r, const char *name, orr_nc_type type, int rank,
                           const size_t shape[], void *out, orr_diag *diag);
-// The same into fresh memory (free()), at most ORR_NC_MAX_VALUES.
+// Reads a whole variable into fresh memory.
+//   Given:    r, name, type, rank, shape   as of orr_nc_get_var
+//   Returned: out         the values, row-major, to be freed with free(); NULL on failure
+//             diag        as of orr_nc_get_var; ORR_E_LIMIT beyond ORR_NC_MAX_VALUES, ORR_E_MEMORY
 orr_status orr_nc_alloc_var(const orr_nc_reader *r, const char *name, orr_nc_type type, int rank,
                             const size_t shape[], void **out, orr_diag *diag);
-// Attributes of var (NULL: of the file). ORR_E_NODATA, without a message, if there is none of the name. A
-// text longer than n - 1 bytes is ORR_E_LIMIT. A number is a single one.
+// Reads a text attribute.
+//   Given:    r           the reader
+//             var         the variable that it belongs to; NULL: the file
+//             name        of the attribute
+//             n           bytes that `buf` has room for
+//   Returned: buf         the text, NUL-terminated
+//             diag        ORR_E_FORMAT if it is no text, ORR_E_LIMIT if it is longer than n - 1 bytes
+//   Notes:    ORR_E_NODATA, without a message, if there is no such variable or attribute.
 orr_status orr_nc_get_att_text(const orr_nc_reader *r, const char *var, const char *name, char *buf, size_t n,
                                orr_diag *diag);
+// Reads an attribute that is one number.
+//   Given:    r           the reader
+//             var         the variable that it belongs to; NULL: the file
+//             name        of the attribute
+//   Returned: v           the number
+//             diag        ORR_E_FORMAT if it is a text or several numbers
+//   Notes:    ORR_E_NODATA, without a message, if there is no such variable or attribute.
 orr_status orr_nc_get_att_double(const orr_nc_reader *r, const char *var, const char *name, double *v,
                                  orr_diag *diag);
+// Reads an attribute that is one integer.
+//   Given:    r           the reader
+//             var         the variable that it belongs to; NULL: the file
+//             name        of the attribute
+//   Returned: v           the number
+//             diag        ORR_E_FORMAT if it is a text or several numbers
+//   Notes:    ORR_E_NODATA, without a message, if there is no such variable or attribute.
 orr_status orr_nc_get_att_int64(const orr_nc_reader *r, const char *var, const char *name, int64_t *v,
                                 orr_diag *diag);
 

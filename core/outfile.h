@@ -21,14 +21,16 @@ orr_status orr_outfile_reserve(const char *path, orr_outfile *f, orr_diag *diag)
 orr_status orr_outfile_commit(orr_outfile *f, orr_diag *diag);
 // Removes the temporary. Ends f; harmless after commit.
 void orr_outfile_abort(orr_outfile *f);
+#define ORR_OUTFILE_UNFINISHED 32
 // Removes the temporaries of all files of the process that are neither committed nor aborted, for a handler
 // of signals that ends the process next: it is async-signal-safe. At most ORR_OUTFILE_UNFINISHED files are
 // remembered for it.
-#define ORR_OUTFILE_UNFINISHED 32
 void orr_outfile_remove_unfinished(void);
 // Another file that is of no use without the process (a socket's): removed with those, until it is forgotten.
 // The name stays where it is meanwhile.
 void orr_outfile_remember(char *name);
+// Forgets a name that orr_outfile_remember was given (the same pointer); nothing happens for one it does not know,
+// or NULL.
 void orr_outfile_forget(char *name);
 
 #endif

@@ -15,6 +15,7 @@ typedef uint16_t orr_sat; // (system index + 1) << 8 | number; 0 is "none"
 
 // system is a letter of ORR_SYSTEMS, number 1..99; ORR_SAT_NONE otherwise.
 orr_sat orr_sat_make(char system, int number);
+// Its number, 1 to 99; 0 for none.
 static inline int orr_sat_number(orr_sat s) { return s & 0xff; }
 // Place of its system in ORR_SYSTEMS; -1 for none.
 static inline int orr_sat_system_index(orr_sat s) { return (s >> 8) - 1; }
@@ -37,6 +38,7 @@ typedef struct orr_sat_set {
 } orr_sat_set;
 // Adds a satellite; ORR_SAT_NONE adds nothing.
 void orr_sat_set_add(orr_sat_set *set, orr_sat s);
+// Whether the set holds a satellite; ORR_SAT_NONE is in none.
 bool orr_sat_set_has(const orr_sat_set *set, orr_sat s);
 // Reads such a list. ORR_E_ARG with a sentence for what is no satellite, system or ascending range.
 orr_status orr_sat_set_parse(const char *text, orr_sat_set *out, orr_diag *diag);

@@ -43,10 +43,19 @@ typedef struct orr_diag {
     char text[512]; // a sentence a user can act on, without a final newline
 } orr_diag;
 
-// The class and the sentence, without and with the place in a file (line and column from 1; 0 leaves them
-// out). Both return `s`, so that a caller writes `return orr_diag_set(diag, ORR_E_ARG, "...")`. A NULL diag
-// is allowed. Too long a text is cut with "...".
+// The class and the sentence, without a place in a file. Too long a sentence is cut with "...".
+//   Given:    s          class of the failure
+//             fmt, ...   the sentence, as of printf
+//   Returned: d          class and sentence, without a place; may be NULL
+//             (value)    s, so that a caller writes `return orr_diag_set(diag, ORR_E_ARG, "...")`
 orr_status orr_diag_set(orr_diag *d, orr_status s, const char *fmt, ...) ORR_PRINTF(3, 4);
+// The class and the sentence, with the place in a file.
+//   Given:    s          class of the failure
+//             file       its name; of one that is too long the end is kept. NULL: none
+//             line, column   from 1; 0 leaves them out
+//             fmt, ...   the sentence, as of printf
+//   Returned: d          class, place and sentence; may be NULL
+//             (value)    s
 orr_status orr_diag_at(orr_diag *d, orr_status s, const char *file, int64_t line, int column, const char *fmt,
                        ...) ORR_PRINTF(6, 7);
 
@@ -62,7 +71,11 @@ typedef struct orr_warnings {
     orr_diag *item; // grown on demand; freed by orr_warnings_free
 } orr_warnings;
 
-// Counts a warning and keeps it if there is room (file may be NULL, line and column 0). A NULL w is allowed.
+// Counts a warning, and keeps it if there is room.
+//   Given:    file       the file to blame; NULL: none
+//             line, column   from 1; 0 leaves them out
+//             fmt, ...   the sentence, as of printf
+//   Returned: w          with the warning; may be NULL
 void orr_warnings_add(orr_warnings *w, const char *file, int64_t line, int column, const char *fmt, ...)
     ORR_PRINTF(5, 6);
 // Frees the items and leaves the list empty.

@@ -13,6 +13,7 @@ typedef int64_t orr_time; // covers 1687 to 2272
 // Readers of binary files refuse instants farther from 1980 than this (73 years): differences of two that are
 // nearer fit in an orr_time.
 #define ORR_TIME_FAR (INT64_C(1) << 61)
+// Whether t is nearer to 1980 than that.
 static inline bool orr_time_is_near(orr_time t) { return t > -ORR_TIME_FAR && t < ORR_TIME_FAR; }
 // The years that are read: any two instants within them are nearer than an orr_time can say.
 #define ORR_TIME_FIRST_YEAR 1960
@@ -45,6 +46,7 @@ typedef struct orr_civil {
 
 // TAI - UTC at an instant, in seconds. leap may be NULL (built-in) in this and every routine below.
 int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap);
+// Whether the table makes no promise at t: its UTC day is that of the table's expiry or later.
 bool orr_leap_expired(orr_time t, const orr_leap_table *leap);
 
 // Checks every field (months, days, a 60th second only where the table has one). 24:00:00 is accepted and is
@@ -53,36 +55,45 @@ bool orr_leap_expired(orr_time t, const orr_leap_table *leap);
 // before 1972 it holds the first entry.
 orr_status orr_time_from_civil(const orr_civil *c, orr_scale scale, const orr_leap_table *leap,
                                orr_time *out);
+// The date and time of day of an instant in a scale.
 void orr_time_to_civil(orr_time t, orr_scale scale, const orr_leap_table *leap, orr_civil *out);
 
-// Day counts of the proleptic Gregorian calendar.
+// Dates are of the proleptic Gregorian calendar. The modified Julian day of one:
 int32_t orr_mjd_from_date(int year, int month, int day);
+// The date of a modified Julian day.
 void orr_date_from_mjd(int32_t mjd, int *year, int *month, int *day);
 int orr_day_of_year(int year, int month, int day); // 1..366
-bool orr_is_leap_year(int year);
+bool orr_is_leap_year(int year);                   // has a 29 February
 
-// Modified Julian date of an instant in a scale, as whole day and fraction [0,1). In UTC and GLO the fraction
-// is of 86400 s whatever the day's length, and a leap second is held at the day's end (ERFA's quasi-JD
-// stretches the day instead).
+// The modified Julian date of an instant in a scale.
+//   Given:    t          the instant
+//             scale      of the date
+//             leap       table of leap seconds; NULL: built-in
+//   Returned: mjd        whole days
+//             fraction   of a day of 86400 s, [0, 1)
+//   Notes:    in UTC and GLO a leap second is held at the day's end (ERFA's quasi-JD stretches the day instead).
 void orr_time_mjd(orr_time t, orr_scale scale, const orr_leap_table *leap, int32_t *mjd, double *fraction);
+// The way back, to the nearest nanosecond of fraction; saturates as the sums below.
 orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const orr_leap_table *leap);
 
 // GPS week (unlimited, no rollover) and seconds of week as nanoseconds [0, 604800e9). Negative weeks before
 // 1980.
 void orr_time_week(orr_time t, int32_t *week, int64_t *ns_of_week);
+// The way back; saturates as the sums below.
 orr_time orr_time_from_week(int32_t week, int64_t ns_of_week);
 // The full week nearest to `near` whose low `bits` bits (10 for LNAV, 13 for CNAV/BDS, 12 for Galileo) are
 // `truncated`.
 int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
 
-// Sums and differences in nanoseconds. What does not fit is the nearest that does, never ORR_TIME_NONE: an
-// instant of anyone may be at an end of the axis.
+// t + ns nanoseconds. What does not fit is the nearest that does, never ORR_TIME_NONE: an instant of anyone may be
+// at an end of the axis.
 static inline orr_time orr_time_add(orr_time t, int64_t ns)
 {
     int64_t sum;
     if (__builtin_add_overflow(t, ns, &sum)) return ns < 0 ? -INT64_MAX : INT64_MAX;
     return sum == INT64_MIN ? -INT64_MAX : sum;
 }
+// a - b in nanoseconds, which saturates likewise.
 static inline int64_t orr_time_sub_ns(orr_time a, orr_time b)
 {
     int64_t difference;
@@ -110,9 +121,15 @@ static inline double orr_time_diff_s(orr_time a, orr_time b) { return (double)or
 // t + s seconds, rounded to the nearest nanosecond; a sum beyond the axis is its end, never ORR_TIME_NONE.
 orr_time orr_time_add_s(orr_time t, double s);
 
-// Text "2024-02-04T00:15:00" with `decimals` (0..9) digits of seconds, rounded to them. GPS time has no
-// suffix, UTC "Z", any other scale its name (" TAI"), so that orr_time_parse reads it back.
 #define ORR_TIME_TEXT 48
+// The text "2024-02-04T00:15:00" of an instant.
+//   Given:    t          the instant
+//             scale      of the text: GPS has no suffix, UTC "Z", any other its name (" TAI"), so that
+//                        orr_time_parse reads it back
+//             decimals   digits of seconds, 0 to 9; rounded to them
+//             leap       table of leap seconds; NULL: built-in
+//   Returned: buf        the text
+//             (value)    buf
 char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_table *leap,
                       char buf[ORR_TIME_TEXT]);
 // Shortest text that reads back exactly (as many decimals as needed), GPS scale, no suffix.

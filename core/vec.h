@@ -19,26 +19,37 @@ typedef struct orr_quat { // Hamilton convention, unit norm for rotations
     double w, x, y, z;
 } orr_quat;
 
-static inline orr_vec3 orr_vec3_make(double x, double y, double z) { return (orr_vec3){x, y, z}; }
+// (x, y, z)
+static inline orr_vec3 orr_vec3_make(double x, double y, double z)
+{
+    orr_vec3 v = {x, y, z};
+    return v;
+}
+// a + b
 static inline orr_vec3 orr_vec3_add(orr_vec3 a, orr_vec3 b)
 {
     return (orr_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
+// a - b
 static inline orr_vec3 orr_vec3_sub(orr_vec3 a, orr_vec3 b)
 {
     return (orr_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
+// k a
 static inline orr_vec3 orr_vec3_scale(double k, orr_vec3 a) { return (orr_vec3){k * a.x, k * a.y, k * a.z}; }
 // a + k b
 static inline orr_vec3 orr_vec3_axpy(double k, orr_vec3 b, orr_vec3 a)
 {
     return (orr_vec3){a.x + k * b.x, a.y + k * b.y, a.z + k * b.z};
 }
+// The scalar product of a and b.
 static inline double orr_vec3_dot(orr_vec3 a, orr_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+// The vector product a x b.
 static inline orr_vec3 orr_vec3_cross(orr_vec3 a, orr_vec3 b)
 {
     return (orr_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+// |a|
 static inline double orr_vec3_norm(orr_vec3 a) { return sqrt(orr_vec3_dot(a, a)); }
 // Unit vector along a; a itself where its length is zero.
 static inline orr_vec3 orr_vec3_unit(orr_vec3 a)
@@ -47,7 +58,13 @@ static inline orr_vec3 orr_vec3_unit(orr_vec3 a)
     return n > 0 ? orr_vec3_scale(1.0 / n, a) : a;
 }
 
-static inline orr_mat3 orr_mat3_identity(void) { return (orr_mat3){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
+// The unit matrix.
+static inline orr_mat3 orr_mat3_identity(void)
+{
+    orr_mat3 e = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    return e;
+}
+// a v
 static inline orr_vec3 orr_mat3_apply(const orr_mat3 *a, orr_vec3 v)
 {
     return (orr_vec3){a->m[0][0] * v.x + a->m[0][1] * v.y + a->m[0][2] * v.z,
@@ -61,6 +78,7 @@ static inline orr_vec3 orr_mat3_apply_t(const orr_mat3 *a, orr_vec3 v)
                       a->m[0][1] * v.x + a->m[1][1] * v.y + a->m[2][1] * v.z,
                       a->m[0][2] * v.x + a->m[1][2] * v.y + a->m[2][2] * v.z};
 }
+// a b
 static inline orr_mat3 orr_mat3_mul(const orr_mat3 *a, const orr_mat3 *b)
 {
     orr_mat3 c;
@@ -69,6 +87,7 @@ static inline orr_mat3 orr_mat3_mul(const orr_mat3 *a, const orr_mat3 *b)
             c.m[i][j] = a->m[i][0] * b->m[0][j] + a->m[i][1] * b->m[1][j] + a->m[i][2] * b->m[2][j];
     return c;
 }
+// transpose(a)
 static inline orr_mat3 orr_mat3_transpose(const orr_mat3 *a)
 {
     orr_mat3 c;
@@ -76,6 +95,7 @@ static inline orr_mat3 orr_mat3_transpose(const orr_mat3 *a)
         for (int j = 0; j < 3; j++) c.m[i][j] = a->m[j][i];
     return c;
 }
+// a + b
 static inline orr_mat3 orr_mat3_add(const orr_mat3 *a, const orr_mat3 *b)
 {
     orr_mat3 c;
@@ -83,6 +103,7 @@ static inline orr_mat3 orr_mat3_add(const orr_mat3 *a, const orr_mat3 *b)
         for (int j = 0; j < 3; j++) c.m[i][j] = a->m[i][j] + b->m[i][j];
     return c;
 }
+// k a
 static inline orr_mat3 orr_mat3_scale(double k, const orr_mat3 *a)
 {
     orr_mat3 c;
@@ -100,10 +121,12 @@ static inline orr_mat3 orr_mat3_hat(orr_vec3 w)
 orr_mat3 orr_mat3_inverse(const orr_mat3 *a);
 // x of a x = v by Cramer's rule; not finite where a is singular.
 orr_vec3 orr_mat3_solve(const orr_mat3 *a, orr_vec3 v);
-// Passive rotations about axis 1, 2, 3 by an angle in radians, as ERFA's eraRx, eraRy, eraRz:
-// R3(a) = [c s 0; -s c 0; 0 0 1] with c = cos a, s = sin a.
+// The passive rotation about axis 1 by an angle in radians, as ERFA's eraRx: [1 0 0; 0 c s; 0 -s c] with c = cos a,
+// s = sin a.
 orr_mat3 orr_mat3_rot1(double a_rad);
+// About axis 2, as eraRy: [c 0 -s; 0 1 0; s 0 c].
 orr_mat3 orr_mat3_rot2(double a_rad);
+// About axis 3, as eraRz: [c s 0; -s c 0; 0 0 1].
 orr_mat3 orr_mat3_rot3(double a_rad);
 // C1(g) = E + sin|g|/|g| hat(g) + (1 - cos|g|)/|g|^2 hat(g)^2, the exact step of dA/dt = hat(w) A for g = w
 // dt (Bogdanov 2015, eq. (2)); a series for small |g|.

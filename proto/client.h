@@ -55,16 +55,23 @@ void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t ca
 // most 2 + ORR_MSG_SAT_NAVDATA_LARGEST. A POLL_DELAYS whose receiver_m is NAN, NAN, NAN asks for the
 // scenario's own receiver.
 
-// HELLO of this version, and PING, in short. After the latter the answer's token has been compared.
+// HELLO of this version, in short; the answer's CAPS borrow the buffer.
 orr_wire_status orr_client_open(orr_client *c, const char *name, const char *version, orr_msg_caps *caps);
+// PING in short: ORR_WIRE_UNEXPECTED where the answer's token is another.
 orr_wire_status orr_client_check(orr_client *c, uint64_t token);
 
-// What the verbs are made of: begin, encode into *w, send; then wait for the next frame of a type. A request
-// of epochs says how many frames it expects; each that comes is compared with what is due (I11, I12).
+// What the verbs are made of. Begins a request of a type in the buffer: its payload is then encoded into *w, and
+// *start is for orr_client_send.
 void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);
+// Ends the request that begin started at *start and writes all of it. ORR_WIRE_SPACE (or what encoding met) where
+// it did not fit, ORR_WIRE_IO.
 orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start);
+// Waits for the next frame. ORR_WIRE_OK where it is of the type and answers the last request, REFUSED where it is
+// an ERROR, UNEXPECTED otherwise, and the errors of frame and io. *f borrows the buffer until the next call.
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);
+// A request of epochs says how many frames it expects.
 void orr_client_expect(orr_client *c, uint32_t count);
+// (I11, I12) Compares a frame's index and count with what is due; ORR_WIRE_UNEXPECTED where they differ.
 orr_wire_status orr_client_epoch(orr_client *c, uint32_t index, uint32_t count);
 
 #ifdef __cplusplus

@@ -25,18 +25,22 @@ typedef struct orr_frame {
     uint32_t size;
 } orr_frame;
 
-// (I4, I5) Looks for one frame at the start of data[0..n). Returns
-//   ORR_WIRE_OK: *f is set, *used is its length;
-//   ORR_WIRE_MORE: *used is how many bytes are needed at least (so a buffer can be sized before they come);
-//   ORR_WIRE_MAGIC, _VERSION, _LENGTH (payload above max_payload), _CRC: the stream is lost; the header's
-//   fields are in *f except after ORR_WIRE_MAGIC.
-// A wrong magic, version or length is told from the header alone, without waiting for the rest.
+// (I4, I5) Looks for one frame at the start of some bytes.
+//   Given:    data, n       the n bytes that have come
+//             max_payload   the longest payload that is taken
+//   Returned: f             the frame, whose payload borrows the bytes
+//             used          after OK its length; after MORE how many bytes are needed at least (so a buffer can
+//                           be sized before they come)
+//             (value)       ORR_WIRE_OK; ORR_WIRE_MORE; or ORR_WIRE_MAGIC, _VERSION, _LENGTH, _CRC: the stream is
+//                           lost, and the header's fields are in *f except after ORR_WIRE_MAGIC
+//   Notes:    a wrong magic, version or length is told from the header alone, without waiting for the rest.
 orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payload, orr_frame *f,
                                 size_t *used);
 
-// Writes the header with a length still open; *start is to be given to orr_frame_end, which sets the length
-// and appends the checksum. Everything between the two is payload.
+// Writes the header with a length still open; *start is to be given to orr_frame_end. Everything between the two is
+// payload.
 void orr_frame_begin(orr_wire_writer *w, uint16_t type, uint32_t sequence, size_t *start);
+// Sets the length and appends the checksum. The writer's status tells whether there was room.
 void orr_frame_end(orr_wire_writer *w, size_t start);
 
 #ifdef __cplusplus

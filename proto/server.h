@@ -90,12 +90,19 @@ typedef struct orr_server_step {
     char reason[ORR_SERVER_SENTENCE];
 } orr_server_step;
 
-// (I10) Answers as many complete requests of in[0..n) as fit into `out` (which may already hold bytes; whole frames
-// only are appended) and as there is time for, one piece of an answer at least. Of a frame that is not
-// finished c->unfinished bytes stand behind the end of the output; who sends and moves the output keeps them
-// behind its end until the next call. The output's capacity must be ORR_SERVER_OUT at least, or, of a
-// connection that can grow, able to become that; otherwise an answer may never fit.
 #define ORR_SERVER_OUT (ORR_FRAME_OVERHEAD + ORR_MSG_LARGEST)
+// (I10) Answers as many complete requests as fit into the output and as there is time for, one piece of an answer
+// at least.
+//   Given:    s           the handlers
+//             c           the connection
+//             in, n       n bytes that have come and are not consumed yet
+//   Returned: c           its state after this call
+//             out         with the answers appended, whole frames only; it may hold bytes before
+//             step        how much was consumed, and what is needed next
+//   Notes:    of a frame that is not finished c->unfinished bytes stand behind the end of the output; who sends
+//             and moves the output keeps them behind its end until the next call. The output's capacity must be
+//             ORR_SERVER_OUT at least, or, of a connection that can grow, able to become that; otherwise an
+//             answer may never fit.
 void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, size_t n,
                     orr_wire_writer *out, orr_server_step *step);
 

@@ -66,6 +66,7 @@ typedef struct orr_wire_iter {
     size_t at;
 } orr_wire_iter;
 
+// The bytes of a NUL-terminated text, borrowed; NULL is the empty text. Cut at 65535.
 static inline orr_wire_bytes orr_wire_text(const char *text)
 {
     orr_wire_bytes b = {(const uint8_t *)text, 0};
@@ -101,12 +102,15 @@ static inline const uint8_t *orr_wire_take(orr_wire_reader *r, size_t n)
     return r->data + (r->at - n);
 }
 
+// One byte.
 static inline void orr_wire_store_u8(uint8_t *p, uint8_t v) { p[0] = v; }
+// Two bytes, the lowest first.
 static inline void orr_wire_store_u16(uint8_t *p, uint16_t v)
 {
     p[0] = (uint8_t)(v & 0xff);
     p[1] = (uint8_t)(v >> 8);
 }
+// Four bytes, the lowest first.
 static inline void orr_wire_store_u32(uint8_t *p, uint32_t v)
 {
     p[0] = (uint8_t)(v & 0xff);
@@ -114,6 +118,7 @@ static inline void orr_wire_store_u32(uint8_t *p, uint32_t v)
     p[2] = (uint8_t)((v >> 16) & 0xff);
     p[3] = (uint8_t)(v >> 24);
 }
+// Eight bytes, the lowest first.
 static inline void orr_wire_store_u64(uint8_t *p, uint64_t v)
 {
     p[0] = (uint8_t)(v & 0xff);
@@ -125,15 +130,19 @@ static inline void orr_wire_store_u64(uint8_t *p, uint64_t v)
     p[6] = (uint8_t)((v >> 48) & 0xff);
     p[7] = (uint8_t)(v >> 56);
 }
+// The byte at p.
 static inline uint8_t orr_wire_load_u8(const uint8_t *p) { return p[0]; }
+// The two bytes at p.
 static inline uint16_t orr_wire_load_u16(const uint8_t *p)
 {
     return (uint16_t)(p[0] | (uint16_t)(p[1] << 8));
 }
+// The four bytes at p.
 static inline uint32_t orr_wire_load_u32(const uint8_t *p)
 {
     return (uint32_t)p[0] | ((uint32_t)p[1] << 8) | ((uint32_t)p[2] << 16) | ((uint32_t)p[3] << 24);
 }
+// The eight bytes at p.
 static inline uint64_t orr_wire_load_u64(const uint8_t *p)
 {
     return (uint64_t)p[0] | ((uint64_t)p[1] << 8) | ((uint64_t)p[2] << 16) | ((uint64_t)p[3] << 24) |
@@ -141,15 +150,20 @@ static inline uint64_t orr_wire_load_u64(const uint8_t *p)
 }
 // Signed values travel as two's complement.
 static inline void orr_wire_store_i8(uint8_t *p, int8_t v) { orr_wire_store_u8(p, (uint8_t)v); }
+// Two bytes.
 static inline void orr_wire_store_i16(uint8_t *p, int16_t v) { orr_wire_store_u16(p, (uint16_t)v); }
+// Four bytes.
 static inline void orr_wire_store_i32(uint8_t *p, int32_t v) { orr_wire_store_u32(p, (uint32_t)v); }
+// Eight bytes.
 static inline void orr_wire_store_i64(uint8_t *p, int64_t v) { orr_wire_store_u64(p, (uint64_t)v); }
+// The signed byte at p.
 static inline int8_t orr_wire_load_i8(const uint8_t *p)
 {
     int8_t v;
     memcpy(&v, p, sizeof v);
     return v;
 }
+// The signed two bytes at p.
 static inline int16_t orr_wire_load_i16(const uint8_t *p)
 {
     uint16_t u = orr_wire_load_u16(p);
@@ -157,6 +171,7 @@ static inline int16_t orr_wire_load_i16(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
+// The signed four bytes at p.
 static inline int32_t orr_wire_load_i32(const uint8_t *p)
 {
     uint32_t u = orr_wire_load_u32(p);
@@ -164,6 +179,7 @@ static inline int32_t orr_wire_load_i32(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
+// The signed eight bytes at p.
 static inline int64_t orr_wire_load_i64(const uint8_t *p)
 {
     uint64_t u = orr_wire_load_u64(p);
@@ -171,7 +187,7 @@ static inline int64_t orr_wire_load_i64(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
-// Any NAN becomes the one quiet NAN, so that equal answers are equal bytes.
+// An IEEE 754 float. Any NAN becomes the one quiet NAN, so that equal answers are equal bytes.
 static inline void orr_wire_store_f32(uint8_t *p, float v)
 {
     uint32_t u;
@@ -179,6 +195,7 @@ static inline void orr_wire_store_f32(uint8_t *p, float v)
     if ((u & UINT32_C(0x7fffffff)) > UINT32_C(0x7f800000)) u = UINT32_C(0x7fc00000);
     orr_wire_store_u32(p, u);
 }
+// An IEEE 754 double, likewise.
 static inline void orr_wire_store_f64(uint8_t *p, double v)
 {
     uint64_t u;
@@ -186,6 +203,7 @@ static inline void orr_wire_store_f64(uint8_t *p, double v)
     if ((u & UINT64_C(0x7fffffffffffffff)) > UINT64_C(0x7ff0000000000000)) u = UINT64_C(0x7ff8000000000000);
     orr_wire_store_u64(p, u);
 }
+// The IEEE 754 float at p.
 static inline float orr_wire_load_f32(const uint8_t *p)
 {
     uint32_t u = orr_wire_load_u32(p);
@@ -193,6 +211,7 @@ static inline float orr_wire_load_f32(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
+// The IEEE 754 double at p.
 static inline double orr_wire_load_f64(const uint8_t *p)
 {
     uint64_t u = orr_wire_load_u64(p);
@@ -203,6 +222,7 @@ static inline double orr_wire_load_f64(const uint8_t *p)
 
 // (I3) u16 length and the bytes; above `max` the status is ORR_WIRE_LIMIT, on either side.
 void orr_wire_put_bytes(orr_wire_writer *w, orr_wire_bytes b, uint16_t max);
+// The same on reading: the bytes are borrowed, empty after a failure.
 orr_wire_bytes orr_wire_get_bytes(orr_wire_reader *r, uint16_t max);
 // Records already in wire form, as they are.
 void orr_wire_put_raw(orr_wire_writer *w, const uint8_t *data, size_t n);

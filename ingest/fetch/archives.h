@@ -28,18 +28,23 @@ typedef enum orr_tier { // best first: fallback goes down
     ORR_TIER_NONE, // broadcast and observations have none
 } orr_tier;
 
-const char *orr_product_name(orr_product p); // "sp3"
-bool orr_product_parse(const char *name, size_t n, orr_product *out);
+const char *orr_product_name(orr_product p);                          // "sp3"
+bool orr_product_parse(const char *name, size_t n, orr_product *out); // false: no product has that name
 bool orr_product_holds(orr_product p, orr_kind kind); // whether a file of that kind is one of this product
-const char *orr_tier_name(orr_tier t);
-bool orr_tier_parse(const char *name, size_t n, orr_tier *out);
+const char *orr_tier_name(orr_tier t);                // "final"
+bool orr_tier_parse(const char *name, size_t n, orr_tier *out); // false: no tier has that name
 
 typedef struct orr_archives orr_archives;
-// The built-in table; `path` NULL. Errors: ORR_E_IO, ORR_E_FORMAT with file:line, ORR_E_LIMIT, ORR_E_MEMORY.
+// Reads a table of archives; `path` NULL: the built-in one. Errors: ORR_E_IO, ORR_E_FORMAT with file:line, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_archives_read(const char *path, orr_archives **out, orr_diag *diag);
+// Reads such a table from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes
+//   Returned: out         the table, to be freed with orr_archives_free; NULL on failure
+//             diag        ORR_E_FORMAT with file:line, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_archives_parse(const char *name, const char *text, size_t n, orr_archives **out,
                               orr_diag *diag);
-void orr_archives_free(orr_archives *a);
+void orr_archives_free(orr_archives *a);     // NULL is allowed
 const char *orr_archives_builtin(size_t *n); // its text
 
 // One place where a file of a product for a day may be.
@@ -64,9 +69,12 @@ typedef struct orr_wanted {
     char station[10];
 } orr_wanted;
 
-// All candidates, best first: tiers from `tier` down, names in the table's order, mirrors in the table's
-// order. *out is to be freed with free(). ORR_E_NODATA if the table knows no name for it (*diag says what is
-// known), ORR_E_MEMORY.
+// All places where a product may be, best first: tiers from w->tier down, names in the table's order, mirrors in
+// the table's order.
+//   Given:    a           the table
+//             w           what is wanted
+//   Returned: out, n      the n candidates, to be freed with free()
+//             diag        ORR_E_NODATA if the table knows no name for it (and what it knows), ORR_E_MEMORY
 orr_status orr_archives_candidates(const orr_archives *a, const orr_wanted *w, orr_candidate **out, size_t *n,
                                    orr_diag *diag);
 

@@ -48,9 +48,13 @@ typedef struct orr_fetch_item {
     char reason[512]; // why not
 } orr_fetch_item;
 
-// Fetches all of them, several at once. ORR_OK if every item is (see their status otherwise): ORR_E_NODATA if
-// one is missing, ORR_E_INTERRUPTED, ORR_E_IO, ORR_E_MEMORY. curl_global_init is done here once and is safe
-// to repeat.
+// Fetches several products, several at once.
+//   Given:    a           the table of archives
+//             o           where to, how, and who is told
+//             item        n items with what is wanted
+//   Returned: item        what came of each: status, path, sum, or the reason
+//             diag        ORR_E_NODATA if one is missing, ORR_E_INTERRUPTED, ORR_E_IO, ORR_E_MEMORY
+//   Notes:    curl_global_init is called; it may be repeated.
 orr_status orr_fetch(const orr_archives *a, const orr_fetch_options *o, orr_fetch_item *item, size_t n,
                      orr_diag *diag);
 

@@ -18,18 +18,24 @@ typedef struct orr_input_limits {
 } orr_input_limits;
 orr_input_limits orr_input_default_limits(void); // 2 GiB, ORR_LINE_MAX, 300, 64 MiB
 
-// The whole file, decompressed. text[n] is a NUL that does not count, so text is never NULL. limits may be
-// NULL. Errors: ORR_E_IO, ORR_E_KIND (empty, a directory, a web page, an archive), ORR_E_FORMAT (damaged or
-// cut compressed data), ORR_E_LIMIT, ORR_E_MEMORY.
+// A text in memory. text[n] is a NUL that does not count, so text is never NULL.
 typedef struct orr_bytes {
     char *text;
     size_t n;
 } orr_bytes;
+// Reads a whole file, decompressed. limits may be NULL. Errors: ORR_E_IO, ORR_E_KIND (empty, a directory, a web
+// page, an archive), ORR_E_FORMAT (damaged or cut compressed data), ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_input_read_all(const char *path, const orr_input_limits *limits, orr_bytes *out,
                               orr_diag *diag);
-// The same for bytes in memory, which may be compressed; `name` is for messages.
+// The same for bytes in memory.
+//   Given:    name        of the file, for messages
+//             data, n     its n bytes, which may be compressed
+//             limits      NULL: the defaults
+//   Returned: out         the text, to be freed with orr_bytes_free
+//             diag        as of orr_input_read_all, but for ORR_E_IO
 orr_status orr_input_read_bytes(const char *name, const void *data, size_t n, const orr_input_limits *limits,
                                 orr_bytes *out, orr_diag *diag);
+// Frees the text and leaves *b empty.
 void orr_bytes_free(orr_bytes *b);
 // The bytes as they are, compressed or not, of a file or a pipe; text[n] is a NUL that does not count. ORR_E_IO,
 // ORR_E_KIND (a folder), ORR_E_LIMIT, ORR_E_MEMORY.
@@ -37,12 +43,19 @@ orr_status orr_input_read_raw(const char *path, size_t max_bytes, orr_bytes *out
 
 // The stream face: memory use does not grow with the file.
 typedef struct orr_input orr_input;
+// Opens a file for reading line by line; close it with orr_input_close. limits may be NULL. Errors as of
+// orr_input_read_all; damage further on is told by orr_input_status.
 orr_status orr_input_open(const char *path, const orr_input_limits *limits, orr_input **out, orr_diag *diag);
-// Reads from memory that must outlive the input.
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             data, n     its n bytes, which may be compressed and must outlive the input
+//             limits      NULL: the defaults
+//   Returned: out         the input, to be closed with orr_input_close
+//             diag        as of orr_input_open, but for ORR_E_IO
 orr_status orr_input_open_bytes(const char *name, const void *data, size_t n, const orr_input_limits *limits,
                                 orr_input **out, orr_diag *diag);
-void orr_input_close(orr_input *in); // NULL is allowed
-const char *orr_input_name(const orr_input *in);
+void orr_input_close(orr_input *in);                // NULL is allowed
+const char *orr_input_name(const orr_input *in);    // for messages
 int64_t orr_input_line_number(const orr_input *in); // of the line returned last, from 1
 
 // The first bytes of the text (up to 64 KiB, as many as there are), without consuming them: for orr_sniff.
@@ -55,7 +68,12 @@ bool orr_input_line(orr_input *in, orr_view *line);
 void orr_input_unline(orr_input *in);
 // ORR_OK while all is well (so also at the true end), else what happened, again and again.
 orr_status orr_input_status(const orr_input *in, orr_diag *diag);
-// Raw text instead of lines; *got is 0 at the end. Not to be mixed with orr_input_line.
+// Raw text instead of lines. Not to be mixed with orr_input_line.
+//   Given:    in          the input
+//             capacity    bytes that `buf` has room for
+//   Returned: buf         the next bytes of the text
+//             got         how many; 0 at the end alone
+//             diag        ORR_E_IO, ORR_E_FORMAT, ORR_E_LIMIT
 orr_status orr_input_read(orr_input *in, void *buf, size_t capacity, size_t *got, orr_diag *diag);
 
 #endif

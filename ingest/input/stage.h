@@ -18,19 +18,35 @@ struct orr_stage {
     uint64_t total; // bytes handed out
 };
 
-// Through the bytes read ahead; counts.
+// Reads from a stage, first what was read ahead, and counts the bytes.
+//   Given:    s           the stage
+//             capacity    bytes that `buf` has room for
+//   Returned: buf, got    the next bytes and how many; 0 at the end alone
+//             diag        as the stage's own read
 orr_status orr_stage_read(orr_stage *s, uint8_t *buf, size_t capacity, size_t *got, orr_diag *diag);
 // Looks at up to 8 first bytes, before anything was read.
 orr_status orr_stage_peek(orr_stage *s, const uint8_t **bytes, size_t *n, orr_diag *diag);
 
-// *size is what the file system says, at most 256 MiB: a first guess at the room needed, never a promise.
+// Opens a file or pipe. *size is what the file system says, at most 256 MiB: a first guess at the room needed, never a promise.
 orr_status orr_stage_file(const char *path, orr_stage **out, size_t *size, orr_diag *diag);
+// A stage of bytes in memory.
+//   Given:    name        of the file, for messages; kept, not copied
+//             data, n     n bytes, which must outlive the stage
+//   Returned: out         the stage
+//             diag        ORR_E_MEMORY
 orr_status orr_stage_memory(const char *name, const void *data, size_t n, orr_stage **out, orr_diag *diag);
+// Decompresses gzip, any number of members, with their check sums. `below` stays the caller's to close.
+// ORR_E_MEMORY here, ORR_E_FORMAT on reading what is damaged or cut.
 orr_status orr_stage_gzip(orr_stage *below, orr_stage **out, orr_diag *diag);
-// All members of a gzip file in memory, check sums verified, into *text (n_text bytes and room for one more;
-// free()). False where anything is unusual: damage, text beyond `limit` bytes, no memory. The stage above
-// then finds out what it is.
+// All members of a gzip file at one go, check sums verified.
+//   Given:    packed, n_packed   the file in memory
+//             limit       most bytes of text
+//   Returned: text, n_text   the text, with room for one byte more, to be freed with free()
+//             (value)     false where anything is unusual: damage, text beyond the limit, no memory; the stage
+//                         above then finds out what it is
 bool orr_gzip_whole(const uint8_t *packed, size_t n_packed, size_t limit, char **text, size_t *n_text);
+// Decompresses Unix compress (.Z). `below` stays the caller's to close. ORR_E_MEMORY here, ORR_E_FORMAT on reading
+// what is damaged.
 orr_status orr_stage_lzw(orr_stage *below, orr_stage **out, orr_diag *diag);
 
 #endif

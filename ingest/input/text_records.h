@@ -33,13 +33,24 @@ bool orr_records_sinex_time(orr_view v, orr_scale scale, orr_time *out);
 // Six blank-separated numbers, year month day hour minute second(.fraction); 24:00:00 is the next day. Fewer
 // than six are refused. False if it is no date.
 bool orr_records_civil(orr_view v, orr_scale scale, orr_time *out);
-// The same from fields of given widths in one go (IONEX 6I6, RINEX CLK ...): not needed when blanks separate
-// them.
+// The same from six fields of one width, side by side (IONEX 6I6).
+//   Given:    line        the line
+//             col, width  column of the first field, and width of each
+//             scale       that the date is in
+//   Returned: out         the instant
+//             (value)     false if it is no date
 bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scale, orr_time *out);
 
-// Appends a copy of v (right-trimmed) to a list of texts under `limit`.
+// Appends a copy of a text, without trailing blanks, to a list of texts.
+//   Given:    list, n     the list, which grows, and its length
+//             v           the text
+//             limit       the most texts
+//             at          the line that it comes from, for messages
+//   Returned: list, n     one longer
+//             diag        ORR_E_LIMIT or ORR_E_MEMORY at that line
 orr_status orr_records_add_text(char ***list, size_t *n, orr_view v, size_t limit, const orr_cursor *at,
                                 orr_diag *diag);
+// Frees a list of n texts and the texts.
 void orr_records_free_texts(char **list, size_t n);
 
 // The most frequent step of ascending instants, seconds; of equally frequent ones the shortest. NAN for fewer

@@ -37,16 +37,25 @@ typedef struct orr_inspection {
 // is to be freed in both cases (kind and version are filled in as far as they are known). Errors: as the
 // readers', and ORR_E_UNSUPPORTED for kinds that are recognised and not read here.
 orr_status orr_inspect(const char *path, orr_inspection *out, orr_diag *diag);
+// Empties a report: nothing is known.
 void orr_inspection_init(orr_inspection *r);
+// Frees what a report holds and empties it.
 void orr_inspection_free(orr_inspection *r);
 
 // Archives are looked at before anything is opened: they are no text, whatever is in them.
 bool orr_inspect_is_zip(const char *path);
+// The report of a zip archive: how many files its directory names. ORR_E_IO, ORR_E_FORMAT where it has no
+// directory.
 orr_status orr_inspect_zip(const char *path, orr_inspection *r, orr_diag *diag);
 
 // For the kinds' functions, orr_status orr_inspect_<name>(const char *path, orr_inspection *r, orr_diag
 // *diag): kind and version are set already (a function may refine the version), the rest is as
 // orr_inspection_init left it.
+
+// Adds a line for people; without memory the report goes on without it.
+//   Given:    label       the line's name, cut at 23 bytes
+//             fmt, ...    its text, as of printf, cut at 511 bytes
+//   Returned: r           with the line
 void orr_inspect_fact_add(orr_inspection *r, const char *label, const char *fmt, ...) ORR_PRINTF(3, 4);
 // Counts a satellite (once) and its system; `satellites` starts to count with the first.
 void orr_inspect_sat_add(orr_inspection *r, orr_sat sat);

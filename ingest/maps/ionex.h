@@ -56,25 +56,40 @@ typedef struct orr_ionex {
 } orr_ionex;
 
 // Index of a grid point into tec_tecu, rms_tecu, hgt_m.
+//   Given:    x           the maps
+//             epoch, height, lat, lon   indices along the axes, each from 0
 static inline size_t orr_ionex_index(const orr_ionex *x, size_t epoch, size_t height, size_t lat, size_t lon)
 {
     return ((epoch * x->n_heights + height) * x->n_lats + lat) * x->n_lons + lon;
 }
 
 // Reads a whole file (plain, gzip, .Z, by content). "24:00" is the next day's 00:00; of two maps at one
-// instant the first is kept, with a warning; maps out of order are sorted, with one. Free with
-// orr_ionex_free. Errors: ORR_E_IO, ORR_E_KIND (not an IONEX), ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY.
+// instant the first is kept, with a warning; maps out of order are sorted, with one.
+//   Given:    path        the file, plain, gzip or .Z by content
+//             limits      what is refused; NULL: the defaults
+//   Returned: out         the maps, to be freed with orr_ionex_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_IO, ORR_E_KIND (not an IONEX), ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_ionex_read(const char *path, const orr_read_limits *limits, orr_ionex *out,
                           orr_warnings *warnings, orr_diag *diag);
-// The same from memory (already decompressed); `name` is for messages.
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
+//             limits      what is refused; NULL: the defaults
+//   Returned: out, warnings, diag   as of orr_ionex_read, but for ORR_E_IO
 orr_status orr_ionex_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                            orr_ionex *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all and leaves *x empty.
 void orr_ionex_free(orr_ionex *x);
 
-// Makes an empty file on a regular grid, maps all NAN, epochs from t0 every step_s (overwrite epoch[] for
-// irregular ones). `with_rms` allocates rms_tecu too. lat, lon (degrees) and height (metres) as {first, last,
-// step}; a zero step (first == last) means one value. Grids hold at most 9999 points an axis. ORR_E_ARG,
-// ORR_E_LIMIT, ORR_E_MEMORY.
+// Makes an empty file on a regular grid, maps all NAN.
+//   Given:    n_epochs    number of maps
+//             t0, step_s  epochs from t0 every step_s seconds (overwrite epoch[] for irregular ones)
+//             lat_deg, lon_deg, height_m   the axes as {first, last, step}; a zero step (first == last) means
+//                         one value
+//             with_rms    allocates rms_tecu too
+//   Returned: out         the file, to be freed with orr_ionex_free
+//             diag        ORR_E_ARG, ORR_E_LIMIT (more than 9999 points on an axis), ORR_E_MEMORY
 orr_status orr_ionex_alloc(size_t n_epochs, orr_time t0, double step_s, const double lat_deg[3],
                            const double lon_deg[3], const double height_m[3], bool with_rms, orr_ionex *out,
                            orr_diag *diag);

@@ -39,8 +39,15 @@ typedef struct orr_crinex_epoch {
 } orr_crinex_epoch;
 
 typedef struct orr_crinex orr_crinex;
-// `in` stands behind END OF HEADER; version is 1.0 or 3.0. counts is looked at before each epoch, so that the
-// caller may let an event change it. Both, and warnings (may be NULL), must outlive the decoder.
+// Begins to decode.
+//   Given:    in          the file, read up to END OF HEADER
+//             version     1.0 or 3.0
+//             counts      observation types of each system; looked at before each epoch, so that the caller may
+//                         let an event change it
+//   Returned: warnings    of damage, now and while decoding; may be NULL
+//             out         the decoder, to be closed with orr_crinex_close
+//             diag        ORR_E_UNSUPPORTED (another version), ORR_E_MEMORY
+//   Notes:    in, counts and warnings must outlive the decoder.
 orr_status orr_crinex_open(orr_input *in, double version, const orr_crinex_counts *counts,
                            orr_warnings *warnings, orr_crinex **out, orr_diag *diag);
 // *epoch is NULL at the end. Damage is reported to the warnings; decoding goes on at the next initialised
@@ -49,9 +56,14 @@ orr_status orr_crinex_next(orr_crinex *c, const orr_crinex_epoch **epoch, orr_di
 uint64_t orr_crinex_skipped(const orr_crinex *c); // stretches of damage
 void orr_crinex_close(orr_crinex *c);             // not the input
 
-// A whole file to plain RINEX text. `write` gets line by line, without line ends. Errors: as
-// orr_rinex_obs_open; ORR_E_KIND if the input is not Hatanaka-compressed.
 typedef bool (*orr_crinex_sink)(void *user, const char *line, size_t n); // false stops with ORR_E_IO
+// Expands a whole file to plain RINEX text.
+//   Given:    in          the file, at its begin
+//             write       gets line by line, without line ends
+//             user        handed to it
+//   Returned: warnings    of damage; may be NULL
+//             diag        as of orr_rinex_obs_open; ORR_E_KIND if the input is not Hatanaka-compressed; ORR_E_IO
+//                         where `write` stopped it
 orr_status orr_crinex_expand(orr_input *in, orr_crinex_sink write, void *user, orr_warnings *warnings,
                              orr_diag *diag);
 // Recognises the first line of a compressed file; *version may be NULL.

@@ -199,20 +199,33 @@ orr_nav_limits orr_nav_default_limits(void); // 2 GiB, 1 000 000, 100 000
 
 // Reads a whole file (plain, gzip, .Z by content). Bad records go one by one to `warnings` (may be NULL) and
 // are left out; a file that is no RINEX navigation file, whose header cannot be used, or of which no record
-// can be read, is refused. limits may be NULL. Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT,
-// ORR_E_MEMORY, ORR_E_UNSUPPORTED (version).
+// can be read, is refused.
+//   Given:    path        the file, plain, gzip or .Z by content
+//             limits      what is refused; NULL: the defaults
+//   Returned: out         the records, to be freed with orr_nav_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY, ORR_E_UNSUPPORTED (version)
 orr_status orr_nav_read(const char *path, const orr_nav_limits *limits, orr_nav *out, orr_warnings *warnings,
                         orr_diag *diag);
-// The same from memory (already decompressed); `name` is for messages.
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
+//             limits      what is refused; NULL: the defaults
+//   Returned: out, warnings, diag   as of orr_nav_read, but for ORR_E_IO
 orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr_nav_limits *limits,
                          orr_nav *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all and leaves *nav empty.
 void orr_nav_free(orr_nav *nav);
 
 // Several files as one: the ephemerides in the order of orr_nav.eph, of records that agree in satellite, toe,
 // toc, transmission and message one is kept; the ionospheres in the files' order. Time offsets, Earth
 // orientation and comments are not carried over. Free with orr_nav_free.
 orr_status orr_nav_merge(const orr_nav *in, size_t n, orr_nav *out, orr_diag *diag);
-// The same from the files themselves, each read as orr_nav_read does; the first that cannot be read ends it.
+// The same from the files themselves, each read as orr_nav_read does.
+//   Given:    path, n     names of the n files
+//   Returned: out         as of orr_nav_merge
+//             warnings    of all files; may be NULL
+//             diag        why the first that cannot be read cannot; ORR_E_MEMORY
 orr_status orr_nav_read_files(const char *const *path, size_t n, orr_nav *out, orr_warnings *warnings,
                               orr_diag *diag);
 

@@ -29,8 +29,12 @@ typedef struct nav_fault {
     int column;
     char text[160];
 } nav_fault;
-bool orr_nav_fault(nav_fault *f, int64_t line, int column, const char *fmt, ...)
-    ORR_PRINTF(4, 5); // returns false
+// Says what is wrong with a record.
+//   Given:    line, column   where, from 1
+//             fmt, ...    the sentence, as of printf
+//   Returned: f           all of them
+//             (value)     false, so that a caller writes `return orr_nav_fault(...)`
+bool orr_nav_fault(nav_fault *f, int64_t line, int column, const char *fmt, ...) ORR_PRINTF(4, 5);
 
 // The columns of a version's records.
 typedef struct nav_layout {
@@ -38,12 +42,23 @@ typedef struct nav_layout {
     int clock; // of the fields on the epoch's line: 23 in RINEX 2, 24 later
 } nav_layout;
 
-// Number k of a line (0-based) in its column; blank is NAN. False with a fault where it is bad or cut off.
+// The number in a field of 19 columns.
+//   Given:    r, line     the record, and the line in it from 0
+//             column      of the field's begin, from 1
+//   Returned: out         the number; NAN where the field is blank
+//             f           what is wrong
+//             (value)     false where it is no number, or cut off
 bool orr_nav_field(const nav_lines *r, size_t line, int column, double *out, nav_fault *f);
 
 // The scale that a system's records are dated in.
 orr_scale orr_nav_scale_of(char system);
-// "yyyy mm dd hh mm ss" in columns 5-23 (RINEX 3, 4) or "yy mm dd hh mm ss.s" in 4-22 (RINEX 2).
+// The date of a record.
+//   Given:    r, line     the record, and the line in it from 0
+//             v2          "yy mm dd hh mm ss.s" in columns 4-22 (RINEX 2), else "yyyy mm dd hh mm ss" in 5-23
+//             scale       that it is in
+//   Returned: t           the instant
+//             f           what is wrong
+//             (value)     false where it is no date
 bool orr_nav_epoch(const nav_lines *r, size_t line, bool v2, orr_scale scale, orr_time *t, nav_fault *f);
 // The instant with `sow_s` seconds of the system's week that is nearest to `near`.
 orr_time orr_nav_of_week(double sow_s, char system, orr_time near);
@@ -51,19 +66,40 @@ orr_time orr_nav_of_week(double sow_s, char system, orr_time near);
 // Nanoseconds since a week of the system began.
 int64_t orr_nav_ns_of_week(orr_time t, char system);
 
-// One ephemeris; message NONE: find it from the system. Warnings take what does not spoil the record.
+// Turns a record into an ephemeris.
+//   Given:    r           its lines
+//             v2          whether the file is RINEX 2
+//             system      of the satellite, where the record does not say it itself
+//             message     NONE: found from the system and the record
+//   Returned: e           the ephemeris
+//             f           what is wrong
+//             (value)     false where the record cannot be used
 bool orr_nav_take_eph(const nav_lines *r, bool v2, char system, orr_nav_message message, orr_nav_eph *e,
                       nav_fault *f);
-// Records of RINEX 4.
+// An ionosphere record of RINEX 4; false with a fault where it cannot be used.
 bool orr_nav_take_iono(const nav_lines *r, orr_nav_iono *out, nav_fault *f);
+// A time offset record of RINEX 4, likewise.
 bool orr_nav_take_sto(const nav_lines *r, orr_nav_sto *out, nav_fault *f);
+// An Earth orientation record of RINEX 4, likewise.
 bool orr_nav_take_eop(const nav_lines *r, orr_nav_eop *out, nav_fault *f);
+// The message of a name as RINEX 4 writes it; NONE if there is none.
 orr_nav_message orr_nav_message_parse(orr_view name);
 
-// Header lines (iono, time corrections, leap seconds) into nav; appends.
+// Takes one header line (ionosphere, time corrections, leap seconds and others) into nav.
+//   Given:    line        the line
+//             name, number   of the file, and of the line in it, for messages
+//   Returned: nav         with what the line says
+//             w           complaints; may be NULL
+//             diag        ORR_E_FORMAT, ORR_E_MEMORY: the file is refused
 orr_status orr_nav_header_line(orr_nav *nav, orr_view line, const char *name, int64_t number, orr_warnings *w,
                                orr_diag *diag);
-// Appends an element of `size` bytes to *array of *n (capacity doubles). ORR_E_MEMORY.
+// Appends an element to an array that grows.
+//   Given:    array       address of the pointer to the elements
+//             n           elements so far
+//             size        of one, bytes
+//             element     the new one, copied
+//   Returned: array, n    one longer
+//             diag        ORR_E_MEMORY
 orr_status orr_nav_append(void *array, size_t *n, size_t size, const void *element, orr_diag *diag);
 
 #endif

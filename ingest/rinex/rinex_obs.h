@@ -115,12 +115,20 @@ typedef struct orr_rinex_obs_limits {
 } orr_rinex_obs_limits;
 orr_rinex_obs_limits orr_rinex_obs_default_limits(void); // 64 GiB, 100 000 000, 100 000, 999
 
-// Opens a file (plain, gzip, .Z, Hatanaka, by content) and reads its header. Complaints that can be lived
-// with go to `warnings` (may be NULL; must outlive the reader) now and while reading. limits may be NULL.
-// Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY, ORR_E_UNSUPPORTED.
+// Opens a file and reads its header.
+//   Given:    path        the file, plain, gzip, .Z or Hatanaka-compressed, by content
+//             limits      NULL: the defaults
+//   Returned: warnings    complaints that can be lived with, now and while reading; may be NULL, and must outlive
+//                         the reader
+//             out         the reader, to be closed with orr_rinex_obs_close
+//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY, ORR_E_UNSUPPORTED
 orr_status orr_rinex_obs_open(const char *path, const orr_rinex_obs_limits *limits, orr_warnings *warnings,
                               orr_rinex_obs **out, orr_diag *diag);
-// The same from memory (decompressed, but Hatanaka is still seen); text must outlive the reader.
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, which must outlive the reader; Hatanaka compression is seen
+//             limits      NULL: the defaults
+//   Returned: warnings, out, diag   as of orr_rinex_obs_open, but for ORR_E_IO
 orr_status orr_rinex_obs_open_memory(const char *name, const char *text, size_t n,
                                      const orr_rinex_obs_limits *limits, orr_warnings *warnings,
                                      orr_rinex_obs **out, orr_diag *diag);
@@ -143,8 +151,10 @@ int orr_obs_code_index(const orr_rinex_obs_header *h, char system, const char *c
 typedef struct orr_rinex_obs_writer orr_rinex_obs_writer;
 // A header with NAN, "none" and empty lists everywhere; free with orr_rinex_obs_header_free.
 void orr_rinex_obs_header_init(orr_rinex_obs_header *h);
+// Appends a RINEX 3 code ("C1C") to a system's list. ORR_E_ARG for an unknown system or what is no such code, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_rinex_obs_header_add_code(orr_rinex_obs_header *h, char system, const char *code,
                                          orr_diag *diag);
+// Frees the lists of codes and leaves them empty; the rest of the header stays.
 void orr_rinex_obs_header_free(orr_rinex_obs_header *h);
 // "-" is stdout. Atomic: the file is there after commit.
 orr_status orr_rinex_obs_create(const char *path, const orr_rinex_obs_header *h, orr_rinex_obs_writer **out,

@@ -47,12 +47,13 @@ struct orr_rinex_obs {
 };
 enum { WARNED_SYSTEM = 1u << 16, WARNED_EXTRA = 1u << 17, WARNED_ORDER = 1u << 18, WARNED_EMPTY = 1u << 19 };
 
-// A complaint about the line read last, and the place for header lines.
+// A complaint about the line read last.
 static inline void orr_obs_warn(orr_rinex_obs *r, int column, const char *what)
 {
     orr_warnings_add(r->warnings, orr_input_name(r->in), orr_input_line_number(r->in), column, "%s", what);
 }
 
+// Where the line read last reports to.
 static inline obs_context orr_obs_context(orr_rinex_obs *r, orr_diag *diag)
 {
     return (obs_context){orr_input_name(r->in), orr_input_line_number(r->in), r->warnings, diag};
@@ -71,9 +72,13 @@ orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *
 
 // Appends a code; ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_obs_codes_add(orr_obs_codes *codes, const char *code, const char *original, orr_diag *diag);
+// Frees a list of codes and leaves it empty.
 void orr_obs_codes_clear(orr_obs_codes *codes);
-// The RINEX 3 code that a RINEX 2 type of a system is taken for; "" if none. has(set, "P2") tells what the
-// file has.
+// The RINEX 3 code that a RINEX 2 type of a system is taken for.
+//   Given:    system      its letter
+//             type        as the file has it, e.g. "P2"
+//             set, n      all types of the file: what L2 is taken for depends on them
+//   Returned: out         the code, "" if there is none
 void orr_obs_code_of_v2(char system, const char *type, const char (*set)[4], size_t n, char out[4]);
 
 #endif

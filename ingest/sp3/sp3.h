@@ -58,19 +58,27 @@ typedef struct orr_sp3_limits {
 } orr_sp3_limits;
 orr_sp3_limits orr_sp3_default_limits(void); // 2 GiB, 999, 1 000 000, 10 000
 
-// Reads a whole file (plain, gzip, .Z, by content). Complaints that can be lived with go to `warnings` (may
-// be NULL); the rest is refused with file:line:column in `diag`. limits may be NULL. Free with orr_sp3_free.
-// The rules (docs/formats.md tells them at length): records rule over the header's counts and lists; a record
+// Reads a whole file. The rules (docs/formats.md tells them at length): records rule over the header's counts and lists; a record
 // or epoch line that cannot be read is left out and reported, and a file in which more is damaged than sound
 // is refused; a header line that cannot be understood is refused, because it speaks for all records; a last
 // line without its end is not used, because it may be cut. Of two records of one satellite and epoch the
-// first is kept. Errors: ORR_E_IO, ORR_E_KIND (not an SP3), ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_UNSUPPORTED (a
-// version after d), ORR_E_MEMORY.
+// first is kept.
+//   Given:    path        the file, plain, gzip or .Z by content
+//             limits      what is refused; NULL: the defaults
+//   Returned: out         the orbits, to be freed with orr_sp3_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_IO, ORR_E_KIND (not an SP3), ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_UNSUPPORTED
+//                         (a version after d), ORR_E_MEMORY
 orr_status orr_sp3_read(const char *path, const orr_sp3_limits *limits, orr_sp3 *out, orr_warnings *warnings,
                         orr_diag *diag);
-// The same from memory (already decompressed); `name` is for messages.
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
+//             limits      what is refused; NULL: the defaults
+//   Returned: out, warnings, diag   as of orr_sp3_read, but for ORR_E_IO
 orr_status orr_sp3_parse(const char *name, const char *text, size_t n, const orr_sp3_limits *limits,
                          orr_sp3 *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all and leaves *sp3 empty.
 void orr_sp3_free(orr_sp3 *sp3);
 
 // Allocates a zeroed file of n_sats x n_epochs whose records are all missing (NAN), for the writer's callers.

@@ -45,13 +45,23 @@ typedef struct orr_antex {
     orr_antex_antenna *antenna;      // file order
 } orr_antex;
 
-// An antenna whose lines do not make sense is reported and left out, the others are read; a file none of
-// whose antennas can be read is refused. Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT,
-// ORR_E_MEMORY.
+// Reads a whole file. An antenna whose lines do not make sense is reported and left out, the others are read; a file none of
+// whose antennas can be read is refused.
+//   Given:    path        the file, plain, gzip or .Z by content
+//             limits      what is refused; NULL: the defaults
+//   Returned: out         the antennas, to be freed with orr_antex_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_antex_read(const char *path, const orr_read_limits *limits, orr_antex *out,
                           orr_warnings *warnings, orr_diag *diag);
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
+//             limits      what is refused; NULL: the defaults
+//   Returned: out, warnings, diag   as of orr_antex_read, but for ORR_E_IO
 orr_status orr_antex_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                            orr_antex *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all antennas and leaves *x empty.
 void orr_antex_free(orr_antex *x);
 
 // The antenna of a satellite at an instant (valid_from <= t <= valid_until); NULL if the file has none.

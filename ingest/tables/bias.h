@@ -37,19 +37,40 @@ typedef struct orr_bias_set {
     orr_bias *bias; // file order
 } orr_bias_set;
 
-// Lines that cannot be read are warned of one by one and left out; a file none of whose lines can be read is
-// refused. Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY.
+// Reads a whole file. Lines that cannot be read are warned of one by one and left out; a file none of whose lines
+// can be read is refused.
+//   Given:    path        the file, plain, gzip or .Z by content
+//             limits      what is refused; NULL: the defaults
+//   Returned: out         the biases, to be freed with orr_bias_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_bias_read(const char *path, const orr_read_limits *limits, orr_bias_set *out,
                          orr_warnings *warnings, orr_diag *diag);
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
+//             limits      what is refused; NULL: the defaults
+//   Returned: out, warnings, diag   as of orr_bias_read, but for ORR_E_IO
 orr_status orr_bias_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                           orr_bias_set *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all and leaves *x empty.
 void orr_bias_free(orr_bias_set *x);
 
-// Absolute bias of a satellite's observable ("C1C") at t, in seconds (slope applied where there is one).
-// ORR_E_NODATA if the file has none for that instant.
+// The absolute bias of a satellite's observable.
+//   Given:    x           the biases
+//             sat, obs    the satellite and its observable, e.g. "C1C"
+//             t           the instant; a slope is applied where there is one
+//   Returned: bias_s      seconds; untouched where there is none
+//   Notes:    ORR_E_NODATA if the file has none for that instant; biases in cycles are not looked at.
 orr_status orr_bias_osb(const orr_bias_set *x, orr_sat sat, const char *obs, orr_time t, double *bias_s);
-// Difference obs1 - obs2: from a DSB line in either direction, else from two OSB lines, else by one
-// intermediate observable (C1C-C2W = (C1C-C1W) + (C1W-C2W)). ORR_E_NODATA.
+// The differential bias of two observables of a satellite: from a DSB line in either direction, else from two OSB
+// lines, else by one intermediate observable (C1C-C2W = (C1C-C1W) + (C1W-C2W)).
+//   Given:    x           the biases
+//             sat         the satellite
+//             obs1, obs2  its observables, e.g. "C1C", "C2W"
+//             t           the instant; a slope is applied where there is one
+//   Returned: bias_s      obs1 - obs2, seconds; untouched where there is none
+//   Notes:    ORR_E_NODATA if the file does not tell it.
 orr_status orr_bias_dsb(const orr_bias_set *x, orr_sat sat, const char *obs1, const char *obs2, orr_time t,
                         double *bias_s);
 

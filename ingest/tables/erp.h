@@ -27,13 +27,24 @@ typedef struct orr_erp {
     orr_erp_detail *detail; // [series.n]
 } orr_erp;
 
-// Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_UNSUPPORTED (UT1R: zonal tides taken out),
-// ORR_E_MEMORY. UT1 - TAI columns are turned into UT1 - UTC with `leap` (NULL: built-in). Of two lines of one
-// instant the later in the file is kept, with a warning.
+// Reads a whole file. Of two lines of one instant the later in the file is kept, with a warning.
+//   Given:    path        the file, plain, gzip or .Z by content
+//             leap        turns UT1 - TAI columns into UT1 - UTC; NULL: built-in
+//             limits      what is refused; NULL: the defaults
+//   Returned: out         the parameters, to be freed with orr_erp_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_UNSUPPORTED (UT1R: zonal tides
+//                         taken out), ORR_E_MEMORY
 orr_status orr_erp_read(const char *path, const orr_leap_table *leap, const orr_read_limits *limits,
                         orr_erp *out, orr_warnings *warnings, orr_diag *diag);
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
+//             leap, limits   as of orr_erp_read
+//   Returned: out, warnings, diag   as of orr_erp_read, but for ORR_E_IO
 orr_status orr_erp_parse(const char *name, const char *text, size_t n, const orr_leap_table *leap,
                          const orr_read_limits *limits, orr_erp *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all and leaves *x empty.
 void orr_erp_free(orr_erp *x);
 
 // Writes a file of version 2. What a detail does not know (NAN, -1) is written as 0, as the format has it.
@@ -58,6 +69,7 @@ orr_status orr_erp_write(const orr_erp *x, const char *const *remark, size_t n_r
 // One series from several files (daily ones of a campaign): ascending; of two values at one instant that of
 // the later file in the list. Free the series with orr_erp_series_free.
 orr_status orr_erp_merge(const orr_erp *in, size_t n, orr_eop_series *out, orr_diag *diag);
+// Frees a series and leaves it empty.
 void orr_erp_series_free(orr_eop_series *s);
 
 #endif

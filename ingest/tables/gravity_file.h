@@ -20,9 +20,14 @@ typedef struct orr_gravity_file {
 // over (lat, lon). Whether distances ascend and values can be is for orr_gravity_make to say. Errors:
 // ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT with the line, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_gravity_file_read(const char *path, orr_gravity_file *out, orr_diag *diag);
-// Text alone.
+// A text of these forms from memory.
+//   Given:    name        of the file, for messages
+//             data, n     its n bytes, which may be compressed
+//   Returned: out         the profile or map, to be freed with orr_gravity_file_free; empty on failure
+//             diag        ORR_E_KIND, ORR_E_FORMAT with the line, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_gravity_file_read_bytes(const char *name, const void *data, size_t n, orr_gravity_file *out,
                                        orr_diag *diag);
+// Frees all and leaves *f empty.
 void orr_gravity_file_free(orr_gravity_file *f);
 
 #endif

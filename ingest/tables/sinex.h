@@ -41,11 +41,22 @@ typedef struct orr_sinex {
     orr_sinex_estimate *estimate;
 } orr_sinex;
 
-// Errors: ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY.
+// Reads a whole file.
+//   Given:    path        the file, plain, gzip or .Z by content
+//             limits      what is refused; NULL: the defaults
+//   Returned: out         the coordinates, to be freed with orr_sinex_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_sinex_read(const char *path, const orr_read_limits *limits, orr_sinex *out,
                           orr_warnings *warnings, orr_diag *diag);
+// The same from memory.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
+//             limits      what is refused; NULL: the defaults
+//   Returned: out, warnings, diag   as of orr_sinex_read, but for ORR_E_IO
 orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                            orr_sinex *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all and leaves *x empty.
 void orr_sinex_free(orr_sinex *x);
 
 // Marker position at t (velocity applied where estimated) of a station ("BOR1", any case; the first four

@@ -72,6 +72,7 @@ typedef struct orr_wire_iter {
     size_t at;
 } orr_wire_iter;
 
+// The bytes of a NUL-terminated text, borrowed; NULL is the empty text. Cut at 65535.
 static inline orr_wire_bytes orr_wire_text(const char *text)
 {
     orr_wire_bytes b = {(const uint8_t *)text, 0};
@@ -107,12 +108,15 @@ static inline const uint8_t *orr_wire_take(orr_wire_reader *r, size_t n)
     return r->data + (r->at - n);
 }
 
+// One byte.
 static inline void orr_wire_store_u8(uint8_t *p, uint8_t v) { p[0] = v; }
+// Two bytes, the lowest first.
 static inline void orr_wire_store_u16(uint8_t *p, uint16_t v)
 {
     p[0] = (uint8_t)(v & 0xff);
     p[1] = (uint8_t)(v >> 8);
 }
+// Four bytes, the lowest first.
 static inline void orr_wire_store_u32(uint8_t *p, uint32_t v)
 {
     p[0] = (uint8_t)(v & 0xff);
@@ -120,6 +124,7 @@ static inline void orr_wire_store_u32(uint8_t *p, uint32_t v)
     p[2] = (uint8_t)((v >> 16) & 0xff);
     p[3] = (uint8_t)(v >> 24);
 }
+// Eight bytes, the lowest first.
 static inline void orr_wire_store_u64(uint8_t *p, uint64_t v)
 {
     p[0] = (uint8_t)(v & 0xff);
@@ -131,15 +136,19 @@ static inline void orr_wire_store_u64(uint8_t *p, uint64_t v)
     p[6] = (uint8_t)((v >> 48) & 0xff);
     p[7] = (uint8_t)(v >> 56);
 }
+// The byte at p.
 static inline uint8_t orr_wire_load_u8(const uint8_t *p) { return p[0]; }
+// The two bytes at p.
 static inline uint16_t orr_wire_load_u16(const uint8_t *p)
 {
     return (uint16_t)(p[0] | (uint16_t)(p[1] << 8));
 }
+// The four bytes at p.
 static inline uint32_t orr_wire_load_u32(const uint8_t *p)
 {
     return (uint32_t)p[0] | ((uint32_t)p[1] << 8) | ((uint32_t)p[2] << 16) | ((uint32_t)p[3] << 24);
 }
+// The eight bytes at p.
 static inline uint64_t orr_wire_load_u64(const uint8_t *p)
 {
     return (uint64_t)p[0] | ((uint64_t)p[1] << 8) | ((uint64_t)p[2] << 16) | ((uint64_t)p[3] << 24) |
@@ -147,15 +156,20 @@ static inline uint64_t orr_wire_load_u64(const uint8_t *p)
 }
 // Signed values travel as two's complement.
 static inline void orr_wire_store_i8(uint8_t *p, int8_t v) { orr_wire_store_u8(p, (uint8_t)v); }
+// Two bytes.
 static inline void orr_wire_store_i16(uint8_t *p, int16_t v) { orr_wire_store_u16(p, (uint16_t)v); }
+// Four bytes.
 static inline void orr_wire_store_i32(uint8_t *p, int32_t v) { orr_wire_store_u32(p, (uint32_t)v); }
+// Eight bytes.
 static inline void orr_wire_store_i64(uint8_t *p, int64_t v) { orr_wire_store_u64(p, (uint64_t)v); }
+// The signed byte at p.
 static inline int8_t orr_wire_load_i8(const uint8_t *p)
 {
     int8_t v;
     memcpy(&v, p, sizeof v);
     return v;
 }
+// The signed two bytes at p.
 static inline int16_t orr_wire_load_i16(const uint8_t *p)
 {
     uint16_t u = orr_wire_load_u16(p);
@@ -163,6 +177,7 @@ static inline int16_t orr_wire_load_i16(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
+// The signed four bytes at p.
 static inline int32_t orr_wire_load_i32(const uint8_t *p)
 {
     uint32_t u = orr_wire_load_u32(p);
@@ -170,6 +185,7 @@ static inline int32_t orr_wire_load_i32(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
+// The signed eight bytes at p.
 static inline int64_t orr_wire_load_i64(const uint8_t *p)
 {
     uint64_t u = orr_wire_load_u64(p);
@@ -177,7 +193,7 @@ static inline int64_t orr_wire_load_i64(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
-// Any NAN becomes the one quiet NAN, so that equal answers are equal bytes.
+// An IEEE 754 float. Any NAN becomes the one quiet NAN, so that equal answers are equal bytes.
 static inline void orr_wire_store_f32(uint8_t *p, float v)
 {
     uint32_t u;
@@ -185,6 +201,7 @@ static inline void orr_wire_store_f32(uint8_t *p, float v)
     if ((u & UINT32_C(0x7fffffff)) > UINT32_C(0x7f800000)) u = UINT32_C(0x7fc00000);
     orr_wire_store_u32(p, u);
 }
+// An IEEE 754 double, likewise.
 static inline void orr_wire_store_f64(uint8_t *p, double v)
 {
     uint64_t u;
@@ -192,6 +209,7 @@ static inline void orr_wire_store_f64(uint8_t *p, double v)
     if ((u & UINT64_C(0x7fffffffffffffff)) > UINT64_C(0x7ff0000000000000)) u = UINT64_C(0x7ff8000000000000);
     orr_wire_store_u64(p, u);
 }
+// The IEEE 754 float at p.
 static inline float orr_wire_load_f32(const uint8_t *p)
 {
     uint32_t u = orr_wire_load_u32(p);
@@ -199,6 +217,7 @@ static inline float orr_wire_load_f32(const uint8_t *p)
     memcpy(&v, &u, sizeof v);
     return v;
 }
+// The IEEE 754 double at p.
 static inline double orr_wire_load_f64(const uint8_t *p)
 {
     uint64_t u = orr_wire_load_u64(p);
@@ -209,6 +228,7 @@ static inline double orr_wire_load_f64(const uint8_t *p)
 
 // (I3) u16 length and the bytes; above `max` the status is ORR_WIRE_LIMIT, on either side.
 void orr_wire_put_bytes(orr_wire_writer *w, orr_wire_bytes b, uint16_t max);
+// The same on reading: the bytes are borrowed, empty after a failure.
 orr_wire_bytes orr_wire_get_bytes(orr_wire_reader *r, uint16_t max);
 // Records already in wire form, as they are.
 void orr_wire_put_raw(orr_wire_writer *w, const uint8_t *data, size_t n);
@@ -231,18 +251,22 @@ typedef struct orr_frame {
     uint32_t size;
 } orr_frame;
 
-// (I4, I5) Looks for one frame at the start of data[0..n). Returns
-//   ORR_WIRE_OK: *f is set, *used is its length;
-//   ORR_WIRE_MORE: *used is how many bytes are needed at least (so a buffer can be sized before they come);
-//   ORR_WIRE_MAGIC, _VERSION, _LENGTH (payload above max_payload), _CRC: the stream is lost; the header's
-//   fields are in *f except after ORR_WIRE_MAGIC.
-// A wrong magic, version or length is told from the header alone, without waiting for the rest.
+// (I4, I5) Looks for one frame at the start of some bytes.
+//   Given:    data, n       the n bytes that have come
+//             max_payload   the longest payload that is taken
+//   Returned: f             the frame, whose payload borrows the bytes
+//             used          after OK its length; after MORE how many bytes are needed at least (so a buffer can
+//                           be sized before they come)
+//             (value)       ORR_WIRE_OK; ORR_WIRE_MORE; or ORR_WIRE_MAGIC, _VERSION, _LENGTH, _CRC: the stream is
+//                           lost, and the header's fields are in *f except after ORR_WIRE_MAGIC
+//   Notes:    a wrong magic, version or length is told from the header alone, without waiting for the rest.
 orr_wire_status orr_frame_parse(const uint8_t *data, size_t n, uint32_t max_payload, orr_frame *f,
                                 size_t *used);
 
-// Writes the header with a length still open; *start is to be given to orr_frame_end, which sets the length
-// and appends the checksum. Everything between the two is payload.
+// Writes the header with a length still open; *start is to be given to orr_frame_end. Everything between the two is
+// payload.
 void orr_frame_begin(orr_wire_writer *w, uint16_t type, uint32_t sequence, size_t *start);
+// Sets the length and appends the checksum. The writer's status tells whether there was room.
 void orr_frame_end(orr_wire_writer *w, size_t start);
 
 // The frame's checksum: CRC-32 of ISO 3309 / IEEE 802.3 / zlib (polynomial 0x04C11DB7 reflected, all ones in
@@ -1012,16 +1036,23 @@ void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t ca
 // most 2 + ORR_MSG_SAT_NAVDATA_LARGEST. A POLL_DELAYS whose receiver_m is NAN, NAN, NAN asks for the
 // scenario's own receiver.
 
-// HELLO of this version, and PING, in short. After the latter the answer's token has been compared.
+// HELLO of this version, in short; the answer's CAPS borrow the buffer.
 orr_wire_status orr_client_open(orr_client *c, const char *name, const char *version, orr_msg_caps *caps);
+// PING in short: ORR_WIRE_UNEXPECTED where the answer's token is another.
 orr_wire_status orr_client_check(orr_client *c, uint64_t token);
 
-// What the verbs are made of: begin, encode into *w, send; then wait for the next frame of a type. A request
-// of epochs says how many frames it expects; each that comes is compared with what is due (I11, I12).
+// What the verbs are made of. Begins a request of a type in the buffer: its payload is then encoded into *w, and
+// *start is for orr_client_send.
 void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *start);
+// Ends the request that begin started at *start and writes all of it. ORR_WIRE_SPACE (or what encoding met) where
+// it did not fit, ORR_WIRE_IO.
 orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start);
+// Waits for the next frame. ORR_WIRE_OK where it is of the type and answers the last request, REFUSED where it is
+// an ERROR, UNEXPECTED otherwise, and the errors of frame and io. *f borrows the buffer until the next call.
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);
+// A request of epochs says how many frames it expects.
 void orr_client_expect(orr_client *c, uint32_t count);
+// (I11, I12) Compares a frame's index and count with what is due; ORR_WIRE_UNEXPECTED where they differ.
 orr_wire_status orr_client_epoch(orr_client *c, uint32_t index, uint32_t count);
 
 // What a client asks and hears. Included by proto/client.h.
