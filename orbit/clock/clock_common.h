@@ -27,6 +27,7 @@ typedef struct orr_clock_common {
 // do; one alone shares nothing). ORR_E_MEMORY. Free with orr_clock_common_free.
 orr_status orr_clock_common_find(const orr_clock_list *list, size_t n_lists, char system,
                                  orr_clock_common *out);
+// Frees what orr_clock_common_find allocated; c is empty afterwards.
 void orr_clock_common_free(orr_clock_common *c);
 
 // Takes the common part off the clocks of a satellite of that system, or (sign = +1) puts it back.

@@ -16,11 +16,22 @@ typedef struct orr_clock_curve {
     double x[ORR_CLOCK_TERMS];                         // the fitted terms, s
 } orr_clock_curve;
 
-// Least squares of clock_s[i] at days[i] with weights weight[i]^2. ORR_E_NUMERIC where the nodes do not tell
-// the terms.
+// Fits the curve to a clock's nodes by least squares.
+// Given:
+//   degree    1 (line) or 2 (parabola)
+//   harmonic  with cosine and sine of half a sidereal day
+//   days      [n] instants of the nodes, days from an origin of the caller's
+//   clock_s   [n] clocks, s
+//   weight    [n] weights of the nodes; they act as their squares
+//   n         how many nodes
+// Returned:
+//   out       the curve and the inverse of its normal matrix
+// Errors: ORR_E_NUMERIC where the nodes do not tell the terms.
 orr_status orr_clock_curve_fit(int degree, bool harmonic, const double *days, const double *clock_s,
                                const double *weight, size_t n, orr_clock_curve *out);
+// The clock at `days`, s.
 double orr_clock_curve_at(const orr_clock_curve *c, double days);
+// Its derivative at `days`, s a day.
 double orr_clock_curve_rate_per_day(const orr_clock_curve *c, double days);
 // How the value at `at_days` changes with the node at `days` of weight `weight`.
 double orr_clock_curve_gain(const orr_clock_curve *c, double at_days, double days, double weight);

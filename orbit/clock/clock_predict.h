@@ -22,12 +22,20 @@ orr_clock_model orr_clock_model_choose(orr_sat sat, const char *block, const orr
 
 typedef struct orr_clock_predictor orr_clock_predictor;
 
-// From nodes in ascending order without jumps, the common part of their system taken away
-// (orbit/clock/clock_common.h). The model is lowered to what the nodes carry: less than 18 h a line alone.
-// Errors: ORR_E_NODATA (fewer than two nodes), ORR_E_MEMORY, ORR_E_NUMERIC. Free with
-// orr_clock_predictor_free.
+// Makes the predictor of one satellite's clock from its nodes.
+// Given:
+//   node   [n] clock nodes, ascending in t, without jumps, the common part of their system taken away
+//          (orr_clock_common_apply with sign -1; that part is 0 at the last epoch, so that predictions need nothing put back)
+//   n      how many
+//   model  curve and window (orr_clock_model_choose); lowered to what the nodes carry: less than 18 h a line alone
+//   noise  how the clock wanders (orr_clock_noise_fit); it makes the sigma
+// Returned:
+//   out    the predictor; free with orr_clock_predictor_free
+// Errors: ORR_E_NODATA (fewer than two nodes), ORR_E_MEMORY, ORR_E_NUMERIC.
+// Notes: the nodes may be freed afterwards. Clocks are in the convention of SP3: periodic relativity is not in them.
 orr_status orr_clock_predictor_init(const orr_clock_node *node, size_t n, const orr_clock_model *model,
                                     const orr_clock_noise *noise, orr_clock_predictor **out);
+// Frees a predictor; NULL is none.
 void orr_clock_predictor_free(orr_clock_predictor *p);
 
 typedef struct orr_clock_prediction {

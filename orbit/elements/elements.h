@@ -37,6 +37,7 @@ typedef struct orr_elements_axes {
     orr_mat3 wanted;        // GCRS to the axes of the elements at t
     double series[12][ORR_ELEMENTS_DEGREE + 1]; // of MEAN: rotation and its rate over a revolution
 } orr_elements_axes;
+// Makes the axes at t; o's series must outlive them.
 void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_elements_axes *out);
 
 // Elements of a satellite at the axes' instant. Besides the statuses of orr_ephemeris_eval: ORR_E_NODATA also

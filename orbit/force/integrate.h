@@ -12,8 +12,10 @@
 
 typedef struct orr_integrator orr_integrator; // one a thread
 
+// Borrows force and sky, which must outlive it. ORR_E_MEMORY. Free with orr_integrator_free.
 orr_status orr_integrator_init(const orr_force *force, const orr_sky *sky, orr_integrator **out,
                                orr_diag *diag);
+// Frees an integrator; NULL is none.
 void orr_integrator_free(orr_integrator *it);
 // Goes on with another force (which must outlive it) and another longest step.
 void orr_integrator_set(orr_integrator *it, const orr_force *force, double max_step_s);

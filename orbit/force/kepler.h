@@ -16,6 +16,7 @@ typedef struct orr_kepler {
 // Osculating elements of (r, v) in any inertial axes; i and raan refer to those axes' equator (see
 // orbit/elements/elements.h for the choice). ORR_E_NUMERIC for rectilinear, parabolic or hyperbolic motion.
 orr_status orr_kepler_from_state(orr_vec3 r_m, orr_vec3 v_mps, double gm, orr_kepler *out);
+// The inverse: position and velocity (m, m/s; axes of the elements) of elements with 0 <= e < 1; u_rad is not read.
 void orr_kepler_to_state(const orr_kepler *k, double gm, orr_vec3 *r_m, orr_vec3 *v_mps);
 
 // Elements at the middle one of three positions.

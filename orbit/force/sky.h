@@ -40,6 +40,7 @@ orr_status orr_sky_init_precise(orr_time from, orr_time to, orr_sky **out, orr_d
 // Gives it the rotation of a series, to which the ocean's tides are added (core/eop_tides.h). The series
 // covers the span, or is carried on.
 void orr_sky_turn(orr_sky *sky, const orr_eop_series *eop);
+// Frees a sky; NULL is none.
 void orr_sky_free(orr_sky *sky);
 orr_time orr_sky_origin(const orr_sky *sky); // t_s below counts from here
 

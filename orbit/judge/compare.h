@@ -65,6 +65,7 @@ typedef struct orr_compare_options {
 // by 6e-5 m/s, a rotation of 2.8e-12 rad/s about an axis fixed in inertial space (precession and nutation).
 orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
                        const orr_compare_options *options, orr_comparison *out, orr_diag *diag);
+// Frees what orr_compare allocated; c is empty afterwards.
 void orr_comparison_free(orr_comparison *c);
 
 #endif

@@ -24,6 +24,7 @@ typedef struct orr_velocity_filter {
 
 // step_s: 1 to 900 s. Errors: ORR_E_ARG, ORR_E_MEMORY, ORR_E_NUMERIC.
 orr_status orr_velocity_filter_init(double step_s, orr_velocity_filter *f, orr_diag *diag);
+// Frees what orr_velocity_filter_init allocated.
 void orr_velocity_filter_free(orr_velocity_filter *f);
 // Velocity at one of equally spaced positions.
 // Given:

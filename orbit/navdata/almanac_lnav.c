@@ -175,8 +175,13 @@ static orr_status to_lattice(problem *q, orr_nav_kepler *k, orr_diag *diag)
     if (s != ORR_OK) return s;
     memcpy(R, q->A, sizeof R);
     s = orr_lattice_closest(N, R, q->b, SEARCH_NODES, z);
+    for (size_t j = 0; j < N; j++) whole[j] += z[j];
+    if (s == ORR_OK && whole[E] < 0) { // the same ellipse from its other end: pi is 2^23 LSBs
+        whole[E] = -whole[E];
+        whole[OMEGA] += 0x1p23, whole[M0] -= 0x1p23;
+    }
     for (size_t j = 0; j < N && s == ORR_OK; j++)
-        s = orr_navfit_to_field(&table[j].field, whole[j] + z[j], &p[j], diag);
+        s = orr_navfit_to_field(&table[j].field, whole[j], &p[j], diag);
     if (s == ORR_OK) from_array(p, k);
     return s;
 }

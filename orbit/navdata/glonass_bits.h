@@ -58,6 +58,8 @@ typedef struct orr_glonass_time {
     double tau_gps_s;     // T_GPS - T_GLONASS = whole seconds + tau_GPS
     bool l_n;
 } orr_glonass_time;
+// Makes string 5 of a frame. ORR_E_RANGE with the word's name where a correction does not fit its field.
+// Reference: GLONASS ICD L1/L2 edition 5.1, 2008, 4.5.
 orr_status orr_glonass_encode_time(const orr_glonass_time *time, orr_glonass_string *out, orr_diag *diag);
 
 // Makes one of strings 6 to 15: half an almanac, the even string first.

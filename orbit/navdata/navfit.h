@@ -88,6 +88,7 @@ typedef struct orr_navfit_product {
     orr_sat sat;
     double offset_m[3];
 } orr_navfit_product;
+// An orr_navfit_source: `product` is an orr_navfit_product. Errors: those of orr_ephemeris_eval.
 orr_status orr_navfit_from_product(void *product, orr_time t, orr_vec3 *pos_m);
 
 #endif

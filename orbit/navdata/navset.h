@@ -61,6 +61,7 @@ typedef struct orr_navset orr_navset;
 // Reference: IS-GPS-200N 20.3.4.4 (issue numbers).
 orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
                             orr_warnings *warnings, orr_diag *diag);
+// Frees a set; NULL is none.
 void orr_navset_free(orr_navset *set);
 
 size_t orr_navset_satellites(const orr_navset *set, const orr_sat **list); // ascending

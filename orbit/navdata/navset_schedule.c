@@ -8,14 +8,11 @@
 #define LNAV_STEP_S 7200    // a new set every two hours, as GPS does (IS-GPS-200N 20.3.4.4)
 #define GLONASS_STEP_S 1800 // P1 = 01: tb changes every 30 minutes (GLONASS ICD 5.1, 4.4)
 
-// Issue of the n-th two-hour slot since 1980: IODC 0-239, 256-495, 512-751, 768-1007, so that IODE, its low
-// eight bits, stays below 240, as a fit interval of four hours demands (table 20-XII); no value returns
-// within 80 days.
-static int32_t issue_of(int64_t n)
-{
-    int64_t k = n % 960;
-    return (int32_t)(k / 240 * 256 + k % 240);
-}
+// Issue of the n-th two-hour slot since 1980: IODC = IODE, 0 to 239, as a fit interval of four hours demands
+// (IS-GPS-200N table 20-XII). IODC's upper two bits stay 0, though the message may count with them: receivers
+// that compare all ten bits with IODE keep no set in which they differ (gnss-sdr 0.0.17). No value returns
+// within 20 days; 20.3.3.3.1.5 and 20.3.4.4 ask for 7 days of IODC and 6 hours of IODE.
+static int32_t issue_of(int64_t n) { return (int32_t)(n % 240); }
 
 orr_status navset_schedule_gps(orr_time from, orr_time to, double window_s, navset_schedule *out)
 {
