@@ -97,12 +97,19 @@ typedef struct orr_real_list {
 
 #define ORR_SCHEMA_MAX_LIST 100000
 
-// Reads the tree into *base (schema->size bytes, zeroed by this), defaults first. `folder` is joined to FILE
-// values that are relative (NULL: as they stand). Errors: ORR_E_FORMAT with line, column and path (an unknown
-// key with the nearest known one, a key without effect with the reason), ORR_E_KIND for a file that is no
-// map, ORR_E_LIMIT, ORR_E_MEMORY; *base then holds nothing. Free with orr_schema_free.
+// Reads a tree into a struct by its table, defaults first.
+// Given:
+//   schema  table of the root map
+//   y       the tree
+//   folder  joined to FILE values that are relative; NULL: they stay as they are
+// Returned:
+//   base    schema->size bytes, zeroed first; nothing to free after an error. Free with orr_schema_free
+//   diag    why it failed; may be NULL
+// Errors: ORR_E_FORMAT with line, column and path (an unknown key with the nearest known one, a key without
+// effect with the reason), ORR_E_KIND for a file that is no map, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const char *folder, void *base,
                            orr_diag *diag);
+// Frees what orr_schema_read allocated below `base`, and zeroes it.
 void orr_schema_free(const orr_schema *schema, void *base);
 
 // "file", "list of files", "whole number", ...: a kind in words.

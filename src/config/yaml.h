@@ -43,7 +43,17 @@ typedef struct orr_yaml {
 const char *orr_yaml_kind_name(orr_yaml_kind k);
 // Errors: ORR_E_IO, ORR_E_LIMIT, ORR_E_FORMAT (with line and column), ORR_E_MEMORY. Free with orr_yaml_free.
 orr_status orr_yaml_read(const char *path, orr_yaml *out, orr_diag *diag);
+// The same from memory.
+// Given:
+//   name  of the file, for messages
+//   text  [n] its bytes
+//   n     how many
+// Returned:
+//   out   the tree; free with orr_yaml_free
+//   diag  why it failed, with line and column; may be NULL
+// Errors: as of orr_yaml_read, without ORR_E_IO.
 orr_status orr_yaml_parse(const char *name, const char *text, size_t n, orr_yaml *out, orr_diag *diag);
+// Frees the tree.
 void orr_yaml_free(orr_yaml *y);
 
 #endif

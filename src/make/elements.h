@@ -28,9 +28,17 @@ typedef struct orr_elements_row {
 // Takes a row; a status other than ORR_OK, with its diagnostic, ends the run.
 typedef orr_status (*orr_elements_sink)(void *user, const orr_elements_row *row, orr_diag *diag);
 
-// Gives every row to `sink`: at `from`, `from` + step and so on within the products' spans, where the method
-// has what it needs. Nothing is kept, so that the number of rows is not limited. *n_rows, which may be NULL,
-// is their number. Errors: those of the readers and of the sink; ORR_E_NODATA where there is no row.
+// Gives elements row by row to a sink: at `from`, `from` + step and so on within the products' spans, where the
+// method has what it needs. Nothing is kept, so that the number of rows is not limited.
+// Given:
+//   plan      products and options
+//   sink      takes each row
+//   user      handed to `sink`
+// Returned:
+//   n_rows    how many rows there were; may be NULL
+//   warnings  Earth rotation that does not cover the products; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: those of the readers and of the sink; ORR_E_ARG (no product, step or spacing); ORR_E_NODATA where there is no row.
 orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink sink, void *user,
                              size_t *n_rows, orr_warnings *warnings, orr_diag *diag);
 

@@ -13,6 +13,7 @@ typedef struct orr_inputs {
     orr_orbit_source *item;
     size_t n;
 } orr_inputs;
+// Frees the list; it is empty then.
 void orr_inputs_free(orr_inputs *list);
 // Appends what another list has. ORR_E_MEMORY.
 orr_status orr_inputs_join(orr_inputs *list, const orr_inputs *more, orr_diag *diag);
@@ -25,7 +26,17 @@ orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, orr_bytes *by
 // Appends a file that a library opened by itself (NetCDF): its bytes are read again to be hashed.
 orr_status orr_inputs_note(orr_inputs *list, const char *path, orr_diag *diag);
 
-// Navigation files as one (orr_nav_merge). Free with orr_nav_free.
+// Reads navigation files as one (orr_nav_merge).
+// Given:
+//   list      what has been read so far; NULL: provenance is not wanted
+//   path      [n] the files
+//   n         how many; 0 gives an empty result
+// Returned:
+//   list      the files appended
+//   out       their records; free with orr_nav_free
+//   warnings  of the reader; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: those of orr_input_read_all, orr_nav_parse and orr_nav_merge; ORR_E_MEMORY.
 orr_status orr_inputs_read_navs(orr_inputs *list, const char *const *path, size_t n, orr_nav *out,
                                 orr_warnings *warnings, orr_diag *diag);
 

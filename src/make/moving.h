@@ -29,14 +29,17 @@ typedef struct orr_moving {
 orr_time orr_moving_fallback_start(void);
 
 // Prepares the motion of a scenario.
-//   Given:    m               its sections on trajectory, gravity, units and readings
-//             fallback_start  start where neither the scenario nor a log tells one
-//   Returned: warnings        rows of logs that were left out, and the like
-//             out             the motion; free with orr_moving_free
-//   Notes:    Errors: those of readers and makers, with files and lines.
+// Given:
+//   m               trajectory, units, gravity and readings of the scenario
+//   fallback_start  where the scenario has no start
+// Returned:
+//   warnings        of the logs' readers; may be NULL
+//   out             the motion; free with orr_moving_free
+//   diag            why it failed, with file and line; may be NULL
+// Errors: those of readers and makers; ORR_E_NODATA (the scenario has no trajectory).
 orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, orr_warnings *warnings,
                            orr_moving *out, orr_diag *diag);
-// Frees all of it; an empty motion is allowed.
+// Frees all that a motion holds; it is zero then.
 void orr_moving_free(orr_moving *v);
 // Nodes (or rectangles) a step where nobody says: 2 Gauss-Legendre nodes at 50 Hz and more, 3 below and on
 // the livelier motion of a log.

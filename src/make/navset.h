@@ -22,8 +22,16 @@ orr_navset_plan orr_navset_plan_default(void);
 // What a scenario asks for; it borrows from the scenario. False where it wants no broadcast data.
 bool orr_navset_plan_of(const orr_scenario *s, orr_navset_plan *out);
 
-// Reads the files once and fits the sets (0.4 s of one core a day of orbits). *inputs (may be NULL) gets the names and
-// SHA-256 of what was read. Errors: those of the readers and of orr_navset_build. Free with orr_navset_free.
+// Reads a plan's files once and fits the broadcast data (0.4 s of one core a day of orbits).
+// Given:
+//   e         orbit product; not needed afterwards
+//   plan      files and options
+// Returned:
+//   out       the broadcast data; free with orr_navset_free
+//   inputs    names and SHA-256 of what was read are appended; may be NULL
+//   warnings  of readers and fit; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: those of the readers and of orr_navset_build; ORR_E_LIMIT (navigation files).
 orr_status orr_navset_make(const orr_ephemeris *e, const orr_navset_plan *plan, orr_navset **out,
                            orr_inputs *inputs, orr_warnings *warnings, orr_diag *diag);
 

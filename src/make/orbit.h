@@ -34,8 +34,19 @@ typedef struct orr_orbit_made {
 // Errors: those of the readers (file, line, column), of the smoother and of the fit; ORR_E_LIMIT for more than
 // ORR_ORBIT_MAX_FILES files of a kind. Free with orr_orbit_made_free whatever it returned.
 #define ORR_ORBIT_MAX_FILES 400
+// Reads every input once, smooths jointly, fits.
+// Given:
+//   plan      files and options
+//   log       progress; may be NULL
+//   cancel    ends the smoothing with ORR_E_INTERRUPTED once it is not 0; may be NULL
+// Returned:
+//   out       product, solution and report; free with orr_orbit_made_free whatever this returned
+//   warnings  of readers and smoother; may be NULL
+//   diag      why it failed, with file, line and column; may be NULL
+// Errors: those of the readers, of the smoother and of the fit; ORR_E_LIMIT for more than ORR_ORBIT_MAX_FILES files of a kind.
 orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all that was made; it is zero then.
 void orr_orbit_made_free(orr_orbit_made *m);
 
 #endif

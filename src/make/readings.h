@@ -28,18 +28,20 @@ typedef struct orr_readings {
 
 // Errors: those of orr_imu_generate and orr_gravimetry_truth. Free with orr_readings_free whatever it returned.
 orr_status orr_readings_make(const orr_readings_plan *plan, orr_readings *out, orr_diag *diag);
-// Frees readings and truth; empty readings are allowed.
+// Frees both; they are zero then.
 void orr_readings_free(orr_readings *r);
 
-// Writes readings as a NetCDF file with provenance.
-//   Given:    r             the readings
-//             plan          what they were made by
-//             scenario      title and gravity
-//             inputs        what the scenario was read from; NULL: nothing. The motion's own files follow
-//             path          of the file
-//             history       the command line
-//   Returned: diag          a sentence on what went wrong
-//   Notes:    Errors: those of orr_imu_write.
+// Writes readings and truth as a NetCDF file with provenance.
+// Given:
+//   r         the readings
+//   plan      that they were made by
+//   scenario  its title and its gravity's labels go into the file
+//   inputs    what the scenario was read from, which comes before the files of the motion; may be NULL
+//   path      where to
+//   history   the command line
+// Returned:
+//   diag      why it failed; may be NULL
+// Errors: those of orr_imu_write; ORR_E_MEMORY.
 orr_status orr_readings_save(const orr_readings *r, const orr_readings_plan *plan,
                              const orr_scenario *scenario, const orr_inputs *inputs, const char *path,
                              const char *history, orr_diag *diag);

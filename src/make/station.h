@@ -46,14 +46,24 @@ typedef struct orr_station {
 // ORR_E_NODATA (no such station in `sinex`). Free with orr_station_free whatever it returned.
 orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_warnings *warnings,
                             orr_diag *diag);
+// Frees all that a station holds; it is zero then.
 void orr_station_free(orr_station *s);
 
 // Phases of another station's file, at the position of its header, with the same options.
+// Given:
+//   s         an open station
+//   path      observations of the other
+// Returned:
+//   out       its phases; free with orr_phase_tec_free
+//   warnings  of the reader; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: those of orr_phase_tec_read.
 orr_status orr_station_other(const orr_station *s, const char *path, orr_phase_tec *out,
                              orr_warnings *warnings, orr_diag *diag);
 
-// Fuses phases and field into s->fusion; then makes a session of them, which takes the field over, in s->session.
+// Fuses phases and field into s->fusion. Errors: those of orr_fuse.
 orr_status orr_station_fuse(orr_station *s, orr_warnings *warnings, orr_diag *diag);
+// Makes a session of phases and fusion, which takes the field over, in s->session. Errors: those of orr_session_make.
 orr_status orr_station_session(orr_station *s, orr_diag *diag);
 // Writes the session with its provenance.
 orr_status orr_station_save(const orr_station *s, const char *path, const char *history, orr_diag *diag);

@@ -12,14 +12,24 @@
 typedef struct orr_engine orr_engine;
 
 // Prepares a scenario: loads the product, or reads and smooths the SP3 files, and fits broadcast data to them
-// (seconds; `cancel`, which may be NULL, ends that with ORR_E_INTERRUPTED). A scenario may have satellites, a
-// trajectory, or both. Errors: those of the readers, with their file and line. Free with orr_engine_close.
+// (seconds). A scenario may have satellites, a trajectory, or both.
+// Given:
+//   s         the scenario
+//   log       progress; may be NULL
+//   cancel    ends the preparation with ORR_E_INTERRUPTED once it is not 0; may be NULL
+// Returned:
+//   warnings  of readers and makers; may be NULL
+//   out       the engine; free with orr_engine_close
+//   diag      why it failed, with file and line; may be NULL
+// Errors: those of the readers and makers; ORR_E_NODATA (neither satellites nor a trajectory).
 orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const volatile int *cancel,
                            orr_warnings *warnings, orr_engine **out, orr_diag *diag);
 // Of an ephemeris alone, which it takes over: states and elements.
 orr_status orr_engine_from_ephemeris(orr_ephemeris *e, const char *title, orr_engine **out, orr_diag *diag);
+// Frees it; NULL may be closed.
 void orr_engine_close(orr_engine *e);
 
+// The scenario's title, or the name of what it is made of; "" where there is none.
 const char *orr_engine_title(const orr_engine *e);
 // Of positions: the orbits', e.g. "IGS20"; without satellites "WGS84", which places of a trajectory refer to.
 const char *orr_engine_frame(const orr_engine *e);
@@ -37,19 +47,43 @@ void orr_engine_span(const orr_engine *e, orr_time *from, orr_time *to);
 // Ascending; none where the scenario has a trajectory alone.
 size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list);
 
-// States of n satellites at t into state[0..n) and answer[0..n); sats NULL: of all (n = their number, in
-// their order). ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN, or ORR_ANSWER_NOT_SERVED of an engine without
-// satellites (then nothing is written; the same below). Where answer[i] is not OK only state[i].sat is set.
+// States of satellites at an instant.
+// Given:
+//   e       the engine
+//   t       the instant
+//   sats    [n] which; NULL: all, in the order of orr_engine_satellites
+//   n       how many; with NULL their number
+// Returned:
+//   state   [n] position, velocity, clock; where answer[i] is not OK only state[i].sat is set
+//   answer  [n] of each satellite
+// Returns ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN, or ORR_ANSWER_NOT_SERVED of an engine without satellites; then
+// nothing is written.
 orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
                              orr_sat_state *state, orr_answer *answer);
 
-// The axes of elements at t, for any number of satellites (those of MEAN take 0.4 ms). Without ORR_ANSWER_OK
-// nothing is written.
+// The axes of elements at an instant, for any number of satellites (those of MEAN take 0.4 ms).
+// Given:
+//   e       the engine
+//   t       the instant
+//   frame   the axes
+//   method  how elements are made
+// Returned:
+//   out     the axes; written with ORR_ANSWER_OK alone
+// Returns an answer as orr_engine_states does.
 orr_answer orr_engine_axes(const orr_engine *e, orr_time t, orr_elements_frame frame,
                            orr_elements_method method, orr_elements_axes *out);
-// Kepler elements of n satellites at the axes' instant into out[0..n), their states' flags into flags[0..n),
-// and answer[0..n); sats NULL: of all. Where answer[i] is not OK (NO_VALUE: the method needs instants outside
-// the arc) out[i] and flags[i] are not set.
+// Kepler elements of satellites at the axes' instant.
+// Given:
+//   e       the engine
+//   axes    by orr_engine_axes
+//   sats    [n] which; NULL: all
+//   n       how many
+// Returned:
+//   out     [n] elements
+//   flags   [n] flags of the states
+//   answer  [n] of each satellite. Where it is not OK (NO_VALUE: the method needs instants outside the arc) out[i]
+//           and flags[i] are not set
+// Returns ORR_ANSWER_OK or ORR_ANSWER_NOT_SERVED.
 orr_answer orr_engine_elements(const orr_engine *e, const orr_elements_axes *axes, const orr_sat *sats,
                                size_t n, orr_kepler *out, uint32_t *flags, orr_answer *answer);
 
@@ -57,13 +91,22 @@ orr_answer orr_engine_elements(const orr_engine *e, const orr_elements_axes *axe
 const char *orr_engine_no_navdata(const orr_engine *e);
 // Whether they describe the antennas' phase centres (navdata.antex); else the centres of mass, as states do.
 bool orr_engine_navdata_phase_centres(const orr_engine *e);
-// What satellites send at t: their sets on the air into set[0..n) (borrowed), the frames of their messages
-// that hold t into frame[0..n), and answer[0..n); sats NULL: of all. Where answer[i] is not OK set[i] is NULL
-// and frame[i] not set: NOT_SERVED for systems without such data and satellites that could not be fitted,
-// NO_ARC where the satellite sends nothing then.
+// What satellites send at an instant.
+// Given:
+//   e       the engine
+//   t       the instant
+//   sats    [n] which; NULL: all
+//   n       how many
+// Returned:
+//   set     [n] the sets on the air, borrowed; NULL where answer[i] is not OK
+//   frame   [n] the frames of their messages that hold t; not set where answer[i] is not OK
+//   answer  [n] of each satellite: NOT_SERVED for systems without such data and satellites that could not be
+//           fitted, NO_ARC where the satellite sends nothing then
+// Returns an answer as orr_engine_states does.
 orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
                               const orr_navset_item **set, orr_navframe *frame, orr_answer *answer);
 
+// Whether the scenario has an ionosphere.
 bool orr_engine_has_ionosphere(const orr_engine *e);
 
 // The scenario's own receiver: receiver.position; else the point of a unit of the trajectory, to the bit that
@@ -79,10 +122,19 @@ orr_receiver_kind orr_engine_receiver_kind(const orr_engine *e, size_t *unit);
 // Where it is at t (ecef): ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN of the trajectory, or ORR_ANSWER_NOT_SERVED
 // where there is none; without OK nothing is written.
 orr_answer orr_engine_receiver(const orr_engine *e, orr_time t, orr_vec3 *receiver_m);
-// Ionospheric delays from a receiver to n satellites at t into delay[0..n) and answer[0..n), n <=
-// ORR_SESSION_MAX_SATS; sats NULL: of all. ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN where orbits or
-// ionosphere do not cover t (then nothing is written). Where answer[i] is not OK only delay[i].sat is set,
-// and az and el of the pierce point for NO_VALUE.
+// Ionospheric delays from a receiver to satellites.
+// Given:
+//   e           the engine
+//   t           the instant
+//   receiver_m  place of the receiver (ecef)
+//   sats        [n] which; NULL: all
+//   n           at most ORR_SESSION_MAX_SATS
+// Returned:
+//   delay       [n] delays. Where answer[i] is not OK only delay[i].sat is set, and az and el of the pierce point for
+//               NO_VALUE
+//   answer      [n] of each satellite
+// Returns ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN where orbits or ionosphere do not cover t, or ORR_ANSWER_NOT_SERVED
+// without orbits or ionosphere.
 orr_answer orr_engine_delays(const orr_engine *e, orr_time t, orr_vec3 receiver_m, const orr_sat *sats,
                              size_t n, orr_realisation *delay, orr_answer *answer);
 
@@ -90,16 +142,26 @@ orr_answer orr_engine_delays(const orr_engine *e, orr_time t, orr_vec3 receiver_
 size_t orr_engine_units(const orr_engine *e);
 // How unit k is mounted; false where there is no such unit.
 bool orr_engine_unit(const orr_engine *e, size_t unit, orr_unit *out);
-// The scenario's rate of readings (Hz; 0 without a trajectory), and whether they are physical (approach 2):
-// only such exist over any interval.
+// The scenario's rate of readings, Hz; 0 without a trajectory.
 double orr_engine_imu_rate(const orr_engine *e);
+// Whether readings are physical (approach 2): only such exist over any interval.
 bool orr_engine_imu_physical(const orr_engine *e);
-// Increments of a unit over [t0, t1], t0 < t1, begun and then added to in pieces until that says true
-// (orr_sensors_sum): ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN of the trajectory, or ORR_ANSWER_NOT_SERVED: no
-// such unit, or readings that are not physical. Without OK *sum is not set.
+// Begins increments of a unit over an interval, which orr_engine_imu_add finishes.
+// Given:
+//   e     the engine
+//   unit  which, below orr_engine_units
+//   t0    begin of the interval
+//   t1    its end, behind t0
+// Returned:
+//   sum   the increments so far: nothing. Set with ORR_ANSWER_OK alone
+// Returns ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN of the trajectory, or ORR_ANSWER_NOT_SERVED: no such unit, or readings
+// that are not physical.
 orr_answer orr_engine_imu_begin(const orr_engine *e, size_t unit, orr_time t0, orr_time t1,
                                 orr_sensors_sum *sum);
+// Adds at most so many pieces to the increments (orr_sensors_sum); true when they are finished.
 bool orr_engine_imu_add(const orr_engine *e, size_t unit, orr_sensors_sum *sum, long pieces);
+// True motion and gravity of a unit at an instant: ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN, or ORR_ANSWER_NOT_SERVED
+// where there is no such unit; without OK nothing is written.
 orr_answer orr_engine_truth(const orr_engine *e, size_t unit, orr_time t, orr_truth *out);
 
 #endif

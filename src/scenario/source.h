@@ -23,6 +23,7 @@ typedef struct orr_span {
     orr_time from, to;
 } orr_span;
 
+// Whether an instant is within; both ends are.
 static inline bool orr_span_holds(orr_span s, orr_time t) { return s.from <= t && t <= s.to; }
 
 #endif

@@ -9,10 +9,18 @@
 
 typedef struct orr_source_iono orr_source_iono;
 
-// *out NULL where the scenario names neither field nor session. `orbits` are borrowed and have to outlive
-// it. Errors: those of the readers. Free with orr_source_iono_close.
+// Opens the section `ionosphere`.
+// Given:
+//   s         the scenario
+//   orbits    borrowed; they have to outlive the source
+// Returned:
+//   warnings  of the readers; may be NULL
+//   out       the source, NULL where the scenario names neither field nor session; free with orr_source_iono_close
+//   diag      why it failed; may be NULL
+// Errors: those of the readers.
 orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *orbits, orr_warnings *warnings,
                                 orr_source_iono **out, orr_diag *diag);
+// Frees it; NULL may be closed.
 void orr_source_iono_close(orr_source_iono *i);
 
 // Of the field; a session's own field goes on where its station's observations end. False without an
@@ -21,7 +29,16 @@ bool orr_source_iono_span(const orr_source_iono *i, orr_span *out);
 // Where the session's station is (ecef); false where there is a field alone.
 bool orr_source_iono_station(const orr_source_iono *i, orr_vec3 *out);
 
-// As orr_engine_delays.
+// Ionospheric delays from a receiver to satellites, as orr_engine_delays.
+// Given:
+//   i           the source
+//   t           the instant
+//   receiver_m  place of the receiver (ecef)
+//   sats        [n] which; NULL: all
+//   n           at most ORR_SESSION_MAX_SATS
+// Returned:
+//   delay       [n] delays
+//   answer      [n] of each satellite
 orr_answer orr_source_iono_evaluate(const orr_source_iono *i, orr_time t, orr_vec3 receiver_m,
                                     const orr_sat *sats, size_t n, orr_realisation *delay,
                                     orr_answer *answer);

@@ -8,21 +8,41 @@
 
 typedef struct orr_source_navdata orr_source_navdata;
 
-// Fits broadcast data to the orbits, which are borrowed and have to outlive it. Where the scenario wants
-// none, or the orbits have nothing to fit, it has no sets but tells why. Errors: those of the readers,
-// ORR_E_INTERRUPTED, ORR_E_MEMORY. Free with orr_source_navdata_close.
+// Fits broadcast data to the orbits.
+// Given:
+//   s         the scenario
+//   orbits    borrowed; they have to outlive the source
+//   log       progress; may be NULL
+//   cancel    ends the fit with ORR_E_INTERRUPTED once it is not 0; may be NULL
+// Returned:
+//   warnings  of readers and fit; may be NULL
+//   out       the source; where the scenario wants no such data, or the orbits have nothing to fit, it has no sets but
+//             tells why; NULL without orbits. Free with orr_source_navdata_close
+//   diag      why it failed; may be NULL
+// Errors: those of the readers, ORR_E_INTERRUPTED, ORR_E_MEMORY.
 orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits, const orr_log *log,
                                    const volatile int *cancel, orr_warnings *warnings,
                                    orr_source_navdata **out, orr_diag *diag);
+// Frees it; NULL may be closed.
 void orr_source_navdata_close(orr_source_navdata *v);
 
-bool orr_source_navdata_span(const orr_source_navdata *v, orr_span *out); // false without sets
+// The span of the sets; false without sets.
+bool orr_source_navdata_span(const orr_source_navdata *v, orr_span *out);
 // NULL where there are sets, else a sentence that tells why there are none.
 const char *orr_source_navdata_none(const orr_source_navdata *v);
 // Whether the data describe the antennas' phase centres; else the centres of mass.
 bool orr_source_navdata_phase_centres(const orr_source_navdata *v);
 
-// As orr_engine_navdata.
+// What satellites send at an instant, as orr_engine_navdata.
+// Given:
+//   v       the source
+//   t       the instant
+//   sats    [n] which; NULL: all
+//   n       how many
+// Returned:
+//   set     [n] the sets on the air, borrowed
+//   frame   [n] the frames of their messages that hold t
+//   answer  [n] of each satellite
 orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, const orr_sat *sats, size_t n,
                                        const orr_navset_item **set, orr_navframe *frame, orr_answer *answer);
 

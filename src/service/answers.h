@@ -9,11 +9,15 @@
 
 typedef struct orr_answers orr_answers;
 
-// `engine` must outlive it. ORR_E_LIMIT if it has more satellites than a message can list; ORR_E_MEMORY.
+// Makes the handler table of an engine, which must outlive it. ORR_E_LIMIT if it has more satellites than a message can
+// list; ORR_E_MEMORY. Free with orr_answers_close.
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag);
+// The handler table, borrowed.
 const orr_server *orr_answers_server(const orr_answers *a);
+// Frees it; NULL may be closed.
 void orr_answers_close(orr_answers *a);
 
+// A satellite as the wire names it.
 orr_msg_sat_id orr_answers_sat_id(orr_sat sat);
 
 // Of the handlers: the engine behind `user`.

@@ -6,8 +6,9 @@
 
 #include "proto/server.h"
 
-// Handlers of orr_server; user is an orr_answers.
+// Fills CAPS, but for versions, limits and requests; `user` is an orr_answers.
 void orr_answers_caps(void *user, orr_msg_caps *caps);
+// Whether a kind of request will be answered, and over which span; `user` is an orr_answers.
 bool orr_answers_served(void *user, uint16_t request, orr_msg_span *span);
 
 #endif

@@ -5,7 +5,18 @@
 
 #include "proto/server.h"
 
+// Whether a request can be answered: 0, or a code of the protocol with a sentence in *why.
 uint16_t orr_answers_begin_elements(void *user, const orr_msg_poll_elements *poll, orr_server_refusal *why);
+// Writes one frame, or pieces of it until the turn is over.
+// Given:
+//   user  an orr_answers
+//   poll  the request
+//   part  which epoch, and which pieces of it are done
+// Returned:
+//   part  `more` where pieces are left
+//   w     the payload so far
+//   why   the sentence of a code
+// Returns 0, or a code of the protocol.
 uint16_t orr_answers_elements(void *user, const orr_msg_poll_elements *poll, orr_server_part *part,
                               orr_wire_writer *w, orr_server_refusal *why);
 

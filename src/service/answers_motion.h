@@ -5,10 +5,31 @@
 
 #include "proto/server.h"
 
+// Whether a POLL_IMU can be answered: 0, or a code of the protocol with a sentence in *why.
 uint16_t orr_answers_begin_imu(void *user, const orr_msg_poll_imu *poll, orr_server_refusal *why);
+// Writes one frame of increments, or pieces of it until the turn is over.
+// Given:
+//   user  an orr_answers
+//   poll  the request
+//   part  which epoch, and which pieces of it are done
+// Returned:
+//   part  `more` where pieces are left
+//   w     the payload so far
+//   why   the sentence of a code
+// Returns 0, or a code of the protocol.
 uint16_t orr_answers_imu(void *user, const orr_msg_poll_imu *poll, orr_server_part *part, orr_wire_writer *w,
                          orr_server_refusal *why);
+// Whether a POLL_TRUTH can be answered: 0, or a code of the protocol with a sentence in *why.
 uint16_t orr_answers_begin_truth(void *user, const orr_msg_poll_truth *poll, orr_server_refusal *why);
+// Writes one frame of true motion.
+// Given:
+//   user  an orr_answers
+//   poll  the request
+//   part  which epoch
+// Returned:
+//   w     the payload
+//   why   the sentence of a code
+// Returns 0, or a code of the protocol.
 uint16_t orr_answers_truth(void *user, const orr_msg_poll_truth *poll, orr_server_part *part,
                            orr_wire_writer *w, orr_server_refusal *why);
 

@@ -18,6 +18,7 @@ typedef struct orr_dial {
 // Connects; every read and write gives up after timeout_s. Errors: ORR_E_ARG (not a URL), ORR_E_IO,
 // ORR_E_MEMORY.
 orr_status orr_dial_open(const char *url, double timeout_s, orr_dial **out, orr_diag *diag);
+// Closes the connection and frees it; NULL may be closed.
 void orr_dial_close(orr_dial *d);
 // What went wrong in a call of the client as a status with a sentence; `doing` is what was being done
 // ("POLL").

@@ -25,18 +25,26 @@ orr_service_options orr_service_defaults(void); // 256 clients; 2, 30, 600, 10, 
 
 typedef struct orr_service orr_service;
 
-// Listens; who connects before it runs waits. `server`, which may come later, and `log` must outlive it. Errors: ORR_E_ARG (a URL), ORR_E_IO (a port in use, ...),
-// ORR_E_MEMORY.
+// Listens; who connects before it runs waits.
+// Given:
+//   options  where to listen, limits and times
+//   server   what answers; it must outlive the service. NULL: it comes later (orr_service_provide)
+//   log      must outlive the service; may be NULL
+// Returned:
+//   out      the service; free with orr_service_close
+//   diag     why it failed; may be NULL
+// Errors: ORR_E_ARG (a URL), ORR_E_IO (a port in use, ...), ORR_E_MEMORY.
 orr_status orr_service_open(const orr_service_options *options, const orr_server *server, const orr_log *log,
                             orr_service **out, orr_diag *diag);
-// Before it runs, if it was opened without.
+// What answers, before the service runs, if it was opened without.
 void orr_service_provide(orr_service *s, const orr_server *server);
 // The URLs as bound (port 0 has become a real one); NULL beyond the last.
 const char *orr_service_url(const orr_service *s, size_t i);
-// Takes the signals, calls `ready` (which may be NULL), and serves until a signal or orr_service_stop, then finishes what is under way. A second signal does not wait
-// for that.
+// Takes the signals, calls `ready` (which may be NULL), and serves until a signal or orr_service_stop, then finishes what
+// is under way. A second signal does not wait for that.
 orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user, orr_diag *diag);
 void orr_service_stop(orr_service *s); // from any thread
+// Closes all connections and listening sockets, removes files of Unix sockets, and frees the service; NULL may be closed.
 void orr_service_close(orr_service *s);
 
 #endif

@@ -41,20 +41,25 @@ void orr_service_tell(orr_service *s, const char *fmt, ...) ORR_PRINTF(2, 3);
 
 // Takes the accepted socket over; NULL, and it is closed, if this fails. Then it is served or refused.
 orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer);
+// Begins to read its requests.
 void orr_conn_serve(orr_conn *c);
 // Tells it why and ends it; it may be gone afterwards.
 void orr_conn_refuse(orr_conn *c, uint16_t code, const char *sentence);
 // Its turn has come: answers for ORR_CONN_TURN_NS. It may be gone afterwards.
 void orr_conn_turn(orr_turns_member *m);
-// Whether it is served and nothing of it is under way; when it last asked, or came.
+// Whether it is served and nothing of it is under way.
 bool orr_conn_is_idle(const orr_conn *c);
+// When it last asked, or came.
 int64_t orr_conn_last_ns(const orr_conn *c);
+// Who it is, as orr_conn_open was told.
 const char *orr_conn_peer(const orr_conn *c);
 // Looks at the connection's deadline, closes it if that has passed.
 void orr_conn_sweep(orr_conn *c, int64_t now_ns);
 // No more requests: ends as soon as what is under way has been sent.
 void orr_conn_drain(orr_conn *c, int64_t now_ns);
+// Closes and frees it, whatever is under way.
 void orr_conn_close(orr_conn *c);
+// The next older connection; NULL behind the last.
 orr_conn *orr_conn_next(const orr_conn *c);
 
 #endif

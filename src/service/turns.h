@@ -24,15 +24,19 @@ typedef struct orr_turns {
     uint64_t arrivals;
 } orr_turns;
 
+// An empty queue; `credit` is what a member may have saved up against those who asked all the time.
 void orr_turns_init(orr_turns *q, int64_t credit);
+// Frees the queue; its members are their owners'.
 void orr_turns_free(orr_turns *q);
 // A member more, whose first turn comes soon. False: out of memory.
 bool orr_turns_join(orr_turns *q, orr_turns_member *m);
+// Takes a member out for good, waiting or not.
 void orr_turns_leave(orr_turns *q, orr_turns_member *m);
 // Waits for a turn; nothing where it waits already.
 void orr_turns_wait(orr_turns *q, orr_turns_member *m);
 // Takes the next one out of the queue; NULL where none waits.
 orr_turns_member *orr_turns_next(orr_turns *q);
+// Says what a turn has cost.
 static inline void orr_turns_charge(orr_turns_member *m, int64_t cost) { m->used += cost; }
 
 #endif

@@ -17,11 +17,19 @@ typedef struct orr_url {
 // "tcp://127.0.0.1:4000", "tcp://[::1]:4000", "tcp://localhost" (the default port), "tcp://:0" (loopback, any
 // port), "tcp://*:4000" (to listen on every address of this machine), "unix:/run/orrery.sock". ORR_E_ARG with a sentence otherwise.
 orr_status orr_url_parse(const char *text, orr_url *out, orr_diag *diag);
+// The URL as text, in buf.
 char *orr_url_text(const orr_url *u, char buf[ORR_URL_TEXT]);
 
-// A non-blocking listening socket. *bound is the URL with the port that was given. A Unix socket file that
-// nobody listens on is replaced; one in use, and a file that is no socket, are refused. ORR_E_IO with a
-// sentence.
+// Opens a non-blocking listening socket. A Unix socket file that nobody listens on is replaced; one in use, and a file
+// that is no socket, are refused.
+// Given:
+//   u        where
+//   backlog  how many may wait to be accepted
+// Returned:
+//   fd       the socket
+//   bound    the URL with the port that was given
+//   diag     why it failed; may be NULL
+// Errors: ORR_E_IO.
 orr_status orr_url_listen(const orr_url *u, int backlog, int *fd, orr_url *bound, orr_diag *diag);
 // Whether every peer of the bound socket is on this machine.
 bool orr_url_is_local(const orr_url *u);

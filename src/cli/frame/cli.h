@@ -80,16 +80,29 @@ bool orr_cli_given(const orr_cli *c, const char *name);
 size_t orr_cli_count(const orr_cli *c, const char *name); // of a repeated option
 const char *orr_cli_text(const orr_cli *c, const char *name,
                          const char *otherwise); // TEXT and CHOICE; the last given
+// The i-th value of a repeated TEXT or CHOICE option, from 0; NULL where there are not so many.
 const char *orr_cli_text_at(const orr_cli *c, const char *name, size_t i);
 // All values of a repeated option as a list of *n, to be freed with free(); NULL without memory.
 const char **orr_cli_texts(const orr_cli *c, const char *name, size_t *n);
+// The last value of an INT option; `otherwise` where it was not given.
 int64_t orr_cli_int(const orr_cli *c, const char *name, int64_t otherwise);
+// The same of a REAL option.
 double orr_cli_real(const orr_cli *c, const char *name, double otherwise);
+// The same of a TIME option.
 orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise);
 // A place as geodetic coordinates (height 0 where none was given); *out is left alone where it was not given.
 bool orr_cli_place(const orr_cli *c, const char *name, orr_geodetic *out);
 bool orr_cli_backward(const orr_cli *c); // --from and --to are both given, and --to is before --from
+// The last value of a DURATION option, in ns; `otherwise_ns` where it was not given.
 int64_t orr_cli_duration_ns(const orr_cli *c, const char *name, int64_t otherwise_ns);
+// One value of an INTERVAL option.
+// Given:
+//   c     the call
+//   name  the option's long name
+//   i     which value, from 0; it must exist (orr_cli_count)
+// Returned:
+//   from  begin of the interval
+//   to    its end, not before `from`
 void orr_cli_interval_at(const orr_cli *c, const char *name, size_t i, orr_time *from, orr_time *to);
 const orr_sat_set *orr_cli_sats(const orr_cli *c,
                                 const char *name); // NULL where it was not given: all satellites
@@ -114,13 +127,15 @@ void orr_cli_say(const orr_cli *c, const char *fmt, ...) ORR_PRINTF(2, 3);
 void orr_cli_progress(const orr_cli *c, const char *what, size_t done, size_t total);
 
 // --- Signals ---
+
 // SIGINT, SIGTERM, SIGHUP and SIGQUIT end a command at once, wherever it is, by the signal itself (130 and
 // 143 in a shell); the temporary files of unfinished outputs (core/outfile.h) are removed first. A command
 // need do nothing. One that has more to tidy up holds them: it asks orr_cli_interrupted() at least ten times
-// a second and ends; after 0.2 s, or at a second signal, it is ended as above. orr_cli_release() lets a
-// signal that came have its effect.
+// a second and ends; after 0.2 s, or at a second signal, it is ended as above.
 void orr_cli_hold(orr_cli *c);
+// Whether a signal has come since signals were held.
 bool orr_cli_interrupted(const orr_cli *c);
+// Ends the holding: a signal that came meanwhile now ends the program.
 void orr_cli_release(orr_cli *c);
 
 // Flushes stdout and says so if what was printed could not be written (a full disk); ORR_EXIT_OK otherwise.

@@ -15,6 +15,7 @@ typedef enum orr_cli_parse_result { ORR_CLI_RUN, ORR_CLI_HELP, ORR_CLI_WRONG } o
 // Reads the words after the command's name. On ORR_CLI_WRONG the sentence has been printed. words[] is
 // reordered (operands to the front). Free with orr_cli_args_free whatever it returned.
 orr_cli_parse_result orr_cli_args_parse(orr_cli *c, int n_words, char **words);
+// Frees what orr_cli_args_parse made; c may be parsed again.
 void orr_cli_args_free(orr_cli *c);
 
 // Whether everything that was given applies (orr_option.applies); an exit status, with its sentence.
@@ -36,12 +37,18 @@ void orr_cli_signals_take(void);
     "0: done. 1: it could not be done. 2: usage error. A signal ends a command at once (130 after SIGINT, "  \
     "143 after SIGTERM in a shell); unfinished output files are removed."
 
+// A command's manual page in section 1, as troff source.
 void orr_cli_man_command(FILE *f, const orr_command *command);
+// The program's own manual page, which lists the commands of `list` (it ends with NULL).
 void orr_cli_man_program(FILE *f, const orr_command *const *list);
+// A completion script for bash, or for zsh, of all commands of `list` (it ends with NULL).
 void orr_cli_completion(FILE *f, const orr_command *const *list, bool zsh);
-void orr_cli_version(FILE *f, bool verbose); // verbose: commit, compiler and libraries too
+// Release number; with `verbose` commit, compiler and libraries too.
+void orr_cli_version(FILE *f, bool verbose);
 
+// What `orrery COMMAND --help` prints.
 void orr_cli_help_command(FILE *f, const orr_command *command);
-void orr_cli_help_program(FILE *f, const orr_command *const *list); // ends with NULL
+// What `orrery --help` prints; `list` ends with NULL.
+void orr_cli_help_program(FILE *f, const orr_command *const *list);
 
 #endif

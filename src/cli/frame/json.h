@@ -8,6 +8,7 @@
 #include "src/cli/frame/cli.h"
 
 json_t *orr_json_number(double v); // null for NAN and infinities
+// A whole number.
 json_t *orr_json_count(size_t n);
 json_t *orr_json_text(const char *text); // null for NULL; other bytes than UTF-8 become '?'
 json_t *orr_json_time(orr_time t);       // ISO 8601, GPS time; null for ORR_TIME_NONE

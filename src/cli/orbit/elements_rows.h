@@ -9,12 +9,15 @@
 
 #define ORR_ELEMENTS_FRAMES "date|j2000|ecef" // of a CHOICE option, and what they are
 #define ORR_ELEMENTS_METHODS "state|three-positions|mean"
+// The frame that one of ORR_ELEMENTS_FRAMES names.
 orr_elements_frame orr_elements_frame_of(const char *word);
+// The method that one of ORR_ELEMENTS_METHODS names.
 orr_elements_method orr_elements_method_of(const char *word);
 
 // An angle in degrees, from 0 to what ten decimals still show as less than 360.
 double orr_elements_degrees(double angle_rad);
 
+// The line of column names.
 void orr_elements_csv_head(FILE *f);
 // One row; k NULL: blank cells.
 void orr_elements_csv_row(FILE *f, orr_time t, const char *sat, const orr_kepler *k);

@@ -12,8 +12,15 @@ typedef enum orr_show_format {
     ORR_AS_CSV,
 } orr_show_format;
 
-// Prints m (of info->record) to stdout. *headed: whether the names of CSV's columns have been printed; `frame`
-// is what positions refer to, for the head of a table.
+// Prints a message to stdout.
+// Given:
+//   info    kind of the message
+//   m       the message, of info->record
+//   format  table, JSON or CSV
+//   frame   what positions refer to, for the head of a table
+//   headed  whether the names of CSV's columns have been printed
+// Returned:
+//   headed  true once they have
 void orr_message_show(const orr_message_info *info, const void *m, orr_show_format format, const char *frame,
                       bool *headed);
 

@@ -11,6 +11,7 @@ uint8_t orr_message_answer(const orr_record *r, const void *m);
 uint64_t orr_message_numbers(const orr_record *r, const void *m);
 
 #define ORR_MESSAGE_CELL 96
+// Where a field of the record m stands.
 static inline const void *orr_message_member(const orr_field *f, const void *m)
 {
     return (const char *)m + f->offset;
@@ -24,8 +25,11 @@ void *orr_message_room(const orr_record *r);
 char *orr_message_text(const orr_field *f, const void *at, bool words, char cell[ORR_MESSAGE_CELL]);
 // "x" of the first of three, "1" of the first of any other number.
 const char *orr_message_axis(const orr_field *f, uint16_t k, char buf[8]);
+// A message as one JSON object on a line of stdout.
 void orr_message_json(const orr_record *r, const void *m);
+// A message as CSV on stdout, a row for each record of its list; *headed: whether the names of columns have been printed.
 void orr_message_csv(const orr_record *r, const void *m, bool *headed);
+// A message as a table on stdout; `frame` is what positions refer to.
 void orr_message_table(const orr_record *r, const void *m, const char *frame);
 
 #endif

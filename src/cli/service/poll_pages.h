@@ -5,6 +5,7 @@
 
 #include "proto/gen/messages.h"
 
+// The pages of an answer on stdout; *headed: whether the names of columns have been printed.
 void orr_poll_pages(const orr_msg_navdata *m, bool *headed);
 
 #endif
