@@ -6,6 +6,7 @@
 #include "core/outfile.h"
 #include "ingest/rinex/crinex.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 
 typedef struct sink {
     FILE *stream;
@@ -46,11 +47,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Where the RINEX text goes; standard output by default."},
+    ORR_OPTION_OUTPUT,
 };
 
 const orr_command orr_cmd_convert = {

@@ -8,6 +8,7 @@
 #include "ingest/fetch/fetch.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
+#include "src/cli/frame/options.h"
 
 #define MAX_FILES 20000
 
@@ -146,7 +147,7 @@ static int fetch_all(orr_cli *c, const orr_archives *a, orr_fetch_item *item, si
             orr_cli_failf(c, "%s: %s", what, item[i].reason);
         }
     }
-    if (orr_cli_given(c, "json")) {
+    if (orr_cli_says(c, "format", "json")) {
         if (print_json(c, item, n) != ORR_EXIT_OK) return ORR_EXIT_FAILED;
     } else {
         for (size_t i = 0; i < n; i++)
@@ -260,7 +261,8 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "Names and passwords for mirrors that ask for a login (default ~/.netrc)."},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "Print what became of each file as JSON."},
+    ORR_OPTION_FORMAT_AS("text|json", "text",
+                         .help = "Paths of the files, one a line (default), or what became of each as JSON."),
 };
 
 const orr_command orr_cmd_fetch = {

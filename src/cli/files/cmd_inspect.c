@@ -8,6 +8,7 @@
 #include "src/cli/files/inspect_own.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
+#include "src/cli/frame/options.h"
 
 static json_t *json_count(int64_t n) { return n == ORR_INSPECT_NONE ? json_null() : json_integer(n); }
 
@@ -121,7 +122,7 @@ static int inspect_one(const orr_cli *c, const char *path)
     if (st != ORR_OK) {
         orr_cli_warnings(c, &r.warnings);
         status = orr_cli_fail(c, &diag);
-    } else if (orr_cli_given(c, "json")) {
+    } else if (orr_cli_says(c, "format", "json")) {
         status = print_json(c, path, &r);
     } else {
         print_human(path, &r);
@@ -135,7 +136,7 @@ static int run(orr_cli *c)
 {
     int status = ORR_EXIT_OK;
     for (int i = 0; i < c->n_operands; i++) {
-        if (i > 0 && !orr_cli_given(c, "json")) putchar('\n');
+        if (i > 0 && !orr_cli_says(c, "format", "json")) putchar('\n');
         int s = inspect_one(c, c->operand[i]);
         if (s != ORR_EXIT_OK) status = s;
     }
@@ -143,7 +144,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "Print a JSON object for each file instead of text."},
+    ORR_OPTION_FORMAT_AS("text|json", "text", .help = "Text (default), or a JSON object for each file."),
 };
 
 const orr_command orr_cmd_inspect = {
@@ -163,7 +164,7 @@ const orr_command orr_cmd_inspect = {
         "warnings "
         "(the first of them), warning_count, facts. null stands for what the kind of file does not have.",
     .example = "orrery inspect COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
-               "orrery inspect --json brdc1820.10n.gz",
+               "orrery inspect --format json brdc1820.10n.gz",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -82,13 +82,13 @@ void orr_cli_applies_words(const char *applies, char *out, size_t n)
 {
     condition k;
     size_t at = 0;
+    bool negated = false; // of the condition before
     out[0] = '\0';
-    for (const char *p = applies; next_condition(&p, &k);) {
+    for (const char *p = applies; next_condition(&p, &k) && at < n; negated = k.negated) {
         char words[160];
         put_words(k.name, k.words, k.n_words, words, sizeof words);
-        if (at < n)
-            at += (size_t)snprintf(out + at, n - at, "%s%s %s", at > 0 ? ", " : "",
-                                   k.negated ? "not with" : "only with", words);
+        const char *lead = negated && k.negated ? "" : k.negated ? "not with " : "only with ";
+        at += (size_t)snprintf(out + at, n - at, "%s%s%s", at > 0 ? ", " : "", lead, words);
     }
 }
 

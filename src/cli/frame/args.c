@@ -343,6 +343,12 @@ const char *orr_cli_text(const orr_cli *c, const char *name, const char *otherwi
     return v != NULL ? v->text : otherwise;
 }
 
+bool orr_cli_says(const orr_cli *c, const char *name, const char *word)
+{
+    const char *is = orr_cli_text(c, name, by_name(c->command, name, strlen(name))->fallback);
+    return is != NULL && strcmp(is, word) == 0;
+}
+
 const char *orr_cli_text_at(const orr_cli *c, const char *name, size_t i)
 {
     const value *v = find(c, name, i);
@@ -367,6 +373,13 @@ double orr_cli_real(const orr_cli *c, const char *name, double otherwise)
 {
     const value *v = find(c, name, SIZE_MAX);
     return v != NULL ? v->as.real : otherwise;
+}
+
+double orr_cli_real_at(const orr_cli *c, const char *name, size_t i)
+{
+    const value *v = find(c, name, i);
+    assert(v != NULL && v->option->kind == ORR_OPT_REAL);
+    return v->as.real;
 }
 
 orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise)

@@ -3,7 +3,7 @@
 // `orr_command` (its words, its options, its run function) and one line in commands.def; options are parsed,
 // checked and documented from the same table. The binary is build/<preset>/bin/orrery.
 //
-// The manners of the program: stdout is data, stderr is talk; `--json` where a script may listen; exit status
+// The manners of the program: stdout is data, stderr is talk; `--format json` where a script may listen; exit status
 // 0 done, 1 it could not be done, 2 it was asked wrongly; progress on a terminal only; an interrupt leaves no
 // half file.
 #ifndef ORR_CLI_FRAME_CLI_H
@@ -80,6 +80,8 @@ bool orr_cli_given(const orr_cli *c, const char *name);
 size_t orr_cli_count(const orr_cli *c, const char *name); // of a repeated option
 const char *orr_cli_text(const orr_cli *c, const char *name,
                          const char *otherwise); // TEXT and CHOICE; the last given
+// Whether a CHOICE is this word, given or by its fallback.
+bool orr_cli_says(const orr_cli *c, const char *name, const char *word);
 // The i-th value of a repeated TEXT or CHOICE option, from 0; NULL where there are not so many.
 const char *orr_cli_text_at(const orr_cli *c, const char *name, size_t i);
 // All values of a repeated option as a list of *n, to be freed with free(); NULL without memory.
@@ -88,6 +90,8 @@ const char **orr_cli_texts(const orr_cli *c, const char *name, size_t *n);
 int64_t orr_cli_int(const orr_cli *c, const char *name, int64_t otherwise);
 // The same of a REAL option.
 double orr_cli_real(const orr_cli *c, const char *name, double otherwise);
+// The i-th value of a repeated REAL option, from 0; it must exist (orr_cli_count).
+double orr_cli_real_at(const orr_cli *c, const char *name, size_t i);
 // The same of a TIME option.
 orr_time orr_cli_time(const orr_cli *c, const char *name, orr_time otherwise);
 // A place as geodetic coordinates (height 0 where none was given); *out is left alone where it was not given.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces that --json reports are made of. What is not known is null; no key goes missing for it.
+// The pieces that reports as JSON are made of. What is not known is null; no key goes missing for it.
 #ifndef ORR_CLI_FRAME_JSON_H
 #define ORR_CLI_FRAME_JSON_H
 

@@ -8,6 +8,7 @@
 #include "inertial/readings/imu_file.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
+#include "src/cli/frame/options.h"
 
 static orr_status write_csv(const char *path, const orr_gravimetry_result *r, const orr_gravimetry *t,
                             orr_diag *diag)
@@ -31,8 +32,9 @@ static int run(orr_cli *c)
     orr_imu_file f;
     int status = ORR_EXIT_OK;
     const char *path = orr_cli_text(c, "csv", NULL);
-    const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_given(c, "json");
-    if (csv_only && json) return orr_cli_usage(c, "only one of --csv - and --json can go to standard output");
+    const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_says(c, "format", "json");
+    if (csv_only && json)
+        return orr_cli_usage(c, "only one of --csv - and --format json can go to standard output");
     orr_gravimetry_result r;
     orr_status s = orr_imu_read(c->operand[0], orr_cli_text(c, "gravity-folder", NULL), &f, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
@@ -83,7 +85,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "DIR",
      .help = "Where a gravity model's files are now."},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "The summary as a JSON object."},
+    ORR_OPTION_REPORT,
 };
 
 const orr_command orr_cmd_gravimetry = {

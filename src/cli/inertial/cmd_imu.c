@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/outfile.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/inertial/moving.h"
 #include "src/make/readings.h"
 
@@ -85,11 +86,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "NetCDF-4, or CSV where the name ends in .csv or is -. Default imu.nc."},
+    ORR_OPTION_OUTPUT_AS(.help = "NetCDF-4, or CSV where the name ends in .csv or is -. Default imu.nc."),
     ORR_CLI_MOVING_OPTIONS,
     {.name = "rate",
      .kind = ORR_OPT_REAL,

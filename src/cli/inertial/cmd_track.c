@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "core/outfile.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/inertial/moving.h"
 
 static int run(orr_cli *c)
@@ -51,11 +52,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "CSV. Default: standard output."},
+    ORR_OPTION_OUTPUT,
     ORR_CLI_MOVING_OPTIONS,
     {.name = "rate",
      .kind = ORR_OPT_REAL,

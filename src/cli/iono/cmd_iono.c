@@ -7,6 +7,7 @@
 
 #include "core/outfile.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/iono/iono_report.h"
 #include "src/cli/iono/tec_options.h"
 #include "src/make/station.h"
@@ -103,8 +104,9 @@ static int compare(const orr_cli *c, work *w)
         s = orr_phase_compare(phase, &w->other, orr_cli_real(c, "match", 0.1), 20, &w->comparison, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     const orr_curves *k = &w->comparison;
-    if (orr_cli_given(c, "json")) orr_iono_report_comparison_json(stdout, phase, &w->other, k);
-    if (orr_cli_given(c, "csv") || !orr_cli_given(c, "json")) s = print_to(c, w, print_comparison, &diag);
+    if (orr_cli_says(c, "format", "json")) orr_iono_report_comparison_json(stdout, phase, &w->other, k);
+    if (orr_cli_given(c, "csv") || !orr_cli_says(c, "format", "json"))
+        s = print_to(c, w, print_comparison, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     orr_cli_say(c,
                 "%s and %s, %.0f m apart: %zu curves, %zu epochs, RMS difference %.4f TECU (%.2f cm on L1)",
@@ -122,7 +124,7 @@ static void print_session(FILE *f, const orr_cli *c, const work *w)
 static void report(const orr_cli *c, const orr_station *st, const orr_leave_out *left)
 {
     const bool explain = orr_cli_given(c, "explain");
-    if (orr_cli_given(c, "json"))
+    if (orr_cli_says(c, "format", "json"))
         orr_iono_report_json(stdout, &st->phase, &st->fusion, left, explain);
     else
         orr_iono_report_text(stdout, &st->phase, &st->fusion, left, explain);
@@ -196,17 +198,12 @@ static const orr_option options[] = {
      .value = "SYSTEMS",
      .help = "Systems whose codes help to level arcs, e.g. GE, or none. G by default; Galileo codes are then "
              "an independent check."},
-    {.name = "output",
-     .applies = "!compare",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "The session, a NetCDF-4 file."},
+    ORR_OPTION_OUTPUT_AS(.applies = "!compare", .help = "The session, a NetCDF-4 file."),
     {.name = "csv",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "The fused curves (or, with --compare, both stations') as CSV; - is standard output."},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "The report as JSON."},
+    ORR_OPTION_REPORT,
     {.name = "explain",
      .applies = "!compare",
      .kind = ORR_OPT_FLAG,
@@ -227,26 +224,19 @@ static const orr_option options[] = {
      .min = 0,
      .max = 60,
      .help = "With --compare: epochs count as one within this; 0.1 s by default."},
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "Satellites, e.g. G,E01-E09; all by default."},
-    {.name = "from", .kind = ORR_OPT_TIME, .value = "T", .help = "First epoch."},
-    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "Last epoch."},
-    {.name = "step",
-     .kind = ORR_OPT_DURATION,
-     .value = "S",
-     .help = "Take epochs this far apart; all by default."},
+    ORR_OPTION_SATS,
+    ORR_OPTION_FROM(.help = "First epoch."),
+    ORR_OPTION_TO(.help = "Last epoch."),
+    ORR_OPTION_STEP(.help = "Take epochs this far apart; all by default."),
     {.name = "mask",
      .kind = ORR_OPT_REAL,
      .value = "DEG",
      .min = 0,
      .max = 80,
      .help = "Elevation mask; 10 by default."},
-    {.name = "receiver",
-     .kind = ORR_OPT_PLACE,
-     .value = "LAT,LON,H|ecef:X,Y,Z",
-     .help = "The station, in degrees (geodetic) and metres; where the file's header puts it by default."},
+    ORR_OPTION_RECEIVER(
+            .help =
+                "The station, in degrees (geodetic) and metres; where the file's header puts it by default."),
     {.name = "sinex",
      .applies = "!receiver",
      .kind = ORR_OPT_TEXT,
@@ -280,7 +270,7 @@ const orr_command orr_cmd_iono = {
              "it leaves. A scenario can name it, and then delays are served for the station's antenna and "
              "for others near it.",
     .example = "orrery iono BOR1.crx.gz --field maps.INX --orbit day.nc --biases day.BIA -o session.nc\n"
-               "orrery iono BOR1.crx.gz --field maps.INX --orbit day.nc --method thesis --json\n"
+               "orrery iono BOR1.crx.gz --field maps.INX --orbit day.nc --method thesis --format json\n"
                "orrery iono A.05o --compare B.05o --csv curves.csv",
     .n_options = sizeof options / sizeof options[0],
     .option = options,

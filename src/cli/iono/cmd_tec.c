@@ -10,6 +10,7 @@
 #include "core/outfile.h"
 #include "iono/field/tec_files.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/iono/tec_options.h"
 
 typedef struct span {
@@ -226,28 +227,18 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "at", .kind = ORR_OPT_TIME, .value = "T", .help = "The instant."},
-    {.name = "from",
-     .applies = "!at",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "First of several instants; with --grid the first map by default."},
-    {.name = "to", .applies = "!at", .kind = ORR_OPT_TIME, .value = "T", .help = "Last of them."},
-    {.name = "step",
-     .applies = "!at",
-     .kind = ORR_OPT_DURATION,
-     .value = "S",
-     .help = "From one to the next; the maps' own interval by default."},
+    ORR_OPTION_AT(.help = "The instant."),
+    ORR_OPTION_FROM(.applies = "!at",
+                    .help = "First of several instants; with --grid the first map by default."),
+    ORR_OPTION_TO(.applies = "!at", .help = "Last of them."),
+    ORR_OPTION_STEP(.applies = "!at", .help = "From one to the next; the maps' own interval by default."),
     {.name = "point",
      .kind = ORR_OPT_PLACE,
      .value = "LAT,LON",
      .applies = "!grid,!receiver",
      .help = "A point of the ionosphere's shell in degrees; the latitude is geocentric, as in maps."},
-    {.name = "receiver",
-     .kind = ORR_OPT_PLACE,
-     .value = "LAT,LON,H|ecef:X,Y,Z",
-     .applies = "!grid",
-     .help = "Along a ray: the receiver, in degrees (geodetic) and metres."},
+    ORR_OPTION_RECEIVER(.applies = "!grid",
+                        .help = "Along a ray: the receiver, in degrees (geodetic) and metres."),
     {.name = "el",
      .kind = ORR_OPT_REAL,
      .value = "DEG",
@@ -262,24 +253,15 @@ static const orr_option options[] = {
      .max = 360,
      .applies = "receiver",
      .help = "Azimuth of the ray, clockwise from North; 0 by default."},
-    {.name = "carrier",
-     .kind = ORR_OPT_REAL,
-     .value = "MHZ",
-     .min = 100,
-     .max = 30000,
-     .applies = "receiver",
-     .help = "The carrier to give the delay for; 1575.42 by default."},
+    ORR_OPTION_CARRIER(.applies = "receiver",
+                       .help = "The carrier to give the delay for; 1575.42 by default."),
     {.name = "grid", .kind = ORR_OPT_FLAG, .help = "Maps of the whole Earth, 2.5 by 5 degrees."},
-    {.name = "format",
-     .kind = ORR_OPT_CHOICE,
-     .value = "csv|json|ionex|ion",
-     .help = "The format of the output; csv by default. ion: the coefficients of the field (all epochs), as "
-             "Bernese writes them."},
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Where it goes; standard output by default."},
+    ORR_OPTION_FORMAT_AS(
+        "csv|json|ionex|ion", "csv",
+        .help =
+            "The format of the output; csv by default. ion: the coefficients of the field (all epochs), as "
+            "Bernese writes them."),
+    ORR_OPTION_OUTPUT,
     ORR_TEC_OPTIONS,
 };
 

@@ -6,6 +6,7 @@
 #include "orbit/judge/compare.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
+#include "src/cli/frame/options.h"
 
 static const char *const place_name[ORR_COMPARE_PLACES] = {"inner", "edge", "gap"};
 
@@ -127,7 +128,7 @@ static int compare(orr_cli *c, const orr_ephemeris *e, orr_sp3 *truth, size_t n)
         return failed;
     }
     int status = ORR_EXIT_OK;
-    if (orr_cli_given(c, "json"))
+    if (orr_cli_says(c, "format", "json"))
         status = print_json(c, &x);
     else
         print_human(c, &x);
@@ -158,7 +159,7 @@ static const orr_option options[] = {
     {.name = "inputs",
      .kind = ORR_OPT_FLAG,
      .help = "Compare also at epochs that the product was made from, for orbits of another centre."},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "Print a JSON object instead of a table."},
+    ORR_OPTION_REPORT,
 };
 
 const orr_command orr_cmd_compare = {

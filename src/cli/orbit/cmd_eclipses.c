@@ -7,6 +7,7 @@
 #include "core/outfile.h"
 #include "orbit/spacecraft/eclipses.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 
 typedef struct list {
     orr_eclipse *item;
@@ -112,24 +113,11 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "Satellites, e.g. G05,R,E01-E09; all by default."},
-    {.name = "from",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "Eclipses that end at T or later; all of the product by default."},
-    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "Eclipses that begin at T or before."},
-    {.name = "format",
-     .kind = ORR_OPT_CHOICE,
-     .value = "table|csv|json",
-     .help = "The format of the output; table by default."},
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Where it goes; standard output by default."},
+    ORR_OPTION_SATS,
+    ORR_OPTION_FROM(.help = "Eclipses that end at T or later; all of the product by default."),
+    ORR_OPTION_TO(.help = "Eclipses that begin at T or before."),
+    ORR_OPTION_FORMAT("table|csv|json", "table"),
+    ORR_OPTION_OUTPUT,
 };
 
 const orr_command orr_cmd_eclipses = {

@@ -9,6 +9,7 @@
 #include "core/ncfile.h"
 #include "core/outfile.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/orbit/elements_rows.h"
 #include "src/make/elements.h"
 
@@ -189,10 +190,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "Satellites, e.g. G05,R or all; all by default."},
+    ORR_OPTION_SATS,
     {.name = "method",
      .fallback = "state",
      .kind = ORR_OPT_CHOICE,
@@ -206,30 +204,18 @@ static const orr_option options[] = {
      .value = ORR_ELEMENTS_FRAMES,
      .help = "The axes. date (default): true equator and equinox of date. j2000: GCRS. ecef: Earth-fixed "
              "axes of the instant, held fixed (for mean: of the middle of its revolution)."},
-    {.name = "step", .kind = ORR_OPT_DURATION, .value = "S", .help = "Distance of rows; 60 s by default."},
+    ORR_OPTION_STEP(.help = "Time from one row to the next; 60 s by default."),
     {.name = "spacing",
      .applies = "method=three-positions",
      .kind = ORR_OPT_DURATION,
      .value = "S",
      .help = "Distance of the three positions, from 10 s to a quarter of a revolution; 300 s by default."},
-    {.name = "from",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "First instant; the product's begin by default."},
-    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "Last instant; the product's end by default."},
-    {.name = "erp",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Earth rotation parameters; by default what the product was made with, which it holds."},
-    {.name = "format",
-     .kind = ORR_OPT_CHOICE,
-     .value = "csv|json|nc",
-     .help = "The format of the output; csv by default."},
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Where it goes; standard output by default."},
+    ORR_OPTION_FROM(.help = "First instant; where the products begin by default."),
+    ORR_OPTION_TO(.help = "Last instant; where the products end by default."),
+    ORR_OPTION_ERP(.help =
+                       "Earth rotation parameters; by default what the product was made with, which it holds."),
+    ORR_OPTION_FORMAT("csv|json|nc", "csv"),
+    ORR_OPTION_OUTPUT,
 };
 
 const orr_command orr_cmd_elements = {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/orbit/navfit_write.h"
 #include "src/make/navset.h"
 
@@ -56,9 +57,9 @@ static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
 static int run(orr_cli *c)
 {
     const char *rinex = orr_cli_text(c, "output", ""), *bits = orr_cli_text(c, "bits", "");
-    const bool json = orr_cli_given(c, "json");
+    const bool json = orr_cli_says(c, "format", "json");
     if ((strcmp(rinex, "-") == 0) + (strcmp(bits, "-") == 0) + json > 1)
-        return orr_cli_usage(c, "only one of --output, --bits and --json can go to standard output");
+        return orr_cli_usage(c, "only one of --output, --bits and --format json can go to standard output");
     if (orr_cli_given(c, "from") && orr_cli_given(c, "to") &&
         orr_cli_time(c, "to", 0) <= orr_cli_time(c, "from", 0))
         return orr_cli_usage(c, "--to is not after --from");
@@ -81,51 +82,29 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Write the sets as RINEX NAV 3.05."},
+    ORR_OPTION_OUTPUT_AS(.help = "Write the sets as RINEX NAV 3.05."),
     {.name = "bits",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "Write what the satellites transmit, bit by bit, as CSV: t_gps (of the first bit), sat, message "
              "(LNAV or FDMA), number (of the subframe or string), page (of subframes 4 and 5; GLONASS: frame "
              "of the superframe), bits, hex (first bit highest)."},
-    {.name = "from",
-     .applies = "bits",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "First instant of the bits; the product's beginning by default."},
-    {.name = "to",
-     .applies = "bits",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "End of the bits; the product's end by default."},
+    ORR_OPTION_FROM(.applies = "bits",
+                    .help = "First instant of the bits; the product's beginning by default."),
+    ORR_OPTION_TO(.applies = "bits", .help = "End of the bits; the product's end by default."),
     {.name = "window",
      .kind = ORR_OPT_CHOICE,
      .value = "2h|4h",
      .help = "How much of the orbit an LNAV set describes. 2h (default) fits closest; 4h is how long a "
              "receiver may use one set. New sets come every two hours either way."},
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "Satellites, e.g. G05,R; all of GPS and GLONASS by default."},
-    {.name = "antex",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "ANTEX file: describe the antennas' phase centres (ionosphere-free). Without it the sets "
-             "describe the centres of mass, as 'orrery states' and the service do."},
-    {.name = "bias",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Bias-SINEX or DCB file: TGD and GLONASS' delta tau. Without it they are zero."},
-    {.name = "nav",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .repeated = true,
-     .help = "RINEX navigation file with GLONASS' frequency channels and Klobuchar's coefficients. Without "
-             "it the nominal channels and coefficients of zero are sent."},
+    ORR_OPTION_SATS_AS(.help = "Satellites, e.g. G05,R; all of GPS and GLONASS by default."),
+    ORR_OPTION_ANTEX(
+            .help = "ANTEX file: describe the antennas' phase centres (ionosphere-free). Without it the sets "
+                    "describe the centres of mass, as 'orrery states' and the service do."),
+    ORR_OPTION_BIAS(.help = "Bias-SINEX or DCB file: TGD and GLONASS' delta tau. Without it they are zero."),
+    ORR_OPTION_NAV(.repeated = true, .help = "RINEX navigation file with GLONASS' frequency channels and "
+                                             "Klobuchar's coefficients. Without "
+                                             "it the nominal channels and coefficients of zero are sent."),
     {.name = "zero-clocks",
      .kind = ORR_OPT_FLAG,
      .help = "Send a clock of zero for satellites whose clock the product does not know. Without it they are "
@@ -137,9 +116,10 @@ static const orr_option options[] = {
      .min = 1,
      .max = 256,
      .help = "Number of threads; the machine's cores by default. The data do not depend on it."},
-    {.name = "json",
-     .kind = ORR_OPT_FLAG,
-     .help = "Print the report, with every set, as a JSON object on standard output."},
+    ORR_OPTION_FORMAT_AS(
+        "text|json", "text",
+        .help =
+            "The report as text on standard error (default), or with every set as JSON on standard output."),
 };
 
 const orr_command orr_cmd_navfit = {

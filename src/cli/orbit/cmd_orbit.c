@@ -6,17 +6,14 @@
 #include <time.h>
 
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/orbit/orbit_summary.h"
 #include "src/make/orbit.h"
 #include "src/make/rotation_file.h"
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .required = true,
-     .help = "Write the product, a NetCDF-4 file; it appears whole or not at all."},
+    ORR_OPTION_OUTPUT_AS(.required = true,
+                         .help = "Write the product, a NetCDF-4 file; it appears whole or not at all."),
     {.name = "nodes",
      .kind = ORR_OPT_DURATION,
      .value = "S",
@@ -28,28 +25,24 @@ static const orr_option options[] = {
      .repeated = true,
      .help = "Do not use nodes from FROM on and before TO; where the two are the same, the nodes of that "
              "instant."},
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "Satellites, e.g. G05,R,E01-E09; all by default."},
-    {.name = "erp",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .repeated = true,
-     .help = "File of Earth rotation parameters. Without one the orbits themselves tell the pole and the "
-             "length of day; of fewer than four satellites nothing does, and the IERS secular pole is used, "
-             "and UT1 by the leap seconds."},
+    ORR_OPTION_SATS,
+    ORR_OPTION_ERP(
+            .repeated = true,
+            .help =
+                "File of Earth rotation parameters. Without one the orbits themselves tell the pole and the "
+                "length of day; of fewer than four satellites nothing does, and the IERS secular pole is "
+                "used, "
+                "and UT1 by the leap seconds."),
     {.name = "erp-out",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help =
          "Write the Earth rotation that the product holds, estimated or given, as a file of Earth rotation "
          "parameters (IGS version 2)."},
-    {.name = "nav",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .repeated = true,
-     .help = "RINEX navigation file: the a-priori orbit comes from broadcast ephemerides (variant A)."},
+    ORR_OPTION_NAV(
+            .repeated = true,
+            .help =
+                "RINEX navigation file: the a-priori orbit comes from broadcast ephemerides (variant A)."),
     {.name = "bridge",
      .applies = "nav",
      .kind = ORR_OPT_FLAG,
@@ -70,7 +63,9 @@ static const orr_option options[] = {
      .min = 1,
      .max = 256,
      .help = "Number of threads; the machine's cores by default. The product does not depend on it."},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "Print the summary as a JSON object on standard output."},
+    ORR_OPTION_FORMAT_AS(
+        "text|json", "text",
+        .help = "The summary as text on standard error (default), or as JSON on standard output."),
     {.name = "method",
      .kind = ORR_OPT_CHOICE,
      .value = "default|literal",
@@ -245,7 +240,8 @@ const orr_command orr_cmd_orbit = {
         "it.\n\n"
         "The report on stderr lists manoeuvres, rejected positions and gaps, up to a number that a reader "
         "can take "
-        "in. --json has all of them. Its events have sat, kind, from and to; kind is manoeuvre (change_mps), "
+        "in. --format json has all of them. Its events have sat, kind, from and to; kind is manoeuvre "
+        "(change_mps), "
         "outlier, "
         "jump (size_m) or gap. Its earth_rotation has xp_mas, yp_mas, lod_ms, pole_sigma_mas and used, as "
         "estimated "

@@ -9,6 +9,7 @@
 #include "core/outfile.h"
 #include "orbit/spacecraft/spacecraft.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 
 #define MAX_SIGNALS 16
 #define MAX_CELLS (24 + MAX_SIGNALS)
@@ -248,8 +249,6 @@ static int run(orr_cli *c)
     orr_antex antex = {0};
     orr_bias_set bias = {0};
     orr_nav nav = {0};
-    if (orr_cli_given(c, "at") && (orr_cli_given(c, "from") || orr_cli_given(c, "to")))
-        return orr_cli_usage(c, "--at is one instant, --from and --to are many");
     if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     if (!read_signals(c, &q)) return ORR_EXIT_USAGE;
     const char *const antex_path = orr_cli_text(c, "antex", NULL),
@@ -280,51 +279,22 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "at",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "One instant, instead of --from, --to and --step."},
-    {.name = "from",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "First instant; the product's beginning by default."},
-    {.name = "to", .kind = ORR_OPT_TIME, .value = "T", .help = "Last instant; the product's end by default."},
-    {.name = "step",
-     .letter = 's',
-     .kind = ORR_OPT_DURATION,
-     .value = "S",
-     .help = "Time between instants; 900 s by default."},
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "Satellites, e.g. G05,R,E01-E09; all by default."},
-    {.name = "antex",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "ANTEX file: antennas' phase centres from the centres of mass, of the pair of carriers that the "
-             "clocks belong to (GPS L1/L2, GLONASS G1/G2, Galileo E1/E5a, BeiDou B1I/B3I, QZSS L1/L2)."},
-    {.name = "bias",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Bias-SINEX or DCB file: group delays of the signals of --signal."},
-    {.name = "nav",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "RINEX navigation file: health; without --bias the group delays too."},
+    ORR_OPTION_INSTANTS,
+    ORR_OPTION_SATS,
+    ORR_OPTION_ANTEX(
+            .help =
+                "ANTEX file: antennas' phase centres from the centres of mass, of the pair of carriers that "
+                "the "
+                "clocks belong to (GPS L1/L2, GLONASS G1/G2, Galileo E1/E5a, BeiDou B1I/B3I, QZSS L1/L2)."),
+    ORR_OPTION_BIAS(.help = "Bias-SINEX or DCB file: group delays of the signals of --signal."),
+    ORR_OPTION_NAV(.help = "RINEX navigation file: health; without --bias the group delays too."),
     {.name = "signal",
      .kind = ORR_OPT_TEXT,
      .value = "LIST",
      .help = "Signals as RINEX 3 codes without the first letter, e.g. 1C,2W,5Q: a column each of the delay "
              "against the clock's pair, to be subtracted from the clock for a user of that signal alone."},
-    {.name = "format",
-     .kind = ORR_OPT_CHOICE,
-     .value = "table|csv|json",
-     .help = "The format of the output; csv by default."},
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Where it goes; standard output by default."},
+    ORR_OPTION_FORMAT("table|csv|json", "csv"),
+    ORR_OPTION_OUTPUT,
 };
 
 const orr_command orr_cmd_satellites = {

@@ -5,6 +5,7 @@
 
 #include "orbit/judge/sisre.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 
 static void print_number(double x, const char *after)
 {
@@ -151,8 +152,8 @@ static int run(orr_cli *c)
     }
     if (s == ORR_OK) s = orr_sisre_run(&nav, &truth, &o, &f.samples, &f.n, f.sums, &diag);
     orr_cli_warnings(c, &warnings);
-    if (s == ORR_OK && orr_cli_given(c, "json")) print_json(&f);
-    if (s == ORR_OK && !orr_cli_given(c, "json")) print_table(&f);
+    if (s == ORR_OK && orr_cli_says(c, "format", "json")) print_json(&f);
+    if (s == ORR_OK && !orr_cli_says(c, "format", "json")) print_table(&f);
     free(f.samples);
     orr_nav_free(&nav);
     orr_sp3_free(&truth);
@@ -162,10 +163,8 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "antex",
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "ANTEX file: brings the broadcast phase centre to the centre of mass that SP3 gives."},
+    ORR_OPTION_ANTEX(
+            .help = "ANTEX file: brings the broadcast phase centre to the centre of mass that SP3 gives."),
     {.name = "causal",
      .kind = ORR_OPT_FLAG,
      .help = "Use only records transmitted by the instant, as a receiver has them."},
@@ -175,7 +174,7 @@ static const orr_option options[] = {
      .help =
          "Longest |t - toe| of a record; by default what the systems' documents give (GPS 2 h, Galileo from "
          "half an hour before toe to 4 h after, BeiDou 1 h, GLONASS 18 min ...)."},
-    {.name = "json", .kind = ORR_OPT_FLAG, .help = "One JSON object instead of a table."},
+    ORR_OPTION_REPORT,
 };
 
 const orr_command orr_cmd_sisre = {

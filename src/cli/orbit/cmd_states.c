@@ -4,43 +4,14 @@
 #include <string.h>
 
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/orbit/states_write.h"
 
 static const orr_option options[] = {
-    {.name = "at",
-     .letter = 't',
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "One instant, instead of --from, --to and --step."},
-    {.name = "from",
-     .applies = "!at",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "First instant; the product's beginning by default."},
-    {.name = "to",
-     .applies = "!at",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "Last instant; the product's end by default."},
-    {.name = "step",
-     .applies = "!at",
-     .letter = 's',
-     .kind = ORR_OPT_DURATION,
-     .value = "S",
-     .help = "Time between states, e.g. 0.1, 30s, 15min; 900 s by default."},
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "Satellites, e.g. G05,R,E01-E09; all by default."},
-    {.name = "format",
-     .kind = ORR_OPT_CHOICE,
-     .value = "csv|sp3|json",
-     .help = "The format of the output; csv by default."},
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "FILE",
-     .help = "Write to FILE instead of standard output; the file appears whole or not at all."},
+    ORR_OPTION_INSTANTS,
+    ORR_OPTION_SATS,
+    ORR_OPTION_FORMAT("csv|sp3|json", "csv"),
+    ORR_OPTION_OUTPUT,
 };
 
 // The request's instants against the product's span: outside of it there is nothing to tell, and a table that

@@ -77,7 +77,7 @@ static void say_events(const orr_cli *c, const orr_orbit_solution *s)
                 if (e->kind != order[k] || !orbit_event_text(s->sat[i].sat, e, text, sizeof text)) continue;
                 if (told++ < SHOWN) orr_cli_say(c, "%s", text);
             }
-    if (told > SHOWN) orr_cli_say(c, "and %zu more such events; --json tells all", told - SHOWN);
+    if (told > SHOWN) orr_cli_say(c, "and %zu more such events; --format json tells all", told - SHOWN);
 }
 
 static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
@@ -217,7 +217,7 @@ static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_s
 int orbit_summary_print(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
                         const orr_ephemeris *e, const orbit_seconds *seconds)
 {
-    if (orr_cli_given(c, "json")) return print_json(c, s, report, e, seconds);
+    if (orr_cli_says(c, "format", "json")) return print_json(c, s, report, e, seconds);
     say_table(c, s, report, e, seconds);
     return ORR_EXIT_OK;
 }

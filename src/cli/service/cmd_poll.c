@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/service/message_show.h"
 #include "src/cli/service/message_text.h"
 #include "src/cli/service/poll_ask.h"
@@ -170,13 +171,11 @@ static int run(orr_cli *c)
     poll_job p = {.c = c,
                   .step_ns = orr_cli_duration_ns(c, "step", imu ? 0 : ORR_NS_PER_S),
                   .count = orr_cli_int(c, "count", realtime ? -1 : 1),
-                  .format = orr_cli_given(c, "json")  ? ORR_AS_JSON
-                            : orr_cli_given(c, "csv") ? ORR_AS_CSV
-                                                      : ORR_AS_TABLE};
+                  .format = orr_cli_says(c, "format", "json")  ? ORR_AS_JSON
+                            : orr_cli_says(c, "format", "csv") ? ORR_AS_CSV
+                                                               : ORR_AS_TABLE};
     if (p.count > 1 && !orr_cli_given(c, "step") && !imu)
         return orr_cli_usage(c, "--count %lld needs a --step", (long long)p.count);
-    if (orr_cli_given(c, "json") && orr_cli_given(c, "csv"))
-        return orr_cli_usage(c, "--json and --csv exclude each other");
     int asked = orr_poll_ask(c, &p.request);
     if (asked != ORR_EXIT_OK) return asked;
     orr_diag diag = {0};
@@ -190,45 +189,32 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "at",
-     .letter = 't',
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "first epoch, GPS time unless marked otherwise. Default: the start of the served span"},
-    {.name = "step",
-     .letter = 's',
-     .kind = ORR_OPT_DURATION,
-     .value = "S",
-     .help = "from one epoch to the next. Default 1 s"},
+    ORR_OPTION_AT(
+            .help =
+                "First epoch, GPS time unless marked otherwise; the begin of the served span by default."),
+    ORR_OPTION_STEP(
+            .help = "Time from one epoch to the next; 1 s by default, with --imu the scenario's interval."),
     {.name = "count",
      .letter = 'n',
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 1,
      .max = 1e9,
-     .help = "epochs. Default 1; with --realtime until interrupted or past the span"},
-    {.name = "sat",
-     .kind = ORR_OPT_SATS,
-     .value = "LIST",
-     .help = "satellites: G05,R,E01-E09. Default: all that are served"},
-    ORR_POLL_DELAY_OPTIONS,
-    ORR_POLL_ELEMENT_OPTIONS,
-    ORR_POLL_NAVDATA_OPTIONS,
-    ORR_POLL_MOTION_OPTIONS,
+     .help = "Number of epochs; 1 by default, with --realtime until interrupted or past the span."},
+    ORR_OPTION_SATS_AS(.applies = "!imu,!truth",
+                       .help = "Satellites, e.g. G05,R,E01-E09; all that are served by default."),
+    ORR_POLL_OPTIONS,
     {.name = "realtime",
      .kind = ORR_OPT_FLAG,
-     .help = "ask for one epoch a step of real time, as a signal generator does"},
+     .help = "Ask for one epoch a step of real time, as a signal generator does."},
     {.name = "timeout",
      .kind = ORR_OPT_DURATION,
      .value = "S",
-     .help = "give up when the server is silent for so long. Default 10 s"},
-    {.name = "json",
-     .kind = ORR_OPT_FLAG,
-     .help = "one JSON object an epoch and line, with the protocol's names of fields"},
-    {.name = "csv",
-     .kind = ORR_OPT_FLAG,
-     .help =
-         "CSV with the protocol's names of fields, a row for each satellite; blank where there is no number"},
+     .help = "Give up when the server is silent for so long; 10 s by default."},
+    ORR_OPTION_FORMAT_AS(
+        "table|csv|json", "table",
+        .help = "A table (default); CSV, a row for each satellite, blank where there is no number; or a JSON "
+                "object an epoch and line. The latter two have the protocol's names of fields."),
 };
 
 const orr_command orr_cmd_poll = {
@@ -249,14 +235,14 @@ const orr_command orr_cmd_poll = {
         "(a carrier phase is early by as much), and what it came from. Without --receiver it is the "
         "scenario's own; of a scenario with a trajectory, where the trajectory is at each epoch, so that "
         "satellites and inertial readings (--imu) are of one flight.\n\n"
-        "With --elements: Kepler elements; with --csv in the columns of `orrery elements`, and what was "
+        "With --elements: Kepler elements; as CSV in the columns of `orrery elements`, and what was "
         "answered.\n\n"
         "With --navdata: what GPS and GLONASS satellites broadcast, fitted to the orbits that are served "
-        "(as `orrery navfit` does): the sets, whole with --csv and --json, or with --pages the bits as CSV. "
+        "(as `orrery navfit` does): the sets, whole as CSV and JSON, or with --pages the bits as CSV. "
         "Asked "
         "every 30 s it is all that they send.",
     .example = "orrery poll tcp://127.0.0.1:15754 --at 2024-02-04T12:00:00 --sat G05,E\n"
-               "orrery poll unix:/tmp/orrery.sock --step 0.1 --count 100 --json\n"
+               "orrery poll unix:/tmp/orrery.sock --step 0.1 --count 100 --format json\n"
                "orrery poll tcp://127.0.0.1:15754 --step 0.1 --realtime --sat G\n"
                "orrery poll tcp://127.0.0.1:15754 --delays --receiver 52.28,17.07,124 --carrier 1575.42 "
                "--carrier 1176.45\n"

@@ -82,7 +82,7 @@ static void put_field(csv_row *row, const orr_field *f, const void *at)
     } else if (f->length > 0) {
         put_array(row, f, at);
     } else if (row->names) {
-        put(row, f->show == ORR_SHOW_TIME && strcmp(f->text_name, "t") == 0 ? "t_gps" : f->text_name);
+        put(row, orr_message_name(f));
     } else if (f->kind == ORR_FIELD_STRING) {
         put_text(row, at);
     } else if (f->kind == ORR_FIELD_BYTES) {

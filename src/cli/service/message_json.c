@@ -112,7 +112,7 @@ static void add_field(json_t *j, const orr_field *f, const void *at, const orr_r
             json_array_append_new(a, orr_json_number(orr_field_number(f, at, k) * f->text_factor));
         json_object_set_new(j, f->text_name, a);
     } else {
-        json_object_set_new(j, f->text_name, json_of_scalar(f, at));
+        json_object_set_new(j, orr_message_name(f), json_of_scalar(f, at));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/time.h"
 
@@ -16,6 +17,11 @@ uint8_t orr_message_answer(const orr_record *r, const void *m)
             return orr_message_answer(f->record, orr_message_member(f, m));
     }
     return ORR_MSG_ANSWER_OK;
+}
+
+const char *orr_message_name(const orr_field *f)
+{
+    return f->show == ORR_SHOW_TIME && strcmp(f->text_name, "t") == 0 ? "t_gps" : f->text_name;
 }
 
 const orr_field *orr_message_rows(const orr_record *r)

@@ -16,6 +16,8 @@ static inline const void *orr_message_member(const orr_field *f, const void *m)
 {
     return (const char *)m + f->offset;
 }
+// A field's name in text: an instant `t` is t_gps, as every command calls it.
+const char *orr_message_name(const orr_field *f);
 // The list of records that the rows of a table are; NULL where a message has none.
 const orr_field *orr_message_rows(const orr_record *r);
 // Room for one record of a list; NULL (and a sentence on stderr) without memory. Free it.

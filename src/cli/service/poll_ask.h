@@ -4,52 +4,56 @@
 #define ORR_CLI_SERVICE_POLL_ASK_H
 
 #include "proto/fields.h"
-#include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/orbit/elements_rows.h"
 
-// Rows of poll's table, kind by kind.
-#define ORR_POLL_DELAY_OPTIONS                                                                               \
+// Rows of poll's table: what is asked for instead of states, each with what goes with it alone.
+#define ORR_POLL_OPTIONS                                                                                     \
     {.name = "delays",                                                                                       \
      .kind = ORR_OPT_FLAG,                                                                                   \
-     .help = "ionospheric delays instead of states (the scenario needs an ionosphere)"},                     \
-        {.name = "receiver",                                                                                 \
-         .kind = ORR_OPT_TEXT,                                                                               \
-         .value = "LAT,LON,H",                                                                               \
-         .help = "with --delays: the receiver, degrees (geodetic) and metres. Default: the scenario's own "  \
-                 "(receiver.position, the trajectory at each epoch, or the session's station)"},             \
-    {                                                                                                        \
-        .name = "carrier", .kind = ORR_OPT_TEXT, .value = "MHZ", .repeated = true,                           \
-        .help = "with --delays: a carrier to give the delay for, up to four of them. Default 1575.42"        \
-    }
-#define ORR_POLL_ELEMENT_OPTIONS                                                                             \
-    {.name = "elements", .kind = ORR_OPT_FLAG, .help = "Kepler elements instead of states"},                 \
+     .applies = "!elements,!navdata,!imu,!truth",                                                            \
+     .help = "Ionospheric delays instead of states (the scenario needs an ionosphere)."},                    \
+        ORR_OPTION_RECEIVER(.applies = "delays",                                                             \
+                            .help = "The receiver, in degrees (geodetic) and metres; the scenario's own by " \
+                                    "default (receiver.position, the trajectory at each epoch, or the "      \
+                                    "session's station)."),                                                  \
+        ORR_OPTION_CARRIER(.applies = "delays", .repeated = true,                                            \
+                           .help = "A carrier to give the delay for, up to four of them; 1575.42 by "        \
+                                   "default."),                                                              \
+        {.name = "elements",                                                                                 \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "!delays,!navdata,!imu,!truth",                                                          \
+         .help = "Kepler elements instead of states."},                                                      \
         {.name = "frame",                                                                                    \
          .kind = ORR_OPT_CHOICE,                                                                             \
+         .applies = "elements",                                                                              \
          .value = ORR_ELEMENTS_FRAMES,                                                                       \
-         .help = "with --elements: the axes, as of `orrery elements`. Default date"},                        \
-    {                                                                                                        \
-        .name = "method", .kind = ORR_OPT_CHOICE, .value = ORR_ELEMENTS_METHODS,                             \
-        .help = "with --elements: how they are made, likewise. Default state"                                \
-    }
-#define ORR_POLL_NAVDATA_OPTIONS                                                                             \
-    {.name = "navdata",                                                                                      \
-     .kind = ORR_OPT_FLAG,                                                                                   \
-     .help = "broadcast data instead of states: the fitted sets on the air"},                                \
-    {                                                                                                        \
-        .name = "pages", .kind = ORR_OPT_FLAG,                                                               \
-        .help = "with --navdata: the subframes and strings that hold each epoch, as `orrery navfit --bits` " \
-                "writes them"                                                                                \
-    }
-#define ORR_POLL_MOTION_OPTIONS                                                                              \
-    {.name = "imu",                                                                                          \
-     .kind = ORR_OPT_FLAG,                                                                                   \
-     .help = "inertial increments over --step (default: the scenario's interval) instead of states"},        \
+         .help = "The axes, as of `orrery elements`; date by default."},                                     \
+        {.name = "method",                                                                                   \
+         .kind = ORR_OPT_CHOICE,                                                                             \
+         .applies = "elements",                                                                              \
+         .value = ORR_ELEMENTS_METHODS,                                                                      \
+         .help = "How elements are made, as of `orrery elements`; state by default."},                       \
+        {.name = "navdata",                                                                                  \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "!delays,!elements,!imu,!truth",                                                         \
+         .help = "Broadcast data instead of states: the fitted sets on the air."},                           \
+        {.name = "pages",                                                                                    \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "navdata,!format=json",                                                                  \
+         .help = "The subframes and strings that hold each epoch, as `orrery navfit --bits` writes them; "   \
+                 "JSON has them with the sets."},                                                            \
+        {.name = "imu",                                                                                      \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "!delays,!elements,!navdata,!truth",                                                     \
+         .help = "Inertial increments over --step instead of states."},                                      \
         {.name = "truth",                                                                                    \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .help = "true motion and gravity terms instead of states (the scenario needs a trajectory)"},       \
+         .applies = "!delays,!elements,!navdata,!imu",                                                       \
+         .help = "True motion and gravity terms instead of states (the scenario needs a trajectory)."},      \
     {                                                                                                        \
-        .name = "unit", .kind = ORR_OPT_INT, .value = "K", .min = 0, .max = 65535,                           \
-        .help = "with --imu and --truth: which inertial unit. Default 0, the trajectory's own point"         \
+        .name = "unit", .kind = ORR_OPT_INT, .applies = "imu|truth", .value = "K", .min = 0, .max = 65535,   \
+        .help = "Which inertial unit; 0, the trajectory's own point, by default."                            \
     }
 
 typedef struct orr_poll_request {

@@ -118,7 +118,7 @@ def main():
         if not (label.startswith("RINEX VERSION") or label.startswith("CRINEX VERS")) or text[20] == "C" and label[0] == "R":
             continue
         looked_at += 1
-        run = subprocess.run([orrery, "inspect", "--json", path], stdout=subprocess.PIPE, check=False)
+        run = subprocess.run([orrery, "inspect", "--format", "json", path], stdout=subprocess.PIPE, check=False)
         if run.returncode != 0:
             wrong.append(f"{path.name}: refused")
             continue

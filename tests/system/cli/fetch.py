@@ -189,7 +189,7 @@ class Fetch(unittest.TestCase):
         self.assert_fetched(self.run_fetch())
         # The second time nobody is asked.
         before = len(self.server.seen)
-        r = self.run_fetch("--json")
+        r = self.run_fetch("--format", "json")
         self.assertEqual(len(self.server.seen), before)
         item = json.loads(r.stdout)[0]
         self.assertTrue(item["cached"])

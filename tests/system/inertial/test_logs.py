@@ -75,7 +75,7 @@ class Logs(Folder):
             nc = self.path("clean.nc")
             for rate in (20, 100, 250):
                 run("imu", "-q", "--telemetry", log, "--rate", rate, "-o", nc)
-                self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4, (name, rate))
+                self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-4, (name, rate))
 
     def test_shapes_of_a_log_are_one_flight(self):
         """With a header, declared, without one, in other units, separators and order, compressed, in two files: the same table."""
@@ -164,10 +164,10 @@ class Logs(Folder):
         nc = self.path("rates.nc")
         for rate in (1, 2, 10, 50):
             run("imu", "-q", "--telemetry", self.log(text(flight(60, rate))), "-o", nc)
-            self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4, rate)
+            self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-4, rate)
         run("imu", "-q", "--telemetry", self.log(text(flight(60))), "--degree", "5", "--per-knot", "10",
             "--attitude-per-knot", "5", "-o", nc)
-        self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4)
+        self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-4)
 
     def test_what_is_no_flight(self):
         good = text(flight(20))
@@ -205,7 +205,7 @@ class Logs(Folder):
         rows = [(k / 5, 50.0, 20.0, 500.0, 45.0, 0.0, 0.0) for k in range(200)]
         nc = self.path("rest.nc")
         run("imu", "-q", "--telemetry", self.log(text(rows)), "-o", nc)
-        report = run_json("nulltest", nc, "--json")
+        report = run_json("nulltest", nc, "--format", "json")
         self.assertLess(report["position"]["max_3d_m"], 1e-6)
         places = [r[:4] for r in rows]  # without angles: no motion to take a heading from
         got = track(run("track", "-q", "--telemetry", self.log(text(places, "t,lat,lon,height"))).stdout)
@@ -224,7 +224,7 @@ class Logs(Folder):
     def test_the_sample_and_a_real_log(self):
         nc = self.path("real.nc")
         run("imu", "-q", "--telemetry", sample("telemetry.csv"), "-o", nc)
-        self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-3)
+        self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-3)
         gps, att = data("flight-x8/GPS.txt.gz"), data("flight-x8/ATT.txt.gz")
         made = []
         for folder in ("one", "two"):
@@ -233,7 +233,7 @@ class Logs(Folder):
                 "--columns", "-,t[ms],roll,pitch,heading,-,-", "-o", "imu.nc", "--report", "left.csv", cwd=self.path(folder))
             made.append([pathlib.Path(self.path(folder), name).read_bytes() for name in ("imu.nc", "left.csv")])
         self.assertEqual(made[0], made[1])
-        self.assertLess(run_json("nulltest", self.path("one/imu.nc"), "--json")["position"]["max_3d_m"], 1e-3)
+        self.assertLess(run_json("nulltest", self.path("one/imu.nc"), "--format", "json")["position"]["max_3d_m"], 1e-3)
 
 
 if __name__ == "__main__":

@@ -130,25 +130,25 @@ class Readings(Folder):
         nc = self.path("rate.nc")
         for rate, bar in ((400, 1e-4), (100, 1e-4), (33.3, 1e-3), (10, 5e-3)):
             run(*SURVEY, "--rate", rate, "-o", nc)
-            report = run_json("nulltest", nc, "--json")
+            report = run_json("nulltest", nc, "--format", "json")
             self.assertLess(report["position"]["max_3d_m"], bar, rate)
             self.assertAlmostEqual(report["duration_s"], math.floor(120 * rate + 1e-6) / rate, delta=1e-9)
         for place in ("90,0", "56,180", "-90,0,30"):
             run(*SURVEY, "--transfer", place, "-o", nc)
-            self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4, place)
+            self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-4, place)
         run(*SURVEY, "--unit", "1", "-o", nc)
-        self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-3)
+        self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-3)
 
     def test_matched_readings_suit_their_own_navigator_alone(self):
         nc = self.path("matched.nc")
         for frame in ("inertial", "geographic", "body"):
             for project in ("mid", "start"):
                 run(*SURVEY, "--approach", "1", "--frame", frame, "--project", project, "--rate", "20", "-o", nc)
-                own = run_json("nulltest", nc, "--json")
+                own = run_json("nulltest", nc, "--format", "json")
                 self.assertTrue(own["bit_identical"], (frame, project))
                 self.assertLess(own["position"]["max_3d_m"], 50e-6, (frame, project))
                 self.assertIn(frame, own["navigator"])
-                other = run_json("nulltest", nc, "--json", "--navigator", "reference")
+                other = run_json("nulltest", nc, "--format", "json", "--navigator", "reference")
                 self.assertNotIn("bit_identical", other)
                 self.assertGreater(other["position"]["max_3d_m"], 1e-3, (frame, project))
         refused = run("gravimetry", nc, status=1).stderr
@@ -159,7 +159,7 @@ class Readings(Folder):
         run(*SURVEY, "--rate", "20", "-o", nc)
         every, tenth = (table(run("nulltest", nc, "--csv", "-", "--every", k).stdout) for k in (1, 10))
         self.assertEqual(tenth, every[::10])
-        report = run_json("nulltest", nc, "--json")
+        report = run_json("nulltest", nc, "--format", "json")
         self.assertEqual(report["compared"], len(every))
         largest = max(math.hypot(r["dxi1_m"], r["dxi2_m"], r["dxi3_m"]) for r in every)
         self.assertAlmostEqual(largest, report["position"]["max_3d_m"], delta=1e-7 * largest)
@@ -187,7 +187,7 @@ class Readings(Folder):
             # sideways in a vertical that turns by 4e-6 in half that time, 2e-3.
             self.assertAlmostEqual(r["recovered_mgal"], r["true_mgal"], delta=3.5e-3)
             self.assertAlmostEqual(r["eotvos_mgal"], eotvos, delta=1e-6)
-        summary = run_json("gravimetry", nc, "--filter", "2", "--json")
+        summary = run_json("gravimetry", nc, "--filter", "2", "--format", "json")
         self.assertEqual(summary["values"], len(rows))
         self.assertAlmostEqual(summary["true"]["max_mgal"], max(r["true_mgal"] for r in rows), delta=1e-6)
         self.assertLess(summary["difference"]["filtered_rms_mgal"], 0.01)
@@ -200,8 +200,8 @@ class Readings(Folder):
         nc, largest = self.path("moved.nc"), []
         for more in ((), ("--transfer", "90,0"), ("--transfer", "-20,180,70")):
             run("imu", "-q", path, *more, "-o", nc)
-            largest.append(run_json("gravimetry", nc, "--filter", "2", "--json")["true"]["max_mgal"])
-            self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4)
+            largest.append(run_json("gravimetry", nc, "--filter", "2", "--format", "json")["true"]["max_mgal"])
+            self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-4)
         self.assertAlmostEqual(largest[0], 49, delta=0.1)
         for other in largest[1:]:
             self.assertAlmostEqual(other, largest[0], delta=0.01 * 49)
@@ -226,7 +226,7 @@ class Readings(Folder):
         self.assertAlmostEqual(f["dv_mps"][0][2] * 100, up, delta=1e-12)
         self.assertAlmostEqual(f["dv_mps"][0][1] * 100, north, delta=1e-12)
         self.assertAlmostEqual(f["gravity_disturbance"][0], 1e5 * (up - normal_gravity(lat)), delta=1e-4)
-        self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-6)
+        self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-6)
         models.rename(self.path("elsewhere"))
         for command in ("nulltest", "gravimetry"):
             self.assertIn("central", run(command, nc, status=1).stderr)
@@ -247,7 +247,7 @@ class Readings(Folder):
             nc = self.path("truth.nc")
             run(*SURVEY[:-1], "1", "--rate", "20", "--truth-rate", wish, "-o", nc)
             self.assertEqual(len(dump(nc)["time_s"]), instants, wish)
-            self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-3)
+            self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-3)
 
     def test_what_made_a_file_stands_in_it(self):
         field = self.scenario("field.csv", "lat,lon,mgal\n" + "".join(
@@ -264,7 +264,7 @@ class Readings(Folder):
     def test_inspect_tells_what_a_file_holds(self):
         nc = self.path("told.nc")
         run(*SURVEY, "--rate", "25", "--start", "2024-02-04T23:59:00", "-o", nc)
-        told = run_json("inspect", "--json", nc)
+        told = run_json("inspect", "--format", "json", nc)
         self.assertEqual((told["kind"], told["from"], told["to"], told["records"], told["interval_s"]),
                          ("netcdf", "2024-02-04T23:59:00", "2024-02-05T00:01:00", 3000, 0.04))
         self.assertIn("inertial readings", told["facts"]["product"])
@@ -302,10 +302,10 @@ class Readings(Folder):
                 (("track", sample("survey.yaml"), "--transfer", "91,0"), "LATITUDE,LONGITUDE"),
                 (("track", sample("survey.yaml"), "--transfer", "1,2,3,4"), "LATITUDE,LONGITUDE"),
                 (("track", sample("survey.yaml"), "--unit", "2"), "0 to 1"),
-                (("nulltest", nc, "--csv", "-", "--json"), "standard output"),
+                (("nulltest", nc, "--csv", "-", "--format", "json"), "standard output"),
                 (("nulltest", nc, "--navigator", "2-sample", "--samples", "4"), "reference"),
                 (("nulltest",), "IMU"),
-                (("gravimetry", nc, "--csv", "-", "--json"), "standard output"),
+                (("gravimetry", nc, "--csv", "-", "--format", "json"), "standard output"),
                 (("gravimetry", nc, "--filter", "0"), "positive")):
             done = run(*args, status=2)
             self.assertIn(sentence, done.stderr, args)

@@ -21,7 +21,7 @@ def text_of(path):
 
 class Convert(Folder):
     def same(self, path, like):
-        told = run_json("inspect", "--json", path)
+        told = run_json("inspect", "--format", "json", path)
         self.assertEqual([told[k] for k in KEYS], [like[k] for k in KEYS])
         self.assertEqual(told["warning_count"], 0)
 
@@ -30,14 +30,14 @@ class Convert(Folder):
             with self.subTest(name):
                 packed, out = data(name), self.path("out.rnx")
                 run("convert", packed, "-o", out)
-                like = run_json("inspect", "--json", packed)
+                like = run_json("inspect", "--format", "json", packed)
                 self.same(out, like)
                 self.assertEqual(run("convert", packed).stdout, pathlib.Path(out).read_text(encoding="ascii"))
 
     def test_odd_clothes(self):
         packed = data(FILES[0])
         plain = run("convert", packed).stdout.encode()
-        like = run_json("inspect", "--json", packed)
+        like = run_json("inspect", "--format", "json", packed)
         half = plain.index(b"\n> ", len(plain) // 2) + 1
         clothes = {
             "crlf": plain.replace(b"\n", b"\r\n"),

@@ -26,7 +26,7 @@ def main():
         if not ok:
             sys.exit(f"inspect: {what}")
 
-    done = run("--json", golden / "c.sp3")
+    done = run("--format", "json", golden / "c.sp3")
     report = json.loads(done.stdout)
     expect(done.returncode == 0 and done.stderr == "", done.stderr)
     for key, kind in KEYS.items():
@@ -41,7 +41,7 @@ def main():
         text = (golden / "c.sp3").read_bytes()
         misnamed = folder / "misnamed.Z"  # gzip under another name, and cut: warnings, but read
         misnamed.write_bytes(gzip.compress(text[:-200]))
-        done = run("--json", misnamed)
+        done = run("--format", "json", misnamed)
         report = json.loads(done.stdout)
         expect(done.returncode == 0 and len(report["warnings"]) > 0, "a cut file has no warnings")
         expect(all(isinstance(w, str) for w in report["warnings"]), "warnings are no strings")
@@ -53,7 +53,7 @@ def main():
         for name, data in refused.items():
             path = folder / name
             path.write_bytes(data)
-            done = run("--json", path)
+            done = run("--format", "json", path)
             expect(done.returncode == 1 and done.stdout == "", f"{name}: status {done.returncode}, stdout {done.stdout!r}")
             expect(done.stderr.startswith("orrery inspect: ") and str(path) in done.stderr, f"{name}: {done.stderr!r}")
             expect("\x1b" not in done.stderr, f"{name}: escape sequences reach the terminal")
@@ -61,13 +61,13 @@ def main():
         expect(run(folder / "nowhere").returncode == 1, "no such file")
         log = folder / "log.csv"
         log.write_text("t,lat,lon\n" + "".join(f"{k},{k / 7:.3f},,\n" for k in range(50)) + "51,1\n", encoding="utf-8")
-        report = json.loads(run("--json", log).stdout)
+        report = json.loads(run("--format", "json", log).stdout)
         expect((report["kind"], report["records"], len(report["warnings"])) == ("table", 51, 1), f"a table: {report}")
         archive = folder / "logs.zip"
         with zipfile.ZipFile(archive, "w") as z:
             z.writestr("a.txt", "1 2 3\n")
             z.writestr("b.txt", "4 5 6\n")
-        report = json.loads(run("--json", archive).stdout)
+        report = json.loads(run("--format", "json", archive).stdout)
         expect((report["kind"], report["records"]) == ("zip", 2), f"an archive: {report}")
         archive.write_bytes(archive.read_bytes()[:-30])
         expect(run(archive).returncode == 1, "a cut archive")

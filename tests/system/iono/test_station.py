@@ -102,9 +102,9 @@ class Station(unittest.TestCase):
 
     def test_fusion(self):
         session = WORK / "session.nc"
-        joint = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--biases", BIAS, "-o", session, "--json",
+        joint = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--biases", BIAS, "-o", session, "--format", "json",
                                    "--explain", "--csv", WORK / "s.csv"))
-        thesis = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--method", "thesis", "--json"))
+        thesis = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--method", "thesis", "--format", "json"))
         print(f"thesis {thesis['residual']['rms_tecu']} TECU, joint {joint['residual']['rms_tecu']} TECU, "
               f"Galileo codes {joint['galileo_code']['std_tecu']} TECU", file=sys.stderr)
         self.assertEqual((thesis["method"], joint["method"]), ("thesis", "joint"))
@@ -121,7 +121,7 @@ class Station(unittest.TestCase):
         self.assertEqual(len(rows), joint["samples"])
         self.assertEqual({r["sat"][0] for r in rows}, set("GRE"))
         self.served(session, rows)
-        told = json.loads(self.ok("inspect", "--json", session))
+        told = json.loads(self.ok("inspect", "--format", "json", session))
         self.assertEqual((told["kind"], told["systems"], told["satellites"]), ("netcdf", ["G", "R", "E"], len({r["sat"] for r in rows})))
         self.assertEqual((told["from"], told["to"]), (min(r["t_gps"] for r in rows), max(r["t_gps"] for r in rows)))
         self.assertEqual((told["epochs"], told["interval_s"]), (len({r["t_gps"] for r in rows}), 30))
@@ -130,9 +130,9 @@ class Station(unittest.TestCase):
         self.assertIn(f"{joint['arcs']} with {joint['samples']} samples", told["facts"]["arcs"])
         self.assertIn(OBS.name, told["facts"]["made from"])
         # Galileo's codes may be used, and other stations' orbits may be broadcast ones.
-        used = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--biases", BIAS, "--code", "GE", "--json"))
+        used = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", orbit(), "--biases", BIAS, "--code", "GE", "--format", "json"))
         self.assertFalse(used["galileo_code"]["withheld"])
-        nav = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", NAV, "--json"))
+        nav = json.loads(self.ok("iono", OBS, "--field", MAPS, "--orbit", NAV, "--format", "json"))
         self.assertLessEqual(nav["residual"]["rms_tecu"], 1.2)  # GPS alone, metres off: as good
         self.assertIsNone(nav["galileo_code"]["std_tecu"])
 
@@ -181,7 +181,7 @@ class Station(unittest.TestCase):
 
     def test_pair(self):
         a, b = PAIR / "07590920.05o.gz", PAIR / "30400920.05o.gz"
-        got = json.loads(self.ok("iono", a, "--compare", b, "--json"))
+        got = json.loads(self.ok("iono", a, "--compare", b, "--format", "json"))
         print(f"pair: {got['rms_tecu']} TECU over {got['epochs']} epochs", file=sys.stderr)
         self.assertLessEqual(got["rms_tecu"], 0.08)
         rows = list(csv.DictReader(io.StringIO(self.ok("iono", a, "--compare", b))))

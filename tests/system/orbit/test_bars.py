@@ -18,12 +18,12 @@ class Bars(Folder):
     def compared(self, name, *options, nodes):
         """Differences per system of day 035, made with options, from the rest of the day's epochs."""
         day, product = data(DAYS[1]), self.path(name)
-        summary = run_json("orbit", "--json", "-o", product, *options, day)
+        summary = run_json("orbit", "--format", "json", "-o", product, *options, day)
         for v in summary["systems"].values():
             self.assertEqual(v["nodes"] + v["left_out"], v["satellites"] * nodes)
         self.assertLess(summary["segment_error_mm"], 0.1)  # the product against its own dense integration
         self.assertLess(summary["segment_error_mps"], 1e-6)
-        systems = run_json("compare", "--json", product, day)["systems"]
+        systems = run_json("compare", "--format", "json", product, day)["systems"]
         self.assertEqual(set(systems), SYSTEMS)
         return systems
 
@@ -64,14 +64,14 @@ class Bars(Folder):
         day, product = data("2015-200-velocity/test_input_sp3_nav_2015_200.sp3.gz"), self.path("nga.nc")
         run("orbit", "-q", "-o", product, "--nodes", "900", day)
         for kind, bar in (("records", 1e-4), ("positions", 2e-6)):
-            s = run_json("compare", "--json", "--velocity", kind, product, day)
+            s = run_json("compare", "--format", "json", "--velocity", kind, product, day)
             self.assertEqual(s["truth_velocity"], kind)
             self.below(s["systems"], "inner", "vel_rms_mps", bar)
 
     def test_midnights(self):
         """Joint smoothing of three days: no jump over midnight, while the files' own is told."""
         product = self.path("three.nc")
-        summary = run_json("orbit", "--json", "-o", product, "--nodes", "900", *(data(d) for d in DAYS))
+        summary = run_json("orbit", "--format", "json", "-o", product, "--nodes", "900", *(data(d) for d in DAYS))
         jumps = summary["day_jumps"]
         self.assertEqual(jumps["n"], 2 * 80)
         self.assertGreater(jumps["rms_mm"], 1)  # centimetres between CODE's days
@@ -95,7 +95,7 @@ class Bars(Folder):
         self.assertLess(worst[0], 1e-4)
         self.assertLess(worst[1], 1e-6)
         # The middle day's own file against the joint product: near its midnights the days' difference shows.
-        systems = run_json("compare", "--json", product, data(DAYS[1]))["systems"]
+        systems = run_json("compare", "--format", "json", product, data(DAYS[1]))["systems"]
         self.below(systems, "inner", "rms_mm", 1.5)
 
 

@@ -65,7 +65,7 @@ class Made(Folder):
         done = run("navfit", cls.product, "-o", cls.path("day.rnx"), "--bits", cls.path("bits.csv"), "--from",
                    text_of(cls.from_s), "--to", text_of(cls.to_s))
         cls.said = done.stderr
-        cls.report = run_json("navfit", cls.product, "--json")
+        cls.report = run_json("navfit", cls.product, "--format", "json")
         cls.sets = collections.defaultdict(list)
         for s in cls.report["sets"]:
             cls.sets[s["sat"]].append(s)
@@ -240,11 +240,11 @@ class Made(Folder):
         for sat, sets in self.sets.items():
             for a, b in zip(sets, sets[1:]):
                 self.assertEqual(a["to"], b["from"], sat)  # no instant without data, none with two sets
-        info = run_json("inspect", "--json", self.path("day.rnx"))
+        info = run_json("inspect", "--format", "json", self.path("day.rnx"))
         self.assertIn("3.05", json.dumps(info))
 
     def test_a_wider_window_serves_a_receiver_longer(self):
-        report = run_json("navfit", self.product, "--window", "4h", "--sat", "G", "--json")
+        report = run_json("navfit", self.product, "--window", "4h", "--sat", "G", "--format", "json")
         self.assertLess(report["systems"]["G"]["rms_m"], 0.30)
         self.assertGreater(report["systems"]["G"]["rms_m"], self.report["systems"]["G"]["rms_m"])
 
@@ -262,7 +262,7 @@ class Made(Folder):
         self.assertIn("sends", run("navfit", self.product, "--sat", "G01", "--bits", none, "--from", "2026-01-01", "--to",
                                    "2026-01-02", status=1).stderr)
         self.assertFalse(pathlib.Path(none).exists())
-        self.assertIn("standard output", run("navfit", self.product, "-o", "-", "--json", status=2).stderr)
+        self.assertIn("standard output", run("navfit", self.product, "-o", "-", "--format", "json", status=2).stderr)
 
 
 class Rtklib(Folder):
@@ -279,7 +279,7 @@ class Rtklib(Folder):
         run("orbit", "-q", "-o", cls.product, data("2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"))
         cls.rinex = cls.path("day.rnx")
         run("navfit", "-q", cls.product, "--sat", "G,R01-R24", "-o", cls.rinex)
-        cls.report = run_json("navfit", cls.product, "--sat", "G,R01-R24", "--json")
+        cls.report = run_json("navfit", cls.product, "--sat", "G,R01-R24", "--format", "json")
         cls.start = seconds("2024-02-04T01:00:00")
         cls.epochs = [cls.start + 930 * k for k in range(84)]  # to 22:26; every phase of the half hours of GLONASS
 

@@ -23,7 +23,7 @@ class Orbit(Folder):
     def setUpClass(cls):
         super().setUpClass()
         cls.product = cls.path("day.nc")
-        cls.summary = run_json("orbit", "--json", "-o", cls.product, sample(DAYS[1]))
+        cls.summary = run_json("orbit", "--format", "json", "-o", cls.product, sample(DAYS[1]))
 
     def test_summary(self):
         s = self.summary
@@ -37,7 +37,7 @@ class Orbit(Folder):
             self.assertTrue(0.1 < v["residual_rms_mm"] < 1)
 
     def test_compare_with_the_truth(self):
-        x = run_json("compare", "--json", self.product, sample(TRUTH))
+        x = run_json("compare", "--format", "json", self.product, sample(TRUTH))
         self.assertEqual(set(x["systems"]), {"G", "R", "E"})
         for system, places in x["systems"].items():
             with self.subTest(system=system):
@@ -60,8 +60,8 @@ class Orbit(Folder):
 
     def test_nodes_is_a_decimation(self):
         thin, five = self.path("thin.nc"), self.path("five.nc")
-        a = run_json("orbit", "--json", "-o", thin, "--nodes", "900", "--sat", "G01-G05", sample(TRUTH))
-        b = run_json("orbit", "--json", "-o", five, "--sat", "G01-G05", sample(TRUTH))
+        a = run_json("orbit", "--format", "json", "-o", thin, "--nodes", "900", "--sat", "G01-G05", sample(TRUTH))
+        b = run_json("orbit", "--format", "json", "-o", five, "--sat", "G01-G05", sample(TRUTH))
         self.assertEqual((a["systems"]["G"]["nodes"], b["systems"]["G"]["nodes"]), (5 * 97, 5 * 289))
         self.assertEqual((a["node_step_s"], b["node_step_s"]), (900, 300))
         done = run("compare", five, sample(TRUTH), status=1)  # every epoch was an input
@@ -69,9 +69,9 @@ class Orbit(Folder):
 
     def test_exclude_makes_a_gap(self):
         gap = self.path("gap.nc")
-        s = run_json("orbit", "--json", "-o", gap, "--sat", "G01-G08,R,E", "--exclude", "2025-03-21T12:00/2025-03-21T13:00", sample(DAYS[1]))
+        s = run_json("orbit", "--format", "json", "-o", gap, "--sat", "G01-G08,R,E", "--exclude", "2025-03-21T12:00/2025-03-21T13:00", sample(DAYS[1]))
         self.assertEqual(s["systems"]["E"]["nodes"], 24 * (97 - 4))  # 12:00 to 12:45; the end is not in the interval
-        x = run_json("compare", "--json", gap, sample(TRUTH))
+        x = run_json("compare", "--format", "json", gap, sample(TRUTH))
         for system, places in x["systems"].items():
             # 11:45 to 13:00 every 5 min, ends left out; what was excluded is no input and is compared.
             self.assertEqual(places["gap"]["n"], places["gap"]["satellites"] * 14)
@@ -94,12 +94,12 @@ class Orbit(Folder):
     def test_literal_method_is_there_and_worse(self):
         out = self.path("literal.nc")
         run("orbit", "-q", "-o", out, "--method", "literal", "--sat", "G01-G05", sample(DAYS[1]))
-        x = run_json("compare", "--json", out, sample(TRUTH))
+        x = run_json("compare", "--format", "json", out, sample(TRUTH))
         self.assertGreater(x["systems"]["G"]["inner"]["rms_mm"], 2)
 
     def test_product_explains_itself(self):
         done = subprocess.run(["ncdump", "-h", self.product], capture_output=True, text=True, check=True)
-        for word in ("Chebyshev", "dx/dt", "clock_max_gap_s", "sample_dimension", DAYS[1], "orrery orbit --json",
+        for word in ("Chebyshev", "dx/dt", "clock_max_gap_s", "sample_dimension", DAYS[1], "orrery orbit --format json",
                      "nanoseconds since 1980-01-06", 'reference_frame = "', "input_sha256"):
             self.assertIn(word, done.stdout)
 
@@ -144,7 +144,7 @@ class ThreeDays(Folder):
     def setUpClass(cls):
         super().setUpClass()
         cls.product = cls.path("three.nc")
-        cls.summary = run_json("orbit", "--json", "-o", cls.product, "--sat", "G08-G12,R08,R09,E24,E14", *(sample(d) for d in DAYS))
+        cls.summary = run_json("orbit", "--format", "json", "-o", cls.product, "--sat", "G08-G12,R08,R09,E24,E14", *(sample(d) for d in DAYS))
 
     def state(self, sat, when):
         lines = run("states", "-q", self.product, "--sat", sat, "--from", when, "--to", when).stdout.splitlines()

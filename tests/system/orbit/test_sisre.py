@@ -22,7 +22,7 @@ class Sisre(Folder):
         run("navfit", "-q", product, "-o", cls.nav)
 
     def test_fitted_sets_are_near(self):
-        found = run_json("sisre", "--json", self.nav, sample(DAYS[1]))["systems"]
+        found = run_json("sisre", "--format", "json", self.nav, sample(DAYS[1]))["systems"]
         self.assertEqual({k: v["satellites"] for k, v in found.items()}, {"G": 5, "R": 2})
         self.assertLess(found["G"]["orbit_3d_m"], 0.05)  # what two hours of 15 parameters leave
         self.assertLess(found["R"]["orbit_3d_m"], 0.5)  # what the lattice of GLONASS leaves
@@ -42,7 +42,7 @@ class Sisre(Folder):
         turned = {f"PG{k:02}": f"PG{k + 1:02}" for k in range(8, 12)} | {"PG12": "PG08"}
         path = self.path("turned.sp3")
         pathlib.Path(path).write_text("\n".join(turned.get(x[:4], x[:4]) + x[4:] for x in lines) + "\n", encoding="ascii")
-        found = json.loads(run("sisre", "--json", self.nav, path).stdout)["systems"]
+        found = json.loads(run("sisre", "--format", "json", self.nav, path).stdout)["systems"]
         self.assertEqual((found["G"]["n"], found["R"]["satellites"]), (0, 2))
         self.assertGreater(found["G"]["outliers"], 100)
         self.assertIn("same satellites", run("sisre", self.nav, path).stdout)

@@ -108,7 +108,7 @@ class States(Folder):
     def test_sp3_reads_back(self):
         out = self.path("states.sp3")
         run("states", self.product, "--step", "300", "--to", "2025-03-21T14:00", "--format", "sp3", "-o", out)
-        seen = run_json("inspect", "--json", out)
+        seen = run_json("inspect", "--format", "json", out)
         self.assertEqual((seen["satellites"], seen["epochs"], seen["interval_s"]), (9, 14 * 12 + 1, 300))
         self.assertEqual(seen["warnings"], [])
 

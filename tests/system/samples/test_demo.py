@@ -87,7 +87,7 @@ class Files(program.Folder):
         days = [program.sample(f"ORR0TSTFIN_20250{d}0000_01D_15M_ORB.SP3.gz") for d in (79, 80, 81)]
         program.run("orbit", "-o", self.path("sample.nc"), *days)
         told = program.run_json("compare", self.path("sample.nc"), program.sample("ORR0TSTFIN_20250800000_01D_05M_ORB.SP3.gz"),
-                                "--json")
+                                "--format", "json")
         for system in "GRE":
             inner = told["systems"][system]["inner"]
             self.assertGreater(inner["n"], 4000)

@@ -252,10 +252,10 @@ class Polling(unittest.TestCase):
         cls.daemon.stop()
 
     def test_json(self):
-        done = orrery("poll", self.url, "--at", "2025-03-21T06:00:00.5", "--step", "0.1", "--count", 3, "--sat", "G02,E,C05", "--json")
+        done = orrery("poll", self.url, "--at", "2025-03-21T06:00:00.5", "--step", "0.1", "--count", 3, "--sat", "G02,E,C05", "--format", "json")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         epochs = [json.loads(line) for line in done.stdout.splitlines()]
-        self.assertEqual([e["t"] for e in epochs], [f"2025-03-21T06:00:00.{k}" for k in (5, 6, 7)])
+        self.assertEqual([e["t_gps"] for e in epochs], [f"2025-03-21T06:00:00.{k}" for k in (5, 6, 7)])
         self.assertEqual([s["sat"] for s in epochs[0]["satellites"]], ["G02", "E01", "E02", "C05"])
         self.assertEqual(epochs[0]["satellites"][3], {"sat": "C05", "answer": "NOT_SERVED"})
         with client_package.Client(self.url) as c:
@@ -283,9 +283,27 @@ class Polling(unittest.TestCase):
 
     def test_real_time(self):
         begin = time.monotonic()
-        done = orrery("poll", self.url, "--realtime", "--step", "0.1", "--count", 6, "--sat", "G01", "--json")
+        done = orrery("poll", self.url, "--realtime", "--step", "0.1", "--count", 6, "--sat", "G01", "--format", "json")
         self.assertEqual((done.returncode, len(done.stdout.splitlines())), (0, 6))
         self.assertGreater(time.monotonic() - begin, 0.49)
+
+    def test_options_that_do_not_go_together(self):
+        for words, sentence in (
+                (("--imu", "--sat", "G01"), "--sat does not apply with --imu"),
+                (("--truth", "--sat", "G01"), "--sat does not apply with --truth"),
+                (("--imu", "--truth"), "--imu does not apply with --truth"),
+                (("--delays", "--elements"), "--delays does not apply with --elements"),
+                (("--receiver", "52,17,0"), "--receiver applies only with --delays"),
+                (("--carrier", "1575.42"), "--carrier applies only with --delays"),
+                (("--frame", "j2000"), "--frame applies only with --elements"),
+                (("--unit", "1"), "--unit applies only with --imu or --truth"),
+                (("--navdata", "--pages", "--format", "json"), "--pages does not apply with --format json"),
+                (("--delays", "--receiver", "52"), "neither LAT,LON"),
+                (("--delays", "--receiver", "ecef:1,2,3"), "not on the Earth"),
+                (("--delays", "--carrier", "99"), "between 100 and 30000")):
+            done = orrery("poll", self.url, *words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), words)
+            self.assertIn(sentence, done.stderr)
 
     def test_a_server_of_another_kind(self):
         with socket.create_server(("127.0.0.1", 0)) as server:

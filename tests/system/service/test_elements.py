@@ -53,7 +53,7 @@ class Elements(unittest.TestCase):
             raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
 
     def asked(self, *args):
-        done = program("poll", self.url, "--elements", *(args if "--json" in args else ("--csv", *args)))
+        done = program("poll", self.url, "--elements", *(args if "json" in args else ("--format", "csv", *args)))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout
 
@@ -93,9 +93,9 @@ class Elements(unittest.TestCase):
             self.assertEqual(s.flags, k.flags)
 
     def test_json(self):
-        line, = self.asked("--json", "--sat", "G05,R02", "--method", "mean", "--at", "2025-03-21T12:00:00").splitlines()
+        line, = self.asked("--format", "json", "--sat", "G05,R02", "--method", "mean", "--at", "2025-03-21T12:00:00").splitlines()
         j, m = json.loads(line), self.client.elements(self.noon, method="MEAN", satellites=["G05", "R02"])
-        self.assertEqual((j["t"], j["answer"], j["frame"], j["method"]), ("2025-03-21T12:00:00", "OK", "DATE", "MEAN"))
+        self.assertEqual((j["t_gps"], j["answer"], j["frame"], j["method"]), ("2025-03-21T12:00:00", "OK", "DATE", "MEAN"))
         for a, b in zip(j["satellites"], m.satellites, strict=True):
             self.assertEqual((a["sat"], a["answer"], a["a_m"], a["e"]), (orrery.sat_name(b.sat), "OK", b.a_m, b.e))
             self.assertAlmostEqual(a["u_deg"], math.degrees(b.u_rad), delta=1e-12)
@@ -108,7 +108,7 @@ class Elements(unittest.TestCase):
             self.assertEqual(s.flags, 0)
         m = self.client.elements(self.end + 1)
         self.assertEqual((m.answer, m.satellites), (orrery.Answer.OUTSIDE_SPAN, []))
-        done = program("poll", self.url, "--elements", "--csv", "--sat", "G01,G32")
+        done = program("poll", self.url, "--elements", "--format", "csv", "--sat", "G01,G32")
         self.assertEqual(done.stdout.splitlines()[2], "2025-03-21T00:00:00,G32,NOT_SERVED,,,,,,,,")
         table = program("poll", self.url, "--elements", "--sat", "G01,G32")
         self.assertEqual(table.stdout.splitlines()[3], "G32  not served")
@@ -166,7 +166,7 @@ class EarthOrientation(unittest.TestCase):
         (WORK / "erp.yaml").write_text(f"orbit: {{sp3: {sp3}, erp: {erp}}}\nnavdata: {{window: none}}\n", encoding="utf-8")
         at = "2008-10-05T12:00:00"
         with Daemon(WORK / "erp.yaml") as daemon:
-            over = program("poll", daemon.urls[0], "--elements", "--csv", "--at", at).stdout
+            over = program("poll", daemon.urls[0], "--elements", "--format", "csv", "--at", at).stdout
         told = program("elements", WORK / "erp.nc", "--erp", erp, "--from", at, "--to", at).stdout
         untold = program("elements", WORK / "erp.nc", "--from", at, "--to", at).stdout
         self.assertEqual(len(over.splitlines()), 47)

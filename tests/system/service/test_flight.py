@@ -218,7 +218,7 @@ class Flight(unittest.TestCase):
         t = orrery.from_text("2025-03-21T10:03:00")
         truth = next(self.client.poll_truth(t))
         want = self.client.delays(t, truth.pos_m)
-        done = program("poll", self.daemon.urls[0], "--at", "2025-03-21T10:03:00", "--delays", "--json")
+        done = program("poll", self.daemon.urls[0], "--at", "2025-03-21T10:03:00", "--delays", "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
         got = json.loads(done.stdout)
         self.assertEqual(got["receiver_m"], list(truth.pos_m))
@@ -234,7 +234,7 @@ class Flight(unittest.TestCase):
 
     def test_the_program_asks_likewise(self):
         for option, key in (("--truth", "pos_m"), ("--imu", "dv_mps")):
-            done = program("poll", self.daemon.urls[0], "--at", "2025-03-21T10:03:00", option, "--json")
+            done = program("poll", self.daemon.urls[0], "--at", "2025-03-21T10:03:00", option, "--format", "json")
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn(key, done.stdout)
             json.loads(done.stdout.splitlines()[0] if done.stdout.count("\n") > 1 and done.stdout[0] == "{" else done.stdout)

@@ -153,8 +153,8 @@ class OnTheWire:
         pages = [p for m in self.client.poll_navdata(at, 30, n) for s in m.satellites for p in s.pages]
         self.assertEqual(len(over), len(pages) + 1)
         self.assertEqual(over - direct, set())  # every bit of them
-        rows = list(csv.DictReader(io.StringIO(program("poll", self.url, "--navdata", "--csv", "--at", orrery.to_text(at)).stdout)))
-        line = program("poll", self.url, "--navdata", "--json", "--at", orrery.to_text(at)).stdout
+        rows = list(csv.DictReader(io.StringIO(program("poll", self.url, "--navdata", "--format", "csv", "--at", orrery.to_text(at)).stdout)))
+        line = program("poll", self.url, "--navdata", "--format", "json", "--at", orrery.to_text(at)).stdout
         for s, row, j in zip(self.client.navdata(at).satellites, rows, json.loads(line)["satellites"], strict=True):
             self.assertEqual((row["sat"], j["sat"]), (orrery.sat_name(s.sat),) * 2)
             self.assertEqual(j["answer"], orrery.Answer(s.answer).name)
@@ -171,7 +171,7 @@ class OnTheWire:
 
     def test_zero_has_no_sign(self):
         """Rates and accelerations below half of their last digit are sent as zero, and shown as that."""
-        done = program("poll", self.url, "--navdata", "--csv", "--at", orrery.to_text(self.start + 60 * NS), "--step", 1800, "--count", 46)
+        done = program("poll", self.url, "--navdata", "--format", "csv", "--at", orrery.to_text(self.start + 60 * NS), "--step", 1800, "--count", 46)
         cells = [x for row in csv.reader(io.StringIO(done.stdout)) for x in row]
         self.assertIn("0", cells)
         self.assertEqual([x for x in cells if x.startswith("-") and float(x) == 0], [])
