@@ -6,7 +6,7 @@ from gen_c import HEAD
 
 PARTS_OF_HEADER = ["proto/wire.h", "proto/frame.h", "proto/crc32.h", "proto/gen/messages.h", "proto/client.h", "proto/gen/verbs.h"]
 PARTS_OF_SOURCE = ["proto/wire.c", "proto/gen/crc32_table.h", "proto/crc32.c", "proto/frame.c", "proto/gen/messages.c", "proto/client.c",
-                   "proto/gen/verbs.c"]
+                   "proto/gen/verbs.c", "proto/client_open.c"]
 EXTERN = ["#ifdef __cplusplus", 'extern "C" {', "#endif", ""]
 EXTERN_END = ["#ifdef __cplusplus", "}", "#endif"]
 

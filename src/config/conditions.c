@@ -2,6 +2,7 @@
 #include "src/config/conditions.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { WORDS = 160 };
@@ -93,12 +94,23 @@ static bool among(const char *word, const char *words)
     return false;
 }
 
+// What an INT says, given or by default; 0 where it says nothing.
+static int64_t number_of(const target *t)
+{
+    if (t->key == NULL) return 0;
+    const char *text = t->key->fallback;
+    if (orr_node_given(t->node)) text = t->node->kind == ORR_YAML_TEXT ? t->node->text : NULL;
+    return text != NULL ? strtoll(text, NULL, 10) : 0;
+}
+
 static bool holds(const orr_map_scope *scope, const orr_condition *c)
 {
     size_t n;
     for (const char *p = c->key; (p = part(p, &n)) != NULL; p = behind(p, n)) {
         target t = follow(scope, p, n);
-        bool yes = c->words != NULL ? among(word_of(&t), c->words) : orr_node_given(t.node);
+        bool yes = c->words != NULL ? among(word_of(&t), c->words)
+                   : c->least != 0  ? number_of(&t) >= c->least
+                                    : orr_node_given(t.node);
         if (yes) return !c->absent;
     }
     return c->absent;
@@ -142,6 +154,9 @@ void orr_condition_sentence(const orr_map_scope *scope, const orr_condition *c, 
                      words, colon, why);
         else
             snprintf(out, size, "has no effect without %s %s%s%s", keys, words, colon, why);
+    } else if (c->least != 0) {
+        snprintf(out, size, "has no effect with %s %lld; it needs %lld or more%s%s", keys,
+                 (long long)number_of(&t), (long long)c->least, colon, why);
     } else if (c->absent) {
         snprintf(out, size, "cannot stand beside %s%s%s", keys, colon, why);
     } else {
@@ -158,6 +173,8 @@ void orr_condition_words(const orr_condition *c, char *out, size_t size)
     if (c->words != NULL) {
         enumerate(c->words, "", words, sizeof words);
         snprintf(out, size, "only with %s %s", keys, words);
+    } else if (c->least != 0) {
+        snprintf(out, size, "only with %s of %lld or more", keys, (long long)c->least);
     } else {
         snprintf(out, size, "%s %s", c->absent ? "not with" : "only with", keys);
     }

@@ -18,6 +18,9 @@ static const orr_key serve_rows[] = {
 static const orr_schema serve_table = ORR_SCHEMA(serve_rows, orr_scenario_serve);
 
 static const orr_condition of_orbit[] = {{.key = "orbit", .why = "there are no satellites"}, {0}};
+static const orr_condition of_ionosphere[] = {{.key = "orbit", .why = "there are no satellites"},
+                                              {.key = "ionosphere", .why = "nothing else asks where it is"},
+                                              {0}};
 static const orr_condition of_trajectory[] = {{.key = "trajectory", .why = "nothing moves"}, {0}};
 
 static const orr_key rows[] = {
@@ -27,8 +30,8 @@ static const orr_key rows[] = {
             "broadcast data that are fitted to the orbits of GPS and GLONASS"),
     MAP_ROW(orr_scenario, "ionosphere", iono, &orr_section_ionosphere, of_orbit,
             "ionospheric delays to the satellites"),
-    MAP_ROW(orr_scenario, "receiver", receiver, &orr_section_receiver, of_orbit,
-            "where the satellites are received"),
+    MAP_ROW(orr_scenario, "receiver", receiver, &orr_section_receiver, of_ionosphere,
+            "where the satellites are received; their delays depend on it"),
     MAP_ROW(orr_scenario, "trajectory", motion.trajectory, &orr_section_trajectory, NULL,
             "where the body with the inertial units goes"),
     MAPS_ROW(orr_scenario, "units", motion.units, &orr_section_unit, ORR_MOTION_MAX_UNITS - 1, of_trajectory,

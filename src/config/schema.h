@@ -48,6 +48,7 @@ typedef struct orr_condition {
     const char *key;   // NULL: none
     const char *words; // of a CHOICE or BOOL, divided by '|'; NULL: the key must be given
     bool absent;       // the key must not be given
+    int64_t least;     // of an INT: it must be at least this, given or by default; 0: no such condition
     const char *why;   // added to the sentence that refuses; may be NULL
 } orr_condition;
 

@@ -29,15 +29,16 @@ static const orr_choice term_kinds[] = {ORR_TERM_KINDS(ORR_CHOICE_WORD){0}};
 
 // --- survey ---
 #define SURVEY_REAL(n, m, lo, hi, u, dflt, of, h) REAL_ROW(orr_scenario_survey, n, m, lo, hi, u, dflt, of, h)
-static const orr_condition of_ties[] = {{.key = "tie_lines"}, {0}};
+static const orr_condition of_several[] = {{.key = "lines", .least = 2}, {0}};
+static const orr_condition of_ties[] = {{.key = "tie_lines", .least = 1}, {0}};
 
 static const orr_key survey_rows[] = {
     SURVEY_REAL("azimuth", azimuth_deg, -360, 360, "deg", "0", NULL,
                 "direction of the first line, clockwise from North"),
     SURVEY_REAL("length", length_m, 1, 2e6, "m", "30000", NULL, "length of a line"),
-    SURVEY_REAL("spacing", spacing_m, 0, 1e6, "m", "2000", NULL, "distance between lines"),
+    SURVEY_REAL("spacing", spacing_m, 0, 1e6, "m", "2000", of_several, "distance between lines"),
     INT_ROW(orr_scenario_survey, "lines", lines, 1, 500, "6", NULL, "number of lines"),
-    CHOICE_ROW(orr_scenario_survey, "side", side, sides, "right", NULL,
+    CHOICE_ROW(orr_scenario_survey, "side", side, sides, "right", of_several,
                "side of the first line on which the others lie"),
     INT_ROW(orr_scenario_survey, "tie_lines", tie_lines, 0, 500, "0", NULL, "number of lines across"),
     SURVEY_REAL("tie_spacing", tie_spacing_m, 1, 1e6, "m", "10000", of_ties, "distance between tie lines"),

@@ -7,13 +7,11 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "core/outfile.h"
@@ -43,30 +41,6 @@ orr_service_options orr_service_defaults(void)
                                  .stall_s = 30,
                                  .drain_s = 5,
                                  .signals = true};
-}
-
-int64_t orr_service_clock_ns(const orr_service *s)
-{
-    if (s->options.clock_ns != NULL) return s->options.clock_ns(s->options.clock_user);
-    struct timespec ts;
-    clock_gettime(CLOCK_MONOTONIC, &ts);
-    return (int64_t)ts.tv_sec * 1000000000 + ts.tv_nsec;
-}
-
-void orr_service_tell(orr_service *s, const char *fmt, ...)
-{
-    uint64_t held;
-    if (s->log == NULL || s->log->level < ORR_LOG_WARN) return;
-    if (!orr_log_rate_allows(&s->rate, orr_service_clock_ns(s), &held)) return;
-    char line[600];
-    va_list args;
-    va_start(args, fmt);
-    vsnprintf(line, sizeof line, fmt, args);
-    va_end(args);
-    if (held > 0)
-        orr_log_write(s->log, ORR_LOG_WARN, "%llu more lines about clients were left out",
-                      (unsigned long long)held);
-    orr_log_write(s->log, ORR_LOG_WARN, "%s", line);
 }
 
 static void name_peer(const struct listener *l, const struct sockaddr *a, socklen_t n, int fd, char *buf,

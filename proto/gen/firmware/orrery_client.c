@@ -2850,20 +2850,6 @@ orr_wire_status orr_client_epoch(orr_client *c, uint32_t index, uint32_t count)
     return ORR_WIRE_OK;
 }
 
-orr_wire_status orr_client_open(orr_client *c, const char *name, const char *version, orr_msg_caps *caps)
-{
-    orr_msg_hello hello = {ORR_MSG_MAJOR, ORR_MSG_MAJOR, orr_wire_text(name), orr_wire_text(version)};
-    return orr_client_hello(c, &hello, caps);
-}
-
-orr_wire_status orr_client_check(orr_client *c, uint64_t token)
-{
-    orr_msg_ping ping = {token};
-    orr_msg_pong pong;
-    orr_wire_status s = orr_client_ping(c, &ping, &pong);
-    return s == ORR_WIRE_OK && pong.token != token ? ORR_WIRE_UNEXPECTED : s;
-}
-
 orr_wire_status orr_client_hello(orr_client *c, const orr_msg_hello *request, orr_msg_caps *answer)
 {
     orr_wire_writer w;
@@ -2994,4 +2980,20 @@ orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *answer)
     orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_TRUTH, &f);
     if (s == ORR_WIRE_OK) s = orr_msg_truth_decode(f.payload, f.size, answer);
     return s == ORR_WIRE_OK ? orr_client_epoch(c, answer->epoch.index, answer->epoch.count) : s;
+}
+
+// What stands above the generated verbs: the begin of a conversation, and a look whether the peer is alive.
+
+orr_wire_status orr_client_open(orr_client *c, const char *name, const char *version, orr_msg_caps *caps)
+{
+    orr_msg_hello hello = {ORR_MSG_MAJOR, ORR_MSG_MAJOR, orr_wire_text(name), orr_wire_text(version)};
+    return orr_client_hello(c, &hello, caps);
+}
+
+orr_wire_status orr_client_check(orr_client *c, uint64_t token)
+{
+    orr_msg_ping ping = {token};
+    orr_msg_pong pong;
+    orr_wire_status s = orr_client_ping(c, &ping, &pong);
+    return s == ORR_WIRE_OK && pong.token != token ? ORR_WIRE_UNEXPECTED : s;
 }

@@ -106,6 +106,7 @@ static int run(orr_cli *c)
     serving v = {.c = c, .talk = {.fd = STDERR_FILENO}};
     v.log = (orr_log){.level = c->log->level, .write = orr_serve_log_write, .user = &v.talk};
     signal(SIGPIPE, SIG_IGN); // whoever reads what it says may leave
+    signal(SIGHUP, SIG_IGN);  // as later when it serves: a terminal may be closed while it prepares
     orr_diag diag = {0};
     orr_status s = prepare(&v, c->operand[0], &diag);
     bool asked_wrongly = s == ORR_E_ARG && v.service == NULL && v.url != NULL; // --listen, or serve.listen
@@ -150,7 +151,7 @@ const orr_command orr_cmd_serve = {
         "Prepares the scenario (smoothing SP3 files and fitting broadcast data to them take about a second a "
         "day), then says 'ready on URL' on stderr "
         "and answers "
-        "until SIGTERM or SIGINT (status 0; a signal before that line ends it at once, as any program). "
+        "until SIGTERM or SIGINT (status 0; before that line they end it at once, as any program; SIGHUP changes nothing). "
         "Polls are answered by their time tag: the same poll gets the same "
         "bytes, from any "
         "client, any number of times.\n\n"

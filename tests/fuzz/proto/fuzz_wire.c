@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Frames, payloads and the server's state machine over bytes of anyone. The first byte chooses what is done
-// with the rest; where a frame is wanted its checksum is made right, or no input would get past it.
+// What lies below the handlers, over bytes of anyone: payloads decoded, a stream cut anywhere, the client. The
+// first byte chooses what is done with the rest. Requests that are well made meet the real table of handlers in
+// tests/fuzz/service/fuzz_handlers.c.
 #include <stdlib.h>
 
 #include "proto/client.h"
-#include "proto/crc32.h"
 #include "proto/server.h"
 #include "tests/unit/proto/fake.h"
 
@@ -74,23 +74,6 @@ static void serve(const uint8_t *data, size_t n, size_t chunk)
     }
 }
 
-// The bytes as payloads of frames that are well made: [type, length, payload]...
-static void serve_framed(const uint8_t *data, size_t n)
-{
-    static uint8_t framed[1 << 16];
-    orr_wire_writer w = {framed, 0, sizeof framed, ORR_WIRE_OK};
-    while (n >= 2 && w.size + 300 < sizeof framed) {
-        size_t size = data[1] < n - 2 ? data[1] : n - 2, start;
-        orr_frame_begin(&w, data[0] % 32, (uint32_t)n, &start);
-        orr_wire_put_raw(&w, data + 2, size);
-        orr_frame_end(&w, start);
-        data += 2 + size;
-        n -= 2 + size;
-    }
-    MUST(w.status == ORR_WIRE_OK);
-    serve(framed, w.size, w.size > 0 ? w.size : 1);
-}
-
 typedef struct source {
     const uint8_t *data;
     size_t n;
@@ -140,9 +123,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
         break;
     case 1:
         serve(data, n, (size_t)what + 1);
-        break;
-    case 2:
-        serve_framed(data, n);
         break;
     default:
         answer_client(data, n);

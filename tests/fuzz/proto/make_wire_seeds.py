@@ -16,12 +16,10 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
     spec = yaml.safe_load((ROOT / "proto/spec/messages.yaml").read_text(encoding="utf-8"))
     frames = {e["name"]: bytes.fromhex(e["hex"]) for e in spec["examples"]}
-    types = {e["name"]: spec["messages"][e["message"]]["type"] for e in spec["examples"]}
     for name, frame in frames.items():
         payload = frame[16:-4]
         (out / f"payload_{name}").write_bytes(b"\0" + payload)
         (out / f"stream_{name}").write_bytes(b"\x05" + frame + frames["ping"])
-        (out / f"framed_{name}").write_bytes(b"\x02" + bytes([types[name], len(payload) % 256]) + payload[:255])
         (out / f"answer_{name}").write_bytes(b"\x03" + frame)
 
 

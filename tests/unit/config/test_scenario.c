@@ -51,6 +51,7 @@ static void defaults_and_short_forms(void **state)
 }
 
 #define BLOCK "trajectory:\n  kind: analytic\n  lat: 50\n  lon: 20\n"
+#define SKY "orbit: {product: y}\nionosphere: {field: f}\n"
 #define REST "trajectory: {kind: analytic, lat: 50, lon: 20, duration: 60}\n"
 #define WAYPOINTS "trajectory:\n  kind: waypoints\n  waypoints: [{lat: 1, lon: 2}, {lat: 1, lon: 3}]\n"
 
@@ -103,15 +104,15 @@ static void refusals(void **state)
          "imu: has no effect without trajectory: nothing moves"},
         {"orbit: {product: y}\nunits: [{up: 1}]\n", 2, 1, "units: has no effect without trajectory"},
         {"orbit: {product: y}\ngravity: {model: egm96}\n", 2, 1, "gravity: has no effect without trajectory"},
-        {"orbit: {product: y}\nreceiver: {unit: 1}\n", 2, 12,
-         "receiver.unit: has no effect without trajectory"},
-        {REST "orbit: {product: y}\nunits: [{up: 1}]\nreceiver: {unit: 2}\n", 4, 1,
+        {"orbit: {product: y}\nreceiver: {position: [1, 2, 3]}\n", 2, 1,
+         "receiver: has no effect without ionosphere: nothing else asks where it is"},
+        {SKY "receiver: {unit: 1}\n", 3, 12, "receiver.unit: has no effect without trajectory"},
+        {REST SKY "units: [{up: 1}]\nreceiver: {unit: 2}\n", 5, 1,
          "there is no unit 2, the scenario has 0 to 1"},
-        {REST "orbit: {product: y}\nreceiver: {unit: 0, position: [1, 2, 3]}\n", 3, 21,
+        {REST SKY "receiver: {unit: 0, position: [1, 2, 3]}\n", 4, 21,
          "receiver.position: cannot stand beside receiver.unit"},
-        {"orbit: {product: y}\nreceiver: {position: [1, 2]}\n", 2, 22, "2 members, where 3 are wanted"},
-        {"orbit: {product: y}\nreceiver: {position: [91, 2, 3]}\n", 2, 12,
-         "latitude 91, longitude 2 is no place"},
+        {SKY "receiver: {position: [1, 2]}\n", 3, 22, "2 members, where 3 are wanted"},
+        {SKY "receiver: {position: [91, 2, 3]}\n", 3, 12, "latitude 91, longitude 2 is no place"},
         // Keys of a trajectory belong to its kind.
         {"trajectory: {lat: 1, lon: 2}\n", 1, 13, "'trajectory.kind' is missing"},
         {"trajectory: {}\n", 1, 13, "'trajectory.kind' is missing"},
@@ -137,7 +138,12 @@ static void refusals(void **state)
         {"trajectory: {kind: waypoints, waypoints: [{lat: 1, lon: 2}]}\n", 1, 42,
          "1 members, where 2 to 1000 are possible"},
         {"trajectory: {kind: survey, lat: 1, lon: 2, survey: {tie_spacing: 5}}\n", 1, 53,
-         "trajectory.survey.tie_spacing: has no effect without trajectory.survey.tie_lines"},
+         "trajectory.survey.tie_spacing: has no effect with trajectory.survey.tie_lines 0; it needs 1 or "
+         "more"},
+        {"trajectory: {kind: survey, lat: 1, lon: 2, survey: {lines: 1, spacing: 5}}\n", 1, 63,
+         "trajectory.survey.spacing: has no effect with trajectory.survey.lines 1; it needs 2 or more"},
+        {"trajectory: {kind: survey, lat: 1, lon: 2, survey: {side: left, lines: 1}}\n", 1, 53,
+         "trajectory.survey.side: has no effect with trajectory.survey.lines 1; it needs 2 or more"},
         {"trajectory: {kind: survey, lat: 1, lon: 2, climb: 3}\n", 1, 44,
          "trajectory.climb: has no effect with trajectory.kind survey"},
         {BLOCK "  body: {pitch: 2}\n  fit: {degree: 5}\n", 6, 3, "it belongs to trajectory.kind telemetry"},
