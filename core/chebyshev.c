@@ -6,34 +6,6 @@
 
 #include "core/constants.h"
 
-double orr_cheb_eval(const double *c, int degree, double x, double *dv, double *ddv)
-{
-    double b1 = 0, b2 = 0, d1 = 0, d2 = 0, e1 = 0, e2 = 0, two_x = 2 * x;
-    if (dv == NULL && ddv == NULL) {
-        for (int k = degree; k >= 1; k--) {
-            double b = c[k] + two_x * b1 - b2;
-            b2 = b1;
-            b1 = b;
-        }
-        return c[0] + x * b1 - b2;
-    }
-    // Clenshaw's recurrence and its derivatives with respect to x, side by side.
-    for (int k = degree; k >= 1; k--) {
-        double e = 4 * d1 + two_x * e1 - e2;
-        e2 = e1;
-        e1 = e;
-        double d = 2 * b1 + two_x * d1 - d2;
-        d2 = d1;
-        d1 = d;
-        double b = c[k] + two_x * b1 - b2;
-        b2 = b1;
-        b1 = b;
-    }
-    if (dv != NULL) *dv = b1 + x * d1 - d2;
-    if (ddv != NULL) *ddv = 2 * d1 + x * e1 - e2;
-    return c[0] + x * b1 - b2;
-}
-
 void orr_cheb_basis(int degree, double x, double *t, double *d, double *dd)
 {
     double d1 = 0, d2 = 0; // T'_{j-1}, T'_{j-2}: the second derivative needs them where d is not wanted too
@@ -64,17 +36,5 @@ void orr_cheb_from_lobatto(int degree, const double *value, double *c)
             sum += weight * value[degree - k] * cosine[j * k % (2 * degree)];
         }
         c[j] = sum * (j == 0 || j == degree ? 1.0 : 2.0) / degree;
-    }
-}
-
-void orr_cheb_differentiate(int degree, const double *c, double *dc)
-{
-    // dc[k-1] = dc[k+1] + 2 k c[k], the first halved; dc may be c
-    double next = 0, next_but_one = 0;
-    for (int k = degree; k >= 1; k--) {
-        double d = next_but_one + 2 * k * c[k];
-        next_but_one = next;
-        next = d;
-        dc[k - 1] = k == 1 ? 0.5 * d : d;
     }
 }

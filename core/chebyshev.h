@@ -7,13 +7,6 @@
 
 #define ORR_CHEB_MAX_DEGREE 32
 
-// The value of a series at x, by Clenshaw's recurrence.
-//   Given:    c        degree + 1 coefficients
-//             degree   0 or more
-//             x        in [-1, 1]
-//   Returned: dv, ddv  first and second derivative with respect to x; either may be NULL
-//             (value)  the sum
-double orr_cheb_eval(const double *c, int degree, double x, double *dv, double *ddv);
 // The polynomials themselves at x, by recurrence.
 //   Given:    degree   0 or more
 //             x        in [-1, 1]
@@ -24,7 +17,5 @@ void orr_cheb_basis(int degree, double x, double *t, double *d, double *dd);
 // Coefficients c[degree + 1] of the interpolant through value[degree + 1] at the Chebyshev-Lobatto points
 // x_k = -cos(pi k / degree). degree: 0 to ORR_CHEB_MAX_DEGREE.
 void orr_cheb_from_lobatto(int degree, const double *value, double *c);
-// Coefficients dc[degree] of the derivative of the series c[degree + 1]; dc may be c.
-void orr_cheb_differentiate(int degree, const double *c, double *dc);
 
 #endif

@@ -221,13 +221,6 @@ void orr_nav_free(orr_nav *nav);
 // toc, transmission and message one is kept; the ionospheres in the files' order. Time offsets, Earth
 // orientation and comments are not carried over. Free with orr_nav_free.
 orr_status orr_nav_merge(const orr_nav *in, size_t n, orr_nav *out, orr_diag *diag);
-// The same from the files themselves, each read as orr_nav_read does.
-//   Given:    path, n     names of the n files
-//   Returned: out         as of orr_nav_merge
-//             warnings    of all files; may be NULL
-//             diag        why the first that cannot be read cannot; ORR_E_MEMORY
-orr_status orr_nav_read_files(const char *const *path, size_t n, orr_nav *out, orr_warnings *warnings,
-                              orr_diag *diag);
 
 // The ephemerides of one satellite: *count of them from nav->eph[*first] on, ascending in toe. count 0 if
 // none.

@@ -39,19 +39,3 @@ orr_status orr_nav_merge(const orr_nav *in, size_t n, orr_nav *out, orr_diag *di
     out->n_eph = kept;
     return ORR_OK;
 }
-
-orr_status orr_nav_read_files(const char *const *path, size_t n, orr_nav *out, orr_warnings *warnings,
-                              orr_diag *diag)
-{
-    *out = (orr_nav){0};
-    orr_nav *file = calloc(n + 1, sizeof *file);
-    if (file == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n);
-    size_t got = 0;
-    orr_status s = ORR_OK;
-    for (; got < n && s == ORR_OK; got += s == ORR_OK)
-        s = orr_nav_read(path[got], NULL, &file[got], warnings, diag);
-    if (s == ORR_OK) s = orr_nav_merge(file, n, out, diag);
-    for (size_t i = 0; i < got; i++) orr_nav_free(&file[i]);
-    free(file);
-    return s;
-}

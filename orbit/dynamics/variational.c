@@ -11,17 +11,6 @@ void orr_orbit_step_middle(const orr_orbit_step *s, orr_vec3 *r, orr_vec3 *v)
                        orr_vec3_scale(1.5 / s->h_s, orr_vec3_sub(s->r1_m, s->r0_m)));
 }
 
-void orr_orbit_step_middle_exact(const orr_orbit_step *s, orr_vec3 a0, orr_vec3 a1, orr_vec3 *r, orr_vec3 *v)
-{
-    const double h = s->h_s;
-    *r = orr_vec3_scale(0.5, orr_vec3_add(s->r0_m, s->r1_m));
-    *r = orr_vec3_axpy(5.0 / 32 * h, orr_vec3_sub(s->v0_mps, s->v1_mps), *r);
-    *r = orr_vec3_axpy(h * h / 64, orr_vec3_add(a0, a1), *r);
-    *v = orr_vec3_scale(15.0 / 8 / h, orr_vec3_sub(s->r1_m, s->r0_m));
-    *v = orr_vec3_axpy(-7.0 / 16, orr_vec3_add(s->v0_mps, s->v1_mps), *v);
-    *v = orr_vec3_axpy(h / 32, orr_vec3_sub(a1, a0), *v);
-}
-
 orr_mat3 orr_orbit_axes(orr_vec3 r, orr_vec3 v)
 {
     const orr_vec3 radial = orr_vec3_unit(r), cross = orr_vec3_unit(orr_vec3_cross(r, v)),

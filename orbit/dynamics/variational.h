@@ -22,9 +22,6 @@ typedef struct orr_orbit_step {
 
 // Middle of a step by Hermite's cubic: metres off over 450 s of a GNSS satellite.
 void orr_orbit_step_middle(const orr_orbit_step *s, orr_vec3 *r_m, orr_vec3 *v_mps);
-// The same by the quintic through the accelerations as well: 4 um over 300 s.
-void orr_orbit_step_middle_exact(const orr_orbit_step *s, orr_vec3 a0_mps2, orr_vec3 a1_mps2, orr_vec3 *r_m,
-                                 orr_vec3 *v_mps);
 // Radial, along-track and cross-track axes as the columns of a matrix to the axes of r and v.
 orr_mat3 orr_orbit_axes(orr_vec3 r_m, orr_vec3 v_mps);
 

@@ -44,13 +44,6 @@ void orr_integrator_set(orr_integrator *it, const orr_force *force, double max_s
     it->max_step_s = max_step_s;
 }
 
-orr_vec3 orr_integrator_acceleration(const orr_integrator *it, double t_s, orr_vec3 r)
-{
-    orr_sky_point p;
-    orr_sky_force_point(it->sky, t_s, &p);
-    return orr_force_acceleration(it->force, &p, r);
-}
-
 static int motion(double t, const double y[], double dydt[], void *params)
 {
     const orr_integrator *it = params;

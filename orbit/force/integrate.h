@@ -30,7 +30,5 @@ void orr_integrator_set(orr_integrator *it, const orr_force *force, double max_s
 //   v_mps  velocity, m/s
 // Errors: ORR_E_NUMERIC if the orbit becomes impossible (below 1000 km from the centre, or not finite).
 orr_status orr_integrate(orr_integrator *it, double t_s, double h_s, orr_vec3 *r_m, orr_vec3 *v_mps);
-// Force at an instant, for callers that need the acceleration beside the state.
-orr_vec3 orr_integrator_acceleration(const orr_integrator *it, double t_s, orr_vec3 r_m);
 
 #endif

@@ -34,11 +34,6 @@ static double limb_at(const orr_sky *sky, double t_s, orr_vec3 ecef)
     return orr_force_limb_distance(orr_mat3_apply_t(&p.R, ecef), p.sun_m);
 }
 
-bool orr_events_in_shadow(const orr_sky *sky, double t_s, orr_vec3 ecef)
-{
-    return limb_at(sky, t_s, ecef) < 1;
-}
-
 // Limb distance between samples, the position by the cubic through both ends' states: metres off over 150 s.
 static double limb_between(const orr_sky *sky, const orr_orbit_arc *arc, double arc_s, double x_s)
 {

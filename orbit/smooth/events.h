@@ -17,8 +17,6 @@ void orr_events_sort(orr_event_list *l); // by t0
 
 // Umbra and penumbra of the Earth along an arc of ecef samples, boundaries to a tenth of a second.
 orr_status orr_events_eclipses(const orr_sky *sky, const orr_orbit_arc *arc, orr_event_list *l);
-// Whether a satellite at an ecef position is in either.
-bool orr_events_in_shadow(const orr_sky *sky, double t_s, orr_vec3 ecef_m);
 
 // Where two orbits, one known up to a_s, the other from b_s on, come nearest between: the instant of the
 // manoeuvre that joins them, how far apart they are then, and the change of velocity. States in integration

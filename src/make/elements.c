@@ -98,14 +98,16 @@ static void warn_of_eop(const orr_eop_series *eop, const product *list, size_t n
     }
 }
 
-static orr_status rows_of_all(run *r, product *list, orr_warnings *warnings, orr_diag *diag)
+static orr_status rows_of_all(run *r, product *list, orr_inputs *inputs, orr_warnings *warnings,
+                              orr_diag *diag)
 {
     const size_t n = r->plan->n_products;
     orr_status s = put_in_order(r->plan, list, diag);
     if (s == ORR_OK && r->plan->erp != NULL) warn_of_eop(r->options.eop, list, n, warnings);
     for (size_t k = 0; k < n && s == ORR_OK; k++) {
         orr_ephemeris *e = NULL;
-        s = orr_ephemeris_load(list[k].path, &e, diag);
+        s = inputs != NULL ? orr_inputs_note(inputs, list[k].path, diag) : ORR_OK;
+        if (s == ORR_OK) s = orr_ephemeris_load(list[k].path, &e, diag);
         if (s == ORR_OK) s = rows_of(r, e, diag);
         orr_ephemeris_free(e);
     }
@@ -118,8 +120,18 @@ static orr_status rows_of_all(run *r, product *list, orr_warnings *warnings, orr
         orr_time_text(list[0].from, from), orr_time_text(list[0].to, to));
 }
 
+static orr_status read_erp(const char *path, orr_inputs *inputs, orr_erp *out, orr_warnings *warnings,
+                           orr_diag *diag)
+{
+    orr_bytes text;
+    orr_status s = orr_inputs_read(inputs, path, &text, diag);
+    if (s == ORR_OK) s = orr_erp_parse(path, text.text, text.n, NULL, NULL, out, warnings, diag);
+    orr_bytes_free(&text);
+    return s;
+}
+
 orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink sink, void *user,
-                             size_t *n_rows, orr_warnings *warnings, orr_diag *diag)
+                             size_t *n_rows, orr_inputs *inputs, orr_warnings *warnings, orr_diag *diag)
 {
     if (plan->n_products == 0 || plan->step_ns <= 0)
         return orr_diag_set(diag, ORR_E_ARG, "elements need an orbit product and a positive step");
@@ -136,10 +148,10 @@ orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink si
     product *list = calloc(plan->n_products, sizeof *list);
     orr_status s = list != NULL ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     if (s == ORR_OK && plan->erp != NULL) {
-        s = orr_erp_read(plan->erp, NULL, NULL, &erp, warnings, diag);
+        s = read_erp(plan->erp, inputs, &erp, warnings, diag);
         r.options.eop = &erp.series;
     }
-    if (s == ORR_OK) s = rows_of_all(&r, list, warnings, diag);
+    if (s == ORR_OK) s = rows_of_all(&r, list, inputs, warnings, diag);
     if (n_rows != NULL) *n_rows = r.n_rows;
     orr_erp_free(&erp);
     free(list);

@@ -4,6 +4,7 @@
 #define ORR_MAKE_ELEMENTS_H
 
 #include "orbit/elements/elements.h"
+#include "src/make/inputs.h"
 
 #define ORR_MAKE_ELEMENTS_LEAST_SPACING_S 10.0 // closer positions do not define a plane
 
@@ -36,10 +37,11 @@ typedef orr_status (*orr_elements_sink)(void *user, const orr_elements_row *row,
 //   user      handed to `sink`
 // Returned:
 //   n_rows    how many rows there were; may be NULL
+//   inputs    names and SHA-256 of what was read are appended, products in order of time; may be NULL
 //   warnings  Earth rotation that does not cover the products; may be NULL
 //   diag      why it failed; may be NULL
 // Errors: those of the readers and of the sink; ORR_E_ARG (no product, step or spacing); ORR_E_NODATA where there is no row.
 orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink sink, void *user,
-                             size_t *n_rows, orr_warnings *warnings, orr_diag *diag);
+                             size_t *n_rows, orr_inputs *inputs, orr_warnings *warnings, orr_diag *diag);
 
 #endif

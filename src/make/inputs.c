@@ -13,6 +13,14 @@ void orr_inputs_free(orr_inputs *list)
     *list = (orr_inputs){0};
 }
 
+orr_nc_input *orr_inputs_provenance(const orr_inputs *list)
+{
+    orr_nc_input *input = calloc(list->n + 1, sizeof *input);
+    for (size_t i = 0; input != NULL && i < list->n; i++)
+        input[i] = (orr_nc_input){.path = list->item[i].name, .sha256 = list->item[i].sha256};
+    return input;
+}
+
 orr_status orr_inputs_join(orr_inputs *list, const orr_inputs *more, orr_diag *diag)
 {
     if (more->n == 0) return ORR_OK;

@@ -4,6 +4,7 @@
 #ifndef ORR_MAKE_INPUTS_H
 #define ORR_MAKE_INPUTS_H
 
+#include "core/ncfile.h"
 #include "ingest/input/input.h"
 #include "ingest/rinex/rinex_nav.h"
 #include "orbit/smooth/solution.h"
@@ -15,6 +16,9 @@ typedef struct orr_inputs {
 } orr_inputs;
 // Frees the list; it is empty then.
 void orr_inputs_free(orr_inputs *list);
+// The list as a NetCDF product's provenance wants it: an array of list->n borrowed names and hashes, to be freed with
+// free(); NULL without memory.
+orr_nc_input *orr_inputs_provenance(const orr_inputs *list);
 // Appends what another list has. ORR_E_MEMORY.
 orr_status orr_inputs_join(orr_inputs *list, const orr_inputs *more, orr_diag *diag);
 

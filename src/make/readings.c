@@ -65,30 +65,27 @@ void orr_readings_free(orr_readings *r)
     *r = (orr_readings){0};
 }
 
-static size_t add_inputs(const orr_inputs *from, orr_nc_input *to, size_t n)
-{
-    for (size_t i = 0; from != NULL && i < from->n; i++)
-        to[n++] = (orr_nc_input){.path = from->item[i].name, .sha256 = from->item[i].sha256};
-    return n;
-}
-
 orr_status orr_readings_save(const orr_readings *r, const orr_readings_plan *plan,
                              const orr_scenario *scenario, const orr_inputs *inputs, const char *path,
                              const char *history, orr_diag *diag)
 {
     const orr_moving *v = plan->moving;
-    orr_nc_input *input = calloc((inputs != NULL ? inputs->n : 0) + v->inputs.n + 1, sizeof *input);
-    if (input == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the names of inputs");
-    const size_t n = add_inputs(&v->inputs, input, add_inputs(inputs, input, 0));
+    orr_inputs all = {0};
+    orr_status s = inputs != NULL ? orr_inputs_join(&all, inputs, diag) : ORR_OK;
+    if (s == ORR_OK) s = orr_inputs_join(&all, &v->inputs, diag);
+    orr_nc_input *input = orr_inputs_provenance(&all);
+    if (s == ORR_OK && input == NULL)
+        s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for the names of inputs");
     const orr_scenario_gravity *gravity = &scenario->motion.gravity;
     const orr_imu_labels labels = {.title = scenario->title,
                                    .history = history,
                                    .gravity_model_name = v->model != NULL ? gravity->model : NULL,
                                    .gravity_model_dir = v->model != NULL ? gravity->folder : NULL,
                                    .input = input,
-                                   .n_inputs = n,
+                                   .n_inputs = all.n,
                                    .truth_every = r->truth_every};
-    const orr_status s = orr_imu_write(path, &r->imu, &r->truth, v->gravity, &labels, diag);
+    if (s == ORR_OK) s = orr_imu_write(path, &r->imu, &r->truth, v->gravity, &labels, diag);
     free(input);
+    orr_inputs_free(&all);
     return s;
 }

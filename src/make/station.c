@@ -153,10 +153,8 @@ orr_status orr_station_session(orr_station *s, orr_diag *diag)
 
 orr_status orr_station_save(const orr_station *s, const char *path, const char *history, orr_diag *diag)
 {
-    orr_nc_input *input = calloc(s->inputs.n + 1, sizeof *input);
+    orr_nc_input *input = orr_inputs_provenance(&s->inputs);
     if (input == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the names of inputs");
-    for (size_t i = 0; i < s->inputs.n; i++)
-        input[i] = (orr_nc_input){.path = s->inputs.item[i].name, .sha256 = s->inputs.item[i].sha256};
     orr_status status = orr_session_save(&s->session, path, history, input, s->inputs.n, diag);
     free(input);
     return status;

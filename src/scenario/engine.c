@@ -26,21 +26,6 @@ static orr_status make_engine(const char *title, orr_engine **out, orr_diag *dia
     return ORR_OK;
 }
 
-orr_status orr_engine_from_ephemeris(orr_ephemeris *eph, const char *title, orr_engine **out, orr_diag *diag)
-{
-    orr_status s = make_engine(title, out, diag);
-    if (s != ORR_OK) {
-        orr_ephemeris_free(eph);
-        return s;
-    }
-    s = orr_source_orbit_of_ephemeris(eph, &(*out)->orbits, diag);
-    if (s != ORR_OK) {
-        orr_engine_close(*out);
-        *out = NULL;
-    }
-    return s;
-}
-
 static const char *base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');

@@ -24,8 +24,6 @@ typedef struct orr_engine orr_engine;
 // Errors: those of the readers and makers; ORR_E_NODATA (neither satellites nor a trajectory).
 orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const volatile int *cancel,
                            orr_warnings *warnings, orr_engine **out, orr_diag *diag);
-// Of an ephemeris alone, which it takes over: states and elements.
-orr_status orr_engine_from_ephemeris(orr_ephemeris *e, const char *title, orr_engine **out, orr_diag *diag);
 // Frees it; NULL may be closed.
 void orr_engine_close(orr_engine *e);
 

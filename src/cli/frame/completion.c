@@ -67,4 +67,6 @@ void orr_cli_completion(FILE *f, const orr_command *const *list, bool zsh)
           "    esac\n}\n"
           "complete -o filenames -F _orrery orrery\n",
           f);
+    // zsh has loaded this file because the first completion was asked for, which is still to be answered.
+    if (zsh) fputs("if [[ -n ${compstate-} ]]; then _bash_complete -o filenames -F _orrery; fi\n", f);
 }

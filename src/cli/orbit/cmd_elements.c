@@ -77,7 +77,25 @@ static orr_status print_json_row(void *user, const orr_elements_row *row, orr_di
     return check_stream(s, diag);
 }
 
-static orr_status write_nc(const char *path, const table *t, const char *about, orr_diag *diag)
+// What a NetCDF file tells of itself besides its rows.
+static orr_status put_about(orr_nc_writer *w, const orr_cli *c, const orr_elements_plan *plan,
+                            const orr_inputs *inputs, orr_diag *diag)
+{
+    orr_nc_input *input = orr_inputs_provenance(inputs);
+    if (input == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    orr_status s =
+        orr_nc_put_provenance(w, "Kepler elements of navigation satellites", c->call, input, inputs->n, diag);
+    if (s == ORR_OK) s = orr_nc_put_att_text(w, NULL, "product", "elements", diag);
+    if (s == ORR_OK) s = orr_nc_put_att_text(w, NULL, "axes", orr_cli_text(c, "frame", "date"), diag);
+    if (s == ORR_OK) s = orr_nc_put_att_text(w, NULL, "method", orr_cli_text(c, "method", "state"), diag);
+    if (s == ORR_OK && plan->method == ORR_ELEMENTS_THREE_POSITIONS)
+        s = orr_nc_put_att_double(w, NULL, "spacing_s", &plan->spacing_s, 1, diag);
+    free(input);
+    return s;
+}
+
+static orr_status write_nc(const orr_cli *c, const orr_elements_plan *plan, const char *path, const table *t,
+                           const orr_inputs *inputs, orr_diag *diag)
 {
     orr_nc_writer w;
     orr_status s = orr_nc_create(path, &w, diag);
@@ -95,8 +113,9 @@ static orr_status write_nc(const char *path, const table *t, const char *about, 
         time[i] = t->item[i].t;
     }
     if (s == ORR_OK)
-        s = orr_nc_put_var(&w, "time", ORR_NC_INT64, 1, by_row, time, "ns",
-                           "nanoseconds of GPS time since 1980-01-06", diag);
+        s = orr_nc_put_var(&w, "time", ORR_NC_INT64, 1, by_row, time, "nanoseconds since 1980-01-06 00:00:00",
+                           "instant, GPS time", diag);
+    if (s == ORR_OK) s = orr_nc_put_att_text(&w, "time", "calendar", "standard", diag);
     if (s == ORR_OK) s = orr_nc_put_var(&w, "sat", ORR_NC_CHAR, 2, by_row, name, NULL, "satellite", diag);
     static const struct {
         const char *name, *units, *long_name;
@@ -121,8 +140,7 @@ static orr_status write_nc(const char *path, const table *t, const char *about, 
         s = orr_nc_put_var(&w, column[k].name, ORR_NC_DOUBLE, 1, by_row, value, column[k].units,
                            column[k].long_name, diag);
     }
-    if (s == ORR_OK)
-        s = orr_nc_put_provenance(&w, "Kepler elements of navigation satellites", about, NULL, 0, diag);
+    if (s == ORR_OK) s = put_about(&w, c, plan, inputs, diag);
     free(value);
     free(name);
     free(time);
@@ -138,7 +156,7 @@ static orr_status to_text(const orr_elements_plan *plan, const char *path, bool 
     orr_status s = orr_outfile_open(path, &out, diag);
     if (s != ORR_OK) return s;
     text_sink k = {.stream = out.stream, .path = path};
-    s = orr_elements_make(plan, json ? print_json_row : print_csv_row, &k, n, warnings, diag);
+    s = orr_elements_make(plan, json ? print_json_row : print_csv_row, &k, n, NULL, warnings, diag);
     if (s != ORR_OK) {
         orr_outfile_abort(&out);
         return s;
@@ -147,13 +165,15 @@ static orr_status to_text(const orr_elements_plan *plan, const char *path, bool 
     return orr_outfile_commit(&out, diag);
 }
 
-static orr_status to_nc(const orr_elements_plan *plan, const char *path, size_t *n, orr_warnings *warnings,
-                        orr_diag *diag)
+static orr_status to_nc(const orr_cli *c, const orr_elements_plan *plan, const char *path, size_t *n,
+                        orr_warnings *warnings, orr_diag *diag)
 {
     table t = {0};
-    orr_status s = orr_elements_make(plan, keep_row, &t, n, warnings, diag);
-    if (s == ORR_OK) s = write_nc(path, &t, "orrery elements", diag);
+    orr_inputs inputs = {0};
+    orr_status s = orr_elements_make(plan, keep_row, &t, n, &inputs, warnings, diag);
+    if (s == ORR_OK) s = write_nc(c, plan, path, &t, &inputs, diag);
     free(t.item);
+    orr_inputs_free(&inputs);
     return s;
 }
 
@@ -181,7 +201,7 @@ static int run(orr_cli *c)
         return orr_cli_usage(c, "--spacing: at least %g s; closer positions do not define a plane",
                              ORR_MAKE_ELEMENTS_LEAST_SPACING_S);
     size_t n = 0;
-    orr_status s = nc ? to_nc(&plan, path, &n, &warnings, &diag)
+    orr_status s = nc ? to_nc(c, &plan, path, &n, &warnings, &diag)
                       : to_text(&plan, path, strcmp(format, "json") == 0, &n, &warnings, &diag);
     if (s == ORR_OK && strcmp(path, "-") != 0) orr_cli_say(c, "%s: %zu rows", path, n);
     orr_cli_warnings(c, &warnings);

@@ -12,12 +12,14 @@
 typedef struct work {
     orr_ephemeris *product;
     orr_navset *set;
+    orr_inputs inputs;
 } work;
 
 static void work_free(work *w)
 {
     orr_navset_free(w->set);
     orr_ephemeris_free(w->product);
+    orr_inputs_free(&w->inputs);
 }
 
 static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_diag *diag)
@@ -32,8 +34,9 @@ static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_di
     plan.options.sats = orr_cli_sats(c, "sat");
     plan.options.zero_clocks = orr_cli_given(c, "zero-clocks");
     plan.options.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;
-    orr_status s = orr_ephemeris_load(c->operand[0], &w->product, diag);
-    if (s == ORR_OK) s = orr_navset_make(w->product, &plan, &w->set, NULL, warnings, diag);
+    orr_status s = orr_inputs_note(&w->inputs, c->operand[0], diag);
+    if (s == ORR_OK) s = orr_ephemeris_load(c->operand[0], &w->product, diag);
+    if (s == ORR_OK) s = orr_navset_make(w->product, &plan, &w->set, &w->inputs, warnings, diag);
     free(nav);
     return s;
 }
@@ -42,14 +45,14 @@ static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
 {
     const char *rinex = orr_cli_text(c, "output", NULL), *bits = orr_cli_text(c, "bits", NULL);
     orr_status s = ORR_OK;
-    if (rinex != NULL) s = navfit_write_rinex(w->set, rinex, diag);
+    if (rinex != NULL) s = navfit_write_rinex(w->set, &w->inputs, rinex, diag);
     if (s != ORR_OK || bits == NULL) return s;
     orr_time from, to;
     size_t n = 0;
     orr_ephemeris_span(w->product, &from, &to);
     from = orr_cli_time(c, "from", from);
     to = orr_cli_time(c, "to", to);
-    s = navfit_write_bits(w->set, from, to, bits, &n, diag);
+    s = navfit_write_bits(w->set, &w->inputs, from, to, bits, &n, diag);
     if (s == ORR_OK) orr_cli_say(c, "%s: %zu subframes and strings", bits, n);
     return s;
 }
@@ -73,7 +76,7 @@ static int run(orr_cli *c)
     if (s != ORR_OK)
         status = orr_cli_fail(c, &diag);
     else if (json)
-        status = navfit_print_json(c, w.set);
+        status = navfit_print_json(c, w.set, &w.inputs);
     else
         navfit_say(c, w.set);
     orr_warnings_free(&warnings);

@@ -115,7 +115,7 @@ static json_t *json_set(orr_sat sat, const orr_navset_item *item)
     return o;
 }
 
-int navfit_print_json(const orr_cli *c, const orr_navset *set)
+int navfit_print_json(const orr_cli *c, const orr_navset *set, const orr_inputs *inputs)
 {
     json_t *root = json_object(), *systems = json_object(), *sets = json_array();
     for (const char *system = "GR"; *system != '\0'; system++) {
@@ -132,6 +132,11 @@ int navfit_print_json(const orr_cli *c, const orr_navset *set)
     }
     json_object_set_new(root, "systems", systems);
     json_object_set_new(root, "sets", sets);
+    json_t *files = json_array();
+    for (size_t i = 0; i < inputs->n; i++)
+        json_array_append_new(files, json_pack("{s:o, s:s}", "file", orr_json_text(inputs->item[i].name),
+                                               "sha256", inputs->item[i].sha256));
+    json_object_set_new(root, "inputs", files);
     int status = orr_json_print(c, root, JSON_INDENT(1) | JSON_REAL_PRECISION(9));
     return status == ORR_EXIT_OK ? orr_cli_flush(c) : status;
 }

@@ -3,12 +3,33 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "core/outfile.h"
 #include "orbit/navdata/navframe.h"
 
-orr_status navfit_write_rinex(const orr_navset *set, const char *path, orr_diag *diag)
+// Comments of at most 60 characters: a file's name, and its SHA-256 in two halves.
+static orr_status put_comments(const orr_inputs *inputs, orr_nav *nav, orr_diag *diag)
+{
+    nav->comment = calloc(3 * inputs->n + 1, sizeof *nav->comment);
+    for (size_t i = 0; nav->comment != NULL && i < 3 * inputs->n; i++) {
+        const orr_orbit_source *in = &inputs->item[i / 3];
+        char line[61];
+        if (i % 3 == 0)
+            snprintf(line, sizeof line, "INPUT %.54s", in->name);
+        else
+            snprintf(line, sizeof line, "SHA-256 %s %.32s", i % 3 == 1 ? "begins" : "ends",
+                     in->sha256 + (i % 3 - 1) * 32);
+        nav->comment[i] = strdup(line);
+        if (nav->comment[i] == NULL) break;
+        nav->n_comments++;
+    }
+    return nav->n_comments == 3 * inputs->n ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+}
+
+orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, const char *path,
+                              orr_diag *diag)
 {
     orr_nav nav;
     orr_status s = orr_navset_records(set, &nav, diag);
@@ -17,7 +38,8 @@ orr_status navfit_write_rinex(const orr_navset *set, const char *path, orr_diag 
     struct tm utc;
     snprintf(nav.program, sizeof nav.program, "orrery %s", ORR_VERSION);
     if (gmtime_r(&now, &utc) != NULL) strftime(nav.date, sizeof nav.date, "%Y%m%d %H%M%S UTC", &utc);
-    s = orr_nav_write(&nav, path, NULL, diag);
+    s = put_comments(inputs, &nav, diag);
+    if (s == ORR_OK) s = orr_nav_write(&nav, path, NULL, diag);
     orr_nav_free(&nav);
     return s;
 }
@@ -52,8 +74,8 @@ static orr_status print_frame(FILE *f, const orr_navset *set, orr_sat sat, orr_t
     return ORR_OK;
 }
 
-orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, const char *path,
-                             size_t *n_pieces, orr_diag *diag)
+orr_status navfit_write_bits(const orr_navset *set, const orr_inputs *inputs, orr_time from, orr_time to,
+                             const char *path, size_t *n_pieces, orr_diag *diag)
 {
     const orr_sat *sat;
     const int64_t block = 30 * ORR_NS_PER_S;
@@ -63,6 +85,8 @@ orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, 
     for (size_t i = 0; i < n; i++) next[i] = from;
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
+    for (size_t i = 0; s == ORR_OK && i < inputs->n; i++)
+        fprintf(out.stream, "# input %s, SHA-256 %s\n", inputs->item[i].name, inputs->item[i].sha256);
     if (s == ORR_OK) fputs("t_gps,sat,message,number,page,bits,hex\n", out.stream);
     *n_pieces = 0;
     for (orr_time t = from; t < to && s == ORR_OK; t += block) {

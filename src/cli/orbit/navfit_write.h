@@ -5,16 +5,27 @@
 
 #include "orbit/navdata/navset.h"
 #include "src/cli/frame/cli.h"
+#include "src/make/inputs.h"
 
-// RINEX NAV 3.05.
-orr_status navfit_write_rinex(const orr_navset *set, const char *path, orr_diag *diag);
-// The bit streams of [from, to) as CSV; *n_pieces is how many subframes and strings were written. Without one
-// there is no file: ORR_E_NODATA.
-orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, const char *path,
-                             size_t *n_pieces, orr_diag *diag);
+// RINEX NAV 3.05; comments of the header name the inputs and their SHA-256.
+orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, const char *path,
+                              orr_diag *diag);
+// Writes the bit streams as CSV, behind comments (#) that name the inputs.
+// Given:
+//   set       the broadcast data
+//   inputs    what they were made from
+//   from, to  the span, [from, to)
+//   path      where to; without a piece there is no file
+// Returned:
+//   n_pieces  how many subframes and strings were written
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_NODATA (nothing is sent then), ORR_E_IO, ORR_E_MEMORY.
+orr_status navfit_write_bits(const orr_navset *set, const orr_inputs *inputs, orr_time from, orr_time to,
+                             const char *path, size_t *n_pieces, orr_diag *diag);
 
-// The report: a table on stderr, or JSON on stdout (with every set).
+// The report as a table on stderr.
 void navfit_say(const orr_cli *c, const orr_navset *set);
-int navfit_print_json(const orr_cli *c, const orr_navset *set);
+// The report with every set as JSON on stdout; an exit status.
+int navfit_print_json(const orr_cli *c, const orr_navset *set, const orr_inputs *inputs);
 
 #endif

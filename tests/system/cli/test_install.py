@@ -3,9 +3,13 @@
 through find_package, manual pages are clean, bash completes from the command table."""
 import os
 import pathlib
+import pty
 import re
+import select
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
@@ -141,6 +145,41 @@ class Installed(Folder):
         self.assertEqual(self.complete("states", "-o", "user"), ["user.c"])
         self.assertEqual(self.complete("states", "--from", "2"), [])
         self.assertIn("--quiet", self.complete("orbit", "--"))
+
+    def zsh(self, keys, wanted):
+        """What an interactive zsh shows after these keys, as soon as `wanted` is in it."""
+        child, fd = pty.fork()
+        if child == 0:
+            os.environ.update(TERM="dumb", LC_ALL="C")
+            os.chdir(self.folder)
+            os.execvp("zsh", ["zsh", "-f", "-i"])
+
+        def until(pattern):
+            shown, end = "", time.monotonic() + 60
+            while time.monotonic() < end:
+                if select.select([fd], [], [], 0.2)[0]:
+                    shown += os.read(fd, 4096).decode(errors="replace")
+                    if re.search(pattern, shown, re.S):
+                        return shown
+            return shown
+
+        try:
+            os.write(fd, f"fpath=({self.prefix}/share/zsh/site-functions $fpath); autoload -Uz compinit && compinit -u -D; "
+                         "echo re''ady\n".encode())
+            self.assertIn("ready\r", until("ready\r"))
+            os.write(fd, keys.encode())
+            return until(wanted)
+        finally:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+            os.close(fd)
+
+    def test_zsh_completion(self):
+        for keys, wanted in (("orrery ecl\t", "orrery eclipses"), ("orrery states x.nc --form\t", "--format"),
+                             ("orrery states x.nc --format \t\t", "csv +json +sp3"), ("orrery help gravi\t", "help gravimetry"),
+                             ("orrery states da\t", "states day.nc")):
+            with self.subTest(keys=keys):
+                self.assertRegex(self.zsh(keys, wanted), wanted)
 
     def test_version(self):
         lines = run("--version", "--verbose").stdout.splitlines()

@@ -52,11 +52,31 @@ class Documentation(Folder):
                     ran += 1
         self.assertGreater(ran, 0)
 
-    def test_named_tests_exist(self):
+    def names(self):
+        """Of all tests of this build."""
         build = os.environ.get("ORRERY_BUILD", str(ROOT / "build/dev"))
         listed = subprocess.run(["ctest", "--test-dir", build, "-N"], capture_output=True, text=True, check=True).stdout
         names = re.findall(r"Test +#\d+: (\S+)", listed)
         self.assertTrue(names)
+        return names
+
+    def test_capabilities_have_tests(self):
+        """README's table: every row names tests, and they exist."""
+        names = self.names()
+        table = re.search(r"^\| capability \|.*\n\|[-|]+\|\n((?:\|.*\n)+)", (ROOT / "README.md").read_text(encoding="utf-8"), re.M)
+        rows = table.group(1).splitlines()
+        self.assertGreater(len(rows), 15)
+        for row in rows:
+            capability, against, how = (cell.strip() for cell in row.strip("|").split("|"))
+            with self.subTest(capability=capability):
+                self.assertTrue(capability and against)
+                patterns = re.findall(r"`([^`]+)`", how)
+                self.assertTrue(patterns, "no test is named")
+                for pattern in patterns:
+                    self.assertTrue(any(re.search(pattern, n) for n in names), f"{pattern} names no test")
+
+    def test_named_tests_exist(self):
+        names = self.names()
         for page in PAGES:
             for code in spans(page.read_text(encoding="utf-8")):
                 for call in re.findall(r"\bctest\b[^;&|]*?-R +('[^']*'|\S+)", code):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """orrery elements over several days: rows in order of time however the products are named, one content in three formats."""
 import csv
+import hashlib
 import io
 import json
 import math
@@ -55,6 +56,15 @@ class Elements(Folder):
         for name, column, digits in (("a", "a_m", 4), ("e", "e", 12), ("raan", "raan_deg", 10), ("u", "u_deg", 10)):
             values = re.search(rf"\n {name} =(.*?);", text, re.S).group(1).split(",")
             self.assertEqual([f"{float(v):.{digits}f}" for v in values], [r[column] for r in rows])
+
+    def test_netcdf_tells_where_it_is_from(self):
+        path = self.path("from.nc")
+        run("elements", self.day[0], "--step", "6h", "--frame", "j2000", "--method", "mean", "--format", "nc", "-o", path)
+        head = subprocess.run(["ncdump", "-h", path], capture_output=True, text=True, check=True).stdout
+        digest = hashlib.sha256(pathlib.Path(self.day[0]).read_bytes()).hexdigest()
+        for text in (':input_files = "day', f':input_sha256 = "{digest}"', ':axes = "j2000"', ':method = "mean"', "--frame j2000",
+                     'time:units = "nanoseconds since 1980-01-06 00:00:00"', 'time:calendar = "standard"'):
+            self.assertIn(text, head)
 
     def test_angles_are_angles(self):
         for frame in ("date", "j2000", "ecef"):

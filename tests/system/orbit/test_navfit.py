@@ -3,6 +3,7 @@
 import collections
 import csv
 import datetime
+import hashlib
 import json
 import math
 import pathlib
@@ -35,7 +36,7 @@ def pieces(path):
     """The bit stream: sat -> pieces, ascending in time."""
     streams = collections.defaultdict(list)
     with open(path, encoding="ascii", newline="") as f:
-        for row in csv.DictReader(f):
+        for row in csv.DictReader(line for line in f if not line.startswith("#")):
             row["t"] = seconds(row["t_gps"])
             row["number"], row["page"] = int(row["number"]), int(row["page"])
             streams[row["sat"]].append(row)
@@ -93,6 +94,15 @@ class Made(Folder):
             # Five sigma of what a straight line leaves of the clock, and the LSB of tau.
             self.assertLess(abs(clock - periodic - true_clock) * 1e9, 5 * claim["clock_rms_ns"] + 0.5, (sat, t))
         return math.dist(position, true)**2
+
+    def test_outputs_tell_their_inputs(self):
+        digest = hashlib.sha256(pathlib.Path(self.product).read_bytes()).hexdigest()
+        name = pathlib.Path(self.product).name
+        self.assertEqual(self.report["inputs"], [{"file": name, "sha256": digest}])
+        self.assertTrue(pathlib.Path(self.path("bits.csv")).read_text(encoding="ascii").startswith(f"# input {name}, SHA-256 {digest}\n"))
+        head = pathlib.Path(self.path("day.rnx")).read_text(encoding="ascii").split("END OF HEADER")[0]
+        for text in (f"INPUT {name}", f"SHA-256 begins {digest[:32]}", f"SHA-256 ends {digest[32:]}"):
+            self.assertIn(text, head)
 
     def test_lnav_bits_give_the_orbit_again(self):
         errors = []

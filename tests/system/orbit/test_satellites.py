@@ -224,7 +224,7 @@ class Satellites(Folder):
         self.assertIn("--signal needs", run("satellites", self.day, "--signal", "1C", status=2).stderr)
         self.assertIn("1C,2W", run("satellites", self.day, "--signal", "C1C", "--nav", "x", status=2).stderr)
         self.assertIn("name them", run("satellites", self.day, "--bias", "x", status=2).stderr)
-        self.assertIn("one instant", run("satellites", self.day, "--at", "2024-02-04", "--to", "2024-02-04", status=2).stderr)
+        self.assertIn("does not apply with --at", run("satellites", self.day, "--at", "2024-02-04", "--to", "2024-02-04", status=2).stderr)
         backward = ("--from", "2024-02-04T12:00", "--to", "2024-02-04T11:00")
         for name in ("satellites", "eclipses", "elements", "states"):
             self.assertIn("before --from", run(name, self.day, *backward, status=2).stderr)
