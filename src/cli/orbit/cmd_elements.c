@@ -232,8 +232,8 @@ static const orr_option options[] = {
      .help = "Distance of the three positions, from 10 s to a quarter of a revolution; 300 s by default."},
     ORR_OPTION_FROM(.help = "First instant; where the products begin by default."),
     ORR_OPTION_TO(.help = "Last instant; where the products end by default."),
-    ORR_OPTION_ERP(.help =
-                       "Earth rotation parameters; by default what the product was made with, which it holds."),
+    ORR_OPTION_ERP(
+            .help = "Earth rotation parameters; by default what the product was made with, which it holds."),
     ORR_OPTION_FORMAT("csv|json|nc", "csv"),
     ORR_OPTION_OUTPUT,
 };

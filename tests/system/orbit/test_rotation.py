@@ -39,7 +39,7 @@ class Rotation(Folder):
     def setUpClass(cls):
         super().setUpClass()
         cls.product, cls.erp = cls.path("day.nc"), cls.path("day.erp")
-        cls.summary = run_json("orbit", "--json", "-o", cls.product, "--erp-out", cls.erp, "--sat", "G", sample(DAYS[1]))
+        cls.summary = run_json("orbit", "--format", "json", "-o", cls.product, "--erp-out", cls.erp, "--sat", "G", sample(DAYS[1]))
 
     def test_the_samples_have_the_secular_pole(self):
         """Their truth turns by it, without the ocean's tides, which are up to 0.7 mas and 0.07 ms a day."""
@@ -68,7 +68,7 @@ class Rotation(Folder):
 
     def test_the_file_covers_the_product(self):
         """Given back it is kept, and the orbits agree with it to the digits that the format has."""
-        again = run_json("orbit", "--json", "-o", self.path("again.nc"), "--erp", self.erp, "--sat", "G", sample(DAYS[1]))
+        again = run_json("orbit", "--format", "json", "-o", self.path("again.nc"), "--erp", self.erp, "--sat", "G", sample(DAYS[1]))
         self.assertTrue(again["earth_rotation_given"])
         r = again["earth_rotation"]
         self.assertFalse(r["used"])

@@ -176,7 +176,8 @@ static void open_text(const char *text, orr_engine **e)
 static void copy_field(void)
 {
     char line[200];
-    FILE *in = fopen(ORR_SOURCE_DIR "/samples/ionosphere.ION", "r"), *out = fopen(ORR_BINARY_DIR "/engine.ION", "w");
+    FILE *in = fopen(ORR_SOURCE_DIR "/samples/ionosphere.ION", "r"),
+         *out = fopen(ORR_BINARY_DIR "/engine.ION", "w");
     assert_true(in != NULL && out != NULL);
     while (fgets(line, sizeof line, in) != NULL) fputs(line, out);
     fclose(in);
