@@ -142,11 +142,12 @@ class Delays(unittest.TestCase):
 
     def test_scenarios_that_are_wrong(self):
         for more, words in (("ionosphere: {field: a, session: b}\n", "cannot stand beside ionosphere.session"),
+                            ("receiver: {position: [1, 2, 0]}\n", "has no effect without ionosphere"),
                             ("ionosphere: {field: missing.INX}\n", "missing.INX"),
                             ("ionosphere: {session: made.INX}\n", "made.INX"),
                             (f"ionosphere: {{session: {product()}}}\n", "no ionospheric session"),
-                            ("receiver: {position: [1, 2]}\n", "3 are wanted"),
-                            ("receiver: {position: [91, 2, 0]}\n", "no place")):
+                            ("ionosphere: {field: made.INX}\nreceiver: {position: [1, 2]}\n", "3 are wanted"),
+                            ("ionosphere: {field: made.INX}\nreceiver: {position: [91, 2, 0]}\n", "no place")):
             done = orrery("serve", scenario("wrong.yaml", more))
             self.assertEqual(done.returncode, 1, more)
             self.assertIn(words, done.stderr)
