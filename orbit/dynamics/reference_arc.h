@@ -32,9 +32,19 @@ typedef struct orr_arc_room {
     double *length, *weight, *sort;
 } orr_arc_room;
 
+// Allocates what a worker needs.
+// Given:
+//   sky         positions of Sun and Moon, turn of the Earth; borrowed
+//   knots       corrections of the Earth's rotation; borrowed
+//   earth       gravity field
+//   most_nodes  of an arc
+// Returned:
+//   room        free with orr_arc_room_free
+// Errors: ORR_E_MEMORY.
 orr_status orr_arc_room_init(const orr_sky *sky, const orr_rotation_knots *knots,
                              const orr_gravity_field *earth, size_t most_nodes, orr_arc_room *room,
                              orr_diag *diag);
+// Frees what orr_arc_room_init allocated.
 void orr_arc_room_free(orr_arc_room *room);
 
 // A state at the arc's first node that passes through two nodes and near those after them; false if there is
@@ -43,8 +53,16 @@ bool orr_arc_start(orr_arc_room *room, orr_reference_arc *arc);
 // Integrates the arc and fills the equations; ORR_E_NUMERIC if the orbit leaves sense.
 orr_status orr_arc_equations_make(orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *out);
 
-// Solves A x = b in place for n unknowns (A symmetric positive definite, of which the lower half is read,
-// with its diagonal scaled away) and columns of right sides b[n][columns]; false if it is not.
+// Solves A x = b in place by Cholesky's method, with A's diagonal scaled away.
+// Given:
+//   A        symmetric positive definite, row-major; the lower half is read and overwritten
+//   stride   doubles from row to row
+//   n        unknowns, 64 at most
+//   b        right sides, [n][columns]
+//   columns  number of them
+// Returned:
+//   b        solutions
+//   value    false if A is not positive definite
 bool orr_solve_symmetric(double *A, size_t stride, size_t n, double *b, size_t columns);
 
 #endif

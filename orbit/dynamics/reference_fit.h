@@ -61,6 +61,7 @@ typedef struct orr_reference_fit {
 // orr_reference_fit_free.
 orr_status orr_reference_fit_run(const orr_reference_problem *problem, orr_reference_fit *out,
                                  orr_diag *diag);
+// Frees sky and rotation and zeroes the fit.
 void orr_reference_fit_free(orr_reference_fit *f);
 
 #endif

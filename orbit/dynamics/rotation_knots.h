@@ -21,14 +21,16 @@ typedef struct orr_rotation_knots {
 
 // Weights of the knots window - 1 .. window + 2 in the curve at t_s; zero for knots that are not there.
 void orr_knot_weights(const orr_rotation_knots *k, size_t window, double t_s, double weight[ORR_KNOT_REACH]);
+// The window that t_s lies in; the first or last one beyond the ends.
 size_t orr_knot_window(const orr_rotation_knots *k, double t_s);
 // The curve at t_s and its derivative (a day).
 void orr_knot_value(const orr_rotation_knots *k, double t_s, double value[ORR_KNOT_VALUES],
                     double per_day[ORR_KNOT_VALUES]);
 
-// Start (a series, or NULL: what is known without measurements, with the zonal tides) plus corrections, every
-// three hours. Room for orr_knot_series_length entries.
+// Entries of the series that orr_knot_series makes.
 size_t orr_knot_series_length(const orr_rotation_knots *k);
+// Start (a series, or NULL: what is known without measurements, with the zonal tides) plus corrections, every
+// three hours, into out, which has room for orr_knot_series_length entries.
 void orr_knot_series(const orr_rotation_knots *k, const orr_eop_series *start, orr_eop_series *out);
 
 // How a direction fixed to the Earth (ecef) moves in ecef by 1 mas of xp, of yp, by 1 ms of UT1: columns of

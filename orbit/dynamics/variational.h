@@ -25,11 +25,16 @@ void orr_orbit_step_middle(const orr_orbit_step *s, orr_vec3 *r_m, orr_vec3 *v_m
 // Radial, along-track and cross-track axes as the columns of a matrix to the axes of r and v.
 orr_mat3 orr_orbit_axes(orr_vec3 r_m, orr_vec3 v_mps);
 
-// Partial derivatives of the state at the step's end, rows position then velocity, by one classical
-// Runge-Kutta step with the gradient (central and flattening) at begin, middle and end: over 150 s of a GNSS
-// satellite they err by 4e-11 of the deviation, and by 1e-8 over 450 s. axes: those of the empirical
-// acceleration at begin, middle and end, or NULL: its columns are zero then, as those of ECOM are with a
-// plain force.
+// Partial derivatives of the state at the step's end by one classical Runge-Kutta step with the gradient (central and
+// flattening) at begin, middle and end: over 150 s of a GNSS satellite they err by 4e-11 of the deviation, and by 1e-8
+// over 450 s.
+// Given:
+//   force    the force; without its precise part the columns of ECOM are zero
+//   sky      of the step
+//   s        the step
+//   axes     of the empirical acceleration at begin, middle and end; NULL: its columns are zero
+// Returned:
+//   partial  rows position then velocity, columns ORR_PARTIAL_*
 void orr_variational_step(const orr_force *force, const orr_sky *sky, const orr_orbit_step *s,
                           const orr_mat3 axes[3], double partial[6][ORR_PARTIALS]);
 

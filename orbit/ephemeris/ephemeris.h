@@ -31,7 +31,10 @@ typedef struct orr_ephemeris orr_ephemeris;
 orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out, orr_diag *diag);
 // NetCDF-4, CF-style (see docs/product.md). Writing is atomic.
 orr_status orr_ephemeris_save(const orr_ephemeris *e, const char *path, const char *history, orr_diag *diag);
+// Reads such a file; every count and index is checked. Errors: ORR_E_KIND (no orbit product), ORR_E_UNSUPPORTED (of another version), ORR_E_FORMAT, ORR_E_NODATA, ORR_E_IO, ORR_E_MEMORY. Free
+// with orr_ephemeris_free.
 orr_status orr_ephemeris_load(const char *path, orr_ephemeris **out, orr_diag *diag);
+// Frees a product; NULL is allowed.
 void orr_ephemeris_free(orr_ephemeris *e);
 
 // Satellites of the product, ascending: *list stays valid as long as e.
@@ -45,17 +48,23 @@ orr_status orr_ephemeris_eval(const orr_ephemeris *e, orr_sat sat, orr_time t, o
 // All satellites that have an arc at t, ascending, into out[0..max); returns how many were written.
 size_t orr_ephemeris_eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max);
 
-// What is kept beside the orbit, for reports (borrowed from e).
+// What is kept beside the orbit, for reports (borrowed from e): input nodes of a satellite with their residuals.
 size_t orr_ephemeris_nodes(const orr_ephemeris *e, orr_sat sat, const orr_orbit_node **list);
+// Events of a satellite, ascending in t0.
 size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit_event **list);
+// Clock nodes of a satellite, ascending.
 size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list);
+// Files that the product was made of.
 size_t orr_ephemeris_sources(const orr_ephemeris *e, const orr_orbit_source **list);
+// Usual distance of the input's nodes.
 double orr_ephemeris_node_step_s(const orr_ephemeris *e);
 // The Earth's rotation that the orbits were made with; its series has n 0 where a product keeps none.
 const orr_earth_rotation *orr_ephemeris_rotation(const orr_ephemeris *e);
 // The same as orr_eop_at takes it: NULL for the secular pole.
 const orr_eop_series *orr_ephemeris_eop(const orr_ephemeris *e);
+// Settings of the smoother in words.
 const char *orr_ephemeris_options(const orr_ephemeris *e);
+// The input's coordinate system, e.g. "IGS20".
 const char *orr_ephemeris_frame(const orr_ephemeris *e);
 // Largest difference between the segments and the samples that they were fitted to.
 void orr_ephemeris_representation(const orr_ephemeris *e, double *pos_m, double *vel_mps);

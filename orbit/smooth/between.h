@@ -5,9 +5,14 @@
 
 #include "orbit/smooth/track.h"
 
-// The mean of the smoothed state x at grid points at[k].grid to at[k + 1].grid - 1, as deviations from the
-// grid's states: x[g - at[k].grid]. Noise of the steps is what the instants' u tells (Bryson and Frazier).
-// room: as many vectors b.
+// The mean of the smoothed state at the grid points of one interval. Noise of the steps is what the instants' adjoint u
+// tells (Bryson and Frazier).
+// Given:
+//   c, t  context and the track, filtered and smoothed
+//   k     the interval from instant k to k + 1
+// Returned:
+//   x     deviations from the grid's states at points at[k].grid to at[k + 1].grid - 1, the first one in x[0]
+//   b     working room, as many vectors as x
 void orr_track_between(const orr_track_context *c, const orr_track *t, size_t k, double (*x)[ORR_NX],
                        double (*b)[ORR_NW]);
 // Steps of the longest interval of instants first..last, at least 1.

@@ -128,8 +128,8 @@ static bool has_used(const work *w, size_t k)
     return false;
 }
 
-orr_status orr_snoop_arc(const orr_track_context *c, const orr_node *list, orr_verdict *verdict, orr_track *t,
-                         size_t lowest, size_t highest, orr_arc_range *arc)
+orr_status orr_cross_check_arc(const orr_track_context *c, const orr_node *list, orr_verdict *verdict,
+                               orr_track *t, size_t lowest, size_t highest, orr_arc_range *arc)
 {
     size_t n_nodes = 0, rejected = 0, worst;
     distance of_worst;

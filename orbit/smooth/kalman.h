@@ -37,30 +37,66 @@ typedef struct orr_noise_factor {
 
 // No time passes.
 void orr_transition_start(orr_transition *t);
-// Goes on by a step of h_s with partial derivatives F: white noise in d(f0)/dt (qf, m^2/s^5) and in dV/dt
-// (qv, m^2/s^3), f0 acting through its axes at mid-step.
+// Goes on by a step, with white noise in d(f0)/dt and in dV/dt.
+// Given:
+//   t            transition up to the step's begin
+//   F            partial derivatives of the step
+//   axes         of f0 at mid-step, to integration axes
+//   h_s          length of the step, s
+//   qf, qv       spectral densities of the noise of f0 (m^2/s^5) and of velocity (m^2/s^3)
+//   near_shadow  the step's noise is also counted in t->S
+// Returned:
+//   t            transition up to the step's end
 void orr_transition_append(orr_transition *t, double F[6][ORR_NX], const orr_mat3 *axes, double h_s,
                            double qf, double qv, bool near_shadow);
 
-// What the noise of such a step was, given b = u of the end of all steps carried back to its end (F' u): its
-// covariance times b.
+// What the noise of such a step was: its covariance times b.
+// Given:
+//   axes, h_s, qf, qv  as of orr_transition_append
+//   b                  the adjoint u of the end of all steps, carried back to this one's end (F' u)
+// Returned:
+//   w                  expectation of the noise of position, velocity and f0
 void orr_noise_expected(const orr_mat3 *axes, double h_s, double qf, double qv, const double b[ORR_NW],
                         double w[ORR_NW]);
 
 // Diffuse start: sigmas of position (m), velocity (m/s), f0 (m/s^2), and those that a prior has of ECOM; mean
 // zero.
 void orr_kalman_start(orr_gauss *g, double r_m, double v_mps, double f_mps2);
-// Over one step; `shift` (x_new = x + shift) moves the mean to a restarted a-priori.
+// Prediction over one step: x = F x + shift, P = F P F' + noise.
+// Given:
+//   from    state at the step's begin
+//   t       transition
+//   nx      states that are used, ORR_NX or ORR_NX_PLAIN
+//   factor  of the noise
+//   shift   arriving minus departing a-priori state, where the a-priori trajectory is restarted
+// Returned:
+//   to      state at the step's end
 void orr_kalman_predict(const orr_gauss *from, const orr_transition *t, int nx, orr_noise_factor factor,
                         const double shift[ORR_NX], orr_gauss *to);
-// Squared innovation over its formal variance, z' S^-1 z / 3, for z = measured minus a-priori position.
-// *log_det (may be NULL): half the logarithm of det S.
+// Squared innovation over its formal variance.
+// Given:
+//   g         predicted state
+//   z         measured minus a-priori position, m
+//   sigma_m   of a coordinate of z
+// Returned:
+//   length_m  length of the innovation e = z - x; may be NULL
+//   log_det   half the logarithm of det S, S the innovation's covariance; may be NULL
+//   value     e' S^-1 e / 3
 double orr_kalman_innovation2(const orr_gauss *g, orr_vec3 z, double sigma_m, double *length_m,
                               double *log_det);
+// Takes in a measured minus a-priori position z (m; sigma_m of a coordinate) by Joseph's form.
 void orr_kalman_update(orr_gauss *g, int nx, orr_vec3 z, double sigma_m);
-// One step back: from the filtered state at k, the prediction at k+1 and the smoothed state at k+1. u = P^-1
-// (smoothed minus predicted) at k+1: what the noise of the step was, in a manner of speaking. ORR_E_NUMERIC
-// if the prediction's covariance is not positive definite.
+// One step back of the Rauch-Tung-Striebel smoother.
+// Given:
+//   filtered        state at instant k
+//   t               transition from k to k + 1
+//   nx              states that are used
+//   predicted_next  state at k + 1 before its nodes
+//   smoothed_next   state at k + 1, smoothed
+// Returned:
+//   smoothed        state at k
+//   u               the adjoint at k + 1: inverse of the predicted covariance times (smoothed minus predicted)
+// Errors: ORR_E_NUMERIC if the predicted covariance is not positive definite.
 orr_status orr_kalman_smooth(const orr_gauss *filtered, const orr_transition *t, int nx,
                              const orr_gauss *predicted_next, const orr_gauss *smoothed_next,
                              orr_gauss *smoothed, double u[ORR_NX]);

@@ -37,9 +37,17 @@ typedef struct orr_node_table {
     double clock_step_s, clock_max_gap_s; // likewise of clocks; the longest that one is interpolated over
 } orr_node_table;
 
-// ORR_E_NODATA when nothing is left after decimation and exclusion.
+// Gathers the nodes and clocks of all files.
+// Given:
+//   input, n_inputs  SP3 files, in any order
+//   o                options: decimation, exclusion, choice of satellites, broadcast ephemerides, sigmas
+// Returned:
+//   out              lists by satellite; free with orr_nodes_free
+//   warnings         what was left out and why
+// Errors: ORR_E_NODATA when nothing is left after decimation and exclusion, ORR_E_MEMORY.
 orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, const orr_smoother_options *o,
                              orr_node_table *out, orr_warnings *warnings, orr_diag *diag);
+// Frees the lists; a zeroed table is allowed.
 void orr_nodes_free(orr_node_table *t);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/smooth/noise_choice.h"
 
-#define DENSE_S 1900.0 // the ratio is known for nodes up to here
+#define DENSE_S 1900.0 // the ratio is known for nodes up to this distance
 #define YOUNG 3        // nodes of an arc that a start decides
 #define SCALE_MM 0.30  // rounding of SP3 to a millimetre, a coordinate
 #define SCALE_SPREAD 0.35

@@ -12,10 +12,19 @@ typedef struct orr_noise_choice {
     size_t nodes;            // that told
 } orr_noise_choice;
 
-// Instants first..last with the verdicts given. Nodes up to half an hour apart: the scale by the mean square
-// of the innovations, the ratio as it is. Sparser ones: both by the largest likelihood of the innovations
-// with priors (ln s about the rounding of SP3, 0.30 mm, 0.35; log10 qf in nm^2/s^5 about -3.7, 1.2). Filters
-// again, leaves the filtered states of the choice.
+// Chooses scale and ratio of the noise. Nodes up to half an hour apart: the scale by the mean square of the innovations,
+// the ratio as it is. Sparser ones: both by the largest likelihood of the innovations with priors (ln s about the
+// rounding of SP3, 0.30 mm, 0.35; log10 qf in nm^2/s^5 about -3.7, 1.2).
+// Given:
+//   c            context; its noise factor is what the choice multiplies
+//   list         nodes of the satellite
+//   verdict      of each node
+//   t            the track
+//   first, last  instants that are looked at
+//   node_step_s  usual distance of nodes, s
+// Returned:
+//   value        the choice
+//   t            filtered with it
 orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                                   orr_track *t, size_t first, size_t last, double node_step_s);
 

@@ -19,10 +19,18 @@ typedef struct orr_run_reference {
     double *t_s;
 } orr_run_reference;
 
-// Fits the table's nodes. hold: options->eop covers the span and is not to be changed. Errors: as
-// orr_reference_fit_run.
+// Fits the table's nodes.
+// Given:
+//   o        options: the given Earth rotation, degree of gravity, threads
+//   table    nodes of all satellites
+//   hold     o->eop covers the span and is not to be changed
+//   cancel   non-zero stops with ORR_E_INTERRUPTED; may be NULL
+// Returned:
+//   out      the fit, and what each satellite takes from it; free with orr_run_reference_free
+// Errors: as orr_reference_fit_run.
 orr_status orr_run_reference_make(const orr_smoother_options *o, const orr_node_table *table, bool hold,
                                   const volatile int *cancel, orr_run_reference *out, orr_diag *diag);
+// Frees what orr_run_reference_make filled; a zeroed one is allowed.
 void orr_run_reference_free(orr_run_reference *r);
 
 // Puts the fitted states in the place of what the nodes alone told (orr_prior_sparse): in a fitted window the

@@ -38,8 +38,8 @@ static const orr_node *last_used(const orr_node *list, const orr_instant *at, co
 static void pass_instant(const orr_node *list, const orr_track *t, const orr_verdict *verdict, size_t k,
                          between_nodes *b)
 {
-    const orr_node *here = last_used(list, &t->at[k], verdict);
-    if (here != NULL) b->left = here;
+    const orr_node *node = last_used(list, &t->at[k], verdict);
+    if (node != NULL) b->left = node;
     if (k < b->next) return;
     b->right = NULL;
     for (b->next = k + 1; b->next < t->n && b->right == NULL; b->next++)
@@ -113,7 +113,7 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
         after = variances_at(next, scale);
         pass_instant(list, t, verdict, k, &nodes);
         size_t n = next->grid - at->grid;
-        if (n == 0 && next != at) continue; // a file ends here and the next one begins
+        if (n == 0 && next != at) continue; // a file ends and the next one begins
         if (n > 0)
             orr_track_between(c, t, k, x, b);
         else
@@ -126,10 +126,10 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
             s->flags = nodes.left != NULL && nodes.right != NULL
                            ? orr_samples_flags(c, node_step_s, nodes.left, nodes.right)
                            : ORR_EPH_PREDICTED; // beyond the last node
-            const orr_join *here = join != NULL ? &join[at->grid + j] : NULL;
-            set_state(c, g, x[j], here, s);
+            const orr_join *joined = join != NULL ? &join[at->grid + j] : NULL;
+            set_state(c, g, x[j], joined, s);
             set_sigma(s, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s),
-                      here != NULL ? here->off_m : 0);
+                      joined != NULL ? joined->off_m : 0);
         }
     }
     free(x);

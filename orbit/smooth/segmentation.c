@@ -116,7 +116,7 @@ static bool take_nodes(const work *w, size_t instant, double floor_m, double *d2
     return taken;
 }
 
-static void forgive(const work *w, size_t g_from, size_t g_to)
+static void withdraw_verdicts(const work *w, size_t g_from, size_t g_to)
 {
     for (size_t g = g_from; g < g_to; g++) {
         const orr_instant *at = &w->t->at[w->g[g].instant];
@@ -158,7 +158,7 @@ static bool consistent(const work *w, size_t a, size_t b)
 
 // A failure soon after a start may be the fault of the start: looks for one or two of the young groups
 // without which the window agrees with one orbit, and rejects them.
-static bool blame_young(const work *w, size_t a, size_t first_bad)
+static bool reject_young(const work *w, size_t a, size_t first_bad)
 {
     size_t end = first_bad + YOUNG < w->n ? first_bad + YOUNG : w->n;
     if (end - a < YOUNG + 2) return false;                  // too few to tell
@@ -166,7 +166,7 @@ static bool blame_young(const work *w, size_t a, size_t first_bad)
         for (size_t i = a; i + apart <= first_bad; i++) {
             size_t j = i + apart;
             if (apart > 0 && end - a < YOUNG + 3) continue;
-            if (group_rejected(w, i) || group_rejected(w, j)) continue; // blamed before
+            if (group_rejected(w, i) || group_rejected(w, j)) continue; // already rejected
             reject_group(w, i, true);
             reject_group(w, j, true);
             if (consistent(w, a, end)) return true;
@@ -179,7 +179,7 @@ static bool blame_young(const work *w, size_t a, size_t first_bad)
 // What was taken in after a gap, where a prediction is worth little, may be what makes the nodes after it
 // look bad: looks for one of the last groups without which those before and after agree with one orbit, and
 // rejects it.
-static bool blame_last(const work *w, size_t a, size_t first_bad)
+static bool reject_last(const work *w, size_t a, size_t first_bad)
 {
     const size_t end = first_bad + YOUNG < w->n ? first_bad + YOUNG : w->n;
     if (end < first_bad + CONFIRM) return false; // too few to tell
@@ -237,7 +237,7 @@ restart:
             return g;
         }
         predict_to(w, w->g[g - 1].instant, w->g[g].instant);
-        if (group_rejected(w, g)) continue; // blamed before
+        if (group_rejected(w, g)) continue; // already rejected
         if (w->g[g].settling) measure_jump(w, g);
         if (take_nodes(w, w->g[g].instant, w->g[g].settling ? JUMP_M : FLOOR_M, NULL, NULL)) {
             good++;
@@ -249,10 +249,10 @@ restart:
         good_after = 0;
         bool at_end = g + 1 == w->n;
         if (skipped <= MAX_SKIPPED && !(at_end && skipped >= 2)) continue;
-        forgive(w, first_bad, w->n);
-        if (good <= YOUNG && blame_young(w, a, first_bad)) goto restart;
+        withdraw_verdicts(w, first_bad, w->n);
+        if (good <= YOUNG && reject_young(w, a, first_bad)) goto restart;
         size_t joint = joint_before(w, a, first_bad);
-        if (joint == a && blame_last(w, a, first_bad)) goto restart;
+        if (joint == a && reject_last(w, a, first_bad)) goto restart;
         if (joint > a) {
             bool in_vain = w->g[joint].settling;
             settle(w, joint, !in_vain);
@@ -261,7 +261,7 @@ restart:
                 goto restart;
             }
             first_bad = failed_before; // the files are further apart, or there is more than a joint
-            forgive(w, joint, w->n);
+            withdraw_verdicts(w, joint, w->n);
         }
         *last = first_bad - 1;
         return first_bad;

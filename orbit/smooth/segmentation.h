@@ -28,13 +28,29 @@ typedef struct orr_segmentation {
     orr_verdict *verdict; // per node of the list
 } orr_segmentation;
 
-// Runs the filter, leaving predicted and filtered states in the track. ORR_E_MEMORY, ORR_E_NODATA (no usable
-// node).
+// Runs the filter with tests of the innovations.
+// Given:
+//   c        context; options->detect switches the tests off
+//   list, n  nodes of the satellite
+//   t        the track, linearised
+// Returned:
+//   t        predicted and filtered states
+//   out      arcs, and a verdict on each node; free with orr_segmentation_free
+// Errors: ORR_E_MEMORY, ORR_E_NODATA (no usable node).
 orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, size_t n, orr_track *t,
                              orr_segmentation *out);
+// Frees arcs and verdicts; a zeroed one is allowed.
 void orr_segmentation_free(orr_segmentation *s);
 
-// The plain filter over instants first..last with the verdicts given.
+// The filter without tests.
+// Given:
+//   c            context
+//   list         nodes of the satellite
+//   verdict      of each node: rejected ones are left out
+//   t            the track, linearised
+//   first, last  instants, both inclusive; the state is diffuse before the first
+// Returned:
+//   t            predicted and filtered states
 void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                       orr_track *t, size_t first, size_t last);
 // The smoother back over the same range. ORR_E_NUMERIC.

@@ -300,21 +300,22 @@ static orr_status emit_all(work *w, orr_track *t, const orr_segmentation *seg)
 }
 
 // Arcs that stand alone may take in what was left out before and after them.
-static orr_status snoop_all(const work *w, orr_track *t, orr_segmentation *seg)
+static orr_status cross_check_all(const work *w, orr_track *t, orr_segmentation *seg)
 {
     orr_status s = ORR_OK;
     for (size_t a = 0; a < seg->n_arcs && s == ORR_OK; a++) {
         orr_arc_range *arc = &seg->arc[a];
         const bool alone = seg->n_arcs == 1;
-        s = orr_snoop_arc(w->c, w->node, seg->verdict, t, alone ? 0 : arc->first,
-                          alone ? t->n - 1 : arc->last, arc);
+        s = orr_cross_check_arc(w->c, w->node, seg->verdict, t, alone ? 0 : arc->first,
+                                alone ? t->n - 1 : arc->last, arc);
     }
     return s;
 }
 
 // The next pass is not linearised about nodes that were rejected or that no arc holds. Returns how many these
 // are.
-static size_t forget_left_out(work *w, const orr_track *t, const orr_segmentation *seg, size_t i0, size_t i1)
+static size_t invalidate_left_out(work *w, const orr_track *t, const orr_segmentation *seg, size_t i0,
+                                  size_t i1)
 {
     size_t n = 0, i = i0;
     for (size_t a = 0; a <= seg->n_arcs; a++) {
@@ -355,9 +356,9 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         double largest = 0;
         for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
             s = orr_smooth_range(w->c, &t, seg.arc[a].first, seg.arc[a].last);
-        if (s == ORR_OK && o->detect) s = snoop_all(w, &t, &seg);
+        if (s == ORR_OK && o->detect) s = cross_check_all(w, &t, &seg);
         if (s != ORR_OK) break;
-        size_t left_out = forget_left_out(w, &t, &seg, i0, i1);
+        size_t left_out = invalidate_left_out(w, &t, &seg, i0, i1);
         // A poor linearisation about sparse first nodes can make good nodes look bad: the verdict has to
         // stand.
         bool stands = left_out == left_out_before && seg.n_arcs == arcs_before;
@@ -406,7 +407,7 @@ static orr_status smooth_all(work *w)
     return s;
 }
 
-static void forget_arcs(work *w)
+static void discard_arcs(work *w)
 {
     for (size_t i = 0; i < w->out->n_arcs; i++) free(w->out->arc[i].sample);
     for (size_t i = 0; i < w->n; i++) w->out->node[i].used = 0;
@@ -509,7 +510,7 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
     if (s == ORR_OK && w.failed &&
         c->noise.nx == ORR_NX) { // what is no orbit about the reference may be one by itself
         choose_method(c, list, false);
-        forget_arcs(&w);
+        discard_arcs(&w);
         w.factor = c->noise.factor;
         w.scale = 1;
         s = smooth_all(&w);
@@ -523,7 +524,7 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
                 w.node[i].superseded = false;
                 w.node[i].sigma_m /= scale;
             }
-        forget_arcs(&w);
+        discard_arcs(&w);
         s = smooth_all(&w);
         drop_bridge(&w);
     }

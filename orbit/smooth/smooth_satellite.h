@@ -14,10 +14,18 @@ typedef struct orr_satellite_report {
     char note[256];     // why something was left out; empty if nothing was
 } orr_satellite_report;
 
-// list is the satellite's own and may be changed. c's noise is chosen within. Fills out (arcs, clocks, nodes,
-// events; out->sat too). A stretch that cannot be smoothed leaves a note, not an error.
+// Smooths one satellite. A stretch that cannot be smoothed leaves a note, not an error.
+// Given:
+//   c       context of the thread; the noise is chosen within
+//   table   the run's nodes, for their usual distance
+//   list    the satellite's own nodes and clocks, which may be changed
+// Returned:
+//   out     satellite, arcs, clocks, nodes, events; free with orr_satellite_free
+//   report  what was done
+// Errors: ORR_E_MEMORY.
 orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, orr_node_list *list,
                                 orr_orbit_sat *out, orr_satellite_report *report);
+// Frees what a satellite owns and zeroes it.
 void orr_satellite_free(orr_orbit_sat *s);
 
 #endif

@@ -92,11 +92,17 @@ typedef struct orr_smoother_report {
     double residual_rms_m; // of used nodes, 3-D
 } orr_smoother_report;
 
-// Smooths all satellites of all files jointly (files may come in any order, may join at midnight with
-// different values, may overlap). Satellites that cannot be smoothed (one node alone) are left out with a
-// warning, never silently. `cancel` (may be NULL) is looked at between satellites: non-zero stops with
-// ORR_E_INTERRUPTED. Errors: ORR_E_ARG (options), ORR_E_NODATA (no node left), ORR_E_MEMORY. Free with
-// orr_orbit_solution_free.
+// Smooths all satellites of all files jointly.
+// Given:
+//   input, n_inputs  SP3 files: in any order; they may join at midnight with different values, may overlap
+//   options          see orr_smoother_defaults
+//   log              progress; may be NULL
+//   cancel           looked at between satellites, non-zero stops; may be NULL
+// Returned:
+//   out              the solution; free with orr_orbit_solution_free
+//   report           what the run did, in numbers; may be NULL
+//   warnings         satellites that cannot be smoothed (one node alone) are left out with a warning, never silently
+// Errors: ORR_E_ARG (options), ORR_E_NODATA (no node left), ORR_E_INTERRUPTED, ORR_E_MEMORY.
 orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
                             const orr_smoother_options *options, const orr_log *log,
                             const volatile int *cancel, orr_orbit_solution *out, orr_smoother_report *report,

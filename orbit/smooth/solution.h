@@ -77,6 +77,7 @@ typedef struct orr_orbit_solution {
     char frame[64];              // input's coordinate system, e.g. "IGS20"
 } orr_orbit_solution;
 
+// Frees what the solution owns and zeroes it.
 void orr_orbit_solution_free(orr_orbit_solution *s);
 
 #endif

@@ -96,10 +96,19 @@ static inline int64_t orr_track_ns(double t_s)
     return (double)llabs(ns - 1000 * us) <= 2e9 * DBL_EPSILON * fabs(t_s) ? 1000 * us : ns;
 }
 
-// Grid from from_s to to_s: samples at most options->grid_s apart, commensurate with node_step_s where that
-// is possible, and all nodes list[0..n) that lie within. ORR_E_MEMORY.
+// Grid and instants of a stretch: samples at most options->grid_s apart, commensurate with the nodes' step where that is
+// possible, and all nodes that lie within.
+// Given:
+//   c             context
+//   from_s, to_s  first and last sample
+//   node_step_s   usual distance of nodes, s
+//   list, n       nodes of the satellite
+// Returned:
+//   out           the track; free with orr_track_free
+// Errors: ORR_E_MEMORY.
 orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s, double node_step_s,
                           const orr_node *list, size_t n, orr_track *out);
+// Frees grid and instants; a zeroed track is allowed.
 void orr_track_free(orr_track *t);
 
 // A-priori trajectory: starts from the first valid reference (backwards to the grid's begin if need be),
