@@ -7,8 +7,8 @@
 #include "core/robust.h"
 #include "orbit/dynamics/variational.h"
 
-#define STEP_S 450.0 // of a GNSS satellite; shorter the lower the orbit
-#define STEP_ANGLE 0.066
+#define STEP_S 900.0 // at the radius of GNSS orbits; shorter the lower the orbit
+#define STEP_RADIUS_M 2.5e7
 #define SHOOT_S 3600.0 // between the two nodes of a first state, at least
 #define SHOOT_ROUNDS 15
 #define SHOOT_MAX_MPS 300.0 // change of velocity in one round
@@ -58,10 +58,10 @@ static orr_vec3 inertial(const orr_arc_room *room, const orr_reference_node *nod
     return orr_mat3_apply_t(&p.R, node->ecef_m);
 }
 
+// The lower the orbit the faster it turns, and the more of the field's details it feels.
 static double step_for(orr_vec3 r)
 {
-    const double radius = orr_vec3_norm(r), rate = sqrt(ORR_EGM96_GM / (radius * radius * radius));
-    return fmin(STEP_S, STEP_ANGLE / rate);
+    return STEP_S * fmin(1, orr_vec3_dot(r, r) / (STEP_RADIUS_M * STEP_RADIUS_M));
 }
 
 typedef double transition[6][ORR_ARC_STATE]; // of the state at some instant by first state and ECOM
@@ -70,6 +70,27 @@ static void start_transition(transition z)
 {
     memset(z, 0, sizeof(transition));
     for (int i = 0; i < 6; i++) z[i][i] = 1;
+}
+
+// One step in which the sunlight has no kink.
+static orr_status step_on(const orr_arc_room *room, double t_s, double h_s, orr_vec3 *r, orr_vec3 *v,
+                          transition z)
+{
+    orr_orbit_step step = {.t_s = t_s, .h_s = h_s, .r0_m = *r, .v0_mps = *v};
+    const orr_status s = orr_integrate(room->integrator, t_s, h_s, r, v);
+    if (s != ORR_OK || z == NULL) return s;
+    step.r1_m = *r;
+    step.v1_mps = *v;
+    double f[6][ORR_PARTIALS];
+    transition before;
+    orr_variational_step(&room->force, room->sky, &step, NULL, f);
+    memcpy(before, z, sizeof before);
+    for (int k = 0; k < 6; k++) {
+        for (int c = 0; c < ORR_ARC_STATE; c++) z[k][c] = c < 6 ? 0 : f[k][ORR_PARTIAL_ECOM + c - 6];
+        for (int j = 0; j < 6; j++)
+            for (int c = 0; c < ORR_ARC_STATE; c++) z[k][c] += f[k][j] * before[j][c];
+    }
+    return ORR_OK;
 }
 
 // From the state at t_s to t_s + span_s, in steps; z (may be NULL) is carried along.
@@ -81,23 +102,13 @@ static orr_status advance(const orr_arc_room *room, double t_s, double span_s, o
     if (steps < 1) steps = 1;
     orr_integrator_set(room->integrator, &room->force, longest * (1 + 1e-9));
     for (int i = 0; i < steps; i++) {
-        orr_orbit_step step = {
-            .t_s = t_s + span_s * i / steps, .h_s = span_s / steps, .r0_m = *r, .v0_mps = *v};
-        const orr_status s = orr_integrate(room->integrator, step.t_s, step.h_s, r, v);
-        if (s != ORR_OK) return s;
-        if (z == NULL) continue;
-        step.r1_m = *r;
-        step.v1_mps = *v;
-        double f[6][ORR_PARTIALS];
-        transition before;
-        orr_variational_step(&room->force, room->sky, &step, NULL, f);
-        memcpy(before, z, sizeof before);
-        for (int k = 0; k < 6; k++) {
-            for (int c = 0; c < ORR_ARC_STATE; c++) {
-                double sum = c < 6 ? 0 : f[k][ORR_PARTIAL_ECOM + c - 6];
-                for (int j = 0; j < 6; j++) sum += f[k][j] * before[j][c];
-                z[k][c] = sum;
-            }
+        const double begin_s = t_s + span_s * i / steps, h_s = span_s / steps;
+        double border[ORR_INTEGRATE_BORDERS + 1], from = 0;
+        size_t n = z != NULL ? orr_integrate_borders(room->integrator, begin_s, h_s, *r, *v, border) : 0;
+        border[n++] = h_s;
+        for (size_t k = 0; k < n; from = border[k++]) {
+            const orr_status s = step_on(room, begin_s + from, border[k] - from, r, v, z);
+            if (s != ORR_OK) return s;
         }
     }
     return ORR_OK;

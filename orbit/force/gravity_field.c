@@ -117,6 +117,11 @@ orr_status orr_gravity_field_init(orr_gravity_field *f, int degree, bool zonal_o
                             ORR_GRAVITY_MAX_DEGREE);
     *f = (orr_gravity_field){.degree = degree, .order = zonal_only ? 0 : degree};
     f->c[0][0] = 1.0;
+    for (int n = 2; n <= degree + 1; n++)
+        for (int m = 0; m <= n - 2; m++) {
+            f->first[n][m] = (2.0 * n - 1) / (n - m);
+            f->second[n][m] = (n + m - 1.0) / (n - m);
+        }
     for (size_t i = 0; i < sizeof egm96 / sizeof egm96[0]; i++) {
         int n = egm96[i].n, m = egm96[i].m;
         if (n > degree || m > f->order) continue;
@@ -127,53 +132,68 @@ orr_status orr_gravity_field_init(orr_gravity_field *f, int degree, bool zonal_o
     return ORR_OK;
 }
 
-// tide: changes of C20, C21, S21, C22, S22, or NULL.
-static orr_vec3 gravitation(const orr_gravity_field *f, const double *tide, orr_vec3 r)
-{
-    double r2 = orr_vec3_dot(r, r);
-    if (f->degree < 2) return orr_vec3_scale(-ORR_EGM96_GM / (r2 * sqrt(r2)), r);
+#define ROW (ORR_GRAVITY_MAX_DEGREE + 2)
 
-    // V, W one degree and order further than the field; row n holds m = 0..n.
-    double v[ORR_GRAVITY_MAX_DEGREE + 2][ORR_GRAVITY_MAX_DEGREE + 2];
-    double w[ORR_GRAVITY_MAX_DEGREE + 2][ORR_GRAVITY_MAX_DEGREE + 2];
-    const double re = ORR_EGM96_RADIUS_M;
+// Cunningham's V and W one degree and order further than the field; row n holds m = 0..n. Row by row, so that a compiler
+// may put neighbouring orders into vectors.
+static void solid_harmonics(const orr_gravity_field *f, orr_vec3 r, double v[ROW][ROW], double w[ROW][ROW])
+{
+    const double re = ORR_EGM96_RADIUS_M, r2 = orr_vec3_dot(r, r);
     const double x0 = re * r.x / r2, y0 = re * r.y / r2, z0 = re * r.z / r2, rho = re * re / r2;
     const int top = f->degree + 1, last = f->order + 1;
     v[0][0] = re / sqrt(r2);
     w[0][0] = 0.0;
-    for (int m = 0; m <= last; m++) {
-        if (m > 0) {
-            v[m][m] = (2 * m - 1) * (x0 * v[m - 1][m - 1] - y0 * w[m - 1][m - 1]);
-            w[m][m] = (2 * m - 1) * (x0 * w[m - 1][m - 1] + y0 * v[m - 1][m - 1]);
+    for (int n = 1; n <= top; n++) {
+        const double odd = 2 * n - 1;
+        const int inner = n - 2 < last ? n - 2 : last;
+        for (int m = 0; m <= inner; m++) {
+            const double a = f->first[n][m] * z0, b = f->second[n][m] * rho;
+            v[n][m] = a * v[n - 1][m] - b * v[n - 2][m];
+            w[n][m] = a * w[n - 1][m] - b * w[n - 2][m];
         }
-        if (m < top) {
-            v[m + 1][m] = (2 * m + 1) * z0 * v[m][m];
-            w[m + 1][m] = (2 * m + 1) * z0 * w[m][m];
+        if (n - 1 <= last) {
+            v[n][n - 1] = odd * z0 * v[n - 1][n - 1];
+            w[n][n - 1] = odd * z0 * w[n - 1][n - 1];
         }
-        for (int n = m + 2; n <= top; n++) {
-            double inv = 1.0 / (n - m), a = (2 * n - 1) * inv, b = (n + m - 1) * inv * rho;
-            v[n][m] = a * z0 * v[n - 1][m] - b * v[n - 2][m];
-            w[n][m] = a * z0 * w[n - 1][m] - b * w[n - 2][m];
+        if (n <= last) {
+            v[n][n] = odd * (x0 * v[n - 1][n - 1] - y0 * w[n - 1][n - 1]);
+            w[n][n] = odd * (x0 * w[n - 1][n - 1] + y0 * v[n - 1][n - 1]);
         }
     }
-    double ax = 0, ay = 0, az = 0;
-    for (int n = f->degree; n >= 0; n--) { // small terms first
-        if (n == 1) continue;
-        for (int m = 1; m <= (n < f->order ? n : f->order); m++) {
-            double c = f->c[n][m], s = f->s[n][m], k = (double)((n - m + 1) * (n - m + 2));
-            if (tide != NULL && n == 2) c += tide[2 * m - 1], s += tide[2 * m];
-            ax += 0.5 * (-c * v[n + 1][m + 1] - s * w[n + 1][m + 1] +
-                         k * (c * v[n + 1][m - 1] + s * w[n + 1][m - 1]));
-            ay += 0.5 * (-c * w[n + 1][m + 1] + s * v[n + 1][m + 1] +
-                         k * (-c * w[n + 1][m - 1] + s * v[n + 1][m - 1]));
-            az += (n - m + 1) * (-c * v[n + 1][m] - s * w[n + 1][m]);
-        }
-        const double c = f->c[n][0] + (tide != NULL && n == 2 ? tide[0] : 0.0);
-        ax -= c * v[n + 1][1];
-        ay -= c * w[n + 1][1];
-        az -= (n + 1) * c * v[n + 1][0];
+}
+
+// Adds what coefficients c, s of degree n and orders 0..order give, by order: x, y and z of sum[m].
+static void add_degree(int n, int order, const double *c, const double *s, double v[ROW][ROW],
+                       double w[ROW][ROW], double sum[3][ROW])
+{
+    const double *vn = v[n + 1], *wn = w[n + 1];
+    sum[0][0] -= c[0] * vn[1];
+    sum[1][0] -= c[0] * wn[1];
+    sum[2][0] -= (n + 1) * c[0] * vn[0];
+    for (int m = 1; m <= order; m++) {
+        const double z = n - m + 1, k = z * (z + 1);
+        sum[0][m] += 0.5 * (-c[m] * vn[m + 1] - s[m] * wn[m + 1] + k * (c[m] * vn[m - 1] + s[m] * wn[m - 1]));
+        sum[1][m] +=
+            0.5 * (-c[m] * wn[m + 1] + s[m] * vn[m + 1] + k * (-c[m] * wn[m - 1] + s[m] * vn[m - 1]));
+        sum[2][m] += z * (-c[m] * vn[m] - s[m] * wn[m]);
     }
-    return orr_vec3_scale(ORR_EGM96_GM / (re * re), orr_vec3_make(ax, ay, az));
+}
+
+// tide: changes of C20, C21, S21, C22, S22, or NULL.
+static orr_vec3 gravitation(const orr_gravity_field *f, const double *tide, orr_vec3 r)
+{
+    double r2 = orr_vec3_dot(r, r), v[ROW][ROW], w[ROW][ROW], sum[3][ROW] = {{0}};
+    if (f->degree < 2) return orr_vec3_scale(-ORR_EGM96_GM / (r2 * sqrt(r2)), r);
+    solid_harmonics(f, r, v, w);
+    if (tide != NULL) {
+        const double c[3] = {tide[0], tide[1], tide[3]}, s[3] = {0, tide[2], tide[4]};
+        add_degree(2, f->order < 2 ? f->order : 2, c, s, v, w, sum);
+    }
+    for (int n = f->degree; n >= 0; n--) // small terms first
+        if (n != 1) add_degree(n, n < f->order ? n : f->order, f->c[n], f->s[n], v, w, sum);
+    orr_vec3 a = {0, 0, 0};
+    for (int m = f->order; m >= 0; m--) a = orr_vec3_add(a, orr_vec3_make(sum[0][m], sum[1][m], sum[2][m]));
+    return orr_vec3_scale(ORR_EGM96_GM / (ORR_EGM96_RADIUS_M * ORR_EGM96_RADIUS_M), a);
 }
 
 orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r)

@@ -12,6 +12,9 @@ typedef struct orr_gravity_field {
     int degree, order;
     double c[ORR_GRAVITY_MAX_DEGREE + 1][ORR_GRAVITY_MAX_DEGREE + 1]; // unnormalised
     double s[ORR_GRAVITY_MAX_DEGREE + 1][ORR_GRAVITY_MAX_DEGREE + 1];
+    // factors of the recursion in degree, (2n - 1)/(n - m) and (n + m - 1)/(n - m)
+    double first[ORR_GRAVITY_MAX_DEGREE + 2][ORR_GRAVITY_MAX_DEGREE + 2];
+    double second[ORR_GRAVITY_MAX_DEGREE + 2][ORR_GRAVITY_MAX_DEGREE + 2];
 } orr_gravity_field;
 
 // degree 0 (or 1): the central term alone; zonal_only keeps order 0 (degree 2 then is "J2 only").

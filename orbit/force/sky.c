@@ -190,7 +190,6 @@ static void turn_matrices(double t_s, orr_mat3 *T, orr_mat3 *dT, orr_mat3 *ddT)
 {
     const double u = ORR_EARTH_RATE_RADPS, c = cos(u * t_s), s = sin(u * t_s);
     *T = (orr_mat3){{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
-    if (dT == NULL) return;
     *dT = (orr_mat3){{{-u * s, u * c, 0}, {-u * c, -u * s, 0}, {0, 0, 0}}};
     *ddT = (orr_mat3){{{-u * u * c, -u * u * s, 0}, {u * u * s, -u * u * c, 0}, {0, 0, 0}}};
 }
@@ -208,10 +207,12 @@ void orr_sky_force_point(const orr_sky *sky, double t_s, orr_sky_point *out)
     const slow_node *n = window(sky, t_s, &x);
     weights(x, w, NULL, NULL);
     combine(n, w, N_SLOW, 1.0, q);
-    orr_mat3 N, T;
-    memcpy(N.m, q, sizeof N.m);
-    turn_matrices(t_s, &T, NULL, NULL);
-    out->R = orr_mat3_mul(&T, &N);
+    const double c = cos(ORR_EARTH_RATE_RADPS * t_s), s = sin(ORR_EARTH_RATE_RADPS * t_s);
+    for (int j = 0; j < 3; j++) { // R3(u t) N
+        out->R.m[0][j] = c * q[j] + s * q[3 + j];
+        out->R.m[1][j] = -s * q[j] + c * q[3 + j];
+        out->R.m[2][j] = q[6 + j];
+    }
     bodies(q, out);
 }
 

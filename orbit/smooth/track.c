@@ -197,16 +197,50 @@ void orr_track_use_window(const orr_track_context *c, size_t window, const doubl
         c->force->ecom_nmps2[i] = c->reference->ecom_nmps2[window][i] + (change != NULL ? change[i] : 0);
 }
 
-// The step that departs from grid point g and arrives at (r1, v1).
-static void linear_step(const orr_track_context *c, orr_grid_point *a, double h, orr_vec3 r1, orr_vec3 v1)
+// Partial derivatives of a stretch without a kink in the sunlight, from (r, v) to (r1, v1).
+static void linearise(const orr_track_context *c, const orr_orbit_step *s, orr_mat3 *middle,
+                      double F[6][ORR_NX])
 {
-    const orr_orbit_step s = {a->t_s, h, a->r_m, a->v_mps, r1, v1};
     orr_vec3 rm, vm;
-    orr_orbit_step_middle(&s, &rm, &vm);
-    const orr_mat3 B[3] = {orr_track_axes(c, a->t_s, a->r_m, a->v_mps),
-                           orr_track_axes(c, a->t_s + h / 2, rm, vm), orr_track_axes(c, a->t_s + h, r1, v1)};
-    orr_variational_step(c->force, c->sky, &s, B, a->F);
-    a->axes = B[1];
+    orr_orbit_step_middle(s, &rm, &vm);
+    const orr_mat3 B[3] = {orr_track_axes(c, s->t_s, s->r0_m, s->v0_mps),
+                           orr_track_axes(c, s->t_s + s->h_s / 2, rm, vm),
+                           orr_track_axes(c, s->t_s + s->h_s, s->r1_m, s->v1_mps)};
+    orr_variational_step(c->force, c->sky, s, B, F);
+    *middle = B[1];
+}
+
+// F after G: both of whose lower rows are those of the unit matrix.
+static void append(double F[6][ORR_NX], double G[6][ORR_NX])
+{
+    double product[6][ORR_NX];
+    for (int i = 0; i < 6; i++) {
+        for (int k = 0; k < ORR_NX; k++) product[i][k] = k < 6 ? 0 : G[i][k];
+        for (int j = 0; j < 6; j++)
+            for (int k = 0; k < ORR_NX; k++) product[i][k] += G[i][j] * F[j][k];
+    }
+    memcpy(F, product, sizeof product);
+}
+
+// The step of h that departs from grid point a: (r, v) moves to its end, past the borders of the shadow one by one.
+static orr_status step_on(const orr_track_context *c, orr_grid_point *a, double h, orr_vec3 *r, orr_vec3 *v)
+{
+    double border[ORR_INTEGRATE_BORDERS + 1], from = 0;
+    size_t n =
+        c->noise.nx == ORR_NX ? orr_integrate_borders(c->integrator, a->t_s, h, a->r_m, a->v_mps, border) : 0;
+    border[n++] = h;
+    for (size_t k = 0; k < n; from = border[k++]) {
+        orr_orbit_step s = {.t_s = a->t_s + from, .h_s = border[k] - from, .r0_m = *r, .v0_mps = *v};
+        const orr_status status = orr_integrate(c->integrator, s.t_s, s.h_s, r, v);
+        if (status != ORR_OK) return status;
+        s.r1_m = *r, s.v1_mps = *v;
+        double F[6][ORR_NX];
+        orr_mat3 middle;
+        linearise(c, &s, &middle, k == 0 ? a->F : F);
+        if (k > 0) append(a->F, F);
+        if (s.t_s <= a->t_s + h / 2) a->axes = middle;
+    }
+    return ORR_OK;
 }
 
 static const orr_reference *reference_at(const orr_instant *at, const orr_reference *reference)
@@ -232,18 +266,110 @@ static bool near_shadow(const orr_track_context *c, const orr_grid_point *g)
     return false;
 }
 
+typedef struct orbit_piece { // between two instants h_s apart, u from 0 to 1
+    double h_s;
+    orr_vec3 r0, v0, a0, r1, v1, a1, even, odd;
+} orbit_piece;
+
+// Position and velocity on the polynomial of degree seven: Hermite's quintic through both ends and
+// (u (1 - u))^3 (even + odd (u - 1/2)). a (may be NULL): the second derivative of the quintic alone, times h^2.
+static void piece_at(const orbit_piece *p, double u, orr_vec3 *r, orr_vec3 *v, orr_vec3 *a)
+{
+    const double h = p->h_s, u2 = u * u, u3 = u2 * u, q = 1 - u;
+    const double s1 = u3 * (10 + u * (-15 + 6 * u)), ds1 = 30 * u2 * q * q, dds1 = 60 * u * q * (1 - 2 * u);
+    const double g0 = u - u3 * (6 + u * (-8 + 3 * u)), dg0 = 1 - u2 * (18 + u * (-32 + 15 * u)),
+                 ddg0 = -u * (36 + u * (-96 + 60 * u));
+    const double g1 = -u3 * (4 + u * (-7 + 3 * u)), dg1 = -u2 * (12 + u * (-28 + 15 * u)),
+                 ddg1 = -u * (24 + u * (-84 + 60 * u));
+    const double c0 = 0.5 * u2 * q * q * q, dc0 = 0.5 * u * q * q * (2 - 5 * u),
+                 ddc0 = q * (1 - 8 * u + 10 * u2);
+    const double c1 = 0.5 * u3 * q * q, dc1 = 0.5 * u2 * q * (3 - 5 * u), ddc1 = u * (3 - 12 * u + 10 * u2);
+    const double w = u * q, dw = 1 - 2 * u, s = u - 0.5, b = w * w * w, db = 3 * w * w * dw;
+    const orr_vec3 way = orr_vec3_sub(p->r1, p->r0);
+    if (a != NULL) {
+        *a = orr_vec3_scale(dds1, way);
+        *a = orr_vec3_axpy(h * ddg0, p->v0, orr_vec3_axpy(h * ddg1, p->v1, *a));
+        *a = orr_vec3_axpy(h * h * ddc0, p->a0, orr_vec3_axpy(h * h * ddc1, p->a1, *a));
+    }
+    *r = orr_vec3_axpy(s1, way, p->r0);
+    *r = orr_vec3_axpy(h * g0, p->v0, orr_vec3_axpy(h * g1, p->v1, *r));
+    *r = orr_vec3_axpy(h * h * c0, p->a0, orr_vec3_axpy(h * h * c1, p->a1, *r));
+    *r = orr_vec3_axpy(b, p->even, orr_vec3_axpy(b * s, p->odd, *r));
+    *v = orr_vec3_scale(ds1, way);
+    *v = orr_vec3_axpy(h * dg0, p->v0, orr_vec3_axpy(h * dg1, p->v1, *v));
+    *v = orr_vec3_axpy(h * h * dc0, p->a0, orr_vec3_axpy(h * h * dc1, p->a1, *v));
+    *v = orr_vec3_axpy(db, p->even, orr_vec3_axpy(db * s + b, p->odd, *v));
+    *v = orr_vec3_scale(1 / h, *v);
+}
+
+static orr_vec3 acceleration(const orr_track_context *c, double t_s, orr_vec3 r, orr_vec3 v)
+{
+    orr_sky_point p;
+    orr_sky_force_point(c->sky, t_s, &p);
+    return orr_force_of_state(c->force, &p, r, v);
+}
+
+// The piece through both ends that has the force's acceleration at one and two thirds of the way as well, for which the
+// quintic is near enough (3 mm over 900 s of a GNSS satellite, which leaves 5 um).
+static void make_piece(const orr_track_context *c, double t_s, orbit_piece *p)
+{
+    p->a0 = acceleration(c, t_s, p->r0, p->v0);
+    p->a1 = acceleration(c, t_s + p->h_s, p->r1, p->v1);
+    p->even = p->odd = (orr_vec3){0, 0, 0};
+    orr_vec3 e[2];
+    for (int i = 0; i < 2; i++) {
+        const double u = (i + 1) / 3.0;
+        orr_vec3 r, v, quintic;
+        piece_at(p, u, &r, &v, &quintic);
+        const orr_vec3 a = acceleration(c, t_s + u * p->h_s, r, v);
+        e[i] = orr_vec3_sub(orr_vec3_scale(p->h_s * p->h_s, a), quintic);
+    }
+    p->even = orr_vec3_scale(-27.0 / 8, orr_vec3_add(e[0], e[1]));
+    p->odd = orr_vec3_scale(81.0 / 20, orr_vec3_sub(e[0], e[1]));
+}
+
+// Whether the way from (r, v) on over h_s may be integrated in one step, with a piece to fill it: no kink in the sunlight,
+// no more than this of a revolution.
+#define PIECE_ANGLE 0.145
+static bool smooth_way(const orr_track_context *c, double t_s, double h_s, orr_vec3 r, orr_vec3 v)
+{
+    double border[ORR_INTEGRATE_BORDERS];
+    return h_s * orr_vec3_norm(v) < PIECE_ANGLE * orr_vec3_norm(r) &&
+           orr_integrate_borders(c->integrator, t_s, h_s, r, v, border) == 0;
+}
+
 // From instant k to the next one: the grid's states and the transition.
 static orr_status go_on(const orr_track_context *c, orr_track *t, size_t k, orr_vec3 *r, orr_vec3 *v)
 {
     orr_instant *at = &t->at[k];
+    const size_t last = t->at[k + 1].grid;
+    const double way_s = t->grid[last].t_s - at->t_s;
+    const bool whole = last > at->grid + 1 && smooth_way(c, at->t_s, way_s, *r, *v);
+    orbit_piece piece = {.h_s = way_s, .r0 = *r, .v0 = *v};
+    orr_integrator_set(c->integrator, c->force, whole ? way_s * (1 + 1e-9) : ORR_INTEGRATE_MAX_STEP_S);
+    if (whole) {
+        const orr_status s = orr_integrate(c->integrator, at->t_s, way_s, r, v);
+        if (s != ORR_OK) return s;
+        piece.r1 = *r, piece.v1 = *v;
+        make_piece(c, at->t_s, &piece);
+        *r = piece.r0, *v = piece.v0;
+    }
     orr_transition_start(&at->next);
-    for (size_t g = at->grid; g < t->at[k + 1].grid; g++) {
+    for (size_t g = at->grid; g < last; g++) {
         orr_grid_point *a = &t->grid[g];
         const double h = t->grid[g + 1].t_s - a->t_s;
         a->r_m = *r, a->v_mps = *v;
-        orr_status s = orr_integrate(c->integrator, a->t_s, h, r, v);
-        if (s != ORR_OK) return s;
-        linear_step(c, a, h, *r, *v);
+        if (whole) {
+            if (g + 1 == last)
+                *r = piece.r1, *v = piece.v1;
+            else
+                piece_at(&piece, (t->grid[g + 1].t_s - at->t_s) / way_s, r, v, NULL);
+            const orr_orbit_step s = {a->t_s, h, a->r_m, a->v_mps, *r, *v};
+            linearise(c, &s, &a->axes, a->F);
+        } else {
+            const orr_status s = step_on(c, a, h, r, v);
+            if (s != ORR_OK) return s;
+        }
         a->near_shadow = c->noise.nx == ORR_NX && near_shadow(c, a);
         orr_transition_append(&at->next, a->F, &a->axes, h, at->noise * c->noise.qf_m2ps5, c->noise.qv_m2ps3,
                               a->near_shadow);
@@ -259,6 +385,7 @@ orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *
     const orr_reference *start = reference_at(&t->at[k0], reference);
     orr_vec3 r = start->r_m, v = start->v_mps;
     orr_track_use_window(c, t->at[k0].window, NULL);
+    orr_integrator_set(c->integrator, c->force, ORR_INTEGRATE_MAX_STEP_S);
     orr_status s = orr_integrate(c->integrator, t->at[k0].t_s, t->at[0].t_s - t->at[k0].t_s, &r, &v);
     if (s != ORR_OK) return s;
     for (size_t k = 0; k < t->n; k++) {
@@ -281,6 +408,7 @@ orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *
         s = go_on(c, t, k, &r, &v);
         if (s != ORR_OK) return s;
     }
+    orr_integrator_set(c->integrator, c->force, ORR_INTEGRATE_MAX_STEP_S);
     return ORR_OK;
 }
 

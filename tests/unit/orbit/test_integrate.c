@@ -143,6 +143,40 @@ static void integration_reverses_and_does_not_depend_on_the_step(void **state)
     }
 }
 
+// The longest steps that the reference fit takes, a day, four passages of the shadow: against steps of 20 s.
+static void steps_of_a_quarter_of_an_hour_are_short_enough(void **state)
+{
+    (void)state;
+    bed b = bed_make(8, true, 1e-7);
+    bed_ready(&b);
+    orr_sky_point p;
+    orr_sky_at(b.sky, 0, &p);
+    const orr_vec3 s = orr_vec3_unit(p.sun_m), side = orr_vec3_unit(orr_vec3_cross(s, (orr_vec3){0, 0, 1})),
+                   normal = orr_vec3_unit(orr_vec3_cross(s, side));
+    const double radius = 2.55e7, speed = sqrt(ORR_EGM96_GM / radius);
+    orr_vec3 r = orr_vec3_scale(radius, side), v = orr_vec3_scale(speed, orr_vec3_cross(normal, side));
+    orr_vec3 q = r, w = v;
+    orr_integrator_set(b.it, &b.force, 900);
+    size_t borders = 0;
+    double furthest = 0;
+    for (int k = 0; k < 96; k++) {
+        double dt[ORR_INTEGRATE_BORDERS];
+        const size_t n = orr_integrate_borders(b.it, 900.0 * k, 900, r, v, dt);
+        for (size_t i = 0; i < n; i++) assert_true(dt[i] > (i > 0 ? dt[i - 1] : 0) && dt[i] < 900);
+        borders += n;
+        ASSERT_OK(orr_integrate(b.it, 900.0 * k, 900, &r, &v), (orr_diag){0});
+        for (int i = 0; i < 45; i++)
+            ASSERT_OK(orr_integrate(b.it, 900.0 * k + 20 * i, 20, &q, &w), (orr_diag){0});
+        furthest = fmax(furthest, orr_vec3_norm(orr_vec3_sub(r, q)));
+    }
+    // two revolutions: into and out of penumbra and umbra, twice
+    assert_int_equal(borders, 8);
+    print_message("after a day in steps of 900 s: %.2e m\n", furthest);
+    // Truncation of the stepper, a drift along the orbit: what 1e-13 m/s^2 do in a day, a ten-thousandth of f0.
+    ASSERT_NEAR(furthest, 0, 2e-4);
+    bed_free(&b);
+}
+
 static void nonsense_is_an_error_not_a_number(void **state)
 {
     (void)state;
@@ -163,6 +197,7 @@ int main(void)
         cmocka_unit_test(sky_derivatives_are_derivatives),
         cmocka_unit_test(kepler_orbit_closes),
         cmocka_unit_test(integration_reverses_and_does_not_depend_on_the_step),
+        cmocka_unit_test(steps_of_a_quarter_of_an_hour_are_short_enough),
         cmocka_unit_test(nonsense_is_an_error_not_a_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
