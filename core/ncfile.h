@@ -35,12 +35,17 @@ typedef enum orr_nc_type {
 
 typedef struct orr_nc_writer {
     int id;
-    bool open;
+    bool open, unwritable;
     // Set it after creation for long series whose writing time matters more than their size.
     bool uncompressed;
     orr_outfile file;
     orr_status status; // first failure
 } orr_nc_writer;
+
+// Whether a file is HDF5 (NetCDF-4), by its first bytes; false where it is no regular file or cannot be read.
+bool orr_nc_is_hdf5(const char *path);
+// Whether it ends with a seal (which need not fit).
+bool orr_nc_is_sealed(const char *path);
 
 // Begins a file; nothing stands at `path` before orr_nc_commit. ORR_E_IO where it cannot be made.
 orr_status orr_nc_create(const char *path, orr_nc_writer *w, orr_diag *diag);
@@ -97,6 +102,9 @@ typedef struct orr_nc_input {
 orr_status orr_nc_put_provenance(orr_nc_writer *w, const char *title, const char *history,
                                  const orr_nc_input *input, size_t n_inputs, orr_diag *diag);
 
+// Whether HDF5 still holds a file that it could not write for want of room. It crashes when it ends then: who wants to
+// end properly ends by _exit.
+bool orr_nc_left_open(void);
 // Closes, seals and renames the file to its place. Ends w.
 orr_status orr_nc_commit(orr_nc_writer *w, orr_diag *diag);
 // Removes what was written so far. Ends w; harmless after commit.
@@ -104,7 +112,7 @@ void orr_nc_abort(orr_nc_writer *w);
 
 typedef struct orr_nc_reader {
     int id;
-    bool open;
+    bool open, unwritable;
     char path[256]; // for messages
 } orr_nc_reader;
 

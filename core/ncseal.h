@@ -11,7 +11,7 @@
 
 // Appends the seal to a finished file.
 orr_status orr_nc_seal(const char *path, orr_diag *diag);
-// ORR_OK if there is no seal or it fits; ORR_E_FORMAT if it does not.
+// ORR_OK if there is no seal or it fits; ORR_E_FORMAT if it does not, or is cut.
 orr_status orr_nc_check_seal(const char *path, orr_diag *diag);
 
 #endif

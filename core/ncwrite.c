@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <errno.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,8 +15,20 @@ static const nc_type NC_TYPE[] = {
     [ORR_NC_FLOAT] = NC_FLOAT,
 };
 
+// A file that HDF5 could not write stays open: closing it means writing it, which HDF5 does not survive. The library is
+// the process's, and so is this.
+static atomic_bool left_open;
+
+bool orr_nc_left_open(void) { return atomic_load(&left_open); }
+
 static orr_status failed(orr_nc_writer *w, int rc, const char *what, const char *name, orr_diag *diag)
 {
+    // HDF5 does not tell the system's reason; another write does, for it is the disk that is full.
+    if (rc == NC_EHDFERR && w->open && !orr_outfile_takes_more(&w->file)) {
+        w->unwritable = true;
+        w->status = orr_diag_at(diag, ORR_E_IO, w->file.path, 0, 0, "cannot be written: %s", strerror(errno));
+        return w->status;
+    }
     w->status = orr_diag_at(diag, ORR_E_IO, w->file.path, 0, 0, "cannot be written: %s \"%s\": %s", what,
                             name, nc_strerror(rc));
     return w->status;
@@ -170,9 +184,13 @@ orr_status orr_nc_commit(orr_nc_writer *w, orr_diag *diag)
         return s;
     }
     int rc = nc_close(w->id);
+    if (rc != NC_NOERR) {
+        const orr_status s = failed(w, rc, "file", w->file.path, diag);
+        orr_nc_abort(w);
+        return s;
+    }
     w->open = false;
-    orr_status s =
-        rc == NC_NOERR ? orr_nc_seal(w->file.temp, diag) : failed(w, rc, "file", w->file.path, diag);
+    orr_status s = orr_nc_seal(w->file.temp, diag);
     if (s == ORR_OK) s = orr_outfile_commit(&w->file, diag);
     orr_outfile_abort(&w->file);
     *w = (orr_nc_writer){0};
@@ -181,7 +199,10 @@ orr_status orr_nc_commit(orr_nc_writer *w, orr_diag *diag)
 
 void orr_nc_abort(orr_nc_writer *w)
 {
-    if (w->open) (void)nc_close(w->id); // what it holds is thrown away
+    if (w->open && w->unwritable)
+        atomic_store(&left_open, true);
+    else if (w->open)
+        (void)nc_close(w->id); // what it holds is thrown away
     orr_outfile_abort(&w->file);
     *w = (orr_nc_writer){0};
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/outfile.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -59,6 +62,36 @@ static char *folder_of(const char *path)
     return strndup(path, slash == path ? 1 : (size_t)(slash - path));
 }
 
+// Whether `name` is `base` with the ending of a temporary, ".part-PID-K"; the PID then.
+static bool is_temporary(const char *name, const char *base, long *pid)
+{
+    const size_t n = strlen(base);
+    char *end;
+    if (strncmp(name, base, n) != 0 || strncmp(name + n, ".part-", 6) != 0) return false;
+    *pid = strtol(name + n + 6, &end, 10);
+    if (*pid <= 0 || *end != '-') return false;
+    const char *k = end + 1;
+    return *k != '\0' && k[strspn(k, "0123456789")] == '\0';
+}
+
+// Removes what a killed process has left beside `path`: its number is nobody's here, and nobody anywhere holds its lock.
+static void sweep(const char *path)
+{
+    char *folder = folder_of(path);
+    DIR *d = folder != NULL ? opendir(folder) : NULL;
+    const char *slash = strrchr(path, '/'), *base = slash != NULL ? slash + 1 : path;
+    for (const struct dirent *e; d != NULL && (e = readdir(d)) != NULL;) {
+        long pid;
+        if (!is_temporary(e->d_name, base, &pid) || kill((pid_t)pid, 0) == 0 || errno != ESRCH) continue;
+        const int fd = openat(dirfd(d), e->d_name, O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+        if (fd < 0) continue;
+        if (flock(fd, LOCK_EX | LOCK_NB) == 0) (void)unlinkat(dirfd(d), e->d_name, 0);
+        close(fd);
+    }
+    if (d != NULL) closedir(d);
+    free(folder);
+}
+
 // Creates a fresh file beside `path`; its descriptor, or -1 with errno. O_EXCL and the process's own umask,
 // which mkstemp would not honour.
 static int create_beside(const char *path, mode_t mode, char **temp)
@@ -82,6 +115,7 @@ static int create_beside(const char *path, mode_t mode, char **temp)
         return -1;
     }
     *temp = name;
+    (void)flock(fd, LOCK_EX | LOCK_NB); // as long as it is open: see sweep
     return fd;
 }
 
@@ -134,6 +168,7 @@ static orr_status start(const char *path, bool with_stream, orr_outfile *f, orr_
         else if ((f->stream = fopen(path, "wb")) == NULL)
             status = io_error(diag, path, "opened for writing");
     } else if (status == ORR_OK) {
+        sweep(f->path);
         int fd = create_beside(f->path, mode, &f->temp);
         if (fd < 0) {
             status = io_error(diag, path, "written");
@@ -159,14 +194,28 @@ orr_status orr_outfile_reserve(const char *path, orr_outfile *f, orr_diag *diag)
     return start(path, false, f, diag);
 }
 
+bool orr_outfile_takes_more(const orr_outfile *f)
+{
+    static const char block[8192];
+    const int fd = open(f->temp, O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (fd < 0) return false;
+    ssize_t n = 0;
+    size_t done = 0;
+    while (done < sizeof block && (n = write(fd, block + done, sizeof block - done)) > 0) done += (size_t)n;
+    const int e = errno;
+    close(fd);
+    errno = e;
+    return done == sizeof block;
+}
+
 // Flushes what a library or our stream wrote down to the disk and closes it.
 static orr_status finish_bytes(orr_outfile *f, orr_diag *diag)
 {
     if (f->stream != NULL) {
-        bool bad =
-            ferror(f->stream) != 0; // errno of the failing write is gone by now: the disk is the usual reason
-        if (bad) errno = EIO;
-        bad = fflush(f->stream) != 0 || bad;
+        bool bad = ferror(f->stream) != 0;
+        // errno of the write that failed is gone by now; one more tells it again.
+        if (bad && write(fileno(f->stream), "\n", 1) >= 0) errno = EIO;
+        bad = bad || fflush(f->stream) != 0;
         // what stands at the end of a pipe or a terminal cannot be synchronised, and need not be
         if (!bad && f->temp != NULL) bad = fsync(fileno(f->stream)) != 0;
         orr_status status = bad ? io_error(diag, f->path, "written") : ORR_OK;

@@ -13,10 +13,12 @@ typedef struct orr_outfile {
     FILE *stream; // NULL for files another library writes (ORR_OUTFILE_NAME_ONLY)
 } orr_outfile;
 
-// Opens for writing. For "-" the stream is stdout and commit only flushes.
+// Opens for writing, and removes what killed processes have left of the same output. For "-" the stream is stdout and commit only flushes.
 orr_status orr_outfile_open(const char *path, orr_outfile *f, orr_diag *diag);
 // The same without opening: f->temp is a fresh name for a library (NetCDF) to create.
 orr_status orr_outfile_reserve(const char *path, orr_outfile *f, orr_diag *diag);
+// Whether the temporary can be made longer by a block; false with errno. For a library's file that is to be given up.
+bool orr_outfile_takes_more(const orr_outfile *f);
 // fsync and rename; on failure the temporary is gone and the old file untouched. Ends f.
 orr_status orr_outfile_commit(orr_outfile *f, orr_diag *diag);
 // Removes the temporary. Ends f; harmless after commit.

@@ -3,7 +3,9 @@
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "core/ncfile.h"
 #include "core/suggest.h"
 #include "src/cli/frame/frame.h"
 
@@ -97,9 +99,12 @@ static int run(orr_cli *c, int n_words, char **words)
         break;
     }
     if (orr_cli_applies_check(c) != ORR_EXIT_OK) return ORR_EXIT_USAGE;
+    const int writable = orr_cli_outputs_check(c);
+    if (writable != ORR_EXIT_OK) return writable;
     c->quiet = orr_cli_given(c, "quiet");
     if (orr_cli_given(c, "verbose")) log.level = ORR_LOG_DEBUG;
     c->log = &log;
+    orr_cli_seals_warn(c);
     int status = c->command->run(c);
     int flushed = orr_cli_flush(c);
     return status != ORR_EXIT_OK ? status : flushed;
@@ -134,5 +139,9 @@ int main(int argc, char **argv)
     c.call = call;
     int status = run(&c, argc - 2, argv + 2);
     orr_cli_args_free(&c);
+    if (orr_nc_left_open()) {
+        fflush(NULL);
+        _exit(status);
+    }
     return status;
 }

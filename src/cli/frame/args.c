@@ -33,14 +33,24 @@ const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS] = {
      .kind = ORR_OPT_FLAG,
      .help = "Print nothing but warnings and errors on standard error."},
     {.name = "verbose", .letter = 'v', .kind = ORR_OPT_FLAG, .help = "Print what is being done."},
+    {.name = "force",
+     .kind = ORR_OPT_FLAG,
+     .help = "Replace an output file that is read-only, or that Orrery did not write."},
 };
+
+size_t orr_cli_n_common(const orr_command *cmd)
+{
+    bool writes = false;
+    for (size_t i = 0; i < cmd->n_options; i++) writes |= cmd->option[i].writes;
+    return writes ? ORR_CLI_COMMON_OPTIONS : ORR_CLI_COMMON_OPTIONS - 1;
+}
 
 // The i-th option of the command: its own first, then the common ones; NULL behind the last.
 static const orr_option *option_at(const orr_command *cmd, size_t i)
 {
     if (i < cmd->n_options) return &cmd->option[i];
     i -= cmd->n_options;
-    return i < ORR_CLI_COMMON_OPTIONS ? &orr_cli_common_options[i] : NULL;
+    return i < orr_cli_n_common(cmd) ? &orr_cli_common_options[i] : NULL;
 }
 
 static const orr_option *by_name(const orr_command *cmd, const char *name, size_t len)

@@ -38,13 +38,14 @@ typedef struct orr_option {
     const char *value; // how help shows the value: "FILE", "T", "csv|json"; NULL for a flag
     const char *help;  // one sentence or two; the default belongs in it
     bool required, repeated;
+    bool writes; // of TEXT: the name of a file that is written; looked at before the command runs
     // Where the option applies, as conditions that all have to hold, divided by commas; elsewhere it is refused, and help
     // says so. "bits": --bits is given; "el|az": one of them is; "!grid": --grid is not; "method=mean|state": so says
     // --method, or its fallback. NULL: everywhere.
     const char *applies;
     const char
-        *fallback;   // of a CHOICE that conditions ask for: its value where it is not given; NULL: not known
-                     // before the inputs are read (orr_cli_settle)
+        *fallback; // of a CHOICE that conditions ask for: its value where it is not given; NULL: not known
+        // before the inputs are read (orr_cli_settle). Of a file that is written in any case: its name
     double min, max; // of INT and REAL; both 0: no bounds
 } orr_option;
 

@@ -43,7 +43,7 @@ static void put_command(FILE *f, const orr_command *cmd)
     }
     fputs("        esac\n        options='", f);
     for (size_t i = 0; i < cmd->n_options; i++) put_names(f, &cmd->option[i]);
-    for (size_t i = 0; i < ORR_CLI_COMMON_OPTIONS; i++) put_names(f, &orr_cli_common_options[i]);
+    for (size_t i = 0; i < orr_cli_n_common(cmd); i++) put_names(f, &orr_cli_common_options[i]);
     fputs("'\n        ;;\n", f);
 }
 

@@ -7,8 +7,10 @@
 
 #include "src/cli/frame/cli.h"
 
-#define ORR_CLI_COMMON_OPTIONS 3
+#define ORR_CLI_COMMON_OPTIONS 4
 extern const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS];
+// How many of them a command has: the last, --force, only where it writes files.
+size_t orr_cli_n_common(const orr_command *cmd);
 
 typedef enum orr_cli_parse_result { ORR_CLI_RUN, ORR_CLI_HELP, ORR_CLI_WRONG } orr_cli_parse_result;
 
@@ -20,6 +22,11 @@ void orr_cli_args_free(orr_cli *c);
 
 // Whether everything that was given applies (orr_option.applies); an exit status, with its sentence.
 int orr_cli_applies_check(const orr_cli *c);
+// Whether the files that the command will write may be: none is an input or another output, none is read-only or somebody
+// else's without --force, and every folder can be written to. An exit status, with its sentence.
+int orr_cli_outputs_check(const orr_cli *c);
+// Warns of NetCDF files that are read and have no seal, so that damage to them is not noticed.
+void orr_cli_seals_warn(const orr_cli *c);
 // The conditions in words: "only with --bits, not with --grid".
 void orr_cli_applies_words(const char *applies, char *out, size_t n);
 

@@ -75,7 +75,7 @@ void orr_cli_help_command(FILE *f, const orr_command *cmd)
     }
     fputs("\nOptions:\n", f);
     for (size_t i = 0; i < cmd->n_options; i++) help_option(f, &cmd->option[i]);
-    for (size_t i = 0; i < ORR_CLI_COMMON_OPTIONS; i++) help_option(f, &orr_cli_common_options[i]);
+    for (size_t i = 0; i < orr_cli_n_common(cmd); i++) help_option(f, &orr_cli_common_options[i]);
     bool times = false;
     for (size_t i = 0; i < cmd->n_options; i++)
         times |= cmd->option[i].kind == ORR_OPT_TIME || cmd->option[i].kind == ORR_OPT_INTERVAL;

@@ -131,7 +131,7 @@ void orr_cli_man_command(FILE *f, const orr_command *cmd)
         put_option(f, &cmd->option[i]);
         times |= cmd->option[i].kind == ORR_OPT_TIME || cmd->option[i].kind == ORR_OPT_INTERVAL;
     }
-    for (size_t i = 0; i < ORR_CLI_COMMON_OPTIONS; i++) put_option(f, &orr_cli_common_options[i]);
+    for (size_t i = 0; i < orr_cli_n_common(cmd); i++) put_option(f, &orr_cli_common_options[i]);
     if (times) {
         fputs(".SH TIMES\n", f);
         put_line(f, ORR_CLI_TIMES_TEXT);

@@ -16,7 +16,7 @@
 // Where the output goes; orr_cli_text with "-" otherwise.
 #define ORR_OPTION_OUTPUT_AS(...)                                                                            \
     {                                                                                                        \
-        .name = "output", .letter = 'o', .kind = ORR_OPT_TEXT, .value = "FILE", __VA_ARGS__                  \
+        .name = "output", .letter = 'o', .kind = ORR_OPT_TEXT, .value = "FILE", .writes = true, __VA_ARGS__  \
     }
 #define ORR_OPTION_OUTPUT                                                                                    \
     ORR_OPTION_OUTPUT_AS(                                                                                    \
@@ -36,7 +36,7 @@
 // A series beside the report.
 #define ORR_OPTION_SERIES(...)                                                                               \
     {                                                                                                        \
-        .name = "csv", .kind = ORR_OPT_TEXT, .value = "FILE", __VA_ARGS__                                    \
+        .name = "csv", .kind = ORR_OPT_TEXT, .value = "FILE", .writes = true, __VA_ARGS__                    \
     }
 
 // Instants.

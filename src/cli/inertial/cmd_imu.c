@@ -86,7 +86,8 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    ORR_OPTION_OUTPUT_AS(.help = "NetCDF-4, or CSV where the name ends in .csv or is -. Default imu.nc."),
+    ORR_OPTION_OUTPUT_AS(.fallback = "imu.nc",
+                         .help = "NetCDF-4, or CSV where the name ends in .csv or is -. Default imu.nc."),
     ORR_CLI_MOVING_OPTIONS,
     {.name = "rate",
      .kind = ORR_OPT_REAL,

@@ -57,7 +57,7 @@
          .max = 1000,                                                                                        \
          .help = "Samples of its angles per knot. Default: enough for a knot every 0.2 s."},                 \
     {                                                                                                        \
-        .name = "report", .kind = ORR_OPT_TEXT, .value = "FILE",                                             \
+        .writes = true, .name = "report", .kind = ORR_OPT_TEXT, .value = "FILE",                             \
         .help = "Write every row of the log that was left out (CSV)."                                        \
     }
 

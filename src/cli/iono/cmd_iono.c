@@ -199,7 +199,8 @@ static const orr_option options[] = {
      .help = "Systems whose codes help to level arcs, e.g. GE, or none. G by default; Galileo codes are then "
              "an independent check."},
     ORR_OPTION_OUTPUT_AS(.applies = "!compare", .help = "The session, a NetCDF-4 file."),
-    {.name = "csv",
+    {.writes = true,
+     .name = "csv",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "The fused curves (or, with --compare, both stations') as CSV; - is standard output."},

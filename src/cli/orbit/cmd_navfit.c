@@ -86,7 +86,8 @@ static int run(orr_cli *c)
 
 static const orr_option options[] = {
     ORR_OPTION_OUTPUT_AS(.help = "Write the sets as RINEX NAV 3.05."),
-    {.name = "bits",
+    {.writes = true,
+     .name = "bits",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "Write what the satellites transmit, bit by bit, as CSV: t_gps (of the first bit), sat, message "

@@ -33,7 +33,8 @@ static const orr_option options[] = {
                 "length of day; of fewer than four satellites nothing does, and the IERS secular pole is "
                 "used, "
                 "and UT1 by the leap seconds."),
-    {.name = "erp-out",
+    {.writes = true,
+     .name = "erp-out",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help =
