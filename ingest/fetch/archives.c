@@ -18,7 +18,7 @@ typedef struct name_rule {
     int32_t from_mjd, until_mjd;
     char template[112];
     int shift_h;
-    bool week_start;
+    bool week_start, name_start;
 } name_rule;
 
 typedef struct mirror_rule {
@@ -49,6 +49,7 @@ static const struct {
     [ORR_PRODUCT_CLK] = {"clk", {ORR_KIND_RINEX_CLK, ORR_KIND_RINEX_CLK}},
     [ORR_PRODUCT_BIAS] = {"bias", {ORR_KIND_BIAS_SINEX, ORR_KIND_DCB}},
     [ORR_PRODUCT_SINEX] = {"sinex", {ORR_KIND_SINEX, ORR_KIND_SINEX}},
+    [ORR_PRODUCT_ANTEX] = {"antex", {ORR_KIND_ANTEX, ORR_KIND_ANTEX}},
     [ORR_PRODUCT_OBS] = {"obs", {ORR_KIND_RINEX_OBS, ORR_KIND_CRINEX}},
 };
 static const char *const tiers[] = {"final", "rapid", "ultra", "predicted", "-"};
@@ -156,12 +157,14 @@ static orr_status read_name(table_reader *r, orr_view rest)
         int64_t h;
         if (orr_view_equals(option, "start=week"))
             n.week_start = true;
+        else if (orr_view_equals(option, "start=name") && n.from_mjd != INT32_MIN)
+            n.name_start = true;
         else if (orr_view_starts(option, "shift=") &&
                  orr_view_int((orr_view){option.p + 6, option.n - 6}, &h) == ORR_FIELD_OK && h >= -240 &&
                  h <= 240)
             n.shift_h = (int)h;
         else
-            return bad(r, "expected start=week or shift=HOURS");
+            return bad(r, "expected start=week, start=name (where FROM is a day) or shift=HOURS");
     }
     orr_status s = orr_records_grow(&r->a->name, r->a->n_names, sizeof n, MAX_LINES, "names", &r->c, r->diag);
     if (s == ORR_OK) r->a->name[r->a->n_names++] = n;
@@ -404,6 +407,7 @@ orr_status orr_archives_candidates(const orr_archives *a, const orr_wanted *w, o
             f.mjd = w->mjd + days + hours / 24;
             f.hour = hours % 24;
             if (rule->week_start) f.mjd -= (f.mjd - orr_mjd_from_date(1980, 1, 6)) % 7;
+            if (rule->name_start) f.mjd = rule->from_mjd;
             s = add(a, rule, &f, &found, diag);
         }
     }

@@ -18,6 +18,7 @@ typedef enum orr_product {
     ORR_PRODUCT_BIAS,
     ORR_PRODUCT_SINEX,
     ORR_PRODUCT_OBS,
+    ORR_PRODUCT_ANTEX, // of the frame of the day's orbits
     ORR_PRODUCT_N
 } orr_product;
 typedef enum orr_tier { // best first: fallback goes down

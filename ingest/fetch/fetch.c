@@ -26,6 +26,7 @@ typedef struct job {
     fetch_transfer transfer;
     char path[1024]; // in the cache, of place[at]
     bool cache_looked_at;
+    bool waits;            // for another program's transfer
     bool afresh_done;      // the part was dropped once at this place
     int64_t received_then; // of the transfer, when it last moved
     double moved_at;
@@ -123,6 +124,11 @@ static bool in_cache(fetcher *f, job *j)
     if (fetch_cache_path(f->o->cache_dir, c, false, j->path, sizeof j->path, &d) != ORR_OK) return false;
     if (stat(j->path, &st) != 0 || !S_ISREG(st.st_mode)) return false;
     if (orr_sha256_file(j->path, sha, &d) != ORR_OK) return false;
+    if (j->waits) { // another program has written the index meanwhile
+        fetch_index_free(&f->index);
+        (void)fetch_index_read(f->o->cache_dir, &f->index, &d);
+        j->waits = false;
+    }
     const fetch_entry *e = fetch_index_find(&f->index, f->o->cache_dir, j->path);
     if (e != NULL && (e->bytes != st.st_size || strcmp(e->sha256, sha) != 0)) {
         ORR_LOG(f->o->log, ORR_LOG_WARN,
@@ -176,6 +182,14 @@ static void begin(fetcher *f, job *j)
         return;
     }
     if (s == ORR_OK) s = fetch_transfer_start(&j->transfer, f->o, c, j->path, &d);
+    if (s == ORR_OK && j->transfer.busy) { // what comes of it is looked for in the cache
+        if (!j->waits)
+            ORR_LOG(f->o->log, ORR_LOG_INFO, "%s: another program is fetching it; waiting", c->name);
+        j->waits = true;
+        j->cache_looked_at = false;
+        j->not_before = now_s() + 0.1;
+        return;
+    }
     if (s == ORR_OK && curl_multi_add_handle(f->multi, j->transfer.easy) != CURLM_OK) {
         fetch_transfer_drop(&j->transfer);
         s = orr_diag_set(&d, ORR_E_IO, "libcurl cannot start %s", c->url);
@@ -235,8 +249,8 @@ static void arrived(fetcher *f, job *j)
             next_place(f, j, text);
         return;
     }
-    s = orr_sha256_file(j->transfer.part, sha, &d);
-    if (s == ORR_OK && stat(j->transfer.part, &st) != 0)
+    s = orr_sha256_stream(j->transfer.file, j->transfer.part, sha, &d);
+    if (s == ORR_OK && fstat(fileno(j->transfer.file), &st) != 0)
         s = orr_diag_at(&d, ORR_E_IO, j->transfer.part, 0, 0, "%s", strerror(errno));
     if (s == ORR_OK && rename(j->transfer.part, j->path) != 0)
         s = orr_diag_at(&d, ORR_E_IO, j->path, 0, 0, "cannot be put in place: %s", strerror(errno));
@@ -287,6 +301,7 @@ static void ended(fetcher *f, job *j, CURLcode code)
         next_place(f, j, why);
         break;
     }
+    fetch_transfer_drop(&j->transfer);
 }
 
 static void report(fetcher *f)

@@ -179,7 +179,9 @@ orr_status fetch_check(const char *path, const orr_wanted *w, orr_diag *diag)
     if (s == ORR_OK && !orr_product_holds(w->product, r.kind))
         s = orr_diag_set(diag, ORR_E_KIND, "this is %s, not %s", orr_kind_name(r.kind),
                          orr_product_name(w->product));
-    if (s == ORR_OK && r.from != ORR_TIME_NONE && r.to != ORR_TIME_NONE) {
+    // An antenna table is of a reference frame, not of a day.
+    const bool of_day = w->product != ORR_PRODUCT_ANTEX;
+    if (s == ORR_OK && of_day && r.from != ORR_TIME_NONE && r.to != ORR_TIME_NONE) {
         // Labels may be of another scale, daily values stand at noon, weekly coordinates in the middle: a day
         // of grace.
         orr_time start = orr_time_from_mjd(w->mjd - 1, 0, ORR_SCALE_GPS, NULL);

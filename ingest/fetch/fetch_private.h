@@ -39,12 +39,14 @@ orr_status fetch_check(const char *path, const orr_wanted *w, orr_diag *diag);
 
 typedef struct fetch_transfer {
     CURL *easy;
-    FILE *file;
+    FILE *file; // the part, locked as long as it is open
+    bool busy;  // another program has the part: nothing was begun
     char part[1152];
     int64_t resumed_from; // bytes that were there
     int64_t received;     // of this transfer
     int64_t max_bytes;
     bool too_big, write_failed;
+    bool https_only; // a login is sent: no redirect to anything else
     char error[CURL_ERROR_SIZE];
 } fetch_transfer;
 
@@ -59,7 +61,7 @@ typedef enum fetch_outcome {
 
 orr_status fetch_transfer_start(fetch_transfer *t, const orr_fetch_options *o, const orr_candidate *c,
                                 const char *path, orr_diag *diag);
-// Judges a transfer that ended and closes its file. `why` says what happened.
+// Judges a transfer that ended; its part stays open until fetch_transfer_drop. `why` says what happened.
 fetch_outcome fetch_transfer_end(fetch_transfer *t, CURLcode code, char *why, size_t n, bool *connect_failed);
 void fetch_transfer_drop(fetch_transfer *t); // ends it without judgement; the part stays
 

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -49,7 +50,10 @@ static CURLcode set_up(fetch_transfer *t, const orr_fetch_options *o, const orr_
     curl_easy_setopt(e, CURLOPT_USERAGENT, "orrery/" ORR_VERSION);
     if (t->resumed_from > 0) curl_easy_setopt(e, CURLOPT_RESUME_FROM_LARGE, (curl_off_t)t->resumed_from);
     if (r == CURLE_OK) r = curl_easy_setopt(e, CURLOPT_PROTOCOLS_STR, "https,http,ftp,ftps,file");
-    if (r == CURLE_OK) r = curl_easy_setopt(e, CURLOPT_REDIR_PROTOCOLS_STR, "https,http");
+    // A login is sent over plain http only where the table itself says so.
+    t->https_only = c->login && strncmp(c->url, "http:", 5) != 0;
+    if (r == CURLE_OK)
+        r = curl_easy_setopt(e, CURLOPT_REDIR_PROTOCOLS_STR, t->https_only ? "https" : "https,http");
     if (c->login) {
         // The archive sends us to the login host, which asks for the name that .netrc has for it, and back
         // with a cookie: kept, so that the next file needs no login.
@@ -65,12 +69,32 @@ static CURLcode set_up(fetch_transfer *t, const orr_fetch_options *o, const orr_
     return r;
 }
 
+// Opens a part to be continued and locks it, so that programs side by side do not write into one. NULL with *busy where
+// another has it, NULL with errno where it cannot be opened.
+static FILE *open_part(const char *path, bool *busy)
+{
+    *busy = false;
+    for (;;) {
+        struct stat open_one, there;
+        FILE *f = fopen(path, "a+b");
+        if (f == NULL) return NULL;
+        *busy = flock(fileno(f), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        // Meanwhile another may have finished it and given it its name: then this is no part any more.
+        if (!*busy && fstat(fileno(f), &open_one) == 0 && stat(path, &there) == 0 &&
+            open_one.st_ino == there.st_ino && open_one.st_dev == there.st_dev)
+            return f;
+        fclose(f);
+        if (*busy) return NULL;
+    }
+}
+
 orr_status fetch_transfer_start(fetch_transfer *t, const orr_fetch_options *o, const orr_candidate *c,
                                 const char *path, orr_diag *diag)
 {
     *t = (fetch_transfer){.max_bytes = (int64_t)o->max_bytes};
     snprintf(t->part, sizeof t->part, "%s.%08x.part", path, mark_of(c->url));
-    t->file = fopen(t->part, "ab");
+    t->file = open_part(t->part, &t->busy);
+    if (t->busy) return ORR_OK;
     if (t->file == NULL)
         return orr_diag_at(diag, ORR_E_IO, t->part, 0, 0, "cannot be written: %s", strerror(errno));
     setvbuf(t->file, NULL, _IONBF,
@@ -110,9 +134,7 @@ fetch_outcome fetch_transfer_end(fetch_transfer *t, CURLcode code, char *why, si
 {
     long status = 0;
     curl_easy_getinfo(t->easy, CURLINFO_RESPONSE_CODE, &status);
-    bool flushed = fflush(t->file) == 0 && fsync(fileno(t->file)) == 0;
-    if (fclose(t->file) != 0) flushed = false;
-    t->file = NULL;
+    const bool flushed = fflush(t->file) == 0 && fsync(fileno(t->file)) == 0;
     char detail[CURL_ERROR_SIZE];
     snprintf(detail, sizeof detail, "%s", t->error[0] != '\0' ? t->error : curl_easy_strerror(code));
     curl_easy_cleanup(t->easy);
@@ -140,6 +162,11 @@ fetch_outcome fetch_transfer_end(fetch_transfer *t, CURLcode code, char *why, si
     case CURLE_TOO_MANY_REDIRECTS:
         return snprintf(why, n, "redirected in circles"), FETCH_NOT_THERE;
     case CURLE_UNSUPPORTED_PROTOCOL:
+        if (t->https_only)
+            return snprintf(why, n,
+                            "redirected to another protocol than https while a login is sent; not followed"),
+                   FETCH_HOPELESS;
+        return snprintf(why, n, "%s", detail), FETCH_HOPELESS;
     case CURLE_URL_MALFORMAT:
         return snprintf(why, n, "%s", detail), FETCH_HOPELESS;
     case CURLE_PARTIAL_FILE:

@@ -217,12 +217,14 @@ static const orr_option options[] = {
     {.name = "products",
      .kind = ORR_OPT_TEXT,
      .value = "LIST",
-     .help = "Of sp3, nav, ionex, ion, erp, clk, bias, sinex, obs:STATION, with commas (default "
+     .help = "Of sp3, nav, ionex, ion, erp, clk, bias, antex, sinex, obs:STATION, with commas (default "
              "sp3,nav,ionex,erp)."},
     {.name = "centre",
      .kind = ORR_OPT_TEXT,
      .value = "COD|IGS|GFZ|...",
-     .help = "Analysis centre; any that has the file if not given."},
+     .help = "Analysis centre; any that has the file if not given. COM and WUM: CODE's and Wuhan's orbits of "
+             "more "
+             "systems."},
     {.name = "tier",
      .kind = ORR_OPT_CHOICE,
      .value = "final|rapid|ultra|predicted",

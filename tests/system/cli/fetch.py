@@ -107,6 +107,12 @@ class Handler(http.server.BaseHTTPRequestHandler):
                 self.close_connection = True
             else:
                 self.give(data)
+        elif what == "trickle":  # in pieces, for programs side by side
+            self.send(200, data[:1000], length=len(data))
+            for at in range(1000, len(data), len(data) // 5):
+                self.wfile.flush()
+                time.sleep(0.1)
+                self.wfile.write(data[at:at + len(data) // 5])
         elif what == "redirect":
             self.send(302, b"", Location=self.path.replace("/redirect/", "/good/"))
         elif what == "circle":
@@ -171,6 +177,13 @@ class Fetch(unittest.TestCase):
         self.assertEqual(r.returncode, expect, r.stderr + r.stdout)
         return r
 
+    def run_fetch_of(self, day, products):
+        command = self.command()
+        command[2], command[4] = day, products
+        r = subprocess.run(command, capture_output=True, text=True, timeout=60, env=dict(os.environ, HOME=self.folder.name, no_proxy="*"))
+        self.assertEqual(r.returncode, 0, r.stderr)
+        return r
+
     def place(self, name=NAME):
         return self.cache / "2024" / "035" / name
 
@@ -195,6 +208,29 @@ class Fetch(unittest.TestCase):
         self.assertTrue(item["cached"])
         self.assertEqual(item["sha256"], hashlib.sha256(IONEX).hexdigest())
         self.assertEqual(item["tier"], "final")
+
+    def test_several_at_once(self):
+        """Programs side by side on one cache: one fetches, the others wait for it, and all have the whole file."""
+        self.table("trickle")
+        env = dict(os.environ, HOME=self.folder.name, no_proxy="*")
+        runs = [subprocess.Popen(self.command(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env) for _ in range(4)]
+        for r in runs:
+            out, err = r.communicate(timeout=60)
+            self.assertEqual((r.returncode, out.strip()), (0, str(self.place())), err)
+        self.assertEqual(self.place().read_bytes(), IONEX)
+        self.assertEqual(len(self.asked("trickle")), 1)
+        self.assertEqual(list(self.cache.rglob("*.part")), [])
+        index = (self.cache / "index.tsv").read_text()
+        self.assertEqual(index.count(hashlib.sha256(IONEX).hexdigest()), 1)
+
+    def test_one_antenna_table_for_all_days(self):
+        antex = gzip.compress((pathlib.Path(made.__file__).parent / "corpus/antex/plain").read_bytes())
+        self.server.files["igs.atx.gz"] = antex
+        self.table("good", names=["name antex IGS - 2022-11-27 - igs.atx.gz start=name"])
+        for day in ("2024-02-04", "2025-01-01"):
+            r = self.run_fetch_of(day, "antex")
+            self.assertEqual(r.stdout.strip(), str(self.cache / "2022/331/igs.atx.gz"))
+        self.assertEqual(len(self.asked("good")), 1)
 
     def test_missing_then_good(self):
         self.table("missing", "forbidden", "good")

@@ -29,7 +29,7 @@ class Convert(Folder):
         for name in FILES:
             with self.subTest(name):
                 packed, out = data(name), self.path("out.rnx")
-                run("convert", packed, "-o", out)
+                run("convert", packed, "--force", "-o", out)
                 like = run_json("inspect", "--format", "json", packed)
                 self.same(out, like)
                 self.assertEqual(run("convert", packed).stdout, pathlib.Path(out).read_text(encoding="ascii"))
