@@ -45,7 +45,7 @@ typedef struct orr_option {
     const char *applies;
     const char
         *fallback; // of a CHOICE that conditions ask for: its value where it is not given; NULL: not known
-        // before the inputs are read (orr_cli_settle). Of a file that is written in any case: its name
+    // before the inputs are read (orr_cli_settle). Of a file that is written in any case: its name
     double min, max; // of INT and REAL; both 0: no bounds
 } orr_option;
 
