@@ -82,7 +82,7 @@ static bool glonass_almanac(const work *w, navset_day *day, orr_sat sat, orr_glo
     const size_t n = orr_navset_items(w->set, sat, &list);
     for (size_t k = 0; item == NULL && k < n; k++)
         if (list[k].to > day->from && list[k].from < day->to) item = &list[k];
-    if (item == NULL || !navset_channel(w->o->nav, sat, day->noon, &a->channel, &nominal)) return false;
+    if (item == NULL || !orr_glonass_channel(w->o->nav, sat, day->noon, &a->channel, &nominal)) return false;
     a->operational = item->eph.health == 0;
     a->type = 1; // GLONASS-M
     a->tau_s = -item->eph.af0_s;

@@ -269,7 +269,7 @@ void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o,
             return;
         }
         if (orr_sat_system(out->sat) == 'R' &&
-            !navset_channel(o->nav, out->sat, schedule->slot[k].reference, &channel, &nominal)) {
+            !orr_glonass_channel(o->nav, out->sat, schedule->slot[k].reference, &channel, &nominal)) {
             out->not_fitted++;
             snprintf(out->why, sizeof out->why,
                      "its frequency channel is not known (a navigation file tells it)");

@@ -4,6 +4,7 @@
 #define ORR_ORBIT_NAVDATA_NAVSET_PRIVATE_H
 
 #include "orbit/navdata/glonass_bits.h"
+#include "orbit/navdata/glonass_channel.h"
 #include "orbit/navdata/lnav_bits.h"
 #include "orbit/navdata/navset.h"
 
@@ -37,11 +38,6 @@ typedef struct navset_satellite {
 // Fits every slot in which the satellite has an orbit.
 void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o,
                           const navset_schedule *schedule, navset_satellite *out);
-
-// Frequency channel of a GLONASS satellite: by the navigation file nearest to t, else the nominal plan of the
-// 24 slots
-// (*nominal tells). False where neither knows.
-bool navset_channel(const orr_nav *nav, orr_sat sat, orr_time t, int *channel, bool *nominal);
 
 // Almanacs of one day of GPS time: what is sent on it.
 typedef struct navset_day {

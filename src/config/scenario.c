@@ -19,8 +19,9 @@ static const orr_schema serve_table = ORR_SCHEMA(serve_rows, orr_scenario_serve)
 
 static const orr_condition of_orbit[] = {{.key = "orbit", .why = "there are no satellites"}, {0}};
 static const orr_condition of_ionosphere[] = {{.key = "orbit", .why = "there are no satellites"},
-                                              {.key = "ionosphere", .why = "nothing else asks where it is"},
+                                              {.key = "ionosphere|signals", .why = "nothing else asks where it is"},
                                               {0}};
+static const orr_condition of_signals[] = {{.key = "signals", .why = "no signals are sent"}, {0}};
 static const orr_condition of_trajectory[] = {{.key = "trajectory", .why = "nothing moves"}, {0}};
 
 static const orr_key rows[] = {
@@ -39,6 +40,27 @@ static const orr_key rows[] = {
     MAP_ROW(orr_scenario, "gravity", motion.gravity, &orr_section_gravity, of_trajectory,
             "the field that the readings are made in"),
     MAP_ROW(orr_scenario, "imu", motion.imu, &orr_section_imu, of_trajectory, "the inertial readings"),
+    {.name = "signals",
+     .kind = ORR_KEY_TEXT,
+     .list = true,
+     .offset = offsetof(orr_scenario, signals),
+     .only = of_orbit,
+     .help = "signals that are sent: SYSTEM:NAME (G:L1CA), a name for all systems that have it (L1CA), or a "
+             "system's letter for "
+             "all of its signals; 'orrery check' lists them"},
+    {.name = "troposphere",
+     .kind = ORR_KEY_MAP,
+     .offset = offsetof(orr_scenario, troposphere),
+     .given = offsetof(orr_scenario, has_troposphere),
+     .map = &orr_section_troposphere,
+     .only = of_signals,
+     .help = "delay of the neutral atmosphere; without this section there is none"},
+    MAPS_ROW(orr_scenario, "antennas", antennas, &orr_section_antenna, ORR_MAX_ANTENNAS, of_signals,
+             "antennas that receive the signals; without this section one where the receiver is"),
+    MAP_ROW(orr_scenario, "satellites", satellites, &orr_section_satellites, of_signals,
+            "which satellites send, and how"),
+    MAP_ROW(orr_scenario, "mask", mask, &orr_section_mask, of_signals, "what the antennas see of the sky"),
+    MAP_ROW(orr_scenario, "channel", channel, &orr_section_channel, of_signals, "what a channel consists of"),
     MAP_ROW(orr_scenario, "serve", serve, &serve_table, NULL, "the service"),
 };
 
@@ -52,10 +74,26 @@ static const char *check(const void *map, char why[ORR_SCHEMA_WHY])
                  "no orbits and no trajectory: name an orbit.product or orbit.sp3, or a trajectory.kind");
         return "";
     }
-    if (s->receiver.unit <= (int64_t)units) return NULL;
-    snprintf(why, ORR_SCHEMA_WHY, "there is no unit %lld, the scenario has 0 to %zu",
-             (long long)s->receiver.unit, units);
-    return "receiver";
+    if (s->receiver.unit > (int64_t)units) {
+        snprintf(why, ORR_SCHEMA_WHY, "there is no unit %lld, the scenario has 0 to %zu",
+                 (long long)s->receiver.unit, units);
+        return "receiver";
+    }
+    const char *blame = orr_section_signals_check(&s->signals, why);
+    for (size_t k = 0; blame == NULL && k < s->antennas.n; k++) {
+        const orr_scenario_antenna *a = &s->antennas.item[k];
+        if (a->position.n == 0 && s->motion.trajectory.kind == ORR_MOTION_NONE) {
+            snprintf(why, ORR_SCHEMA_WHY,
+                     "antenna %zu has no position, and there is no trajectory whose body it could be on",
+                     k + 1);
+            blame = "antennas";
+        } else if (a->unit > (int64_t)units) {
+            snprintf(why, ORR_SCHEMA_WHY, "antenna %zu: there is no unit %lld, the scenario has 0 to %zu",
+                     k + 1, (long long)a->unit, units);
+            blame = "antennas";
+        }
+    }
+    return blame;
 }
 
 static const orr_schema schema = {.key = rows,

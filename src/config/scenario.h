@@ -4,6 +4,7 @@
 #ifndef ORR_CONFIG_SCENARIO_H
 #define ORR_CONFIG_SCENARIO_H
 
+#include "src/config/section_channel.h"
 #include "src/config/section_gravity.h"
 #include "src/config/section_imu.h"
 #include "src/config/section_ionosphere.h"
@@ -32,6 +33,13 @@ typedef struct orr_scenario {
     orr_scenario_iono iono;
     orr_scenario_receiver receiver;
     orr_scenario_motion motion;
+    orr_text_list signals; // "G:L1CA", "E", ...
+    orr_scenario_troposphere troposphere;
+    bool has_troposphere;
+    orr_scenario_antennas antennas;
+    orr_scenario_satellites satellites;
+    orr_scenario_mask mask;
+    orr_scenario_channel channel;
     orr_scenario_serve serve;
 } orr_scenario;
 

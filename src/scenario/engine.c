@@ -13,6 +13,7 @@ struct orr_engine {
     orr_source_navdata *navdata;
     orr_source_iono *iono;
     orr_source_motion *motion;
+    orr_channels *channels;
     orr_receiver_kind receiver;
     orr_vec3 place_m;     // of ORR_RECEIVER_PLACE
     size_t receiver_unit; // of ORR_RECEIVER_UNIT
@@ -71,6 +72,8 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
         status =
             orr_diag_set(diag, ORR_E_NODATA,
                          "the scenario has neither satellites (orbit.product, orbit.sp3) nor a trajectory");
+    if (status == ORR_OK)
+        status = orr_channels_open(s, e->orbits, e->iono, e->motion, cancel, warnings, &e->channels, diag);
     if (status == ORR_OK) {
         choose_receiver(s, e);
     } else {
@@ -83,6 +86,7 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
 void orr_engine_close(orr_engine *e)
 {
     if (e == NULL) return;
+    orr_channels_close(e->channels);
     orr_source_motion_close(e->motion);
     orr_source_iono_close(e->iono);
     orr_source_navdata_close(e->navdata);
@@ -108,6 +112,9 @@ bool orr_engine_part_span(const orr_engine *e, orr_engine_part part, orr_span *o
         return orr_source_iono_span(e->iono, out);
     case ORR_PART_MOTION:
         return orr_source_motion_span(e->motion, out);
+    case ORR_PART_CHANNELS:
+        if (e->channels != NULL) *out = orr_channels_span(e->channels);
+        return e->channels != NULL;
     }
     return false;
 }
@@ -161,6 +168,13 @@ orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sa
 }
 
 bool orr_engine_has_ionosphere(const orr_engine *e) { return e->iono != NULL; }
+const orr_channels *orr_engine_channels(const orr_engine *e) { return e->channels; }
+const orr_ephemeris *orr_engine_ephemeris(const orr_engine *e)
+{
+    return orr_source_orbit_ephemeris(e->orbits);
+}
+const orr_navset *orr_engine_navset(const orr_engine *e) { return orr_source_navdata_set(e->navdata); }
+const orr_moving *orr_engine_moving(const orr_engine *e) { return orr_source_motion_moving(e->motion); }
 
 orr_receiver_kind orr_engine_receiver_kind(const orr_engine *e, size_t *unit)
 {

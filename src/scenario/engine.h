@@ -4,6 +4,7 @@
 #ifndef ORR_SCENARIO_ENGINE_H
 #define ORR_SCENARIO_ENGINE_H
 
+#include "src/scenario/channel/channel.h"
 #include "src/scenario/source_iono.h"
 #include "src/scenario/source_motion.h"
 #include "src/scenario/source_navdata.h"
@@ -37,6 +38,7 @@ typedef enum orr_engine_part {
     ORR_PART_NAVDATA,    // broadcast data
     ORR_PART_IONOSPHERE, // of its field; delays need the orbits as well
     ORR_PART_MOTION,     // truth and readings
+    ORR_PART_CHANNELS,   // what antennas receive
 } orr_engine_part;
 // False, and nothing written, where the engine has no such part.
 bool orr_engine_part_span(const orr_engine *e, orr_engine_part part, orr_span *out);
@@ -106,6 +108,13 @@ orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sa
 
 // Whether the scenario has an ionosphere.
 bool orr_engine_has_ionosphere(const orr_engine *e);
+
+// The channels of the scenario's antennas; NULL where no signals are sent.
+const orr_channels *orr_engine_channels(const orr_engine *e);
+// The sources themselves, for who writes files of the whole scenario; NULL where there is none.
+const orr_ephemeris *orr_engine_ephemeris(const orr_engine *e);
+const orr_navset *orr_engine_navset(const orr_engine *e);
+const orr_moving *orr_engine_moving(const orr_engine *e);
 
 // The scenario's own receiver: receiver.position; else the point of a unit of the trajectory, to the bit that
 // of orr_engine_truth; else the station of ionosphere.session.

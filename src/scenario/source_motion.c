@@ -61,6 +61,11 @@ bool orr_source_motion_span(const orr_source_motion *m, orr_span *out)
     return true;
 }
 
+const orr_moving *orr_source_motion_moving(const orr_source_motion *m)
+{
+    return m != NULL ? &m->moving : NULL;
+}
+
 size_t orr_source_motion_units(const orr_source_motion *m) { return m != NULL ? m->moving.n_units : 0; }
 
 bool orr_source_motion_unit(const orr_source_motion *m, size_t unit, orr_unit *out)
@@ -86,13 +91,18 @@ static bool motion_at(const orr_trajectory *tr, orr_time t, orr_motion *out)
     return true;
 }
 
+orr_answer orr_source_motion_at(const orr_source_motion *m, size_t unit, orr_time t, orr_motion *out)
+{
+    if (unit >= orr_source_motion_units(m)) return ORR_ANSWER_NOT_SERVED;
+    return motion_at(orr_moving_unit(&m->moving, unit), t, out) ? ORR_ANSWER_OK : ORR_ANSWER_OUTSIDE_SPAN;
+}
+
 orr_answer orr_source_motion_place(const orr_source_motion *m, size_t unit, orr_time t, orr_vec3 *out)
 {
     orr_motion motion;
-    if (unit >= orr_source_motion_units(m)) return ORR_ANSWER_NOT_SERVED;
-    if (!motion_at(orr_moving_unit(&m->moving, unit), t, &motion)) return ORR_ANSWER_OUTSIDE_SPAN;
-    *out = motion.r_m;
-    return ORR_ANSWER_OK;
+    const orr_answer answer = orr_source_motion_at(m, unit, t, &motion);
+    if (answer == ORR_ANSWER_OK) *out = motion.r_m;
+    return answer;
 }
 
 orr_answer orr_source_motion_imu_begin(const orr_source_motion *m, size_t unit, orr_time t0, orr_time t1,

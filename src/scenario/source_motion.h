@@ -41,6 +41,8 @@ void orr_source_motion_close(orr_source_motion *m);
 
 // The span of the trajectory; false without one.
 bool orr_source_motion_span(const orr_source_motion *m, orr_span *out);
+// The prepared motion; NULL without a trajectory.
+const orr_moving *orr_source_motion_moving(const orr_source_motion *m);
 // How many inertial units there are; 0 without a trajectory.
 size_t orr_source_motion_units(const orr_source_motion *m);
 // How a unit is mounted, as orr_engine_unit.
@@ -50,6 +52,8 @@ double orr_source_motion_rate_hz(const orr_source_motion *m);
 // Whether readings are of approach 2.
 bool orr_source_motion_physical(const orr_source_motion *m);
 
+// Motion of the point of a unit at t: ORR_ANSWER_OK, _OUTSIDE_SPAN, or _NOT_SERVED (no such unit).
+orr_answer orr_source_motion_at(const orr_source_motion *m, size_t unit, orr_time t, orr_motion *out);
 // The point of a unit (ecef) at t, with answers as of orr_engine_truth.
 orr_answer orr_source_motion_place(const orr_source_motion *m, size_t unit, orr_time t, orr_vec3 *out);
 // Begins increments of a unit over an interval, as orr_engine_imu_begin.

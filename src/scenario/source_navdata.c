@@ -89,6 +89,8 @@ const char *orr_source_navdata_none(const orr_source_navdata *v)
     return v->set != NULL ? NULL : v->none;
 }
 
+const orr_navset *orr_source_navdata_set(const orr_source_navdata *v) { return v != NULL ? v->set : NULL; }
+
 bool orr_source_navdata_phase_centres(const orr_source_navdata *v)
 {
     return v != NULL && v->set != NULL && v->phase_centres;

@@ -30,6 +30,8 @@ void orr_source_navdata_close(orr_source_navdata *v);
 bool orr_source_navdata_span(const orr_source_navdata *v, orr_span *out);
 // NULL where there are sets, else a sentence that tells why there are none.
 const char *orr_source_navdata_none(const orr_source_navdata *v);
+// The sets themselves; NULL where there are none.
+const orr_navset *orr_source_navdata_set(const orr_source_navdata *v);
 // Whether the data describe the antennas' phase centres; else the centres of mass.
 bool orr_source_navdata_phase_centres(const orr_source_navdata *v);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GLONASS frequency channels.
-#include "orbit/navdata/navset_private.h"
+#include "orbit/navdata/glonass_channel.h"
 
 // The plan of the constellation's 24 slots: antipodal satellites share a channel (glonass-iac.ru,
 // "Constellation status"; unchanged since 2010 but for a few satellites in trial). The files of 2020-177
@@ -8,7 +8,7 @@
 static const int nominal_plan[24] = {1,  -4, 5, 6,  1, -4, 5, 6, -2, -7, 0, -1,
                                      -2, -7, 0, -1, 4, -3, 3, 2, 4,  -3, 3, 2};
 
-bool navset_channel(const orr_nav *nav, orr_sat sat, orr_time t, int *channel, bool *nominal)
+bool orr_glonass_channel(const orr_nav *nav, orr_sat sat, orr_time t, int *channel, bool *nominal)
 {
     *nominal = false;
     if (nav != NULL) {

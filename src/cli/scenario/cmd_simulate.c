@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery simulate: a scenario as the files that a receiver and an inertial unit would have written, and the truth.
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "src/cli/scenario/simulate_files.h"
+#include "src/make/readings.h"
+#include "src/scenario/observables/observe.h"
+
+static void progress(void *user, size_t done, size_t total)
+{
+    orr_cli_progress(user, "observations", done, total);
+}
+
+static int observe_antenna(simulation *s, size_t k, const orr_observe_plan *plan, int64_t truth_step_ns,
+                           orr_diag *diag)
+{
+    const orr_channels *channels = orr_engine_channels(s->engine);
+    const orr_antenna *a = orr_channels_antenna(channels, k);
+    char name[128], note[160], path[SIMULATE_PATH];
+    orr_observe_count count;
+    orr_observe_plan truth = *plan;
+    truth.step_ns = truth_step_ns;
+    truth.progress = NULL;
+    snprintf(name, sizeof name, "%s.rnx", a->name);
+    orr_status status = simulate_path(s, name, path, diag);
+    if (status == ORR_OK) status = orr_observe_rinex(channels, k, plan, path, &count, diag);
+    if (status == ORR_OK) {
+        snprintf(note, sizeof note, "%zu epochs, %zu observed signals, RINEX 3.05", count.epochs,
+                 count.observations);
+        status = simulate_note(s, name, note, diag);
+    }
+    snprintf(name, sizeof name, "%s-channels.csv", a->name);
+    if (status == ORR_OK) status = simulate_path(s, name, path, diag);
+    if (status == ORR_OK) status = orr_observe_truth(channels, k, &truth, path, &count, diag);
+    if (status == ORR_OK) status = simulate_note(s, name, "true channels with all their terms", diag);
+    snprintf(name, sizeof name, "%s-track.csv", a->name);
+    if (status == ORR_OK) status = simulate_path(s, name, path, diag);
+    if (status == ORR_OK) status = orr_observe_track(channels, k, plan, path, diag);
+    if (status == ORR_OK) status = simulate_note(s, name, "true motion of the antenna", diag);
+    return (int)status;
+}
+
+// Span and step of the observations.
+static int plan_of(orr_cli *c, const orr_channels *channels, orr_observe_plan *p)
+{
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    const orr_span span = orr_channels_span(channels);
+    const double hz = orr_cli_real(c, "rate", 1);
+    p->step_ns = orr_cli_given(c, "step") ? orr_cli_duration_ns(c, "step", 0) : (int64_t)(1e9 / hz + 0.5);
+    // By default on whole steps of the day, within the span.
+    p->from = orr_time_add(span.from, orr_floor_mod(-span.from, p->step_ns));
+    p->from = orr_cli_time(c, "from", p->from);
+    p->to = orr_cli_time(c, "to", span.to);
+    if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
+    if (p->from < span.from || p->to > span.to || p->from > p->to)
+        return orr_cli_failf(c, "the scenario's channels reach from %s to %s", orr_time_text(span.from, from),
+                             orr_time_text(span.to, to));
+    p->noise = orr_cli_given(c, "noise");
+    p->seed = (uint64_t)orr_cli_int(c, "seed", 1);
+    return ORR_EXIT_OK;
+}
+
+static orr_status write_all(orr_cli *c, simulation *s, const orr_observe_plan *plan, orr_diag *diag)
+{
+    char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    const int64_t truth_ns = orr_cli_duration_ns(c, "truth-step", 30 * ORR_NS_PER_S);
+    if (mkdir(s->folder, 0777) != 0 && errno != EEXIST)
+        return orr_diag_set(diag, ORR_E_IO, "%s: the folder cannot be made: %s", s->folder, strerror(errno));
+    orr_status status = ORR_OK;
+    for (size_t k = 0; status == ORR_OK && k < orr_channels_antennas(orr_engine_channels(s->engine)); k++)
+        status = (orr_status)observe_antenna(s, k, plan, truth_ns, diag);
+    if (status == ORR_OK) status = simulate_broadcast(s, diag);
+    if (status == ORR_OK) status = simulate_orbits(s, diag);
+    if (status == ORR_OK && !orr_cli_given(c, "no-imu")) status = simulate_readings(s, diag);
+    json_t *options = json_pack("{s:s, s:s, s:f, s:b, s:I}", "from", orr_time_text(plan->from, from), "to",
+                                orr_time_text(plan->to, to), "step_s", (double)plan->step_ns / 1e9, "noise",
+                                plan->noise, "seed", (json_int_t)plan->seed);
+    if (status == ORR_OK) return simulate_manifest(s, options, diag);
+    json_decref(options);
+    return status;
+}
+
+static int simulate(orr_cli *c, simulation *s)
+{
+    orr_diag diag = {0};
+    orr_observe_plan plan = {.progress = progress, .user = c};
+    const orr_channels *channels = orr_engine_channels(s->engine);
+    if (channels == NULL)
+        return orr_cli_failf(
+            c, "%s: it names no signals, so that there is nothing to observe (signals: [G, E, ...])",
+            c->operand[0]);
+    const int wrong = plan_of(c, channels, &plan);
+    if (wrong != ORR_EXIT_OK) return wrong;
+    return write_all(c, s, &plan, &diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+}
+
+static int run(orr_cli *c)
+{
+    orr_scenario scenario;
+    orr_engine *e = NULL;
+    orr_diag diag = {0};
+    orr_warnings warnings = {0};
+    simulation s = {
+        .c = c, .folder = orr_cli_text(c, "output", "."), .scenario = &scenario, .files = json_array()};
+    orr_status status = orr_inputs_scenario(&s.inputs, c->operand[0], &scenario, &diag);
+    if (status == ORR_OK) {
+        status = orr_engine_open(&scenario, c->log, NULL, &warnings, &e, &diag);
+        orr_cli_warnings(c, &warnings);
+        orr_warnings_free(&warnings);
+    }
+    int code = ORR_EXIT_FAILED;
+    if (status == ORR_OK) {
+        s.engine = e;
+        code = simulate(c, &s);
+        orr_engine_close(e);
+    } else
+        orr_cli_fail(c, &diag);
+    orr_scenario_free(&scenario);
+    orr_inputs_free(&s.inputs);
+    json_decref(s.files);
+    return code;
+}
+
+static const orr_option options[] = {
+    {.name = "output",
+     .letter = 'o',
+     .kind = ORR_OPT_TEXT,
+     .value = "DIR",
+     .required = true,
+     .help = "Folder of the files; made if it is not there."},
+    {.name = "from",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "First epoch. Default: the first whole step that the scenario has."},
+    {.name = "to",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "Last epoch. Default: the end of the scenario."},
+    {.name = "rate",
+     .kind = ORR_OPT_REAL,
+     .value = "HZ",
+     .min = 0.0001,
+     .max = 1000,
+     .applies = "!step",
+     .help = "Epochs a second. Default 1."},
+    {.name = "step",
+     .kind = ORR_OPT_DURATION,
+     .value = "D",
+     .help = "From one epoch to the next, in place of --rate."},
+    {.name = "truth-step",
+     .kind = ORR_OPT_DURATION,
+     .value = "D",
+     .help = "From one row to the next in the tables of true channels. Default 30 s."},
+    {.name = "noise", .kind = ORR_OPT_FLAG, .help = "Thermal noise of a receiver by C/N0. Default: none."},
+    {.name = "seed",
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 0,
+     .max = 9e15,
+     .applies = "noise",
+     .help = "Of the noise. Default 1."},
+    {.name = "no-imu", .kind = ORR_OPT_FLAG, .help = "Leave the inertial readings out."},
+};
+
+const orr_command orr_cmd_simulate = {
+    .name = "simulate",
+    .group = "Scenarios",
+    .summary = "observations, broadcast data, readings and truth of a scenario as files",
+    .operands = "SCENARIO",
+    .min_operands = 1,
+    .max_operands = 1,
+    .about = "For every antenna NAME.rnx (RINEX 3.05 observations: code, phase, Doppler, C/N0 of every "
+             "signal; the receiver's clock "
+             "is perfect), NAME-channels.csv (the same channels with all their terms) and NAME-track.csv; of "
+             "the scenario "
+             "broadcast.rnx, truth.sp3, truth.clk, imu-N.nc of every unit, and manifest.json with what was "
+             "read and written. The "
+             "same scenario and seed give the same bytes.",
+    .example = "orrery simulate samples/gravimetry-flight.yaml -o flight\n"
+               "orrery simulate scenario.yaml -o run --step 30s --noise --seed 7",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};

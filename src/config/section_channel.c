@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/config/section_channel.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "core/signal.h"
+#include "src/config/rows_private.h"
+
+// --- signals ---
+const char *orr_section_signals_check(const orr_text_list *signals, char why[ORR_SCHEMA_WHY])
+{
+    for (size_t k = 0; k < signals->n; k++) {
+        uint64_t set = 0;
+        orr_diag d = {0};
+        if (orr_signal_parse(signals->item[k], &set, &d) == ORR_OK) continue;
+        snprintf(why, ORR_SCHEMA_WHY, "%.*s", ORR_SCHEMA_WHY - 1, d.text);
+        return "signals";
+    }
+    return NULL;
+}
+
+// --- troposphere ---
+static const orr_choice models[] = {ORR_TROPOSPHERES(ORR_CHOICE_WORD){0}};
+static const orr_choice mappings[] = {ORR_TROPO_MAPPINGS(ORR_CHOICE_WORD){0}};
+static const orr_condition of_weather[] = {{.key = "model", .words = "saastamoinen"}, {0}};
+static const orr_condition of_some[] = {{.key = "model", .words = "saastamoinen|do229|stanag4294"}, {0}};
+
+static const orr_key troposphere_rows[] = {
+    CHOICE_ROW(orr_scenario_troposphere, "model", model, models, "saastamoinen", NULL, "zenith delays"),
+    CHOICE_ROW(orr_scenario_troposphere, "mapping", mapping, mappings, "niell", of_some,
+               "how they grow towards the horizon"),
+    REAL_ROW(orr_scenario_troposphere, "humidity", humidity, 0, 1, NULL, "0.7", of_weather,
+             "relative humidity of the standard atmosphere"),
+};
+const orr_schema orr_section_troposphere = ORR_SCHEMA(troposphere_rows, orr_scenario_troposphere);
+
+// --- antennas ---
+static const orr_condition fixed[] = {{.key = "position"}, {0}};
+static const orr_condition moving[] = {{.key = "position", .absent = true}, {.key = "../trajectory"}, {0}};
+
+#define ANTENNA_REAL(n, m, of, h) REAL_ROW(orr_scenario_antenna, n, m, -1000, 1000, "m", "0", of, h)
+static const orr_key antenna_rows[] = {
+    TEXT_ROW(orr_scenario_antenna, "name", name, NULL,
+             "what the antenna is called; names of files begin with it"),
+    TEXT_ROW(orr_scenario_antenna, "type", type, NULL,
+             "antenna and radome as ANTEX files write them, e.g. \"TRM59800.00     NONE\": offsets and "
+             "variations of its "
+             "phase centres. Without it the phase centre is the reference point"),
+    {.name = "position",
+     .kind = ORR_KEY_REAL,
+     .list = true,
+     .offset = offsetof(orr_scenario_antenna, position),
+     .min = -500000,
+     .max = 500000,
+     .least = 3,
+     .most = 3,
+     .help =
+         "of a fixed antenna: latitude and longitude of its marker in degrees (geodetic), height above the "
+         "ellipsoid in metres. Without it the antenna is on the trajectory's body"},
+    ANTENNA_REAL("height", height_m, fixed, "height of the antenna reference point above the marker"),
+    ANTENNA_REAL("east", east_m, fixed, "its offset to the East"),
+    ANTENNA_REAL("north", north_m, fixed, "its offset to the North"),
+    {.name = "unit",
+     .kind = ORR_KEY_INT,
+     .offset = offsetof(orr_scenario_antenna, unit),
+     .given = offsetof(orr_scenario_antenna, has_unit),
+     .min = 0,
+     .max = 15,
+     .fallback = "0",
+     .only = moving,
+     .help = "the inertial unit that the lever arm begins at; 0 is the trajectory's own point"},
+    ANTENNA_REAL("right", right_m, moving, "lever arm to the antenna reference point, to the right"),
+    ANTENNA_REAL("forward", forward_m, moving, "lever arm, forward"),
+    ANTENNA_REAL("up", up_m, moving, "lever arm, up"),
+};
+
+static const char *check_antenna(const void *map, char why[ORR_SCHEMA_WHY])
+{
+    const orr_real_list *p = &((const orr_scenario_antenna *)map)->position;
+    if (p->n == 0 || (fabs(p->item[0]) <= 90 && fabs(p->item[1]) <= 360)) return NULL;
+    snprintf(why, ORR_SCHEMA_WHY, "latitude %g, longitude %g is no place", p->item[0], p->item[1]);
+    return "position";
+}
+const orr_schema orr_section_antenna = {.key = antenna_rows,
+                                        .n = sizeof antenna_rows / sizeof antenna_rows[0],
+                                        .size = sizeof(orr_scenario_antenna),
+                                        .check = check_antenna};
+
+// --- satellites ---
+#define SATS_ROW(n, m, given_, h)                                                                            \
+    {                                                                                                        \
+        .name = n, .kind = ORR_KEY_SATS, .offset = offsetof(orr_scenario_satellites, m), .given = given_,    \
+        .help = h                                                                                            \
+    }
+static const orr_key power_rows[] = {
+    {.name = "sats",
+     .kind = ORR_KEY_SATS,
+     .required = true,
+     .offset = offsetof(orr_scenario_power, sats),
+     .help = "satellites, e.g. G05,E"},
+    NEEDED_REAL_ROW(orr_scenario_power, "db", db, -60, 30, "dB", NULL,
+                    "added to the power of all their signals"),
+};
+static const orr_schema power_table = ORR_SCHEMA(power_rows, orr_scenario_power);
+static const orr_key satellite_rows[] = {
+    SATS_ROW("use", use, offsetof(orr_scenario_satellites, has_use),
+             "satellites that send; all of the orbits by default"),
+    SATS_ROW("exclude", exclude, 0, "satellites that are switched off"),
+    SATS_ROW("unhealthy", unhealthy, 0, "satellites that send and are marked as not to be used"),
+    MAPS_ROW(orr_scenario_satellites, "power", power, &power_table, 100, NULL,
+             "more or less power than nominal"),
+};
+const orr_schema orr_section_satellites = ORR_SCHEMA(satellite_rows, orr_scenario_satellites);
+
+// --- mask ---
+static const orr_key obstacle_rows[] = {
+    NEEDED_REAL_ROW(orr_scenario_obstacle, "azimuth", azimuth_deg, 0, 360, "deg", NULL,
+                    "azimuth, clockwise from North"),
+    NEEDED_REAL_ROW(orr_scenario_obstacle, "elevation", elevation_deg, -90, 90, "deg", NULL,
+                    "nothing is seen below this elevation there"),
+};
+static const orr_schema obstacle_table = ORR_SCHEMA(obstacle_rows, orr_scenario_obstacle);
+static const orr_condition on_body[] = {{.key = "../trajectory", .why = "nothing moves"}, {0}};
+static const orr_key mask_rows[] = {
+    REAL_ROW(orr_scenario_mask, "elevation", elevation_deg, -10, 90, "deg", "5", NULL,
+             "satellites below this elevation have no channel"),
+    MAPS_ROW(orr_scenario_mask, "horizon", horizon, &obstacle_table, 720, NULL,
+             "obstacles by ascending azimuth, linear between, closed over North"),
+    {.name = "body",
+     .kind = ORR_KEY_REAL,
+     .offset = offsetof(orr_scenario_mask, body_deg),
+     .given = offsetof(orr_scenario_mask, has_body),
+     .min = -90,
+     .max = 90,
+     .unit = "deg",
+     .only = on_body,
+     .help = "least angle above the plane of an antenna on the body; default: the body hides nothing"},
+};
+static const char *check_mask(const void *map, char why[ORR_SCHEMA_WHY])
+{
+    const orr_scenario_mask *m = map;
+    for (size_t k = 1; k < m->horizon.n; k++)
+        if (!(m->horizon.item[k].azimuth_deg > m->horizon.item[k - 1].azimuth_deg)) {
+            snprintf(why, ORR_SCHEMA_WHY, "azimuth %g does not come after %g", m->horizon.item[k].azimuth_deg,
+                     m->horizon.item[k - 1].azimuth_deg);
+            return "horizon";
+        }
+    return NULL;
+}
+const orr_schema orr_section_mask = {.key = mask_rows,
+                                     .n = sizeof mask_rows / sizeof mask_rows[0],
+                                     .size = sizeof(orr_scenario_mask),
+                                     .check = check_mask};
+
+// --- channel ---
+static const orr_condition no_antex[] = {
+    {.key = "../navdata.antex", .absent = true, .why = "channels take the same file"}, {0}};
+static const orr_condition no_bias[] = {
+    {.key = "../navdata.bias", .absent = true, .why = "channels take the same file"}, {0}};
+static const orr_choice holes[] = {ORR_CLOCK_HOLES(ORR_CHOICE_WORD){0}};
+static const orr_key channel_rows[] = {
+    REAL_ROW(orr_scenario_channel, "error_m", error_m, 1e-9, 1, "m", "1e-5", NULL,
+             "greatest error of a block's cubics against the motion; blocks are as long as it allows"),
+    BOOL_ROW(orr_scenario_channel, "shapiro", shapiro, "yes", NULL,
+             "relativistic delay of the signal in the Earth's field"),
+    BOOL_ROW(orr_scenario_channel, "relativity", relativity, "yes", NULL,
+             "periodic relativity of the satellites' clocks, -2 r.v/c^2"),
+    BOOL_ROW(orr_scenario_channel, "windup", windup, "yes", NULL, "phase wind-up of the carrier"),
+    FILE_ROW(orr_scenario_channel, "antex", antex, no_antex,
+             "ANTEX file of satellites' and receivers' antennas; default: navdata.antex"),
+    FILE_ROW(orr_scenario_channel, "bias", bias, no_bias,
+             "Bias-SINEX or DCB file of satellites' group delays; default: navdata.bias; without either they "
+             "are zero"),
+    CHOICE_ROW(orr_scenario_channel, "clock_holes", clock_holes, holes, "drop", NULL,
+               "what a satellite sends where the orbits have no clock for it"),
+};
+const orr_schema orr_section_channel = ORR_SCHEMA(channel_rows, orr_scenario_channel);

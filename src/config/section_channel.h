@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sections of what an antenna receives: `signals`, `troposphere`, `antennas`, `satellites`, `mask` and `channel`.
+#ifndef ORR_CONFIG_SECTION_CHANNEL_H
+#define ORR_CONFIG_SECTION_CHANNEL_H
+
+#include "src/config/schema.h"
+
+#define ORR_TROPOSPHERES(X)                                                                                  \
+    X(ORR_TROPOSPHERE_SAASTAMOINEN, "saastamoinen",                                                          \
+      "Saastamoinen (1972) on a standard atmosphere, as RTKLIB and most receivers have it")                  \
+    X(ORR_TROPOSPHERE_DO229, "do229",                                                                        \
+      "RTCA DO-229E, A.4.2.4: by latitude and season; SBAS receivers use it")                                \
+    X(ORR_TROPOSPHERE_STANAG4294, "stanag4294", "STANAG 4294: three exponential layers")                     \
+    X(ORR_TROPOSPHERE_NONE, "none", "no troposphere")
+typedef enum orr_troposphere_model { ORR_TROPOSPHERES(ORR_CHOICE_VALUE) } orr_troposphere_model;
+
+#define ORR_TROPO_MAPPINGS(X)                                                                                \
+    X(ORR_TROPO_MAPPING_NIELL, "niell", "Niell (1996), apart for the hydrostatic and the wet delay")         \
+    X(ORR_TROPO_MAPPING_OWN, "own",                                                                          \
+      "what receivers use with the model: 1/sin(elevation) with saastamoinen, Black and Eisner with do229, " \
+      "Chao with stanag4294")
+typedef enum orr_tropo_mapping { ORR_TROPO_MAPPINGS(ORR_CHOICE_VALUE) } orr_tropo_mapping;
+
+typedef struct orr_scenario_troposphere {
+    int model, mapping; // orr_troposphere_model, orr_tropo_mapping
+    double humidity;    // relative, 0 to 1; of saastamoinen
+} orr_scenario_troposphere;
+
+#define ORR_MAX_ANTENNAS 16
+typedef struct orr_scenario_antenna {
+    char *name, *type; // type and radome as ANTEX files have them; NULL: phase centre at the reference point
+    orr_real_list
+        position; // fixed: latitude and longitude in degrees, ellipsoidal height in metres, of the marker
+    double north_m, east_m, height_m; // fixed: antenna reference point from the marker
+    bool has_unit;
+    int64_t unit; // on the body: from the point of this unit, along the body's axes
+    double right_m, forward_m, up_m;
+} orr_scenario_antenna;
+typedef struct orr_scenario_antennas {
+    size_t n;
+    orr_scenario_antenna *item;
+} orr_scenario_antennas;
+
+typedef struct orr_scenario_power {
+    orr_sat_set sats;
+    double db;
+} orr_scenario_power;
+typedef struct orr_scenario_satellites {
+    orr_sat_set use, exclude, unhealthy;
+    bool has_use;
+    struct {
+        size_t n;
+        orr_scenario_power *item;
+    } power;
+} orr_scenario_satellites;
+
+typedef struct orr_scenario_obstacle {
+    double azimuth_deg, elevation_deg;
+} orr_scenario_obstacle;
+typedef struct orr_scenario_mask {
+    double elevation_deg;
+    struct {
+        size_t n;
+        orr_scenario_obstacle *item;
+    } horizon; // elevations by azimuth, ascending, linear between, closed over North
+    bool has_body;
+    double body_deg; // least angle above the antenna's own plane
+} orr_scenario_mask;
+
+#define ORR_CLOCK_HOLES(X)                                                                                   \
+    X(ORR_CLOCK_HOLE_DROP, "drop", "no channel where the product has no clock")                              \
+    X(ORR_CLOCK_HOLE_ZERO, "zero", "a clock of zero there, flagged: for orbits without clocks")
+typedef enum orr_clock_hole { ORR_CLOCK_HOLES(ORR_CHOICE_VALUE) } orr_clock_hole;
+
+typedef struct orr_scenario_channel {
+    double error_m;
+    bool shapiro, relativity, windup;
+    char *antex, *bias; // NULL: those of navdata
+    int clock_holes;    // orr_clock_hole
+} orr_scenario_channel;
+
+extern const orr_schema orr_section_troposphere, orr_section_antenna, orr_section_satellites,
+    orr_section_mask, orr_section_channel;
+
+// Why a list of signals' texts cannot be (as ORR_SCHEMA_WHY), NULL where it can.
+const char *orr_section_signals_check(const orr_text_list *signals, char why[ORR_SCHEMA_WHY]);
+
+#endif

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/antenna/antenna.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static void stand_at(orr_vec3 r_m, orr_antenna_state *out)
+{
+    *out = (orr_antenna_state){.r_m = r_m, .place = orr_earth_from_ecef(r_m)};
+    out->enu = orr_earth_enu_from_ecef(out->place.lat_rad, out->place.lon_rad);
+    out->axes = out->enu;
+}
+
+static orr_vec3 ecef_of(const double *position)
+{
+    return orr_earth_to_ecef(
+        (orr_geodetic){position[0] * ORR_RAD_PER_DEG, position[1] * ORR_RAD_PER_DEG, position[2]});
+}
+
+static orr_status find_type(const orr_antex *antex, size_t k, orr_antenna *a, orr_warnings *warnings,
+                            orr_diag *diag)
+{
+    if (antex == NULL)
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "antennas[%zu].type: '%s' needs an ANTEX file (channel.antex or navdata.antex)",
+                            k, a->type);
+    bool radome_ignored = false;
+    a->antex = orr_antex_find_receiver(antex, a->type, &radome_ignored);
+    if (a->antex == NULL)
+        return orr_diag_set(diag, ORR_E_NODATA, "antennas[%zu].type: the ANTEX file has no antenna '%s'", k,
+                            a->type);
+    if (radome_ignored)
+        orr_warnings_add(warnings, "", 0, 0, "antennas[%zu].type: ANTEX has '%s' without this radome only", k,
+                         a->type);
+    return ORR_OK;
+}
+
+// The scenario without antennas: its receiver.
+static orr_status of_receiver(const orr_scenario *s, const orr_source_motion *motion, const orr_vec3 *station,
+                              orr_antenna *out, orr_diag *diag)
+{
+    snprintf(out->name, sizeof out->name, "receiver");
+    if (s->receiver.position.n == 3) {
+        stand_at(ecef_of(s->receiver.position.item), &out->fixed);
+    } else if (motion != NULL) {
+        out->motion = motion;
+        out->unit = (size_t)s->receiver.unit;
+    } else if (station != NULL) {
+        stand_at(*station, &out->fixed);
+    } else {
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "signals are sent, but nothing receives them: the scenario has no antennas, "
+                            "receiver.position or trajectory");
+    }
+    return ORR_OK;
+}
+
+orr_status orr_antenna_open(const orr_scenario *s, size_t k, const orr_source_motion *motion,
+                            const orr_vec3 *station, const orr_antex *antex, orr_antenna *out,
+                            orr_warnings *warnings, orr_diag *diag)
+{
+    *out = (orr_antenna){.unit = 0};
+    if (s->antennas.n == 0) return of_receiver(s, motion, station, out, diag);
+    const orr_scenario_antenna *a = &s->antennas.item[k];
+    if (a->name != NULL)
+        snprintf(out->name, sizeof out->name, "%s", a->name);
+    else
+        snprintf(out->name, sizeof out->name, "antenna%zu", k);
+    if (a->position.n == 3) {
+        stand_at(ecef_of(a->position.item), &out->fixed);
+        const orr_vec3 offset =
+            orr_mat3_apply_t(&out->fixed.enu, (orr_vec3){a->east_m, a->north_m, a->height_m});
+        stand_at(orr_vec3_add(out->fixed.r_m, offset), &out->fixed);
+    } else {
+        out->motion = motion;
+        out->unit = (size_t)a->unit;
+        out->arm_m = (orr_vec3){a->right_m, a->forward_m, a->up_m};
+    }
+    if (a->type == NULL) return ORR_OK;
+    snprintf(out->type, sizeof out->type, "%s", a->type);
+    return find_type(antex, k, out, warnings, diag);
+}
+
+orr_answer orr_antenna_at(const orr_antenna *a, orr_time t, orr_antenna_state *out)
+{
+    if (a->motion == NULL) {
+        *out = a->fixed;
+        return ORR_ANSWER_OK;
+    }
+    orr_motion m;
+    const orr_answer answer = orr_source_motion_at(a->motion, a->unit, t, &m);
+    if (answer != ORR_ANSWER_OK) return answer;
+    const orr_mat3 body = orr_mat3_from_quat(m.q_be);
+    const orr_vec3 arm = orr_mat3_apply_t(&body, a->arm_m);
+    *out = (orr_antenna_state){
+        .r_m = orr_vec3_add(m.r_m, arm),
+        .v_mps = orr_vec3_add(m.v_mps, orr_mat3_apply_t(&body, orr_vec3_cross(m.w_radps, a->arm_m))),
+        .axes = body};
+    out->place = orr_earth_from_ecef(out->r_m);
+    out->enu = orr_earth_enu_from_ecef(out->place.lat_rad, out->place.lon_rad);
+    return ORR_ANSWER_OK;
+}
+
+// Carrier of an ANTEX frequency code, Hz; 0 where nothing sends there.
+static double hz_of(const char *code)
+{
+    size_t n;
+    const orr_signal *list = orr_signals(&n);
+    for (size_t k = 0; k < n; k++)
+        if (list[k].antex[0] == code[0] && list[k].antex[1] == code[1] && list[k].antex[2] == code[2])
+            return list[k].carrier_hz;
+    return 0;
+}
+
+const orr_antex_frequency *orr_antenna_frequency(const orr_antex_antenna *a, const orr_signal *s,
+                                                 double carrier_hz)
+{
+    const orr_antex_frequency *nearest = orr_antex_find_frequency(a, s->antex);
+    if (nearest != NULL) return nearest;
+    double least = INFINITY;
+    for (size_t k = 0; k < a->n_frequencies; k++) {
+        const double hz = hz_of(a->frequency[k].code), off = fabs(hz - carrier_hz);
+        if (hz == 0 || off >= least) continue;
+        least = off;
+        nearest = &a->frequency[k];
+    }
+    return nearest;
+}
+
+double orr_antenna_range_m(const orr_antenna *a, const orr_antenna_state *state, orr_vec3 u,
+                           const orr_signal *s, double carrier_hz)
+{
+    if (a->antex == NULL) return 0;
+    const orr_antex_frequency *f = orr_antenna_frequency(a->antex, s, carrier_hz);
+    if (f == NULL) return 0;
+    const orr_vec3 own = orr_mat3_apply(&state->axes, u); // East, North, Up of the antenna
+    const double az_deg = atan2(own.x, own.y) * ORR_DEG_PER_RAD;
+    const double zenith_deg = acos(fmin(fmax(own.z, -1), 1)) * ORR_DEG_PER_RAD;
+    return -(f->offset_m[0] * own.y + f->offset_m[1] * own.x + f->offset_m[2] * own.z) +
+           orr_antex_variation_m(a->antex, f, az_deg, zenith_deg);
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/channel/light.h"
+
+#include <math.h>
+
+#include "core/constants.h"
+
+static orr_vec3 turned(orr_vec3 v, double angle_rad)
+{
+    const double c = cos(angle_rad), s = sin(angle_rad);
+    return (orr_vec3){c * v.x + s * v.y, c * v.y - s * v.x, v.z};
+}
+
+// State tau before t; the product is asked at the nearest whole nanosecond and carried on from there.
+static orr_status emitted(const orr_ephemeris *e, orr_sat sat, orr_time t, double tau_s, orr_sat_state *out)
+{
+    const double ns = tau_s * 1e9, whole = nearbyint(ns), rest_s = (whole - ns) * 1e-9;
+    const orr_status s = orr_ephemeris_eval(e, sat, orr_time_add(t, -(int64_t)whole), out);
+    if (s != ORR_OK) return s;
+    out->pos_m = orr_vec3_axpy(rest_s, out->vel_mps, out->pos_m);
+    out->vel_mps = orr_vec3_axpy(rest_s, out->acc_mps2, out->vel_mps);
+    out->clock_s += rest_s * out->clock_rate_sps;
+    return ORR_OK;
+}
+
+orr_status orr_light_from(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_vec3 r_m, orr_vec3 v_mps,
+                          orr_light *out)
+{
+    const double w = ORR_EARTH_RATE_RADPS, c = ORR_LIGHT_MPS;
+    orr_status status = orr_ephemeris_eval(e, sat, t, &out->reception);
+    if (status != ORR_OK) return status;
+    double tau = orr_vec3_norm(orr_vec3_sub(out->reception.pos_m, r_m)) / c;
+    orr_vec3 d = {0, 0, 0};
+    for (int step = 0; status == ORR_OK && step < 3; step++) {
+        status = emitted(e, sat, t, tau, &out->emission);
+        if (status != ORR_OK) break;
+        out->sat_m = turned(out->emission.pos_m, w * tau);
+        d = orr_vec3_sub(out->sat_m, r_m);
+        out->range_m = orr_vec3_norm(d);
+        tau = out->range_m / c;
+    }
+    if (status != ORR_OK) return status;
+    out->tau_s = tau;
+    out->u = orr_vec3_scale(1 / out->range_m, d);
+    const orr_vec3 earth = {0, 0, w}, v = turned(out->emission.vel_mps, w * tau);
+    out->sat_v_mps = orr_vec3_add(v, orr_vec3_cross(earth, out->sat_m));
+    out->range_rate_mps =
+        orr_vec3_dot(out->u, orr_vec3_sub(v, v_mps)) / (1 + orr_vec3_dot(out->u, out->sat_v_mps) / c);
+    // Without the rotation: the same two points in the axes of emission and of reception.
+    const orr_vec3 straight = orr_vec3_sub(out->emission.pos_m, r_m);
+    const double tau_rate = out->range_rate_mps / c;
+    out->distance_m = orr_vec3_norm(straight);
+    out->distance_rate_mps =
+        orr_vec3_dot(straight, orr_vec3_sub(orr_vec3_scale(1 - tau_rate, out->emission.vel_mps), v_mps)) /
+        out->distance_m;
+    return ORR_OK;
+}
+
+double orr_light_shapiro_m(orr_vec3 antenna_m, orr_vec3 sat_m, double range_m)
+{
+    const double sum = orr_vec3_norm(antenna_m) + orr_vec3_norm(sat_m);
+    return 2 * ORR_WGS84_GM / (ORR_LIGHT_MPS * ORR_LIGHT_MPS) * log((sum + range_m) / (sum - range_m));
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Channels prepared: files read, satellites and antennas looked up, turns counted.
+#include <stdlib.h>
+#include <string.h>
+
+#include "orbit/navdata/glonass_channel.h"
+#include "orbit/spacecraft/orbit_class.h"
+#include "src/make/inputs.h"
+#include "src/scenario/channel/channels_private.h"
+
+// Light is on its way for 0.15 s at most, and rates are taken from so far on both sides.
+static const int64_t MARGIN_NS = ORR_NS_PER_S / 5;
+
+static orr_status read_files(const orr_scenario *s, orr_channels *c, orr_warnings *warnings, orr_diag *diag)
+{
+    const char *antex = s->navdata.antex != NULL ? s->navdata.antex : s->channel.antex;
+    const char *bias = s->navdata.bias != NULL ? s->navdata.bias : s->channel.bias;
+    orr_status status = ORR_OK;
+    if (antex != NULL) {
+        status = orr_antex_read(antex, NULL, &c->antex, warnings, diag);
+        c->has_antex = status == ORR_OK;
+    }
+    if (status == ORR_OK && bias != NULL) {
+        status = orr_bias_read(bias, NULL, &c->bias, warnings, diag);
+        c->has_bias = status == ORR_OK;
+    }
+    return status;
+}
+
+static orr_status keep_horizon(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+{
+    const size_t n = s->mask.horizon.n;
+    c->mask = s->mask;
+    c->mask.horizon.item = NULL;
+    if (n == 0) return ORR_OK;
+    c->mask.horizon.item = malloc(n * sizeof *c->mask.horizon.item);
+    if (c->mask.horizon.item == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    memcpy(c->mask.horizon.item, s->mask.horizon.item, n * sizeof *c->mask.horizon.item);
+    return ORR_OK;
+}
+
+static bool is_orbit_normal(const orr_ephemeris *e, orr_sat sat)
+{
+    const orr_orbit_node *node;
+    orr_sat_state x;
+    const char system = orr_sat_system(sat);
+    if (system != 'C' && system != 'J') return false;
+    const size_t n = orr_ephemeris_nodes(e, sat, &node);
+    for (size_t k = 0; k < n; k++)
+        if (orr_ephemeris_eval(e, sat, node[k].t, &x) == ORR_OK)
+            return orr_orbit_class_of(x.pos_m, orr_velocity_inertial(x.pos_m, x.vel_mps)) == ORR_ORBIT_GEO;
+    return false;
+}
+
+static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr_channels *c, orr_diag *diag)
+{
+    const orr_sat *list;
+    const orr_scenario_satellites *o = &s->satellites;
+    const orr_ephemeris *e = orr_source_orbit_ephemeris(c->orbits);
+    c->n_sats = orr_source_orbit_satellites(c->orbits, &list);
+    c->satellite = calloc(c->n_sats + 1, sizeof *c->satellite);
+    if (c->satellite == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    size_t n_signals;
+    const orr_signal *signal = orr_signals(&n_signals);
+    for (size_t k = 0; k < c->n_sats; k++) {
+        channel_satellite *x = &c->satellite[k];
+        bool nominal = false;
+        x->sat = list[k];
+        x->sends = (!o->has_use || orr_sat_set_has(&o->use, x->sat)) && !orr_sat_set_has(&o->exclude, x->sat);
+        if (orr_sat_set_has(&o->unhealthy, x->sat)) x->flags |= ORR_CHANNEL_UNHEALTHY;
+        for (size_t j = 0; j < o->power.n; j++)
+            if (orr_sat_set_has(&o->power.item[j].sats, x->sat)) x->power_db += o->power.item[j].db;
+        x->orbit_normal = is_orbit_normal(e, x->sat);
+        if (orr_sat_system(x->sat) == 'R' &&
+            !orr_glonass_channel(nav, x->sat, c->span.from, &x->frequency_channel, &nominal))
+            x->sends = false; // nobody knows its carriers
+        if (nominal) x->flags |= ORR_CHANNEL_NOMINAL_FREQUENCY;
+        for (size_t j = 0; x->sends && j < n_signals; j++)
+            c->max_channels += (c->signals >> j & 1) != 0 && signal[j].system == orr_sat_system(x->sat);
+    }
+    if (c->max_channels == 0)
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "signals: none of the scenario's satellites sends one of them");
+    return ORR_OK;
+}
+
+// Signals by text; a scenario was checked when it was read.
+static orr_status parse_signals(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+{
+    orr_status status = ORR_OK;
+    for (size_t k = 0; status == ORR_OK && k < s->signals.n; k++)
+        status = orr_signal_parse(s->signals.item[k], &c->signals, diag);
+    return status;
+}
+
+static orr_status open_antennas(const orr_scenario *s, const orr_source_motion *motion, orr_channels *c,
+                                const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_vec3 station;
+    const orr_vec3 *last_resort = orr_source_iono_station(c->iono, &station) ? &station : NULL;
+    orr_status status = ORR_OK;
+    const size_t n = s->antennas.n > 0 ? s->antennas.n : 1;
+    for (size_t k = 0; status == ORR_OK && k < n; k++) {
+        status = orr_antenna_open(s, k, motion, last_resort, c->has_antex ? &c->antex : NULL, &c->antenna[k],
+                                  warnings, diag);
+        if (status == ORR_OK && c->options.windup)
+            status = orr_windup_open(c->orbits, &c->antenna[k], c->span, cancel, &c->windup[k], diag);
+        if (status == ORR_OK) c->n_antennas = k + 1;
+    }
+    return status;
+}
+
+static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, orr_channels *c,
+                          const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_nav nav = {.n_eph = 0};
+    orr_status status = parse_signals(s, c, diag);
+    if (status == ORR_OK) status = read_files(s, c, warnings, diag);
+    if (status == ORR_OK) status = keep_horizon(s, c, diag);
+    if (status == ORR_OK)
+        status = orr_inputs_read_navs(NULL, (const char *const *)s->navdata.nav.item, s->navdata.nav.n, &nav,
+                                      NULL, diag);
+    if (status == ORR_OK) status = list_satellites(s, &nav, c, diag);
+    orr_nav_free(&nav);
+    if (status == ORR_OK) status = orr_sun_track_open(c->span.from, c->span.to, &c->sun, diag);
+    if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
+    return status;
+}
+
+// Whether no antenna stands on the ground.
+static bool only_moving(const orr_scenario *s)
+{
+    for (size_t k = 0; k < s->antennas.n; k++)
+        if (s->antennas.item[k].position.n > 0) return false;
+    return s->antennas.n > 0 || s->receiver.position.n == 0;
+}
+
+orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbits,
+                             const orr_source_iono *iono, const orr_source_motion *motion,
+                             const volatile int *cancel, orr_warnings *warnings, orr_channels **out,
+                             orr_diag *diag)
+{
+    *out = NULL;
+    if (s->signals.n == 0) return ORR_OK;
+    orr_channels *c = calloc(1, sizeof *c);
+    if (c == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    c->orbits = orbits;
+    c->iono = iono;
+    c->troposphere = s->troposphere;
+    c->has_troposphere = s->has_troposphere && s->troposphere.model != ORR_TROPOSPHERE_NONE;
+    c->options = s->channel;
+    c->options.antex = c->options.bias = NULL;
+    (void)orr_source_orbit_span(orbits, &c->span);
+    c->span.from = orr_time_add(c->span.from, MARGIN_NS);
+    orr_span i;
+    if (orr_source_iono_span(iono, &i)) {
+        if (i.from > c->span.from) c->span.from = i.from;
+        if (i.to < c->span.to) c->span.to = i.to;
+    }
+    if (only_moving(s) && orr_source_motion_span(motion, &i)) {
+        if (i.from > c->span.from) c->span.from = i.from;
+        if (i.to < c->span.to) c->span.to = i.to;
+    }
+    orr_status status = c->span.from < c->span.to
+                            ? prepare(s, motion, c, cancel, warnings, diag)
+                            : orr_diag_set(diag, ORR_E_NODATA,
+                                           "orbits, ionosphere and trajectory do not cover a common time");
+    if (status != ORR_OK)
+        orr_channels_close(c);
+    else
+        *out = c;
+    return status;
+}
+
+void orr_channels_close(orr_channels *c)
+{
+    if (c == NULL) return;
+    for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) orr_windup_free(&c->windup[k]);
+    orr_sun_track_free(&c->sun);
+    free(c->satellite);
+    free(c->mask.horizon.item);
+    if (c->has_bias) orr_bias_free(&c->bias);
+    if (c->has_antex) orr_antex_free(&c->antex);
+    free(c);
+}
+
+size_t orr_channels_antennas(const orr_channels *c) { return c != NULL ? c->n_antennas : 0; }
+
+const orr_antenna *orr_channels_antenna(const orr_channels *c, size_t antenna)
+{
+    return antenna < orr_channels_antennas(c) ? &c->antenna[antenna] : NULL;
+}
+
+uint64_t orr_channels_signals(const orr_channels *c) { return c != NULL ? c->signals : 0; }
+orr_span orr_channels_span(const orr_channels *c) { return c->span; }
+size_t orr_channels_max(const orr_channels *c) { return c != NULL ? c->max_channels : 0; }
+
+bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *channel)
+{
+    if (orr_sat_system(sat) != 'R') return false;
+    for (size_t k = 0; k < c->n_sats; k++)
+        if (c->satellite[k].sat == sat && c->satellite[k].sends)
+            return *channel = c->satellite[k].frequency_channel, true;
+    return false;
+}

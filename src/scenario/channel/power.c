@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/channel/power.h"
+
+#include <math.h>
+
+static const double EARTH_M = ORR_EARTH_MEAN_RADIUS_M;
+
+double orr_power_space_loss_db(double range_m, double carrier_hz)
+{
+    return 20 * log10(4 * ORR_PI * range_m * carrier_hz / ORR_LIGHT_MPS);
+}
+
+double orr_power_atmosphere_db(double el_rad)
+{
+    const double s = sin(fmax(el_rad, 0)),
+                 q = EARTH_M / 6e3; // way through a layer of 6 km over its thickness
+    return 0.035 * (sqrt(q * q * s * s + 2 * q + 1) - q * s);
+}
+
+// Above the power at 5 deg, dB: a parabola through 0 at 5, 2 at 40 and 0.5 at 90 deg.
+static double above_least_db(double el_rad)
+{
+    const double x = fmax(el_rad * ORR_DEG_PER_RAD, 0) - 5;
+    const double b = (0.5 / 85 - 2.0 / 35) / (85 - 35), a = 2.0 / 35 - 35 * b;
+    return x * (a + b * x);
+}
+
+// Power that is radiated at an angle from nadir, of a satellite so far from the Earth's centre, dBW (EIRP).
+static double radiated_dbw(const orr_signal *s, double radius_m, double nadir_rad)
+{
+    const double limb = asin(EARTH_M / radius_m), inside = fmin(nadir_rad, limb);
+    const double el = acos(fmin(radius_m * sin(inside) / EARTH_M, 1));
+    const double range = radius_m * cos(inside) - EARTH_M * sin(el);
+    const double beyond = (nadir_rad - inside) * ORR_DEG_PER_RAD;
+    return s->power_dbw + above_least_db(el) + orr_power_space_loss_db(range, s->carrier_hz) +
+           orr_power_atmosphere_db(el) - fmin(3 * beyond, 20);
+}
+
+double orr_power_received_dbw(const orr_signal *s, orr_vec3 sat_m, orr_vec3 r_m, double el_rad)
+{
+    const orr_vec3 d = orr_vec3_sub(r_m, sat_m);
+    const double range = orr_vec3_norm(d), radius = orr_vec3_norm(sat_m);
+    const double cosine = -orr_vec3_dot(d, sat_m) / (range * radius);
+    const double above_ground = orr_vec3_norm(r_m) - EARTH_M;
+    const double lost = above_ground < 100e3 ? orr_power_atmosphere_db(el_rad) : 0;
+    return radiated_dbw(s, radius, acos(fmin(fmax(cosine, -1), 1))) -
+           orr_power_space_loss_db(range, s->carrier_hz) - lost;
+}

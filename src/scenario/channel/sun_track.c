@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/channel/sun_track.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "orbit/spacecraft/attitude.h"
+
+static const int64_t STEP_NS = 3600 * ORR_NS_PER_S;
+
+// About the Earth's axis.
+static orr_vec3 turned(orr_vec3 v, double angle_rad)
+{
+    const double c = cos(angle_rad), s = sin(angle_rad);
+    return (orr_vec3){c * v.x + s * v.y, c * v.y - s * v.x, v.z};
+}
+
+static double earth_angle(const orr_sun_track *s, orr_time t)
+{
+    return ORR_EARTH_RATE_RADPS * orr_time_diff_s(t, s->from);
+}
+
+orr_status orr_sun_track_open(orr_time from, orr_time to, orr_sun_track *out, orr_diag *diag)
+{
+    *out = (orr_sun_track){.from = from, .n = (size_t)((to - from) / STEP_NS) + 2};
+    out->sun_m = calloc(out->n, sizeof *out->sun_m);
+    if (out->sun_m == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    for (size_t k = 0; k < out->n; k++) {
+        const orr_time t = orr_time_add(from, (int64_t)k * STEP_NS);
+        out->sun_m[k] = turned(orr_attitude_sun(t), -earth_angle(out, t));
+    }
+    return ORR_OK;
+}
+
+void orr_sun_track_free(orr_sun_track *s)
+{
+    free(s->sun_m);
+    *s = (orr_sun_track){.from = 0};
+}
+
+orr_vec3 orr_sun_track_at(const orr_sun_track *s, orr_time t)
+{
+    const int64_t dt = t > s->from ? t - s->from : 0;
+    size_t k = (size_t)(dt / STEP_NS);
+    if (k > s->n - 2) k = s->n - 2;
+    const double part = (double)(dt - (int64_t)k * STEP_NS) / (double)STEP_NS;
+    const orr_vec3 a = s->sun_m[k], b = s->sun_m[k + 1];
+    return turned(orr_vec3_axpy(part, orr_vec3_sub(b, a), a), earth_angle(s, t));
+}

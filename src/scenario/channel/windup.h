@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Phase wind-up as a pure function of time: whole turns are counted once, on a lattice, when a scenario is prepared.
+#ifndef ORR_SCENARIO_CHANNEL_WINDUP_H
+#define ORR_SCENARIO_CHANNEL_WINDUP_H
+
+#include "src/scenario/antenna/antenna.h"
+#include "src/scenario/source_orbit.h"
+
+// Turns of one antenna and all satellites.
+typedef struct orr_windup {
+    orr_time from;
+    size_t n_nodes, n_sats;
+    float *turns; // [n_sats][n_nodes] every minute, of a dipole at the antenna's place along East and North
+    double *heading; // [n_headings] every 0.1 s of a moving antenna, turns, continuous
+    size_t n_headings;
+    orr_time heading_from;
+} orr_windup;
+
+// Counts the turns over a span. Errors: ORR_E_MEMORY, ORR_E_INTERRUPTED. Free with orr_windup_free.
+orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a, orr_span span,
+                           const volatile int *cancel, orr_windup *out, orr_diag *diag);
+void orr_windup_free(orr_windup *w);
+
+// Wind-up of satellite k at t, cycles: to be added to the carrier's phase range.
+// Given:
+//   w         counted turns
+//   k         satellite, its place in orr_source_orbit_satellites
+//   t         instant of reception
+//   state     antenna
+//   sat_m     satellite, ecef
+//   attitude  rows are its body axes, ecef
+// Reference: Wu et al. 1993, Manuscripta Geodaetica 18:91.
+double orr_windup_at(const orr_windup *w, size_t k, orr_time t, const orr_antenna_state *state,
+                     orr_vec3 sat_m, const orr_mat3 *attitude);
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a receiver would write down: observations of an antenna's channels as RINEX, and the truth behind them as a table.
+#ifndef ORR_SCENARIO_OBSERVABLES_OBSERVE_H
+#define ORR_SCENARIO_OBSERVABLES_OBSERVE_H
+
+#include "src/scenario/channel/channel.h"
+
+// Noise density of a receiver, dBW/Hz: that of 290 K (-204) and a noise figure of 1.5 dB.
+#define ORR_OBSERVE_N0_DBWHZ (-202.5)
+
+typedef struct orr_observe_plan {
+    orr_time from, to; // both ends are observed
+    int64_t step_ns;
+    bool noise; // thermal, by C/N0
+    uint64_t seed;
+    const volatile int *cancel;                              // may be NULL
+    void (*progress)(void *user, size_t done, size_t total); // may be NULL
+    void *user;
+} orr_observe_plan;
+
+typedef struct orr_observe_count {
+    size_t epochs, observations; // observations: channels written
+} orr_observe_count;
+
+// Observations of an antenna, RINEX 3.05: code, phase, Doppler and C/N0 of every signal; receiver clock zero; LLI 1 where an
+// arc begins.
+// Given:
+//   c        channels
+//   antenna  which
+//   plan     when, and with what noise
+//   path     file
+// Returned:
+//   count    what was written
+// Errors: those of the writer, ORR_E_RANGE (an epoch outside the channels' span), ORR_E_INTERRUPTED.
+// Notes: with noise, a delay lock of 1 Hz with half a chip between early and late, of 0.1 chip where chips come faster than
+// 5 MHz, and a phase lock of 15 Hz (Kaplan and Hegarty 2017, eqs. (8.31), (8.96)): white, a pure function of seed and time.
+orr_status orr_observe_rinex(const orr_channels *c, size_t antenna, const orr_observe_plan *plan,
+                             const char *path, orr_observe_count *count, orr_diag *diag);
+
+// The same channels with all their terms as CSV, without noise.
+orr_status orr_observe_truth(const orr_channels *c, size_t antenna, const orr_observe_plan *plan,
+                             const char *path, orr_observe_count *count, orr_diag *diag);
+// Where the antenna is, and how it moves and stands, as CSV.
+orr_status orr_observe_track(const orr_channels *c, size_t antenna, const orr_observe_plan *plan,
+                             const char *path, orr_diag *diag);
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Zenith delays of the neutral atmosphere at a place, by the models that receivers assume, and the mapping functions that
+// bring them to a satellite's elevation. Delays are metres of excess path, the same for code and carrier.
+#ifndef ORR_SCENARIO_TROPOSPHERE_ATMOSPHERE_H
+#define ORR_SCENARIO_TROPOSPHERE_ATMOSPHERE_H
+
+#include "core/earth.h"
+#include "core/time.h"
+
+// Pressure, temperature and water vapour at a height above sea level.
+typedef struct orr_weather {
+    double pressure_hpa, temperature_k, vapour_hpa;
+} orr_weather;
+
+typedef struct orr_zenith_delay {
+    double hydrostatic_m, wet_m;
+} orr_zenith_delay;
+
+// The standard atmosphere (ICAO 1976, troposphere; constants as RTKLIB has them) at a height above sea level, m, with a
+// relative humidity of 0 to 1. Heights beyond -100 to 10000 m are held at these.
+orr_weather orr_weather_standard(double height_m, double humidity);
+
+// Saastamoinen (1972) at latitude and height with Davis et al. (1985)'s gravity correction: hydrostatic
+// 0.0022768 p / (1 - 0.00266 cos 2 lat - 0.00028 h[km]), wet 0.002277 (1255 / T + 0.05) e.
+orr_zenith_delay orr_zenith_saastamoinen(orr_weather w, double lat_rad, double height_m);
+// RTCA DO-229E, A.4.2.4: mean and seasonal values by latitude, height above sea level in metres, at an instant.
+orr_zenith_delay orr_zenith_do229(double lat_rad, double height_m, orr_time t);
+// STANAG 4294, issue 1: an exponential atmosphere of three layers above refractivity 324.8 at sea level; all of the delay is told
+// as hydrostatic.
+orr_zenith_delay orr_zenith_stanag4294(double height_m);
+
+// 1 / sin(el).
+double orr_mapping_cosecant(double el_rad);
+// Black and Eisner (1984), as DO-229E A.4.2.4 has it, with its factor below 4 deg.
+double orr_mapping_black_eisner(double el_rad);
+// Chao (1972), as STANAG 4294 has it: 1 / (sin el + 0.00143 / (tan el + 0.0455)).
+double orr_mapping_chao(double el_rad);
+// Niell (1996), J. Geophys. Res. 101(B2):3227.
+//   Given:    el_rad       elevation, geometric
+//             lat_rad      geodetic latitude
+//             height_m     height above sea level
+//             t            instant: the hydrostatic one has a season
+//   Returned: hydrostatic  factor of the hydrostatic zenith delay
+//             wet          factor of the wet one
+void orr_mapping_niell(double el_rad, double lat_rad, double height_m, orr_time t, double *hydrostatic,
+                       double *wet);
+
+#endif
