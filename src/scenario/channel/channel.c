@@ -291,15 +291,16 @@ static void fill(const moment side[SIDES], const batch *b, size_t k, size_t sign
     out->power_dbw = orr_power_received_dbw(s, l->sat_m, m->at.r_m, r->el_rad) + r->sat->power_db;
 }
 
-// The rays of satellites from *place on that are seen, at most BATCH of them.
-static void gather(const moment side[SIDES], const bool has[SIDES], size_t *place, batch *b)
+// The rays of satellites from *place on: of those that are seen, or where `want` is given those that it marks, seen or not; at
+// most BATCH of them.
+static void gather(const moment side[SIDES], const bool has[SIDES], const bool *want, size_t *place, batch *b)
 {
     const orr_channels *c = side[AT].c;
     b->n = 0;
     for (; *place < c->n_sats && b->n < BATCH; (*place)++) {
         ray *r = &b->ray[AT][b->n];
-        if (!c->satellite[*place].sends || !look(&side[AT], *place, r) || !seen(&side[AT], r) ||
-            !trace(&side[AT], r))
+        if (want != NULL ? !want[*place] : !c->satellite[*place].sends) continue;
+        if (!look(&side[AT], *place, r) || (want == NULL && !seen(&side[AT], r)) || !trace(&side[AT], r))
             continue;
         b->has[AT][b->n] = true;
         for (int s = BEFORE; s <= AFTER; s += AFTER - BEFORE) {
@@ -310,8 +311,8 @@ static void gather(const moment side[SIDES], const bool has[SIDES], size_t *plac
     }
 }
 
-orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_time t, uint64_t signals,
-                           orr_channel *out, size_t *n)
+orr_answer channels_evaluate(const orr_channels *c, size_t antenna, orr_time t, uint64_t signals,
+                             const bool *want, orr_channel *out, size_t *n)
 {
     *n = 0;
     if (antenna >= orr_channels_antennas(c)) return ORR_ANSWER_NOT_SERVED;
@@ -325,7 +326,7 @@ orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_time t, ui
     const orr_signal *all = orr_signals(&n_signals);
     batch b;
     for (size_t place = 0; place < c->n_sats;) {
-        gather(side, has, &place, &b);
+        gather(side, has, want, &place, &b);
         for (int s = 0; s < SIDES; s++)
             if (has[s]) set_contents(&side[s], &b, s);
         for (size_t k = 0; k < b.n; k++)
@@ -334,4 +335,10 @@ orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_time t, ui
                     fill(side, &b, k, j, &all[j], &out[(*n)++]);
     }
     return ORR_ANSWER_OK;
+}
+
+orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_time t, uint64_t signals,
+                           orr_channel *out, size_t *n)
+{
+    return channels_evaluate(c, antenna, t, signals, NULL, out, n);
 }

@@ -3,6 +3,8 @@
 #ifndef ORR_SCENARIO_CHANNEL_CHANNELS_PRIVATE_H
 #define ORR_SCENARIO_CHANNEL_CHANNELS_PRIVATE_H
 
+#include <stdatomic.h>
+
 #include "orbit/spacecraft/signal_delay.h"
 #include "src/scenario/channel/channel.h"
 #include "src/scenario/channel/sun_track.h"
@@ -17,6 +19,14 @@ typedef struct channel_satellite {
     double power_db;
     bool orbit_normal; // geostationary satellites of BeiDou and QZSS
 } channel_satellite;
+
+// Length of the blocks of 10 s, once somebody has asked. It depends on the scenario alone, so whoever decides it first writes
+// what all others would.
+typedef struct channel_cell {
+    _Atomic int64_t length_ns;
+    _Atomic double error_m;
+    _Atomic int decided;
+} channel_cell;
 
 struct orr_channels {
     const orr_source_orbit *orbits;
@@ -37,6 +47,12 @@ struct orr_channels {
     channel_satellite *satellite; // as orr_source_orbit_satellites
     orr_sun_track sun;
     orr_span span;
+    size_t n_cells;
+    channel_cell *cell; // [n_antennas][n_cells]
 };
+
+// As orr_channels_at; where `want` is given ([n_sats]) of the satellites that it marks, seen or not.
+orr_answer channels_evaluate(const orr_channels *c, size_t antenna, orr_time t, uint64_t signals,
+                             const bool *want, orr_channel *out, size_t *n);
 
 #endif

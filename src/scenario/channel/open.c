@@ -6,6 +6,7 @@
 #include "orbit/navdata/glonass_channel.h"
 #include "orbit/spacecraft/orbit_class.h"
 #include "src/make/inputs.h"
+#include "src/scenario/channel/block.h"
 #include "src/scenario/channel/channels_private.h"
 
 // Light is on its way for 0.15 s at most, and rates are taken from so far on both sides.
@@ -124,7 +125,10 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     orr_nav_free(&nav);
     if (status == ORR_OK) status = orr_sun_track_open(c->span.from, c->span.to, &c->sun, diag);
     if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
-    return status;
+    if (status != ORR_OK) return status;
+    c->n_cells = (size_t)((c->span.to - orr_block_cell(c->span.from)) / ORR_BLOCK_CELL_NS) + 1;
+    c->cell = calloc(c->n_antennas * c->n_cells, sizeof *c->cell);
+    return c->cell != NULL ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
 }
 
 // Whether no antenna stands on the ground.
@@ -177,6 +181,7 @@ void orr_channels_close(orr_channels *c)
     if (c == NULL) return;
     for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) orr_windup_free(&c->windup[k]);
     orr_sun_track_free(&c->sun);
+    free(c->cell);
     free(c->satellite);
     free(c->mask.horizon.item);
     if (c->has_bias) orr_bias_free(&c->bias);

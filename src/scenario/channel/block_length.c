@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long blocks may be: cubics through value and velocity of the antenna at both ends, against the motion itself.
+#include <math.h>
+
+#include "src/scenario/channel/block.h"
+#include "src/scenario/channel/channels_private.h"
+
+static const int64_t MS = 1000000;
+const int64_t orr_block_lengths[ORR_BLOCK_LENGTHS] = {1000000,  2000000,   5000000,   10000000,  20000000,
+                                                      50000000, 100000000, 200000000, 500000000, 1000000000};
+
+// An antenna on a body may shake at any rate; beyond 100 ms nothing is gained.
+static const int64_t LONGEST_MOVING_NS = 100000000;
+// Blocks of one length that are tried in a cell: all where there are fewer, otherwise spread over it.
+enum { TRIED = 500 };
+
+// Greatest deviation of the cubic over [t, t + length] from the motion: at the middle, and what the middle's rate tells of a
+// deviation that is zero there. Negative where the antenna is not there.
+static double deviation_m(const orr_antenna *a, orr_time t, int64_t length_ns)
+{
+    orr_antenna_state x0, x1, m;
+    if (orr_antenna_at(a, t, &x0) != ORR_ANSWER_OK ||
+        orr_antenna_at(a, t + length_ns, &x1) != ORR_ANSWER_OK ||
+        orr_antenna_at(a, t + length_ns / 2, &m) != ORR_ANSWER_OK)
+        return -1;
+    const double T = (double)length_ns / 1e9;
+    const orr_vec3 rise = orr_vec3_sub(x1.r_m, x0.r_m), sum_v = orr_vec3_add(x0.v_mps, x1.v_mps);
+    // H(T/2) = (x0 + x1)/2 + T (v0 - v1)/8,  H'(T/2) = 3 (x1 - x0)/(2 T) - (v0 + v1)/4, all against x0.
+    const orr_vec3 middle = orr_vec3_axpy(T / 8, orr_vec3_sub(x0.v_mps, x1.v_mps), orr_vec3_scale(0.5, rise));
+    const orr_vec3 rate = orr_vec3_sub(orr_vec3_scale(1.5 / T, rise), orr_vec3_scale(0.25, sum_v));
+    const double value = orr_vec3_norm(orr_vec3_sub(orr_vec3_sub(m.r_m, x0.r_m), middle));
+    const double slope = orr_vec3_norm(orr_vec3_sub(m.v_mps, rate));
+    return fmax(value, slope * T / 6);
+}
+
+// The greatest of the blocks that are tried.
+static double worst_m(const orr_antenna *a, orr_time cell, int64_t length_ns)
+{
+    const int64_t n = ORR_BLOCK_CELL_NS / length_ns, every = n > TRIED ? n / TRIED : 1;
+    double worst = 0;
+    for (int64_t k = 0; k < n; k += every) {
+        // Spread by the golden ratio within each stretch, so that no period is met at the same phase again and again.
+        const int64_t shift =
+            every > 1 ? (int64_t)(fmod((double)(k / every) * 0.6180339887498949, 1) * (double)every) : 0;
+        worst = fmax(worst, deviation_m(a, cell + (k + shift) * length_ns, length_ns));
+    }
+    return worst;
+}
+
+void orr_block_length_of(const orr_channels *c, size_t antenna, orr_time cell, int64_t *length_ns,
+                         double *error_m)
+{
+    const orr_antenna *a = &c->antenna[antenna];
+    if (a->motion == NULL) { // the satellites' motion and the ionosphere's change decide (docs/channels.md)
+        *length_ns = 1000 * MS;
+        *error_m = 1.3e-10; // T^4/384 of 5e-8 m/s^4, a navigation satellite's at the horizon
+        return;
+    }
+    *length_ns = orr_block_lengths[0];
+    *error_m = worst_m(a, cell, orr_block_lengths[0]);
+    for (int k = 1; k < ORR_BLOCK_LENGTHS && orr_block_lengths[k] <= LONGEST_MOVING_NS; k++) {
+        const double worst = worst_m(a, cell, orr_block_lengths[k]);
+        if (worst > c->options.error_m / 1.25) return;
+        *length_ns = orr_block_lengths[k];
+        *error_m = worst;
+    }
+}
