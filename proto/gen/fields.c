@@ -66,6 +66,16 @@ static const orr_field_word words_tec_origin[] = {
     {3, "NOISE", "noise", false},
 };
 
+static const orr_field_word words_channel_flags[] = {
+    {UINT64_C(1), "UNHEALTHY", "unhealthy", false},
+    {UINT64_C(2), "ECLIPSE", "eclipse", false},
+    {UINT64_C(4), "FAST_TURN", "fast turn", false},
+    {UINT64_C(8), "NO_ANTENNA", "no antenna", false},
+    {UINT64_C(16), "NO_DELAY", "no delay", false},
+    {UINT64_C(32), "ZERO_CLOCK", "zero clock", false},
+    {UINT64_C(64), "NOMINAL_CHANNEL", "nominal channel", false},
+};
+
 static const orr_field_word words_delay_flags[] = {
     {UINT64_C(1), "CLIPPED", "clipped at 0", false},
 };
@@ -271,6 +281,71 @@ static const orr_field fields_sat_delay[] = {
 };
 static const orr_record record_sat_delay = {"sat_delay", fields_sat_delay, 14, sizeof(orr_msg_sat_delay), false, false};
 
+static const orr_field fields_antenna[] = {
+    {.name = "antenna", .unit = "", .doc = "its number in POLL_CHANNELS", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_antenna, antenna), .in_text = true, .text_name = "antenna", .text_factor = 1.0, .in_table = true, .head = "antenna", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "name", .unit = "", .doc = "its name in the scenario", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_antenna, name), .limit = 64, .in_text = true, .text_name = "name", .text_factor = 1.0, .in_table = true, .head = "name", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "kind", .unit = "", .doc = "antenna and radome as ANTEX files write them; empty where the phase centre is the reference point", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_antenna, kind), .limit = 20, .in_text = true, .text_name = "kind", .text_factor = 1.0, .in_table = true, .head = "kind", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "pos_m", .unit = "m", .doc = "reference point of a fixed antenna (ecef); NAN where it moves", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "pos_", .suffix = "_m", .offset = offsetof(orr_msg_antenna, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "pos", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+};
+static const orr_record record_antenna = {"antenna", fields_antenna, 4, sizeof(orr_msg_antenna), false, false};
+
+static const orr_field fields_signal[] = {
+    {.name = "signal", .unit = "", .doc = "its number in POLL_CHANNELS and CHANNELS", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, signal), .in_text = true, .text_name = "signal", .text_factor = 1.0, .in_table = true, .head = "signal", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "system", .unit = "", .doc = "letter of the system", .kind = ORR_FIELD_U8, .show = ORR_SHOW_CHAR, .offset = offsetof(orr_msg_signal, system), .in_text = true, .text_name = "system", .text_factor = 1.0, .in_table = true, .head = "system", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "name", .unit = "", .doc = "its name, e.g. L1CA", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, name), .limit = 16, .in_text = true, .text_name = "name", .text_factor = 1.0, .in_table = true, .head = "name", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "observation", .unit = "", .doc = "RINEX 3 band and attribute, e.g. 1C", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, observation), .limit = 2, .in_text = true, .text_name = "observation", .text_factor = 1.0, .in_table = true, .head = "observation", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "modulation", .unit = "", .doc = "e.g. BPSK(1)", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, modulation), .limit = 32, .in_text = true, .text_name = "modulation", .text_factor = 1.0, .in_table = true, .head = "modulation", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "components", .unit = "", .doc = "divided by blanks, e.g. I Q", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, components), .limit = 16, .in_text = true, .text_name = "components", .text_factor = 1.0, .in_table = true, .head = "components", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "carrier_hz", .unit = "Hz", .doc = "carrier; of GLONASS' FDMA signals that of channel 0", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, carrier_hz), .in_text = true, .text_name = "carrier_hz", .text_factor = 1.0, .in_table = true, .head = "carrier", .table_unit = "Hz", .table_factor = 1.0, .digits = -1},
+    {.name = "channel_hz", .unit = "Hz", .doc = "step of a GLONASS frequency channel; 0 for others", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, channel_hz), .in_text = true, .text_name = "channel_hz", .text_factor = 1.0, .in_table = true, .head = "channel", .table_unit = "Hz", .table_factor = 1.0, .digits = -1},
+    {.name = "chips_per_s", .unit = "chip/s", .doc = "rate of the ranging code", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, chips_per_s), .in_text = true, .text_name = "chips_per_s", .text_factor = 1.0, .in_table = true, .head = "chips per s", .table_unit = "chip/s", .table_factor = 1.0, .digits = -1},
+    {.name = "chips", .unit = "", .doc = "length of one period of the primary code", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_signal, chips), .in_text = true, .text_name = "chips", .text_factor = 1.0, .in_table = true, .head = "chips", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_signal = {"signal", fields_signal, 10, sizeof(orr_msg_signal), false, false};
+
+static const orr_field fields_transmitter[] = {
+    {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_transmitter, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "frequency_channel", .unit = "", .doc = "GLONASS: -7 to 6; 0 for others", .kind = ORR_FIELD_I8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_transmitter, frequency_channel), .in_text = true, .text_name = "frequency_channel", .text_factor = 1.0, .in_table = true, .head = "frequency channel", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "unhealthy", .unit = "", .doc = "1 where the scenario marks it as not to be used, else 0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_transmitter, unhealthy), .in_text = true, .text_name = "unhealthy", .text_factor = 1.0, .in_table = true, .head = "unhealthy", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "svn", .unit = "", .doc = "space vehicle as ANTEX names it, e.g. G063; empty without ANTEX", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_transmitter, svn), .limit = 10, .in_text = true, .text_name = "svn", .text_factor = 1.0, .in_table = true, .head = "svn", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "block", .unit = "", .doc = "type of the satellite as ANTEX names it, e.g. BLOCK IIF; empty without ANTEX", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_transmitter, block), .limit = 20, .in_text = true, .text_name = "block", .text_factor = 1.0, .in_table = true, .head = "block", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_transmitter = {"transmitter", fields_transmitter, 5, sizeof(orr_msg_transmitter), false, false};
+
+static const orr_field fields_sat_channel[] = {
+    {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "signal", .unit = "", .doc = "which signal, its number in CAPS", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, signal), .in_text = true, .text_name = "signal", .text_factor = 1.0, .in_table = true, .head = "signal", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "flags", .unit = "", .doc = "what should be known of it", .kind = ORR_FIELD_U32, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_sat_channel, flags), .word = words_channel_flags, .n_words = sizeof words_channel_flags / sizeof words_channel_flags[0], .in_text = true, .text_name = "flags", .text_factor = 1.0, .in_table = true, .head = "flags", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "az_rad", .unit = "rad", .doc = "azimuth of the satellite at the block's begin, clockwise from North", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, az_rad), .in_text = true, .text_name = "az_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "az", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 2},
+    {.name = "el_rad", .unit = "rad", .doc = "its elevation above the ellipsoidal horizon", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, el_rad), .in_text = true, .text_name = "el_deg", .text_factor = 57.29577951308232, .in_table = true, .head = "el", .table_unit = "deg", .table_factor = 57.29577951308232, .digits = 2},
+    {.name = "carrier_hz", .unit = "Hz", .doc = "carrier", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, carrier_hz), .in_text = true, .text_name = "carrier_hz", .text_factor = 1.0, .in_table = true, .head = "carrier", .table_unit = "MHz", .table_factor = 1e-06, .digits = 4},
+    {.name = "code", .unit = "m/s^k", .doc = "cubic of the pseudorange", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 4, .stem = "code_", .suffix = "", .offset = offsetof(orr_msg_sat_channel, code), .in_text = true, .text_name = "code", .text_factor = 1.0, .in_table = false, .head = "code", .table_unit = "m/s^k", .table_factor = 1.0, .digits = -1},
+    {.name = "carrier_cycles", .unit = "cycle", .doc = "whole cycles of the carrier's phase range at the block's begin; an integer that stays while the satellite is in view is part of it", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, carrier_cycles), .in_text = true, .text_name = "carrier_cycles", .text_factor = 1.0, .in_table = true, .head = "carrier cycles", .table_unit = "cycle", .table_factor = 1.0, .digits = -1},
+    {.name = "carrier", .unit = "cycle/s^k", .doc = "cubic of the phase range, less carrier_cycles; the Doppler frequency is -carrier[1] at the begin, positive while approaching", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 4, .stem = "carrier_", .suffix = "", .offset = offsetof(orr_msg_sat_channel, carrier), .in_text = true, .text_name = "carrier", .text_factor = 1.0, .in_table = false, .head = "carrier", .table_unit = "cycle/s^k", .table_factor = 1.0, .digits = -1},
+    {.name = "transmit", .unit = "ns", .doc = "reading of the satellite's clock when the code at the block's begin was sent: whole nanoseconds, the scale's whole seconds against GPS not taken off", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_channel, transmit), .in_text = true, .text_name = "transmit", .text_factor = 1.0, .in_table = false, .head = "transmit", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "transmit_fraction_ns", .unit = "ns", .doc = "and the rest, 0 to 1", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, transmit_fraction_ns), .in_text = true, .text_name = "transmit_fraction_ns", .text_factor = 1.0, .in_table = false, .head = "transmit fraction ns", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "power_dbw", .unit = "dBW", .doc = "received by an antenna of 0 dBi", .kind = ORR_FIELD_F32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_channel, power_dbw), .in_text = true, .text_name = "power_dbw", .text_factor = 1.0, .in_table = true, .head = "power dbw", .table_unit = "dBW", .table_factor = 1.0, .digits = 1},
+};
+static const orr_record record_sat_channel = {"sat_channel", fields_sat_channel, 12, sizeof(orr_msg_sat_channel), false, false};
+
+static const orr_field fields_channel_terms[] = {
+    {.name = "distance_m", .unit = "m", .doc = "antenna to centre of mass, in the Earth's axes of emission and of reception, not turned", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, distance_m), .in_text = true, .text_name = "distance_m", .text_factor = 1.0, .in_table = true, .head = "distance", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "sagnac_m", .unit = "m", .doc = "rotation of the Earth during the flight", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, sagnac_m), .in_text = true, .text_name = "sagnac_m", .text_factor = 1.0, .in_table = true, .head = "sagnac", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "shapiro_m", .unit = "m", .doc = "relativistic delay in the Earth's field", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, shapiro_m), .in_text = true, .text_name = "shapiro_m", .text_factor = 1.0, .in_table = true, .head = "shapiro", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "satellite_clock_m", .unit = "m", .doc = "minus c times the satellite's clock offset", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, satellite_clock_m), .in_text = true, .text_name = "satellite_clock_m", .text_factor = 1.0, .in_table = true, .head = "satellite clock", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "relativity_m", .unit = "m", .doc = "minus c times the periodic relativity of that clock", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, relativity_m), .in_text = true, .text_name = "relativity_m", .text_factor = 1.0, .in_table = true, .head = "relativity", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "group_delay_m", .unit = "m", .doc = "c times the signal's group delay against the clock's pair", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, group_delay_m), .in_text = true, .text_name = "group_delay_m", .text_factor = 1.0, .in_table = true, .head = "group delay", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "satellite_antenna_m", .unit = "m", .doc = "phase centre of the satellite's antenna: offset and variation", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, satellite_antenna_m), .in_text = true, .text_name = "satellite_antenna_m", .text_factor = 1.0, .in_table = true, .head = "satellite antenna", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "receiver_antenna_m", .unit = "m", .doc = "likewise of the receiver's", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, receiver_antenna_m), .in_text = true, .text_name = "receiver_antenna_m", .text_factor = 1.0, .in_table = true, .head = "receiver antenna", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "troposphere_hydrostatic_m", .unit = "m", .doc = "hydrostatic delay", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, troposphere_hydrostatic_m), .in_text = true, .text_name = "troposphere_hydrostatic_m", .text_factor = 1.0, .in_table = true, .head = "troposphere hydrostatic", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "troposphere_wet_m", .unit = "m", .doc = "wet delay", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, troposphere_wet_m), .in_text = true, .text_name = "troposphere_wet_m", .text_factor = 1.0, .in_table = true, .head = "troposphere wet", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "ionosphere_m", .unit = "m", .doc = "first order, of the code", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, ionosphere_m), .in_text = true, .text_name = "ionosphere_m", .text_factor = 1.0, .in_table = true, .head = "ionosphere", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "emission_m", .unit = "m", .doc = "the satellite's motion while the signal is delayed, without the ionosphere's part", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, emission_m), .in_text = true, .text_name = "emission_m", .text_factor = 1.0, .in_table = true, .head = "emission", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "emission_ionosphere_m", .unit = "m", .doc = "the ionosphere's part", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, emission_ionosphere_m), .in_text = true, .text_name = "emission_ionosphere_m", .text_factor = 1.0, .in_table = true, .head = "emission ionosphere", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "wind_up_m", .unit = "m", .doc = "turns of satellite and antenna, times the wavelength: of the carrier alone", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, wind_up_m), .in_text = true, .text_name = "wind_up_m", .text_factor = 1.0, .in_table = true, .head = "wind up", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+};
+static const orr_record record_channel_terms = {"channel_terms", fields_channel_terms, 14, sizeof(orr_msg_channel_terms), false, false};
+
 static const orr_field fields_hello[] = {
     {.name = "major_min", .unit = "", .doc = "lowest major version the client speaks", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, major_min), .in_text = true, .text_name = "major_min", .text_factor = 1.0, .in_table = true, .head = "major min", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "major_max", .unit = "", .doc = "highest", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, major_max), .in_text = true, .text_name = "major_max", .text_factor = 1.0, .in_table = true, .head = "major max", .table_unit = "", .table_factor = 1.0, .digits = -1},
@@ -291,6 +366,21 @@ static orr_wire_status decode_hello(const uint8_t *payload, size_t size, void *m
 static bool next_inertial_unit(const void *list, orr_wire_iter *it, void *out)
 {
     return orr_msg_inertial_unit_next((const orr_msg_inertial_unit_list *)list, it, (orr_msg_inertial_unit *)out);
+}
+
+static bool next_antenna(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_antenna_next((const orr_msg_antenna_list *)list, it, (orr_msg_antenna *)out);
+}
+
+static bool next_signal(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_signal_next((const orr_msg_signal_list *)list, it, (orr_msg_signal *)out);
+}
+
+static bool next_transmitter(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_transmitter_next((const orr_msg_transmitter_list *)list, it, (orr_msg_transmitter *)out);
 }
 
 static bool next_served_request(const void *list, orr_wire_iter *it, void *out)
@@ -320,10 +410,13 @@ static const orr_field fields_caps[] = {
     {.name = "receiver_m", .unit = "m", .doc = "where it is (ecef); NAN with NONE and TRAJECTORY", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "receiver_", .suffix = "_m", .offset = offsetof(orr_msg_caps, receiver_m), .in_text = true, .text_name = "receiver_m", .text_factor = 1.0, .in_table = true, .head = "receiver", .table_unit = "m", .table_factor = 1.0, .digits = 4},
     {.name = "imu_rate_hz", .unit = "Hz", .doc = "readings a second where POLL_IMU has step 0; NAN where POLL_IMU is not answered", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, imu_rate_hz), .in_text = true, .text_name = "imu_rate_hz", .text_factor = 1.0, .in_table = true, .head = "imu rate", .table_unit = "Hz", .table_factor = 1.0, .digits = -1},
     {.name = "units", .unit = "", .doc = "inertial units; none without a trajectory", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, units), .limit = 64, .record = &record_inertial_unit, .next = next_inertial_unit, .in_text = true, .text_name = "units", .text_factor = 1.0, .in_table = true, .head = "units", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "antennas", .unit = "", .doc = "antennas that receive; none where no signals are sent", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, antennas), .limit = 16, .record = &record_antenna, .next = next_antenna, .in_text = true, .text_name = "antennas", .text_factor = 1.0, .in_table = true, .head = "antennas", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "signals", .unit = "", .doc = "signals that are sent", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, signals), .limit = 64, .record = &record_signal, .next = next_signal, .in_text = true, .text_name = "signals", .text_factor = 1.0, .in_table = true, .head = "signals", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "transmitters", .unit = "", .doc = "satellites that send them", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, transmitters), .limit = 800, .record = &record_transmitter, .next = next_transmitter, .in_text = true, .text_name = "transmitters", .text_factor = 1.0, .in_table = true, .head = "transmitters", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "requests", .unit = "", .doc = "what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, requests), .limit = 64, .record = &record_served_request, .next = next_served_request, .in_text = true, .text_name = "requests", .text_factor = 1.0, .in_table = true, .head = "requests", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "satellites", .unit = "", .doc = "served satellites, in the order in which STATES lists them", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_caps = {"caps", fields_caps, 18, sizeof(orr_msg_caps), false, false};
+static const orr_record record_caps = {"caps", fields_caps, 21, sizeof(orr_msg_caps), false, false};
 
 static orr_wire_status encode_caps(const void *m, orr_wire_writer *w)
 {
@@ -531,6 +624,61 @@ static orr_wire_status decode_delays(const uint8_t *payload, size_t size, void *
     return orr_msg_delays_decode(payload, size, (orr_msg_delays *)m);
 }
 
+static bool next_u16(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_u16_next((const orr_msg_u16_list *)list, it, (uint16_t *)out);
+}
+
+static const orr_field fields_poll_channels[] = {
+    {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "antenna", .unit = "", .doc = "which antenna of CAPS", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, antenna), .in_text = true, .text_name = "antenna", .text_factor = 1.0, .in_table = true, .head = "antenna", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "terms", .unit = "", .doc = "1: with what each code is the sum of; 0: without", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, terms), .in_text = true, .text_name = "terms", .text_factor = 1.0, .in_table = true, .head = "terms", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "signals", .unit = "", .doc = "which signals of CAPS; empty for all", .kind = ORR_FIELD_LIST, .element = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, signals), .limit = 64, .next = next_u16, .in_text = true, .text_name = "signals", .text_factor = 1.0, .in_table = true, .head = "signals", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll_channels = {"poll_channels", fields_poll_channels, 5, sizeof(orr_msg_poll_channels), false, false};
+
+static orr_wire_status encode_poll_channels(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_channels_encode((const orr_msg_poll_channels *)m, w);
+}
+static orr_wire_status decode_poll_channels(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_channels_decode(payload, size, (orr_msg_poll_channels *)m);
+}
+
+static bool next_sat_channel(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_sat_channel_next((const orr_msg_sat_channel_list *)list, it, (orr_msg_sat_channel *)out);
+}
+
+static bool next_channel_terms(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_channel_terms_next((const orr_msg_channel_terms_list *)list, it, (orr_msg_channel_terms *)out);
+}
+
+static const orr_field fields_channels[] = {
+    {.name = "epoch", .unit = "", .doc = "OK, or OUTSIDE_SPAN with no channels", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "antenna", .unit = "", .doc = "the antenna asked for", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, antenna), .in_text = true, .text_name = "antenna", .text_factor = 1.0, .in_table = true, .head = "antenna", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "block", .unit = "ns", .doc = "begin of the block, a multiple of its length; -2^63 unless OK", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_channels, block), .in_text = true, .text_name = "block", .text_factor = 1.0, .in_table = true, .head = "block", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "length", .unit = "ns", .doc = "its length, at least 1 ms and at most 1 s", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, length), .in_text = true, .text_name = "length", .text_factor = 1.0, .in_table = true, .head = "length", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "error_m", .unit = "m", .doc = "greatest error of cubics against the antenna's motion that was found in these 10 s; above channel.error_m where even 1 ms does not hold it", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, error_m), .in_text = true, .text_name = "error_m", .text_factor = 1.0, .in_table = false, .head = "error", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "pos_m", .unit = "m", .doc = "antenna reference point at the block's begin (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_PLACE, .length = 3, .stem = "pos_", .suffix = "_m", .offset = offsetof(orr_msg_channels, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "pos", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "vel_mps", .unit = "m/s", .doc = "its velocity (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "vel_", .suffix = "_mps", .offset = offsetof(orr_msg_channels, vel_mps), .in_text = true, .text_name = "vel_mps", .text_factor = 1.0, .in_table = false, .head = "vel", .table_unit = "m/s", .table_factor = 1.0, .digits = 5},
+    {.name = "channels", .unit = "", .doc = "those that the antenna sees at the block's begin, by satellite and signal", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, channels), .limit = 4096, .record = &record_sat_channel, .next = next_sat_channel, .in_text = true, .text_name = "channels", .text_factor = 1.0, .in_table = true, .head = "channels", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "terms", .unit = "", .doc = "of each channel, in the same order; empty unless asked for", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, terms), .limit = 4096, .record = &record_channel_terms, .next = next_channel_terms, .in_text = true, .text_name = "terms", .text_factor = 1.0, .in_table = false, .head = "terms", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_channels = {"channels", fields_channels, 9, sizeof(orr_msg_channels), false, false};
+
+static orr_wire_status encode_channels(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_channels_encode((const orr_msg_channels *)m, w);
+}
+static orr_wire_status decode_channels(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_channels_decode(payload, size, (orr_msg_channels *)m);
+}
+
 static const orr_field fields_poll_imu[] = {
     {.name = "epochs", .unit = "", .doc = "begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_imu, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "unit", .unit = "", .doc = "which inertial unit of the scenario; 0 is the trajectory's own point", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_imu, unit), .in_text = true, .text_name = "unit", .text_factor = 1.0, .in_table = true, .head = "unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
@@ -620,6 +768,8 @@ static const orr_message_info messages[] = {
     {"NAVDATA", ORR_MSG_TYPE_NAVDATA, 0, false, &record_navdata, encode_navdata, decode_navdata},
     {"POLL_DELAYS", ORR_MSG_TYPE_POLL_DELAYS, ORR_MSG_TYPE_DELAYS, true, &record_poll_delays, encode_poll_delays, decode_poll_delays},
     {"DELAYS", ORR_MSG_TYPE_DELAYS, 0, false, &record_delays, encode_delays, decode_delays},
+    {"POLL_CHANNELS", ORR_MSG_TYPE_POLL_CHANNELS, ORR_MSG_TYPE_CHANNELS, true, &record_poll_channels, encode_poll_channels, decode_poll_channels},
+    {"CHANNELS", ORR_MSG_TYPE_CHANNELS, 0, false, &record_channels, encode_channels, decode_channels},
     {"POLL_IMU", ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_IMU, true, &record_poll_imu, encode_poll_imu, decode_poll_imu},
     {"IMU", ORR_MSG_TYPE_IMU, 0, false, &record_imu, encode_imu, decode_imu},
     {"POLL_TRUTH", ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, true, &record_poll_truth, encode_poll_truth, decode_poll_truth},

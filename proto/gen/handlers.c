@@ -10,6 +10,7 @@ uint16_t orr_msg_request_type(size_t i)
         ORR_MSG_TYPE_POLL_ELEMENTS,
         ORR_MSG_TYPE_POLL_NAVDATA,
         ORR_MSG_TYPE_POLL_DELAYS,
+        ORR_MSG_TYPE_POLL_CHANNELS,
         ORR_MSG_TYPE_POLL_IMU,
         ORR_MSG_TYPE_POLL_TRUTH,
     };
@@ -23,6 +24,7 @@ uint16_t orr_msg_handled(const orr_msg_handlers *h, uint16_t type)
     case ORR_MSG_TYPE_POLL_ELEMENTS: return h->poll_elements != NULL ? ORR_MSG_TYPE_ELEMENTS : 0;
     case ORR_MSG_TYPE_POLL_NAVDATA: return h->poll_navdata != NULL ? ORR_MSG_TYPE_NAVDATA : 0;
     case ORR_MSG_TYPE_POLL_DELAYS: return h->poll_delays != NULL ? ORR_MSG_TYPE_DELAYS : 0;
+    case ORR_MSG_TYPE_POLL_CHANNELS: return h->poll_channels != NULL ? ORR_MSG_TYPE_CHANNELS : 0;
     case ORR_MSG_TYPE_POLL_IMU: return h->poll_imu != NULL ? ORR_MSG_TYPE_IMU : 0;
     case ORR_MSG_TYPE_POLL_TRUTH: return h->poll_truth != NULL ? ORR_MSG_TYPE_TRUTH : 0;
     default: return 0;
@@ -36,6 +38,7 @@ orr_wire_status orr_msg_request_decode(uint16_t type, const uint8_t *payload, si
     case ORR_MSG_TYPE_POLL_ELEMENTS: return orr_msg_poll_elements_decode(payload, size, &request->poll_elements);
     case ORR_MSG_TYPE_POLL_NAVDATA: return orr_msg_poll_navdata_decode(payload, size, &request->poll_navdata);
     case ORR_MSG_TYPE_POLL_DELAYS: return orr_msg_poll_delays_decode(payload, size, &request->poll_delays);
+    case ORR_MSG_TYPE_POLL_CHANNELS: return orr_msg_poll_channels_decode(payload, size, &request->poll_channels);
     case ORR_MSG_TYPE_POLL_IMU: return orr_msg_poll_imu_decode(payload, size, &request->poll_imu);
     case ORR_MSG_TYPE_POLL_TRUTH: return orr_msg_poll_truth_decode(payload, size, &request->poll_truth);
     default: return ORR_WIRE_UNEXPECTED;
@@ -50,6 +53,7 @@ uint32_t orr_msg_request_frames(uint16_t type, const orr_msg_any *request)
     case ORR_MSG_TYPE_POLL_ELEMENTS: return request->poll_elements.epochs.count;
     case ORR_MSG_TYPE_POLL_NAVDATA: return request->poll_navdata.epochs.count;
     case ORR_MSG_TYPE_POLL_DELAYS: return request->poll_delays.epochs.count;
+    case ORR_MSG_TYPE_POLL_CHANNELS: return request->poll_channels.epochs.count;
     case ORR_MSG_TYPE_POLL_IMU: return request->poll_imu.epochs.count;
     case ORR_MSG_TYPE_POLL_TRUTH: return request->poll_truth.epochs.count;
     default: return 1;
@@ -63,6 +67,7 @@ uint16_t orr_msg_begin(const orr_msg_handlers *h, void *user, uint16_t type, con
     case ORR_MSG_TYPE_POLL_ELEMENTS: return h->begin_poll_elements != NULL ? h->begin_poll_elements(user, &request->poll_elements, why) : 0;
     case ORR_MSG_TYPE_POLL_NAVDATA: return h->begin_poll_navdata != NULL ? h->begin_poll_navdata(user, &request->poll_navdata, why) : 0;
     case ORR_MSG_TYPE_POLL_DELAYS: return h->begin_poll_delays != NULL ? h->begin_poll_delays(user, &request->poll_delays, why) : 0;
+    case ORR_MSG_TYPE_POLL_CHANNELS: return h->begin_poll_channels != NULL ? h->begin_poll_channels(user, &request->poll_channels, why) : 0;
     case ORR_MSG_TYPE_POLL_IMU: return h->begin_poll_imu != NULL ? h->begin_poll_imu(user, &request->poll_imu, why) : 0;
     case ORR_MSG_TYPE_POLL_TRUTH: return h->begin_poll_truth != NULL ? h->begin_poll_truth(user, &request->poll_truth, why) : 0;
     default: return ORR_MSG_ERROR_CODE_INTERNAL;
@@ -77,6 +82,7 @@ uint16_t orr_msg_answer(const orr_msg_handlers *h, void *user, uint16_t type, co
     case ORR_MSG_TYPE_POLL_ELEMENTS: return h->poll_elements(user, &request->poll_elements, part, w, why);
     case ORR_MSG_TYPE_POLL_NAVDATA: return h->poll_navdata(user, &request->poll_navdata, part, w, why);
     case ORR_MSG_TYPE_POLL_DELAYS: return h->poll_delays(user, &request->poll_delays, part, w, why);
+    case ORR_MSG_TYPE_POLL_CHANNELS: return h->poll_channels(user, &request->poll_channels, part, w, why);
     case ORR_MSG_TYPE_POLL_IMU: return h->poll_imu(user, &request->poll_imu, part, w, why);
     case ORR_MSG_TYPE_POLL_TRUTH: return h->poll_truth(user, &request->poll_truth, part, w, why);
     default: return ORR_MSG_ERROR_CODE_INTERNAL;

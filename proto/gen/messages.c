@@ -19,6 +19,8 @@ const char *orr_msg_type_name(uint16_t type)
     case 11: return "NAVDATA";
     case 12: return "POLL_DELAYS";
     case 13: return "DELAYS";
+    case 14: return "POLL_CHANNELS";
+    case 15: return "CHANNELS";
     case 16: return "POLL_IMU";
     case 17: return "IMU";
     case 18: return "POLL_TRUTH";
@@ -125,6 +127,20 @@ const char *orr_msg_tec_origin_name(uint8_t value)
 bool orr_msg_error_code_closes(uint16_t value)
 {
     return value == 1 || value == 2 || value == 3 || value == 4 || value == 10 || value == 11 || value == 12;
+}
+
+const char *orr_msg_channel_flags_name(unsigned bit)
+{
+    switch (bit) {
+    case 0: return "UNHEALTHY";
+    case 1: return "ECLIPSE";
+    case 2: return "FAST_TURN";
+    case 3: return "NO_ANTENNA";
+    case 4: return "NO_DELAY";
+    case 5: return "ZERO_CLOCK";
+    case 6: return "NOMINAL_CHANNEL";
+    default: return NULL;
+    }
 }
 
 const char *orr_msg_delay_flags_name(unsigned bit)
@@ -768,6 +784,178 @@ static inline void load_sat_delay(const uint8_t *p, orr_msg_sat_delay *m)
     m->sigma_tecu = orr_wire_load_f32(p + 94);
 }
 
+static void put_antenna(orr_wire_writer *w, const orr_msg_antenna *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->antenna);
+    orr_wire_put_bytes(w, m->name, 64);
+    orr_wire_put_bytes(w, m->kind, 20);
+    p = orr_wire_room(w, 24);
+    if (p == NULL) return;
+    orr_wire_store_f64(p + 0, m->pos_m[0]);
+    orr_wire_store_f64(p + 8, m->pos_m[1]);
+    orr_wire_store_f64(p + 16, m->pos_m[2]);
+}
+
+static void get_antenna(orr_wire_reader *r, orr_msg_antenna *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    m->antenna = orr_wire_load_u16(p + 0);
+    m->name = orr_wire_get_bytes(r, 64);
+    m->kind = orr_wire_get_bytes(r, 20);
+    p = orr_wire_take(r, 24);
+    if (p == NULL) return;
+    m->pos_m[0] = orr_wire_load_f64(p + 0);
+    m->pos_m[1] = orr_wire_load_f64(p + 8);
+    m->pos_m[2] = orr_wire_load_f64(p + 16);
+}
+
+static void put_signal(orr_wire_writer *w, const orr_msg_signal *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 3);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->signal);
+    orr_wire_store_u8(p + 2, m->system);
+    orr_wire_put_bytes(w, m->name, 16);
+    orr_wire_put_bytes(w, m->observation, 2);
+    orr_wire_put_bytes(w, m->modulation, 32);
+    orr_wire_put_bytes(w, m->components, 16);
+    p = orr_wire_room(w, 32);
+    if (p == NULL) return;
+    orr_wire_store_f64(p + 0, m->carrier_hz);
+    orr_wire_store_f64(p + 8, m->channel_hz);
+    orr_wire_store_f64(p + 16, m->chips_per_s);
+    orr_wire_store_u64(p + 24, m->chips);
+}
+
+static void get_signal(orr_wire_reader *r, orr_msg_signal *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 3);
+    if (p == NULL) return;
+    m->signal = orr_wire_load_u16(p + 0);
+    m->system = orr_wire_load_u8(p + 2);
+    m->name = orr_wire_get_bytes(r, 16);
+    m->observation = orr_wire_get_bytes(r, 2);
+    m->modulation = orr_wire_get_bytes(r, 32);
+    m->components = orr_wire_get_bytes(r, 16);
+    p = orr_wire_take(r, 32);
+    if (p == NULL) return;
+    m->carrier_hz = orr_wire_load_f64(p + 0);
+    m->channel_hz = orr_wire_load_f64(p + 8);
+    m->chips_per_s = orr_wire_load_f64(p + 16);
+    m->chips = orr_wire_load_u64(p + 24);
+}
+
+static void put_transmitter(orr_wire_writer *w, const orr_msg_transmitter *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    store_sat_id(p + 0, &m->sat);
+    orr_wire_store_i8(p + 2, m->frequency_channel);
+    orr_wire_store_u8(p + 3, m->unhealthy);
+    orr_wire_put_bytes(w, m->svn, 10);
+    orr_wire_put_bytes(w, m->block, 20);
+}
+
+static void get_transmitter(orr_wire_reader *r, orr_msg_transmitter *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    load_sat_id(p + 0, &m->sat);
+    m->frequency_channel = orr_wire_load_i8(p + 2);
+    m->unhealthy = orr_wire_load_u8(p + 3);
+    m->svn = orr_wire_get_bytes(r, 10);
+    m->block = orr_wire_get_bytes(r, 20);
+}
+
+static inline void store_sat_channel(uint8_t *p, const orr_msg_sat_channel *m)
+{
+    store_sat_id(p + 0, &m->sat);
+    orr_wire_store_u16(p + 2, m->signal);
+    orr_wire_store_u32(p + 4, m->flags);
+    orr_wire_store_f64(p + 8, m->az_rad);
+    orr_wire_store_f64(p + 16, m->el_rad);
+    orr_wire_store_f64(p + 24, m->carrier_hz);
+    orr_wire_store_f64(p + 32, m->code[0]);
+    orr_wire_store_f64(p + 40, m->code[1]);
+    orr_wire_store_f64(p + 48, m->code[2]);
+    orr_wire_store_f64(p + 56, m->code[3]);
+    orr_wire_store_i64(p + 64, m->carrier_cycles);
+    orr_wire_store_f64(p + 72, m->carrier[0]);
+    orr_wire_store_f64(p + 80, m->carrier[1]);
+    orr_wire_store_f64(p + 88, m->carrier[2]);
+    orr_wire_store_f64(p + 96, m->carrier[3]);
+    orr_wire_store_i64(p + 104, m->transmit);
+    orr_wire_store_f64(p + 112, m->transmit_fraction_ns);
+    orr_wire_store_f32(p + 120, m->power_dbw);
+}
+
+static inline void load_sat_channel(const uint8_t *p, orr_msg_sat_channel *m)
+{
+    load_sat_id(p + 0, &m->sat);
+    m->signal = orr_wire_load_u16(p + 2);
+    m->flags = orr_wire_load_u32(p + 4);
+    m->az_rad = orr_wire_load_f64(p + 8);
+    m->el_rad = orr_wire_load_f64(p + 16);
+    m->carrier_hz = orr_wire_load_f64(p + 24);
+    m->code[0] = orr_wire_load_f64(p + 32);
+    m->code[1] = orr_wire_load_f64(p + 40);
+    m->code[2] = orr_wire_load_f64(p + 48);
+    m->code[3] = orr_wire_load_f64(p + 56);
+    m->carrier_cycles = orr_wire_load_i64(p + 64);
+    m->carrier[0] = orr_wire_load_f64(p + 72);
+    m->carrier[1] = orr_wire_load_f64(p + 80);
+    m->carrier[2] = orr_wire_load_f64(p + 88);
+    m->carrier[3] = orr_wire_load_f64(p + 96);
+    m->transmit = orr_wire_load_i64(p + 104);
+    m->transmit_fraction_ns = orr_wire_load_f64(p + 112);
+    m->power_dbw = orr_wire_load_f32(p + 120);
+}
+
+static inline void store_channel_terms(uint8_t *p, const orr_msg_channel_terms *m)
+{
+    orr_wire_store_f64(p + 0, m->distance_m);
+    orr_wire_store_f64(p + 8, m->sagnac_m);
+    orr_wire_store_f64(p + 16, m->shapiro_m);
+    orr_wire_store_f64(p + 24, m->satellite_clock_m);
+    orr_wire_store_f64(p + 32, m->relativity_m);
+    orr_wire_store_f64(p + 40, m->group_delay_m);
+    orr_wire_store_f64(p + 48, m->satellite_antenna_m);
+    orr_wire_store_f64(p + 56, m->receiver_antenna_m);
+    orr_wire_store_f64(p + 64, m->troposphere_hydrostatic_m);
+    orr_wire_store_f64(p + 72, m->troposphere_wet_m);
+    orr_wire_store_f64(p + 80, m->ionosphere_m);
+    orr_wire_store_f64(p + 88, m->emission_m);
+    orr_wire_store_f64(p + 96, m->emission_ionosphere_m);
+    orr_wire_store_f64(p + 104, m->wind_up_m);
+}
+
+static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m)
+{
+    m->distance_m = orr_wire_load_f64(p + 0);
+    m->sagnac_m = orr_wire_load_f64(p + 8);
+    m->shapiro_m = orr_wire_load_f64(p + 16);
+    m->satellite_clock_m = orr_wire_load_f64(p + 24);
+    m->relativity_m = orr_wire_load_f64(p + 32);
+    m->group_delay_m = orr_wire_load_f64(p + 40);
+    m->satellite_antenna_m = orr_wire_load_f64(p + 48);
+    m->receiver_antenna_m = orr_wire_load_f64(p + 56);
+    m->troposphere_hydrostatic_m = orr_wire_load_f64(p + 64);
+    m->troposphere_wet_m = orr_wire_load_f64(p + 72);
+    m->ionosphere_m = orr_wire_load_f64(p + 80);
+    m->emission_m = orr_wire_load_f64(p + 88);
+    m->emission_ionosphere_m = orr_wire_load_f64(p + 96);
+    m->wind_up_m = orr_wire_load_f64(p + 104);
+}
+
 static void put_hello(orr_wire_writer *w, const orr_msg_hello *m)
 {
     uint8_t *p;
@@ -879,6 +1067,246 @@ bool orr_msg_inertial_unit_next(const orr_msg_inertial_unit_list *list, orr_wire
     uint16_t size = orr_wire_load_u16(p);
     orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
     get_inertial_unit(&one, out);
+    it->at += (size_t)2 + size;
+    it->index++;
+    return one.status == ORR_WIRE_OK;
+}
+
+static void put_antenna_records(orr_wire_writer *w, const orr_msg_antenna_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    for (uint16_t i = 0; i < list->count; i++) {
+        size_t start = w->size;
+        if (orr_wire_room(w, 2) == NULL) return;
+        put_antenna(w, &list->item[i]);
+        if (w->status != ORR_WIRE_OK) return;
+        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
+    }
+}
+
+orr_wire_status orr_msg_antenna_records_encode(const orr_msg_antenna_list *piece, orr_wire_writer *w)
+{
+    put_antenna_records(w, piece);
+    return w->status;
+}
+
+static void put_antenna_list(orr_wire_writer *w, const orr_msg_antenna_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    put_antenna_records(w, list);
+}
+
+static void get_antenna_list(orr_wire_reader *r, orr_msg_antenna_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    size_t start = r->at;
+    p = r->data + r->at;
+    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail
+        const uint8_t *q = orr_wire_take(r, 2);
+        if (q == NULL) return;
+        uint16_t size = orr_wire_load_u16(q);
+        q = orr_wire_take(r, size);
+        if (q == NULL) return;
+        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};
+        orr_msg_antenna record;
+        memset(&record, 0, sizeof record);
+        get_antenna(&one, &record);
+        if (one.status != ORR_WIRE_OK) {
+            r->status = one.status;
+            return;
+        }
+    }
+    list->wire.size = r->at - start;
+    list->wire.stride = 0;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_antenna_next(const orr_msg_antenna_list *list, orr_wire_iter *it, orr_msg_antenna *out)
+{
+    if (it->index >= list->count) return false;
+    memset(out, 0, sizeof *out);
+    if (list->item != NULL) {
+        *out = list->item[it->index++];
+        return true;
+    }
+    const uint8_t *p = list->wire.data + it->at;
+    uint16_t size = orr_wire_load_u16(p);
+    orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
+    get_antenna(&one, out);
+    it->at += (size_t)2 + size;
+    it->index++;
+    return one.status == ORR_WIRE_OK;
+}
+
+static void put_signal_records(orr_wire_writer *w, const orr_msg_signal_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    for (uint16_t i = 0; i < list->count; i++) {
+        size_t start = w->size;
+        if (orr_wire_room(w, 2) == NULL) return;
+        put_signal(w, &list->item[i]);
+        if (w->status != ORR_WIRE_OK) return;
+        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
+    }
+}
+
+orr_wire_status orr_msg_signal_records_encode(const orr_msg_signal_list *piece, orr_wire_writer *w)
+{
+    put_signal_records(w, piece);
+    return w->status;
+}
+
+static void put_signal_list(orr_wire_writer *w, const orr_msg_signal_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    put_signal_records(w, list);
+}
+
+static void get_signal_list(orr_wire_reader *r, orr_msg_signal_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    size_t start = r->at;
+    p = r->data + r->at;
+    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail
+        const uint8_t *q = orr_wire_take(r, 2);
+        if (q == NULL) return;
+        uint16_t size = orr_wire_load_u16(q);
+        q = orr_wire_take(r, size);
+        if (q == NULL) return;
+        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};
+        orr_msg_signal record;
+        memset(&record, 0, sizeof record);
+        get_signal(&one, &record);
+        if (one.status != ORR_WIRE_OK) {
+            r->status = one.status;
+            return;
+        }
+    }
+    list->wire.size = r->at - start;
+    list->wire.stride = 0;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_signal_next(const orr_msg_signal_list *list, orr_wire_iter *it, orr_msg_signal *out)
+{
+    if (it->index >= list->count) return false;
+    memset(out, 0, sizeof *out);
+    if (list->item != NULL) {
+        *out = list->item[it->index++];
+        return true;
+    }
+    const uint8_t *p = list->wire.data + it->at;
+    uint16_t size = orr_wire_load_u16(p);
+    orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
+    get_signal(&one, out);
+    it->at += (size_t)2 + size;
+    it->index++;
+    return one.status == ORR_WIRE_OK;
+}
+
+static void put_transmitter_records(orr_wire_writer *w, const orr_msg_transmitter_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    for (uint16_t i = 0; i < list->count; i++) {
+        size_t start = w->size;
+        if (orr_wire_room(w, 2) == NULL) return;
+        put_transmitter(w, &list->item[i]);
+        if (w->status != ORR_WIRE_OK) return;
+        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
+    }
+}
+
+orr_wire_status orr_msg_transmitter_records_encode(const orr_msg_transmitter_list *piece, orr_wire_writer *w)
+{
+    put_transmitter_records(w, piece);
+    return w->status;
+}
+
+static void put_transmitter_list(orr_wire_writer *w, const orr_msg_transmitter_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    put_transmitter_records(w, list);
+}
+
+static void get_transmitter_list(orr_wire_reader *r, orr_msg_transmitter_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    size_t start = r->at;
+    p = r->data + r->at;
+    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail
+        const uint8_t *q = orr_wire_take(r, 2);
+        if (q == NULL) return;
+        uint16_t size = orr_wire_load_u16(q);
+        q = orr_wire_take(r, size);
+        if (q == NULL) return;
+        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};
+        orr_msg_transmitter record;
+        memset(&record, 0, sizeof record);
+        get_transmitter(&one, &record);
+        if (one.status != ORR_WIRE_OK) {
+            r->status = one.status;
+            return;
+        }
+    }
+    list->wire.size = r->at - start;
+    list->wire.stride = 0;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_transmitter_next(const orr_msg_transmitter_list *list, orr_wire_iter *it, orr_msg_transmitter *out)
+{
+    if (it->index >= list->count) return false;
+    memset(out, 0, sizeof *out);
+    if (list->item != NULL) {
+        *out = list->item[it->index++];
+        return true;
+    }
+    const uint8_t *p = list->wire.data + it->at;
+    uint16_t size = orr_wire_load_u16(p);
+    orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
+    get_transmitter(&one, out);
     it->at += (size_t)2 + size;
     it->index++;
     return one.status == ORR_WIRE_OK;
@@ -1045,6 +1473,9 @@ static void put_caps(orr_wire_writer *w, const orr_msg_caps *m)
     orr_wire_store_f64(p + 32, m->receiver_m[2]);
     orr_wire_store_f64(p + 40, m->imu_rate_hz);
     put_inertial_unit_list(w, &m->units, 64);
+    put_antenna_list(w, &m->antennas, 16);
+    put_signal_list(w, &m->signals, 64);
+    put_transmitter_list(w, &m->transmitters, 800);
     put_served_request_list(w, &m->requests, 64);
     put_sat_id_list(w, &m->satellites, 800);
 }
@@ -1074,6 +1505,9 @@ static void get_caps(orr_wire_reader *r, orr_msg_caps *m)
     m->receiver_m[2] = orr_wire_load_f64(p + 32);
     m->imu_rate_hz = orr_wire_load_f64(p + 40);
     get_inertial_unit_list(r, &m->units, 64);
+    get_antenna_list(r, &m->antennas, 16);
+    get_signal_list(r, &m->signals, 64);
+    get_transmitter_list(r, &m->transmitters, 800);
     get_served_request_list(r, &m->requests, 64);
     get_sat_id_list(r, &m->satellites, 800);
 }
@@ -1809,6 +2243,296 @@ orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_m
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_delays(&r, m);
+    return r.status;
+}
+
+static void put_u16_records(orr_wire_writer *w, const orr_msg_u16_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 2 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) orr_wire_store_u16(p + 2 * (size_t)i, list->item[i]);
+}
+
+static void put_u16_list(orr_wire_writer *w, const orr_msg_u16_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 2 : list->wire.stride);
+    put_u16_records(w, list);
+}
+
+static void get_u16_list(orr_wire_reader *r, orr_msg_u16_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
+    if (count > 0 && stride < 2) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_u16_next(const orr_msg_u16_list *list, orr_wire_iter *it, uint16_t *out)
+{
+    return orr_msg_u16_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_u16_at(const orr_msg_u16_list *list, uint16_t index, uint16_t *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    *out = orr_wire_load_u16(p);
+    return true;
+}
+
+static void put_poll_channels(orr_wire_writer *w, const orr_msg_poll_channels *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 24);
+    if (p == NULL) return;
+    store_epochs(p + 0, &m->epochs);
+    orr_wire_store_u16(p + 20, m->antenna);
+    orr_wire_store_u8(p + 22, m->terms);
+    orr_wire_store_u8(p + 23, m->reserved);
+    put_u16_list(w, &m->signals, 64);
+}
+
+static void get_poll_channels(orr_wire_reader *r, orr_msg_poll_channels *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 24);
+    if (p == NULL) return;
+    load_epochs(p + 0, &m->epochs);
+    m->antenna = orr_wire_load_u16(p + 20);
+    m->terms = orr_wire_load_u8(p + 22);
+    m->reserved = orr_wire_load_u8(p + 23);
+    get_u16_list(r, &m->signals, 64);
+}
+
+orr_wire_status orr_msg_poll_channels_encode(const orr_msg_poll_channels *m, orr_wire_writer *w)
+{
+    put_poll_channels(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_channels_decode(const uint8_t *payload, size_t size, orr_msg_poll_channels *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll_channels(&r, m);
+    return r.status;
+}
+
+static void put_sat_channel_records(orr_wire_writer *w, const orr_msg_sat_channel_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 124 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_sat_channel(p + 124 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_sat_channel_records_encode(const orr_msg_sat_channel_list *piece, orr_wire_writer *w)
+{
+    put_sat_channel_records(w, piece);
+    return w->status;
+}
+
+static void put_sat_channel_list(orr_wire_writer *w, const orr_msg_sat_channel_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 124 : list->wire.stride);
+    put_sat_channel_records(w, list);
+}
+
+static void get_sat_channel_list(orr_wire_reader *r, orr_msg_sat_channel_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
+    if (count > 0 && stride < 124) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_sat_channel_next(const orr_msg_sat_channel_list *list, orr_wire_iter *it, orr_msg_sat_channel *out)
+{
+    return orr_msg_sat_channel_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_sat_channel_at(const orr_msg_sat_channel_list *list, uint16_t index, orr_msg_sat_channel *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_sat_channel(p, out);
+    return true;
+}
+
+static void put_channel_terms_records(orr_wire_writer *w, const orr_msg_channel_terms_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 112 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_channel_terms(p + 112 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_channel_terms_records_encode(const orr_msg_channel_terms_list *piece, orr_wire_writer *w)
+{
+    put_channel_terms_records(w, piece);
+    return w->status;
+}
+
+static void put_channel_terms_list(orr_wire_writer *w, const orr_msg_channel_terms_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 112 : list->wire.stride);
+    put_channel_terms_records(w, list);
+}
+
+static void get_channel_terms_list(orr_wire_reader *r, orr_msg_channel_terms_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
+    if (count > 0 && stride < 112) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_channel_terms_next(const orr_msg_channel_terms_list *list, orr_wire_iter *it, orr_msg_channel_terms *out)
+{
+    return orr_msg_channel_terms_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_channel_terms_at(const orr_msg_channel_terms_list *list, uint16_t index, orr_msg_channel_terms *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_channel_terms(p, out);
+    return true;
+}
+
+static void put_channels(orr_wire_writer *w, const orr_msg_channels *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 91);
+    if (p == NULL) return;
+    store_epoch(p + 0, &m->epoch);
+    orr_wire_store_u16(p + 17, m->antenna);
+    orr_wire_store_i64(p + 19, m->block);
+    orr_wire_store_i64(p + 27, m->length);
+    orr_wire_store_f64(p + 35, m->error_m);
+    orr_wire_store_f64(p + 43, m->pos_m[0]);
+    orr_wire_store_f64(p + 51, m->pos_m[1]);
+    orr_wire_store_f64(p + 59, m->pos_m[2]);
+    orr_wire_store_f64(p + 67, m->vel_mps[0]);
+    orr_wire_store_f64(p + 75, m->vel_mps[1]);
+    orr_wire_store_f64(p + 83, m->vel_mps[2]);
+    put_sat_channel_list(w, &m->channels, 4096);
+    put_channel_terms_list(w, &m->terms, 4096);
+}
+
+static void get_channels(orr_wire_reader *r, orr_msg_channels *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 91);
+    if (p == NULL) return;
+    load_epoch(p + 0, &m->epoch);
+    m->antenna = orr_wire_load_u16(p + 17);
+    m->block = orr_wire_load_i64(p + 19);
+    m->length = orr_wire_load_i64(p + 27);
+    m->error_m = orr_wire_load_f64(p + 35);
+    m->pos_m[0] = orr_wire_load_f64(p + 43);
+    m->pos_m[1] = orr_wire_load_f64(p + 51);
+    m->pos_m[2] = orr_wire_load_f64(p + 59);
+    m->vel_mps[0] = orr_wire_load_f64(p + 67);
+    m->vel_mps[1] = orr_wire_load_f64(p + 75);
+    m->vel_mps[2] = orr_wire_load_f64(p + 83);
+    get_sat_channel_list(r, &m->channels, 4096);
+    get_channel_terms_list(r, &m->terms, 4096);
+}
+
+orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w)
+{
+    put_channels(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_channels(&r, m);
     return r.status;
 }
 

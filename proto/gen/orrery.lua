@@ -60,6 +60,15 @@ enums.tec_origin = {
   [2] = "TRANSFERRED",
   [3] = "NOISE",
 }
+bitsets.channel_flags = {
+  {name = "UNHEALTHY", bit = 0},
+  {name = "ECLIPSE", bit = 1},
+  {name = "FAST_TURN", bit = 2},
+  {name = "NO_ANTENNA", bit = 3},
+  {name = "NO_DELAY", bit = 4},
+  {name = "ZERO_CLOCK", bit = 5},
+  {name = "NOMINAL_CHANNEL", bit = 6},
+}
 bitsets.delay_flags = {
   {name = "CLIPPED", bit = 0},
 }
@@ -219,6 +228,61 @@ records.sat_delay = {size = 98, smallest = 98, fields = {
     {name = "delay_m", kind = "array", scalar = "f64", length = 4, unit = "m"},
     {name = "sigma_tecu", kind = "scalar", scalar = "f32", unit = "TECU"},
 }}
+records.antenna = {fields = {
+    {name = "antenna", kind = "scalar", scalar = "u16"},
+    {name = "name", kind = "string", limit = 64},
+    {name = "kind", kind = "string", limit = 20},
+    {name = "pos_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+}}
+records.signal = {fields = {
+    {name = "signal", kind = "scalar", scalar = "u16"},
+    {name = "system", kind = "scalar", scalar = "u8", show = "char"},
+    {name = "name", kind = "string", limit = 16},
+    {name = "observation", kind = "string", limit = 2},
+    {name = "modulation", kind = "string", limit = 32},
+    {name = "components", kind = "string", limit = 16},
+    {name = "carrier_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
+    {name = "channel_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
+    {name = "chips_per_s", kind = "scalar", scalar = "f64", unit = "chip/s"},
+    {name = "chips", kind = "scalar", scalar = "u64"},
+}}
+records.transmitter = {fields = {
+    {name = "sat", kind = "struct", record = "sat_id"},
+    {name = "frequency_channel", kind = "scalar", scalar = "i8"},
+    {name = "unhealthy", kind = "scalar", scalar = "u8"},
+    {name = "svn", kind = "string", limit = 10},
+    {name = "block", kind = "string", limit = 20},
+}}
+records.sat_channel = {size = 124, smallest = 124, fields = {
+    {name = "sat", kind = "struct", record = "sat_id"},
+    {name = "signal", kind = "scalar", scalar = "u16"},
+    {name = "flags", kind = "scalar", scalar = "u32", bits = "channel_flags"},
+    {name = "az_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "el_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "carrier_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
+    {name = "code", kind = "array", scalar = "f64", length = 4, unit = "m/s^k"},
+    {name = "carrier_cycles", kind = "scalar", scalar = "i64", unit = "cycle"},
+    {name = "carrier", kind = "array", scalar = "f64", length = 4, unit = "cycle/s^k"},
+    {name = "transmit", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "transmit_fraction_ns", kind = "scalar", scalar = "f64", unit = "ns"},
+    {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
+}}
+records.channel_terms = {size = 112, smallest = 112, fields = {
+    {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "satellite_clock_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "relativity_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "group_delay_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "satellite_antenna_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "receiver_antenna_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "troposphere_hydrostatic_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "troposphere_wet_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "emission_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "emission_ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "wind_up_m", kind = "scalar", scalar = "f64", unit = "m"},
+}}
 records.hello = {fields = {
     {name = "major_min", kind = "scalar", scalar = "u8"},
     {name = "major_max", kind = "scalar", scalar = "u8"},
@@ -242,6 +306,9 @@ records.caps = {fields = {
     {name = "receiver_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
     {name = "imu_rate_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
     {name = "units", kind = "list", record = "inertial_unit", limit = 64},
+    {name = "antennas", kind = "list", record = "antenna", limit = 16},
+    {name = "signals", kind = "list", record = "signal", limit = 64},
+    {name = "transmitters", kind = "list", record = "transmitter", limit = 800},
     {name = "requests", kind = "list", record = "served_request", limit = 64},
     {name = "satellites", kind = "list", record = "sat_id", limit = 800},
 }}
@@ -296,6 +363,24 @@ records.delays = {fields = {
     {name = "carriers_hz", kind = "list", scalar = "f64", limit = 4, unit = "Hz"},
     {name = "satellites", kind = "list", record = "sat_delay", limit = 800},
 }}
+records.poll_channels = {fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+    {name = "antenna", kind = "scalar", scalar = "u16"},
+    {name = "terms", kind = "scalar", scalar = "u8"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "signals", kind = "list", scalar = "u16", limit = 64},
+}}
+records.channels = {fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "antenna", kind = "scalar", scalar = "u16"},
+    {name = "block", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "length", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "error_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "pos_m", kind = "array", scalar = "f64", length = 3, show = "place", unit = "m"},
+    {name = "vel_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
+    {name = "channels", kind = "list", record = "sat_channel", limit = 4096},
+    {name = "terms", kind = "list", record = "channel_terms", limit = 4096},
+}}
 records.poll_imu = {size = 22, smallest = 22, fields = {
     {name = "epochs", kind = "struct", record = "epochs"},
     {name = "unit", kind = "scalar", scalar = "u16"},
@@ -341,6 +426,8 @@ local messages = {
   [11] = {name = "NAVDATA", record = "navdata", from = "server"},
   [12] = {name = "POLL_DELAYS", record = "poll_delays", from = "client", answer = "DELAYS"},
   [13] = {name = "DELAYS", record = "delays", from = "server"},
+  [14] = {name = "POLL_CHANNELS", record = "poll_channels", from = "client", answer = "CHANNELS"},
+  [15] = {name = "CHANNELS", record = "channels", from = "server"},
   [16] = {name = "POLL_IMU", record = "poll_imu", from = "client", answer = "IMU"},
   [17] = {name = "IMU", record = "imu", from = "server"},
   [18] = {name = "POLL_TRUTH", record = "poll_truth", from = "client", answer = "TRUTH"},

@@ -67,6 +67,16 @@ orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays 
     return orr_client_send(c, &w, start);
 }
 
+orr_wire_status orr_client_poll_channels(orr_client *c, const orr_msg_poll_channels *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_CHANNELS, &w, &start);
+    orr_msg_poll_channels_encode(request, &w);
+    orr_client_expect(c, request->epochs.count);
+    return orr_client_send(c, &w, start);
+}
+
 orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *request)
 {
     orr_wire_writer w;
@@ -116,6 +126,14 @@ orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *answer)
     orr_frame f;
     orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_DELAYS, &f);
     if (s == ORR_WIRE_OK) s = orr_msg_delays_decode(f.payload, f.size, answer);
+    return s == ORR_WIRE_OK ? orr_client_epoch(c, answer->epoch.index, answer->epoch.count) : s;
+}
+
+orr_wire_status orr_client_channels(orr_client *c, orr_msg_channels *answer)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_CHANNELS, &f);
+    if (s == ORR_WIRE_OK) s = orr_msg_channels_decode(f.payload, f.size, answer);
     return s == ORR_WIRE_OK ? orr_client_epoch(c, answer->epoch.index, answer->epoch.count) : s;
 }
 

@@ -25,6 +25,9 @@ orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdat
 // Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
 // Then call orr_client_delays request->epochs.count times.
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *request);
+// Asks for the blocks of an antenna's channels that hold the epochs. The same POLL_CHANNELS gets the same bytes, always.
+// Then call orr_client_channels request->epochs.count times.
+orr_wire_status orr_client_poll_channels(orr_client *c, const orr_msg_poll_channels *request);
 // Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
 // Then call orr_client_imu request->epochs.count times.
 orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *request);
@@ -40,6 +43,8 @@ orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *answer);
 orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *answer);
 // Ionospheric delays at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *answer);
+// The block of an antenna's channels that holds one epoch. Neighbouring blocks join in value and rate. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_channels(orr_client *c, orr_msg_channels *answer);
 // Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *answer);
 // True motion and gravity at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.

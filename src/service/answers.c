@@ -88,6 +88,8 @@ static const orr_msg_handlers handlers = {
     .poll_navdata = orr_answers_navdata,
     .begin_poll_delays = orr_answers_begin_delays,
     .poll_delays = orr_answers_delays,
+    .begin_poll_channels = orr_answers_begin_channels,
+    .poll_channels = orr_answers_channels,
     .begin_poll_imu = orr_answers_begin_imu,
     .poll_imu = orr_answers_imu,
     .begin_poll_truth = orr_answers_begin_truth,
@@ -108,9 +110,18 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
     a->n_ids = (uint16_t)n;
     for (size_t i = 0; i < n; i++) a->id[i] = orr_answers_sat_id(sats[i]);
     a->server = (orr_server){&handlers, orr_answers_caps, orr_answers_served, a};
+    orr_status s = orr_answers_channels_open(orr_engine_channels(engine), &a->channels, diag);
+    if (s != ORR_OK) {
+        free(a);
+        return s;
+    }
     *out = a;
     return ORR_OK;
 }
 
 const orr_server *orr_answers_server(const orr_answers *a) { return &a->server; }
-void orr_answers_close(orr_answers *a) { free(a); }
+void orr_answers_close(orr_answers *a)
+{
+    if (a != NULL) orr_answers_channels_close(&a->channels);
+    free(a);
+}

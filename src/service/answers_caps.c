@@ -73,6 +73,7 @@ void orr_answers_caps(void *user, orr_msg_caps *caps)
     bool imu = orr_answers_served(a, ORR_MSG_TYPE_POLL_IMU, &span);
     caps->imu_rate_hz = imu ? orr_engine_imu_rate(e) : ORR_NAN;
     fill_units(a, caps);
+    orr_answers_channels_caps(orr_engine_channels(e), &a->channels, caps);
     caps->satellites.count = a->n_ids;
     caps->satellites.item = a->id;
 }
@@ -114,6 +115,8 @@ bool orr_answers_served(void *user, uint16_t request, orr_msg_span *span)
         return span_of(a->engine, ORR_PART_NAVDATA, span);
     case ORR_MSG_TYPE_POLL_DELAYS:
         return delays_span(a->engine, span);
+    case ORR_MSG_TYPE_POLL_CHANNELS:
+        return span_of(a->engine, ORR_PART_CHANNELS, span);
     case ORR_MSG_TYPE_POLL_IMU:
         return span_of(a->engine, ORR_PART_MOTION, span) && orr_engine_imu_physical(a->engine);
     case ORR_MSG_TYPE_POLL_TRUTH:

@@ -5,6 +5,7 @@
 #define ORR_SERVICE_ANSWERS_PRIVATE_H
 
 #include "src/service/answers.h"
+#include "src/service/answers_channels.h"
 
 struct orr_answers {
     const orr_engine *engine;
@@ -13,6 +14,7 @@ struct orr_answers {
     const orr_sat *all;                        // the same
     uint16_t n_ids;
     orr_msg_inertial_unit unit[ORR_MSG_MAX_UNITS];
+    orr_answers_channels_room channels;
     // Room for one epoch; the loop is one thread's, so one room is enough.
     orr_sat sat[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_id asked[ORR_MSG_MAX_SATELLITES];

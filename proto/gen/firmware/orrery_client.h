@@ -293,6 +293,9 @@ uint32_t orr_crc32(uint32_t crc, const uint8_t *data, size_t n);
 #define ORR_MSG_MAX_EPOCHS 86400u // epochs one POLL may ask for (a day at 1 Hz)
 #define ORR_MSG_MAX_PAGES 15u // subframes or strings in one frame of a navigation message
 #define ORR_MSG_MAX_UNITS 64u // inertial units in one list
+#define ORR_MSG_MAX_CHANNELS 4096u // channels of one antenna in one list
+#define ORR_MSG_MAX_ANTENNAS 16u // antennas in one list
+#define ORR_MSG_MAX_SIGNALS 64u // signals in one list
 #define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
 
 enum { // message types
@@ -309,6 +312,8 @@ enum { // message types
     ORR_MSG_TYPE_NAVDATA = 11,
     ORR_MSG_TYPE_POLL_DELAYS = 12,
     ORR_MSG_TYPE_DELAYS = 13,
+    ORR_MSG_TYPE_POLL_CHANNELS = 14,
+    ORR_MSG_TYPE_CHANNELS = 15,
     ORR_MSG_TYPE_POLL_IMU = 16,
     ORR_MSG_TYPE_IMU = 17,
     ORR_MSG_TYPE_POLL_TRUTH = 18,
@@ -378,6 +383,15 @@ enum { // tec_origin (u8): What a delay came from.
     ORR_MSG_TEC_ORIGIN_NOISE = 3, // the field, corrected, what neighbouring rays tell, and seeded noise: the station did not see the satellite
 };
 
+// channel_flags (u32): What should be known of a channel.
+#define ORR_MSG_CHANNEL_FLAGS_UNHEALTHY ((uint32_t)(UINT64_C(1) << 0)) // the scenario marks the satellite as not to be used
+#define ORR_MSG_CHANNEL_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 1)) // the satellite is in the umbra or penumbra of the Earth
+#define ORR_MSG_CHANNEL_FLAGS_FAST_TURN ((uint32_t)(UINT64_C(1) << 2)) // near noon or midnight, where true satellites turn slower than the nominal attitude that is used
+#define ORR_MSG_CHANNEL_FLAGS_NO_ANTENNA ((uint32_t)(UINT64_C(1) << 3)) // the scenario's ANTEX file does not know the satellite: its centre of mass sends
+#define ORR_MSG_CHANNEL_FLAGS_NO_DELAY ((uint32_t)(UINT64_C(1) << 4)) // the scenario's biases do not tell this signal's group delay: zero is taken
+#define ORR_MSG_CHANNEL_FLAGS_ZERO_CLOCK ((uint32_t)(UINT64_C(1) << 5)) // the orbits have no clock of the satellite: zero is taken (channel.clock_holes)
+#define ORR_MSG_CHANNEL_FLAGS_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 6)) // GLONASS: the frequency channel is the nominal one of the slot
+
 // delay_flags (u8): What holds for a delay.
 #define ORR_MSG_DELAY_FLAGS_CLIPPED ((uint8_t)(UINT64_C(1) << 0)) // the content came out negative and is given as 0
 
@@ -408,6 +422,7 @@ const char *orr_msg_elements_method_name(uint8_t value);
 const char *orr_msg_orbit_point_name(uint8_t value);
 const char *orr_msg_receiver_source_name(uint8_t value);
 const char *orr_msg_tec_origin_name(uint8_t value);
+const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
 const char *orr_msg_nav_notes_name(unsigned bit);
@@ -415,7 +430,7 @@ const char *orr_msg_nav_notes_name(unsigned bit);
 bool orr_msg_error_code_closes(uint16_t value);
 
 // Bytes of the largest payload of all messages.
-#define ORR_MSG_LARGEST 924819u
+#define ORR_MSG_LARGEST 966755u
 
 // A satellite as IGS files name it.
 typedef struct orr_msg_sat_id {
@@ -736,6 +751,140 @@ bool orr_msg_sat_delay_next(const orr_msg_sat_delay_list *list, orr_wire_iter *i
 orr_wire_status orr_msg_sat_delay_records_encode(const orr_msg_sat_delay_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_delay_at(const orr_msg_sat_delay_list *list, uint16_t index, orr_msg_sat_delay *out);   // false beyond the end
 
+// An antenna that receives the scenario's signals.
+typedef struct orr_msg_antenna {
+    uint16_t antenna; // its number in POLL_CHANNELS
+    orr_wire_bytes name; // its name in the scenario
+    orr_wire_bytes kind; // antenna and radome as ANTEX files write them; empty where the phase centre is the reference point
+    double pos_m[3]; // reference point of a fixed antenna (ecef); NAN where it moves
+} orr_msg_antenna;
+#define ORR_MSG_ANTENNA_LARGEST 114u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_antenna_next.
+typedef struct orr_msg_antenna_list {
+    uint16_t count;
+    const orr_msg_antenna *item;
+    orr_wire_records wire;
+} orr_msg_antenna_list;
+bool orr_msg_antenna_next(const orr_msg_antenna_list *list, orr_wire_iter *it, orr_msg_antenna *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
+orr_wire_status orr_msg_antenna_records_encode(const orr_msg_antenna_list *piece, orr_wire_writer *w);
+
+// A signal that the scenario's satellites send - one carrier with all its components.
+typedef struct orr_msg_signal {
+    uint16_t signal; // its number in POLL_CHANNELS and CHANNELS
+    uint8_t system; // letter of the system
+    orr_wire_bytes name; // its name, e.g. L1CA
+    orr_wire_bytes observation; // RINEX 3 band and attribute, e.g. 1C
+    orr_wire_bytes modulation; // e.g. BPSK(1)
+    orr_wire_bytes components; // divided by blanks, e.g. I Q
+    double carrier_hz; // [Hz] carrier; of GLONASS' FDMA signals that of channel 0
+    double channel_hz; // [Hz] step of a GLONASS frequency channel; 0 for others
+    double chips_per_s; // [chip/s] rate of the ranging code
+    uint64_t chips; // length of one period of the primary code
+} orr_msg_signal;
+#define ORR_MSG_SIGNAL_LARGEST 109u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_signal_next.
+typedef struct orr_msg_signal_list {
+    uint16_t count;
+    const orr_msg_signal *item;
+    orr_wire_records wire;
+} orr_msg_signal_list;
+bool orr_msg_signal_next(const orr_msg_signal_list *list, orr_wire_iter *it, orr_msg_signal *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
+orr_wire_status orr_msg_signal_records_encode(const orr_msg_signal_list *piece, orr_wire_writer *w);
+
+// A satellite that sends.
+typedef struct orr_msg_transmitter {
+    orr_msg_sat_id sat; // which satellite
+    int8_t frequency_channel; // GLONASS: -7 to 6; 0 for others
+    uint8_t unhealthy; // 1 where the scenario marks it as not to be used, else 0
+    orr_wire_bytes svn; // space vehicle as ANTEX names it, e.g. G063; empty without ANTEX
+    orr_wire_bytes block; // type of the satellite as ANTEX names it, e.g. BLOCK IIF; empty without ANTEX
+} orr_msg_transmitter;
+#define ORR_MSG_TRANSMITTER_LARGEST 38u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_transmitter_next.
+typedef struct orr_msg_transmitter_list {
+    uint16_t count;
+    const orr_msg_transmitter *item;
+    orr_wire_records wire;
+} orr_msg_transmitter_list;
+bool orr_msg_transmitter_next(const orr_msg_transmitter_list *list, orr_wire_iter *it, orr_msg_transmitter *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
+orr_wire_status orr_msg_transmitter_records_encode(const orr_msg_transmitter_list *piece, orr_wire_writer *w);
+
+// One channel over the block of its message; with s the seconds since the block's begin, code and carrier are the cubics c[0] + c[1] s + c[2] s^2 + c[3] s^3. The receiver's clock is perfect.
+typedef struct orr_msg_sat_channel {
+    orr_msg_sat_id sat; // which satellite
+    uint16_t signal; // which signal, its number in CAPS
+    uint32_t flags; // what should be known of it
+    double az_rad; // azimuth of the satellite at the block's begin, clockwise from North
+    double el_rad; // its elevation above the ellipsoidal horizon
+    double carrier_hz; // [Hz] carrier
+    double code[4]; // [m/s^k] cubic of the pseudorange
+    int64_t carrier_cycles; // whole cycles of the carrier's phase range at the block's begin; an integer that stays while the satellite is in view is part of it
+    double carrier[4]; // [cycle/s^k] cubic of the phase range, less carrier_cycles; the Doppler frequency is -carrier[1] at the begin, positive while approaching
+    int64_t transmit; // reading of the satellite's clock when the code at the block's begin was sent: whole nanoseconds, the scale's whole seconds against GPS not taken off
+    double transmit_fraction_ns; // and the rest, 0 to 1
+    float power_dbw; // [dBW] received by an antenna of 0 dBi
+} orr_msg_sat_channel;
+#define ORR_MSG_SAT_CHANNEL_SIZE 124u
+#define ORR_MSG_SAT_CHANNEL_LARGEST 124u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_sat_channel_next or orr_msg_sat_channel_at.
+typedef struct orr_msg_sat_channel_list {
+    uint16_t count;
+    const orr_msg_sat_channel *item;
+    orr_wire_records wire;
+} orr_msg_sat_channel_list;
+bool orr_msg_sat_channel_next(const orr_msg_sat_channel_list *list, orr_wire_iter *it, orr_msg_sat_channel *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_SAT_CHANNEL_SIZE), then these.
+orr_wire_status orr_msg_sat_channel_records_encode(const orr_msg_sat_channel_list *piece, orr_wire_writer *w);
+bool orr_msg_sat_channel_at(const orr_msg_sat_channel_list *list, uint16_t index, orr_msg_sat_channel *out);   // false beyond the end
+
+// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up joins and group_delay does not.
+typedef struct orr_msg_channel_terms {
+    double distance_m; // antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
+    double sagnac_m; // rotation of the Earth during the flight
+    double shapiro_m; // relativistic delay in the Earth's field
+    double satellite_clock_m; // minus c times the satellite's clock offset
+    double relativity_m; // minus c times the periodic relativity of that clock
+    double group_delay_m; // c times the signal's group delay against the clock's pair
+    double satellite_antenna_m; // phase centre of the satellite's antenna: offset and variation
+    double receiver_antenna_m; // likewise of the receiver's
+    double troposphere_hydrostatic_m; // hydrostatic delay
+    double troposphere_wet_m; // wet delay
+    double ionosphere_m; // first order, of the code
+    double emission_m; // the satellite's motion while the signal is delayed, without the ionosphere's part
+    double emission_ionosphere_m; // the ionosphere's part
+    double wind_up_m; // turns of satellite and antenna, times the wavelength: of the carrier alone
+} orr_msg_channel_terms;
+#define ORR_MSG_CHANNEL_TERMS_SIZE 112u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 112u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
+typedef struct orr_msg_channel_terms_list {
+    uint16_t count;
+    const orr_msg_channel_terms *item;
+    orr_wire_records wire;
+} orr_msg_channel_terms_list;
+bool orr_msg_channel_terms_next(const orr_msg_channel_terms_list *list, orr_wire_iter *it, orr_msg_channel_terms *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_CHANNEL_TERMS_SIZE), then these.
+orr_wire_status orr_msg_channel_terms_records_encode(const orr_msg_channel_terms_list *piece, orr_wire_writer *w);
+bool orr_msg_channel_terms_at(const orr_msg_channel_terms_list *list, uint16_t index, orr_msg_channel_terms *out);   // false beyond the end
+
 // Encoding appends the payload to the writer and returns its status. Decoding reads a payload; strings, blobs
 // and lists borrow its bytes; bytes after the last known field are of a later minor version and are ignored.
 
@@ -769,10 +918,13 @@ typedef struct orr_msg_caps {
     double receiver_m[3]; // where it is (ecef); NAN with NONE and TRAJECTORY
     double imu_rate_hz; // [Hz] readings a second where POLL_IMU has step 0; NAN where POLL_IMU is not answered
     orr_msg_inertial_unit_list units; // inertial units; none without a trajectory
+    orr_msg_antenna_list antennas; // antennas that receive; none where no signals are sent
+    orr_msg_signal_list signals; // signals that are sent
+    orr_msg_transmitter_list transmitters; // satellites that send them
     orr_msg_served_request_list requests; // what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
     orr_msg_sat_id_list satellites; // served satellites, in the order in which STATES lists them
 } orr_msg_caps;
-#define ORR_MSG_CAPS_LARGEST 10812u
+#define ORR_MSG_CAPS_LARGEST 51778u
 
 orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w);
 orr_wire_status orr_msg_caps_decode(const uint8_t *payload, size_t size, orr_msg_caps *m);
@@ -906,6 +1058,46 @@ typedef struct orr_msg_delays {
 orr_wire_status orr_msg_delays_encode(const orr_msg_delays *m, orr_wire_writer *w);
 orr_wire_status orr_msg_delays_decode(const uint8_t *payload, size_t size, orr_msg_delays *m);
 
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_u16_next or orr_msg_u16_at.
+typedef struct orr_msg_u16_list {
+    uint16_t count;
+    const uint16_t *item;
+    orr_wire_records wire;
+} orr_msg_u16_list;
+bool orr_msg_u16_next(const orr_msg_u16_list *list, orr_wire_iter *it, uint16_t *out); // false at the end
+bool orr_msg_u16_at(const orr_msg_u16_list *list, uint16_t index, uint16_t *out);   // false beyond the end
+
+// Asks for the blocks of an antenna's channels that hold the epochs. The same POLL_CHANNELS gets the same bytes, always.
+typedef struct orr_msg_poll_channels {
+    orr_msg_epochs epochs; // when
+    uint16_t antenna; // which antenna of CAPS
+    uint8_t terms; // 1: with what each code is the sum of; 0: without
+    uint8_t reserved; // 0
+    orr_msg_u16_list signals; // which signals of CAPS; empty for all
+} orr_msg_poll_channels;
+#define ORR_MSG_POLL_CHANNELS_LARGEST 156u
+
+orr_wire_status orr_msg_poll_channels_encode(const orr_msg_poll_channels *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_channels_decode(const uint8_t *payload, size_t size, orr_msg_poll_channels *m);
+
+// The block of an antenna's channels that holds one epoch. Neighbouring blocks join in value and rate.
+typedef struct orr_msg_channels {
+    orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no channels
+    uint16_t antenna; // the antenna asked for
+    int64_t block; // [ns] begin of the block, a multiple of its length; -2^63 unless OK
+    int64_t length; // [ns] its length, at least 1 ms and at most 1 s
+    double error_m; // greatest error of cubics against the antenna's motion that was found in these 10 s; above channel.error_m where even 1 ms does not hold it
+    double pos_m[3]; // antenna reference point at the block's begin (ecef)
+    double vel_mps[3]; // [m/s] its velocity (ecef)
+    orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite and signal
+    orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
+} orr_msg_channels;
+#define ORR_MSG_CHANNELS_LARGEST 966755u
+
+orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
+orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);
+
 // Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
 typedef struct orr_msg_poll_imu {
     orr_msg_epochs epochs; // begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)
@@ -966,7 +1158,7 @@ orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w)
 orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m);
 
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_imu) X(imu) X(poll_truth) X(truth)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth)
 
 // Room for any of them.
 typedef union orr_msg_any {
@@ -983,6 +1175,8 @@ typedef union orr_msg_any {
     orr_msg_navdata navdata;
     orr_msg_poll_delays poll_delays;
     orr_msg_delays delays;
+    orr_msg_poll_channels poll_channels;
+    orr_msg_channels channels;
     orr_msg_poll_imu poll_imu;
     orr_msg_imu imu;
     orr_msg_poll_truth poll_truth;
@@ -1073,6 +1267,9 @@ orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdat
 // Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.
 // Then call orr_client_delays request->epochs.count times.
 orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays *request);
+// Asks for the blocks of an antenna's channels that hold the epochs. The same POLL_CHANNELS gets the same bytes, always.
+// Then call orr_client_channels request->epochs.count times.
+orr_wire_status orr_client_poll_channels(orr_client *c, const orr_msg_poll_channels *request);
 // Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
 // Then call orr_client_imu request->epochs.count times.
 orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *request);
@@ -1088,6 +1285,8 @@ orr_wire_status orr_client_elements(orr_client *c, orr_msg_elements *answer);
 orr_wire_status orr_client_navdata(orr_client *c, orr_msg_navdata *answer);
 // Ionospheric delays at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_delays(orr_client *c, orr_msg_delays *answer);
+// The block of an antenna's channels that holds one epoch. Neighbouring blocks join in value and rate. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_channels(orr_client *c, orr_msg_channels *answer);
 // Integrals of absolute angular rate and specific force over one interval, in the unit's axes (right, forward, up). ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *answer);
 // True motion and gravity at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.

@@ -18,6 +18,9 @@ MAX_SATELLITES = 800  # satellites in one list (eight systems of 99 and a little
 MAX_EPOCHS = 86400  # epochs one POLL may ask for (a day at 1 Hz)
 MAX_PAGES = 15  # subframes or strings in one frame of a navigation message
 MAX_UNITS = 64  # inertial units in one list
+MAX_CHANNELS = 4096  # channels of one antenna in one list
+MAX_ANTENNAS = 16  # antennas in one list
+MAX_SIGNALS = 64  # signals in one list
 MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
 
 
@@ -103,6 +106,18 @@ class TecOrigin(WireEnum):
     FUSED = 1  # the session's own carrier phases of the satellite, levelled
     TRANSFERRED = 2  # the field, corrected, and the session's residual of the satellite carried to another ray
     NOISE = 3  # the field, corrected, what neighbouring rays tell, and seeded noise: the station did not see the satellite
+
+
+class ChannelFlags(enum.IntFlag):
+    """What should be known of a channel."""
+
+    UNHEALTHY = 1  # the scenario marks the satellite as not to be used
+    ECLIPSE = 2  # the satellite is in the umbra or penumbra of the Earth
+    FAST_TURN = 4  # near noon or midnight, where true satellites turn slower than the nominal attitude that is used
+    NO_ANTENNA = 8  # the scenario's ANTEX file does not know the satellite: its centre of mass sends
+    NO_DELAY = 16  # the scenario's biases do not tell this signal's group delay: zero is taken
+    ZERO_CLOCK = 32  # the orbits have no clock of the satellite: zero is taken (channel.clock_holes)
+    NOMINAL_CHANNEL = 64  # GLONASS: the frequency channel is the nominal one of the slot
 
 
 class DelayFlags(enum.IntFlag):
@@ -626,6 +641,201 @@ class SatDelay(Record):
 
 
 @dataclasses.dataclass(eq=False, slots=True)
+class Antenna(Record):
+    """An antenna that receives the scenario's signals.
+
+    antenna: its number in POLL_CHANNELS
+    name: its name in the scenario
+    kind: antenna and radome as ANTEX files write them; empty where the phase centre is the reference point
+    pos_m [m]: reference point of a fixed antenna (ecef); NAN where it moves
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("antenna", "scalar", scalar="u16"),
+        Field("name", "string", limit=64),
+        Field("kind", "string", limit=20),
+        Field("pos_m", "array", scalar="f64", length=3),
+    )
+
+    antenna: int = 0
+    name: str = ""
+    kind: str = ""
+    pos_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Signal(Record):
+    """A signal that the scenario's satellites send - one carrier with all its components.
+
+    signal: its number in POLL_CHANNELS and CHANNELS
+    system: letter of the system
+    name: its name, e.g. L1CA
+    observation: RINEX 3 band and attribute, e.g. 1C
+    modulation: e.g. BPSK(1)
+    components: divided by blanks, e.g. I Q
+    carrier_hz [Hz]: carrier; of GLONASS' FDMA signals that of channel 0
+    channel_hz [Hz]: step of a GLONASS frequency channel; 0 for others
+    chips_per_s [chip/s]: rate of the ranging code
+    chips: length of one period of the primary code
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("signal", "scalar", scalar="u16"),
+        Field("system", "scalar", scalar="u8"),
+        Field("name", "string", limit=16),
+        Field("observation", "string", limit=2),
+        Field("modulation", "string", limit=32),
+        Field("components", "string", limit=16),
+        Field("carrier_hz", "scalar", scalar="f64"),
+        Field("channel_hz", "scalar", scalar="f64"),
+        Field("chips_per_s", "scalar", scalar="f64"),
+        Field("chips", "scalar", scalar="u64"),
+    )
+
+    signal: int = 0
+    system: int = 0
+    name: str = ""
+    observation: str = ""
+    modulation: str = ""
+    components: str = ""
+    carrier_hz: float = 0.0
+    channel_hz: float = 0.0
+    chips_per_s: float = 0.0
+    chips: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Transmitter(Record):
+    """A satellite that sends.
+
+    sat: which satellite
+    frequency_channel: GLONASS: -7 to 6; 0 for others
+    unhealthy: 1 where the scenario marks it as not to be used, else 0
+    svn: space vehicle as ANTEX names it, e.g. G063; empty without ANTEX
+    block: type of the satellite as ANTEX names it, e.g. BLOCK IIF; empty without ANTEX
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("sat", "struct", record=SatId),
+        Field("frequency_channel", "scalar", scalar="i8"),
+        Field("unhealthy", "scalar", scalar="u8"),
+        Field("svn", "string", limit=10),
+        Field("block", "string", limit=20),
+    )
+
+    sat: SatId = dataclasses.field(default_factory=SatId)
+    frequency_channel: int = 0
+    unhealthy: int = 0
+    svn: str = ""
+    block: str = ""
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class SatChannel(Record):
+    """One channel over the block of its message; with s the seconds since the block's begin, code and carrier are the cubics
+    c[0] + c[1] s + c[2] s^2 + c[3] s^3. The receiver's clock is perfect.
+
+    sat: which satellite
+    signal: which signal, its number in CAPS
+    flags: what should be known of it
+    az_rad [rad]: azimuth of the satellite at the block's begin, clockwise from North
+    el_rad [rad]: its elevation above the ellipsoidal horizon
+    carrier_hz [Hz]: carrier
+    code [m/s^k]: cubic of the pseudorange
+    carrier_cycles [cycle]: whole cycles of the carrier's phase range at the block's begin; an integer that stays while the
+    satellite is in view is part of it
+    carrier [cycle/s^k]: cubic of the phase range, less carrier_cycles; the Doppler frequency is -carrier[1] at the begin,
+    positive while approaching
+    transmit [ns]: reading of the satellite's clock when the code at the block's begin was sent: whole nanoseconds, the scale's
+    whole seconds against GPS not taken off
+    transmit_fraction_ns [ns]: and the rest, 0 to 1
+    power_dbw [dBW]: received by an antenna of 0 dBi
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("sat", "struct", record=SatId),
+        Field("signal", "scalar", scalar="u16"),
+        Field("flags", "scalar", scalar="u32", enum=ChannelFlags),
+        Field("az_rad", "scalar", scalar="f64"),
+        Field("el_rad", "scalar", scalar="f64"),
+        Field("carrier_hz", "scalar", scalar="f64"),
+        Field("code", "array", scalar="f64", length=4),
+        Field("carrier_cycles", "scalar", scalar="i64"),
+        Field("carrier", "array", scalar="f64", length=4),
+        Field("transmit", "scalar", scalar="i64"),
+        Field("transmit_fraction_ns", "scalar", scalar="f64"),
+        Field("power_dbw", "scalar", scalar="f32"),
+    )
+
+    sat: SatId = dataclasses.field(default_factory=SatId)
+    signal: int = 0
+    flags: ChannelFlags = ChannelFlags(0)
+    az_rad: float = 0.0
+    el_rad: float = 0.0
+    carrier_hz: float = 0.0
+    code: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 4)
+    carrier_cycles: int = 0
+    carrier: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 4)
+    transmit: int = 0
+    transmit_fraction_ns: float = 0.0
+    power_dbw: float = 0.0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class ChannelTerms(Record):
+    """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the
+    other sign, wind_up joins and group_delay does not.
+
+    distance_m [m]: antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
+    sagnac_m [m]: rotation of the Earth during the flight
+    shapiro_m [m]: relativistic delay in the Earth's field
+    satellite_clock_m [m]: minus c times the satellite's clock offset
+    relativity_m [m]: minus c times the periodic relativity of that clock
+    group_delay_m [m]: c times the signal's group delay against the clock's pair
+    satellite_antenna_m [m]: phase centre of the satellite's antenna: offset and variation
+    receiver_antenna_m [m]: likewise of the receiver's
+    troposphere_hydrostatic_m [m]: hydrostatic delay
+    troposphere_wet_m [m]: wet delay
+    ionosphere_m [m]: first order, of the code
+    emission_m [m]: the satellite's motion while the signal is delayed, without the ionosphere's part
+    emission_ionosphere_m [m]: the ionosphere's part
+    wind_up_m [m]: turns of satellite and antenna, times the wavelength: of the carrier alone
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("distance_m", "scalar", scalar="f64"),
+        Field("sagnac_m", "scalar", scalar="f64"),
+        Field("shapiro_m", "scalar", scalar="f64"),
+        Field("satellite_clock_m", "scalar", scalar="f64"),
+        Field("relativity_m", "scalar", scalar="f64"),
+        Field("group_delay_m", "scalar", scalar="f64"),
+        Field("satellite_antenna_m", "scalar", scalar="f64"),
+        Field("receiver_antenna_m", "scalar", scalar="f64"),
+        Field("troposphere_hydrostatic_m", "scalar", scalar="f64"),
+        Field("troposphere_wet_m", "scalar", scalar="f64"),
+        Field("ionosphere_m", "scalar", scalar="f64"),
+        Field("emission_m", "scalar", scalar="f64"),
+        Field("emission_ionosphere_m", "scalar", scalar="f64"),
+        Field("wind_up_m", "scalar", scalar="f64"),
+    )
+
+    distance_m: float = 0.0
+    sagnac_m: float = 0.0
+    shapiro_m: float = 0.0
+    satellite_clock_m: float = 0.0
+    relativity_m: float = 0.0
+    group_delay_m: float = 0.0
+    satellite_antenna_m: float = 0.0
+    receiver_antenna_m: float = 0.0
+    troposphere_hydrostatic_m: float = 0.0
+    troposphere_wet_m: float = 0.0
+    ionosphere_m: float = 0.0
+    emission_m: float = 0.0
+    emission_ionosphere_m: float = 0.0
+    wind_up_m: float = 0.0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
 class Hello(Record):
     """Opens a conversation. Optional, but a client that sends it learns what is served.
 
@@ -669,6 +879,9 @@ class Caps(Record):
     receiver_m [m]: where it is (ecef); NAN with NONE and TRAJECTORY
     imu_rate_hz [Hz]: readings a second where POLL_IMU has step 0; NAN where POLL_IMU is not answered
     units: inertial units; none without a trajectory
+    antennas: antennas that receive; none where no signals are sent
+    signals: signals that are sent
+    transmitters: satellites that send them
     requests: what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
     satellites: served satellites, in the order in which STATES lists them
     """
@@ -691,6 +904,9 @@ class Caps(Record):
         Field("receiver_m", "array", scalar="f64", length=3),
         Field("imu_rate_hz", "scalar", scalar="f64"),
         Field("units", "list", record=InertialUnit, limit=64),
+        Field("antennas", "list", record=Antenna, limit=16),
+        Field("signals", "list", record=Signal, limit=64),
+        Field("transmitters", "list", record=Transmitter, limit=800),
         Field("requests", "list", record=ServedRequest, limit=64),
         Field("satellites", "list", record=SatId, limit=800),
     )
@@ -711,6 +927,9 @@ class Caps(Record):
     receiver_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
     imu_rate_hz: float = 0.0
     units: list[InertialUnit] = dataclasses.field(default_factory=list)
+    antennas: list[Antenna] = dataclasses.field(default_factory=list)
+    signals: list[Signal] = dataclasses.field(default_factory=list)
+    transmitters: list[Transmitter] = dataclasses.field(default_factory=list)
     requests: list[ServedRequest] = dataclasses.field(default_factory=list)
     satellites: list[SatId] = dataclasses.field(default_factory=list)
 
@@ -1075,6 +1294,108 @@ class Delays(Record):
 
 
 @dataclasses.dataclass(eq=False, slots=True)
+class PollChannels(Record):
+    """Asks for the blocks of an antenna's channels that hold the epochs. The same POLL_CHANNELS gets the same bytes, always.
+
+    epochs: when
+    antenna: which antenna of CAPS
+    terms: 1: with what each code is the sum of; 0: without
+    reserved: 0
+    signals: which signals of CAPS; empty for all
+    """
+
+    TYPE: ClassVar[int] = 14
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("epochs", "struct", record=Epochs),
+        Field("antenna", "scalar", scalar="u16"),
+        Field("terms", "scalar", scalar="u8"),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("signals", "list", scalar="u16", limit=64),
+    )
+
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+    antenna: int = 0
+    terms: int = 0
+    reserved: int = 0
+    signals: list[int] = dataclasses.field(default_factory=list)
+
+    @property
+    def t(self) -> int:
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self) -> int:
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self) -> int:
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Channels(Record):
+    """The block of an antenna's channels that holds one epoch. Neighbouring blocks join in value and rate.
+
+    epoch: OK, or OUTSIDE_SPAN with no channels
+    antenna: the antenna asked for
+    block [ns]: begin of the block, a multiple of its length; -2^63 unless OK
+    length [ns]: its length, at least 1 ms and at most 1 s
+    error_m [m]: greatest error of cubics against the antenna's motion that was found in these 10 s; above channel.error_m
+    where even 1 ms does not hold it
+    pos_m [m]: antenna reference point at the block's begin (ecef)
+    vel_mps [m/s]: its velocity (ecef)
+    channels: those that the antenna sees at the block's begin, by satellite and signal
+    terms: of each channel, in the same order; empty unless asked for
+    """
+
+    TYPE: ClassVar[int] = 15
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("epoch", "struct", record=Epoch),
+        Field("antenna", "scalar", scalar="u16"),
+        Field("block", "scalar", scalar="i64"),
+        Field("length", "scalar", scalar="i64"),
+        Field("error_m", "scalar", scalar="f64"),
+        Field("pos_m", "array", scalar="f64", length=3),
+        Field("vel_mps", "array", scalar="f64", length=3),
+        Field("channels", "list", record=SatChannel, limit=4096),
+        Field("terms", "list", record=ChannelTerms, limit=4096),
+    )
+
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    antenna: int = 0
+    block: int = 0
+    length: int = 0
+    error_m: float = 0.0
+    pos_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    vel_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    channels: list[SatChannel] = dataclasses.field(default_factory=list)
+    terms: list[ChannelTerms] = dataclasses.field(default_factory=list)
+
+    @property
+    def t(self) -> int:
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self) -> int:
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self) -> int:
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self) -> Answer:
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
+
+
+@dataclasses.dataclass(eq=False, slots=True)
 class PollImu(Record):
     """Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
 
@@ -1275,6 +1596,8 @@ MESSAGES: dict[int, Type[Record]] = {
     11: Navdata,
     12: PollDelays,
     13: Delays,
+    14: PollChannels,
+    15: Channels,
     16: PollImu,
     17: Imu,
     18: PollTruth,

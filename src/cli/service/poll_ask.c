@@ -36,6 +36,13 @@ static int ask_navdata(const orr_cli *c, orr_poll_request *out)
     return ORR_EXIT_OK;
 }
 
+static int ask_channels(const orr_cli *c, orr_poll_request *out)
+{
+    out->m.poll_channels.antenna = (uint16_t)orr_cli_int(c, "antenna", 0);
+    out->m.poll_channels.terms = orr_cli_given(c, "terms");
+    return ORR_EXIT_OK;
+}
+
 static int ask_imu(const orr_cli *c, orr_poll_request *out)
 {
     out->m.poll_imu.unit = (uint16_t)orr_cli_int(c, "unit", 0);
@@ -55,6 +62,7 @@ static const struct {
     const char *what;
     int (*ask)(const orr_cli *c, orr_poll_request *out);
 } kinds[] = {
+    {"channels", ORR_MSG_TYPE_POLL_CHANNELS, "a channel", ask_channels},
     {"delays", ORR_MSG_TYPE_POLL_DELAYS, "a delay", ask_delays},
     {"elements", ORR_MSG_TYPE_POLL_ELEMENTS, "elements", ask_elements},
     {"imu", ORR_MSG_TYPE_POLL_IMU, "readings", ask_imu},

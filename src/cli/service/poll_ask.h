@@ -9,10 +9,26 @@
 
 // Rows of poll's table: what is asked for instead of states, each with what goes with it alone.
 #define ORR_POLL_OPTIONS                                                                                     \
-    {.name = "delays",                                                                                       \
+    {.name = "channels",                                                                                     \
      .kind = ORR_OPT_FLAG,                                                                                   \
-     .applies = "!elements,!navdata,!imu,!truth",                                                            \
-     .help = "Ionospheric delays instead of states (the scenario needs an ionosphere)."},                    \
+     .applies = "!delays,!elements,!navdata,!imu,!truth",                                                    \
+     .help = "Channels of an antenna instead of states: the blocks that hold the epochs (the scenario "      \
+             "needs signals)."},                                                                             \
+        {.name = "antenna",                                                                                  \
+         .kind = ORR_OPT_INT,                                                                                \
+         .applies = "channels",                                                                              \
+         .value = "K",                                                                                       \
+         .min = 0,                                                                                           \
+         .max = 65535,                                                                                       \
+         .help = "Which antenna; 0 by default."},                                                            \
+        {.name = "terms",                                                                                    \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "channels",                                                                              \
+         .help = "What each code is the sum of, too (in JSON)."},                                            \
+        {.name = "delays",                                                                                   \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "!channels,!elements,!navdata,!imu,!truth",                                              \
+         .help = "Ionospheric delays instead of states (the scenario needs an ionosphere)."},                \
         ORR_OPTION_RECEIVER(.applies = "delays",                                                             \
                             .help = "The receiver, in degrees (geodetic) and metres; the scenario's own by " \
                                     "default (receiver.position, the trajectory at each epoch, or the "      \
@@ -22,7 +38,7 @@
                                    "default."),                                                              \
         {.name = "elements",                                                                                 \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!delays,!navdata,!imu,!truth",                                                          \
+         .applies = "!channels,!delays,!navdata,!imu,!truth",                                                \
          .help = "Kepler elements instead of states."},                                                      \
         {.name = "frame",                                                                                    \
          .kind = ORR_OPT_CHOICE,                                                                             \
@@ -36,7 +52,7 @@
          .help = "How elements are made, as of `orrery elements`; state by default."},                       \
         {.name = "navdata",                                                                                  \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!delays,!elements,!imu,!truth",                                                         \
+         .applies = "!channels,!delays,!elements,!imu,!truth",                                               \
          .help = "Broadcast data instead of states: the fitted sets on the air."},                           \
         {.name = "pages",                                                                                    \
          .kind = ORR_OPT_FLAG,                                                                               \
@@ -45,11 +61,11 @@
                  "JSON has them with the sets."},                                                            \
         {.name = "imu",                                                                                      \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!delays,!elements,!navdata,!truth",                                                     \
+         .applies = "!channels,!delays,!elements,!navdata,!truth",                                           \
          .help = "Inertial increments over --step instead of states."},                                      \
         {.name = "truth",                                                                                    \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!delays,!elements,!navdata,!imu",                                                       \
+         .applies = "!channels,!delays,!elements,!navdata,!imu",                                             \
          .help = "True motion and gravity terms instead of states (the scenario needs a trajectory)."},      \
     {                                                                                                        \
         .name = "unit", .kind = ORR_OPT_INT, .applies = "imu|truth", .value = "K", .min = 0, .max = 65535,   \

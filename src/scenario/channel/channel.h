@@ -78,6 +78,15 @@ const orr_antenna *orr_channels_antenna(const orr_channels *c, size_t antenna);
 uint64_t orr_channels_signals(const orr_channels *c);
 // GLONASS' frequency channel of a satellite that sends; false for others.
 bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *channel);
+// A satellite that sends.
+typedef struct orr_transmitter {
+    orr_sat sat;
+    int frequency_channel; // GLONASS; 0 for others
+    bool unhealthy;
+    const char *svn, *block; // as ANTEX names them, borrowed; "" without ANTEX
+} orr_transmitter;
+// The k-th of them, in the orbits' order; false where there are not so many.
+bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *out);
 // Stretch of time in which channels can be: of the orbits, less the flight of light, the ionosphere, and of the motion.
 orr_span orr_channels_span(const orr_channels *c);
 // How many channels an antenna can have at once: satellites times their signals.

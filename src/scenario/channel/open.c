@@ -208,3 +208,20 @@ bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *cha
             return *channel = c->satellite[k].frequency_channel, true;
     return false;
 }
+
+bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *out)
+{
+    for (size_t i = 0; i < c->n_sats; i++) {
+        const channel_satellite *x = &c->satellite[i];
+        if (!x->sends || k-- > 0) continue;
+        const orr_antex_antenna *a =
+            c->has_antex ? orr_antex_find_sat(&c->antex, x->sat, c->span.from) : NULL;
+        *out = (orr_transmitter){.sat = x->sat,
+                                 .frequency_channel = x->frequency_channel,
+                                 .unhealthy = (x->flags & ORR_CHANNEL_UNHEALTHY) != 0,
+                                 .svn = a != NULL ? a->svn : "",
+                                 .block = a != NULL ? a->type : ""};
+        return true;
+    }
+    return false;
+}

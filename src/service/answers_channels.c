@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/service/answers_channels.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/nan.h"
+#include "src/service/answers_private.h"
+
+_Static_assert(ORR_CHANNEL_UNHEALTHY == ORR_MSG_CHANNEL_FLAGS_UNHEALTHY &&
+                   ORR_CHANNEL_ECLIPSE == ORR_MSG_CHANNEL_FLAGS_ECLIPSE &&
+                   ORR_CHANNEL_FAST_TURN == ORR_MSG_CHANNEL_FLAGS_FAST_TURN &&
+                   ORR_CHANNEL_NO_ANTENNA == ORR_MSG_CHANNEL_FLAGS_NO_ANTENNA &&
+                   ORR_CHANNEL_NO_DELAY == ORR_MSG_CHANNEL_FLAGS_NO_DELAY &&
+                   ORR_CHANNEL_ZERO_CLOCK == ORR_MSG_CHANNEL_FLAGS_ZERO_CLOCK &&
+                   ORR_CHANNEL_NOMINAL_FREQUENCY == ORR_MSG_CHANNEL_FLAGS_NOMINAL_CHANNEL,
+               "the channels' flags are the wire's");
+_Static_assert(ORR_MAX_ANTENNAS <= ORR_MSG_MAX_ANTENNAS, "all antennas are in CAPS");
+
+orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels_room *out, orr_diag *diag)
+{
+    const size_t n = orr_channels_max(c);
+    *out = (orr_answers_channels_room){.work = NULL};
+    if (c == NULL) return ORR_OK;
+    if (n > ORR_MSG_MAX_CHANNELS)
+        return orr_diag_set(diag, ORR_E_LIMIT, "an antenna can have %zu channels, a message lists at most %u",
+                            n, ORR_MSG_MAX_CHANNELS);
+    out->work = calloc(n, sizeof *out->work);
+    out->block = calloc(n, sizeof *out->block);
+    out->channel = calloc(n, sizeof *out->channel);
+    out->terms = calloc(n, sizeof *out->terms);
+    if (out->work != NULL && out->block != NULL && out->channel != NULL && out->terms != NULL) return ORR_OK;
+    orr_answers_channels_close(out);
+    return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+}
+
+void orr_answers_channels_close(orr_answers_channels_room *room)
+{
+    free(room->work);
+    free(room->block);
+    free(room->channel);
+    free(room->terms);
+    *room = (orr_answers_channels_room){.work = NULL};
+}
+
+static void put(double to[3], orr_vec3 v)
+{
+    to[0] = v.x;
+    to[1] = v.y;
+    to[2] = v.z;
+}
+
+static void list_antennas(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps)
+{
+    for (size_t k = 0; k < orr_channels_antennas(c); k++) {
+        const orr_antenna *a = orr_channels_antenna(c, k);
+        orr_msg_antenna *m = &room->antenna[k];
+        *m = (orr_msg_antenna){
+            .antenna = (uint16_t)k, .name = orr_wire_text(a->name), .kind = orr_wire_text(a->type)};
+        const orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
+        put(m->pos_m, a->motion == NULL ? a->fixed.r_m : none);
+    }
+    caps->antennas.count = (uint16_t)orr_channels_antennas(c);
+    caps->antennas.item = room->antenna;
+}
+
+static void list_signals(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps)
+{
+    size_t n;
+    uint16_t listed = 0;
+    const orr_signal *s = orr_signals(&n);
+    for (size_t k = 0; k < n; k++)
+        if ((orr_channels_signals(c) >> k & 1) != 0)
+            room->signal[listed++] = (orr_msg_signal){.signal = (uint16_t)k,
+                                                      .system = (uint8_t)s[k].system,
+                                                      .name = orr_wire_text(s[k].name),
+                                                      .observation = orr_wire_text(s[k].observation),
+                                                      .modulation = orr_wire_text(s[k].modulation),
+                                                      .components = orr_wire_text(s[k].components),
+                                                      .carrier_hz = s[k].carrier_hz,
+                                                      .channel_hz = s[k].channel_hz,
+                                                      .chips_per_s = s[k].chips_per_s,
+                                                      .chips = (uint64_t)s[k].chips};
+    caps->signals.count = listed;
+    caps->signals.item = room->signal;
+}
+
+static void list_transmitters(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps)
+{
+    uint16_t n = 0;
+    orr_transmitter t;
+    for (size_t k = 0; n < ORR_MSG_MAX_SATELLITES && orr_channels_transmitter(c, k, &t); k++)
+        room->transmitter[n++] = (orr_msg_transmitter){.sat = orr_answers_sat_id(t.sat),
+                                                       .frequency_channel = (int8_t)t.frequency_channel,
+                                                       .unhealthy = t.unhealthy,
+                                                       .svn = orr_wire_text(t.svn),
+                                                       .block = orr_wire_text(t.block)};
+    caps->transmitters.count = n;
+    caps->transmitters.item = room->transmitter;
+}
+
+void orr_answers_channels_caps(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps)
+{
+    if (c == NULL) return;
+    list_antennas(c, room, caps);
+    list_signals(c, room, caps);
+    list_transmitters(c, room, caps);
+}
+
+// Signals that are wanted, as bits; those that the scenario does not send are the request's fault.
+static uint64_t wanted(const orr_channels *c, const orr_msg_poll_channels *poll, bool *known)
+{
+    uint64_t set = 0;
+    *known = true;
+    if (poll->signals.count == 0) return orr_channels_signals(c);
+    orr_wire_iter it = {0};
+    uint16_t k;
+    while (orr_msg_u16_next(&poll->signals, &it, &k)) {
+        if (k >= 64 || (orr_channels_signals(c) >> k & 1) == 0)
+            *known = false;
+        else
+            set |= UINT64_C(1) << k;
+    }
+    return set;
+}
+
+uint16_t orr_answers_begin_channels(void *user, const orr_msg_poll_channels *poll, orr_server_refusal *why)
+{
+    const orr_answers *a = user;
+    const orr_channels *c = orr_engine_channels(a->engine);
+    bool known;
+    uint16_t code = orr_answers_check_epochs("POLL_CHANNELS", &poll->epochs, why);
+    if (code != 0) return code;
+    if (c == NULL)
+        return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED,
+                                  "POLL_CHANNELS: this scenario sends no signals (signals)");
+    if (poll->antenna >= orr_channels_antennas(c)) {
+        snprintf(why->sentence, sizeof why->sentence,
+                 "POLL_CHANNELS: there is no antenna %u, the scenario has 0 to %zu", (unsigned)poll->antenna,
+                 orr_channels_antennas(c) - 1);
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    if (poll->terms > 1)
+        return orr_answers_refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+                                  "POLL_CHANNELS: terms is neither 0 nor 1");
+    (void)wanted(c, poll, &known);
+    return known ? 0
+                 : orr_answers_refuse(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+                                      "POLL_CHANNELS: a signal that is not among those of CAPS");
+}
+
+static void fill(const orr_block *b, orr_msg_sat_channel *m)
+{
+    const orr_channel *x = &b->at;
+    *m = (orr_msg_sat_channel){.sat = orr_answers_sat_id(x->sat),
+                               .signal = x->signal,
+                               .flags = x->flags,
+                               .az_rad = x->az_rad,
+                               .el_rad = x->el_rad,
+                               .carrier_hz = x->carrier_hz,
+                               .carrier_cycles = b->carrier_cycles,
+                               .transmit = x->transmit_ns,
+                               .transmit_fraction_ns = x->transmit_fraction_ns,
+                               .power_dbw = (float)x->power_dbw};
+    memcpy(m->code, b->code, sizeof m->code);
+    memcpy(m->carrier, b->carrier, sizeof m->carrier);
+}
+
+static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
+{
+    const double *t = x->term_m;
+    *m = (orr_msg_channel_terms){.distance_m = t[ORR_TERM_DISTANCE],
+                                 .sagnac_m = t[ORR_TERM_SAGNAC],
+                                 .shapiro_m = t[ORR_TERM_SHAPIRO],
+                                 .satellite_clock_m = t[ORR_TERM_SATELLITE_CLOCK],
+                                 .relativity_m = t[ORR_TERM_RELATIVITY],
+                                 .group_delay_m = t[ORR_TERM_GROUP_DELAY],
+                                 .satellite_antenna_m = t[ORR_TERM_SATELLITE_ANTENNA],
+                                 .receiver_antenna_m = t[ORR_TERM_RECEIVER_ANTENNA],
+                                 .troposphere_hydrostatic_m = t[ORR_TERM_TROPOSPHERE_HYDROSTATIC],
+                                 .troposphere_wet_m = t[ORR_TERM_TROPOSPHERE_WET],
+                                 .ionosphere_m = t[ORR_TERM_IONOSPHERE],
+                                 .emission_m = t[ORR_TERM_EMISSION],
+                                 .emission_ionosphere_m = t[ORR_TERM_EMISSION_IONOSPHERE],
+                                 .wind_up_m = t[ORR_TERM_WIND_UP]};
+}
+
+uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr_server_part *part,
+                              orr_wire_writer *w, orr_server_refusal *why)
+{
+    (void)why;
+    orr_answers *a = user;
+    orr_answers_channels_room *room = &a->channels;
+    const orr_channels *c = orr_engine_channels(a->engine);
+    orr_msg_channels m = {.epoch = orr_answers_epoch(&poll->epochs, part->index), .antenna = poll->antenna};
+    bool known;
+    size_t n;
+    orr_blocks blocks;
+    orr_antenna_state at;
+    orr_answer answer = orr_blocks_at(c, poll->antenna, m.epoch.t, wanted(c, poll, &known), room->work,
+                                      &blocks, room->block, &n);
+    if (answer == ORR_ANSWER_OK)
+        answer = orr_antenna_at(orr_channels_antenna(c, poll->antenna), blocks.t0, &at);
+    m.epoch.answer = (uint8_t)answer;
+    if (answer != ORR_ANSWER_OK) {
+        const orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
+        m.block = ORR_TIME_NONE;
+        m.error_m = ORR_NAN;
+        put(m.pos_m, none);
+        put(m.vel_mps, none);
+    } else {
+        m.block = blocks.t0;
+        m.length = blocks.length_ns;
+        m.error_m = blocks.error_m;
+        put(m.pos_m, at.r_m);
+        put(m.vel_mps, at.v_mps);
+        for (size_t k = 0; k < n; k++) {
+            fill(&room->block[k], &room->channel[k]);
+            if (poll->terms != 0) fill_terms(&room->block[k].at, &room->terms[k]);
+        }
+        m.channels.count = (uint16_t)n;
+        m.channels.item = room->channel;
+        m.terms.count = poll->terms != 0 ? (uint16_t)n : 0;
+        m.terms.item = room->terms;
+    }
+    orr_msg_channels_encode(&m, w);
+    return 0;
+}

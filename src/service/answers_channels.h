@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Handler of POLL_CHANNELS, and what CAPS says of antennas, signals and transmitters.
+#ifndef ORR_SERVICE_ANSWERS_CHANNELS_H
+#define ORR_SERVICE_ANSWERS_CHANNELS_H
+
+#include "proto/server.h"
+#include "src/scenario/channel/block.h"
+
+// Room for one epoch of channels and for the lists of CAPS.
+typedef struct orr_answers_channels_room {
+    orr_channel *work;
+    orr_block *block;
+    orr_msg_sat_channel *channel;
+    orr_msg_channel_terms *terms;
+    orr_msg_antenna antenna[ORR_MSG_MAX_ANTENNAS];
+    orr_msg_signal signal[ORR_MSG_MAX_SIGNALS];
+    orr_msg_transmitter transmitter[ORR_MSG_MAX_SATELLITES];
+} orr_answers_channels_room;
+
+// Errors: ORR_E_LIMIT (more channels than a message lists), ORR_E_MEMORY. Free with orr_answers_channels_close.
+orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels_room *out, orr_diag *diag);
+void orr_answers_channels_close(orr_answers_channels_room *room);
+// Fills antennas, signals and transmitters of CAPS; nothing where c is NULL.
+void orr_answers_channels_caps(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps);
+
+// Refuses a POLL_CHANNELS that cannot be answered: 0 or a code, with its sentence.
+uint16_t orr_answers_begin_channels(void *user, const orr_msg_poll_channels *poll, orr_server_refusal *why);
+// One epoch of the answer.
+// Given:
+//   user  the answers
+//   poll  request
+//   part  which epoch
+// Returned:
+//   w     frame
+//   why   not used: what can be refused was refused at the begin
+uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr_server_part *part,
+                              orr_wire_writer *w, orr_server_refusal *why);
+
+#endif
