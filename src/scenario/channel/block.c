@@ -8,8 +8,6 @@
 
 enum { MOST_SATS = 999 };
 
-orr_time orr_block_cell(orr_time t) { return t - orr_floor_mod(t, ORR_BLOCK_CELL_NS); }
-
 // Cubic Hermite over T seconds from its ends: v0 + r0 s + ...; `rise` is the change of value.
 static void hermite(double v0, double rise, double r0, double r1, double T, double c[4])
 {

@@ -10,7 +10,7 @@
 #define ORR_BLOCK_LENGTHS 10
 extern const int64_t orr_block_lengths[ORR_BLOCK_LENGTHS]; // ns, ascending: 1 ms to 1 s; each divides a cell
 // Begin of the cell that holds t.
-orr_time orr_block_cell(orr_time t);
+static inline orr_time orr_block_cell(orr_time t) { return t - orr_floor_mod(t, ORR_BLOCK_CELL_NS); }
 
 // One channel over [t0, t0 + length): with s the seconds since t0, its code is
 //   code[0] + code[1] s + code[2] s^2 + code[3] s^3 metres,

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What prepared channels say of themselves.
+#include "src/scenario/channel/channels_private.h"
+
+size_t orr_channels_antennas(const orr_channels *c) { return c != NULL ? c->n_antennas : 0; }
+
+const orr_antenna *orr_channels_antenna(const orr_channels *c, size_t antenna)
+{
+    return antenna < orr_channels_antennas(c) ? &c->antenna[antenna] : NULL;
+}
+
+uint64_t orr_channels_signals(const orr_channels *c) { return c != NULL ? c->signals : 0; }
+orr_span orr_channels_span(const orr_channels *c) { return c->span; }
+size_t orr_channels_max(const orr_channels *c) { return c != NULL ? c->max_channels : 0; }
+
+bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *channel)
+{
+    if (orr_sat_system(sat) != 'R') return false;
+    for (size_t k = 0; k < c->n_sats; k++)
+        if (c->satellite[k].sat == sat && c->satellite[k].sends)
+            return *channel = c->satellite[k].frequency_channel, true;
+    return false;
+}
+
+bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *out)
+{
+    for (size_t i = 0; i < c->n_sats; i++) {
+        const channel_satellite *x = &c->satellite[i];
+        if (!x->sends || k-- > 0) continue;
+        const orr_antex_antenna *a =
+            c->has_antex ? orr_antex_find_sat(&c->antex, x->sat, c->span.from) : NULL;
+        *out = (orr_transmitter){.sat = x->sat,
+                                 .frequency_channel = x->frequency_channel,
+                                 .unhealthy = (x->flags & ORR_CHANNEL_UNHEALTHY) != 0,
+                                 .svn = a != NULL ? a->svn : "",
+                                 .block = a != NULL ? a->type : ""};
+        return true;
+    }
+    return false;
+}
