@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`orrery check` and `orrery simulate`: what they say of a scenario, and that what cannot be is refused with a sentence."""
+import csv
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from program import Folder, run, sample  # noqa: E402
+
+FIXED = "antennas: [{name: A, position: [52, 17, 124]}]\n"
+
+
+class Check(Folder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.orbit = cls.path("day.nc")
+        run("orbit", "-q", "-o", cls.orbit, "--sat", "G01-G09,R01-R06", sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
+
+    def scenario(self, text, navdata="navdata: {window: none}\n"):
+        path = pathlib.Path(self.path("scenario.yaml"))
+        path.write_text(f"title: A test\norbit: {{product: {self.orbit}}}\n{navdata}{text}", encoding="ascii")
+        return path
+
+    def test_it_tells_signals_and_views(self):
+        out = run("check", self.scenario("signals: [G, 'R:L1OF']\n" + FIXED)).stdout
+        self.assertIn("A test", out)
+        self.assertRegex(out, r"G:L1CA +1575\.420 +1\.023e\+06 +BPSK\(1\) +C/A +1C")
+        self.assertIn("R:L1OF", out)
+        self.assertNotIn("R:L2OF", out)
+        self.assertRegex(out, r"antenna 0, A, fixed: satellites in view")
+
+    def test_a_scenario_without_signals_is_checked_too(self):
+        self.assertIn("none: no signals are named", run("check", self.scenario("")).stdout)
+
+    def refused(self, text, *words, command="check", options=()):
+        err = run(command, self.scenario(text), *options, status=1).stderr
+        for word in words:
+            self.assertIn(word, err)
+
+    def test_what_cannot_be_is_refused(self):
+        self.refused("signals: ['G:L9']\n" + FIXED, "signals", "no signal 'G:L9'", "G:L1CA")
+        self.refused("signals: [C]\n" + FIXED, "none of the scenario's satellites sends")
+        self.refused("signals: [G]\n", "nothing receives them")
+        self.refused("signals: [G]\nantennas: [{name: A}]\n", "antennas", "no trajectory")
+        self.refused("signals: [G]\nantennas: [{position: [52, 17]}]\n", "scenario.yaml:5", "position")
+        self.refused("signals: [G]\nantennas: [{position: [152, 17, 0]}]\n", "no place")
+        self.refused("signals: [G]\nantennas: [{position: [52, 17, 0], type: X}]\n", "ANTEX")
+        self.refused("signals: [G]\nmask: {elevation: 90}\n" + FIXED, "no antenna ever sees")
+        self.refused("signals: [G]\nmask: {body: 5}\n" + FIXED, "nothing moves")
+        self.refused("signals: [G]\nmask: {horizon: [{azimuth: 9, elevation: 0}, {azimuth: 9, elevation: 1}]}\n" + FIXED, "azimuth")
+        self.refused("troposphere: {model: do229}\n", "troposphere", "signals")
+        self.refused("signals: [G]\ntroposphere: {model: do229, humidity: 0.5}\n" + FIXED, "humidity")
+        self.refused("signals: [G]\nantennas: [{position: [1, 2, 3], right: 1}]\n", "right")
+        self.refused("signals: [G]\n" + FIXED, "the scenario's channels reach from", command="simulate",
+                     options=("-o", self.path("run"), "--from", "2025-03-20T00:00:00"))
+        self.refused("", "no signals", command="simulate", options=("-o", self.path("run")))
+
+    def test_the_table_of_channels_sums_up(self):
+        path = self.scenario("signals: [G, R]\ntroposphere: {model: stanag4294}\n" + FIXED)
+        run("simulate", path, "-o", self.path("sum"), "--from", "2025-03-21T03:00:00", "--to", "2025-03-21T03:01:00",
+            "--truth-step", "30s")
+        text = pathlib.Path(self.path("sum/A-channels.csv")).read_text(encoding="ascii")
+        rows = list(csv.DictReader(text.splitlines()))
+        terms = [k for k in rows[0] if k.endswith("_m") and k not in ("code_m", "wind_up_m")]
+        for row in rows:
+            # Each term is printed to 1e-9 m; the sum of doubles at 2e7 m holds 4e-9.
+            self.assertAlmostEqual(float(row["code_m"]), sum(float(row[k]) for k in terms), delta=2.5e-8)
+
+
+if __name__ == "__main__":
+    unittest.main()

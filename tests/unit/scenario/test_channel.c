@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Channels: terms by closed forms, limits and symmetries; their sum, rates and joints; blocks against direct evaluation.
+#include "src/scenario/channel/channel.h"
+
+#include "core/constants.h"
+#include "src/scenario/channel/block.h"
+#include "src/scenario/channel/light.h"
+#include "src/scenario/channel/power.h"
+#include "src/scenario/engine.h"
+#include "src/scenario/troposphere/troposphere.h"
+#include "testing.h"
+#include "unit/orbit/made_orbit.h"
+
+#define PRODUCT ORR_BINARY_DIR "/channels.nc"
+enum { ROOM = 200 };
+
+static orr_engine *engine;
+
+static void open_with(const char *rest)
+{
+    char text[4000];
+    orr_scenario s;
+    orr_diag diag = {0};
+    snprintf(text, sizeof text, "orbit: {product: " PRODUCT "}\nnavdata: {window: none}\n%s", rest);
+    ASSERT_OK(orr_scenario_parse("test", text, strlen(text), NULL, &s, &diag), diag);
+    ASSERT_OK(orr_engine_open(&s, NULL, NULL, NULL, &engine, &diag), diag);
+    orr_scenario_free(&s);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    orr_diag diag = {0};
+    orr_orbit_solution s = made_solution(9, 6, 900, 6);
+    orr_ephemeris *e = NULL;
+    ASSERT_OK(orr_ephemeris_build(&s, &e, &diag), diag);
+    ASSERT_OK(orr_ephemeris_save(e, PRODUCT, "made for a test", &diag), diag);
+    orr_ephemeris_free(e);
+    made_solution_free(&s);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    orr_engine_close(engine);
+    engine = NULL;
+    return 0;
+}
+
+static orr_time at(double t_s) { return orr_time_add_s(made_midnight, t_s); }
+
+static size_t all_at(orr_time t, size_t antenna, orr_channel *out)
+{
+    size_t n;
+    const orr_channels *c = orr_engine_channels(engine);
+    assert_true(orr_channels_max(c) <= ROOM);
+    assert_int_equal(orr_channels_at(c, antenna, t, UINT64_MAX, out, &n), ORR_ANSWER_OK);
+    return n;
+}
+
+#define EVERYTHING                                                                                           \
+    "signals: [G, R, E]\ntroposphere: {model: saastamoinen}\nmask: {elevation: -10}\n"                       \
+    "antennas:\n  - {name: BASE, position: [52, 17, 124]}\n"
+
+static void the_range_is_that_of_inertial_space(void **state)
+{
+    (void)state;
+    open_with(EVERYTHING);
+    const orr_ephemeris *e = orr_engine_ephemeris(engine);
+    const orr_vec3 r = orr_channels_antenna(orr_engine_channels(engine), 0)->fixed.r_m, v = {0, 0, 0};
+    const double w = ORR_EARTH_RATE_RADPS, c = ORR_LIGHT_MPS;
+    const orr_sat *list;
+    const size_t n = orr_ephemeris_satellites(e, &list);
+    for (size_t k = 0; k < n; k++) {
+        orr_light l;
+        assert_int_equal(orr_light_from(e, list[k], at(7000), r, v, &l), ORR_OK);
+        // Both points in axes that coincide with ecef at reception; the light's way by bisection.
+        double low = 0.01, high = 0.3;
+        for (int step = 0; step < 80; step++) {
+            const double tau = (low + high) / 2, ns = nearbyint(tau * 1e9);
+            orr_sat_state x;
+            assert_int_equal(orr_ephemeris_eval(e, list[k], at(7000) - (int64_t)ns, &x), ORR_OK);
+            const orr_vec3 p = orr_vec3_axpy(ns * 1e-9 - tau, x.vel_mps, x.pos_m);
+            const double a = -w * tau; // where the satellite was, turned back with the Earth
+            const orr_vec3 s = {cos(a) * p.x - sin(a) * p.y, sin(a) * p.x + cos(a) * p.y, p.z};
+            if (orr_vec3_norm(orr_vec3_sub(s, r)) > c * tau)
+                low = tau;
+            else
+                high = tau;
+        }
+        ASSERT_NEAR(l.range_m, c * low, 3e-8); // 1e-16 s of the bisection, 4e-9 m of doubles
+    }
+}
+
+static void shapiro_is_of_two_centimetres(void **state)
+{
+    (void)state;
+    // At the zenith ln((r_S + r_A + rho)/(r_S + r_A - rho)) = ln(r_S / r_A).
+    const orr_vec3 a = {6.378e6, 0, 0}, s = {26.56e6, 0, 0};
+    const double zenith = 2 * ORR_WGS84_GM / (ORR_LIGHT_MPS * ORR_LIGHT_MPS) * log(26.56 / 6.378);
+    ASSERT_NEAR(orr_light_shapiro_m(a, s, 20.182e6), zenith, 1e-12);
+    ASSERT_NEAR(zenith, 0.0127, 1e-4);
+    const orr_vec3 low = {0, 26.56e6, 0};
+    assert_true(orr_light_shapiro_m(a, low, hypot(6.378e6, 26.56e6)) > zenith);
+}
+
+static void terms_sum_to_code_and_carrier(void **state)
+{
+    (void)state;
+    open_with(EVERYTHING);
+    orr_channel x[ROOM];
+    const size_t n = all_at(at(5000), 0, x);
+    assert_true(n > 10);
+    for (size_t k = 0; k < n; k++) {
+        double code = 0, carrier = 0;
+        for (int i = 0; i < ORR_N_TERMS; i++) {
+            code += orr_term_rows[i].code * x[k].term_m[i];
+            carrier += orr_term_rows[i].carrier * x[k].term_m[i];
+        }
+        ASSERT_NEAR(x[k].code_m, code, 8e-9);
+        // Carrier in cycles: after its integer, a multiple of the wavelength is the sum.
+        const long double cycles = (long double)x[k].carrier_cycles + (long double)x[k].carrier_fraction;
+        const long double whole = cycles - (long double)carrier * (long double)x[k].carrier_hz / 299792458.0L;
+        assert_true(fabsl(whole - roundl(whole)) < 5e-8L); // 4e-9 m of the sum, 0.19 m a cycle
+        assert_true(whole > -0.5L && whole < 8191.5L);
+        assert_true(x[k].carrier_fraction >= 0 && x[k].carrier_fraction < 1);
+        // The satellite's clock at emission is t - code / c.
+        const double flight_ns = (double)(at(5000) - x[k].transmit_ns) - x[k].transmit_fraction_ns;
+        ASSERT_NEAR(flight_ns * 1e-9 * ORR_LIGHT_MPS, x[k].code_m, 1e-8);
+    }
+}
+
+// The rate of every term is the change of the term.
+static void rates_are_derivatives(void **state)
+{
+    (void)state;
+    open_with(
+        EVERYTHING
+        "  - {name: BODY, right: 1, forward: 2, up: 3}\n"
+        "trajectory:\n  kind: analytic\n  start: 2024-02-04T01:00:00\n  duration: 600\n  lat: 52\n  lon: 17\n"
+        "  height: 500\n  body: {pitch: 2, follow_course: yes}\n  motions:\n    - {kind: circle, radius: "
+        "900, period: 60}\n");
+    const double h = 0.05;
+    for (size_t antenna = 0; antenna < 2; antenna++) {
+        orr_channel a[ROOM], b[ROOM], c[ROOM];
+        const orr_time mid = at(3700);
+        const size_t n = all_at(mid, antenna, b);
+        assert_int_equal(all_at(mid - 50000000, antenna, a), n);
+        assert_int_equal(all_at(mid + 50000000, antenna, c), n);
+        for (size_t k = 0; k < n; k++)
+            for (int i = 0; i < ORR_N_TERMS; i++) {
+                const double rate = (c[k].term_m[i] - a[k].term_m[i]) / (2 * h);
+                // Rounding is 7e-9 m in 0.1 s. A circle of 900 m in 60 s has a third derivative of 1 m/s^3: h^2/6 of it is 4e-4.
+                ASSERT_NEAR(b[k].rate_mps[i], rate, antenna == 0 ? 2e-7 : 5e-4);
+            }
+    }
+}
+
+static void doppler_is_positive_while_approaching(void **state)
+{
+    (void)state;
+    open_with(EVERYTHING);
+    orr_channel x[ROOM];
+    const size_t n = all_at(at(5000), 0, x);
+    int approaching = 0;
+    for (size_t k = 0; k < n; k++) {
+        const double doppler_hz = -x[k].carrier_rate_hz;
+        ASSERT_NEAR(doppler_hz, -x[k].code_rate_mps * x[k].carrier_hz / ORR_LIGHT_MPS, 0.2);
+        approaching += doppler_hz > 0;
+    }
+    assert_true(approaching > 0 && approaching < (int)n);
+}
+
+// --- Wind-up ---
+static void wind_up_goes_on(void **state)
+{
+    (void)state;
+    open_with(EVERYTHING);
+    orr_channel x[ROOM];
+    double last[256] = {0};
+    bool has[256] = {false};
+    for (double t_s = 600; t_s < 20000; t_s += 30) {
+        const size_t n = all_at(at(t_s), 0, x);
+        for (size_t k = 0; k < n; k++) {
+            const orr_signal *s = &orr_signals(&(size_t){0})[x[k].signal];
+            if (strcmp(s->observation, "1C") != 0) continue;
+            const double turns = x[k].term_m[ORR_TERM_WIND_UP] * x[k].carrier_hz / ORR_LIGHT_MPS;
+            const int id = (orr_sat_system_index(x[k].sat) * 32 + orr_sat_number(x[k].sat)) & 255;
+            if (has[id]) assert_true(fabs(turns - last[id]) < 0.45);
+            last[id] = turns;
+            has[id] = true;
+        }
+    }
+}
+
+// A body that turns once to the right under the same satellites winds each carrier by one cycle.
+static void a_full_turn_of_the_body_is_a_cycle(void **state)
+{
+    (void)state;
+    open_with(
+        "signals: [\"G:L1CA\"]\nmask: {elevation: 20}\nantennas: [{name: BODY}]\n"
+        "trajectory:\n  kind: analytic\n  start: 2024-02-04T01:00:00\n  duration: 600\n  lat: 52\n  lon: 17\n"
+        "  height: 500\n  body: {follow_course: yes}\n  motions:\n    - {kind: circle, radius: 30, period: "
+        "60}\n");
+    orr_channel x[ROOM], y[ROOM];
+    const orr_span span = orr_channels_span(orr_engine_channels(engine));
+    const orr_time t = span.from + 60 * ORR_NS_PER_S;
+    const size_t n = all_at(t, 0, x);
+    assert_true(n > 0);
+    double least = 1, most = 0;
+    for (int step = 1; step <= 60; step++) {
+        assert_int_equal(all_at(t + step * ORR_NS_PER_S, 0, y), n);
+        for (size_t k = 0; k < n; k++) {
+            const double cycle = ORR_LIGHT_MPS / x[k].carrier_hz;
+            const double turned = (y[k].term_m[ORR_TERM_WIND_UP] - x[k].term_m[ORR_TERM_WIND_UP]) / cycle;
+            if (step == 60) { // what is left of one is the satellite's own minute
+                least = fmin(least, fabs(turned));
+                most = fmax(most, fabs(turned));
+            }
+        }
+    }
+    assert_true(least > 0.98 && most < 1.02);
+}
+
+// --- Blocks ---
+typedef struct worst {
+    double error_m, code_joint_m, carrier_joint_m, rate_joint_mps;
+    size_t blocks, over;
+} worst;
+
+// Blocks one after the other against direct evaluation at 40 instants each.
+static worst try_blocks(size_t antenna, orr_time t, int n_blocks, double error_m)
+{
+    const orr_channels *c = orr_engine_channels(engine);
+    static orr_block now[ROOM], before[ROOM];
+    static orr_channel work[ROOM], direct[ROOM];
+    worst w = {0};
+    size_t n_before = 0;
+    orr_blocks b = {0}, last = {0};
+    for (int i = 0; i < n_blocks; i++) {
+        size_t n, m;
+        assert_int_equal(orr_blocks_at(c, antenna, t, UINT64_MAX, work, &b, now, &n), ORR_ANSWER_OK);
+        assert_int_equal(orr_floor_mod(b.t0, b.length_ns), 0);
+        assert_true(b.t0 <= t && t < b.t0 + b.length_ns);
+        for (size_t k = 0; k < n && i > 0 && b.t0 == last.t0 + last.length_ns && n == n_before; k++) {
+            const double T = (double)last.length_ns / 1e9, *q = before[k].code, *f = before[k].carrier;
+            int64_t cycles;
+            double fraction;
+            orr_block_carrier(&before[k], T, &cycles, &fraction);
+            const double joint = (double)(cycles - now[k].carrier_cycles) + (fraction - now[k].carrier[0]);
+            w.code_joint_m = fmax(w.code_joint_m, fabs(orr_block_code_m(&before[k], T) - now[k].code[0]));
+            w.carrier_joint_m = fmax(w.carrier_joint_m, fabs(joint) * ORR_LIGHT_MPS / now[k].at.carrier_hz);
+            w.rate_joint_mps =
+                fmax(w.rate_joint_mps, fabs(q[1] + T * (2 * q[2] + T * 3 * q[3]) - now[k].code[1]));
+            w.rate_joint_mps =
+                fmax(w.rate_joint_mps, fabs(f[1] + T * (2 * f[2] + T * 3 * f[3]) - now[k].carrier[1]) * 0.25);
+        }
+        double here = 0;
+        for (int j = 0; j < 40; j++) {
+            const int64_t dt = b.length_ns * j / 40;
+            assert_int_equal(orr_channels_at(c, antenna, b.t0 + dt, UINT64_MAX, direct, &m), ORR_ANSWER_OK);
+            for (size_t k = 0; k < n && m == n; k++)
+                here = fmax(here, fabs(orr_block_code_m(&now[k], (double)dt / 1e9) - direct[k].code_m));
+        }
+        w.error_m = fmax(w.error_m, here);
+        w.over += here > error_m;
+        w.blocks++;
+        memcpy(before, now, sizeof now);
+        n_before = n;
+        last = b;
+        t = b.t0 + b.length_ns;
+    }
+    return w;
+}
+
+static void blocks_hold_the_motion(void **state)
+{
+    (void)state;
+    // docs: six motions and flights; motions with the length that the design found for them.
+    static const struct {
+        const char *motions;
+        double least_ms, most_ms;
+    } cases[] = {
+        {"    - {kind: sine, up: 1, east: 0.5, period: 5}\n", 50, 100}, // survey aircraft, 0.2 Hz
+        {"    - {kind: sine, up: 6.9, period: 3.333}\n", 20, 100},      // drape flight: 2.5 g at 0.3 Hz
+        {"    - {kind: sine, up: 0.0001, period: 0.02}\n", 5, 10},      // airframe, 50 Hz
+        {"    - {kind: sine, up: 0.001, period: 0.05}\n", 5, 20},       // rotor, 20 Hz
+        {"    - {kind: sine, up: 0.001, period: 0.025}\n", 2, 10},      // 40 Hz, whose quarters are nodes too
+        {"    - {kind: circle, radius: 900, period: 60}\n", 50, 100},   // a turn at 94 m/s
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char text[1500];
+        snprintf(text, sizeof text,
+                 "signals: [\"G:L1CA\"]\nmask: {elevation: 15}\nantennas: [{name: BODY}]\n"
+                 "trajectory:\n  kind: analytic\n  start: 2024-02-04T01:00:00\n  duration: 60\n  lat: 52\n  "
+                 "lon: 17\n"
+                 "  height: 500\n  motions:\n    - {kind: straight, east: 60}\n%s",
+                 cases[k].motions);
+        open_with(text);
+        const orr_time from = orr_channels_span(orr_engine_channels(engine)).from + 20 * ORR_NS_PER_S;
+        const worst w = try_blocks(0, from, 60, 1e-5);
+        size_t n;
+        static orr_block block[ROOM];
+        static orr_channel work[ROOM];
+        orr_blocks b;
+        orr_blocks_at(orr_engine_channels(engine), 0, from, UINT64_MAX, work, &b, block, &n);
+        assert_true(n > 0);
+        assert_in_range((uint64_t)(b.length_ns / 1000000), (uint64_t)cases[k].least_ms,
+                        (uint64_t)cases[k].most_ms);
+        assert_true(w.error_m < 1.2e-5);
+        assert_int_equal(w.over, 0);
+        assert_true(w.code_joint_m <= 4e-9 && w.carrier_joint_m <= 1e-9 && w.rate_joint_mps <= 1e-6);
+        orr_engine_close(engine);
+        engine = NULL;
+    }
+}
+
+static void fixed_antennas_have_long_blocks(void **state)
+{
+    (void)state;
+    open_with(EVERYTHING);
+    const worst w = try_blocks(0, at(4000.3), 30, 1e-5);
+    assert_true(w.error_m < 2e-8); // 5e-8 m/s^4 / 384, and rounding of 8e-9
+    assert_true(w.code_joint_m <= 4e-9 && w.carrier_joint_m <= 1e-9 && w.rate_joint_mps <= 1e-6);
+}
+
+static void blocks_do_not_remember(void **state)
+{
+    (void)state;
+    static orr_block a[ROOM], b[ROOM];
+    static orr_channel work[ROOM];
+    orr_blocks x, y;
+    size_t n, m;
+    open_with(EVERYTHING);
+    orr_blocks_at(orr_engine_channels(engine), 0, at(9000), UINT64_MAX, work, &x, a, &n);
+    tear_down(NULL);
+    open_with(EVERYTHING);
+    for (double t = 1000; t < 20000; t += 1111)
+        orr_blocks_at(orr_engine_channels(engine), 0, at(t), UINT64_MAX, work, &y, b, &m);
+    orr_blocks_at(orr_engine_channels(engine), 0, at(9000.7), UINT64_MAX, work, &y, b, &m);
+    assert_int_equal(n, m);
+    for (size_t k = 0; k < n; k++) {
+        assert_memory_equal(a[k].code, b[k].code, sizeof a[k].code);
+        assert_memory_equal(a[k].carrier, b[k].carrier, sizeof a[k].carrier);
+        assert_int_equal(a[k].carrier_cycles, b[k].carrier_cycles);
+    }
+}
+
+// --- Troposphere ---
+static void tropospheres_of_the_models(void **state)
+{
+    (void)state;
+    const double lat45 = 45 * ORR_RAD_PER_DEG;
+    // Saastamoinen: 2.2768 mm a hPa at 45 deg and sea level.
+    const orr_weather sea = orr_weather_standard(0, 0.5);
+    ASSERT_NEAR(sea.pressure_hpa, 1013.25, 1e-9);
+    ASSERT_NEAR(orr_zenith_saastamoinen(sea, lat45, 0).hydrostatic_m, 2.2768e-3 * 1013.25, 1e-9);
+    // DO-229 without season, at the pole-ward end of the table: its own constants.
+    const orr_zenith_delay d = orr_zenith_do229(lat45, 0, made_midnight);
+    ASSERT_NEAR(d.hydrostatic_m + d.wet_m, 2.4, 0.12);
+    // STANAG 4294: the integral of its refractivity, by Simpson's rule in steps of 10 m.
+    for (double h0 = 0; h0 < 12000; h0 += 1500) {
+        const double ns = 324.8, dn = -7.32 * exp(0.005577 * ns), c = log((ns + dn) / 105) / 8;
+        double sum = 0;
+        for (double h = h0; h < 120000; h += 10)
+            for (int k = 0; k < 3; k++) {
+                const double x = (h + 5 * k) / 1e3;
+                const double n = x < 1   ? ns + dn * x
+                                 : x < 9 ? (ns + dn) * exp(-c * (x - 1))
+                                         : 105 * exp(-0.1424 * (x - 9));
+                sum += (k == 1 ? 4 : 1) * n * 1e-6 * 10 / 6;
+            }
+        ASSERT_NEAR(orr_zenith_stanag4294(h0).hydrostatic_m, sum,
+                    1e-5); // what is above 120 km: 2e-10 of it
+    }
+}
+
+static void mappings_are_one_above_and_grow(void **state)
+{
+    (void)state;
+    double dry, wet, last = 0.99;
+    const double zenith = ORR_PI / 2, lat = 52 * ORR_RAD_PER_DEG;
+    orr_mapping_niell(zenith, lat, 100, made_midnight, &dry, &wet);
+    ASSERT_NEAR(dry, 1, 1e-12);
+    ASSERT_NEAR(wet, 1, 1e-12);
+    ASSERT_NEAR(orr_mapping_black_eisner(zenith), 1, 1e-5); // 1.001/sqrt(1.002001)
+    ASSERT_NEAR(orr_mapping_cosecant(zenith), 1, 1e-15);
+    for (double el = 90; el >= 3; el -= 1) {
+        orr_mapping_niell(el * ORR_RAD_PER_DEG, lat, 100, made_midnight, &dry, &wet);
+        assert_true(dry > last);
+        assert_true(wet >= dry - 1e-12 || el > 15); // water lies lower: closer to 1/sin
+        assert_true(dry <= 1 / sin(el * ORR_RAD_PER_DEG) + 1e-12);
+        last = dry;
+    }
+    // North and south have opposite seasons, half a year apart.
+    double south, same;
+    const orr_time half = orr_time_add_s(made_midnight, 182.625 * 86400);
+    orr_mapping_niell(0.1, -lat, 100, half, &south, &wet);
+    orr_mapping_niell(0.1, lat, 100, made_midnight, &same, &wet);
+    ASSERT_NEAR(south, same, 2e-4); // the calendar's day of year is not 365.25 long
+}
+
+static void the_troposphere_thins_with_height(void **state)
+{
+    (void)state;
+    for (int model = ORR_TROPOSPHERE_SAASTAMOINEN; model <= ORR_TROPOSPHERE_STANAG4294; model++) {
+        const orr_scenario_troposphere s = {
+            .model = model, .mapping = ORR_TROPO_MAPPING_NIELL, .humidity = 0.7};
+        double last = 100;
+        for (double h = 0; h <= 9000; h += 1000) {
+            const orr_zenith_delay d =
+                orr_troposphere_delay(&s, (orr_geodetic){0.9, 0.3, h}, 30 * ORR_RAD_PER_DEG, made_midnight);
+            assert_true(d.hydrostatic_m + d.wet_m < last && d.hydrostatic_m > 0);
+            last = d.hydrostatic_m + d.wet_m;
+        }
+        const orr_zenith_delay up =
+            orr_troposphere_delay(&s, (orr_geodetic){0.9, 0.3, 150e3}, 0.5, made_midnight);
+        ASSERT_NEAR(up.hydrostatic_m + up.wet_m, 0, 0);
+    }
+}
+
+// --- Power ---
+static void power_is_the_documents_at_five_degrees(void **state)
+{
+    (void)state;
+    const orr_signal *s = orr_signal_find('G', "L1CA");
+    const double r = ORR_EARTH_MEAN_RADIUS_M, a = 26.56e6;
+    static const double db[][2] = {{5, 0}, {40, 2}, {90, 0.5}};
+    for (int k = 0; k < 3; k++) {
+        const double el = db[k][0] * ORR_RAD_PER_DEG, nadir = asin(r * cos(el) / a),
+                     turn = ORR_PI / 2 - el - nadir;
+        const orr_vec3 antenna = {r, 0, 0}, sat = {a * cos(turn), a * sin(turn), 0};
+        ASSERT_NEAR(orr_power_received_dbw(s, sat, antenna, el), s->power_dbw + db[k][1], 1e-9);
+    }
+    // Twice the range, 6.02 dB; and the atmosphere at the zenith.
+    ASSERT_NEAR(orr_power_space_loss_db(2e7, 1.5e9) - orr_power_space_loss_db(1e7, 1.5e9), 20 * log10(2),
+                1e-9);
+    ASSERT_NEAR(orr_power_atmosphere_db(ORR_PI / 2), 0.035, 1e-12);
+}
+
+// --- The scenario ---
+static void satellites_and_masks(void **state)
+{
+    (void)state;
+    orr_channel x[ROOM];
+    open_with("signals: [G]\nsatellites: {exclude: G02, unhealthy: G03, power: [{sats: G01, db: -3}]}\n"
+              "mask: {elevation: -10}\nantennas: [{name: A, position: [52, 17, 124]}]\n");
+    const size_t n = all_at(at(5000), 0, x);
+    for (size_t k = 0; k < n; k++) {
+        assert_int_equal(orr_sat_system(x[k].sat), 'G');
+        assert_int_not_equal(orr_sat_number(x[k].sat), 2);
+        assert_int_equal((x[k].flags & ORR_CHANNEL_UNHEALTHY) != 0, orr_sat_number(x[k].sat) == 3);
+    }
+    tear_down(NULL);
+    open_with("signals: [G, R, E]\nmask: {elevation: 0, horizon: [{azimuth: 0, elevation: 0}, {azimuth: 180, "
+              "elevation: 80}]}\n"
+              "antennas: [{name: A, position: [52, 17, 124]}]\n");
+    for (double t = 1000; t < 20000; t += 2000) {
+        const size_t m = all_at(at(t), 0, x);
+        for (size_t k = 0; k < m; k++) {
+            const double az = x[k].az_rad * ORR_DEG_PER_RAD, el = x[k].el_rad * ORR_DEG_PER_RAD;
+            const double least = (az < 180 ? az : 360 - az) / 180 * 80;
+            assert_true(el >= least - 1e-9);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_teardown(the_range_is_that_of_inertial_space, tear_down),
+        cmocka_unit_test(shapiro_is_of_two_centimetres),
+        cmocka_unit_test_teardown(terms_sum_to_code_and_carrier, tear_down),
+        cmocka_unit_test_teardown(rates_are_derivatives, tear_down),
+        cmocka_unit_test_teardown(doppler_is_positive_while_approaching, tear_down),
+        cmocka_unit_test_teardown(wind_up_goes_on, tear_down),
+        cmocka_unit_test_teardown(a_full_turn_of_the_body_is_a_cycle, tear_down),
+        cmocka_unit_test_teardown(blocks_hold_the_motion, tear_down),
+        cmocka_unit_test_teardown(fixed_antennas_have_long_blocks, tear_down),
+        cmocka_unit_test_teardown(blocks_do_not_remember, tear_down),
+        cmocka_unit_test(tropospheres_of_the_models),
+        cmocka_unit_test(mappings_are_one_above_and_grow),
+        cmocka_unit_test(the_troposphere_thins_with_height),
+        cmocka_unit_test(power_is_the_documents_at_five_degrees),
+        cmocka_unit_test_teardown(satellites_and_masks, tear_down),
+    };
+    return cmocka_run_group_tests(tests, set_up, NULL);
+}
