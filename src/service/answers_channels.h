@@ -19,7 +19,7 @@ typedef struct orr_answers_channels_room {
 
 // Errors: ORR_E_LIMIT (more channels than a message lists), ORR_E_MEMORY. Free with orr_answers_channels_close.
 orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels_room *out, orr_diag *diag);
-void orr_answers_channels_close(orr_answers_channels_room *room);
+void orr_answers_channels_close(orr_answers_channels_room *room); // leaves *room empty
 // Fills antennas, signals and transmitters of CAPS; nothing where c is NULL.
 void orr_answers_channels_caps(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps);
 

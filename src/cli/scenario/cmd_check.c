@@ -89,13 +89,17 @@ static void print_flags(uint32_t flags)
 // Thirteen instants over the span.
 static int print_views(orr_cli *cli, const orr_channels *c)
 {
-    const orr_span span = orr_channels_span(c);
     orr_channel *list = calloc(orr_channels_max(c), sizeof *list);
     uint32_t flags = 0;
     bool nothing = true;
     if (list == NULL) return orr_cli_failf(cli, "out of memory");
     for (size_t a = 0; a < orr_channels_antennas(c); a++) {
         const orr_antenna *antenna = orr_channels_antenna(c, a);
+        orr_span span = orr_channels_span(c), moved;
+        if (antenna->motion != NULL && orr_source_motion_span(antenna->motion, &moved)) {
+            if (moved.from > span.from) span.from = moved.from;
+            if (moved.to < span.to) span.to = moved.to;
+        }
         printf("\nantenna %zu, %s%s%s, %s: satellites in view\n%-25s", a, antenna->name,
                antenna->type[0] != '\0' ? ", " : "", antenna->type,
                antenna->motion != NULL ? "on the body" : "fixed", "time (GPS)");

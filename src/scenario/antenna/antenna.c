@@ -117,7 +117,7 @@ const orr_antex_frequency *orr_antenna_frequency(const orr_antex_antenna *a, con
 {
     const orr_antex_frequency *nearest = orr_antex_find_frequency(a, s->antex);
     if (nearest != NULL) return nearest;
-    double least = INFINITY;
+    double least = (double)INFINITY;
     for (size_t k = 0; k < a->n_frequencies; k++) {
         const double hz = hz_of(a->frequency[k].code), off = fabs(hz - carrier_hz);
         if (hz == 0 || off >= least) continue;

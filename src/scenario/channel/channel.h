@@ -72,7 +72,9 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
                              orr_diag *diag);
 void orr_channels_close(orr_channels *c); // NULL is allowed
 
+// How many antennas there are; 0 for NULL.
 size_t orr_channels_antennas(const orr_channels *c);
+// One of them, borrowed; NULL where there are not so many.
 const orr_antenna *orr_channels_antenna(const orr_channels *c, size_t antenna);
 // Signals that are sent: bit k stands for the k-th of orr_signals.
 uint64_t orr_channels_signals(const orr_channels *c);

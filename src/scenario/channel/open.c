@@ -105,7 +105,8 @@ static orr_status open_antennas(const orr_scenario *s, const orr_source_motion *
         status = orr_antenna_open(s, k, motion, last_resort, c->has_antex ? &c->antex : NULL, &c->antenna[k],
                                   warnings, diag);
         if (status == ORR_OK && c->options.windup)
-            status = orr_windup_open(c->orbits, &c->antenna[k], c->span, cancel, &c->windup[k], diag);
+            status =
+                orr_windup_open(c->orbits, &c->antenna[k], c->span, &c->sun, cancel, &c->windup[k], diag);
         if (status == ORR_OK) c->n_antennas = k + 1;
     }
     return status;
@@ -123,7 +124,9 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
                                       NULL, diag);
     if (status == ORR_OK) status = list_satellites(s, &nav, c, diag);
     orr_nav_free(&nav);
-    if (status == ORR_OK) status = orr_sun_track_open(c->span.from, c->span.to, &c->sun, diag);
+    if (status == ORR_OK)
+        status = orr_sun_track_open(c->span.from, c->span.to,
+                                    orr_ephemeris_eop(orr_source_orbit_ephemeris(c->orbits)), &c->sun, diag);
     if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
     if (status != ORR_OK) return status;
     c->n_cells = (size_t)((c->span.to - orr_block_cell(c->span.from)) / ORR_BLOCK_CELL_NS) + 1;

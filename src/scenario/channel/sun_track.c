@@ -20,14 +20,15 @@ static double earth_angle(const orr_sun_track *s, orr_time t)
     return ORR_EARTH_RATE_RADPS * orr_time_diff_s(t, s->from);
 }
 
-orr_status orr_sun_track_open(orr_time from, orr_time to, orr_sun_track *out, orr_diag *diag)
+orr_status orr_sun_track_open(orr_time from, orr_time to, const orr_eop_series *eop, orr_sun_track *out,
+                              orr_diag *diag)
 {
     *out = (orr_sun_track){.from = from, .n = (size_t)((to - from) / STEP_NS) + 2};
     out->sun_m = calloc(out->n, sizeof *out->sun_m);
     if (out->sun_m == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     for (size_t k = 0; k < out->n; k++) {
         const orr_time t = orr_time_add(from, (int64_t)k * STEP_NS);
-        out->sun_m[k] = turned(orr_attitude_sun(t), -earth_angle(out, t));
+        out->sun_m[k] = turned(orr_attitude_sun(t, eop), -earth_angle(out, t));
     }
     return ORR_OK;
 }

@@ -25,7 +25,7 @@ static double turns(const orr_antenna_state *state, const orr_mat3 *axes, orr_ve
                            (orr_vec3){b[1][0], b[1][1], b[1][2]}, before);
 }
 
-static orr_status count_headings(const orr_antenna *a, orr_span span, orr_windup *w, orr_diag *diag)
+static orr_status count_headings(const orr_antenna *a, orr_windup *w, orr_diag *diag)
 {
     orr_span moved;
     if (a->motion == NULL || !orr_source_motion_span(a->motion, &moved)) return ORR_OK;
@@ -43,11 +43,10 @@ static orr_status count_headings(const orr_antenna *a, orr_span span, orr_windup
         }
         w->heading[k] = last;
     }
-    (void)span;
     return ORR_OK;
 }
 
-static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna *a,
+static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna *a, const orr_sun_track *sun,
                               const volatile int *cancel, orr_windup *w, orr_diag *diag)
 {
     const orr_sat *list;
@@ -63,10 +62,10 @@ static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna 
         if (cancel != NULL && *cancel) status = orr_diag_set(diag, ORR_E_INTERRUPTED, "interrupted");
         const orr_time t = orr_time_add(w->from, (int64_t)i * NODE_NS);
         placed = orr_antenna_at(a, t, &state) == ORR_ANSWER_OK || placed;
-        const orr_vec3 sun = orr_attitude_sun(t);
+        const orr_vec3 sun_m = orr_sun_track_at(sun, t);
         for (size_t k = 0; k < w->n_sats; k++) {
             orr_spacecraft x;
-            if (placed && orr_spacecraft_at(&src, list[k], t, sun, &x) == ORR_OK && x.has_attitude)
+            if (placed && orr_spacecraft_at(&src, list[k], t, sun_m, &x) == ORR_OK && x.has_attitude)
                 last[k] = turns(&state, &state.enu, x.state.pos_m, &x.attitude.body, last[k]);
             w->turns[k * w->n_nodes + i] = (float)last[k];
         }
@@ -76,11 +75,12 @@ static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna 
 }
 
 orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a, orr_span span,
-                           const volatile int *cancel, orr_windup *out, orr_diag *diag)
+                           const orr_sun_track *sun, const volatile int *cancel, orr_windup *out,
+                           orr_diag *diag)
 {
     *out = (orr_windup){.from = span.from, .n_nodes = (size_t)((span.to - span.from) / NODE_NS) + 2};
-    orr_status s = count_headings(a, span, out, diag);
-    if (s == ORR_OK) s = count_nodes(orbits, a, cancel, out, diag);
+    orr_status s = count_headings(a, out, diag);
+    if (s == ORR_OK) s = count_nodes(orbits, a, sun, cancel, out, diag);
     if (s != ORR_OK) orr_windup_free(out);
     return s;
 }

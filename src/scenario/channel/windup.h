@@ -4,6 +4,7 @@
 #define ORR_SCENARIO_CHANNEL_WINDUP_H
 
 #include "src/scenario/antenna/antenna.h"
+#include "src/scenario/channel/sun_track.h"
 #include "src/scenario/source_orbit.h"
 
 // Turns of one antenna and all satellites.
@@ -16,10 +17,19 @@ typedef struct orr_windup {
     orr_time heading_from;
 } orr_windup;
 
-// Counts the turns over a span. Errors: ORR_E_MEMORY, ORR_E_INTERRUPTED. Free with orr_windup_free.
+// Counts the turns over a span.
+// Given:
+//   orbits, a  satellites, and the antenna
+//   span       when
+//   sun        the Sun over the span
+//   cancel     ends it; may be NULL
+// Returned:
+//   out        the turns; free with orr_windup_free
+//   diag       ORR_E_MEMORY, ORR_E_INTERRUPTED
 orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a, orr_span span,
-                           const volatile int *cancel, orr_windup *out, orr_diag *diag);
-void orr_windup_free(orr_windup *w);
+                           const orr_sun_track *sun, const volatile int *cancel, orr_windup *out,
+                           orr_diag *diag);
+void orr_windup_free(orr_windup *w); // leaves *w empty
 
 // Wind-up of satellite k at t, cycles: to be added to the carrier's phase range.
 // Given:
