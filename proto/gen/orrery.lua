@@ -238,7 +238,7 @@ records.signal = {fields = {
     {name = "signal", kind = "scalar", scalar = "u16"},
     {name = "system", kind = "scalar", scalar = "u8", show = "char"},
     {name = "name", kind = "string", limit = 16},
-    {name = "observation", kind = "string", limit = 2},
+    {name = "observation", kind = "string", limit = 8},
     {name = "modulation", kind = "string", limit = 32},
     {name = "components", kind = "string", limit = 16},
     {name = "carrier_hz", kind = "scalar", scalar = "f64", unit = "Hz"},

@@ -1583,7 +1583,7 @@ static void put_signal(orr_wire_writer *w, const orr_msg_signal *m)
     orr_wire_store_u16(p + 0, m->signal);
     orr_wire_store_u8(p + 2, m->system);
     orr_wire_put_bytes(w, m->name, 16);
-    orr_wire_put_bytes(w, m->observation, 2);
+    orr_wire_put_bytes(w, m->observation, 8);
     orr_wire_put_bytes(w, m->modulation, 32);
     orr_wire_put_bytes(w, m->components, 16);
     p = orr_wire_room(w, 32);
@@ -1602,7 +1602,7 @@ static void get_signal(orr_wire_reader *r, orr_msg_signal *m)
     m->signal = orr_wire_load_u16(p + 0);
     m->system = orr_wire_load_u8(p + 2);
     m->name = orr_wire_get_bytes(r, 16);
-    m->observation = orr_wire_get_bytes(r, 2);
+    m->observation = orr_wire_get_bytes(r, 8);
     m->modulation = orr_wire_get_bytes(r, 32);
     m->components = orr_wire_get_bytes(r, 16);
     p = orr_wire_take(r, 32);

@@ -785,7 +785,7 @@ typedef struct orr_msg_signal {
     double chips_per_s; // [chip/s] rate of the ranging code
     uint64_t chips; // length of one period of the primary code
 } orr_msg_signal;
-#define ORR_MSG_SIGNAL_LARGEST 109u
+#define ORR_MSG_SIGNAL_LARGEST 115u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_signal_next.
@@ -924,7 +924,7 @@ typedef struct orr_msg_caps {
     orr_msg_served_request_list requests; // what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
     orr_msg_sat_id_list satellites; // served satellites, in the order in which STATES lists them
 } orr_msg_caps;
-#define ORR_MSG_CAPS_LARGEST 51778u
+#define ORR_MSG_CAPS_LARGEST 52162u
 
 orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w);
 orr_wire_status orr_msg_caps_decode(const uint8_t *payload, size_t size, orr_msg_caps *m);

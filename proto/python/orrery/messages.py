@@ -683,7 +683,7 @@ class Signal(Record):
         Field("signal", "scalar", scalar="u16"),
         Field("system", "scalar", scalar="u8"),
         Field("name", "string", limit=16),
-        Field("observation", "string", limit=2),
+        Field("observation", "string", limit=8),
         Field("modulation", "string", limit=32),
         Field("components", "string", limit=16),
         Field("carrier_hz", "scalar", scalar="f64"),
