@@ -29,9 +29,10 @@ typedef enum orr_field_show {
     ORR_SHOW_NUMBER,
     ORR_SHOW_CHAR,
     ORR_SHOW_HEX,
-    ORR_SHOW_TIME,    // an instant
-    ORR_SHOW_MESSAGE, // a message type
-    ORR_SHOW_PLACE,   // of an array: a place (ecef)
+    ORR_SHOW_TIME,       // an instant
+    ORR_SHOW_MESSAGE,    // a message type
+    ORR_SHOW_PLACE,      // of an array: a place (ecef)
+    ORR_SHOW_POLYNOMIAL, // of an array: coefficients, from that of power 0 on
     ORR_SHOW_ENUM,
     ORR_SHOW_BITS,
     ORR_SHOW_ANSWER, // an enum: without OK the numbers behind it are none

@@ -45,7 +45,7 @@ class Fields:
         if named in self.spec.bits:
             return "ORR_SHOW_BITS"
         return {"char": "ORR_SHOW_CHAR", "hex": "ORR_SHOW_HEX", "time": "ORR_SHOW_TIME", "message": "ORR_SHOW_MESSAGE",
-                "place": "ORR_SHOW_PLACE"}.get(
+                "place": "ORR_SHOW_PLACE", "polynomial": "ORR_SHOW_POLYNOMIAL"}.get(
             f.show, "ORR_SHOW_NUMBER")
 
     def row(self, struct, f):

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "src/cli/frame/options.h"
 #include "src/cli/scenario/simulate_files.h"
 #include "src/make/readings.h"
 #include "src/scenario/observables/observe.h"
@@ -125,43 +126,29 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "DIR",
-     .required = true,
-     .help = "Folder of the files; made if it is not there."},
-    {.name = "from",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "First epoch. Default: the first whole step that the scenario has."},
-    {.name = "to",
-     .kind = ORR_OPT_TIME,
-     .value = "T",
-     .help = "Last epoch. Default: the end of the scenario."},
+    ORR_OPTION_OUTPUT_AS(.required = true, .help = "Folder of the files; made if it is not there."),
+    ORR_OPTION_FROM(.help = "First epoch; the first whole step that the scenario has by default."),
+    ORR_OPTION_TO(.help = "Last epoch; the end of the scenario by default."),
+    ORR_OPTION_STEP(.applies = "!rate", .help = "From one epoch to the next; 1 s by default."),
     {.name = "rate",
      .kind = ORR_OPT_REAL,
      .value = "HZ",
      .min = 0.0001,
      .max = 1000,
      .applies = "!step",
-     .help = "Epochs a second. Default 1."},
-    {.name = "step",
-     .kind = ORR_OPT_DURATION,
-     .value = "D",
-     .help = "From one epoch to the next, in place of --rate."},
+     .help = "Epochs a second, in place of --step."},
     {.name = "truth-step",
      .kind = ORR_OPT_DURATION,
-     .value = "D",
-     .help = "From one row to the next in the tables of true channels. Default 30 s."},
-    {.name = "noise", .kind = ORR_OPT_FLAG, .help = "Thermal noise of a receiver by C/N0. Default: none."},
+     .value = "S",
+     .help = "From one row to the next in the tables of true channels; 30 s by default."},
+    {.name = "noise", .kind = ORR_OPT_FLAG, .help = "Thermal noise of a receiver, by C/N0; none by default."},
     {.name = "seed",
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 0,
      .max = 9e15,
      .applies = "noise",
-     .help = "Of the noise. Default 1."},
+     .help = "Seed of the noise; 1 by default."},
     {.name = "no-imu", .kind = ORR_OPT_FLAG, .help = "Leave the inertial readings out."},
 };
 

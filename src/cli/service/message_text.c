@@ -54,6 +54,10 @@ uint64_t orr_message_numbers(const orr_record *r, const void *m)
 const char *orr_message_axis(const orr_field *f, uint16_t k, char buf[8])
 {
     static const char *const three[] = {"x", "y", "z"}, *const four[] = {"w", "x", "y", "z"};
+    if (f->show == ORR_SHOW_POLYNOMIAL) {
+        snprintf(buf, 8, "%u", (unsigned)k);
+        return buf;
+    }
     if (f->per == NULL && f->length == 3 && k < 3) return three[k];
     if (f->per == NULL && f->length == 4 && k < 4) return four[k];
     snprintf(buf, 8, "%u", k + 1u);
