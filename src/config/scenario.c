@@ -18,9 +18,10 @@ static const orr_key serve_rows[] = {
 static const orr_schema serve_table = ORR_SCHEMA(serve_rows, orr_scenario_serve);
 
 static const orr_condition of_orbit[] = {{.key = "orbit", .why = "there are no satellites"}, {0}};
-static const orr_condition of_ionosphere[] = {{.key = "orbit", .why = "there are no satellites"},
-                                              {.key = "ionosphere|signals", .why = "nothing else asks where it is"},
-                                              {0}};
+static const orr_condition of_ionosphere[] = {
+    {.key = "orbit", .why = "there are no satellites"},
+    {.key = "ionosphere|signals", .why = "nothing else asks where it is"},
+    {0}};
 static const orr_condition of_signals[] = {{.key = "signals", .why = "no signals are sent"}, {0}};
 static const orr_condition of_trajectory[] = {{.key = "trajectory", .why = "nothing moves"}, {0}};
 
