@@ -105,7 +105,7 @@ static void refusals(void **state)
         {"orbit: {product: y}\nunits: [{up: 1}]\n", 2, 1, "units: has no effect without trajectory"},
         {"orbit: {product: y}\ngravity: {model: egm96}\n", 2, 1, "gravity: has no effect without trajectory"},
         {"orbit: {product: y}\nreceiver: {position: [1, 2, 3]}\n", 2, 1,
-         "receiver: has no effect without ionosphere: nothing else asks where it is"},
+         "receiver: has no effect without ionosphere or signals: nothing else asks where it is"},
         {SKY "receiver: {unit: 1}\n", 3, 12, "receiver.unit: has no effect without trajectory"},
         {REST SKY "units: [{up: 1}]\nreceiver: {unit: 2}\n", 5, 1,
          "there is no unit 2, the scenario has 0 to 1"},
