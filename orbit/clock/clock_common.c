@@ -6,6 +6,9 @@
 
 #include "core/robust.h"
 
+#define STEP_LEAST_S 5e-9
+#define STEP_TIMES_USUAL 10.0
+
 void orr_clock_common_free(orr_clock_common *c)
 {
     free(c->epoch);
@@ -51,6 +54,7 @@ static double shared_part(double *step, size_t n)
 {
     if (n < 2) return 0;
     const double low = orr_order_statistic(step, n, (n - 1) / 2), high = orr_order_statistic(step, n, n / 2);
+    if (n > 2) return 0.5 * (low + high);
     if ((low > 0) != (high > 0)) return 0;
     return fabs(low) < fabs(high) ? low : high;
 }
@@ -79,6 +83,37 @@ static void measure_steps(const orr_clock_list *list, size_t n_lists, const doub
     }
 }
 
+// value_s from step_s, 0 at the last epoch.
+static void add_up(orr_clock_common *c)
+{
+    double sum = 0;
+    for (size_t e = c->n; e-- > 0;) {
+        c->epoch[e].value_s = sum;
+        sum -= c->epoch[e].step_s;
+    }
+}
+
+orr_status orr_clock_common_keep_steps(orr_clock_common *c)
+{
+    double *room = malloc((c->n + 1) * sizeof *room);
+    if (room == NULL) return ORR_E_MEMORY;
+    size_t m = 0;
+    for (size_t e = 0; e < c->n; e++)
+        if (c->epoch[e].n > 1) room[m++] = fabs(c->epoch[e].step_s);
+    const double usual = m > 0 ? orr_upper_median(room, m) : 0,
+                 least = fmax(STEP_LEAST_S, STEP_TIMES_USUAL * usual);
+    // Satellites' usual rates share an error, which a long ramp makes; it stands in the quiet epochs too.
+    m = 0;
+    for (size_t e = 0; e < c->n; e++)
+        if (c->epoch[e].n > 1 && !(fabs(c->epoch[e].step_s) > least)) room[m++] = c->epoch[e].step_s;
+    const double quiet = m > 0 ? orr_upper_median(room, m) : 0;
+    free(room);
+    for (size_t e = 0; e < c->n; e++)
+        c->epoch[e].step_s = fabs(c->epoch[e].step_s) > least ? c->epoch[e].step_s - quiet : 0;
+    add_up(c);
+    return ORR_OK;
+}
+
 orr_status orr_clock_common_find(const orr_clock_list *list, size_t n_lists, char system,
                                  orr_clock_common *out)
 {
@@ -93,11 +128,7 @@ orr_status orr_clock_common_find(const orr_clock_list *list, size_t n_lists, cha
         for (size_t i = 0; i < n_lists; i++)
             rate[i] = orr_sat_system(list[i].sat) == system ? usual_rate(&list[i], room) : (double)NAN;
         measure_steps(list, n_lists, rate, at, room, out);
-        double sum = 0;
-        for (size_t e = out->n; e-- > 0;) {
-            out->epoch[e].value_s = sum;
-            sum -= out->epoch[e].step_s;
-        }
+        add_up(out);
     }
     free(rate);
     free(room);

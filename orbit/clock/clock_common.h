@@ -23,12 +23,16 @@ typedef struct orr_clock_common {
 } orr_clock_common;
 
 // The common part of the clocks of one system. A step is the median over the satellites that have both epochs
-// (of two middle ones the smaller where they have one sign, else nothing: two satellites share only what both
-// do; one alone shares nothing). ORR_E_MEMORY. Free with orr_clock_common_free.
+// (of two alone the smaller where they have one sign, else nothing: two satellites share only what both do; one alone
+// shares nothing). ORR_E_MEMORY. Free with orr_clock_common_free.
 orr_status orr_clock_common_find(const orr_clock_list *list, size_t n_lists, char system,
                                  orr_clock_common *out);
 // Frees what orr_clock_common_find allocated; c is empty afterwards.
 void orr_clock_common_free(orr_clock_common *c);
+
+// Leaves of the common part the steps and ramps that are the reference's doing, epochs at which more than 5 ns and ten
+// times the usual was shared; its usual wander is set to zero. ORR_E_MEMORY.
+orr_status orr_clock_common_keep_steps(orr_clock_common *c);
 
 // Takes the common part off the clocks of a satellite of that system, or (sign = +1) puts it back.
 void orr_clock_common_apply(const orr_clock_common *c, double sign, orr_clock_list *list);

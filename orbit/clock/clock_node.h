@@ -21,7 +21,8 @@ typedef struct orr_clock_node {
     orr_time t;
     double clock_s;  // as the input product gives it (periodic relativity NOT included, the IGS convention)
     uint32_t flags;  // ORR_EPH_CLOCK_EVENT, ORR_EPH_PREDICTED
-    uint16_t source; // which input it came from; 0 where nobody asks
+    uint16_t source; // tells two nodes at one instant apart: 1 for the second, else 0
+    float sigma_s;   // of a predicted node, against what the centre will say; 0 of an observed one
 } orr_clock_node;
 
 typedef struct orr_clock_list {

@@ -65,6 +65,7 @@ void orr_ephemeris_free(orr_ephemeris *e)
     free(e->event);
     free(e->span);
     free(e->source);
+    free(e->clock_events.item);
     orr_earth_rotation_free(&e->rotation);
     free(e);
 }
@@ -180,7 +181,19 @@ static double clock_rate_of_nodes(const eph_sat *s)
     return step > 0 ? 1.0 / (double)step : 0.0;
 }
 
-// Lines between clock nodes. None where nodes are too far apart, nor where SP3's event flag says that the
+// At a node with a way on both sides the rate is the mean of both; each way bends towards it.
+static void bend(eph_sat *s)
+{
+    for (size_t i = 1; i < s->n_clocks; i++) {
+        eph_clock *a = &s->rate[i - 1], *b = &s->rate[i];
+        if (a->flags == 0 || b->flags == 0) continue;
+        const double half_step = 0.5 * (b->way.rate_sps - a->way.rate_sps);
+        a->way.bend_last_sps = half_step;
+        b->way.bend_first_sps = -half_step;
+    }
+}
+
+// Ways between clock nodes. None where nodes are too far apart, nor where SP3's event flag says that the
 // clock jumped between the epoch before and the flagged one (SP3-d, column 75), nor between two nodes at one
 // instant: there files join with different clocks.
 static void make_rates(const orr_ephemeris *e, eph_sat *s)
@@ -189,13 +202,18 @@ static void make_rates(const orr_ephemeris *e, eph_sat *s)
     s->rate = &e->rate[s->clock - e->clock];
     for (size_t i = 0; i < s->n_clocks; i++) {
         const orr_clock_node *c = &s->clock[i];
-        s->rate[i] = (eph_clock){.t = c->t, .clock_s = c->clock_s};
+        s->rate[i] = (eph_clock){.t = c->t, .way.clock_s = c->clock_s};
         if (i + 1 == s->n_clocks || (c[1].flags & ORR_EPH_CLOCK_EVENT) != 0) continue;
         int64_t step_ns = c[1].t - c[0].t;
         if (step_ns <= 0 || step_ns > max_ns) continue;
-        s->rate[i].rate_sps = (c[1].clock_s - c[0].clock_s) / ((double)step_ns * 1e-9);
+        s->rate[i].way.length_s = (double)step_ns * 1e-9;
+        s->rate[i].way.rate_sps = (c[1].clock_s - c[0].clock_s) / s->rate[i].way.length_s;
+        s->rate[i].per_ns = 1 / (double)step_ns;
+        s->rate[i].sigma2_s2 = c[0].sigma_s * c[0].sigma_s;
+        s->rate[i].next_s2 = c[1].sigma_s * c[1].sigma_s;
         s->rate[i].flags = ORR_EPH_CLOCK_VALID | ((c[0].flags | c[1].flags) & EPH_CLOCK_FLAGS);
     }
+    bend(s);
 }
 
 orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
@@ -260,6 +278,14 @@ size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit
     *list = s != NULL ? s->event : NULL;
     return s != NULL ? s->n_events : 0;
 }
+
+size_t orr_ephemeris_clock_events(const orr_ephemeris *e, const orr_clock_event **list)
+{
+    *list = e->clock_events.item;
+    return e->clock_events.n;
+}
+
+double orr_ephemeris_clock_max_gap_s(const orr_ephemeris *e) { return e->clock_max_gap_s; }
 
 size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list)
 {

@@ -17,8 +17,9 @@ typedef struct orr_sat_state {
     uint32_t flags;
     orr_vec3 pos_m, vel_mps, acc_mps2;
     double clock_s,
-        clock_rate_sps; // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add -2 r.v / c^2)
-    float sigma_m;      // 1-sigma of position, 3-D
+        clock_rate_sps;  // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add -2 r.v / c^2)
+    float sigma_m;       // 1-sigma of position, 3-D
+    float clock_sigma_s; // 1-sigma of clock_s against the input's own clock at that instant; NAN: not known
     orr_time valid_from, valid_to; // the arc that was evaluated
 } orr_sat_state;
 
@@ -52,6 +53,10 @@ size_t orr_ephemeris_eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state 
 size_t orr_ephemeris_nodes(const orr_ephemeris *e, orr_sat sat, const orr_orbit_node **list);
 // Events of a satellite, ascending in t0.
 size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit_event **list);
+// Clocks left out, jumps, steps of the reference: of all satellites, ascending in t0.
+size_t orr_ephemeris_clock_events(const orr_ephemeris *e, const orr_clock_event **list);
+// Longest interval between nodes that a clock is interpolated over.
+double orr_ephemeris_clock_max_gap_s(const orr_ephemeris *e);
 // Clock nodes of a satellite, ascending.
 size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list);
 // Files that the product was made of.

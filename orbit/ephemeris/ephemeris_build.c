@@ -95,6 +95,7 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
                               .n_clocks = from->n_clocks,
                               .n_nodes = from->n_nodes,
                               .n_events = from->n_events,
+                              .clock_noise = from->clock_noise,
                               .arc = &e->arc[arc],
                               .clock = &e->clock[clock],
                               .node = &e->node[node],
@@ -140,6 +141,16 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
     memcpy(e->options, s->options, sizeof e->options);
     memcpy(e->frame, s->frame, sizeof e->frame);
     e->options[sizeof e->options - 1] = e->frame[sizeof e->frame - 1] = '\0';
+}
+
+static orr_status copy_clock_events(const orr_clock_events *from, orr_clock_events *to)
+{
+    if (from->n == 0) return ORR_OK;
+    to->item = malloc(from->n * sizeof *to->item);
+    if (to->item == NULL) return ORR_E_MEMORY;
+    memcpy(to->item, from->item, from->n * sizeof *to->item);
+    to->n = from->n;
+    return ORR_OK;
 }
 
 // Fits the segment that starts at sample[0] into rows of coef; worsens *m by its misfit.
@@ -278,9 +289,12 @@ orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out,
     if (st == ORR_OK) st = eph_alloc(&counts, &e, diag);
     if (st == ORR_OK) {
         copy(s, fit, e);
+        st = copy_clock_events(&s->clock_events, &e->clock_events);
         e->rotation = s->rotation;
-        st = orr_eop_series_copy(&s->rotation.series, &e->rotation.series);
-        if (st != ORR_OK) orr_diag_set(diag, st, "no memory for the Earth's rotation");
+        const orr_status copied = orr_eop_series_copy(&s->rotation.series, &e->rotation.series);
+        if (st == ORR_OK) st = copied;
+        if (st != ORR_OK)
+            orr_diag_set(diag, st, "no memory for the Earth's rotation and the events of clocks");
     }
     if (st == ORR_OK) {
         st = eph_finish(e, diag);

@@ -150,12 +150,16 @@ static const eph_clock *stretch_end(const eph_sat *s, size_t i, orr_time t)
 INLINE void clock_at(const eph_sat *s, orr_time t, orr_sat_state *out)
 {
     out->clock_s = out->clock_rate_sps = (double)NAN;
+    out->clock_sigma_s = (float)NAN;
     if (s->n_clocks == 0 || t < s->rate[0].t) return;
     size_t i = clock_before(s, t);
     const eph_clock *c = &s->rate[i];
     if (c->flags == 0 && (c = stretch_end(s, i, t)) == NULL) return;
-    out->clock_rate_sps = c->rate_sps;
-    out->clock_s = c->clock_s + c->rate_sps * ((double)(t - c->t) * 1e-9);
+    const double part = (double)(t - c->t) * c->per_ns;
+    orr_clock_interval_at(&c->way, part, &out->clock_s, &out->clock_rate_sps);
+    const double given_s2 = (double)c->sigma2_s2 + part * (double)(c->next_s2 - c->sigma2_s2);
+    out->clock_sigma_s = (float)sqrt(EPH_CLOCK_ROUNDING_S2 + given_s2 +
+                                     orr_clock_between_s2(&s->clock_noise, c->way.length_s, part));
     out->flags |= c->flags;
 }
 

@@ -4,6 +4,7 @@
 #ifndef ORR_ORBIT_EPHEMERIS_EPHEMERIS_PRIVATE_H
 #define ORR_ORBIT_EPHEMERIS_EPHEMERIS_PRIVATE_H
 
+#include "orbit/clock/clock_between.h"
 #include "orbit/ephemeris/ephemeris.h"
 
 enum {
@@ -19,6 +20,7 @@ enum { EPH_FORMAT_VERSION = 1 };   // and "product_version"
 #define EPH_STATE_FLAGS (ORR_EPH_PREDICTED | ORR_EPH_MANOEUVRE | ORR_EPH_ECLIPSE | ORR_EPH_GAP)
 #define EPH_CLOCK_FLAGS (ORR_EPH_CLOCK_EVENT | ORR_EPH_PREDICTED)
 #define EPH_TIME_LIMIT ((INT64_C(1) << 62) - 1) // 1834 to 2126: differences of two such times fit, and sums
+#define EPH_CLOCK_ROUNDING_S2 9e-26             // (0.3 ps)^2: the last digit of SP3 and RINEX CLK
 #define EPH_MAX_CLOCK_S 1e9                     // decades: rates between such clocks are still numbers
 #define EPH_MAX_POS_ERROR_M 1e-4                // what build allows between segments and samples
 #define EPH_MAX_VEL_ERROR_MPS 1e-6
@@ -50,10 +52,12 @@ typedef struct eph_meta {
     uint32_t mixed;
 } eph_meta;
 
-// A clock node and the line to the next one.
+// A clock node and the way to the next one.
 typedef struct eph_clock {
     orr_time t;
-    double clock_s, rate_sps;
+    orr_clock_interval way;
+    double per_ns;            // 1 / its length
+    float sigma2_s2, next_s2; // variance of predicted nodes, here and at the next one
     // Of the clock between the two nodes, ORR_EPH_CLOCK_VALID among them; 0: it has none there
     uint32_t flags;
 } eph_clock;
@@ -66,6 +70,7 @@ typedef struct eph_sat {
     orr_orbit_node *node;
     orr_orbit_event *event;
     eph_span *span;
+    orr_clock_noise clock_noise;
     double clock_per_ns; // 1 / the usual step of clock nodes, for the first guess of a node
 } eph_sat;
 
@@ -84,6 +89,7 @@ struct orr_ephemeris {
     orr_orbit_event *event;
     eph_span *span;
     orr_orbit_source *source;
+    orr_clock_events clock_events;
     orr_earth_rotation rotation;
     double node_step_s, clock_max_gap_s;
     bool wide;                                 // evaluate with four-lane vectors; same bits

@@ -6,19 +6,26 @@
 #include "core/ncfile.h"
 #include "orbit/ephemeris/ephemeris_private.h"
 
-static const char HOW_TO[] = "Positions are Chebyshev series in a terrestrial (ecef) frame. Satellite s has "
-                             "arc_count[s] consecutive arcs; arc a "
-                             "has segment_count[a] consecutive segments of equal length L = "
-                             "segment_length[a], the first of which begins at "
-                             "arc_start[a]. At time t within segment k: x = 2 (t - arc_start[a] - k L) / L - "
-                             "1, position coordinate i = "
-                             "sum over j of position_coefficient[segment, j, i] T_j(x); velocity and "
-                             "acceleration are its derivatives by t "
-                             "(dx/dt = 2 / L). Between arcs there is no orbit. The clock is linear between "
-                             "neighbouring clock nodes that are at "
-                             "most clock_max_gap_s apart and the later of which has no clock event; "
-                             "elsewhere there is no clock. Ragged arrays "
-                             "are CF contiguous ragged arrays: the counts name their sample_dimension.";
+static const char HOW_TO[] =
+    "Positions are Chebyshev series in a terrestrial (ecef) frame. Satellite s has "
+    "arc_count[s] consecutive arcs; arc a "
+    "has segment_count[a] consecutive segments of equal length L = "
+    "segment_length[a], the first of which begins at "
+    "arc_start[a]. At time t within segment k: x = 2 (t - arc_start[a] - k L) / L - "
+    "1, position coordinate i = "
+    "sum over j of position_coefficient[segment, j, i] T_j(x); velocity and "
+    "acceleration are its derivatives by t "
+    "(dx/dt = 2 / L). Between arcs there is no orbit. There is a clock between "
+    "neighbouring clock nodes that are at "
+    "most clock_max_gap_s apart and the later of which has no clock event, and nowhere "
+    "else: their line, rounded within a quarter of the interval h beside a node so that the "
+    "rate at a node is the mean of the lines' on its two sides: with d that rate less the "
+    "line's, and u the time from the node over h/4, d h/4 u (1 - u)^2 is added after the node "
+    "and taken off before it. Variance of the clock at the part p of the way, against the "
+    "input's own clock: clock_sigma^2 (linear in p) + w clock_white_noise (1 + p^2 + q^2) + "
+    "clock_walk_noise h p q + clock_frequency_noise h^3 p^2 q^2 / 3, q = 1 - p, w = 3 v^2 - 2 v^3 "
+    "for v = 8 min(p, q) below 1, else 1. Ragged arrays "
+    "are CF contiguous ragged arrays: the counts name their sample_dimension.";
 
 static const char TIME_UNITS[] = "nanoseconds since 1980-01-06 00:00:00";
 
@@ -208,6 +215,48 @@ static void put_clocks(file *f, const orr_ephemeris *e)
     COLUMN(uint16_t, e->n_clocks, e->clock[i].flags,
            put(f, "clock_flags", ORR_NC_UINT16, "clock", column, NULL, "flags of the clock node"));
     flags_of(f, "clock_flags");
+    COLUMN(float, e->n_clocks, e->clock[i].sigma_s,
+           put(f, "clock_sigma", ORR_NC_FLOAT, "clock", column, "s",
+               "standard deviation of a predicted clock node; 0 of an observed one"));
+    COLUMN(double, e->n_sats, e->sat[i].clock_noise.white_s2,
+           put(f, "clock_white_noise", ORR_NC_DOUBLE, "satellite", column, "s2",
+               "white noise of the satellite's clock"));
+    COLUMN(double, e->n_sats, e->sat[i].clock_noise.wfm_s2ps,
+           put(f, "clock_walk_noise", ORR_NC_DOUBLE, "satellite", column, "s",
+               "random walk of the satellite's clock (white frequency noise), s2 a second"));
+    COLUMN(double, e->n_sats, e->sat[i].clock_noise.rwfm_s2ps3,
+           put(f, "clock_frequency_noise", ORR_NC_DOUBLE, "satellite", column, "s-1",
+               "random walk of the clock's frequency, s2 a cubed second"));
+}
+
+static void put_clock_events(file *f, const orr_ephemeris *e)
+{
+    static const int64_t kinds[] = {ORR_CLOCK_EVENT_WRONG, ORR_CLOCK_EVENT_JUMP, ORR_CLOCK_EVENT_FLAG,
+                                    ORR_CLOCK_EVENT_REFERENCE};
+    const orr_clock_event *v = e->clock_events.item;
+    const size_t n = e->clock_events.n;
+    if (n == 0) return;
+    COLUMN(uint8_t, n, v[i].kind,
+           put(f, "clock_event_kind", ORR_NC_UINT8, "clock_event", column, NULL, "kind of event of a clock"));
+    (void)orr_nc_put_att_int64(&f->w, "clock_event_kind", "flag_values", kinds,
+                               sizeof kinds / sizeof kinds[0], f->diag);
+    text(f, "clock_event_kind", "flag_meanings", "wrong_value jump flagged reference");
+    char *names = scratch(f, n, ORR_N_SYSTEMS + 1);
+    if (names == NULL) return;
+    for (size_t i = 0; i < n; i++) {
+        char sat[ORR_SAT_TEXT];
+        const char *who = v[i].sat != ORR_SAT_NONE ? orr_sat_text(v[i].sat, sat) : v[i].systems;
+        memcpy(&names[i * (ORR_N_SYSTEMS + 1)], who, strlen(who));
+    }
+    put_table(f, "clock_event_of", ORR_NC_CHAR, "clock_event", "clock_event_of_length", names, NULL,
+              "the satellite, or the letters of the systems all of whose clocks did it (kind reference)");
+    free(names);
+    COLUMN(int64_t, n, v[i].t0,
+           time_var(f, "clock_event_start", "clock_event", column, "start of the event"));
+    COLUMN(int64_t, n, v[i].t1, time_var(f, "clock_event_end", "clock_event", column, "end of the event"));
+    COLUMN(double, n, v[i].value_s,
+           put(f, "clock_event_value", ORR_NC_DOUBLE, "clock_event", column, "s",
+               "how far a wrong value was off, size of a jump, step or ramp"));
 }
 
 static void put_nodes(file *f, const orr_ephemeris *e)
@@ -307,6 +356,8 @@ static void put_dimensions(file *f, const orr_ephemeris *e, size_t n_coefficient
                 {"event", e->n_events},
                 {"earth_rotation", e->rotation.series.n},
                 {"source", e->n_sources},
+                {"clock_event", e->clock_events.n},
+                {"clock_event_of_length", e->clock_events.n > 0 ? ORR_N_SYSTEMS + 1 : 0},
                 {"source_name_length", e->n_sources > 0 ? sizeof e->source[0].name : 0},
                 {"sha256_length", e->n_sources > 0 ? sizeof e->source[0].sha256 : 0}};
     // NetCDF has no empty dimensions: what a product has none of is left out.
@@ -329,6 +380,7 @@ orr_status orr_ephemeris_save(const orr_ephemeris *e, const char *path, const ch
     put_coefficients(&f, e, n_coefficients);
     put_samples(&f, e);
     put_clocks(&f, e);
+    put_clock_events(&f, e);
     put_nodes(&f, e);
     put_events(&f, e);
     put_rotation(&f, e);

@@ -6,10 +6,9 @@
 
 #include "core/robust.h"
 #include "orbit/smooth/bridge.h"
-#include "orbit/smooth/clock_check.h"
+#include "orbit/smooth/clock_gather.h"
+#include "orbit/smooth/epoch.h"
 #include "orbit/smooth/solution.h"
-
-#define CLOCK_GAP_STEPS 1.5 // clocks are interpolated between neighbours of the usual step only
 
 void orr_nodes_free(orr_node_table *t)
 {
@@ -18,6 +17,7 @@ void orr_nodes_free(orr_node_table *t)
         free(t->list[i].clock);
     }
     free(t->list);
+    free(t->clock_events.item);
     *t = (orr_node_table){0};
 }
 
@@ -33,13 +33,23 @@ static int by_time_then_file(const void *a, const void *b)
     return (int)x->rank - (int)y->rank;
 }
 
+static bool comes_after(const orr_smoother_input *a, const orr_smoother_input *b)
+{
+    const orr_time x[2] = {a->sp3->epoch[0], a->sp3->epoch[a->sp3->n_epochs - 1]},
+                   y[2] = {b->sp3->epoch[0], b->sp3->epoch[b->sp3->n_epochs - 1]};
+    for (int k = 0; k < 2; k++)
+        if (x[k] != y[k]) return x[k] > y[k];
+    const int by_name = strcmp(a->name, b->name);
+    return by_name != 0 ? by_name > 0 : strcmp(a->sha256, b->sha256) > 0;
+}
+
 // Files in order of their first epochs, so that "later file" means what a reader expects whatever the order
 // given.
 static void order_of_files(const orr_smoother_input *input, size_t n, size_t *order)
 {
     for (size_t i = 0; i < n; i++) {
         size_t k = i;
-        while (k > 0 && input[order[k - 1]].sp3->epoch[0] > input[i].sp3->epoch[0]) {
+        while (k > 0 && comes_after(&input[order[k - 1]], &input[i])) {
             order[k] = order[k - 1];
             k--;
         }
@@ -65,34 +75,13 @@ static size_t pass_over_twins(const orr_smoother_input *input, size_t n, size_t 
     return kept;
 }
 
-// The clock of a file's own time system, in ns since the GPS epoch's label: what decimation counts in.
-static int64_t label_ns(orr_time t, orr_scale scale)
-{
-    orr_civil c;
-    orr_time_to_civil(t, scale, NULL, &c);
-    int64_t s = c.hour * INT64_C(3600) + c.minute * INT64_C(60) + c.second;
-    orr_time day = orr_time_from_mjd(orr_mjd_from_date(c.year, c.month, c.day), 0.0, ORR_SCALE_GPS, NULL);
-    return orr_time_add(day, s * ORR_NS_PER_S + c.ns);
-}
-
-static bool wanted_epoch(orr_time t, orr_scale scale, int64_t midnight, int64_t step_ns,
-                         const orr_smoother_options *o)
-{
-    if (step_ns > 0 && orr_time_sub_ns(label_ns(t, scale), midnight) % step_ns != 0) return false;
-    for (size_t i = 0; i < o->n_exclude; i++)
-        if (orr_interval_holds(o->exclude[i], t)) return false;
-    return true;
-}
-
 static orr_status gather_sat(const orr_smoother_input *input, const size_t *order, size_t n_inputs,
                              const orr_smoother_options *o, int64_t midnight, orr_node_list *list)
 {
-    const int64_t step_ns = (int64_t)llround(o->node_step_s * 1e9);
     size_t room = 0;
     for (size_t f = 0; f < n_inputs; f++) room += input[f].sp3->n_epochs;
     list->node = calloc(room, sizeof *list->node);
-    list->clock = calloc(room, sizeof *list->clock);
-    if (list->node == NULL || list->clock == NULL) return ORR_E_MEMORY;
+    if (list->node == NULL) return ORR_E_MEMORY;
     for (size_t k = 0; k < n_inputs; k++) {
         const orr_sp3 *sp3 = input[order[k]].sp3;
         size_t s = 0;
@@ -100,7 +89,7 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
         if (s == sp3->n_sats) continue;
         for (size_t e = 0; e < sp3->n_epochs; e++) {
             const orr_sp3_record *r = &sp3->record[e * sp3->n_sats + s];
-            if (!wanted_epoch(sp3->epoch[e], sp3->scale, midnight, step_ns, o)) continue;
+            if (!orr_epoch_wanted(sp3->epoch[e], sp3->scale, midnight, o)) continue;
             if (isfinite(r->pos_m[0]) && isfinite(r->pos_m[1]) && isfinite(r->pos_m[2])) {
                 bool predicted = (r->flags & ORR_SP3_ORBIT_PREDICTED) != 0;
                 list->node[list->n_nodes++] = (orr_node){
@@ -113,67 +102,71 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
                     .rank = (uint16_t)k,
                 };
             }
-            if (isfinite(r->clock_s)) {
-                uint32_t flags = 0;
-                if (r->flags & ORR_SP3_CLOCK_EVENT) flags |= ORR_EPH_CLOCK_EVENT;
-                if (r->flags & ORR_SP3_CLOCK_PREDICTED) flags |= ORR_EPH_PREDICTED;
-                list->clock[list->n_clocks++] = (orr_clock_node){
-                    .t = sp3->epoch[e], .clock_s = r->clock_s, .flags = flags, .source = (uint16_t)k};
-            }
         }
     }
     qsort(list->node, list->n_nodes, sizeof *list->node, by_time_then_file);
     return ORR_OK;
 }
 
-// Clocks of files that overlap: an observed value beats a predicted one at the same instant, a later file an
-// earlier one; only at the very joint (one file's last, the next one's first epoch) both stay, left and right
-// of a jump.
-static void order_clocks(orr_node_list *list)
+// Until when each file observed: what a prediction rests on. [n_inputs], by the file's index.
+static void observed_until(const orr_smoother_input *input, size_t n, const size_t *order, orr_time *until)
 {
-    for (size_t i = 1; i < list->n_clocks; i++) // files come in order: nearly sorted, and stable
-        for (size_t k = i; k > 0 && list->clock[k - 1].t > list->clock[k].t; k--) {
-            orr_clock_node swap = list->clock[k];
-            list->clock[k] = list->clock[k - 1];
-            list->clock[k - 1] = swap;
-        }
-    size_t n = 0;
-    for (size_t i = 0; i < list->n_clocks; i++) {
-        orr_clock_node c = list->clock[i];
-        bool again = n > 0 && list->clock[n - 1].t == c.t;
-        if (!again) {
-            list->clock[n++] = c;
-            continue;
-        }
-        bool old_predicted = (list->clock[n - 1].flags & ORR_EPH_PREDICTED) != 0;
-        bool new_predicted = (c.flags & ORR_EPH_PREDICTED) != 0;
-        if (new_predicted && !old_predicted) continue;
-        bool overlap = (n >= 2 && list->clock[n - 2].t == c.t) || (old_predicted && !new_predicted);
-        if (overlap)
-            list->clock[n - 1] = c;
-        else
-            list->clock[n++] = c;
+    for (size_t k = 0; k < n; k++) {
+        const orr_sp3 *sp3 = input[order[k]].sp3;
+        orr_time *last = &until[order[k]];
+        *last = sp3->epoch[0];
+        for (size_t i = 0; i < sp3->n_epochs * sp3->n_sats; i++)
+            if (isfinite(sp3->record[i].pos_m[0]) && (sp3->record[i].flags & ORR_SP3_ORBIT_PREDICTED) == 0)
+                *last = sp3->epoch[i / sp3->n_sats];
     }
-    list->n_clocks = n;
 }
 
-// Same instant from several files: what one observed, another's prediction must not pull at. Counts the
-// positions of instants that overlap; where files merely join (one shared instant alone) there is nothing to
-// tell here.
-static size_t supersede_predictions(orr_node_list *list, double *largest_m)
+// Whether, going from node i in one direction, a file that says it better comes within reach: one that observed, or
+// one whose prediction rests on later observations. Returns that file's index + 1; 0: none.
+static size_t better_beside(const orr_node_list *l, size_t i, int direction, double reach_s,
+                            const orr_time *until, size_t wanted)
+{
+    const orr_node *own = &l->node[i];
+    size_t k = i;
+    while (k > 0 && direction > 0 && l->node[k - 1].t == own->t) k--;
+    while (k + 1 < l->n_nodes && direction < 0 && l->node[k + 1].t == own->t) k++;
+    for (; k < l->n_nodes && fabs(orr_time_diff_s(l->node[k].t, own->t)) <= reach_s;
+         k += direction > 0 ? 1 : SIZE_MAX) {
+        const orr_node *x = &l->node[k];
+        if (x->source == own->source || (wanted != 0 && (size_t)x->source + 1 != wanted)) continue;
+        const bool fresher = until[x->source] != until[own->source] ? until[x->source] > until[own->source]
+                                                                    : x->rank > own->rank;
+        if (!x->predicted || fresher) return (size_t)x->source + 1;
+    }
+    return 0;
+}
+
+// What one file observed, another's prediction must not pull at, and of two predictions the one that rests on later
+// observations holds.
+static void supersede_predictions(orr_node_list *l, double step_s, const orr_time *until)
+{
+    for (size_t i = 0; i < l->n_nodes; i++) {
+        if (!l->node[i].predicted) continue;
+        const size_t before = better_beside(l, i, -1, step_s, until, 0);
+        l->node[i].superseded = before != 0 && better_beside(l, i, +1, step_s, until, before) != 0;
+    }
+}
+
+// Positions of instants that files share and that all count; where files merely join (one shared instant alone) there
+// is nothing to tell.
+static size_t count_overlaps(const orr_node_list *l, double *largest_m)
 {
     size_t overlapping = 0, run = 0;
     double largest_of_run = 0;
-    for (size_t i = 0; i < list->n_nodes;) {
-        size_t j = i + 1;
-        bool observed = !list->node[i].predicted;
-        for (; j < list->n_nodes && list->node[j].t == list->node[i].t; j++) {
-            observed = observed || !list->node[j].predicted;
-            double d = orr_vec3_norm(orr_vec3_sub(list->node[j].ecef_m, list->node[i].ecef_m));
-            largest_of_run = fmax(largest_of_run, d);
+    for (size_t i = 0; i < l->n_nodes;) {
+        size_t j = i, used = 0, first = i;
+        for (; j < l->n_nodes && l->node[j].t == l->node[i].t; j++) {
+            if (l->node[j].superseded) continue;
+            if (used++ == 0) first = j;
+            largest_of_run =
+                fmax(largest_of_run, orr_vec3_norm(orr_vec3_sub(l->node[j].ecef_m, l->node[first].ecef_m)));
         }
-        for (size_t k = i; k < j; k++) list->node[k].superseded = observed && list->node[k].predicted;
-        if (j - i > 1) {
+        if (used > 1) {
             run++;
         } else {
             run = 0;
@@ -188,19 +181,66 @@ static size_t supersede_predictions(orr_node_list *list, double *largest_m)
     return overlapping;
 }
 
-static double median_step(const orr_node_table *table, bool clocks)
+static orr_status settle_overlaps(const orr_smoother_input *input, size_t n, size_t n_all,
+                                  const size_t *order, orr_node_table *t, orr_warnings *warnings)
+{
+    orr_time *until = calloc(n_all + 1, sizeof *until);
+    if (until == NULL) return ORR_E_MEMORY;
+    observed_until(input, n, order, until);
+    double largest_m = 0;
+    size_t same = 0;
+    for (size_t i = 0; i < t->n_sats; i++) {
+        supersede_predictions(&t->list[i], t->step_s, until);
+        same += count_overlaps(&t->list[i], &largest_m);
+    }
+    free(until);
+    if (same > 0)
+        orr_warnings_add(
+            warnings, NULL, 0, 0,
+            "files overlap: %zu observed positions are given twice, apart by up to %.3f m; both are used "
+            "with equal weight",
+            same, largest_m);
+    return ORR_OK;
+}
+
+// Predictions taken as input, and frames that are not one.
+static void tell_kinds(const orr_smoother_input *input, size_t n, const size_t *order, orr_warnings *warnings)
+{
+    const orr_smoother_input *first = &input[order[0]];
+    for (size_t k = 0; k < n; k++) {
+        const orr_smoother_input *x = &input[order[k]];
+        size_t all = 0, predicted = 0;
+        for (size_t i = 0; i < x->sp3->n_epochs * x->sp3->n_sats; i++) {
+            if (!isfinite(x->sp3->record[i].pos_m[0])) continue;
+            all++;
+            predicted += (x->sp3->record[i].flags & ORR_SP3_ORBIT_PREDICTED) != 0;
+        }
+        if (predicted > 0)
+            orr_warnings_add(warnings, x->name, 0, 0,
+                             "%zu of %zu positions are the centre's predictions (flag P); they are followed "
+                             "less closely, and "
+                             "the product flags them as predicted",
+                             predicted, all);
+        const char *frame = x->sp3->coordinates, *other = first->sp3->coordinates;
+        if (frame[0] != '\0' && other[0] != '\0' && strncmp(frame, other, 5) != 0)
+            orr_warnings_add(warnings, x->name, 0, 0,
+                             "its positions are in %s, those of %s in %s; they are taken together as they "
+                             "are, though such "
+                             "frames differ by millimetres to centimetres",
+                             frame, first->name, other);
+    }
+}
+
+static double median_step(const orr_node_table *table)
 {
     size_t room = 1, n = 0;
-    for (size_t i = 0; i < table->n_sats; i++)
-        room += clocks ? table->list[i].n_clocks : table->list[i].n_nodes;
+    for (size_t i = 0; i < table->n_sats; i++) room += table->list[i].n_nodes;
     double *step = malloc(room * sizeof *step);
     if (step == NULL) return 0;
     for (size_t i = 0; i < table->n_sats; i++) {
         const orr_node_list *l = &table->list[i];
-        size_t count = clocks ? l->n_clocks : l->n_nodes;
-        for (size_t k = 1; k < count; k++) {
-            double d = clocks ? orr_time_diff_s(l->clock[k].t, l->clock[k - 1].t)
-                              : orr_time_diff_s(l->node[k].t, l->node[k - 1].t);
+        for (size_t k = 1; k < l->n_nodes; k++) {
+            double d = orr_time_diff_s(l->node[k].t, l->node[k - 1].t);
             if (d > 0) step[n++] = d;
         }
     }
@@ -209,11 +249,9 @@ static double median_step(const orr_node_table *table, bool clocks)
     return median;
 }
 
-// The usual distance of a file's positions (or clocks): the median over its satellites; 0 where it has no
-// two.
-static double step_of_file(const orr_sp3 *sp3, const orr_smoother_options *o, int64_t midnight, bool clocks)
+// The usual distance of a file's positions: the median over its satellites; 0 where it has no two.
+static double step_of_file(const orr_sp3 *sp3, const orr_smoother_options *o, int64_t midnight)
 {
-    const int64_t step_ns = (int64_t)llround(o->node_step_s * 1e9);
     double *step = malloc((sp3->n_sats * sp3->n_epochs + 1) * sizeof *step);
     size_t n = 0;
     if (step == NULL) return 0;
@@ -222,8 +260,8 @@ static double step_of_file(const orr_sp3 *sp3, const orr_smoother_options *o, in
         orr_time before = ORR_TIME_NONE;
         for (size_t e = 0; e < sp3->n_epochs; e++) {
             const orr_sp3_record *r = &sp3->record[e * sp3->n_sats + s];
-            if (!isfinite(clocks ? r->clock_s : r->pos_m[0])) continue;
-            if (!wanted_epoch(sp3->epoch[e], sp3->scale, midnight, step_ns, o)) continue;
+            if (!isfinite(r->pos_m[0])) continue;
+            if (!orr_epoch_wanted(sp3->epoch[e], sp3->scale, midnight, o)) continue;
             if (before != ORR_TIME_NONE) step[n++] = orr_time_diff_s(sp3->epoch[e], before);
             before = sp3->epoch[e];
         }
@@ -236,13 +274,11 @@ static double step_of_file(const orr_sp3 *sp3, const orr_smoother_options *o, in
 // Of files with different steps the longest one: a quarter of an hour is no gap in a file of quarter hours
 // because the file of the day before had five minutes.
 static double usual_step(const orr_smoother_input *input, const size_t *order, size_t n,
-                         const orr_smoother_options *o, int64_t midnight, const orr_node_table *table,
-                         bool clocks)
+                         const orr_smoother_options *o, int64_t midnight, const orr_node_table *table)
 {
     double longest = 0;
-    for (size_t k = 0; k < n; k++)
-        longest = fmax(longest, step_of_file(input[order[k]].sp3, o, midnight, clocks));
-    return longest > 0 ? longest : median_step(table, clocks); // files of one epoch each
+    for (size_t k = 0; k < n; k++) longest = fmax(longest, step_of_file(input[order[k]].sp3, o, midnight));
+    return longest > 0 ? longest : median_step(table); // files of one epoch each
 }
 
 static orr_status union_of_sats(const orr_smoother_input *input, size_t n_inputs,
@@ -308,32 +344,29 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
     orr_sat *sat = NULL;
     if (order == NULL || union_of_sats(input, n_inputs, o, &sat, &n_sats) != ORR_OK) goto memory;
     order_of_files(input, n_inputs, order);
+    const size_t n_all = n_inputs;
     n_inputs = pass_over_twins(input, n_inputs, order, warnings);
     const int64_t day = ORR_S_PER_DAY * ORR_NS_PER_S;
-    int64_t midnight = label_ns(input[order[0]].sp3->epoch[0], input[order[0]].sp3->scale);
+    int64_t midnight = orr_epoch_label_ns(input[order[0]].sp3->epoch[0], input[order[0]].sp3->scale);
     midnight = orr_time_add(midnight, -orr_floor_mod(midnight, day));
 
     out->list = calloc(n_sats + 1, sizeof *out->list);
     if (out->list == NULL) goto memory;
-    double largest_m = 0;
-    size_t same = 0;
     out->from = INT64_MAX;
     out->to = INT64_MIN;
     for (size_t i = 0; i < n_sats; i++) {
         orr_node_list *l = &out->list[out->n_sats++];
         l->sat = sat[i];
         if (gather_sat(input, order, n_inputs, o, midnight, l) != ORR_OK) goto memory;
-        order_clocks(l);
-        same += supersede_predictions(l, &largest_m);
         if (l->n_nodes == 0) continue;
         if (l->node[0].t < out->from) out->from = l->node[0].t;
         if (l->node[l->n_nodes - 1].t > out->to) out->to = l->node[l->n_nodes - 1].t;
     }
-    out->step_s = usual_step(input, order, n_inputs, o, midnight, out, false);
-    out->clock_step_s = usual_step(input, order, n_inputs, o, midnight, out, true);
-    free(order);
+    out->step_s = usual_step(input, order, n_inputs, o, midnight, out);
     free(sat);
+    sat = NULL;
     if (out->to < out->from) {
+        free(order);
         orr_nodes_free(out);
         return orr_diag_set(diag, ORR_E_NODATA, "no satellite position is left to smooth%s",
                             n_sats == 0                              ? ": no file has any of the satellites"
@@ -343,18 +376,10 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
     for (size_t i = 0; i < out->n_sats; i++)
         for (size_t k = 0; k < out->list[i].n_nodes; k++)
             out->list[i].node[k].t_s = orr_time_diff_s(out->list[i].node[k].t, out->from);
-    if (same > 0)
-        orr_warnings_add(warnings, NULL, 0, 0,
-                         "files overlap: %zu positions are given twice, apart by up to %.3f m; both are used "
-                         "with equal weight, but an "
-                         "observed one supersedes a predicted one",
-                         same, largest_m);
-    out->clock_max_gap_s = CLOCK_GAP_STEPS * out->clock_step_s;
-    for (size_t i = 0; i < out->n_sats && o->detect; i++)
-        if (orr_clock_check(&out->list[i], out->clock_max_gap_s, warnings) != ORR_OK) {
-            orr_nodes_free(out);
-            return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for the clocks");
-        }
+    if (settle_overlaps(input, n_inputs, n_all, order, out, warnings) != ORR_OK) goto memory;
+    tell_kinds(input, n_inputs, order, warnings);
+    if (orr_clocks_gather(input, n_inputs, order, o, midnight, out, warnings) != ORR_OK) goto memory;
+    free(order);
     return o->bridge ? bridge_all(o, out, warnings, diag) : ORR_OK;
 memory:
     free(order);

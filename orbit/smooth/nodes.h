@@ -25,7 +25,8 @@ typedef struct orr_node_list {
     orr_sat sat;
     size_t n_nodes, n_clocks;
     orr_node *node;        // ascending in t, then in file order
-    orr_clock_node *clock; // ascending; at a joint of files the later file's comes second
+    orr_clock_node *clock; // ascending; where stretches of two files meet the later one's comes second
+    orr_clock_noise clock_noise;
 } orr_node_list;
 
 typedef struct orr_node_table {
@@ -35,6 +36,7 @@ typedef struct orr_node_table {
     double step_s; // the usual distance of neighbouring nodes: the median of a file's satellites, the longest
                    // of the files
     double clock_step_s, clock_max_gap_s; // likewise of clocks; the longest that one is interpolated over
+    orr_clock_events clock_events;
 } orr_node_table;
 
 // Gathers the nodes and clocks of all files.

@@ -480,7 +480,7 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
 {
     orr_track_context own = *shared, *c = &own;
     choose_method(c, list, true);
-    *out = (orr_orbit_sat){.sat = list->sat};
+    *out = (orr_orbit_sat){.sat = list->sat, .clock_noise = list->clock_noise};
     *report = (orr_satellite_report){0};
     work w = {.c = c,
               .table = table,

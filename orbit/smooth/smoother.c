@@ -29,6 +29,7 @@ orr_smoother_options orr_smoother_defaults(void)
         .f0_axes = ORR_F0_RTN,
         .max_gap_s = 8 * 3600.0,
         .extend_to = ORR_TIME_NONE,
+        .clock_gap_s = 1350,
         .detect = true,
         .grid_s = 150,
         .jobs = 1,
@@ -64,6 +65,9 @@ static orr_status check_options(const orr_smoother_options *o, orr_diag *diag)
         return orr_diag_set(diag, ORR_E_ARG, "grid of %g s is not in 1..900 s", o->grid_s);
     if (!(o->max_gap_s > 0 && o->max_gap_s <= 172800))
         return orr_diag_set(diag, ORR_E_ARG, "longest bridged gap of %g s is not in (0, 48 h]", o->max_gap_s);
+    if (!(o->clock_gap_s >= 0 && o->clock_gap_s <= 172800))
+        return orr_diag_set(diag, ORR_E_ARG, "longest bridged hole of clocks of %g s is not in [0, 48 h]",
+                            o->clock_gap_s);
     if (!(o->node_step_s >= 0)) return orr_diag_set(diag, ORR_E_ARG, "node step cannot be negative");
     if (o->bridge && o->nav == NULL)
         return orr_diag_set(diag, ORR_E_ARG, "bridging needs broadcast ephemerides");
@@ -203,7 +207,7 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
 }
 
 static orr_status describe_sources(const orr_smoother_input *input, size_t n, const orr_smoother_options *o,
-                                   const orr_node_table *table, bool about_reference, orr_orbit_solution *out)
+                                   orr_node_table *table, bool about_reference, orr_orbit_solution *out)
 {
     out->source = calloc(n + o->n_also, sizeof *out->source);
     out->sat = calloc(table->n_sats + 1, sizeof *out->sat);
@@ -216,6 +220,8 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     out->n_sources = n + o->n_also;
     out->node_step_s = table->step_s;
     out->clock_max_gap_s = table->clock_max_gap_s;
+    out->clock_events = table->clock_events;
+    table->clock_events = (orr_clock_events){0};
     out->from = table->from;
     out->to = table->to;
     describe(o, about_reference, out->options, sizeof out->options);
@@ -361,6 +367,7 @@ void orr_orbit_solution_free(orr_orbit_solution *s)
     for (size_t i = 0; i < s->n_sats; i++) orr_satellite_free(&s->sat[i]);
     free(s->sat);
     free(s->source);
+    free(s->clock_events.item);
     orr_earth_rotation_free(&s->rotation);
     *s = (orr_orbit_solution){0};
 }

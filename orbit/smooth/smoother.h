@@ -7,6 +7,7 @@
 
 #include "core/interval.h"
 #include "core/log.h"
+#include "ingest/rinex/clk.h"
 #include "ingest/rinex/rinex_nav.h"
 #include "ingest/sp3/sp3.h"
 #include "orbit/force/sky.h"
@@ -17,6 +18,11 @@ typedef enum orr_f0_axes { // axes in which the empirical acceleration f0 is (ne
     ORR_F0_INERTIAL,
     ORR_F0_ECEF, // as (33) is written
 } orr_f0_axes;
+
+typedef struct orr_smoother_clk {
+    const orr_clk *clk;
+    char name[256];
+} orr_smoother_clk;
 
 typedef struct orr_smoother_options {
     // a-priori force
@@ -53,6 +59,11 @@ typedef struct orr_smoother_options {
                         // any; NULL: variant B, from the nodes alone
     bool bridge; // with nav: hours without nodes are bridged at broadcast quality, flagged as predicted
     orr_time extend_to; // with bridge: how far beyond the last node; ORR_TIME_NONE: not
+    // clocks
+    const orr_smoother_clk *clk; // [n_clk] RINEX CLK files, which come before the clocks of SP3
+    size_t n_clk;
+    double clock_gap_s; // a clock is bridged over so much, and over 1.5 of its steps wherever they are longer
+    bool clock_remove_reference; // steps and ramps that all clocks of a system share are taken out
     // provenance: files that the options came from (ERP, navigation); they follow the inputs in the
     // solution's sources
     const orr_orbit_source *also;

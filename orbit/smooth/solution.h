@@ -8,7 +8,8 @@
 #include "core/sat.h"
 #include "core/time.h"
 #include "core/vec.h"
-#include "orbit/clock/clock_node.h"
+#include "orbit/clock/clock_judge.h"
+#include "orbit/clock/clock_noise.h"
 #include "orbit/dynamics/earth_rotation.h"
 
 // State in ecef (ITRS) at one instant. acc is the second derivative of the ecef coordinates (what a
@@ -54,10 +55,11 @@ typedef struct orr_orbit_event {
 typedef struct orr_orbit_sat {
     orr_sat sat;
     size_t n_arcs, n_clocks, n_nodes, n_events;
-    orr_orbit_arc *arc;     // ascending, not overlapping
-    orr_clock_node *clock;  // ascending; two at one instant where files join: it jumps there
-    orr_orbit_node *node;   // ascending in t
-    orr_orbit_event *event; // ascending in t0
+    orr_orbit_arc *arc;          // ascending, not overlapping
+    orr_clock_node *clock;       // ascending; two at one instant where files join: it jumps there
+    orr_clock_noise clock_noise; // how it wanders between its nodes; NAN: not known
+    orr_orbit_node *node;        // ascending in t
+    orr_orbit_event *event;      // ascending in t0
 } orr_orbit_sat;
 
 typedef struct orr_orbit_source {
@@ -69,12 +71,13 @@ typedef struct orr_orbit_solution {
     size_t n_sats, n_sources;
     orr_orbit_sat *sat; // ascending
     orr_orbit_source *source;
-    double node_step_s;          // the usual step of input nodes
-    double clock_max_gap_s;      // longest interval that a clock is interpolated over
-    orr_time from, to;           // span of the input nodes
-    char options[1024];          // the settings in words, for provenance
-    orr_earth_rotation rotation; // that the frame turns with
-    char frame[64];              // input's coordinate system, e.g. "IGS20"
+    double node_step_s;            // the usual step of input nodes
+    double clock_max_gap_s;        // longest interval that a clock is interpolated over
+    orr_clock_events clock_events; // of all satellites
+    orr_time from, to;             // span of the input nodes
+    char options[1024];            // the settings in words, for provenance
+    orr_earth_rotation rotation;   // that the frame turns with
+    char frame[64];                // input's coordinate system, e.g. "IGS20"
 } orr_orbit_solution;
 
 // Frees what the solution owns and zeroes it.

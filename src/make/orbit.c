@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "core/parallel.h"
+#include "ingest/rinex/clk.h"
 #include "ingest/tables/erp.h"
 #include "src/make/inputs.h"
 
@@ -35,6 +36,9 @@ typedef struct work {
     orr_smoother_input *input;
     size_t n_sp3;
     orr_nav nav;
+    orr_clk *clk;
+    orr_smoother_clk *clk_input;
+    size_t n_clk;
     orr_inputs inputs, also; // provenance: of the SP3 files, of the other kinds
 } work;
 
@@ -44,6 +48,9 @@ static void work_free(work *w)
     free(w->sp3);
     free(w->input);
     orr_nav_free(&w->nav);
+    for (size_t i = 0; i < w->n_clk; i++) orr_clk_free(&w->clk[i]);
+    free(w->clk);
+    free(w->clk_input);
     orr_inputs_free(&w->inputs);
     orr_inputs_free(&w->also);
 }
@@ -91,11 +98,35 @@ static orr_status read_erp(const orr_orbit_plan *plan, work *w, orr_eop_series *
     return s;
 }
 
+static orr_status read_clk(const orr_orbit_plan *plan, work *w, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_status s = ORR_OK;
+    w->clk = calloc(plan->n_clk + 1, sizeof *w->clk);
+    w->clk_input = calloc(plan->n_clk + 1, sizeof *w->clk_input);
+    if (w->clk == NULL || w->clk_input == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", plan->n_clk);
+    for (size_t i = 0; i < plan->n_clk && s == ORR_OK; i++) {
+        orr_bytes text;
+        s = orr_inputs_read(&w->also, plan->clk[i], &text, diag);
+        if (s == ORR_OK) s = orr_clk_parse(plan->clk[i], text.text, text.n, NULL, &w->clk[i], warnings, diag);
+        orr_bytes_free(&text);
+        w->n_clk = i + 1;
+        if (s != ORR_OK) break;
+        if (w->clk[i].n_sats == 0)
+            return orr_diag_set(diag, ORR_E_NODATA, "%s has clocks of receivers alone, none of a satellite",
+                                plan->clk[i]);
+        w->clk_input[i].clk = &w->clk[i];
+        snprintf(w->clk_input[i].name, sizeof w->clk_input[i].name, "%s", w->also.item[w->also.n - 1].name);
+    }
+    return s;
+}
+
 static orr_status read_all(const orr_orbit_plan *plan, const orr_log *log, work *w, orr_eop_series *eop,
                            orr_warnings *warnings, orr_diag *diag)
 {
     orr_status s = read_sp3(plan, log, w, warnings, diag);
     if (s == ORR_OK) s = read_erp(plan, w, eop, warnings, diag);
+    if (s == ORR_OK) s = read_clk(plan, w, warnings, diag);
     if (s == ORR_OK && plan->n_nav > 0)
         s = orr_inputs_read_navs(&w->also, plan->nav, plan->n_nav, &w->nav, warnings, diag);
     return s;
@@ -113,7 +144,7 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
 {
     *out = (orr_orbit_made){0};
     if (plan->n_sp3 > ORR_ORBIT_MAX_FILES || plan->n_erp > ORR_ORBIT_MAX_FILES ||
-        plan->n_nav > ORR_ORBIT_MAX_FILES)
+        plan->n_nav > ORR_ORBIT_MAX_FILES || plan->n_clk > ORR_ORBIT_MAX_FILES)
         return orr_diag_set(diag, ORR_E_LIMIT, "at most %d files of a kind are smoothed at once",
                             ORR_ORBIT_MAX_FILES);
     work w = {0};
@@ -125,6 +156,8 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
         orr_smoother_options options = plan->smoother;
         options.eop = eop.n > 0 ? &eop : NULL;
         options.nav = plan->n_nav > 0 ? &w.nav : NULL;
+        options.clk = w.clk_input;
+        options.n_clk = w.n_clk;
         options.also = w.also.item;
         options.n_also = w.also.n;
         s = orr_smoother_run(w.input, w.n_sp3, &options, log, cancel, &out->solution, &out->report, warnings,

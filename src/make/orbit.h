@@ -15,7 +15,9 @@ typedef struct orr_orbit_plan {
     size_t n_erp;
     const char *const *nav; // navigation files for the a-priori orbit; n_nav 0: from the nodes alone
     size_t n_nav;
-    orr_smoother_options smoother; // eop, nav, also and n_also are set by orr_orbit_make
+    const char *const *clk; // RINEX CLK files, whose clocks come before those of SP3
+    size_t n_clk;
+    orr_smoother_options smoother; // eop, nav, clk, n_clk, also and n_also are set by orr_orbit_make
 } orr_orbit_plan;
 
 // A plan without files and with the smoother's defaults on all cores.

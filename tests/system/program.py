@@ -50,7 +50,7 @@ def dump(path):
             out[name] = re.findall(r'"([^"]*)"', values)
             continue
         items = [v.strip() for v in values.split(",")]
-        flat = [float(v) if re.search(r"[.en]", v) else int(v) for v in items]
+        flat = [float(v) if re.search(r"[.enN]", v) else int(v) for v in items]
         for n in reversed(shapes[name][1:]):
             flat = [flat[i:i + n] for i in range(0, len(flat), n)]
         out[name] = flat

@@ -53,6 +53,29 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TIME,
      .value = "T",
      .help = "Go on beyond the last node up to T, as long as there are broadcast ephemerides."},
+    {.name = "clk",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .repeated = true,
+     .help = "RINEX clock file (30 s, 5 s, ...): its clocks come before those of the SP3 files, which fill "
+             "what it does "
+             "not have. Where it is of another centre it is brought to their reference clock by the median "
+             "over the "
+             "satellites of a system, epoch by epoch, and that is told."},
+    {.name = "clock-gap",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "Longest hole in a satellite's clock that is bridged, with a standard deviation that says how "
+             "well; 1350 s by "
+             "default, and 1.5 of the files' steps wherever that is longer. Across longer holes there is no "
+             "clock."},
+    {.name = "reference-clock",
+     .kind = ORR_OPT_CHOICE,
+     .value = "keep|remove",
+     .help = "Steps and ramps that the clocks of all satellites share are the reference clock's. keep "
+             "(default): clocks "
+             "are as the files give them. remove: they are taken out, and clocks go on as they are after the "
+             "last."},
     {.name = "max-gap",
      .kind = ORR_OPT_DURATION,
      .value = "S",
@@ -154,6 +177,8 @@ static void smoother_options(const orr_cli *c, orr_smoother_options *o)
     o->detect = says(c, "detect", "yes", o->detect);
     o->node_step_s = (double)orr_cli_duration_ns(c, "nodes", 0) * 1e-9;
     o->max_gap_s = (double)orr_cli_duration_ns(c, "max-gap", (int64_t)(o->max_gap_s * 1e9)) * 1e-9;
+    o->clock_gap_s = (double)orr_cli_duration_ns(c, "clock-gap", (int64_t)(o->clock_gap_s * 1e9)) * 1e-9;
+    o->clock_remove_reference = says(c, "reference-clock", "remove", false);
     o->sats = orr_cli_sats(c, "sat");
     o->bridge = orr_cli_given(c, "bridge");
     o->extend_to = orr_cli_time(c, "extend-to", ORR_TIME_NONE);
@@ -162,7 +187,7 @@ static void smoother_options(const orr_cli *c, orr_smoother_options *o)
 
 // Everything that a plan borrows besides the command line.
 typedef struct lists {
-    const char **erp, **nav;
+    const char **erp, **nav, **clk;
     orr_interval *exclude;
 } lists;
 
@@ -174,9 +199,10 @@ static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, or
     plan->n_sp3 = (size_t)c->n_operands;
     l->erp = orr_cli_texts(c, "erp", &plan->n_erp);
     l->nav = orr_cli_texts(c, "nav", &plan->n_nav);
+    l->clk = orr_cli_texts(c, "clk", &plan->n_clk);
     const size_t n = orr_cli_count(c, "exclude");
     l->exclude = calloc(n + 1, sizeof *l->exclude);
-    if (l->erp == NULL || l->nav == NULL || l->exclude == NULL)
+    if (l->erp == NULL || l->nav == NULL || l->clk == NULL || l->exclude == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for lists of options");
     for (size_t i = 0; i < n; i++) {
         orr_interval *x = &l->exclude[i];
@@ -185,6 +211,7 @@ static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, or
     }
     plan->erp = l->erp;
     plan->nav = l->nav;
+    plan->clk = l->clk;
     plan->smoother.exclude = l->exclude;
     plan->smoother.n_exclude = n;
     return ORR_OK;
@@ -221,6 +248,7 @@ static int run(orr_cli *c)
     orr_orbit_made_free(&made);
     free(l.erp);
     free(l.nav);
+    free(l.clk);
     free(l.exclude);
     return status;
 }
@@ -248,7 +276,9 @@ const orr_command orr_cmd_orbit = {
         "estimated "
         "from the orbits. Each of its systems has satellites, nodes, left_out, residual_rms_mm, manoeuvres, "
         "gaps and "
-        "eclipses; day_jumps and seconds follow.",
+        "eclipses; day_jumps and seconds follow. Its clock_events have kind (wrong_value, jump, flagged, "
+        "reference), sat "
+        "or, of the reference clock, systems, from, to and value_ns.",
     .example = "orrery orbit -o day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T13:00 "
                "day1.sp3 day2.sp3 day3.sp3",

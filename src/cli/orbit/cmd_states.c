@@ -82,11 +82,15 @@ const orr_command orr_cmd_states = {
     .max_operands = 1,
     .about = "Positions, velocities (ecef) and clocks at evenly spaced instants. The CSV columns are t_gps, "
              "sat, x_m, y_m, "
-             "z_m, vx_mps, vy_mps, vz_mps, clock_s, flags; JSON has the same names, SP3 is version d with "
+             "z_m, vx_mps, vy_mps, vz_mps, clock_s, flags, sigma_m, clock_sigma_s; JSON has the same names, "
+             "SP3 is version d with "
              "velocities. A "
              "satellite without an orbit at an instant has no row there, a clock that is not known is an "
              "empty field (null "
-             "in JSON). clock_s is as SP3 has it: periodic relativity is not included.\n\n"
+             "in JSON). clock_s is as SP3 has it: periodic relativity is not included. sigma_m (3-D) and "
+             "clock_sigma_s are standard deviations against the orbit and the clock that the product's own "
+             "input would give "
+             "at that instant; empty where none is known.\n\n"
              "flags is a sum of: 1 clock is known, 2 predicted, 4 manoeuvre, 8 clock event, 16 eclipse, 32 "
              "gap between "
              "input nodes.",

@@ -171,6 +171,26 @@ static json_t *json_events(const orr_orbit_solution *s)
     return all;
 }
 
+static json_t *json_clock_events(const orr_clock_events *events)
+{
+    static const char *const name[] = {"", "wrong_value", "jump", "flagged", "reference"};
+    json_t *all = json_array();
+    for (size_t i = 0; i < events->n; i++) {
+        const orr_clock_event *e = &events->item[i];
+        json_t *o = json_object();
+        json_object_set_new(o, "kind", json_string(name[e->kind]));
+        if (e->kind == ORR_CLOCK_EVENT_REFERENCE)
+            json_object_set_new(o, "systems", json_string(e->systems));
+        else
+            json_object_set_new(o, "sat", orr_json_sat(e->sat));
+        json_object_set_new(o, "from", orr_json_time(e->t0));
+        json_object_set_new(o, "to", orr_json_time(e->t1));
+        if (e->kind != ORR_CLOCK_EVENT_FLAG) json_object_set_new(o, "value_ns", json_real(1e9 * e->value_s));
+        json_array_append_new(all, o);
+    }
+    return all;
+}
+
 static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
                       const orr_ephemeris *e, const orbit_seconds *seconds)
 {
@@ -187,6 +207,7 @@ static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_s
     json_object_set_new(jumps, "max_mm", orr_json_number(1e3 * joint.max_m));
     json_object_set_new(j, "day_jumps", jumps);
     json_object_set_new(j, "events", json_events(s));
+    json_object_set_new(j, "clock_events", json_clock_events(&s->clock_events));
     json_object_set_new(j, "earth_rotation_given", json_boolean(report->eop_known));
     if (report->eop_told) {
         const double mas = ORR_RAD_PER_DEG / 3.6e6;

@@ -53,6 +53,13 @@ static char *put_vector(char *p, orr_vec3 v, int decimals, const char *const key
     return p;
 }
 
+// A standard deviation that is not known is an empty column.
+static char *put_sigma(char *p, const char *key, float sigma, int decimals, bool json)
+{
+    p = put_text(p, key);
+    return isfinite(sigma) ? p + orr_fixed((double)sigma, decimals, p) : put_text(p, json ? "null" : "");
+}
+
 // One row, ending with a newline in CSV and without one in JSON.
 static size_t make_row(const orr_sat_state *s, const char *t_gps, bool json, char row[ROW])
 {
@@ -75,6 +82,8 @@ static size_t make_row(const orr_sat_state *s, const char *t_gps, bool json, cha
         p = put_text(p, json ? "null" : "");
     p = put_text(p, json ? ",\"flags\":" : ",");
     p += orr_fixed((double)s->flags, 0, p);
+    p = put_sigma(p, json ? ",\"sigma_m\":" : ",", s->sigma_m, POS_DECIMALS, json);
+    p = put_sigma(p, json ? ",\"clock_sigma_s\":" : ",", s->clock_sigma_s, CLOCK_DECIMALS, json);
     p = put_text(p, json ? "}" : "\n");
     return (size_t)(p - row);
 }
@@ -87,7 +96,7 @@ static orr_status write_rows(const orr_ephemeris *e, const states_request *q, bo
     orr_sat_state *state = calloc(n_sats, sizeof *state);
     if (state == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the states of %zu satellites", n_sats);
-    fputs(json ? "[" : "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags\n", f);
+    fputs(json ? "[" : "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags,sigma_m,clock_sigma_s\n", f);
     orr_status s = ORR_OK;
     for (orr_time t = q->from; s == ORR_OK; t += q->step_ns) {
         char t_gps[ORR_TIME_TEXT], row[ROW];
@@ -132,6 +141,7 @@ static void put_record(const orr_sat_state *s, orr_sp3_record *r)
     if ((s->flags & ORR_EPH_CLOCK_VALID) != 0) {
         r->clock_s = s->clock_s;
         r->clock_rate_sps = s->clock_rate_sps;
+        if (isfinite(s->clock_sigma_s)) r->clock_sdev_s = fmaxf(s->clock_sigma_s, 1e-12f); // SP3's least
     }
     r->flags = sp3_flags(s->flags);
 }

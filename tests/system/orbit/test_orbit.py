@@ -77,7 +77,7 @@ class Orbit(Folder):
             self.assertEqual(places["gap"]["n"], places["gap"]["satellites"] * 14)
             self.assertLess(places["gap"]["rms_mm"], 3, system)
         at = ("--from", "2025-03-21T12:20", "--to", "2025-03-21T12:20", "--sat", "G01")
-        flags = [int(run("states", p, *at).stdout.splitlines()[1].split(",")[-1]) for p in (self.product, gap)]
+        flags = [int(run("states", p, *at).stdout.splitlines()[1].split(",")[9]) for p in (self.product, gap)]
         self.assertEqual([f & 32 for f in flags], [0, 32])
 
     def test_jobs_and_order_do_not_matter(self):

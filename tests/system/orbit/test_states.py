@@ -14,7 +14,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from program import ORRERY, Folder, run, run_json, sample  # noqa: E402
 
-COLUMNS = "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags".split(",")
+COLUMNS = "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags,sigma_m,clock_sigma_s".split(",")
 DAY = "ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"
 
 
@@ -81,6 +81,11 @@ class States(Folder):
             self.assertEqual((r["t_gps"], r["sat"], int(r["flags"])), (o["t_gps"], o["sat"], o["flags"]))
             for k in COLUMNS[2:8]:
                 self.assertEqual(float(r[k]), o[k])
+            self.assertGreater(o["sigma_m"], 0)
+            self.assertEqual(r["clock_sigma_s"], "" if o["clock_sigma_s"] is None else r["clock_sigma_s"])
+            self.assertEqual(o["clock_s"] is None, o["clock_sigma_s"] is None)
+            if o["clock_sigma_s"] is not None:
+                self.assertTrue(0 < o["clock_sigma_s"] < 1e-6)
             self.assertEqual(r["clock_s"], "" if o["clock_s"] is None else r["clock_s"])
             if o["clock_s"] is not None:
                 self.assertEqual(float(r["clock_s"]), o["clock_s"])

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/clock/clock_between.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/robust.h"
+#include "orbit/clock/clock_common.h"
+
+enum { N_LAGS = 2, LEAST_DIFFERENCES = 5 };
+static const size_t lag[N_LAGS] = {1, 2};
+
+typedef struct sums {
+    double sum2[N_LAGS];
+    size_t n[N_LAGS];
+} sums;
+
+// Second differences within a run of nodes that are one step apart each.
+static void add_run(const orr_clock_node *c, size_t n, sums *to)
+{
+    for (int k = 0; k < N_LAGS; k++)
+        for (size_t i = 0; i + 2 * lag[k] < n; i++) {
+            const double d = c[i + 2 * lag[k]].clock_s - 2 * c[i + lag[k]].clock_s + c[i].clock_s;
+            to->sum2[k] += d * d;
+            to->n[k]++;
+        }
+}
+
+static sums second_differences(const orr_clock_list *l, double step_s, double max_gap_s)
+{
+    sums s = {0};
+    for (size_t first = 0; first < l->n;) {
+        size_t next = first + 1;
+        for (; next < l->n; next++) {
+            const double dt = orr_time_diff_s(l->node[next].t, l->node[next - 1].t);
+            if (fabs(dt - step_s) > 1e-3 || dt > max_gap_s ||
+                (l->node[next].flags & ORR_EPH_CLOCK_EVENT) != 0 ||
+                (l->node[next].flags & ORR_EPH_PREDICTED) != 0)
+                break;
+        }
+        add_run(&l->node[first], next - first, &s);
+        first = next;
+    }
+    return s;
+}
+
+// White noise, a random walk and one of frequency have second differences of variance 6 w, 2 q tau and 2/3 r tau^3. Of
+// each two neighbouring kinds the first two lags tell how much: a ratio of 1 is white, 2 a walk, 8 one of frequency.
+static orr_clock_noise noise_of(const sums *s, double step_s)
+{
+    const double v1 = s->sum2[0] / (double)s->n[0];
+    orr_clock_noise n = {0};
+    const int far = s->n[1] >= LEAST_DIFFERENCES ? 1 : 0;
+    const double v2 = far ? s->sum2[1] / (double)s->n[1] : 2 * v1;
+    if (v2 <= v1) {
+        n.white_s2 = v1 / 6;
+    } else if (v2 <= 2 * v1) { // 6 w + 2 q tau, 6 w + 4 q tau
+        n.wfm_s2ps = (v2 - v1) / (2 * step_s);
+        n.white_s2 = (2 * v1 - v2) / 6;
+    } else { // 2 q tau + 2/3 r tau^3, 4 q tau + 16/3 r tau^3
+        const double r = fmin((v2 - 2 * v1) / 6, v1);
+        n.rwfm_s2ps3 = 1.5 * r / (step_s * step_s * step_s);
+        n.wfm_s2ps = (v1 - r) / (2 * step_s);
+    }
+    return n;
+}
+
+static double median_of(double *x, size_t n) { return n > 0 ? orr_upper_median(x, n) : (double)NAN; }
+
+// A satellite that tells too little has what is usual in its system.
+static orr_status fill_from_system(const orr_clock_table *clocks, const bool *told, orr_clock_noise *noise)
+{
+    double *room = malloc((3 * clocks->n + 1) * sizeof *room);
+    if (room == NULL) return ORR_E_MEMORY;
+    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
+        double *white = room, *walk = room + clocks->n, *frequency = room + 2 * clocks->n;
+        size_t n = 0;
+        for (size_t i = 0; i < clocks->n; i++) {
+            if (orr_sat_system(clocks->list[i].sat) != *system || !told[i]) continue;
+            white[n] = noise[i].white_s2;
+            walk[n] = noise[i].wfm_s2ps;
+            frequency[n++] = noise[i].rwfm_s2ps3;
+        }
+        const orr_clock_noise usual = {median_of(white, n), median_of(walk, n), median_of(frequency, n)};
+        for (size_t i = 0; i < clocks->n; i++)
+            if (orr_sat_system(clocks->list[i].sat) == *system && !told[i]) noise[i] = usual;
+    }
+    free(room);
+    return ORR_OK;
+}
+
+// The usual distance of a satellite's nodes; 0 where there are no two.
+static double usual_step(const orr_clock_list *l, double *room)
+{
+    size_t n = 0;
+    for (size_t i = 1; i < l->n; i++) {
+        const double dt = orr_time_diff_s(l->node[i].t, l->node[i - 1].t);
+        if (dt > 0) room[n++] = dt;
+    }
+    return n > 0 ? orr_upper_median(room, n) : 0;
+}
+
+// Of one system, after the reference's steps are taken from a copy of each clock.
+static orr_status measure_system(const orr_clock_table *clocks, char system, double max_gap_s, bool *told,
+                                 orr_clock_noise *noise)
+{
+    orr_clock_common steps;
+    orr_status s = orr_clock_common_find(clocks->list, clocks->n, system, &steps);
+    if (s == ORR_OK) s = orr_clock_common_keep_steps(&steps);
+    for (size_t i = 0; i < clocks->n && s == ORR_OK; i++) {
+        const orr_clock_list *l = &clocks->list[i];
+        if (orr_sat_system(l->sat) != system || l->n == 0) continue;
+        orr_clock_list copy = {.sat = l->sat, .n = l->n, .node = malloc(l->n * sizeof *copy.node)};
+        double *room = malloc(l->n * sizeof *room);
+        if (copy.node != NULL && room != NULL) {
+            memcpy(copy.node, l->node, l->n * sizeof *copy.node);
+            orr_clock_common_apply(&steps, -1, &copy);
+            const double step_s = usual_step(l, room);
+            const sums d = second_differences(&copy, step_s, max_gap_s);
+            told[i] = d.n[0] >= LEAST_DIFFERENCES;
+            if (told[i]) noise[i] = noise_of(&d, step_s);
+        } else
+            s = ORR_E_MEMORY;
+        free(copy.node);
+        free(room);
+    }
+    orr_clock_common_free(&steps);
+    return s;
+}
+
+orr_status orr_clock_between_noise(const orr_clock_table *clocks, double max_gap_s, orr_clock_noise *noise)
+{
+    bool *told = calloc(clocks->n + 1, sizeof *told);
+    orr_status s = told != NULL ? ORR_OK : ORR_E_MEMORY;
+    for (const char *system = ORR_SYSTEMS; *system != '\0' && s == ORR_OK; system++)
+        s = measure_system(clocks, *system, max_gap_s, told, noise);
+    if (s == ORR_OK) s = fill_from_system(clocks, told, noise);
+    free(told);
+    return s;
+}
