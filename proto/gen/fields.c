@@ -163,8 +163,9 @@ static const orr_field fields_sat_state[] = {
     {.name = "valid_from", .unit = "ns", .doc = "start of the arc that was evaluated", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_state, valid_from), .in_text = true, .text_name = "valid_from", .text_factor = 1.0, .in_table = false, .head = "valid from", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "valid_to", .unit = "ns", .doc = "its end", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_state, valid_to), .in_text = true, .text_name = "valid_to", .text_factor = 1.0, .in_table = false, .head = "valid to", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "sigma_m", .unit = "m", .doc = "1-sigma of the position, 3-D", .kind = ORR_FIELD_F32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_state, sigma_m), .in_text = true, .text_name = "sigma_m", .text_factor = 1.0, .in_table = true, .head = "sigma", .table_unit = "mm", .table_factor = 1000.0, .digits = 1},
+    {.name = "clock_sigma_s", .unit = "s", .doc = "1-sigma of clock_s; NAN where there is no clock or it is not known", .kind = ORR_FIELD_F32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_state, clock_sigma_s), .in_text = true, .text_name = "clock_sigma_s", .text_factor = 1.0, .in_table = true, .head = "clock sigma", .table_unit = "ns", .table_factor = 1000000000.0, .digits = 3},
 };
-static const orr_record record_sat_state = {"sat_state", fields_sat_state, 12, sizeof(orr_msg_sat_state), false, false};
+static const orr_record record_sat_state = {"sat_state", fields_sat_state, 13, sizeof(orr_msg_sat_state), false, false};
 
 static const orr_field fields_sat_elements[] = {
     {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_elements, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},

@@ -314,6 +314,7 @@ static inline void store_sat_state(uint8_t *p, const orr_msg_sat_state *m)
     orr_wire_store_i64(p + 96, m->valid_from);
     orr_wire_store_i64(p + 104, m->valid_to);
     orr_wire_store_f32(p + 112, m->sigma_m);
+    orr_wire_store_f32(p + 116, m->clock_sigma_s);
 }
 
 static inline void load_sat_state(const uint8_t *p, orr_msg_sat_state *m)
@@ -336,6 +337,7 @@ static inline void load_sat_state(const uint8_t *p, orr_msg_sat_state *m)
     m->valid_from = orr_wire_load_i64(p + 96);
     m->valid_to = orr_wire_load_i64(p + 104);
     m->sigma_m = orr_wire_load_f32(p + 112);
+    m->clock_sigma_s = orr_wire_load_f32(p + 116);
 }
 
 static inline void store_sat_elements(uint8_t *p, const orr_msg_sat_elements *m)
@@ -1658,9 +1660,9 @@ static void put_sat_state_records(orr_wire_writer *w, const orr_msg_sat_state_li
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
     }
-    uint8_t *p = orr_wire_room(w, 116 * (size_t)list->count);
+    uint8_t *p = orr_wire_room(w, 120 * (size_t)list->count);
     if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_sat_state(p + 116 * (size_t)i, &list->item[i]);
+    for (uint16_t i = 0; i < list->count; i++) store_sat_state(p + 120 * (size_t)i, &list->item[i]);
 }
 
 orr_wire_status orr_msg_sat_state_records_encode(const orr_msg_sat_state_list *piece, orr_wire_writer *w)
@@ -1676,7 +1678,7 @@ static void put_sat_state_list(orr_wire_writer *w, const orr_msg_sat_state_list 
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
-    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 116 : list->wire.stride);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 120 : list->wire.stride);
     put_sat_state_records(w, list);
 }
 
@@ -1690,7 +1692,7 @@ static void get_sat_state_list(orr_wire_reader *r, orr_msg_sat_state_list *list,
         return;
     }
     uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
-    if (count > 0 && stride < 116) {
+    if (count > 0 && stride < 120) {
         r->status = ORR_WIRE_SHORT;
         return;
     }

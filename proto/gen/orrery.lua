@@ -126,7 +126,7 @@ records.leap_seconds = {size = 12, smallest = 12, fields = {
     {name = "next_gps_utc_s", kind = "scalar", scalar = "i16", unit = "s"},
     {name = "next", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
 }}
-records.sat_state = {size = 116, smallest = 116, fields = {
+records.sat_state = {size = 120, smallest = 120, fields = {
     {name = "sat", kind = "struct", record = "sat_id"},
     {name = "answer", kind = "scalar", scalar = "u8", enum = "answer"},
     {name = "reserved", kind = "scalar", scalar = "u8"},
@@ -139,6 +139,7 @@ records.sat_state = {size = 116, smallest = 116, fields = {
     {name = "valid_from", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "valid_to", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "sigma_m", kind = "scalar", scalar = "f32", unit = "m"},
+    {name = "clock_sigma_s", kind = "scalar", scalar = "f32", unit = "s"},
 }}
 records.sat_elements = {size = 64, smallest = 64, fields = {
     {name = "sat", kind = "struct", record = "sat_id"},

@@ -44,7 +44,7 @@ static void fill(const orr_sat_state *s, orr_msg_sat_id sat, orr_answer answer, 
         const double none = (double)NAN;
         for (int k = 0; k < 3; k++) m->pos_m[k] = m->vel_mps[k] = m->acc_mps2[k] = none;
         m->clock_s = m->clock_rate_sps = none;
-        m->sigma_m = NAN;
+        m->sigma_m = m->clock_sigma_s = NAN;
         m->valid_from = m->valid_to = ORR_TIME_NONE;
         return;
     }
@@ -55,6 +55,7 @@ static void fill(const orr_sat_state *s, orr_msg_sat_id sat, orr_answer answer, 
     m->clock_s = s->clock_s;
     m->clock_rate_sps = s->clock_rate_sps;
     m->sigma_m = s->sigma_m;
+    m->clock_sigma_s = s->clock_sigma_s;
     m->valid_from = s->valid_from;
     m->valid_to = s->valid_to;
 }

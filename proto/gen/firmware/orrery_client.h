@@ -548,9 +548,10 @@ typedef struct orr_msg_sat_state {
     int64_t valid_from; // [ns] start of the arc that was evaluated
     int64_t valid_to; // [ns] its end
     float sigma_m; // 1-sigma of the position, 3-D
+    float clock_sigma_s; // 1-sigma of clock_s; NAN where there is no clock or it is not known
 } orr_msg_sat_state;
-#define ORR_MSG_SAT_STATE_SIZE 116u
-#define ORR_MSG_SAT_STATE_LARGEST 116u
+#define ORR_MSG_SAT_STATE_SIZE 120u
+#define ORR_MSG_SAT_STATE_LARGEST 120u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_sat_state_next or orr_msg_sat_state_at.
@@ -975,7 +976,7 @@ typedef struct orr_msg_states {
     orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
     orr_msg_sat_state_list satellites; // those asked for, in that order; for all, those of CAPS
 } orr_msg_states;
-#define ORR_MSG_STATES_LARGEST 92821u
+#define ORR_MSG_STATES_LARGEST 96021u
 
 orr_wire_status orr_msg_states_encode(const orr_msg_states *m, orr_wire_writer *w);
 orr_wire_status orr_msg_states_decode(const uint8_t *payload, size_t size, orr_msg_states *m);

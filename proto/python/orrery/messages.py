@@ -314,6 +314,7 @@ class SatState(Record):
     valid_from [ns]: start of the arc that was evaluated
     valid_to [ns]: its end
     sigma_m [m]: 1-sigma of the position, 3-D
+    clock_sigma_s [s]: 1-sigma of clock_s; NAN where there is no clock or it is not known
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
@@ -329,6 +330,7 @@ class SatState(Record):
         Field("valid_from", "scalar", scalar="i64"),
         Field("valid_to", "scalar", scalar="i64"),
         Field("sigma_m", "scalar", scalar="f32"),
+        Field("clock_sigma_s", "scalar", scalar="f32"),
     )
 
     sat: SatId = dataclasses.field(default_factory=SatId)
@@ -343,6 +345,7 @@ class SatState(Record):
     valid_from: int = 0
     valid_to: int = 0
     sigma_m: float = 0.0
+    clock_sigma_s: float = 0.0
 
 
 @dataclasses.dataclass(eq=False, slots=True)

@@ -207,7 +207,7 @@ class Dissector(unittest.TestCase):
     def test_damaged_payloads(self):
         states, poll, error = EXAMPLES["states"], EXAMPLES["poll"], EXAMPLES["error"]
         list_at = poll[16:-4].index(b"\2\0\2\0G\5")
-        states_at = states[16:-4].index(b"\2\0\x74\0")
+        states_at = states[16:-4].index(b"\2\0\x78\0")
 
         def with_bytes(data, at, new):
             payload = bytearray(data[16:-4])
@@ -220,7 +220,7 @@ class Dissector(unittest.TestCase):
             (with_bytes(poll, list_at, b"\3\0"), f"{MALFORMED}: satellites: 3 of 2 bytes, but 4 bytes are left"),
             (with_bytes(poll, list_at + 2, b"\1\0"), f"{MALFORMED}: satellites: records of 1 bytes, 2 are wanted"),
             (with_bytes(poll, list_at + 2, b"\0\0"), f"{MALFORMED}: satellites: records of 0 bytes, 2 are wanted"),
-            (with_bytes(states, states_at + 2, b"\x70\0"), f"{MALFORMED}: satellites: records of 112 bytes, 116 are wanted"),
+            (with_bytes(states, states_at + 2, b"\x70\0"), f"{MALFORMED}: satellites: records of 112 bytes, 120 are wanted"),
             (reframe(error, error[16:20] + b"\1\2" + bytes(513)), f"{MALFORMED}: sentence: 513 bytes, at most 512 are allowed"),
             (reframe(error, error[16:20] + b"\5\0abc"), f"{MALFORMED}: sentence is cut: 5 bytes wanted, 3 there"),
             (reframe(poll, poll[16:-4] + b"\0" * 5), "(Note/Undecoded): 5 bytes after the last known field of poll"),
@@ -235,8 +235,8 @@ class Dissector(unittest.TestCase):
 
     def test_longer_records_of_a_later_version(self):
         states = EXAMPLES["states"]
-        at = states.index(b"\2\0\x74\0")
-        longer = states[16:at] + b"\2\0\x78\0" + states[at + 4:at + 120] + b"new!" + states[at + 120:at + 236] + b"new!"
+        at = states.index(b"\2\0\x78\0")
+        longer = states[16:at] + b"\2\0\x7c\0" + states[at + 4:at + 124] + b"new!" + states[at + 124:at + 244] + b"new!"
         text = self.shown(reframe(states, longer, minor=1))[0]
         self.assertEqual(text.count("(Note/Undecoded): 4 bytes after the last known field of sat_state"), 2)
         self.assertIn("satellites 2: E11, NO_ARC", text)

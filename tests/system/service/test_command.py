@@ -262,7 +262,8 @@ class Polling(unittest.TestCase):
             for e, m in zip(epochs, c.poll("2025-03-21T06:00:00.5", 0.1, 3, ["G02", "E01", "E02"])):
                 for j, s in zip(e["satellites"], m.satellites):
                     self.assertEqual((j["pos_m"], j["vel_mps"], j["acc_mps2"]), (s.pos_m, s.vel_mps, s.acc_mps2))
-                    self.assertEqual((j["clock_s"], j["sigma_m"]), (s.clock_s, s.sigma_m))
+                    self.assertEqual((j["clock_s"], j["sigma_m"], j["clock_sigma_s"]), (s.clock_s, s.sigma_m, s.clock_sigma_s))
+                    self.assertTrue(0 < s.clock_sigma_s < 1e-8)
                     self.assertIn("CLOCK_VALID", j["flags"])
 
     def test_table(self):

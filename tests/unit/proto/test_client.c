@@ -126,7 +126,7 @@ static void small_buffers(void **state)
         assert_int_equal(s, capacity < 44 ? ORR_WIRE_SPACE : ORR_WIRE_OK); // 20 of frame, 24 of POLL
         if (s == ORR_WIRE_OK) // 20 of frame, 21 of STATES, 30 satellites
             assert_int_equal(orr_client_states(&c, &m),
-                             capacity < 20 + 21 + 30 * 116 ? ORR_WIRE_SPACE : ORR_WIRE_OK);
+                             capacity < 20 + 21 + 30 * 120 ? ORR_WIRE_SPACE : ORR_WIRE_OK);
     }
 }
 

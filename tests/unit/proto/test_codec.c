@@ -93,7 +93,8 @@ static void golden_states(void **state)
          0x1p-37,
          INT64_C(1391040000000000000),
          INT64_C(1391126400000000000),
-         0.0078125f},
+         0.0078125f,
+         0x1p-33f},
         {{'E', 11},
          ORR_MSG_ANSWER_NO_ARC,
          0,
@@ -105,6 +106,7 @@ static void golden_states(void **state)
          nan_,
          none,
          none,
+         (float)nan_,
          (float)nan_},
     };
     orr_msg_states m = {{INT64_C(1391040900000000000), 0, 2, ORR_MSG_ANSWER_OK}, {2, sats, {NULL, 0, 0}}}, d;
@@ -119,10 +121,10 @@ static void golden_states(void **state)
     assert_true(s.answer == 0 && s.flags == 1 && s.pos_m[1] == -20100000.5 && s.vel_mps[2] == -2750.125);
     assert_true(s.acc_mps2[0] == -0.25 && s.clock_s == -0.0001220703125 && s.clock_rate_sps == 0x1p-37);
     assert_true(s.valid_from == sats[0].valid_from && s.valid_to == sats[0].valid_to &&
-                s.sigma_m == 0.0078125f);
+                s.sigma_m == 0.0078125f && s.clock_sigma_s == 0x1p-33f);
     assert_true(orr_msg_sat_state_at(&d.satellites, 1, &s));
     assert_true(s.answer == ORR_MSG_ANSWER_NO_ARC && isnan(s.pos_m[0]) && isnan(s.sigma_m) &&
-                s.valid_to == none);
+                isnan(s.clock_sigma_s) && s.valid_to == none);
 }
 
 static void golden_error(void **state)

@@ -58,7 +58,8 @@ class Codec(unittest.TestCase):
         g05, e11 = m.satellites
         self.assertEqual((chr(g05.sat.system), g05.sat.number, g05.answer, g05.flags), ("G", 5, 0, 1))
         self.assertEqual(g05.pos_m, [15600000.25, -20100000.5, 7250000.125])
-        self.assertEqual((g05.clock_s, g05.clock_rate_sps, g05.sigma_m), (-0.0001220703125, 2.0**-37, 0.0078125))
+        self.assertEqual((g05.clock_s, g05.clock_rate_sps, g05.sigma_m, g05.clock_sigma_s),
+                         (-0.0001220703125, 2.0**-37, 0.0078125, 2.0**-33))
         self.assertEqual(e11.answer, messages.Answer.NO_ARC)
         self.assertTrue(math.isnan(e11.pos_m[0]) and math.isnan(e11.clock_s))
         self.assertEqual(frame.make(7, 2, m.encode()), data)
