@@ -6,25 +6,18 @@
 #include <string.h>
 
 #include "core/array.h"
+#include "core/constants.h"
 #include "core/robust.h"
 #include "orbit/judge/velocity_filter.h"
 
 static const int64_t INNER_NS = 7200 * ORR_NS_PER_S, EDGE_NS = 2700 * ORR_NS_PER_S;
 
-// One epoch of one satellite.
-typedef struct difference {
-    orr_sat sat;
-    int place; // ORR_COMPARE_PLACES: in none
-    orr_time t;
-    orr_vec3 pos_m, vel_mps; // vel_mps.x NAN where the truth has no velocity
-} difference;
-
 typedef struct differences {
     size_t n;
-    difference *list;
+    orr_compare_difference *list;
 } differences;
 
-static orr_status add(differences *d, const difference *x, orr_diag *diag)
+static orr_status add(differences *d, const orr_compare_difference *x, orr_diag *diag)
 {
     if (!ORR_ARRAY_GROW(d->list, d->n))
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for more than %zu differences", d->n);
@@ -91,6 +84,81 @@ static bool truth_velocity(const grid *g, const orr_sp3_record *r, orr_time t, b
     return true;
 }
 
+// What is judged: a product, or precise orbits.
+typedef struct subject {
+    const orr_ephemeris *e;
+    const orr_sp3 *sp3;
+    size_t n_sp3;
+    int64_t usual_ns;     // from node to node
+    orr_orbit_node *node; // of precise orbits: positions of one satellite
+} subject;
+
+static int time_order(const void *a, const void *b)
+{
+    const orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
+    return (x > y) - (x < y);
+}
+
+static int node_order(const void *a, const void *b)
+{
+    const orr_time x = ((const orr_orbit_node *)a)->t, y = ((const orr_orbit_node *)b)->t;
+    return (x > y) - (x < y);
+}
+
+static const orr_sp3_record *record_of(const orr_sp3 *f, orr_sat sat, size_t epoch)
+{
+    for (size_t k = 0; k < f->n_sats; k++)
+        if (f->sat[k] == sat) return &f->record[epoch * f->n_sats + k];
+    return NULL;
+}
+
+static bool has_position(const orr_sp3_record *r)
+{
+    return r != NULL && !isnan(r->pos_m[0]) && !isnan(r->pos_m[1]) && !isnan(r->pos_m[2]);
+}
+
+// The nodes of one satellite, ascending; how many.
+static size_t nodes_of(subject *u, orr_sat sat, const orr_orbit_node **list)
+{
+    if (u->e != NULL) return orr_ephemeris_nodes(u->e, sat, list);
+    size_t n = 0;
+    for (size_t i = 0; i < u->n_sp3; i++)
+        for (size_t k = 0; k < u->sp3[i].n_epochs; k++)
+            if (has_position(record_of(&u->sp3[i], sat, k)))
+                u->node[n++] = (orr_orbit_node){.t = u->sp3[i].epoch[k], .used = true};
+    qsort(u->node, n, sizeof *u->node, node_order);
+    *list = u->node;
+    return n;
+}
+
+static bool state_of(const subject *u, orr_sat sat, orr_time t, orr_sat_state *out)
+{
+    if (u->e != NULL) return orr_ephemeris_eval(u->e, sat, t, out) == ORR_OK;
+    for (size_t i = 0; i < u->n_sp3; i++) {
+        const orr_sp3 *f = &u->sp3[i];
+        const orr_time *at =
+            f->n_epochs > 0 ? bsearch(&t, f->epoch, f->n_epochs, sizeof t, time_order) : NULL;
+        const orr_sp3_record *r = at != NULL ? record_of(f, sat, (size_t)(at - f->epoch)) : NULL;
+        if (!has_position(r)) continue;
+        *out = (orr_sat_state){.sat = sat,
+                               .pos_m = {r->pos_m[0], r->pos_m[1], r->pos_m[2]},
+                               .vel_mps = {r->vel_mps[0], r->vel_mps[1], r->vel_mps[2]}};
+        return true;
+    }
+    return false;
+}
+
+// Radial, along-track and cross-track parts of a difference, by position and velocity (ecef; turned on with the Earth).
+static orr_vec3 along_the_orbit(orr_vec3 d, orr_vec3 pos_m, orr_vec3 vel_mps)
+{
+    const orr_vec3 none = {(double)NAN, (double)NAN, (double)NAN}, turn = {0, 0, ORR_EARTH_RATE_RADPS};
+    const orr_vec3 v = orr_vec3_add(vel_mps, orr_vec3_cross(turn, pos_m));
+    if (isnan(v.x)) return none;
+    const orr_vec3 radial = orr_vec3_unit(pos_m), cross = orr_vec3_unit(orr_vec3_cross(pos_m, v)),
+                   along = orr_vec3_cross(cross, radial);
+    return (orr_vec3){orr_vec3_dot(d, radial), orr_vec3_dot(d, along), orr_vec3_dot(d, cross)};
+}
+
 // Index of the first node not before t.
 static size_t node_from(const orr_orbit_node *node, size_t n, orr_time t)
 {
@@ -125,37 +193,42 @@ static int place_of(const orr_orbit_node *node, size_t n, orr_time t, int64_t us
     return from_first >= INNER_NS && to_last >= INNER_NS ? ORR_COMPARE_INNER : ORR_COMPARE_PLACES;
 }
 
-static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, const orr_compare_options *o,
-                          differences *d, orr_comparison *out, orr_diag *diag)
+static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_options *o, differences *d,
+                          orr_comparison *out, orr_diag *diag)
 {
     grid g;
     orr_status s = sp3->n_epochs > 0 ? grid_init(sp3, &g, diag) : ORR_OK;
     if (sp3->n_epochs == 0) return s;
-    int64_t usual_ns = (int64_t)(orr_ephemeris_node_step_s(e) * 1e9);
     for (size_t k = 0; k < sp3->n_sats && s == ORR_OK; k++) {
         const orr_orbit_node *node;
-        size_t n_nodes = orr_ephemeris_nodes(e, sp3->sat[k], &node);
+        if (o->sats != NULL && !orr_sat_set_has(o->sats, sp3->sat[k])) continue;
+        const size_t n_nodes = nodes_of(u, sp3->sat[k], &node);
         grid_fill(&g, sp3, k);
         for (size_t i = 0; i < sp3->n_epochs && s == ORR_OK; i++) {
             const orr_sp3_record *r = &sp3->record[i * sp3->n_sats + k];
             orr_time t = sp3->epoch[i];
             orr_sat_state state;
-            if (isnan(r->pos_m[0]) || isnan(r->pos_m[1]) || isnan(r->pos_m[2])) continue;
-            if (is_input(node, n_nodes, t)) {
+            if (!has_position(r)) continue;
+            if (u->e != NULL && is_input(node, n_nodes, t)) {
                 out->inputs++;
                 if (!o->with_inputs) continue;
             }
-            if (orr_ephemeris_eval(e, sp3->sat[k], t, &state) != ORR_OK) {
+            if (!state_of(u, sp3->sat[k], t, &state)) {
                 out->no_orbit++;
                 continue;
             }
             orr_vec3 v = {(double)NAN, (double)NAN, (double)NAN};
-            difference x = {
-                .sat = sp3->sat[k], .place = place_of(node, n_nodes, t, usual_ns), .t = t, .vel_mps = v};
-            x.pos_m = orr_vec3_sub(state.pos_m, (orr_vec3){r->pos_m[0], r->pos_m[1], r->pos_m[2]});
+            const orr_vec3 there = {r->pos_m[0], r->pos_m[1], r->pos_m[2]};
+            orr_compare_difference x = {.sat = sp3->sat[k],
+                                        .place = place_of(node, n_nodes, t, u->usual_ns),
+                                        .t = t,
+                                        .pos_m = orr_vec3_sub(state.pos_m, there),
+                                        .vel_mps = v};
             if (truth_velocity(&g, r, t, o->derive_velocity, &v, &out->vel_derived))
                 x.vel_mps = orr_vec3_sub(state.vel_mps, v);
+            x.rac_m = along_the_orbit(x.pos_m, there, isnan(v.x) ? state.vel_mps : v);
             if (x.place == ORR_COMPARE_PLACES) out->between++;
+            if (o->sink != NULL) o->sink(o->user, &x);
             s = add(d, &x, diag);
         }
     }
@@ -167,16 +240,24 @@ static orr_status collect(const orr_ephemeris *e, const orr_sp3 *sp3, const orr_
 static void summarise(const differences *d, char system, int place, double *size, orr_compare_stats *out)
 {
     double sum2 = 0, vel2 = 0;
+    orr_vec3 rac2 = {0};
+    size_t n_rac = 0;
     orr_sat_set seen = {0};
     *out = (orr_compare_stats){
         .rms_m = (double)NAN, .p95_m = (double)NAN, .max_m = (double)NAN, .vel_rms_mps = (double)NAN};
     for (size_t i = 0; i < d->n; i++) {
-        const difference *x = &d->list[i];
+        const orr_compare_difference *x = &d->list[i];
         if (x->place != place || orr_sat_system(x->sat) != system) continue;
         double r2 = orr_vec3_dot(x->pos_m, x->pos_m);
         size[out->n++] = sqrt(r2);
         sum2 += r2;
         out->mean_m = orr_vec3_add(out->mean_m, x->pos_m);
+        if (!isnan(x->rac_m.x)) {
+            const orr_vec3 q = x->rac_m;
+            out->rac_mean_m = orr_vec3_add(out->rac_mean_m, q);
+            rac2 = orr_vec3_add(rac2, (orr_vec3){q.x * q.x, q.y * q.y, q.z * q.z});
+            n_rac++;
+        }
         if (!orr_sat_set_has(&seen, x->sat)) {
             orr_sat_set_add(&seen, x->sat);
             out->satellites++;
@@ -187,6 +268,9 @@ static void summarise(const differences *d, char system, int place, double *size
     }
     if (out->n_vel > 0) out->vel_rms_mps = sqrt(vel2 / (double)out->n_vel);
     if (out->n == 0) return;
+    const double per = n_rac > 0 ? 1.0 / (double)n_rac : (double)NAN;
+    out->rac_mean_m = orr_vec3_scale(per, out->rac_mean_m);
+    out->rac_rms_m = (orr_vec3){sqrt(rac2.x * per), sqrt(rac2.y * per), sqrt(rac2.z * per)};
     out->rms_m = sqrt(sum2 / (double)out->n);
     out->max_m = orr_order_statistic(size, out->n, out->n - 1);
     out->p95_m = orr_order_statistic(size, out->n, (out->n * 95 + 99) / 100 - 1); // nearest rank
@@ -206,7 +290,7 @@ static orr_status by_satellite(const differences *d, orr_comparison *out, orr_di
     orr_compare_satellite *all = calloc(SLOTS, sizeof *all);
     if (all == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a table of satellites");
     for (size_t i = 0; i < d->n; i++) {
-        const difference *x = &d->list[i];
+        const orr_compare_difference *x = &d->list[i];
         orr_compare_satellite *s = &all[x->sat % SLOTS];
         double r = orr_vec3_norm(x->pos_m);
         s->sat = x->sat;
@@ -229,14 +313,14 @@ static orr_status by_satellite(const differences *d, orr_comparison *out, orr_di
     return ORR_OK;
 }
 
-orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
-                       const orr_compare_options *options, orr_comparison *out, orr_diag *diag)
+static orr_status compare(subject *u, const orr_sp3 *truth, size_t n_truths,
+                          const orr_compare_options *options, orr_comparison *out, orr_diag *diag)
 {
     differences d = {0};
     double *size = NULL;
     *out = (orr_comparison){0};
     orr_status s = ORR_OK;
-    for (size_t i = 0; i < n_truths && s == ORR_OK; i++) s = collect(e, &truth[i], options, &d, out, diag);
+    for (size_t i = 0; i < n_truths && s == ORR_OK; i++) s = collect(u, &truth[i], options, &d, out, diag);
     if (s == ORR_OK && d.n == 0)
         s = orr_diag_set(diag, ORR_E_NODATA,
                          "nothing to compare: of the truth's positions %zu are at epochs that the product "
@@ -259,6 +343,33 @@ orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_tr
     free(size);
     free(d.list);
     if (s != ORR_OK) orr_comparison_free(out);
+    return s;
+}
+
+orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
+                       const orr_compare_options *options, orr_comparison *out, orr_diag *diag)
+{
+    subject u = {.e = e, .usual_ns = (int64_t)(orr_ephemeris_node_step_s(e) * 1e9)};
+    return compare(&u, truth, n_truths, options, out, diag);
+}
+
+orr_status orr_compare_sp3(const orr_sp3 *list, size_t n, const orr_sp3 *truth, size_t n_truths,
+                           const orr_compare_options *options, orr_comparison *out, orr_diag *diag)
+{
+    subject u = {.sp3 = list, .n_sp3 = n, .usual_ns = INT64_MAX / 4};
+    size_t most = 0;
+    *out = (orr_comparison){0};
+    for (size_t i = 0; i < n; i++) {
+        most += list[i].n_epochs;
+        for (size_t k = 1; k < list[i].n_epochs; k++) {
+            const int64_t step = list[i].epoch[k] - list[i].epoch[k - 1];
+            if (step > 0 && step < u.usual_ns) u.usual_ns = step;
+        }
+    }
+    u.node = calloc(most + 1, sizeof *u.node);
+    orr_status s = u.node != NULL ? compare(&u, truth, n_truths, options, out, diag)
+                                  : orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu epochs", most);
+    free(u.node);
     return s;
 }
 

@@ -16,11 +16,12 @@ typedef enum orr_compare_place {
 } orr_compare_place;
 
 typedef struct orr_compare_stats {
-    size_t n, satellites;       // samples and satellites that have any
-    double rms_m, p95_m, max_m; // of the 3-D difference; NAN where n is 0
-    orr_vec3 mean_m;            // product minus truth, ecef: a datum difference shows here
-    size_t n_vel;               // samples with a velocity of the truth
-    double vel_rms_mps;         // 3-D; NAN where n_vel is 0
+    size_t n, satellites;           // samples and satellites that have any
+    double rms_m, p95_m, max_m;     // of the 3-D difference; NAN where n is 0
+    orr_vec3 mean_m;                // product minus truth, ecef: a datum difference shows here
+    orr_vec3 rac_rms_m, rac_mean_m; // radial, along-track, cross-track, by the truth's orbit
+    size_t n_vel;                   // samples with a velocity of the truth
+    double vel_rms_mps;             // 3-D; NAN where n_vel is 0
 } orr_compare_stats;
 
 typedef struct orr_compare_system {
@@ -45,7 +46,20 @@ typedef struct orr_comparison {
     bool vel_derived; // some velocities of the truth came from its positions (orbit/judge/velocity_filter.h)
 } orr_comparison;
 
+// One epoch of one satellite: product minus truth.
+typedef struct orr_compare_difference {
+    orr_sat sat;
+    int place; // an orr_compare_place; ORR_COMPARE_PLACES: in none
+    orr_time t;
+    orr_vec3 pos_m, vel_mps; // ecef; vel_mps.x NAN where there is no velocity of one of them
+    orr_vec3 rac_m;          // pos_m as radial, along-track, cross-track
+} orr_compare_difference;
+
 typedef struct orr_compare_options {
+    const orr_sat_set *sats; // NULL: all
+    // Takes every difference, a satellite after the other in each of the truth's files; NULL: nobody wants them.
+    void (*sink)(void *user, const orr_compare_difference *d);
+    void *user;
     bool derive_velocity; // from the truth's positions, whatever V records it has
     bool with_inputs; // also at epochs that the product was made from: for a truth that is another centre's
 } orr_compare_options;
@@ -65,6 +79,20 @@ typedef struct orr_compare_options {
 // by 6e-5 m/s, a rotation of 2.8e-12 rad/s about an axis fixed in inertial space (precession and nutation).
 orr_status orr_compare(const orr_ephemeris *e, const orr_sp3 *truth, size_t n_truths,
                        const orr_compare_options *options, orr_comparison *out, orr_diag *diag);
+// Compares precise orbits with others, epoch by epoch where both have a position; places are told by the satellite's own
+// first and last positions.
+// Given:
+//   subject   [n] precise orbits that are judged
+//   n         how many
+//   truth     [n_truths] precise orbits
+//   n_truths  how many
+//   options   with_inputs has no effect
+// Returned:
+//   out       sums by system, place and satellite; free with orr_comparison_free
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_NODATA where not one epoch is in both, ORR_E_MEMORY.
+orr_status orr_compare_sp3(const orr_sp3 *subject, size_t n, const orr_sp3 *truth, size_t n_truths,
+                           const orr_compare_options *options, orr_comparison *out, orr_diag *diag);
 // Frees what orr_compare allocated; c is empty afterwards.
 void orr_comparison_free(orr_comparison *c);
 

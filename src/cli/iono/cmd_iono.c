@@ -121,17 +121,22 @@ static void print_session(FILE *f, const orr_cli *c, const work *w)
     orr_iono_report_session_csv(f, &w->station.session);
 }
 
+// Whether standard output is the series of --csv; the report then goes to standard error.
+static bool to_stdout(const orr_cli *c) { return strcmp(orr_cli_text(c, "csv", ""), "-") == 0; }
+
 static void report(const orr_cli *c, const orr_station *st, const orr_leave_out *left)
 {
     const bool explain = orr_cli_given(c, "explain");
     if (orr_cli_says(c, "format", "json"))
         orr_iono_report_json(stdout, &st->phase, &st->fusion, left, explain);
     else
-        orr_iono_report_text(stdout, &st->phase, &st->fusion, left, explain);
+        orr_iono_report_text(to_stdout(c) ? stderr : stdout, &st->phase, &st->fusion, left, explain);
 }
 
 static int fuse(const orr_cli *c, work *w)
 {
+    if (to_stdout(c) && orr_cli_says(c, "format", "json"))
+        return orr_cli_usage(c, "only one of --csv - and --format json can go to standard output");
     orr_diag diag = {0};
     orr_station *st = &w->station;
     const char *output = orr_cli_text(c, "output", NULL);

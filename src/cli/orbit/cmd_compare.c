@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery compare: how far a product is from precise orbits that it was not made from.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/ncfile.h"
+#include "core/outfile.h"
 #include "orbit/judge/compare.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
@@ -20,9 +23,17 @@ static json_t *json_stats(const orr_compare_stats *s)
     json_object_set_new(o, "max_mm", orr_json_number(1e3 * s->max_m));
     json_object_set_new(o, "vel_n", orr_json_count(s->n_vel));
     json_object_set_new(o, "vel_rms_mps", orr_json_number(s->vel_rms_mps));
-    const double m[3] = {s->mean_m.x, s->mean_m.y, s->mean_m.z};
+    const double m[3] = {s->mean_m.x, s->mean_m.y, s->mean_m.z},
+                 rms[3] = {s->rac_rms_m.x, s->rac_rms_m.y, s->rac_rms_m.z},
+                 bias[3] = {s->rac_mean_m.x, s->rac_mean_m.y, s->rac_mean_m.z};
     for (int i = 0; i < 3; i++) json_array_append_new(mean, s->n > 0 ? json_real(1e3 * m[i]) : json_null());
     json_object_set_new(o, "mean_mm", mean);
+    static const char *const part[3] = {"radial", "along", "cross"};
+    for (int i = 0; i < 3; i++)
+        json_object_set_new(o, part[i],
+                            json_pack("{s:o, s:o}", "rms_mm",
+                                      s->n > 0 ? orr_json_number(1e3 * rms[i]) : json_null(), "mean_mm",
+                                      s->n > 0 ? orr_json_number(1e3 * bias[i]) : json_null()));
     return o;
 }
 
@@ -55,11 +66,73 @@ static int print_json(const orr_cli *c, const orr_comparison *x)
     return orr_json_print(c, j, JSON_INDENT(2));
 }
 
-static void print_human(const orr_cli *c, const orr_comparison *x)
+static void print_part(double rms_m, double mean_m)
+{
+    if (isnan(rms_m))
+        printf(" %9s %9s", "-", "-");
+    else
+        printf(" %9.3f %9.3f", 1e3 * rms_m, 1e3 * mean_m);
+}
+
+// Radial, along-track, cross-track: where they are known.
+static void print_parts(const orr_comparison *x)
+{
+    printf("\n%-8s %-6s %19s %19s %19s\n%-15s", "system", "place", "radial, mm", "along-track", "cross-track",
+           "");
+    for (int i = 0; i < 3; i++) printf(" %9s %9s", "RMS", "mean");
+    putchar('\n');
+    for (size_t i = 0; i < x->n_systems; i++)
+        for (int p = 0; p < ORR_COMPARE_PLACES; p++) {
+            const orr_compare_stats *s = &x->system[i].place[p];
+            if (s->n == 0) continue;
+            printf("%-8s %-6s", orr_system_name(x->system[i].system), place_name[p]);
+            print_part(s->rac_rms_m.x, s->rac_mean_m.x);
+            print_part(s->rac_rms_m.y, s->rac_mean_m.y);
+            print_part(s->rac_rms_m.z, s->rac_mean_m.z);
+            putchar('\n');
+        }
+}
+
+// The series of --csv: a row for each difference.
+static void write_row(void *user, const orr_compare_difference *d)
+{
+    FILE *f = user;
+    char t[ORR_TIME_TEXT], sat[ORR_SAT_TEXT];
+    const double v[9] = {d->rac_m.x, d->rac_m.y,   d->rac_m.z,   d->pos_m.x,  d->pos_m.y,
+                         d->pos_m.z, d->vel_mps.x, d->vel_mps.y, d->vel_mps.z};
+    fprintf(f, "%s,%s,%s", orr_time_text(d->t, t), orr_sat_text(d->sat, sat),
+            d->place < ORR_COMPARE_PLACES ? place_name[d->place] : "");
+    for (int i = 0; i < 9; i++)
+        if (isnan(v[i]))
+            fputc(',', f);
+        else
+            fprintf(f, i < 6 ? ",%.6f" : ",%.9f", v[i]);
+    fputc('\n', f);
+}
+
+// Whether every system in every place is within --limit; says which is not.
+static int judge(const orr_cli *c, const orr_comparison *x)
+{
+    const double limit_m = orr_cli_real(c, "limit", 0) * 1e-3;
+    int status = ORR_EXIT_OK;
+    for (size_t i = 0; i < x->n_systems && orr_cli_given(c, "limit"); i++)
+        for (int p = 0; p < ORR_COMPARE_PLACES; p++) {
+            const orr_compare_stats *s = &x->system[i].place[p];
+            if (s->n > 0 && s->rms_m > limit_m)
+                status = orr_cli_failf(c, "%s, %s: %.3f mm RMS, more than the limit of %g mm",
+                                       orr_system_name(x->system[i].system), place_name[p], 1e3 * s->rms_m,
+                                       1e3 * limit_m);
+        }
+    return status;
+}
+
+static void print_human(const orr_cli *c, const orr_comparison *x, bool product)
 {
     const bool with_inputs = orr_cli_given(c, "inputs");
     printf("Difference of %s from the truth, %s, 3-D\n\n", c->operand[0],
-           with_inputs ? "input epochs as well" : "input epochs left out");
+           !product      ? "at epochs of both"
+           : with_inputs ? "input epochs as well"
+                         : "input epochs left out");
     printf("%-8s %-6s %5s %8s %9s %9s %9s %13s %26s\n", "system", "place", "sats", "samples", "RMS mm",
            "95 % mm", "max mm", "velocity m/s", "mean x, y, z mm");
     for (size_t i = 0; i < x->n_systems; i++) {
@@ -75,13 +148,16 @@ static void print_human(const orr_cli *c, const orr_comparison *x)
             printf(" %8.3f %8.3f %8.3f\n", 1e3 * s->mean_m.x, 1e3 * s->mean_m.y, 1e3 * s->mean_m.z);
         }
     }
+    print_parts(x);
     printf("\nfurthest satellites (RMS mm, max mm at)\n");
     for (size_t i = 0; i < x->n_sats && i < 5; i++) {
         char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
         printf("  %s %9.3f %9.3f %s\n", orr_sat_text(x->sat[i].sat, name), 1e3 * x->sat[i].rms_m,
                1e3 * x->sat[i].max_m, orr_time_text(x->sat[i].worst, when));
     }
-    if (with_inputs)
+    if (!product)
+        printf("\nleft out: %zu positions of the truth without one of the other\n", x->no_orbit);
+    else if (with_inputs)
         printf("\nat epochs that were input: %zu; left out: %zu without an orbit in the product\n", x->inputs,
                x->no_orbit);
     else
@@ -90,16 +166,52 @@ static void print_human(const orr_cli *c, const orr_comparison *x)
     if (x->between > 0) printf("in no place: %zu samples between 45 min and 2 h from an end\n", x->between);
 }
 
-// A datum difference looks like an orbit error; names that differ are worth a word.
-static void check_frame(const orr_cli *c, const orr_ephemeris *e, const orr_sp3 *truth, const char *path)
+// What is judged: an orbit product, or precise orbits; one of the two is there.
+typedef struct subject {
+    orr_ephemeris *e;
+    orr_sp3 sp3;
+} subject;
+
+static const char *frame_of(const subject *u)
 {
-    const char *frame = orr_ephemeris_frame(e);
-    if (frame[0] == '\0' || truth->coordinates[0] == '\0' || strncmp(frame, truth->coordinates, 5) == 0)
-        return;
-    orr_cli_failf(c, "warning: %s is in %s, the product in %s", path, truth->coordinates, frame);
+    return u->e != NULL ? orr_ephemeris_frame(u->e) : u->sp3.coordinates;
 }
 
-static int compare(orr_cli *c, const orr_ephemeris *e, orr_sp3 *truth, size_t n)
+// A datum difference looks like an orbit error; names that differ are worth a word.
+static void check_frame(const orr_cli *c, const subject *u, const orr_sp3 *truth, const char *path)
+{
+    const char *frame = frame_of(u);
+    if (frame[0] == '\0' || truth->coordinates[0] == '\0' || strncmp(frame, truth->coordinates, 5) == 0)
+        return;
+    orr_cli_failf(c, "warning: %s is in %s, %s in %s", path, truth->coordinates, c->operand[0], frame);
+}
+
+// Compares, and writes the series of --csv meanwhile.
+static orr_status make(const orr_cli *c, const subject *u, const orr_sp3 *truth, size_t n, orr_comparison *x,
+                       orr_diag *diag)
+{
+    const char *csv = orr_cli_text(c, "csv", NULL);
+    orr_compare_options o = {.derive_velocity = orr_cli_says(c, "velocity", "positions"),
+                             .with_inputs = orr_cli_given(c, "inputs"),
+                             .sats = orr_cli_sats(c, "sat")};
+    orr_outfile out = {0};
+    orr_status s = csv != NULL ? orr_outfile_open(csv, &out, diag) : ORR_OK;
+    if (s == ORR_OK && csv != NULL) {
+        o.sink = write_row;
+        o.user = out.stream;
+        fputs("t_gps,sat,place,radial_m,along_m,cross_m,dx_m,dy_m,dz_m,dvx_mps,dvy_mps,dvz_mps\n",
+              out.stream);
+    }
+    if (s == ORR_OK)
+        s = u->e != NULL ? orr_compare(u->e, truth, n, &o, x, diag)
+                         : orr_compare_sp3(&u->sp3, 1, truth, n, &o, x, diag);
+    if (csv == NULL) return s;
+    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
+    orr_outfile_abort(&out);
+    return s;
+}
+
+static int compare(orr_cli *c, const subject *u, orr_sp3 *truth, size_t n)
 {
     orr_diag diag = {0};
     orr_warnings warnings = {0};
@@ -112,26 +224,25 @@ static int compare(orr_cli *c, const orr_ephemeris *e, orr_sp3 *truth, size_t n)
             orr_warnings_free(&warnings);
             return orr_cli_fail(c, &diag);
         }
-        check_frame(c, e, &truth[i], path);
+        check_frame(c, u, &truth[i], path);
     }
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     orr_comparison x;
-    const orr_compare_options o = {.derive_velocity =
-                                       strcmp(orr_cli_text(c, "velocity", "records"), "positions") == 0,
-                                   .with_inputs = orr_cli_given(c, "inputs")};
-    const orr_status s = orr_compare(e, truth, n, &o, &x, &diag);
+    const orr_status s = make(c, u, truth, n, &x, &diag);
     if (s != ORR_OK) {
         const int failed = orr_cli_fail(c, &diag);
-        if (s == ORR_E_NODATA && !o.with_inputs)
+        if (s == ORR_E_NODATA && u->e != NULL && !orr_cli_given(c, "inputs"))
             orr_cli_say(c, "(with --inputs, epochs that the product was made from are compared as well)");
         return failed;
     }
     int status = ORR_EXIT_OK;
     if (orr_cli_says(c, "format", "json"))
         status = print_json(c, &x);
-    else
-        print_human(c, &x);
+    else if (strcmp(orr_cli_text(c, "csv", ""), "-") != 0) // standard output is the series then
+        print_human(c, &x, u->e != NULL);
+    const int within = judge(c, &x);
+    if (status == ORR_EXIT_OK) status = within;
     orr_comparison_free(&x);
     return status;
 }
@@ -139,19 +250,27 @@ static int compare(orr_cli *c, const orr_ephemeris *e, orr_sp3 *truth, size_t n)
 static int run(orr_cli *c)
 {
     orr_diag diag = {0};
-    orr_ephemeris *e = NULL;
+    subject u = {0};
     size_t n = (size_t)c->n_operands - 1;
-    if (orr_ephemeris_load(c->operand[0], &e, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
+    const char *path = c->operand[0], *csv = orr_cli_text(c, "csv", "");
+    if (strcmp(csv, "-") == 0 && orr_cli_says(c, "format", "json"))
+        return orr_cli_usage(c, "only one of --csv - and --format json can go to standard output");
+    const orr_status s = orr_nc_is_hdf5(path) ? orr_ephemeris_load(path, &u.e, &diag)
+                                              : orr_sp3_read(path, NULL, &u.sp3, NULL, &diag);
+    if (s != ORR_OK) return orr_cli_fail(c, &diag);
     orr_sp3 *truth = calloc(n, sizeof *truth);
-    int status = truth != NULL ? compare(c, e, truth, n) : orr_cli_failf(c, "out of memory");
+    int status = truth != NULL ? compare(c, &u, truth, n) : orr_cli_failf(c, "out of memory");
     for (size_t i = 0; i < n && truth != NULL; i++) orr_sp3_free(&truth[i]);
     free(truth);
-    orr_ephemeris_free(e);
+    orr_ephemeris_free(u.e);
+    orr_sp3_free(&u.sp3);
     return status;
 }
 
 static const orr_option options[] = {
+    ORR_OPTION_SATS,
     {.name = "velocity",
+     .fallback = "records",
      .kind = ORR_OPT_CHOICE,
      .value = "records|positions",
      .help = "Velocity of the truth. records (default): its V records where it has them. positions: always "
@@ -159,6 +278,14 @@ static const orr_option options[] = {
     {.name = "inputs",
      .kind = ORR_OPT_FLAG,
      .help = "Compare also at epochs that the product was made from, for orbits of another centre."},
+    ORR_OPTION_SERIES(.help = "Write every difference: t_gps, sat, place, radial_m, along_m, cross_m, dx_m, "
+                              "dy_m, dz_m (ecef) and dvx_mps, dvy_mps, dvz_mps."),
+    {.name = "limit",
+     .kind = ORR_OPT_REAL,
+     .value = "MM",
+     .min = 1e-3,
+     .max = 1e9,
+     .help = "Exit with status 1 where the 3-D RMS of a system in a place is larger, and say so."},
     ORR_OPTION_REPORT,
 };
 
@@ -166,10 +293,12 @@ const orr_command orr_cmd_compare = {
     .name = "compare",
     .group = "Orbits",
     .summary = "tell how far an orbit product is from precise orbits",
-    .operands = "PRODUCT TRUTH.sp3...",
+    .operands = "PRODUCT|SP3 TRUTH.sp3...",
     .min_operands = 2,
     .max_operands = -1,
-    .about = "Epochs that the product was made from are left out, unless --inputs asks for them. Places: "
+    .about = "The first file is an orbit product or an SP3 file; of two SP3 files the epochs that both have "
+             "are compared. "
+             "Epochs that the product was made from are left out, unless --inputs asks for them. Places: "
              "inner is at least 2 h from the "
              "satellite's first and "
              "last input node, edge within 45 min of one of them, gap between nodes further apart than twice "
@@ -182,7 +311,9 @@ const orr_command orr_cmd_compare = {
              "V records are not always the derivatives of the positions beside them (some centres leave out "
              "the turning of the "
              "equator, 6e-5 m/s): --velocity positions tells.\n\n"
-             "JSON keys: systems.G.inner.{n,satellites,rms_mm,p95_mm,max_mm,vel_n,vel_rms_mps,mean_mm}, the "
+             "JSON keys: "
+             "systems.G.inner.{n,satellites,rms_mm,p95_mm,max_mm,vel_n,vel_rms_mps,mean_mm,radial.{rms_mm,"
+             "mean_mm},along,cross}, the "
              "same for edge and gap "
              "and for each system; satellites; left_out.",
     .example = "orrery orbit -o day.nc --nodes 900 COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
