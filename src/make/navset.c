@@ -2,6 +2,7 @@
 #include "src/make/navset.h"
 
 #include "core/parallel.h"
+#include "src/make/frames.h"
 
 enum { MAX_FILES = 400 };
 
@@ -90,8 +91,8 @@ static orr_status read_navs(const orr_navset_plan *plan, files *f, orr_navset_op
     return ORR_OK;
 }
 
-static orr_status read_all(const orr_navset_plan *plan, files *f, orr_navset_options *o, orr_inputs *inputs,
-                           orr_warnings *warnings, orr_diag *diag)
+static orr_status read_all(const orr_ephemeris *e, const orr_navset_plan *plan, files *f,
+                           orr_navset_options *o, orr_inputs *inputs, orr_warnings *warnings, orr_diag *diag)
 {
     orr_bytes text;
     orr_status s = ORR_OK;
@@ -99,6 +100,7 @@ static orr_status read_all(const orr_navset_plan *plan, files *f, orr_navset_opt
         s = orr_inputs_read(inputs, plan->antex, &text, diag);
         if (s == ORR_OK) s = orr_antex_parse(plan->antex, text.text, text.n, NULL, &f->antex, warnings, diag);
         orr_bytes_free(&text);
+        if (s == ORR_OK) orr_frames_check_antex(&f->antex, plan->antex, orr_ephemeris_frame(e), warnings);
         o->antex = &f->antex;
     }
     if (s == ORR_OK && plan->bias != NULL) {
@@ -116,7 +118,7 @@ orr_status orr_navset_make(const orr_ephemeris *e, const orr_navset_plan *plan, 
     *out = NULL;
     files f = {0};
     orr_navset_options o = plan->options;
-    orr_status s = read_all(plan, &f, &o, inputs, warnings, diag);
+    orr_status s = read_all(e, plan, &f, &o, inputs, warnings, diag);
     if (s == ORR_OK) s = orr_navset_build(e, &o, out, warnings, diag);
     files_free(&f);
     return s;

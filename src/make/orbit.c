@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "ingest/rinex/clk.h"
 #include "ingest/tables/erp.h"
+#include "src/make/frames.h"
 #include "src/make/inputs.h"
 
 orr_orbit_plan orr_orbit_plan_default(void)
@@ -71,6 +72,10 @@ static orr_status read_sp3(const orr_orbit_plan *plan, const orr_log *log, work 
         orr_bytes_free(&text);
         w->n_sp3 = i + 1;
         if (s != ORR_OK) break;
+        if (orr_frames_differ(w->sp3[0].coordinates, w->sp3[i].coordinates))
+            orr_warnings_add(warnings, plan->sp3[i], 0, 0,
+                             "is in %s, %s in %s: orbits of different frames are joined, centimetres apart",
+                             w->sp3[i].coordinates, plan->sp3[0], w->sp3[0].coordinates);
         w->input[i].sp3 = &w->sp3[i];
         snprintf(w->input[i].name, sizeof w->input[i].name, "%s", w->inputs.item[i].name);
         snprintf(w->input[i].sha256, sizeof w->input[i].sha256, "%s", w->inputs.item[i].sha256);

@@ -8,32 +8,62 @@
 #include "orbit/spacecraft/eclipses.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
+#include "src/make/products.h"
 
 typedef struct list {
     orr_eclipse *item;
     size_t n;
 } list;
 
-static orr_status collect(const orr_cli *c, const orr_ephemeris *e, list *out)
+// A passage that one product ends within and the next begins within is one.
+static const int64_t longest_joint_ns = 1800 * ORR_NS_PER_S;
+static bool goes_on(const orr_eclipse *a, const orr_eclipse *b)
 {
-    const orr_sat *sat;
-    const size_t n_sats = orr_ephemeris_satellites(e, &sat);
+    return a->sat == b->sat && a->penumbra_to == ORR_TIME_NONE && b->penumbra_from == ORR_TIME_NONE &&
+           b->from - a->to <= longest_joint_ns;
+}
+
+static void join(orr_eclipse *a, const orr_eclipse *b)
+{
+    if (a->umbra_from == ORR_TIME_NONE) a->umbra_from = b->umbra_from;
+    if (b->umbra_to != ORR_TIME_NONE) a->umbra_to = b->umbra_to;
+    a->penumbra_to = b->penumbra_to;
+    a->to = b->to;
+    a->umbra = a->umbra || b->umbra;
+    a->umbra_known = a->umbra || (a->umbra_known && b->umbra_known);
+}
+
+// The passages of one satellite in one product, behind those that are there.
+static orr_status collect_from(const orr_ephemeris *e, orr_sat sat, list *out)
+{
+    const size_t n = orr_eclipses_of(e, sat, NULL, 0);
+    if (n == 0) return ORR_OK;
+    orr_eclipse *item = realloc(out->item, (out->n + n) * sizeof *item);
+    if (item == NULL) return ORR_E_MEMORY;
+    out->item = item;
+    orr_eclipses_of(e, sat, item + out->n, n);
+    for (size_t k = out->n, end = out->n + n; k < end; k++) {
+        if (out->n > 0 && goes_on(&item[out->n - 1], &item[k]))
+            join(&item[out->n - 1], &item[k]);
+        else
+            item[out->n++] = item[k];
+    }
+    return ORR_OK;
+}
+
+static orr_status collect(const orr_cli *c, const orr_products *p, list *out)
+{
     const orr_sat_set *wanted = orr_cli_sats(c, "sat");
-    orr_time from, to;
-    orr_ephemeris_span(e, &from, &to);
-    from = orr_cli_time(c, "from", from);
-    to = orr_cli_time(c, "to", to);
-    for (size_t i = 0; i < n_sats; i++) {
-        if (wanted != NULL && !orr_sat_set_has(wanted, sat[i])) continue;
-        const size_t n = orr_eclipses_of(e, sat[i], NULL, 0);
-        if (n == 0) continue;
-        orr_eclipse *item = realloc(out->item, (out->n + n) * sizeof *item);
-        if (item == NULL) return ORR_E_MEMORY;
-        out->item = item;
-        orr_eclipses_of(e, sat[i], item + out->n, n);
-        const size_t end = out->n + n;
-        for (size_t k = out->n; k < end; k++)
-            if (item[k].to >= from && item[k].from <= to) item[out->n++] = item[k];
+    const orr_time from = orr_cli_time(c, "from", p->from), to = orr_cli_time(c, "to", p->to);
+    for (size_t i = 0; i < p->n_sats; i++) {
+        const size_t first = out->n;
+        if (wanted != NULL && !orr_sat_set_has(wanted, p->sat[i])) continue;
+        for (size_t k = 0; k < p->n; k++)
+            if (collect_from(p->item[k], p->sat[i], out) != ORR_OK) return ORR_E_MEMORY;
+        const size_t end = out->n;
+        out->n = first;
+        for (size_t k = first; k < end; k++)
+            if (out->item[k].to >= from && out->item[k].from <= to) out->item[out->n++] = out->item[k];
     }
     return ORR_OK;
 }
@@ -95,20 +125,24 @@ static void print(FILE *f, const list *l, char format)
 static int run(orr_cli *c)
 {
     orr_diag diag = {0};
-    orr_ephemeris *e = NULL;
+    orr_warnings warnings = {0};
+    orr_products p;
     list l = {0};
     orr_outfile out;
     if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
-    if (orr_ephemeris_load(c->operand[0], &e, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
-    orr_status s = collect(c, e, &l);
-    if (s != ORR_OK) orr_diag_set(&diag, s, "out of memory for the eclipses");
+    orr_status s =
+        orr_products_open((const char *const *)c->operand, (size_t)c->n_operands, &p, &warnings, &diag);
+    orr_cli_warnings(c, &warnings);
+    orr_warnings_free(&warnings);
+    if (s == ORR_OK && collect(c, &p, &l) != ORR_OK)
+        s = orr_diag_set(&diag, ORR_E_MEMORY, "out of memory for the eclipses");
     if (s == ORR_OK) s = orr_outfile_open(orr_cli_text(c, "output", "-"), &out, &diag);
     if (s == ORR_OK) {
         print(out.stream, &l, orr_cli_text(c, "format", "table")[0]);
         s = orr_outfile_commit(&out, &diag);
     }
     free(l.item);
-    orr_ephemeris_free(e);
+    orr_products_free(&p);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
 }
 
@@ -124,15 +158,15 @@ const orr_command orr_cmd_eclipses = {
     .name = "eclipses",
     .group = "Orbits",
     .summary = "when satellites pass through the Earth's shadow",
-    .operands = "PRODUCT",
+    .operands = "PRODUCT...",
     .min_operands = 1,
-    .max_operands = 1,
+    .max_operands = -1,
     .about =
         "One row a passage: entries into penumbra and umbra and exits from them, GPS time. The shadow is the "
         "cone of a spherical Earth (6378.1366 km) without atmosphere. An instant before the orbit begins or "
         "after it ends is not known: blank in CSV, null in JSON. A passage without umbra has none of its "
         "instants, and umbra is 0; umbra is not known either where the orbit begins or ends in the penumbra. "
-        "shadow_s counts what the orbit holds of it.",
+        "shadow_s counts what the orbit holds of it. Of several products a passage over midnight is one row.",
     .example = "orrery eclipses day.nc\norrery eclipses week.nc --sat G05,E --format csv -o eclipses.csv",
     .n_options = sizeof options / sizeof options[0],
     .option = options,

@@ -10,18 +10,23 @@
 #include "orbit/spacecraft/spacecraft.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
+#include "src/make/frames.h"
+#include "src/make/products.h"
 
 #define MAX_SIGNALS 16
 #define MAX_CELLS (24 + MAX_SIGNALS)
 
 typedef struct request {
-    orr_spacecraft_sources src;
+    const orr_products *products;
+    orr_spacecraft_sources src; // src.orbit: the product of the instant
     orr_time from, to;
     int64_t step_ns;
     const orr_sat_set *sats; // NULL: all
     size_t n_signals;
     char signal[MAX_SIGNALS][3];
     char format; // t, c or j
+    size_t with_antenna, with_delay,
+        with_health; // rows that have something from --antex, --bias or --nav, --nav
 } request;
 
 // One column of a row: a number (NAN: not known), or a word where there is one.
@@ -155,23 +160,27 @@ static void print_head(FILE *f, const request *q, const char *t)
     fputs("   s mm  health\n", f);
 }
 
-static orr_status print_all(const request *q, FILE *f, size_t *rows)
+static orr_status print_all(request *q, FILE *f, size_t *rows)
 {
-    const orr_sat *list;
-    const size_t n_sats = orr_ephemeris_satellites(q->src.orbit, &list);
+    const orr_sat *list = q->products->sat;
     *rows = 0;
     for (orr_time t = q->from;; t += q->step_ns) {
         char when[ORR_TIME_TEXT], sat[ORR_SAT_TEXT];
-        const orr_vec3 sun = orr_attitude_sun(t, orr_ephemeris_eop(q->src.orbit));
         orr_time_text(t, when);
+        q->src.orbit = orr_products_at(q->products, t);
+        const orr_vec3 sun =
+            orr_attitude_sun(t, q->src.orbit != NULL ? orr_ephemeris_eop(q->src.orbit) : NULL);
         if (q->format == 't') print_head(f, q, when);
-        for (size_t i = 0; i < n_sats; i++) {
+        for (size_t i = 0; i < q->products->n_sats && q->src.orbit != NULL; i++) {
             orr_spacecraft x;
             char names[MAX_SIGNALS][16];
             cell row[MAX_CELLS];
             if (q->sats != NULL && !orr_sat_set_has(q->sats, list[i])) continue;
             if (orr_spacecraft_at(&q->src, list[i], t, sun, &x) != ORR_OK) continue;
             const size_t n = fill(q, &x, t, names, row);
+            q->with_antenna += isfinite(x.antenna_body_m[0]);
+            q->with_health += x.health != ORR_HEALTH_UNKNOWN;
+            for (size_t k = 0; k < q->n_signals; k++) q->with_delay += isfinite(row[n - 1 - k].value);
             if (q->format == 't')
                 print_line(f, q, &x, t);
             else if (q->format == 'c')
@@ -184,6 +193,19 @@ static orr_status print_all(const request *q, FILE *f, size_t *rows)
     }
     if (q->format == 'j' && *rows > 0) fputs("\n]\n", f);
     return *rows > 0 ? ORR_OK : ORR_E_NODATA;
+}
+
+// A file that tells nothing of what was printed was the wrong one.
+static void tell_useless(const orr_cli *c, const request *q)
+{
+    const char *const antex = orr_cli_text(c, "antex", NULL), *const bias = orr_cli_text(c, "bias", NULL),
+                      *const nav = orr_cli_text(c, "nav", NULL);
+    if (antex != NULL && q->with_antenna == 0)
+        orr_cli_failf(c, "warning: %s: has no antenna of these satellites at that time", antex);
+    if (bias != NULL && q->with_delay == 0)
+        orr_cli_failf(c, "warning: %s: does not tell the delays of these signals at that time", bias);
+    if (nav != NULL && q->with_health == 0)
+        orr_cli_failf(c, "warning: %s: has no record of these satellites", nav);
 }
 
 // "1C,2W" into the request; false, with the sentence said, where it is something else.
@@ -216,25 +238,26 @@ static bool read_signals(const orr_cli *c, request *q)
 
 static bool read_times(const orr_cli *c, request *q)
 {
-    orr_time from, to;
+    const orr_time from = q->products->from, to = q->products->to;
     char a[ORR_TIME_TEXT], b[ORR_TIME_TEXT];
-    orr_ephemeris_span(q->src.orbit, &from, &to);
     q->from = orr_cli_time(c, "at", orr_cli_time(c, "from", from));
     q->to = orr_cli_time(c, "at", orr_cli_time(c, "to", to));
     q->step_ns = orr_cli_duration_ns(c, "step", 900 * ORR_NS_PER_S);
     if (q->from >= from && q->to <= to && q->from <= q->to) return true;
-    orr_cli_failf(c, "%s covers %s to %s (GPS time), not all of what was asked", c->operand[0],
+    orr_cli_failf(c, "%s cover%s %s to %s (GPS time), not all of what was asked",
+                  q->products->n > 1 ? "the products" : c->operand[0], q->products->n > 1 ? "" : "s",
                   orr_time_text(from, a), orr_time_text(to, b));
     return false;
 }
 
-static orr_status write_out(const orr_cli *c, const request *q, orr_diag *diag)
+static orr_status write_out(const orr_cli *c, request *q, orr_diag *diag)
 {
     orr_outfile out;
     size_t rows;
     orr_status s = orr_outfile_open(orr_cli_text(c, "output", "-"), &out, diag);
     if (s != ORR_OK) return s;
     s = print_all(q, out.stream, &rows);
+    if (s == ORR_OK) tell_useless(c, q);
     if (s == ORR_OK) return orr_outfile_commit(&out, diag);
     orr_outfile_abort(&out);
     return orr_diag_set(diag, s, "%s has no orbit of these satellites then", c->operand[0]);
@@ -245,7 +268,7 @@ static int run(orr_cli *c)
     orr_diag diag = {0};
     orr_warnings warnings = {0};
     request q = {.sats = orr_cli_sats(c, "sat"), .format = orr_cli_text(c, "format", "csv")[0]};
-    orr_ephemeris *orbit = NULL;
+    orr_products products = {0};
     orr_antex antex = {0};
     orr_bias_set bias = {0};
     orr_nav nav = {0};
@@ -254,8 +277,11 @@ static int run(orr_cli *c)
     const char *const antex_path = orr_cli_text(c, "antex", NULL),
                       *const bias_path = orr_cli_text(c, "bias", NULL),
                       *const nav_path = orr_cli_text(c, "nav", NULL);
-    orr_status s = orr_ephemeris_load(c->operand[0], &orbit, &diag);
+    orr_status s = orr_products_open((const char *const *)c->operand, (size_t)c->n_operands, &products,
+                                     &warnings, &diag);
     if (s == ORR_OK && antex_path != NULL) s = orr_antex_read(antex_path, NULL, &antex, &warnings, &diag);
+    if (s == ORR_OK && antex_path != NULL)
+        orr_frames_check_antex(&antex, antex_path, orr_ephemeris_frame(products.item[0]), &warnings);
     if (s == ORR_OK && bias_path != NULL) s = orr_bias_read(bias_path, NULL, &bias, &warnings, &diag);
     if (s == ORR_OK && nav_path != NULL) s = orr_nav_read(nav_path, NULL, &nav, &warnings, &diag);
     orr_cli_warnings(c, &warnings);
@@ -263,14 +289,14 @@ static int run(orr_cli *c)
     if (s != ORR_OK) {
         orr_cli_fail(c, &diag);
     } else {
-        q.src = (orr_spacecraft_sources){.orbit = orbit,
-                                         .antex = antex_path != NULL ? &antex : NULL,
+        q.products = &products;
+        q.src = (orr_spacecraft_sources){.antex = antex_path != NULL ? &antex : NULL,
                                          .bias = bias_path != NULL ? &bias : NULL,
                                          .nav = nav_path != NULL ? &nav : NULL};
         if (read_times(c, &q))
             status = write_out(c, &q, &diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
     }
-    orr_ephemeris_free(orbit);
+    orr_products_free(&products);
     orr_antex_free(&antex);
     orr_bias_free(&bias);
     orr_nav_free(&nav);
@@ -301,9 +327,9 @@ const orr_command orr_cmd_satellites = {
     .name = "satellites",
     .group = "Orbits",
     .summary = "attitude, antenna, clock parts, group delays and health of satellites",
-    .operands = "PRODUCT",
+    .operands = "PRODUCT...",
     .min_operands = 1,
-    .max_operands = 1,
+    .max_operands = -1,
     .about =
         "What a signal generator needs beside the states of `orrery states`. Attitude is nominal yaw "
         "steering: "

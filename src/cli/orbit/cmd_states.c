@@ -10,44 +10,49 @@
 static const orr_option options[] = {
     ORR_OPTION_INSTANTS,
     ORR_OPTION_SATS,
+    {.name = "frame",
+     .kind = ORR_OPT_CHOICE,
+     .value = "ecef|inertial",
+     .fallback = "ecef",
+     .applies = "format=csv|json",
+     .help = "The axes. ecef (default): those of the orbits. inertial: of the GCRS (J2000), by the Earth "
+             "rotation that "
+             "the product holds."},
     ORR_OPTION_FORMAT("csv|sp3|json", "csv"),
     ORR_OPTION_OUTPUT,
 };
 
-// The request's instants against the product's span: outside of it there is nothing to tell, and a table that
+// The request's instants against the products' span: outside of it there is nothing to tell, and a table that
 // silently stops short would be worse than none.
-static bool span_holds(const orr_cli *c, const orr_ephemeris *e, const states_request *q)
+static bool span_holds(const orr_cli *c, const orr_products *p, const states_request *q)
 {
-    orr_time from, to;
     char a[ORR_TIME_TEXT], b[ORR_TIME_TEXT];
-    orr_ephemeris_span(e, &from, &to);
     if (q->to < q->from) {
         orr_cli_usage(c, "--to is before --from");
         return false;
     }
-    if (q->from >= from && q->to <= to) return true;
-    orr_cli_failf(c, "%s covers %s to %s (GPS time), not all of what was asked", c->operand[0],
-                  orr_time_text(from, a), orr_time_text(to, b));
+    if (q->from >= p->from && q->to <= p->to) return true;
+    orr_cli_failf(c, "%s cover%s %s to %s (GPS time), not all of what was asked",
+                  p->n > 1 ? "the products" : c->operand[0], p->n > 1 ? "" : "s", orr_time_text(p->from, a),
+                  orr_time_text(p->to, b));
     return false;
 }
 
-static bool has_satellites(const orr_cli *c, const orr_ephemeris *e, const orr_sat_set *wanted)
+static bool has_satellites(const orr_cli *c, const orr_products *p, const orr_sat_set *wanted)
 {
-    const orr_sat *list;
-    size_t n = orr_ephemeris_satellites(e, &list);
-    for (size_t i = 0; i < n; i++)
-        if (wanted == NULL || orr_sat_set_has(wanted, list[i])) return true;
+    for (size_t i = 0; i < p->n_sats; i++)
+        if (wanted == NULL || orr_sat_set_has(wanted, p->sat[i])) return true;
     orr_cli_failf(c, "%s has none of the satellites %s", c->operand[0], orr_cli_text(c, "sat", ""));
     return false;
 }
 
-static int write_states(orr_cli *c, const orr_ephemeris *e, const states_request *q)
+static int write_states(orr_cli *c, const orr_products *p, const states_request *q)
 {
-    const char *format = orr_cli_text(c, "format", "csv");
+    const bool json = orr_cli_says(c, "format", "json"), sp3 = orr_cli_says(c, "format", "sp3");
     states_count count = {0};
     orr_diag diag = {0};
-    orr_status s = format[0] == 's' ? states_write_sp3(e, q, &count, &diag)
-                                    : states_write_table(e, q, format[0] == 'j', &count, &diag);
+    orr_status s =
+        sp3 ? states_write_sp3(p, q, &count, &diag) : states_write_table(p, q, json, &count, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (count.missing > 0)
         orr_cli_say(c, "%zu states; %zu times a satellite had no orbit at an instant and is left out",
@@ -58,18 +63,26 @@ static int write_states(orr_cli *c, const orr_ephemeris *e, const states_request
 static int run(orr_cli *c)
 {
     orr_diag diag = {0};
-    orr_ephemeris *e = NULL;
-    if (orr_ephemeris_load(c->operand[0], &e, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
-    states_request q = {.product = c->operand[0], .path = orr_cli_text(c, "output", "-")};
-    orr_time from, to;
-    orr_ephemeris_span(e, &from, &to);
-    q.from = orr_cli_time(c, "at", orr_cli_time(c, "from", from));
-    q.to = orr_cli_time(c, "at", orr_cli_time(c, "to", to));
-    q.step_ns = orr_cli_duration_ns(c, "step", 900 * ORR_NS_PER_S);
-    q.sats = orr_cli_sats(c, "sat");
-    int status = q.to < q.from ? ORR_EXIT_USAGE : ORR_EXIT_FAILED;
-    if (span_holds(c, e, &q) && has_satellites(c, e, q.sats)) status = write_states(c, e, &q);
-    orr_ephemeris_free(e);
+    orr_warnings warnings = {0};
+    orr_products p;
+    orr_status s =
+        orr_products_open((const char *const *)c->operand, (size_t)c->n_operands, &p, &warnings, &diag);
+    orr_cli_warnings(c, &warnings);
+    orr_warnings_free(&warnings);
+    int status = ORR_EXIT_FAILED;
+    if (s == ORR_OK) {
+        states_request q = {.product = c->operand[0],
+                            .path = orr_cli_text(c, "output", "-"),
+                            .from = orr_cli_time(c, "at", orr_cli_time(c, "from", p.from)),
+                            .to = orr_cli_time(c, "at", orr_cli_time(c, "to", p.to)),
+                            .step_ns = orr_cli_duration_ns(c, "step", 900 * ORR_NS_PER_S),
+                            .sats = orr_cli_sats(c, "sat"),
+                            .inertial = orr_cli_says(c, "frame", "inertial")};
+        if (q.to < q.from) status = ORR_EXIT_USAGE;
+        if (span_holds(c, &p, &q) && has_satellites(c, &p, q.sats)) status = write_states(c, &p, &q);
+    } else
+        orr_cli_fail(c, &diag);
+    orr_products_free(&p);
     return status;
 }
 
@@ -77,13 +90,14 @@ const orr_command orr_cmd_states = {
     .name = "states",
     .group = "Orbits",
     .summary = "print satellite states from an orbit product",
-    .operands = "PRODUCT",
+    .operands = "PRODUCT...",
     .min_operands = 1,
-    .max_operands = 1,
-    .about = "Positions, velocities (ecef) and clocks at evenly spaced instants. The CSV columns are t_gps, "
+    .max_operands = -1,
+    .about = "Positions, velocities and clocks at evenly spaced instants; of several products, named in any "
+             "order, as of one. The CSV columns are t_gps, "
              "sat, x_m, y_m, "
-             "z_m, vx_mps, vy_mps, vz_mps, clock_s, flags, sigma_m, clock_sigma_s; JSON has the same names, "
-             "SP3 is version d with "
+             "z_m, vx_mps, vy_mps, vz_mps, clock_s, flags, sigma_m (of the position, 3-D), clock_sigma_s; JSON has "
+             "the same names, SP3 is version d with "
              "velocities. A "
              "satellite without an orbit at an instant has no row there, a clock that is not known is an "
              "empty field (null "

@@ -6,33 +6,40 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/astro.h"
 #include "core/fixed.h"
 #include "core/outfile.h"
 #include "ingest/sp3/sp3.h"
 
 enum { POS_DECIMALS = 6, VEL_DECIMALS = 9, CLOCK_DECIMALS = 15, ROW = 1024 };
 
-// The states of the asked satellites at t, into out (room for all); how many.
-static size_t states_at(const orr_ephemeris *e, const states_request *q, orr_time t, orr_sat_state *out,
-                        size_t n_sats, states_count *count)
+// The rotation to the axes of the GCRS, by the Earth rotation that a product holds.
+static void to_inertial(const orr_ephemeris *e, orr_time t, orr_sat_state *state, size_t n)
 {
-    if (q->sats == NULL) {
-        size_t n = orr_ephemeris_eval_all(e, t, out, n_sats);
-        count->written += n;
-        count->missing += n_sats - n;
-        return n;
+    orr_mat3 R, dR;
+    const orr_eop eop = orr_eop_at(orr_ephemeris_eop(e), t, NULL, NULL);
+    orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, &dR);
+    for (size_t i = 0; i < n; i++) {
+        const orr_vec3 r = orr_mat3_apply_t(&R, state[i].pos_m);
+        state[i].vel_mps = orr_mat3_apply_t(&R, orr_vec3_sub(state[i].vel_mps, orr_mat3_apply(&dR, r)));
+        state[i].pos_m = r;
     }
-    const orr_sat *list;
-    orr_ephemeris_satellites(e, &list);
-    size_t n = 0;
-    for (size_t i = 0; i < n_sats; i++) {
-        if (!orr_sat_set_has(q->sats, list[i])) continue;
-        if (orr_ephemeris_eval(e, list[i], t, &out[n]) == ORR_OK)
-            n++;
-        else
-            count->missing++;
+}
+
+// The states of the asked satellites at t, into out (room for all), ascending; how many.
+static size_t states_at(const orr_products *p, const states_request *q, orr_time t, orr_sat_state *out,
+                        states_count *count)
+{
+    const orr_ephemeris *e = orr_products_at(p, t);
+    size_t n = 0, asked = 0;
+    for (size_t i = 0; i < p->n_sats; i++) {
+        if (q->sats != NULL && !orr_sat_set_has(q->sats, p->sat[i])) continue;
+        asked++;
+        if (e != NULL && orr_ephemeris_eval(e, p->sat[i], t, &out[n]) == ORR_OK) n++;
     }
     count->written += n;
+    count->missing += asked - n;
+    if (q->inertial && n > 0) to_inertial(e, t, out, n);
     return n;
 }
 
@@ -88,20 +95,19 @@ static size_t make_row(const orr_sat_state *s, const char *t_gps, bool json, cha
     return (size_t)(p - row);
 }
 
-static orr_status write_rows(const orr_ephemeris *e, const states_request *q, bool json, FILE *f,
+static orr_status write_rows(const orr_products *p, const states_request *q, bool json, FILE *f,
                              states_count *count, orr_diag *diag)
 {
-    const orr_sat *list;
-    size_t n_sats = orr_ephemeris_satellites(e, &list), rows = 0;
-    orr_sat_state *state = calloc(n_sats, sizeof *state);
+    size_t rows = 0;
+    orr_sat_state *state = calloc(p->n_sats, sizeof *state);
     if (state == NULL)
-        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the states of %zu satellites", n_sats);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the states of %zu satellites", p->n_sats);
     fputs(json ? "[" : "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags,sigma_m,clock_sigma_s\n", f);
     orr_status s = ORR_OK;
     for (orr_time t = q->from; s == ORR_OK; t += q->step_ns) {
         char t_gps[ORR_TIME_TEXT], row[ROW];
         orr_time_text(t, t_gps);
-        size_t n = states_at(e, q, t, state, n_sats, count);
+        size_t n = states_at(p, q, t, state, count);
         for (size_t i = 0; i < n; i++) {
             if (json) fputs(rows++ > 0 ? ",\n" : "\n", f);
             fwrite(row, 1, make_row(&state[i], t_gps, json, row), f);
@@ -114,13 +120,13 @@ static orr_status write_rows(const orr_ephemeris *e, const states_request *q, bo
     return s;
 }
 
-orr_status states_write_table(const orr_ephemeris *e, const states_request *q, bool json, states_count *count,
+orr_status states_write_table(const orr_products *p, const states_request *q, bool json, states_count *count,
                               orr_diag *diag)
 {
     orr_outfile out;
     orr_status s = orr_outfile_open(q->path, &out, diag);
     if (s != ORR_OK) return s;
-    s = write_rows(e, q, json, out.stream, count, diag);
+    s = write_rows(p, q, json, out.stream, count, diag);
     if (s == ORR_OK) return orr_outfile_commit(&out, diag);
     orr_outfile_abort(&out);
     return s;
@@ -146,13 +152,13 @@ static void put_record(const orr_sat_state *s, orr_sp3_record *r)
     r->flags = sp3_flags(s->flags);
 }
 
-static orr_status sp3_header(const orr_ephemeris *e, const states_request *q, orr_sp3 *sp3, orr_diag *diag)
+static orr_status sp3_header(const orr_products *p, const states_request *q, orr_sp3 *sp3, orr_diag *diag)
 {
     char text[3][81];
     sp3->version = 'd';
     sp3->has_velocity = true;
     strcpy(sp3->data_used, "ORBIT");
-    snprintf(sp3->coordinates, sizeof sp3->coordinates, "%.5s", orr_ephemeris_frame(e));
+    snprintf(sp3->coordinates, sizeof sp3->coordinates, "%.5s", orr_ephemeris_frame(p->item[0]));
     strcpy(sp3->orbit_type, "FIT");
     strcpy(sp3->agency, "ORRY");
     strcpy(sp3->file_type, "M");
@@ -176,11 +182,12 @@ static orr_status sp3_header(const orr_ephemeris *e, const states_request *q, or
                : orr_diag_set(diag, ORR_E_MEMORY, "no memory for the comments of an SP3 file");
 }
 
-orr_status states_write_sp3(const orr_ephemeris *e, const states_request *q, states_count *count,
+orr_status states_write_sp3(const orr_products *p, const states_request *q, states_count *count,
                             orr_diag *diag)
 {
-    const orr_sat *list;
-    size_t n_all = orr_ephemeris_satellites(e, &list), n_sats = 0;
+    const orr_sat *list = p->sat;
+    const size_t n_all = p->n_sats;
+    size_t n_sats = 0;
     int64_t n_epochs = (q->to - q->from) / q->step_ns + 1;
     for (size_t i = 0; i < n_all; i++) n_sats += q->sats == NULL || orr_sat_set_has(q->sats, list[i]);
     if (n_epochs > (int64_t)orr_sp3_default_limits().max_epochs)
@@ -191,12 +198,12 @@ orr_status states_write_sp3(const orr_ephemeris *e, const states_request *q, sta
     orr_sat_state *state = calloc(n_all, sizeof *state);
     if (s == ORR_OK && state == NULL)
         s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for the states of %zu satellites", n_all);
-    if (s == ORR_OK) s = sp3_header(e, q, &sp3, diag);
+    if (s == ORR_OK) s = sp3_header(p, q, &sp3, diag);
     for (size_t i = 0, k = 0; i < n_all && s == ORR_OK; i++)
         if (q->sats == NULL || orr_sat_set_has(q->sats, list[i])) sp3.sat[k++] = list[i];
     for (size_t i = 0; i < (size_t)n_epochs && s == ORR_OK; i++) {
         orr_time t = q->from + (int64_t)i * q->step_ns;
-        size_t n = states_at(e, q, t, state, n_all, count), k = 0;
+        size_t n = states_at(p, q, t, state, count), k = 0;
         sp3.epoch[i] = t;
         for (size_t j = 0; j < n; j++) {
             while (sp3.sat[k] != state[j].sat) k++; // both ascend

@@ -3,23 +3,33 @@
 #ifndef ORR_CLI_ORBIT_STATES_WRITE_H
 #define ORR_CLI_ORBIT_STATES_WRITE_H
 
-#include "orbit/ephemeris/ephemeris.h"
 #include "src/cli/frame/cli.h"
+#include "src/make/products.h"
 
 typedef struct states_request {
     const char *product, *path; // path "-": stdout
     orr_time from, to;          // within the product's span
     int64_t step_ns;
     const orr_sat_set *sats; // NULL: all
+    bool inertial;           // axes of the GCRS instead of ecef
 } states_request;
 
 typedef struct states_count {
     size_t written, missing; // states, and (satellite, instant) pairs without one
 } states_count;
 
-orr_status states_write_table(const orr_ephemeris *e, const states_request *q, bool json, states_count *count,
+// Writes the states as CSV or as JSON.
+// Given:
+//   p      orbit products
+//   q      what is asked for
+//   json   JSON; otherwise CSV
+// Returned:
+//   count  how many states were written, and how many there were not
+//   diag   why it failed; may be NULL
+orr_status states_write_table(const orr_products *p, const states_request *q, bool json, states_count *count,
                               orr_diag *diag);
-orr_status states_write_sp3(const orr_ephemeris *e, const states_request *q, states_count *count,
+// Writes the states as SP3-d; with count and errors as above.
+orr_status states_write_sp3(const orr_products *p, const states_request *q, states_count *count,
                             orr_diag *diag);
 
 #endif

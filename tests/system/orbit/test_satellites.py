@@ -220,6 +220,20 @@ class Satellites(Folder):
         sent = self.csv("satellites", self.day, "--at", "2024-02-04T12:00", "--nav", nav, "--signal", "1C", "--sat", "G01")
         self.assertAlmostEqual(float(sent[0]["delay_1C_s"]), 5.122274160385e-09, delta=1e-15)  # TGD, read off the file
 
+    def test_files_that_tell_nothing(self):
+        """Of other satellites, another time, another frame: told."""
+        noon = ("--at", "2024-02-04T12:00")
+        done = run("satellites", self.day, *noon, "--sat", "R01", "--nav", data("2024-035/BRDC00CNE_R_20240350000_01D_GN.rnx.gz"))
+        self.assertIn("has no record of these satellites", done.stderr)
+        bias = data("2024-035/COD0OPSFIN_20240350000_01D_01D_OSB.BIA.gz")
+        done = run("satellites", self.day, *noon, "--sat", "G", "--signal", "9Z", "--bias", bias)
+        self.assertIn("does not tell the delays", done.stderr)
+        self.assertNotIn("warning", run("satellites", self.day, *noon, "--sat", "G", "--signal", "1C", "--bias", bias).stderr)
+        done = run("satellites", self.day, *noon, "--antex", data("antex/igs05.atx.gz"))
+        self.assertIn("the antennas are of IGS05_1568, the orbits of IGS20", done.stderr)
+        done = run("satellites", self.day, *noon, "--sat", "E", "--antex", data("antex/igs05.atx.gz"))
+        self.assertIn("has no antenna of these satellites", done.stderr)
+
     def test_wrong_calls(self):
         self.assertIn("--signal needs", run("satellites", self.day, "--signal", "1C", status=2).stderr)
         self.assertIn("1C,2W", run("satellites", self.day, "--signal", "C1C", "--nav", "x", status=2).stderr)

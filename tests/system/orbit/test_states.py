@@ -71,6 +71,54 @@ class States(Folder):
         self.assertIn("9 times", done.stderr)
         self.assertEqual(run("states", "-q", self.product, "--from", "2025-03-21T15:00", "--to", "2025-03-21T15:00").stderr, "")
 
+    def test_sigma(self):
+        for row in table(self.product, "--at", "2025-03-21T12:00"):
+            self.assertTrue(1e-4 < float(row["sigma_m"]) < 2e-3, row)
+
+    def test_inertial_axes(self):
+        """Of the GCRS: as far from the centre, velocities that are the positions' slopes, and no turn with the Earth."""
+        span = ("--from", "2025-03-21T11:59:59", "--to", "2025-03-21T12:00:01", "--step", "1", "--sat", "G01,R08,E14")
+        fixed, inertial = table(self.product, *span), table(self.product, *span, "--frame", "inertial")
+        by = {(r["sat"], r["t_gps"]): r for r in inertial}
+        for f in fixed:
+            i = by[f["sat"], f["t_gps"]]
+            radius = [math.hypot(*(float(r[k]) for k in ("x_m", "y_m", "z_m"))) for r in (f, i)]
+            self.assertAlmostEqual(*radius, delta=2e-6)
+            self.assertLess(abs(float(f["z_m"]) - float(i["z_m"])), 2.6e7 * 3e-3)  # precession and nutation since 2000
+        for sat in ("G01", "R08", "E14"):
+            a, b, c = (by[sat, f"2025-03-21T{t}"] for t in ("11:59:59", "12:00:00", "12:00:01"))
+            slope = [(float(c[k]) - float(a[k])) / 2 for k in ("x_m", "y_m", "z_m")]
+            v = [float(b[k]) for k in ("vx_mps", "vy_mps", "vz_mps")]
+            for got, is_ in zip(v, slope):
+                self.assertAlmostEqual(got, is_, delta=2e-5)  # the third derivative: 1e-4 m/s3 / 6
+            r = [float(b[k]) for k in ("x_m", "y_m", "z_m")]
+            energy = sum(x * x for x in v) / 2 - 3.986004418e14 / math.hypot(*r)
+            period = 2 * math.pi * math.sqrt((-3.986004418e14 / 2 / energy) ** 3 / 3.986004418e14)
+            self.assertAlmostEqual(period / 86164.1, {"G": 1 / 2, "R": 8 / 17, "E": 20 / 37}[sat[0]], delta=2e-3)
+        self.assertIn("--frame applies only", run("states", self.product, "--frame", "inertial", "--format", "sp3", status=2).stderr)
+
+    def test_several_products(self):
+        """As of one, in whatever order they are named; at midnight the earlier day's; hours without a product are told."""
+        days = {}
+        for day in ("079", "080", "081"):
+            days[day] = self.path(f"{day}.nc")
+            run("orbit", "-q", "-o", days[day], "--sat", "G01,E14", sample(DAY.replace("2025080", f"2025{day}")))
+        rows = table(days["081"], days["079"], days["080"], "--step", "6h")
+        self.assertEqual([r["t_gps"] for r in rows], sorted(r["t_gps"] for r in rows))
+        self.assertEqual(len(rows), 2 * 13)
+        midnight = [r for r in rows if r["t_gps"] == "2025-03-21T00:00:00"]
+        self.assertEqual(midnight, table(days["079"], "--at", "2025-03-21"))
+        done = run("states", days["079"], days["081"], "--step", "12h")
+        self.assertIn("no product covers 2025-03-21T00:00:00 to 2025-03-22T00:00:00", done.stderr)
+        out = self.path("three.sp3")
+        run("states", *days.values(), "--format", "sp3", "-o", out)
+        self.assertEqual(run_json("inspect", out, "--format", "json")["epochs"], 3 * 96 + 1)
+        whole = run("eclipses", *days.values(), "--sat", "G01", "--format", "csv").stdout.splitlines()[1:]
+        parts = [line for day in days.values() for line in
+                 run("eclipses", day, "--sat", "G01", "--format", "csv").stdout.splitlines()[1:]]
+        self.assertEqual(whole, parts)  # none at midnight here
+        self.assertEqual(len(run("satellites", *days.values(), "--step", "12h").stdout.splitlines()), 1 + 2 * 7)
+
     def test_formats_agree(self):
         span = ("--from", "2025-03-21T03:00", "--to", "2025-03-21T05:00", "--step", "900")
         rows = table(self.product, *span)
@@ -125,7 +173,7 @@ class States(Folder):
 
     def test_refusals(self):
         for args, status, word in (
-                (("states",), 2, "PRODUCT is needed"),
+                (("states",), 2, "PRODUCT... is needed"),
                 (("states", self.path("absent.nc")), 1, "absent.nc"),
                 (("states", sample(DAY)), 1, "NetCDF"),
                 (("states", self.product, "--from", "2025-03-20T23:00"), 1, "covers 2025-03-21T00:00:00 to"),
