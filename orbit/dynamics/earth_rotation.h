@@ -25,6 +25,7 @@ typedef struct orr_earth_rotation {
 
 // A copy of a series. ORR_E_MEMORY.
 orr_status orr_eop_series_copy(const orr_eop_series *from, orr_eop_series *to);
+// Frees the series; it is empty then.
 void orr_earth_rotation_free(orr_earth_rotation *r);
 
 // In words: "secular pole", "given", "estimated".

@@ -15,7 +15,8 @@ static orr_time begin_of(const orr_ephemeris *e)
 
 static int by_begin(const void *a, const void *b)
 {
-    const orr_time x = begin_of(*(orr_ephemeris *const *)a), y = begin_of(*(orr_ephemeris *const *)b);
+    const orr_time x = begin_of(*(const orr_ephemeris *const *)a),
+                   y = begin_of(*(const orr_ephemeris *const *)b);
     return (x > y) - (x < y);
 }
 
@@ -67,20 +68,33 @@ static void look_at_joints(orr_products *p, orr_warnings *warnings)
 orr_status orr_products_open(const char *const *path, size_t n, orr_products *out, orr_warnings *warnings,
                              orr_diag *diag)
 {
-    *out = (orr_products){.item = calloc(n + 1, sizeof *out->item)};
-    if (out->item == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu products", n);
+    *out = (orr_products){.item = calloc(n + 1, sizeof *out->item), .own = calloc(n + 1, sizeof *out->own)};
+    if (out->item == NULL || out->own == NULL)
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu products", n);
     orr_status s = ORR_OK;
-    for (; out->n < n && s == ORR_OK; out->n += s == ORR_OK)
-        s = orr_ephemeris_load(path[out->n], &out->item[out->n], diag);
+    for (; out->n < n && s == ORR_OK; out->n += s == ORR_OK) {
+        s = orr_ephemeris_load(path[out->n], &out->own[out->n], diag);
+        out->item[out->n] = out->own[out->n];
+    }
     if (s != ORR_OK) return s;
     qsort(out->item, n, sizeof *out->item, by_begin);
     look_at_joints(out, warnings);
     return gather_satellites(out, diag);
 }
 
+orr_status orr_products_of(const orr_ephemeris *e, orr_products *out, orr_diag *diag)
+{
+    *out = (orr_products){.n = 1, .item = calloc(1, sizeof *out->item)};
+    if (out->item == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a product");
+    out->item[0] = e;
+    look_at_joints(out, NULL);
+    return gather_satellites(out, diag);
+}
+
 void orr_products_free(orr_products *p)
 {
-    for (size_t i = 0; i < p->n; i++) orr_ephemeris_free(p->item[i]);
+    for (size_t i = 0; p->own != NULL && i < p->n; i++) orr_ephemeris_free(p->own[i]);
+    free(p->own);
     free(p->item);
     free(p->sat);
     *p = (orr_products){0};

@@ -113,7 +113,9 @@ bool orr_engine_has_ionosphere(const orr_engine *e);
 const orr_channels *orr_engine_channels(const orr_engine *e);
 // The sources themselves, for who writes files of the whole scenario; NULL where there is none.
 const orr_ephemeris *orr_engine_ephemeris(const orr_engine *e);
+// The broadcast data likewise.
 const orr_navset *orr_engine_navset(const orr_engine *e);
+// The prepared motion likewise.
 const orr_moving *orr_engine_moving(const orr_engine *e);
 
 // The scenario's own receiver: receiver.position; else the point of a unit of the trajectory, to the bit that

@@ -104,7 +104,10 @@ orr_status simulate_orbits(simulation *s, orr_diag *diag)
                               .from = span.from,
                               .to = span.to,
                               .step_ns = 300 * ORR_NS_PER_S};
-    if (status == ORR_OK) status = states_write_sp3(e, &q, &count, diag);
+    orr_products products = {0};
+    if (status == ORR_OK) status = orr_products_of(e, &products, diag);
+    if (status == ORR_OK) status = states_write_sp3(&products, &q, &count, diag);
+    orr_products_free(&products);
     if (status == ORR_OK)
         status = simulate_note(s, "truth.sp3", "true orbits and clocks every 5 min, SP3-d", diag);
     orr_clk clk = {.n_sats = 0};

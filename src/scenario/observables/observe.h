@@ -38,9 +38,24 @@ orr_status orr_observe_rinex(const orr_channels *c, size_t antenna, const orr_ob
                              const char *path, orr_observe_count *count, orr_diag *diag);
 
 // The same channels with all their terms as CSV, without noise.
+// Given:
+//   c        the channels
+//   antenna  which of the scenario's
+//   plan     when
+//   path     file
+// Returned:
+//   count    what was written
+//   diag     why it failed; may be NULL
 orr_status orr_observe_truth(const orr_channels *c, size_t antenna, const orr_observe_plan *plan,
                              const char *path, orr_observe_count *count, orr_diag *diag);
 // Where the antenna is, and how it moves and stands, as CSV.
+// Given:
+//   c        the channels
+//   antenna  which of the scenario's
+//   plan     when
+//   path     file
+// Returned:
+//   diag     why it failed; may be NULL
 orr_status orr_observe_track(const orr_channels *c, size_t antenna, const orr_observe_plan *plan,
                              const char *path, orr_diag *diag);
 
