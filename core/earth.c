@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/earth.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/earth_shim.h"
@@ -131,4 +132,48 @@ void orr_gravity_model_free(orr_gravity_model *m)
     if (m == NULL) return;
     orr_shim_gravity_free(m->shim);
     free(m);
+}
+
+struct orr_geoid {
+    void *shim;
+    char name[32];
+};
+
+orr_status orr_geoid_open(const char *name, const char *dir, orr_geoid **out, orr_diag *diag)
+{
+    // GeographicLib's default first, which is that of most receivers, then by rising error of interpolation.
+    static const char *const usual[] = {"egm96-5",   "egm96-15", "egm2008-1", "egm2008-2_5",
+                                        "egm2008-5", "egm84-15", "egm84-30"};
+    *out = NULL;
+    orr_geoid *g = calloc(1, sizeof *g);
+    if (g == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a geoid");
+    char why[300] = "";
+    int no_memory = 0;
+    for (size_t k = 0; g->shim == NULL && k < (name != NULL ? 1 : sizeof usual / sizeof usual[0]); k++) {
+        snprintf(g->name, sizeof g->name, "%s", name != NULL ? name : usual[k]);
+        g->shim = orr_shim_geoid_open(g->name, dir != NULL ? dir : "", why, sizeof why, &no_memory);
+    }
+    if (g->shim == NULL) {
+        free(g);
+        return orr_diag_set(diag, no_memory ? ORR_E_MEMORY : ORR_E_IO, "geoid %s in %s%s: %s",
+                            name != NULL ? name : "of any name",
+                            dir != NULL ? "folder " : "GeographicLib's own folder", dir != NULL ? dir : "",
+                            why);
+    }
+    *out = g;
+    return ORR_OK;
+}
+
+double orr_geoid_height_m(const orr_geoid *g, double lat_rad, double lon_rad)
+{
+    return orr_shim_geoid_height(g->shim, lat_rad * ORR_DEG_PER_RAD, lon_rad * ORR_DEG_PER_RAD);
+}
+
+const char *orr_geoid_name(const orr_geoid *g) { return g->name; }
+
+void orr_geoid_free(orr_geoid *g)
+{
+    if (g == NULL) return;
+    orr_shim_geoid_free(g->shim);
+    free(g);
 }

@@ -11,6 +11,7 @@
 
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/Geodesic.hpp>
+#include <GeographicLib/Geoid.hpp>
 #include <GeographicLib/GravityModel.hpp>
 #include <GeographicLib/NormalGravity.hpp>
 
@@ -110,3 +111,30 @@ extern "C" void orr_shim_gravity_free(void *model)
 {
     delete static_cast<GeographicLib::GravityModel *>(model);
 }
+
+extern "C" void *orr_shim_geoid_open(const char *name, const char *dir, char *text, size_t n, int *no_memory)
+{
+    *no_memory = 0;
+    try {
+        return new GeographicLib::Geoid(name, dir);
+    } catch (const std::bad_alloc &) {
+        *no_memory = 1;
+        std::snprintf(text, n, "no memory for it");
+    } catch (const std::exception &e) {
+        std::snprintf(text, n, "%s", e.what());
+    } catch (...) {
+        std::snprintf(text, n, "GeographicLib gave no reason");
+    }
+    return nullptr;
+}
+
+extern "C" double orr_shim_geoid_height(const void *geoid, double lat_deg, double lon_deg)
+{
+    try {
+        return (*static_cast<const GeographicLib::Geoid *>(geoid))(lat_deg, lon_deg);
+    } catch (...) {
+        return nothing;
+    }
+}
+
+extern "C" void orr_shim_geoid_free(void *geoid) { delete static_cast<GeographicLib::Geoid *>(geoid); }

@@ -46,6 +46,10 @@ void *orr_shim_gravity_open(const char *name, const char *dir, char *text, size_
 void orr_shim_gravity(const void *model, const double r_m[3], double g_mps2[3]);
 // Frees a model; NULL is allowed.
 void orr_shim_gravity_free(void *model);
+// A geoid of GeographicLib's; NULL and the reason in text if there is none. dir "" is GeographicLib's own folder.
+void *orr_shim_geoid_open(const char *name, const char *dir, char *text, size_t n, int *no_memory);
+double orr_shim_geoid_height(const void *geoid, double lat_deg, double lon_deg);
+void orr_shim_geoid_free(void *geoid);
 
 #ifdef __cplusplus
 }

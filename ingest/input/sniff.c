@@ -162,10 +162,13 @@ static bool sniff_words(orr_view line, orr_sniffed *s)
     return false;
 }
 
-// "$GPGGA,": a dollar, five capitals or digits, a comma.
+// "$GPGGA,": a dollar, five capitals or digits, a comma; a stamp of the recorder may stand before it, if a checksum
+// ends the line.
 static bool is_nmea(orr_view line)
 {
     orr_view t = orr_view_trim(line);
+    const char *dollar = t.n > 3 && t.p[t.n - 3] == '*' ? memchr(t.p, '$', t.n) : NULL;
+    if (dollar != NULL) t = (orr_view){dollar, t.n - (size_t)(dollar - t.p)};
     if (t.n < 7 || t.p[0] != '$' || t.p[6] != ',') return false;
     for (int i = 1; i < 6; i++)
         if (!(t.p[i] >= 'A' && t.p[i] <= 'Z') && !is_digit(t.p[i])) return false;

@@ -3,10 +3,19 @@
 #include "core/array.h"
 #include "ingest/telemetry/telemetry_private.h"
 
-void telemetry_drop(orr_telemetry *t, const orr_input *in, orr_warnings *w, const char *why)
+void telemetry_drop(telemetry_reader *r, const char *why)
 {
-    t->unreadable++;
-    orr_warnings_add(w, orr_input_name(in), orr_input_line_number(in), 0, "row left out: %s", why);
+    r->out->unreadable++;
+    orr_warnings_add(&r->rows, orr_input_name(r->in), orr_input_line_number(r->in), 0, "row left out: %s",
+                     why);
+}
+
+orr_status telemetry_mark_above_sea(telemetry_reader *r, orr_diag *diag)
+{
+    if (!ORR_ARRAY_GROW(r->above_sea, r->n_above_sea))
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu rows of telemetry", r->n_above_sea);
+    r->above_sea[r->n_above_sea++] = r->out->n_position - 1;
+    return ORR_OK;
 }
 
 orr_status telemetry_add_position(orr_telemetry *t, double t_s, orr_geodetic at, int64_t line, orr_diag *diag)

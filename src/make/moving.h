@@ -8,6 +8,7 @@
 #include "inertial/motion/dual_unit.h"
 #include "inertial/motion/telemetry_fit.h"
 #include "inertial/readings/imu.h"
+#include "ingest/telemetry/telemetry.h"
 #include "src/config/scenario.h"
 #include "src/make/inputs.h"
 
@@ -22,6 +23,8 @@ typedef struct orr_moving {
     double rate_hz;
     bool from_telemetry;
     orr_fit_report report; // of telemetry
+    orr_clock_tie tie;     // of a log with two clocks; n = 0: there is one clock
+    orr_time tie_zero;     // GPS time at 0 s of the log's own clock
     orr_inputs inputs;     // the files that were read: logs, gravity
 } orr_moving;
 

@@ -67,6 +67,17 @@ static int apply_options(orr_cli *c, orr_scenario_trajectory *m)
     return ORR_EXIT_OK;
 }
 
+static void say_clocks(orr_cli *c, const orr_moving *v)
+{
+    char zero[ORR_TIME_TEXT];
+    if (v->tie.n == 0) return;
+    orr_cli_say(c,
+                "clocks: 0 s of the log's own is %s GPS, drift %.3g ppm, scatter %.3g s (%zu rows tell "
+                "both); places have GPS time",
+                orr_time_format(v->tie_zero, ORR_SCALE_GPS, 6, NULL, zero), 1e6 * v->tie.drift,
+                v->tie.scatter_s, v->tie.n);
+}
+
 static void say_fit(orr_cli *c, const orr_fit_report *r)
 {
     orr_cli_say(c,
@@ -133,6 +144,7 @@ int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_inputs *inputs, 
         if (s != ORR_OK) status = orr_cli_fail(c, &diag);
     }
     if (status == ORR_EXIT_OK && moving->from_telemetry) {
+        say_clocks(c, moving);
         say_fit(c, &moving->report);
         status = write_report(c, &moving->report, &diag);
         if (status != ORR_EXIT_OK) orr_moving_free(moving);

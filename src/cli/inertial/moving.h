@@ -23,9 +23,8 @@
          .value = "LIST",                                                                                    \
          .repeated = true,                                                                                   \
          .help = "Columns of the first, second log, e.g. \"-,t[ms],roll[deg],pitch[-deg],heading\": t, "     \
-                 "week, tow, lat, "                                                                          \
-                 "lon, height, x, y, z, heading, pitch, roll, fix[>=3], - to skip one. Not needed where a "  \
-                 "header says so."},                                                                         \
+                 "week, tow, instant, date, lat, lon, height, height_msl, geoid, x, y, z, heading, pitch, "  \
+                 "roll, qw, qx, qy, qz, fix[>=3], - to skip one. Not needed where a header says so."},       \
         {.name = "start",                                                                                    \
          .kind = ORR_OPT_TIME,                                                                               \
          .value = "T",                                                                                       \

@@ -22,6 +22,11 @@ static void aircraft_log_comes_through(void **state)
     ASSERT_OK(orr_telemetry_read(att, "-,t[ms],roll,pitch,heading,-,-", &a, NULL, &diag), diag);
     assert_int_equal(g.unreadable, 412); // rows before the first fix
     assert_true(g.absolute);
+    // The log's own clock against GPS time, over the whole log; angles are on the former.
+    print_message("drift %.1f ppm, scatter %.3f s\n", 1e6 * g.tie.drift, g.tie.scatter_s);
+    assert_int_equal(g.tie.n, g.n_position);
+    assert_true(fabs(g.tie.drift) < 100e-6 && g.tie.scatter_s < 0.1);
+    for (size_t k = 0; k < a.n_attitude; k++) a.attitude_t_s[k] = orr_clock_tied_s(&g.tie, a.attitude_t_s[k]);
     orr_telemetry_log log = {.n_position = g.n_position,
                              .position_t_s = g.position_t_s,
                              .position = g.position,
@@ -39,6 +44,23 @@ static void aircraft_log_comes_through(void **state)
     assert_true(rep.wraps > 10);
     assert_true(rep.residuals.position_rms_m < 0.5); // places come in steps of 0.1 m by 1 m
     assert_true(rep.residuals.attitude_rms_rad < 0.5 * ORR_RAD_PER_DEG);
+    // Against the log's own GPS time, read without the other clock.
+    orr_telemetry own;
+    ASSERT_OK(orr_telemetry_read(gps, "-,fix[>=3],tow[ms],week,-,-,lat,lon,-,alt,-,-,-,-", &own, NULL, &diag),
+              diag);
+    double sum = 0.0, n = 0.0;
+    for (size_t k = 0; k < own.n_position; k++) {
+        double t = orr_time_diff_s(orr_time_add_s(own.t0, own.position_t_s[k]), tr.t0);
+        orr_motion m;
+        if (t < tr.begin_s || t > tr.end_s) continue;
+        tr.evaluate(tr.self, t, &m);
+        orr_vec3 d = orr_vec3_sub(m.r_m, orr_earth_to_ecef(own.position[k]));
+        sum += orr_vec3_dot(d, d);
+        n += 1.0;
+    }
+    print_message("%.3f m r.m.s. of %.0f places at their GPS times\n", sqrt(sum / n), n);
+    assert_true(sqrt(sum / n) < 0.21);
+    orr_telemetry_free(&own);
     orr_imu imu;
     orr_imu_request q = {.duration_s = tr.end_s, .rate_hz = 100, .mode = {.approach = 2, .order = 3}};
     ASSERT_OK(orr_imu_generate(&tr, &q, &imu, &diag), diag);

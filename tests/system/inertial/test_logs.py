@@ -124,6 +124,56 @@ class Logs(Folder):
         made = run("track", "-q", "--telemetry", self.log(text(flight(40))), "--start", "2300:43200").stdout
         self.assertIn("2024-02-04T12:00:00 GPS", made)
 
+    def nmea(self, seconds, date="150824", name="made.nmea"):
+        """A place a second, East at 10 m/s, from 10:00:00 UTC on."""
+        made = ""
+        for k in range(seconds):
+            bodies = [f"GPGGA,1000{k:02}.00,0000.000000,N,00000.{k * 10 / 1855.3248:09.7f},E,1,08,1.0,100.0,M,47.0,M,,".replace(".0.", ".")]
+            if date:
+                bodies.insert(0, f"GPRMC,1000{k:02}.00,A,0000.0,N,00000.0,E,19.4,90.0,{date},,")
+            made += "".join(f"${b}*{functools.reduce(operator.xor, b.encode()):02X}\r\n" for b in bodies)
+        return self.log(made, name)
+
+    def test_a_date_that_nothing_tells_is_said_to_be_assumed(self):
+        done = run("track", "--telemetry", self.nmea(60, None))
+        self.assertIn("2024-02-04T10:00:18 GPS", done.stdout)  # the time of day is kept
+        self.assertIn("tells no date", done.stderr)
+        done = run("track", "--telemetry", self.log(text(flight(40))))
+        self.assertIn("tells no date", done.stderr)
+        self.assertNotIn("tells no date", run("track", "--telemetry", self.nmea(60)).stderr)
+        self.assertNotIn("tells no date", run("track", "--telemetry", self.log(text(flight(40))), "--start", "2300:0").stderr)
+
+    def test_own_tables_come_back_to_the_instant(self):
+        """track, and imu's CSV: read as logs, they are the same motion at the same instants."""
+        first, again = self.path("first.csv"), self.path("again.csv")
+        run("track", "-q", "--telemetry", self.nmea(60), "--rate", "5", "-o", first)
+        for made in (first, self.path("imu.csv")):
+            if made != first:
+                run("imu", "-q", "--telemetry", first, "--rate", "10", "-o", made)
+            done = run("track", "--telemetry", made, "-o", again)
+            self.assertNotIn("tells no date", done.stderr)
+            lines = pathlib.Path(again).read_text(encoding="utf-8").splitlines()
+            self.assertEqual(lines[0], "# t in seconds after 2024-08-15T10:00:18 GPS")
+            for r in track("\n".join(lines)):
+                self.assertAlmostEqual(math.radians(r["lon_deg"]) * 6378137.0, 10 * r["t_s"] * 6378137.0 / 6378157.4, delta=0.05)
+
+    def test_two_clocks_are_tied_over_the_whole_log(self):
+        """GPS time beside a clock that runs 100 ppm slow and is late: the places have GPS time, and the tie is reported."""
+        rows = ["week,tow,t,lat,lon,height"]
+        for k in range(600):
+            rows.append(f"2325,{381618 + k},{40 + (k + 0.1 * (k % 3)) * (1 - 1e-4):.4f},50,{20 + 1e-4 * k:.9f},300")
+        done = run("track", "--telemetry", self.log("\n".join(rows) + "\n"), "--rate", "1")
+        self.assertIn("600 rows tell both", done.stderr)
+        self.assertRegex(done.stderr, r"drift (9[5-9]|10[0-5])[.0-9]* ppm")
+        self.assertIn("2024-08-01T10:00:18", done.stdout.splitlines()[0].replace("18.000000", "18"))
+        for r in track(done.stdout):
+            self.assertAlmostEqual(r["lon_deg"], 20 + 1e-4 * r["t_s"], delta=2e-7)
+
+    def test_longer_than_log_or_plan_is_told(self):
+        self.assertIn("the log holds 59.000 s", run("track", "--telemetry", self.nmea(60), "--duration", "90").stderr)
+        done = run("track", sample("survey.yaml"), "--duration", "9000", "-o", self.path("long.csv"))
+        self.assertIn("goes straight on", done.stderr)
+
     def test_faults_are_left_out_and_reported(self):
         """Every fault a row can have: the flight comes back as it was, and the report names each row that was left out."""
         good = flight(60)
