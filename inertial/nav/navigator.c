@@ -268,9 +268,6 @@ orr_status orr_navigate(const orr_imu *imu, const orr_navigator *nav,
     if (nav->samples < 1 || nav->samples > MAX)
         return orr_diag_set(diag, ORR_E_ARG, "a navigator takes 1 to %d samples at a time, not %d", MAX,
                             nav->samples);
-    if (nav->hold_vertical)
-        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
-                            "the vertical channel can be held in the one-step navigators only");
     double c[MAX + 1][MAX][MAX] = {{{0}}}, s[MAX + 1][MAX][MAX];
     for (int n = 1; n <= MAX; n++) orr_increment_polynomial(n, c[n]);
     cross_weights(c, s);
@@ -282,12 +279,20 @@ orr_status orr_navigate(const orr_imu *imu, const orr_navigator *nav,
         orr_nav_state out = {j, orr_imu_edge_s(imu, j), b.r, b.v, orr_mat3_from_quat(orr_quat_unit(b.q))};
         status = visit(user, &out);
         if (status != ORR_OK || j == imu->n) return status;
-        size_t n = orr_navigator_group(imu, j, nav->samples);
+        size_t n = orr_navigator_group(imu, j, nav->samples),
+               to_truth = imu->truth_every - j % imu->truth_every;
+        if (nav->hold_vertical && n > to_truth) n = to_truth; // so that a group ends wherever there is truth
         if (nav->kind == ORR_NAVIGATOR_REFERENCE)
             reference_group(imu, nav, c, j, n, &b);
         else
             multi_sample_group(imu, nav, s, j, n, &b);
         j += n;
+        if (nav->hold_vertical && j % imu->truth_every == 0) {
+            orr_vec3 r, v;
+            orr_mat3 A;
+            orr_imu_true_state(imu, j, &r, &v, &A);
+            orr_hold_vertical(r, v, &b.r, &b.v);
+        }
     }
 }
 

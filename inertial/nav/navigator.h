@@ -26,7 +26,8 @@ typedef struct orr_navigator {
     int substeps;        // of the reference per sample; 0: as many as step and turn ask for
     orr_nav_frame frame; // one-step
     bool project_mid;    // one-step: f and gravitation with the matrices of mid-step (18), else of t_j
-    bool hold_vertical;  // one-step: height and vertical velocity from the truth beside the readings
+    bool
+        hold_vertical; // height and vertical velocity from the truth beside the readings, wherever there is one
     const orr_gravity *gravity;
 } orr_navigator;
 

@@ -133,23 +133,31 @@ void orr_one_step_advance(orr_one_step *s, orr_vec3 dtheta_rad, orr_vec3 dv_mps)
     s->t_s += s->dt_s;
 }
 
+// The ellipsoid is round: inertial longitudes serve as well.
+void orr_hold_vertical(orr_vec3 reference_r_m, orr_vec3 reference_v_mps, orr_vec3 *r_m, orr_vec3 *v_mps)
+{
+    orr_geodetic ref = orr_earth_from_ecef(reference_r_m), at = orr_earth_from_ecef(*r_m);
+    orr_mat3 A_ref = orr_earth_enu_from_ecef(ref.lat_rad, ref.lon_rad),
+             A = orr_earth_enu_from_ecef(at.lat_rad, at.lon_rad);
+    orr_vec3 up = {A.m[2][0], A.m[2][1], A.m[2][2]};
+    double up_mps = orr_mat3_apply(&A_ref, reference_v_mps).z;
+    *r_m = orr_vec3_axpy(ref.height_m - at.height_m, up, *r_m);
+    *v_mps = orr_vec3_axpy(up_mps - orr_vec3_dot(*v_mps, up), up, *v_mps);
+}
+
 void orr_one_step_hold_vertical(orr_one_step *s, orr_vec3 reference_r_m, orr_vec3 reference_v_mps)
 {
-    orr_geodetic ref = orr_earth_from_ecef(reference_r_m);
-    orr_mat3 A_ref = orr_earth_enu_from_ecef(ref.lat_rad, ref.lon_rad);
-    double up_mps = orr_mat3_apply(&A_ref, reference_v_mps).z;
     if (s->frame == ORR_FRAME_GEOGRAPHIC) {
+        orr_geodetic ref = orr_earth_from_ecef(reference_r_m);
+        orr_mat3 A_ref = orr_earth_enu_from_ecef(ref.lat_rad, ref.lon_rad);
         s->height_m = ref.height_m;
-        s->v_mps.z = up_mps;
+        s->v_mps.z = orr_mat3_apply(&A_ref, reference_v_mps).z;
         s->r_m = frame_position(&s->A_xi, s->height_m);
-        return;
+    } else {
+        orr_vec3 v = orr_one_step_velocity(s);
+        orr_hold_vertical(reference_r_m, reference_v_mps, &s->r_m, &v);
+        s->v_mps = s->frame == ORR_FRAME_BODY ? orr_mat3_apply(&s->A_zi, v) : v;
     }
-    orr_geodetic at = orr_earth_from_ecef(s->r_m);
-    orr_mat3 A = orr_earth_enu_from_ecef(at.lat_rad, at.lon_rad);
-    orr_vec3 up = {A.m[2][0], A.m[2][1], A.m[2][2]};
-    s->r_m = orr_vec3_axpy(ref.height_m - at.height_m, up, s->r_m);
-    if (s->frame == ORR_FRAME_BODY) up = orr_mat3_apply(&s->A_zi, up);
-    s->v_mps = orr_vec3_axpy(up_mps - orr_vec3_dot(s->v_mps, up), up, s->v_mps);
 }
 
 // --- Approach 1: the same step solved for the reading ---

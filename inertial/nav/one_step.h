@@ -39,8 +39,11 @@ void orr_one_step_start(orr_one_step *s, orr_nav_frame frame, bool project_mid, 
 void orr_one_step_advance(orr_one_step *s, orr_vec3 dtheta_rad, orr_vec3 dv_mps);
 // Absolute velocity in inertial axes.
 orr_vec3 orr_one_step_velocity(const orr_one_step *s);
-// Holds the vertical channel: height and vertical velocity are taken from a reference (inertial position and
-// velocity).
+// Takes height and vertical velocity from a reference.
+//   Given:    reference_r_m, reference_v_mps   inertial position and absolute velocity
+//   Returned: r_m, v_mps                       likewise, moved along the ellipsoid's vertical alone
+void orr_hold_vertical(orr_vec3 reference_r_m, orr_vec3 reference_v_mps, orr_vec3 *r_m, orr_vec3 *v_mps);
+// Holds the vertical channel of a step's state on a reference, likewise.
 void orr_one_step_hold_vertical(orr_one_step *s, orr_vec3 reference_r_m, orr_vec3 reference_v_mps);
 
 // Approach 1 on the truth of `imu` (r_m, q_be, mode set): fills dtheta, dv, the start state and, in a closed

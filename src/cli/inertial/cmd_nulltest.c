@@ -60,8 +60,9 @@ static const char *navigator_text(const orr_navigator *nav, char *buf, size_t n)
                  orr_nav_frame_name(nav->frame), nav->project_mid ? "mid-step" : "t_j",
                  nav->hold_vertical ? "held" : "free");
     else
-        snprintf(buf, n, "%s, %d samples",
-                 nav->kind == ORR_NAVIGATOR_REFERENCE ? "reference" : "multi-sample", nav->samples);
+        snprintf(buf, n, "%s, %d samples%s",
+                 nav->kind == ORR_NAVIGATOR_REFERENCE ? "reference" : "multi-sample", nav->samples,
+                 nav->hold_vertical ? ", vertical channel held" : "");
     return buf;
 }
 
@@ -156,10 +157,11 @@ static const orr_option options[] = {
      .value = "mid|start",
      .help = "Matrices of mid-step or of t_j. Default: as the readings, or mid."},
     {.name = "vertical",
-     .applies = "navigator=one-step",
      .kind = ORR_OPT_CHOICE,
      .value = "free|held",
-     .help = "Vertical channel: free, or height and vertical velocity held on the truth. Default free."},
+     .help = "Vertical channel: free, or height and vertical velocity held on the truth. Free, its error "
+             "grows e-fold "
+             "in 570 s. Default free."},
     {.name = "samples",
      .applies = "navigator=reference",
      .kind = ORR_OPT_INT,

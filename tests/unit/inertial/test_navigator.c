@@ -210,13 +210,53 @@ static void held_vertical_channel(void **state)
     orr_trajectory_free(&tr);
 }
 
+// The same of the reference and the multi-sample navigators, with truth at every fifth sample alone: held there, the
+// error is what the channel grows by in between.
+static void held_between_truths(void **state)
+{
+    (void)state;
+    orr_diag diag = {0};
+    orr_analytic_plan plan = {.origin = {0.8, 0.3, 100}};
+    orr_trajectory tr;
+    ASSERT_OK(orr_trajectory_analytic(0, 0, 3600, &plan, &tr, &diag), diag);
+    orr_imu imu;
+    orr_imu_request q = {.duration_s = 3600, .rate_hz = 2, .mode = physical3};
+    ASSERT_OK(orr_imu_generate(&tr, &q, &imu, &diag), diag);
+    for (size_t k = 0; 5 * k <= imu.n; k++) {
+        imu.r_m[k] = imu.r_m[5 * k];
+        imu.v_mps[k] = imu.v_mps[5 * k];
+        imu.q_be[k] = imu.q_be[5 * k];
+    }
+    imu.truth_every = 5;
+    imu.start_r_m = orr_vec3_scale(1 + 1e-7, imu.start_r_m); // 0.637 m too high
+    for (int samples = 2; samples <= 5; samples++)
+        for (int kind = 0; kind < 2; kind++) {
+            orr_navigator nav = {.kind = kind == 0 ? ORR_NAVIGATOR_REFERENCE : ORR_NAVIGATOR_MULTI_SAMPLE,
+                                 .samples = samples};
+            orr_null_report r;
+            ASSERT_OK(orr_null_test(&imu, &nav, NULL, NULL, &r, &diag), diag);
+            double growth = cosh(3600 * sqrt(2 * 9.81 / 6.37e6)); // e-fold 570 s
+            // Steps of 1 to 2.5 s by one rectangle of gravitation add an error of their own in the other kind.
+            if (kind == 0) ASSERT_NEAR(r.max_vertical_m / (0.637 * growth), 1.0, 0.1);
+            double free_m = r.max_vertical_m;
+            nav.hold_vertical = true;
+            ASSERT_OK(orr_null_test(&imu, &nav, NULL, NULL, &r, &diag), diag);
+            assert_true(free_m > 100.0 * r.max_vertical_m);
+            assert_int_equal(r.compared, 1 + imu.n / 5);
+            ASSERT_NEAR(r.max_vertical_m, 0.637, 0.01); // the start itself
+            assert_true(r.max_horizontal_m < 0.05); // 1e-7 of gravity's direction, and the turn of 1 s steps
+        }
+    orr_imu_free(&imu);
+    orr_trajectory_free(&tr);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(null_test_of_an_hour),   cmocka_unit_test(approach_1_with_its_own_navigator),
         cmocka_unit_test(projection_at_mid_step), cmocka_unit_test(navigators_converge),
         cmocka_unit_test(group_and_polynomial),   cmocka_unit_test(schuler_oscillation),
-        cmocka_unit_test(held_vertical_channel),
+        cmocka_unit_test(held_vertical_channel),  cmocka_unit_test(held_between_truths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
