@@ -7,9 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Distances along a profile are arcs of a sphere of this radius; the profile's file and its use share it.
-#define PROFILE_RADIUS_M ORR_EARTH_MEAN_RADIUS_M
+#include "inertial/motion/polar.h"
 
+#define PROFILE_MARGIN_M 50e3 // tabled beyond a profile's ends
+#define PROFILE_REACH_M 1.9e7 // a geodesic's angle ascends at least so far
+#define PROFILE_NODES 512     // of the table at most,
+#define PROFILE_STEP_M 10e3   // and so far apart at least: the spline through them errs by 1e-8 m
 #define LAST_LATITUDE (0.5 * ORR_PI + 1e-9) // a pole, and the rounding of degrees
 #define LAST_LONGITUDE (8 * ORR_PI)         // maps may run past a turn
 #define LAST_DISTANCE_M 1e9
@@ -23,7 +26,10 @@ struct orr_gravity {
     size_t n_copies;
     gsl_spline *profile;
     gsl_spline2d *map;
-    orr_vec3 profile_from, profile_towards; // unit vectors of the profile's great circle
+    orr_vec3 profile_from,
+        profile_towards; // normals at the profile's begin and 90 deg on along its great circle
+    gsl_spline *along;   // distance on the geodesic by the angle of its normals from the begin
+    double along_from_rad, along_to_rad; // of the table
 };
 
 static const double *copy_numbers(orr_gravity *g, const double *from, size_t n)
@@ -58,6 +64,43 @@ static orr_status check_values(const double *x, size_t n, orr_diag *diag)
     return ORR_OK;
 }
 
+static double profile_angle(const orr_gravity *g, orr_vec3 up)
+{
+    return atan2(orr_vec3_dot(up, g->profile_towards), orr_vec3_dot(up, g->profile_from));
+}
+
+// Distance by angle, from points of the geodesic.
+static orr_status table_distances(const orr_gravity_parts *p, orr_gravity *g, orr_diag *diag)
+{
+    double from = fmax(p->profile_distance_m[0] - PROFILE_MARGIN_M, -PROFILE_REACH_M),
+           to = fmin(p->profile_distance_m[p->n_profile - 1] + PROFILE_MARGIN_M, PROFILE_REACH_M);
+    if (!(to - from > PROFILE_MARGIN_M)) { // wholly on the other side of the Earth
+        from = -PROFILE_MARGIN_M;
+        to = PROFILE_MARGIN_M;
+    }
+    double angle[PROFILE_NODES], distance[PROFILE_NODES];
+    size_t n = (size_t)fmin(fmax(ceil((to - from) / PROFILE_STEP_M) + 1.0, 8.0), (double)PROFILE_NODES);
+    for (size_t k = 0; k < n; k++) {
+        double lat, lon, azimuth;
+        distance[k] = from + (to - from) * (double)k / (double)(n - 1);
+        orr_earth_geodesic_direct(p->profile_lat_rad, p->profile_lon_rad, p->profile_azimuth_rad, distance[k],
+                                  &lat, &lon, &azimuth);
+        angle[k] = profile_angle(g, orr_vec3_make(cos(lat) * cos(lon), cos(lat) * sin(lon), sin(lat)));
+        if (k > 0 && !(angle[k] > angle[k - 1]))
+            return orr_diag_set(diag, ORR_E_ARG,
+                                "the gravity profile has no place: lat %g, lon %g, azimuth %g deg",
+                                p->profile_lat_rad * ORR_DEG_PER_RAD, p->profile_lon_rad * ORR_DEG_PER_RAD,
+                                p->profile_azimuth_rad * ORR_DEG_PER_RAD);
+    }
+    g->along = gsl_spline_alloc(gsl_interp_cspline, n);
+    if (g->along == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a gravity profile");
+    g->along_from_rad = angle[0];
+    g->along_to_rad = angle[n - 1];
+    if (gsl_spline_init(g->along, angle, distance, n) != 0)
+        return orr_diag_set(diag, ORR_E_NUMERIC, "the gravity profile has no geodesic");
+    return ORR_OK;
+}
+
 static orr_status make_profile(const orr_gravity_parts *p, orr_gravity *g, orr_diag *diag)
 {
     if (p->n_profile < 3)
@@ -78,7 +121,7 @@ static orr_status make_profile(const orr_gravity_parts *p, orr_gravity *g, orr_d
                             p->n_profile);
     if (gsl_spline_init(g->profile, g->parts.profile_distance_m, g->parts.profile_mgal, p->n_profile) != 0)
         return orr_diag_set(diag, ORR_E_NUMERIC, "the gravity profile has no cubic spline");
-    return ORR_OK;
+    return table_distances(p, g, diag);
 }
 
 static orr_status make_map(const orr_gravity_parts *p, orr_gravity *g, orr_diag *diag)
@@ -149,6 +192,7 @@ void orr_gravity_free(orr_gravity *g)
 {
     if (g == NULL) return;
     if (g->profile != NULL) gsl_spline_free(g->profile);
+    if (g->along != NULL) gsl_spline_free(g->along);
     if (g->map != NULL) gsl_spline2d_free(g->map);
     free(g->mass);
     for (size_t i = 0; i < g->n_copies; i++) free(g->copy[i]);
@@ -162,9 +206,17 @@ orr_gravity_parts orr_gravity_parts_view(const orr_gravity *g)
 
 static double clamp(double x, double lo, double hi) { return x < lo ? lo : x > hi ? hi : x; }
 
+// Distance of a place along the profile; beyond the table at the Earth's mean radius.
 static double profile_distance(const orr_gravity *g, orr_vec3 up)
 {
-    return PROFILE_RADIUS_M * atan2(orr_vec3_dot(up, g->profile_towards), orr_vec3_dot(up, g->profile_from));
+    double angle = profile_angle(g, up), inside = clamp(angle, g->along_from_rad, g->along_to_rad);
+    return gsl_spline_eval(g->along, inside, NULL) + ORR_EARTH_MEAN_RADIUS_M * (angle - inside);
+}
+
+// Where the values of profile and map belong to that are felt at r_m.
+static orr_vec3 home_of(const orr_gravity *g, orr_vec3 r_m)
+{
+    return g->parts.carried ? orr_polar_home(&g->parts.carried_by, r_m) : r_m;
 }
 
 // Longitude turned by whole turns to lie as near to the map as it can.
@@ -204,7 +256,8 @@ orr_vec3 orr_gravity_gravitation(const orr_gravity *g, orr_vec3 r_m)
     }
     if (g->profile != NULL || g->map != NULL) {
         orr_vec3 up = orr_earth_up(r_m);
-        sum = orr_vec3_axpy(-ORR_MPS2_PER_MGAL * made_mgal(g, up), up, sum);
+        orr_vec3 up_home = g->parts.carried ? orr_earth_up(home_of(g, r_m)) : up;
+        sum = orr_vec3_axpy(-ORR_MPS2_PER_MGAL * made_mgal(g, up_home), up, sum);
     }
     return sum;
 }
@@ -226,9 +279,10 @@ orr_status orr_gravity_covers(const orr_gravity *g, const orr_trajectory *tr, or
         orr_motion m;
         double t_s = tr->begin_s + span * (double)k / (double)(n - 1);
         tr->evaluate(tr->self, t_s, &m);
-        orr_geodetic at = orr_earth_from_ecef(m.r_m);
+        orr_vec3 home = home_of(g, m.r_m);
+        orr_geodetic at = orr_earth_from_ecef(home);
         if (g->profile != NULL) {
-            double d = profile_distance(g, orr_earth_up(m.r_m));
+            double d = profile_distance(g, orr_earth_up(home));
             if (d < p->profile_distance_m[0] || d > p->profile_distance_m[p->n_profile - 1])
                 return orr_diag_set(diag, ORR_E_RANGE,
                                     "the gravity profile covers %.3f km to %.3f km, but %.0f s after the "

@@ -17,13 +17,16 @@ typedef struct orr_point_mass {
 } orr_point_mass;
 
 // What to add to normal gravity. Arrays are copied. Maps and profiles are disturbances in mGal, positive
-// where gravity is stronger than normal, along the ellipsoidal vertical, the same at every height.
+// where gravity is stronger than normal, along the ellipsoidal vertical (the normal of the WGS 84 ellipsoid through
+// the place), the same at every height.
 typedef struct orr_gravity_parts {
     const orr_gravity_model *model; // instead of normal gravitation; borrowed; NULL: normal
     size_t n_masses;
     const orr_point_mass *mass;
-    // A profile along the great circle from (lat0, lon0) on the azimuth (clockwise from North): values at
-    // ascending distances, joined by a natural cubic spline; the same at any distance across.
+    // A profile along the geodesic of the ellipsoid from (lat0, lon0) on the azimuth (clockwise from North): values at
+    // ascending distances, joined by a natural cubic spline (the second derivative is 0 at both ends); the same at any
+    // distance across, that is along great circles of the ellipsoid's normals that cross the profile's first one
+    // at right angles.
     size_t n_profile; // 0 or at least 3
     double profile_lat_rad, profile_lon_rad, profile_azimuth_rad;
     const double *profile_distance_m, *profile_mgal;
@@ -31,6 +34,10 @@ typedef struct orr_gravity_parts {
     // * n_lon + i_lon].
     size_t n_lat, n_lon; // 0, or at least 4 each
     const double *map_lat_rad, *map_lon_rad, *map_mgal;
+    // Profile and map were carried elsewhere with a trajectory: their values are looked up where a place came from
+    // (C of orr_polar_rotation). Point masses stand where they are now.
+    bool carried;
+    orr_mat3 carried_by;
 } orr_gravity_parts;
 
 // Errors: ORR_E_ARG with a sentence (too few points, not ascending by a micrometre, not of the Earth),

@@ -49,6 +49,11 @@ static void put_gravity(orr_nc_writer *w, const orr_gravity *gravity, const orr_
         (void)orr_nc_put_att_double(w, NULL, "gravity_profile_lon_rad", &line[1], 1, diag);
         (void)orr_nc_put_att_double(w, NULL, "gravity_profile_azimuth_rad", &line[2], 1, diag);
     }
+    if (p.carried) {
+        const char *dims[2] = {"xyz", "xyz"};
+        (void)orr_nc_put_var(w, "gravity_carried_by", ORR_NC_DOUBLE, 2, dims, p.carried_by.m, "1",
+                             "rotation that profile and map were carried by with the trajectory", diag);
+    }
     if (p.n_lat > 0) {
         const char *lat[1] = {"map_lat"}, *lon[1] = {"map_lon"}, *both[2] = {"map_lat", "map_lon"};
         (void)orr_nc_put_dim(w, "map_lat", p.n_lat, diag);
@@ -366,6 +371,16 @@ static orr_status read_gravity(const orr_nc_reader *r, const char *model_dir, or
             s = orr_nc_alloc_var(r, "gravity_profile", ORR_NC_DOUBLE, 1, &p.n_profile, &profile, diag);
         p.profile_distance_m = distance;
         p.profile_mgal = profile;
+    }
+    if (s == ORR_OK && orr_nc_has_var(r, "gravity_carried_by")) {
+        const size_t shape[2] = {3, 3};
+        s = orr_nc_get_var(r, "gravity_carried_by", ORR_NC_DOUBLE, 2, shape, p.carried_by.m, diag);
+        p.carried = true;
+        orr_mat3 T = orr_mat3_transpose(&p.carried_by), E = orr_mat3_mul(&p.carried_by, &T);
+        for (int i = 0; i < 3 && s == ORR_OK; i++)
+            for (int k = 0; k < 3; k++)
+                if (!(fabs(E.m[i][k] - (i == k ? 1.0 : 0.0)) < 1e-9))
+                    s = orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0, "gravity_carried_by is no rotation");
     }
     if (s == ORR_OK && orr_nc_has_var(r, "gravity_map")) {
         s = orr_nc_get_dim(r, "map_lat", MAX_GRAVITY_POINTS, &p.n_lat, diag);

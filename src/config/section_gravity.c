@@ -27,7 +27,7 @@ static const orr_key profile_rows[] = {
     REALS_ROW(orr_scenario_profile, "distance", distance_m, "m", of_mgal,
               "ascending distances; without them gravity.file is a profile"),
     REALS_ROW(orr_scenario_profile, "mgal", mgal, "mGal", of_distance,
-              "disturbances at the distances, joined by a cubic spline"),
+              "disturbances at the distances, joined by a natural cubic spline"),
 };
 
 static const char *check_profile(const void *map, char why[ORR_SCHEMA_WHY])
@@ -55,7 +55,7 @@ static const orr_key rows[] = {
      .offset = offsetof(orr_scenario_gravity, profile),
      .given = offsetof(orr_scenario_gravity, has_profile),
      .map = &profile_table,
-     .help = "disturbance along a great circle, the same at any distance across"},
+     .help = "disturbance along a geodesic of the ellipsoid, the same at any distance across"},
     MAPS_ROW(orr_scenario_gravity, "masses", masses, &mass_table, 0, NULL, "extra point masses"),
 };
 

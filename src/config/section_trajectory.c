@@ -25,6 +25,7 @@ static const orr_condition of_phased[] = OF_KIND("eight|sine");
 static const orr_choice kinds[] = {ORR_MOTION_KINDS(ORR_CHOICE_WORD){0}};
 static const orr_choice sides[] = {ORR_SURVEY_SIDES(ORR_CHOICE_WORD){0}};
 static const orr_choice degrees[] = {ORR_FIT_DEGREES(ORR_CHOICE_WORD){0}};
+static const orr_choice transfer_attitudes[] = {ORR_TRANSFER_ATTITUDES(ORR_CHOICE_WORD){0}};
 static const orr_choice term_kinds[] = {ORR_TERM_KINDS(ORR_CHOICE_WORD){0}};
 
 // --- survey ---
@@ -157,6 +158,8 @@ static const orr_key transfer_rows[] = {
     NEEDED_REAL_ROW(orr_scenario_transfer, "lon", lon_deg, -360, 360, "deg", NULL, "its longitude"),
     REAL_ROW(orr_scenario_transfer, "azimuth", azimuth_deg, -360, 360, "deg", "0", NULL,
              "turn about the middle, clockwise"),
+    CHOICE_ROW(orr_scenario_transfer, "attitude", attitude, transfer_attitudes, "level", NULL,
+               "what the attitude keeps"),
 };
 static const orr_schema transfer_table = ORR_SCHEMA(transfer_rows, orr_scenario_transfer);
 

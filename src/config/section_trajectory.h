@@ -22,12 +22,18 @@
     X(ORR_TERM_EIGHT, "eight", "a figure of eight")                                                          \
     X(ORR_TERM_SINE, "sine", "oscillation of place and attitude")
 
+#define ORR_TRANSFER_ATTITUDES(X)                                                                            \
+    X(ORR_TRANSFER_LEVEL, "level", "roll and pitch stay as they were against the ellipsoid's vertical")      \
+    X(ORR_TRANSFER_LITERAL, "literal",                                                                       \
+      "turned with the places alone: they stay against the geocentric vertical, up to 0.19 deg off")
+
 typedef enum orr_motion_kind {
     ORR_MOTION_NONE, // no section `trajectory`
     ORR_MOTION_KINDS(ORR_CHOICE_VALUE)
 } orr_motion_kind;
 typedef enum orr_survey_side { ORR_SURVEY_SIDES(ORR_CHOICE_VALUE) } orr_survey_side;
 typedef enum orr_fit_degree { ORR_FIT_DEGREES(ORR_CHOICE_VALUE) } orr_fit_degree;
+typedef enum orr_transfer_attitude { ORR_TRANSFER_ATTITUDES(ORR_CHOICE_VALUE) } orr_transfer_attitude;
 typedef enum orr_term_kind { ORR_TERM_KINDS(ORR_CHOICE_VALUE) } orr_term_kind;
 
 typedef struct orr_scenario_spectrum {
@@ -68,6 +74,7 @@ typedef struct orr_scenario_body {
 
 typedef struct orr_scenario_transfer {
     double lat_deg, lon_deg, azimuth_deg;
+    int attitude; // orr_transfer_attitude
 } orr_scenario_transfer;
 
 typedef struct orr_scenario_trajectory {

@@ -276,42 +276,19 @@ static orr_status make_telemetry(const orr_scenario_trajectory *m, orr_time fall
 
 // --- Gravity: what a made disturbance is under home, it is under a transferred flight ---
 
-// Where a place comes to: turned as the flight is, at the ellipsoidal height that it had.
-static orr_geodetic transferred(const orr_mat3 *C, orr_geodetic at)
-{
-    orr_geodetic to = orr_earth_from_ecef(orr_mat3_apply_t(C, orr_earth_to_ecef(at)));
-    to.height_m = at.height_m;
-    return to;
-}
-
-// A gravity profile goes with the flight: its begin and direction turn as places do.
-static void transfer_profile(const orr_mat3 *C, orr_gravity_parts *p)
-{
-    double lat, lon, azimuth, length;
-    orr_earth_geodesic_direct(p->profile_lat_rad, p->profile_lon_rad, p->profile_azimuth_rad, 1e4, &lat, &lon,
-                              &azimuth);
-    orr_geodetic from = transferred(C, (orr_geodetic){p->profile_lat_rad, p->profile_lon_rad, 0.0}),
-                 to = transferred(C, (orr_geodetic){lat, lon, 0.0});
-    p->profile_lat_rad = from.lat_rad;
-    p->profile_lon_rad = from.lon_rad;
-    orr_earth_geodesic_inverse(from.lat_rad, from.lon_rad, to.lat_rad, to.lon_rad, &length,
-                               &p->profile_azimuth_rad, &azimuth);
-}
-
-// A profile in the scenario, or the place of one in a file. C: of a transfer, or NULL.
-static void add_profile(const orr_scenario_profile *q, const orr_mat3 *C, orr_gravity_parts *p)
+// A profile in the scenario, or the place of one in a file.
+static void add_profile(const orr_scenario_profile *q, orr_gravity_parts *p)
 {
     p->profile_lat_rad = q->lat_deg * DEG;
     p->profile_lon_rad = q->lon_deg * DEG;
     p->profile_azimuth_rad = q->azimuth_deg * DEG;
-    if (C != NULL) transfer_profile(C, p);
     p->n_profile = q->distance_m.n;
     p->profile_distance_m = q->distance_m.item;
     p->profile_mgal = q->mgal.item;
 }
 
-static orr_status add_file(const orr_scenario_gravity *g, const orr_mat3 *C, const orr_gravity_file *file,
-                           orr_gravity_parts *p, orr_diag *diag)
+static orr_status add_file(const orr_scenario_gravity *g, const orr_gravity_file *file, orr_gravity_parts *p,
+                           orr_diag *diag)
 {
     if (file->n_profile > 0) {
         if (!g->has_profile)
@@ -329,10 +306,6 @@ static orr_status add_file(const orr_scenario_gravity *g, const orr_mat3 *C, con
     if (g->has_profile && p->n_profile == 0)
         return orr_diag_at(diag, ORR_E_FORMAT, g->file, 0, 0,
                            "is a map: gravity.profile has no effect without distance and mgal");
-    if (C != NULL)
-        return orr_diag_at(diag, ORR_E_ARG, g->file, 0, 0,
-                           "is a map of its own part of the Earth, which a transfer of the trajectory "
-                           "leaves; gravity.profile and gravity.masses go with it");
     p->n_lat = file->n_lat;
     p->n_lon = file->n_lon;
     p->map_lat_rad = file->lat_rad;
@@ -351,7 +324,8 @@ static orr_status make_masses(const orr_scenario_gravity *g, const orr_mat3 *C, 
     for (size_t k = 0; k < g->masses.n; k++) {
         const orr_scenario_mass *q = &g->masses.item[k];
         orr_geodetic at = {q->lat_deg * DEG, q->lon_deg * DEG, q->height_m};
-        mass[k] = (orr_point_mass){orr_earth_to_ecef(C != NULL ? transferred(C, at) : at), q->gm_m3ps2};
+        orr_vec3 r_m = orr_earth_to_ecef(at);
+        mass[k] = (orr_point_mass){C != NULL ? orr_polar_place(C, r_m) : r_m, q->gm_m3ps2};
     }
     *out = mass;
     return ORR_OK;
@@ -369,17 +343,19 @@ static orr_status make_gravity(const orr_scenario_gravity *g, const orr_mat3 *C,
         s = orr_gravity_model_open(g->model, g->folder, &out->model, diag);
         p.model = out->model;
     }
-    if (g->has_profile) add_profile(&g->profile, C, &p);
+    if (g->has_profile) add_profile(&g->profile, &p);
     if (s == ORR_OK && g->file != NULL) {
         orr_bytes raw;
         s = orr_inputs_read_raw(&out->inputs, g->file, &raw, diag);
         if (s == ORR_OK) s = orr_gravity_file_read_bytes(g->file, raw.text, raw.n, &file, diag);
         orr_bytes_free(&raw);
-        if (s == ORR_OK) s = add_file(g, C, &file, &p, diag);
+        if (s == ORR_OK) s = add_file(g, &file, &p, diag);
     }
     if (s == ORR_OK) s = make_masses(g, C, &mass, diag);
     p.n_masses = g->masses.n;
     p.mass = mass;
+    p.carried = C != NULL;
+    if (C != NULL) p.carried_by = *C;
     if (s == ORR_OK && (p.model != NULL || p.n_profile + p.n_lat + p.n_masses > 0))
         s = orr_gravity_make(&p, &out->gravity, diag);
     if (s == ORR_OK) s = orr_gravity_covers(out->gravity, &out->trajectory, diag);
@@ -411,7 +387,8 @@ static orr_status transfer(const orr_scenario_transfer *q, orr_trajectory *tr, o
     orr_mat3 C = orr_polar_rotation(orr_trajectory_middle(tr), to, q->azimuth_deg * DEG);
     orr_trajectory moved;
     *C_out = C;
-    orr_status s = orr_polar_transfer(tr, &C, 0.0, &moved, diag);
+    orr_polar_attitude attitude = q->attitude == ORR_TRANSFER_LITERAL ? ORR_POLAR_LITERAL : ORR_POLAR_LEVEL;
+    orr_status s = orr_polar_transfer(tr, &C, attitude, 0.0, &moved, diag);
     if (s != ORR_OK) return s;
     orr_trajectory_free(tr);
     *tr = moved;

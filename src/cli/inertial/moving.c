@@ -63,7 +63,9 @@ static int apply_options(orr_cli *c, orr_scenario_trajectory *m)
         !(v[2] >= -360.0 && v[2] <= 360.0))
         return orr_cli_usage(c, "--transfer '%s' is not LATITUDE,LONGITUDE[,AZIMUTH] in degrees", to);
     m->has_transfer = true;
-    m->transfer = (orr_scenario_transfer){v[0], v[1], v[2]};
+    bool literal = strcmp(orr_cli_text(c, "transfer-attitude", "level"), "literal") == 0;
+    m->transfer =
+        (orr_scenario_transfer){v[0], v[1], v[2], literal ? ORR_TRANSFER_LITERAL : ORR_TRANSFER_LEVEL};
     return ORR_EXIT_OK;
 }
 

@@ -39,6 +39,12 @@
          .help = "Carry the whole trajectory so that its middle comes to this place (degrees), turned by "   \
                  "AZ: 90,0 flies it "                                                                        \
                  "over the pole."},                                                                          \
+        {.name = "transfer-attitude",                                                                        \
+         .applies = "transfer",                                                                              \
+         .kind = ORR_OPT_CHOICE,                                                                             \
+         .value = "level|literal",                                                                           \
+         .help = "Roll and pitch stay as they were against the ellipsoid's vertical, or against the "        \
+                 "geocentric one, (20) as it stands, up to 0.19 deg off. Default level."},                   \
         {.name = "degree",                                                                                   \
          .kind = ORR_OPT_CHOICE,                                                                             \
          .value = "3|5",                                                                                     \

@@ -206,6 +206,26 @@ class Readings(Folder):
         for other in largest[1:]:
             self.assertAlmostEqual(other, largest[0], delta=0.01 * 49)
 
+    def test_a_transfer_takes_profiles_and_maps_along(self):
+        """The flight meets over the pole what it met at home, and its file of readings knows where that lies."""
+        motion = ("trajectory: {kind: analytic, duration: 100, lat: 50, lon: 20, height: 1000, motions: [{kind: straight, north: 80}]}\n")
+        grid = "lat,lon,mgal\n" + "".join(f"{49.9 + 0.05 * i},{19.9 + 0.05 * k},{30 * math.sin(i + 2 * k):.4f}\n"
+                                          for i in range(6) for k in range(6))
+        pathlib.Path(self.path("map.csv")).write_text(grid, encoding="ascii")
+        nc, series = self.path("moved.nc"), self.path("moved.csv")
+        for name, gravity in (("profile", "{profile: {lat: 50, lon: 20, azimuth: 10, distance: [-9000, -2000, 1500, 4000, 9000], "
+                                          "mgal: [0, 20, -15, 30, 0]}}"), ("map", "{file: map.csv}")):
+            path, true = self.scenario(f"{name}.yaml", motion + f"gravity: {gravity}\n"), []
+            for more in ((), ("--transfer", "90,0"), ("--transfer", "-20,180,70", "--transfer-attitude", "literal")):
+                run("imu", "-q", path, *more, "-o", nc)
+                run("gravimetry", nc, "--filter", "2", "--csv", series)
+                with open(series, encoding="ascii") as file:
+                    true.append([float(r["true_mgal"]) for r in csv.DictReader(file)])
+                self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4, name)
+            self.assertGreater(max(true[0]) - min(true[0]), 5)
+            for other in true[1:]:
+                self.assertLess(max(abs(a - b) for a, b in zip(true[0], other)), 1e-4, name)
+
     def test_spherical_harmonics_and_their_folder(self):
         """A model of its central term alone, whose pull is closed: a unit at rest reads it, and the file of readings finds it again."""
         gm, lat = 3.9e14, math.radians(50)

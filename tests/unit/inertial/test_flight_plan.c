@@ -3,6 +3,7 @@
 
 #include "core/rng.h"
 #include "flights.h"
+#include "inertial/motion/analytic.h"
 #include "inertial/motion/dubins.h"
 #include "inertial/motion/polar.h"
 #include "inertial/nav/null_test.h"
@@ -174,14 +175,19 @@ static void polar_transfer_keeps_the_flight(void **state)
     orr_mat3 C = orr_polar_rotation(orr_trajectory_middle(&home), orr_vec3_make(0, 0, 6.4e6), 0);
     orr_mat3 T = orr_mat3_transpose(&C), E = orr_mat3_mul(&C, &T);
     ASSERT_NEAR(E.m[0][0] + E.m[1][1] + E.m[2][2], 3, 1e-14);
-    ASSERT_OK(orr_polar_transfer(&home, &C, 0, &pole, &diag), diag);
+    ASSERT_OK(orr_polar_transfer(&home, &C, ORR_POLAR_LEVEL, 0, &pole, &diag), diag);
     double nearest = 1e9;
     for (double t = 0; t <= 3600; t += 0.5) { // the knots of both
         orr_motion a = at(&home, t), b = at(&pole, t);
         ASSERT_NEAR(orr_earth_from_ecef(b.r_m).height_m, orr_earth_from_ecef(a.r_m).height_m, 1e-4);
         ASSERT_NEAR(orr_vec3_norm(b.v_mps) / orr_vec3_norm(a.v_mps), 1, 7e-3);
-        // the same samples, but bound differently at the very ends
-        ASSERT_NEAR(orr_vec3_norm(b.w_radps), orr_vec3_norm(a.w_radps), t > 10 && t < 3590 ? 1e-8 : 1e-5);
+        // The same samples, but bound differently at the very ends; and levelled, by an angle between verticals that
+        // changes by up to 0.0067 rad a radian of way: 6e-8 rad/s.
+        ASSERT_NEAR(orr_vec3_norm(b.w_radps), orr_vec3_norm(a.w_radps), t > 10 && t < 3590 ? 1e-7 : 1e-5);
+        // The same attitude against the ellipsoid's vertical, but for the turn of 200 km of meridians.
+        orr_angles x = orr_motion_angles(&a), y = orr_motion_angles(&b);
+        ASSERT_NEAR(y.pitch_rad, x.pitch_rad, 1e-7); // each spline smooths its own samples
+        ASSERT_NEAR(remainder(y.roll_rad - x.roll_rad, 2 * ORR_PI), 0, 1e-7);
         nearest = fmin(nearest, hypot(b.r_m.x, b.r_m.y));
     }
     assert_true(nearest < 2000);
@@ -197,12 +203,50 @@ static void polar_transfer_keeps_the_flight(void **state)
     orr_trajectory_free(&pole);
 }
 
+// Level flight stays level, unless (20) is taken at its word: then the verticals' angle of 0.19 deg shows. Places come
+// back from where they went.
+static void carried_level_or_literally(void **state)
+{
+    (void)state;
+    orr_diag diag = {0};
+    orr_analytic_plan plan = {.origin = {45 * ORR_RAD_PER_DEG, 0.3, 5000},
+                              .n_terms = 1,
+                              .term = {{.kind = ORR_ANALYTIC_STRAIGHT, .velocity_mps = {30, 60, 0}}}};
+    orr_trajectory home, there;
+    ASSERT_OK(orr_trajectory_analytic(0, 0, 200, &plan, &home, &diag), diag);
+    static const double to[4][2] = {{90, 0}, {0, 120}, {-60, 10}, {45, -100}};
+    for (int k = 0; k < 4; k++) {
+        orr_vec3 place =
+            orr_earth_to_ecef((orr_geodetic){to[k][0] * ORR_RAD_PER_DEG, to[k][1] * ORR_RAD_PER_DEG, 0});
+        orr_mat3 C = orr_polar_rotation(orr_trajectory_middle(&home), place, 0.7);
+        for (int literal = 0; literal < 2; literal++) {
+            ASSERT_OK(orr_polar_transfer(&home, &C, literal ? ORR_POLAR_LITERAL : ORR_POLAR_LEVEL, 0, &there,
+                                         &diag),
+                      diag);
+            double most = 0.0;
+            for (double t = 0; t <= 200; t += 0.2) { // the knots
+                orr_motion a = at(&home, t), b = at(&there, t);
+                orr_angles angles = orr_motion_angles(&b);
+                most = fmax(most, hypot(angles.pitch_rad, angles.roll_rad));
+                ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(orr_polar_home(&C, b.r_m), a.r_m)), 0, 1e-6);
+            }
+            if (literal == 0)
+                ASSERT_NEAR(most, 0, 1e-9);
+            else if (k < 2) // at 45 deg the verticals are 0.1924 deg apart, at pole and equator not at all
+                ASSERT_NEAR(most * ORR_DEG_PER_RAD, 0.1924, 0.001);
+            orr_trajectory_free(&there);
+        }
+    }
+    orr_trajectory_free(&home);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dubins_paths_arrive),      cmocka_unit_test(survey_is_flown_as_planned),
-        cmocka_unit_test(waypoints_climb_and_turn), cmocka_unit_test(bad_plans_get_a_sentence),
-        cmocka_unit_test(turbulence_is_seeded),     cmocka_unit_test(polar_transfer_keeps_the_flight),
+        cmocka_unit_test(dubins_paths_arrive),        cmocka_unit_test(survey_is_flown_as_planned),
+        cmocka_unit_test(waypoints_climb_and_turn),   cmocka_unit_test(bad_plans_get_a_sentence),
+        cmocka_unit_test(turbulence_is_seeded),       cmocka_unit_test(polar_transfer_keeps_the_flight),
+        cmocka_unit_test(carried_level_or_literally),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

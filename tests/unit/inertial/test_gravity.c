@@ -6,6 +6,7 @@
 #include "flights.h"
 #include "inertial/gravimetry/gravimetry.h"
 #include "inertial/motion/dual_unit.h"
+#include "inertial/motion/polar.h"
 #include "inertial/nav/null_test.h"
 #include "inertial/readings/imu_file.h"
 #include "inertial/sense/sensors.h"
@@ -85,6 +86,76 @@ static void disturbances_have_their_values(void **state)
     const double along[3] = {0, 5e-324, 1}, rise[3] = {1, 2, 3};
     p = (orr_gravity_parts){.n_profile = 3, .profile_distance_m = along, .profile_mgal = rise};
     assert_int_equal(orr_gravity_make(&p, &g, &diag), ORR_E_ARG);
+}
+
+// Distances along a profile are those of the ellipsoid's geodesic: 26 km at 67.7 N on a sphere would be 100 m off.
+// Carried elsewhere, profile and map have their values where their places went.
+static void profiles_follow_geodesics(void **state)
+{
+    (void)state;
+    orr_diag diag = {0};
+    double d[61], mgal[61], lat[5], lon[6], grid[30];
+    for (int k = 0; k <= 60; k++) {
+        d[k] = -4000.0 + k * 500.0;
+        mgal[k] = 13e-3 * d[k]; // a plane slope, which any spline keeps: 13 mGal a kilometre
+    }
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 6; k++) {
+            lat[i] = (67 + 0.5 * i) * ORR_RAD_PER_DEG;
+            lon[k] = (178 + k) * ORR_RAD_PER_DEG;
+            grid[i * 6 + k] = 3.0 * i - 2.0 * k;
+        }
+    for (int azimuth = 0; azimuth < 360; azimuth += 45) {
+        double at_rad = azimuth * ORR_RAD_PER_DEG;
+        orr_gravity_parts p = {.n_profile = 61,
+                               .profile_lat_rad = 67.7 * ORR_RAD_PER_DEG,
+                               .profile_lon_rad = 179.9 * ORR_RAD_PER_DEG,
+                               .profile_azimuth_rad = at_rad,
+                               .profile_distance_m = d,
+                               .profile_mgal = mgal};
+        orr_gravity_parts m = {
+            .n_lat = 5, .n_lon = 6, .map_lat_rad = lat, .map_lon_rad = lon, .map_mgal = grid};
+        orr_vec3 home = orr_earth_to_ecef((orr_geodetic){p.profile_lat_rad, p.profile_lon_rad, 0});
+        orr_mat3 C = orr_polar_rotation(home, orr_vec3_make(1e3, 2e3, -6.3e6), 1.0);
+        for (int carried = 0; carried < 2; carried++) {
+            p.carried = m.carried = carried == 1;
+            p.carried_by = m.carried_by = C;
+            orr_gravity *g, *map;
+            ASSERT_OK(orr_gravity_make(&p, &g, &diag), diag);
+            ASSERT_OK(orr_gravity_make(&m, &map, &diag), diag);
+            for (double s = -4000; s <= 26000; s += 1000) {
+                double lat2, lon2, az2;
+                orr_earth_geodesic_direct(p.profile_lat_rad, p.profile_lon_rad, at_rad, s, &lat2, &lon2,
+                                          &az2);
+                orr_vec3 r = orr_earth_to_ecef((orr_geodetic){lat2, lon2, 3000});
+                if (carried) r = orr_polar_place(&C, r);
+                ASSERT_NEAR(orr_gravity_disturbance_mgal(g, r), 13e-3 * s, 2e-6); // 0.1 mm
+                double turn = lon2 < 0 ? lon2 + 2 * ORR_PI : lon2;
+                ASSERT_NEAR(orr_gravity_disturbance_mgal(map, r),
+                            3.0 * (lat2 - lat[0]) / (0.5 * ORR_RAD_PER_DEG) -
+                                2.0 * (turn - lon[0]) * ORR_DEG_PER_RAD,
+                            1e-5);
+            }
+            orr_gravity_free(g);
+            orr_gravity_free(map);
+        }
+    }
+    // Half around the Earth.
+    double far[5] = {0, 4e6, 9e6, 14e6, 18e6}, value[5] = {0, 4, 9, 14, 18};
+    orr_gravity_parts p = {.n_profile = 5,
+                           .profile_lat_rad = 0.5,
+                           .profile_azimuth_rad = 1.2,
+                           .profile_distance_m = far,
+                           .profile_mgal = value};
+    orr_gravity *g;
+    ASSERT_OK(orr_gravity_make(&p, &g, &diag), diag);
+    for (double s = 0; s <= 18e6; s += 7e5) {
+        double lat2, lon2, az2;
+        orr_earth_geodesic_direct(0.5, 0, 1.2, s, &lat2, &lon2, &az2);
+        ASSERT_NEAR(orr_gravity_disturbance_mgal(g, orr_earth_to_ecef((orr_geodetic){lat2, lon2, 0})),
+                    1e-6 * s, 2e-6);
+    }
+    orr_gravity_free(g);
 }
 
 // The injected profile comes back to 0.01 mGal, from a file too, and the null test holds in the disturbed
@@ -243,6 +314,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(disturbances_have_their_values),
+        cmocka_unit_test(profiles_follow_geodesics),
         cmocka_unit_test(gravimetry_returns_the_profile),
         cmocka_unit_test(gravimetry_truth_balances),
         cmocka_unit_test(second_unit_on_a_lever_arm),
