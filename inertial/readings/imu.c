@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inertial/readings/imu.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +9,23 @@
 const char *orr_nav_frame_name(orr_nav_frame f)
 {
     return f == ORR_FRAME_INERTIAL ? "inertial" : f == ORR_FRAME_GEOGRAPHIC ? "geographic" : "body";
+}
+
+const char *orr_imu_axes_name(orr_imu_axes a)
+{
+    return a == ORR_AXES_FRD ? "forward right down" : "right forward up";
+}
+
+void orr_axes_swap(orr_vec3 *v, size_t n)
+{
+    for (size_t k = 0; v != NULL && k < n; k++) v[k] = orr_axes_swapped(v[k]);
+}
+
+// Half a turn about the line between right and forward.
+orr_quat orr_axes_swapped_quat(orr_quat q)
+{
+    const double half = sqrt(0.5);
+    return orr_quat_mul(q, (orr_quat){0.0, half, half, 0.0});
 }
 
 void orr_imu_free(orr_imu *m)

@@ -65,6 +65,15 @@ static inline double orr_imu_edge_s(const orr_imu *m, size_t j)
     return m->begin_s + (double)j / m->rate_hz;
 }
 
+// Axes of the body that files of readings are in. Inside the program they are right, forward, up.
+typedef enum orr_imu_axes { ORR_AXES_RFU, ORR_AXES_FRD } orr_imu_axes;
+const char *orr_imu_axes_name(orr_imu_axes a); // "right forward up", "forward right down"
+// Components in forward, right, down of a vector in right, forward, up, and the other way: the swap is its own inverse.
+static inline orr_vec3 orr_axes_swapped(orr_vec3 v) { return orr_vec3_make(v.y, v.x, -v.z); }
+void orr_axes_swap(orr_vec3 *v, size_t n); // n of them in place; NULL is allowed
+// The same of the quaternion of body from any frame; twice is a quaternion of the same attitude.
+orr_quat orr_axes_swapped_quat(orr_quat q);
+
 // Matrix from ecef to the inertial axes at t_s after t0: r_inertial = R r_ecef (R3(-u t)).
 orr_mat3 orr_inertial_from_ecef(double t_s);
 // True inertial state at an edge, from the truth beside the readings.

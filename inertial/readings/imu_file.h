@@ -16,6 +16,7 @@ typedef struct orr_imu_labels {
     const orr_nc_input *input;
     size_t n_inputs;
     size_t truth_every; // truth is written at every so many edges; 0 or 1: all
+    orr_imu_axes axes;  // of readings and attitudes in the file
 } orr_imu_labels;
 
 // Writes a run of readings as NetCDF-4. Layout: dimensions step (n), edge (n + 1), truth (n / truth_every + 1), xyz (3), quat (4), gravimetry;
@@ -63,8 +64,8 @@ typedef struct orr_imu_summary {
 // Reads the head of a file. Errors: ORR_E_KIND, ORR_E_FORMAT, those of core/ncfile.h.
 orr_status orr_imu_summarise(const char *path, orr_imu_summary *out, orr_diag *diag);
 
-// One line per edge: time, increments since the edge before, position, velocity, angles, and the
-// instantaneous readings where there are any. Errors: ORR_E_IO.
-orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_diag *diag);
+// One line per edge: time, increments since the edge before, position, velocity (East, North, Up; with axes forward,
+// right, down North, East, Down), angles, and the instantaneous readings where there are any. Errors: ORR_E_IO.
+orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_imu_axes axes, orr_diag *diag);
 
 #endif

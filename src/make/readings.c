@@ -83,7 +83,8 @@ orr_status orr_readings_save(const orr_readings *r, const orr_readings_plan *pla
                                    .gravity_model_dir = v->model != NULL ? gravity->folder : NULL,
                                    .input = input,
                                    .n_inputs = all.n,
-                                   .truth_every = r->truth_every};
+                                   .truth_every = r->truth_every,
+                                   .axes = plan->axes};
     if (s == ORR_OK) s = orr_imu_write(path, &r->imu, &r->truth, v->gravity, &labels, diag);
     free(input);
     orr_inputs_free(&all);

@@ -15,6 +15,7 @@ typedef struct orr_readings_plan {
     double rate_hz;
     orr_imu_mode mode;
     bool instantaneous;
+    orr_imu_axes axes;    // of the file
     double truth_rate_hz; // of the truth that a file has; 0: every reading of approach 1, 20 Hz of approach 2
 } orr_readings_plan;
 // What the motion's scenario asks for, of its own point.

@@ -29,12 +29,12 @@ static bool is_csv(const char *path)
     return strcmp(path, "-") == 0 || (n > 4 && strcmp(path + n - 4, ".csv") == 0);
 }
 
-static orr_status write_csv(const char *path, const orr_imu *imu, orr_diag *diag)
+static orr_status write_csv(const char *path, const orr_imu *imu, orr_imu_axes axes, orr_diag *diag)
 {
     orr_outfile f;
     orr_status s = orr_outfile_open(path, &f, diag);
     if (s != ORR_OK) return s;
-    s = orr_imu_write_csv(f.stream, imu, diag);
+    s = orr_imu_write_csv(f.stream, imu, axes, diag);
     if (s == ORR_OK) return orr_outfile_commit(&f, diag);
     orr_outfile_abort(&f);
     return s;
@@ -53,13 +53,18 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_inputs *inputs
     p.rate_hz = orr_cli_real(c, "rate", p.rate_hz);
     p.truth_rate_hz = orr_cli_real(c, "truth-rate", 0);
     p.instantaneous = orr_cli_given(c, "instantaneous");
+    p.axes = orr_cli_axes(c);
     mode_options(c, &p);
     int refused = orr_cli_settle(c, "approach", p.mode.approach == 1 ? "1" : "2");
     if (refused != ORR_EXIT_OK) return refused;
+    if (p.mode.approach == 1 && p.axes != ORR_AXES_RFU)
+        return orr_cli_usage(
+            c, "--axes frd does not apply with --approach 1: such readings are replayed to the bit in "
+               "the axes they were made in");
     orr_readings r;
     orr_status s = orr_readings_make(&p, &r, &diag);
     if (s == ORR_OK)
-        s = is_csv(path) ? write_csv(path, &r.imu, &diag)
+        s = is_csv(path) ? write_csv(path, &r.imu, p.axes, &diag)
                          : orr_readings_save(&r, &p, sc, inputs, path, c->call, &diag);
     char mode[160], from[ORR_TIME_TEXT];
     if (s == ORR_OK)
@@ -141,6 +146,7 @@ static const orr_option options[] = {
     {.name = "instantaneous",
      .kind = ORR_OPT_FLAG,
      .help = "Rate and specific force at each sample edge as well."},
+    ORR_CLI_AXES_OPTION,
     {.name = "truth-rate",
      .kind = ORR_OPT_REAL,
      .value = "HZ",

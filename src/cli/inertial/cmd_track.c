@@ -29,9 +29,9 @@ static int run(orr_cli *c)
                            ? 3
                            : 9;
         fprintf(f.stream, "# t in seconds after %s GPS\n", orr_time_text(tr->t0, t0));
-        fprintf(
-            f.stream,
-            "t_s,lat_deg,lon_deg,height_m,heading_deg,pitch_deg,roll_deg,v_east_mps,v_north_mps,v_up_mps\n");
+        const bool frd = orr_cli_axes(c) == ORR_AXES_FRD;
+        fprintf(f.stream, "t_s,lat_deg,lon_deg,height_m,heading_deg,pitch_deg,roll_deg,%s\n",
+                frd ? "v_north_mps,v_east_mps,v_down_mps" : "v_east_mps,v_north_mps,v_up_mps");
         for (double k = 0; k <= n; k++) {
             orr_motion m;
             double t = tr->begin_s + k / rate;
@@ -39,6 +39,7 @@ static int run(orr_cli *c)
             orr_geodetic g = orr_earth_from_ecef(m.r_m);
             orr_angles a = orr_motion_angles(&m);
             orr_vec3 u = orr_motion_velocity_enu(&m);
+            if (frd) u = orr_axes_swapped(u); // North, East, Down
             fprintf(f.stream, "%.*f,%.10f,%.10f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", decimals, t,
                     g.lat_rad * ORR_DEG_PER_RAD, g.lon_rad * ORR_DEG_PER_RAD, g.height_m,
                     orr_heading_shown_deg(a.heading_rad, 6), a.pitch_rad * ORR_DEG_PER_RAD,
@@ -66,6 +67,7 @@ static const orr_option options[] = {
      .min = 0,
      .max = 15,
      .help = "Which unit of the scenario. Default 0."},
+    ORR_CLI_AXES_OPTION,
 };
 
 const orr_command orr_cmd_track = {

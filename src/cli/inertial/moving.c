@@ -31,6 +31,11 @@ static const char *log_option(const orr_cli *c)
     return NULL;
 }
 
+orr_imu_axes orr_cli_axes(const orr_cli *c)
+{
+    return strcmp(orr_cli_text(c, "axes", "rfu"), "frd") == 0 ? ORR_AXES_FRD : ORR_AXES_RFU;
+}
+
 static int apply_options(orr_cli *c, orr_scenario_trajectory *m)
 {
     const char *of_log = log_option(c);

@@ -66,6 +66,15 @@
         .help = "Write every row of the log that was left out (CSV)."                                        \
     }
 
+// Axes of what is written.
+#define ORR_CLI_AXES_OPTION                                                                                  \
+    {                                                                                                        \
+        .name = "axes", .kind = ORR_OPT_CHOICE, .value = "rfu|frd",                                          \
+        .help = "Body axes right, forward, up and velocities East, North, Up; or forward, right, down and "  \
+                "North, East, Down. Default rfu."                                                            \
+    }
+orr_imu_axes orr_cli_axes(const orr_cli *c); // what --axes says
+
 // Reads the operand (a scenario) or --telemetry, applies the options, prepares the motion and says what a
 // log's fit did. `inputs` (may be NULL) gets the scenario's name and hash. An exit status; on ORR_EXIT_OK free both.
 int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_inputs *inputs, orr_moving *moving);

@@ -45,6 +45,15 @@ def vector(row, *names):
     return [row[name] for name in names]
 
 
+def turned(q, v):
+    """q* v q: the components of v in the newer frame."""
+    w, x, y, z = q
+    # conj(q) v
+    a = (x * v[0] + y * v[1] + z * v[2], w * v[0] - y * v[2] + z * v[1], w * v[1] - z * v[0] + x * v[2], w * v[2] - x * v[1] + y * v[0])
+    return (a[0] * x + a[1] * w + a[2] * z - a[3] * y, a[0] * y - a[1] * z + a[2] * w + a[3] * x,
+            a[0] * z + a[1] * y - a[2] * x + a[3] * w)
+
+
 class Readings(Folder):
     def scenario(self, name, text):
         pathlib.Path(self.path(name)).write_text(text, encoding="utf-8")
@@ -205,6 +214,43 @@ class Readings(Folder):
         self.assertAlmostEqual(largest[0], 49, delta=0.1)
         for other in largest[1:]:
             self.assertAlmostEqual(other, largest[0], delta=0.01 * 49)
+
+    def test_axes_forward_right_down(self):
+        """Body axes forward, right, down and velocities North, East, Down: the same numbers in other places, and a file that
+        comes back as it was."""
+        ours, other = (self.path(f"{name}.nc") for name in ("rfu", "frd"))
+        run(*SURVEY, "--instantaneous", "-o", ours)
+        run(*SURVEY, "--instantaneous", "--axes", "frd", "-o", other)
+        a, b = dump(ours), dump(other)
+        for name in ("dtheta_rad", "dv_mps", "gyro_radps", "accel_mps2"):
+            for (x, y, z), (f, r, d) in zip(a[name], b[name]):
+                self.assertEqual((f, r, d), (y, x, -z), name)
+        # v_body = q* v q: a vector along ecef's x, in both bodies.
+        for q, p in zip(a["attitude"][::37], b["attitude"][::37]):
+            x, y, z = turned(q, (1, 0, 0))
+            for one, two in zip(turned(p, (1, 0, 0)), (y, x, -z)):
+                self.assertAlmostEqual(one, two, delta=1e-14)
+        self.assertAlmostEqual(run_json("nulltest", other, "--json")["position"]["max_3d_m"],
+                               run_json("nulltest", ours, "--json")["position"]["max_3d_m"], delta=1e-6)
+        rows = [[list(csv.DictReader(line for line in run(command, *SURVEY[1:], *more, "-o", "-").stdout.splitlines() if line[0] != "#"))
+                 for more in ((), ("--axes", "frd"))] for command in ("imu", "track")]
+        for ours, other in rows:
+            for x, y in zip(ours[::50], other[::50]):
+                self.assertEqual((x["v_north_mps"], x["v_east_mps"], float(x["v_up_mps"])),
+                                 (y["v_north_mps"], y["v_east_mps"], -float(y["v_down_mps"])))
+                self.assertEqual(x["heading_deg"], y["heading_deg"])
+        self.assertIn("replayed to the bit", run(*SURVEY, "--approach", "1", "--axes", "frd", "-o", other, status=2).stderr)
+
+    def test_the_quaternion_turns_vectors_into_the_body(self):
+        """The example of docs/inertial.md: at rest on the equator at longitude 0, heading North, the body's axes are East, North, Up."""
+        nc = self.path("still.nc")
+        run("imu", "-q", self.scenario("equator.yaml", "trajectory: {kind: analytic, duration: 1, lat: 0, lon: 0}\n"), "-o", nc)
+        q = dump(nc)["attitude"][0]
+        for got, half in zip(q, (0.5, 0.5, 0.5, 0.5)):
+            self.assertAlmostEqual(abs(got), half, delta=1e-9)
+        for v, body in (((1, 0, 0), (0, 0, 1)), ((0, 1, 0), (1, 0, 0)), ((0, 0, 1), (0, 1, 0))):  # up, East, North
+            for got, wanted in zip(turned(q, v), body):
+                self.assertAlmostEqual(got, wanted, delta=1e-9)
 
     def test_a_transfer_takes_profiles_and_maps_along(self):
         """The flight meets over the pole what it met at home, and its file of readings knows where that lies."""
