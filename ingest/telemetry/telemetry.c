@@ -22,11 +22,6 @@ void orr_telemetry_free(orr_telemetry *t)
     memset(t, 0, sizeof *t);
 }
 
-double orr_clock_tied_s(const orr_clock_tie *tie, double host_s)
-{
-    return host_s + tie->drift * (host_s - tie->origin_s);
-}
-
 // Heights above sea level to heights above the ellipsoid.
 static void raise_to_ellipsoid(telemetry_reader *r)
 {

@@ -46,6 +46,11 @@ void telemetry_ties_free(telemetry_ties *t)
     *t = (telemetry_ties){0};
 }
 
+double orr_clock_tied_s(const orr_clock_tie *tie, double host_s)
+{
+    return host_s + tie->drift * (host_s - tie->origin_s);
+}
+
 // Median slope between medians of blocks (Theil and Sen): neither rows that came late nor a clock that was set
 // in a small part of the log bend it. y[n] is used up.
 static double block_slope(const double *x, double *y, size_t n)
