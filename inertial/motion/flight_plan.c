@@ -12,12 +12,15 @@
 #define HARMONICS 48
 #define MARGIN 8 // knots sampled beyond both ends, so that the spline is as good there as inside
 #define MAX_KNOTS 5000000.0
+#define N_COLUMNS 12
+#define SLOW_MPS 0.05 // a body slower than this has the course of its path, not of its velocity
 
 orr_flight_plan orr_flight_plan_default(void)
 {
     return (orr_flight_plan){.speed_mps = 60.0,
                              .bank_rad = 20.0 * ORR_RAD_PER_DEG,
                              .climb_limit_mps = 5.0,
+                             .acceleration_mps2 = 2.0,
                              .lead_m = 1000.0,
                              .smoothing_s = 2.5,
                              .seed = 1,
@@ -92,7 +95,7 @@ static orr_status check_spectrum(const orr_spectrum *s, const char *what, double
 
 typedef struct samples {
     size_t n;
-    double *t, *e, *north, *u, *wind_e, *wind_n, *wind_u, *heading, *pitch, *roll, *spare;
+    double *t, *e, *north, *u, *wind_e, *wind_n, *wind_u, *heading, *pitch, *roll, *air, *spare;
     orr_vec3 *r;
     orr_quat *q;
     double *block;
@@ -102,13 +105,13 @@ static bool samples_allocate(samples *s, size_t n)
 {
     memset(s, 0, sizeof *s);
     s->n = n;
-    s->block = calloc(n * 11, sizeof *s->block);
+    s->block = calloc(n * N_COLUMNS, sizeof *s->block);
     s->r = malloc(n * sizeof *s->r);
     s->q = malloc(n * sizeof *s->q);
     if (s->block == NULL || s->r == NULL || s->q == NULL) return false;
-    double **column[11] = {&s->t,      &s->e,       &s->north, &s->u,    &s->wind_e, &s->wind_n,
-                           &s->wind_u, &s->heading, &s->pitch, &s->roll, &s->spare};
-    for (size_t k = 0; k < 11; k++) *column[k] = s->block + k * n;
+    double **column[N_COLUMNS] = {&s->t,      &s->e,       &s->north, &s->u,    &s->wind_e, &s->wind_n,
+                                  &s->wind_u, &s->heading, &s->pitch, &s->roll, &s->air,    &s->spare};
+    for (size_t k = 0; k < N_COLUMNS; k++) *column[k] = s->block + k * n;
     return true;
 }
 
@@ -119,8 +122,28 @@ static void samples_free(samples *s)
     free(s->q);
 }
 
+// An oscillation of an angle, as far as the body is in the air.
+//   Given:    o              its spectrum
+//             seed, stream   of the random numbers
+//             begin_s        time of the first sample
+//             step_s         time between samples
+//             path           whether any of it is on the ground
+//             s              where (air)
+//   Returned: x              [s->n] the angle with the oscillation
+static void add_in_air(const orr_spectrum *o, uint64_t seed, uint64_t stream, double begin_s, double step_s,
+                       const orr_flight_path *path, samples *s, double *x)
+{
+    if (!path->has_ground) {
+        add_spectrum(o, seed, stream, false, begin_s, step_s, s->n, x);
+        return;
+    }
+    memset(s->spare, 0, s->n * sizeof *s->spare);
+    add_spectrum(o, seed, stream, false, begin_s, step_s, s->n, s->spare);
+    for (size_t i = 0; i < s->n; i++) x[i] += s->air[i] * s->spare[i];
+}
+
 // Smoothed path, then attitude from it: heading along the course, pitch by the climb, roll of a coordinated
-// turn.
+// turn. On the ground (air is 0, smoothed as the path is) a body neither banks nor sways.
 static void fly(const orr_flight_path *path, const orr_flight_plan *plan, double step_s, double first_s,
                 size_t width, samples *s)
 {
@@ -131,34 +154,50 @@ static void fly(const orr_flight_path *path, const orr_flight_plan *plan, double
         s->e[i] = p.x;
         s->north[i] = p.y;
         s->u[i] = p.z;
+        s->air[i] = path->piece[hint].airborne ? 1.0 : 0.0;
     }
     for (int k = 0; k < 4; k++) {
         box(s->e, s->spare, s->n, width);
         box(s->north, s->spare, s->n, width);
         box(s->u, s->spare, s->n, width);
+        if (path->has_ground) box(s->air, s->spare, s->n, width);
     }
+    hint = 0;
     for (size_t i = 1; i + 1 < s->n; i++) {
         double ve = (s->e[i + 1] - s->e[i - 1]) / (2.0 * step_s),
                vn = (s->north[i + 1] - s->north[i - 1]) / (2.0 * step_s);
         double ae = (s->e[i + 1] - 2.0 * s->e[i] + s->e[i - 1]) / (step_s * step_s);
         double an = (s->north[i + 1] - 2.0 * s->north[i] + s->north[i - 1]) / (step_s * step_s);
         double vu = (s->u[i + 1] - s->u[i - 1]) / (2.0 * step_s), v2 = ve * ve + vn * vn, v = sqrt(v2);
-        s->heading[i] = atan2(ve, vn);
-        s->pitch[i] = plan->pitch_rad + atan2(vu, v);
-        s->roll[i] = atan((ae * vn - an * ve) / (v * G_MPS2)); // v times the rate of the course, over g
+        if (s->air[i] < 1e-9) s->air[i] = 0.0; // what running sums leave
+        if (v > SLOW_MPS) {
+            s->heading[i] = atan2(ve, vn);
+            s->pitch[i] = s->air[i] * plan->pitch_rad + atan2(vu, v);
+            s->roll[i] = s->air[i] *
+                         atan((ae * vn - an * ve) / (v * G_MPS2)); // v times the rate of the course, over g
+        } else {
+            (void)orr_flight_path_at(path, s->t[i], &hint);
+            s->heading[i] = orr_flight_path_course(path, s->t[i], hint);
+            s->pitch[i] = s->air[i] * plan->pitch_rad;
+            s->roll[i] = 0.0;
+        }
     }
     s->heading[0] = s->heading[1];
     s->heading[s->n - 1] = s->heading[s->n - 2];
+    s->air[0] = s->air[1];
+    s->air[s->n - 1] = s->air[s->n - 2];
     s->pitch[0] = s->pitch[s->n - 1] = plan->pitch_rad;
     double tau = step_s;
     add_spectrum(&plan->wind_mps, plan->seed, 0, true, first_s, tau, s->n, s->wind_e);
     add_spectrum(&plan->wind_mps, plan->seed, 1, true, first_s, tau, s->n, s->wind_n);
     add_spectrum(&plan->wind_mps, plan->seed, 2, true, first_s, tau, s->n, s->wind_u);
-    add_spectrum(&plan->heading_rad, plan->seed, 3, false, first_s, tau, s->n, s->heading);
-    add_spectrum(&plan->pitch_osc_rad, plan->seed, 4, false, first_s, tau, s->n, s->pitch);
-    add_spectrum(&plan->roll_rad, plan->seed, 5, false, first_s, tau, s->n, s->roll);
+    add_in_air(&plan->heading_rad, plan->seed, 3, first_s, tau, path, s, s->heading);
+    add_in_air(&plan->pitch_osc_rad, plan->seed, 4, first_s, tau, path, s, s->pitch);
+    add_in_air(&plan->roll_rad, plan->seed, 5, first_s, tau, path, s, s->roll);
     for (size_t i = 0; i < s->n; i++) {
-        orr_vec3 at = {s->e[i] + s->wind_e[i], s->north[i] + s->wind_n[i], s->u[i] + s->wind_u[i]};
+        double air = path->has_ground ? s->air[i] : 1.0;
+        orr_vec3 at = {s->e[i] + air * s->wind_e[i], s->north[i] + air * s->wind_n[i],
+                       s->u[i] + air * s->wind_u[i]};
         s->r[i] = orr_local_map_to_ecef(&path->map, at);
         // The map's own axes carry the attitude, not true North: they turn smoothly even across a pole. True
         // heading is then the map course plus the meridians' convergence, as it is for a real straight line.
@@ -192,6 +231,7 @@ orr_status orr_trajectory_flight_plan(orr_time t0, const orr_flight_plan *plan, 
     if (status != ORR_OK) return status;
 
     double duration = plan->duration_s > 0.0 ? plan->duration_s : path.duration_s;
+    path.level_off = duration > path.duration_s;
     // Four boxes of w steps have the variance 4 (w^2 - 1) / 12 steps^2; their ends reach 2 w steps.
     double w = sqrt(3.0 * (plan->smoothing_s / step) * (plan->smoothing_s / step) + 1.0);
     size_t width = 2 * (size_t)floor(0.5 * w) + 1, margin = MARGIN + 2 * width;
@@ -223,9 +263,7 @@ orr_status orr_trajectory_flight_plan(orr_time t0, const orr_flight_plan *plan, 
         *summary = (orr_flight_summary){.duration_s = path.duration_s,
                                         .length_m = path.length_m,
                                         .turn_radius_m = path.radius_m,
-                                        .lines = plan->n_waypoints > 0
-                                                     ? plan->n_waypoints - 1
-                                                     : (size_t)(plan->survey.lines + plan->survey.tie_lines)};
+                                        .lines = path.lines};
     orr_flight_path_free(&path);
     return status;
 }

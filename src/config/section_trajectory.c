@@ -10,10 +10,22 @@
     }
 static const orr_condition of_survey[] = OF_KIND("survey");
 static const orr_condition of_waypoints[] = OF_KIND("waypoints");
+static const orr_condition of_phases[] = OF_KIND("phases");
+static const orr_condition of_speeds[] = OF_KIND("waypoints|phases");
+static const orr_condition of_lead[] = OF_KIND("survey|phases");
+static const orr_condition of_rest[] = OF_KIND("rest|straight|taxi");
+static const orr_condition of_run[] = OF_KIND("straight|taxi");
+static const orr_condition of_speed[] = OF_KIND("straight|taxi|takeoff|landing");
+static const orr_condition of_taxi[] = OF_KIND("taxi");
+static const orr_condition of_turn[] = OF_KIND("turn");
+static const orr_condition of_climb[] = OF_KIND("climb|landing");
+static const orr_condition of_place[] = OF_KIND("to|survey");
+static const orr_condition of_to[] = OF_KIND("to");
+static const orr_condition of_lines[] = OF_KIND("survey");
 static const orr_condition of_telemetry[] = OF_KIND("telemetry");
 static const orr_condition of_analytic[] = OF_KIND("analytic");
-static const orr_condition of_plan[] = OF_KIND("survey|waypoints");
-static const orr_condition of_origin[] = OF_KIND("survey|analytic");
+static const orr_condition of_plan[] = OF_KIND("survey|waypoints|phases");
+static const orr_condition of_origin[] = OF_KIND("survey|phases|analytic");
 static const orr_condition of_circle[] = OF_KIND("circle");
 static const orr_condition of_eight[] = OF_KIND("eight");
 static const orr_condition of_sine[] = OF_KIND("sine");
@@ -25,6 +37,7 @@ static const orr_condition of_phased[] = OF_KIND("eight|sine");
 static const orr_choice kinds[] = {ORR_MOTION_KINDS(ORR_CHOICE_WORD){0}};
 static const orr_choice sides[] = {ORR_SURVEY_SIDES(ORR_CHOICE_WORD){0}};
 static const orr_choice degrees[] = {ORR_FIT_DEGREES(ORR_CHOICE_WORD){0}};
+static const orr_choice phase_kinds[] = {ORR_PHASE_KINDS(ORR_CHOICE_WORD){0}};
 static const orr_choice transfer_attitudes[] = {ORR_TRANSFER_ATTITUDES(ORR_CHOICE_WORD){0}};
 static const orr_choice term_kinds[] = {ORR_TERM_KINDS(ORR_CHOICE_WORD){0}};
 
@@ -45,6 +58,53 @@ static const orr_key survey_rows[] = {
     SURVEY_REAL("tie_spacing", tie_spacing_m, 1, 1e6, "m", "10000", of_ties, "distance between tie lines"),
 };
 static const orr_schema survey_table = ORR_SCHEMA(survey_rows, orr_scenario_survey);
+
+// --- phases ---
+#define PHASE_REAL(n, m, lo, hi, u, dflt, of, h) REAL_ROW(orr_scenario_phase, n, m, lo, hi, u, dflt, of, h)
+
+static const orr_key phase_rows[] = {
+    NEEDED_CHOICE_ROW(orr_scenario_phase, "kind", kind, phase_kinds, NULL, "what the body does"),
+    {.name = "duration",
+     .kind = ORR_KEY_DURATION,
+     .offset = offsetof(orr_scenario_phase, duration_ns),
+     .only = of_rest,
+     .help = "how long; straight and taxi: instead of the length"},
+    PHASE_REAL("length", length_m, 0, 2e6, "m", "0", of_run, "how far, a change of speed included"),
+    PHASE_REAL("speed", speed_mps, 0, 3000, "m/s", "0", of_speed,
+               "speed to reach; 0: as before (takeoff: that of the trajectory; taxi from rest: 8)"),
+    BOOL_ROW(orr_scenario_phase, "stop", stop, "no", of_taxi, "whether it ends at rest"),
+    NEEDED_REAL_ROW(orr_scenario_phase, "angle", angle_deg, -3600, 3600, "deg", of_turn,
+                    "how far to turn, to the right; to the left negative"),
+    PHASE_REAL("radius", radius_m, 0, 1e6, "m", "0", of_turn, "of the arc; 0: from the bank"),
+    NEEDED_REAL_ROW(orr_scenario_phase, "height", height_m, -10000, 1000000, "m", of_climb,
+                    "height above the ellipsoid to reach, of the ground where it lands"),
+    PHASE_REAL("rate", rate_mps, 0, 500, "m/s", "0", of_climb,
+               "vertical speed; 0: the trajectory's steepest climb"),
+    NEEDED_REAL_ROW(orr_scenario_phase, "lat", lat_deg, -90, 90, "deg", of_place,
+                    "latitude of the place, of the begin of the first line"),
+    NEEDED_REAL_ROW(orr_scenario_phase, "lon", lon_deg, -360, 360, "deg", of_place, "its longitude"),
+    PHASE_REAL("azimuth", azimuth_deg, -360, 360, "deg", "0", of_to,
+               "course at the place, clockwise from North"),
+    MAP_ROW(orr_scenario_phase, "survey", survey, &survey_table, of_lines, "lines of the survey"),
+};
+
+static const char *check_phase(const void *map, char why[ORR_SCHEMA_WHY])
+{
+    const orr_scenario_phase *p = map;
+    bool run = p->kind == ORR_PHASE_WORD_STRAIGHT || p->kind == ORR_PHASE_WORD_TAXI;
+    if (p->kind == ORR_PHASE_WORD_REST && p->duration_ns <= 0) {
+        snprintf(why, ORR_SCHEMA_WHY, "a rest needs a duration");
+        return "duration";
+    }
+    if (!run || (p->duration_ns > 0) != (p->length_m > 0)) return NULL;
+    snprintf(why, ORR_SCHEMA_WHY, "it needs a length or a duration, one of them");
+    return "length";
+}
+
+static const orr_schema phase_table = {.key = phase_rows,
+                                       .n = sizeof phase_rows / sizeof phase_rows[0],
+                                       .size = sizeof(orr_scenario_phase),
+                                       .check = check_phase};
 
 // --- waypoints ---
 static const orr_key waypoint_rows[] = {
@@ -166,7 +226,7 @@ static const orr_schema transfer_table = ORR_SCHEMA(transfer_rows, orr_scenario_
 // --- the section ---
 #define ROW_REAL(n, m, lo, hi, u, dflt, of, h) REAL_ROW(orr_scenario_trajectory, n, m, lo, hi, u, dflt, of, h)
 static const orr_condition of_random[] = {
-    {.key = "kind", .words = "survey|waypoints"}, {.key = "turbulence|oscillation"}, {0}};
+    {.key = "kind", .words = "survey|waypoints|phases"}, {.key = "turbulence|oscillation"}, {0}};
 
 static const orr_key rows[] = {
     NEEDED_CHOICE_ROW(orr_scenario_trajectory, "kind", kind, kinds, NULL, "where the motion comes from"),
@@ -181,7 +241,7 @@ static const orr_key rows[] = {
      .offset = offsetof(orr_scenario_trajectory, duration_ns),
      .help = "length of time. Default: the whole plan or log; an analytic motion needs it"},
     NEEDED_REAL_ROW(orr_scenario_trajectory, "lat", lat_deg, -90, 90, "deg", of_origin,
-                    "latitude of the begin of the first line, or of the origin"),
+                    "latitude of the begin of the first line or phase, or of the origin"),
     NEEDED_REAL_ROW(orr_scenario_trajectory, "lon", lon_deg, -360, 360, "deg", of_origin, "its longitude"),
     ROW_REAL("height", height_m, -10000, 1000000, "m", "0", of_origin, "its height above the ellipsoid"),
     MAP_ROW(orr_scenario_trajectory, "survey", survey, &survey_table, of_survey, "lines of the survey"),
@@ -195,12 +255,28 @@ static const orr_key rows[] = {
      .map = &waypoint_table,
      .only = of_waypoints,
      .help = "the places, in their order"},
+    {.name = "phases",
+     .kind = ORR_KEY_MAP,
+     .list = true,
+     .required = true,
+     .offset = offsetof(orr_scenario_trajectory, phases),
+     .least = 1,
+     .most = ORR_TRAJECTORY_MAX_PHASES,
+     .map = &phase_table,
+     .only = of_phases,
+     .help = "what the body does, in order; it begins on the ground if the first is a rest, taxi or takeoff, "
+             "else in the "
+             "air at the speed below"},
+    ROW_REAL("azimuth", azimuth_deg, -360, 360, "deg", "0", of_phases,
+             "course at the begin, clockwise from North"),
     ROW_REAL("speed", speed_mps, 0.01, 3000, "m/s", "60", of_plan, "speed over the ground"),
     ROW_REAL("bank", bank_deg, 0.1, 80, "deg", "20", of_plan,
              "bank of turns, which sets their radius; the steepest bank where turn_radius is given"),
     ROW_REAL("turn_radius", turn_radius_m, 0, 1e6, "m", "0", of_plan, "radius of turns; 0: from the bank"),
-    ROW_REAL("climb", climb_mps, 0.01, 500, "m/s", "5", of_waypoints, "steepest climb and descent"),
-    ROW_REAL("lead", lead_m, 0, 1e5, "m", "1000", of_survey, "straight flight before and after each line"),
+    ROW_REAL("climb", climb_mps, 0.01, 500, "m/s", "5", of_speeds, "steepest climb and descent"),
+    ROW_REAL("acceleration", acceleration_mps2, 0.01, 100, "m/s2", "2", of_speeds,
+             "greatest acceleration along the way, where speeds change"),
+    ROW_REAL("lead", lead_m, 0, 1e5, "m", "1000", of_lead, "straight flight before and after each line"),
     ROW_REAL("smoothing", smoothing_s, 0, 60, "s", "2.5", of_plan, "time in which turns and climbs set in"),
     ROW_REAL("pitch", pitch_deg, -45, 45, "deg", "0", of_plan, "pitch of level flight"),
     ROW_REAL("knots", knots_s, 0.001, 10, "s", "0.5", of_plan, "knot step of the spline through the plan"),

@@ -8,6 +8,7 @@
 #define ORR_MOTION_KINDS(X)                                                                                  \
     X(ORR_MOTION_SURVEY, "survey", "a flight along parallel lines, and tie lines across")                    \
     X(ORR_MOTION_WAYPOINTS, "waypoints", "a flight from place to place")                                     \
+    X(ORR_MOTION_PHASES, "phases", "a sequence: rest, taxi, take-off, climb, survey, landing and others")    \
     X(ORR_MOTION_TELEMETRY, "telemetry", "a smooth motion through the log of a flight")                      \
     X(ORR_MOTION_ANALYTIC, "analytic", "rest, or a sum of motions in closed form")
 #define ORR_SURVEY_SIDES(X)                                                                                  \
@@ -22,6 +23,16 @@
     X(ORR_TERM_EIGHT, "eight", "a figure of eight")                                                          \
     X(ORR_TERM_SINE, "sine", "oscillation of place and attitude")
 
+#define ORR_PHASE_KINDS(X)                                                                                   \
+    X(ORR_PHASE_WORD_REST, "rest", "stands still")                                                           \
+    X(ORR_PHASE_WORD_STRAIGHT, "straight", "straight and level, at another speed if one is told")            \
+    X(ORR_PHASE_WORD_TAXI, "taxi", "the same on the ground")                                                 \
+    X(ORR_PHASE_WORD_TURN, "turn", "a level arc")                                                            \
+    X(ORR_PHASE_WORD_TAKEOFF, "takeoff", "a ground run to a speed")                                          \
+    X(ORR_PHASE_WORD_CLIMB, "climb", "straight on to a height, up or down")                                  \
+    X(ORR_PHASE_WORD_TO, "to", "the shortest way to a place and a course there")                             \
+    X(ORR_PHASE_WORD_SURVEY, "survey", "lines and tie lines")                                                \
+    X(ORR_PHASE_WORD_LANDING, "landing", "a straight descent to the ground, and a ground run to rest")
 #define ORR_TRANSFER_ATTITUDES(X)                                                                            \
     X(ORR_TRANSFER_LEVEL, "level", "roll and pitch stay as they were against the ellipsoid's vertical")      \
     X(ORR_TRANSFER_LITERAL, "literal",                                                                       \
@@ -33,6 +44,7 @@ typedef enum orr_motion_kind {
 } orr_motion_kind;
 typedef enum orr_survey_side { ORR_SURVEY_SIDES(ORR_CHOICE_VALUE) } orr_survey_side;
 typedef enum orr_fit_degree { ORR_FIT_DEGREES(ORR_CHOICE_VALUE) } orr_fit_degree;
+typedef enum orr_phase_word { ORR_PHASE_KINDS(ORR_CHOICE_VALUE) } orr_phase_word;
 typedef enum orr_transfer_attitude { ORR_TRANSFER_ATTITUDES(ORR_CHOICE_VALUE) } orr_transfer_attitude;
 typedef enum orr_term_kind { ORR_TERM_KINDS(ORR_CHOICE_VALUE) } orr_term_kind;
 
@@ -49,6 +61,14 @@ typedef struct orr_scenario_survey {
 typedef struct orr_scenario_waypoint {
     double lat_deg, lon_deg, height_m, speed_mps;
 } orr_scenario_waypoint;
+
+typedef struct orr_scenario_phase {
+    int kind; // orr_phase_word
+    int64_t duration_ns;
+    double length_m, speed_mps, angle_deg, radius_m, height_m, rate_mps, lat_deg, lon_deg, azimuth_deg;
+    bool stop;
+    orr_scenario_survey survey;
+} orr_scenario_phase;
 
 typedef struct orr_scenario_log {
     char *file, *columns;
@@ -88,7 +108,13 @@ typedef struct orr_scenario_trajectory {
         size_t n;
         orr_scenario_waypoint *item;
     } waypoints;
-    double speed_mps, bank_deg, turn_radius_m, climb_mps, lead_m, smoothing_s, pitch_deg, knots_s;
+    struct {
+        size_t n;
+        orr_scenario_phase *item;
+    } phases;
+    double azimuth_deg; // phases: course at the begin
+    double speed_mps, bank_deg, turn_radius_m, climb_mps, acceleration_mps2, lead_m, smoothing_s, pitch_deg,
+        knots_s;
     orr_scenario_spectrum turbulence;
     struct orr_scenario_oscillation {
         orr_scenario_spectrum heading, pitch, roll;
@@ -111,6 +137,7 @@ typedef struct orr_scenario_trajectory {
 extern const orr_schema orr_section_trajectory;
 
 #define ORR_TRAJECTORY_MAX_WAYPOINTS 1000
+#define ORR_TRAJECTORY_MAX_PHASES 200
 #define ORR_TRAJECTORY_MAX_LOGS 2 // places and angles
 #define ORR_TRAJECTORY_MAX_TERMS 16
 

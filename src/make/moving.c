@@ -17,25 +17,75 @@ static orr_spectrum spectrum(const orr_scenario_spectrum *s, double unit)
 }
 
 _Static_assert(ORR_TRAJECTORY_MAX_WAYPOINTS == ORR_PLAN_MAX_WAYPOINTS &&
+                   ORR_TRAJECTORY_MAX_PHASES == ORR_PLAN_MAX_PHASES &&
                    ORR_TRAJECTORY_MAX_TERMS == ORR_ANALYTIC_MAX_TERMS,
                "the table's limits are those of the makers");
+
+static orr_survey survey_of(const orr_scenario_survey *v, orr_geodetic start)
+{
+    return (orr_survey){.start = start,
+                        .azimuth_rad = v->azimuth_deg * DEG,
+                        .length_m = v->length_m,
+                        .spacing_m = v->spacing_m,
+                        .lines = (int)v->lines,
+                        .to_left = v->side == ORR_SURVEY_LEFT,
+                        .tie_lines = (int)v->tie_lines,
+                        .tie_spacing_m = v->tie_spacing_m};
+}
+
+static orr_phase_kind phase_kind(int word)
+{
+    switch ((orr_phase_word)word) {
+    case ORR_PHASE_WORD_STRAIGHT:
+        return ORR_PHASE_STRAIGHT;
+    case ORR_PHASE_WORD_TAXI:
+        return ORR_PHASE_TAXI;
+    case ORR_PHASE_WORD_TURN:
+        return ORR_PHASE_TURN;
+    case ORR_PHASE_WORD_TAKEOFF:
+        return ORR_PHASE_TAKEOFF;
+    case ORR_PHASE_WORD_CLIMB:
+        return ORR_PHASE_CLIMB;
+    case ORR_PHASE_WORD_TO:
+        return ORR_PHASE_TO;
+    case ORR_PHASE_WORD_SURVEY:
+        return ORR_PHASE_SURVEY;
+    case ORR_PHASE_WORD_LANDING:
+        return ORR_PHASE_LANDING;
+    case ORR_PHASE_WORD_REST:
+        break;
+    }
+    return ORR_PHASE_REST;
+}
+
+static orr_phase phase_of(const orr_scenario_phase *q)
+{
+    return (orr_phase){.kind = phase_kind(q->kind),
+                       .duration_s = (double)q->duration_ns * 1e-9,
+                       .length_m = q->length_m,
+                       .speed_mps = q->speed_mps,
+                       .stop = q->stop,
+                       .angle_rad = q->angle_deg * DEG,
+                       .radius_m = q->radius_m,
+                       .height_m = q->height_m,
+                       .rate_mps = q->rate_mps,
+                       .at = {q->lat_deg * DEG, q->lon_deg * DEG, 0.0},
+                       .azimuth_rad = q->azimuth_deg * DEG,
+                       .survey = survey_of(&q->survey, (orr_geodetic){0, 0, 0})};
+}
 
 static orr_status make_plan(const orr_scenario_trajectory *m, orr_time start, orr_warnings *warnings,
                             orr_trajectory *out, orr_diag *diag)
 {
-    const orr_scenario_survey *v = &m->survey;
-    orr_flight_plan p = {.survey = {.start = {m->lat_deg * DEG, m->lon_deg * DEG, m->height_m},
-                                    .azimuth_rad = v->azimuth_deg * DEG,
-                                    .length_m = v->length_m,
-                                    .spacing_m = v->spacing_m,
-                                    .lines = (int)v->lines,
-                                    .to_left = v->side == ORR_SURVEY_LEFT,
-                                    .tie_lines = (int)v->tie_lines,
-                                    .tie_spacing_m = v->tie_spacing_m},
+    const orr_geodetic start_at = {m->lat_deg * DEG, m->lon_deg * DEG, m->height_m};
+    orr_flight_plan p = {.start = start_at,
+                         .course_rad = m->azimuth_deg * DEG,
+                         .survey = survey_of(&m->survey, start_at),
                          .speed_mps = m->speed_mps,
                          .bank_rad = m->bank_deg * DEG,
                          .turn_radius_m = m->turn_radius_m,
                          .climb_limit_mps = m->climb_mps,
+                         .acceleration_mps2 = m->acceleration_mps2,
                          .lead_m = m->lead_m,
                          .smoothing_s = m->smoothing_s,
                          .pitch_rad = m->pitch_deg * DEG,
@@ -47,6 +97,14 @@ static orr_status make_plan(const orr_scenario_trajectory *m, orr_time start, or
                          .duration_s = (double)m->duration_ns * 1e-9,
                          .knot_step_s = m->knots_s};
     orr_waypoint *w = NULL;
+    orr_phase *phase = NULL;
+    if (m->kind == ORR_MOTION_PHASES) {
+        phase = malloc(m->phases.n * sizeof *phase);
+        if (phase == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+        for (size_t k = 0; k < m->phases.n; k++) phase[k] = phase_of(&m->phases.item[k]);
+        p.n_phases = m->phases.n;
+        p.phase = phase;
+    }
     if (m->kind == ORR_MOTION_WAYPOINTS) {
         w = malloc(m->waypoints.n * sizeof *w);
         if (w == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
@@ -60,6 +118,7 @@ static orr_status make_plan(const orr_scenario_trajectory *m, orr_time start, or
     orr_flight_summary plan;
     orr_status s = orr_trajectory_flight_plan(start, &p, out, &plan, diag);
     free(w);
+    free(phase);
     if (s == ORR_OK && p.duration_s > plan.duration_s + 1e-6)
         orr_warnings_add(
             warnings, NULL, 0, 0,
@@ -433,6 +492,7 @@ orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start
     switch ((orr_motion_kind)t->kind) {
     case ORR_MOTION_SURVEY:
     case ORR_MOTION_WAYPOINTS:
+    case ORR_MOTION_PHASES:
         s = make_plan(t, start, warnings, &out->trajectory, diag);
         break;
     case ORR_MOTION_TELEMETRY:
