@@ -19,10 +19,12 @@ typedef enum orr_telemetry_kind {
     ORR_TELEMETRY_MOTION_LLH,  // gps-sdr-sim: t, latitude, longitude, height
 } orr_telemetry_kind;
 
-// How a log's own clock goes, where it tells GPS time beside it: t_s of an angle is host + drift (host - origin_s).
+// How a log's own clock goes, where it tells GPS time beside it: t_s of an angle is host + offset_s +
+// drift (host - origin_s).
 typedef struct orr_clock_tie {
     size_t n;         // rows that tell both clocks; 0: the log has one clock
     double origin_s;  // middle of the own clock's readings
+    double offset_s;  // what t0 is before GPS time at 0 s of the own clock: t0 is a multiple of 10 ms
     double drift;     // of GPS time against the own clock, s/s; 0 where less than a minute determines it
     double scatter_s; // robust standard deviation of the rows about the line
 } orr_clock_tie;

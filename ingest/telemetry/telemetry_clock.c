@@ -48,7 +48,7 @@ void telemetry_ties_free(telemetry_ties *t)
 
 double orr_clock_tied_s(const orr_clock_tie *tie, double host_s)
 {
-    return host_s + tie->drift * (host_s - tie->origin_s);
+    return host_s + tie->offset_s + tie->drift * (host_s - tie->origin_s);
 }
 
 // Median slope between medians of blocks (Theil and Sen): neither rows that came late nor a clock that was set

@@ -11,6 +11,7 @@
 
 // Bounds of clocks: until 2053, and 127 years (seconds since 1970 fit), so that sums and differences of two
 // do too.
+#define ROUND_NS (ORR_NS_PER_S / 100)
 #define LAST_WEEK 3800.0
 #define LAST_TIME_S 4e9
 #define FAR_TIME "its time is out of all bounds"
@@ -390,12 +391,16 @@ static orr_status tie_clocks(table_reader *t, orr_diag *diag)
     orr_status s = telemetry_tie(&t->ties, &out->tie, &offset_s, diag);
     if (s != ORR_OK) return s;
     out->absolute = true;
-    out->t0 = orr_time_add_s(t->base, offset_s);
+    // A round zero, so that places at round GPS times have round seconds.
+    orr_time zero = orr_time_add_s(t->base, offset_s);
+    out->t0 = orr_floor_div(zero + ROUND_NS / 2, ROUND_NS) * ROUND_NS;
+    out->tie.offset_s = orr_time_diff_s(zero, out->t0);
+    double shift_s = orr_time_diff_s(t->base, out->t0);
     bool coarse = t->n_moved > out->n_position / 5;
     for (size_t k = 0; k < out->n_position; k++)
         out->position_t_s[k] = isnan(t->gps_s[k]) || coarse
                                    ? orr_clock_tied_s(&out->tie, out->position_t_s[k])
-                                   : t->gps_s[k] - offset_s;
+                                   : t->gps_s[k] + shift_s;
     for (size_t k = 0; k < out->n_attitude; k++)
         out->attitude_t_s[k] = orr_clock_tied_s(&out->tie, out->attitude_t_s[k]);
     if (coarse)

@@ -24,7 +24,7 @@ typedef struct orr_moving {
     bool from_telemetry;
     orr_fit_report report; // of telemetry
     orr_clock_tie tie;     // of a log with two clocks; n = 0: there is one clock
-    orr_time tie_zero;     // GPS time at 0 s of the log's own clock
+    orr_time tie_zero;     // t0 of that log
     orr_inputs inputs;     // the files that were read: logs, gravity
 } orr_moving;
 

@@ -81,8 +81,8 @@ static void say_clocks(orr_cli *c, const orr_moving *v)
     orr_cli_say(c,
                 "clocks: 0 s of the log's own is %s GPS, drift %.3g ppm, scatter %.3g s (%zu rows tell "
                 "both); places have GPS time",
-                orr_time_format(v->tie_zero, ORR_SCALE_GPS, 6, NULL, zero), 1e6 * v->tie.drift,
-                v->tie.scatter_s, v->tie.n);
+                orr_time_format(orr_time_add_s(v->tie_zero, v->tie.offset_s), ORR_SCALE_GPS, 6, NULL, zero),
+                1e6 * v->tie.drift, v->tie.scatter_s, v->tie.n);
 }
 
 static void say_fit(orr_cli *c, const orr_fit_report *r)

@@ -34,6 +34,7 @@ static void check_accepted(const orr_scenario *s)
     want(s->receiver.unit <= (int64_t)s->motion.units.n);
     want(moves || (s->motion.units.n == 0 && g->model == NULL && g->file == NULL && g->masses.n == 0));
     want((t->kind == ORR_MOTION_WAYPOINTS) == (t->waypoints.n >= 2));
+    want((t->kind == ORR_MOTION_PHASES) == (t->phases.n >= 1));
     want((t->kind == ORR_MOTION_TELEMETRY) == (t->logs.n >= 1));
     want(t->kind == ORR_MOTION_ANALYTIC || t->terms.n == 0);
     want(g->folder == NULL || g->model != NULL);

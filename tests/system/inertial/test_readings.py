@@ -215,6 +215,26 @@ class Readings(Folder):
         for other in largest[1:]:
             self.assertAlmostEqual(other, largest[0], delta=0.01 * 49)
 
+    def test_phases_from_rest_to_rest(self):
+        """A unit that stands, takes off, climbs and lands: what it reads at rest is gravity, and the whole navigates back."""
+        path = self.scenario("phases.yaml", "trajectory:\n  kind: phases\n  lat: 50\n  lon: 20\n  azimuth: 40\n  turbulence: {rms: 1}\n"
+                             "  phases: [{kind: rest, duration: 60}, {kind: takeoff}, {kind: climb, height: 300}, {kind: landing, height: 0}, "
+                             "{kind: rest, duration: 40}]\n")
+        rows = table(run("imu", "-q", path, "--rate", "50", "-o", "-").stdout)
+        g = normal_gravity(math.radians(50))
+        for row in rows[1:1500]:
+            self.assertAlmostEqual(row["dv_z_mps"] * 50, g, delta=1e-6)
+            self.assertAlmostEqual(row["heading_deg"], 40, delta=1e-6)
+        self.assertAlmostEqual(max(r["height_m"] for r in rows), 300, delta=25)  # a rounded top in turbulent air
+        self.assertAlmostEqual(rows[-1]["height_m"], 0, delta=1e-4)
+        self.assertLess(math.hypot(*vector(rows[-1], "v_east_mps", "v_north_mps", "v_up_mps")), 1e-6)
+        nc = self.path("phases.nc")
+        run("imu", "-q", path, "-o", nc)
+        self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4)
+        self.assertIn("phase 2 (climb): the body is on the ground", run("track", self.scenario(
+            "wrong.yaml", "trajectory: {kind: phases, lat: 50, lon: 20, phases: [{kind: rest, duration: 9}, {kind: climb, height: 9}]}\n"),
+            status=1).stderr)
+
     def test_axes_forward_right_down(self):
         """Body axes forward, right, down and velocities North, East, Down: the same numbers in other places, and a file that
         comes back as it was."""

@@ -116,7 +116,8 @@ static void refusals(void **state)
         // Keys of a trajectory belong to its kind.
         {"trajectory: {lat: 1, lon: 2}\n", 1, 13, "'trajectory.kind' is missing"},
         {"trajectory: {}\n", 1, 13, "'trajectory.kind' is missing"},
-        {"trajectory: {kind: none}\n", 1, 20, "'none' is none of survey, waypoints, telemetry, analytic"},
+        {"trajectory: {kind: none}\n", 1, 20,
+         "'none' is none of survey, waypoints, phases, telemetry, analytic"},
         {"trajectory: {survey: {lines: 3}, kind: surveyy}\n", 1, 40, "'surveyy' is none of"},
         {"trajectory:\n  kind: survey\n  lat: 56\n", 2, 3, "'trajectory.lon' is missing"},
         {"trajectory: {kind: waypoints}\n", 1, 13, "'trajectory.waypoints' is missing"},
@@ -127,7 +128,7 @@ static void refusals(void **state)
          "trajectory.survey: has no effect with trajectory.kind waypoints; it belongs to trajectory.kind "
          "survey"},
         {WAYPOINTS "  lead: 500\n", 4, 3, "trajectory.lead: has no effect with trajectory.kind waypoints"},
-        {WAYPOINTS "  lat: 56\n", 4, 3, "it belongs to trajectory.kind survey or analytic"},
+        {WAYPOINTS "  lat: 56\n", 4, 3, "it belongs to trajectory.kind survey, phases or analytic"},
         {WAYPOINTS "  seed: 5\n", 4, 3,
          "trajectory.seed: has no effect without trajectory.turbulence or trajectory.oscillation"},
         {WAYPOINTS "  turbulence: {low: 0.1}\n", 4, 15, "'trajectory.turbulence.rms' is missing"},
@@ -250,7 +251,8 @@ static void words_are_their_values(void **state)
     orr_diag diag = {0};
     char text[300];
     const char *const rest[] = {"lat: 1, lon: 2", "waypoints: [{lat: 1, lon: 2}, {lat: 1, lon: 3}]",
-                                "telemetry: {file: f}", "lat: 1, lon: 2"};
+                                "lat: 1, lon: 2, phases: {kind: takeoff}", "telemetry: {file: f}",
+                                "lat: 1, lon: 2"};
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         snprintf(text, sizeof text, "trajectory: {kind: %s, %s}\n", kinds[i].word, rest[i]);
         ASSERT_OK(parse(text, &s, &diag), diag);
