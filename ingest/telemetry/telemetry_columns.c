@@ -39,6 +39,9 @@ static const alias aliases[] = {
     {"t", Q_TIME, 4, NULL, ANYWHERE},
     {"time", Q_TIME, 2, NULL, ANYWHERE},
     {"timestamp", Q_TIME, 1, NULL, ANYWHERE},
+    {"sod", Q_OF_DAY, 1, NULL, ANYWHERE},
+    {"seconds_of_day", Q_OF_DAY, 1, NULL, ANYWHERE},
+    {"time_of_day", Q_OF_DAY, 1, NULL, ANYWHERE},
     {"seconds", Q_TIME, 1, NULL, ANYWHERE},
     {"sec", Q_TIME, 1, NULL, ANYWHERE},
     {"utc", Q_TIME, 1, NULL, ANYWHERE},
@@ -49,6 +52,10 @@ static const alias aliases[] = {
     {"t_utc", Q_INSTANT, 3, NULL, ANYWHERE},
     {"time_utc", Q_INSTANT, 2, NULL, ANYWHERE},
     {"utc_time", Q_INSTANT, 2, NULL, ANYWHERE},
+    {"utc time", Q_INSTANT, 2, NULL, ANYWHERE},
+    {"timestamp utc", Q_INSTANT, 2, NULL, ANYWHERE},
+    {"timestamp_utc", Q_INSTANT, 2, NULL, ANYWHERE},
+    {"gps time", Q_INSTANT, 3, "gps", ANYWHERE},
     {"datetime", Q_INSTANT, 2, NULL, ANYWHERE},
     {"date_time", Q_INSTANT, 2, NULL, ANYWHERE},
     {"date time", Q_INSTANT, 2, NULL, ANYWHERE},
@@ -59,6 +66,7 @@ static const alias aliases[] = {
     {"gps_week", Q_WEEK, 1, NULL, ANYWHERE},
     {"tow", Q_TOW, 2, NULL, ANYWHERE},
     {"sow", Q_TOW, 1, NULL, ANYWHERE},
+    {"itow", Q_TOW, 1, "ms", ANYWHERE},
     {"gps_tow", Q_TOW, 1, NULL, ANYWHERE},
     {"lat", Q_LAT, 2, NULL, ANYWHERE},
     {"latitude", Q_LAT, 1, NULL, ANYWHERE},
@@ -157,6 +165,7 @@ static char dimension_of(telemetry_quantity q)
 {
     switch (q) {
     case Q_TIME:
+    case Q_OF_DAY:
     case Q_INSTANT:
     case Q_TOW:
         return 't';
@@ -267,7 +276,8 @@ static orr_status set_unit(telemetry_column *c, const name *column, const char *
     double sign = 1.0;
     char dimension = dimension_of(c->quantity);
     c->scale = dimension == 'a' ? ORR_RAD_PER_DEG : 1.0;
-    c->form = c->quantity == Q_TIME || c->quantity == Q_INSTANT ? FORM_OPEN : FORM_NUMBER;
+    const bool is_instant = c->quantity == Q_TIME || c->quantity == Q_INSTANT;
+    c->form = is_instant ? FORM_OPEN : FORM_NUMBER;
     if (*u == '\0') {
         c->assumed = true;
         return ORR_OK;
@@ -275,11 +285,10 @@ static orr_status set_unit(telemetry_column *c, const name *column, const char *
     if (c->quantity == Q_FIX) {
         if (u[0] == '>' && u[1] == '=') u += 2;
         if (orr_view_real(orr_view_of(u), &c->scale) == ORR_FIELD_OK) return ORR_OK;
-    } else if (dimension == 't' && c->quantity != Q_TOW && strcmp(u, "unix") == 0) {
+    } else if (is_instant && strcmp(u, "unix") == 0) {
         c->form = FORM_UNIX;
         return ORR_OK;
-    } else if (dimension == 't' && c->quantity != Q_TOW &&
-               (strcmp(u, "utc") == 0 || strcmp(u, "gps") == 0 || strcmp(u, "iso") == 0)) {
+    } else if (is_instant && (strcmp(u, "utc") == 0 || strcmp(u, "gps") == 0 || strcmp(u, "iso") == 0)) {
         c->form = u[0] == 'u' ? FORM_TEXT_UTC : FORM_TEXT_GPS;
         return ORR_OK;
     } else if (c->quantity == Q_HEIGHT && (strcmp(u, "msl") == 0 || strcmp(u, "amsl") == 0)) {
@@ -308,7 +317,7 @@ static orr_status set_unit(telemetry_column *c, const name *column, const char *
 static orr_status check_whole(const telemetry_table *t, const char *file, int64_t line, orr_diag *diag)
 {
     const int *w = t->where;
-    bool time = w[Q_TIME] >= 0 || w[Q_TOW] >= 0 || w[Q_INSTANT] >= 0;
+    bool time = w[Q_TIME] >= 0 || w[Q_OF_DAY] >= 0 || w[Q_TOW] >= 0 || w[Q_INSTANT] >= 0;
     bool place = (w[Q_LAT] >= 0 && w[Q_LON] >= 0 && (w[Q_HEIGHT] >= 0 || w[Q_HEIGHT_SEA] >= 0)) ||
                  (w[Q_X] >= 0 && w[Q_Y] >= 0 && w[Q_Z] >= 0);
     bool turned = w[Q_QW] >= 0 && w[Q_QX] >= 0 && w[Q_QY] >= 0 && w[Q_QZ] >= 0;

@@ -21,21 +21,24 @@ static unsigned hex(char c)
                                                     : 99u;
 }
 
-// Between the last '$' and '*'; false where the checksum is wrong or missing.
-static bool sentence(orr_view line, orr_view *body)
+// The next sentence of a line with a good checksum, between '$' and '*'; what stands around it is passed over. Start
+// with *at at the line's begin.
+static bool sentence(orr_view line, const char **at, orr_view *body)
 {
-    const char *dollar = NULL;
-    for (const char *p = line.p; p < line.p + line.n; p++)
-        if (*p == '$') dollar = p;
-    if (dollar == NULL) return false;
-    line.n -= (size_t)(dollar + 1 - line.p);
-    line.p = dollar + 1;
-    const char *star = memchr(line.p, '*', line.n);
-    if (star == NULL || line.n - (size_t)(star - line.p) < 3) return false;
-    unsigned sum = 0, high = hex(star[1]), low = hex(star[2]);
-    for (const char *p = line.p; p < star; p++) sum ^= (unsigned char)*p;
-    *body = (orr_view){line.p, (size_t)(star - line.p)};
-    return high < 16 && low < 16 && sum == 16 * high + low;
+    const char *end = line.p + line.n;
+    for (const char *dollar = *at; dollar < end; dollar++) {
+        if (*dollar != '$') continue;
+        unsigned sum = 0;
+        const char *p = dollar + 1;
+        while (p < end && *p != '*' && *p != '$') sum ^= (unsigned char)*p++;
+        if (end - p < 3 || *p != '*') continue;
+        unsigned high = hex(p[1]), low = hex(p[2]);
+        if (high > 15 || low > 15 || sum != 16 * high + low) continue;
+        *body = (orr_view){dollar + 1, (size_t)(p - dollar - 1)};
+        *at = p + 3;
+        return true;
+    }
+    return false;
 }
 
 bool telemetry_is_nmea(orr_view head)
@@ -47,7 +50,8 @@ bool telemetry_is_nmea(orr_view head)
         orr_view t = orr_view_trim(line);
         if (t.n == 0) continue;
         if (k++ == 0 && (t.p[0] == '$' || t.p[0] == '!') && memchr(t.p, '*', t.n) != NULL) return true;
-        if (sentence(line, &body) && body.n >= 6 && body.p[5] == ',') return true;
+        const char *at = line.p;
+        if (sentence(line, &at, &body) && body.n >= 6 && body.p[5] == ',') return true;
     }
     return false;
 }
@@ -211,16 +215,19 @@ orr_status telemetry_read_nmea(telemetry_reader *r, orr_diag *diag)
     while (s == ORR_OK && orr_input_line(r->in, &line)) {
         if (orr_view_is_blank(line)) continue;
         r->out->rows++;
-        if (!sentence(line, &body)) {
+        const char *at = line.p;
+        if (!sentence(line, &at, &body)) {
             telemetry_drop(r, orr_input_line_number(r->in) == 1 && memchr(line.p, '$', line.n) == NULL
                                   ? "the log begins inside a sentence"
                                   : "its checksum is wrong or missing");
             continue;
         }
-        orr_view f[MAX_FIELDS], rest = body;
-        size_t n = 0;
-        while (n < MAX_FIELDS && orr_view_split(&rest, ',', &f[n])) n++;
-        if (n > 0 && f[0].n == 5) s = take(r, f, n, &st, diag);
+        do {
+            orr_view f[MAX_FIELDS], rest = body;
+            size_t n = 0;
+            while (n < MAX_FIELDS && orr_view_split(&rest, ',', &f[n])) n++;
+            if (n > 0 && f[0].n == 5) s = take(r, f, n, &st, diag);
+        } while (s == ORR_OK && sentence(line, &at, &body));
     }
     if (s == ORR_OK) s = orr_input_status(r->in, diag);
     if (s == ORR_OK) s = telemetry_dates(&st.log, r, diag);

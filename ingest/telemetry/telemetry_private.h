@@ -26,6 +26,7 @@ typedef struct telemetry_reader {
 typedef enum telemetry_quantity {
     Q_SKIP,
     Q_TIME,    // of the log's own clock, or an instant as text
+    Q_OF_DAY,  // seconds of a UTC day
     Q_INSTANT, // an instant: text, or seconds since 1970 (UTC)
     Q_DATE,    // a date as text, beside a time of day
     Q_WEEK,    // GPS week

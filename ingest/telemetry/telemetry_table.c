@@ -7,6 +7,7 @@
 
 #include "core/array.h"
 #include "core/nan.h"
+#include "core/robust.h"
 #include "ingest/telemetry/telemetry_private.h"
 
 // Bounds of clocks: until 2053, and 127 years (seconds since 1970 fit), so that sums and differences of two
@@ -298,7 +299,8 @@ static const char *times_of(table_reader *t, const row *r, double *gps_s, double
     if (r->has[Q_WEEK] && r->has[Q_TOW] && r->value[Q_WEEK] >= 1.0 && r->value[Q_WEEK] < LAST_WEEK &&
         r->value[Q_TOW] >= 0.0 && r->value[Q_TOW] < TELEMETRY_WEEK_S && at == ORR_TIME_NONE)
         at = orr_time_add_s(orr_time_from_week((int32_t)r->value[Q_WEEK], 0), r->value[Q_TOW]);
-    double of_day_s = r->of_day_s;
+    double of_day_s = r->has[Q_OF_DAY] ? r->value[Q_OF_DAY] : r->of_day_s;
+    if (!isnan(of_day_s) && !(fabs(of_day_s) < LAST_TIME_S)) return FAR_TIME;
     bool own = r->has[Q_TIME];
     if (r->has[Q_DATE] && at == ORR_TIME_NONE && (!isnan(of_day_s) || own)) {
         at = orr_time_add_s(orr_time_from_mjd(r->mjd, 0.0, ORR_SCALE_UTC, NULL),
@@ -308,6 +310,11 @@ static const char *times_of(table_reader *t, const row *r, double *gps_s, double
     }
     if (at != ORR_TIME_NONE && !orr_time_is_near(at)) return FAR_TIME;
     if (at != ORR_TIME_NONE) {
+        if (!t->have_base && r->has[Q_WEEK] && r->value[Q_WEEK] < 1024.0 && r->at == ORR_TIME_NONE)
+            orr_warnings_add(
+                t->r->notes, orr_input_name(t->r->in), orr_input_line_number(t->r->in), 0,
+                "GPS week %.0f is of %s: if the receiver counts weeks modulo 1024, add what is missing",
+                r->value[Q_WEEK], r->value[Q_WEEK] < 521.0 ? "the 1980s" : "the 1990s");
         if (!t->have_base) t->base = at;
         t->have_base = true;
         *gps_s = orr_time_diff_s(at, t->base);
@@ -319,6 +326,7 @@ static const char *times_of(table_reader *t, const row *r, double *gps_s, double
         if (again) say_again(t, t->host.period_s);
     } else if (!isnan(of_day_s)) {
         *host_s = telemetry_clock_run(&t->host, of_day_s, &again);
+        if (again) say_again(t, TELEMETRY_DAY_S);
         t->period_s = TELEMETRY_DAY_S;
     } else if (where[Q_WEEK] < 0 && r->has[Q_TOW]) {
         if (!(r->value[Q_TOW] >= 0.0 && r->value[Q_TOW] <= TELEMETRY_WEEK_S)) return FAR_TIME;
@@ -417,9 +425,47 @@ static orr_status tie_clocks(table_reader *t, orr_diag *diag)
     return ORR_OK;
 }
 
+// A number without a unit whose steps are whole and too long for its places to move in: milliseconds or microseconds.
+static orr_status guess_clock(table_reader *t, orr_diag *diag)
+{
+    orr_telemetry *out = t->r->out;
+    int column = t->table.where[Q_TIME];
+    size_t n = out->n_position, kept = 0;
+    if (column < 0 || !t->table.column[column].assumed || t->have_base || n < 8 || t->host.period_s > 0.0)
+        return ORR_OK;
+    double *step = malloc(2 * n * sizeof *step);
+    if (step == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu rows", n);
+    double *speed = step + n;
+    bool whole = true;
+    for (size_t k = 1; k < n; k++) {
+        double d = out->position_t_s[k] - out->position_t_s[k - 1];
+        whole = whole && is_whole(out->position_t_s[k]);
+        if (!(d > 0.0)) continue;
+        orr_vec3 a = orr_earth_to_ecef(out->position[k - 1]), b = orr_earth_to_ecef(out->position[k]);
+        step[kept] = d;
+        speed[kept++] = orr_vec3_norm(orr_vec3_sub(b, a)) / d;
+    }
+    double step_s = kept > 0 ? orr_median(step, kept) : 0.0,
+           speed_mps = kept > 0 ? orr_median(speed, kept) : 0.0;
+    free(step);
+    double unit = step_s >= 5000.0 ? 1e-6 : 1e-3;
+    // No log of a flight has rows 10 s apart in which its body creeps; in the other unit it moves as bodies do.
+    if (!whole || step_s < 10.0 || !(speed_mps > 0.0 && speed_mps < 0.3) || speed_mps / unit > 3000.0)
+        return ORR_OK;
+    for (size_t k = 0; k < n; k++) out->position_t_s[k] *= unit;
+    for (size_t k = 0; k < out->n_attitude; k++) out->attitude_t_s[k] *= unit;
+    orr_warnings_add(
+        t->r->notes, orr_input_name(t->r->in), 0, 0,
+        "the times name no unit; rows %.0f apart in which the body moves by %.2g m are taken as %s", step_s,
+        step_s * speed_mps, unit < 1e-4 ? "microseconds" : "milliseconds");
+    return ORR_OK;
+}
+
 static orr_status set_zero(table_reader *t, orr_diag *diag)
 {
     orr_telemetry *out = t->r->out;
+    orr_status s = guess_clock(t, diag);
+    if (s != ORR_OK) return s;
     if (t->ties.n > 0) return tie_clocks(t, diag);
     if (t->have_base) {
         out->absolute = true;

@@ -118,23 +118,26 @@ bool telemetry_date_text(orr_view field, int32_t *mjd)
            valid_date(a, b, c, mjd);
 }
 
-// "hh:mm", "hh:mm:ss", "hh:mm:ss.sss" to seconds; moves *at behind. A 60th second is the 59th and *leap.
+// "hh:mm", "hh:mm:ss", "hh:mm:ss.sss", and the same without colons, to seconds; moves *at behind. A 60th second is the 59th and *leap.
 static bool take_clock(const char **at, double *s, bool *leap)
 {
     const char *p = *at;
     int h = 0, m = 0, sec = 0;
     double part = 0.0;
     size_t n = digits(p, 2) ? 2 : digits(p, 1) ? 1 : 0;
-    if (n == 0 || p[n] != ':') return false;
+    if (n == 0) return false;
     for (size_t k = 0; k < n; k++) h = 10 * h + (p[k] - '0');
-    p += n + 1;
-    if (!digits(p, 2)) return false;
+    p += n;
+    const bool compact = n == 2 && *p != ':'; // hhmmss
+    p += compact ? 0 : 1;
+    if ((!compact && p[-1] != ':') || !digits(p, 2)) return false;
     m = 10 * (p[0] - '0') + (p[1] - '0');
     p += 2;
-    if (*p == ':') {
-        if (!digits(p + 1, 2)) return false;
-        sec = 10 * (p[1] - '0') + (p[2] - '0');
-        p += 3;
+    if (compact ? digits(p, 1) : *p == ':') {
+        p += compact ? 0 : 1;
+        if (!digits(p, 2)) return false;
+        sec = 10 * (p[0] - '0') + (p[1] - '0');
+        p += 2;
         if (*p == '.' || *p == ',') {
             double number = 0.0, unit = 1.0;
             for (p++; *p >= '0' && *p <= '9'; p++)
@@ -187,22 +190,25 @@ bool telemetry_time_text(orr_view field, orr_scale usual, orr_time *at, double *
     *of_day_s = ORR_NAN;
     if (field.n == 0 || field.n >= sizeof text) return false;
     orr_view_copy(field, text, sizeof text);
-    const char *p = text, *divide = strpbrk(text, "Tt "), *colon = strchr(text, ':');
+    const char *p = text, *divide = strpbrk(text, "Tt ");
     int32_t mjd = 0;
     double s, east_s;
     bool leap;
-    if (colon == NULL) { // a date alone is its midnight
-        if (!telemetry_date_text(field, &mjd)) return false;
+    if (telemetry_date_text(field, &mjd)) { // a date alone is its midnight
         *at = orr_time_from_mjd(mjd, 0.0, usual, NULL);
         return true;
     }
-    bool dated = divide != NULL && divide < colon; // "TAI" behind the clock divides nothing
+    // A blank or T divides date and time where a digit follows; "TAI" behind the time divides nothing.
+    bool dated =
+        divide != NULL && divide[strspn(divide, "Tt ")] >= '0' && divide[strspn(divide, "Tt ")] <= '9';
     if (dated) {
         if (!telemetry_date_text((orr_view){text, (size_t)(divide - text)}, &mjd))
             return orr_time_parse(text, NULL, at, NULL) == ORR_OK; // days of the year
         p = divide + 1;
         while (*p == ' ') p++;
     }
+    // Without a date digits alone are a number, not a time of day.
+    if (!dated && strchr(text, ':') == NULL) return false;
     if (!take_clock(&p, &s, &leap) || !take_zone(p, &usual, &east_s)) return false;
     s -= east_s;
     if (!dated) {

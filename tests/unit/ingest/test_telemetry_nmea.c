@@ -228,6 +228,25 @@ static void whatever_stands_around_sentences(void **state)
     }
 }
 
+// Two sentences in one line, the first of them cut.
+static void sentences_that_share_a_line(void **state)
+{
+    (void)state;
+    text t = {0};
+    for (int k = 0; k < 10; k++) {
+        add(&t, k == 3 ? "$GPGGA,1000" : "",
+            "GPGGA,1000%02d.00,0000.0000,N,00000.0000,E,1,08,1.0,100.0,M,47.0,M,,", k);
+        t.n -= 2; // the line goes on
+        add(&t, "", "GPRMC,1000%02d.00,A,0000.000,N,00000.000,E,0.0,90.0,150824,,", k);
+    }
+    orr_warnings w = {0};
+    orr_telemetry log = read(&t, &w);
+    assert_int_equal(log.n_position, 10);
+    assert_string_equal(when(&log, 9), "2024-08-15T10:00:09Z");
+    assert_int_equal(w.count, 0);
+    orr_telemetry_free(&log);
+}
+
 // GNS sentences have places too, and repeat those of GGA where a log has both.
 static void places_of_gns(void **state)
 {
@@ -295,6 +314,7 @@ int main(void)
         cmocka_unit_test(without_a_date_the_time_of_day_stays),
         cmocka_unit_test(whatever_stands_around_sentences),
         cmocka_unit_test(places_of_gns),
+        cmocka_unit_test(sentences_that_share_a_line),
         cmocka_unit_test(heights_above_sea_level),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

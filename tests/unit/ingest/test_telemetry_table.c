@@ -43,6 +43,10 @@ static void instants_as_text(void **state)
                                        "time_utc_usec\n1723716000000000",
                                        "time\n2024-228T10:00:00Z",
                                        "instant\n1723716000.0",
+                                       "time\n20240815T100000Z",
+                                       "utc time\n2024-08-15T10:00:00.000000000001Z",
+                                       "sod;date\n36000.0;2024-08-15",
+                                       "gps time\n2024-08-15 10:00:18",
                                        "time;date\n10:00:00;2024-08-15",
                                        "date;time\n20240815;36000"};
     for (size_t k = 0; k < sizeof same / sizeof same[0]; k++) {
@@ -97,6 +101,10 @@ static void seconds_that_start_again(void **state)
     ASSERT_NEAR(t.period_s, 604800, 0);
     for (int k = 0; k < 3; k++) ASSERT_NEAR(t.position_t_s[k], 604799.8 + 0.2 * k, 1e-6);
     orr_telemetry_free(&t);
+    t = read("sod_ms,lat,lon,h\n86399000,1,2,3\n86399500,1,2,3\n0,1,2,3\n", NULL, NULL);
+    ASSERT_NEAR(t.period_s, 86400, 0);
+    ASSERT_NEAR(t.position_t_s[2], 86400, 1e-9);
+    orr_telemetry_free(&t);
     w = (orr_warnings){0};
     t = read("t,lat,lon,h\n5000,1,2,3\n5001,1,2,3\n0,1,2,3\n1,1,2,3\n", NULL, &w);
     ASSERT_NEAR(t.position_t_s[2], 0, 0);
@@ -145,6 +153,28 @@ static void units_of_autopilots(void **state)
     assert_true(told(&w, "1e-7 deg"));
     orr_warnings_free(&w);
     orr_telemetry_free(&t);
+}
+
+// Times that name no unit: milliseconds or microseconds where seconds would have the body creep, and told; a ship's rows
+// a minute apart, and a body at rest, stay what they are.
+static void clocks_without_a_unit(void **state)
+{
+    (void)state;
+    static const struct {
+        double step, metres, seconds;
+    } c[] = {{200, 2, 0.2}, {200000, 2, 0.2}, {60, 300, 60}, {1, 0.1, 1}, {200, 0, 200}, {20, 1, 0.02}};
+    for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
+        char text[2000] = "time,x,y,z\n";
+        for (int k = 0; k < 12; k++)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "%.0f,6378137,%.3f,0\n",
+                     1e6 + c[i].step * k, c[i].metres * k);
+        orr_warnings w = {0};
+        orr_telemetry t = read(text, NULL, &w);
+        ASSERT_NEAR(t.position_t_s[11] - t.position_t_s[10], c[i].seconds, 1e-6);
+        assert_int_equal(told(&w, "name no unit"), c[i].seconds != c[i].step);
+        orr_warnings_free(&w);
+        orr_telemetry_free(&t);
+    }
 }
 
 // Two tables of PX4 and two messages of ArduPilot: time, place and attitude by the names of their columns.
@@ -286,6 +316,7 @@ int main(void)
         cmocka_unit_test(decimal_commas),
         cmocka_unit_test(units_of_autopilots),
         cmocka_unit_test(columns_of_autopilots),
+        cmocka_unit_test(clocks_without_a_unit),
         cmocka_unit_test(quaternions),
         cmocka_unit_test(two_clocks),
         cmocka_unit_test(own_tables),
