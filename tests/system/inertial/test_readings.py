@@ -230,7 +230,7 @@ class Readings(Folder):
         self.assertLess(math.hypot(*vector(rows[-1], "v_east_mps", "v_north_mps", "v_up_mps")), 1e-6)
         nc = self.path("phases.nc")
         run("imu", "-q", path, "-o", nc)
-        self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4)
+        self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-4)
         self.assertIn("phase 2 (climb): the body is on the ground", run("track", self.scenario(
             "wrong.yaml", "trajectory: {kind: phases, lat: 50, lon: 20, phases: [{kind: rest, duration: 9}, {kind: climb, height: 9}]}\n"),
             status=1).stderr)
@@ -250,8 +250,8 @@ class Readings(Folder):
             x, y, z = turned(q, (1, 0, 0))
             for one, two in zip(turned(p, (1, 0, 0)), (y, x, -z)):
                 self.assertAlmostEqual(one, two, delta=1e-14)
-        self.assertAlmostEqual(run_json("nulltest", other, "--json")["position"]["max_3d_m"],
-                               run_json("nulltest", ours, "--json")["position"]["max_3d_m"], delta=1e-6)
+        self.assertAlmostEqual(run_json("nulltest", other, "--format", "json")["position"]["max_3d_m"],
+                               run_json("nulltest", ours, "--format", "json")["position"]["max_3d_m"], delta=1e-6)
         rows = [[list(csv.DictReader(line for line in run(command, *SURVEY[1:], *more, "-o", "-").stdout.splitlines() if line[0] != "#"))
                  for more in ((), ("--axes", "frd"))] for command in ("imu", "track")]
         for ours, other in rows:
@@ -287,7 +287,7 @@ class Readings(Folder):
                 run("gravimetry", nc, "--filter", "2", "--csv", series)
                 with open(series, encoding="ascii") as file:
                     true.append([float(r["true_mgal"]) for r in csv.DictReader(file)])
-                self.assertLess(run_json("nulltest", nc, "--json")["position"]["max_3d_m"], 1e-4, name)
+                self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-4, name)
             self.assertGreater(max(true[0]) - min(true[0]), 5)
             for other in true[1:]:
                 self.assertLess(max(abs(a - b) for a, b in zip(true[0], other)), 1e-4, name)
