@@ -67,10 +67,10 @@ orr_vec3 orr_gravity_model_gravitation(const orr_gravity_model *m, orr_vec3 r_m)
 // NULL is allowed.
 void orr_gravity_model_free(orr_gravity_model *m);
 
+typedef struct orr_geoid orr_geoid;
 // The height of the geoid over the ellipsoid, from a grid of GeographicLib's (name.pgm in folder `dir`; NULL:
 // where GeographicLib keeps its own, GEOGRAPHICLIB_GEOID_PATH), by cubic interpolation. name NULL: egm96-5, or
 // the next best that is there. One thread at a time. Errors: ORR_E_IO with the library's reason, ORR_E_MEMORY.
-typedef struct orr_geoid orr_geoid;
 orr_status orr_geoid_open(const char *name, const char *dir, orr_geoid **out, orr_diag *diag);
 // Metres to add to a height above sea level; NAN where the file cannot be read.
 double orr_geoid_height_m(const orr_geoid *g, double lat_rad, double lon_rad);

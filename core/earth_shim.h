@@ -46,9 +46,17 @@ void *orr_shim_gravity_open(const char *name, const char *dir, char *text, size_
 void orr_shim_gravity(const void *model, const double r_m[3], double g_mps2[3]);
 // Frees a model; NULL is allowed.
 void orr_shim_gravity_free(void *model);
-// A geoid of GeographicLib's; NULL and the reason in text if there is none. dir "" is GeographicLib's own folder.
+// Opens a geoid of GeographicLib's.
+//   Given:    name      of the grid
+//             dir       its folder; "": GeographicLib's own
+//             n         bytes of text
+//   Returned: text      why there is none
+//             no_memory whether that was memory
+//             NULL if there is none; free with orr_shim_geoid_free
 void *orr_shim_geoid_open(const char *name, const char *dir, char *text, size_t n, int *no_memory);
+// Height of the geoid over the ellipsoid, m; NAN where the grid cannot be read.
 double orr_shim_geoid_height(const void *geoid, double lat_deg, double lon_deg);
+// Closes it.
 void orr_shim_geoid_free(void *geoid);
 
 #ifdef __cplusplus
