@@ -95,11 +95,7 @@ static int print_views(orr_cli *cli, const orr_channels *c)
     if (list == NULL) return orr_cli_failf(cli, "out of memory");
     for (size_t a = 0; a < orr_channels_antennas(c); a++) {
         const orr_antenna *antenna = orr_channels_antenna(c, a);
-        orr_span span = orr_channels_span(c), moved;
-        if (antenna->motion != NULL && orr_source_motion_span(antenna->motion, &moved)) {
-            if (moved.from > span.from) span.from = moved.from;
-            if (moved.to < span.to) span.to = moved.to;
-        }
+        const orr_span span = orr_channels_antenna_span(c, a);
         printf("\nantenna %zu, %s%s%s, %s: satellites in view\n%-25s", a, antenna->name,
                antenna->type[0] != '\0' ? ", " : "", antenna->type,
                antenna->motion != NULL ? "on the body" : "fixed", "time (GPS)");

@@ -48,7 +48,12 @@ static int observe_antenna(simulation *s, size_t k, const orr_observe_plan *plan
 static int plan_of(orr_cli *c, const orr_channels *channels, orr_observe_plan *p)
 {
     char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
-    const orr_span span = orr_channels_span(channels);
+    orr_span span = orr_channels_span(channels);
+    for (size_t k = 0; k < orr_channels_antennas(channels); k++) { // while all antennas are there
+        const orr_span own = orr_channels_antenna_span(channels, k);
+        if (own.from > span.from) span.from = own.from;
+        if (own.to < span.to) span.to = own.to;
+    }
     const double hz = orr_cli_real(c, "rate", 1);
     p->step_ns = orr_cli_given(c, "step") ? orr_cli_duration_ns(c, "step", 0) : (int64_t)(1e9 / hz + 0.5);
     // By default on whole steps of the day, within the span.

@@ -36,7 +36,8 @@ typedef struct moment {
 // One satellite at a moment: what all its signals share.
 typedef struct ray {
     const channel_satellite *sat;
-    size_t place; // in c->satellite
+    size_t place;            // in c->satellite
+    orr_sat_state reception; // as the product has it at reception: what STATES and DELAYS speak of
     orr_light light;
     double az_rad, el_rad;
     orr_attitude attitude;
@@ -78,26 +79,28 @@ static double horizon_rad(const orr_scenario_mask *mask, double az_rad)
     return el * ORR_RAD_PER_DEG;
 }
 
+// Where the satellite stands, by its place at reception; false where it has no arc.
+static bool look(const moment *m, size_t place, ray *r)
+{
+    const orr_channels *c = m->c;
+    *r = (ray){.sat = &c->satellite[place], .place = place};
+    if (orr_ephemeris_eval(orr_source_orbit_ephemeris(c->orbits), r->sat->sat, m->t, &r->reception) != ORR_OK)
+        return false;
+    const orr_vec3 d = orr_mat3_apply(&m->at.enu, orr_vec3_sub(r->reception.pos_m, m->at.r_m));
+    const double az = atan2(d.x, d.y);
+    r->az_rad = az < 0 ? az + 2 * ORR_PI : az;
+    r->el_rad = atan2(d.z, hypot(d.x, d.y));
+    return true;
+}
+
 static bool seen(const moment *m, const ray *r)
 {
     const orr_scenario_mask *mask = &m->c->mask;
     if (!(r->el_rad >= horizon_rad(mask, r->az_rad))) return false;
     if (!mask->has_body || m->c->antenna[m->antenna].motion == NULL) return true;
-    const orr_vec3 own = orr_mat3_apply(&m->at.axes, r->light.u);
+    const orr_vec3 u = orr_vec3_unit(orr_vec3_sub(r->reception.pos_m, m->at.r_m)),
+                   own = orr_mat3_apply(&m->at.axes, u);
     return asin(fmin(fmax(own.z, -1), 1)) >= mask->body_deg * ORR_RAD_PER_DEG;
-}
-
-// The light and where it comes from; false where the satellite has no arc.
-static bool look(const moment *m, size_t place, ray *r)
-{
-    const orr_channels *c = m->c;
-    *r = (ray){.sat = &c->satellite[place], .place = place};
-    if (orr_light_from(orr_source_orbit_ephemeris(c->orbits), r->sat->sat, m->t, m->at.r_m, m->at.v_mps,
-                       &r->light) != ORR_OK)
-        return false;
-    double range;
-    orr_earth_look(m->at.r_m, r->light.reception.pos_m, &r->az_rad, &r->el_rad, &range);
-    return true;
 }
 
 // Satellite clock, with the scenario's policy for holes; false where there is no channel.
@@ -118,7 +121,7 @@ static bool set_clock(const orr_channels *c, ray *r)
 
 static void set_attitude(const moment *m, ray *r)
 {
-    const orr_sat_state *x = &r->light.reception;
+    const orr_sat_state *x = &r->reception;
     const orr_vec3 v = orr_velocity_inertial(x->pos_m, x->vel_mps);
     if (r->sat->orbit_normal) orr_attitude_orbit_normal(x->pos_m, v, m->sun_m, &r->attitude);
     r->has_attitude =
@@ -126,13 +129,16 @@ static void set_attitude(const moment *m, ray *r)
     if (r->has_attitude && r->attitude.fast_turn) r->flags |= ORR_CHANNEL_FAST_TURN;
 }
 
-// Terms that all signals of a satellite share.
+// The light and the terms that all signals of a satellite share; false where there is no channel.
 static bool trace(const moment *m, ray *r)
 {
     const orr_channels *c = m->c;
     const orr_light *l = &r->light;
     double *x = r->shared_m;
-    if (!set_clock(c, r)) return false;
+    if (orr_light_from(orr_source_orbit_ephemeris(c->orbits), m->t, &r->reception, m->at.r_m, m->at.v_mps,
+                       &r->light) != ORR_OK ||
+        !set_clock(c, r))
+        return false;
     x[ORR_TERM_DISTANCE] = l->distance_m;
     x[ORR_TERM_SAGNAC] = l->range_m - l->distance_m;
     if (c->options.shapiro) x[ORR_TERM_SHAPIRO] = orr_light_shapiro_m(m->at.r_m, l->sat_m, l->range_m);

@@ -91,6 +91,8 @@ typedef struct orr_transmitter {
 bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *out);
 // Stretch of time in which channels can be: of the orbits, less the flight of light, the ionosphere, and of the motion.
 orr_span orr_channels_span(const orr_channels *c);
+// The part of it in which an antenna is there: its trajectory's. `from` is after `to` where there is none.
+orr_span orr_channels_antenna_span(const orr_channels *c, size_t antenna);
 // How many channels an antenna can have at once: satellites times their signals.
 size_t orr_channels_max(const orr_channels *c);
 

@@ -11,6 +11,16 @@ const orr_antenna *orr_channels_antenna(const orr_channels *c, size_t antenna)
 
 uint64_t orr_channels_signals(const orr_channels *c) { return c != NULL ? c->signals : 0; }
 orr_span orr_channels_span(const orr_channels *c) { return c->span; }
+orr_span orr_channels_antenna_span(const orr_channels *c, size_t antenna)
+{
+    orr_span span = c->span, moved;
+    if (c->antenna[antenna].motion != NULL && orr_source_motion_span(c->antenna[antenna].motion, &moved)) {
+        if (moved.from > span.from) span.from = moved.from;
+        if (moved.to < span.to) span.to = moved.to;
+    }
+    return span;
+}
+
 size_t orr_channels_max(const orr_channels *c) { return c != NULL ? c->max_channels : 0; }
 
 bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *channel)

@@ -11,35 +11,34 @@ static orr_vec3 turned(orr_vec3 v, double angle_rad)
     return (orr_vec3){c * v.x + s * v.y, c * v.y - s * v.x, v.z};
 }
 
-// State tau before t; the product is asked at the nearest whole nanosecond and carried on from there.
-static orr_status emitted(const orr_ephemeris *e, orr_sat sat, orr_time t, double tau_s, orr_sat_state *out)
+// State at emission, tau before t. The product is asked once, at the nearest whole nanosecond of the first estimate; from there
+// less than a microsecond is left, which two derivatives carry to 1e-18 m.
+static void carry(const orr_sat_state *from, double dt_s, orr_sat_state *out)
 {
-    const double ns = tau_s * 1e9, whole = nearbyint(ns), rest_s = (whole - ns) * 1e-9;
-    const orr_status s = orr_ephemeris_eval(e, sat, orr_time_add(t, -(int64_t)whole), out);
-    if (s != ORR_OK) return s;
-    out->pos_m = orr_vec3_axpy(rest_s, out->vel_mps, out->pos_m);
-    out->vel_mps = orr_vec3_axpy(rest_s, out->acc_mps2, out->vel_mps);
-    out->clock_s += rest_s * out->clock_rate_sps;
-    return ORR_OK;
+    *out = *from;
+    out->pos_m =
+        orr_vec3_axpy(dt_s * dt_s / 2, from->acc_mps2, orr_vec3_axpy(dt_s, from->vel_mps, from->pos_m));
+    out->vel_mps = orr_vec3_axpy(dt_s, from->acc_mps2, from->vel_mps);
+    out->clock_s += dt_s * from->clock_rate_sps;
 }
 
-orr_status orr_light_from(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_vec3 r_m, orr_vec3 v_mps,
-                          orr_light *out)
+orr_status orr_light_from(const orr_ephemeris *e, orr_time t, const orr_sat_state *reception, orr_vec3 r_m,
+                          orr_vec3 v_mps, orr_light *out)
 {
     const double w = ORR_EARTH_RATE_RADPS, c = ORR_LIGHT_MPS;
-    orr_status status = orr_ephemeris_eval(e, sat, t, &out->reception);
+    double tau = orr_vec3_norm(orr_vec3_sub(reception->pos_m, r_m)) / c;
+    const int64_t before_ns = llround(tau * 1e9);
+    orr_sat_state near;
+    const orr_status status = orr_ephemeris_eval(e, reception->sat, orr_time_add(t, -before_ns), &near);
     if (status != ORR_OK) return status;
-    double tau = orr_vec3_norm(orr_vec3_sub(out->reception.pos_m, r_m)) / c;
     orr_vec3 d = {0, 0, 0};
-    for (int step = 0; status == ORR_OK && step < 3; step++) {
-        status = emitted(e, sat, t, tau, &out->emission);
-        if (status != ORR_OK) break;
+    for (int step = 0; step < 3; step++) {
+        carry(&near, (double)before_ns * 1e-9 - tau, &out->emission);
         out->sat_m = turned(out->emission.pos_m, w * tau);
         d = orr_vec3_sub(out->sat_m, r_m);
         out->range_m = orr_vec3_norm(d);
         tau = out->range_m / c;
     }
-    if (status != ORR_OK) return status;
     out->tau_s = tau;
     out->u = orr_vec3_scale(1 / out->range_m, d);
     const orr_vec3 earth = {0, 0, w}, v = turned(out->emission.vel_mps, w * tau);
