@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery gravimetry: the gravity disturbance back from readings and trajectory.
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/outfile.h"
 #include "inertial/gravimetry/gravimetry.h"
 #include "inertial/readings/imu_file.h"
+#include "ingest/telemetry/telemetry.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
 #include "src/cli/frame/options.h"
@@ -21,9 +24,52 @@ static orr_status write_csv(const char *path, const orr_gravimetry_result *r, co
     for (size_t k = 0; k < r->n; k++)
         fprintf(f.stream, "%.6f,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", r->t_s[k], r->recovered_mgal[k],
                 r->true_mgal[k], r->recovered_filtered_mgal[k], r->true_filtered_mgal[k],
-                0.5 * (t->eotvos_mgal[k] + t->eotvos_mgal[k + 1]),
-                0.5 * (t->vertical_mps2[k] + t->vertical_mps2[k + 1]));
+                0.5 * (t->eotvos_mgal[r->first + k] + t->eotvos_mgal[r->first + k + 1]),
+                0.5 * (t->vertical_mps2[r->first + k] + t->vertical_mps2[r->first + k + 1]));
     return orr_outfile_commit(&f, diag);
+}
+
+// A receiver's track as times after `t0` and places; the arrays are to be freed.
+static orr_status read_track(const orr_cli *c, orr_time t0, orr_gravimetry_track *out, orr_warnings *warnings,
+                             orr_diag *diag)
+{
+    orr_telemetry log;
+    const char *path = orr_cli_text(c, "track", NULL);
+    orr_status s = orr_telemetry_read(path, orr_cli_text(c, "columns", NULL), &log, warnings, diag);
+    if (s != ORR_OK) return s;
+    double *t_s = malloc((log.n_position + 1) * sizeof *t_s);
+    orr_vec3 *r_m = malloc((log.n_position + 1) * sizeof *r_m);
+    out->t_s = t_s;
+    out->r_m = r_m;
+    if (t_s == NULL || r_m == NULL)
+        s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for a track");
+    else if (!log.absolute)
+        s = orr_diag_at(diag, ORR_E_NODATA, path, 0, 0,
+                        "its times are no instants (a column t[gps] or week and tow)");
+    for (size_t k = 0; s == ORR_OK && k < log.n_position; k++) {
+        t_s[k] = orr_time_diff_s(log.t0, t0) + log.position_t_s[k];
+        r_m[k] = orr_earth_to_ecef(log.position[k]);
+        if (k > 0 && !(t_s[k] > t_s[k - 1]))
+            s = orr_diag_at(diag, ORR_E_FORMAT, path, log.position_line[k], 0,
+                            "its time is not after that of the place before");
+    }
+    out->n = log.n_position;
+    orr_telemetry_free(&log);
+    return s;
+}
+
+// RIGHT,FORWARD,UP in metres.
+static bool parse_arm(const char *text, orr_vec3 *out)
+{
+    char *end;
+    double v[3];
+    for (int k = 0; k < 3; k++) {
+        v[k] = strtod(text, &end);
+        if (end == text || *end != (k < 2 ? ',' : '\0') || !(fabs(v[k]) <= 1000)) return false;
+        text = end + 1;
+    }
+    *out = (orr_vec3){v[0], v[1], v[2]};
+    return true;
 }
 
 static int run(orr_cli *c)
@@ -43,7 +89,23 @@ static int run(orr_cli *c)
         return orr_cli_failf(c, "%s holds no true gravity to compare with", c->operand[0]);
     }
     double sigma_s = (double)orr_cli_duration_ns(c, "filter", 10 * ORR_NS_PER_S) * 1e-9;
-    s = orr_gravimetry_recover(&f.imu, &f.gravimetry, sigma_s, &r, &diag);
+    orr_gravimetry_track track = {.n = 0};
+    const bool tracked = orr_cli_given(c, "track");
+    if (!parse_arm(orr_cli_text(c, "arm", "0,0,0"), &track.arm_m)) {
+        orr_imu_file_free(&f);
+        return orr_cli_usage(c, "--arm \"%s\" is no RIGHT,FORWARD,UP in metres", orr_cli_text(c, "arm", ""));
+    }
+    if (tracked) {
+        orr_warnings warnings = {0};
+        s = read_track(c, f.imu.t0, &track, &warnings, &diag);
+        orr_cli_warnings(c, &warnings);
+        orr_warnings_free(&warnings);
+    }
+    r = (orr_gravimetry_result){.n = 0};
+    if (s == ORR_OK)
+        s = orr_gravimetry_recover(&f.imu, &f.gravimetry, tracked ? &track : NULL, sigma_s, &r, &diag);
+    free((void *)(uintptr_t)track.t_s);
+    free((void *)(uintptr_t)track.r_m);
     if (s == ORR_OK) {
         if (path != NULL) s = write_csv(path, &r, &f.gravimetry, &diag);
         double low = r.true_mgal[0], high = low;
@@ -77,6 +139,22 @@ static const orr_option options[] = {
      .kind = ORR_OPT_DURATION,
      .value = "S",
      .help = "Standard deviation of the Gaussian filter. Default 10 s."},
+    {.name = "track",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Places of a receiver's antenna (a table as of `orrery track`) in place of the true motion; "
+             "attitude then comes "
+             "from the readings alone."},
+    {.name = "columns",
+     .kind = ORR_OPT_TEXT,
+     .value = "LIST",
+     .applies = "track",
+     .help = "Columns of the track, e.g. \"t[gps],x,y,z\"."},
+    {.name = "arm",
+     .kind = ORR_OPT_TEXT,
+     .value = "R,F,U",
+     .applies = "track",
+     .help = "The antenna from the unit: right, forward, up, m; none by default."},
     {.writes = true,
      .name = "csv",
      .kind = ORR_OPT_TEXT,
@@ -100,7 +178,8 @@ const orr_command orr_cmd_gravimetry = {
              "off the measured force; what "
              "is left is the gravity disturbance. It is compared with the true one after a Gaussian filter "
              "on both.",
-    .example = "orrery imu samples/survey.yaml -o imu.nc\norrery gravimetry imu.nc --csv gravity.csv",
+    .example = "orrery imu samples/survey.yaml -o imu.nc\norrery gravimetry imu.nc --csv gravity.csv\n"
+               "orrery gravimetry flight/imu-0.nc --track rtk.csv --arm 0.2,1.5,1.1 --filter 27",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,
