@@ -296,26 +296,25 @@ const orr_command orr_cmd_compare = {
     .operands = "PRODUCT|SP3 TRUTH.sp3...",
     .min_operands = 2,
     .max_operands = -1,
-    .about = "The first file is an orbit product or an SP3 file; of two SP3 files the epochs that both have "
-             "are compared. "
-             "Epochs that the product was made from are left out, unless --inputs asks for them. Places: "
-             "inner is at least 2 h from the "
-             "satellite's first and "
-             "last input node, edge within 45 min of one of them, gap between nodes further apart than twice "
-             "the usual step.\n\n"
-             "The truth's velocity is its V record; without one it is the derivative of a least-squares "
-             "polynomial through the "
-             "truth's own positions within about an hour, in axes that do not rotate (good to 5e-7 m/s; near "
-             "a file's ends, where "
-             "the positions lie on one side, the rounding of SP3 makes it 1e-5 m/s).\n\n"
-             "V records are not always the derivatives of the positions beside them (some centres leave out "
-             "the turning of the "
-             "equator, 6e-5 m/s): --velocity positions tells.\n\n"
-             "JSON keys: "
-             "systems.G.inner.{n,satellites,rms_mm,p95_mm,max_mm,vel_n,vel_rms_mps,mean_mm,radial.{rms_mm,"
-             "mean_mm},along,cross}, the "
-             "same for edge and gap "
-             "and for each system; satellites; left_out.",
+    .about =
+        "The first file is an orbit product or an SP3 file; of two SP3 files the epochs that both have "
+        "are compared. "
+        "Epochs that the product was made from are left out, unless --inputs asks for them. Places: "
+        "inner is at least 2 h from the "
+        "satellite's first and "
+        "last input node, edge within 45 min of one of them, gap between nodes further apart than twice "
+        "the usual step.\n\n"
+        "The truth's velocity is its V record; without one it is the derivative of a least-squares "
+        "polynomial through the "
+        "truth's own positions within about an hour, in axes that do not rotate (good to 5e-7 m/s; near "
+        "a file's ends, where "
+        "the positions lie on one side, the rounding of SP3 makes it 1e-5 m/s).\n\n"
+        "V records are not always the derivatives of the positions beside them (some centres leave out "
+        "the turning of the "
+        "equator, 6e-5 m/s): --velocity positions tells.\n\n"
+        "JSON keys: of systems.G.inner n, satellites, rms_mm, p95_mm, max_mm, vel_n, vel_rms_mps, mean_mm, "
+        "and radial, along, cross with rms_mm and mean_mm each; the same for edge and gap, and for each "
+        "system; satellites; left_out.",
     .example = "orrery orbit -o day.nc --nodes 900 COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery compare day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz",
     .n_options = sizeof options / sizeof options[0],

@@ -100,6 +100,8 @@ class Signals(Folder):
             "nulltest": [fifo],
             "gravimetry": [fifo],
             "track": ["--telemetry", fifo, "-o", out],
+            "check": [fifo],
+            "simulate": [fifo, "-o", out],
             "serve": [fifo],
             "inspect": [fifo],
             "convert": [fifo, "-o", out],
