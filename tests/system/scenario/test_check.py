@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`orrery check` and `orrery simulate`: what they say of a scenario, and that what cannot be is refused with a sentence."""
 import csv
+import datetime
 import pathlib
 import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from program import Folder, run, sample  # noqa: E402
+from program import Folder, data, run, sample  # noqa: E402
 
 FIXED = "antennas: [{name: A, position: [52, 17, 124]}]\n"
 
@@ -67,6 +68,37 @@ class Check(Folder):
         for row in rows:
             # Each term is printed to 1e-9 m; the sum of doubles at 2e7 m holds 4e-9.
             self.assertAlmostEqual(float(row["code_m"]), sum(float(row[k]) for k in terms), delta=2.5e-8)
+
+class Delays(Folder):
+    """Real orbits, clocks and biases: what the message tells of a satellite's clock is what the channel has."""
+
+    def test_message_and_channel_have_one_clock(self):
+        orbit = self.path("day.nc")
+        run("orbit", "-q", "-o", orbit, "--sat", "G01-G12", data("2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"))
+        bias = data("2024-035/COD0OPSFIN_20240350000_01D_01D_OSB.BIA.gz")
+        path = pathlib.Path(self.path("scenario.yaml"))
+        path.write_text(f"orbit: {{product: {orbit}}}\nnavdata: {{bias: {bias}}}\nsignals: ['G:L1P', 'G:L2P']\n{FIXED}", encoding="ascii")
+        run("simulate", path, "-o", self.path("run"), "--from", "2024-02-04T10:00:00", "--to", "2024-02-04T14:00:00", "--step", "30min",
+            "--truth-step", "30min", "--no-imu")
+        sets = {}
+        text = pathlib.Path(self.path("run/broadcast.rnx")).read_text(encoding="ascii").splitlines()
+        for i, line in enumerate(text):
+            if line[:1] == "G" and line[1:3].isdigit() and line[3:8] == " 2024":
+                field = [float(text[i + k][4 + 19 * j:23 + 19 * j].replace("D", "E")) for k, j in ((6, 2),)]
+                toc = datetime.datetime(*map(int, line[4:23].split()))
+                sets.setdefault(line[:3], []).append((toc, float(line[23:42].replace("D", "E")), float(line[42:61].replace("D", "E")), field[0]))
+        worst, seen = 0.0, 0
+        for row in csv.DictReader(pathlib.Path(self.path("run/A-channels.csv")).read_text(encoding="ascii").splitlines()):
+            t = datetime.datetime.fromisoformat(row["t_gps"])
+            toc, af0, af1, tgd = min(sets[row["sat"]], key=lambda x: abs(x[0] - t))
+            factor = 1 if row["signal"] == "L1P" else (1575.42 / 1227.60) ** 2
+            told = af0 + af1 * (t - toc).total_seconds() - factor * tgd
+            played = -(float(row["satellite_clock_m"]) + float(row["group_delay_m"])) / 299792458.0
+            worst, seen = max(worst, abs(told - played)), seen + 1
+        self.assertGreater(seen, 40)
+        print(f"{seen} channels: message and channel differ by {1e9 * worst:.2f} ns at most")
+        # Half an LSB of af0 and of TGD (0.23 ns each, on L2 0.38), and what the clock is off a straight line (0.2 ns).
+        self.assertLess(worst, 0.9e-9)
 
 
 if __name__ == "__main__":
