@@ -633,11 +633,10 @@ static bool next_u16(const void *list, orr_wire_iter *it, void *out)
 static const orr_field fields_poll_channels[] = {
     {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "antenna", .unit = "", .doc = "which antenna of CAPS", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, antenna), .in_text = true, .text_name = "antenna", .text_factor = 1.0, .in_table = true, .head = "antenna", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "terms", .unit = "", .doc = "1: with what each code is the sum of; 0: without", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, terms), .in_text = true, .text_name = "terms", .text_factor = 1.0, .in_table = true, .head = "terms", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "terms", .unit = "", .doc = "1: with what each code is the sum of; 0: without", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, terms), .in_text = true, .text_name = "terms", .text_factor = 1.0, .in_table = true, .head = "terms", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "signals", .unit = "", .doc = "which signals of CAPS; empty for all", .kind = ORR_FIELD_LIST, .element = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_channels, signals), .limit = 64, .next = next_u16, .in_text = true, .text_name = "signals", .text_factor = 1.0, .in_table = true, .head = "signals", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_poll_channels = {"poll_channels", fields_poll_channels, 5, sizeof(orr_msg_poll_channels), false, false};
+static const orr_record record_poll_channels = {"poll_channels", fields_poll_channels, 4, sizeof(orr_msg_poll_channels), false, false};
 
 static orr_wire_status encode_poll_channels(const void *m, orr_wire_writer *w)
 {

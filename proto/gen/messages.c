@@ -2317,8 +2317,7 @@ static void put_poll_channels(orr_wire_writer *w, const orr_msg_poll_channels *m
     if (p == NULL) return;
     store_epochs(p + 0, &m->epochs);
     orr_wire_store_u16(p + 20, m->antenna);
-    orr_wire_store_u8(p + 22, m->terms);
-    orr_wire_store_u8(p + 23, m->reserved);
+    orr_wire_store_u16(p + 22, m->terms);
     put_u16_list(w, &m->signals, 64);
 }
 
@@ -2329,8 +2328,7 @@ static void get_poll_channels(orr_wire_reader *r, orr_msg_poll_channels *m)
     if (p == NULL) return;
     load_epochs(p + 0, &m->epochs);
     m->antenna = orr_wire_load_u16(p + 20);
-    m->terms = orr_wire_load_u8(p + 22);
-    m->reserved = orr_wire_load_u8(p + 23);
+    m->terms = orr_wire_load_u16(p + 22);
     get_u16_list(r, &m->signals, 64);
 }
 

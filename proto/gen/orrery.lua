@@ -367,8 +367,7 @@ records.delays = {fields = {
 records.poll_channels = {fields = {
     {name = "epochs", kind = "struct", record = "epochs"},
     {name = "antenna", kind = "scalar", scalar = "u16"},
-    {name = "terms", kind = "scalar", scalar = "u8"},
-    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "terms", kind = "scalar", scalar = "u16"},
     {name = "signals", kind = "list", scalar = "u16", limit = 64},
 }}
 records.channels = {fields = {

@@ -1073,8 +1073,7 @@ bool orr_msg_u16_at(const orr_msg_u16_list *list, uint16_t index, uint16_t *out)
 typedef struct orr_msg_poll_channels {
     orr_msg_epochs epochs; // when
     uint16_t antenna; // which antenna of CAPS
-    uint8_t terms; // 1: with what each code is the sum of; 0: without
-    uint8_t reserved; // 0
+    uint16_t terms; // 1: with what each code is the sum of; 0: without
     orr_msg_u16_list signals; // which signals of CAPS; empty for all
 } orr_msg_poll_channels;
 #define ORR_MSG_POLL_CHANNELS_LARGEST 156u

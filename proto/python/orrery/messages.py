@@ -1303,7 +1303,6 @@ class PollChannels(Record):
     epochs: when
     antenna: which antenna of CAPS
     terms: 1: with what each code is the sum of; 0: without
-    reserved: 0
     signals: which signals of CAPS; empty for all
     """
 
@@ -1311,15 +1310,13 @@ class PollChannels(Record):
     LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
         Field("antenna", "scalar", scalar="u16"),
-        Field("terms", "scalar", scalar="u8"),
-        Field("reserved", "scalar", scalar="u8"),
+        Field("terms", "scalar", scalar="u16"),
         Field("signals", "list", scalar="u16", limit=64),
     )
 
     epochs: Epochs = dataclasses.field(default_factory=Epochs)
     antenna: int = 0
     terms: int = 0
-    reserved: int = 0
     signals: list[int] = dataclasses.field(default_factory=list)
 
     @property

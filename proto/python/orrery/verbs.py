@@ -88,24 +88,22 @@ class Verbs(Asking):
                             carriers_hz=[float(x) for x in carriers_hz], satellites=[sat_id(s) for s in satellites]),
                             messages.Delays)
 
-    def poll_channels(self, t: Time, step_s: float = 0.0, count: int = 1, antenna: int = 0, terms: int = 0, reserved: int = 0,
+    def poll_channels(self, t: Time, step_s: float = 0.0, count: int = 1, antenna: int = 0, terms: int = 0,
                       signals: Iterable[int] = ()) -> Iterator[messages.Channels]:
         """Yields the Channels of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for the blocks of an
         antenna's channels that hold the epochs. The same POLL_CHANNELS gets the same bytes, always.
 
         antenna: which antenna of CAPS
         terms: 1: with what each code is the sum of; 0: without
-        reserved: 0
         signals: which signals of CAPS; empty for all
         """
         return self._series(messages.PollChannels(messages.Epochs(time_tag(t), step_ns(step_s), 1), antenna=antenna, terms=terms,
-                            reserved=reserved, signals=[int(x) for x in signals]), messages.Channels, count)
+                            signals=[int(x) for x in signals]), messages.Channels, count)
 
-    def channels(self, t: Time, antenna: int = 0, terms: int = 0, reserved: int = 0,
-                 signals: Iterable[int] = ()) -> messages.Channels:
+    def channels(self, t: Time, antenna: int = 0, terms: int = 0, signals: Iterable[int] = ()) -> messages.Channels:
         """The Channels of one epoch; poll_channels says more."""
         return self._single(messages.PollChannels(messages.Epochs(time_tag(t), 0, 1), antenna=antenna, terms=terms,
-                            reserved=reserved, signals=[int(x) for x in signals]), messages.Channels)
+                            signals=[int(x) for x in signals]), messages.Channels)
 
     def poll_imu(self, t: Time, step_s: float = 0.0, count: int = 1, unit: int = 0) -> Iterator[messages.Imu]:
         """Yields the Imu of `count` epochs from t on, step_s apart (rounded to a nanosecond). t, step_s, count: begins of the

@@ -131,7 +131,12 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    ORR_OPTION_OUTPUT_AS(.required = true, .help = "Folder of the files; made if it is not there."),
+    {.name = "output",
+     .letter = 'o',
+     .kind = ORR_OPT_TEXT,
+     .value = "DIR",
+     .required = true,
+     .help = "Folder of the files; made if it is not there."},
     ORR_OPTION_FROM(.help = "First epoch; the first whole step that the scenario has by default."),
     ORR_OPTION_TO(.help = "Last epoch; the end of the scenario by default."),
     ORR_OPTION_STEP(.applies = "!rate", .help = "From one epoch to the next; 1 s by default."),
