@@ -288,7 +288,7 @@ static void a_half_closed_client_gets_its_answer(void **state)
     int fd = raw(b);
     assert_int_equal(send(fd, frame, n, 0), (ssize_t)n);
     shutdown(fd, SHUT_WR);
-    assert_int_equal(read_to_end(fd, buf, sizeof buf), 100 * (20 + 21 + 3 * 116));
+    assert_int_equal(read_to_end(fd, buf, sizeof buf), 100 * (20 + 21 + 3 * ORR_MSG_SAT_STATE_SIZE));
     close(fd);
     finish(b);
 }
