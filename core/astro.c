@@ -106,11 +106,21 @@ static double node_tai(const orr_eop_series *s, size_t i, const orr_leap_table *
     return s->mjd_utc[i] + leap_at_mjd(s->mjd_utc[i], leap) / (double)ORR_S_PER_DAY;
 }
 
+// Daily values are a series; over a longer gap nobody knows what the pole did.
+#define SERIES_GAP_DAYS 3.0
+
+// Whether nodes i and i + 1 belong together.
+static bool joined(const orr_eop_series *s, size_t i)
+{
+    return s->mjd_utc[i + 1] - s->mjd_utc[i] <= SERIES_GAP_DAYS + 1e-6;
+}
+
 // Between nodes lo and lo + 1; `at` in days of TAI.
 static orr_eop inside_series(const orr_eop_series *s, size_t lo, double at, orr_time t,
                              const orr_leap_table *leap)
 {
-    size_t first = lo > 0 ? lo - 1 : 0, last = lo + 2 < s->n ? lo + 2 : lo + 1;
+    size_t first = lo > 0 && joined(s, lo - 1) ? lo - 1 : lo;
+    size_t last = lo + 2 < s->n && joined(s, lo + 1) ? lo + 2 : lo + 1;
     int n = (int)(last - first + 1), k = (int)(lo - first);
     double x[4], xp[4], yp[4], ut1[4];
     for (int i = 0; i < n; i++) {
@@ -142,6 +152,18 @@ static double carried(double difference, double slope_difference, double dt, dou
     return difference + slope_difference * SLOPE_DECAY_DAYS * (1 - rest) * (dt < 0 ? -1 : 1);
 }
 
+// Node i, with the slopes of the side that it ends or begins; of a node that stands alone the secular ones.
+static orr_eop at_node(const orr_eop_series *s, size_t i, orr_time t, const orr_leap_table *leap)
+{
+    if (i > 0 && joined(s, i - 1)) return inside_series(s, i - 1, node_tai(s, i, leap), t, leap);
+    if (i + 1 < s->n && joined(s, i)) return inside_series(s, i, node_tai(s, i, leap), t, leap);
+    orr_eop e = unmeasured(t, leap);
+    e.xp_rad = s->value[i].xp_rad;
+    e.yp_rad = s->value[i].yp_rad;
+    e.ut1_utc_s = s->value[i].ut1_utc_s;
+    return e;
+}
+
 // Beyond a series' end, dt days from it: no step and no kink.
 static orr_eop beyond_series(const orr_eop *end, orr_time t_end, double dt, orr_time t,
                              const orr_leap_table *leap)
@@ -160,6 +182,36 @@ static orr_eop beyond_series(const orr_eop *end, orr_time t_end, double dt, orr_
     return e;
 }
 
+// What node i and nothing else says of t; `at` is t in days of TAI.
+static orr_eop carried_from(const orr_eop_series *s, size_t i, double at, orr_time t,
+                            const orr_leap_table *leap)
+{
+    const double x = node_tai(s, i, leap);
+    const orr_time t_node = orr_time_add_s(t, (x - at) * ORR_S_PER_DAY);
+    const orr_eop node = at_node(s, i, t_node, leap);
+    return beyond_series(&node, t_node, at - x, t, leap);
+}
+
+// Between two nodes that do not belong together: from what the one says of t to what the other does, without a step or
+// a kink.
+static orr_eop across_gap(const orr_eop_series *s, size_t lo, double at, orr_time t,
+                          const orr_leap_table *leap)
+{
+    const orr_eop a = carried_from(s, lo, at, t, leap), b = carried_from(s, lo + 1, at, t, leap);
+    const double h = node_tai(s, lo + 1, leap) - node_tai(s, lo, leap), u = (at - node_tai(s, lo, leap)) / h;
+    const double w = u * u * (3 - 2 * u), per_s = 6 * u * (1 - u) / (h * ORR_S_PER_DAY);
+    orr_eop e;
+    e.xp_rad = a.xp_rad + w * (b.xp_rad - a.xp_rad);
+    e.yp_rad = a.yp_rad + w * (b.yp_rad - a.yp_rad);
+    e.ut1_utc_s = a.ut1_utc_s + w * (b.ut1_utc_s - a.ut1_utc_s);
+    e.xp_rate_radps =
+        a.xp_rate_radps + w * (b.xp_rate_radps - a.xp_rate_radps) + per_s * (b.xp_rad - a.xp_rad);
+    e.yp_rate_radps =
+        a.yp_rate_radps + w * (b.yp_rate_radps - a.yp_rate_radps) + per_s * (b.yp_rad - a.yp_rad);
+    e.lod_s = a.lod_s + w * (b.lod_s - a.lod_s) - per_s * ORR_S_PER_DAY * (b.ut1_utc_s - a.ut1_utc_s);
+    return e;
+}
+
 orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series)
 {
     if (leap == NULL) leap = orr_leap_builtin();
@@ -169,12 +221,7 @@ orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *le
     const double at = tai.whole + tai.fraction;
     size_t lo = 0, hi = s->n - 1;
     const double first = node_tai(s, 0, leap), last = node_tai(s, hi, leap);
-    if (at < first || at > last) {
-        const double x = at < first ? first : last;
-        const orr_time t_end = orr_time_add_s(t, (x - at) * ORR_S_PER_DAY);
-        const orr_eop end = inside_series(s, at < first ? 0 : hi - 1, x, t_end, leap);
-        return beyond_series(&end, t_end, at - x, t, leap);
-    }
+    if (at < first || at > last) return carried_from(s, at < first ? 0 : hi, at, t, leap);
     while (hi - lo > 1) {
         size_t mid = lo + (hi - lo) / 2;
         if (at >= node_tai(s, mid, leap))
@@ -182,6 +229,7 @@ orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *le
         else
             hi = mid;
     }
+    if (!joined(s, lo)) return across_gap(s, lo, at, t, leap);
     if (from_series != NULL) *from_series = true;
     return inside_series(s, lo, at, t, leap);
 }

@@ -29,8 +29,8 @@ typedef struct orr_eop_series {
 // than two entries the IERS secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t - 2000) mas (t
 // in years; IERS Conventions 2010, updated 2018, 7.1.4), and UT1 as the leap seconds tell it: a smooth curve
 // through the middle of each step, right to 0.4 s; UT1 - UTC = LOD = 0 from three years after the last one
-// on. Before and after a series its last value and slope are carried on, the slope for some ten days.
-// *from_series (may be NULL) tells whether the series covers t.
+// on. Before and after a series its last value and slope are carried on, the slope for some ten days; so are both ends
+// of a gap of more than three days, and blended. *from_series (may be NULL) tells whether the series covers t.
 orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series);
 
 // The rotation from GCRS to ITRS: r_itrs = R r_gcrs, v_itrs = R v_gcrs + dR r_gcrs.

@@ -247,6 +247,46 @@ static void series_and_its_ends(void **state)
     assert_false(inside);
 }
 
+// Over a gap of more than three days a series says nothing: both ends are carried on and blended without a step or a kink,
+// and far inside the gap of a year only the offsets at its ends are left.
+static void gaps_are_no_series(void **state)
+{
+    (void)state;
+    double mjd[] = {60344, 60345, 60346, 60346 + 365, 60347 + 365};
+    orr_eop value[5] = {0};
+    for (int i = 0; i < 5; i++)
+        value[i] = (orr_eop){.xp_rad = (100 + 3 * i + (i > 2 ? 60 : 0)) * 1e-9,
+                             .yp_rad = (1500 - 2 * i) * 1e-9,
+                             .ut1_utc_s = 0.01 - 0.001 * i + (i > 2 ? 0.05 : 0)};
+    const orr_eop_series series = {5, mjd, value};
+    bool inside;
+    const orr_time first = orr_time_from_mjd(60346, 0, ORR_SCALE_UTC, NULL),
+                   last = orr_time_from_mjd(60346 + 365, 0, ORR_SCALE_UTC, NULL);
+    (void)orr_eop_at(&series, first - ORR_NS_PER_S, NULL, &inside);
+    assert_true(inside);
+    orr_eop mid = orr_eop_at(&series, first + (last - first) / 2, NULL, &inside);
+    assert_false(inside);
+    // Between the ends plus what their slopes carry in ten days each (3e-9 and 2 ms a day at most).
+    assert_true(mid.xp_rad > 100e-9 && mid.xp_rad < 250e-9);
+    assert_true(fabs(mid.ut1_utc_s) < 0.2);
+    const orr_time edges[2] = {first, last};
+    for (int k = 0; k < 2; k++) {
+        orr_eop a = orr_eop_at(&series, edges[k] - 1000, NULL, NULL),
+                b = orr_eop_at(&series, edges[k] + 1000, NULL, NULL);
+        ASSERT_NEAR(a.xp_rad, b.xp_rad, 1e-16);
+        ASSERT_NEAR(a.ut1_utc_s, b.ut1_utc_s, 1e-12);
+        ASSERT_NEAR(a.xp_rate_radps, b.xp_rate_radps, 1e-19);
+        ASSERT_NEAR(a.lod_s, b.lod_s, 1e-9);
+    }
+    // The rates are the derivatives of the values in the gap too.
+    const orr_time t = first + 20 * 86400 * ORR_NS_PER_S;
+    orr_eop a = orr_eop_at(&series, t - 600 * ORR_NS_PER_S, NULL, NULL),
+            b = orr_eop_at(&series, t, NULL, NULL),
+            c = orr_eop_at(&series, t + 600 * ORR_NS_PER_S, NULL, NULL);
+    ASSERT_NEAR((c.xp_rad - a.xp_rad) / 1200, b.xp_rate_radps, 1e-18);
+    ASSERT_NEAR(-(c.ut1_utc_s - a.ut1_utc_s) / 1200 * 86400, b.lod_s, 1e-8);
+}
+
 // Without a series the Earth turns on evenly where UTC steps, UT1 stays within 0.4 s of what it was (IERS EOP
 // C04), its derivative is its derivative, and from 2020 on UT1 is UTC.
 static void ut1_without_a_series_has_no_step(void **state)
@@ -311,6 +351,7 @@ int main(void)
         cmocka_unit_test(sun_and_moon_at_erfas_check_values),
         cmocka_unit_test(a_total_eclipse),
         cmocka_unit_test(series_and_its_ends),
+        cmocka_unit_test(gaps_are_no_series),
         cmocka_unit_test(ut1_without_a_series_has_no_step),
         cmocka_unit_test(series_is_smooth_at_its_nodes),
     };
