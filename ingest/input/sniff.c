@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ingest/input/sniff.h"
 
+#include <math.h>
 #include <string.h>
 #include <strings.h>
+
+#include "core/time.h"
 
 static const struct {
     const char *token, *name;
@@ -143,6 +146,9 @@ static bool sniff_words(orr_view line, orr_sniffed *s)
         orr_kind kind;
     } words[] = {
         {"MJD", "UT1", ORR_KIND_ERP},
+        {"EOP", "C04",
+         ORR_KIND_ERP}, // the IERS' C04; its lines of text begin so in 08 and 14, with '#' in 20
+        {"# EOP", "C04", ORR_KIND_ERP},
         {"MODEL NUMBER / STATION NAME", "", ORR_KIND_ION},
         {"MAXIMUM DEGREE OF SPHERICAL HARMONICS", "", ORR_KIND_ION},
         {"DIFFERENTIAL (", "CODE BIASES", ORR_KIND_DCB},
@@ -190,12 +196,50 @@ static bool is_numbers(orr_view line)
     return n >= 2;
 }
 
+// A line of the IERS' finals ("73 1 2 41684.00 I  0.120733 ...": a date, its MJD, a letter) or of C04 without its text
+// (year, month, day, perhaps the hour, MJD): the two ways of saying the day agree.
+static bool is_iers_rotation(orr_view line)
+{
+    int y = 0, m = 0, d = 0;
+    double mjd = 0;
+    char flag = orr_view_char(line, 17);
+    if ((flag == 'I' || flag == 'P') && orr_field_int_in(line, 1, 2, 0, 99, &y) == ORR_FIELD_OK &&
+        orr_field_int_in(line, 3, 2, 1, 12, &m) == ORR_FIELD_OK &&
+        orr_field_int_in(line, 5, 2, 1, 31, &d) == ORR_FIELD_OK &&
+        orr_field_real(line, 8, 8, &mjd) == ORR_FIELD_OK)
+        return floor(mjd) == orr_mjd_from_date(y + (y < 73 ? 2000 : 1900), m, d);
+    orr_view rest = line, word;
+    double v[8];
+    for (int i = 0; i < 8; i++)
+        if (!orr_view_word(&rest, &word) || orr_view_real(word, &v[i]) != ORR_FIELD_OK) return false;
+    if (!(v[0] >= 1846 && v[0] < 2200 && v[1] >= 1 && v[1] <= 12 && v[2] >= 1 && v[2] <= 31)) return false;
+    mjd = orr_mjd_from_date((int)v[0], (int)v[1], (int)v[2]);
+    return floor(v[3]) == mjd || floor(v[4]) == mjd;
+}
+
+bool orr_sp3_is_unversioned(orr_view line)
+{
+    char mode = orr_view_char(line, 3);
+    int number;
+    return orr_view_starts(line, "# ") && (mode == ' ' || mode == 'P' || mode == 'V') &&
+           orr_field_int_in(line, 4, 4, 1980, 2099, &number) == ORR_FIELD_OK &&
+           orr_field_int_in(line, 9, 2, 1, 12, &number) == ORR_FIELD_OK &&
+           orr_field_int_in(line, 12, 2, 1, 31, &number) == ORR_FIELD_OK &&
+           orr_field_int_in(line, 15, 2, 0, 23, &number) == ORR_FIELD_OK &&
+           orr_field_int_in(line, 33, 7, 1, 9999999, &number) == ORR_FIELD_OK;
+}
+
 static bool sniff_first_line(orr_view line, orr_sniffed *s)
 {
     if (line.n >= 3 && line.p[0] == '#' && line.p[1] >= 'a' && line.p[1] <= 'z' &&
         (line.p[2] == 'P' || line.p[2] == 'V')) {
         s->kind = ORR_KIND_SP3;
         s->version[0] = line.p[1];
+        return true;
+    }
+    if (orr_sp3_is_unversioned(line)) {
+        s->kind = ORR_KIND_SP3;
+        s->version[0] = 'a';
         return true;
     }
     static const struct {
@@ -208,6 +252,10 @@ static bool sniff_first_line(orr_view line, orr_sniffed *s)
             orr_view_copy(orr_view_trim(orr_view_cols(line, 6, 6)), s->version, sizeof s->version);
             return true;
         }
+    if (is_iers_rotation(line)) {
+        s->kind = ORR_KIND_ERP;
+        return true;
+    }
     return sniff_rinex(line, s);
 }
 

@@ -43,4 +43,8 @@ orr_sniffed orr_sniff(orr_view head);
 const char *orr_kind_name(orr_kind k);  // "SP3 orbits", "RINEX navigation data", ...
 const char *orr_kind_token(orr_kind k); // for scripts: "sp3", "rinex-nav", ...
 
+// Whether this is the first line of an SP3 file as it was before versions had letters:
+// "#  1992  8 23  0  0  0.00000000      96 ...", or with P or V in column 3.
+bool orr_sp3_is_unversioned(orr_view line);
+
 #endif

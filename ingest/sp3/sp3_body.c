@@ -274,24 +274,70 @@ static orr_status read_correlations(sp3_parser *p, orr_view line)
     return ORR_OK;
 }
 
-static orr_status read_epoch(sp3_parser *p, orr_view line)
+// What an epoch line says, with its fields so many columns further right than the format has them.
+typedef struct epoch_date {
+    orr_time t;
+    int column; // to blame where it says nothing
+    bool minute60, day0;
+} epoch_date;
+
+static bool read_date(const sp3_parser *p, orr_view line, int shift, epoch_date *d)
 {
+    const orr_sp3 *o = p->out;
     orr_civil civil;
-    int column = 0;
-    orr_time t = 0;
-    bool read = sp3_read_civil(line, &civil, &column), carry = read && civil.minute == 60;
-    if (carry) { // a centre that counts up minutes: 16:60 can only mean 17:00
+    if (!sp3_read_civil(line, shift, true, &civil, &d->column)) return false;
+    d->column = 4 + shift;
+    d->day0 = civil.day == 0;
+    d->minute60 = civil.minute == 60;
+    if (d->day0) civil.day = 1;
+    if (d->minute60) { // a centre that counts up minutes: 16:60 can only mean 17:00
         civil.minute = 0;
         civil.hour++;
-        sp3_fault_note(p, SP3_MINUTE_60);
     }
-    if (read && orr_time_from_civil(&civil, p->out->scale, NULL, &t) != ORR_OK) {
-        read = false;
-        column = 4;
+    if (orr_time_from_civil(&civil, o->scale, NULL, &d->t) != ORR_OK) return false;
+    if (!d->day0) return true;
+    // The day before the first of a month, where that goes on from the epoch before.
+    d->t -= ORR_S_PER_DAY * ORR_NS_PER_S;
+    d->column = 12 + shift;
+    if (o->n_epochs == 0) return false;
+    double step_s = orr_time_diff_s(d->t, o->epoch[o->n_epochs - 1]);
+    return step_s > 0 && step_s <= ORR_S_PER_DAY;
+}
+
+// A line whose fields stand a column off is read in a file whose first epoch line stands so, and where it is the epoch
+// that is due.
+static bool find_date(sp3_parser *p, orr_view line, epoch_date *d)
+{
+    const orr_sp3 *o = p->out;
+    if (read_date(p, line, p->epoch_shift, d)) {
+        if (p->epoch_shift != 0) sp3_fault_note(p, SP3_SHIFTED);
+        return true;
     }
+    for (int shift = -1; shift <= 1; shift++) {
+        epoch_date other = {0};
+        if (!read_date(p, line, shift, &other)) continue;
+        bool first = o->n_epochs == 0 && p->n_bad == 0;
+        if (!first && (o->n_epochs == 0 || o->interval_s <= 0 ||
+                       orr_time_diff_s(other.t, o->epoch[o->n_epochs - 1]) != o->interval_s))
+            continue;
+        if (first) p->epoch_shift = shift;
+        sp3_fault_note(p, SP3_SHIFTED);
+        *d = other;
+        return true;
+    }
+    return false;
+}
+
+static orr_status read_epoch(sp3_parser *p, orr_view line)
+{
+    epoch_date d = {0};
     p->last_sat = -1;
-    if (read) return sp3_add_epoch(p, t);
-    report_bad(p, column, "this epoch is no date and time; its records cannot be placed");
+    if (find_date(p, line, &d)) {
+        if (d.minute60) sp3_fault_note(p, SP3_MINUTE_60);
+        if (d.day0) sp3_fault_note(p, SP3_DAY_0);
+        return sp3_add_epoch(p, d.t);
+    }
+    report_bad(p, d.column, "this epoch is no date and time; its records cannot be placed");
     p->row = NULL;
     return ORR_OK;
 }

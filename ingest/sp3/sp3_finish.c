@@ -135,6 +135,8 @@ static void tell_faults(sp3_parser *p)
         [SP3_BETWEEN] = "records with something between the fields (a character lost or gained?)",
         [SP3_FREE] = "records whose numbers are not in the columns of F14.6, read all the same",
         [SP3_MINUTE_60] = "epochs with minute 60, taken as the next hour",
+        [SP3_DAY_0] = "epochs with day 0 of a month, taken as the last of the month before",
+        [SP3_SHIFTED] = "epoch lines whose fields are a column off, read all the same",
         [SP3_STRAY_RECORD] = "records whose epoch is not known, left out",
     };
     for (int f = 0; f < SP3_N_FAULTS; f++)

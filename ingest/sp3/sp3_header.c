@@ -18,10 +18,10 @@ static orr_status bad(sp3_parser *p, int column, const char *what)
 
 // Seconds "59.99999999" as whole seconds and ns, from their digits, so that nothing rounds up into the next
 // minute.
-static bool read_seconds(orr_view line, orr_civil *out)
+static bool read_seconds(orr_view line, int shift, orr_civil *out)
 {
     double s = 0;
-    if (orr_field_real(line, 21, 11, &s) != ORR_FIELD_OK || !(s >= 0) || s >= 61) return false;
+    if (orr_field_real(line, 21 + shift, 11, &s) != ORR_FIELD_OK || !(s >= 0) || s >= 61) return false;
     out->second = (int)s;
     double ns = (s - out->second) * 1e9; // exact to 1e-5 ns: s has 53 bits and is below 61
     out->ns = (int32_t)floor(ns + 0.5);
@@ -32,7 +32,7 @@ static bool read_seconds(orr_view line, orr_civil *out)
     return true;
 }
 
-bool sp3_read_civil(orr_view line, orr_civil *out, int *column)
+bool sp3_read_civil(orr_view line, int shift, bool day0, orr_civil *out, int *column)
 {
     static const struct {
         int col, width, lo, hi;
@@ -41,19 +41,21 @@ bool sp3_read_civil(orr_view line, orr_civil *out, int *column)
     // A character lost or gained shifts the rest; two-digit fields would then be read by halves.
     static const int between[] = {8, 11, 14, 17, 20};
     for (int i = 0; i < 5; i++)
-        if (orr_view_char(line, between[i]) != ' ') {
-            *column = between[i];
+        if (orr_view_char(line, between[i] + shift) != ' ') {
+            *column = between[i] + shift;
             return false;
         }
-    for (int i = 0; i < 5; i++)
-        if (orr_field_int_in(line, field[i].col, field[i].width, field[i].lo, field[i].hi, &v[i]) !=
+    for (int i = 0; i < 5; i++) {
+        int lo = day0 && i == 2 ? 0 : field[i].lo;
+        if (orr_field_int_in(line, field[i].col + shift, field[i].width, lo, field[i].hi, &v[i]) !=
             ORR_FIELD_OK) {
-            *column = field[i].col;
+            *column = field[i].col + shift;
             return false;
         }
+    }
     *out = (orr_civil){.year = v[0], .month = v[1], .day = v[2], .hour = v[3], .minute = v[4]};
-    *column = 21;
-    return read_seconds(line, out);
+    *column = 21 + shift;
+    return read_seconds(line, shift, out);
 }
 
 static void copy_trimmed(orr_view line, int col, int width, char *to, size_t n)
@@ -66,20 +68,23 @@ static orr_status read_line_1(sp3_parser *p, orr_view line)
 {
     orr_sp3 *o = p->out;
     char mode = orr_view_char(line, 3);
-    if (line.n < 3 || line.p[0] != '#' || line.p[1] < 'a' || line.p[1] > 'z' ||
-        (mode != 'P' && mode != 'V')) {
+    bool unversioned = orr_sp3_is_unversioned(line);
+    if (line.n < 3 || line.p[0] != '#' ||
+        (!unversioned && (line.p[1] < 'a' || line.p[1] > 'z' || (mode != 'P' && mode != 'V')))) {
         orr_sniffed s = orr_sniff((orr_view){line.p, (size_t)(p->c.end - line.p)});
         return orr_cursor_error(&p->c, p->diag, ORR_E_KIND, 1,
                                 "not an SP3 file: it does not begin with #aP to #dV (this is %s)",
                                 orr_kind_name(s.kind));
     }
-    if (line.p[1] > 'd')
+    if (unversioned)
+        orr_cursor_warn(&p->c, p->warnings, 2, "the first line has no version letter; taken as version a");
+    else if (line.p[1] > 'd')
         return orr_cursor_error(&p->c, p->diag, ORR_E_UNSUPPORTED, 2,
                                 "SP3 version '%c' is not known (a to d are)", line.p[1]);
-    o->version = line.p[1];
+    o->version = unversioned ? 'a' : line.p[1];
     o->has_velocity = p->header_says_velocity = mode == 'V';
     int column = 0;
-    if (sp3_read_civil(line, &p->start, &column))
+    if (sp3_read_civil(line, 0, false, &p->start, &column))
         p->header_start_line = p->c.line;
     else
         orr_cursor_warn(&p->c, p->warnings, column,

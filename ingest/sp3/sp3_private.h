@@ -23,6 +23,8 @@ typedef enum sp3_fault {
     SP3_BETWEEN,      // something between the fields of columns 61-80, or of EP and EV
     SP3_FREE,         // numbers not in the columns of F14.6, in a file that begins so
     SP3_MINUTE_60,    // 16:60 for 17:00
+    SP3_DAY_0,        // day 0 of a month: the last of the one before
+    SP3_SHIFTED,      // an epoch line a column off
     SP3_N_FAULTS
 } sp3_fault;
 
@@ -53,6 +55,7 @@ typedef struct sp3_parser {
     bool last_is_velocity, seen_velocity;
     bool ended;                 // EOF was seen
     bool has_style, in_columns; // of the first record: its numbers stand as F14.6 has them
+    int epoch_shift;            // of the first epoch line: columns that all its fields stand too far right
     size_t n_good, n_bad;       // records
     orr_diag first_bad;
     size_t fault_count[SP3_N_FAULTS];
@@ -76,9 +79,15 @@ int sp3_sat_index(sp3_parser *p, orr_sat sat, orr_status *st);
 // A fresh row of missing records for an epoch.
 orr_status sp3_add_epoch(sp3_parser *p, orr_time t);
 orr_status sp3_add_correlations(sp3_parser *p);
-// Year, month, day, hour, minute in columns 4-7, 9-10, ... and seconds in 21-31, as lines 1 and * have them.
-// The minute may be 60.
-bool sp3_read_civil(orr_view line, orr_civil *out, int *column);
+// The date of a line: year, month, day, hour, minute in columns 4-7, 9-10, ... and seconds in 21-31, as lines 1 and *
+// have them.
+//   Given:    line     the line
+//             shift    how many columns further right the fields stand, -1 to 1
+//             day0     whether day 0 is allowed
+//   Returned: out      the date; the minute may be 60
+//             column   where it cannot be read
+//             (value)  false then
+bool sp3_read_civil(orr_view line, int shift, bool day0, orr_civil *out, int *column);
 // A letter and two digits, whatever system the letter may stand for.
 bool sp3_is_sat_like(const char three[3]);
 void sp3_clear_records(orr_sp3_record *r, size_t n);

@@ -453,6 +453,54 @@ static void test_shifted_columns(void **state)
     done(&t);
 }
 
+// Epoch lines a column to the left of their place, in the whole file or in one line that is the epoch that is due;
+// day 0 of a month is the last of the month before. A date that is another epoch than the one due stays refused.
+static void test_shifted_epochs(void **state)
+{
+    (void)state;
+    sp3_text t = {0};
+    sp3_add_header(&t, "#cP", "GPS", 3, "G05");
+    sp3_add(&t, "* 2024  1 31 23 45  0.00000000\nPG05" POS "      1.000000\n");
+    sp3_add(&t, "* 2024  2  0 23 59 59.00000000\nPG05" POS "      2.000000\n");
+    sp3_add(&t, "* 2024  2  1  0  0  0.00000000\nPG05" POS "      3.000000\nEOF\n");
+    ASSERT_OK(parse(&t), diag);
+    assert_int_equal(sp3.n_epochs, 3);
+    assert_true(sp3.epoch[0] == gps(-4 * 24 + 23, 45, 0)); // 31 January is four days before 4 February
+    assert_true(sp3.epoch[1] == gps(-4 * 24 + 23, 59, 59));
+    assert_true(sp3.epoch[2] == gps(-3 * 24, 0, 0));
+    assert_true(warned("a column off") && warned("day 0"));
+    done(&t);
+
+    sp3_add_header(&t, "#cP", "GPS", 3, "G05");
+    sp3_add_epoch_line(&t, 0, 0, 0);
+    sp3_add(&t, "PG05" POS "      1.000000\n* 2024  2  4  0 15  0.00000000\nPG05" POS "      2.000000\n");
+    sp3_add(&t, "* 2024  2  4  0 16  0.00000000\nPG05" POS "      2.000000\nEOF\n");
+    ASSERT_OK(parse(&t), diag);
+    assert_int_equal(sp3.n_epochs, 2);
+    assert_true(warned("no date and time"));
+    done(&t);
+}
+
+// The first line as it was before versions had letters.
+static void test_no_version_letter(void **state)
+{
+    (void)state;
+    sp3_text t = {0};
+    sp3_add_header(&t, "#  ", "ccc", 1, " 05");
+    sp3_add_epoch_line(&t, 0, 0, 0);
+    sp3_add(&t, "P  5" POS "    123.456789\nEOF\n");
+    ASSERT_OK(parse(&t), diag);
+    assert_int_equal(sp3.version, 'a');
+    assert_false(sp3.has_velocity);
+    assert_int_equal(sp3.sat[0], orr_sat_make('G', 5));
+    assert_true(at(0, 0)->clock_s == 123.456789e-6);
+    assert_true(warned("no version letter"));
+    done(&t);
+    sp3_add(&t, "# a comment of some table\n1 2 3\n");
+    assert_int_equal(parse(&t), ORR_E_KIND);
+    done(&t);
+}
+
 static void test_unknown_system(void **state)
 {
     (void)state;
@@ -545,6 +593,8 @@ int main(void)
         cmocka_unit_test(test_cut),
         cmocka_unit_test(test_oddities_of_text),
         cmocka_unit_test(test_shifted_columns),
+        cmocka_unit_test(test_shifted_epochs),
+        cmocka_unit_test(test_no_version_letter),
         cmocka_unit_test(test_unknown_system),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_limits),
