@@ -269,8 +269,9 @@ static sat_state *state_of(orr_crinex *c, int key, size_t n_codes)
     return s;
 }
 
-// One satellite's line into the arrays; false where it is damaged.
-static bool decode_sat_line(sat_state *s, orr_view line, int64_t *value, char *flags)
+// One satellite's line into the arrays; false where it is damaged. In version 1.0 a missing observation has no flags,
+// and flags that come back later are differences to blanks; in 3.0 the flags go on by themselves.
+static bool decode_sat_line(sat_state *s, orr_view line, bool v3, int64_t *value, char *flags)
 {
     const char *p = line.p, *end = line.p + line.n;
     for (size_t j = 0; j < s->n_codes; j++) {
@@ -290,6 +291,8 @@ static bool decode_sat_line(sat_state *s, orr_view line, int64_t *value, char *f
     while (rest > 0 && (p[rest - 1] == ' ' || p[rest - 1] == '\t')) rest--;
     if (rest > 2 * s->n_codes) return false;
     apply_text(s->flags, p, rest);
+    for (size_t j = 0; !v3 && j < s->n_codes; j++)
+        if (value[j] == ORR_CRINEX_MISSING) memset(s->flags + 2 * j, ' ', 2);
     memcpy(flags, s->flags, 2 * s->n_codes);
     return true;
 }
@@ -367,7 +370,7 @@ static enum outcome decode_observations(orr_crinex *c, size_t n_sats)
         sat_state *s = state_of(c, key, n_codes);
         if (s == NULL) return NO_MEMORY;
         if (!orr_input_line(c->in, &line)) return AT_END;
-        if (!decode_sat_line(s, line, c->value + i * stride, c->flags + 2 * i * stride))
+        if (!decode_sat_line(s, line, c->v3, c->value + i * stride, c->flags + 2 * i * stride))
             return warn(c, "a satellite's line cannot be decoded"), DAMAGED;
         memcpy(e->sat[i], id, 3);
         e->sat[i][3] = '\0';

@@ -73,6 +73,37 @@ static void assert_round_trip(const buffer *rinex, int v3, int order, int reinit
     orr_warnings_free(&w);
 }
 
+// Version 1.0: an observation that is missing has no flags, and when it is back its flags are differences to blanks; in
+// 3.0 flags go on by themselves, so that a flag can stand beside a blank.
+static void test_flags_of_missing(void **state)
+{
+    (void)state;
+    static const char packed[] =
+        "1.0                 COMPACT RINEX FORMAT                    CRINEX VERS   / TYPE\n"
+        "made                                    01-Jan-24 00:00     CRINEX PROG / DATE\n"
+        "     2.11           OBSERVATION DATA    G                   RINEX VERSION / TYPE\n"
+        "     2    L1    L2                                          # / TYPES OF OBSERV\n"
+        "                                                            END OF HEADER\n"
+        "&24  1  1  0  0  0.0000000  0  1G05\n\n"
+        "3&1000 3&2000 1427\n"
+        "               3\n\n"
+        "10\n"
+        "                6\n\n"
+        "10 3&5000   1\n";
+    orr_status s;
+    orr_warnings w = {0};
+    buffer back = expand(packed, strlen(packed), &w, &s);
+    assert_int_equal(s, ORR_OK);
+    const char *p = strstr(back.p, "END OF HEADER\n");
+    assert_non_null(p);
+    p = strchr(strchr(p, '\n') + 1, '\n') + 1; // behind the first epoch line
+    assert_non_null(strstr(p, "1.00014         2.00027\n"));
+    assert_non_null(strstr(p, "1.01014\n"));                // L2 and its flags are blank
+    assert_non_null(strstr(p, "1.03014         5.0001\n")); // of L2's old flags nothing is left
+    free(back.p);
+    orr_warnings_free(&w);
+}
+
 // --- made files: smooth numbers with slips, gaps, missing values, satellites that come and go ---
 
 static uint64_t roll(uint64_t *k, uint64_t n) { return orr_rng_u64(2024, 7, (*k)++) % n; }
@@ -317,11 +348,9 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(round_trip_version_3),
-        cmocka_unit_test(round_trip_version_1),
-        cmocka_unit_test(reader_sees_no_difference),
-        cmocka_unit_test(damage_is_told_and_left_behind),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(test_flags_of_missing),          cmocka_unit_test(round_trip_version_3),
+        cmocka_unit_test(round_trip_version_1),           cmocka_unit_test(reader_sees_no_difference),
+        cmocka_unit_test(damage_is_told_and_left_behind), cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
