@@ -25,6 +25,21 @@ orr_status orr_records_grow(void *array, size_t n, size_t element_size, size_t l
     return ORR_OK;
 }
 
+void orr_records_leave_out(orr_records_tally *tally, const orr_cursor *at, int column, const char *why,
+                           orr_warnings *warnings)
+{
+    if (tally->left_out++ == 0) orr_cursor_error(at, &tally->first, ORR_E_FORMAT, column, "%s", why);
+    orr_cursor_warn(at, warnings, column, "%s; the line is left out", why);
+}
+
+orr_status orr_records_verdict(const orr_records_tally *tally, orr_diag *diag)
+{
+    if (tally->left_out <= tally->good) return ORR_OK;
+    const orr_diag *d = &tally->first;
+    return orr_diag_at(diag, ORR_E_FORMAT, d->file, d->line, d->column, "%s; of %zu lines %zu cannot be read",
+                       d->text, tally->good + tally->left_out, tally->left_out);
+}
+
 orr_status orr_records_load(const char *path, const orr_read_limits *limits, orr_bytes *out, orr_diag *diag)
 {
     orr_input_limits in = orr_input_default_limits();

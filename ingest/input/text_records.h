@@ -22,6 +22,23 @@ orr_status orr_records_grow(void *array, size_t n, size_t element_size, size_t l
 // Reads a file whole under limits->max_bytes (NULL: defaults).
 orr_status orr_records_load(const char *path, const orr_read_limits *limits, orr_bytes *out, orr_diag *diag);
 
+// One policy for lines that no record can be made of, in all readers: each is told and left out, and the file stands
+// unless more was left out than read.
+typedef struct orr_records_tally {
+    size_t good, left_out;
+    orr_diag first; // the first that was left out
+} orr_records_tally;
+// Leaves out the line returned last.
+//   Given:    at          the walk, for the place
+//             column      from 1; 0 where none is to blame
+//             why         what is wrong with the line
+//   Returned: tally       with the line counted
+//             warnings    with a warning; may be NULL
+void orr_records_leave_out(orr_records_tally *tally, const orr_cursor *at, int column, const char *why,
+                           orr_warnings *warnings);
+// After the last line: ORR_E_FORMAT, with the place of the first, where more was left out than read.
+orr_status orr_records_verdict(const orr_records_tally *tally, orr_diag *diag);
+
 // The label of a RINEX-like header line, columns 61-80, trimmed.
 orr_view orr_records_label(orr_view line);
 // Compares a label with its name, blind to case, to underscores for blanks and to repeated blanks.

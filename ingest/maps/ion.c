@@ -21,6 +21,7 @@ typedef struct ion_reader {
     orr_read_limits limits;
     size_t coefficients, row_length;
     char title[81];
+    orr_records_tally tally;
 } ion_reader;
 
 void orr_ion_model_free(orr_ion_model *m)
@@ -379,8 +380,16 @@ static orr_status read_model(ion_reader *r, orr_ion_model *m)
     orr_view line;
     bool more = true;
     while (s == ORR_OK && (more = orr_cursor_next(&r->c, &line)) && !orr_view_is_blank(line)) {
-        s = read_row(r, m, line);
+        // A row begins with its degree; text among the rows is told and passed over, but a damaged row is not: every
+        // place on the Earth would lack its harmonic.
+        orr_view rest = line, word;
+        int64_t degree;
+        if (!r->c.unterminated && orr_view_word(&rest, &word) && orr_view_int(word, &degree) != ORR_FIELD_OK)
+            orr_records_leave_out(&r->tally, &r->c, 1, "a line that is no row of coefficients", r->warnings);
+        else if ((s = read_row(r, m, line)) == ORR_OK)
+            r->tally.good++;
     }
+    if (s == ORR_OK) s = orr_records_verdict(&r->tally, r->diag);
     if (s == ORR_OK) s = orr_cursor_status(&r->c, r->diag);
     if (s == ORR_OK) s = check_model(r, m);
     // The format has no end mark but the blank line after a model's rows.

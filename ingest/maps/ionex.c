@@ -134,7 +134,11 @@ static orr_status check_promises(ionex_reader *r)
         orr_cursor_warn(&r->c, r->warnings, 0, "the first map is not at the header's EPOCH OF FIRST MAP");
     if (r->last_declared != ORR_TIME_NONE && r->last_declared != x->epoch[x->n_epochs - 1])
         orr_cursor_warn(&r->c, r->warnings, 0, "the last map is not at the header's EPOCH OF LAST MAP");
-    if (r->negatives > 0) orr_cursor_warn(&r->c, r->warnings, 0, "%zu values are negative", r->negatives);
+    if (r->negatives > 0)
+        orr_warnings_add(
+            r->warnings, r->c.name, r->first_negative_line, 0,
+            "%zu values of maps are negative, here the first; they are kept as written, and out of fits",
+            r->negatives);
     return ORR_OK;
 }
 

@@ -153,7 +153,7 @@ static int line_values(ionex_reader *r, orr_view line, const open_map *m, double
             row[k] = ORR_NAN;
         } else {
             row[k] = divide ? v / by : v * by;
-            r->negatives += v < 0;
+            if (v < 0 && r->negatives++ == 0) r->first_negative_line = r->c.line;
         }
         got++;
     }
@@ -243,6 +243,16 @@ static orr_status close_map(ionex_reader *r, open_map *m)
     return ORR_OK;
 }
 
+// A line that belongs to nothing is told and passed over; more of them than a map has rows, and this is no file of maps.
+static orr_status stray_line(ionex_reader *r, const char *what)
+{
+    if (r->stray++ >= r->out->n_lats * r->out->n_heights)
+        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "%s, and %zu such lines before it", what,
+                                r->stray - 1);
+    orr_cursor_warn(&r->c, r->warnings, 1, "%s; it is passed over", what);
+    return ORR_OK;
+}
+
 static orr_status read_map(ionex_reader *r, orr_view first, ionex_kind kind)
 {
     open_map m = {.kind = kind, .line = r->c.line, .epoch = ORR_TIME_NONE, .exponent = r->out->exponent};
@@ -275,8 +285,7 @@ static orr_status read_map(ionex_reader *r, orr_view first, ionex_kind kind)
                                  "%s map %lld, started in line %lld, is not ended before this",
                                  ionex_kind_name[kind], (long long)m.number, (long long)m.line);
         } else if (!orr_records_label_is(label, "COMMENT") && !orr_view_is_blank(line)) {
-            s = orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1,
-                                 "a line that is neither a label of a map nor a value of a row");
+            s = stray_line(r, "a line that is neither a label of a map nor a value of a row");
         }
     }
     return s;
@@ -302,8 +311,7 @@ orr_status ionex_read_maps(ionex_reader *r)
         } else if (orr_records_label_is(label, "END OF FILE")) {
             r->end_of_file_seen = true;
         } else {
-            s = orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1,
-                                 "expected the start of a map or END OF FILE");
+            s = stray_line(r, "a line outside the maps");
         }
         if (s != ORR_OK) return s;
     }

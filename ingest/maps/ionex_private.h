@@ -36,7 +36,8 @@ typedef struct ionex_reader {
     ionex_maps maps[IONEX_KINDS];
     bool end_of_file_seen;
     int last_own_exponent_map; // number of maps seen with an exponent of their own
-    size_t negatives;
+    size_t negatives, stray;   // values below zero; lines that belong to nothing
+    int64_t first_negative_line;
 } ionex_reader;
 
 enum { IONEX_AXIS_HEIGHT, IONEX_AXIS_LAT, IONEX_AXIS_LON };

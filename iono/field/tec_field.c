@@ -6,12 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "iono/field/tec_field_private.h"
 
 #define MAX_EPOCHS 100000
 #define MAX_CELLS 20000000 // of all maps together
 // Maps are labelled in UT while some centres mean GPS time: the first and last one are held for so long.
 #define EDGE_HOLD_NS (60 * ORR_NS_PER_S)
+#define NOISE_TECU 2.0 // how far below zero a cell of a map still means none
 
 orr_tec_options orr_tec_default_options(void)
 {
@@ -107,12 +109,11 @@ static orr_status check_maps(const orr_tec_maps *m, orr_diag *diag)
     for (size_t k = 0; k < m->n_maps; k++)
         for (size_t i = 0; i < m->n_lat * m->n_lon; i++) {
             double v = m->tec[k * m->n_lat * m->n_lon + i];
-            if (v < 0 || isinf(v)) {
+            if (isinf(v)) {
                 char when[ORR_TIME_TEXT];
                 return orr_diag_set(
-                    diag, ORR_E_FORMAT,
-                    "%s: the map of %s says %.4g TECU at latitude %g, longitude %g; TEC is not negative",
-                    name, orr_time_text(m->t[k], when), v, m->lat0_deg + m->dlat_deg * (double)(i / m->n_lon),
+                    diag, ORR_E_FORMAT, "%s: the map of %s says %.4g TECU at latitude %g, longitude %g", name,
+                    orr_time_text(m->t[k], when), v, m->lat0_deg + m->dlat_deg * (double)(i / m->n_lon),
                     m->lon0_deg + m->dlon_deg * (double)(i % m->n_lon));
             }
         }
@@ -144,8 +145,10 @@ static orr_status keep_grid(const orr_tec_maps *m, const double *value, tec_grid
     g->value = malloc(n * sizeof *g->value);
     if (g->value == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for maps");
     for (size_t i = 0; i < n; i++) {
-        g->value[i] = (float)value[i];
-        if (isnan(value[i])) g->holes = true;
+        // A value a little below zero is the noise of the maps' making and means none; far below it is no value.
+        double v = value[i] >= 0 ? value[i] : value[i] >= -NOISE_TECU ? 0 : ORR_NAN;
+        g->value[i] = (float)v;
+        if (isnan(v)) g->holes = true;
     }
     return ORR_OK;
 }

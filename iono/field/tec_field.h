@@ -28,7 +28,8 @@ typedef struct orr_tec_options {
 } orr_tec_options;
 orr_tec_options orr_tec_default_options(void); // harmonic, rotated, 1, 15, 79 N 71 W, MSLM
 
-// Maps on a regular grid of geocentric latitude and longitude, [map][lat][lon]; NAN is a hole.
+// Maps on a regular grid of geocentric latitude and longitude, [map][lat][lon]; NAN is a hole. Cells below zero are
+// left out of a fit; in maps as they are they count as 0, below -2 TECU as holes.
 typedef struct orr_tec_maps {
     size_t n_maps, n_lat, n_lon;
     double lat0_deg, dlat_deg, lon0_deg, dlon_deg; // first row, step (of either sign), first column, step > 0
@@ -48,12 +49,13 @@ typedef struct orr_tec_fit {
     size_t n_clipped; // cells of 0
     size_t n_held;    // of those, put in
     size_t n_holes;
+    size_t n_negative; // cells below zero, which no TEC is: out of the fit
     double rms_tecu, max_tecu;
 } orr_tec_fit;
 
 typedef struct orr_tec_field orr_tec_field;
 
-// Errors: ORR_E_FORMAT (negative TEC, epochs out of order), ORR_E_UNSUPPORTED (a regional grid cannot be
+// Errors: ORR_E_FORMAT (infinite TEC, epochs out of order), ORR_E_UNSUPPORTED (a regional grid cannot be
 // refitted), ORR_E_NUMERIC (too few cells for the degree), ORR_E_LIMIT, ORR_E_ARG, ORR_E_MEMORY. options may
 // be NULL.
 orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_options *options,

@@ -103,9 +103,10 @@ static orr_status fit_one(const orr_tec_maps *maps, orr_tec_field *f, size_t map
     for (size_t i = 0; i < n; i++) w->rhs[i] = 0;
     for (size_t c = 0; c < w->n_cells; c++) {
         double y = value_of(maps, w, map, c);
-        w->state[c] = isnan(y) ? CELL_HOLE : y == 0 ? CELL_CLIPPED : CELL_USED;
+        w->state[c] = isnan(y) || y < 0 ? CELL_HOLE : y == 0 ? CELL_CLIPPED : CELL_USED;
         if (w->state[c] == CELL_USED) used++;
-        f->fit.n_holes += w->state[c] == CELL_HOLE;
+        f->fit.n_holes += isnan(y) ? 1 : 0;
+        f->fit.n_negative += y < 0 ? 1 : 0;
         f->fit.n_clipped += w->state[c] == CELL_CLIPPED;
     }
     bool from_full = used > w->n_cells / 2;

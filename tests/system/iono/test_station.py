@@ -222,7 +222,11 @@ class Station(unittest.TestCase):
         first = text.index("LAT/LON1/LON2/DLON/H") + len("LAT/LON1/LON2/DLON/H\n")
         negative, hole = WORK / "negative.INX", WORK / "hole.INX"
         negative.write_text(text[:first] + "   -7" + text[first + 5:])
-        self.refused("not negative", "tec", negative, "--at", "2024-02-04T00:00", "--point", "87.5,-180")
+        done = orrery("tec", negative, "--at", "2024-02-04T00:30", "--point", "50,-150")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 values of maps are negative", done.stderr)
+        whole = orrery("tec", MAPS, "--at", "2024-02-04T00:30", "--point", "50,-150")
+        self.assertEqual(done.stdout.replace(negative.name, MAPS.name), whole.stdout) # far from the cell
         row = text.index("    50.0-180.0 180.0   5.0 450.0")
         cells = text.index("\n", row) + 1
         hole.write_text(text[:cells] + " 9999" * 16 + text[cells + 80:])

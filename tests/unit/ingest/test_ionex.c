@@ -372,11 +372,36 @@ static void test_refusals(void **state)
     assert_refused(&t, ORR_E_FORMAT, 0, "LON1 / LON2 / DLON");
     t = two_maps();
     made_replace(&t, "     1                                                      END OF TEC MAP", "COMMENT");
-    assert_refused(&t, ORR_E_FORMAT, 0, "neither a label");
+    assert_refused(&t, ORR_E_FORMAT, 0, "is not ended");
     t = two_maps();
     made_replace(&t, "  2024     2     4     2     0     0                        EPOCH OF CURRENT",
                  "  2024     2    34     2     0     0                        EPOCH OF CURRENT");
     assert_refused(&t, ORR_E_FORMAT, 33, "no date");
+}
+
+// Lines that belong to nothing, between the maps and in them: told with their place, and the maps stand. So do cells
+// below zero.
+static void test_stray_lines_and_negatives(void **state)
+{
+    (void)state;
+    orr_ionex x;
+    orr_diag d;
+    orr_warnings w = {0};
+    made_text t = two_maps();
+    made_replace(
+        &t, "     2                                                      START OF TEC MAP",
+        "who wrote this?\n     2                                                      START OF TEC MAP");
+    made_replace(&t, "     2                                                      END OF TEC MAP",
+                 "and this?\n     2                                                      END OF TEC MAP");
+    made_replace(&t, " 1003", "   -1");
+    ASSERT_OK(parse(&t, &x, &w, &d), d);
+    assert_int_equal(x.n_epochs, 2);
+    assert_int_equal(w.count, 3);
+    assert_int_equal(w.item[0].line, 32);
+    assert_true(x.tec_tecu[orr_ionex_index(&x, 0, 0, 0, 3)] == -0.1);
+    assert_true(x.tec_tecu[orr_ionex_index(&x, 1, 0, 2, 17)] == cell(2, 2, 17) / 10.0);
+    orr_ionex_free(&x);
+    orr_warnings_free(&w);
 }
 
 // Cut after any byte, a file is either refused or has every map its header names.
@@ -482,11 +507,17 @@ static void test_write_reads_back(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reads_everything),  cmocka_unit_test(test_missing_and_five_digits),
-        cmocka_unit_test(test_exponents),         cmocka_unit_test(test_no_exponent_means_tenths),
-        cmocka_unit_test(test_three_dimensional), cmocka_unit_test(test_epochs),
-        cmocka_unit_test(test_tolerated),         cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_cut_short),         cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_reads_everything),
+        cmocka_unit_test(test_missing_and_five_digits),
+        cmocka_unit_test(test_exponents),
+        cmocka_unit_test(test_no_exponent_means_tenths),
+        cmocka_unit_test(test_three_dimensional),
+        cmocka_unit_test(test_epochs),
+        cmocka_unit_test(test_tolerated),
+        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_stray_lines_and_negatives),
+        cmocka_unit_test(test_cut_short),
+        cmocka_unit_test(test_limits),
         cmocka_unit_test(test_write_reads_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

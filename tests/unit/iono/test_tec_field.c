@@ -234,6 +234,52 @@ static void test_holes(void **state)
     drop(&m);
 }
 
+// A cell below zero does not take part in a refit: what is fitted through the others is the same as without it. In maps
+// as they are it is 0; far below zero it is a hole.
+static void test_negative_cells(void **state)
+{
+    (void)state;
+    made m = make(2, 1, false);
+    orr_tec_options o = orr_tec_default_options();
+    o.degree = 5;
+    const double at_cell[2] = {(87.5 - 2.5 * 20) * ORR_RAD_PER_DEG, (-180 + 5 * 10) * ORR_RAD_PER_DEG};
+    double v[2][2];
+    for (int spoilt = 0; spoilt < 2; spoilt++)
+        for (int bilinear = 0; bilinear < 2; bilinear++) {
+            const double good = m.tec[20 * COLS + 10];
+            if (spoilt) m.tec[20 * COLS + 10] = -0.3;
+            orr_tec_field *f;
+            orr_diag d = {0};
+            o.spatial = bilinear ? ORR_TEC_BILINEAR : ORR_TEC_HARMONIC;
+            ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+            if (!bilinear) assert_int_equal(orr_tec_field_fit(f)->n_negative, spoilt);
+            orr_tec_instant *at = malloc(sizeof *at);
+            orr_tec_value value;
+            ASSERT_OK(orr_tec_field_at(f, m.t[0], at, &d), d);
+            ASSERT_OK(orr_tec_vertical(at, unit(at_cell[0], at_cell[1]), &value, &d), d);
+            v[spoilt][bilinear] = value.vtec_tecu;
+            free(at);
+            orr_tec_field_free(f);
+            m.tec[20 * COLS + 10] = good;
+        }
+    // The made maps are harmonics of low degree, so one cell less leaves the fit as it is, to the maps' rounding.
+    ASSERT_NEAR(v[1][0], v[0][0], 0.01);
+    ASSERT_NEAR(v[1][1], 0, 1e-9);
+    assert_true(v[0][1] > 1);
+    m.tec[20 * COLS + 10] = -999.9;
+    orr_tec_field *f;
+    orr_diag d = {0};
+    o.spatial = ORR_TEC_BILINEAR;
+    ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+    orr_tec_instant *at = malloc(sizeof *at);
+    orr_tec_value value;
+    ASSERT_OK(orr_tec_field_at(f, m.t[0], at, &d), d);
+    assert_int_equal(orr_tec_vertical(at, unit(at_cell[0], at_cell[1]), &value, &d), ORR_E_NODATA);
+    free(at);
+    orr_tec_field_free(f);
+    drop(&m);
+}
+
 static void test_refusals(void **state)
 {
     (void)state;
@@ -250,9 +296,8 @@ static void test_refusals(void **state)
     ASSERT_OK(orr_tec_field_at(f, orr_time_add_s(m.t[0], -18), at, &d), d);
     ASSERT_OK(orr_tec_field_at(f, orr_time_add_s(m.t[1], 18), at, &d), d);
     orr_tec_field_free(f);
-    m.tec[100] = -0.1;
+    m.tec[100] = (double)INFINITY;
     assert_int_equal(orr_tec_field_from_maps(&m.maps, &o, &f, &d), ORR_E_FORMAT);
-    assert_non_null(strstr(d.text, "not negative"));
     m.tec[100] = 1;
     orr_tec_maps region = m.maps;
     region.n_lat = 20;
@@ -347,9 +392,10 @@ static void test_klobuchar_field(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_refit_exact), cmocka_unit_test(test_between_epochs),
-        cmocka_unit_test(test_rms_and_ray), cmocka_unit_test(test_clipped_cells),
-        cmocka_unit_test(test_holes),       cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_model),       cmocka_unit_test(test_klobuchar_field)};
+        cmocka_unit_test(test_refit_exact),    cmocka_unit_test(test_between_epochs),
+        cmocka_unit_test(test_rms_and_ray),    cmocka_unit_test(test_clipped_cells),
+        cmocka_unit_test(test_holes),          cmocka_unit_test(test_negative_cells),
+        cmocka_unit_test(test_refusals),       cmocka_unit_test(test_model),
+        cmocka_unit_test(test_klobuchar_field)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
