@@ -139,7 +139,7 @@ orr_status orr_inspect_erp(const char *path, orr_inspection *r, orr_diag *diag)
     }
     orr_inspect_epochs(r, t, x.series.n);
     free(t);
-    snprintf(r->version, sizeof r->version, "%d", x.version);
+    if (x.version > 0) snprintf(r->version, sizeof r->version, "%d", x.version % 100);
     r->records = (int64_t)x.series.n;
     const orr_eop *e = &x.series.value[0];
     const double mas = ORR_DEG_PER_RAD * 3600e3;

@@ -4,6 +4,7 @@
 #define ORR_INGEST_RINEX_CLK_PRIVATE_H
 
 #include "core/cursor.h"
+#include "ingest/input/text_records.h"
 #include "ingest/rinex/clk.h"
 
 // One clock while it is read.
@@ -30,6 +31,7 @@ typedef struct clk_reader {
     orr_diag *diag;
     orr_read_limits limits;
     size_t records;
+    orr_records_tally tally;
     clk_list sats, receivers;
     clk_epochs sat_epochs, receiver_epochs;
     char last_epoch[40]; // text of the last date, and what it meant

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/nan.h"
-#include "ingest/input/text_records.h"
 #include "ingest/rinex/clk_private.h"
 
 static orr_status bad(clk_reader *r, orr_view line, orr_view at, const char *what)
@@ -51,11 +50,16 @@ static orr_status read_values(clk_reader *r, orr_view *line, orr_view *rest, dou
         return bad(r, *line, word, "the number of values is not 1 to 6");
     for (int k = 0; k < n; k++) {
         if (k == 2) {
+            const orr_cursor here = r->c;
             if (!orr_cursor_next(&r->c, line)) {
                 orr_status s = orr_cursor_status(&r->c, r->diag);
                 return s != ORR_OK ? s
                                    : bad(r, *line, (orr_view){0},
                                          "the file ends before the values of its last record");
+            }
+            if (line->n > 0 && line->p[0] >= 'A' && line->p[0] <= 'Z') { // the next record: theirs is missing
+                r->c = here;
+                return bad(r, *line, (orr_view){0}, "the second line of the record is missing");
             }
             *rest = *line;
         }
@@ -127,28 +131,42 @@ static orr_status read_record(clk_reader *r, orr_view line, bool satellite)
     return s;
 }
 
+// One line and what it takes with it. ORR_E_FORMAT: it is no record, for the reason in *why.
+static orr_status read_line(clk_reader *r, orr_view line)
+{
+    char a = orr_view_char(line, 1), b = orr_view_char(line, 2);
+    bool spaced = orr_view_char(line, 3) == ' ';
+    if (a == 'A' && (b == 'S' || b == 'R') && spaced) return read_record(r, line, b == 'S');
+    if (!spaced || !((a == 'C' && b == 'R') || (a == 'D' && b == 'R') || (a == 'M' && b == 'S')))
+        return bad(r, line, line, "a line that starts with none of AS, AR, CR, DR, MS");
+    orr_view rest = orr_view_cols(line, 3, (int)ORR_LINE_MAX), name;
+    double v[6];
+    orr_time t;
+    if (!orr_view_word(&rest, &name)) return bad(r, line, rest, "a record without the name of its clock");
+    orr_status s = read_epoch(r, line, &rest, &t);
+    if (s == ORR_OK) s = read_values(r, &line, &rest, v); // for the lines that it takes
+    r->out->n_other += s == ORR_OK;
+    return s;
+}
+
 orr_status clk_read_records(clk_reader *r)
 {
     orr_view line;
+    orr_diag *const diag = r->diag;
     while (orr_cursor_next(&r->c, &line)) {
-        orr_status s = ORR_OK;
-        char a = orr_view_char(line, 1), b = orr_view_char(line, 2);
-        bool spaced = orr_view_char(line, 3) == ' ';
-        if (a == 'A' && (b == 'S' || b == 'R') && spaced) {
-            s = read_record(r, line, b == 'S');
-        } else if (spaced && ((a == 'C' && b == 'R') || (a == 'D' && b == 'R') || (a == 'M' && b == 'S'))) {
-            r->out->n_other++;
-            orr_view rest = orr_view_cols(line, 3, (int)ORR_LINE_MAX), name;
-            double v[6];
-            orr_time t;
-            if (!orr_view_word(&rest, &name))
-                s = bad(r, line, rest, "a record without the name of its clock");
-            if (s == ORR_OK) s = read_epoch(r, line, &rest, &t);
-            if (s == ORR_OK) s = read_values(r, &line, &rest, v); // for the lines that it takes
-        } else if (!orr_view_is_blank(line)) {
-            s = bad(r, line, line, "a line that starts with none of AS, AR, CR, DR, MS");
+        if (orr_view_is_blank(line)) continue;
+        orr_diag why = {0};
+        r->diag = &why;
+        orr_status s = read_line(r, line);
+        r->diag = diag;
+        r->tally.good += s == ORR_OK;
+        if (s == ORR_E_FORMAT && !r->c.unterminated) { // a file that is cut is refused
+            orr_records_leave_out(&r->tally, &r->c, why.column, why.text, r->warnings);
+        } else if (s != ORR_OK) {
+            if (diag != NULL) *diag = why;
+            return s;
         }
-        if (s != ORR_OK) return s;
     }
-    return orr_cursor_status(&r->c, r->diag);
+    orr_status s = orr_cursor_status(&r->c, diag);
+    return s == ORR_OK ? orr_records_verdict(&r->tally, diag) : s;
 }

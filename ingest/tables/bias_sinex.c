@@ -50,6 +50,23 @@ static void description(bias_reader *r, orr_view line)
     }
 }
 
+// Some centres write the standard deviation in twelve characters, columns 93-104, and what follows a column further
+// right: behind the value the numbers are then read as words. 0, or the column of what is no such number.
+static int wide_numbers(orr_view line, double factor, double *const to[3])
+{
+    orr_view rest = orr_view_cols(line, 93, (int)ORR_LINE_MAX), word;
+    for (int i = 0; orr_view_word(&rest, &word); i++) {
+        int column = (int)(word.p - line.p) + 1;
+        double v;
+        // The first fills its twelve columns; the others begin at 106 and 128, or in front of that by their sign.
+        bool placed = i == 0 ? column == 93 && word.n == 12
+                             : i < 3 && column >= (i == 1 ? 106 : 128) && column <= (i == 1 ? 127 : 139);
+        if (!placed || orr_view_real(word, &v) != ORR_FIELD_OK) return column;
+        *to[i] = v * factor;
+    }
+    return 0;
+}
+
 static orr_status solution(bias_reader *r, orr_view line)
 {
     static const struct {
@@ -100,7 +117,8 @@ static orr_status solution(bias_reader *r, orr_view line)
         return bias_leave_out(r, 66, "the unit of a bias is neither ns nor cyc");
     // A number that reaches over its columns would read as another number.
     static const int between[] = {35, 50, 65, 70, 92, 104, 126, 138};
-    for (size_t i = 0; i < sizeof between / sizeof between[0]; i++)
+    const bool wide = orr_view_char(line, 104) != ' ';
+    for (size_t i = 0; i < (wide ? 5 : sizeof between / sizeof between[0]); i++)
         if (orr_view_char(line, between[i]) != ' ')
             return bias_leave_out(r, between[i], "fields are not in their columns");
     double v;
@@ -108,6 +126,10 @@ static orr_status solution(bias_reader *r, orr_view line)
         return bias_leave_out(r, 71, "the value of a bias is no number");
     b.value_s = v * factor;
     double *more[3] = {&b.sdev_s, &b.slope_sps, &b.slope_sdev_sps};
+    if (wide) {
+        int bad = wide_numbers(line, factor, more);
+        return bad != 0 ? bias_leave_out(r, bad, "fields are not in their columns") : bias_add(r, &b);
+    }
     static const int column[3] = {93, 105, 127}, width[3] = {11, 21, 11};
     for (int i = 0; i < 3; i++) {
         orr_field got = orr_field_real(line, column[i], width[i], &v);

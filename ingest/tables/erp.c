@@ -10,9 +10,8 @@
 
 #include "core/nan.h"
 #include "core/vec.h"
-#include "ingest/input/text_records.h"
+#include "ingest/tables/erp_private.h"
 
-#define ERP_MAX_COLUMNS 64
 #define RAD_PER_UAS (1e-6 / 3600.0 * ORR_RAD_PER_DEG)
 #define S_PER_UNIT 1e-7
 
@@ -58,27 +57,6 @@ static const struct {
     {"SYRT", C_SYR},      {"DPSI", C_DPSI},      {"DEPS", C_DEPS},     {"UT1RUTC", C_UT1R},
     {"UT1RTAI", C_UT1R},  {"LODR", C_LODR},
 };
-
-typedef struct erp_row {
-    double mjd;
-    size_t order; // in the file
-    orr_eop eop;
-    orr_erp_detail detail;
-} erp_row;
-
-typedef struct erp_reader {
-    orr_cursor c;
-    orr_erp *out;
-    orr_warnings *warnings;
-    orr_diag *diag;
-    orr_read_limits limits;
-    const orr_leap_table *leap;
-    erp_column column[ERP_MAX_COLUMNS];
-    size_t n_columns;
-    bool other_count_said;
-    erp_row *row;
-    size_t n;
-} erp_reader;
 
 void orr_erp_series_free(orr_eop_series *s)
 {
@@ -126,11 +104,11 @@ static orr_status read_columns(erp_reader *r, orr_view line)
         } else if (r->n_columns == ERP_MAX_COLUMNS) {
             return orr_cursor_error(&r->c, r->diag, ORR_E_LIMIT, 0, "more than %d columns", ERP_MAX_COLUMNS);
         }
-        r->column[r->n_columns++] = column_of(word);
+        r->column[r->n_columns++] = (int)column_of(word);
         last = word;
     }
     for (size_t i = 0; i < r->n_columns; i++) {
-        erp_column k = r->column[i];
+        int k = r->column[i];
         if (k == C_UT1R || k == C_LODR)
             return orr_cursor_error(&r->c, r->diag, ORR_E_UNSUPPORTED, 1,
                                     "%s: zonal tides are taken out of this file, which is not offered",
@@ -171,6 +149,33 @@ static int count(const double *v, const bool *has, erp_column k)
     return has[k] && v[k] >= 0 && v[k] < 1e6 ? (int)v[k] : -1;
 }
 
+// 1962 (the first pole of the IERS) to 2200.
+#define ERP_FIRST_MJD 37000
+#define ERP_LAST_MJD 125000
+
+static orr_status bad_date(erp_reader *r, double mjd)
+{
+    return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "%g is no modified Julian date", mjd);
+}
+
+orr_status erp_add_row(erp_reader *r, const erp_row *row)
+{
+    const double most = 2.0 / 3600 * ORR_RAD_PER_DEG;
+    if (!(row->mjd > ERP_FIRST_MJD && row->mjd < ERP_LAST_MJD)) return bad_date(r, row->mjd);
+    if (!(fabs(row->eop.xp_rad) < most && fabs(row->eop.yp_rad) < most))
+        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "a pole more than two arc seconds off");
+    if (fabs(row->eop.ut1_utc_s) > 1.0) // |UT1 - UTC| < 0.9 s by definition
+        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "UT1 - UTC of %.4f s cannot be",
+                                row->eop.ut1_utc_s);
+    orr_status s = orr_records_grow(&r->row, r->n, sizeof *r->row, r->limits.max_records,
+                                    "lines of Earth rotation", &r->c, r->diag);
+    if (s != ORR_OK) return s;
+    r->row[r->n] = *row;
+    r->row[r->n].order = r->n;
+    r->n++;
+    return ORR_OK;
+}
+
 static orr_status read_row(erp_reader *r, orr_view line)
 {
     double v[C_KINDS] = {0};
@@ -181,7 +186,7 @@ static orr_status read_row(erp_reader *r, orr_view line)
         return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1,
                                 "numbers before a line that names the columns (MJD ...)");
     for (; n < r->n_columns && orr_view_word(&rest, &word); n++) {
-        erp_column k = r->column[n];
+        int k = r->column[n];
         int column = (int)(word.p - line.p) + 1;
         double x;
         if (k == C_OTHER) continue;
@@ -201,25 +206,19 @@ static orr_status read_row(erp_reader *r, orr_view line)
         orr_cursor_warn(&r->c, r->warnings, 1, "the header names %zu columns, this line has %s", r->n_columns,
                         more ? "more" : "fewer");
     }
-    // 1962 (the first pole of the IERS) to 2200.
-    if (!(v[C_MJD] > 37000 && v[C_MJD] < 125000))
-        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "%g is no modified Julian date", v[C_MJD]);
-    if (!(fabs(v[C_X]) < 2e6 && fabs(v[C_Y]) < 2e6))
-        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "a pole more than two arc seconds off");
-    erp_row e = {.mjd = v[C_MJD], .order = r->n};
+    erp_row e = {.mjd = v[C_MJD]};
     e.eop.xp_rad = v[C_X] * RAD_PER_UAS;
     e.eop.yp_rad = v[C_Y] * RAD_PER_UAS;
     e.eop.lod_s = has[C_LOD] ? v[C_LOD] * S_PER_UNIT : 0.0;
     if (has[C_UT1_UTC]) {
         e.eop.ut1_utc_s = v[C_UT1_UTC] * S_PER_UNIT;
+    } else if (!(e.mjd > ERP_FIRST_MJD && e.mjd < ERP_LAST_MJD)) {
+        return bad_date(r, e.mjd);
     } else {
         double day = floor(e.mjd);
         orr_time t = orr_time_from_mjd((int32_t)day, e.mjd - day, ORR_SCALE_UTC, r->leap);
         e.eop.ut1_utc_s = v[C_UT1_TAI] * S_PER_UNIT + orr_leap_tai_minus_utc(t, r->leap);
     }
-    if (fabs(e.eop.ut1_utc_s) > 1.0) // |UT1 - UTC| < 0.9 s by definition
-        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "UT1 - UTC of %.4f s cannot be",
-                                e.eop.ut1_utc_s);
     const double per_day = RAD_PER_UAS / ORR_S_PER_DAY;
     e.detail = (orr_erp_detail){.xp_sdev_rad = numeric(v, has, C_SX, RAD_PER_UAS),
                                 .yp_sdev_rad = numeric(v, has, C_SY, RAD_PER_UAS),
@@ -234,10 +233,7 @@ static orr_status read_row(erp_reader *r, orr_view line)
                                 .n_receivers = count(v, has, C_NR),
                                 .n_fixed = count(v, has, C_NF),
                                 .n_satellites = count(v, has, C_NT)};
-    orr_status s = orr_records_grow(&r->row, r->n, sizeof *r->row, r->limits.max_records,
-                                    "lines of Earth rotation", &r->c, r->diag);
-    if (s == ORR_OK) r->row[r->n++] = e;
-    return s;
+    return erp_add_row(r, &e);
 }
 
 static bool is_version_line(orr_view line, int *version)
@@ -253,10 +249,29 @@ static bool is_version_line(orr_view line, int *version)
     return true;
 }
 
+// A line that cannot be read is told and left out; one that the file's end cuts is the sign of a cut file.
+static orr_status take_row(erp_reader *r, orr_view line)
+{
+    orr_diag *const diag = r->diag;
+    orr_diag why = {0};
+    r->diag = &why;
+    orr_status s = read_row(r, line);
+    r->diag = diag;
+    r->tally.good += s == ORR_OK;
+    if (s == ORR_E_FORMAT && !r->c.unterminated) {
+        orr_records_leave_out(&r->tally, &r->c, why.column, why.text, r->warnings);
+        return ORR_OK;
+    }
+    if (s != ORR_OK && diag != NULL) *diag = why;
+    return s;
+}
+
+#define MOST_TEXT_LINES 60
+
 static orr_status read_lines(erp_reader *r)
 {
     orr_view line;
-    bool after_columns = false;
+    bool after_columns = false, text = false;
     while (orr_cursor_next(&r->c, &line)) {
         orr_view rest = line, word;
         orr_status s = ORR_OK;
@@ -265,9 +280,13 @@ static orr_status read_lines(erp_reader *r)
         if (!orr_view_word(&rest, &word)) continue;
         if (r->out->version == 0 || is_version_line(line, &version)) {
             // Files of several days are often one behind the other, each with its header.
-            if (!is_version_line(line, &version))
-                return orr_cursor_error(&r->c, r->diag, ORR_E_KIND, 1,
-                                        "not an Earth rotation file: the first line is not \"version 2\"");
+            if (!is_version_line(line, &version)) {
+                erp_iers_kind kind = erp_iers_line(line);
+                if (kind != ERP_NOT_IERS) return erp_read_iers(r, line, kind);
+                text = true; // the IERS' C04 has a page of text before its values
+                if (r->c.line < MOST_TEXT_LINES) continue;
+                break;
+            }
             if (version != 2)
                 return orr_cursor_error(&r->c, r->diag, ORR_E_UNSUPPORTED, 1,
                                         "version %d of Earth rotation files is not known (2 is)", version);
@@ -279,12 +298,12 @@ static orr_status read_lines(erp_reader *r)
             if (s != ORR_OK) return s;
             continue;
         } else if (orr_view_real(word, &number) == ORR_FIELD_OK && r->n_columns > 0) {
-            s = read_row(r, line);
+            s = take_row(r, line);
         } else if (after_columns) {
             s = check_units(r, line);
         } else if (r->n_columns > 0 && isdigit((unsigned char)word.p[0])) {
-            s = orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1,
-                                 "a line that does not start with a date (MJD)");
+            orr_records_leave_out(&r->tally, &r->c, 1, "a line that does not start with a date (MJD)",
+                                  r->warnings);
         } else if (r->n_columns > 0) {
             orr_cursor_warn(&r->c, r->warnings, 1, "a line of text among the values is passed over");
         } else if (r->out->title[0] == '\0') {
@@ -295,7 +314,14 @@ static orr_status read_lines(erp_reader *r)
     }
     orr_status s = orr_cursor_status(&r->c, r->diag);
     if (s != ORR_OK) return s;
-    if (r->out->version == 0) return orr_cursor_error(&r->c, r->diag, ORR_E_KIND, 0, "the file is empty");
+    if (r->out->version == 0)
+        return orr_cursor_error(
+            &r->c, r->diag, ORR_E_KIND, 0, "%s",
+            text ? "not an Earth rotation file: neither \"version 2\" of the IGS nor values of the "
+                   "IERS (finals, C04) in its first lines"
+                 : "the file is empty");
+    s = orr_records_verdict(&r->tally, r->diag);
+    if (s != ORR_OK) return s;
     if (r->n == 0)
         return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 0, "the file has no line of Earth rotation");
     return ORR_OK;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Earth rotation parameters, IGS ERP files version 2 (Kouba 1997, "IGS Earth Rotation Parameter file format
-// version 2"). Centres write the columns in their own order and words; they are read by the file's own header
-// and unit lines.
+// Earth rotation parameters: IGS ERP files version 2 (Kouba 1997, "IGS Earth Rotation Parameter file format
+// version 2"), whose columns centres write in their own order and words, read by the file's own header and unit lines;
+// and the IERS' own finals.all and finals2000A (Bulletin A's values) and EOP C04 of 08, 14 and 20.
 #ifndef ORR_INGEST_TABLES_ERP_H
 #define ORR_INGEST_TABLES_ERP_H
 
@@ -16,12 +16,13 @@ typedef struct orr_erp_detail {
     double xp_sdev_rad, yp_sdev_rad, ut1_sdev_s, lod_sdev_s;
     double xp_rate_radps, yp_rate_radps; // rad/s
     double xp_rate_sdev_radps, yp_rate_sdev_radps;
-    double dpsi_rad, deps_rad;              // nutation corrections
+    double dpsi_rad, deps_rad; // celestial pole: dpsi and deps, or dX and dY, as the file has them
+
     int n_receivers, n_fixed, n_satellites; // -1 where not told
 } orr_erp_detail;
 
 typedef struct orr_erp {
-    int version;
+    int version;            // of the IGS files; 0 of those of the IERS
     char title[161];        // first line that says what it is; empty if none does
     orr_eop_series series;  // ascending MJD UTC; pole rad, UT1 - UTC s, LOD s: what core/astro.h evaluates
     orr_erp_detail *detail; // [series.n]

@@ -19,6 +19,7 @@ typedef struct sinex_reader {
     orr_diag *diag;
     orr_read_limits limits;
     size_t last_estimate;
+    orr_records_tally tally;
 } sinex_reader;
 
 void orr_sinex_free(orr_sinex *x)
@@ -204,6 +205,24 @@ static orr_status check(sinex_reader *r)
     return ORR_OK;
 }
 
+// One line of a block; what cannot be read is told and left out.
+static orr_status data_line(sinex_reader *r, orr_status (*read)(sinex_reader *r, orr_view line),
+                            orr_view line)
+{
+    orr_diag *const diag = r->diag;
+    orr_diag why = {0};
+    r->diag = &why;
+    orr_status s = read(r, line);
+    r->diag = diag;
+    r->tally.good += s == ORR_OK;
+    if (s == ORR_E_FORMAT) {
+        orr_records_leave_out(&r->tally, &r->c, why.column, why.text, r->warnings);
+        return ORR_OK;
+    }
+    if (s != ORR_OK && diag != NULL) *diag = why;
+    return s;
+}
+
 orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                            orr_sinex *out, orr_warnings *warnings, orr_diag *diag)
 {
@@ -234,9 +253,9 @@ orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const o
         } else if (c == '%') {
             ended = orr_view_starts(line, "%ENDSNX") || orr_view_starts(line, "%=ENDSNX");
         } else if (c != '*' && !orr_view_is_blank(line)) {
-            if (block == SITE) s = site(&r, line);
-            if (block == ECCENTRICITY) s = eccentricity(&r, line);
-            if (block == ESTIMATE) s = estimate(&r, line);
+            if (block == SITE) s = data_line(&r, site, line);
+            if (block == ECCENTRICITY) s = data_line(&r, eccentricity, line);
+            if (block == ESTIMATE) s = data_line(&r, estimate, line);
         }
     }
     if (s == ORR_OK) s = orr_cursor_status(&r.c, diag);
@@ -245,6 +264,7 @@ orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const o
         s = orr_cursor_error(&r.c, diag, ORR_E_FORMAT, 0,
                              "the file ends inside a block or before its coordinates: it is cut short");
     if (s == ORR_OK && !ended) orr_cursor_warn(&r.c, warnings, 0, "the file ends without %%ENDSNX");
+    if (s == ORR_OK) s = orr_records_verdict(&r.tally, diag);
     if (s == ORR_OK) s = check(&r);
     if (s != ORR_OK) orr_sinex_free(out);
     return s;

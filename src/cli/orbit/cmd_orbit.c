@@ -28,11 +28,12 @@ static const orr_option options[] = {
     ORR_OPTION_SATS,
     ORR_OPTION_ERP(
             .repeated = true,
-            .help =
-                "File of Earth rotation parameters. Without one the orbits themselves tell the pole and the "
-                "length of day; of fewer than four satellites nothing does, and the IERS secular pole is "
-                "used, "
-                "and UT1 by the leap seconds."),
+            .help = "File of Earth rotation parameters: of the IGS, or the IERS' finals or C04. Without one "
+                    "the orbits "
+                    "themselves tell the pole and the "
+                    "length of day; of fewer than four satellites nothing does, and the IERS secular pole is "
+                    "used, "
+                    "and UT1 by the leap seconds."),
     {.writes = true,
      .name = "erp-out",
      .kind = ORR_OPT_TEXT,

@@ -97,6 +97,37 @@ static void test_sinex(void **state)
     orr_bias_free(&x);
 }
 
+// Twelve characters of standard deviation, columns 93-104, and the slope a column further right.
+static void test_wide_sigma(void **state)
+{
+    (void)state;
+    static const char wide[] =
+        "%=BIA 1.00 XXX 2024:036:00000 XXX 2024:035:00000 2024:036:00000 R 00000003\n+BIAS/SOLUTION\n"
+        " DSB  G063 G01           C1W  C2W  2024:035:00000 2024:036:00000 ns   -7.25000000000000E+00 "
+        "1.250000E-01\n"
+        " OSB  G061 G02           C1W       2024:035:00000 2024:036:00000 ns   7.500000000000000E+00 "
+        "2.500000E-01 "
+        "1.000000000000000E-05 1.00000E-06\n"
+        " OSB  G061 G03           C1W       2024:035:00000 2024:036:00000 ns   7.500000000000000E+00 "
+        "2.500000E-0x\n"
+        " OSB  G061 G04           C1W       2024:035:00000 2024:036:00000 ns   7.500000000000000E+001 "
+        "2.50000E-01\n"
+        "-BIAS/SOLUTION\n%=ENDBIA\n";
+    orr_bias_set x;
+    orr_diag d;
+    orr_warnings w = {0};
+    ASSERT_OK(parse(wide, &x, &w, &d), d);
+    assert_int_equal(x.n, 2);
+    assert_int_equal(w.count, 2); // no number; a value that reaches over its columns
+    ASSERT_NEAR(x.bias[0].value_s, -7.25e-9, 1e-23);
+    ASSERT_NEAR(x.bias[0].sdev_s, 0.125e-9, 1e-24);
+    ASSERT_NEAR(x.bias[1].sdev_s, 0.25e-9, 1e-24);
+    ASSERT_NEAR(x.bias[1].slope_sps, 1e-14, 1e-28);
+    ASSERT_NEAR(x.bias[1].slope_sdev_sps, 1e-15, 1e-29);
+    orr_bias_free(&x);
+    orr_warnings_free(&w);
+}
+
 static void assert_left_out(const char *from, const char *to, const char *words)
 {
     made_text t = {0};
@@ -278,10 +309,10 @@ static void test_refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sinex),       cmocka_unit_test(test_one_bad_line),
-        cmocka_unit_test(test_code_dcb),    cmocka_unit_test(test_code_dcb_cut),
-        cmocka_unit_test(test_dcb_periods), cmocka_unit_test(test_dcb_daily),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_sinex),        cmocka_unit_test(test_wide_sigma),
+        cmocka_unit_test(test_one_bad_line), cmocka_unit_test(test_code_dcb),
+        cmocka_unit_test(test_code_dcb_cut), cmocka_unit_test(test_dcb_periods),
+        cmocka_unit_test(test_dcb_daily),    cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

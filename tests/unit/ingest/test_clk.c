@@ -150,6 +150,50 @@ static void assert_refused(made_text *t, orr_status status, const char *words)
     assert_null(x.sat);
 }
 
+// A line that is no record is told, with its place, and left out; the other eight stand.
+static void assert_left_out(made_text *t, const char *words)
+{
+    orr_clk x;
+    orr_diag d;
+    orr_warnings w = {0};
+    ASSERT_OK(parse(t, &x, &w, &d), d);
+    size_t n = 0;
+    for (size_t i = 0; i < x.n_sats; i++) n += x.sat[i].n;
+    for (size_t i = 0; i < x.n_receivers; i++) n += x.receiver[i].n;
+    assert_int_equal(n, 8);
+    assert_int_equal(w.count, 1);
+    if (strstr(w.item[0].text, words) == NULL) fail_msg("\"%s\" does not say \"%s\"", w.item[0].text, words);
+    assert_true(w.item[0].line >= 8);
+    orr_clk_free(&x);
+    orr_warnings_free(&w);
+}
+
+static void test_stray_lines(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *from, *to, *words;
+    } cases[] = {{"AS R05", "AS X05", "no known satellite"},
+                 {"AS R05", "XX R05", "none of AS"},
+                 {"2024 02 04", "2024 13 04", "no date"},
+                 {"-0.100000000000E-04", "-0.1000000000x0E-04", "no number"},
+                 {"  1   -0.1", "  9   -0.1", "1 to 6"},
+                 {"  1   -0.1", "  3   -0.1", "ends before"},
+                 {"  2    0.100419332247E-03  0.100000000000E-10",
+                  "  3    0.100419332247E-03  0.100000000000E-10", "second line"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        made_text t = version3();
+        made_replace(&t, cases[i].from, cases[i].to);
+        assert_left_out(&t, cases[i].words);
+    }
+    made_text t = version3();
+    for (int i = 0; i < 10; i++) made_add(&t, "no record at all\n");
+    orr_clk x;
+    orr_diag d;
+    assert_int_equal(parse(&t, &x, NULL, &d), ORR_E_FORMAT); // ten bad lines beside nine good ones
+    assert_non_null(strstr(d.text, "of 19 lines 10 cannot be read"));
+}
+
 static void test_refusals(void **state)
 {
     (void)state;
@@ -164,21 +208,6 @@ static void test_refusals(void **state)
     t = version3();
     t.n = (size_t)(strstr(t.s, "AR BRUX") - t.s);
     assert_refused(&t, ORR_E_FORMAT, "no clock record");
-    t = version3();
-    made_replace(&t, "AS R05", "AS X05");
-    assert_refused(&t, ORR_E_FORMAT, "no known satellite");
-    t = version3();
-    made_replace(&t, "AS R05", "XX R05");
-    assert_refused(&t, ORR_E_FORMAT, "none of AS");
-    t = version3();
-    made_replace(&t, "2024 02 04", "2024 13 04");
-    assert_refused(&t, ORR_E_FORMAT, "no date");
-    t = version3();
-    made_replace(&t, "-0.100000000000E-04", "-0.1000000000x0E-04");
-    assert_refused(&t, ORR_E_FORMAT, "no number");
-    t = version3();
-    made_replace(&t, "  1   -0.1", "  9   -0.1");
-    assert_refused(&t, ORR_E_FORMAT, "1 to 6");
     t = version3();
     made_replace(&t, "   GPS ", "   XYZ ");
     assert_refused(&t, ORR_E_UNSUPPORTED, "XYZ");
@@ -223,8 +252,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_version_3),   cmocka_unit_test(test_version_2),
         cmocka_unit_test(test_version_304), cmocka_unit_test(test_order_and_doubles),
-        cmocka_unit_test(test_refusals),    cmocka_unit_test(test_cut_short),
-        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_stray_lines), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_cut_short),   cmocka_unit_test(test_limits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -146,6 +146,114 @@ static void test_merge(void **state)
     orr_erp_free(&x[1]);
 }
 
+// finals2000A: columns of the readme; a predicted day, a day to come, LOD in ms, and a leap second's worth of UT1 between.
+static const char finals[] =
+    "2412 7 60651.00 I  0.123456 0.000091 -0.234567 0.000092  I-0.0123456 0.0000123  0.7654 0.0045  P     "
+    "0.123    "
+    "0.128    -0.456    0.160                                                     \n"
+    "2412 8 60652.00 P  0.120000 0.000291  0.230000 0.000292  P 0.0111111 0.0000999                 P     "
+    "0.100    "
+    "0.128    -0.400    0.160                                                     \n"
+    "2412 9 60653.00                                                                                         "
+    "      "
+    "                                                                              \n";
+
+static void test_finals(void **state)
+{
+    (void)state;
+    orr_erp x;
+    orr_diag d;
+    orr_warnings w = {0};
+    ASSERT_OK(parse(finals, &x, &w, &d), d);
+    assert_int_equal(w.count, 0);
+    assert_int_equal(x.series.n, 2);
+    assert_true(x.series.mjd_utc[0] == 60651);
+    ASSERT_NEAR(x.series.value[0].xp_rad, 123456 * UAS, 1e-20);
+    ASSERT_NEAR(x.series.value[0].yp_rad, -234567 * UAS, 1e-20);
+    ASSERT_NEAR(x.series.value[0].ut1_utc_s, -0.0123456, 1e-15);
+    ASSERT_NEAR(x.series.value[0].lod_s, 0.7654e-3, 1e-18);
+    ASSERT_NEAR(x.detail[0].ut1_sdev_s, 12.3e-6, 1e-18);
+    ASSERT_NEAR(x.detail[0].lod_sdev_s, 4.5e-6, 1e-18);
+    ASSERT_NEAR(x.detail[0].dpsi_rad, 123 * UAS, 1e-20);
+    ASSERT_NEAR(x.series.value[1].ut1_utc_s, 0.0111111, 1e-15);
+    assert_true(x.series.value[1].lod_s == 0 && isnan(x.detail[1].lod_sdev_s));
+    assert_string_equal(x.title, "IERS finals (Bulletin A)");
+    orr_erp_free(&x);
+    orr_warnings_free(&w);
+}
+
+// C04 in the forms of 14 and 20, each with its page of text; days before 1972 are passed over.
+static void test_c04(void **state)
+{
+    (void)state;
+    static const char c14[] =
+        "                             EARTH ORIENTATION PARAMETER (EOP) PRODUCT CENTER\n"
+        "                                          EOP (IERS) 14 C04\n"
+        "      Date      MJD      x          y        UT1-UTC       LOD         dX        dY        x Err\n"
+        "                         \"          \"           s           s\n"
+        "1962   1   1  37665  -0.012700   0.213000   0.0326338   0.0017230   0.000000   0.000000   0.030000  "
+        " 0.030000 "
+        " 0.0020000  0.0014000    0.012000    0.002000\n"
+        "2019   3   4  58546   0.055555   0.366666  -0.0876543   0.0009876   0.000111  -0.000222   0.000033  "
+        " 0.000044 "
+        " 0.0000055  0.0000066    0.000077    0.000088\n";
+    static const char c20[] = "# EOP (IERS) 20 C04 TIME SERIES  consistent with ITRF 2020\n"
+                              "# YR  MM  DD  HH       MJD        x(\")        y(\")  UT1-UTC(s)       dX(\") "
+                              "     dY(\")       xrt(\")\n"
+                              "2019   3   4   0  58546.00    0.055555    0.366666  -0.0876543    0.000111   "
+                              "-0.000222    0.001230   -0.002340"
+                              "   0.0009876    0.000033    0.000044   0.0000055    0.000077    0.000088    "
+                              "0.000099    0.000091   0.0000066\n"
+                              "2019   3   4  12  58546.50    0.055666    0.366777  -0.0881111    0.000111   "
+                              "-0.000222    0.001230   -0.002340"
+                              "   0.0009876    0.000033    0.000044   0.0000055    0.000077    0.000088    "
+                              "0.000099    0.000091   0.0000066\n";
+    const char *const text[2] = {c14, c20};
+    for (int k = 0; k < 2; k++) {
+        orr_erp x;
+        orr_diag d;
+        orr_warnings w = {0};
+        ASSERT_OK(parse(text[k], &x, &w, &d), d);
+        assert_int_equal(w.count, 0);
+        assert_int_equal(x.series.n, 1 + k);
+        assert_true(x.series.mjd_utc[0] == 58546 && x.series.mjd_utc[k] == 58546 + 0.5 * k);
+        ASSERT_NEAR(x.series.value[0].xp_rad, 55555 * UAS, 1e-20);
+        ASSERT_NEAR(x.series.value[0].yp_rad, 366666 * UAS, 1e-20);
+        ASSERT_NEAR(x.series.value[0].ut1_utc_s, -0.0876543, 1e-15);
+        ASSERT_NEAR(x.series.value[0].lod_s, 0.0009876, 1e-18);
+        ASSERT_NEAR(x.detail[0].xp_sdev_rad, 33 * UAS, 1e-22);
+        ASSERT_NEAR(x.detail[0].ut1_sdev_s, 5.5e-6, 1e-18);
+        ASSERT_NEAR(x.detail[0].lod_sdev_s, 6.6e-6, 1e-18);
+        ASSERT_NEAR(x.detail[0].dpsi_rad, 111 * UAS, 1e-22);
+        ASSERT_NEAR(x.detail[0].deps_rad, -222 * UAS, 1e-22);
+        if (k == 1) ASSERT_NEAR(x.detail[0].xp_rate_radps, 1230 * UAS / 86400, 1e-24);
+        orr_erp_free(&x);
+        orr_warnings_free(&w);
+    }
+}
+
+// One line that cannot be read is told and left out; as many bad ones as good ones and one more, and the file is refused.
+static void test_stray_lines(void **state)
+{
+    (void)state;
+    orr_erp x;
+    orr_diag d;
+    orr_warnings w = {0};
+    made_text t = {0};
+    made_bytes(&t, code, strlen(code));
+    made_replace(&t, "   210979", "   ******");
+    ASSERT_OK(parse(t.s, &x, &w, &d), d);
+    assert_int_equal(x.series.n, 1);
+    assert_int_equal(w.count, 1);
+    assert_non_null(strstr(w.item[0].text, "left out"));
+    assert_int_equal(w.item[0].line, 7);
+    orr_erp_free(&x);
+    orr_warnings_free(&w);
+    made_replace(&t, "   208651", "   ******");
+    assert_int_equal(parse(t.s, &x, NULL, &d), ORR_E_FORMAT);
+    made_free(&t);
+}
+
 static void assert_refused(const char *base, const char *from, const char *to, orr_status status,
                            const char *words)
 {
@@ -204,8 +312,9 @@ static void test_cut_short(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_igs),       cmocka_unit_test(test_code),  cmocka_unit_test(test_ut1_tai),
-        cmocka_unit_test(test_several),   cmocka_unit_test(test_merge), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_igs),       cmocka_unit_test(test_code),        cmocka_unit_test(test_ut1_tai),
+        cmocka_unit_test(test_several),   cmocka_unit_test(test_merge),       cmocka_unit_test(test_finals),
+        cmocka_unit_test(test_c04),       cmocka_unit_test(test_stray_lines), cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_cut_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
