@@ -85,7 +85,8 @@ bool orr_view_split(orr_view *rest, char separator, orr_view *part);
 typedef enum orr_field { ORR_FIELD_OK, ORR_FIELD_BLANK, ORR_FIELD_BAD } orr_field;
 
 // The number in columns col .. col + width - 1. Blanks (tabs too) may stand on both sides, not inside, except
-// as the sign of an exponent ("1.5D 02"). Exponent letters are D, d, E, e. The result is correctly rounded.
+// as the sign of an exponent ("1.5D 02"). Exponent letters are D, d, E, e; Fortran drops the letter before three digits
+// ("0.5-269"). The result is correctly rounded.
 // Fortran's asterisks, "nan", "inf" and numbers past the range of double are BAD. Fields over 128 characters
 // are BAD.
 orr_field orr_field_real(orr_view line, int col, int width, double *out);

@@ -93,6 +93,16 @@ double orr_decimal_scale(uint64_t mantissa, int exp10)
     return decimal_long(text, (size_t)n, exp10);
 }
 
+// Three digits, then blanks alone.
+static bool bare_exponent(const char *p, const char *end)
+{
+    for (int i = 0; i < 3; i++)
+        if ((unsigned)(unsigned char)p[i] - '0' > 9) return false;
+    for (p += 3; p < end; p++)
+        if (*p != ' ' && *p != '\t') return false;
+    return true;
+}
+
 orr_field orr_view_real(orr_view v, double *out) { return orr_view_real_e(v, 0, out); }
 
 orr_field orr_view_real_e(orr_view v, int power, double *out)
@@ -110,7 +120,8 @@ orr_field orr_view_real_e(orr_view v, int power, double *out)
         m = m * 10 + ((unsigned)(unsigned char)*p++ - '0');
     size_t n_digits = (size_t)(p - first);
     int scale = power;
-    if (p < end && *p == '.') {
+    const bool point = p < end && *p == '.';
+    if (point) {
         const char *fraction = ++p;
         while (p < end && (unsigned)(unsigned char)*p - '0' <= 9)
             m = m * 10 + ((unsigned)(unsigned char)*p++ - '0');
@@ -132,6 +143,11 @@ orr_field orr_view_real_e(orr_view v, int power, double *out)
         }
         if (p == e_first) return ORR_FIELD_BAD;
         scale += down ? -e : e;
+    } else if (point && end - p >= 4 && (*p == '-' || *p == '+') && bare_exponent(p + 1, end)) {
+        // Fortran drops the letter where the exponent has three digits: 0.499063314674-269.
+        const int e = 100 * (p[1] - '0') + 10 * (p[2] - '0') + (p[3] - '0');
+        scale += *p == '-' ? -e : e;
+        p += 4;
     }
     while (p < end && (*p == ' ' || *p == '\t')) p++;
     if (p != end) return ORR_FIELD_BAD;

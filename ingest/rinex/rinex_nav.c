@@ -258,6 +258,7 @@ orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr
         return s;
     }
     if (out->n_eph > 1) qsort(out->eph, out->n_eph, sizeof *out->eph, compare_eph);
+    orr_nav_tell_conflicts(out->eph, out->n_eph, name, warnings);
     return ORR_OK;
 }
 

@@ -35,6 +35,10 @@ typedef enum orr_nav_message {
     ORR_NAV_N_MESSAGES
 } orr_nav_message;
 const char *orr_nav_message_name(orr_nav_message m); // "LNAV", ...; "" for NONE
+// Messages with ephemerides that satellites of a system send, bit 1 << orr_nav_message each; 0 for no system.
+uint32_t orr_nav_messages_of(char system);
+// Reads a user's list of messages with ephemerides, "CNAV,FNAV" (any case), into such bits. ORR_E_ARG with a sentence.
+orr_status orr_nav_messages_parse(const char *text, uint32_t *out, orr_diag *diag);
 
 // Which member of orr_nav_eph's union holds the orbit.
 typedef enum orr_nav_kind { ORR_NAV_KEPLER = 1, ORR_NAV_GLONASS, ORR_NAV_GEO } orr_nav_kind;
@@ -97,8 +101,9 @@ typedef struct orr_nav_eph {
     uint8_t message; // orr_nav_message
     orr_time toe, toc;
     orr_time transmission; // ORR_TIME_NONE if unknown (blank or 0.9999E9)
-    int32_t week; // the file's number (continuous GPS week; BDT week for BeiDou); -1 if it gives none
-    int64_t line; // of the record's first line in the file
+    int32_t week;   // the file's number (continuous GPS week; BDT week for BeiDou); -1 if it gives none
+    int64_t line;   // of the record's first line in the file
+    uint32_t order; // among the records of all files that were merged
     double af0_s, af1_sps, af2_sps2; // satellite clock polynomial at toc
     // URA or SISA in metres where the record gives metres; NAN otherwise (Galileo's -1 too)
     double accuracy_m;
@@ -199,7 +204,8 @@ orr_nav_limits orr_nav_default_limits(void); // 2 GiB, 1 000 000, 100 000
 
 // Reads a whole file (plain, gzip, .Z by content). Bad records go one by one to `warnings` (may be NULL) and
 // are left out; a file that is no RINEX navigation file, whose header cannot be used, or of which no record
-// can be read, is refused.
+// can be read, is refused. Records of one issue (satellite, message, toe, toc and issue of data) that contradict each other are told
+// and all kept; who chooses takes the one transmitted last (orr_broadcast_select).
 //   Given:    path        the file, plain, gzip or .Z by content
 //             limits      what is refused; NULL: the defaults
 //   Returned: out         the records, to be freed with orr_nav_free; empty on failure
@@ -217,10 +223,13 @@ orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr
 // Frees all and leaves *nav empty.
 void orr_nav_free(orr_nav *nav);
 
-// Several files as one: the ephemerides in the order of orr_nav.eph, of records that agree in satellite, toe,
-// toc, transmission and message one is kept; the ionospheres in the files' order. Time offsets, Earth
-// orientation and comments are not carried over. Free with orr_nav_free.
-orr_status orr_nav_merge(const orr_nav *in, size_t n, orr_nav *out, orr_diag *diag);
+// Several files as one: the ephemerides in the order of orr_nav.eph, of records that agree in all they say one is kept;
+// the ionospheres in the files' order. Time offsets, Earth orientation and comments are not carried over.
+//   Given:    in, n       the n files
+//   Returned: out         all of them, to be freed with orr_nav_free
+//             warnings    of records of one issue that contradict each other (as of orr_nav_read); may be NULL
+//             diag        ORR_E_MEMORY
+orr_status orr_nav_merge(const orr_nav *in, size_t n, orr_nav *out, orr_warnings *warnings, orr_diag *diag);
 
 // The ephemerides of one satellite: *count of them from nav->eph[*first] on, ascending in toe. count 0 if
 // none.

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "core/array.h"
 #include "core/decimal.h"
@@ -144,6 +145,53 @@ orr_nav_message orr_nav_message_parse(orr_view name)
     for (int i = 1; i < ORR_NAV_N_MESSAGES; i++)
         if (orr_view_equals(name, message_names[i])) return (orr_nav_message)i;
     return ORR_NAV_NONE;
+}
+
+uint32_t orr_nav_messages_of(char system)
+{
+#define BIT(message) (UINT32_C(1) << (message))
+    switch (system) {
+    case 'G':
+    case 'J':
+        return BIT(ORR_NAV_LNAV) | BIT(ORR_NAV_CNAV) | BIT(ORR_NAV_CNV2);
+    case 'R':
+        return BIT(ORR_NAV_FDMA);
+    case 'E':
+        return BIT(ORR_NAV_INAV) | BIT(ORR_NAV_FNAV);
+    case 'C':
+        return BIT(ORR_NAV_D1) | BIT(ORR_NAV_D2) | BIT(ORR_NAV_CNV1) | BIT(ORR_NAV_CNV2) | BIT(ORR_NAV_CNV3);
+    case 'I':
+        return BIT(ORR_NAV_LNAV) | BIT(ORR_NAV_L1NV);
+    case 'S':
+        return BIT(ORR_NAV_SBAS);
+    default:
+        return 0;
+    }
+}
+
+orr_status orr_nav_messages_parse(const char *text, uint32_t *out, orr_diag *diag)
+{
+    uint32_t all = 0, got = 0;
+    for (const char *s = ORR_SYSTEMS; *s != '\0'; s++) all |= orr_nav_messages_of(*s);
+    for (const char *p = text;;) {
+        const size_t n = strcspn(p, ",");
+        int m = ORR_NAV_N_MESSAGES - 1;
+        while (m > 0 && ((all & BIT(m)) == 0 || strlen(message_names[m]) != n ||
+                         strncasecmp(p, message_names[m], n) != 0))
+            m--;
+        if (m == 0)
+            return orr_diag_set(
+                diag, ORR_E_ARG,
+                "\"%.*s\" is no message with ephemerides (LNAV, CNAV, CNV1, CNV2, CNV3, INAV, FNAV, D1, "
+                "D2, FDMA, SBAS, L1NV)",
+                (int)(n < 20 ? n : 20), p);
+        got |= BIT(m);
+        if (p[n] == '\0') break;
+        p += n + 1;
+    }
+#undef BIT
+    *out = got;
+    return ORR_OK;
 }
 
 orr_status orr_nav_append(void *array, size_t *n, size_t size, const void *element, orr_diag *diag)

@@ -159,12 +159,18 @@ static orr_status klobuchar(const header_context *c, char system, size_t part, c
 {
     orr_nav *nav = c->nav;
     orr_nav_iono *set = NULL;
-    for (size_t i = 0; i < nav->n_iono && set == NULL; i++) {
-        orr_nav_iono *k = &nav->iono[i];
-        if (k->kind == ORR_NAV_KLOBUCHAR && k->system == system && k->time_mark == mark && k->sat == sat &&
-            isnan(k->coefficient[part]))
-            set = k;
-    }
+    // The other half of the same mark and satellite; else the last one that leaves open what this line tells, or the
+    // reverse: some receivers write them on one of the two lines alone.
+    for (int loose = 0; loose < 2 && set == NULL; loose++)
+        for (size_t i = 0; i < nav->n_iono; i++) {
+            orr_nav_iono *k = &nav->iono[i];
+            bool same_mark = k->time_mark == mark || (loose && (k->time_mark == ' ' || mark == ' '));
+            bool same_sat = k->sat == sat || (loose && (k->sat == ORR_SAT_NONE || sat == ORR_SAT_NONE));
+            if (k->kind != ORR_NAV_KLOBUCHAR || k->system != system || !isnan(k->coefficient[part])) continue;
+            if (same_mark && same_sat && (loose || set == NULL)) set = k;
+        }
+    if (set != NULL && set->sat == ORR_SAT_NONE) set->sat = sat;
+    if (set != NULL && set->time_mark == ' ') set->time_mark = mark;
     if (set == NULL) {
         orr_nav_iono fresh = {.kind = ORR_NAV_KLOBUCHAR,
                               .system = system,

@@ -93,6 +93,9 @@ orr_nav_message orr_nav_message_parse(orr_view name);
 //             diag        ORR_E_FORMAT, ORR_E_MEMORY: the file is refused
 orr_status orr_nav_header_line(orr_nav *nav, orr_view line, const char *name, int64_t number, orr_warnings *w,
                                orr_diag *diag);
+// Warns of records of one issue whose orbit or clock differ; eph[n] in the order of orr_nav.eph, name NULL for several
+// files.
+void orr_nav_tell_conflicts(const orr_nav_eph *eph, size_t n, const char *name, orr_warnings *w);
 // Appends an element to an array that grows.
 //   Given:    array       address of the pointer to the elements
 //             n           elements so far

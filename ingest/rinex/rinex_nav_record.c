@@ -368,6 +368,55 @@ static orr_sat sat_of(const nav_lines *r, bool v2, char system)
     return orr_sat_make(system, number);
 }
 
+// Bit i: field i of the continuation lines is read into the ephemeris. What stands in the spare ones does not matter.
+static uint64_t used_fields(char system, orr_nav_message m)
+{
+#define FIELDS(from, to) ((UINT64_C(2) << (to)) - (UINT64_C(1) << (from)))
+    switch (m) {
+    case ORR_NAV_FDMA:
+        return FIELDS(0, 15);
+    case ORR_NAV_SBAS:
+        return FIELDS(0, 11);
+    case ORR_NAV_INAV:
+    case ORR_NAV_FNAV:
+        return FIELDS(0, 18) | FIELDS(20, 24);
+    case ORR_NAV_D1:
+    case ORR_NAV_D2:
+        return FIELDS(0, 16) | FIELDS(18, 18) | FIELDS(20, 25);
+    case ORR_NAV_CNAV:
+        return FIELDS(0, 29);
+    case ORR_NAV_CNV1:
+        return FIELDS(0, 24) | FIELDS(26, 32) | FIELDS(35, 35);
+    case ORR_NAV_CNV2:
+        return system == 'C' ? FIELDS(0, 23) | FIELDS(25, 32) | FIELDS(35, 35)
+                             : FIELDS(0, 29) | FIELDS(32, 33);
+    case ORR_NAV_CNV3:
+        return FIELDS(0, 28);
+    case ORR_NAV_L1NV:
+        return FIELDS(0, 17) | FIELDS(20, 29);
+    default:
+        return system == 'I' ? FIELDS(0, 16) | FIELDS(18, 18) | FIELDS(20, 22) | FIELDS(24, 24)
+                             : FIELDS(0, 25);
+    }
+#undef FIELDS
+}
+
+// All fields of the continuation lines; bit i of the result: field i is there and no number (it is NAN then).
+static uint64_t read_fields(const nav_lines *r, size_t lines, int column, double b[NAV_MAX_FIELDS])
+{
+    uint64_t bad = 0;
+    nav_fault unsaid;
+    for (size_t i = 0; i < NAV_MAX_FIELDS; i++) b[i] = ORR_NAN;
+    for (size_t i = 0; i + 1 < lines; i++)
+        for (int k = 0; k < 4; k++) {
+            size_t at = 4 * i + (size_t)k;
+            if (orr_nav_field(r, 1 + i, column + 19 * k, &b[at], &unsaid)) continue;
+            b[at] = ORR_NAN;
+            bad |= UINT64_C(1) << at;
+        }
+    return bad;
+}
+
 bool orr_nav_take_eph(const nav_lines *r, bool v2, char system, orr_nav_message message, orr_nav_eph *e,
                       nav_fault *f)
 {
@@ -395,16 +444,16 @@ bool orr_nav_take_eph(const nav_lines *r, bool v2, char system, orr_nav_message 
     double a[3], b[NAV_MAX_FIELDS];
     for (int i = 0; i < 3; i++)
         if (!orr_nav_field(r, 0, clock_column + 19 * i, &a[i], f)) return false;
-    for (size_t i = 0; i < NAV_MAX_FIELDS; i++) b[i] = ORR_NAN;
-    for (size_t i = 0; i + 1 < want; i++)
-        for (int k = 0; k < 4; k++)
-            if (!orr_nav_field(r, 1 + i, column + 19 * k, &b[4 * i + (size_t)k], f)) return false;
+    uint64_t bad = read_fields(r, want, column, b);
     if (isnan(a[0])) return orr_nav_fault(f, first->number, clock_column, "the satellite clock is missing");
     e->af0_s = a[0];
     e->af1_sps = or_zero(a[1]);
     e->af2_sps2 = or_zero(a[2]);
     if (message == ORR_NAV_NONE) message = message_of(system, orr_sat_number(e->sat), b[17]);
     e->message = (uint8_t)message;
+    for (size_t i = 0; i < NAV_MAX_FIELDS; i++) // the first bad one that is used says what is wrong
+        if ((bad & used_fields(system, message)) >> i & 1)
+            return orr_nav_field(r, 1 + i / 4, column + 19 * (int)(i % 4), &b[i], f);
     if (glonass) return take_glonass(r, a, b, flags_line, v2, e, f);
     if (geo) return take_geo(r, a, b, e, f);
 

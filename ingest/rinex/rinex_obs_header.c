@@ -137,6 +137,50 @@ static orr_status types_v2(obs_header_state *st, orr_view line, const obs_contex
     return ORR_OK;
 }
 
+// "   100     2    C1    P1": factor and types that it was multiplied into (RINEX 2.20); no types: all. A line without a
+// factor goes on with the types of the one before.
+static orr_status scale_factor_v2(obs_header_state *st, orr_view line, const obs_context *c)
+{
+    int n = 0;
+    if (!orr_view_is_blank(orr_view_cols(line, 1, 6))) {
+        if (orr_field_int_in(line, 1, 6, 1, 999999, &st->v2_scale_now) != ORR_FIELD_OK)
+            return refuse(c, 1, "the scale factor is not a number");
+        if (orr_field_int_in(line, 7, 6, 0, ORR_OBS_MAX_CODES, &n) == ORR_FIELD_BAD)
+            return refuse(c, 7, "the number of scaled types is not a number");
+        st->v2_scale_want = (size_t)n;
+        if (n == 0) st->v2_scale_all = st->v2_scale_now;
+    }
+    for (int i = 0; i < 8 && st->v2_scale_want > 0; i++, st->v2_scale_want--) {
+        char type[4];
+        if (i > 0 && orr_view_is_blank(orr_view_cols(line, 13 + 6 * i, 48 - 6 * i)))
+            break; // the rest on the next line
+        if (st->v2_n_scaled == ORR_OBS_MAX_CODES || !code_text(line, 13 + 6 * i, 6, type))
+            return refuse(c, 13 + 6 * i, "a scaled observation type is missing or not readable");
+        memcpy(st->v2_scale[st->v2_n_scaled].type, type, sizeof type);
+        st->v2_scale[st->v2_n_scaled].factor = st->v2_scale_now;
+        st->v2_scale[st->v2_n_scaled].column = 13 + 6 * i;
+        st->v2_scale[st->v2_n_scaled++].line = c->line;
+    }
+    return ORR_OK;
+}
+
+// The factors of the file's types, when all lines are read.
+static orr_status scales_of_v2(const obs_header_state *st, double scale[ORR_OBS_MAX_CODES],
+                               const obs_context *c)
+{
+    for (size_t i = 0; i < st->v2_n; i++) scale[i] = st->v2_scale_all > 0 ? st->v2_scale_all : 1;
+    for (size_t k = 0; k < st->v2_n_scaled; k++) {
+        bool found = false;
+        for (size_t i = 0; i < st->v2_n; i++)
+            if (strcmp(st->v2_type[i], st->v2_scale[k].type) == 0)
+                scale[i] = st->v2_scale[k].factor, found = true;
+        if (!found)
+            return orr_diag_at(c->diag, ORR_E_FORMAT, c->name, st->v2_scale[k].line, st->v2_scale[k].column,
+                               "a scaled observation type that the file does not have");
+    }
+    return ORR_OK;
+}
+
 static orr_status scale_factor(orr_rinex_obs_header *h, orr_view line, const obs_context *c)
 {
     int system = system_index(orr_view_char(line, 1)), factor = 1, n = 0;
@@ -262,6 +306,7 @@ typedef enum label_id {
     L_FIRST,
     L_LAST,
     L_SCALE,
+    L_SCALE2,
     L_SHIFT,
     L_SLOTS,
     L_BIAS,
@@ -296,6 +341,7 @@ static const struct {
     {"TIME OF FIRST OBS", L_FIRST},
     {"TIME OF LAST OBS", L_LAST},
     {"SYS / SCALE FACTOR", L_SCALE},
+    {"OBS SCALE FACTOR", L_SCALE2},
     {"SYS / PHASE SHIFT", L_SHIFT},
     {"SYS / PHASE SHIFTS", L_SHIFT}, // 3.01
     {"GLONASS SLOT / FRQ #", L_SLOTS},
@@ -442,6 +488,9 @@ orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, or
         return header_time(h, line, false, c);
     case L_SCALE:
         return scale_factor(h, line, c);
+    case L_SCALE2:
+        if (h->version >= 3) return refuse(c, 61, "scale factors of RINEX 2 in a file of RINEX 3 or 4");
+        return scale_factor_v2(st, line, c);
     case L_SHIFT:
         phase_shift(h, line, c);
         return ORR_OK;
@@ -479,6 +528,9 @@ orr_status orr_obs_header_check(orr_rinex_obs_header *h, obs_header_state *st, c
         return refuse(c, 0, "the header names fewer observation types than it announces");
     if (!(st->seen & OBS_SEEN_TYPES)) return refuse(c, 0, "the header names no observation types");
     if (h->version >= 3) return ORR_OK;
+    double scale[ORR_OBS_MAX_CODES];
+    orr_status status = scales_of_v2(st, scale, c);
+    if (status != ORR_OK) return status;
     for (size_t s = 0; s < ORR_N_SYSTEMS; s++) {
         char system = ORR_SYSTEMS[s];
         orr_obs_codes_clear(&h->codes[s]);
@@ -488,6 +540,7 @@ orr_status orr_obs_header_check(orr_rinex_obs_header *h, obs_header_state *st, c
             orr_obs_code_of_v2(system, st->v2_type[i], (const char(*)[4])st->v2_type, st->v2_n, code);
             orr_status r = orr_obs_codes_add(&h->codes[s], code, st->v2_type[i], c->diag);
             if (r != ORR_OK) return r;
+            h->codes[s].scale[i] = scale[i];
         }
     }
     return ORR_OK;

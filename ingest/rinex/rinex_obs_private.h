@@ -21,6 +21,14 @@ typedef struct obs_header_state {
     size_t open_want; // types still to come
     size_t v2_want, v2_n;
     char v2_type[ORR_OBS_MAX_CODES][4];
+    // OBS SCALE FACTOR of 2.20: the factor of all types (0: not told), and of some by name; those still to come
+    int v2_scale_all, v2_scale_now;
+    size_t v2_scale_want, v2_n_scaled;
+    struct {
+        char type[4];
+        int factor, column;
+        int64_t line;
+    } v2_scale[ORR_OBS_MAX_CODES];
     bool ended;
     uint32_t seen; // OBS_SEEN_*
 } obs_header_state;

@@ -466,9 +466,12 @@ static orr_status read_observations(const char *path, const char *data, size_t n
         int channel = 0;
         if (system == 'R') {
             channel = r->channel[slot % 100];
+            if (channel == ORR_OBS_NO_CHANNEL && o.glonass_channel != NULL)
+                channel = o.glonass_channel[slot % 100];
             if (channel == ORR_OBS_NO_CHANNEL) {
                 orr_warnings_add(warnings, path, 0, 0,
-                                 "R%02zu is left out: the header does not tell its frequency channel",
+                                 "R%02zu is left out: neither the header nor a navigation file tells its "
+                                 "frequency channel",
                                  slot % 100);
                 continue;
             }

@@ -26,6 +26,9 @@ typedef struct orr_phase_options {
     orr_arc_options arcs;
     const orr_leap_table *leap;
     uint64_t max_samples; // of all satellites together
+    // Frequency channels of GLONASS by slot where the header does not tell them (ORR_OBS_NO_CHANNEL: not known
+    // either); NULL: none
+    const int8_t *glonass_channel;
 } orr_phase_options;
 orr_phase_options orr_phase_default_options(void); // 10 degrees, 6821 km, wind-up, 50 million samples
 

@@ -25,20 +25,6 @@ static constants constants_of(char system)
     }
 }
 
-static bool is_cnav(const orr_nav_eph *e)
-{
-    switch (e->message) {
-    case ORR_NAV_CNAV:
-    case ORR_NAV_CNV1:
-    case ORR_NAV_CNV2:
-    case ORR_NAV_CNV3:
-    case ORR_NAV_L1NV:
-        return true;
-    default:
-        return false;
-    }
-}
-
 // BeiDou's geostationary satellites (D2) have their elements in a plane tilted by -5 deg, so that i is not
 // near zero.
 static bool is_beidou_geo(const orr_nav_eph *e)
@@ -261,7 +247,6 @@ static bool allowed(const orr_nav_eph *e, orr_time t, const orr_broadcast_choice
 {
     if (c->healthy && !orr_nav_eph_usable(e)) return false;
     if (c->iode != ORR_NAV_NO_IOD && e->iode != c->iode) return false;
-    if (c->message != 0 ? e->message != c->message : is_cnav(e) || e->message == ORR_NAV_FNAV) return false;
     const double age = orr_time_diff_s(t, e->toe);
     if (!(fabs(age) <= (c->max_age_s > 0 ? c->max_age_s : usual_age_s(e, age < 0)))) return false;
     if (c->causal) {
@@ -273,15 +258,35 @@ static bool allowed(const orr_nav_eph *e, orr_time t, const orr_broadcast_choice
     return true;
 }
 
+#define BIT(message) (UINT32_C(1) << (message))
+
+// Which messages of a satellite are looked at; its records are nav->eph[first .. first + count).
+static uint32_t wanted_messages(const orr_nav *nav, orr_sat sat, size_t first, size_t count, uint32_t asked)
+{
+    static const uint32_t legacy = BIT(ORR_NAV_LNAV) | BIT(ORR_NAV_INAV) | BIT(ORR_NAV_D1) | BIT(ORR_NAV_D2) |
+                                   BIT(ORR_NAV_FDMA) | BIT(ORR_NAV_SBAS);
+    static const uint8_t others[] = {ORR_NAV_FNAV, ORR_NAV_CNAV, ORR_NAV_CNV1,
+                                     ORR_NAV_CNV2, ORR_NAV_CNV3, ORR_NAV_L1NV};
+    asked &= orr_nav_messages_of(orr_sat_system(sat));
+    if (asked != 0) return asked;
+    uint32_t has = 0;
+    for (size_t i = first; i < first + count; i++) has |= BIT(nav->eph[i].message);
+    if ((has & legacy) != 0) return legacy;
+    for (size_t k = 0; k < sizeof others; k++)
+        if ((has & BIT(others[k])) != 0) return BIT(others[k]);
+    return 0;
+}
+
 const orr_nav_eph *orr_broadcast_select(const orr_nav *nav, orr_sat sat, orr_time t,
                                         const orr_broadcast_choice *choice)
 {
     size_t first = 0, count = 0;
     const orr_nav_eph *best = NULL;
     orr_nav_of_sat(nav, sat, &first, &count);
+    const uint32_t messages = wanted_messages(nav, sat, first, count, choice->messages);
     for (size_t i = first; i < first + count; i++) {
         const orr_nav_eph *e = &nav->eph[i];
-        if (!allowed(e, t, choice)) continue;
+        if ((messages & BIT(e->message)) == 0 || !allowed(e, t, choice)) continue;
         if (best == NULL) {
             best = e;
             continue;

@@ -42,9 +42,12 @@ typedef struct orr_broadcast_choice {
                       // hour before toe to 4 h after, BeiDou 1 h + 3 min, NavIC 2 h, GLONASS 15 min + 3 min,
                       // SBAS 6 min)
     bool healthy;     // records whose health word forbids use are passed over
-    bool causal;  // only records transmitted by t, as a receiver has them; unknown transmission counts as toe
-                  // - 2 h (GLONASS and SBAS: toe)
-    int message;  // orr_nav_message to insist on; 0: the legacy one where there is one (LNAV, I/NAV, D1/D2)
+    bool causal; // only records transmitted by t, as a receiver has them; unknown transmission counts as toe
+                 // - 2 h (GLONASS and SBAS: toe)
+    uint32_t
+        messages; // to insist on, as orr_nav_messages_parse gives them, in the systems that have one of them;
+    // elsewhere the legacy one (LNAV, I/NAV, D1/D2, FDMA), and for a satellite of which nav has no
+    // legacy record at all the first it has of F/NAV, CNAV, CNV2 (BeiDou CNV1, CNV2, CNV3), L1NV
     int32_t iode; // issue to insist on; ORR_NAV_NO_IOD: any
 } orr_broadcast_choice;
 orr_broadcast_choice orr_broadcast_choice_default(void); // by age, healthy, not causal, any issue
@@ -62,7 +65,7 @@ orr_vec3 orr_broadcast_pz90_to_itrf(orr_vec3 r_m, orr_time t);
 
 // Group delay of a signal against the clock of the message, seconds, to be subtracted from the satellite's
 // clock for a user of that signal alone. `signal` is a RINEX 3 code without the leading letter ("1C", "2W",
-// "5Q", "7I"...). ORR_E_NODATA where the message says nothing about it.
+// "5Q", "7I"...). ORR_E_NODATA where the message says nothing about it, or the system has no such signal.
 orr_status orr_broadcast_group_delay(const orr_nav_eph *eph, const char *signal, double *delay_s);
 
 #endif

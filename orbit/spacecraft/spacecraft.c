@@ -3,12 +3,19 @@
 
 #include "orbit/spacecraft/orbit_class.h"
 
-static orr_health health_at(const orr_nav *nav, orr_sat sat, orr_time t)
+// The record that stands for t, usable or not.
+static const orr_nav_eph *select_any(const orr_nav *nav, orr_sat sat, orr_time t, uint32_t messages)
 {
-    if (nav == NULL) return ORR_HEALTH_UNKNOWN;
     orr_broadcast_choice any = orr_broadcast_choice_default();
     any.healthy = false;
-    const orr_nav_eph *eph = orr_broadcast_select(nav, sat, t, &any);
+    any.messages = messages;
+    return orr_broadcast_select(nav, sat, t, &any);
+}
+
+static orr_health health_at(const orr_nav *nav, orr_sat sat, orr_time t, uint32_t messages)
+{
+    if (nav == NULL) return ORR_HEALTH_UNKNOWN;
+    const orr_nav_eph *eph = select_any(nav, sat, t, messages);
     if (eph == NULL) return ORR_HEALTH_UNKNOWN;
     return orr_nav_eph_usable(eph) ? ORR_HEALTH_OK : ORR_HEALTH_BAD;
 }
@@ -37,7 +44,7 @@ orr_status orr_spacecraft_at(const orr_spacecraft_sources *src, orr_sat sat, orr
     x.has_attitude = x.orbit_normal || orr_attitude_nominal(r, v, sun, &x.attitude) == ORR_OK;
     place_antenna(src->antex, sat, t, &x);
     x.relativity_s = orr_periodic_relativity_s(r, v);
-    x.health = health_at(src->nav, sat, t);
+    x.health = health_at(src->nav, sat, t, src->messages);
     *out = x;
     return ORR_OK;
 }
@@ -47,8 +54,14 @@ orr_status orr_spacecraft_delay(const orr_spacecraft_sources *src, orr_sat sat, 
 {
     if (src->bias != NULL) return orr_signal_delay_osb(src->bias, sat, signal, t, delay_s);
     if (src->nav == NULL) return ORR_E_NODATA;
-    orr_broadcast_choice any = orr_broadcast_choice_default();
-    any.healthy = false;
-    const orr_nav_eph *eph = orr_broadcast_select(src->nav, sat, t, &any);
-    return eph != NULL ? orr_signal_delay_broadcast(eph, signal, delay_s) : ORR_E_NODATA;
+    const orr_nav_eph *eph = select_any(src->nav, sat, t, src->messages);
+    if (eph != NULL && orr_signal_delay_broadcast(eph, signal, delay_s) == ORR_OK) return ORR_OK;
+    // Another message of the satellite may: LNAV knows nothing of L2C and L5, CNAV does.
+    const uint32_t others = orr_nav_messages_of(orr_sat_system(sat));
+    for (uint32_t bit = 2; src->messages == 0 && bit <= others; bit <<= 1) {
+        if ((others & bit) == 0) continue;
+        eph = select_any(src->nav, sat, t, bit);
+        if (eph != NULL && orr_signal_delay_broadcast(eph, signal, delay_s) == ORR_OK) return ORR_OK;
+    }
+    return ORR_E_NODATA;
 }

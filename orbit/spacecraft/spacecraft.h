@@ -14,6 +14,7 @@ typedef struct orr_spacecraft_sources {
     const orr_antex *antex;   // NULL: no antennas
     const orr_bias_set *bias; // NULL: group delays by nav
     const orr_nav *nav;       // NULL: no health, and no group delays without bias
+    uint32_t messages;        // of nav to insist on (orr_broadcast_choice.messages); 0: the usual ones
 } orr_spacecraft_sources;
 
 typedef enum orr_health { ORR_HEALTH_UNKNOWN, ORR_HEALTH_OK, ORR_HEALTH_BAD } orr_health;
@@ -52,8 +53,9 @@ orr_status orr_spacecraft_at(const orr_spacecraft_sources *src, orr_sat sat, orr
 // Returned:
 //   delay_s  delay, s
 // Errors: ORR_E_NODATA, ORR_E_ARG.
-// Notes: from biases where there are any, else from the broadcast record; never from both, because their datums differ by
-// nanoseconds.
+// Notes: from biases where there are any, else from the broadcast record, and where that says nothing of the signal from
+// another message of the satellite (CNAV's ISCs beside LNAV), unless messages are insisted on; never from biases and
+// records both, because their datums differ by nanoseconds.
 orr_status orr_spacecraft_delay(const orr_spacecraft_sources *src, orr_sat sat, const char *signal,
                                 orr_time t, double *delay_s);
 

@@ -87,7 +87,7 @@ orr_status orr_inputs_read_navs(orr_inputs *list, const char *const *path, size_
         if (s == ORR_OK) s = orr_nav_parse(path[i], text.text, text.n, NULL, &file[i], warnings, diag);
         orr_bytes_free(&text);
     }
-    if (s == ORR_OK) s = orr_nav_merge(file, n, out, diag);
+    if (s == ORR_OK) s = orr_nav_merge(file, n, out, n > 1 ? warnings : NULL, diag);
     for (size_t i = 0; i < n; i++) orr_nav_free(&file[i]);
     free(file);
     return s;

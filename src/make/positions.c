@@ -30,13 +30,14 @@ static orr_status parse_nav(const char *path, const orr_bytes *raw, orr_nav *out
     return s;
 }
 
-orr_status orr_positions_open(const char *path, orr_positions **out, orr_inputs *inputs,
+orr_status orr_positions_open(const char *path, uint32_t messages, orr_positions **out, orr_inputs *inputs,
                               orr_warnings *warnings, orr_diag *diag)
 {
     orr_positions *p = calloc(1, sizeof *p);
     *out = NULL;
     if (p == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for an orbit");
     p->choice = orr_broadcast_choice_default();
+    p->choice.messages = messages;
     orr_bytes raw;
     orr_status s = orr_inputs_read_raw(inputs, path, &raw, diag);
     if (s == ORR_OK && is_netcdf(&raw))
@@ -64,6 +65,8 @@ void orr_positions_close(orr_positions *p)
     orr_nav_free(&p->nav);
     free(p);
 }
+
+const orr_nav *orr_positions_nav(const orr_positions *p) { return p->product == NULL ? &p->nav : NULL; }
 
 bool orr_positions_at(void *user, orr_sat sat, orr_time t, orr_vec3 *pos_m)
 {

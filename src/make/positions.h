@@ -9,17 +9,19 @@
 
 typedef struct orr_positions orr_positions;
 
-// Opens a product of `orrery orbit`, or a RINEX navigation file; its content decides.
+// Opens a product of `orrery orbit`, or a RINEX navigation file, by content.
 // Given:
 //   path      the file
+//   messages  of a navigation file to insist on (orr_broadcast_choice.messages); 0: the usual ones
 // Returned:
-//   out       the source of positions; free with orr_positions_close
-//   inputs    the file appended; may be NULL
+//   out       the source, to be closed with orr_positions_close
+//   inputs    with the file appended; may be NULL
 //   warnings  of the reader; may be NULL
-//   diag      why it failed; may be NULL
-// Errors: those of the readers; ORR_E_KIND for any other file.
-orr_status orr_positions_open(const char *path, orr_positions **out, orr_inputs *inputs,
+//   diag      errors of the readers; ORR_E_KIND for other kinds of files
+orr_status orr_positions_open(const char *path, uint32_t messages, orr_positions **out, orr_inputs *inputs,
                               orr_warnings *warnings, orr_diag *diag);
+// Its navigation file; NULL where it is a product.
+const orr_nav *orr_positions_nav(const orr_positions *p);
 // Frees it; NULL may be closed.
 void orr_positions_close(orr_positions *p);
 // An orr_position_fn; user is the source.

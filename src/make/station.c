@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ingest/input/sniff.h"
+#include "ingest/rinex/rinex_obs.h"
 #include "ingest/tables/sinex.h"
 
 orr_station_plan orr_station_plan_default(void)
@@ -69,6 +71,26 @@ static orr_status site_of_sinex(orr_station *s, orr_diag *diag)
     return ORR_OK;
 }
 
+// Frequency channels that a navigation file tells; of several records of a slot the last.
+static void note_channels(orr_station *s, const orr_nav *nav)
+{
+    for (size_t i = 0; nav != NULL && i < nav->n_eph; i++)
+        if (nav->eph[i].kind == ORR_NAV_GLONASS)
+            s->glonass_channel[orr_sat_number(nav->eph[i].sat) % 100] =
+                (int8_t)nav->eph[i].glonass.freq_channel;
+}
+
+static void channels_of_field(orr_station *s, const orr_bytes *text)
+{
+    orr_nav nav;
+    if (orr_sniff((orr_view){text->text, text->n < 65536 ? text->n : 65536}).kind != ORR_KIND_RINEX_NAV)
+        return;
+    if (orr_nav_parse("", text->text, text->n, NULL, &nav, NULL, NULL) != ORR_OK)
+        return; // the field's reader says why
+    note_channels(s, &nav);
+    orr_nav_free(&nav);
+}
+
 static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *diag)
 {
     const orr_station_plan *p = s->plan;
@@ -78,10 +100,12 @@ static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *
         status = orr_inputs_read(&s->inputs, p->field, &text, diag);
         if (status == ORR_OK)
             status = orr_tec_field_parse(p->field, text.text, text.n, &p->tec, &s->field, warnings, diag);
+        if (status == ORR_OK) channels_of_field(s, &text);
         orr_bytes_free(&text);
     }
     if (status == ORR_OK && p->orbit != NULL)
-        status = orr_positions_open(p->orbit, &s->positions, &s->inputs, warnings, diag);
+        status = orr_positions_open(p->orbit, p->messages, &s->positions, &s->inputs, warnings, diag);
+    if (status == ORR_OK && s->positions != NULL) note_channels(s, orr_positions_nav(s->positions));
     if (status == ORR_OK) status = read_biases(s, warnings, diag);
     if (status == ORR_OK && !p->has_site && p->sinex != NULL) status = site_of_sinex(s, diag);
     return status;
@@ -107,9 +131,11 @@ orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_
                             orr_diag *diag)
 {
     *out = (orr_station){.plan = plan, .options = plan->phase, .site_m = plan->site_m};
+    memset(out->glonass_channel, ORR_OBS_NO_CHANNEL, sizeof out->glonass_channel);
     orr_status s = read_inputs(out, warnings, diag);
     if (s != ORR_OK) return s;
     orr_phase_options *o = &out->options;
+    o->glonass_channel = out->glonass_channel;
     if (out->positions != NULL) {
         o->position = orr_positions_at;
         o->user = out->positions;

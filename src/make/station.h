@@ -14,6 +14,7 @@ typedef struct orr_station_plan {
     const char *observations;
     const char *field;         // NULL: none (phases alone)
     const char *orbit;         // an orbit product or a navigation file; NULL: none (phases alone)
+    uint32_t messages;         // of that file to insist on (orr_broadcast_choice.messages); 0: the usual ones
     const char *const *biases; // code biases of satellites
     size_t n_biases;
     bool has_site; // the station's position (ecef); else by `sinex`, else the header's
@@ -31,7 +32,8 @@ typedef struct orr_station {
     const orr_station_plan *plan; // borrowed
     orr_phase_options options;    // of phases, completed
     orr_vec3 site_m;
-    orr_bytes observations; // as they were read
+    int8_t glonass_channel[100]; // as the navigation files tell them
+    orr_bytes observations;      // as they were read
     orr_positions *positions;
     orr_tec_field *field; // NULL once the session has it
     orr_bias_set bias[ORR_STATION_MAX_BIASES];

@@ -81,6 +81,14 @@
     {                                                                                                        \
         .name = "nav", .kind = ORR_OPT_TEXT, .value = "FILE", __VA_ARGS__                                    \
     }
+#define ORR_OPTION_MESSAGE(...)                                                                              \
+    {                                                                                                        \
+        .name = "message", .kind = ORR_OPT_TEXT, .value = "LIST",                                            \
+        .help = "Messages of the navigation file to use in the systems that have them, e.g. CNAV,FNAV. By "  \
+                "default LNAV, "                                                                             \
+                "I/NAV, D1/D2 and FDMA, and of a satellite that has none of these records what there is.",   \
+        __VA_ARGS__                                                                                          \
+    }
 #define ORR_OPTION_ANTEX(...)                                                                                \
     {                                                                                                        \
         .name = "antex", .kind = ORR_OPT_TEXT, .value = "FILE", __VA_ARGS__                                  \

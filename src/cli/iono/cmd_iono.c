@@ -38,6 +38,10 @@ static int make_plan(const orr_cli *c, work *w)
     *p = orr_station_plan_default();
     p->observations = c->operand[0];
     p->orbit = orr_cli_text(c, "orbit", NULL);
+    orr_diag diag;
+    if (orr_cli_given(c, "message") &&
+        orr_nav_messages_parse(orr_cli_text(c, "message", ""), &p->messages, &diag) != ORR_OK)
+        return orr_cli_usage(c, "--message: %s", diag.text);
     w->biases = orr_cli_texts(c, "biases", &p->n_biases);
     if (w->biases == NULL) return orr_cli_failf(c, "out of memory");
     p->biases = w->biases;
@@ -183,7 +187,16 @@ static const orr_option options[] = {
     {.name = "orbit",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "Positions of satellites: a product of `orrery orbit`, or a RINEX navigation file."},
+     .help =
+         "Positions of satellites: a product of `orrery orbit`, or a RINEX navigation file, which also tells "
+         "GLONASS channels that the observations' header does not."},
+    {.name = "message",
+     .applies = "orbit",
+     .kind = ORR_OPT_TEXT,
+     .value = "LIST",
+     .help = "Messages of a navigation file to use in the systems that have them, e.g. CNAV,FNAV. By default "
+             "LNAV, I/NAV, "
+             "D1/D2 and FDMA, and of a satellite that has none of these records what there is."},
     {.name = "method",
      .applies = "!compare",
      .kind = ORR_OPT_CHOICE,

@@ -274,6 +274,10 @@ static int run(orr_cli *c)
     orr_nav nav = {0};
     if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     if (!read_signals(c, &q)) return ORR_EXIT_USAGE;
+    uint32_t messages = 0;
+    if (orr_cli_given(c, "message") &&
+        orr_nav_messages_parse(orr_cli_text(c, "message", ""), &messages, &diag) != ORR_OK)
+        return orr_cli_usage(c, "--message: %s", diag.text);
     const char *const antex_path = orr_cli_text(c, "antex", NULL),
                       *const bias_path = orr_cli_text(c, "bias", NULL),
                       *const nav_path = orr_cli_text(c, "nav", NULL);
@@ -292,7 +296,8 @@ static int run(orr_cli *c)
         q.products = &products;
         q.src = (orr_spacecraft_sources){.antex = antex_path != NULL ? &antex : NULL,
                                          .bias = bias_path != NULL ? &bias : NULL,
-                                         .nav = nav_path != NULL ? &nav : NULL};
+                                         .nav = nav_path != NULL ? &nav : NULL,
+                                         .messages = messages};
         if (read_times(c, &q))
             status = write_out(c, &q, &diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
     }
@@ -314,6 +319,7 @@ static const orr_option options[] = {
                 "clocks belong to (GPS L1/L2, GLONASS G1/G2, Galileo E1/E5a, BeiDou B1I/B3I, QZSS L1/L2)."),
     ORR_OPTION_BIAS(.help = "Bias-SINEX or DCB file: group delays of the signals of --signal."),
     ORR_OPTION_NAV(.help = "RINEX navigation file: health; without --bias the group delays too."),
+    ORR_OPTION_MESSAGE(.applies = "nav"),
     {.name = "signal",
      .kind = ORR_OPT_TEXT,
      .value = "LIST",

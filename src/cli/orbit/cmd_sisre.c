@@ -143,6 +143,9 @@ static int run(orr_cli *c)
     const char *antex_path = orr_cli_text(c, "antex", NULL);
     o.choice.max_age_s = (double)orr_cli_duration_ns(c, "max-age", 0) * 1e-9;
     o.choice.causal = orr_cli_given(c, "causal");
+    if (orr_cli_given(c, "message") &&
+        orr_nav_messages_parse(orr_cli_text(c, "message", ""), &o.choice.messages, &diag) != ORR_OK)
+        return orr_cli_usage(c, "--message: %s", diag.text);
     f.antex = antex_path != NULL;
     orr_status s = orr_nav_read(c->operand[0], NULL, &nav, &warnings, &diag);
     if (s == ORR_OK) s = orr_sp3_read(c->operand[1], NULL, &truth, &warnings, &diag);
@@ -165,6 +168,7 @@ static int run(orr_cli *c)
 static const orr_option options[] = {
     ORR_OPTION_ANTEX(
             .help = "ANTEX file: brings the broadcast phase centre to the centre of mass that SP3 gives."),
+    ORR_OPTION_MESSAGE(.applies = NULL),
     {.name = "causal",
      .kind = ORR_OPT_FLAG,
      .help = "Use only records transmitted by the instant, as a receiver has them."},

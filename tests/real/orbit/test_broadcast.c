@@ -127,8 +127,8 @@ static void messages_of_a_satellite_agree(void **state)
     for (size_t i = 0; i < sizeof k / sizeof k[0]; i++) {
         orr_broadcast_choice one = orr_broadcast_choice_default(), other = one;
         one.healthy = other.healthy = false;
-        one.message = (int)k[i].one;
-        other.message = (int)k[i].other;
+        one.messages = UINT32_C(1) << k[i].one;
+        other.messages = UINT32_C(1) << k[i].other;
         found.n = clocks.n = 0;
         for (int p = 1; p < 64; p++)
             for (int h = 0; h < 24; h++) {

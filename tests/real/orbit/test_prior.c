@@ -112,7 +112,7 @@ static void the_orbit_goes_on_after_the_last_file(void **state)
         !open_nav("2010-182/brdc1820.10n.gz", &nav[0]) || !open_nav("2010-182/brdc1830.10n.gz", &nav[1]))
         SKIP_NO_DATA(finals[0]);
     orr_diag d = {0};
-    ASSERT_OK(orr_nav_merge(nav, 2, &both, &d), d);
+    ASSERT_OK(orr_nav_merge(nav, 2, &both, NULL, &d), d);
     orr_smoother_options o = orr_smoother_defaults();
     o.nav = &both;
     o.bridge = true;

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "core/cursor.h"
 #include "ingest/rinex/rinex_nav.h"
 #include "rinex_text.h"
 
@@ -69,6 +70,124 @@ static void header_v3(text *t, const char *version)
     snprintf(first, sizeof first, "%9s           N: GNSS NAV DATA    M: MIXED", version);
     text_header(t, first, "RINEX VERSION / TYPE");
     text_header(t, "", "END OF HEADER");
+}
+
+// Only fields that are used decide over a record: whatever stands in the spare ones, it is read; what is no number in one
+// that is used leaves it out.
+static void spare_fields_do_not_matter(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *first;
+        int spare[3], used; // numbers of the fields behind the clock; -1: none
+    } cases[] = {{"G05 2024 02 04 02 00 00", {26, 27, -1}, 25},
+                 {"E05 2024 02 04 02 00 00", {19, 25, 27}, 23},
+                 {"C06 2024 02 04 02 00 00", {17, 19, 26}, 22}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int spoil_used = 0; spoil_used < 2; spoil_used++) {
+            text t = {0};
+            double set[28];
+            memcpy(set, orbit, sizeof set);
+            for (int k = 0; k < 28; k++)
+                if (set[k] == TEXT_BLANK) set[k] = 1;
+            header_v3(&t, "3.04");
+            const size_t start = t.n;
+            kepler(&t, cases[i].first, 4, 7, set, 'E');
+            char *lines = strchr(t.p + start, '\n') + 1;
+            for (int k = 0; k < 4; k++) {
+                const int at = k < 3 ? cases[i].spare[k] : cases[i].used;
+                if (at < 0 || (k == 3 && !spoil_used)) continue;
+                memcpy(lines + at / 4 * 81 + 4 + 19 * (at % 4),
+                       k == 0 ? " 0.49906331467-269x" : " what is this?     ", 19);
+            }
+            orr_nav nav;
+            orr_warnings w = {0};
+            orr_diag d;
+            const orr_status s = orr_nav_parse("made", t.p, t.n, NULL, &nav, &w, &d);
+            if (spoil_used) {
+                assert_int_equal(s, ORR_E_FORMAT);
+            } else {
+                ASSERT_OK(s, d);
+                assert_int_equal(nav.n_eph, 1);
+                assert_orbit(&nav.eph[0]);
+                orr_nav_free(&nav);
+            }
+            orr_warnings_free(&w);
+            text_free(&t);
+        }
+}
+
+// Fortran drops the letter of an exponent of three digits.
+static void exponents_without_a_letter(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        orr_field field;
+        double value;
+    } cases[] = {{"0.499063314674-269", ORR_FIELD_OK, 0.499063314674e-269},
+                 {" -1.5+102 ", ORR_FIELD_OK, -1.5e102},
+                 {"1.5-02", ORR_FIELD_BAD, 0},
+                 {"15-002", ORR_FIELD_BAD, 0}, // no point: no real number of Fortran's
+                 {"1.5-0021", ORR_FIELD_BAD, 0},
+                 {"1.5+400", ORR_FIELD_BAD, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double v = 0;
+        assert_int_equal(orr_view_real(orr_view_of(cases[i].text), &v), cases[i].field);
+        if (cases[i].field == ORR_FIELD_OK) assert_true(v == cases[i].value);
+    }
+}
+
+// The satellite and the time mark on one of the two lines alone.
+static void halves_of_one_klobuchar_set(void **state)
+{
+    (void)state;
+    static const char *const alpha[2] = {"BDSA   1.0000E-08  2.0000E-08  0.0000E+00  0.0000E+00",
+                                         "BDSA   1.0000E-08  2.0000E-08  0.0000E+00  0.0000E+00 B  3"};
+    static const char *const beta[2] = {"BDSB   1.0000E+05  2.0000E+05  0.0000E+00  0.0000E+00",
+                                        "BDSB   1.0000E+05  2.0000E+05  0.0000E+00  0.0000E+00 B  3"};
+    for (int k = 0; k < 4; k++) {
+        text t = {0};
+        orr_warnings w = {0};
+        text_header(&t, "     3.04           N: GNSS NAV DATA    C: BDS", "RINEX VERSION / TYPE");
+        text_header(&t, k < 2 ? alpha[k] : beta[k - 2], "IONOSPHERIC CORR");
+        text_header(&t, k < 2 ? beta[1 - k] : alpha[3 - k], "IONOSPHERIC CORR");
+        text_header(&t, "", "END OF HEADER");
+        kepler(&t, "C06 2024 02 04 02 00 00", 4, 7, orbit, 'E');
+        orr_nav nav = parse(&t, &w);
+        assert_int_equal(w.count, 1); // the made week is GPS's
+        assert_int_equal(nav.n_iono, 1);
+        assert_int_equal(nav.iono[0].sat, orr_sat_make('C', 3));
+        assert_int_equal(nav.iono[0].time_mark, 'B');
+        ASSERT_NEAR(nav.iono[0].coefficient[1], 2e-8, 0);
+        ASSERT_NEAR(nav.iono[0].coefficient[5], 2e5, 0);
+        orr_nav_free(&nav);
+        orr_warnings_free(&w);
+        text_free(&t);
+    }
+}
+
+// Two records of one issue that differ: told, both kept.
+static void conflicts_are_told(void **state)
+{
+    (void)state;
+    text t = {0};
+    orr_warnings w = {0};
+    double other[36];
+    memcpy(other, orbit, sizeof other);
+    other[3] += 1e-4;
+    header_v3(&t, "3.04");
+    kepler(&t, "G05 2024 02 04 02 00 00", 4, 7, orbit, 'E');
+    kepler(&t, "G05 2024 02 04 02 00 00", 4, 7, orbit, 'E'); // once more the same: nothing to tell
+    kepler(&t, "G05 2024 02 04 02 00 00", 4, 7, other, 'E');
+    orr_nav nav = parse(&t, &w);
+    assert_int_equal(nav.n_eph, 3);
+    assert_int_equal(w.count, 1);
+    assert_non_null(strstr(w.item[0].text, "G05"));
+    assert_non_null(strstr(w.item[0].text, "transmitted last"));
+    orr_nav_free(&nav);
+    orr_warnings_free(&w);
+    text_free(&t);
 }
 
 static void gps_of_version_2(void **state)
@@ -603,6 +722,10 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(spare_fields_do_not_matter),
+        cmocka_unit_test(exponents_without_a_letter),
+        cmocka_unit_test(halves_of_one_klobuchar_set),
+        cmocka_unit_test(conflicts_are_told),
         cmocka_unit_test(gps_of_version_2),
         cmocka_unit_test(glonass),
         cmocka_unit_test(every_system_of_version_3),

@@ -187,6 +187,45 @@ static void version_2(void **state)
     text_free(&t);
 }
 
+// RINEX 2.20: a factor of all types, then another of some, with a line that goes on; a type that is not there is refused.
+static void scale_factors_of_version_2(void **state)
+{
+    (void)state;
+    text t = {0};
+    orr_warnings w = {0};
+    text_header(&t, "     2.20           OBSERVATION DATA    G", "RINEX VERSION / TYPE");
+    text_header(&t, "MADE", "MARKER NAME");
+    text_header(&t, "     5    L1    L2    C1    P2    LA", "# / TYPES OF OBSERV");
+    text_header(&t, "    10", "OBS SCALE FACTOR");
+    text_header(&t, "  1000     2    C1", "OBS SCALE FACTOR");
+    text_header(&t, "                P2", "OBS SCALE FACTOR");
+    text_header(&t, "  2002     3    24     0     0    0.0000000     GPS", "TIME OF FIRST OBS");
+    text_header(&t, "", "END OF HEADER");
+    text_add(&t, " 02  3 24  0  0  0.0000000  0  1G05\n");
+    for (int i = 0; i < 5; i++) text_add(&t, "%14.3f  ", 5000.0 + i);
+    text_add(&t, "\n");
+    orr_rinex_obs *r = open_text(&t, &w);
+    const orr_rinex_obs_epoch *e = NULL;
+    orr_diag d;
+    ASSERT_OK(orr_rinex_obs_next(r, &e, &d), d);
+    assert_non_null(e);
+    assert_int_equal(w.count, 0);
+    ASSERT_NEAR(e->value[0], 500.0, 1e-12);
+    ASSERT_NEAR(e->value[1], 500.1, 1e-12);
+    ASSERT_NEAR(e->value[2], 5.002, 1e-14);
+    ASSERT_NEAR(e->value[3], 5.003, 1e-14);
+    ASSERT_NEAR(e->value[4], 500.4, 1e-12);
+    ASSERT_NEAR(orr_rinex_obs_header_of(r)->codes[0].scale[3], 1000, 0);
+    orr_rinex_obs_close(r);
+    char *bad = strstr(t.p, "  1000     2    C1");
+    assert_non_null(bad);
+    memcpy(bad, "  1000     2    C9", 18);
+    assert_int_equal(orr_rinex_obs_open_memory("made", t.p, t.n, NULL, NULL, &r, &d), ORR_E_FORMAT);
+    assert_non_null(strstr(d.text, "scaled observation type"));
+    assert_int_equal(d.line, 5);
+    text_free(&t);
+}
+
 static void scale_factors_and_other_headers(void **state)
 {
     (void)state;
@@ -453,10 +492,15 @@ static void written_and_read_back(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(version_3), cmocka_unit_test(time_systems_and_leap_second),
-        cmocka_unit_test(version_2), cmocka_unit_test(scale_factors_and_other_headers),
-        cmocka_unit_test(damage),    cmocka_unit_test(cut_anywhere),
-        cmocka_unit_test(refusals),  cmocka_unit_test(written_and_read_back),
+        cmocka_unit_test(version_3),
+        cmocka_unit_test(time_systems_and_leap_second),
+        cmocka_unit_test(version_2),
+        cmocka_unit_test(scale_factors_of_version_2),
+        cmocka_unit_test(scale_factors_and_other_headers),
+        cmocka_unit_test(damage),
+        cmocka_unit_test(cut_anywhere),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(written_and_read_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -221,9 +221,33 @@ static void the_nearest_healthy_allowed_record_is_chosen(void **state)
     assert_ptr_equal(orr_broadcast_select(&nav, sat, orr_time_add_s(toe, 3700), &c), &e[1]);
     c.causal = false;
     assert_null(orr_broadcast_select(&nav, sat, orr_time_add_s(toe, 30000), &c)); // stale
-    c.message = ORR_NAV_CNAV;
+    c.messages = 1u << ORR_NAV_CNAV;
     assert_ptr_equal(orr_broadcast_select(&nav, sat, orr_time_add_s(toe, 20000), &c), &e[3]);
     assert_null(orr_broadcast_select(&nav, orr_sat_parse("G06"), toe, &c));
+}
+
+// A satellite of which the file has no legacy record is served by what there is; of one that has one, stale or not, by
+// that alone; and a list of messages decides in the systems that have one of them.
+static void other_messages_stand_in(void **state)
+{
+    (void)state;
+    orr_nav_eph e[4] = {made("G05", ORR_NAV_LNAV), made("G05", ORR_NAV_CNAV), made("G07", ORR_NAV_CNAV),
+                        made("E11", ORR_NAV_FNAV)};
+    orr_nav nav = {.n_eph = 4, .eph = e};
+    orr_broadcast_choice c = orr_broadcast_choice_default();
+    const orr_time toe = e[0].toe;
+    e[1].toe = orr_time_add_s(toe, 30000);
+    assert_ptr_equal(orr_broadcast_select(&nav, e[0].sat, toe, &c), &e[0]);
+    assert_null(orr_broadcast_select(&nav, e[0].sat, e[1].toe, &c)); // no change of message in mid-file
+    assert_ptr_equal(orr_broadcast_select(&nav, e[2].sat, toe, &c), &e[2]);
+    assert_ptr_equal(orr_broadcast_select(&nav, e[3].sat, toe, &c), &e[3]);
+    orr_diag d;
+    ASSERT_OK(orr_nav_messages_parse("cnav,INAV", &c.messages, &d), d);
+    assert_ptr_equal(orr_broadcast_select(&nav, e[0].sat, e[1].toe, &c), &e[1]);
+    assert_null(orr_broadcast_select(&nav, e[3].sat, toe, &c)); // Galileo has I/NAV, this file has none
+    assert_int_equal(orr_nav_messages_parse("CNAV,XNAV", &c.messages, &d), ORR_E_ARG);
+    assert_non_null(strstr(d.text, "XNAV"));
+    assert_int_equal(orr_nav_messages_parse("", &c.messages, &d), ORR_E_ARG);
 }
 
 // Galileo's elements serve what follows their toe.
@@ -286,6 +310,54 @@ static void group_delays_follow_the_message(void **state)
     assert_int_equal(orr_broadcast_group_delay(&e, "5Q", &d), ORR_OK);
     ASSERT_NEAR(d, 2e-9 * (154.0 * 154) / (115.0 * 115), 1e-20);
     assert_int_equal(orr_broadcast_group_delay(&e, "5", &d), ORR_E_ARG);
+
+    // I/NAV tells E5a too. What defines BGD(E1, E5a): the lag of E5a less that of E1 is (gamma - 1) of it, whichever
+    // message's clock they are counted from.
+    e = made("E11", ORR_NAV_INAV);
+    e.delay.bgd_e5a_e1_s = 2e-9;
+    e.delay.bgd_e5b_e1_s = 3e-9;
+    double e1 = 0, e5a = 0;
+    assert_int_equal(orr_broadcast_group_delay(&e, "1C", &e1), ORR_OK);
+    assert_int_equal(orr_broadcast_group_delay(&e, "5Q", &e5a), ORR_OK);
+    ASSERT_NEAR(e1, 3e-9, 1e-20);
+    ASSERT_NEAR(e5a - e1, 2e-9 * ((154.0 * 154) / (115.0 * 115) - 1), 1e-20);
+    // The ionosphere-free pair of E1 and E5b has no delay against I/NAV's clock.
+    double e5b = 0;
+    const double g = (154.0 * 154) / (118.0 * 118);
+    assert_int_equal(orr_broadcast_group_delay(&e, "7I", &e5b), ORR_OK);
+    ASSERT_NEAR((g * e1 - e5b) / (g - 1), 0, 1e-20);
+    assert_int_equal(orr_broadcast_group_delay(&e, "8Q", &d), ORR_E_NODATA);
+    assert_int_equal(orr_broadcast_group_delay(&e, "1W", &d), ORR_E_NODATA); // no such signal
+
+    // CNAV: TGD - ISC for each signal; P(Y) as LNAV has it. "1P" is P(Y), not L1C's pilot, which is "1L".
+    e = made("G05", ORR_NAV_CNV2);
+    e.delay = (orr_nav_delays){.tgd_s = -1e-8,
+                               .isc_l1ca_s = 1e-9,
+                               .isc_l2c_s = 2e-9,
+                               .isc_l5i5_s = 3e-9,
+                               .isc_l5q5_s = 4e-9,
+                               .isc_l1cd_s = 5e-9,
+                               .isc_l1cp_s = 6e-9};
+    static const struct {
+        const char *signal;
+        double isc_s;
+    } cnav[] = {{"1C", 1e-9}, {"2L", 2e-9}, {"2S", 2e-9}, {"5I", 3e-9}, {"5Q", 4e-9},
+                {"1S", 5e-9}, {"1L", 6e-9}, {"1P", 0},    {"1W", 0}};
+    for (size_t i = 0; i < sizeof cnav / sizeof *cnav; i++) {
+        assert_int_equal(orr_broadcast_group_delay(&e, cnav[i].signal, &d), ORR_OK);
+        ASSERT_NEAR(d, -1e-8 - cnav[i].isc_s, 1e-20);
+    }
+    assert_int_equal(orr_broadcast_group_delay(&e, "2W", &d), ORR_OK);
+    ASSERT_NEAR(d, -1e-8 * (77.0 * 77) / (60.0 * 60), 1e-20);
+    assert_int_equal(orr_broadcast_group_delay(&e, "1D", &d), ORR_E_NODATA);
+    assert_int_equal(orr_broadcast_group_delay(&e, "7Q", &d), ORR_E_NODATA);
+    e = made("C30", ORR_NAV_D1);
+    e.delay.tgd_s = 5e-9;
+    e.delay.tgd2_s = 7e-9;
+    assert_int_equal(orr_broadcast_group_delay(&e, "7I", &d), ORR_OK);
+    ASSERT_NEAR(d, 7e-9, 1e-20);
+    assert_int_equal(orr_broadcast_group_delay(&e, "7D", &d), ORR_E_NODATA); // B2b of D1 nobody tells
+    assert_int_equal(orr_broadcast_group_delay(&e, "2C", &d), ORR_E_NODATA);
 }
 
 // Two stations' files: what both recorded is one record, order is by satellite and toe.
@@ -297,16 +369,53 @@ static void files_merge_into_one(void **state)
     b[1].toe = orr_time_add_s(b[1].toe, 7200);
     orr_nav in[2] = {{.n_eph = 2, .eph = a}, {.n_eph = 2, .eph = b}}, out;
     orr_diag d = {0};
-    ASSERT_OK(orr_nav_merge(in, 2, &out, &d), d);
+    ASSERT_OK(orr_nav_merge(in, 2, &out, NULL, &d), d);
     assert_int_equal(out.n_eph, 3);
     assert_true(out.eph[0].sat == a[0].sat && out.eph[1].sat == a[0].sat && out.eph[2].sat == a[1].sat);
     assert_true(out.eph[0].toe < out.eph[1].toe);
     orr_nav_free(&out);
 }
 
+// Two files that contradict each other about one issue: both are kept and it is told; the one transmitted last is used,
+// whichever file comes first.
+static void conflicts_are_told_and_the_newest_wins(void **state)
+{
+    (void)state;
+    orr_nav_eph a = made("G05", ORR_NAV_LNAV), b = a;
+    a.transmission = orr_time_add_s(a.toe, -7000);
+    b.transmission = orr_time_add_s(a.toe, -3600);
+    b.kepler.m0_rad += 1e-6;
+    a.line = 10;
+    b.line = 20;
+    for (int turned = 0; turned < 2; turned++) {
+        orr_nav in[2] = {{.n_eph = 1, .eph = turned ? &b : &a}, {.n_eph = 1, .eph = turned ? &a : &b}}, out;
+        orr_diag d = {0};
+        orr_warnings w = {0};
+        ASSERT_OK(orr_nav_merge(in, 2, &out, &w, &d), d);
+        assert_int_equal(out.n_eph, 2);
+        assert_int_equal(w.count, 1);
+        assert_non_null(strstr(w.item[0].text, "G05"));
+        const orr_broadcast_choice c = orr_broadcast_choice_default();
+        assert_true(orr_broadcast_select(&out, a.sat, a.toe, &c)->kepler.m0_rad == b.kepler.m0_rad);
+        orr_nav_free(&out);
+        orr_warnings_free(&w);
+    }
+    b = a; // what two programs wrote with twelve digits is no contradiction
+    b.kepler.sqrt_a_sqrtm *= 1 + 1e-13;
+    orr_nav in[2] = {{.n_eph = 1, .eph = &a}, {.n_eph = 1, .eph = &b}}, out;
+    orr_diag d = {0};
+    orr_warnings w = {0};
+    ASSERT_OK(orr_nav_merge(in, 2, &out, &w, &d), d);
+    assert_int_equal(out.n_eph, 1);
+    assert_int_equal(w.count, 0);
+    orr_nav_free(&out);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(other_messages_stand_in),
+        cmocka_unit_test(conflicts_are_told_and_the_newest_wins),
         cmocka_unit_test(derivatives_are_exact_for_every_kepler_message),
         cmocka_unit_test(beidou_geo_stands_still),
         cmocka_unit_test(bare_elements_are_a_kepler_ellipse),
