@@ -126,6 +126,20 @@ orr_status orr_leap_read(const char *path, orr_leap_table *out, orr_diag *diag)
     return ORR_OK;
 }
 
+orr_status orr_leap_choose(const char *path, orr_leap_table *out, orr_diag *diag)
+{
+    static const char *const system[] = {"/usr/share/zoneinfo/leap-seconds.list",
+                                         "/usr/share/zoneinfo/posix/leap-seconds.list"};
+    if (path != NULL) return orr_leap_read(path, out, diag);
+    for (size_t i = 0; i < sizeof system / sizeof *system; i++) {
+        if (orr_leap_read(system[i], out, NULL) != ORR_OK) continue;
+        if (out->expires_mjd > TABLE.expires_mjd) return ORR_OK;
+        orr_leap_free(out);
+    }
+    *out = TABLE;
+    return ORR_OK;
+}
+
 void orr_leap_free(orr_leap_table *t)
 {
     if (t == NULL) return;

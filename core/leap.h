@@ -24,6 +24,12 @@ const orr_leap_table *orr_leap_builtin(void);
 // Reads IERS' leap-seconds.list (NTP seconds). Entries are allocated; free with orr_leap_free. Errors: ORR_E_IO,
 // ORR_E_KIND (no such list), ORR_E_FORMAT with the line, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_leap_read(const char *path, orr_leap_table *out, orr_diag *diag);
+// The table that a program converts UTC by.
+//   Given:    path        a leap-seconds.list that the user names; NULL: that of the system (of tzdata) where there is one
+//                         that is certain for longer than the built-in one, else the built-in one
+//   Returned: out         the table, to be freed with orr_leap_free
+//             diag        why the user's file cannot be read (as of orr_leap_read); the system's is passed over then
+orr_status orr_leap_choose(const char *path, orr_leap_table *out, orr_diag *diag);
 // Frees the entries and leaves the table empty. NULL is allowed.
 void orr_leap_free(orr_leap_table *t);
 

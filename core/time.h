@@ -48,6 +48,12 @@ typedef struct orr_civil {
 int orr_leap_tai_minus_utc(orr_time t, const orr_leap_table *leap);
 // Whether the table makes no promise at t: its UTC day is that of the table's expiry or later.
 bool orr_leap_expired(orr_time t, const orr_leap_table *leap);
+// Warns where that is so of the last UTC label that was converted: a leap second that was announced since is not in it.
+//   Given:    t           the last instant; ORR_TIME_NONE: none was
+//             leap        the table; NULL: built-in
+//             file        whose labels they are, for the message; may be NULL
+//   Returned: w           with the warning, which says what to do; may be NULL
+void orr_leap_warn(orr_time t, const orr_leap_table *leap, const char *file, orr_warnings *w);
 
 // Checks every field (months, days, a 60th second only where the table has one). 24:00:00 is accepted and is
 // the next day's 00:00:00. ORR_E_ARG if it is no date, ORR_E_RANGE outside the years above and, in UTC and GLO,

@@ -175,7 +175,7 @@ orr_status fetch_index_put(const char *cache_dir, const char *path, int64_t byte
 orr_status fetch_check(const char *path, const orr_wanted *w, orr_diag *diag)
 {
     orr_inspection r;
-    orr_status s = orr_inspect(path, &r, diag);
+    orr_status s = orr_inspect(path, NULL, &r, diag);
     if (s == ORR_OK && !orr_product_holds(w->product, r.kind))
         s = orr_diag_set(diag, ORR_E_KIND, "this is %s, not %s", orr_kind_name(r.kind),
                          orr_product_name(w->product));

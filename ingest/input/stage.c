@@ -65,7 +65,8 @@ static void file_close(orr_stage *self)
 orr_status orr_stage_file(const char *path, orr_stage **out, size_t *size, orr_diag *diag)
 {
     *size = 0;
-    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    const bool standard = strcmp(path, "-") == 0;
+    int fd = standard ? dup(STDIN_FILENO) : open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0) return orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot open: %s", strerror(errno));
     struct stat st;
     if (fstat(fd, &st) == 0) {

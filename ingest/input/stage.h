@@ -27,7 +27,7 @@ orr_status orr_stage_read(orr_stage *s, uint8_t *buf, size_t capacity, size_t *g
 // Looks at up to 8 first bytes, before anything was read.
 orr_status orr_stage_peek(orr_stage *s, const uint8_t **bytes, size_t *n, orr_diag *diag);
 
-// Opens a file or pipe. *size is what the file system says, at most 256 MiB: a first guess at the room needed, never a promise.
+// Opens a file or pipe; "-" is standard input. *size is what the file system says, at most 256 MiB: a first guess at the room needed, never a promise.
 orr_status orr_stage_file(const char *path, orr_stage **out, size_t *size, orr_diag *diag);
 // A stage of bytes in memory.
 //   Given:    name        of the file, for messages; kept, not copied

@@ -77,7 +77,7 @@ static bool digits(orr_view v, int lo, int hi, int *out)
     return true;
 }
 
-bool orr_records_sinex_time(orr_view v, orr_scale scale, orr_time *out)
+bool orr_records_sinex_time(orr_view v, orr_scale scale, const orr_leap_table *leap, orr_time *out)
 {
     v = orr_view_trim(v);
     *out = ORR_TIME_NONE;
@@ -99,10 +99,10 @@ bool orr_records_sinex_time(orr_view v, orr_scale scale, orr_time *out)
     int32_t mjd = orr_mjd_from_date(year, 1, 1) + doy - 1;
     orr_civil c = {.hour = sod / 3600, .minute = sod / 60 % 60, .second = sod % 60};
     orr_date_from_mjd(mjd, &c.year, &c.month, &c.day);
-    return orr_time_from_civil(&c, scale, NULL, out) == ORR_OK;
+    return orr_time_from_civil(&c, scale, leap, out) == ORR_OK;
 }
 
-static bool civil_from(const double f[6], orr_scale scale, orr_time *out)
+static bool civil_from(const double f[6], orr_scale scale, const orr_leap_table *leap, orr_time *out)
 {
     for (int i = 0; i < 5; i++)
         if (!(f[i] >= 0 && f[i] <= 9999 && f[i] == floor(f[i]))) return false;
@@ -111,24 +111,25 @@ static bool civil_from(const double f[6], orr_scale scale, orr_time *out)
     double ns = round((f[5] - whole) * 1e9);
     if (ns >= 1e9) ns = 999999999; // 59.9999999999 must not become a 60th second
     orr_civil c = {(int)f[0], (int)f[1], (int)f[2], (int)f[3], (int)f[4], (int)whole, (int32_t)ns};
-    return orr_time_from_civil(&c, scale, NULL, out) == ORR_OK;
+    return orr_time_from_civil(&c, scale, leap, out) == ORR_OK;
 }
 
-bool orr_records_civil(orr_view v, orr_scale scale, orr_time *out)
+bool orr_records_civil(orr_view v, orr_scale scale, const orr_leap_table *leap, orr_time *out)
 {
     double f[6];
     orr_view word;
     for (int i = 0; i < 6; i++)
         if (!orr_view_word(&v, &word) || orr_view_real(word, &f[i]) != ORR_FIELD_OK) return false;
-    return civil_from(f, scale, out);
+    return civil_from(f, scale, leap, out);
 }
 
-bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scale, orr_time *out)
+bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scale, const orr_leap_table *leap,
+                               orr_time *out)
 {
     double f[6];
     for (int i = 0; i < 6; i++)
         if (orr_field_real(line, col + i * width, width, &f[i]) != ORR_FIELD_OK) return false;
-    return civil_from(f, scale, out);
+    return civil_from(f, scale, leap, out);
 }
 
 orr_status orr_records_add_text(char ***list, size_t *n, orr_view v, size_t limit, const orr_cursor *at,

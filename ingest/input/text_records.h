@@ -46,17 +46,18 @@ bool orr_records_label_is(orr_view label, const char *name);
 
 // "YYYY:DDD:SSSSS" or "YY:DDD:SSSSS" of the SINEX family. All zeros (or blank) is "open": ORR_TIME_NONE.
 // False if it is no date. Two-digit years up to 50 are of this century, as SINEX says.
-bool orr_records_sinex_time(orr_view v, orr_scale scale, orr_time *out);
+bool orr_records_sinex_time(orr_view v, orr_scale scale, const orr_leap_table *leap, orr_time *out);
 // Six blank-separated numbers, year month day hour minute second(.fraction); 24:00:00 is the next day. Fewer
 // than six are refused. False if it is no date.
-bool orr_records_civil(orr_view v, orr_scale scale, orr_time *out);
+bool orr_records_civil(orr_view v, orr_scale scale, const orr_leap_table *leap, orr_time *out);
 // The same from six fields of one width, side by side (IONEX 6I6).
 //   Given:    line        the line
 //             col, width  column of the first field, and width of each
-//             scale       that the date is in
+//             scale, leap   that the date is in, and the table of leap seconds (NULL: built-in)
 //   Returned: out         the instant
 //             (value)     false if it is no date
-bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scale, orr_time *out);
+bool orr_records_civil_columns(orr_view line, int col, int width, orr_scale scale, const orr_leap_table *leap,
+                               orr_time *out);
 
 // Appends a copy of a text, without trailing blanks, to a list of texts.
 //   Given:    list, n     the list, which grows, and its length

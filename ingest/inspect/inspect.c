@@ -2,6 +2,7 @@
 #include "ingest/inspect/inspect.h"
 
 #include <string.h>
+#include <sys/stat.h>
 
 #include "ingest/input/input.h"
 
@@ -20,25 +21,62 @@ static inspector *inspector_of(orr_kind kind)
     }
 }
 
-orr_status orr_inspect(const char *path, orr_inspection *out, orr_diag *diag)
+// Whether it can be read but once: standard input, a pipe.
+static bool read_once(const char *path)
 {
-    orr_inspection_init(out);
-    if (orr_inspect_is_zip(path)) {
-        out->kind = ORR_KIND_ZIP;
-        return orr_inspect_zip(path, out, diag);
-    }
+    struct stat st;
+    return strcmp(path, "-") == 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode));
+}
+
+static orr_status sniff(const char *path, orr_inspection *out, orr_diag *diag)
+{
     orr_input *in = NULL;
-    orr_status st = orr_input_open(path, NULL, &in, diag);
+    orr_status st = out->raw != NULL
+                        ? orr_input_open_bytes(path, out->raw->text, out->raw->n, NULL, &in, diag)
+                        : orr_input_open(path, NULL, &in, diag);
     if (st != ORR_OK) return st;
-    orr_sniffed s = orr_sniff(orr_input_head(in));
+    const orr_sniffed s = orr_sniff(orr_input_head(in));
     orr_input_close(in);
     out->kind = s.kind;
     memcpy(out->version, s.version, sizeof out->version);
-    inspector *inspect = inspector_of(s.kind);
-    if (inspect != NULL) return inspect(path, out, diag);
-    if (s.kind <= ORR_KIND_WEB_PAGE)
+    return ORR_OK;
+}
+
+orr_status orr_inspect_text(const orr_inspection *r, const char *path, orr_bytes *text, orr_diag *diag)
+{
+    return r->raw != NULL ? orr_input_read_bytes(path, r->raw->text, r->raw->n, NULL, text, diag)
+                          : orr_input_read_all(path, NULL, text, diag);
+}
+
+static orr_status inspect(const char *path, orr_inspection *out, orr_diag *diag)
+{
+    if (out->raw == NULL && orr_inspect_is_zip(path)) {
+        out->kind = ORR_KIND_ZIP;
+        return orr_inspect_zip(path, out, diag);
+    }
+    const orr_status st = sniff(path, out, diag);
+    if (st != ORR_OK) return st;
+    inspector *const inspect_kind = inspector_of(out->kind);
+    if (inspect_kind != NULL) return inspect_kind(path, out, diag);
+    if (out->kind <= ORR_KIND_WEB_PAGE)
         return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "this is %s, not a file that Orrery knows",
-                           orr_kind_name(s.kind));
-    return orr_diag_at(diag, ORR_E_UNSUPPORTED, path, 0, 0, "this is %s, which Orrery does not inspect",
-                       orr_kind_name(s.kind));
+                           orr_kind_name(out->kind));
+    return orr_diag_at(diag, ORR_E_UNSUPPORTED, path, 0, 0, "this is %s, which Orrery does not inspect%s",
+                       orr_kind_name(out->kind), out->raw != NULL ? " in a pipe" : "");
+}
+
+orr_status orr_inspect(const char *path, const orr_leap_table *leap, orr_inspection *out, orr_diag *diag)
+{
+    orr_bytes raw = {0};
+    orr_inspection_init(out);
+    out->leap = leap;
+    if (read_once(path)) {
+        const orr_status s = orr_input_read_raw(path, orr_input_default_limits().max_bytes, &raw, diag);
+        if (s != ORR_OK) return s;
+        out->raw = &raw;
+    }
+    const orr_status s = inspect(path, out, diag);
+    out->raw = NULL;
+    orr_bytes_free(&raw);
+    return s;
 }

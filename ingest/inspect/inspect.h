@@ -7,6 +7,7 @@
 
 #include "core/sat.h"
 #include "core/time.h"
+#include "ingest/input/input.h"
 #include "ingest/input/sniff.h"
 
 #define ORR_INSPECT_NONE ((int64_t)-1) // a count that makes no sense for this kind
@@ -31,12 +32,16 @@ typedef struct orr_inspection {
     orr_inspect_fact *fact;
     orr_warnings warnings;
     orr_sat_set seen; // behind `systems` and `satellites`
+    // For the kinds' functions.
+    const orr_leap_table *leap;
+    const orr_bytes *raw; // of what can be read but once (a pipe); NULL: the functions read the file
 } orr_inspection;
 
-// Opens, sniffs, reads by the kind's own reader. ORR_OK with warnings inside, or the reader's refusal; *out
+// Opens ("-" is standard input; a pipe is read once, into memory), sniffs, reads by the kind's own reader. ORR_OK with warnings inside, or the reader's refusal; *out
 // is to be freed in both cases (kind and version are filled in as far as they are known). Errors: as the
 // readers', and ORR_E_UNSUPPORTED for kinds that are recognised and not read here.
-orr_status orr_inspect(const char *path, orr_inspection *out, orr_diag *diag);
+// leap converts UTC labels (NULL: built-in) and must outlive *out.
+orr_status orr_inspect(const char *path, const orr_leap_table *leap, orr_inspection *out, orr_diag *diag);
 // Empties a report: nothing is known.
 void orr_inspection_init(orr_inspection *r);
 // Frees what a report holds and empties it.
@@ -51,6 +56,9 @@ orr_status orr_inspect_zip(const char *path, orr_inspection *r, orr_diag *diag);
 // For the kinds' functions, orr_status orr_inspect_<name>(const char *path, orr_inspection *r, orr_diag
 // *diag): kind and version are set already (a function may refine the version), the rest is as
 // orr_inspection_init left it.
+
+// The whole text of the file, decompressed, to be freed with orr_bytes_free. Errors of orr_input_read_all.
+orr_status orr_inspect_text(const orr_inspection *r, const char *path, orr_bytes *text, orr_diag *diag);
 
 // Adds a line for people; without memory the report goes on without it.
 //   Given:    label       the line's name, cut at 23 bytes

@@ -49,10 +49,22 @@ static void value_range(orr_inspection *r, const char *label, const double *v, s
         orr_inspect_fact_add(r, label, "%.1f to %.1f %s", lo * factor, hi * factor, unit);
 }
 
+static orr_read_limits limits_of(const orr_inspection *r)
+{
+    orr_read_limits limits = orr_read_default_limits();
+    limits.leap = r->leap;
+    return limits;
+}
+
 orr_status orr_inspect_ionex(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_ionex x;
-    orr_status s = orr_ionex_read(path, NULL, &x, &r->warnings, diag);
+    const orr_read_limits limits = limits_of(r);
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_ionex_parse(path, text.text, text.n, &limits, &x, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     orr_inspect_epochs(r, x.epoch, x.n_epochs);
     size_t cells = x.n_heights * x.n_lats * x.n_lons, n = x.n_epochs * cells;
@@ -89,7 +101,12 @@ orr_status orr_inspect_ionex(const char *path, orr_inspection *r, orr_diag *diag
 orr_status orr_inspect_ion(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_ion x;
-    orr_status s = orr_ion_read(path, NULL, &x, &r->warnings, diag);
+    const orr_read_limits limits = limits_of(r);
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_ion_parse(path, text.text, text.n, &limits, &x, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     orr_time *t = malloc(x.n_models * sizeof *t);
     size_t n = 0, coefficients = 0;
@@ -126,7 +143,11 @@ orr_status orr_inspect_ion(const char *path, orr_inspection *r, orr_diag *diag)
 orr_status orr_inspect_erp(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_erp x;
-    orr_status s = orr_erp_read(path, NULL, NULL, &x, &r->warnings, diag);
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_erp_parse(path, text.text, text.n, r->leap, NULL, &x, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     orr_time *t = malloc(x.series.n * sizeof *t);
     if (t == NULL) {
@@ -135,8 +156,9 @@ orr_status orr_inspect_erp(const char *path, orr_inspection *r, orr_diag *diag)
     }
     for (size_t i = 0; i < x.series.n; i++) {
         double day = floor(x.series.mjd_utc[i]);
-        t[i] = orr_time_from_mjd((int32_t)day, x.series.mjd_utc[i] - day, ORR_SCALE_UTC, NULL);
+        t[i] = orr_time_from_mjd((int32_t)day, x.series.mjd_utc[i] - day, ORR_SCALE_UTC, r->leap);
     }
+    orr_leap_warn(t[x.series.n - 1], r->leap, path, &r->warnings);
     orr_inspect_epochs(r, t, x.series.n);
     free(t);
     if (x.version > 0) snprintf(r->version, sizeof r->version, "%d", x.version % 100);
@@ -153,7 +175,12 @@ orr_status orr_inspect_erp(const char *path, orr_inspection *r, orr_diag *diag)
 orr_status orr_inspect_clk(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_clk x;
-    orr_status s = orr_clk_read(path, NULL, &x, &r->warnings, diag);
+    const orr_read_limits limits = limits_of(r);
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_clk_parse(path, text.text, text.n, &limits, &x, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     size_t records = 0;
     orr_inspect_epochs(r, x.epoch, x.n_epochs);
@@ -183,7 +210,12 @@ orr_status orr_inspect_clk(const char *path, orr_inspection *r, orr_diag *diag)
 orr_status orr_inspect_antex(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_antex x;
-    orr_status s = orr_antex_read(path, NULL, &x, &r->warnings, diag);
+    const orr_read_limits limits = limits_of(r);
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_antex_parse(path, text.text, text.n, &limits, &x, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     snprintf(r->version, sizeof r->version, "%.1f", x.version);
     r->records = (int64_t)x.n_antennas;
@@ -202,7 +234,12 @@ orr_status orr_inspect_antex(const char *path, orr_inspection *r, orr_diag *diag
 orr_status orr_inspect_bias(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_bias_set x;
-    orr_status s = orr_bias_read(path, NULL, &x, &r->warnings, diag);
+    const orr_read_limits limits = limits_of(r);
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_bias_parse(path, text.text, text.n, &limits, &x, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     if (x.version > 0) snprintf(r->version, sizeof r->version, "%.2f", x.version);
     widen(r, x.from, x.until);
@@ -229,7 +266,12 @@ orr_status orr_inspect_bias(const char *path, orr_inspection *r, orr_diag *diag)
 orr_status orr_inspect_sinex(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_sinex x;
-    orr_status s = orr_sinex_read(path, NULL, &x, &r->warnings, diag);
+    const orr_read_limits limits = limits_of(r);
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_sinex_parse(path, text.text, text.n, &limits, &x, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     snprintf(r->version, sizeof r->version, "%.2f", x.version);
     widen(r, x.from, x.until);

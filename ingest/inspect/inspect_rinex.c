@@ -59,7 +59,13 @@ static void nav_extras(const orr_nav *nav, orr_inspection *r)
 orr_status orr_inspect_rinex_nav(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_nav nav;
-    orr_status s = orr_nav_read(path, NULL, &nav, &r->warnings, diag);
+    orr_nav_limits limits = orr_nav_default_limits();
+    limits.leap = r->leap;
+    orr_bytes text;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_nav_parse(path, text.text, text.n, &limits, &nav, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (s != ORR_OK) return s;
     snprintf(r->version, sizeof r->version, "%.2f", nav.version);
     r->records = (int64_t)nav.n_eph;
@@ -166,7 +172,11 @@ static void obs_tally_facts(const obs_tally *t, uint64_t skipped, orr_inspection
 orr_status orr_inspect_rinex_obs(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_rinex_obs *reader = NULL;
-    orr_status s = orr_rinex_obs_open(path, NULL, &r->warnings, &reader, diag);
+    orr_rinex_obs_limits limits = orr_rinex_obs_default_limits();
+    limits.leap = r->leap;
+    orr_status s = r->raw != NULL ? orr_rinex_obs_open_memory(path, r->raw->text, r->raw->n, &limits,
+                                                              &r->warnings, &reader, diag)
+                                  : orr_rinex_obs_open(path, &limits, &r->warnings, &reader, diag);
     if (s != ORR_OK) return s;
     const orr_rinex_obs_header *h = orr_rinex_obs_header_of(reader);
     obs_tally t = {.first = malloc(STEPS_LOOKED_AT * sizeof *t.first), .last = ORR_TIME_NONE};

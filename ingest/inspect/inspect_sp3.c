@@ -74,7 +74,13 @@ static void tell_records(const orr_sp3 *o, orr_inspection *r)
 orr_status orr_inspect_sp3(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_sp3 o;
-    orr_status st = orr_sp3_read(path, NULL, &o, &r->warnings, diag);
+    orr_sp3_limits limits = orr_sp3_default_limits();
+    limits.leap = r->leap;
+    orr_bytes text;
+    orr_status st = orr_inspect_text(r, path, &text, diag);
+    if (st != ORR_OK) return st;
+    st = orr_sp3_parse(path, text.text, text.n, &limits, &o, &r->warnings, diag);
+    orr_bytes_free(&text);
     if (st != ORR_OK) return st;
     snprintf(r->version, sizeof r->version, "%c", o.version);
     for (size_t s = 0; s < o.n_sats; s++)

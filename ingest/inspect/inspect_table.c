@@ -44,7 +44,8 @@ static bool starts_with_number(orr_view line)
 orr_status orr_inspect_table(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_input *in = NULL;
-    orr_status s = orr_input_open(path, NULL, &in, diag);
+    orr_status s = r->raw != NULL ? orr_input_open_bytes(path, r->raw->text, r->raw->n, NULL, &in, diag)
+                                  : orr_input_open(path, NULL, &in, diag);
     if (s != ORR_OK) return s;
     int64_t rows = 0, words = 0, of_width[MOST_COLUMNS + 1] = {0};
     orr_view line;

@@ -176,7 +176,7 @@ static bool epoch(orr_view v, orr_time *out)
     memcpy(text, v.p, v.n);
     for (size_t i = 0; i < v.n; i++)
         if (text[i] == '-' || text[i] == '/' || text[i] == ':' || text[i] == ',') text[i] = ' ';
-    return orr_records_civil((orr_view){text, v.n}, ORR_SCALE_GPS, out);
+    return orr_records_civil((orr_view){text, v.n}, ORR_SCALE_GPS, NULL, out);
 }
 
 static bool set_field(orr_ion_model *m, ion_field field, orr_view v)

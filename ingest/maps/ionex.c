@@ -156,6 +156,7 @@ orr_status orr_ionex_parse(const char *name, const char *text, size_t n, const o
     if (s == ORR_OK) s = assemble(&r, IONEX_RMS, &out->rms_tecu);
     if (s == ORR_OK) s = assemble(&r, IONEX_HGT, &out->hgt_m);
     if (s == ORR_OK) s = check_promises(&r);
+    if (s == ORR_OK) orr_leap_warn(out->epoch[out->n_epochs - 1], r.limits.leap, name, warnings);
     if (s == ORR_OK && out->hgt_m != NULL) // heights are written in km
         for (size_t i = 0; i < out->n_epochs * r.map_size; i++) out->hgt_m[i] *= 1e3;
     for (int k = 0; k < IONEX_KINDS; k++) {

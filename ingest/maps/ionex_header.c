@@ -119,7 +119,7 @@ static void read_real(ionex_reader *r, orr_view line, double factor, double *out
 
 static orr_status read_declared(ionex_reader *r, orr_view line, orr_time *out)
 {
-    if (!orr_records_civil_columns(line, 1, 6, ORR_SCALE_UTC, out))
+    if (!orr_records_civil_columns(line, 1, 6, ORR_SCALE_UTC, r->limits.leap, out))
         orr_cursor_warn(&r->c, r->warnings, 1, "an epoch of the header is no date");
     return ORR_OK;
 }

@@ -274,7 +274,7 @@ static orr_status read_map(ionex_reader *r, orr_view first, ionex_kind kind)
         } else if (orr_records_label_is(label, end_label)) {
             return close_map(r, &m);
         } else if (orr_records_label_is(label, "EPOCH OF CURRENT MAP")) {
-            if (!orr_records_civil_columns(line, 1, 6, ORR_SCALE_UTC, &m.epoch))
+            if (!orr_records_civil_columns(line, 1, 6, ORR_SCALE_UTC, r->limits.leap, &m.epoch))
                 s = orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "the epoch of a map is no date");
         } else if (orr_records_label_is(label, "EXPONENT")) {
             m.own_exponent = true;

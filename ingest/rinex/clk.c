@@ -242,6 +242,8 @@ orr_status orr_clk_parse(const char *name, const char *text, size_t n, const orr
     orr_status s = read_header(&r);
     if (s == ORR_OK) s = clk_read_records(&r);
     if (s == ORR_OK) s = finish(&r);
+    if (s == ORR_OK && (out->scale == ORR_SCALE_UTC || out->scale == ORR_SCALE_GLO))
+        orr_leap_warn(out->to, r.limits.leap, name, warnings);
     free_list(&r.sats);
     free_list(&r.receivers);
     free(r.sat_epochs.t);

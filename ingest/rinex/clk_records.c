@@ -27,7 +27,8 @@ static orr_status read_epoch(clk_reader *r, orr_view line, orr_view *rest, orr_t
         *t = r->last_time;
         return ORR_OK;
     }
-    if (!orr_records_civil((orr_view){first.p, n}, r->out->scale, t)) return bad(r, line, first, "no date");
+    if (!orr_records_civil((orr_view){first.p, n}, r->out->scale, r->limits.leap, t))
+        return bad(r, line, first, "no date");
     r->last_epoch_n = n <= sizeof r->last_epoch ? n : 0;
     memcpy(r->last_epoch, first.p, r->last_epoch_n);
     r->last_time = *t;

@@ -52,7 +52,7 @@ bool orr_rinex_seconds(orr_view line, int col, int width, int64_t *ps)
     return true;
 }
 
-orr_status orr_rinex_time(const orr_rinex_date *d, orr_scale scale, orr_time *out)
+orr_status orr_rinex_time(const orr_rinex_date *d, orr_scale scale, const orr_leap_table *leap, orr_time *out)
 {
     int year = d->year;
     if (year >= 0 && year < 80)
@@ -65,14 +65,14 @@ orr_status orr_rinex_time(const orr_rinex_date *d, orr_scale scale, orr_time *ou
     if (whole >= 60) { // a leap second where there is one, else a rounded-up 59.99999995
         c.second = 60;
         c.ns = (int32_t)(ns % ORR_NS_PER_S);
-        if (orr_time_from_civil(&c, scale, NULL, out) == ORR_OK) return ORR_OK;
+        if (orr_time_from_civil(&c, scale, leap, out) == ORR_OK) return ORR_OK;
         c.second = 0;
         c.ns = 0;
-        orr_status s = orr_time_from_civil(&c, scale, NULL, out);
+        orr_status s = orr_time_from_civil(&c, scale, leap, out);
         if (s == ORR_OK) *out += ns;
         return s;
     }
     c.second = (int)whole;
     c.ns = (int32_t)(ns % ORR_NS_PER_S);
-    return orr_time_from_civil(&c, scale, NULL, out);
+    return orr_time_from_civil(&c, scale, leap, out);
 }

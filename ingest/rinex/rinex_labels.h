@@ -25,7 +25,8 @@ typedef struct orr_rinex_date {
     int64_t second_ps;
 } orr_rinex_date;
 // The instant of such a date. ORR_E_ARG or ORR_E_RANGE, without a message, if it is none.
-orr_status orr_rinex_time(const orr_rinex_date *d, orr_scale scale, orr_time *out);
+orr_status orr_rinex_time(const orr_rinex_date *d, orr_scale scale, const orr_leap_table *leap,
+                          orr_time *out);
 // Seconds of a field as picoseconds; false if it is no number in [0, 61).
 bool orr_rinex_seconds(orr_view line, int col, int width, int64_t *ps);
 

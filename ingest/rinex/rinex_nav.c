@@ -8,7 +8,10 @@
 #include "ingest/input/input.h"
 #include "ingest/rinex/rinex_nav_private.h"
 
-orr_nav_limits orr_nav_default_limits(void) { return (orr_nav_limits){(size_t)2 << 30, 1000000, 100000}; }
+orr_nav_limits orr_nav_default_limits(void)
+{
+    return (orr_nav_limits){(size_t)2 << 30, 1000000, 100000, NULL};
+}
 
 void orr_nav_free(orr_nav *nav)
 {
@@ -110,7 +113,7 @@ static bool starts_record(const reader *r, orr_view line)
 // The lines of the next record; false at the end.
 static bool next_record(reader *r, nav_lines *rec)
 {
-    *rec = (nav_lines){0};
+    *rec = (nav_lines){.leap = r->limits.leap};
     orr_view line;
     bool started = false;
     while (next_line(r, &line)) {
@@ -235,6 +238,15 @@ static orr_status nothing_read(const reader *r)
     return ORR_OK;
 }
 
+// GLONASS is dated in UTC.
+static void warn_of_leaps(const orr_nav *nav, const orr_leap_table *leap, const char *name, orr_warnings *w)
+{
+    orr_time last = ORR_TIME_NONE;
+    for (size_t i = 0; i < nav->n_eph; i++)
+        if (nav->eph[i].kind == ORR_NAV_GLONASS && nav->eph[i].toc > last) last = nav->eph[i].toc;
+    orr_leap_warn(last, leap, name, w);
+}
+
 orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr_nav_limits *limits,
                          orr_nav *out, orr_warnings *warnings, orr_diag *diag)
 {
@@ -259,6 +271,7 @@ orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr
     }
     if (out->n_eph > 1) qsort(out->eph, out->n_eph, sizeof *out->eph, compare_eph);
     orr_nav_tell_conflicts(out->eph, out->n_eph, name, warnings);
+    warn_of_leaps(out, r.limits.leap, name, warnings);
     return ORR_OK;
 }
 

@@ -199,6 +199,7 @@ typedef struct orr_nav {
 typedef struct orr_nav_limits {
     size_t max_bytes; // after decompression
     size_t max_records, max_header_lines;
+    const orr_leap_table *leap; // that UTC and GLONASS labels are converted by; NULL: built-in
 } orr_nav_limits;
 orr_nav_limits orr_nav_default_limits(void); // 2 GiB, 1 000 000, 100 000
 

@@ -108,7 +108,7 @@ bool orr_nav_epoch(const nav_lines *r, size_t line, bool v2, orr_scale scale, or
         good = good &&
                orr_field_int_in(l->text, v2 ? col2[i] : col3[i], width, 0, 9999, field[i]) == ORR_FIELD_OK;
     }
-    if (!good || orr_rinex_time(&d, scale, t) != ORR_OK)
+    if (!good || orr_rinex_time(&d, scale, r->leap, t) != ORR_OK)
         return orr_nav_fault(f, l->number, v2 ? 4 : 5, "a date that is not readable");
     return true;
 }

@@ -18,9 +18,10 @@ typedef struct nav_line {
 // The lines of one record. In RINEX 4 the "> " line is apart.
 typedef struct nav_lines {
     nav_line line[NAV_MAX_LINES];
-    size_t n;     // lines that came, may exceed NAV_MAX_LINES
-    nav_line tag; // "> EPH G01 LNAV"; text.p NULL before RINEX 4
-    bool cut;     // the last line ends with the file, without a line end
+    size_t n;                   // lines that came, may exceed NAV_MAX_LINES
+    nav_line tag;               // "> EPH G01 LNAV"; text.p NULL before RINEX 4
+    bool cut;                   // the last line ends with the file, without a line end
+    const orr_leap_table *leap; // for dates of GLONASS; NULL: built-in
 } nav_lines;
 
 // What is wrong with a record, for the one warning it gets.

@@ -323,7 +323,7 @@ static bool take_glonass(const nav_lines *r, const double *a, const double *b, b
     int64_t day = INT64_C(86400) * ORR_NS_PER_S;
     if (a[2] >= 0 && a[2] <= 604800) { // of a UTC day or week: the day is that of toe, or its neighbour
         orr_civil c;
-        orr_time_to_civil(e->toc, ORR_SCALE_UTC, NULL, &c);
+        orr_time_to_civil(e->toc, ORR_SCALE_UTC, r->leap, &c);
         int64_t of_day = ((int64_t)c.hour * 3600 + c.minute * 60 + c.second) * ORR_NS_PER_S + c.ns;
         int64_t d = ((int64_t)llround(a[2] * 1e9) - of_day) % day;
         if (d > day / 2) d -= day;

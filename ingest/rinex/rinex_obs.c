@@ -147,7 +147,7 @@ static bool take_date(const orr_rinex_obs *r, orr_view line, epoch_head *head)
     int more = 0; // 4.02: five further digits of the seconds
     if (r->h.version >= 4.015 && orr_field_int_in(line, 58, 5, 0, 99999, &more) == ORR_FIELD_OK)
         d.second_ps += more;
-    return orr_rinex_time(&d, r->h.scale, &head->t) == ORR_OK;
+    return orr_rinex_time(&d, r->h.scale, r->limits.leap, &head->t) == ORR_OK;
 }
 
 static bool take_epoch_line(orr_rinex_obs *r, orr_view line, epoch_head *head)

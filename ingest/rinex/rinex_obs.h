@@ -112,6 +112,7 @@ typedef struct orr_rinex_obs_limits {
     uint64_t max_bytes; // of decompressed text
     uint64_t max_epochs;
     size_t max_header_lines, max_event_lines;
+    const orr_leap_table *leap; // that UTC and GLONASS labels are converted by; NULL: built-in
 } orr_rinex_obs_limits;
 orr_rinex_obs_limits orr_rinex_obs_default_limits(void); // 64 GiB, 100 000 000, 100 000, 999
 

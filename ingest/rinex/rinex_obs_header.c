@@ -293,7 +293,7 @@ static orr_status header_time(orr_rinex_obs_header *h, orr_view line, bool is_fi
     bool good = orr_rinex_seconds(line, 31, 13, &d.second_ps);
     for (int i = 0; i < 5; i++)
         good = good && orr_field_int_in(line, 1 + 6 * i, 6, 0, 9999, field[i]) == ORR_FIELD_OK;
-    if (good) good = orr_rinex_time(&d, h->scale, &t) == ORR_OK;
+    if (good) good = orr_rinex_time(&d, h->scale, c->leap, &t) == ORR_OK;
     if (!good) warn(c, 1, "the time is not readable: the header line is left out");
     *(is_first ? &h->first : &h->last) = good ? t : ORR_TIME_NONE;
     if (is_first) h->first = good ? t : ORR_TIME_NONE;

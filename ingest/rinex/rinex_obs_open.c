@@ -6,7 +6,7 @@
 
 orr_rinex_obs_limits orr_rinex_obs_default_limits(void)
 {
-    return (orr_rinex_obs_limits){UINT64_C(64) << 30, 100000000, 100000, 999};
+    return (orr_rinex_obs_limits){UINT64_C(64) << 30, 100000000, 100000, 999, NULL};
 }
 
 static orr_status read_header(orr_rinex_obs *r, orr_diag *diag)
@@ -60,6 +60,9 @@ static orr_status read_header(orr_rinex_obs *r, orr_diag *diag)
     if (!(r->state.seen & OBS_SEEN_FIRST))
         orr_obs_warn(r, 0, "the header has no TIME OF FIRST OBS: the system's own time is taken");
     if (!(r->state.seen & OBS_SEEN_MARKER)) orr_obs_warn(r, 0, "the header has no MARKER NAME");
+    if (r->h.scale == ORR_SCALE_GLO || r->h.scale == ORR_SCALE_UTC)
+        orr_leap_warn(r->h.last != ORR_TIME_NONE ? r->h.last : r->h.first, r->limits.leap,
+                      orr_input_name(r->in), r->warnings);
     if (r->h.hatanaka)
         s = orr_crinex_open(r->in, r->h.crinex_version, &r->counts, r->warnings, &r->crinex, diag);
     return s;

@@ -13,6 +13,7 @@ typedef struct obs_context {
     int64_t line;
     orr_warnings *warnings;
     orr_diag *diag;
+    const orr_leap_table *leap;
 } obs_context;
 
 // What must be remembered between header lines.
@@ -64,7 +65,8 @@ static inline void orr_obs_warn(orr_rinex_obs *r, int column, const char *what)
 // Where the line read last reports to.
 static inline obs_context orr_obs_context(orr_rinex_obs *r, orr_diag *diag)
 {
-    return (obs_context){orr_input_name(r->in), orr_input_line_number(r->in), r->warnings, diag};
+    return (obs_context){orr_input_name(r->in), orr_input_line_number(r->in), r->warnings, diag,
+                         r->limits.leap};
 }
 
 // Frees the lines of the last event.

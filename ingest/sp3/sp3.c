@@ -23,6 +23,8 @@ static orr_status parse(sp3_parser *p)
     if (st == ORR_OK) st = sp3_parse_body(p, first_epoch_line);
     if (st == ORR_OK) st = orr_cursor_status(&p->c, p->diag);
     if (st == ORR_OK) st = sp3_finish(p);
+    if (st == ORR_OK && (p->out->scale == ORR_SCALE_UTC || p->out->scale == ORR_SCALE_GLO))
+        orr_leap_warn(p->out->epoch[p->out->n_epochs - 1], p->limits.leap, p->c.name, p->warnings);
     // Cells without a satellite are an affair of reading alone.
     if (st == ORR_OK && p->stride != p->out->n_sats) st = sp3_set_stride(p, p->out->n_sats);
     return st;

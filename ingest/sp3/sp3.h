@@ -55,6 +55,7 @@ typedef struct orr_sp3 {
 typedef struct orr_sp3_limits {
     size_t max_bytes; // after decompression
     size_t max_sats, max_epochs, max_comments;
+    const orr_leap_table *leap; // that UTC and GLONASS labels are converted by; NULL: built-in
 } orr_sp3_limits;
 orr_sp3_limits orr_sp3_default_limits(void); // 2 GiB, 999, 1 000 000, 10 000
 

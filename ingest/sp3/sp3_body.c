@@ -294,7 +294,7 @@ static bool read_date(const sp3_parser *p, orr_view line, int shift, epoch_date 
         civil.minute = 0;
         civil.hour++;
     }
-    if (orr_time_from_civil(&civil, o->scale, NULL, &d->t) != ORR_OK) return false;
+    if (orr_time_from_civil(&civil, o->scale, p->limits.leap, &d->t) != ORR_OK) return false;
     if (!d->day0) return true;
     // The day before the first of a month, where that goes on from the epoch before.
     d->t -= ORR_S_PER_DAY * ORR_NS_PER_S;

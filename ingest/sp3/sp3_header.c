@@ -340,7 +340,7 @@ orr_status sp3_parse_header(sp3_parser *p, orr_view *first_epoch_line)
         p->pos_sdev[99] = p->clock_sdev[999] = INFINITY;
     }
     if (p->header_start_line != 0 &&
-        orr_time_from_civil(&p->start, o->scale, NULL, &p->header_start) != ORR_OK) {
+        orr_time_from_civil(&p->start, o->scale, p->limits.leap, &p->header_start) != ORR_OK) {
         p->header_start = ORR_TIME_NONE;
         orr_warnings_add(p->warnings, p->c.name, p->header_start_line, 4,
                          "the header's start time is no date; the epochs say it");

@@ -193,7 +193,7 @@ static orr_status read_rms(antex_reader *r, orr_antex_antenna *a, orr_view first
 
 static orr_status read_validity(antex_reader *r, orr_view line, orr_time *out, orr_diag *why)
 {
-    return orr_records_civil(orr_view_cols(line, 1, 43), ORR_SCALE_GPS, out)
+    return orr_records_civil(orr_view_cols(line, 1, 43), ORR_SCALE_GPS, NULL, out)
                ? ORR_OK
                : bad(r, why, 1, "the end of a validity is no date");
 }

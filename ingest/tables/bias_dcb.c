@@ -125,8 +125,8 @@ static orr_status row(bias_reader *r, orr_view line, const char *obs1, const cha
     if (!orr_view_is_blank(rest)) {
         from = orr_view_cols(line, 48, 21);
         until = orr_view_cols(line, 69, 64);
-        if (!orr_records_civil(from, ORR_SCALE_GPS, &b.from) ||
-            !orr_records_civil(until, ORR_SCALE_GPS, &b.until))
+        if (!orr_records_civil(from, ORR_SCALE_GPS, NULL, &b.from) ||
+            !orr_records_civil(until, ORR_SCALE_GPS, NULL, &b.until))
             return bias_leave_out(r, 48, "the period of a bias is no pair of dates");
     }
     modern(obs1, b.system, b.obs1);

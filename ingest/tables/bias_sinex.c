@@ -23,8 +23,8 @@ static orr_status header(bias_reader *r, orr_view line)
     orr_view rest = orr_view_cols(line, 6, (int)ORR_LINE_MAX), word[9];
     int n = 0;
     while (n < 9 && orr_view_word(&rest, &word[n])) n++;
-    if (n < 7 || !orr_records_sinex_time(word[4], ORR_SCALE_GPS, &x->from) ||
-        !orr_records_sinex_time(word[5], ORR_SCALE_GPS, &x->until))
+    if (n < 7 || !orr_records_sinex_time(word[4], ORR_SCALE_GPS, NULL, &x->from) ||
+        !orr_records_sinex_time(word[5], ORR_SCALE_GPS, NULL, &x->until))
         orr_cursor_warn(&r->c, r->warnings, 1, "the first line does not tell the span of the data");
     x->absolute = n >= 7 && word[6].p[0] == 'A';
     return ORR_OK;
@@ -103,8 +103,8 @@ static orr_status solution(bias_reader *r, orr_view line)
     orr_view_copy(obs[0], b.obs1, sizeof b.obs1);
     orr_view_copy(obs[1], b.obs2, sizeof b.obs2);
 
-    if (!orr_records_sinex_time(orr_view_cols(line, 36, 14), r->out->scale, &b.from) ||
-        !orr_records_sinex_time(orr_view_cols(line, 51, 14), r->out->scale, &b.until))
+    if (!orr_records_sinex_time(orr_view_cols(line, 36, 14), r->out->scale, r->limits.leap, &b.from) ||
+        !orr_records_sinex_time(orr_view_cols(line, 51, 14), r->out->scale, r->limits.leap, &b.until))
         return bias_leave_out(r, 36, "the validity of a bias is no pair of dates");
     if (b.from != ORR_TIME_NONE && b.until != ORR_TIME_NONE && b.until < b.from)
         return bias_leave_out(r, 51, "the validity of a bias ends before it starts");

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/array.h"
 #include "core/ncfile.h"
@@ -180,6 +181,8 @@ static orr_status read_netcdf(const char *path, orr_gravity_file *f, orr_diag *d
 static bool is_netcdf(const char *path)
 {
     unsigned char head[4] = {0};
+    struct stat st;
+    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode)) return false; // a pipe is read but once, as text
     FILE *f = fopen(path, "rb");
     if (f == NULL) return false; // the reader says why
     size_t n = fread(head, 1, sizeof head, f);

@@ -52,8 +52,8 @@ static orr_status header(sinex_reader *r, orr_view line)
     orr_view rest = orr_view_cols(line, 6, (int)ORR_LINE_MAX), word[6];
     int n = 0;
     while (n < 6 && orr_view_word(&rest, &word[n])) n++;
-    if (n < 6 || !orr_records_sinex_time(word[4], ORR_SCALE_UTC, &x->from) ||
-        !orr_records_sinex_time(word[5], ORR_SCALE_UTC, &x->until))
+    if (n < 6 || !orr_records_sinex_time(word[4], ORR_SCALE_UTC, r->limits.leap, &x->from) ||
+        !orr_records_sinex_time(word[5], ORR_SCALE_UTC, r->limits.leap, &x->until))
         orr_cursor_warn(&r->c, r->warnings, 33, "the first line does not tell the span of the data");
     return ORR_OK;
 }
@@ -104,8 +104,8 @@ static orr_status eccentricity(sinex_reader *r, orr_view line)
     orr_sinex_eccentricity e = {0};
     copy(line, 2, 4, e.code, sizeof e.code);
     copy(line, 7, 2, e.point, sizeof e.point);
-    if (!orr_records_sinex_time(orr_view_cols(line, 17, 12), ORR_SCALE_UTC, &e.from) ||
-        !orr_records_sinex_time(orr_view_cols(line, 30, 12), ORR_SCALE_UTC, &e.until))
+    if (!orr_records_sinex_time(orr_view_cols(line, 17, 12), ORR_SCALE_UTC, r->limits.leap, &e.from) ||
+        !orr_records_sinex_time(orr_view_cols(line, 30, 12), ORR_SCALE_UTC, r->limits.leap, &e.until))
         return bad(r, 17, "the validity of an eccentricity is no pair of dates");
     orr_view system = orr_view_trim(orr_view_cols(line, 43, 3));
     e.local = orr_view_equals(system, "UNE");
@@ -166,7 +166,7 @@ static orr_status estimate(sinex_reader *r, orr_view line)
     copy(line, 20, 2, key.point, sizeof key.point);
     copy(line, 23, 4, key.solution, sizeof key.solution);
     if (key.code[0] == '\0') return bad(r, 15, "a coordinate without a site");
-    if (!orr_records_sinex_time(orr_view_cols(line, 28, 12), ORR_SCALE_UTC, &key.epoch) ||
+    if (!orr_records_sinex_time(orr_view_cols(line, 28, 12), ORR_SCALE_UTC, r->limits.leap, &key.epoch) ||
         key.epoch == ORR_TIME_NONE)
         return bad(r, 28, "the epoch of a coordinate is no date");
     orr_view unit = orr_view_trim(orr_view_cols(line, 41, 4));
@@ -266,6 +266,7 @@ orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const o
     if (s == ORR_OK && !ended) orr_cursor_warn(&r.c, warnings, 0, "the file ends without %%ENDSNX");
     if (s == ORR_OK) s = orr_records_verdict(&r.tally, diag);
     if (s == ORR_OK) s = check(&r);
+    if (s == ORR_OK) orr_leap_warn(out->until, r.limits.leap, name, warnings);
     if (s != ORR_OK) orr_sinex_free(out);
     return s;
 }

@@ -179,7 +179,9 @@ orr_status orr_tec_field_parse(const char *path, const char *text, size_t n, con
     *out = NULL;
     const char *name = base_name(path);
     orr_ionex maps;
-    orr_status s = orr_ionex_parse(path, text, n, NULL, &maps, warnings, diag);
+    orr_read_limits limits = orr_read_default_limits();
+    limits.leap = options != NULL ? options->leap : NULL;
+    orr_status s = orr_ionex_parse(path, text, n, &limits, &maps, warnings, diag);
     if (s == ORR_OK) {
         s = orr_tec_field_from_ionex(&maps, name, options, out, diag);
         orr_ionex_free(&maps);
@@ -195,7 +197,9 @@ orr_status orr_tec_field_parse(const char *path, const char *text, size_t n, con
     }
     if (s != ORR_E_KIND) return s;
     orr_nav nav;
-    s = orr_nav_parse(path, text, n, NULL, &nav, warnings, diag);
+    orr_nav_limits nav_limits = orr_nav_default_limits();
+    nav_limits.leap = limits.leap;
+    s = orr_nav_parse(path, text, n, &nav_limits, &nav, warnings, diag);
     if (s == ORR_OK) {
         s = from_nav(&nav, name, options, out, diag);
         orr_nav_free(&nav);

@@ -86,7 +86,37 @@ static void join_call(int argc, char *const *argv, char *call, size_t n)
     for (int i = 1; i < argc && at < n; i++) at += (size_t)snprintf(call + at, n - at, " %s", argv[i]);
 }
 
+// The file of leap seconds that the words name, or the environment; NULL: none. It is looked for before the other words
+// are read, because times among them are converted by it.
+static const char *leap_file(int n_words, char *const *words)
+{
+    static const char option[] = "--leap-seconds";
+    const size_t n = sizeof option - 1;
+    const char *file = getenv("ORRERY_LEAP_SECONDS");
+    if (file != NULL && file[0] == '\0') file = NULL;
+    for (int i = 0; i < n_words && strcmp(words[i], "--") != 0; i++) {
+        if (strncmp(words[i], option, n) != 0) continue;
+        if (words[i][n] == '=') file = words[i] + n + 1;
+        if (words[i][n] == '\0' && i + 1 < n_words) file = words[i + 1];
+    }
+    return file;
+}
+
+static int run_command(orr_cli *c, int n_words, char **words);
+
 static int run(orr_cli *c, int n_words, char **words)
+{
+    orr_leap_table leap;
+    orr_diag diag = {0};
+    if (orr_leap_choose(leap_file(n_words, words), &leap, &diag) != ORR_OK) return orr_cli_fail(c, &diag);
+    c->leap = &leap;
+    const int status = run_command(c, n_words, words);
+    c->leap = NULL;
+    orr_leap_free(&leap);
+    return status;
+}
+
+static int run_command(orr_cli *c, int n_words, char **words)
 {
     orr_log log = {.level = ORR_LOG_WARN, .write = write_log, .user = c};
     switch (orr_cli_args_parse(c, n_words, words)) {

@@ -120,12 +120,12 @@ static orr_status rows_of_all(run *r, product *list, orr_inputs *inputs, orr_war
         orr_time_text(list[0].from, from), orr_time_text(list[0].to, to));
 }
 
-static orr_status read_erp(const char *path, orr_inputs *inputs, orr_erp *out, orr_warnings *warnings,
-                           orr_diag *diag)
+static orr_status read_erp(const orr_elements_plan *plan, orr_inputs *inputs, orr_erp *out,
+                           orr_warnings *warnings, orr_diag *diag)
 {
     orr_bytes text;
-    orr_status s = orr_inputs_read(inputs, path, &text, diag);
-    if (s == ORR_OK) s = orr_erp_parse(path, text.text, text.n, NULL, NULL, out, warnings, diag);
+    orr_status s = orr_inputs_read(inputs, plan->erp, &text, diag);
+    if (s == ORR_OK) s = orr_erp_parse(plan->erp, text.text, text.n, plan->leap, NULL, out, warnings, diag);
     orr_bytes_free(&text);
     return s;
 }
@@ -148,7 +148,7 @@ orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink si
     product *list = calloc(plan->n_products, sizeof *list);
     orr_status s = list != NULL ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     if (s == ORR_OK && plan->erp != NULL) {
-        s = read_erp(plan->erp, inputs, &erp, warnings, diag);
+        s = read_erp(plan, inputs, &erp, warnings, diag);
         r.options.eop = &erp.series;
     }
     if (s == ORR_OK) s = rows_of_all(&r, list, inputs, warnings, diag);

@@ -11,7 +11,8 @@
 typedef struct orr_elements_plan {
     const char *const *product; // orbit products, in any order
     size_t n_products;
-    const char *erp; // Earth rotation parameters; NULL: what each product was made with
+    const orr_leap_table *leap; // NULL: built-in
+    const char *erp;            // Earth rotation parameters; NULL: what each product was made with
     orr_elements_frame frame;
     orr_elements_method method;
     double spacing_s;        // of ORR_ELEMENTS_THREE_POSITIONS

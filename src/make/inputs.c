@@ -10,7 +10,7 @@
 void orr_inputs_free(orr_inputs *list)
 {
     free(list->item);
-    *list = (orr_inputs){0};
+    *list = (orr_inputs){.leap = list->leap};
 }
 
 orr_nc_input *orr_inputs_provenance(const orr_inputs *list)
@@ -81,10 +81,12 @@ orr_status orr_inputs_read_navs(orr_inputs *list, const char *const *path, size_
     orr_nav *file = calloc(n + 1, sizeof *file);
     if (file == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", n);
     orr_status s = ORR_OK;
+    orr_nav_limits limits = orr_nav_default_limits();
+    limits.leap = list != NULL ? list->leap : NULL;
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         orr_bytes text;
         s = orr_inputs_read(list, path[i], &text, diag);
-        if (s == ORR_OK) s = orr_nav_parse(path[i], text.text, text.n, NULL, &file[i], warnings, diag);
+        if (s == ORR_OK) s = orr_nav_parse(path[i], text.text, text.n, &limits, &file[i], warnings, diag);
         orr_bytes_free(&text);
     }
     if (s == ORR_OK) s = orr_nav_merge(file, n, out, n > 1 ? warnings : NULL, diag);

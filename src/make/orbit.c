@@ -60,6 +60,9 @@ static orr_status read_sp3(const orr_orbit_plan *plan, const orr_log *log, work 
                            orr_diag *diag)
 {
     orr_status s = ORR_OK;
+    orr_sp3_limits limits = orr_sp3_default_limits();
+    limits.leap = plan->leap;
+    w->also.leap = plan->leap;
     w->sp3 = calloc(plan->n_sp3 + 1, sizeof *w->sp3);
     w->input = calloc(plan->n_sp3 + 1, sizeof *w->input);
     if (w->sp3 == NULL || w->input == NULL)
@@ -68,7 +71,8 @@ static orr_status read_sp3(const orr_orbit_plan *plan, const orr_log *log, work 
         orr_bytes text;
         ORR_LOG(log, ORR_LOG_INFO, "reading %s", plan->sp3[i]);
         s = orr_inputs_read(&w->inputs, plan->sp3[i], &text, diag);
-        if (s == ORR_OK) s = orr_sp3_parse(plan->sp3[i], text.text, text.n, NULL, &w->sp3[i], warnings, diag);
+        if (s == ORR_OK)
+            s = orr_sp3_parse(plan->sp3[i], text.text, text.n, &limits, &w->sp3[i], warnings, diag);
         orr_bytes_free(&text);
         w->n_sp3 = i + 1;
         if (s != ORR_OK) break;
@@ -94,7 +98,7 @@ static orr_status read_erp(const orr_orbit_plan *plan, work *w, orr_eop_series *
         orr_bytes text;
         s = orr_inputs_read(&w->also, plan->erp[i], &text, diag);
         if (s == ORR_OK)
-            s = orr_erp_parse(plan->erp[i], text.text, text.n, NULL, NULL, &erp[i], warnings, diag);
+            s = orr_erp_parse(plan->erp[i], text.text, text.n, plan->leap, NULL, &erp[i], warnings, diag);
         orr_bytes_free(&text);
     }
     if (s == ORR_OK) s = orr_erp_merge(erp, plan->n_erp, eop, diag);
@@ -106,6 +110,8 @@ static orr_status read_erp(const orr_orbit_plan *plan, work *w, orr_eop_series *
 static orr_status read_clk(const orr_orbit_plan *plan, work *w, orr_warnings *warnings, orr_diag *diag)
 {
     orr_status s = ORR_OK;
+    orr_read_limits clk_limits = orr_read_default_limits();
+    clk_limits.leap = plan->leap;
     w->clk = calloc(plan->n_clk + 1, sizeof *w->clk);
     w->clk_input = calloc(plan->n_clk + 1, sizeof *w->clk_input);
     if (w->clk == NULL || w->clk_input == NULL)
@@ -113,7 +119,8 @@ static orr_status read_clk(const orr_orbit_plan *plan, work *w, orr_warnings *wa
     for (size_t i = 0; i < plan->n_clk && s == ORR_OK; i++) {
         orr_bytes text;
         s = orr_inputs_read(&w->also, plan->clk[i], &text, diag);
-        if (s == ORR_OK) s = orr_clk_parse(plan->clk[i], text.text, text.n, NULL, &w->clk[i], warnings, diag);
+        if (s == ORR_OK)
+            s = orr_clk_parse(plan->clk[i], text.text, text.n, &clk_limits, &w->clk[i], warnings, diag);
         orr_bytes_free(&text);
         w->n_clk = i + 1;
         if (s != ORR_OK) break;

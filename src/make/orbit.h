@@ -17,6 +17,7 @@ typedef struct orr_orbit_plan {
     size_t n_nav;
     const char *const *clk; // RINEX CLK files, whose clocks come before those of SP3
     size_t n_clk;
+    const orr_leap_table *leap;    // for labels in UTC; NULL: built-in
     orr_smoother_options smoother; // eop, nav, clk, n_clk, also and n_also are set by orr_orbit_make
 } orr_orbit_plan;
 

@@ -20,12 +20,14 @@ static bool is_netcdf(const orr_bytes *raw)
            (memcmp(raw->text, "\x89HDF\r\n\x1a\n", 8) == 0 || memcmp(raw->text, "CDF", 3) == 0);
 }
 
-static orr_status parse_nav(const char *path, const orr_bytes *raw, orr_nav *out, orr_warnings *warnings,
-                            orr_diag *diag)
+static orr_status parse_nav(const char *path, const orr_bytes *raw, const orr_leap_table *leap, orr_nav *out,
+                            orr_warnings *warnings, orr_diag *diag)
 {
     orr_bytes text;
     orr_status s = orr_input_read_bytes(path, raw->text, raw->n, NULL, &text, diag);
-    if (s == ORR_OK) s = orr_nav_parse(path, text.text, text.n, NULL, out, warnings, diag);
+    orr_nav_limits limits = orr_nav_default_limits();
+    limits.leap = leap;
+    if (s == ORR_OK) s = orr_nav_parse(path, text.text, text.n, &limits, out, warnings, diag);
     orr_bytes_free(&text);
     return s;
 }
@@ -43,7 +45,7 @@ orr_status orr_positions_open(const char *path, uint32_t messages, orr_positions
     if (s == ORR_OK && is_netcdf(&raw))
         s = orr_ephemeris_load(path, &p->product, diag);
     else if (s == ORR_OK)
-        s = parse_nav(path, &raw, &p->nav, warnings, diag);
+        s = parse_nav(path, &raw, inputs != NULL ? inputs->leap : NULL, &p->nav, warnings, diag);
     orr_bytes_free(&raw);
     if (s == ORR_E_KIND)
         s = orr_diag_at(

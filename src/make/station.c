@@ -94,6 +94,7 @@ static void channels_of_field(orr_station *s, const orr_bytes *text)
 static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *diag)
 {
     const orr_station_plan *p = s->plan;
+    s->inputs.leap = p->tec.leap;
     orr_status status = orr_inputs_read_raw(&s->inputs, p->observations, &s->observations, diag);
     if (status == ORR_OK && p->field != NULL) {
         orr_bytes text;

@@ -114,7 +114,7 @@ static int inspect_one(const orr_cli *c, const char *path)
     orr_inspection r;
     orr_diag diag = {0};
     int status = ORR_EXIT_OK;
-    orr_status st = orr_inspect(path, &r, &diag);
+    orr_status st = orr_inspect(path, c->leap, &r, &diag);
     if (st == ORR_E_UNSUPPORTED && r.kind == ORR_KIND_NETCDF) {
         diag = (orr_diag){0};
         st = orr_inspect_own(path, &r, &diag);

@@ -33,6 +33,12 @@ const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS] = {
      .kind = ORR_OPT_FLAG,
      .help = "Print nothing but warnings and errors on standard error."},
     {.name = "verbose", .letter = 'v', .kind = ORR_OPT_FLAG, .help = "Print what is being done."},
+    {.name = "leap-seconds",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "The IERS' leap-seconds.list to convert UTC by, instead of that of ORRERY_LEAP_SECONDS, else of "
+             "the system "
+             "if it is newer than the built-in one."},
     {.name = "force",
      .kind = ORR_OPT_FLAG,
      .help = "Replace an output file that is read-only, or that Orrery did not write."},
@@ -116,7 +122,23 @@ static bool read_choice(const orr_cli *c, const orr_option *o, const char *text)
     return false;
 }
 
-static bool read_interval(const char *text, orr_time t[2], orr_diag *diag)
+// A time as the command line has it; a warning where it is UTC for which the leap seconds are not certain.
+static orr_status read_time(const orr_cli *c, const char *text, orr_time *t, orr_diag *diag)
+{
+    const orr_status s = orr_time_parse(text, c->leap, t, diag);
+    const size_t n = strlen(text);
+    const bool utc = n > 0 && (text[n - 1] == 'Z' || text[n - 1] == 'z' || strstr(text, "UTC") != NULL ||
+                               strstr(text, "GLO") != NULL);
+    if (s == ORR_OK && utc) {
+        orr_warnings w = {0};
+        orr_leap_warn(*t, c->leap, NULL, &w);
+        orr_cli_warnings(c, &w);
+        orr_warnings_free(&w);
+    }
+    return s;
+}
+
+static bool read_interval(const orr_cli *c, const char *text, orr_time t[2], orr_diag *diag)
 {
     const char *slash = strchr(text, '/');
     char from[ORR_TIME_TEXT * 2];
@@ -126,8 +148,7 @@ static bool read_interval(const char *text, orr_time t[2], orr_diag *diag)
     }
     memcpy(from, text, (size_t)(slash - text));
     from[slash - text] = '\0';
-    if (orr_time_parse(from, NULL, &t[0], diag) != ORR_OK ||
-        orr_time_parse(slash + 1, NULL, &t[1], diag) != ORR_OK)
+    if (read_time(c, from, &t[0], diag) != ORR_OK || read_time(c, slash + 1, &t[1], diag) != ORR_OK)
         return false;
     if (t[1] < t[0]) {
         orr_diag_set(diag, ORR_E_ARG, "the interval %s ends before it begins", text);
@@ -200,10 +221,10 @@ static bool read_value(const orr_cli *c, const orr_option *o, const char *text, 
     case ORR_OPT_CHOICE:
         return read_choice(c, o, text);
     case ORR_OPT_TIME:
-        ok = orr_time_parse(text, NULL, &v->as.time[0], &diag) == ORR_OK;
+        ok = read_time(c, text, &v->as.time[0], &diag) == ORR_OK;
         break;
     case ORR_OPT_INTERVAL:
-        ok = read_interval(text, v->as.time, &diag);
+        ok = read_interval(c, text, v->as.time, &diag);
         break;
     case ORR_OPT_PLACE:
         ok = read_place(text, &v->as.place, &diag);

@@ -72,6 +72,8 @@ struct orr_cli {
     const char *call; // the command line as typed, for a product's history
     int n_operands;
     char *const *operand;
+    const orr_leap_table
+        *leap;  // that UTC is converted by: --leap-seconds, ORRERY_LEAP_SECONDS, the system's, built in
     bool quiet; // no summaries and no progress on stderr: errors and warnings alone
     struct orr_cli_values *values;
 };

@@ -7,7 +7,7 @@
 
 #include "src/cli/frame/cli.h"
 
-#define ORR_CLI_COMMON_OPTIONS 4
+#define ORR_CLI_COMMON_OPTIONS 5
 extern const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS];
 // How many of them a command has: the last, --force, only where it writes files.
 size_t orr_cli_n_common(const orr_command *cmd);

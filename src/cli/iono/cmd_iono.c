@@ -36,6 +36,7 @@ static int make_plan(const orr_cli *c, work *w)
 {
     orr_station_plan *p = &w->plan;
     *p = orr_station_plan_default();
+    p->tec.leap = p->phase.leap = c->leap; // of --compare too, which has no field
     p->observations = c->operand[0];
     p->orbit = orr_cli_text(c, "orbit", NULL);
     orr_diag diag;

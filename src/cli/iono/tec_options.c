@@ -6,6 +6,7 @@
 int orr_tec_options_ask(const orr_cli *c, orr_tec_options *out)
 {
     *out = orr_tec_default_options();
+    out->leap = c->leap;
     if (orr_cli_given(c, "bilinear")) out->spatial = ORR_TEC_BILINEAR;
     out->degree = (int)orr_cli_int(c, "degree", out->degree);
     const char *between = orr_cli_text(c, "between", "rotated");

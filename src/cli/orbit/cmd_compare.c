@@ -218,7 +218,9 @@ static int compare(orr_cli *c, const subject *u, orr_sp3 *truth, size_t n)
     for (size_t i = 0; i < n; i++) {
         const char *path = c->operand[i + 1];
         orr_cli_progress(c, "reading", i, n);
-        orr_status s = orr_sp3_read(path, NULL, &truth[i], &warnings, &diag);
+        orr_sp3_limits limits = orr_sp3_default_limits();
+        limits.leap = c->leap;
+        orr_status s = orr_sp3_read(path, &limits, &truth[i], &warnings, &diag);
         orr_cli_progress(c, "reading", n, n);
         if (s != ORR_OK) {
             orr_warnings_free(&warnings);

@@ -188,6 +188,7 @@ static int run(orr_cli *c)
     const orr_elements_plan plan = {
         .product = (const char *const *)c->operand,
         .n_products = (size_t)c->n_operands,
+        .leap = c->leap,
         .erp = orr_cli_text(c, "erp", NULL),
         .frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),
         .method = orr_elements_method_of(orr_cli_text(c, "method", "state")),

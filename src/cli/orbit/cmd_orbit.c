@@ -195,6 +195,7 @@ typedef struct lists {
 static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, orr_diag *diag)
 {
     *plan = orr_orbit_plan_default();
+    plan->leap = c->leap;
     smoother_options(c, &plan->smoother);
     plan->sp3 = (const char *const *)c->operand;
     plan->n_sp3 = (size_t)c->n_operands;

@@ -281,13 +281,15 @@ static int run(orr_cli *c)
     const char *const antex_path = orr_cli_text(c, "antex", NULL),
                       *const bias_path = orr_cli_text(c, "bias", NULL),
                       *const nav_path = orr_cli_text(c, "nav", NULL);
+    orr_nav_limits limits = orr_nav_default_limits();
+    limits.leap = c->leap;
     orr_status s = orr_products_open((const char *const *)c->operand, (size_t)c->n_operands, &products,
                                      &warnings, &diag);
     if (s == ORR_OK && antex_path != NULL) s = orr_antex_read(antex_path, NULL, &antex, &warnings, &diag);
     if (s == ORR_OK && antex_path != NULL)
         orr_frames_check_antex(&antex, antex_path, orr_ephemeris_frame(products.item[0]), &warnings);
     if (s == ORR_OK && bias_path != NULL) s = orr_bias_read(bias_path, NULL, &bias, &warnings, &diag);
-    if (s == ORR_OK && nav_path != NULL) s = orr_nav_read(nav_path, NULL, &nav, &warnings, &diag);
+    if (s == ORR_OK && nav_path != NULL) s = orr_nav_read(nav_path, &limits, &nav, &warnings, &diag);
     orr_cli_warnings(c, &warnings);
     int status = ORR_EXIT_FAILED;
     if (s != ORR_OK) {

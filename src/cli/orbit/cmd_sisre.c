@@ -147,8 +147,11 @@ static int run(orr_cli *c)
         orr_nav_messages_parse(orr_cli_text(c, "message", ""), &o.choice.messages, &diag) != ORR_OK)
         return orr_cli_usage(c, "--message: %s", diag.text);
     f.antex = antex_path != NULL;
-    orr_status s = orr_nav_read(c->operand[0], NULL, &nav, &warnings, &diag);
-    if (s == ORR_OK) s = orr_sp3_read(c->operand[1], NULL, &truth, &warnings, &diag);
+    orr_nav_limits nav_limits = orr_nav_default_limits();
+    orr_sp3_limits sp3_limits = orr_sp3_default_limits();
+    nav_limits.leap = sp3_limits.leap = c->leap;
+    orr_status s = orr_nav_read(c->operand[0], &nav_limits, &nav, &warnings, &diag);
+    if (s == ORR_OK) s = orr_sp3_read(c->operand[1], &sp3_limits, &truth, &warnings, &diag);
     if (s == ORR_OK && antex_path != NULL) {
         s = orr_antex_read(antex_path, NULL, &antex, &warnings, &diag);
         o.antex = &antex;

@@ -106,7 +106,7 @@ static void every_file_gets_its_verdict(void **state)
         if (!orr_test_data(name, path, sizeof path)) SKIP_NO_DATA(name);
         orr_inspection r;
         orr_diag diag = {0};
-        orr_status s = orr_inspect(path, &r, &diag);
+        orr_status s = orr_inspect(path, NULL, &r, &diag);
         const char *text = s != ORR_OK ? diag.text : r.warnings.kept > 0 ? r.warnings.item[0].text : "";
         if (s != v->status)
             fail_msg("%s: %s instead of %s: %s", v->name, orr_status_name(s), orr_status_name(v->status),

@@ -128,7 +128,7 @@ static void check_file(const char *path, tally *t)
         check_numbers(&o, b.text);
         check_again(&o);
         orr_inspection r;
-        ASSERT_OK(orr_inspect(path, &r, &diag), diag);
+        ASSERT_OK(orr_inspect(path, NULL, &r, &diag), diag);
         assert_int_equal(r.satellites, (int64_t)c.sats);
         assert_int_equal(r.epochs, (int64_t)c.epochs);
         assert_int_equal(r.gaps, 0);

@@ -156,7 +156,7 @@ static void check(const char *path, const verdict *v)
 {
     orr_inspection r;
     orr_diag d = {0};
-    orr_status st = orr_inspect(path, &r, &d);
+    orr_status st = orr_inspect(path, NULL, &r, &d);
     if (st != v->status)
         fail_msg("%s: %s (%s), not %s: %s", v->name, orr_status_name(st), d.text, orr_status_name(v->status),
                  v->why);

@@ -249,6 +249,30 @@ static orr_status read_text(const char *text, orr_leap_table *t, orr_diag *d)
     return s;
 }
 
+// Without a file the table is the system's or the built-in one, whichever is certain for longer; an instant beyond it is
+// warned of, and one within it is not.
+static void the_longer_table_is_chosen(void **state)
+{
+    (void)state;
+    orr_leap_table t;
+    orr_diag d = {0};
+    orr_warnings w = {0};
+    ASSERT_OK(orr_leap_choose(NULL, &t, &d), d);
+    assert_true(t.expires_mjd >= orr_leap_builtin()->expires_mjd);
+    orr_leap_free(&t);
+    assert_int_equal(orr_leap_choose("no such file", &t, &d), ORR_E_IO);
+    const orr_leap_table *const leap = orr_leap_builtin();
+    const orr_time end = orr_time_from_mjd(leap->expires_mjd, 0, ORR_SCALE_UTC, leap);
+    orr_leap_warn(ORR_TIME_NONE, leap, "made", &w);
+    orr_leap_warn(end - 1, leap, "made", &w);
+    assert_int_equal(w.count, 0);
+    orr_leap_warn(end, NULL, "made", &w);
+    assert_int_equal(w.count, 1);
+    assert_non_null(strstr(w.item[0].text, "--leap-seconds"));
+    assert_string_equal(w.item[0].file, "made");
+    orr_warnings_free(&w);
+}
+
 static void leap_seconds_list_is_read(void **state)
 {
     (void)state;
@@ -448,6 +472,7 @@ int main(void)
         cmocka_unit_test(before_1972_utc_is_refused_and_the_table_expires),
         cmocka_unit_test(a_negative_leap_second),
         cmocka_unit_test(leap_seconds_list_is_read),
+        cmocka_unit_test(the_longer_table_is_chosen),
         cmocka_unit_test(modified_julian_dates),
         cmocka_unit_test(weeks_and_their_rollovers),
         cmocka_unit_test(truncated_weeks_unroll_to_the_nearest),

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What files of the field ask of the program: pipes, leap seconds beyond the table, F/NAV alone, GLONASS channels of a
+navigation file. All inputs are made."""
+import gzip
+import math
+import os
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
+from program import ORRERY, Folder, ROOT, run, run_json  # noqa: E402
+
+GOLDEN = ROOT / "tests/golden/ingest/c.sp3"
+C = 299792458.0
+
+
+def label(text, name):
+    return f"{text:<60}{name:<20}\n"
+
+
+def fields(*values):
+    return "".join(" " * 19 if v is None else f"{v:19.12E}" for v in values)
+
+
+def pipe(data, *args, status=0):
+    done = subprocess.run([ORRERY, *map(str, args)], input=data, capture_output=True, timeout=60, check=False)
+    if done.returncode != status:
+        raise AssertionError(f"{args}: status {done.returncode}\n{done.stderr.decode()}")
+    return done.stdout.decode()
+
+
+class Readers(Folder):
+    def test_pipes(self):
+        text = GOLDEN.read_bytes()
+        plain = run("inspect", GOLDEN).stdout.split("\n", 1)[1]
+        for data in (text, gzip.compress(text)):
+            for name in ("-", "/dev/stdin"):
+                self.assertEqual(pipe(data, "inspect", name).split("\n", 1)[1], plain)
+        fifo = self.path("fifo")
+        os.mkfifo(fifo)
+        with subprocess.Popen([ORRERY, "inspect", fifo], stdout=subprocess.PIPE, text=True) as child:
+            with open(fifo, "wb") as f:
+                f.write(text)
+            self.assertEqual(child.communicate(timeout=60)[0].split("\n", 1)[1], plain)
+        table = b"time,x\n1,2\n2,3\n3,4\n"
+        self.assertIn("columns      2", pipe(table, "inspect", "-"))
+        self.assertIn("zip archive", subprocess.run([ORRERY, "inspect", "-"], input=b"PK\x03\x04", capture_output=True,
+                                                    check=False).stderr.decode())
+
+    def test_leap_seconds(self):
+        sp3 = GOLDEN.read_text().replace("GPS ccc", "UTC ccc").replace("2024  2  4", "2027  2  4")
+        late = self.path("late.sp3")
+        with open(late, "w", encoding="ascii") as f:
+            f.write(sp3)
+        told = run("inspect", late)
+        self.assertIn("beyond the table of leap seconds", told.stderr)
+        self.assertIn("2027-02-04T00:00:18", told.stdout)
+        newer = self.path("leap-seconds.list")
+        with open(newer, "w", encoding="ascii") as f:  # 36 s from 2006 on, made up; certain to 2099
+            f.write("#@\t6279552000\n2272060800\t35\n3345062400\t36\n4007750400\t37\n4023388800\t38\n")
+        for done in (run("inspect", late, "--leap-seconds", newer),
+                     run("inspect", late, env={**os.environ, "ORRERY_LEAP_SECONDS": newer})):
+            self.assertNotIn("beyond", done.stderr)
+            self.assertIn("2027-02-04T00:00:18", done.stdout)  # 37 s from 2027 on
+        self.assertIn("/nowhere", run("inspect", late, "--leap-seconds", "/nowhere", status=1).stderr)
+        self.assertIn("beyond the table", run("tec", GOLDEN, "--at", "2030-01-01T00:00:00Z", "--point", "0,0",
+                                              status=1).stderr)
+
+    def test_glonass_channels(self):
+        """A satellite whose channel the observations' header does not tell; it moves round a circle, and stands high."""
+        r0 = (12000e3, -5000e3, 22000e3)
+        size = math.dist(r0, (0, 0, 0))
+        side = (r0[1] / math.hypot(r0[0], r0[1]), -r0[0] / math.hypot(r0[0], r0[1]), 0)
+        v0 = [3950 * s for s in side]
+        site = [x / size * 6371e3 for x in r0]
+        nav = self.path("nav.rnx")
+        with open(nav, "w", encoding="ascii") as f:
+            f.write(label("     3.05           N: GNSS NAV DATA    R: GLONASS", "RINEX VERSION / TYPE"))
+            f.write(label("GPSA   1.0000E-08  0.0000E+00  0.0000E+00  0.0000E+00", "IONOSPHERIC CORR"))
+            f.write(label("GPSB   1.0000E+05  0.0000E+00  0.0000E+00  0.0000E+00", "IONOSPHERIC CORR"))
+            f.write(label("", "END OF HEADER"))
+            f.write("R02 2020 06 25 00 15 00" + fields(1e-4, 0, 345600) + "\n")
+            for i in range(3):
+                last = (0, -4, 0)[i]
+                f.write("    " + fields(r0[i] / 1e3, v0[i] / 1e3, 0, last) + "\n")
+            f.write("    " + fields(None, 0, 15, None) + "\n")
+        lines = [label("     2.11           OBSERVATION DATA    R (GLONASS)", "RINEX VERSION / TYPE"),
+                 label("MADE", "MARKER NAME"),
+                 label("".join(f"{x:14.4f}" for x in site), "APPROX POSITION XYZ"),
+                 label("     4    L1    L2    P1    P2", "# / TYPES OF OBSERV"),
+                 label("  2020     6    25     0     5    0.0000000     GLO", "TIME OF FIRST OBS"),
+                 label("", "END OF HEADER")]
+        f1, f2 = 1602e6 - 4 * 0.5625e6, 1246e6 - 4 * 0.4375e6
+        for k in range(40):
+            t = k * 30 - 600
+            rho = math.dist(site, [r0[i] + v0[i] * t for i in range(3)])
+            lines.append(f" 20  6 25  0 {5 + k // 2:2d}{k % 2 * 30:11.7f}  0  1R02\n")
+            lines.append(f"{rho * f1 / C:14.3f}  {rho * f2 / C:14.3f}  {rho:14.3f}  {rho:14.3f}\n")
+        obs = self.path("made.20o")
+        with open(obs, "w", encoding="ascii") as f:
+            f.write("".join(lines))
+        done = run("iono", obs, "--field", nav, "--orbit", nav, "--csv", "-", "--method", "thesis")
+        self.assertGreater(sum(",R02," in row for row in done.stdout.splitlines()), 30, done.stderr)
+        self.assertNotIn("left out", done.stderr)
+
+    def test_fnav_alone(self):
+        nav = self.path("fnav.rnx")
+        with open(nav, "w", encoding="ascii") as f:
+            f.write(label("     3.05           N: GNSS NAV DATA    E", "RINEX VERSION / TYPE"))
+            f.write(label("", "END OF HEADER"))
+            f.write("E02 2020 06 25 00 50 00" + fields(1.4e-4, 2.6e-12, 0) + "\n")
+            rows = ((69, 28.75, 2.6e-9, -0.95), (1.2e-6, 1e-4, 1e-5, 5440.61), (348600, 3e-8, 0.212, 7e-8),
+                    (0.98, 131, 0.077, -5.2e-9), (-7e-10, 258, 2111, None), (3.12, 0, -3.5e-9, 0), (353690, None, None, None))
+            for row in rows:
+                f.write("    " + fields(*row) + "\n")
+        report = run_json("inspect", "--format", "json", nav)
+        self.assertIn("1 FNAV", report["facts"]["Galileo"])
+        self.assertIn("no satellite", run("sisre", nav, GOLDEN, status=1).stderr)  # another day and system: said, not crashed
+        self.assertIn("no message", run("sisre", nav, GOLDEN, "--message", "XNAV", status=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
