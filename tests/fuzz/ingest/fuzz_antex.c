@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_antex x;
     orr_warnings w = {0};
     orr_diag diag = {0};
-    orr_read_limits limits = {1 << 20, 5000, 200000};
+    orr_read_limits limits = {1 << 20, 5000, 200000, NULL};
     orr_status s = orr_antex_parse("fuzz", (const char *)data, n, &limits, &x, &w, &diag);
     if (s == ORR_OK) {
         for (size_t i = 0; i < x.n_antennas; i++) {

@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_erp x;
     orr_warnings w = {0};
     orr_diag diag = {0};
-    orr_read_limits limits = {1 << 20, 5000, 200000};
+    orr_read_limits limits = {1 << 20, 5000, 200000, NULL};
     orr_status s = orr_erp_parse("fuzz", (const char *)data, n, NULL, &limits, &x, &w, &diag);
     if (s == ORR_OK) {
         orr_eop_series both = {0};

@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_ionex x;
     orr_warnings w = {0};
     orr_diag diag = {0};
-    orr_read_limits limits = {1 << 20, 5000, 200000};
+    orr_read_limits limits = {1 << 20, 5000, 200000, NULL};
     orr_status s = orr_ionex_parse("fuzz", (const char *)data, n, &limits, &x, &w, &diag);
     if (s == ORR_OK) {
         if (x.n_epochs == 0 || x.n_heights == 0 || x.n_lats == 0 || x.n_lons == 0) abort();

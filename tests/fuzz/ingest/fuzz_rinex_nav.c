@@ -10,7 +10,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_nav nav;
     orr_warnings w = {0};
     orr_diag diag = {0};
-    orr_nav_limits limits = {1 << 20, 10000, 1000};
+    orr_nav_limits limits = {1 << 20, 10000, 1000, NULL};
     if (orr_nav_parse("fuzz", (const char *)data, n, &limits, &nav, &w, &diag) == ORR_OK) {
         for (size_t i = 0; i < nav.n_eph; i++) {
             size_t first = 0, count = 0;

@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_rinex_obs *r = NULL;
     orr_warnings w = {0};
     orr_diag diag = {0};
-    orr_rinex_obs_limits limits = {1 << 20, 10000, 1000, 999};
+    orr_rinex_obs_limits limits = {1 << 20, 10000, 1000, 999, NULL};
     if (orr_rinex_obs_open_memory("fuzz", (const char *)data, n, &limits, &w, &r, &diag) == ORR_OK) {
         const orr_rinex_obs_epoch *e = NULL;
         while (orr_rinex_obs_next(r, &e, &diag) == ORR_OK && e != NULL) {

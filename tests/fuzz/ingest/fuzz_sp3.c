@@ -72,7 +72,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_sp3 sp3;
     orr_warnings w = {0};
     orr_diag diag = {0};
-    orr_sp3_limits limits = {1 << 20, 200, 5000, 100};
+    orr_sp3_limits limits = {1 << 20, 200, 5000, 100, NULL};
     orr_status st = orr_sp3_parse("fuzz", (const char *)data, n, &limits, &sp3, &w, &diag);
     if (st == ORR_OK) {
         if (sp3.n_sats == 0 || sp3.n_epochs == 0) abort();

@@ -41,7 +41,7 @@ static void check(const orr_orbit_solution *s)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
     if (n < 1) return 0;
-    const orr_sp3_limits limits = {1 << 16, 3, 50, 100};
+    const orr_sp3_limits limits = {1 << 16, 3, 50, 100, NULL};
     const orr_smoother_options o = options_of(data[0]);
     orr_sp3 sp3;
     orr_diag diag = {0};

@@ -713,7 +713,7 @@ static void refusals(void **state)
     text t = {0};
     header_v3(&t, "3.04");
     for (int i = 0; i < 5; i++) kepler(&t, "G07 2024 02 04 02 00 00", 4, 7, orbit, 'E');
-    orr_nav_limits few = {1 << 20, 3, 100};
+    orr_nav_limits few = {1 << 20, 3, 100, NULL};
     orr_nav nav;
     assert_int_equal(orr_nav_parse("many", t.p, t.n, &few, &nav, NULL, NULL), ORR_E_LIMIT);
     text_free(&t);
