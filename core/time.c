@@ -94,20 +94,6 @@ bool orr_leap_expired(orr_time t, const orr_leap_table *leap)
     return orr_tai_seconds(t) - orr_leap_tai_minus_utc(t, leap) >= (int64_t)leap->expires_mjd * ORR_S_PER_DAY;
 }
 
-void orr_leap_warn(orr_time t, const orr_leap_table *leap, const char *file, orr_warnings *w)
-{
-    char last[ORR_TIME_TEXT];
-    int year, month, day;
-    if (leap == NULL) leap = orr_leap_builtin();
-    if (t == ORR_TIME_NONE || !orr_leap_expired(t, leap)) return;
-    orr_date_from_mjd(leap->expires_mjd, &year, &month, &day);
-    orr_warnings_add(w, file, 0, 0,
-                     "UTC up to %s lies beyond the table of leap seconds, which is certain to %04d-%02d-%02d "
-                     "alone; a newer "
-                     "leap-seconds.list is taken by --leap-seconds FILE or ORRERY_LEAP_SECONDS",
-                     orr_time_format(t, ORR_SCALE_UTC, 0, leap, last), year, month, day);
-}
-
 static bool is_utc(orr_scale s) { return s == ORR_SCALE_UTC || s == ORR_SCALE_GLO; }
 
 // Scale - GPS in nanoseconds, for those that differ by a constant.

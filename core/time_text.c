@@ -215,3 +215,17 @@ orr_status orr_duration_parse(const char *text, int64_t *ns, orr_diag *diag)
     return orr_diag_set(diag, ORR_E_ARG,
                         "\"%.60s\" is no length of time; use 900, 900s, 15min, 2h, 1d or 0.1", text);
 }
+
+void orr_leap_warn(orr_time t, const orr_leap_table *leap, const char *file, orr_warnings *w)
+{
+    char last[ORR_TIME_TEXT];
+    int year, month, day;
+    if (leap == NULL) leap = orr_leap_builtin();
+    if (t == ORR_TIME_NONE || !orr_leap_expired(t, leap)) return;
+    orr_date_from_mjd(leap->expires_mjd, &year, &month, &day);
+    orr_warnings_add(w, file, 0, 0,
+                     "UTC up to %s lies beyond the table of leap seconds, which is certain to %04d-%02d-%02d "
+                     "alone; a newer "
+                     "leap-seconds.list is taken by --leap-seconds FILE or ORRERY_LEAP_SECONDS",
+                     orr_time_format(t, ORR_SCALE_UTC, 0, leap, last), year, month, day);
+}

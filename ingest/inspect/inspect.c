@@ -42,12 +42,6 @@ static orr_status sniff(const char *path, orr_inspection *out, orr_diag *diag)
     return ORR_OK;
 }
 
-orr_status orr_inspect_text(const orr_inspection *r, const char *path, orr_bytes *text, orr_diag *diag)
-{
-    return r->raw != NULL ? orr_input_read_bytes(path, r->raw->text, r->raw->n, NULL, text, diag)
-                          : orr_input_read_all(path, NULL, text, diag);
-}
-
 static orr_status inspect(const char *path, orr_inspection *out, orr_diag *diag)
 {
     if (out->raw == NULL && orr_inspect_is_zip(path)) {

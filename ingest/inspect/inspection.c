@@ -93,3 +93,9 @@ void orr_inspect_epochs(orr_inspection *r, const orr_time *t, size_t n)
     for (size_t i = 1; i < n; i++)
         if (orr_time_diff_s(t[i], t[i - 1]) > 1.5 * r->interval_s) r->gaps++;
 }
+
+orr_status orr_inspect_text(const orr_inspection *r, const char *path, orr_bytes *text, orr_diag *diag)
+{
+    return r->raw != NULL ? orr_input_read_bytes(path, r->raw->text, r->raw->n, NULL, text, diag)
+                          : orr_input_read_all(path, NULL, text, diag);
+}

@@ -94,6 +94,10 @@ orr_nav_message orr_nav_message_parse(orr_view name);
 //             diag        ORR_E_FORMAT, ORR_E_MEMORY: the file is refused
 orr_status orr_nav_header_line(orr_nav *nav, orr_view line, const char *name, int64_t number, orr_warnings *w,
                                orr_diag *diag);
+// Whether two records give the same orbit and clock, to the twelve digits that programs write.
+bool orr_nav_same_orbit(const orr_nav_eph *a, const orr_nav_eph *b);
+// Whether they agree in all else that is used: delays, health, issues, accuracy, channel.
+bool orr_nav_same_rest(const orr_nav_eph *a, const orr_nav_eph *b);
 // Warns of records of one issue whose orbit or clock differ; eph[n] in the order of orr_nav.eph, name NULL for several
 // files.
 void orr_nav_tell_conflicts(const orr_nav_eph *eph, size_t n, const char *name, orr_warnings *w);

@@ -149,33 +149,6 @@ static int count(const double *v, const bool *has, erp_column k)
     return has[k] && v[k] >= 0 && v[k] < 1e6 ? (int)v[k] : -1;
 }
 
-// 1962 (the first pole of the IERS) to 2200.
-#define ERP_FIRST_MJD 37000
-#define ERP_LAST_MJD 125000
-
-static orr_status bad_date(erp_reader *r, double mjd)
-{
-    return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "%g is no modified Julian date", mjd);
-}
-
-orr_status erp_add_row(erp_reader *r, const erp_row *row)
-{
-    const double most = 2.0 / 3600 * ORR_RAD_PER_DEG;
-    if (!(row->mjd > ERP_FIRST_MJD && row->mjd < ERP_LAST_MJD)) return bad_date(r, row->mjd);
-    if (!(fabs(row->eop.xp_rad) < most && fabs(row->eop.yp_rad) < most))
-        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "a pole more than two arc seconds off");
-    if (fabs(row->eop.ut1_utc_s) > 1.0) // |UT1 - UTC| < 0.9 s by definition
-        return orr_cursor_error(&r->c, r->diag, ORR_E_FORMAT, 1, "UT1 - UTC of %.4f s cannot be",
-                                row->eop.ut1_utc_s);
-    orr_status s = orr_records_grow(&r->row, r->n, sizeof *r->row, r->limits.max_records,
-                                    "lines of Earth rotation", &r->c, r->diag);
-    if (s != ORR_OK) return s;
-    r->row[r->n] = *row;
-    r->row[r->n].order = r->n;
-    r->n++;
-    return ORR_OK;
-}
-
 static orr_status read_row(erp_reader *r, orr_view line)
 {
     double v[C_KINDS] = {0};
@@ -213,7 +186,7 @@ static orr_status read_row(erp_reader *r, orr_view line)
     if (has[C_UT1_UTC]) {
         e.eop.ut1_utc_s = v[C_UT1_UTC] * S_PER_UNIT;
     } else if (!(e.mjd > ERP_FIRST_MJD && e.mjd < ERP_LAST_MJD)) {
-        return bad_date(r, e.mjd);
+        return erp_bad_date(r, e.mjd);
     } else {
         double day = floor(e.mjd);
         orr_time t = orr_time_from_mjd((int32_t)day, e.mjd - day, ORR_SCALE_UTC, r->leap);

@@ -7,6 +7,9 @@
 #include "ingest/tables/erp.h"
 
 #define ERP_MAX_COLUMNS 64
+// 1962 (the first pole of the IERS) to 2200.
+#define ERP_FIRST_MJD 37000
+#define ERP_LAST_MJD 125000
 
 // One line of a file: what it says of an instant.
 typedef struct erp_row {
@@ -31,6 +34,8 @@ typedef struct erp_reader {
     size_t n;
 } erp_reader;
 
+// Says that a date is none: ORR_E_FORMAT.
+orr_status erp_bad_date(erp_reader *r, double mjd);
 // Keeps a line's values if they can be: date, pole, UT1 - UTC. ORR_E_FORMAT with a sentence where they cannot,
 // ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status erp_add_row(erp_reader *r, const erp_row *row);
