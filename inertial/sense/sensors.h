@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ideal gyros and newtonometers (accelerometers) on a trajectory: what perfect instruments would give,
+// Ideal gyros and accelerometers (the source's newtonometers) on a trajectory: what perfect instruments would give,
 // instantaneous and as increments (Bogdanov 2015, section 2).
 #ifndef ORR_INERTIAL_SENSE_SENSORS_H
 #define ORR_INERTIAL_SENSE_SENSORS_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The product back from its file, believed in nothing: every count is checked against the dimensions, the
+// The product back from its file, every field validated: every count is checked against the dimensions, the
 // dimensions against what the file's bytes could hold at all, every number against its range.
 #include <math.h>
 #include <stdlib.h>

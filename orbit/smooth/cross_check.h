@@ -2,7 +2,7 @@
 // A second look at an arc's verdicts, from both sides. The innovation of a node tells how far it is from what
 // the nodes before it predict; where these are half an hour apart or more, that is metres, and an error of
 // one metre is taken in and the good nodes after it are rejected. How far a node is from the orbit through all
-// OTHERS is known a hundred times better (Baarda's data snooping). Room-internal.
+// OTHERS is known a hundred times better (Baarda's w-test). Room-internal.
 #ifndef ORR_ORBIT_SMOOTH_CROSS_CHECK_H
 #define ORR_ORBIT_SMOOTH_CROSS_CHECK_H
 

@@ -5,7 +5,7 @@
 #define ORR_SERVICE_ANSWERS_H
 
 #include "proto/server.h"
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 
 typedef struct orr_answers orr_answers;
 

@@ -6,7 +6,7 @@
 
 #include "bench/bench.h"
 #include "src/scenario/channel/block.h"
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 
 typedef struct job {
     const orr_channels *c;

@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "bench/bench.h"
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 #include "src/service/answers.h"
 #include "src/service/dial.h"
 #include "src/service/service.h"

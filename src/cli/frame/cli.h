@@ -4,7 +4,7 @@
 // checked and documented from the same table. The binary is build/<preset>/bin/orrery.
 //
 // The manners of the program: stdout is data, stderr is talk; `--format json` where a script may listen; exit status
-// 0 done, 1 it could not be done, 2 it was asked wrongly; progress on a terminal only; an interrupt leaves no
+// 0 done, 1 it could not be done, 2 a usage error; progress on a terminal only; an interrupt leaves no
 // half file.
 #ifndef ORR_CLI_FRAME_CLI_H
 #define ORR_CLI_FRAME_CLI_H

@@ -164,7 +164,7 @@ const orr_command orr_cmd_imu = {
     .operands = "[SCENARIO]",
     .min_operands = 0,
     .max_operands = 1,
-    .about = "Gyro and newtonometer increments with the true motion beside them, from the trajectory of a "
+    .about = "Gyro and accelerometer increments with the true motion beside them, from the trajectory of a "
              "scenario or from "
              "recorded telemetry. Axes are right, forward, up; a unit at rest reads +g upward.\n\n"
              "The file says how its readings were made: those of approach 1 suit one navigator and are no "

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "src/cli/frame/cli.h"
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 
 static void print_span(const char *what, orr_span span)
 {

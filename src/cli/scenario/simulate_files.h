@@ -7,7 +7,7 @@
 #include <jansson.h>
 
 #include "src/cli/frame/cli.h"
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 
 // What is being written, and the list of it for the manifest.
 typedef struct simulation {

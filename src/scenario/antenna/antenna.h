@@ -7,7 +7,7 @@
 #include "core/signal.h"
 #include "ingest/tables/antex.h"
 #include "src/config/scenario.h"
-#include "src/scenario/source_motion.h"
+#include "src/scenario/source/source_motion.h"
 
 // An antenna at an instant, ecef.
 typedef struct orr_antenna_state {

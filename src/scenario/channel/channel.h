@@ -6,8 +6,8 @@
 
 #include "core/signal.h"
 #include "src/scenario/antenna/antenna.h"
-#include "src/scenario/source_iono.h"
-#include "src/scenario/source_orbit.h"
+#include "src/scenario/source/source_iono.h"
+#include "src/scenario/source/source_orbit.h"
 
 typedef enum orr_term {
 #define ORR_TERM(NAME, name, code, carrier, meaning) ORR_TERM_##NAME,

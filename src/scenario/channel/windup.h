@@ -5,7 +5,7 @@
 
 #include "src/scenario/antenna/antenna.h"
 #include "src/scenario/channel/sun_track.h"
-#include "src/scenario/source_orbit.h"
+#include "src/scenario/source/source_orbit.h"
 
 // Turns of one antenna and all satellites.
 typedef struct orr_windup {

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 #include "src/service/answers.h"
 #include "unit/orbit/made_orbit.h"
 

@@ -73,7 +73,7 @@ def main():
         expect(run(archive).returncode == 1, "a cut archive")
         done = run(golden / "c.sp3", folder / "empty", golden / "d.sp3")
         expect(done.returncode == 1 and done.stdout.count("SP3 orbits") == 2, "one of three files is refused")
-    expect(run().returncode == 2 and run("--nonsense", "x").returncode == 2, "asked wrongly")
+    expect(run().returncode == 2 and run("--nonsense", "x").returncode == 2, "usage error")
     print("inspect: keys, types and exit statuses are as documented")
 
 

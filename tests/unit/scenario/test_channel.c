@@ -6,7 +6,7 @@
 #include "src/scenario/channel/block.h"
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/power.h"
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 #include "src/scenario/troposphere/troposphere.h"
 #include "testing.h"
 #include "unit/orbit/made_orbit.h"

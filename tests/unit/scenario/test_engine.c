@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The engine of a product alone: elements and broadcast data are what orbit/ says of the same product, and
 // where there is nothing it says why.
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/scenario/source_iono.h"
+#include "src/scenario/source/source_iono.h"
 
 #include <stdlib.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One epoch of everything: what a scenario is made of, prepared once, then asked at any instant. Asking is a
 // pure function of (engine, question): no allocation, no lock, no I/O; many may ask at once.
-#ifndef ORR_SCENARIO_ENGINE_H
-#define ORR_SCENARIO_ENGINE_H
+#ifndef ORR_SCENARIO_ENGINE_ENGINE_H
+#define ORR_SCENARIO_ENGINE_ENGINE_H
 
 #include "src/scenario/channel/channel.h"
-#include "src/scenario/source_iono.h"
-#include "src/scenario/source_motion.h"
-#include "src/scenario/source_navdata.h"
-#include "src/scenario/source_orbit.h"
+#include "src/scenario/source/source_iono.h"
+#include "src/scenario/source/source_motion.h"
+#include "src/scenario/source/source_navdata.h"
+#include "src/scenario/source/source_orbit.h"
 
 typedef struct orr_engine orr_engine;
 

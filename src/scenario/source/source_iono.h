@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The section `ionosphere` as delays: a field (maps, harmonics, Klobuchar) or a session made by 'orrery
 // iono', asked the same way.
-#ifndef ORR_SCENARIO_SOURCE_IONO_H
-#define ORR_SCENARIO_SOURCE_IONO_H
+#ifndef ORR_SCENARIO_SOURCE_SOURCE_IONO_H
+#define ORR_SCENARIO_SOURCE_SOURCE_IONO_H
 
 #include "iono/fusion/session.h"
-#include "src/scenario/source_orbit.h"
+#include "src/scenario/source/source_orbit.h"
 
 typedef struct orr_source_iono orr_source_iono;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The section `orbit` as states and elements of satellites at any instant.
-#ifndef ORR_SCENARIO_SOURCE_ORBIT_H
-#define ORR_SCENARIO_SOURCE_ORBIT_H
+#ifndef ORR_SCENARIO_SOURCE_SOURCE_ORBIT_H
+#define ORR_SCENARIO_SOURCE_SOURCE_ORBIT_H
 
 #include "core/log.h"
 #include "orbit/elements/elements.h"
 #include "src/config/scenario.h"
-#include "src/scenario/source.h"
+#include "src/scenario/source/source.h"
 
 typedef struct orr_source_orbit orr_source_orbit;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/scenario/source_motion.h"
+#include "src/scenario/source/source_motion.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The section `navdata` as what satellites send at any instant.
-#ifndef ORR_SCENARIO_SOURCE_NAVDATA_H
-#define ORR_SCENARIO_SOURCE_NAVDATA_H
+#ifndef ORR_SCENARIO_SOURCE_SOURCE_NAVDATA_H
+#define ORR_SCENARIO_SOURCE_SOURCE_NAVDATA_H
 
 #include "orbit/navdata/navframe.h"
-#include "src/scenario/source_orbit.h"
+#include "src/scenario/source/source_orbit.h"
 
 typedef struct orr_source_navdata orr_source_navdata;
 

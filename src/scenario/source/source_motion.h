@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The moving part of a scenario as true motion and inertial readings at any instant.
-#ifndef ORR_SCENARIO_SOURCE_MOTION_H
-#define ORR_SCENARIO_SOURCE_MOTION_H
+#ifndef ORR_SCENARIO_SOURCE_SOURCE_MOTION_H
+#define ORR_SCENARIO_SOURCE_SOURCE_MOTION_H
 
 #include "inertial/sense/sensors.h"
 #include "src/config/scenario.h"
 #include "src/make/moving.h"
-#include "src/scenario/source.h"
+#include "src/scenario/source/source.h"
 
 typedef struct orr_source_motion orr_source_motion;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/scenario/engine.h"
+#include "src/scenario/engine/engine.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/scenario/source_orbit.h"
+#include "src/scenario/source/source_orbit.h"
 
 #include <stdlib.h>
 
