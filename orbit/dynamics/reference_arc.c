@@ -15,9 +15,12 @@
 #define START_TRIES 4
 #define START_NEAR_M                                                                                         \
     2e4 // from the nodes that follow: pole, pressure and bad velocities are hundreds of metres
-#define ROBUST_ROUNDS 8
-#define HUBER 3.0  // times what is usual: from there on residuals count by their size alone
-#define REJECT 8.0 // from there on not at all
+// Nodes by their distance from the orbit through all others, in units of the median: looked at, wrong.
+#define SUSPICIOUS 4.0
+#define REJECT 8.0
+#define NOISY_M 0.20     // residuals of this size all over are looked at
+#define MOST_WRONG 3     // one node in so many
+#define LEAST_SHARE 1e-3 // of a node's variance that is left where the node alone tells its orbit
 #define REJECT_FLOOR_M 0.05
 #define PRIOR_POLE_MAS 300.0 // while an arc is judged by itself
 #define PRIOR_UT1_MS 2.0
@@ -31,13 +34,14 @@ orr_status orr_arc_room_init(const orr_sky *sky, const orr_rotation_knots *knots
                            .knots = knots,
                            .most_nodes = most_nodes};
     room->row = malloc((most_nodes + 1) * sizeof *room->row);
-    room->length = malloc((most_nodes + 1) * 3 * sizeof *room->length);
+    room->length = malloc((most_nodes + 1) * 4 * sizeof *room->length);
     if (room->row == NULL || room->length == NULL) {
         orr_arc_room_free(room);
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for an orbit of %zu positions", most_nodes);
     }
     room->weight = room->length + most_nodes + 1;
     room->sort = room->weight + most_nodes + 1;
+    room->square = room->sort + most_nodes + 1;
     const orr_status s = orr_integrator_init(&room->force, sky, &room->integrator, diag);
     if (s != ORR_OK) orr_arc_room_free(room);
     return s;
@@ -272,61 +276,90 @@ static void accumulate(const orr_arc_room *room, const orr_reference_arc *arc, o
         for (int b = 0; b < a; b++) e->N[b][a] = e->N[a][b];
 }
 
-// Residuals after the arc's own solution, its share of the rotation free within what is usual.
-static bool residuals(const orr_arc_room *room, const orr_reference_arc *arc, const orr_arc_equations *e)
+// The arc's own solution, its share of the rotation free within what is usual, and each node against the orbit through
+// all others: room->length, and room->square, the normalised square of that.
+static bool leave_out(const orr_arc_room *room, const orr_reference_arc *arc, const orr_arc_equations *e)
 {
-    double N[ORR_ARC_UNKNOWNS][ORR_ARC_UNKNOWNS], x[ORR_ARC_UNKNOWNS];
-    memcpy(N, e->N, sizeof N);
-    memcpy(x, e->r, sizeof x);
+    enum { N = ORR_ARC_UNKNOWNS };
+    const double unit = 1 / (ORR_ARC_SIGMA_M * ORR_ARC_SIGMA_M);
+    double A[N][N], b[N][N + 1]; // N^-1, and N^-1 r in the last column
+    memcpy(A, e->N, sizeof A);
+    memset(b, 0, sizeof b);
     for (int c = 0; c < ORR_KNOT_LOCAL; c++) {
         const double s = c % ORR_KNOT_VALUES == 2 ? PRIOR_UT1_MS : PRIOR_POLE_MAS;
-        N[ORR_ARC_STATE + c][ORR_ARC_STATE + c] += 1 / (s * s);
+        A[ORR_ARC_STATE + c][ORR_ARC_STATE + c] += 1 / (s * s);
     }
-    if (!orr_solve_symmetric(&N[0][0], ORR_ARC_UNKNOWNS, ORR_ARC_UNKNOWNS, x, 1)) return false;
+    for (int i = 0; i < N; i++) b[i][i] = 1, b[i][N] = e->r[i];
+    if (!orr_solve_symmetric(&A[0][0], N, N, &b[0][0], N + 1)) return false;
     for (size_t i = 0; i < arc->n; i++) {
-        double v2 = 0;
+        double by[3][N], v[3];
+        orr_mat3 s;
         for (int k = 0; k < 3; k++) {
-            double v = room->row[i][k][ORR_ARC_UNKNOWNS];
-            for (int c = 0; c < ORR_ARC_UNKNOWNS; c++) v -= room->row[i][k][c] * x[c];
-            v2 += v * v;
+            const double *row = room->row[i][k];
+            v[k] = row[N];
+            for (int c = 0; c < N; c++) v[k] -= row[c] * b[c][N];
+            for (int c = 0; c < N; c++) by[k][c] = 0;
+            for (int a = 0; a < N; a++)
+                for (int c = 0; c < N; c++) by[k][c] += row[a] * b[a][c];
         }
-        room->length[i] = sqrt(v2);
+        // Of a node that is used, residuals are too small by what it draws the orbit to itself.
+        const bool used = room->weight[i] > 0;
+        for (int k = 0; k < 3; k++)
+            for (int j = 0; j < 3; j++) {
+                double sum = 0;
+                for (int c = 0; c < N; c++) sum += by[k][c] * room->row[i][j][c];
+                s.m[k][j] = (k == j) + (used ? -unit : unit) * sum;
+            }
+        for (int k = 0; k < 3; k++) s.m[k][k] = fmax(s.m[k][k], LEAST_SHARE);
+        const orr_mat3 weight = orr_mat3_inverse(&s);
+        const orr_vec3 r = {v[0], v[1], v[2]}, u = orr_mat3_apply(&weight, r);
+        room->length[i] = orr_vec3_norm(used ? u : r);
+        room->square[i] = fmax(orr_vec3_dot(r, u), 0);
     }
     return true;
 }
 
-// Median and largest of the residuals' lengths.
-static double usual(const orr_arc_room *room, size_t n, double *largest)
+// Median of the used nodes' squares, and which of them is furthest off.
+static double usual(const orr_arc_room *room, size_t n, size_t *worst)
 {
-    memcpy(room->sort, room->length, n * sizeof *room->sort);
-    *largest = orr_order_statistic(room->sort, n, n - 1);
-    return orr_upper_median(room->sort, n);
+    size_t used = 0;
+    *worst = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (!(room->weight[i] > 0)) continue;
+        if (used == 0 || room->square[i] > room->square[*worst]) *worst = i;
+        room->sort[used++] = room->square[i];
+    }
+    return used > 0 ? orr_upper_median(room->sort, used) : 0;
 }
 
-// Weights of nodes: first by size alone (Huber), so that no single one leads; then those that are far from
-// the rest have none.
+// Nodes that are wrong have no weight: the worst goes first, as long as one is far from what is usual, or all are
+// (an error among few nodes makes the others look as bad); then those come back that agree with the rest.
 static void weigh(const orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *e)
 {
-    double largest = 0;
+    size_t worst, n_wrong = 0;
     for (size_t i = 0; i < arc->n; i++) room->weight[i] = 1;
     accumulate(room, arc, e);
     arc->rejected = 0;
-    if (!residuals(room, arc, e)) return;
-    double middle = usual(room, arc->n, &largest);
-    if (largest <= fmax(HUBER * 2 * middle, REJECT_FLOOR_M)) return;
-    for (int round = 0; round < ROBUST_ROUNDS; round++) {
-        const double limit = HUBER * fmax(middle, REJECT_FLOOR_M / REJECT);
-        for (size_t i = 0; i < arc->n; i++) room->weight[i] = fmin(1, limit / fmax(room->length[i], 1e-9));
+    if (!leave_out(room, arc, e)) return;
+    double middle = usual(room, arc->n, &worst);
+    while (n_wrong < arc->n / MOST_WRONG && room->length[worst] > REJECT_FLOOR_M &&
+           (room->square[worst] > SUSPICIOUS * SUSPICIOUS * middle || middle > NOISY_M * NOISY_M)) {
+        room->weight[worst] = 0;
+        n_wrong++;
         accumulate(room, arc, e);
-        if (!residuals(room, arc, e)) break;
-        middle = usual(room, arc->n, &largest);
+        if (!leave_out(room, arc, e)) return;
+        middle = usual(room, arc->n, &worst);
     }
+    if (n_wrong == 0) return;
+    bool back = false;
     for (size_t i = 0; i < arc->n; i++) {
-        const bool far = room->length[i] > fmax(REJECT * middle, REJECT_FLOOR_M);
-        room->weight[i] = far ? 0 : 1;
-        arc->rejected += far;
+        if (room->weight[i] > 0) continue;
+        const bool near = room->square[i] < REJECT * REJECT * middle || room->length[i] < REJECT_FLOOR_M;
+        if (near) room->weight[i] = 1;
+        back = back || near;
+        arc->rejected += !near;
     }
-    accumulate(room, arc, e);
+    if (back) accumulate(room, arc, e);
 }
 
 orr_status orr_arc_equations_make(orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *out)

@@ -29,7 +29,7 @@ typedef struct orr_arc_room {
     const orr_rotation_knots *knots;
     size_t most_nodes;
     double (*row)[3][ORR_ARC_UNKNOWNS + 1]; // per node; the last is what was measured less what was computed
-    double *length, *weight, *sort;
+    double *length, *weight, *sort, *square;
 } orr_arc_room;
 
 // Allocates what a worker needs.

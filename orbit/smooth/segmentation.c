@@ -5,40 +5,68 @@
 #include <string.h>
 
 #include "core/robust.h"
+#include "orbit/smooth/leave_out.h"
 
-// An innovation is a failure when it exceeds THRESHOLD times what this satellite's innovations usually are
-// relative to their formal size, and FLOOR_M in metres: a centimetre model error in an eclipse is no outlier,
-// a metre is.
-#define THRESHOLD 12.0
-#define FLOOR_M 0.50
-// More than this many sigma everywhere (a metre by default) is no noise about an orbit.
-#define MAX_SCALE 40.0
-#define YOUNG 4       // nodes that a fresh state needs before its predictions are trusted
-#define MAX_SKIPPED 3 // outliers in a row; more in a row is a manoeuvre
-#define CONFIRM 2     // good nodes that confirm that the skipped ones were outliers
-// Nodes of a segment that was split off: three determine an orbit, the fourth confirms it.
-#define MIN_SPLIT 4
-// A day's orbit that goes on elsewhere than the last one ended is no manoeuvre: continuity is preferred, and
-// the filter is given some nodes to go over from one to the other. What is further apart than this is not the
-// same orbit.
-#define JUMP_M 5.0
-#define SETTLE 8
+// In units of what is usual for the satellite: a node this far from the orbit through all others is wrong; one
+// that is less far is looked at, because an outlier among few nodes makes the others look bad.
+#define WRONG 10.0
+#define WRONG_PLAIN 100.0 // the pole is wrong: at an hour's nodes, the last one of a good day reaches 40
+#define FLOOR_M 0.10      // near shadow good nodes are off by up to half of it
+#define SUSPICIOUS 5.0
+// Among few nodes even a gross error is of the size of what it makes of the others: there a smaller one is looked at, and
+// a scale that is not that of published positions.
+#define CARRIED_ON_S 10900.0
+#define FEW 60
+#define SUSPICIOUS_FEW 3.0
+#define USUAL_M 1e-3
+// What a wrong node and a push have to take away from the sum of squares, in units of a node that is just wrong:
+// a push explains what two wrong nodes would if the orbits before and after it meet, and three if they do not.
+#define PUSH_COST 1.7
+#define JUMP_COST 2.6
+#define ONE_SIDED 1.5 // how much worse an orbit is known beyond its last node than it claims
+#define LEAST_NODES 6 // of a stretch, to tell what is usual
+#define MOST_WRONG 4  // one node in so many, of many and of few
+#define MOST_WRONG_FEW 3
+#define MOST_PUSHES 6       // of a stretch
+#define LEAST_PUSH_MPS 1e-3 // smaller steps are those of a centre's model, twice or four times a day
+// Between sparse nodes f0's walk as it is for dense ones is far larger than what orbits do, and errors hide in it.
+#define SPARSE_S 1900.0
+#define VERY_SPARSE_S 5400.0
+#define QUIET_SPARSE 0.03
+#define QUIET_VERY_SPARSE 0.01
+#define GROSS 2.0 // times the square of what is just wrong: errors that neighbours may share are looked for
+#define BLOCK 0.1 // of the sum of squares must be left by two or three neighbours for them to be preferred
+#define FAR 10.0  // times what nodes are usually off the reference orbit
+#define FAR_M 0.10
+#define MAX_SCALE_M 1.0 // a coordinate: what is noisier than that is no orbit that one could judge nodes by
+#define JUMP_M 5.0      // files further apart at their joint each keep their own orbit
+#define JUMP_TOLD_M 0.5
+#define JUMP_MPS 0.01
+#define MEET_PART 0.05 // of the way that a push moves a satellite over a node step: how well its orbits meet
+#define MEET_M 0.02
 
 typedef struct group { // the usable nodes of one instant
     size_t instant;
     bool manoeuvre; // flagged
     bool joint;     // another file begins
-    bool settling;  // soon after a joint where the files go on elsewhere
 } group;
 
-typedef struct work {
-    const orr_track_context *c;
-    const orr_node *list;
-    orr_track *t;
+typedef struct trial { // a hypothesis: which nodes are wrong, where the satellite was pushed
     orr_verdict *verdict;
-    group *g;
-    size_t n;
-    double scale2; // robust scale squared; 0 while it is not known: no tests
+    size_t wrong, pushes;
+    double scale2, chi2, penalty; // penalty in units of a wrong node
+    bool good;                    // all is explained
+} trial;
+
+typedef struct work {
+    const orr_track_context *c; // with noise as it is reckoned with here
+    const orr_node *list;
+    size_t n_nodes;
+    orr_track *t;
+    orr_verdict *verdict; // of the trial at hand
+    const group *g;
+    double *room;
+    double wrong2, floor_m;
 } work;
 
 void orr_segmentation_free(orr_segmentation *s)
@@ -48,257 +76,307 @@ void orr_segmentation_free(orr_segmentation *s)
     *s = (orr_segmentation){0};
 }
 
-#define UNTESTED HUGE_VAL
+static bool counts(const work *w, size_t i) { return !w->list[i].superseded && !w->list[i].bridge; }
 
-static void start_at(const work *w, size_t instant)
-{
-    orr_instant *at = &w->t->at[instant];
-    const orr_filter_noise *n = &w->c->noise;
-    orr_kalman_start(&at->predicted, n->start_r_m, n->start_v_mps, n->f0_sigma_mps2);
-    at->filtered = at->predicted;
-}
-
-// What is new where a window of the reference or a file begins.
-static void renew(orr_instant *at)
-{
-    for (int i = 0; i < ORR_ECOM_TERMS && at->renew; i++)
-        at->predicted.P[ORR_PARTIAL_ECOM + i][ORR_PARTIAL_ECOM + i] +=
-            orr_ecom_sigma_nmps2[i] * orr_ecom_sigma_nmps2[i];
-    for (int i = 0; i < 3 && at->step; i++) {
-        at->predicted.P[i][i] += ORR_FILE_STEP_R_M * ORR_FILE_STEP_R_M;
-        at->predicted.P[3 + i][3 + i] += ORR_FILE_STEP_V_MPS * ORR_FILE_STEP_V_MPS;
-    }
-}
-
-static void predict_to(const work *w, size_t from, size_t to)
-{
-    const orr_filter_noise *n = &w->c->noise;
-    for (size_t k = from; k < to; k++) {
-        orr_instant *a = &w->t->at[k], *b = &w->t->at[k + 1];
-        orr_kalman_predict(&a->filtered, &a->next, n->nx, n->factor, b->shift, &b->predicted);
-        if (n->nx == ORR_NX) renew(b);
-        b->filtered = b->predicted;
-    }
-}
-
-// Takes in the nodes of an instant; those that fail the test are rejected, and where nothing else is there
-// the state stays as predicted. Innovations up to floor_m pass untested (UNTESTED: all do). Returns whether
-// any node was taken. d2 collects normalised squares.
-static bool take_nodes(const work *w, size_t instant, double floor_m, double *d2_sum, size_t *d2_count)
-{
-    const bool test = isfinite(floor_m) && w->scale2 > 0;
-    orr_instant *at = &w->t->at[instant];
-    bool taken = false;
-    at->d2 = at->log_det = 0;
-    at->count = 0;
-    for (size_t i = at->first; i < at->first + at->n; i++) {
-        const orr_node *node = &w->list[i];
-        if (node->superseded || w->verdict[i].rejected) continue;
-        orr_vec3 z = orr_track_measured(w->c, at, node);
-        double length = 0, log_det = 0,
-               d2 = orr_kalman_innovation2(&at->filtered, z, node->sigma_m, &length, &log_det);
-        if (test && length > floor_m && d2 > THRESHOLD * THRESHOLD * w->scale2) {
-            w->verdict[i].rejected = true;
-            continue;
-        }
-        if (d2_sum != NULL && !node->bridge) {
-            *d2_sum += d2;
-            ++*d2_count;
-        }
-        if (!node->bridge) {
-            at->d2 += 3 * d2;
-            at->log_det += log_det;
-            at->count++;
-        }
-        orr_kalman_update(&at->filtered, w->c->noise.nx, z, node->sigma_m);
-        taken = true;
-    }
-    return taken;
-}
-
-static void withdraw_verdicts(const work *w, size_t g_from, size_t g_to)
-{
-    for (size_t g = g_from; g < g_to; g++) {
-        const orr_instant *at = &w->t->at[w->g[g].instant];
-        for (size_t i = at->first; i < at->first + at->n; i++) w->verdict[i] = (orr_verdict){0};
-    }
-}
-
-static void reject_group(const work *w, size_t g, bool rejected)
-{
-    const orr_instant *at = &w->t->at[w->g[g].instant];
-    for (size_t i = at->first; i < at->first + at->n; i++)
-        if (!w->list[i].superseded) w->verdict[i] = (orr_verdict){.rejected = rejected};
-}
+static orr_instant *instant_of(const work *w, size_t g) { return &w->t->at[w->g[g].instant]; }
 
 static bool group_rejected(const work *w, size_t g)
 {
-    const orr_instant *at = &w->t->at[w->g[g].instant];
+    const orr_instant *at = instant_of(w, g);
     for (size_t i = at->first; i < at->first + at->n; i++)
         if (!w->list[i].superseded && !w->verdict[i].rejected) return false;
     return true;
 }
 
-// Whether groups [a, b) agree with one orbit when those already rejected are left out.
-static bool consistent(const work *w, size_t a, size_t b)
+static orr_status fit(const work *w, size_t a, size_t b)
 {
-    while (a < b && group_rejected(w, a)) a++;
-    if (a == b) return false;
-    start_at(w, w->g[a].instant);
-    take_nodes(w, w->g[a].instant, UNTESTED, NULL, NULL);
-    bool all = true;
-    for (size_t g = a + 1; g < b && all; g++) {
-        predict_to(w, w->g[g - 1].instant, w->g[g].instant);
-        if (group_rejected(w, g)) continue;
-        all = take_nodes(w, w->g[g].instant, FLOOR_M, NULL, NULL);
-        if (!all) reject_group(w, g, false);
-    }
-    return all;
+    const size_t first = w->g[a].instant, last = w->g[b - 1].instant;
+    orr_filter_range(w->c, w->list, w->verdict, w->t, first, last);
+    return orr_smooth_range(w->c, w->t, first, last);
 }
 
-// A failure soon after a start may be the fault of the start: looks for one or two of the young groups
-// without which the window agrees with one orbit, and rejects them.
-static bool reject_young(const work *w, size_t a, size_t first_bad)
-{
-    size_t end = first_bad + YOUNG < w->n ? first_bad + YOUNG : w->n;
-    if (end - a < YOUNG + 2) return false;                  // too few to tell
-    for (size_t apart = 0; apart <= first_bad - a; apart++) // one alone first, then pairs
-        for (size_t i = a; i + apart <= first_bad; i++) {
-            size_t j = i + apart;
-            if (apart > 0 && end - a < YOUNG + 3) continue;
-            if (group_rejected(w, i) || group_rejected(w, j)) continue; // already rejected
-            reject_group(w, i, true);
-            reject_group(w, j, true);
-            if (consistent(w, a, end)) return true;
-            reject_group(w, i, false);
-            reject_group(w, j, false);
-        }
-    return false;
-}
+typedef struct look {
+    double scale2;             // robust: of the used nodes
+    size_t used, worst, group; // the worst of the used ones, and its group
+    orr_left_out of_worst;
+    bool noise; // the scale is larger than that of any orbit
+} look;
 
-// What was taken in after a gap, where a prediction is worth little, may be what makes the nodes after it
-// look bad: looks for one of the last groups without which those before and after agree with one orbit, and
-// rejects it.
-static bool reject_last(const work *w, size_t a, size_t first_bad)
+// Nodes of groups [a, b) against the orbit through all others. 0.789 is the median of chi^2(3)/3.
+static look look_at(const work *w, size_t a, size_t b)
 {
-    const size_t end = first_bad + YOUNG < w->n ? first_bad + YOUNG : w->n;
-    if (end < first_bad + CONFIRM) return false; // too few to tell
-    for (size_t g = first_bad - 1; g > a + YOUNG && first_bad - g <= MAX_SKIPPED; g--) {
-        if (group_rejected(w, g)) continue;
-        reject_group(w, g, true);
-        if (consistent(w, g - YOUNG - 1, end)) return true;
-        reject_group(w, g, false);
-    }
-    return false;
-}
-
-// The joint of files, if there is one in the arc from group a on, that a failure came soon after; else a.
-static size_t joint_before(const work *w, size_t a, size_t first_bad)
-{
-    for (size_t g = first_bad; g > a && first_bad - g <= MAX_SKIPPED; g--)
-        if (w->g[g].joint) return g;
-    return a;
-}
-
-// Lets the first nodes of a file be anywhere within JUMP_M of what the one before predicts, or no longer.
-static void settle(const work *w, size_t joint, bool settling)
-{
-    for (size_t g = joint; g < w->n && g < joint + SETTLE; g++) w->g[g].settling = settling;
-}
-
-// How far apart two files' orbits are, as the filter sees it while it goes over; kept with the joint's first
-// node.
-static void measure_jump(const work *w, size_t g)
-{
-    const orr_instant *at = &w->t->at[w->g[g].instant];
-    size_t joint = g, i = at->first;
-    double length = 0;
-    while (i + 1 < at->first + at->n && w->list[i].superseded) i++;
-    orr_kalman_innovation2(&at->filtered, orr_track_measured(w->c, at, &w->list[i]), w->list[i].sigma_m,
-                           &length, NULL);
-    while (!w->g[joint].joint) joint--;
-    orr_verdict *v = &w->verdict[w->t->at[w->g[joint].instant].first];
-    v->jump_m = fmax(v->jump_m, length);
-}
-
-// Runs one arc from group a; returns the group at which the next one begins (w->n at the end). *last is the
-// last group of the arc.
-static size_t run_arc(const work *w, size_t a, size_t *last)
-{
-    size_t failed_before = a; // where it went wrong before a joint was allowed for
-restart:
-    while (a + 1 < w->n && group_rejected(w, a)) a++;
-    start_at(w, w->g[a].instant);
-    take_nodes(w, w->g[a].instant, UNTESTED, NULL, NULL);
-    size_t good = 1, first_bad = 0, skipped = 0, good_after = 0;
-    for (size_t g = a + 1; g < w->n; g++) {
-        if (w->g[g].manoeuvre) {
-            *last = g - 1;
-            return g;
-        }
-        predict_to(w, w->g[g - 1].instant, w->g[g].instant);
-        if (group_rejected(w, g)) continue; // already rejected
-        if (w->g[g].settling) measure_jump(w, g);
-        if (take_nodes(w, w->g[g].instant, w->g[g].settling ? JUMP_M : FLOOR_M, NULL, NULL)) {
-            good++;
-            if (skipped > 0 && ++good_after >= CONFIRM) skipped = 0;
-            continue;
-        }
-        if (skipped == 0) first_bad = g;
-        skipped++;
-        good_after = 0;
-        bool at_end = g + 1 == w->n;
-        if (skipped <= MAX_SKIPPED && !(at_end && skipped >= 2)) continue;
-        withdraw_verdicts(w, first_bad, w->n);
-        if (good <= YOUNG && reject_young(w, a, first_bad)) goto restart;
-        size_t joint = joint_before(w, a, first_bad);
-        if (joint == a && reject_last(w, a, first_bad)) goto restart;
-        if (joint > a) {
-            bool in_vain = w->g[joint].settling;
-            settle(w, joint, !in_vain);
-            if (!in_vain) {
-                failed_before = first_bad;
-                goto restart;
+    look l = {.worst = SIZE_MAX};
+    for (size_t g = a; g < b; g++) {
+        const orr_instant *at = instant_of(w, g);
+        for (size_t i = at->first; i < at->first + at->n; i++) {
+            if (!counts(w, i) || w->verdict[i].rejected) continue;
+            const orr_left_out d = orr_leave_node_out(w->c, at, &w->list[i], true);
+            w->room[l.used++] = d.d2;
+            if (d.length_m > w->floor_m && d.d2 > l.of_worst.d2) {
+                l.worst = i;
+                l.group = g;
+                l.of_worst = d;
             }
-            first_bad = failed_before; // the files are further apart, or there is more than a joint
-            withdraw_verdicts(w, joint, w->n);
         }
-        *last = first_bad - 1;
-        return first_bad;
     }
-    *last = w->n - 1;
-    return w->n;
+    const double most = MAX_SCALE_M / w->list[instant_of(w, a)->first].sigma_m;
+    l.scale2 = l.used > 0 ? orr_upper_median(w->room, l.used) / 0.789 : 0;
+    l.noise = l.scale2 > most * most;
+    l.scale2 = fmin(l.scale2, most * most);
+    return l;
 }
 
-// Median of the normalised squares over a run without tests; 0.789 is the median of chi^2(3)/3.
-static double robust_scale2(const work *w, double *room)
+static double sum_of_squares(const work *w, size_t a, size_t b)
+{
+    double sum = 0;
+    for (size_t g = a; g < b; g++) sum += instant_of(w, g)->d2;
+    return sum;
+}
+
+// Whether the orbits before and after a change of the state meet at some instant within the step before it.
+static bool meets(const orr_fresh_start *f, double step_s)
+{
+    const double v = orr_vec3_norm(f->v_mps), way = v * step_s;
+    if (!(v > 0)) return false;
+    double ago = orr_vec3_dot(f->r_m, f->v_mps) / (v * v);
+    ago = fmin(fmax(ago, 0), step_s);
+    const double apart = orr_vec3_norm(orr_vec3_axpy(-ago, f->v_mps, f->r_m));
+    return apart < fmax(MEET_PART * way, MEET_M);
+}
+
+typedef struct best_push {
+    size_t g; // 0: none
+    double gain, cost;
+} best_push;
+
+static best_push find_push(const work *w, size_t a, size_t b, double scale2)
+{
+    best_push best = {0};
+    size_t before = a;
+    for (size_t g = a + 1; g < b; g++) {
+        const orr_instant *at = instant_of(w, g);
+        orr_fresh_start f;
+        if (group_rejected(w, g)) continue;
+        const double step_s = at->t_s - instant_of(w, before)->t_s;
+        before = g;
+        if (w->verdict[at->first].begins_anew || orr_fresh_start_at(at, w->c->noise.nx, &f) != ORR_OK)
+            continue;
+        const double cost = 3 * w->wrong2 * (meets(&f, step_s) ? PUSH_COST : JUMP_COST);
+        if (f.gain - cost * scale2 > best.gain - best.cost * scale2 || best.g == 0)
+            best = (best_push){g, f.gain, cost};
+    }
+    return best;
+}
+
+// Rejected nodes that agree with the orbit of the others are used again, the nearest first.
+static orr_status take_back(const work *w, size_t a, size_t b, trial *x)
+{
+    while (x->wrong > 0) {
+        const look l = look_at(w, a, b);
+        size_t begin = a, end = b;
+        while (begin < end && group_rejected(w, begin)) begin++;
+        while (end > begin && group_rejected(w, end - 1)) end--;
+        size_t nearest = SIZE_MAX;
+        double least = HUGE_VAL;
+        for (size_t g = a; g < b; g++) {
+            const orr_instant *at = instant_of(w, g);
+            for (size_t i = at->first; i < at->first + at->n; i++) {
+                if (!counts(w, i) || !w->verdict[i].rejected) continue;
+                const orr_left_out d = orr_leave_node_out(w->c, at, &w->list[i], false);
+                const double wrong2 = w->wrong2 * (g < begin || g >= end ? ONE_SIDED * ONE_SIDED : 1);
+                const bool near = d.d2 < wrong2 * l.scale2 || d.length_m < w->floor_m;
+                if (near && d.d2 < least) {
+                    nearest = i;
+                    least = d.d2;
+                }
+            }
+        }
+        if (nearest == SIZE_MAX) return ORR_OK;
+        w->verdict[nearest].rejected = false;
+        x->wrong--;
+        const orr_status s = fit(w, a, b);
+        if (s != ORR_OK) return s;
+    }
+    return ORR_OK;
+}
+
+// Explains what the nodes of groups [a, b) disagree in, one thing after the other: by wrong nodes alone, or by pushes too.
+static bool suspicious(const work *w, const look *l)
+{
+    if (l->worst == SIZE_MAX) return false;
+    const double sigma_m = w->list[l->worst].sigma_m;
+    if (l->used > FEW) return l->of_worst.d2 > SUSPICIOUS * SUSPICIOUS * l->scale2;
+    return l->of_worst.d2 > SUSPICIOUS_FEW * SUSPICIOUS_FEW * l->scale2 ||
+           l->scale2 * sigma_m * sigma_m > USUAL_M * USUAL_M;
+}
+
+// Two or three neighbours that are off alike hold one another, and the good nodes beside them would be blamed. The
+// reference orbit, where there is one, gives way to nobody: nodes that are far from it are set aside to begin with.
+static void begin_with_reference(const work *w, size_t a, size_t b, size_t most, trial *x)
 {
     size_t n = 0;
-    start_at(w, w->g[0].instant);
-    for (size_t g = 0; g < w->n; g++) {
-        if (g > 0) predict_to(w, w->g[g - 1].instant, w->g[g].instant);
-        double sum = 0;
-        size_t count = 0;
-        take_nodes(w, w->g[g].instant, UNTESTED, &sum, &count);
-        if (g >= YOUNG && count > 0) room[n++] = sum / (double)count;
+    if (w->c->reference == NULL) return;
+    for (size_t g = a; g < b; g++) {
+        const orr_instant *at = instant_of(w, g);
+        if (!w->c->reference->fitted[at->window]) return;
+        for (size_t i = at->first; i < at->first + at->n; i++)
+            if (counts(w, i)) w->room[n++] = orr_vec3_norm(orr_track_measured(w->c, at, &w->list[i]));
     }
-    if (n < 3) return 1.0;
-    double scale2 = orr_upper_median(room, n) / 0.789;
-    return scale2 < MAX_SCALE * MAX_SCALE ? scale2 : MAX_SCALE * MAX_SCALE;
+    if (n == 0) return;
+    const double far_m = fmax(FAR * orr_upper_median(w->room, n), FAR_M);
+    for (int mark = 0; mark < 2; mark++) {
+        for (size_t g = a; g < b; g++) {
+            const orr_instant *at = instant_of(w, g);
+            for (size_t i = at->first; i < at->first + at->n; i++) {
+                if (!counts(w, i) || orr_vec3_norm(orr_track_measured(w->c, at, &w->list[i])) < far_m)
+                    continue;
+                if (mark) w->verdict[i].rejected = true;
+                x->wrong++;
+            }
+        }
+        if (mark == 0 && x->wrong > most) mark = 2;
+        if (mark != 1) x->wrong = 0;
+    }
 }
 
-orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, size_t n, orr_track *t,
-                             orr_segmentation *out)
+static void mark(const work *w, size_t from, size_t to, bool rejected)
 {
-    *out = (orr_segmentation){0};
-    work w = {.c = c, .list = list, .t = t};
-    w.g = malloc((t->n + 1) * sizeof *w.g);
-    out->verdict = calloc(n + 1, sizeof *out->verdict);
-    out->arc = malloc((n + 1) * sizeof *out->arc);
-    double *room = malloc((t->n + 1) * sizeof *room);
-    orr_status status = ORR_E_MEMORY;
-    if (w.g == NULL || out->verdict == NULL || out->arc == NULL || room == NULL) goto done;
-    w.verdict = out->verdict;
+    for (size_t g = from; g < to; g++) {
+        const orr_instant *at = instant_of(w, g);
+        for (size_t i = at->first; i < at->first + at->n; i++)
+            if (counts(w, i)) w->verdict[i].rejected = rejected;
+    }
+}
+
+static size_t count_wrong(const work *w, size_t a, size_t b)
+{
+    size_t n = 0;
+    for (size_t g = a; g < b; g++) {
+        const orr_instant *at = instant_of(w, g);
+        for (size_t i = at->first; i < at->first + at->n; i++) n += counts(w, i) && w->verdict[i].rejected;
+    }
+    return n;
+}
+
+// Sets aside the worst node of group g, or two or three neighbours about it if that explains far more: nodes that
+// are off alike hold one another, and the good one beside them looks worst.
+static orr_status set_aside(const work *w, size_t a, size_t b, size_t g, size_t worst)
+{
+    w->verdict[worst].rejected = true;
+    orr_status s = fit(w, a, b);
+    double least = BLOCK * sum_of_squares(w, a, b);
+    size_t from = 0, length = 0;
+    w->verdict[worst].rejected = false;
+    for (size_t n = 2; n <= 3 && s == ORR_OK; n++)
+        for (size_t first = g > a + n ? g - n : a; first <= g + 1 && first + n <= b && s == ORR_OK; first++) {
+            if (count_wrong(w, first, first + n) > 0) continue;
+            mark(w, first, first + n, true);
+            s = fit(w, a, b);
+            const double chi2 = sum_of_squares(w, a, b);
+            mark(w, first, first + n, false);
+            if (!(chi2 < least)) continue;
+            least = BLOCK * chi2;
+            from = first;
+            length = n;
+        }
+    if (length > 0)
+        mark(w, from, from + length, true);
+    else
+        w->verdict[worst].rejected = true;
+    return s;
+}
+
+static orr_status explore(const work *w, size_t a, size_t b, bool may_push, trial *x)
+{
+    const size_t most = (b - a) / ((b - a) > FEW ? MOST_WRONG : MOST_WRONG_FEW);
+    if (!may_push) begin_with_reference(w, a, b, most, x);
+    orr_status s = fit(w, a, b);
+    look l = look_at(w, a, b);
+    while (s == ORR_OK && suspicious(w, &l)) {
+        const best_push p =
+            may_push && x->pushes < MOST_PUSHES ? find_push(w, a, b, l.scale2) : (best_push){0};
+        if (p.g > 0 && p.gain - p.cost * l.scale2 > 3 * l.of_worst.d2 - 3 * w->wrong2 * l.scale2 &&
+            p.gain > p.cost * l.scale2) {
+            w->verdict[instant_of(w, p.g)->first].begins_anew = true;
+            x->pushes++;
+            x->penalty += p.cost / (3 * w->wrong2);
+        } else if (count_wrong(w, a, b) < most) {
+            if (l.of_worst.d2 > GROSS * w->wrong2 * l.scale2)
+                s = set_aside(w, a, b, l.group, l.worst);
+            else
+                w->verdict[l.worst].rejected = true;
+        } else {
+            break;
+        }
+        if (s == ORR_OK) s = fit(w, a, b);
+        l = look_at(w, a, b);
+    }
+    x->wrong = count_wrong(w, a, b);
+    if (s == ORR_OK) s = take_back(w, a, b, x);
+    l = look_at(w, a, b);
+    x->scale2 = l.scale2;
+    x->chi2 = sum_of_squares(w, a, b);
+    x->penalty += (double)x->wrong;
+    x->good = l.worst == SIZE_MAX || l.of_worst.d2 < w->wrong2 * l.scale2;
+    return s;
+}
+
+static double cost(const trial *x, const work *w, double scale2)
+{
+    return x->chi2 / scale2 + 3 * w->wrong2 * x->penalty;
+}
+
+// Steps of the velocity that no push is as small as are the model's, and no reason to begin anew.
+static void forget_small_steps(const work *w, size_t a, size_t b)
+{
+    for (size_t g = a + 1; g < b; g++) {
+        const orr_instant *at = instant_of(w, g);
+        if (!w->verdict[at->first].begins_anew) continue;
+        const double v_mps =
+            ORR_ANEW_V_MPS * ORR_ANEW_V_MPS * orr_vec3_norm((orr_vec3){at->u[3], at->u[4], at->u[5]});
+        if (v_mps < LEAST_PUSH_MPS) w->verdict[at->first].begins_anew = false;
+    }
+}
+
+// The verdicts on groups [a, b), no two of which a flag sets apart.
+static orr_status judge(work *w, size_t a, size_t b, orr_verdict *verdict)
+{
+    trial alone = {.verdict = calloc(w->n_nodes + 1, sizeof(orr_verdict))},
+          pushed = {.verdict = calloc(w->n_nodes + 1, sizeof(orr_verdict))};
+    orr_status s = ORR_E_MEMORY;
+    if (alone.verdict == NULL || pushed.verdict == NULL) goto done;
+    w->verdict = alone.verdict;
+    s = explore(w, a, b, false, &alone);
+    const trial *best = &alone;
+    if (s == ORR_OK && (!alone.good || alone.wrong > 1)) {
+        w->verdict = pushed.verdict;
+        s = explore(w, a, b, true, &pushed);
+        forget_small_steps(w, a, b);
+        const double scale2 = fmin(alone.scale2, pushed.scale2);
+        const bool better = cost(&pushed, w, scale2) < cost(&alone, w, scale2);
+        if (s == ORR_OK && pushed.pushes > 0 && pushed.good >= alone.good &&
+            (better || pushed.good > alone.good))
+            best = &pushed;
+    }
+    w->verdict = best->verdict;
+    if (s == ORR_OK) s = fit(w, a, b);
+    if (s == ORR_OK && look_at(w, a, b).noise) mark(w, a, b, true);
+    if (s == ORR_OK)
+        for (size_t g = a; g < b; g++) {
+            const orr_instant *at = instant_of(w, g);
+            memcpy(&verdict[at->first], &best->verdict[at->first], at->n * sizeof *verdict);
+        }
+done:
+    free(alone.verdict);
+    free(pushed.verdict);
+    w->verdict = verdict;
+    return s;
+}
+
+// Groups of instants with usable nodes.
+static size_t make_groups(const orr_node *list, const orr_track *t, group *out)
+{
+    size_t n = 0;
     uint16_t file = 0;
     for (size_t k = 0; k < t->n; k++) {
         bool usable = false, flagged = false;
@@ -310,57 +388,93 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
             if (!list[i].bridge) source = list[i].source;
         }
         if (!usable) continue;
-        w.g[w.n] = (group){.instant = k, .manoeuvre = flagged, .joint = w.n > 0 && source != file};
-        w.n++;
+        out[n] = (group){k, flagged, n > 0 && source != file};
+        n++;
         file = source;
     }
-    status = ORR_E_NODATA;
-    if (w.n == 0) goto done;
-    double scale2 = robust_scale2(&w, room);
-    w.scale2 = c->options->detect ? scale2 : 0;
-    for (size_t a = 0; a < w.n;) {
-        size_t last = a, next = run_arc(&w, a, &last), first = a;
-        while (first < last && group_rejected(&w, first)) first++;
-        while (last > first && group_rejected(&w, last)) last--;
-        // What a flag set apart needs no confirmation.
-        bool split = (a > 0 && !w.g[a].manoeuvre) || (next < w.n && !w.g[next].manoeuvre);
-        size_t good = 0;
-        for (size_t g = first; g <= last; g++) good += !group_rejected(&w, g);
-        if (good >= (split ? MIN_SPLIT : 2))
-            out->arc[out->n_arcs++] = (orr_arc_range){w.g[first].instant, w.g[last].instant};
-        a = next;
-    }
-    status = ORR_OK;
-done:
-    free(w.g);
-    free(room);
-    if (status != ORR_OK) orr_segmentation_free(out);
-    return status;
+    return n;
 }
 
-void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
-                      orr_track *t, size_t first, size_t last)
+// Where another file begins: how far its orbit is from the one before, and whether that is another orbit.
+static void tell_joints(const work *w, size_t a, size_t b)
 {
-    work w = {.c = c,
+    const double scale2 = look_at(w, a, b).scale2;
+    for (size_t g = a + 1; g < b; g++) {
+        const orr_instant *at = instant_of(w, g);
+        orr_fresh_start f;
+        if (!w->g[g].joint || w->verdict[at->first].begins_anew) continue;
+        if (at->step) { // the filter has admitted it: what it was is its variance times u
+            const double r = ORR_FILE_STEP_R_M * ORR_FILE_STEP_R_M,
+                         v = ORR_FILE_STEP_V_MPS * ORR_FILE_STEP_V_MPS;
+            f.r_m = orr_vec3_scale(r, (orr_vec3){at->u[0], at->u[1], at->u[2]});
+            f.v_mps = orr_vec3_scale(v, (orr_vec3){at->u[3], at->u[4], at->u[5]});
+        } else if (orr_fresh_start_at(at, w->c->noise.nx, &f) != ORR_OK || f.gain < 3 * w->wrong2 * scale2) {
+            continue;
+        }
+        const double r_m = orr_vec3_norm(f.r_m);
+        if (r_m > JUMP_TOLD_M) w->verdict[at->first].jump_m = r_m;
+        if (r_m > JUMP_M || orr_vec3_norm(f.v_mps) > JUMP_MPS) w->verdict[at->first].begins_anew = true;
+    }
+}
+
+// At the ends of the whole, where nothing else is, the orbit is carried on to where rejected nodes are.
+static void add_arcs(const work *w, size_t a, size_t b, size_t n_groups, orr_segmentation *out)
+{
+    for (size_t g = a; g < b;) {
+        size_t end = g + 1, good = 0;
+        while (end < b && !w->verdict[instant_of(w, end)->first].begins_anew) end++;
+        size_t first = g, last = end - 1;
+        while (first < last && group_rejected(w, first)) first++;
+        while (last > first && group_rejected(w, last)) last--;
+        for (size_t k = first; k <= last; k++) good += !group_rejected(w, k);
+        if (a == 0 && g == 0 && instant_of(w, first)->t_s - instant_of(w, 0)->t_s < CARRIED_ON_S) first = 0;
+        if (end == n_groups && instant_of(w, end - 1)->t_s - instant_of(w, last)->t_s < CARRIED_ON_S)
+            last = end - 1;
+        if (good >= 2) out->arc[out->n_arcs++] = (orr_arc_range){w->g[first].instant, w->g[last].instant};
+        for (size_t k = g; k < end; k++) w->verdict[instant_of(w, k)->first].begins_anew = false;
+        g = end;
+    }
+}
+
+orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, size_t n, double node_step_s,
+                             orr_track *t, orr_segmentation *out)
+{
+    *out = (orr_segmentation){0};
+    const bool rich = c->noise.nx == ORR_NX;
+    orr_track_context own = *c;
+    if (rich && node_step_s > SPARSE_S)
+        own.noise.factor.q *= node_step_s > VERY_SPARSE_S ? QUIET_VERY_SPARSE : QUIET_SPARSE;
+    group *g = malloc((t->n + 1) * sizeof *g);
+    work w = {.c = &own,
               .list = list,
+              .n_nodes = n,
               .t = t,
-              .verdict = (orr_verdict *)verdict}; // without a scale nothing is tested or written
-    start_at(&w, first);
-    for (size_t k = first; k <= last; k++) {
-        if (k > first) predict_to(&w, k - 1, k);
-        t->at[k].count = 0;
-        if (t->at[k].n > 0) take_nodes(&w, k, UNTESTED, NULL, NULL);
+              .g = g,
+              .wrong2 = rich ? WRONG * WRONG : WRONG_PLAIN * WRONG_PLAIN,
+              .floor_m = FLOOR_M};
+    out->verdict = calloc(n + 1, sizeof *out->verdict);
+    out->arc = malloc((n + 1) * sizeof *out->arc);
+    w.room = malloc((n + 1) * sizeof *w.room);
+    orr_status s = ORR_E_MEMORY;
+    if (g == NULL || out->verdict == NULL || out->arc == NULL || w.room == NULL) goto done;
+    const size_t n_groups = make_groups(list, t, g);
+    s = n_groups > 0 ? ORR_OK : ORR_E_NODATA;
+    w.verdict = out->verdict;
+    for (size_t a = 0, b; a < n_groups && s == ORR_OK; a = b) {
+        b = a + 1;
+        while (b < n_groups && !g[b].manoeuvre) b++;
+        if (c->options->detect && b - a >= LEAST_NODES) {
+            s = judge(&w, a, b, out->verdict);
+            if (s == ORR_OK) s = fit(&w, a, b);
+            if (s == ORR_OK) tell_joints(&w, a, b);
+        }
+        if (s == ORR_OK) add_arcs(&w, a, b, n_groups, out);
     }
-}
-
-orr_status orr_smooth_range(const orr_track_context *c, orr_track *t, size_t first, size_t last)
-{
-    t->at[last].smoothed = t->at[last].filtered;
-    for (size_t k = last; k-- > first;) {
-        orr_instant *a = &t->at[k], *b = &t->at[k + 1];
-        orr_status s = orr_kalman_smooth(&a->filtered, &a->next, c->noise.nx, &b->predicted, &b->smoothed,
-                                         &a->smoothed, b->u);
-        if (s != ORR_OK) return s;
-    }
-    return ORR_OK;
+    for (size_t a = 0; a < out->n_arcs && s == ORR_OK; a++)
+        orr_filter_range(c, list, out->verdict, t, out->arc[a].first, out->arc[a].last);
+done:
+    free(g);
+    free(w.room);
+    if (s != ORR_OK) orr_segmentation_free(out);
+    return s;
 }

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/array.h"
-#include "orbit/smooth/cross_check.h"
 #include "orbit/smooth/events.h"
 #include "orbit/smooth/noise_choice.h"
 #include "orbit/smooth/prior.h"
@@ -299,19 +298,6 @@ static orr_status emit_all(work *w, orr_track *t, const orr_segmentation *seg)
     return s;
 }
 
-// Arcs that stand alone may take in what was left out before and after them.
-static orr_status cross_check_all(const work *w, orr_track *t, orr_segmentation *seg)
-{
-    orr_status s = ORR_OK;
-    for (size_t a = 0; a < seg->n_arcs && s == ORR_OK; a++) {
-        orr_arc_range *arc = &seg->arc[a];
-        const bool alone = seg->n_arcs == 1;
-        s = orr_cross_check_arc(w->c, w->node, seg->verdict, t, alone ? 0 : arc->first,
-                                alone ? t->n - 1 : arc->last, arc);
-    }
-    return s;
-}
-
 // The next pass is not linearised about nodes that were rejected or that no arc holds. Returns how many these
 // are.
 static size_t invalidate_left_out(work *w, const orr_track *t, const orr_segmentation *seg, size_t i0,
@@ -352,11 +338,10 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         s = orr_track_init(w->c, from_s, to_s, w->table->step_s, w->node, i1, &t);
         if (s != ORR_OK) return s;
         s = orr_track_linearise(w->c, w->ref, &t);
-        if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, &t, &seg);
+        if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, w->table->step_s, &t, &seg);
         double largest = 0;
         for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
             s = orr_smooth_range(w->c, &t, seg.arc[a].first, seg.arc[a].last);
-        if (s == ORR_OK && o->detect) s = cross_check_all(w, &t, &seg);
         if (s != ORR_OK) break;
         size_t left_out = invalidate_left_out(w, &t, &seg, i0, i1);
         // A poor linearisation about sparse first nodes can make good nodes look bad: the verdict has to
