@@ -146,9 +146,9 @@ void orr_rinex_obs_close(orr_rinex_obs *r);             // NULL is allowed
 // Index of a code ("L1C") in a system's list, -1 if it is not there.
 int orr_obs_code_index(const orr_rinex_obs_header *h, char system, const char *code);
 
-// Writer of RINEX 3.05. The header is written by open; version, hatanaka and scale factors of `h` are ignored
+// Writer of RINEX 3.05 and 4.02. The header is written by create; version, hatanaka and scale factors of `h` are ignored
 // (values are written unscaled), codes with an empty name are refused. first must be set; last and interval
-// are optional.
+// are optional. Of 4.02, which has given them up, SYS / PHASE SHIFT and GLONASS COD/PHS/BIS are left out.
 typedef struct orr_rinex_obs_writer orr_rinex_obs_writer;
 // A header with NAN, "none" and empty lists everywhere; free with orr_rinex_obs_header_free.
 void orr_rinex_obs_header_init(orr_rinex_obs_header *h);
@@ -157,9 +157,16 @@ orr_status orr_rinex_obs_header_add_code(orr_rinex_obs_header *h, char system, c
                                          orr_diag *diag);
 // Frees the lists of codes and leaves them empty; the rest of the header stays.
 void orr_rinex_obs_header_free(orr_rinex_obs_header *h);
-// "-" is stdout. Atomic: the file is there after commit.
-orr_status orr_rinex_obs_create(const char *path, const orr_rinex_obs_header *h, orr_rinex_obs_writer **out,
-                                orr_diag *diag);
+// Begins a file.
+// Given:
+//   path     "-" is stdout; the file is there after commit
+//   version  3.05 or 4.02
+//   h        header
+// Returned:
+//   out      the writer; end it with orr_rinex_obs_commit or orr_rinex_obs_abort
+//   diag     ORR_E_ARG (another version, no first epoch), ORR_E_IO, ORR_E_MEMORY
+orr_status orr_rinex_obs_create(const char *path, double version, const orr_rinex_obs_header *h,
+                                orr_rinex_obs_writer **out, orr_diag *diag);
 // Flags 0, 1, 6: satellites and values; 2-5: event lines. Values beyond F14.3 are refused (ORR_E_RANGE).
 orr_status orr_rinex_obs_write(orr_rinex_obs_writer *w, const orr_rinex_obs_epoch *epoch, orr_diag *diag);
 orr_status orr_rinex_obs_commit(orr_rinex_obs_writer *w, orr_diag *diag); // ends w

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Observation files of RINEX 3.05 (tables A2 and A3).
+// Observation files of RINEX 3.05 (tables A2 and A3) and 4.02 (the same tables).
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -10,6 +10,7 @@
 
 struct orr_rinex_obs_writer {
     orr_outfile out;
+    double version;
     orr_scale scale;
     size_t n_codes[ORR_N_SYSTEMS];
     bool failed;
@@ -64,6 +65,7 @@ static void put_glonass(orr_rinex_obs_writer *w, const orr_rinex_obs_header *h)
                                    h->glonass_channel[slot[j]]);
         put_header(w, "GLONASS SLOT / FRQ #", "%s", text);
     }
+    if (w->version >= 4) return;
     char text[64] = "";
     size_t at = 0;
     for (int i = 0; i < 4 && h->has_glonass_bias; i++) {
@@ -99,7 +101,7 @@ static void put_whole_header(orr_rinex_obs_writer *w, const orr_rinex_obs_header
 {
     char systems[] = "X: Mixed";
     systems[0] = h->system;
-    put_header(w, "RINEX VERSION / TYPE", "%9.2f%11s%-20s%-20s", 3.05, "", "OBSERVATION DATA",
+    put_header(w, "RINEX VERSION / TYPE", "%9.2f%11s%-20s%-20s", w->version, "", "OBSERVATION DATA",
                h->system == 'M' ? systems : (systems[1] = '\0', systems));
     put_header(w, "PGM / RUN BY / DATE", "%-20.20s%-20.20s%-20.20s", h->program, h->run_by, h->date);
     put_header(w, "MARKER NAME", "%s", h->marker_name);
@@ -127,7 +129,7 @@ static void put_whole_header(orr_rinex_obs_writer *w, const orr_rinex_obs_header
     put_time(w, "TIME OF FIRST OBS", h->first);
     put_time(w, "TIME OF LAST OBS", h->last);
     if (h->clock_applied) put_header(w, "RCV CLOCK OFFS APPL", "%6d", 1);
-    for (size_t s = 0; s < ORR_N_SYSTEMS; s++)
+    for (size_t s = 0; w->version < 4 && s < ORR_N_SYSTEMS; s++)
         if (h->codes[s].n > 0) put_phase_shifts(w, ORR_SYSTEMS[s], &h->codes[s]);
     if (h->codes[1].n > 0) put_glonass(w, h);
     if (h->has_leap) put_header(w, "LEAP SECONDS", "%6d", h->leap_s);
@@ -150,11 +152,13 @@ static orr_status check_header(const orr_rinex_obs_header *h, orr_diag *diag)
     return n > 0 ? ORR_OK : orr_diag_set(diag, ORR_E_ARG, "an observation file needs observation types");
 }
 
-orr_status orr_rinex_obs_create(const char *path, const orr_rinex_obs_header *h, orr_rinex_obs_writer **out,
-                                orr_diag *diag)
+orr_status orr_rinex_obs_create(const char *path, double version, const orr_rinex_obs_header *h,
+                                orr_rinex_obs_writer **out, orr_diag *diag)
 {
     *out = NULL;
     orr_status s = check_header(h, diag);
+    if (s == ORR_OK && version != 3.05 && version != 4.02)
+        s = orr_diag_set(diag, ORR_E_ARG, "RINEX %.2f is not written, 3.05 and 4.02 are", version);
     if (s != ORR_OK) return s;
     orr_rinex_obs_writer *w = calloc(1, sizeof *w);
     if (w == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
@@ -163,6 +167,7 @@ orr_status orr_rinex_obs_create(const char *path, const orr_rinex_obs_header *h,
         free(w);
         return s;
     }
+    w->version = version;
     w->scale = h->scale;
     for (size_t i = 0; i < ORR_N_SYSTEMS; i++) w->n_codes[i] = h->codes[i].n;
     put_whole_header(w, h);

@@ -29,8 +29,8 @@ static int observe_antenna(simulation *s, size_t k, const orr_observe_plan *plan
     orr_status status = simulate_path(s, name, path, diag);
     if (status == ORR_OK) status = orr_observe_rinex(channels, k, plan, path, &count, diag);
     if (status == ORR_OK) {
-        snprintf(note, sizeof note, "%zu epochs, %zu observed signals, RINEX 3.05", count.epochs,
-                 count.observations);
+        snprintf(note, sizeof note, "%zu epochs, %zu observed signals, RINEX %.2f", count.epochs,
+                 count.observations, plan->rinex);
         status = simulate_note(s, name, note, diag);
     }
     snprintf(name, sizeof name, "%s-channels.csv", a->name);
@@ -64,6 +64,7 @@ static int plan_of(orr_cli *c, const orr_channels *channels, orr_observe_plan *p
     if (p->from < span.from || p->to > span.to || p->from > p->to)
         return orr_cli_failf(c, "the scenario's channels reach from %s to %s", orr_time_text(span.from, from),
                              orr_time_text(span.to, to));
+    p->rinex = orr_cli_says(c, "rinex", "4.02") ? 4.02 : 3.05;
     p->noise = orr_cli_given(c, "noise");
     p->seed = (uint64_t)orr_cli_int(c, "seed", 1);
     return ORR_EXIT_OK;
@@ -151,6 +152,11 @@ static const orr_option options[] = {
      .kind = ORR_OPT_DURATION,
      .value = "S",
      .help = "From one row to the next in the tables of true channels; 30 s by default."},
+    {.name = "rinex",
+     .kind = ORR_OPT_CHOICE,
+     .value = "3.05|4.02",
+     .fallback = "3.05",
+     .help = "Version of the observation files; 3.05 by default."},
     {.name = "noise", .kind = ORR_OPT_FLAG, .help = "Thermal noise of a receiver, by C/N0; none by default."},
     {.name = "seed",
      .kind = ORR_OPT_INT,
@@ -169,7 +175,7 @@ const orr_command orr_cmd_simulate = {
     .operands = "SCENARIO",
     .min_operands = 1,
     .max_operands = 1,
-    .about = "For every antenna NAME.rnx (RINEX 3.05 observations: code, phase, Doppler, C/N0 of every "
+    .about = "For every antenna NAME.rnx (RINEX observations: code, phase, Doppler, C/N0 of every "
              "signal; the receiver's clock "
              "is perfect), NAME-channels.csv (the same channels with all their terms) and NAME-track.csv; of "
              "the scenario "

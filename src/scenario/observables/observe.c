@@ -156,7 +156,7 @@ static orr_status write_all(writer *w, const char *path, orr_observe_count *coun
 {
     const orr_observe_plan *p = w->plan;
     orr_rinex_obs_writer *out;
-    orr_status s = orr_rinex_obs_create(path, &w->header, &out, diag);
+    orr_status s = orr_rinex_obs_create(path, p->rinex, &w->header, &out, diag);
     if (s != ORR_OK) return s;
     const size_t total = (size_t)((p->to - p->from) / p->step_ns) + 1;
     for (size_t k = 0; s == ORR_OK && k < total; k++) {

@@ -11,7 +11,8 @@
 typedef struct orr_observe_plan {
     orr_time from, to; // both ends are observed
     int64_t step_ns;
-    bool noise; // thermal, by C/N0
+    double rinex; // version, 3.05 or 4.02
+    bool noise;   // thermal, by C/N0
     uint64_t seed;
     const volatile int *cancel;                              // may be NULL
     void (*progress)(void *user, size_t done, size_t total); // may be NULL
@@ -22,7 +23,7 @@ typedef struct orr_observe_count {
     size_t epochs, observations; // observations: channels written
 } orr_observe_count;
 
-// Observations of an antenna, RINEX 3.05: code, phase, Doppler and C/N0 of every signal; receiver clock zero; LLI 1 where an
+// Observations of an antenna, RINEX: code, phase, Doppler and C/N0 of every signal; receiver clock zero; LLI 1 where an
 // arc begins.
 // Given:
 //   c        channels

@@ -50,7 +50,7 @@ static void rewrite(const char *obs, const char *nav, const char *obs_out, const
     orr_rinex_obs_writer *w = NULL;
     orr_diag diag = {0};
     ASSERT_OK(orr_rinex_obs_open(obs, NULL, NULL, &r, &diag), diag);
-    ASSERT_OK(orr_rinex_obs_create(obs_out, orr_rinex_obs_header_of(r), &w, &diag), diag);
+    ASSERT_OK(orr_rinex_obs_create(obs_out, 3.05, orr_rinex_obs_header_of(r), &w, &diag), diag);
     for (int i = 0; i < n_epochs; i++) {
         const orr_rinex_obs_epoch *e = NULL;
         ASSERT_OK(orr_rinex_obs_next(r, &e, &diag), diag);

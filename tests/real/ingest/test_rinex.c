@@ -127,7 +127,7 @@ static void observations_written_and_read_back(void **state)
     orr_rinex_obs_writer *w = NULL;
     orr_diag diag = {0};
     ASSERT_OK(orr_rinex_obs_open(path, NULL, NULL, &r, &diag), diag);
-    ASSERT_OK(orr_rinex_obs_create(copy, orr_rinex_obs_header_of(r), &w, &diag), diag);
+    ASSERT_OK(orr_rinex_obs_create(copy, 3.05, orr_rinex_obs_header_of(r), &w, &diag), diag);
     const orr_rinex_obs_epoch *e = NULL;
     for (;;) {
         ASSERT_OK(orr_rinex_obs_next(r, &e, &diag), diag);

@@ -418,7 +418,18 @@ static void written_and_read_back(void **state)
     assert_int_equal(orr_rinex_obs_header_add_code(&h, 'G', "C1", &diag), ORR_E_ARG);
     h.codes[0].phase_shift_cyc[1] = 0.25;
     orr_rinex_obs_writer *w = NULL;
-    ASSERT_OK(orr_rinex_obs_create(path, &h, &w, &diag), diag);
+    assert_int_equal(orr_rinex_obs_create(path, 2.11, &h, &w, &diag), ORR_E_ARG);
+    // 4.02 has given two header lines up.
+    ASSERT_OK(orr_rinex_obs_create(path, 4.02, &h, &w, &diag), diag);
+    ASSERT_OK(orr_rinex_obs_commit(w, &diag), diag);
+    orr_rinex_obs *of_4 = NULL;
+    ASSERT_OK(orr_rinex_obs_open(path, NULL, NULL, &of_4, &diag), diag);
+    ASSERT_NEAR(orr_rinex_obs_header_of(of_4)->version, 4.02, 0);
+    assert_int_equal(orr_rinex_obs_header_of(of_4)->glonass_channel[7], -5);
+    assert_false(orr_rinex_obs_header_of(of_4)->has_glonass_bias);
+    orr_rinex_obs_close(of_4);
+    unlink(path);
+    ASSERT_OK(orr_rinex_obs_create(path, 3.05, &h, &w, &diag), diag);
     orr_sat sat[2] = {orr_sat_make('G', 5), orr_sat_make('R', 7)};
     double value[40];
     uint8_t lli[40], ssi[40];
@@ -447,7 +458,7 @@ static void written_and_read_back(void **state)
     assert_int_equal(access(path, F_OK), -1); // nothing is left of it
 
     value[0] = 1;
-    ASSERT_OK(orr_rinex_obs_create(path, &h, &w, &diag), diag);
+    ASSERT_OK(orr_rinex_obs_create(path, 3.05, &h, &w, &diag), diag);
     ASSERT_OK(orr_rinex_obs_write(w, &e, &diag), diag);
     ASSERT_OK(orr_rinex_obs_write(w, &event, &diag), diag);
     ASSERT_OK(orr_rinex_obs_commit(w, &diag), diag);
