@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/nan.h"
+#include "iono/broadcast/bdgim.h"
 #include "iono/field/tec_field_private.h"
 
 // Into [-pi, pi].
@@ -36,7 +37,12 @@ orr_status orr_tec_field_at(const orr_tec_field *f, orr_time t, orr_tec_instant 
     if (t < f->from || t > f->to) return not_covered(f, t, diag);
     out->field = f;
     out->t = t;
-    if (f->kind == TEC_KLOBUCHAR) return ORR_OK;
+    if (f->kind == TEC_BROADCAST) {
+        size_t k = 0;
+        while (k + 1 < f->n && f->set[k + 1].t <= t) k++;
+        out->i0 = out->i1 = k;
+        return ORR_OK;
+    }
     size_t k = epoch_before(f, t);
     out->i0 = out->i1 = k;
     out->w = 0;
@@ -160,6 +166,53 @@ static orr_status refuse(const orr_tec_instant *at, double v, double lat, double
                         lon);
 }
 
+static orr_klobuchar eight(const double *value)
+{
+    return (orr_klobuchar){{value[0], value[1], value[2], value[3]},
+                           {value[4], value[5], value[6], value[7]}};
+}
+
+#define L1_HZ 1575.42e6
+#define B1I_HZ 1561.098e6
+#define NEQUICK_TOP_M 20.2e6
+
+static double broadcast_vertical(const orr_tec_field *f, const double *value, orr_time t, double lat,
+                                 double lon)
+{
+    const orr_klobuchar k = eight(value);
+    switch (f->algorithm) {
+    case ORR_TEC_BEIDOU:
+        return orr_klobuchar_beidou_vertical_m(&k, t, lat, lon) /
+               orr_iono_delay_m(1, B1I_HZ, ORR_MEASURES_CODE);
+    case ORR_TEC_BDGIM:
+        return orr_bdgim_vertical_tecu(value, t, lat, lon);
+    case ORR_TEC_NEQUICK:
+        return orr_nequick_slant_tecu(f->nequick, value, t, f->options.leap, (orr_geodetic){lat, lon, 0},
+                                      (orr_geodetic){lat, lon, NEQUICK_TOP_M});
+    default:
+        return orr_klobuchar_vertical_m(&k, t, lat, lon) / orr_iono_delay_m(1, L1_HZ, ORR_MEASURES_CODE);
+    }
+}
+
+static double broadcast_slant(const orr_tec_field *f, const double *value, orr_time t, orr_geodetic site,
+                              double az, double el)
+{
+    const orr_klobuchar k = eight(value);
+    switch (f->algorithm) {
+    case ORR_TEC_BEIDOU:
+        return orr_klobuchar_beidou_delay_m(&k, t, site.lat_rad, site.lon_rad, az, el) /
+               orr_iono_delay_m(1, B1I_HZ, ORR_MEASURES_CODE);
+    case ORR_TEC_BDGIM:
+        return orr_bdgim_slant_tecu(value, t, site, az, el);
+    case ORR_TEC_NEQUICK:
+        return orr_nequick_slant_tecu(f->nequick, value, t, f->options.leap, site,
+                                      orr_nequick_upper_end(site, az, el, NEQUICK_TOP_M));
+    default:
+        return orr_klobuchar_delay_m(&k, t, site.lat_rad, site.lon_rad, az, el) /
+               orr_iono_delay_m(1, L1_HZ, ORR_MEASURES_CODE);
+    }
+}
+
 static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat, double lon,
                            orr_tec_value *out, orr_diag *diag)
 {
@@ -167,9 +220,13 @@ static orr_status vertical(const orr_tec_instant *at, orr_vec3 unit, double lat,
     double v;
     *out = (orr_tec_value){.sigma_tecu = ORR_NAN};
     switch (f->kind) {
-    case TEC_KLOBUCHAR:
-        v = orr_klobuchar_vertical_m(&f->klobuchar, at->t, lat, lon) /
-            orr_iono_delay_m(1, 1575.42e6, ORR_MEASURES_CODE);
+    case TEC_BROADCAST:
+        v = broadcast_vertical(f, f->set[at->i0].value, at->t, lat, lon);
+        if (isnan(v)) return refuse(at, v, lat, lon, diag);
+        if (v < 0) {
+            v = 0;
+            out->flags |= ORR_TEC_CLIPPED;
+        }
         break;
     case TEC_GRID:
         v = grid_between(&f->tec, at, lat, lon, at->turn0_rad, at->turn1_rad);
@@ -220,13 +277,14 @@ orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *
     if (s != ORR_OK) return s;
     out->vtec_tecu = v.vtec_tecu;
     out->flags = v.flags;
-    if (f->kind == TEC_KLOBUCHAR) {
-        out->stec_tecu = orr_klobuchar_delay_m(&f->klobuchar, at->t, site->geodetic.lat_rad,
-                                               site->geodetic.lon_rad, pierce->az_rad, pierce->el_rad) /
-                         orr_iono_delay_m(1, 1575.42e6, ORR_MEASURES_CODE);
-        out->mapping = out->stec_tecu / out->vtec_tecu; // at least 5 ns by night: never 0 / 0
+    out->mapping = orr_mapping_factor(&f->mapping, pierce->el_rad);
+    if (f->kind == TEC_BROADCAST) {
+        out->stec_tecu =
+            broadcast_slant(f, f->set[at->i0].value, at->t, site->geodetic, pierce->az_rad, pierce->el_rad);
+        if (isnan(out->stec_tecu))
+            return orr_diag_set(diag, ORR_E_NODATA, "%s: its model says nothing along this ray", f->source);
+        if (v.vtec_tecu > 0) out->mapping = out->stec_tecu / v.vtec_tecu;
     } else {
-        out->mapping = orr_mapping_factor(&f->mapping, pierce->el_rad);
         out->stec_tecu = out->mapping * v.vtec_tecu;
     }
     out->sigma_tecu = out->mapping * v.sigma_tecu;

@@ -287,17 +287,56 @@ orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, o
                                         const char *source, const orr_tec_options *options,
                                         orr_tec_field **out, orr_diag *diag)
 {
-    orr_status s = begin(TEC_KLOBUCHAR, 0, ORR_SHELL_RADIUS_M, source, options, out, diag);
+    orr_tec_broadcast set = {.t = ORR_TIME_NONE};
+    memcpy(set.value, k->alpha, sizeof k->alpha);
+    memcpy(set.value + 4, k->beta, sizeof k->beta);
+    return orr_tec_field_from_broadcast(ORR_TEC_GPS, &set, 1, from, to, source, options, out, diag);
+}
+
+orr_status orr_tec_field_from_broadcast(orr_tec_algorithm algorithm, const orr_tec_broadcast *set, size_t n,
+                                        orr_time from, orr_time to, const char *source,
+                                        const orr_tec_options *options, orr_tec_field **out, orr_diag *diag)
+{
+    *out = NULL;
+    if (algorithm <= ORR_TEC_AUTO || algorithm > ORR_TEC_NEQUICK)
+        return orr_diag_set(diag, ORR_E_ARG, "%s: no such model of the ionosphere", source);
+    if (n == 0) return orr_diag_set(diag, ORR_E_NODATA, "%s: no coefficients of the ionosphere", source);
+    for (size_t k = 0; k < n; k++) {
+        for (int i = 0; i < 9; i++)
+            if (!isfinite(set[k].value[i]))
+                return orr_diag_set(diag, ORR_E_FORMAT, "%s: a coefficient of the ionosphere is missing",
+                                    source);
+        if (k > 0 && set[k].t <= set[k - 1].t)
+            return orr_diag_set(diag, ORR_E_FORMAT, "%s: coefficients of the ionosphere out of order",
+                                source);
+    }
+    orr_tec_field *f;
+    orr_status s = begin(TEC_BROADCAST, 0, ORR_SHELL_RADIUS_M, source, options, &f, diag);
     if (s != ORR_OK) return s;
-    for (int i = 0; i < 4; i++)
-        if (!isfinite(k->alpha[i]) || !isfinite(k->beta[i])) {
-            orr_tec_field_free(*out);
-            *out = NULL;
-            return orr_diag_set(diag, ORR_E_FORMAT, "%s: a Klobuchar coefficient is missing", source);
-        }
-    (*out)->klobuchar = *k;
-    (*out)->from = from;
-    (*out)->to = to;
+    const char *const folder = f->options.nequick;
+    f->options.nequick = NULL;
+    f->algorithm = f->options.algorithm = algorithm;
+    f->from = from;
+    f->to = to;
+    f->n = n;
+    f->set = malloc(n * sizeof *f->set);
+    if (f->set == NULL)
+        s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for coefficients");
+    else
+        memcpy(f->set, set, n * sizeof *f->set);
+    if (s == ORR_OK && algorithm == ORR_TEC_NEQUICK)
+        s = folder != NULL
+                ? orr_nequick_load(folder, &f->nequick, diag)
+                : orr_diag_set(
+                      diag, ORR_E_NODATA,
+                      "%s: Galileo's coefficients are those of NeQuick-G, whose tables (ccir11.asc to "
+                      "ccir22.asc, modip.asc) are read from a folder: none was given",
+                      source);
+    if (s != ORR_OK) {
+        orr_tec_field_free(f);
+        return s;
+    }
+    *out = f;
     return ORR_OK;
 }
 
@@ -310,6 +349,8 @@ void orr_tec_field_free(orr_tec_field *f)
     free(f->sun_east);
     free(f->coef);
     free(f->coef_rms);
+    free(f->set);
+    orr_nequick_free(f->nequick);
     free(f->tec.value);
     free(f->rms.value);
     orr_harm_basis_free(&f->basis);
@@ -327,6 +368,8 @@ const char *orr_tec_field_source(const orr_tec_field *f) { return f->source; }
 const char *orr_tec_field_kind(const orr_tec_field *f)
 {
     static const char *const names[] = {"harmonics", "maps", "klobuchar"};
+    if (f->kind == TEC_BROADCAST && f->algorithm == ORR_TEC_BDGIM) return "bdgim";
+    if (f->kind == TEC_BROADCAST && f->algorithm == ORR_TEC_NEQUICK) return "nequick";
     return names[f->kind];
 }
 
@@ -357,5 +400,5 @@ void orr_tec_field_set(const orr_tec_field *f, size_t k, orr_time *t, orr_time *
 size_t orr_tec_field_epochs(const orr_tec_field *f, const orr_time **t)
 {
     *t = f->t;
-    return f->n;
+    return f->t != NULL ? f->n : 0;
 }

@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertical and slant TEC anywhere at any time, one face over three sources: spherical-harmonic coefficients
-// (Bernese .ION), maps (IONEX; refitted to harmonics at load, or bilinear as they are), and the broadcast
-// Klobuchar model. Made once, then evaluated as a pure function: no allocation, no lock, no I/O.
+// (Bernese .ION), maps (IONEX; refitted to harmonics at load, or bilinear as they are), and the models that
+// satellites broadcast (Klobuchar's of GPS and of BeiDou, BDGIM, NeQuick-G). Made once, then evaluated as a pure function: no allocation, no lock, no I/O.
 #ifndef ORR_IONO_FIELD_TEC_FIELD_H
 #define ORR_IONO_FIELD_TEC_FIELD_H
 
 #include "core/status.h"
 #include "core/time.h"
 #include "core/vec.h"
+#include "iono/broadcast/klobuchar.h"
 #include "iono/field/harmonics.h"
-#include "iono/field/klobuchar.h"
 #include "iono/field/pierce.h"
 
 typedef enum orr_tec_spatial { ORR_TEC_HARMONIC, ORR_TEC_BILINEAR } orr_tec_spatial;
 // Between epochs. The three classical ways (Schaer, Gurtner, Feltens 1998): the nearest map, linear between
 // two maps at one place on the Earth, linear between two maps turned with the Sun.
 typedef enum orr_tec_temporal { ORR_TEC_NEAREST, ORR_TEC_LINEAR, ORR_TEC_ROTATED } orr_tec_temporal;
+
+// The models that satellites broadcast: GPS's eight numbers (QZSS's and NavIC's are of the same model), BeiDou's eight,
+// BeiDou's nine, Galileo's three. AUTO: of a navigation file GPS's, else QZSS's, NavIC's, BeiDou's eight, its nine,
+// Galileo's, the first that the file has.
+typedef enum orr_tec_algorithm {
+    ORR_TEC_AUTO,
+    ORR_TEC_GPS,
+    ORR_TEC_QZSS,
+    ORR_TEC_NAVIC,
+    ORR_TEC_BEIDOU,
+    ORR_TEC_BDGIM,
+    ORR_TEC_NEQUICK
+} orr_tec_algorithm;
 
 typedef struct orr_tec_options {
     orr_tec_spatial spatial; // of maps; coefficients are always harmonic
@@ -24,6 +37,9 @@ typedef struct orr_tec_options {
     int degree;                        // of the refit of maps
     double pole_lat_deg, pole_lon_deg; // geomagnetic pole of the refit
     orr_mapping_kind mapping;
+    orr_tec_algorithm algorithm; // which of a navigation file's
+    const char
+        *nequick; // folder of NeQuick-G's tables (orr_nequick_load); NULL: none; used while a field is made
     const orr_leap_table *leap; // NULL: built-in; must outlive the field
 } orr_tec_options;
 orr_tec_options orr_tec_default_options(void); // harmonic, rotated, 1, 15, 79 N 71 W, MSLM
@@ -95,13 +111,32 @@ orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_op
 orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, orr_time to,
                                         const char *source, const orr_tec_options *options,
                                         orr_tec_field **out, orr_diag *diag);
+// One set of broadcast coefficients.
+typedef struct orr_tec_broadcast {
+    orr_time t; // from when it holds: its transmission; ORR_TIME_NONE: from ever
+    double value
+        [9]; // alpha 0-3, beta 0-3 of the models of eight; alpha 1-9 in TECU; a_i0-a_i2 in sfu; zeroes beyond
+} orr_tec_broadcast;
+// A field of a broadcast model whose coefficients change: at an instant the set of the latest time holds, before the first
+// that one.
+// Given:
+//   algorithm   not AUTO
+//   set, n      the sets, ascending in t, at least one
+//   from, to, source   as above
+//   options     may be NULL; `nequick` says where NeQuick-G's tables are
+// Errors: ORR_E_FORMAT (a coefficient that is no number, times out of order), ORR_E_NODATA (no set; NeQuick-G without a
+// folder), those of orr_nequick_load, ORR_E_ARG (options, algorithm), ORR_E_MEMORY.
+orr_status orr_tec_field_from_broadcast(orr_tec_algorithm algorithm, const orr_tec_broadcast *set, size_t n,
+                                        orr_time from, orr_time to, const char *source,
+                                        const orr_tec_options *options, orr_tec_field **out, orr_diag *diag);
 // Frees a field; f may be NULL.
 void orr_tec_field_free(orr_tec_field *f);
 
 // First and last instant that the field covers.
 void orr_tec_field_span(const orr_tec_field *f, orr_time *from, orr_time *to);
 const char *orr_tec_field_source(const orr_tec_field *f); // name for messages, as it was made with
-const char *orr_tec_field_kind(const orr_tec_field *f);   // "harmonics", "maps", "klobuchar"
+const char *
+orr_tec_field_kind(const orr_tec_field *f); // "harmonics", "maps", "klobuchar", "bdgim", "nequick"
 const orr_tec_options *orr_tec_field_options(const orr_tec_field *f); // as in force (degree, pole)
 const orr_tec_fit *orr_tec_field_fit(const orr_tec_field *f);         // NULL unless maps were refitted
 double orr_tec_field_shell_radius_m(const orr_tec_field *f);          // from the Earth's centre
@@ -164,13 +199,14 @@ typedef struct orr_tec_ray {
 //   out    pierce point, vertical and slant content
 //   diag   why there is none; may be NULL
 // Errors: those of orr_pierce_ray and orr_tec_vertical.
-// Notes: a Klobuchar field uses its own algorithm for the slant; its mapping is the quotient.
+// Notes: a broadcast model has its own way to the slant; the mapping is the quotient. NeQuick-G is integrated up to
+// 20 200 km.
 orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
                         orr_tec_ray *out, orr_diag *diag);
 // One ray through a pierce point that is known already.
 // Given:
 //   at      the field at an instant
-//   site    receiver; only a Klobuchar field uses it
+//   site    receiver; only a broadcast model uses it
 //   pierce  made with the field's shell radius
 // Returned:
 //   out     the same pierce point, vertical and slant content

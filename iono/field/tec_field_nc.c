@@ -36,6 +36,36 @@ static void put_grid(orr_nc_writer *w, const tec_grid *g, const char *name, cons
                    "first latitude, step, first longitude, step (rad); sun-fixed axes; all round", diag);
 }
 
+static orr_status put_broadcast(orr_nc_writer *w, const orr_tec_field *f, orr_diag *diag)
+{
+    if (f->algorithm == ORR_TEC_NEQUICK)
+        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
+                            "%s: a field of NeQuick-G is not saved, for its tables would have to go along",
+                            f->source);
+    orr_time *t = malloc(f->n * sizeof *t);
+    double *value = malloc(f->n * sizeof f->set->value);
+    orr_status s = ORR_OK;
+    if (t == NULL || value == NULL)
+        s = orr_diag_set(diag, ORR_E_MEMORY, "no memory to write a field");
+    else {
+        for (size_t k = 0; k < f->n; k++) {
+            t[k] = f->set[k].t;
+            memcpy(value + 9 * k, f->set[k].value, sizeof f->set->value);
+        }
+        put_int(w, "field_algorithm", (int64_t)f->algorithm, diag);
+        orr_nc_put_dim(w, "field_broadcast_set", f->n, diag);
+        orr_nc_put_dim(w, "field_broadcast_parameter", 9, diag);
+        const char *dims[] = {"field_broadcast_set", "field_broadcast_parameter"};
+        orr_nc_put_var(w, "field_broadcast_t", ORR_NC_INT64, 1, dims, t, "ns since 1980-01-06T00:00:00 GPS",
+                       "from when a set holds; the lowest number: from ever", diag);
+        s = orr_nc_put_var(w, "field_broadcast", ORR_NC_DOUBLE, 2, dims, value, NULL,
+                           "the coefficients as broadcast: alpha 0-3, beta 0-3; BDGIM's nine", diag);
+    }
+    free(t);
+    free(value);
+    return s;
+}
+
 orr_status orr_tec_field_put(orr_nc_writer *w, const orr_tec_field *f, orr_diag *diag)
 {
     orr_nc_put_att_text(w, NULL, "field_source", f->source, diag);
@@ -48,15 +78,7 @@ orr_status orr_tec_field_put(orr_nc_writer *w, const orr_tec_field *f, orr_diag 
     put_double(w, "field_shell_radius_m", f->shell_radius_m, diag);
     put_int(w, "field_from", f->from, diag);
     put_int(w, "field_to", f->to, diag);
-    if (f->kind == TEC_KLOBUCHAR) {
-        double eight[8];
-        memcpy(eight, f->klobuchar.alpha, sizeof f->klobuchar.alpha);
-        memcpy(eight + 4, f->klobuchar.beta, sizeof f->klobuchar.beta);
-        orr_nc_put_dim(w, "field_klobuchar_parameter", 8, diag);
-        const char *dims[] = {"field_klobuchar_parameter"};
-        return orr_nc_put_var(w, "field_klobuchar", ORR_NC_DOUBLE, 1, dims, eight, NULL,
-                              "alpha 0..3, beta 0..3 as broadcast", diag);
-    }
+    if (f->kind == TEC_BROADCAST) return put_broadcast(w, f, diag);
     orr_nc_put_dim(w, "field_epoch", f->n, diag);
     orr_nc_put_dim(w, "field_grid_parameter", 6, diag);
     const char *epochs[] = {"field_epoch"};
@@ -146,7 +168,7 @@ static orr_status get_settings(const orr_nc_reader *r, settings *x, orr_diag *di
     if (missing != NULL)
         return orr_diag_set(diag, ORR_E_FORMAT, "%s: no attribute %s; the file holds no TEC field", r->path,
                             missing);
-    if (x->kind < TEC_HARMONICS || x->kind > TEC_KLOBUCHAR || x->temporal < ORR_TEC_NEAREST ||
+    if (x->kind < TEC_HARMONICS || x->kind > TEC_BROADCAST || x->temporal < ORR_TEC_NEAREST ||
         x->temporal > ORR_TEC_ROTATED || x->mapping < ORR_MAPPING_NONE || x->mapping > ORR_MAPPING_MSLM ||
         x->from > x->to || !orr_time_is_near(x->from) || !orr_time_is_near(x->to) || !(x->rotation >= 0) ||
         !(x->rotation <= 1) || !(fabs(x->pole_lat) <= 90) || !(fabs(x->pole_lon) <= 360) ||
@@ -205,6 +227,45 @@ static orr_status get_coefficients(const orr_nc_reader *r, orr_tec_field *f, orr
     return s;
 }
 
+static orr_status get_broadcast(const orr_nc_reader *r, orr_tec_field *f, orr_diag *diag)
+{
+    int64_t algorithm = ORR_TEC_GPS;
+    f->n = 1;
+    void *t = NULL, *value = NULL;
+    orr_status s = ORR_OK;
+    size_t per = 9;
+    if (orr_nc_has_var(r, "field_klobuchar")) { // of files up to 0.4: one set of GPS's, for all times
+        per = 8;
+        s = orr_nc_alloc_var(r, "field_klobuchar", ORR_NC_DOUBLE, 1, &per, &value, diag);
+    } else {
+        if (orr_nc_get_att_int64(r, NULL, "field_algorithm", &algorithm, NULL) != ORR_OK ||
+            algorithm <= ORR_TEC_AUTO || algorithm >= ORR_TEC_NEQUICK)
+            return orr_diag_set(diag, ORR_E_FORMAT, "%s: no usable model of its TEC field", r->path);
+        s = orr_nc_get_dim(r, "field_broadcast_set", MAX_SETS, &f->n, diag);
+        if (s == ORR_OK && f->n == 0)
+            s = orr_diag_set(diag, ORR_E_FORMAT, "%s: a TEC field without coefficients", r->path);
+        if (s == ORR_OK) s = orr_nc_alloc_var(r, "field_broadcast_t", ORR_NC_INT64, 1, &f->n, &t, diag);
+        if (s == ORR_OK)
+            s = orr_nc_alloc_var(r, "field_broadcast", ORR_NC_DOUBLE, 2, (size_t[]){f->n, per}, &value, diag);
+    }
+    if (s == ORR_OK && (f->set = calloc(f->n, sizeof *f->set)) == NULL)
+        s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for a TEC field");
+    f->algorithm = f->options.algorithm = (orr_tec_algorithm)algorithm;
+    for (size_t k = 0; s == ORR_OK && k < f->n; k++) {
+        orr_tec_broadcast *set = &f->set[k];
+        set->t = t != NULL ? ((const orr_time *)t)[k] : ORR_TIME_NONE;
+        memcpy(set->value, (const double *)value + per * k, per * sizeof(double));
+        bool numbers = true;
+        for (size_t i = 0; i < per; i++) numbers = numbers && isfinite(set->value[i]);
+        if (!numbers || (k > 0 && set->t <= f->set[k - 1].t))
+            s = orr_diag_set(diag, ORR_E_FORMAT, "%s: a set of its TEC field is no number, or out of order",
+                             r->path);
+    }
+    free(t);
+    free(value);
+    return s;
+}
+
 orr_status orr_tec_field_get(const orr_nc_reader *r, orr_tec_field **out, orr_diag *diag)
 {
     *out = NULL;
@@ -227,11 +288,8 @@ orr_status orr_tec_field_get(const orr_nc_reader *r, orr_tec_field **out, orr_di
     f->from = x.from;
     f->to = x.to;
     memcpy(f->source, x.source, sizeof f->source);
-    if (f->kind == TEC_KLOBUCHAR) {
-        double eight[8];
-        s = orr_nc_get_var(r, "field_klobuchar", ORR_NC_DOUBLE, 1, (size_t[]){8}, eight, diag);
-        memcpy(f->klobuchar.alpha, eight, sizeof f->klobuchar.alpha);
-        memcpy(f->klobuchar.beta, eight + 4, sizeof f->klobuchar.beta);
+    if (f->kind == TEC_BROADCAST) {
+        s = get_broadcast(r, f, diag);
     } else {
         s = get_epochs(r, f, diag);
         if (s == ORR_OK && f->kind == TEC_HARMONICS) s = get_coefficients(r, f, diag);

@@ -3,10 +3,11 @@
 #ifndef ORR_IONO_FIELD_TEC_FIELD_PRIVATE_H
 #define ORR_IONO_FIELD_TEC_FIELD_PRIVATE_H
 
+#include "iono/broadcast/nequick.h"
 #include "iono/field/sun_frame.h"
 #include "iono/field/tec_field.h"
 
-typedef enum tec_kind { TEC_HARMONICS, TEC_GRID, TEC_KLOBUCHAR } tec_kind;
+typedef enum tec_kind { TEC_HARMONICS, TEC_GRID, TEC_BROADCAST } tec_kind;
 
 // Regular grid, [map][lat][lon], as floats (values have four digits at most).
 typedef struct tec_grid {
@@ -32,10 +33,12 @@ struct orr_tec_field {
     double shell_radius_m;
     orr_mapping mapping;
     orr_harm_basis basis;
-    double *coef;      // n arrays of basis.size
-    double *coef_rms;  // or NULL
-    tec_grid tec, rms; // value NULL where there is none
-    orr_klobuchar klobuchar;
+    double *coef;                // n arrays of basis.size
+    double *coef_rms;            // or NULL
+    tec_grid tec, rms;           // value NULL where there is none
+    orr_tec_algorithm algorithm; // of a broadcast model: whose
+    orr_tec_broadcast *set;      // n of them, and no t
+    orr_nequick *nequick;        // its tables, or NULL
     orr_time from, to;
     bool fitted;
     orr_tec_fit fit;

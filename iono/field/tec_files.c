@@ -131,21 +131,66 @@ orr_status orr_tec_field_from_ion(const orr_ion *x, const char *name, const orr_
     return s;
 }
 
-// GPS's Klobuchar coefficients (another system's where there are none of GPS), for the days that the file's
-// ephemerides span and one to either side.
+static const struct {
+    char system;
+    uint8_t kind;
+} source_of[] = {[ORR_TEC_GPS] = {'G', ORR_NAV_KLOBUCHAR},   [ORR_TEC_QZSS] = {'J', ORR_NAV_KLOBUCHAR},
+                 [ORR_TEC_NAVIC] = {'I', ORR_NAV_KLOBUCHAR}, [ORR_TEC_BEIDOU] = {'C', ORR_NAV_KLOBUCHAR},
+                 [ORR_TEC_BDGIM] = {'C', ORR_NAV_BDGIM},     [ORR_TEC_NEQUICK] = {'E', ORR_NAV_NEQUICK_G}};
+
+static bool is_of(const orr_nav_iono *c, orr_tec_algorithm a)
+{
+    return c->system == source_of[a].system && c->kind == source_of[a].kind;
+}
+
+static int by_time(const void *a, const void *b)
+{
+    const orr_time ta = ((const orr_tec_broadcast *)a)->t, tb = ((const orr_tec_broadcast *)b)->t;
+    return (ta > tb) - (ta < tb);
+}
+
+// A file's sets of a model in the order of time, one for each: a mark of a header is an hour of `day`. Of two for one
+// time the one further down stands.
+static size_t sets_of(const orr_nav *nav, orr_tec_algorithm a, orr_time day, orr_tec_broadcast *out)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < nav->n_iono; i++) {
+        const orr_nav_iono *c = &nav->iono[i];
+        if (!is_of(c, a)) continue;
+        orr_tec_broadcast set = {.t = c->t};
+        if (c->t == ORR_TIME_NONE && c->time_mark >= 'A' && c->time_mark <= 'X')
+            set.t = orr_time_add(day, (int64_t)(c->time_mark - 'A') * 3600 * ORR_NS_PER_S);
+        const int count = c->kind == ORR_NAV_BDGIM ? 9 : c->kind == ORR_NAV_NEQUICK_G ? 3 : 8;
+        memcpy(set.value, c->coefficient, (size_t)count * sizeof(double));
+        size_t at = 0;
+        while (at < n && out[at].t != set.t) at++;
+        out[at] = set;
+        if (at == n) n++;
+    }
+    qsort(out, n, sizeof *out, by_time);
+    return n;
+}
+
+// A broadcast model of a navigation file, for the days that its ephemerides and its sets span and one to either side.
 static orr_status from_nav(const orr_nav *nav, const char *name, const orr_tec_options *options,
                            orr_tec_field **out, orr_diag *diag)
 {
     *out = NULL;
-    const orr_nav_iono *best = NULL;
-    for (size_t i = 0; i < nav->n_iono; i++) {
-        const orr_nav_iono *c = &nav->iono[i];
-        if (c->kind != ORR_NAV_KLOBUCHAR) continue;
-        if (best == NULL || (best->system != 'G' && c->system == 'G')) best = c;
-    }
-    if (best == NULL)
-        return orr_diag_set(diag, ORR_E_NODATA,
-                            "%s: no Klobuchar coefficients in it (ION ALPHA, IONOSPHERIC CORR)", name);
+    orr_tec_algorithm chosen = options != NULL ? options->algorithm : ORR_TEC_AUTO;
+    if (chosen < ORR_TEC_AUTO || chosen > ORR_TEC_NEQUICK)
+        return orr_diag_set(diag, ORR_E_ARG, "no such model of the ionosphere");
+    const orr_tec_algorithm first = chosen != ORR_TEC_AUTO ? chosen : ORR_TEC_GPS,
+                            last = chosen != ORR_TEC_AUTO ? chosen : ORR_TEC_NEQUICK;
+    chosen = ORR_TEC_AUTO;
+    for (orr_tec_algorithm a = first; chosen == ORR_TEC_AUTO && a <= last; a++)
+        for (size_t i = 0; i < nav->n_iono; i++)
+            if (is_of(&nav->iono[i], a)) chosen = a;
+    if (chosen == ORR_TEC_AUTO)
+        return orr_diag_set(
+            diag, ORR_E_NODATA,
+            "%s: no Klobuchar coefficients in it (ION ALPHA, IONOSPHERIC CORR), nor others of the "
+            "model asked for",
+            name);
     if (nav->n_eph == 0)
         return orr_diag_set(diag, ORR_E_NODATA,
                             "%s: no ephemeris that would tell the day of its Klobuchar coefficients", name);
@@ -154,11 +199,18 @@ static orr_status from_nav(const orr_nav *nav, const char *name, const orr_tec_o
         if (nav->eph[i].toe < from) from = nav->eph[i].toe;
         if (nav->eph[i].toe > to) to = nav->eph[i].toe;
     }
-    orr_klobuchar k;
-    memcpy(k.alpha, best->coefficient, sizeof k.alpha);
-    memcpy(k.beta, best->coefficient + 4, sizeof k.beta);
-    int64_t day = (int64_t)ORR_S_PER_DAY * ORR_NS_PER_S;
-    return orr_tec_field_from_klobuchar(&k, from - day, to + day, name, options, out, diag);
+    const int64_t day = (int64_t)ORR_S_PER_DAY * ORR_NS_PER_S;
+    const orr_time middle = from + (to - from) / 2;
+    orr_tec_broadcast *set = malloc(nav->n_iono * sizeof *set);
+    if (set == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for coefficients");
+    const size_t n = sets_of(nav, chosen, middle - orr_floor_mod(middle, day), set);
+    if (set[n - 1].t != ORR_TIME_NONE && set[n - 1].t > to) to = set[n - 1].t;
+    for (size_t k = 0; k < n; k++)
+        if (set[k].t != ORR_TIME_NONE && set[k].t < from) from = set[k].t;
+    const orr_status s =
+        orr_tec_field_from_broadcast(chosen, set, n, from - day, to + day, name, options, out, diag);
+    free(set);
+    return s;
 }
 
 orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, orr_tec_field **out,

@@ -152,6 +152,11 @@ static int fuse(const orr_cli *c, work *w)
     if (s == ORR_OK && without_one)
         s = orr_fusion_leave_one_out(&st->phase, st->field, st->bias, st->n_biases, &w->plan.fusion, 3600,
                                      &left, &diag);
+    if (s == ORR_OK && output != NULL && st->field != NULL &&
+        strcmp(orr_tec_field_kind(st->field), "nequick") == 0)
+        s = orr_diag_set(
+            &diag, ORR_E_UNSUPPORTED,
+            "--output: a session over NeQuick-G is not saved, for its tables would have to go along");
     if (s == ORR_OK) s = orr_station_fuse(st, &w->warnings, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     report(c, st, without_one ? &left : NULL);
@@ -184,7 +189,7 @@ static const orr_option options[] = {
     {.name = "field",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "The TEC field: IONEX, Bernese .ION, or a navigation file (Klobuchar)."},
+     .help = "The TEC field: IONEX, Bernese .ION, or a navigation file (a broadcast model)."},
     {.name = "orbit",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",

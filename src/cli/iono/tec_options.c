@@ -14,6 +14,14 @@ int orr_tec_options_ask(const orr_cli *c, orr_tec_options *out)
                     : strcmp(between, "linear") == 0 ? ORR_TEC_LINEAR
                                                      : ORR_TEC_ROTATED;
     out->rotation = orr_cli_real(c, "rotation", 1);
+    static const char *const model[] = {
+        [ORR_TEC_AUTO] = "auto",      [ORR_TEC_GPS] = "gps",       [ORR_TEC_QZSS] = "qzss",
+        [ORR_TEC_NAVIC] = "navic",    [ORR_TEC_BEIDOU] = "beidou", [ORR_TEC_BDGIM] = "bdgim",
+        [ORR_TEC_NEQUICK] = "nequick"};
+    const char *asked = orr_cli_text(c, "model", "auto");
+    for (size_t i = 0; i < sizeof model / sizeof *model; i++)
+        if (strcmp(asked, model[i]) == 0) out->algorithm = (orr_tec_algorithm)i;
+    out->nequick = orr_cli_text(c, "nequick", NULL);
     orr_diag diag = {0};
     if (orr_mapping_parse(orr_cli_text(c, "mapping", "mslm"), &out->mapping, &diag) != ORR_OK)
         return orr_cli_fail(c, &diag);

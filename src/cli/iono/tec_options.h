@@ -29,6 +29,16 @@
          .min = 0,                                                                                           \
          .max = 1,                                                                                           \
          .help = "Part of the Sun's motion that `rotated` follows; 1 by default."},                          \
+        {.name = "model",                                                                                    \
+         .fallback = "auto",                                                                                 \
+         .kind = ORR_OPT_CHOICE,                                                                             \
+         .value = "auto|gps|qzss|navic|beidou|bdgim|nequick",                                                \
+         .help = "Which broadcast model of a navigation file; by default (auto) the first that it has."},    \
+        {.name = "nequick",                                                                                  \
+         .kind = ORR_OPT_TEXT,                                                                               \
+         .value = "FOLDER",                                                                                  \
+         .help =                                                                                             \
+             "Tables of NeQuick-G, for Galileo's coefficients: ccir11.asc to ccir22.asc and modip.asc."},    \
     {                                                                                                        \
         .name = "mapping", .kind = ORR_OPT_CHOICE, .value = "none|thin-shell|mslm",                          \
         .help = "Slant from vertical; mslm by default."                                                      \

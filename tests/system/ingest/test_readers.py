@@ -105,6 +105,44 @@ class Readers(Folder):
         self.assertGreater(sum(",R02," in row for row in done.stdout.splitlines()), 30, done.stderr)
         self.assertNotIn("left out", done.stderr)
 
+    def test_models_of_the_ionosphere(self):
+        """Broadcast models by system, each in its own formula, and by time."""
+        eph = ("C20 2024 02 04 06 00 00" + fields(1.4e-4, 2.6e-12, 0) + "\n" +
+               "".join("    " + fields(*row) + "\n" for row in
+                       ((1, 28.75, 2.6e-9, -0.95), (1.2e-6, 1e-4, 1e-5, 5282.6), (21600, 3e-8, 0.212, 7e-8),
+                        (0.98, 131, 0.077, -5.2e-9), (-7e-10, 0, 944, 0), (2, 0, 1e-9, 1e-9), (21600, 0, None, None))))
+        old = self.path("old.rnx")
+        with open(old, "w", encoding="ascii") as f:
+            f.write(label("     3.05           N: GNSS NAV DATA    C", "RINEX VERSION / TYPE"))
+            for half, eight in (("A", (2e-8, 1e-8, -3e-8, 0)), ("B", (1e5, 2e4, 0, 0))):
+                f.write(label(f"BDS{half} " + "".join(f"{x:12.4E}" for x in eight), "IONOSPHERIC CORR"))
+            f.write(label("", "END OF HEADER") + eph)
+        at = ("--at", "2024-02-04T06:00:14", "--carrier", "1561.098")
+
+        def delay(nav, *more):
+            return float(run("tec", nav, *at, *more).stdout.splitlines()[1].split(",")[-1])
+
+        # 14 h local at 120 E, straight up from the Equator: 5 ns and the amplitude alpha_0.
+        up = ("--receiver", "0,120,0")
+        self.assertAlmostEqual(delay(old, *up), 2.5e-8 * C, places=3)
+        self.assertAlmostEqual(delay(old, *up, "--model", "beidou"), 2.5e-8 * C, places=3)
+        for model in ("gps", "bdgim", "nequick", "qzss"):
+            self.assertIn("no Klobuchar coefficients in it", run("tec", old, *at, *up, "--model", model, status=1).stderr)
+
+        new = self.path("new.rnx")
+        with open(new, "w", encoding="ascii") as f:
+            f.write(label("     4.00           NAVIGATION DATA     C", "RINEX VERSION / TYPE"))
+            f.write(label("", "END OF HEADER"))
+            for hour, a in (("05", 3e-8), ("03", 1e-8), ("07", 9e-8)):
+                f.write(f"> ION C20 D1D2\n    2024 02 04 {hour} 00 00" + fields(a, 0, 0) + "\n    " + fields(0, 1e5, 0, 0) +
+                        "\n    " + fields(0, 0, None, None) + "\n")
+            f.write("> EPH C20 D1\n" + eph)
+            f.write(f"> ION E02 IFNV\n    2024 02 04 05 00 00" + fields(80, 0.1, 0.01) + "\n    " + fields(0, None, None, None) + "\n")
+        # BDT is 14 s later: 06:00:14 lies between the sets of 5 h and 7 h.
+        self.assertAlmostEqual(delay(new, *up), 3.5e-8 * C, places=3)
+        done = run("tec", new, *at, *up, "--model", "nequick", status=1)
+        self.assertIn("ccir11.asc", done.stderr)
+
     def test_fnav_alone(self):
         nav = self.path("fnav.rnx")
         with open(nav, "w", encoding="ascii") as f:

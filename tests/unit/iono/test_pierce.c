@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pierce point, mapping functions, delays, the sun-fixed frame and the broadcast model.
 #include "core/nan.h"
-#include "iono/field/klobuchar.h"
+#include "iono/broadcast/klobuchar.h"
 #include "iono/field/pierce.h"
 #include "iono/field/sun_frame.h"
 #include "testing.h"

@@ -3,8 +3,10 @@
 // holes, clipped cells, epochs and refusals.
 #include "core/nan.h"
 #include "core/rng.h"
+#include "iono/broadcast/bdgim.h"
 #include "iono/field/sun_frame.h"
 #include "iono/field/tec_field.h"
+#include "iono/field/tec_field_nc.h"
 #include "testing.h"
 
 enum { ROWS = 71, COLS = 73 };
@@ -389,13 +391,86 @@ static void test_klobuchar_field(void **state)
     free(at);
 }
 
+// Sets that change: the latest of the past holds, before the first that one.
+static void test_broadcast_sets(void **state)
+{
+    (void)state;
+    orr_time t0;
+    assert_int_equal(orr_time_parse("2024-02-04T00:00:00", NULL, &t0, NULL), ORR_OK);
+    orr_tec_broadcast set[3] = {{.t = t0}, {.t = orr_time_add_s(t0, 7200)}, {.t = orr_time_add_s(t0, 14400)}};
+    for (int k = 0; k < 3; k++) set[k].value[0] = 20 + 10 * k;
+    const orr_time from = orr_time_add_s(t0, -86400), to = orr_time_add_s(t0, 86400);
+    orr_tec_field *f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_tec_field_from_broadcast(ORR_TEC_BDGIM, set, 3, from, to, "made", NULL, &f, &d), d);
+    assert_string_equal(orr_tec_field_kind(f), "bdgim");
+    const orr_time *epochs;
+    assert_int_equal(orr_tec_field_epochs(f, &epochs), 0);
+    orr_tec_instant *at = malloc(sizeof *at);
+    const struct {
+        double after_s;
+        int k;
+    } seen[] = {{-3600, 0}, {0, 0}, {7199, 0}, {7200, 1}, {14400, 2}, {86400, 2}};
+    for (size_t i = 0; i < sizeof seen / sizeof *seen; i++) {
+        const orr_time t = orr_time_add_s(t0, seen[i].after_s);
+        orr_tec_value v;
+        ASSERT_OK(orr_tec_field_at(f, t, at, &d), d);
+        ASSERT_OK(orr_tec_vertical(at, unit(0.35, 1.7), &v, &d), d);
+        ASSERT_NEAR(v.vtec_tecu, orr_bdgim_vertical_tecu(set[seen[i].k].value, t, 0.35, 1.7), 1e-9);
+    }
+    // As a file and back.
+    orr_nc_writer w;
+    orr_nc_reader nc;
+    orr_tec_field *g;
+    ASSERT_OK(orr_nc_create("broadcast-field.nc", &w, &d), d);
+    ASSERT_OK(orr_tec_field_put(&w, f, &d), d);
+    ASSERT_OK(orr_nc_commit(&w, &d), d);
+    ASSERT_OK(orr_nc_open("broadcast-field.nc", &nc, &d), d);
+    ASSERT_OK(orr_tec_field_get(&nc, &g, &d), d);
+    orr_nc_close(&nc);
+    assert_string_equal(orr_tec_field_kind(g), "bdgim");
+    for (double after_s = -3600; after_s < 20000; after_s += 1800)
+        assert_true(vtec(g, orr_time_add_s(t0, after_s), 0.35, 1.7) ==
+                    vtec(f, orr_time_add_s(t0, after_s), 0.35, 1.7));
+    orr_tec_field_free(g);
+    orr_tec_field_free(f);
+
+    // BeiDou's eight in BeiDou's formula, as electron content whatever the carrier.
+    orr_tec_broadcast eight = {ORR_TIME_NONE, {2e-8, 1e-8, -3e-8, 0, 100000, 20000, 0, 0}};
+    const orr_klobuchar k = {{2e-8, 1e-8, -3e-8, 0}, {100000, 20000, 0, 0}};
+    ASSERT_OK(orr_tec_field_from_broadcast(ORR_TEC_BEIDOU, &eight, 1, from, to, "made", NULL, &f, &d), d);
+    assert_string_equal(orr_tec_field_kind(f), "klobuchar");
+    orr_iono_site s;
+    orr_pierce p;
+    orr_tec_ray r;
+    ASSERT_OK(orr_tec_field_at(f, t0, at, &d), d);
+    ASSERT_OK(orr_iono_site_at(orr_earth_to_ecef((orr_geodetic){0.7, 2, 100}), &s, &d), d);
+    ASSERT_OK(orr_pierce_direction(&s, 2, 0.5, ORR_SHELL_RADIUS_M, &p, &d), d);
+    ASSERT_OK(orr_tec_look_through(at, &s, &p, &r, &d), d);
+    ASSERT_NEAR(orr_iono_delay_m(r.stec_tecu, 1561.098e6, ORR_MEASURES_CODE),
+                orr_klobuchar_beidou_delay_m(&k, t0, 0.7, 2, 2, 0.5), 1e-6);
+    ASSERT_NEAR(r.mapping * r.vtec_tecu, r.stec_tecu, 1e-9);
+    orr_tec_field_free(f);
+
+    assert_int_equal(orr_tec_field_from_broadcast(ORR_TEC_BDGIM, set, 0, from, to, "made", NULL, &f, &d),
+                     ORR_E_NODATA);
+    assert_int_equal(orr_tec_field_from_broadcast(ORR_TEC_AUTO, set, 3, from, to, "made", NULL, &f, &d),
+                     ORR_E_ARG);
+    assert_int_equal(orr_tec_field_from_broadcast(ORR_TEC_NEQUICK, set, 3, from, to, "made", NULL, &f, &d),
+                     ORR_E_NODATA);
+    set[2].t = set[1].t;
+    assert_int_equal(orr_tec_field_from_broadcast(ORR_TEC_BDGIM, set, 3, from, to, "made", NULL, &f, &d),
+                     ORR_E_FORMAT);
+    free(at);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_refit_exact),    cmocka_unit_test(test_between_epochs),
-        cmocka_unit_test(test_rms_and_ray),    cmocka_unit_test(test_clipped_cells),
-        cmocka_unit_test(test_holes),          cmocka_unit_test(test_negative_cells),
-        cmocka_unit_test(test_refusals),       cmocka_unit_test(test_model),
-        cmocka_unit_test(test_klobuchar_field)};
+        cmocka_unit_test(test_refit_exact),     cmocka_unit_test(test_between_epochs),
+        cmocka_unit_test(test_rms_and_ray),     cmocka_unit_test(test_clipped_cells),
+        cmocka_unit_test(test_holes),           cmocka_unit_test(test_negative_cells),
+        cmocka_unit_test(test_refusals),        cmocka_unit_test(test_model),
+        cmocka_unit_test(test_klobuchar_field), cmocka_unit_test(test_broadcast_sets)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
