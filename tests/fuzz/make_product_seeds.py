@@ -149,11 +149,32 @@ SINEX = """%=SNX 2.02 IGN 24:053:83755 IGN 24:035:00000 24:036:00000 C  1484 2 S
 """
 
 
+# The IERS' own tables: finals2000A by columns, C04 in the forms of 14 and of 20.
+FINALS = "".join(
+    f"24{12:2d}{mjd - 60644:2d} {mjd:5d}.00 {kind}  0.123456 0.000091  0.234567 0.000092  "
+    f"{kind}-0.0123456 0.0000123  0.7654 0.0045  P     0.123    0.128    -0.456    0.160\n"
+    for mjd, kind in ((60651, "I"), (60652, "I"), (60653, "P"), (60658, "P"))) + "241215 60659.00\n"
+C04_14 = """                             EARTH ORIENTATION PARAMETER (EOP) PRODUCT CENTER
+                                          EOP (IERS) 14 C04
+      Date      MJD      x          y        UT1-UTC       LOD         dX        dY        x Err
+                         "          "           s           s
+1962   1   1  37665  -0.012700   0.213000   0.0326338   0.0017230   0.000000   0.000000   0.030000   0.030000  0.0020000  0.0014000    0.012000    0.002000
+2019   3   4  58546   0.055555   0.366666  -0.0876543   0.0009876   0.000111  -0.000222   0.000033   0.000044  0.0000055  0.0000066    0.000077    0.000088
+2019   3   5  58547   0.055666   0.366777  -0.0881111   0.0009876   0.000111  -0.000222   0.000033   0.000044  0.0000055  0.0000066    0.000077    0.000088
+"""
+C04_20 = """# EOP (IERS) 20 C04 TIME SERIES  consistent with ITRF 2020
+# YR  MM  DD  HH       MJD        x(")        y(")  UT1-UTC(s)       dX(")      dY(")       xrt(")
+2019   3   4   0  58546.00    0.055555    0.366666  -0.0876543    0.000111   -0.000222    0.001230   -0.002340   0.0009876    0.000033    0.000044   0.0000055    0.000077    0.000088    0.000099    0.000091   0.0000066
+2019   3   4  12  58546.50    0.055666    0.366777  -0.0881111    0.000111   -0.000222    0.001230   -0.002340   0.0009876    0.000033    0.000044   0.0000055    0.000077    0.000088    0.000099    0.000091   0.0000066
+"""
+
+
 def main():
     seeds = {
         "ionex/tec": ionex(), "ionex/all_kinds": ionex(kinds=("TEC", "RMS", "HEIGHT"), extra=AUX),
         "ionex/three_dimensional": ionex(heights=2, exponent=head("    -2", "EXPONENT")),
         "ion/two_models": ion(), "erp/igs": ERP_IGS, "erp/tai": ERP_TAI, "erp/both": ERP_TAI + ERP_IGS,
+        "erp/finals": FINALS, "erp/c04_14": C04_14, "erp/c04_20": C04_20,
         "clk/v300": clk("3.00"), "clk/v200": clk("2.00"), "clk/v304": clk("3.04"),
         "antex/plain": antex(0.0), "antex/azimuths": antex(90.0), "bias/sinex": BIAS, "bias/dcb": DCB, "sinex/station": SINEX,
     }

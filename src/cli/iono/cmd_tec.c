@@ -272,7 +272,8 @@ const orr_command orr_cmd_tec = {
     .operands = "FIELD",
     .min_operands = 1,
     .max_operands = 1,
-    .about = "FIELD is an IONEX file, Bernese coefficients (.ION), or a RINEX navigation file (a broadcast model). "
+    .about = "FIELD is an IONEX file, Bernese coefficients (.ION), or a RINEX navigation file (a broadcast "
+             "model). "
              "Maps are refitted to "
              "spherical harmonics of degree 15 in the solar-geomagnetic frame, which is what they are "
              "printed from; --bilinear "
