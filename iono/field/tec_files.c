@@ -138,36 +138,51 @@ static const struct {
                  [ORR_TEC_NAVIC] = {'I', ORR_NAV_KLOBUCHAR}, [ORR_TEC_BEIDOU] = {'C', ORR_NAV_KLOBUCHAR},
                  [ORR_TEC_BDGIM] = {'C', ORR_NAV_BDGIM},     [ORR_TEC_NEQUICK] = {'E', ORR_NAV_NEQUICK_G}};
 
+// QZSS sends a set for the wide area and one for Japan: that of the wide area.
 static bool is_of(const orr_nav_iono *c, orr_tec_algorithm a)
 {
-    return c->system == source_of[a].system && c->kind == source_of[a].kind;
+    return c->system == source_of[a].system && c->kind == source_of[a].kind &&
+           !(a == ORR_TEC_QZSS && c->flags == 1);
 }
 
-static int by_time(const void *a, const void *b)
+typedef struct timed_set {
+    orr_tec_broadcast set;
+    size_t row; // in the file
+} timed_set;
+
+static int by_time_and_row(const void *a, const void *b)
 {
-    const orr_time ta = ((const orr_tec_broadcast *)a)->t, tb = ((const orr_tec_broadcast *)b)->t;
-    return (ta > tb) - (ta < tb);
+    const timed_set *x = a, *y = b;
+    if (x->set.t != y->set.t) return x->set.t < y->set.t ? -1 : 1;
+    return (x->row > y->row) - (x->row < y->row);
 }
 
 // A file's sets of a model in the order of time, one for each: a mark of a header is an hour of `day`. Of two for one
-// time the one further down stands.
-static size_t sets_of(const orr_nav *nav, orr_tec_algorithm a, orr_time day, orr_tec_broadcast *out)
+// time the one further down stands. Both arrays have room for all of nav->iono.
+static size_t sets_of(const orr_nav *nav, orr_tec_algorithm a, orr_time day, timed_set *all,
+                      orr_tec_broadcast *out)
 {
-    size_t n = 0;
+    size_t n = 0, n_all = 0;
     for (size_t i = 0; i < nav->n_iono; i++) {
         const orr_nav_iono *c = &nav->iono[i];
         if (!is_of(c, a)) continue;
-        orr_tec_broadcast set = {.t = c->t};
+        timed_set *one = &all[n_all++];
+        *one = (timed_set){.set.t = c->t, .row = i};
         if (c->t == ORR_TIME_NONE && c->time_mark >= 'A' && c->time_mark <= 'X')
-            set.t = orr_time_add(day, (int64_t)(c->time_mark - 'A') * 3600 * ORR_NS_PER_S);
-        const int count = c->kind == ORR_NAV_BDGIM ? 9 : c->kind == ORR_NAV_NEQUICK_G ? 3 : 8;
-        memcpy(set.value, c->coefficient, (size_t)count * sizeof(double));
-        size_t at = 0;
-        while (at < n && out[at].t != set.t) at++;
-        out[at] = set;
-        if (at == n) n++;
+            one->set.t = orr_time_add(day, (int64_t)(c->time_mark - 'A') * 3600 * ORR_NS_PER_S);
+        const size_t count = c->kind == ORR_NAV_BDGIM ? 9 : c->kind == ORR_NAV_NEQUICK_G ? 3 : 8;
+        memcpy(one->set.value, c->coefficient, count * sizeof(double));
+        for (size_t k = 0; k < count; k++)
+            if (!isfinite(c->coefficient[k])) {
+                n_all--; // a set that lacks a number is none
+                break;
+            }
     }
-    qsort(out, n, sizeof *out, by_time);
+    qsort(all, n_all, sizeof *all, by_time_and_row);
+    for (size_t i = 0; i < n_all; i++) {
+        if (n > 0 && out[n - 1].t == all[i].set.t) n--;
+        out[n++] = all[i].set;
+    }
     return n;
 }
 
@@ -201,12 +216,20 @@ static orr_status from_nav(const orr_nav *nav, const char *name, const orr_tec_o
     }
     const int64_t day = (int64_t)ORR_S_PER_DAY * ORR_NS_PER_S;
     const orr_time middle = from + (to - from) / 2;
+    timed_set *all = malloc(nav->n_iono * sizeof *all);
     orr_tec_broadcast *set = malloc(nav->n_iono * sizeof *set);
-    if (set == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for coefficients");
-    const size_t n = sets_of(nav, chosen, middle - orr_floor_mod(middle, day), set);
-    if (set[n - 1].t != ORR_TIME_NONE && set[n - 1].t > to) to = set[n - 1].t;
+    if (all == NULL || set == NULL) {
+        free(all);
+        free(set);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for coefficients");
+    }
+    const size_t n = sets_of(nav, chosen, middle - orr_floor_mod(middle, day), all, set);
+    free(all);
     for (size_t k = 0; k < n; k++)
-        if (set[k].t != ORR_TIME_NONE && set[k].t < from) from = set[k].t;
+        if (set[k].t != ORR_TIME_NONE) {
+            if (set[k].t < from) from = set[k].t;
+            if (set[k].t > to) to = set[k].t;
+        }
     const orr_status s =
         orr_tec_field_from_broadcast(chosen, set, n, from - day, to + day, name, options, out, diag);
     free(set);
