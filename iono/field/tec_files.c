@@ -165,7 +165,7 @@ static size_t sets_of(const orr_nav *nav, orr_tec_algorithm a, orr_time day, tim
     size_t n = 0, n_all = 0;
     for (size_t i = 0; i < nav->n_iono; i++) {
         const orr_nav_iono *c = &nav->iono[i];
-        if (!is_of(c, a)) continue;
+        if (!is_of(c, a) || (c->t != ORR_TIME_NONE && !orr_time_is_near(c->t))) continue;
         timed_set *one = &all[n_all++];
         *one = (timed_set){.set.t = c->t, .row = i};
         if (c->t == ORR_TIME_NONE && c->time_mark >= 'A' && c->time_mark <= 'X')
