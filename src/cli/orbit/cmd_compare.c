@@ -10,6 +10,7 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
 #include "src/cli/frame/options.h"
+#include "src/cli/orbit/compare_clocks_print.h"
 
 static const char *const place_name[ORR_COMPARE_PLACES] = {"inner", "edge", "gap"};
 
@@ -37,7 +38,7 @@ static json_t *json_stats(const orr_compare_stats *s)
     return o;
 }
 
-static int print_json(const orr_cli *c, const orr_comparison *x)
+static int print_json(const orr_cli *c, const orr_comparison *x, const orr_clock_comparison *clocks)
 {
     json_t *j = json_object(), *systems = json_object(), *sats = json_array(), *left = json_object();
     for (size_t i = 0; i < x->n_systems; i++) {
@@ -62,6 +63,7 @@ static int print_json(const orr_cli *c, const orr_comparison *x)
     json_object_set_new(j, "systems", systems);
     json_object_set_new(j, "satellites", sats);
     json_object_set_new(j, "left_out", left);
+    json_object_set_new(j, "clocks", compare_clocks_json(clocks));
     json_object_set_new(j, "truth_velocity", json_string(x->vel_derived ? "positions" : "records"));
     return orr_json_print(c, j, JSON_INDENT(2));
 }
@@ -238,14 +240,23 @@ static int compare(orr_cli *c, const subject *u, orr_sp3 *truth, size_t n)
             orr_cli_say(c, "(with --inputs, epochs that the product was made from are compared as well)");
         return failed;
     }
+    orr_clock_comparison clocks = {0};
+    if (u->e != NULL && orr_compare_clocks(u->e, truth, n, orr_cli_sats(c, "sat"), orr_cli_given(c, "inputs"),
+                                           &clocks, &diag) != ORR_OK) {
+        orr_comparison_free(&x);
+        return orr_cli_fail(c, &diag);
+    }
     int status = ORR_EXIT_OK;
     if (orr_cli_says(c, "format", "json"))
-        status = print_json(c, &x);
-    else if (strcmp(orr_cli_text(c, "csv", ""), "-") != 0) // standard output is the series then
+        status = print_json(c, &x, &clocks);
+    else if (strcmp(orr_cli_text(c, "csv", ""), "-") != 0) { // standard output is the series then
         print_human(c, &x, u->e != NULL);
+        compare_clocks_print(&clocks);
+    }
     const int within = judge(c, &x);
     if (status == ORR_EXIT_OK) status = within;
     orr_comparison_free(&x);
+    orr_clock_comparison_free(&clocks);
     return status;
 }
 
@@ -314,9 +325,14 @@ const orr_command orr_cmd_compare = {
         "V records are not always the derivatives of the positions beside them (some centres leave out "
         "the turning of the "
         "equator, 6e-5 m/s): --velocity positions tells.\n\n"
+        "Clocks are compared between the nodes of the product's clocks (with --inputs also at them), at each "
+        "epoch less the median over the satellites of a system, of four at least: what all share is the "
+        "reference clock's. error/sigma is the RMS of the difference over the product's own sigma there, 1 "
+        "where that is honest.\n\n"
         "JSON keys: of systems.G.inner n, satellites, rms_mm, p95_mm, max_mm, vel_n, vel_rms_mps, mean_mm, "
         "and radial, along, cross with rms_mm and mean_mm each; the same for edge and gap, and for each "
-        "system; satellites; left_out.",
+        "system; satellites; left_out; of clocks.systems.G satellites, n, rms_ns, p95_ns, max_ns, "
+        "sigma_rms_ns and ratio; clocks.satellites, clocks.left_out.",
     .example = "orrery orbit -o day.nc --nodes 900 COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery compare day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz",
     .n_options = sizeof options / sizeof options[0],
