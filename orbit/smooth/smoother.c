@@ -107,6 +107,14 @@ static void describe(const orr_smoother_options *o, bool about_reference, char *
                  o->detect ? "yes" : "no", o->passes);
 }
 
+// Appended to the settings in words.
+static void describe_clocks(const orr_smoother_options *o, double max_gap_s, char *buf, size_t n)
+{
+    const size_t used = strlen(buf);
+    snprintf(buf + used, n - used, "; clocks: %sreference %s, longest hole: %g s",
+             o->n_clk > 0 ? "RINEX CLK before SP3, " : "", o->clock_remove_reference ? "removed" : "kept", max_gap_s);
+}
+
 // Work shared by the threads: satellites are independent, each goes to whichever thread is free, into its own
 // place.
 typedef struct pool {
@@ -225,6 +233,7 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     out->from = table->from;
     out->to = table->to;
     describe(o, about_reference, out->options, sizeof out->options);
+    describe_clocks(o, table->clock_max_gap_s, out->options, sizeof out->options);
     snprintf(out->frame, sizeof out->frame, "%s", input[0].sp3->coordinates);
     return ORR_OK;
 }

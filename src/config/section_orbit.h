@@ -10,6 +10,7 @@ typedef struct orr_scenario_orbit {
     orr_text_list sp3; // or SP3 files, smoothed at start
     orr_text_list erp; // Earth rotation parameters for the smoothing; none: a secular pole, UT1 by the leap
                        // seconds
+    orr_text_list clk; // RINEX CLK files, whose clocks come before those of sp3
     double nodes_s;    // keep only epochs that are multiples of it; 0: all
     orr_interval_list exclude;
 } orr_scenario_orbit;

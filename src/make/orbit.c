@@ -25,6 +25,8 @@ orr_orbit_plan orr_orbit_plan_of(const orr_scenario_orbit *section)
     p.n_sp3 = section->sp3.n;
     p.erp = (const char *const *)section->erp.item;
     p.n_erp = section->erp.n;
+    p.clk = (const char *const *)section->clk.item;
+    p.n_clk = section->clk.n;
     p.smoother.node_step_s = section->nodes_s;
     p.smoother.exclude = section->exclude.item;
     p.smoother.n_exclude = section->exclude.n;
