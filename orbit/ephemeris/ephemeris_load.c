@@ -246,12 +246,15 @@ static orr_status read_clock_noise(const file *f, orr_ephemeris *e)
     if (s == ORR_OK) s = read_column(f, "clock_sigma", ORR_NC_FLOAT, e->n_clocks, (void **)&sigma);
     for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++) {
         e->sat[i].clock_noise = (orr_clock_noise){white[i], walk[i], frequency[i]};
-        if (white[i] < 0 || walk[i] < 0 || frequency[i] < 0) s = wrong(f, "the noise of a clock is negative");
+        const double *const of[3] = {&white[i], &walk[i], &frequency[i]};
+        for (int k = 0; k < 3; k++)
+            if (*of[k] < 0 || *of[k] > EPH_MAX_CLOCK_S * EPH_MAX_CLOCK_S)
+                s = wrong(f, "the noise of a clock is none");
     }
     for (size_t i = 0; i < e->n_clocks && s == ORR_OK; i++) {
         e->clock[i].sigma_s = sigma[i];
-        if (!(sigma[i] >= 0) || isinf(sigma[i]))
-            s = wrong(f, "the sigma of a clock is negative or no number");
+        if (!(sigma[i] >= 0 && sigma[i] <= (float)EPH_MAX_CLOCK_S))
+            s = wrong(f, "the sigma of a clock is none");
     }
     free(white);
     free(walk);

@@ -112,7 +112,8 @@ static void describe_clocks(const orr_smoother_options *o, double max_gap_s, cha
 {
     const size_t used = strlen(buf);
     snprintf(buf + used, n - used, "; clocks: %sreference %s, longest hole: %g s",
-             o->n_clk > 0 ? "RINEX CLK before SP3, " : "", o->clock_remove_reference ? "removed" : "kept", max_gap_s);
+             o->n_clk > 0 ? "RINEX CLK before SP3, " : "", o->clock_remove_reference ? "removed" : "kept",
+             max_gap_s);
 }
 
 // Work shared by the threads: satellites are independent, each goes to whichever thread is free, into its own

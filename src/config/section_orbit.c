@@ -18,7 +18,8 @@ static const orr_key rows[] = {
     FILES_ROW(orr_scenario_orbit, "erp", erp, not_a_product,
               "Earth rotation parameters; without them the orbits themselves tell pole and length of day"),
     FILES_ROW(orr_scenario_orbit, "clk", clk, not_a_product,
-              "RINEX clock files (30 s, 5 s), whose clocks come before those of sp3; aligned where another centre's"),
+              "RINEX clock files (30 s, 5 s), whose clocks come before those of sp3; aligned where another "
+              "centre's"),
     REAL_ROW(orr_scenario_orbit, "nodes", nodes_s, 0, 86400, "s", "0", not_a_product,
              "use only epochs that are multiples of this; 0 for all"),
     {.name = "exclude",

@@ -98,6 +98,12 @@ static void make(unsigned kind)
     orr_orbit_solution s = kind == 1 ? bare() : smoothed(kind == 0 ? 5 : 26);
     orr_ephemeris *e;
     orr_diag diag = {0};
+    orr_clock_event events[2] = {
+        {ORR_CLOCK_EVENT_JUMP, s.sat[0].sat, s.from, orr_time_add_s(s.from, 900), 1e-6, ""},
+        {ORR_CLOCK_EVENT_REFERENCE, ORR_SAT_NONE, orr_time_add_s(s.from, 1800), orr_time_add_s(s.from, 3600),
+         -3e-7, "GRE"}};
+    free(s.clock_events.item);
+    s.clock_events = (orr_clock_events){2, events};
     if (orr_ephemeris_build(&s, &e, &diag) != ORR_OK || orr_ephemeris_save(e, path, "made", &diag) != ORR_OK)
         abort();
     nc_mock_keep(kind);
@@ -105,6 +111,7 @@ static void make(unsigned kind)
     nc_mock_edit(kind, NULL, 0);
     if (orr_ephemeris_load(path, &e, &diag) != ORR_OK) abort(); // or nothing would be tried below
     orr_ephemeris_free(e);
+    s.clock_events = (orr_clock_events){0};
     if (kind == 1)
         made_solution_free(&s);
     else
@@ -118,6 +125,7 @@ static void check_state(const orr_sat_state *s, orr_time t)
     const bool has_clock = (s->flags & ORR_EPH_CLOCK_VALID) != 0;
     if (!finite3(s->pos_m) || !finite3(s->vel_mps) || !finite3(s->acc_mps2)) abort();
     if (!(s->sigma_m >= 0) || isinf(s->sigma_m) || s->valid_from > t || s->valid_to < t) abort();
+    if (s->clock_sigma_s < 0 || isinf(s->clock_sigma_s) || (!has_clock && !isnan(s->clock_sigma_s))) abort();
     if (has_clock ? !isfinite(s->clock_s) || !isfinite(s->clock_rate_sps) : !isnan(s->clock_s)) abort();
 }
 

@@ -81,6 +81,15 @@ static void test_round_trip(void **state)
     orr_orbit_solution s = made_solution(20, 4, 900, 6);
     s.sat[2].arc[0].sample[7].flags = ORR_EPH_PREDICTED;
     s.sat[4].clock[5].flags = ORR_EPH_CLOCK_EVENT;
+    s.sat[4].clock[7].flags = ORR_EPH_PREDICTED;
+    s.sat[4].clock[7].sigma_s = 2e-9f;
+    for (size_t i = 0; i < 20; i++) s.sat[i].clock_noise = (orr_clock_noise){1e-21 * (double)i, 1e-24, 1e-33};
+    s.sat[9].clock_noise = (orr_clock_noise){(double)NAN, (double)NAN, (double)NAN}; // not known
+    orr_clock_event found[3] = {
+        {ORR_CLOCK_EVENT_WRONG, s.sat[1].sat, made_midnight, made_midnight, 1e-7, ""},
+        {ORR_CLOCK_EVENT_JUMP, s.sat[4].sat, made_midnight, made_midnight + 5, -1e-6, ""},
+        {ORR_CLOCK_EVENT_REFERENCE, ORR_SAT_NONE, made_midnight + 7, made_midnight + 9, 4e-8, "GR"}};
+    s.clock_events = (orr_clock_events){3, found};
     s.sat[5].n_events = 0;
     s.sat[6].n_clocks = 0;
     s.sat[7].n_arcs = 0;
@@ -117,8 +126,25 @@ static void test_round_trip(void **state)
         n = orr_ephemeris_clocks(a, sat, &ca);
         assert_int_equal(n, orr_ephemeris_clocks(b, sat, &cb));
         for (size_t k = 0; k < n; k++)
-            assert_true(ca[k].t == cb[k].t && ca[k].clock_s == cb[k].clock_s && ca[k].flags == cb[k].flags);
+            assert_true(ca[k].t == cb[k].t && ca[k].clock_s == cb[k].clock_s && ca[k].flags == cb[k].flags &&
+                        ca[k].sigma_s == cb[k].sigma_s);
     }
+    const orr_clock_event *event;
+    assert_int_equal(orr_ephemeris_clock_events(b, &event), 3);
+    for (size_t k = 0; k < 3; k++) {
+        assert_true(event[k].kind == found[k].kind && event[k].sat == found[k].sat &&
+                    event[k].t0 == found[k].t0 && event[k].t1 == found[k].t1 &&
+                    event[k].value_s == found[k].value_s);
+        assert_string_equal(event[k].systems, found[k].systems);
+    }
+    orr_sat_state at; // between a node and a predicted one: both kinds of sigma
+    assert_int_equal(orr_ephemeris_eval(b, s.sat[4].sat, s.sat[4].clock[6].t + 150 * ORR_NS_PER_S, &at),
+                     ORR_OK);
+    const double between_s2 = 4e-21 * 1.5 + 1e-24 * 75 + 1e-33 * 2.7e7 / 48, given_s2 = 0.5 * 4e-18;
+    ASSERT_NEAR(at.clock_sigma_s, sqrt(between_s2 + given_s2), 1e-15);
+    assert_int_equal(orr_ephemeris_eval(b, s.sat[9].sat, made_midnight + 150 * ORR_NS_PER_S, &at), ORR_OK);
+    assert_true(isfinite(at.clock_s) && isnan(at.clock_sigma_s));
+    s.clock_events = (orr_clock_events){0};
     const orr_earth_rotation *r = orr_ephemeris_rotation(b);
     assert_int_equal(r->source, ORR_ROTATION_ESTIMATED);
     ASSERT_NEAR(r->pole_sigma_rad, 2e-11, 1e-25); // through arc seconds
