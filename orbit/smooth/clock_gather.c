@@ -190,7 +190,8 @@ static void tell_events(const orr_clock_events *events, orr_warnings *warnings)
                          told - TOLD);
 }
 
-// What a clock that the centre predicted may be off, by how the clock wandered while it was observed.
+// What a clock that the centre predicted may be off: what a prediction of our own from the clocks observed before may
+// be, and what the two are apart.
 static orr_status sigma_of_predicted(orr_clock_list *l)
 {
     size_t observed = 0;
@@ -204,8 +205,10 @@ static orr_status sigma_of_predicted(orr_clock_list *l)
         s = orr_clock_predictor_init(l->node, observed, &model, &noise, &p);
     }
     for (size_t i = observed; i < l->n && s == ORR_OK; i++)
-        if ((l->node[i].flags & ORR_EPH_PREDICTED) != 0)
-            l->node[i].sigma_s = (float)orr_clock_predictor_at(p, l->node[i].t).sigma_s;
+        if ((l->node[i].flags & ORR_EPH_PREDICTED) != 0) {
+            const orr_clock_prediction own = orr_clock_predictor_at(p, l->node[i].t);
+            l->node[i].sigma_s = (float)hypot(own.sigma_s, l->node[i].clock_s - own.clock_s);
+        }
     orr_clock_predictor_free(p);
     return s == ORR_E_MEMORY ? s : ORR_OK; // a clock that tells too little has no such sigma
 }
