@@ -37,7 +37,7 @@ typedef struct orr_reference_problem {
     orr_reference_arc *arc;
     const orr_eop_series *eop; // start of the rotation; NULL: the secular pole and what leap seconds tell
     bool hold;                 // orbits are to be fitted with eop as it is; corrections are told beside
-    int gravity_degree;        // 2 to 12
+    int gravity_degree;        // 2 to 21
     int jobs;
     const volatile int *cancel; // may be NULL; non-zero stops with ORR_E_INTERRUPTED
 } orr_reference_problem;

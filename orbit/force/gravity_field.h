@@ -6,7 +6,7 @@
 #include "core/status.h"
 #include "core/vec.h"
 
-#define ORR_GRAVITY_MAX_DEGREE 12
+#define ORR_GRAVITY_MAX_DEGREE 21
 
 typedef struct orr_gravity_field {
     int degree, order;

@@ -13,6 +13,7 @@
 #define LEAST_S 0.05 // scales that are tried
 #define MOST_S 20.0
 #define SCALES 80
+#define LEAST_TELLING 6 // nodes after the young ones, to choose without a prior
 
 typedef struct evidence { // of the innovations after the young ones
     double chi2, log_det;
@@ -71,5 +72,31 @@ orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, co
     }
     c->noise.factor = best.factor;
     look(c, list, verdict, t, first, last);
+    return best;
+}
+
+#define WIDEST 9.0 // log10 of the factors of qf that are tried for a low orbit
+#define FINE 0.25
+#define FREE_SPREAD 1.5 // of the logarithm of the scale
+
+orr_noise_choice orr_noise_choose_freely(orr_track_context *c, const orr_node *list,
+                                         const orr_verdict *verdict, orr_track *t)
+{
+    const orr_noise_factor factor = c->noise.factor;
+    orr_noise_choice best = {.scale = 1, .factor = factor};
+    double most = -HUGE_VAL;
+    for (double lq = LOWEST; lq <= WIDEST; lq += FINE) {
+        c->noise.factor.q = factor.q * pow(10, lq);
+        const evidence e = look(c, list, verdict, t, 0, t->n - 1);
+        if (e.n < 3 * LEAST_TELLING || !(e.chi2 > 0)) break;
+        // The scale is the one that suits the factor best: its square is the mean of the squares.
+        // Where the model is what errs, the likelihood is flat over decades: what files are rounded to decides.
+        const double n = (double)e.n, a = log(sqrt(e.chi2 / n) * 1e3 * c->options->plain.sigma_m / SCALE_MM),
+                     p = -e.log_det - 0.5 * n * log(e.chi2 / n) - 0.5 * a * a / (FREE_SPREAD * FREE_SPREAD);
+        if (!(p > most)) continue;
+        most = p;
+        best = (orr_noise_choice){sqrt(e.chi2 / n), c->noise.factor, e.n / 3};
+    }
+    c->noise.factor = best.factor;
     return best;
 }

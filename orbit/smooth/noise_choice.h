@@ -28,4 +28,10 @@ typedef struct orr_noise_choice {
 orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                                   orr_track *t, size_t first, size_t last, double node_step_s);
 
+// The same for an orbit that is ruled by what no model here tells (drag, the field's details): ratio and scale by the
+// largest likelihood of the innovations, with a wide prior of the scale (ln s about 0.30 mm, 1.5). Few nodes leave it as
+// it is. The context's factor is set to the choice.
+orr_noise_choice orr_noise_choose_freely(orr_track_context *c, const orr_node *list,
+                                         const orr_verdict *verdict, orr_track *t);
+
 #endif

@@ -317,6 +317,21 @@ static size_t invalidate_left_out(work *w, const orr_track *t, const orr_segment
     return n;
 }
 
+#define LOW_ORBIT_M 1.5e7 // below it drag and the field's details are no matter of ECOM
+
+// How large the random walk of a low orbit is depends on its height and the Sun: the nodes tell.
+static orr_status choose_noise_of_low_orbit(work *w, orr_track *t, size_t i0)
+{
+    const bool low = orr_vec3_norm(w->node[i0].ecef_m) < LOW_ORBIT_M;
+    if (!low || w->c->noise.nx == ORR_NX || !w->c->options->plain.choose_qf) return ORR_OK;
+    orr_verdict *none = calloc(w->n + 1, sizeof *none);
+    if (none == NULL) return ORR_E_MEMORY;
+    w->c->noise.factor = w->factor;
+    orr_noise_choose_freely(w->c, w->node, none, t);
+    free(none);
+    return ORR_OK;
+}
+
 // Nodes list[i0..i1), no two of them further apart than the longest bridged gap.
 static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
 {
@@ -338,6 +353,7 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         s = orr_track_init(w->c, from_s, to_s, w->table->step_s, w->node, i1, &t);
         if (s != ORR_OK) return s;
         s = orr_track_linearise(w->c, w->ref, &t);
+        if (s == ORR_OK) s = choose_noise_of_low_orbit(w, &t, i0);
         if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, w->table->step_s, &t, &seg);
         double largest = 0;
         for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
@@ -418,7 +434,6 @@ static void drop_bridge(work *w)
 // precision beside nodes of a millimetre.
 #define ROUGH_START_R_M 100.0
 #define ROUGH_START_V_MPS 1.0
-#define LOW_ORBIT_M 1.5e7 // below it drag and the field's details are no matter of ECOM
 
 static bool all_fitted(const orr_satellite_reference *r)
 {
@@ -453,6 +468,9 @@ static void choose_method(orr_track_context *c, orr_node_list *list, bool may_be
         c->noise.start_v_mps = START_V_MPS;
     }
     c->force->precise = rich;
+    const int degree = low ? o->low_gravity_degree : o->gravity_degree;
+    if (c->force->earth.degree != degree) // both were tried before
+        orr_gravity_field_init(&c->force->earth, degree, o->zonal_only, NULL);
     if (rich) return;
     c->reference = NULL;
     for (size_t i = 0; i < list->n_nodes; i++)

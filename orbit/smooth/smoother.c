@@ -15,6 +15,7 @@ orr_smoother_options orr_smoother_defaults(void)
     return (orr_smoother_options){
         .frame = ORR_SKY_GCRS,
         .gravity_degree = 8,
+        .low_gravity_degree = ORR_GRAVITY_MAX_DEGREE,
         .sun_moon = true,
         .srp_mps2 = 1e-7,
         .reference = true,
@@ -25,7 +26,8 @@ orr_smoother_options orr_smoother_defaults(void)
         .plain = {.sigma_m = 0.025,
                   .sigma_predicted_m = 0.10,
                   .qf_m2ps5 = 1e-16,
-                  .f0_sigma_mps2 = 1e-3}, // diffuse: the first nodes decide
+                  .f0_sigma_mps2 = 1e-3, // diffuse: the first nodes decide
+                  .choose_qf = true},
         .f0_axes = ORR_F0_RTN,
         .max_gap_s = 8 * 3600.0,
         .extend_to = ORR_TIME_NONE,
@@ -40,11 +42,12 @@ orr_smoother_options orr_smoother_literal(void)
 {
     orr_smoother_options o = orr_smoother_defaults();
     o.frame = ORR_SKY_UNIFORM;
-    o.gravity_degree = 0;
+    o.gravity_degree = o.low_gravity_degree = 0;
     o.sun_moon = false;
     o.srp_mps2 = 0;
     o.reference = false;
     o.plain.qf_m2ps5 = 0;
+    o.plain.choose_qf = false;
     o.plain.qv_m2ps3 = 1e-6; // q1..q3 stand for J2, Sun and Moon; larger values change nothing any more
     o.f0_axes = ORR_F0_ECEF;
     o.passes = 1;
@@ -327,6 +330,8 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     orr_node_table table = {0};
     orr_sky *sky = NULL;
     orr_status s = check_options(options, diag);
+    if (s == ORR_OK)
+        s = orr_gravity_field_init(&force.earth, options->low_gravity_degree, options->zonal_only, diag);
     if (s == ORR_OK)
         s = orr_gravity_field_init(&force.earth, options->gravity_degree, options->zonal_only, diag);
     if (s == ORR_OK) s = orr_nodes_collect(input, n_inputs, options, &table, warnings, diag);

@@ -27,8 +27,9 @@ typedef struct orr_smoother_clk {
 typedef struct orr_smoother_options {
     // a-priori force
     orr_sky_frame frame;
-    int gravity_degree; // 0 central term alone .. 12
-    bool zonal_only;    // with degree 2: J2 alone
+    int gravity_degree;     // 0 central term alone .. 21
+    int low_gravity_degree; // the same of low orbits, below 15000 km of radius, which feel more of the field
+    bool zonal_only;        // with degree 2: J2 alone
     bool sun_moon;
     double srp_mps2; // plain radiation pressure at 1 au with the Earth's shadow
     // All satellites are fitted first, together with the Earth's rotation beneath them
@@ -44,6 +45,7 @@ typedef struct orr_smoother_options {
     struct {
         double sigma_m, sigma_predicted_m, qf_m2ps5, f0_sigma_mps2;
         double qv_m2ps3; // white noise q1..q3 of (33)
+        bool choose_qf;  // of low orbits, by likelihood: qf is where the search begins
     } plain;
     orr_f0_axes f0_axes;
     // input

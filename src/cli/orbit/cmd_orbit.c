@@ -105,8 +105,8 @@ static const orr_option options[] = {
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 0,
-     .max = 12,
-     .help = "Degree of the gravity field; 0 is the central term alone."},
+     .max = 21,
+     .help = "Degree of the gravity field; 0 is the central term alone. 8 by default, 21 for low orbits."},
     {.name = "sun-moon",
      .kind = ORR_OPT_CHOICE,
      .value = "yes|no",
@@ -126,7 +126,8 @@ static const orr_option options[] = {
      .value = "Q",
      .min = 0,
      .max = 1,
-     .help = "Random walk of the empirical acceleration, m2/s5; 0 keeps it constant."},
+     .help = "Random walk of the empirical acceleration, m2/s5; 0 keeps it constant. By default it is chosen "
+             "for low orbits, below 15000 km of radius, by likelihood."},
     {.name = "qv",
      .kind = ORR_OPT_REAL,
      .value = "Q",
@@ -163,6 +164,7 @@ static void smoother_options(const orr_cli *c, orr_smoother_options *o)
     *o = says(c, "method", "literal", false) ? orr_smoother_literal() : orr_smoother_defaults();
     if (orr_cli_given(c, "frame")) o->frame = says(c, "frame", "gcrs", true) ? ORR_SKY_GCRS : ORR_SKY_UNIFORM;
     o->gravity_degree = (int)orr_cli_int(c, "gravity", o->gravity_degree);
+    o->low_gravity_degree = (int)orr_cli_int(c, "gravity", o->low_gravity_degree);
     o->sun_moon = says(c, "sun-moon", "yes", o->sun_moon);
     o->srp_mps2 = orr_cli_real(c, "srp", o->srp_mps2);
     if (orr_cli_given(c, "f0"))
@@ -171,6 +173,7 @@ static void smoother_options(const orr_cli *c, orr_smoother_options *o)
                                                    : ORR_F0_INERTIAL;
     o->qf_m2ps5 = orr_cli_real(c, "qf", o->qf_m2ps5);
     o->plain.qf_m2ps5 = orr_cli_real(c, "qf", o->plain.qf_m2ps5);
+    if (orr_cli_given(c, "qf")) o->plain.choose_qf = false;
     o->plain.qv_m2ps3 = orr_cli_real(c, "qv", o->plain.qv_m2ps3);
     o->sigma_m = orr_cli_real(c, "sigma", o->sigma_m);
     o->plain.sigma_m = orr_cli_real(c, "sigma", o->plain.sigma_m);
