@@ -24,7 +24,7 @@ orr_vec3 orr_attitude_sun(orr_time t, const orr_eop_series *eop);
 
 // Nominal yaw steering at r moving with v_inertial (velocity in the inertial sense resolved in the same axes:
 // for ecef v + u x r) under a Sun at sun_m. Real satellites depart from it in eclipses and around noon and
-// midnight: flagged, not modelled. They turn by 0.10 deg/s (GPS IIA; Kouba 2009) to 0.25 (GLONASS-M); the
+// midnight: flagged; orr_attitude_by_law follows those of several blocks. They turn by 0.10 deg/s (GPS IIA; Kouba 2009) to 0.25 (GLONASS-M); the
 // flag is set where the law's fastest turn, n / tan(beta), is above 0.10 deg/s, for the half hour before and
 // after noon or midnight that 180 deg take then. ORR_E_NUMERIC where Sun, satellite and Earth stand in line.
 orr_status orr_attitude_nominal(orr_vec3 r_m, orr_vec3 v_inertial_mps, orr_vec3 sun_m, orr_attitude *out);

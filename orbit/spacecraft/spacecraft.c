@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/spacecraft/spacecraft.h"
 
+#include "orbit/spacecraft/attitude_laws.h"
 #include "orbit/spacecraft/orbit_class.h"
 
 // The record that stands for t, usable or not.
@@ -41,7 +42,9 @@ orr_status orr_spacecraft_at(const orr_spacecraft_sources *src, orr_sat sat, orr
     const char system = orr_sat_system(sat);
     x.orbit_normal = (system == 'C' || system == 'J') && orr_orbit_class_of(r, v) == ORR_ORBIT_GEO;
     if (x.orbit_normal) orr_attitude_orbit_normal(r, v, sun, &x.attitude);
-    x.has_attitude = x.orbit_normal || orr_attitude_nominal(r, v, sun, &x.attitude) == ORR_OK;
+    const orr_attitude_law law =
+        orr_attitude_law_of(src->antex != NULL ? orr_antex_find_sat(src->antex, sat, t) : NULL);
+    x.has_attitude = x.orbit_normal || orr_attitude_by_law(law, r, v, sun, &x.attitude) == ORR_OK;
     place_antenna(src->antex, sat, t, &x);
     x.relativity_s = orr_periodic_relativity_s(r, v);
     x.health = health_at(src->nav, sat, t, src->messages);

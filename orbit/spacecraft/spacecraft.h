@@ -11,7 +11,7 @@
 
 typedef struct orr_spacecraft_sources {
     const orr_ephemeris *orbit;
-    const orr_antex *antex;   // NULL: no antennas
+    const orr_antex *antex;   // antennas, and blocks for their laws of turning; NULL: none
     const orr_bias_set *bias; // NULL: group delays by nav
     const orr_nav *nav;       // NULL: no health, and no group delays without bias
     uint32_t messages;        // of nav to insist on (orr_broadcast_choice.messages); 0: the usual ones

@@ -7,7 +7,7 @@
 
 #include "core/rng.h"
 #include "iono/field/pierce.h"
-#include "orbit/spacecraft/attitude.h"
+#include "orbit/spacecraft/attitude_laws.h"
 #include "src/scenario/channel/channels_private.h"
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/power.h"
@@ -124,8 +124,8 @@ static void set_attitude(const moment *m, ray *r)
     const orr_sat_state *x = &r->reception;
     const orr_vec3 v = orr_velocity_inertial(x->pos_m, x->vel_mps);
     if (r->sat->orbit_normal) orr_attitude_orbit_normal(x->pos_m, v, m->sun_m, &r->attitude);
-    r->has_attitude =
-        r->sat->orbit_normal || orr_attitude_nominal(x->pos_m, v, m->sun_m, &r->attitude) == ORR_OK;
+    r->has_attitude = r->sat->orbit_normal ||
+                      orr_attitude_by_law(r->sat->law, x->pos_m, v, m->sun_m, &r->attitude) == ORR_OK;
     if (r->has_attitude && r->attitude.fast_turn) r->flags |= ORR_CHANNEL_FAST_TURN;
 }
 

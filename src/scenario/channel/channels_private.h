@@ -5,6 +5,7 @@
 
 #include <stdatomic.h>
 
+#include "orbit/spacecraft/attitude_laws.h"
 #include "orbit/spacecraft/signal_delay.h"
 #include "src/scenario/channel/channel.h"
 #include "src/scenario/channel/sun_track.h"
@@ -17,7 +18,8 @@ typedef struct channel_satellite {
     uint32_t flags;        // UNHEALTHY, NOMINAL_FREQUENCY
     int frequency_channel; // GLONASS
     double power_db;
-    bool orbit_normal; // geostationary satellites of BeiDou and QZSS
+    orr_attitude_law law; // of its block, by ANTEX
+    bool orbit_normal;    // geostationary satellites of BeiDou and QZSS
 } channel_satellite;
 
 // Length of the blocks of 10 s, once somebody has asked. It depends on the scenario alone, so whoever decides it first writes

@@ -72,6 +72,8 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
         for (size_t j = 0; j < o->power.n; j++)
             if (orr_sat_set_has(&o->power.item[j].sats, x->sat)) x->power_db += o->power.item[j].db;
         x->orbit_normal = is_orbit_normal(e, x->sat);
+        x->law =
+            orr_attitude_law_of(c->has_antex ? orr_antex_find_sat(&c->antex, x->sat, c->span.from) : NULL);
         if (orr_sat_system(x->sat) == 'R' &&
             !orr_glonass_channel(nav, x->sat, c->span.from, &x->frequency_channel, &nominal))
             x->sends = false; // nobody knows its carriers
@@ -105,8 +107,8 @@ static orr_status open_antennas(const orr_scenario *s, const orr_source_motion *
         status = orr_antenna_open(s, k, motion, last_resort, c->has_antex ? &c->antex : NULL, &c->antenna[k],
                                   warnings, diag);
         if (status == ORR_OK && c->options.windup)
-            status =
-                orr_windup_open(c->orbits, &c->antenna[k], c->span, &c->sun, cancel, &c->windup[k], diag);
+            status = orr_windup_open(c->orbits, &c->antenna[k], c->has_antex ? &c->antex : NULL, c->span,
+                                     &c->sun, cancel, &c->windup[k], diag);
         if (status == ORR_OK) c->n_antennas = k + 1;
     }
     return status;

@@ -46,8 +46,9 @@ static orr_status count_headings(const orr_antenna *a, orr_windup *w, orr_diag *
     return ORR_OK;
 }
 
-static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna *a, const orr_sun_track *sun,
-                              const volatile int *cancel, orr_windup *w, orr_diag *diag)
+static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna *a, const orr_antex *antex,
+                              const orr_sun_track *sun, const volatile int *cancel, orr_windup *w,
+                              orr_diag *diag)
 {
     const orr_sat *list;
     w->n_sats = orr_source_orbit_satellites(orbits, &list);
@@ -55,7 +56,7 @@ static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna 
     double *last = calloc(w->n_sats, sizeof *last);
     orr_status status = ORR_OK;
     if (w->turns == NULL || last == NULL) status = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    const orr_spacecraft_sources src = {.orbit = orr_source_orbit_ephemeris(orbits)};
+    const orr_spacecraft_sources src = {.orbit = orr_source_orbit_ephemeris(orbits), .antex = antex};
     orr_antenna_state state = {.r_m = {0, 0, 0}};
     bool placed = false;
     for (size_t i = 0; status == ORR_OK && i < w->n_nodes; i++) {
@@ -74,13 +75,13 @@ static orr_status count_nodes(const orr_source_orbit *orbits, const orr_antenna 
     return status;
 }
 
-orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a, orr_span span,
-                           const orr_sun_track *sun, const volatile int *cancel, orr_windup *out,
-                           orr_diag *diag)
+orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a, const orr_antex *antex,
+                           orr_span span, const orr_sun_track *sun, const volatile int *cancel,
+                           orr_windup *out, orr_diag *diag)
 {
     *out = (orr_windup){.from = span.from, .n_nodes = (size_t)((span.to - span.from) / NODE_NS) + 2};
     orr_status s = count_headings(a, out, diag);
-    if (s == ORR_OK) s = count_nodes(orbits, a, sun, cancel, out, diag);
+    if (s == ORR_OK) s = count_nodes(orbits, a, antex, sun, cancel, out, diag);
     if (s != ORR_OK) orr_windup_free(out);
     return s;
 }

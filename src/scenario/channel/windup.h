@@ -20,15 +20,16 @@ typedef struct orr_windup {
 // Counts the turns over a span.
 // Given:
 //   orbits, a  satellites, and the antenna
+//   antex      blocks of the satellites, for their laws of turning; NULL: nominal attitudes
 //   span       when
 //   sun        the Sun over the span
 //   cancel     ends it; may be NULL
 // Returned:
 //   out        the turns; free with orr_windup_free
 //   diag       ORR_E_MEMORY, ORR_E_INTERRUPTED
-orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a, orr_span span,
-                           const orr_sun_track *sun, const volatile int *cancel, orr_windup *out,
-                           orr_diag *diag);
+orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a, const orr_antex *antex,
+                           orr_span span, const orr_sun_track *sun, const volatile int *cancel,
+                           orr_windup *out, orr_diag *diag);
 void orr_windup_free(orr_windup *w); // leaves *w empty
 
 // Wind-up of satellite k at t, cycles: to be added to the carrier's phase range.
