@@ -32,6 +32,8 @@ void orr_imu_free(orr_imu *m)
 {
     free(m->dtheta_rad);
     free(m->dv_mps);
+    free(m->measured_dtheta_rad);
+    free(m->measured_dv_mps);
     free(m->gyro_radps);
     free(m->accel_mps2);
     free(m->r_m);

@@ -34,7 +34,9 @@ typedef struct orr_imu {
     orr_imu_mode mode;
     double knot_origin_s, knot_step_s; // of the trajectory; 0: none
     int knot_degree; // 3: a navigator's groups must end at knots; 5: smooth enough to pass over them
-    orr_vec3 *dtheta_rad, *dv_mps;     // [n] increments over [t_j, t_j+1], body axes
+    orr_vec3 *dtheta_rad, *dv_mps; // [n] increments over [t_j, t_j+1], body axes
+    orr_vec3 *measured_dtheta_rad,
+        *measured_dv_mps;              // [n] the same with errors of sensors; NULL unless asked for
     orr_vec3 *gyro_radps, *accel_mps2; // [n + 1] instantaneous readings; NULL unless asked for
     size_t truth_every; // truth stands at edges 0, truth_every, 2 truth_every, ...: 1 as generated, more in
                         // files

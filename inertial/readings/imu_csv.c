@@ -13,8 +13,12 @@ orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_imu_axes axes, orr
             orr_imu_axes_name(axes), orr_time_text(imu->t0, t0));
     fprintf(f,
             "t_s,dtheta_x_rad,dtheta_y_rad,dtheta_z_rad,dv_x_mps,dv_y_mps,dv_z_mps,lat_deg,lon_deg,height_m,"
-            "%s,heading_deg,pitch_deg,roll_deg%s\n",
+            "%s,heading_deg,pitch_deg,roll_deg%s%s\n",
             frd ? "v_north_mps,v_east_mps,v_down_mps" : "v_east_mps,v_north_mps,v_up_mps",
+            imu->measured_dtheta_rad != NULL
+                ? ",measured_dtheta_x_rad,measured_dtheta_y_rad,measured_dtheta_z_rad,"
+                  "measured_dv_x_mps,measured_dv_y_mps,measured_dv_z_mps"
+                : "",
             imu->gyro_radps != NULL ? ",gyro_x_radps,gyro_y_radps,gyro_z_radps,accel_x_mps2,accel_y_mps2,"
                                       "accel_z_mps2"
                                     : "");
@@ -40,6 +44,14 @@ orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_imu_axes axes, orr
                 g.lon_rad * ORR_DEG_PER_RAD, g.height_m, v.x, v.y, v.z,
                 orr_heading_shown_deg(a.heading_rad, 9), a.pitch_rad * ORR_DEG_PER_RAD,
                 a.roll_rad * ORR_DEG_PER_RAD);
+        if (imu->measured_dtheta_rad != NULL) {
+            orr_vec3 w = {0, 0, 0}, a_f = {0, 0, 0};
+            if (j > 0) {
+                w = frd ? orr_axes_swapped(imu->measured_dtheta_rad[j - 1]) : imu->measured_dtheta_rad[j - 1];
+                a_f = frd ? orr_axes_swapped(imu->measured_dv_mps[j - 1]) : imu->measured_dv_mps[j - 1];
+            }
+            fprintf(f, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", w.x, w.y, w.z, a_f.x, a_f.y, a_f.z);
+        }
         if (imu->gyro_radps != NULL) {
             orr_vec3 w = frd ? orr_axes_swapped(imu->gyro_radps[j]) : imu->gyro_radps[j],
                      a_f = frd ? orr_axes_swapped(imu->accel_mps2[j]) : imu->accel_mps2[j];

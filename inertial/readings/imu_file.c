@@ -198,6 +198,11 @@ orr_status orr_imu_write(const char *path, const orr_imu *imu, const orr_gravime
              "integral of the absolute angular rate over the step, body axes", diag);
     put_body(&w, "dv_mps", step_xyz, imu->dv_mps, imu->n, labels->axes, "m s-1",
              "integral of the specific force over the step, body axes", diag);
+    put_body(&w, "measured_dtheta_rad", step_xyz, imu->measured_dtheta_rad, imu->n, labels->axes, "rad",
+             "the same as the gyros measure it, with their errors", diag);
+    put_body(&w, "measured_dv_mps", step_xyz, imu->measured_dv_mps, imu->n, labels->axes, "m s-1",
+             "the same as the accelerometers measure it, with their errors", diag);
+    if (labels->errors != NULL) (void)orr_nc_put_att_text(&w, NULL, "errors", labels->errors, diag);
     put_body(&w, "gyro_radps", edge_xyz, imu->gyro_radps, imu->n + 1, labels->axes, "rad s-1",
              "absolute angular rate, body axes", diag);
     put_body(&w, "accel_mps2", edge_xyz, imu->accel_mps2, imu->n + 1, labels->axes, "m s-2",

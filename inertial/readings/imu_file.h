@@ -17,6 +17,7 @@ typedef struct orr_imu_labels {
     size_t n_inputs;
     size_t truth_every; // truth is written at every so many edges; 0 or 1: all
     orr_imu_axes axes;  // of readings and attitudes in the file
+    const char *errors; // whose errors the measured increments have; NULL: there are none
 } orr_imu_labels;
 
 // Writes a run of readings as NetCDF-4. Layout: dimensions step (n), edge (n + 1), truth (n / truth_every + 1), xyz (3), quat (4), gravimetry;

@@ -102,6 +102,15 @@ static orr_status read_series(const orr_nc_reader *r, orr_imu *imu, orr_diag *di
     if (s == ORR_OK) s = orr_nc_get_var(r, "position_m", ORR_NC_DOUBLE, 2, truths, imu->r_m, diag);
     if (s == ORR_OK) s = orr_nc_get_var(r, "velocity_mps", ORR_NC_DOUBLE, 2, truths, imu->v_mps, diag);
     if (s == ORR_OK) s = orr_nc_get_var(r, "attitude", ORR_NC_DOUBLE, 2, quats, imu->q_be, diag);
+    if (s == ORR_OK && orr_nc_has_var(r, "measured_dtheta_rad")) {
+        imu->measured_dtheta_rad = malloc(n * sizeof *imu->measured_dtheta_rad);
+        imu->measured_dv_mps = malloc(n * sizeof *imu->measured_dv_mps);
+        if (imu->measured_dtheta_rad == NULL || imu->measured_dv_mps == NULL)
+            return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu inertial samples", n);
+        s = orr_nc_get_var(r, "measured_dtheta_rad", ORR_NC_DOUBLE, 2, steps, imu->measured_dtheta_rad, diag);
+        if (s == ORR_OK)
+            s = orr_nc_get_var(r, "measured_dv_mps", ORR_NC_DOUBLE, 2, steps, imu->measured_dv_mps, diag);
+    }
     if (s == ORR_OK && imu->gyro_radps != NULL)
         s = orr_nc_get_var(r, "gyro_radps", ORR_NC_DOUBLE, 2, edges, imu->gyro_radps, diag);
     if (s == ORR_OK && imu->accel_mps2 != NULL)
@@ -116,6 +125,10 @@ static orr_status read_series(const orr_nc_reader *r, orr_imu *imu, orr_diag *di
     for (size_t j = 0; j < n; j++)
         if (!isfinite(orr_vec3_norm(imu->dtheta_rad[j])) || !isfinite(orr_vec3_norm(imu->dv_mps[j])))
             return orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0, "reading %zu is not finite", j);
+    for (size_t j = 0; j < n && imu->measured_dtheta_rad != NULL; j++)
+        if (!isfinite(orr_vec3_norm(imu->measured_dtheta_rad[j])) ||
+            !isfinite(orr_vec3_norm(imu->measured_dv_mps[j])))
+            return orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0, "measured reading %zu is not finite", j);
     return check_truth(r, imu, diag);
 }
 
@@ -130,6 +143,8 @@ static orr_status read_axes(const orr_nc_reader *r, orr_imu *imu, orr_diag *diag
         return orr_diag_at(diag, ORR_E_FORMAT, r->path, 0, 0, "readings in unknown axes \"%s\"", word);
     orr_axes_swap(imu->dtheta_rad, imu->n);
     orr_axes_swap(imu->dv_mps, imu->n);
+    orr_axes_swap(imu->measured_dtheta_rad, imu->n);
+    orr_axes_swap(imu->measured_dv_mps, imu->n);
     orr_axes_swap(imu->gyro_radps, imu->n + 1);
     orr_axes_swap(imu->accel_mps2, imu->n + 1);
     for (size_t k = 0; k < imu->n / imu->truth_every + 1; k++)

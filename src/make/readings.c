@@ -51,6 +51,10 @@ orr_status orr_readings_make(const orr_readings_plan *plan, orr_readings *out, o
         out->imu = (orr_imu){0}; // nothing is kept of a failure
         return s;
     }
+    if (plan->errors != NULL) {
+        s = orr_imu_add_errors(plan->errors, &out->imu, &out->cut, diag);
+        if (s != ORR_OK) return s;
+    }
     const size_t every = truth_every(&out->imu, plan->truth_rate_hz);
     const size_t tenth_s = (size_t)nearbyint(fmax(1.0, q.rate_hz / 10.0));
     out->truth_every = every;
@@ -84,7 +88,8 @@ orr_status orr_readings_save(const orr_readings *r, const orr_readings_plan *pla
                                    .input = input,
                                    .n_inputs = all.n,
                                    .truth_every = r->truth_every,
-                                   .axes = plan->axes};
+                                   .axes = plan->axes,
+                                   .errors = plan->errors != NULL ? plan->errors_title : NULL};
     if (s == ORR_OK) s = orr_imu_write(path, &r->imu, &r->truth, v->gravity, &labels, diag);
     free(input);
     orr_inputs_free(&all);

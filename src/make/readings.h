@@ -4,6 +4,7 @@
 #define ORR_MAKE_READINGS_H
 
 #include "inertial/readings/imu_file.h"
+#include "inertial/sense/errors.h"
 #include "src/make/moving.h"
 
 // A scenario, read once and appended to `inputs` (may be NULL). Errors and freeing as of orr_scenario_read.
@@ -15,7 +16,9 @@ typedef struct orr_readings_plan {
     double rate_hz;
     orr_imu_mode mode;
     bool instantaneous;
-    orr_imu_axes axes;    // of the file
+    orr_imu_axes axes;            // of the file
+    const orr_imu_errors *errors; // of the sensors; NULL: ideal readings alone
+    const char *errors_title;     // what they are, for the file
     double truth_rate_hz; // of the truth that a file has; 0: every reading of approach 1, 20 Hz of approach 2
 } orr_readings_plan;
 // What the motion's scenario asks for, of its own point.
@@ -24,7 +27,8 @@ orr_readings_plan orr_readings_plan_of(const orr_moving *moving);
 typedef struct orr_readings {
     orr_imu imu;
     orr_gravimetry truth;
-    size_t truth_every; // readings from one instant of truth to the next
+    size_t truth_every;    // readings from one instant of truth to the next
+    orr_errors_report cut; // what errors of sensors cut off
 } orr_readings;
 
 // Errors: those of orr_imu_generate and orr_gravimetry_truth. Free with orr_readings_free whatever it returned.

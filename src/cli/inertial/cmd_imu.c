@@ -5,6 +5,7 @@
 #include "core/outfile.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/inertial/moving.h"
+#include "src/make/errors.h"
 #include "src/make/readings.h"
 
 static void mode_options(const orr_cli *c, orr_readings_plan *p)
@@ -40,7 +41,7 @@ static orr_status write_csv(const char *path, const orr_imu *imu, orr_imu_axes a
     return s;
 }
 
-static int generate(orr_cli *c, const orr_scenario *sc, const orr_inputs *inputs, const orr_moving *v)
+static int generate(orr_cli *c, const orr_scenario *sc, orr_inputs *inputs, const orr_moving *v)
 {
     orr_diag diag = {0};
     const char *path = orr_cli_text(c, "output", "imu.nc");
@@ -61,8 +62,18 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_inputs *inputs
         return orr_cli_usage(
             c, "--axes frd does not apply with --approach 1: such readings are replayed to the bit in "
                "the axes they were made in");
-    orr_readings r;
-    orr_status s = orr_readings_make(&p, &r, &diag);
+    orr_readings r = {0};
+    orr_sensor_errors file = {0};
+    orr_imu_errors errors;
+    const char *of = orr_cli_text(c, "errors", NULL);
+    orr_status s = ORR_OK;
+    if (of != NULL) {
+        s = orr_errors_open(inputs, of, &file, &errors, &diag);
+        errors.seed = (uint64_t)orr_cli_int(c, "error-seed", s == ORR_OK ? file.seed : 0);
+        p.errors = &errors;
+        p.errors_title = file.title != NULL ? file.title : of;
+    }
+    if (s == ORR_OK) s = orr_readings_make(&p, &r, &diag);
     if (s == ORR_OK)
         s = is_csv(path) ? write_csv(path, &r.imu, p.axes, &diag)
                          : orr_readings_save(&r, &p, sc, inputs, path, c->call, &diag);
@@ -71,7 +82,12 @@ static int generate(orr_cli *c, const orr_scenario *sc, const orr_inputs *inputs
         orr_cli_say(c, "%s: %zu readings at %g Hz from %s GPS, %s", path, r.imu.n, r.imu.rate_hz,
                     orr_time_text(orr_time_add_s(r.imu.t0, r.imu.begin_s), from),
                     orr_imu_mode_text(&r.imu.mode, mode, sizeof mode));
+    for (int k = 0; k < 2 && s == ORR_OK; k++)
+        if (r.cut.saturated[k] > 0)
+            orr_cli_say(c, "%s at their limit in %zu of %zu readings", k == 0 ? "gyros" : "accelerometers",
+                        r.cut.saturated[k], r.imu.n);
     orr_readings_free(&r);
+    orr_sensor_errors_free(&file);
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
 }
 
@@ -147,6 +163,19 @@ static const orr_option options[] = {
      .kind = ORR_OPT_FLAG,
      .help = "Rate and specific force at each sample edge as well."},
     ORR_CLI_AXES_OPTION,
+    {.name = "errors",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Errors of the sensors (YAML, as in samples/sensors/): what they measure is written beside the "
+             "ideal "
+             "readings."},
+    {.name = "error-seed",
+     .applies = "errors",
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 0,
+     .max = 9e15,
+     .help = "Seed of everything random in them. Default: that of the file."},
     {.name = "truth-rate",
      .kind = ORR_OPT_REAL,
      .value = "HZ",

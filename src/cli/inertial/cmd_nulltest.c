@@ -115,6 +115,15 @@ static int run(orr_cli *c)
         orr_imu_file_free(&f);
         return refused;
     }
+    if (orr_cli_says(c, "readings", "measured")) {
+        if (f.imu.measured_dtheta_rad == NULL) {
+            orr_imu_file_free(&f);
+            return orr_cli_failf(c, "%s has no readings with errors ('orrery imu --errors' makes them)",
+                                 c->operand[0]);
+        }
+        memcpy(f.imu.dtheta_rad, f.imu.measured_dtheta_rad, f.imu.n * sizeof *f.imu.dtheta_rad);
+        memcpy(f.imu.dv_mps, f.imu.measured_dv_mps, f.imu.n * sizeof *f.imu.dv_mps);
+    }
     orr_navigator nav = choose(c, &f);
     orr_null_report r;
     orr_outfile out = {0};
@@ -162,6 +171,11 @@ static const orr_option options[] = {
      .help = "Vertical channel: free, or height and vertical velocity held on the truth. Free, its error "
              "grows e-fold "
              "in 570 s. Default free."},
+    {.name = "readings",
+     .kind = ORR_OPT_CHOICE,
+     .value = "ideal|measured",
+     .help =
+         "What the navigator is given: the ideal readings, or those with errors of sensors. Default ideal."},
     {.name = "samples",
      .applies = "navigator=reference",
      .kind = ORR_OPT_INT,

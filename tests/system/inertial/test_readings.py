@@ -215,6 +215,43 @@ class Readings(Folder):
         for other in largest[1:]:
             self.assertAlmostEqual(other, largest[0], delta=0.01 * 49)
 
+    def test_errors_of_sensors_and_their_allan_deviation(self):
+        """Each grade of samples/sensors is read; what it puts in as white noise comes back; the ideal readings stay beside it."""
+        still, nc, ideal = self.scenario("allan.yaml", "trajectory: {kind: analytic, duration: 1000, lat: 50, lon: 20}\nimu: {rate: 20}\n"), \
+            self.path("errors.nc"), self.path("ideal.nc")
+        run("imu", "-q", still, "-o", ideal)
+        clean = dump(ideal)["dv_mps"]
+        white = {"gravimeter": 0.0015, "navigation": 0.002, "tactical": 0.07, "industrial-mems": 0.1, "consumer-mems": 0.5}
+        for grade, root_hour in white.items():
+            run("imu", "-q", still, "--errors", sample(f"sensors/{grade}.yaml"), "-o", nc)
+            told = run_json("allan", nc, "--format", "json")
+            self.assertAlmostEqual(told["longest_tau_s"], 5, delta=0.01)
+            for axis in "xyz":
+                n = told["noises"][f"gyro_{axis}"]["white noise"]
+                self.assertAlmostEqual(n["value"] * 60 * 180 / math.pi / root_hour, 1, delta=0.03, msg=grade)
+                self.assertLess(n["low"], n["value"])
+                self.assertLess(n["value"], n["high"])
+        file = dump(nc)
+        self.assertEqual(file["dv_mps"], clean)
+        self.assertNotEqual(file["measured_dv_mps"], clean)
+        self.assertIn("Consumer MEMS", subprocess.run(["ncdump", "-h", nc], capture_output=True, text=True, check=True).stdout)
+        self.assertLess(run_json("nulltest", nc, "--format", "json")["position"]["max_3d_m"], 1e-3)
+        run("imu", "-q", still, "--errors", sample("sensors/tactical.yaml"), "-o", nc)
+        strayed = run_json("nulltest", nc, "--readings", "measured", "--vertical", "held", "--format", "json")["position"]["max_3d_m"]
+        self.assertGreater(strayed, 50)  # 300 ug of bias after 1000 s
+        self.assertLess(strayed, 20000)
+        rows = table(run("imu", "-q", still, "--errors", sample("sensors/tactical.yaml"), "--error-seed", "7", "--axes", "frd", "-o", "-").stdout)
+        self.assertAlmostEqual(rows[5]["measured_dv_z_mps"], rows[5]["dv_z_mps"], delta=1e-2)
+        curves = table(run("allan", nc, "--csv", "-").stdout.replace("gyro_", "").replace("accel_", "")
+                       .replace("\nx,", "\n0,").replace("\ny,", "\n0,").replace("\nz,", "\n0,"))
+        self.assertTrue(all(r["low"] < r["deviation"] < r["high"] for r in curves))
+        self.assertIn("no readings with errors", run("nulltest", ideal, "--readings", "measured", status=1).stderr)
+        self.assertIn("no readings with errors", run("allan", ideal, "--of", "errors", status=1).stderr)
+        for text, sentence in (("gyro: {white: -1}\n", "white"), ("gyro: {instability: {sigma: 1, time: 0}}\n", "time"),
+                               ("gyro: {bias: [1, 2]}\n", "2 values; one for all, or 3"), ("gyro: {drift: 1}\n", "unknown key"),
+                               ("accelerometer: {limit: 0.5}\n", "measure nothing"), ("accelerometer: {g_sensitivity: 1}\n", "unknown key")):
+            self.assertIn(sentence, run("imu", "-q", still, "--errors", self.scenario("bad.yaml", text), "-o", nc, status=1).stderr)
+
     def test_phases_from_rest_to_rest(self):
         """A unit that stands, takes off, climbs and lands: what it reads at rest is gravity, and the whole navigates back."""
         path = self.scenario("phases.yaml", "trajectory:\n  kind: phases\n  lat: 50\n  lon: 20\n  azimuth: 40\n  turbulence: {rms: 1}\n"
