@@ -4,7 +4,7 @@
 #define ORR_MAKE_READINGS_H
 
 #include "inertial/readings/imu_file.h"
-#include "inertial/sense/errors.h"
+#include "inertial/sense/measured.h"
 #include "src/make/moving.h"
 
 // A scenario, read once and appended to `inputs` (may be NULL). Errors and freeing as of orr_scenario_read.

@@ -5,7 +5,7 @@
 #include "core/outfile.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/inertial/moving.h"
-#include "src/make/errors.h"
+#include "src/make/measured.h"
 #include "src/make/readings.h"
 
 static void mode_options(const orr_cli *c, orr_readings_plan *p)

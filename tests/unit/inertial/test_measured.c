@@ -5,7 +5,7 @@
 #include "inertial/motion/analytic.h"
 #include "inertial/nav/null_test.h"
 #include "inertial/sense/allan.h"
-#include "inertial/sense/errors.h"
+#include "inertial/sense/measured.h"
 #include "inertial/sense/sensors.h"
 
 #define HZ 10.0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/make/errors.h"
+#include "src/make/measured.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file of sensor errors, in the units of data sheets, to the model of them.
-#ifndef ORR_MAKE_ERRORS_H
-#define ORR_MAKE_ERRORS_H
+#ifndef ORR_MAKE_MEASURED_H
+#define ORR_MAKE_MEASURED_H
 
-#include "inertial/sense/errors.h"
-#include "src/config/sensor_errors.h"
+#include "inertial/sense/measured.h"
+#include "src/config/sensor_file.h"
 #include "src/make/inputs.h"
 
 // In SI units; what needs no memory of the file stays, which may be freed.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file of sensor errors, a root of its own: what a grade of inertial sensors does to ideal readings. In the units of
 // data sheets.
-#ifndef ORR_CONFIG_SENSOR_ERRORS_H
-#define ORR_CONFIG_SENSOR_ERRORS_H
+#ifndef ORR_CONFIG_SENSOR_FILE_H
+#define ORR_CONFIG_SENSOR_FILE_H
 
 #include "src/config/schema.h"
 

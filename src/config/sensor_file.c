@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/config/sensor_errors.h"
+#include "src/config/sensor_file.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "inertial/sense/errors.h"
+#include "inertial/sense/measured.h"
 
 #include <math.h>
 #include <stdlib.h>

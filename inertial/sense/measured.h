@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of real sensors on ideal increments: biases and their drifts, noises, scale factors, axes that are not where
 // they should be, sensitivity to acceleration, limits and quantisation. Seeded: the same seed gives the same bits.
-#ifndef ORR_INERTIAL_SENSE_ERRORS_H
-#define ORR_INERTIAL_SENSE_ERRORS_H
+#ifndef ORR_INERTIAL_SENSE_MEASURED_H
+#define ORR_INERTIAL_SENSE_MEASURED_H
 
 #include "inertial/readings/imu.h"
 
