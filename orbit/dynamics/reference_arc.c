@@ -8,6 +8,8 @@
 #include "orbit/dynamics/variational.h"
 
 #define STEP_S 900.0 // at the radius of GNSS orbits; shorter the lower the orbit
+// Days that are to be carried on: passages of the shadow that are cut wrongly by centimetres become metres.
+#define FORECAST_STEP_S 450.0
 #define STEP_RADIUS_M 2.5e7
 #define SHOOT_S 3600.0 // between the two nodes of a first state, at least
 #define SHOOT_ROUNDS 15
@@ -63,9 +65,10 @@ static orr_vec3 inertial(const orr_arc_room *room, const orr_reference_node *nod
 }
 
 // The lower the orbit the faster it turns, and the more of the field's details it feels.
-static double step_for(orr_vec3 r)
+static double step_for(const orr_arc_room *room, orr_vec3 r)
 {
-    return STEP_S * fmin(1, orr_vec3_dot(r, r) / (STEP_RADIUS_M * STEP_RADIUS_M));
+    return (room->forget_s > 0 ? FORECAST_STEP_S : STEP_S) *
+           fmin(1, orr_vec3_dot(r, r) / (STEP_RADIUS_M * STEP_RADIUS_M));
 }
 
 typedef double transition[6][ORR_ARC_STATE]; // of the state at some instant by first state and ECOM
@@ -101,7 +104,7 @@ static orr_status step_on(const orr_arc_room *room, double t_s, double h_s, orr_
 static orr_status advance(const orr_arc_room *room, double t_s, double span_s, orr_vec3 *r, orr_vec3 *v,
                           transition z)
 {
-    const double longest = step_for(*r);
+    const double longest = step_for(room, *r);
     int steps = (int)ceil(fabs(span_s) / longest - 1e-9);
     if (steps < 1) steps = 1;
     orr_integrator_set(room->integrator, &room->force, longest * (1 + 1e-9));
@@ -247,12 +250,18 @@ static void make_row(const orr_arc_room *room, const orr_reference_arc *arc, con
     row[0][ORR_ARC_UNKNOWNS] = l.x, row[1][ORR_ARC_UNKNOWNS] = l.y, row[2][ORR_ARC_UNKNOWNS] = l.z;
 }
 
+// Weight of a node by its age.
+static double remembered(const orr_arc_room *room, const orr_reference_node *node)
+{
+    return room->forget_s > 0 ? exp((node->t_s - room->now_s) / room->forget_s) : 1;
+}
+
 static void accumulate(const orr_arc_room *room, const orr_reference_arc *arc, orr_arc_equations *e)
 {
     const double unit = 1 / (ORR_ARC_SIGMA_M * ORR_ARC_SIGMA_M);
     memset(e, 0, sizeof *e);
     for (size_t i = 0; i < arc->n; i++) {
-        const double w = unit * room->weight[i];
+        const double w = unit * room->weight[i] * remembered(room, &arc->node[i]);
         if (!(w > 0)) continue;
         e->n++;
         for (int k = 0; k < 3; k++) {

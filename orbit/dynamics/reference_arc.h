@@ -28,6 +28,7 @@ typedef struct orr_arc_room {
     const orr_sky *sky;
     const orr_rotation_knots *knots;
     size_t most_nodes;
+    double now_s, forget_s; // a node before now_s weighs less by e for every forget_s; 0: all weigh the same
     double (*row)[3][ORR_ARC_UNKNOWNS + 1]; // per node; the last is what was measured less what was computed
     double *length, *weight, *sort, *square;
 } orr_arc_room;

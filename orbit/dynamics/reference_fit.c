@@ -19,7 +19,8 @@
 #define POLE_RATE_MASPD 4.0
 #define LOD_MS 2.0
 #define LOD_RATE_MSPD 0.03
-#define UT1_MS 1e-6 // not visible: it stays
+#define UT1_MS 1e-6         // not visible: it stays
+#define NO_BEND_MASPD2 1e-6 // of a forecast: the pole goes straight on
 // Where an update is so small the last one is exact when it is added to a linear state: of a state, of the
 // rotation.
 #define SETTLED_M 0.05
@@ -99,6 +100,8 @@ static void *worker(void *arg)
     work *w = q->w;
     orr_arc_room room;
     const orr_status ready = orr_arc_room_init(w->sky, &w->knots, &w->earth, w->most_nodes, &room, NULL);
+    room.now_s = w->p->border_s[1];
+    room.forget_s = w->p->forecast ? w->p->forget_s : 0;
     for (size_t i; (i = atomic_fetch_add(&q->next, 1)) < w->p->n_arcs;) {
         orr_reference_arc *arc = &w->p->arc[i];
         share *s = &w->share[i];
@@ -169,8 +172,23 @@ static void add_prior(work *w, size_t first, const double *c, size_t n, int j, d
     }
 }
 
+// Of value, rate and the rate's change.
+static void add_polynomial_priors(work *w)
+{
+    static const double sigma[3][ORR_KNOT_VALUES] = {{POLE_MAS, POLE_MAS, UT1_MS},
+                                                     {POLE_RATE_MASPD, POLE_RATE_MASPD, LOD_MS},
+                                                     {NO_BEND_MASPD2, NO_BEND_MASPD2, LOD_RATE_MSPD}};
+    const double one = 1;
+    for (size_t k = 0; k < 3; k++)
+        for (int j = 0; j < ORR_KNOT_VALUES; j++) add_prior(w, k, &one, 1, j, sigma[k][j]);
+}
+
 static void add_priors(work *w)
 {
+    if (w->knots.polynomial) {
+        add_polynomial_priors(w);
+        return;
+    }
     const double one = 1, *t = w->knots.t_s;
     add_prior(w, 0, &one, 1, 2, UT1_MS);
     for (size_t k = 0; k < w->knots.n; k++) {
@@ -319,10 +337,16 @@ static void turn_sky(work *w)
     orr_sky_turn(w->sky, &w->series);
 }
 
-// Formal sigmas in the middle of the span.
+// Where the rotation is told: in the middle of the span, or where a forecast begins.
+static double told_at(const work *w)
+{
+    return w->knots.polynomial ? w->knots.t_s[1] : 0.5 * w->knots.t_s[w->knots.n - 1];
+}
+
+// Formal sigmas there.
 static void tell_sigma(work *w, orr_reference_fit *out, double *x)
 {
-    const double t_s = 0.5 * w->knots.t_s[w->knots.n - 1];
+    const double t_s = told_at(w);
     const size_t window = orr_knot_window(&w->knots, t_s), n = unknowns(w);
     double weight[ORR_KNOT_REACH];
     orr_knot_weights(&w->knots, window, t_s, weight);
@@ -341,6 +365,13 @@ static void tell_sigma(work *w, orr_reference_fit *out, double *x)
     out->pole_sigma_rad = sqrt(fmax(variance[0], variance[1])) * ORR_RAD_PER_DEG / 3.6e6;
     const double h = (w->knots.t_s[window + 1] - w->knots.t_s[window]) / ORR_S_PER_DAY;
     memset(x, 0, n * sizeof *x);
+    if (w->knots.polynomial) {
+        const size_t rate = ORR_KNOT_VALUES + 2;
+        x[rate] = 1;
+        solve(w, x);
+        out->lod_sigma_s = 1e-3 * sqrt(fmax(x[rate], 0));
+        return;
+    }
     const size_t a = ORR_KNOT_VALUES * window + 2, b = a + ORR_KNOT_VALUES;
     x[a] = -1 / h;
     x[b] = 1 / h;
@@ -351,7 +382,7 @@ static void tell_sigma(work *w, orr_reference_fit *out, double *x)
 static void tell_correction(const work *w, orr_reference_fit *out)
 {
     double value[ORR_KNOT_VALUES], per_day[ORR_KNOT_VALUES];
-    orr_knot_value(&w->knots, 0.5 * w->knots.t_s[w->knots.n - 1], value, per_day);
+    orr_knot_value(&w->knots, told_at(w), value, per_day);
     out->xp_rad = value[0] * ORR_RAD_PER_DEG / 3.6e6;
     out->yp_rad = value[1] * ORR_RAD_PER_DEG / 3.6e6;
     out->lod_s = -1e-3 * per_day[2];
@@ -409,6 +440,8 @@ static orr_status check(const orr_reference_problem *p, orr_diag *diag)
     bool good = p->n_windows >= 1 && p->jobs >= 1 && p->gravity_degree >= 2;
     for (size_t k = 0; k < p->n_windows && good; k++) good = p->border_s[k + 1] > p->border_s[k];
     for (size_t i = 0; i < p->n_arcs && good; i++) good = p->arc[i].window < p->n_windows;
+    if (p->forecast) good = good && p->n_windows == 2 && p->forget_s > 0;
+    for (size_t i = 0; i < p->n_arcs && good && p->forecast; i++) good = p->arc[i].window == 1;
     return good ? ORR_OK : orr_diag_set(diag, ORR_E_ARG, "windows of a reference fit must ascend");
 }
 
@@ -419,7 +452,10 @@ orr_status orr_reference_fit_run(const orr_reference_problem *problem, orr_refer
     if (s != ORR_OK) return s;
     work w = {.p = problem,
               .first = true,
-              .knots = {.origin = problem->from, .n = problem->n_windows + 1, .t_s = problem->border_s}};
+              .knots = {.origin = problem->from,
+                        .n = problem->n_windows + 1,
+                        .t_s = problem->border_s,
+                        .polynomial = problem->forecast}};
     for (size_t i = 0; i < problem->n_arcs; i++) {
         if (problem->arc[i].n > w.most_nodes) w.most_nodes = problem->arc[i].n;
         problem->arc[i].fitted = false;

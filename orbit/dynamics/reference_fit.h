@@ -37,7 +37,12 @@ typedef struct orr_reference_problem {
     orr_reference_arc *arc;
     const orr_eop_series *eop; // start of the rotation; NULL: the secular pole and what leap seconds tell
     bool hold;                 // orbits are to be fitted with eop as it is; corrections are told beside
-    int gravity_degree;        // 2 to 21
+    // To be carried on beyond the nodes: border_s holds three times, the nodes' end the middle one; every arc's
+    // window is 1, and it holds nodes of all the time before. The rotation is a polynomial of the whole span,
+    // and a node weighs less by e for every forget_s of its age.
+    bool forecast;
+    double forget_s;
+    int gravity_degree; // 2 to 21
     int jobs;
     const volatile int *cancel; // may be NULL; non-zero stops with ORR_E_INTERRUPTED
 } orr_reference_problem;
@@ -47,10 +52,11 @@ typedef struct orr_reference_fit {
     orr_eop_series rotation; // every three hours, zonal tides in UT1 included, the ocean's not
     bool estimated;          // there were satellites enough to tell
     int passes;
-    size_t fitted;                      // arcs
-    double rms_m;                       // their median
-    double pole_sigma_rad, lod_sigma_s; // formal, in the middle of the span, scaled by the residuals
-    // estimate minus start, in the middle of the span (whether held or not)
+    size_t fitted; // arcs
+    double rms_m;  // their median
+    // formal, in the middle of the span (of a forecast: at the nodes' end), scaled by the residuals
+    double pole_sigma_rad, lod_sigma_s;
+    // estimate minus start, there (whether held or not)
     double xp_rad, yp_rad, lod_s;
 } orr_reference_fit;
 

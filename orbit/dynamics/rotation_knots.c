@@ -36,6 +36,12 @@ static void add_slope(const orr_rotation_knots *k, size_t i, double times, ptrdi
 void orr_knot_weights(const orr_rotation_knots *k, size_t window, double t_s, double weight[ORR_KNOT_REACH])
 {
     const ptrdiff_t first = (ptrdiff_t)window - 1;
+    if (k->polynomial) {
+        const double d = (t_s - k->t_s[1]) / ORR_S_PER_DAY, term[3] = {1, d, d * d / 2};
+        for (ptrdiff_t i = 0; i < ORR_KNOT_REACH; i++)
+            weight[i] = first + i >= 0 && first + i < 3 ? term[first + i] : 0;
+        return;
+    }
     const double h = k->t_s[window + 1] - k->t_s[window], u = (t_s - k->t_s[window]) / h, u2 = u * u,
                  u3 = u2 * u;
     for (int i = 0; i < ORR_KNOT_REACH; i++) weight[i] = 0;

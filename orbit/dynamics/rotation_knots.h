@@ -17,6 +17,9 @@ typedef struct orr_rotation_knots {
     size_t n; // windows + 1
     const double *t_s;
     double (*value)[ORR_KNOT_VALUES];
+    // To be carried on beyond what was measured: n is 3, and in the place of knots stand value, rate (a day) and
+    // the rate's change (a day squared) at t_s[1], for the whole of t_s[0] to t_s[2].
+    bool polynomial;
 } orr_rotation_knots;
 
 // Weights of the knots window - 1 .. window + 2 in the curve at t_s; zero for knots that are not there.

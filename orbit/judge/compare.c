@@ -188,6 +188,7 @@ static int place_of(const orr_orbit_node *node, size_t n, orr_time t, int64_t us
     while (last > 0 && !node[last - 1].used) last--;
     if (last == 0) return ORR_COMPARE_PLACES;
     if (before > 0 && after < n && node[after].t - node[before - 1].t > 2 * usual_ns) return ORR_COMPARE_GAP;
+    if (t > node[last - 1].t) return ORR_COMPARE_PLACES; // beyond the last is judged by its age
     int64_t from_first = t - node[first].t, to_last = node[last - 1].t - t;
     if (llabs(from_first) <= EDGE_NS || llabs(to_last) <= EDGE_NS) return ORR_COMPARE_EDGE;
     return from_first >= INNER_NS && to_last >= INNER_NS ? ORR_COMPARE_INNER : ORR_COMPARE_PLACES;

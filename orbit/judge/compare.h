@@ -42,7 +42,7 @@ typedef struct orr_comparison {
     orr_compare_satellite *sat;               // descending rms
     size_t inputs; // truth's positions at epochs that the product was made from: left out, or not with_inputs
     size_t no_orbit;  // left out because the product has no orbit there
-    size_t between;   // compared, but in no place: between 45 min and 2 h from an end
+    size_t between;   // compared, but in no place: between 45 min and 2 h from an end, or beyond it
     bool vel_derived; // some velocities of the truth came from its positions (orbit/judge/velocity_filter.h)
 } orr_comparison;
 

@@ -66,6 +66,7 @@ static orr_status of_sp3(const orr_smoother_input *in, const orr_smoother_option
         for (size_t e = 0; e < sp3->n_epochs; e++) {
             const orr_sp3_record *r = &sp3->record[e * sp3->n_sats + s];
             if (!isfinite(r->clock_s) || !orr_epoch_wanted(sp3->epoch[e], sp3->scale, midnight, o)) continue;
+            if (o->observed_only && (r->flags & ORR_SP3_CLOCK_PREDICTED) != 0) continue;
             uint32_t flags = 0;
             if (r->flags & ORR_SP3_CLOCK_EVENT) flags |= ORR_EPH_CLOCK_EVENT;
             if (r->flags & ORR_SP3_CLOCK_PREDICTED) flags |= ORR_EPH_PREDICTED;

@@ -90,8 +90,9 @@ static orr_status gather_sat(const orr_smoother_input *input, const size_t *orde
         for (size_t e = 0; e < sp3->n_epochs; e++) {
             const orr_sp3_record *r = &sp3->record[e * sp3->n_sats + s];
             if (!orr_epoch_wanted(sp3->epoch[e], sp3->scale, midnight, o)) continue;
+            const bool predicted = (r->flags & ORR_SP3_ORBIT_PREDICTED) != 0;
+            if (o->observed_only && predicted) continue;
             if (isfinite(r->pos_m[0]) && isfinite(r->pos_m[1]) && isfinite(r->pos_m[2])) {
-                bool predicted = (r->flags & ORR_SP3_ORBIT_PREDICTED) != 0;
                 list->node[list->n_nodes++] = (orr_node){
                     .t = sp3->epoch[e],
                     .ecef_m = {r->pos_m[0], r->pos_m[1], r->pos_m[2]},
@@ -371,7 +372,11 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
         return orr_diag_set(diag, ORR_E_NODATA, "no satellite position is left to smooth%s",
                             n_sats == 0                              ? ": no file has any of the satellites"
                             : o->n_exclude > 0 || o->node_step_s > 0 ? " after decimation and exclusion"
-                                                                     : "");
+                            : o->observed_only
+                                ? ": the files flag all as predicted, and from predictions none "
+                                  "is made (without --predict and --now they are smoothed as they "
+                                  "are, flagged)"
+                                : "");
     }
     for (size_t i = 0; i < out->n_sats; i++)
         for (size_t k = 0; k < out->list[i].n_nodes; k++)

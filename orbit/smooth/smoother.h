@@ -51,6 +51,7 @@ typedef struct orr_smoother_options {
     // input
     double node_step_s; // keep only epochs that are multiples of it from midnight of the first file, in the
                         // files' own time systems; 0: all
+    bool observed_only; // nodes and clocks that a file flags as predicted are not used
     const orr_interval *exclude; // nodes inside are not used
     size_t n_exclude;
     const orr_sat_set *sats;   // NULL: all

@@ -13,7 +13,7 @@
 
 orr_orbit_plan orr_orbit_plan_default(void)
 {
-    orr_orbit_plan p = {.smoother = orr_smoother_defaults()};
+    orr_orbit_plan p = {.predict_after = ORR_TIME_NONE, .smoother = orr_smoother_defaults()};
     p.smoother.jobs = orr_parallel_cores();
     return p;
 }
@@ -153,6 +153,21 @@ static double now_s(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+static orr_status predict(const orr_orbit_plan *plan, const work *w, const orr_eop_series *eop,
+                          const orr_log *log, const volatile int *cancel, orr_orbit_made *out,
+                          orr_warnings *warnings, orr_diag *diag)
+{
+    const orr_time last = out->solution.to;
+    const bool later = plan->predict_after != ORR_TIME_NONE && plan->predict_after > last;
+    const orr_predict_options o = {
+        .to = orr_time_add_s(later ? plan->predict_after : last, plan->predict_s),
+        .eop = eop->n > 0 && out->report.eop_known ? eop : NULL,
+        .sats = plan->smoother.sats,
+        .jobs = plan->smoother.jobs,
+    };
+    return orr_predict(&out->solution, w->input, w->n_sp3, &o, log, cancel, &out->prediction, warnings, diag);
+}
+
 orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
 {
@@ -168,6 +183,7 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
     const double read_s = now_s();
     if (s == ORR_OK) {
         orr_smoother_options options = plan->smoother;
+        options.observed_only = plan->predict;
         options.eop = eop.n > 0 ? &eop : NULL;
         options.nav = plan->n_nav > 0 ? &w.nav : NULL;
         options.clk = w.clk_input;
@@ -177,6 +193,7 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
         s = orr_smoother_run(w.input, w.n_sp3, &options, log, cancel, &out->solution, &out->report, warnings,
                              diag);
     }
+    if (s == ORR_OK && plan->predict) s = predict(plan, &w, &eop, log, cancel, out, warnings, diag);
     const double smoothed_s = now_s();
     if (s == ORR_OK) {
         ORR_LOG(log, ORR_LOG_INFO, "smoothed %zu nodes of %zu satellites, residual RMS %.2f mm",

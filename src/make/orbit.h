@@ -5,6 +5,7 @@
 
 #include "core/log.h"
 #include "orbit/ephemeris/ephemeris.h"
+#include "orbit/predict/predict.h"
 #include "orbit/smooth/smoother.h"
 #include "src/config/scenario.h"
 
@@ -17,7 +18,10 @@ typedef struct orr_orbit_plan {
     size_t n_nav;
     const char *const *clk; // RINEX CLK files, whose clocks come before those of SP3
     size_t n_clk;
-    const orr_leap_table *leap;    // for labels in UTC; NULL: built-in
+    const orr_leap_table *leap; // for labels in UTC; NULL: built-in
+    bool predict;           // go on to `predict_after`, or the last observed position if that is later, ..
+    orr_time predict_after; // ORR_TIME_NONE: to that position
+    double predict_s;       // .. and so long beyond it
     orr_smoother_options smoother; // eop, nav, clk, n_clk, also and n_also are set by orr_orbit_make
 } orr_orbit_plan;
 
@@ -30,6 +34,7 @@ typedef struct orr_orbit_made {
     orr_ephemeris *ephemeris; // carries the names and SHA-256 of all inputs and the smoother's options
     orr_orbit_solution solution;
     orr_smoother_report report;
+    orr_predict_report prediction;  // where plan->predict asks for one
     double read_s, smooth_s, fit_s; // wall clock
 } orr_orbit_made;
 

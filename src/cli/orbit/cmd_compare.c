@@ -11,6 +11,7 @@
 #include "src/cli/frame/json.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/compare_clocks_print.h"
+#include "src/cli/orbit/compare_prediction.h"
 
 static const char *const place_name[ORR_COMPARE_PLACES] = {"inner", "edge", "gap"};
 
@@ -38,7 +39,8 @@ static json_t *json_stats(const orr_compare_stats *s)
     return o;
 }
 
-static int print_json(const orr_cli *c, const orr_comparison *x, const orr_clock_comparison *clocks)
+static int print_json(const orr_cli *c, const orr_comparison *x, const orr_clock_comparison *clocks,
+                      const orr_prediction_judgement *prediction)
 {
     json_t *j = json_object(), *systems = json_object(), *sats = json_array(), *left = json_object();
     for (size_t i = 0; i < x->n_systems; i++) {
@@ -64,6 +66,7 @@ static int print_json(const orr_cli *c, const orr_comparison *x, const orr_clock
     json_object_set_new(j, "satellites", sats);
     json_object_set_new(j, "left_out", left);
     json_object_set_new(j, "clocks", compare_clocks_json(clocks));
+    json_object_set_new(j, "prediction", compare_prediction_json(prediction));
     json_object_set_new(j, "truth_velocity", json_string(x->vel_derived ? "positions" : "records"));
     return orr_json_print(c, j, JSON_INDENT(2));
 }
@@ -128,7 +131,8 @@ static int judge(const orr_cli *c, const orr_comparison *x)
     return status;
 }
 
-static void print_human(const orr_cli *c, const orr_comparison *x, bool product)
+static void print_human(const orr_cli *c, const orr_comparison *x, bool product,
+                        const orr_prediction_judgement *prediction)
 {
     const bool with_inputs = orr_cli_given(c, "inputs");
     printf("Difference of %s from the truth, %s, 3-D\n\n", c->operand[0],
@@ -165,7 +169,10 @@ static void print_human(const orr_cli *c, const orr_comparison *x, bool product)
     else
         printf("\nleft out: %zu positions at epochs that were input, %zu without an orbit in the product\n",
                x->inputs, x->no_orbit);
-    if (x->between > 0) printf("in no place: %zu samples between 45 min and 2 h from an end\n", x->between);
+    if (x->between > 0)
+        printf("in no place: %zu samples between 45 min and 2 h from an end, or beyond the last input node\n",
+               x->between);
+    compare_prediction_print(prediction);
 }
 
 // What is judged: an orbit product, or precise orbits; one of the two is there.
@@ -233,7 +240,12 @@ static int compare(orr_cli *c, const subject *u, orr_sp3 *truth, size_t n)
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     orr_comparison x;
-    const orr_status s = make(c, u, truth, n, &x, &diag);
+    orr_prediction_judgement prediction = {0};
+    orr_status s = make(c, u, truth, n, &x, &diag);
+    if (s == ORR_OK && u->e != NULL) {
+        s = orr_prediction_judge(u->e, truth, n, &prediction, &diag);
+        if (s != ORR_OK) orr_comparison_free(&x);
+    }
     if (s != ORR_OK) {
         const int failed = orr_cli_fail(c, &diag);
         if (s == ORR_E_NODATA && u->e != NULL && !orr_cli_given(c, "inputs"))
@@ -243,18 +255,20 @@ static int compare(orr_cli *c, const subject *u, orr_sp3 *truth, size_t n)
     orr_clock_comparison clocks = {0};
     if (u->e != NULL && orr_compare_clocks(u->e, truth, n, orr_cli_sats(c, "sat"), orr_cli_given(c, "inputs"),
                                            &clocks, &diag) != ORR_OK) {
+        orr_prediction_judgement_free(&prediction);
         orr_comparison_free(&x);
         return orr_cli_fail(c, &diag);
     }
     int status = ORR_EXIT_OK;
     if (orr_cli_says(c, "format", "json"))
-        status = print_json(c, &x, &clocks);
+        status = print_json(c, &x, &clocks, &prediction);
     else if (strcmp(orr_cli_text(c, "csv", ""), "-") != 0) { // standard output is the series then
-        print_human(c, &x, u->e != NULL);
+        print_human(c, &x, u->e != NULL, &prediction);
         compare_clocks_print(&clocks);
     }
     const int within = judge(c, &x);
     if (status == ORR_EXIT_OK) status = within;
+    orr_prediction_judgement_free(&prediction);
     orr_comparison_free(&x);
     orr_clock_comparison_free(&clocks);
     return status;
@@ -332,7 +346,12 @@ const orr_command orr_cmd_compare = {
         "JSON keys: of systems.G.inner n, satellites, rms_mm, p95_mm, max_mm, vel_n, vel_rms_mps, mean_mm, "
         "and radial, along, cross with rms_mm and mean_mm each; the same for edge and gap, and for each "
         "system; satellites; left_out; of clocks.systems.G satellites, n, rms_ns, p95_ns, max_ns, "
-        "sigma_rms_ns and ratio; clocks.satellites, clocks.left_out.",
+        "sigma_rms_ns and ratio; clocks.satellites, clocks.left_out; "
+        "prediction (null where the product predicts nothing) with rows of "
+        "system, eclipses, age_h, orbit (satellites, median_mm, p95_mm, error_over_sigma) and clock "
+        "(the same in ns), manoeuvres and predicted_truth.\n\n"
+        "The predicted part of a product is judged by age since a satellite's last position, sunlit "
+        "satellites and those that meet the Earth's shadow apart.",
     .example = "orrery orbit -o day.nc --nodes 900 COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery compare day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz",
     .n_options = sizeof options / sizeof options[0],

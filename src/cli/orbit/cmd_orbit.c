@@ -5,11 +5,15 @@
 #include <string.h>
 #include <time.h>
 
+#include "ingest/fetch/fetch.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/orbit_summary.h"
+#include "src/make/newest.h"
 #include "src/make/orbit.h"
 #include "src/make/rotation_file.h"
+
+#define USUAL_BEYOND_NOW_NS (6 * 3600 * ORR_NS_PER_S)
 
 static const orr_option options[] = {
     ORR_OPTION_OUTPUT_AS(.required = true,
@@ -77,6 +81,22 @@ static const orr_option options[] = {
              "(default): clocks "
              "are as the files give them. remove: they are taken out, and clocks go on as they are after the "
              "last."},
+    {.name = "predict",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "Go on so long beyond the last observed position, seven days at most: orbits by a fit to the "
+             "last two "
+             "days, clocks, Earth rotation, flagged as predicted, with a sigma that grows. What the files "
+             "themselves "
+             "predict is not used. With --now, beyond the present; 6 h then by default."},
+    {.name = "now",
+     .kind = ORR_OPT_FLAG,
+     .help = "Go on to the present instant, and for --predict beyond it."},
+    {.name = "present",
+     .applies = "now",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "The instant that --now takes for the present; the system's clock by default."},
     {.name = "max-gap",
      .kind = ORR_OPT_DURATION,
      .value = "S",
@@ -193,7 +213,39 @@ static void smoother_options(const orr_cli *c, orr_smoother_options *o)
 typedef struct lists {
     const char **erp, **nav, **clk;
     orr_interval *exclude;
+    const char *sp3[2]; // in newest
+    orr_newest newest;
 } lists;
+
+#define MJD_OF_1970 40587
+
+static orr_time system_clock(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_REALTIME, &t);
+    const int32_t day = (int32_t)(t.tv_sec / ORR_S_PER_DAY);
+    const double fraction = (double)(t.tv_sec % ORR_S_PER_DAY) / ORR_S_PER_DAY;
+    return orr_time_from_mjd(MJD_OF_1970 + day, fraction, ORR_SCALE_UTC, NULL);
+}
+
+// What --predict and --now ask for; without files to start from, those of the cache.
+static orr_status plan_prediction(const orr_cli *c, lists *l, orr_orbit_plan *plan, orr_diag *diag)
+{
+    const bool now = orr_cli_given(c, "now");
+    plan->predict = now || orr_cli_given(c, "predict");
+    plan->predict_s = (double)orr_cli_duration_ns(c, "predict", USUAL_BEYOND_NOW_NS) * 1e-9;
+    if (!now) return ORR_OK;
+    plan->predict_after = orr_cli_given(c, "present") ? orr_cli_time(c, "present", 0) : system_clock();
+    if (plan->n_sp3 > 0) return ORR_OK;
+    char cache[ORR_NEWEST_PATH / 2];
+    if (!orr_fetch_default_cache(cache, sizeof cache))
+        return orr_diag_set(diag, ORR_E_NODATA, "there is no cache folder ($ORRERY_CACHE): name SP3 files");
+    const orr_status s = orr_newest_find(cache, plan->predict_after, &l->newest, diag);
+    for (size_t i = 0; i < l->newest.n; i++) l->sp3[i] = l->newest.path[i];
+    plan->sp3 = l->sp3;
+    plan->n_sp3 = l->newest.n;
+    return s;
+}
 
 static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, orr_diag *diag)
 {
@@ -219,7 +271,7 @@ static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, or
     plan->clk = l->clk;
     plan->smoother.exclude = l->exclude;
     plan->smoother.n_exclude = n;
-    return ORR_OK;
+    return plan_prediction(c, l, plan, diag);
 }
 
 static double now_s(void)
@@ -236,6 +288,11 @@ static int run(orr_cli *c)
     orr_orbit_made made = {0};
     orr_diag diag = {0};
     orr_warnings warnings = {0};
+    if (c->n_operands == 0 && !orr_cli_given(c, "now")) return orr_cli_usage(c, "SP3... is needed");
+    if (orr_cli_given(c, "extend-to") && (orr_cli_given(c, "now") || orr_cli_given(c, "predict")))
+        return orr_cli_usage(
+            c, "--extend-to goes on by broadcast ephemerides, --predict and --now by themselves: one of "
+               "them");
     orr_status s = make_plan(c, &l, &plan, &diag);
     if (s == ORR_OK) s = orr_orbit_make(&plan, c->log, NULL, &made, &warnings, &diag);
     const double made_s = now_s();
@@ -246,7 +303,8 @@ static int run(orr_cli *c)
     int status = ORR_EXIT_OK;
     if (s == ORR_OK) {
         const orbit_seconds seconds = {made.read_s, made.smooth_s, made.fit_s, now_s() - made_s};
-        status = orbit_summary_print(c, &made.solution, &made.report, made.ephemeris, &seconds);
+        status = orbit_summary_print(c, &made.solution, &made.report, made.ephemeris,
+                                     plan.predict ? &made.prediction : NULL, &seconds);
     } else
         status = orr_cli_fail(c, &diag);
     orr_warnings_free(&warnings);
@@ -263,7 +321,7 @@ const orr_command orr_cmd_orbit = {
     .group = "Orbits",
     .summary = "smooth SP3 files into an orbit product",
     .operands = "SP3...",
-    .min_operands = 1,
+    .min_operands = 0, // of --now
     .max_operands = -1,
     .about =
         "Files of consecutive days are smoothed jointly, in whatever order they are named. The product holds "
@@ -283,10 +341,17 @@ const orr_command orr_cmd_orbit = {
         "gaps and "
         "eclipses; day_jumps and seconds follow. Its clock_events have kind (wrong_value, jump, flagged, "
         "reference), sat "
-        "or, of the reference clock, systems, from, to and value_ns.",
+        "or, of the reference clock, systems, from, to and value_ns.\n\n"
+        "prediction (null without --predict and --now) has from, to, "
+        "orbits, "
+        "clocks, left_out, and, where the orbits tell it, earth_rotation at its begin.\n\n"
+        "--now without files takes the newest ultra-rapid orbits of the fetch cache, and the same centre's "
+        "of a day "
+        "before.",
     .example = "orrery orbit -o day.nc COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
                "orrery orbit -o three-days.nc --nodes 900 --exclude 2024-02-04T12:00/2024-02-04T13:00 "
-               "day1.sp3 day2.sp3 day3.sp3",
+               "day1.sp3 day2.sp3 day3.sp3\n"
+               "orrery orbit -o tomorrow.nc --predict 24h yesterday.sp3 today.sp3",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

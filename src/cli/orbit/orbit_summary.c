@@ -191,8 +191,32 @@ static json_t *json_clock_events(const orr_clock_events *events)
     return all;
 }
 
+static json_t *json_prediction(const orr_predict_report *p, const orr_ephemeris *e)
+{
+    if (p == NULL) return json_null();
+    const double mas = ORR_RAD_PER_DEG / 3.6e6;
+    orr_time from, to;
+    orr_ephemeris_span(e, &from, &to);
+    json_t *o = json_object();
+    json_object_set_new(o, "from", orr_json_time(p->from));
+    json_object_set_new(o, "to", orr_json_time(to));
+    json_object_set_new(o, "orbits", orr_json_count(p->orbits));
+    json_object_set_new(o, "clocks", orr_json_count(p->clocks));
+    json_object_set_new(o, "left_out", orr_json_count(p->left_out));
+    if (p->eop_estimated) {
+        json_t *r = json_object();
+        json_object_set_new(r, "xp_mas", json_real(p->xp_rad / mas));
+        json_object_set_new(r, "yp_mas", json_real(p->yp_rad / mas));
+        json_object_set_new(r, "lod_ms", json_real(1e3 * p->lod_s));
+        json_object_set_new(r, "pole_sigma_mas", json_real(p->pole_sigma_rad / mas));
+        json_object_set_new(o, "earth_rotation", r);
+    }
+    return o;
+}
+
 static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
-                      const orr_ephemeris *e, const orbit_seconds *seconds)
+                      const orr_ephemeris *e, const orr_predict_report *prediction,
+                      const orbit_seconds *seconds)
 {
     double pos, vel;
     joints joint = tally_joints(s);
@@ -224,6 +248,7 @@ static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_s
         }
         json_object_set_new(j, "earth_rotation", r);
     }
+    json_object_set_new(j, "prediction", json_prediction(prediction, e));
     json_object_set_new(j, "segment_error_mm", orr_json_number(1e3 * pos));
     json_object_set_new(j, "segment_error_mps", orr_json_number(vel));
     json_object_set_new(j, "rough_arcs", orr_json_count(orr_ephemeris_shortened(e)));
@@ -235,10 +260,24 @@ static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_s
     return orr_json_print(c, j, JSON_INDENT(2));
 }
 
-int orbit_summary_print(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
-                        const orr_ephemeris *e, const orbit_seconds *seconds)
+static void say_prediction(const orr_cli *c, const orr_predict_report *p, const orr_ephemeris *e)
 {
-    if (orr_cli_says(c, "format", "json")) return print_json(c, s, report, e, seconds);
+    char when[2][ORR_TIME_TEXT];
+    orr_time from, to;
+    orr_ephemeris_span(e, &from, &to);
+    orr_cli_say(c, "predicted from %s to %s: %zu orbits, %zu clocks; %s", orr_time_text(p->from, when[0]),
+                orr_time_text(to, when[1]), p->orbits, p->clocks,
+                p->eop_known       ? "Earth rotation as given"
+                : p->eop_estimated ? "Earth rotation carried on as the orbits tell it"
+                                   : "too few satellites to tell the Earth's rotation, which makes it poor");
+}
+
+int orbit_summary_print(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,
+                        const orr_ephemeris *e, const orr_predict_report *prediction,
+                        const orbit_seconds *seconds)
+{
+    if (orr_cli_says(c, "format", "json")) return print_json(c, s, report, e, prediction, seconds);
     say_table(c, s, report, e, seconds);
+    if (prediction != NULL) say_prediction(c, prediction, e);
     return ORR_EXIT_OK;
 }

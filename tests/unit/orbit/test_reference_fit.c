@@ -142,6 +142,57 @@ static void finds_the_rotation_and_the_pressure(void **state)
     }
 }
 
+// A day fitted to be carried on: pole and UT1 are straight lines in the truth, and what was integrated for a second day
+// is met there. The length of day is told to 1e-4 ms, which is 0.2 mm a day later, times the two days of leverage.
+static void goes_on_beyond_its_nodes(void **state)
+{
+    (void)state;
+    made m;
+    make(&m, 2);
+    orr_reference_arc arc[SATS];
+    for (size_t s = 0; s < SATS; s++) {
+        arc[s] = m.arc[2 * s];
+        arc[s].window = 1;
+    }
+    const double border_s[3] = {0, 86400, 172800};
+    const orr_reference_problem p = {.from = m.from,
+                                     .to = orr_time_add_s(m.from, 172800),
+                                     .n_windows = 2,
+                                     .border_s = border_s,
+                                     .n_arcs = SATS,
+                                     .arc = arc,
+                                     .forecast = true,
+                                     .forget_s = 86400,
+                                     .gravity_degree = 8,
+                                     .jobs = 1};
+    orr_reference_fit f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_reference_fit_run(&p, &f, &d), d);
+    assert_true(f.estimated && f.fitted == SATS);
+    for (int s = 0; s < SATS; s++) {
+        orr_force force = m.force[s];
+        memcpy(force.ecom_nmps2, arc[s].ecom_nmps2, sizeof force.ecom_nmps2);
+        orr_integrator *it = NULL;
+        ASSERT_OK(orr_integrator_init(&force, f.sky, &it, &d), d);
+        double worst_mm = 0;
+        for (int k = 1; k < 2 * (NODES - 1); k++) {
+            const orr_reference_node *truth = &m.node[s][k / (NODES - 1)][k % (NODES - 1)];
+            orr_sky_point at;
+            ASSERT_OK(orr_integrate(it, truth->t_s - STEP_S, STEP_S, &arc[s].r_m, &arc[s].v_mps), d);
+            orr_sky_force_point(f.sky, truth->t_s, &at);
+            const orr_vec3 off = orr_vec3_sub(orr_mat3_apply(&at.R, arc[s].r_m), truth->ecef_m);
+            worst_mm = fmax(worst_mm, 1e3 * orr_vec3_norm(off));
+        }
+        print_message("satellite %d: %.3f mm off at most\n", s, worst_mm);
+        ASSERT_NEAR(worst_mm, 0, 3);
+        orr_integrator_free(it);
+    }
+    orr_reference_fit_free(&f);
+    arc[0].window = 0; // which a forecast does not have
+    assert_int_equal(orr_reference_fit_run(&p, &f, &d), ORR_E_ARG);
+    unmake(&m);
+}
+
 static void the_same_for_any_number_of_threads(void **state)
 {
     (void)state;
@@ -274,6 +325,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(partials_are_those_of_integrated_orbits),
         cmocka_unit_test(finds_the_rotation_and_the_pressure),
+        cmocka_unit_test(goes_on_beyond_its_nodes),
         cmocka_unit_test(the_same_for_any_number_of_threads),
         cmocka_unit_test(a_given_rotation_is_judged),
         cmocka_unit_test(wrong_nodes_do_not_lead),
