@@ -360,7 +360,11 @@ static orr_status judge(work *w, size_t a, size_t b, orr_verdict *verdict)
     }
     w->verdict = best->verdict;
     if (s == ORR_OK) s = fit(w, a, b);
-    if (s == ORR_OK && look_at(w, a, b).noise) mark(w, a, b, true);
+    // What is no orbit about a reference may be one by itself: the caller tries that.
+    if (s == ORR_OK && look_at(w, a, b).noise) {
+        mark(w, a, b, true);
+        if (w->c->noise.nx == ORR_NX) s = ORR_E_NUMERIC;
+    }
     if (s == ORR_OK)
         for (size_t g = a; g < b; g++) {
             const orr_instant *at = instant_of(w, g);

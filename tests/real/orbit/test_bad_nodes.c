@@ -198,8 +198,31 @@ static void errors_are_found_wherever_they_are(void **state)
     real_close(&f);
 }
 
+// The table of docs/orbit.md: what is found at which size; only with ORRERY_TRIALS, because it takes minutes.
+static void sizes_that_are_found(void **state)
+{
+    (void)state;
+    const double step_s[] = {900, 1800, 3600, 7200}, size_m[] = {0.2, 1, 10};
+    const place where[] = {INNER, FIRST, FIRST_TWO};
+    real_files f;
+    if (getenv("ORRERY_TRIALS") == NULL) return;
+    if (!real_open(day, 1, &f)) SKIP_NO_DATA(day[0]);
+    state_of_rng = 35;
+    for (int i = 0; i < 4; i++) {
+        orr_smoother_options o = orr_smoother_defaults();
+        orr_orbit_solution clean;
+        o.node_step_s = step_s[i];
+        smooth(&f, &o, &clean);
+        for (int k = 0; k < 3; k++)
+            for (int m = 0; m < 3; m++) assert_true(trial(&f, &o, &clean, where[k], size_m[m]).faults > 0);
+        orr_orbit_solution_free(&clean);
+    }
+    real_close(&f);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(errors_are_found_wherever_they_are)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(errors_are_found_wherever_they_are),
+                                       cmocka_unit_test(sizes_that_are_found)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
