@@ -2,6 +2,7 @@
 // The orbit product as an object: its memory, what is derived from its contents, and what it tells of itself.
 #include "orbit/ephemeris/ephemeris.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -300,6 +301,11 @@ size_t orr_ephemeris_sources(const orr_ephemeris *e, const orr_orbit_source **li
     return e->n_sources;
 }
 
+double orr_ephemeris_node_noise_m(const orr_ephemeris *e, orr_sat sat)
+{
+    const int slot = sat < sizeof e->slot / sizeof e->slot[0] ? e->slot[sat] : -1;
+    return slot >= 0 && e->sat[slot].node_noise_m > 0 ? e->sat[slot].node_noise_m : (double)NAN;
+}
 double orr_ephemeris_node_step_s(const orr_ephemeris *e) { return e->node_step_s; }
 const orr_earth_rotation *orr_ephemeris_rotation(const orr_ephemeris *e) { return &e->rotation; }
 const orr_eop_series *orr_ephemeris_eop(const orr_ephemeris *e)

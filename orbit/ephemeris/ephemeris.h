@@ -17,8 +17,11 @@ typedef struct orr_sat_state {
     uint32_t flags;
     orr_vec3 pos_m, vel_mps, acc_mps2;
     double clock_s,
-        clock_rate_sps;  // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add -2 r.v / c^2)
-    float sigma_m;       // 1-sigma of position, 3-D
+        clock_rate_sps; // NAN without ORR_EPH_CLOCK_VALID; without periodic relativity (add -2 r.v / c^2)
+    // 1-sigma of position: 3-D; along the radial, along-track and cross-track axes; of velocity, 3-D. Relative to the orbit
+    // that the input has, whose own errors they do not hold. NAN in the last two where a product of an earlier program does
+    // not tell them.
+    float sigma_m, sigma_rtn_m[3], sigma_mps;
     float clock_sigma_s; // 1-sigma of clock_s against the input's own clock at that instant; NAN: not known
     orr_time valid_from, valid_to; // the arc that was evaluated
 } orr_sat_state;
@@ -61,6 +64,9 @@ double orr_ephemeris_clock_max_gap_s(const orr_ephemeris *e);
 size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list);
 // Files that the product was made of.
 size_t orr_ephemeris_sources(const orr_ephemeris *e, const orr_orbit_source **list);
+// Noise of a coordinate of the satellite's input nodes about the smooth orbit, 1-sigma, as the data told it: the rounding of
+// the file, and what its orbit has beyond. NAN where it is not known.
+double orr_ephemeris_node_noise_m(const orr_ephemeris *e, orr_sat sat);
 // Usual distance of the input's nodes.
 double orr_ephemeris_node_step_s(const orr_ephemeris *e);
 // The Earth's rotation that the orbits were made with; its series has n 0 where a product keeps none.

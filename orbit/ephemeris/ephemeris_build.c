@@ -36,7 +36,9 @@ static orr_status check_arc(orr_sat sat, const orr_orbit_arc *a, const orr_orbit
         const orr_orbit_sample *p = &a->sample[i];
         double sum = p->pos_m.x + p->pos_m.y + p->pos_m.z + p->vel_mps.x + p->vel_mps.y + p->vel_mps.z +
                      p->acc_mps2.x + p->acc_mps2.y + p->acc_mps2.z;
-        if (isfinite(sum) && p->sigma_m >= 0 && !isinf(p->sigma_m)) continue;
+        const float most = fmaxf(fmaxf(p->sigma_m, p->sigma_mps),
+                                 fmaxf(fmaxf(p->sigma_rtn_m[0], p->sigma_rtn_m[1]), p->sigma_rtn_m[2]));
+        if (isfinite(sum) && p->sigma_m >= 0 && !isinf(most)) continue;
         char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];
         return orr_diag_set(diag, ORR_E_NUMERIC, "the smoothed orbit of %s at %s is no number",
                             orr_sat_text(sat, name),
@@ -91,7 +93,8 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
     for (size_t i = 0; i < s->n_sats; i++) {
         const orr_orbit_sat *from = &s->sat[i];
         e->sat_id[i] = from->sat;
-        e->sat[i] = (eph_sat){.n_arcs = from->n_arcs,
+        e->sat[i] = (eph_sat){.node_noise_m = from->node_noise_m,
+                              .n_arcs = from->n_arcs,
                               .n_clocks = from->n_clocks,
                               .n_nodes = from->n_nodes,
                               .n_events = from->n_events,
@@ -129,7 +132,10 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
             e->max_pos_error_m = fmax(e->max_pos_error_m, f->pos_m);
             e->max_vel_error_mps = fmax(e->max_vel_error_mps, f->vel_mps);
             for (size_t j = 0; j < a->n; j++) {
-                e->sigma[sample + j] = a->sample[j].sigma_m;
+                const orr_orbit_sample *p = &a->sample[j];
+                const float sigma[EPH_SIGMAS] = {p->sigma_m, p->sigma_rtn_m[0], p->sigma_rtn_m[1],
+                                                 p->sigma_rtn_m[2], p->sigma_mps};
+                memcpy(e->sigma[sample + j], sigma, sizeof sigma);
                 e->sample_flags[sample + j] = a->sample[j + 1 < a->n ? j : j - 1].flags & EPH_STATE_FLAGS;
             }
             sample += a->n;

@@ -171,8 +171,13 @@ INLINE void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_
     out->sat = e->sat_id[slot];
     out->valid_from = a->t0;
     out->valid_to = a->t1;
-    const float *sigma = &e->sigma[a->first_sample + at->segment * a->samples_per_segment + at->sample];
-    out->sigma_m = sigma[0] + at->part * (sigma[1] - sigma[0]);
+    float(*sigma)[EPH_SIGMAS] =
+        &e->sigma[a->first_sample + at->segment * a->samples_per_segment + at->sample];
+    float now[EPH_SIGMAS];
+    for (int k = 0; k < EPH_SIGMAS; k++) now[k] = sigma[0][k] + at->part * (sigma[1][k] - sigma[0][k]);
+    out->sigma_m = now[0];
+    memcpy(out->sigma_rtn_m, &now[1], sizeof out->sigma_rtn_m);
+    out->sigma_mps = now[4];
     const eph_meta *m = &e->meta[a->first_segment + at->segment];
     out->flags = m->mixed ? mixed_flags(e, s, a, at->segment, at->rest_ns, t) : m->flags;
     clock_at(s, t, out);

@@ -113,6 +113,15 @@ static orr_status read_satellite_counts(const file *f, orr_ephemeris *e)
         for (int k = 0; k < 4; k++) at[k] += (size_t)count[k][i];
     }
     for (int k = 0; k < 4; k++) free(count[k]);
+    if (s != ORR_OK || !orr_nc_has_var(&f->r, "node_noise")) return s; // of an earlier program
+    double *noise = NULL;
+    s = read_column(f, "node_noise", ORR_NC_DOUBLE, e->n_sats, (void **)&noise);
+    for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++) {
+        if (!(noise[i] >= 0 && noise[i] < 1e12))
+            s = wrong(f, "the noise of a satellite's nodes is no number");
+        e->sat[i].node_noise_m = noise[i];
+    }
+    free(noise);
     return s;
 }
 
@@ -191,16 +200,35 @@ static orr_status read_coefficients(const file *f, orr_ephemeris *e)
     return s;
 }
 
+// Columns of sigmas: `width` of each sample into sigma[][at ..]. Products of earlier programs have position_sigma alone; the
+// others are not known then.
+static orr_status read_sigma(const file *f, const char *name, size_t width, size_t at, orr_ephemeris *e)
+{
+    const size_t shape[2] = {e->n_samples, width};
+    float *column = NULL;
+    if (at > 0 && !orr_nc_has_var(&f->r, name)) {
+        for (size_t i = 0; i < e->n_samples; i++)
+            for (size_t k = 0; k < width; k++) e->sigma[i][at + k] = NAN;
+        return ORR_OK;
+    }
+    orr_status s =
+        orr_nc_alloc_var(&f->r, name, ORR_NC_FLOAT, width > 1 ? 2 : 1, shape, (void **)&column, f->diag);
+    for (size_t i = 0; i < e->n_samples * width && s == ORR_OK; i++) {
+        if (!(column[i] >= 0) || isinf(column[i])) s = wrong(f, "a sigma is negative or no number");
+        e->sigma[i / width][at + i % width] = column[i];
+    }
+    free(column);
+    return s;
+}
+
 static orr_status read_samples(const file *f, orr_ephemeris *e)
 {
     uint16_t *flags = NULL;
-    size_t n = e->n_samples;
-    orr_status s = orr_nc_get_var(&f->r, "position_sigma", ORR_NC_FLOAT, 1, &n, e->sigma, f->diag);
-    if (s == ORR_OK) s = read_column(f, "sample_flags", ORR_NC_UINT16, n, (void **)&flags);
-    for (size_t i = 0; i < n && s == ORR_OK; i++) {
-        e->sample_flags[i] = flags[i] & EPH_STATE_FLAGS;
-        if (!(e->sigma[i] >= 0) || isinf(e->sigma[i])) s = wrong(f, "a sigma is negative or no number");
-    }
+    orr_status s = read_sigma(f, "position_sigma", 1, 0, e);
+    if (s == ORR_OK) s = read_sigma(f, "position_sigma_axes", 3, 1, e);
+    if (s == ORR_OK) s = read_sigma(f, "velocity_sigma", 1, 4, e);
+    if (s == ORR_OK) s = read_column(f, "sample_flags", ORR_NC_UINT16, e->n_samples, (void **)&flags);
+    for (size_t i = 0; i < e->n_samples && s == ORR_OK; i++) e->sample_flags[i] = flags[i] & EPH_STATE_FLAGS;
     free(flags);
     return s;
 }

@@ -12,6 +12,7 @@ enum {
     EPH_MAX_DEGREE = 24,
     EPH_LANES = 4, // x, y, z and a zero: rows of coefficients that a vector unit can load whole
     EPH_MAX_SATS = 1024,
+    EPH_SIGMAS = 5, // of a sample: position 3-D, radial, along-track, cross-track; velocity 3-D
     EPH_MAX_SAMPLES_PER_SEGMENT = 256,
 };
 #define EPH_PRODUCT "orrery orbit" // global attribute "product" of the file
@@ -63,6 +64,7 @@ typedef struct eph_clock {
 } eph_clock;
 
 typedef struct eph_sat {
+    double node_noise_m; // 0: not known
     size_t n_arcs, n_clocks, n_nodes, n_events, n_spans;
     eph_arc *arc;
     orr_clock_node *clock;
@@ -81,7 +83,7 @@ struct orr_ephemeris {
     eph_arc *arc;
     double *coef; // [segment][coefficient][EPH_LANES]
     eph_meta *meta;
-    float *sigma;
+    float (*sigma)[EPH_SIGMAS];
     uint32_t *sample_flags; // the last of an arc repeats the one before it
     orr_clock_node *clock;
     eph_clock *rate;

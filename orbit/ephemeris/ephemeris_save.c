@@ -153,6 +153,9 @@ static void put_satellites(file *f, const orr_ephemeris *e)
            count_var(f, "node_count", "satellite", "node", column, "number of input nodes of the satellite"));
     COLUMN(int32_t, e->n_sats, e->sat[i].n_events,
            count_var(f, "event_count", "satellite", "event", column, "number of events of the satellite"));
+    COLUMN(double, e->n_sats, e->sat[i].node_noise_m,
+           put(f, "node_noise", ORR_NC_DOUBLE, "satellite", column, "m",
+               "standard deviation of a coordinate of the input nodes about the smooth orbit; 0: not known"));
 }
 
 static void put_arcs(file *f, const orr_ephemeris *e)
@@ -193,9 +196,17 @@ static void put_coefficients(file *f, const orr_ephemeris *e, size_t n_coefficie
 
 static void put_samples(file *f, const orr_ephemeris *e)
 {
-    put(f, "position_sigma", ORR_NC_FLOAT, "sample", e->sigma, "m",
-        "standard deviation of the position, three-dimensional");
-    text(f, "position_sigma", "comment", "linear between samples");
+    COLUMN(float, e->n_samples, e->sigma[i][0],
+           put(f, "position_sigma", ORR_NC_FLOAT, "sample", column, "m",
+               "standard deviation of the position, three-dimensional"));
+    text(f, "position_sigma", "comment", "relative to the orbit that the input has; linear between samples");
+    COLUMN(
+        float, 3 * e->n_samples, e->sigma[i / 3][1 + i % 3],
+        put_table(f, "position_sigma_axes", ORR_NC_FLOAT, "sample", "coordinate", column, "m",
+                  "standard deviation of the position along the radial, along-track and cross-track axes"));
+    COLUMN(float, e->n_samples, e->sigma[i][4],
+           put(f, "velocity_sigma", ORR_NC_FLOAT, "sample", column, "m s-1",
+               "standard deviation of the velocity, three-dimensional"));
     COLUMN(uint16_t, e->n_samples, e->sample_flags[i],
            put(f, "sample_flags", ORR_NC_UINT16, "sample", column, NULL,
                "what holds from this sample to the next"));

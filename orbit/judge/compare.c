@@ -10,6 +10,8 @@
 #include "core/robust.h"
 #include "orbit/judge/velocity_filter.h"
 
+#define ROUNDING_M (1e-3 / sqrt(12)) // of a coordinate in SP3
+
 static const int64_t INNER_NS = 7200 * ORR_NS_PER_S, EDGE_NS = 2700 * ORR_NS_PER_S;
 
 typedef struct differences {
@@ -70,15 +72,17 @@ static void grid_fill(grid *g, const orr_sp3 *sp3, size_t sat)
     }
 }
 
+// gain: what an error of the truth's positions is multiplied by; 0 of its own velocities.
 static bool truth_velocity(const grid *g, const orr_sp3_record *r, orr_time t, bool derive, orr_vec3 *v,
-                           bool *derived)
+                           double *gain, bool *derived)
 {
+    *gain = 0;
     if (!derive && !isnan(r->vel_mps[0]) && !isnan(r->vel_mps[1]) && !isnan(r->vel_mps[2])) {
         *v = (orr_vec3){r->vel_mps[0], r->vel_mps[1], r->vel_mps[2]};
         return true;
     }
     if (g->step_ns == 0 || (t - g->t0) % g->step_ns != 0) return false;
-    if (!orr_velocity_filter_at(&g->filter, g->pos, g->n, (size_t)((t - g->t0) / g->step_ns), v))
+    if (!orr_velocity_filter_at(&g->filter, g->pos, g->n, (size_t)((t - g->t0) / g->step_ns), v, gain))
         return false;
     *derived = true;
     return true;
@@ -142,7 +146,9 @@ static bool state_of(const subject *u, orr_sat sat, orr_time t, orr_sat_state *o
         if (!has_position(r)) continue;
         *out = (orr_sat_state){.sat = sat,
                                .pos_m = {r->pos_m[0], r->pos_m[1], r->pos_m[2]},
-                               .vel_mps = {r->vel_mps[0], r->vel_mps[1], r->vel_mps[2]}};
+                               .vel_mps = {r->vel_mps[0], r->vel_mps[1], r->vel_mps[2]},
+                               .sigma_m = NAN,
+                               .sigma_mps = NAN};
         return true;
     }
     return false;
@@ -194,6 +200,21 @@ static int place_of(const orr_orbit_node *node, size_t n, orr_time t, int64_t us
     return from_first >= INNER_NS && to_last >= INNER_NS ? ORR_COMPARE_INNER : ORR_COMPARE_PLACES;
 }
 
+static bool passes_shadow(const subject *u, orr_sat sat)
+{
+    const orr_orbit_event *event;
+    const size_t n = u->e != NULL ? orr_ephemeris_events(u->e, sat, &event) : 0;
+    for (size_t i = 0; i < n; i++)
+        if (event[i].kind == ORR_EVENT_UMBRA || event[i].kind == ORR_EVENT_PENUMBRA) return true;
+    return false;
+}
+
+// Of a coordinate of the truth.
+static double truth_noise_m(const subject *u, orr_sat sat)
+{
+    return fmax(ROUNDING_M, u->e != NULL ? orr_ephemeris_node_noise_m(u->e, sat) : 0); // NAN is no larger
+}
+
 static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_options *o, differences *d,
                           orr_comparison *out, orr_diag *diag)
 {
@@ -204,6 +225,8 @@ static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_opti
         const orr_orbit_node *node;
         if (o->sats != NULL && !orr_sat_set_has(o->sats, sp3->sat[k])) continue;
         const size_t n_nodes = nodes_of(u, sp3->sat[k], &node);
+        const bool eclipsing = passes_shadow(u, sp3->sat[k]);
+        const double truth_m = sqrt(3) * truth_noise_m(u, sp3->sat[k]);
         grid_fill(&g, sp3, k);
         for (size_t i = 0; i < sp3->n_epochs && s == ORR_OK; i++) {
             const orr_sp3_record *r = &sp3->record[i * sp3->n_sats + k];
@@ -225,8 +248,14 @@ static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_opti
                                         .t = t,
                                         .pos_m = orr_vec3_sub(state.pos_m, there),
                                         .vel_mps = v};
-            if (truth_velocity(&g, r, t, o->derive_velocity, &v, &out->vel_derived))
+            double gain;
+            if (truth_velocity(&g, r, t, o->derive_velocity, &v, &gain, &out->vel_derived))
                 x.vel_mps = orr_vec3_sub(state.vel_mps, v);
+            x.eclipsing = eclipsing;
+            x.sigma_m = (double)state.sigma_m;
+            x.sigma_mps = (double)state.sigma_mps;
+            x.truth_m = truth_m;
+            x.truth_mps = gain * truth_m;
             x.rac_m = along_the_orbit(x.pos_m, there, isnan(v.x) ? state.vel_mps : v);
             if (x.place == ORR_COMPARE_PLACES) out->between++;
             if (o->sink != NULL) o->sink(o->user, &x);
@@ -237,21 +266,42 @@ static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_opti
     return s;
 }
 
-// Statistics of one system in one place. size: scratch of d->n doubles.
-static void summarise(const differences *d, char system, int place, double *size, orr_compare_stats *out)
+static bool counts_in(const orr_compare_difference *x, char system, int place, int light)
 {
-    double sum2 = 0, vel2 = 0;
+    return x->place == place && orr_sat_system(x->sat) == system &&
+           (light == ORR_COMPARE_LIGHTS || x->eclipsing == (light == ORR_COMPARE_ECLIPSING));
+}
+
+// RMS of n values of which the squares add up to sum2.
+static double rms(double sum2, size_t n) { return sqrt(sum2 / (double)n); }
+
+// Statistics of one system in one place; light: ORR_COMPARE_LIGHTS for both. size: scratch of d->n doubles.
+static void summarise(const differences *d, char system, int place, int light, double *size,
+                      orr_compare_stats *out)
+{
+    double sum2 = 0, vel2 = 0, sigma2 = 0, vel_sigma2 = 0, truth2 = 0, vel_truth2 = 0;
+    const double none = (double)NAN;
     orr_vec3 rac2 = {0};
     size_t n_rac = 0;
     orr_sat_set seen = {0};
-    *out = (orr_compare_stats){
-        .rms_m = (double)NAN, .p95_m = (double)NAN, .max_m = (double)NAN, .vel_rms_mps = (double)NAN};
+    *out = (orr_compare_stats){.rms_m = none,
+                               .p95_m = none,
+                               .max_m = none,
+                               .vel_rms_mps = none,
+                               .sigma_rms_m = none,
+                               .vel_sigma_rms_mps = none,
+                               .truth_rms_m = none,
+                               .vel_truth_rms_mps = none,
+                               .error_over_sigma = none,
+                               .vel_error_over_sigma = none};
     for (size_t i = 0; i < d->n; i++) {
         const orr_compare_difference *x = &d->list[i];
-        if (x->place != place || orr_sat_system(x->sat) != system) continue;
+        if (!counts_in(x, system, place, light)) continue;
         double r2 = orr_vec3_dot(x->pos_m, x->pos_m);
         size[out->n++] = sqrt(r2);
         sum2 += r2;
+        sigma2 += x->sigma_m * x->sigma_m;
+        truth2 += x->truth_m * x->truth_m;
         out->mean_m = orr_vec3_add(out->mean_m, x->pos_m);
         if (!isnan(x->rac_m.x)) {
             const orr_vec3 q = x->rac_m;
@@ -265,14 +315,24 @@ static void summarise(const differences *d, char system, int place, double *size
         }
         if (isnan(x->vel_mps.x)) continue;
         vel2 += orr_vec3_dot(x->vel_mps, x->vel_mps);
+        vel_sigma2 += x->sigma_mps * x->sigma_mps;
+        vel_truth2 += x->truth_mps * x->truth_mps;
         out->n_vel++;
     }
-    if (out->n_vel > 0) out->vel_rms_mps = sqrt(vel2 / (double)out->n_vel);
+    if (out->n_vel > 0) {
+        out->vel_rms_mps = rms(vel2, out->n_vel);
+        out->vel_sigma_rms_mps = rms(vel_sigma2, out->n_vel);
+        out->vel_truth_rms_mps = rms(vel_truth2, out->n_vel);
+        out->vel_error_over_sigma = out->vel_rms_mps / hypot(out->vel_sigma_rms_mps, out->vel_truth_rms_mps);
+    }
     if (out->n == 0) return;
     const double per = n_rac > 0 ? 1.0 / (double)n_rac : (double)NAN;
     out->rac_mean_m = orr_vec3_scale(per, out->rac_mean_m);
     out->rac_rms_m = (orr_vec3){sqrt(rac2.x * per), sqrt(rac2.y * per), sqrt(rac2.z * per)};
-    out->rms_m = sqrt(sum2 / (double)out->n);
+    out->rms_m = rms(sum2, out->n);
+    out->sigma_rms_m = rms(sigma2, out->n);
+    out->truth_rms_m = rms(truth2, out->n);
+    out->error_over_sigma = out->rms_m / hypot(out->sigma_rms_m, out->truth_rms_m);
     out->max_m = orr_order_statistic(size, out->n, out->n - 1);
     out->p95_m = orr_order_statistic(size, out->n, (out->n * 95 + 99) / 100 - 1); // nearest rank
     out->mean_m = orr_vec3_scale(1.0 / (double)out->n, out->mean_m);
@@ -336,7 +396,9 @@ static orr_status compare(subject *u, const orr_sp3 *truth, size_t n_truths,
         size_t n = 0;
         row->system = *system;
         for (int p = 0; p < ORR_COMPARE_PLACES; p++) {
-            summarise(&d, *system, p, size, &row->place[p]);
+            summarise(&d, *system, p, ORR_COMPARE_LIGHTS, size, &row->place[p]);
+            for (int light = 0; light < ORR_COMPARE_LIGHTS; light++)
+                summarise(&d, *system, p, light, size, &row->light[light][p]);
             n += row->place[p].n;
         }
         if (n > 0) out->n_systems++;

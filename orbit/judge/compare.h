@@ -22,11 +22,26 @@ typedef struct orr_compare_stats {
     orr_vec3 rac_rms_m, rac_mean_m; // radial, along-track, cross-track, by the truth's orbit
     size_t n_vel;                   // samples with a velocity of the truth
     double vel_rms_mps;             // 3-D; NAN where n_vel is 0
+    // RMS of what the product claims at the same samples, and of what the truth itself is good to: its rounding to a
+    // millimetre (0.5 mm in space), or the noise that the product found in its nodes where that is more, for positions of the
+    // same centre; for velocities derived from positions what the filter makes of it. NAN where n (n_vel) is 0 or the
+    // product claims nothing.
+    double sigma_rms_m, vel_sigma_rms_mps, truth_rms_m, vel_truth_rms_mps;
+    // RMS of the difference over that of the two together: 1 where sigma is honest
+    double error_over_sigma, vel_error_over_sigma;
 } orr_compare_stats;
+
+// Satellites that pass the Earth's shadow within the product are harder to know.
+typedef enum orr_compare_light {
+    ORR_COMPARE_SUNLIT,
+    ORR_COMPARE_ECLIPSING,
+    ORR_COMPARE_LIGHTS,
+} orr_compare_light;
 
 typedef struct orr_compare_system {
     char system;
     orr_compare_stats place[ORR_COMPARE_PLACES];
+    orr_compare_stats light[ORR_COMPARE_LIGHTS][ORR_COMPARE_PLACES]; // the same, apart
 } orr_compare_system;
 
 typedef struct orr_compare_satellite { // over all places
@@ -53,6 +68,8 @@ typedef struct orr_compare_difference {
     orr_time t;
     orr_vec3 pos_m, vel_mps; // ecef; vel_mps.x NAN where there is no velocity of one of them
     orr_vec3 rac_m;          // pos_m as radial, along-track, cross-track
+    bool eclipsing;
+    double sigma_m, sigma_mps, truth_m, truth_mps; // claimed, and of the truth; NAN: not known
 } orr_compare_difference;
 
 typedef struct orr_compare_options {

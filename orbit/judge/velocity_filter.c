@@ -148,7 +148,7 @@ static orr_vec3 turned(const orr_velocity_filter *f, const orr_vec3 *r, size_t k
 }
 
 bool orr_velocity_filter_at(const orr_velocity_filter *f, const orr_vec3 *pos_m, size_t n, size_t at,
-                            orr_vec3 *vel_mps)
+                            orr_vec3 *vel_mps, double *gain_ps)
 {
     size_t first;
     if (!find_window(f, pos_m, n, at, &first)) return false;
@@ -165,6 +165,9 @@ bool orr_velocity_filter_at(const orr_velocity_filter *f, const orr_vec3 *pos_m,
             orr_vec3_axpy(w[k], orr_vec3_sub(turned(f, &pos_m[first + k], k, middle), kepler), correction);
     }
     v = orr_vec3_add(v, correction);
+    double squares = 0;
+    for (size_t k = 0; k < f->n; k++) squares += w[k] * w[k];
+    if (gain_ps != NULL) *gain_ps = sqrt(squares);
     const orr_vec3 *r = &pos_m[at];
     *vel_mps = (orr_vec3){v.x + ORR_EARTH_RATE_RADPS * r->y, v.y - ORR_EARTH_RATE_RADPS * r->x, v.z};
     return true;

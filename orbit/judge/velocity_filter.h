@@ -34,8 +34,9 @@ void orr_velocity_filter_free(orr_velocity_filter *f);
 //   at       index of the wanted one
 // Returned:
 //   vel_mps  velocity, ecef, m/s, from the complete window that is centred best about it
+//   gain_ps  what independent errors of the positions are multiplied by, 1/s; may be NULL
 // Returns false where no complete window holds it.
 bool orr_velocity_filter_at(const orr_velocity_filter *f, const orr_vec3 *pos_m, size_t n, size_t at,
-                            orr_vec3 *vel_mps);
+                            orr_vec3 *vel_mps, double *gain_ps);
 
 #endif

@@ -35,7 +35,6 @@ static void add(const double d[6], double weight, double rate, double bend, orr_
     j->r_m = orr_vec3_axpy(weight, r, j->r_m);
     j->v_mps = orr_vec3_axpy(rate, r, orr_vec3_axpy(weight, v, j->v_mps));
     j->a_mps2 = orr_vec3_axpy(bend, r, orr_vec3_axpy(2 * rate, v, j->a_mps2));
-    j->off_m = hypot(j->off_m, weight * orr_vec3_norm(r));
 }
 
 // Weight of the later orbit, x from -1 to 1 about the joint: 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7.

@@ -9,7 +9,6 @@
 // What is added to the smoothed orbit at a point of the grid so that it has no step.
 typedef struct orr_join {
     orr_vec3 r_m, v_mps, a_mps2; // a: beyond what the force at the moved place gives
-    double off_m;                // how far that is from the file's own orbit
 } orr_join;
 
 // For every point of the track's grid, after filter and smoother. Each orbit goes on beyond the joint as the variational

@@ -47,29 +47,41 @@ static void pass_instant(const orr_node *list, const orr_track *t, const orr_ver
     if (b->right != NULL) b->next--;
 }
 
-// Variances of position at an instant, along radial, along-track and cross-track axes.
+// Variances at an instant: of position along radial, along-track and cross-track axes, of velocity in space.
 typedef struct variances {
-    double rtn[3];
+    double rtn[3], velocity;
 } variances;
 
 static variances variances_at(const orr_instant *at, double scale)
 {
     const orr_mat3 axes = orr_orbit_axes(at->r_m, at->v_mps);
-    variances v = {{0}};
+    variances v = {{0}, 0};
     for (int a = 0; a < 3; a++) {
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) v.rtn[a] += axes.m[i][a] * at->smoothed.P[i][j] * axes.m[j][a];
         v.rtn[a] = fmax(v.rtn[a], 0) * scale * scale;
+        v.velocity += fmax(at->smoothed.P[3 + a][3 + a], 0) * scale * scale;
     }
     return v;
 }
 
-// off_m: how far a joint of files moves the orbit there.
-static void set_sigma(orr_orbit_sample *s, const variances *a, const variances *b, double u, double off_m)
+// At point g, at part u of the way between two instants. join: where files join, how far the curve is moved off the file's
+// own orbit is part of what it may err by.
+static void set_sigma(const orr_grid_point *g, const variances *a, const variances *b, double u,
+                      const orr_join *join, orr_orbit_sample *s)
 {
+    const orr_mat3 axes = orr_orbit_axes(g->r_m, g->v_mps);
+    const orr_vec3 off = join != NULL ? orr_mat3_apply_t(&axes, join->r_m) : (orr_vec3){0, 0, 0};
+    const double moved[3] = {off.x, off.y, off.z};
     double sum = 0;
-    for (int i = 0; i < 3; i++) sum += (1 - u) * a->rtn[i] + u * b->rtn[i];
-    s->sigma_m = (float)sqrt(sum + off_m * off_m);
+    for (int i = 0; i < 3; i++) {
+        const double variance = (1 - u) * a->rtn[i] + u * b->rtn[i] + moved[i] * moved[i];
+        s->sigma_rtn_m[i] = (float)sqrt(variance);
+        sum += variance;
+    }
+    s->sigma_m = (float)sqrt(sum);
+    const double v = join != NULL ? orr_vec3_norm(join->v_mps) : 0;
+    s->sigma_mps = (float)sqrt((1 - u) * a->velocity + u * b->velocity + v * v);
 }
 
 // Smoothed state x about point g as a sample.
@@ -128,8 +140,8 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
                            : ORR_EPH_PREDICTED; // beyond the last node
             const orr_join *joined = join != NULL ? &join[at->grid + j] : NULL;
             set_state(c, g, x[j], joined, s);
-            set_sigma(s, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s),
-                      joined != NULL ? joined->off_m : 0);
+            set_sigma(g, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s), joined,
+                      s);
         }
     }
     free(x);

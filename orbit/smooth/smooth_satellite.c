@@ -113,6 +113,9 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
     const size_t first = 0, last = t->n - 1;
     const double scale = w->c->noise.nx == ORR_NX ? w->scale : real_over_formal(w, t, verdict);
     w->scale = scale;
+    const double noise_m =
+        scale * (w->c->noise.nx == ORR_NX ? w->c->options->sigma_m : w->c->options->plain.sigma_m);
+    w->out->node_noise_m = fmax(w->out->node_noise_m, noise_m);
     if (!ORR_ARRAY_GROW(w->out->arc, w->out->n_arcs)) return ORR_E_MEMORY;
     orr_orbit_arc arc = {.t0 = absolute(w, t->at[first].t_s),
                          .step_s = t->step_s,

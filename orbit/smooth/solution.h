@@ -16,7 +16,9 @@
 // receiver's polynomial needs), not the specific force.
 typedef struct orr_orbit_sample {
     orr_vec3 pos_m, vel_mps, acc_mps2;
-    float sigma_m;  // 1-sigma of position, 3-D, scaled by the residuals
+    // 1-sigma, scaled by what the data tell, relative to the orbit that the input file has: of position, 3-D; along the
+    // radial, along-track and cross-track axes; of velocity, 3-D
+    float sigma_m, sigma_rtn_m[3], sigma_mps;
     uint32_t flags; // ORR_EPH_* that hold from this sample to the next
 } orr_orbit_sample;
 
@@ -54,6 +56,8 @@ typedef struct orr_orbit_event {
 
 typedef struct orr_orbit_sat {
     orr_sat sat;
+    double
+        node_noise_m; // 1-sigma of a coordinate of a node about the smooth orbit, as the data tell it; 0: they do not
     size_t n_arcs, n_clocks, n_nodes, n_events;
     orr_orbit_arc *arc;          // ascending, not overlapping
     orr_clock_node *clock;       // ascending; two at one instant where files join: it jumps there

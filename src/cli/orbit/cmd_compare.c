@@ -14,6 +14,7 @@
 #include "src/cli/orbit/compare_prediction.h"
 
 static const char *const place_name[ORR_COMPARE_PLACES] = {"inner", "edge", "gap"};
+static const char *const light_name[ORR_COMPARE_LIGHTS] = {"sunlit", "eclipsing"};
 
 static json_t *json_stats(const orr_compare_stats *s)
 {
@@ -25,6 +26,12 @@ static json_t *json_stats(const orr_compare_stats *s)
     json_object_set_new(o, "max_mm", orr_json_number(1e3 * s->max_m));
     json_object_set_new(o, "vel_n", orr_json_count(s->n_vel));
     json_object_set_new(o, "vel_rms_mps", orr_json_number(s->vel_rms_mps));
+    json_object_set_new(o, "sigma_rms_mm", orr_json_number(1e3 * s->sigma_rms_m));
+    json_object_set_new(o, "truth_rms_mm", orr_json_number(1e3 * s->truth_rms_m));
+    json_object_set_new(o, "error_over_sigma", orr_json_number(s->error_over_sigma));
+    json_object_set_new(o, "vel_sigma_rms_mps", orr_json_number(s->vel_sigma_rms_mps));
+    json_object_set_new(o, "vel_truth_rms_mps", orr_json_number(s->vel_truth_rms_mps));
+    json_object_set_new(o, "vel_error_over_sigma", orr_json_number(s->vel_error_over_sigma));
     const double m[3] = {s->mean_m.x, s->mean_m.y, s->mean_m.z},
                  rms[3] = {s->rac_rms_m.x, s->rac_rms_m.y, s->rac_rms_m.z},
                  bias[3] = {s->rac_mean_m.x, s->rac_mean_m.y, s->rac_mean_m.z};
@@ -48,6 +55,12 @@ static int print_json(const orr_cli *c, const orr_comparison *x, const orr_clock
         json_t *places = json_object();
         for (int p = 0; p < ORR_COMPARE_PLACES; p++)
             json_object_set_new(places, place_name[p], json_stats(&x->system[i].place[p]));
+        for (int light = 0; light < ORR_COMPARE_LIGHTS; light++) {
+            json_t *apart = json_object();
+            for (int p = 0; p < ORR_COMPARE_PLACES; p++)
+                json_object_set_new(apart, place_name[p], json_stats(&x->system[i].light[light][p]));
+            json_object_set_new(places, light_name[light], apart);
+        }
         json_object_set_new(systems, key, places);
     }
     for (size_t i = 0; i < x->n_sats; i++) {
@@ -96,6 +109,30 @@ static void print_parts(const orr_comparison *x)
             print_part(s->rac_rms_m.z, s->rac_mean_m.z);
             putchar('\n');
         }
+}
+
+// Errors against what the product claims: satellites that pass the Earth's shadow are told apart.
+static void print_sigma(const orr_comparison *x)
+{
+    printf(
+        "\nerrors against sigma and the noise of the truth together\n%-8s %-6s %-9s %5s %8s %8s %8s %6s %9s "
+        "%9s %9s %6s\n",
+        "system", "place", "", "sats", "RMS mm", "sigma", "truth", "ratio", "RMS m/s", "sigma", "truth",
+        "ratio");
+    for (size_t i = 0; i < x->n_systems; i++)
+        for (int light = 0; light < ORR_COMPARE_LIGHTS; light++)
+            for (int p = 0; p < ORR_COMPARE_PLACES; p++) {
+                const orr_compare_stats *s = &x->system[i].light[light][p];
+                if (s->n == 0 || isnan(s->error_over_sigma)) continue;
+                printf("%-8s %-6s %-9s %5zu %8.3f %8.3f %8.3f %6.2f", orr_system_name(x->system[i].system),
+                       place_name[p], light_name[light], s->satellites, 1e3 * s->rms_m, 1e3 * s->sigma_rms_m,
+                       1e3 * s->truth_rms_m, s->error_over_sigma);
+                if (s->n_vel > 0 && !isnan(s->vel_error_over_sigma))
+                    printf(" %9.2e %9.2e %9.2e %6.2f\n", s->vel_rms_mps, s->vel_sigma_rms_mps,
+                           s->vel_truth_rms_mps, s->vel_error_over_sigma);
+                else
+                    printf(" %9s %9s %9s %6s\n", "-", "-", "-", "-");
+            }
 }
 
 // The series of --csv: a row for each difference.
@@ -155,6 +192,7 @@ static void print_human(const orr_cli *c, const orr_comparison *x, bool product,
         }
     }
     print_parts(x);
+    if (product) print_sigma(x);
     printf("\nfurthest satellites (RMS mm, max mm at)\n");
     for (size_t i = 0; i < x->n_sats && i < 5; i++) {
         char name[ORR_SAT_TEXT], when[ORR_TIME_TEXT];

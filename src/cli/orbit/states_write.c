@@ -73,6 +73,8 @@ static size_t make_row(const orr_sat_state *s, const char *t_gps, bool json, cha
     static const char *const comma[3] = {",", ",", ","};
     static const char *const pos_key[3] = {",\"x_m\":", ",\"y_m\":", ",\"z_m\":"};
     static const char *const vel_key[3] = {",\"vx_mps\":", ",\"vy_mps\":", ",\"vz_mps\":"};
+    static const char *const axis_key[3] = {
+        ",\"sigma_radial_m\":", ",\"sigma_along_m\":", ",\"sigma_cross_m\":"};
     char name[ORR_SAT_TEXT], *p = row;
     orr_sat_text(s->sat, name);
     p = put_text(p, json ? "{\"t_gps\":\"" : "");
@@ -91,6 +93,9 @@ static size_t make_row(const orr_sat_state *s, const char *t_gps, bool json, cha
     p += orr_fixed((double)s->flags, 0, p);
     p = put_sigma(p, json ? ",\"sigma_m\":" : ",", s->sigma_m, POS_DECIMALS, json);
     p = put_sigma(p, json ? ",\"clock_sigma_s\":" : ",", s->clock_sigma_s, CLOCK_DECIMALS, json);
+    for (int i = 0; i < 3; i++)
+        p = put_sigma(p, json ? axis_key[i] : ",", s->sigma_rtn_m[i], POS_DECIMALS, json);
+    p = put_sigma(p, json ? ",\"sigma_mps\":" : ",", s->sigma_mps, VEL_DECIMALS, json);
     p = put_text(p, json ? "}" : "\n");
     return (size_t)(p - row);
 }
@@ -102,7 +107,10 @@ static orr_status write_rows(const orr_products *p, const states_request *q, boo
     orr_sat_state *state = calloc(p->n_sats, sizeof *state);
     if (state == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the states of %zu satellites", p->n_sats);
-    fputs(json ? "[" : "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags,sigma_m,clock_sigma_s\n", f);
+    fputs(json ? "["
+               : "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags,sigma_m,clock_sigma_s,"
+                 "sigma_radial_m,sigma_along_m,sigma_cross_m,sigma_mps\n",
+          f);
     orr_status s = ORR_OK;
     for (orr_time t = q->from; s == ORR_OK; t += q->step_ns) {
         char t_gps[ORR_TIME_TEXT], row[ROW];

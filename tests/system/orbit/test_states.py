@@ -14,7 +14,8 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from program import ORRERY, Folder, run, run_json, sample  # noqa: E402
 
-COLUMNS = "t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags,sigma_m,clock_sigma_s".split(",")
+COLUMNS = ("t_gps,sat,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,clock_s,flags,sigma_m,clock_sigma_s,"
+           "sigma_radial_m,sigma_along_m,sigma_cross_m,sigma_mps").split(",")
 DAY = "ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"
 
 

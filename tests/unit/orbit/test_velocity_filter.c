@@ -38,7 +38,7 @@ static double error_at(const orr_velocity_filter *f, const made_satellite *m, co
                        size_t i)
 {
     orr_vec3 v, r, true_v;
-    assert_true(orr_velocity_filter_at(f, pos, n, i, &v));
+    assert_true(orr_velocity_filter_at(f, pos, n, i, &v, NULL));
     true_state(m, f->step_s * (double)i, &r, &true_v);
     return orr_vec3_norm(orr_vec3_sub(v, true_v));
 }
@@ -105,14 +105,14 @@ static void test_missing_positions(void **state)
     size_t n = positions(&m, 300, 0, pos);
     pos[100].x = (double)NAN;
     pos[110].x = (double)NAN; // 101-109 are in no whole window
-    assert_false(orr_velocity_filter_at(&f, pos, n, 100, &v));
-    assert_false(orr_velocity_filter_at(&f, pos, n, 105, &v));
-    assert_true(orr_velocity_filter_at(&f, pos, n, 99, &v)); // one-sided
+    assert_false(orr_velocity_filter_at(&f, pos, n, 100, &v, NULL));
+    assert_false(orr_velocity_filter_at(&f, pos, n, 105, &v, NULL));
+    assert_true(orr_velocity_filter_at(&f, pos, n, 99, &v, NULL)); // one-sided
     ASSERT_NEAR(error_at(&f, &m, pos, n, 99), 0, 5e-6);
     ASSERT_NEAR(error_at(&f, &m, pos, n, 111), 0, 5e-6);
-    ASSERT_NEAR(error_at(&f, &m, pos, n, 100 - f.half - 1), 0, 2e-7); // a whole window on both sides
-    assert_false(orr_velocity_filter_at(&f, pos, f.n - 1, 5, &v));    // too short a file
-    assert_true(orr_velocity_filter_at(&f, pos, f.n, 5, &v));
+    ASSERT_NEAR(error_at(&f, &m, pos, n, 100 - f.half - 1), 0, 2e-7);    // a whole window on both sides
+    assert_false(orr_velocity_filter_at(&f, pos, f.n - 1, 5, &v, NULL)); // too short a file
+    assert_true(orr_velocity_filter_at(&f, pos, f.n, 5, &v, NULL));
     orr_velocity_filter_free(&f);
     assert_int_equal(orr_velocity_filter_init(0.5, &f, &diag), ORR_E_ARG);
     assert_int_equal(orr_velocity_filter_init((double)NAN, &f, &diag), ORR_E_ARG);
