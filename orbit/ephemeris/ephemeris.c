@@ -83,6 +83,8 @@ static uint32_t flag_of(orr_event_kind kind)
         return ORR_EPH_GAP;
     case ORR_EVENT_OUTLIER:
     case ORR_EVENT_DAY_JUMP:
+    case ORR_EVENT_SHADOW_NOISE:
+    case ORR_EVENT_NOON_STEP:
         break;
     }
     return 0;

@@ -382,7 +382,7 @@ static orr_status read_events(const file *f, orr_ephemeris *e)
     if (s == ORR_OK) s = read_column(f, "event_value", ORR_NC_DOUBLE, n, (void **)&value);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         e->event[i] = (orr_orbit_event){(orr_event_kind)kind[i], t0[i], t1[i], value[i]};
-        if (kind[i] < ORR_EVENT_MANOEUVRE || kind[i] > ORR_EVENT_DAY_JUMP || t0[i] < -EPH_TIME_LIMIT ||
+        if (kind[i] < ORR_EVENT_MANOEUVRE || kind[i] > ORR_EVENT_NOON_STEP || t0[i] < -EPH_TIME_LIMIT ||
             t1[i] > EPH_TIME_LIMIT || t0[i] > t1[i])
             s = wrong(f, "an event has an unknown kind or impossible times");
     }

@@ -289,14 +289,16 @@ static void put_nodes(file *f, const orr_ephemeris *e)
 
 static void put_events(file *f, const orr_ephemeris *e)
 {
-    static const int64_t kinds[] = {ORR_EVENT_MANOEUVRE, ORR_EVENT_UMBRA, ORR_EVENT_PENUMBRA,
-                                    ORR_EVENT_OUTLIER,   ORR_EVENT_GAP,   ORR_EVENT_DAY_JUMP};
+    static const int64_t kinds[] = {ORR_EVENT_MANOEUVRE,    ORR_EVENT_UMBRA,    ORR_EVENT_PENUMBRA,
+                                    ORR_EVENT_OUTLIER,      ORR_EVENT_GAP,      ORR_EVENT_DAY_JUMP,
+                                    ORR_EVENT_SHADOW_NOISE, ORR_EVENT_NOON_STEP};
     if (e->n_events == 0) return;
     COLUMN(uint8_t, e->n_events, e->event[i].kind,
            put(f, "event_kind", ORR_NC_UINT8, "event", column, NULL, "kind of event"));
     (void)orr_nc_put_att_int64(&f->w, "event_kind", "flag_values", kinds, sizeof kinds / sizeof kinds[0],
                                f->diag);
-    text(f, "event_kind", "flag_meanings", "manoeuvre umbra penumbra outlier gap day_jump");
+    text(f, "event_kind", "flag_meanings",
+         "manoeuvre umbra penumbra outlier gap day_jump shadow_noise noon_step");
     COLUMN(int64_t, e->n_events, e->event[i].t0,
            time_var(f, "event_start", "event", column, "start of the event"));
     COLUMN(int64_t, e->n_events, e->event[i].t1,
@@ -304,7 +306,7 @@ static void put_events(file *f, const orr_ephemeris *e)
     COLUMN(double, e->n_events, e->event[i].value,
            put(f, "event_value", ORR_NC_DOUBLE, "event", column, NULL,
                "size of a rejected node's miss or of a jump at a day's joint, m; change of velocity at a "
-               "manoeuvre, m/s; 0 for other kinds"));
+               "manoeuvre or at noon, m/s; factor of the noise near the Earth's shadow; 0 for other kinds"));
 }
 
 static void put_sources(file *f, const orr_ephemeris *e)

@@ -29,8 +29,7 @@ void orr_track_between(const orr_track_context *c, const orr_track *t, size_t k,
     }
     for (size_t j = 0; j + 1 < n; j++) {
         const orr_grid_point *g = &t->grid[at->grid + j];
-        const double h = g[1].t_s - g->t_s,
-                     times = noise->factor.q * (1 + (g->near_shadow ? noise->factor.shadow : 0));
+        const double h = g[1].t_s - g->t_s, times = noise->factor.q * (1 + (g->near_shadow ? at->shadow : 0));
         double w[ORR_NW];
         orr_noise_expected(&g->axes, h, times * at->noise * noise->qf_m2ps5, times * noise->qv_m2ps3, b[j],
                            w);

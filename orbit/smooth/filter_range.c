@@ -17,6 +17,7 @@ static void renew(const orr_track_context *c, const orr_verdict *verdict, orr_in
     for (int i = 0; i < ORR_ECOM_TERMS && at->renew && rich; i++)
         at->predicted.P[ORR_PARTIAL_ECOM + i][ORR_PARTIAL_ECOM + i] +=
             orr_ecom_sigma_nmps2[i] * orr_ecom_sigma_nmps2[i];
+    if (at->pulse && rich) admit(&at->predicted, 0, ORR_NOON_STEP_MPS, 0);
     if (at->step && rich) admit(&at->predicted, ORR_FILE_STEP_R_M, ORR_FILE_STEP_V_MPS, 0);
     if (at->n > 0 && verdict[at->first].begins_anew)
         admit(&at->predicted, ORR_ANEW_R_M, ORR_ANEW_V_MPS, c->noise.f0_sigma_mps2);
@@ -50,7 +51,8 @@ void orr_filter_range(const orr_track_context *c, const orr_node *list, const or
         orr_instant *at = &t->at[k];
         if (k > first) {
             const orr_instant *before = &t->at[k - 1];
-            orr_kalman_predict(&before->filtered, &before->next, n->nx, n->factor, at->shift, &at->predicted);
+            const orr_noise_factor factor = {n->factor.q, before->shadow};
+            orr_kalman_predict(&before->filtered, &before->next, n->nx, factor, at->shift, &at->predicted);
             renew(c, verdict, at);
         }
         at->filtered = at->predicted;

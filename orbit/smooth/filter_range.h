@@ -9,6 +9,8 @@
 // worth one millimetre and really a quarter of it.
 #define ORR_FILE_STEP_R_M 0.1
 #define ORR_FILE_STEP_V_MPS 2e-5
+// Where a centre joins half-day arcs at noon its velocity has a step of micrometres a second, likewise in the filter's units.
+#define ORR_NOON_STEP_MPS 1e-5
 // What a satellite that was pushed may have changed by: about as free as at an arc's start.
 #define ORR_ANEW_R_M 100.0
 #define ORR_ANEW_V_MPS 1.0

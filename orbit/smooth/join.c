@@ -9,6 +9,7 @@
 #define SHORTEST_S 1800.0
 #define LONGEST_S 10800.0
 #define LIMIT_MPS 1.6e-5
+#define NOON_S 300.0          // a step of velocity alone moves the curve by a tenth of a millimetre
 #define STEEPEST (2.1875 / 2) // of the weight, over the half length
 
 // The difference of the two orbits one step on, or (F is symplectic) one step back.
@@ -46,15 +47,25 @@ static double weigh(double x, double half_s, double *rate, double *bend)
     return s * s * s * s * (35 + s * (-84 + s * (70 - 20 * s)));
 }
 
+void orr_join_step(const orr_instant *at, double step[6])
+{
+    for (int i = 0; i < 6; i++) {
+        double variance = 0;
+        if (at->step)
+            variance +=
+                i < 3 ? ORR_FILE_STEP_R_M * ORR_FILE_STEP_R_M : ORR_FILE_STEP_V_MPS * ORR_FILE_STEP_V_MPS;
+        if (at->pulse && i >= 3) variance += ORR_NOON_STEP_MPS * ORR_NOON_STEP_MPS;
+        step[i] = at->u[i] * variance;
+    }
+}
+
 static void join_at(const orr_track *t, const orr_instant *at, orr_join *out)
 {
-    // The step as the smoother sees it: its variance times u.
     double step[6], d[6], rate, bend;
-    for (int i = 0; i < 6; i++)
-        step[i] = at->u[i] *
-                  (i < 3 ? ORR_FILE_STEP_R_M * ORR_FILE_STEP_R_M : ORR_FILE_STEP_V_MPS * ORR_FILE_STEP_V_MPS);
+    orr_join_step(at, step);
     const double jump_m = orr_vec3_norm((orr_vec3){step[0], step[1], step[2]});
-    const double half_s = fmin(fmax(jump_m * STEEPEST / LIMIT_MPS, SHORTEST_S), LONGEST_S);
+    const double half_s =
+        at->step ? fmin(fmax(jump_m * STEEPEST / LIMIT_MPS, SHORTEST_S), LONGEST_S) : NOON_S;
     memcpy(d, step, sizeof d);
     for (size_t g = at->grid; g < t->n_grid; g++) { // what is too much of the later orbit
         const double x = (t->grid[g].t_s - at->t_s) / half_s;
@@ -77,7 +88,7 @@ orr_status orr_join_files(const orr_track *t, orr_join **out)
 {
     *out = NULL;
     for (size_t k = 1; k < t->n; k++) {
-        if (!t->at[k].step) continue;
+        if (!t->at[k].step && !t->at[k].pulse) continue;
         if (*out == NULL) *out = calloc(t->n_grid, sizeof **out);
         if (*out == NULL) return ORR_E_MEMORY;
         join_at(t, &t->at[k], *out);

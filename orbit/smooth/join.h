@@ -11,6 +11,9 @@ typedef struct orr_join {
     orr_vec3 r_m, v_mps, a_mps2; // a: beyond what the force at the moved place gives
 } orr_join;
 
+// The step at an instant as the smoother sees it, its variance times u: position and velocity, integration axes.
+void orr_join_step(const orr_instant *at, double step[6]);
+
 // For every point of the track's grid, after filter and smoother. Each orbit goes on beyond the joint as the variational
 // equations tell, and a polynomial with three continuous derivatives weighs one against the other. *out is NULL where
 // there is no joint; else free it. ORR_E_MEMORY.

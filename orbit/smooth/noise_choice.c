@@ -43,6 +43,24 @@ static double posterior(const evidence *e, double s, double sigma_mm, double q)
     return -e->log_det - (double)e->n * log(s) - 0.5 * e->chi2 / (s * s) - 0.5 * a * a - 0.5 * b * b;
 }
 
+bool orr_noise_ratio_is_sought(double node_step_s) { return node_step_s > DENSE_S; }
+
+double orr_noise_evidence(const orr_track_context *c, double chi2, double log_det, size_t n,
+                          double node_step_s)
+{
+    const evidence e = {chi2, log_det, n};
+    const double sigma_mm = 1e3 * c->options->sigma_m, q = c->noise.factor.q * c->noise.qf_m2ps5 * 1e18;
+    double most = -HUGE_VAL;
+    if (n == 0) return 0;
+    for (int k = 0; k < SCALES; k++) {
+        const double s = LEAST_S * pow(MOST_S / LEAST_S, k / (SCALES - 1.0));
+        const double b = node_step_s <= DENSE_S ? (log10(q * s * s) - LOG_Q) / LOG_Q_SPREAD : 0;
+        most = fmax(most,
+                    posterior(&e, s, sigma_mm, q) + 0.5 * b * b); // a ratio that was not sought has no prior
+    }
+    return most;
+}
+
 orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                                   orr_track *t, size_t first, size_t last, double node_step_s)
 {

@@ -34,4 +34,19 @@ orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, co
 orr_noise_choice orr_noise_choose_freely(orr_track_context *c, const orr_node *list,
                                          const orr_verdict *verdict, orr_track *t);
 
+// Whether the ratio of the noise is sought from the data where nodes are so far apart.
+bool orr_noise_ratio_is_sought(double node_step_s);
+
+// Logarithm of the likelihood of innovations at the scale that suits them best, priors included.
+// Given:
+//   c            context, its noise as it was filtered with
+//   chi2         sum of the innovations' normalised squares, for a scale of one
+//   log_det      sum of half the logarithms of their covariances' determinants
+//   n            coordinates
+//   node_step_s  usual distance of nodes: the ratio has a prior where it was sought
+// Returned:
+//   value        0 where n is
+double orr_noise_evidence(const orr_track_context *c, double chi2, double log_det, size_t n,
+                          double node_step_s);
+
 #endif

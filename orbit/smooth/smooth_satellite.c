@@ -7,6 +7,7 @@
 
 #include "core/array.h"
 #include "orbit/smooth/events.h"
+#include "orbit/smooth/join.h"
 #include "orbit/smooth/noise_choice.h"
 #include "orbit/smooth/prior.h"
 #include "orbit/smooth/reference.h"
@@ -33,6 +34,8 @@ typedef struct work {
     double scale;            // real to formal sigma of the last arc that told; 1 before
     orr_noise_factor factor; // before an arc's own is chosen
     bool failed;             // a stretch could not be smoothed
+    size_t n_files;
+    orr_file_evidence *evidence; // NULL: not asked for
 } work;
 
 void orr_satellite_free(orr_orbit_sat *s)
@@ -107,6 +110,31 @@ static double real_over_formal(const work *w, const orr_track *t, const orr_verd
     return instants >= TELLING_NODES && formal2 > 0 ? sqrt(chi2 / formal2) : w->scale;
 }
 
+// Steps of velocity at noon, and stretches in which the orbit is noisier near the Earth's shadow.
+static orr_status tell_file_noise(work *w, const orr_track *t)
+{
+    orr_status s = ORR_OK;
+    size_t since = t->n;
+    bool shadow = false;
+    for (size_t k = 0; k < t->n; k++) shadow = shadow || t->at[k].next.near_shadow;
+    for (size_t k = 0; k < t->n && s == ORR_OK; k++) {
+        const orr_instant *at = &t->at[k];
+        if (at->pulse) {
+            double step[6];
+            orr_join_step(at, step);
+            s = orr_event_add(&w->events, ORR_EVENT_NOON_STEP, absolute(w, at->t_s), absolute(w, at->t_s),
+                              orr_vec3_norm((orr_vec3){step[3], step[4], step[5]}));
+        }
+        const double before = since < t->n ? t->at[since].shadow : 0, now = k + 1 < t->n ? at->shadow : 0;
+        if (s != ORR_OK || !shadow || fabs(now - before) <= 0) continue;
+        if (before > 0)
+            s = orr_event_add(&w->events, ORR_EVENT_SHADOW_NOISE, absolute(w, t->at[since].t_s),
+                              absolute(w, at->t_s), before + 1);
+        since = now > 0 ? k : t->n;
+    }
+    return s;
+}
+
 // Samples of the smoothed track as an arc of the solution.
 static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdict)
 {
@@ -124,6 +152,7 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
     if (arc.sample == NULL) return ORR_E_MEMORY;
     orr_status s = orr_samples_make(w->c, w->node, w->table->step_s, t, verdict, scale, &arc);
     w->out->arc[w->out->n_arcs++] = arc;
+    if (s == ORR_OK) s = tell_file_noise(w, t);
     if (s == ORR_OK) s = orr_events_eclipses(w->c->sky, &arc, &w->events);
 
     // Nodes: residuals, gaps, joints of files.
@@ -169,6 +198,8 @@ static orr_status settle(work *w, orr_track *t, const orr_verdict *verdict)
             orr_noise_choose(w->c, w->node, verdict, t, 0, t->n - 1, w->table->step_s);
         w->scale = choice.scale;
         w->c->noise.factor = choice.factor;
+        if (w->evidence != NULL)
+            orr_file_evidence_add(w->c, w->node, verdict, t, w->table->step_s, w->n_files, w->evidence);
     } else {
         orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
     }
@@ -482,7 +513,8 @@ static void choose_method(orr_track_context *c, orr_node_list *list, bool may_be
 }
 
 orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_table *table,
-                                orr_node_list *list, orr_orbit_sat *out, orr_satellite_report *report)
+                                orr_node_list *list, size_t n_files, orr_file_evidence *evidence,
+                                orr_orbit_sat *out, orr_satellite_report *report)
 {
     orr_track_context own = *shared, *c = &own;
     choose_method(c, list, true);
@@ -490,17 +522,20 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
     *report = (orr_satellite_report){0};
     work w = {.c = c,
               .table = table,
-              .node = list->node,
               .n = list->n_nodes,
               .out = out,
               .report = report,
               .scale = 1,
-              .factor = c->noise.factor};
+              .factor = c->noise.factor,
+              .n_files = n_files,
+              .evidence = evidence};
     out->node = calloc(list->n_nodes + 1, sizeof *out->node);
     out->clock = malloc((list->n_clocks + 1) * sizeof *out->clock);
     w.ref = calloc(list->n_nodes + 1, sizeof *w.ref);
+    w.node = malloc((list->n_nodes + 1) * sizeof *w.node); // their sigmas are changed
     orr_status s = ORR_E_MEMORY;
-    if (out->node == NULL || out->clock == NULL || w.ref == NULL) goto done;
+    if (out->node == NULL || out->clock == NULL || w.ref == NULL || w.node == NULL) goto done;
+    memcpy(w.node, list->node, list->n_nodes * sizeof *w.node);
     memcpy(out->clock, list->clock, list->n_clocks * sizeof *out->clock);
     out->n_clocks = list->n_clocks;
     out->n_nodes = list->n_nodes;
@@ -516,6 +551,7 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
     if (s == ORR_OK && w.failed &&
         c->noise.nx == ORR_NX) { // what is no orbit about the reference may be one by itself
         choose_method(c, list, false);
+        for (size_t i = 0; i < w.n; i++) w.node[i].sigma_m = list->node[i].sigma_m;
         discard_arcs(&w);
         w.factor = c->noise.factor;
         w.scale = 1;
@@ -539,6 +575,7 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
     out->n_events = w.events.n;
 done:
     free(w.ref);
+    free(w.node);
     if (s != ORR_OK) orr_satellite_free(out);
     return s;
 }

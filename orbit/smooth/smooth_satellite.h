@@ -3,6 +3,7 @@
 #ifndef ORR_ORBIT_SMOOTH_SMOOTH_SATELLITE_H
 #define ORR_ORBIT_SMOOTH_SMOOTH_SATELLITE_H
 
+#include "orbit/smooth/file_noise.h"
 #include "orbit/smooth/nodes.h"
 #include "orbit/smooth/track.h"
 
@@ -18,13 +19,16 @@ typedef struct orr_satellite_report {
 // Given:
 //   c       context of the thread; the noise is chosen within
 //   table   the run's nodes, for their usual distance
-//   list    the satellite's own nodes and clocks, which may be changed
+//   list    the satellite's own nodes and clocks
+//   n_files input files
 // Returned:
+//   evidence [n_files], zeroed before: what the satellite tells of the files; NULL: not asked for
 //   out     satellite, arcs, clocks, nodes, events; free with orr_satellite_free
 //   report  what was done
 // Errors: ORR_E_MEMORY.
 orr_status orr_satellite_smooth(const orr_track_context *c, const orr_node_table *table, orr_node_list *list,
-                                orr_orbit_sat *out, orr_satellite_report *report);
+                                size_t n_files, orr_file_evidence *evidence, orr_orbit_sat *out,
+                                orr_satellite_report *report);
 // Frees what a satellite owns and zeroes it.
 void orr_satellite_free(orr_orbit_sat *s);
 

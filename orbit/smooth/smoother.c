@@ -132,6 +132,10 @@ typedef struct pool {
     orr_orbit_sat *sat; // per list of the table
     orr_satellite_report *report;
     orr_status *status;
+    size_t n_files;
+    const orr_file_noise *file;  // NULL: not known yet
+    orr_file_evidence *evidence; // per list and file
+    const bool *again;           // NULL: all
     atomic_size_t next;
 } pool;
 
@@ -146,17 +150,63 @@ static void *worker(void *arg)
     for (;;) {
         size_t i = atomic_fetch_add(&p->next, 1);
         if (i >= p->table->n_sats) break;
+        if (p->again != NULL && !p->again[i]) continue;
         if (ready != ORR_OK)
             p->status[i] = ready;
         else if (p->cancel != NULL && *p->cancel)
             p->status[i] = ORR_E_INTERRUPTED;
         else {
             c.reference = p->reference != NULL ? &p->reference[i] : NULL;
-            p->status[i] = orr_satellite_smooth(&c, p->table, &p->table->list[i], &p->sat[i], &p->report[i]);
+            c.file = p->file;
+            p->status[i] = orr_satellite_smooth(&c, p->table, &p->table->list[i], p->n_files,
+                                                p->file == NULL ? &p->evidence[i * p->n_files] : NULL,
+                                                &p->sat[i], &p->report[i]);
         }
     }
     orr_integrator_free(it);
     return NULL;
+}
+
+// What all satellites tell of the files, and those again whose orbits it touches.
+static orr_status know_files(pool *p, int jobs, orr_file_noise *file, bool *again)
+{
+    const size_t n = p->n_files;
+    bool any = false;
+    orr_file_noise_decide(p->evidence, p->table->n_sats, n, file);
+    for (size_t i = 0; i < p->table->n_sats; i++) {
+        again[i] = false;
+        for (size_t f = 0; f < n && p->status[i] == ORR_OK; f++) {
+            const orr_file_evidence *e = &p->evidence[i * n + f];
+            again[i] = again[i] || (e->eclipsing && file[f].shadow_factor > 1) ||
+                       ((e->eclipsing || e->noon) && file[f].noon_step);
+        }
+        if (again[i]) orr_satellite_free(&p->sat[i]);
+        any = any || again[i];
+    }
+    if (!any) return ORR_OK;
+    p->file = file;
+    p->again = again;
+    atomic_store(&p->next, 0);
+    orr_parallel_run(jobs, worker, p);
+    return ORR_OK;
+}
+
+// Files whose orbits have more than a random walk.
+static void tell_files(const orr_smoother_input *input, size_t n, const orr_file_noise *file,
+                       orr_warnings *warnings)
+{
+    for (size_t f = 0; f < n; f++) {
+        if (file[f].shadow_factor > 1)
+            orr_warnings_add(warnings, input[f].name, 0, 0,
+                             "orbits are not smooth near the Earth's shadow; the noise of %zu satellites is "
+                             "%g times as large there, and their sigma is less sure",
+                             file[f].eclipsing, file[f].shadow_factor);
+        if (file[f].noon_step)
+            orr_warnings_add(warnings, input[f].name, 0, 0,
+                             "orbits have a step of velocity at noon, as of two half days joined; it is "
+                             "allowed for (%.1f in the logarithm of the likelihood a satellite)",
+                             file[f].noon_gain / (double)file[f].telling);
+    }
 }
 
 // Satellites of which one thing is to be said: how many, and the first of them.
@@ -358,18 +408,29 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     p.sat = calloc(table.n_sats + 1, sizeof *p.sat);
     p.report = calloc(table.n_sats + 1, sizeof *p.report);
     p.status = calloc(table.n_sats + 1, sizeof *p.status);
-    if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL)) s = ORR_E_MEMORY;
+    p.n_files = n_inputs;
+    p.evidence = calloc(table.n_sats * n_inputs + 1, sizeof *p.evidence);
+    orr_file_noise *file = calloc(n_inputs + 1, sizeof *file);
+    bool *again = calloc(table.n_sats + 1, sizeof *again);
+    if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL || p.evidence == NULL ||
+                        file == NULL || again == NULL))
+        s = ORR_E_MEMORY;
     if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, about_reference, out);
     if (s == ORR_OK) s = keep_rotation(options, &reference.fit, about_reference, report, &out->rotation);
     if (s == ORR_E_MEMORY) orr_diag_set(diag, s, "out of memory for %zu satellites", table.n_sats);
     if (s == ORR_OK) {
         orr_parallel_run(options->jobs, worker, &p);
-        s = collect(&p, out, report, warnings, diag);
+        s = know_files(&p, options->jobs, file, again);
+        tell_files(input, n_inputs, file, warnings);
+        if (s == ORR_OK) s = collect(&p, out, report, warnings, diag);
         for (size_t i = 0; i < table.n_sats; i++) orr_satellite_free(&p.sat[i]);
     }
     free(p.sat);
     free(p.report);
     free(p.status);
+    free(p.evidence);
+    free(file);
+    free(again);
     orr_run_reference_free(&reference);
     orr_sky_free(sky);
     orr_nodes_free(&table);

@@ -47,6 +47,9 @@ typedef enum orr_event_kind {
     ORR_EVENT_OUTLIER = 4,  // a node not used; value: its distance from the orbit, m (0: no orbit there)
     ORR_EVENT_GAP = 5,      // nodes further apart than twice the usual
     ORR_EVENT_DAY_JUMP = 6, // value: jump between input files at a joint, m
+    // The file's orbits are noisier near the Earth's shadow: value: by what factor the random walk is larger there
+    ORR_EVENT_SHADOW_NOISE = 7,
+    ORR_EVENT_NOON_STEP = 8, // the file's orbits have a step of velocity; value: its size, m/s
 } orr_event_kind;
 typedef struct orr_orbit_event {
     orr_event_kind kind;

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "orbit/smooth/file_noise.h"
+
 #define STOP_S 900.0 // between instants without nodes, at most
 #define WIDE_GAP_S 10800.0
 #define OPEN_END 100.0
@@ -129,6 +131,23 @@ static void stop(const orr_track_context *c, const orr_node *list, size_t first,
     t->at[t->n++] = (orr_instant){.t_s = t_s, .grid = g, .first = first, .n = n, .step = step};
 }
 
+// Instants at noon, and what is known of the file that the nodes about each instant are of.
+static void know_files(const orr_track_context *c, const orr_node *list, orr_track *t)
+{
+    const int64_t day_ns = ORR_S_PER_DAY * ORR_NS_PER_S;
+    const orr_file_noise *file = NULL;
+    for (size_t k = 0; k < t->n; k++) {
+        orr_instant *at = &t->at[k];
+        const orr_time now = orr_sky_origin(c->sky) + orr_track_ns(at->t_s);
+        const bool second = k > 0 && at->grid == t->at[k - 1].grid; // two files meet
+        at->noon = k > 0 && !second && now - orr_floor_div(now, day_ns) * day_ns == day_ns / 2;
+        for (size_t i = at->first; i < at->first + at->n && c->file != NULL; i++)
+            if (usable(&list[i])) file = &c->file[list[i].source];
+        at->pulse = at->noon && file != NULL && file->noon_step;
+        at->shadow = file != NULL ? file->shadow_factor - 1 : 0;
+    }
+}
+
 orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s, double node_step_s,
                           const orr_node *list, size_t n, orr_track *out)
 {
@@ -171,6 +190,7 @@ orr_status orr_track_init(const orr_track_context *c, double from_s, double to_s
         out->at[j].window = orr_track_window(c, out->at[j].t_s);
         out->at[j].renew = j > 0 && out->at[j].window != out->at[j - 1].window;
     }
+    if (c->noise.nx == ORR_NX) know_files(c, list, out);
     widen_gaps(c, list, out);
     return ORR_OK;
 }

@@ -34,11 +34,14 @@ typedef struct orr_grid_point {
 // An instant at which the filter stops: nodes, both ends, and places between that are not far apart.
 typedef struct orr_instant {
     double t_s;
-    size_t grid;         // its point
-    size_t first, n;     // nodes (indices into the list) at this instant; n = 0: none
-    size_t window;       // of the reference
-    bool renew;          // another window begins: ECOM's coefficients are those of another day
-    bool step;           // another file begins: its orbit may be elsewhere
+    size_t grid;     // its point
+    size_t first, n; // nodes (indices into the list) at this instant; n = 0: none
+    size_t window;   // of the reference
+    bool renew;      // another window begins: ECOM's coefficients are those of another day
+    bool step;       // another file begins: its orbit may be elsewhere
+    bool noon;       // of GPS time
+    bool pulse;      // the velocity may have a step, which the file has at noon
+    double shadow;   // the noise near the Earth's shadow is so much more over the next step: 0 as elsewhere
     orr_vec3 r_m, v_mps; // a-priori state from which the next step departs
     orr_transition next; // to the following instant
     double noise; // factor of qf over the next step; above 1 in long gaps without Earth-orientation data
@@ -73,7 +76,7 @@ typedef struct orr_filter_noise {
     int nx; // ORR_NX, or ORR_NX_PLAIN
     double qf_m2ps5, qv_m2ps3;
     double start_r_m, start_v_mps, f0_sigma_mps2; // at an arc's start
-    orr_noise_factor factor;
+    orr_noise_factor factor;                      // shadow is not used: each instant has its own
 } orr_filter_noise;
 
 // What all satellites of a run share, per thread, and what is the satellite's.
@@ -83,6 +86,7 @@ typedef struct orr_track_context {
     orr_force *force; // the thread's own: ECOM is that of a window
     orr_integrator *integrator;
     bool eop_known;                           // Earth orientation came from data, not from the secular pole
+    const struct orr_file_noise *file;        // by input file; NULL: nothing is known of them
     const orr_satellite_reference *reference; // NULL: none
     orr_filter_noise noise;
 } orr_track_context;

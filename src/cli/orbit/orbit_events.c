@@ -19,6 +19,10 @@ const char *orbit_event_name(orr_event_kind kind)
         return "gap";
     case ORR_EVENT_DAY_JUMP:
         return "jump";
+    case ORR_EVENT_SHADOW_NOISE:
+        return "shadow_noise";
+    case ORR_EVENT_NOON_STEP:
+        return "noon_step";
     }
     return "unknown";
 }
