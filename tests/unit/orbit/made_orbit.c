@@ -78,6 +78,8 @@ static void fill(const made_satellite *m, double hours, double segment_s, size_t
         orr_orbit_sample *p = &a->sample[i];
         made_state(m, (double)i * a->step_s, &p->pos_m, &p->vel_mps, &p->acc_mps2);
         p->sigma_m = 0.01f + 0.0001f * (float)i;
+        for (int k = 0; k < 3; k++) p->sigma_rtn_m[k] = (float)(k + 1) * 0.1f * p->sigma_m;
+        p->sigma_mps = 1e-4f * p->sigma_m;
     }
     for (size_t i = 0; i < s->n_clocks; i++)
         s->clock[i] = (orr_clock_node){.t = made_midnight + (int64_t)i * 300 * ORR_NS_PER_S,

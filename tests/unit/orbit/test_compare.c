@@ -106,6 +106,16 @@ static void test_places_and_numbers(void **state)
     ASSERT_NEAR(in->max_m, 0.002, 1e-6);
     ASSERT_NEAR(in->mean_m.x, 0.002, 1e-6);
     ASSERT_NEAR(in->mean_m.y, 0, 1e-6);
+    // sigma of the made orbit grows from 1 cm on; the truth is rounded to a millimetre
+    assert_true(in->sigma_rms_m > 0.01 && in->sigma_rms_m < 0.1);
+    ASSERT_NEAR(in->truth_rms_m, 0.5e-3, 1e-9);
+    ASSERT_NEAR(in->error_over_sigma, in->rms_m / hypot(in->sigma_rms_m, 0.5e-3), 1e-12);
+    ASSERT_NEAR(in->vel_sigma_rms_mps, 1e-4 * in->sigma_rms_m, 1e-8);
+    for (size_t i = 0; i < x.n_systems; i++)
+        for (int p = 0; p < ORR_COMPARE_PLACES; p++)
+            assert_int_equal(x.system[i].light[ORR_COMPARE_SUNLIT][p].n +
+                                 x.system[i].light[ORR_COMPARE_ECLIPSING][p].n,
+                             x.system[i].place[p].n);
     // GLONASS: 6 of the 12 edge samples are 10 mm, 6 are 1 mm off; the 95th percentile by nearest rank is the
     // 12th.
     edge = stats_of(&x, 'R', ORR_COMPARE_EDGE);

@@ -375,6 +375,9 @@ static void test_flags_and_sigma(void **state)
     ASSERT_NEAR((double)st.sigma_m, 0.01 + 0.0001 * (1225.0 / 150.0), 1e-8);
     assert_int_equal(orr_ephemeris_eval(e, g->sat, at(14400), &st), ORR_OK);
     ASSERT_NEAR((double)st.sigma_m, 0.01 + 0.0001 * 96, 1e-8);
+    for (int k = 0; k < 3; k++)
+        ASSERT_NEAR((double)st.sigma_rtn_m[k], 0.1 * (k + 1) * (double)st.sigma_m, 1e-8);
+    ASSERT_NEAR((double)st.sigma_mps, 1e-4 * (double)st.sigma_m, 1e-12);
     orr_ephemeris_free(e);
     made_solution_free(&s);
 }

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How good orbits are, and that their sigma says so: real files of several centres and years, of which some epochs are input and
+the rest is truth. Satellites in sunlight; those that pass the Earth's shadow are told apart, and so is what the truth errs."""
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from program import Folder, data, run, run_json  # noqa: E402
+
+CODE = "2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"
+INNER_EDGE_MM = {900: (0.64, 0.68), 1800: (0.72, 0.80), 3600: (1.05, 1.4), 7200: (5.5, 5.5)}
+RATIO = {900: (0.7, 1.4), 1800: (0.7, 1.4), 3600: (0.5, 1.5)}
+OLDER = {  # 15-minute files withhold their own nodes; CODE's of 2008 and the combined ones have noise of their own
+    "2008-279/COD15000.EPH.Z": "GR", "2009-265/igs15503.sp3.gz": "G", "2009-091-glonass/esa15253.sp3.gz": "GR",
+    "2020-177/GRG0MGXFIN_20201770000_01D_15M_ORB.SP3.gz": "GRE"}
+
+
+class Sigma(Folder):
+    def compared(self, path, *options):
+        product = self.path("day.nc")
+        run("orbit", "-q", "-o", product, *options, data(path))
+        return run_json("compare", "--format", "json", product, data(path))["systems"]
+
+    def ratio(self, stats, limits, what):
+        print(f"{what}: {stats['rms_mm']:.2f} mm, sigma {stats['sigma_rms_mm']:.2f}, truth {stats['truth_rms_mm']:.2f}, ratio "
+              f"{stats['error_over_sigma']:.2f}")
+        self.assertGreater(stats["n"], 20)
+        self.assertGreater(stats["error_over_sigma"], limits[0], what)
+        self.assertLess(stats["error_over_sigma"], limits[1], what)
+
+    def test_code_2024(self):
+        for step, bars in INNER_EDGE_MM.items():
+            systems = self.compared(CODE, "--nodes", str(step))
+            for s in "GRE":
+                for place, bar in zip(("inner", "edge"), bars):
+                    stats = systems[s]["sunlit"][place]
+                    self.assertLessEqual(stats["rms_mm"], bar, f"{s} {step} {place}")
+                    if step in RATIO:
+                        self.ratio(stats, RATIO[step], f"{s} {step} s {place}")
+                    if step == 900 and place == "inner":  # velocities of the truth come from its positions
+                        self.assertGreater(stats["vel_error_over_sigma"], 0.7)
+                        self.assertLess(stats["vel_error_over_sigma"], 1.4)
+
+    def test_gaps(self):
+        for hours, bar in ((3, 4), (6, 15)):
+            systems = self.compared(CODE, "--nodes", "900", "--exclude", f"2024-02-04T12:01/2024-02-04T{12 + hours - 1}:59")
+            for s in "GRE":
+                stats = systems[s]["sunlit"]["gap"]
+                self.assertLessEqual(stats["rms_mm"], bar, f"{s} {hours} h")
+                self.ratio(stats, (0.5, 1.6), f"{s} gap of {hours} h")
+
+    def test_other_centres(self):
+        for path, systems in OLDER.items():
+            found = self.compared(path, "--nodes", "1800")
+            for s in systems:
+                for place in ("inner", "edge"):
+                    self.ratio(found[s]["sunlit"][place], RATIO[1800], f"{path} {s} {place}")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
