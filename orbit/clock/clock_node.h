@@ -14,6 +14,9 @@ enum { // flags of samples, clock nodes and states; the wire's STATES uses the s
     ORR_EPH_CLOCK_EVENT = 1u << 3, // the product flagged a clock event at a neighbouring node
     ORR_EPH_ECLIPSE = 1u << 4,     // umbra or penumbra of the Earth
     ORR_EPH_GAP = 1u << 5,         // between nodes further apart than twice the usual
+    ORR_EPH_JOINT = 1u << 6,       // between the orbits of two input files that do not meet
+    ORR_EPH_SHADOW_NOISE =
+        1u << 7, // the input's orbits are noisier near the Earth's shadow; sigma is less sure
 };
 
 // Between neighbours not further apart than the product's max gap there is a clock; never across a gap.

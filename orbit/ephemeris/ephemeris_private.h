@@ -18,7 +18,9 @@ enum {
 #define EPH_PRODUCT "orrery orbit" // global attribute "product" of the file
 enum { EPH_FORMAT_VERSION = 1 };   // and "product_version"
 // What may hold of a sample; the rest of the flags belongs to clocks.
-#define EPH_STATE_FLAGS (ORR_EPH_PREDICTED | ORR_EPH_MANOEUVRE | ORR_EPH_ECLIPSE | ORR_EPH_GAP)
+#define EPH_STATE_FLAGS                                                                                      \
+    (ORR_EPH_PREDICTED | ORR_EPH_MANOEUVRE | ORR_EPH_ECLIPSE | ORR_EPH_GAP | ORR_EPH_JOINT |                 \
+     ORR_EPH_SHADOW_NOISE)
 #define EPH_CLOCK_FLAGS (ORR_EPH_CLOCK_EVENT | ORR_EPH_PREDICTED)
 #define EPH_TIME_LIMIT ((INT64_C(1) << 62) - 1) // 1834 to 2126: differences of two such times fit, and sums
 #define EPH_CLOCK_ROUNDING_S2 9e-26             // (0.3 ps)^2: the last digit of SP3 and RINEX CLK

@@ -69,10 +69,11 @@ static void time_var(file *f, const char *name, const char *dim, const int64_t *
 
 static void flags_of(file *f, const char *var)
 {
-    static const int64_t masks[] = {ORR_EPH_PREDICTED, ORR_EPH_MANOEUVRE, ORR_EPH_CLOCK_EVENT,
-                                    ORR_EPH_ECLIPSE, ORR_EPH_GAP};
+    static const int64_t masks[] = {ORR_EPH_PREDICTED,   ORR_EPH_MANOEUVRE, ORR_EPH_CLOCK_EVENT,
+                                    ORR_EPH_ECLIPSE,     ORR_EPH_GAP,       ORR_EPH_JOINT,
+                                    ORR_EPH_SHADOW_NOISE};
     (void)orr_nc_put_att_int64(&f->w, var, "flag_masks", masks, sizeof masks / sizeof masks[0], f->diag);
-    text(f, var, "flag_meanings", "predicted manoeuvre clock_event eclipse gap");
+    text(f, var, "flag_meanings", "predicted manoeuvre clock_event eclipse gap joint shadow_noise");
 }
 
 static void count_var(file *f, const char *name, const char *dim, const char *of, const int32_t *values,

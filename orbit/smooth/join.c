@@ -72,6 +72,7 @@ static void join_at(const orr_track *t, const orr_instant *at, orr_join *out)
         if (x >= 1) break;
         const double w = weigh(x, half_s, &rate, &bend);
         add(d, w - 1, rate, bend, &out[g]);
+        out[g].between_files = out[g].between_files || at->step;
         if (g + 1 < t->n_grid) carry(&t->grid[g], false, d);
     }
     memcpy(d, step, sizeof d);
@@ -81,6 +82,7 @@ static void join_at(const orr_track *t, const orr_instant *at, orr_join *out)
         if (x <= -1) break;
         const double w = weigh(x, half_s, &rate, &bend);
         add(d, w, rate, bend, &out[g]);
+        out[g].between_files = out[g].between_files || at->step;
     }
 }
 

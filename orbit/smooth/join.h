@@ -9,6 +9,7 @@
 // What is added to the smoothed orbit at a point of the grid so that it has no step.
 typedef struct orr_join {
     orr_vec3 r_m, v_mps, a_mps2; // a: beyond what the force at the moved place gives
+    bool between_files;          // neither file's own orbit
 } orr_join;
 
 // The step at an instant as the smoother sees it, its variance times u: position and velocity, integration axes.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/smooth/noise_choice.h"
 
-#define DENSE_S 1900.0 // the ratio is known for nodes up to this distance
-#define YOUNG 3        // nodes of an arc that a start decides
-#define SCALE_MM 0.30  // rounding of SP3 to a millimetre, a coordinate
+#define DENSE_S 1900.0  // the ratio is known for nodes up to this distance
+#define SPARSE_S 5400.0 // innovations say little of nodes further apart
+#define YOUNG 3         // nodes of an arc that a start decides
+#define SCALE_MM 0.30   // rounding of SP3 to a millimetre, a coordinate
 #define SCALE_SPREAD 0.35
 #define LOG_Q (-3.7) // nm^2/s^5
 #define LOG_Q_SPREAD 1.2
@@ -41,6 +42,12 @@ static double posterior(const evidence *e, double s, double sigma_mm, double q)
     const double a = (log(s * sigma_mm) - log(SCALE_MM)) / SCALE_SPREAD,
                  b = (log10(q * s * s) - LOG_Q) / LOG_Q_SPREAD;
     return -e->log_det - (double)e->n * log(s) - 0.5 * e->chi2 / (s * s) - 0.5 * a * a - 0.5 * b * b;
+}
+
+orr_claim orr_noise_claim(const orr_track_context *c, double node_step_s, bool eclipsing)
+{
+    if (c->noise.nx != ORR_NX || node_step_s < SPARSE_S) return (orr_claim){1, 0};
+    return eclipsing ? (orr_claim){3, 0.01} : (orr_claim){1.4, 0};
 }
 
 bool orr_noise_ratio_is_sought(double node_step_s) { return node_step_s > DENSE_S; }

@@ -34,6 +34,15 @@ orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, co
 orr_noise_choice orr_noise_choose_freely(orr_track_context *c, const orr_node *list,
                                          const orr_verdict *verdict, orr_track *t);
 
+// What sigma is made of beside the formal one.
+typedef struct orr_claim {
+    double times, least_m; // formal sigma times that, in space this at least
+} orr_claim;
+
+// Two-hour nodes do not tell what is between them: pressure and attitude near the Earth's shadow err by centimetres that no
+// innovation shows. There sigma is a floor and no estimate (docs/orbit.md has what it was measured on).
+orr_claim orr_noise_claim(const orr_track_context *c, double node_step_s, bool eclipsing);
+
 // Whether the ratio of the noise is sought from the data where nodes are so far apart.
 bool orr_noise_ratio_is_sought(double node_step_s);
 

@@ -7,6 +7,7 @@
 
 #include "orbit/smooth/between.h"
 #include "orbit/smooth/join.h"
+#include "orbit/smooth/noise_choice.h"
 #include "orbit/smooth/solution.h"
 
 uint32_t orr_samples_flags(const orr_track_context *c, double node_step_s, const orr_node *a,
@@ -68,20 +69,22 @@ static variances variances_at(const orr_instant *at, double scale)
 // At point g, at part u of the way between two instants. join: where files join, how far the curve is moved off the file's
 // own orbit is part of what it may err by.
 static void set_sigma(const orr_grid_point *g, const variances *a, const variances *b, double u,
-                      const orr_join *join, orr_orbit_sample *s)
+                      const orr_join *join, double floor_m, orr_orbit_sample *s)
 {
     const orr_mat3 axes = orr_orbit_axes(g->r_m, g->v_mps);
     const orr_vec3 off = join != NULL ? orr_mat3_apply_t(&axes, join->r_m) : (orr_vec3){0, 0, 0};
     const double moved[3] = {off.x, off.y, off.z};
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        const double variance = (1 - u) * a->rtn[i] + u * b->rtn[i] + moved[i] * moved[i];
+        const double variance =
+            fmax((1 - u) * a->rtn[i] + u * b->rtn[i] + moved[i] * moved[i], floor_m * floor_m / 3);
         s->sigma_rtn_m[i] = (float)sqrt(variance);
         sum += variance;
     }
     s->sigma_m = (float)sqrt(sum);
     const double v = join != NULL ? orr_vec3_norm(join->v_mps) : 0;
-    s->sigma_mps = (float)sqrt((1 - u) * a->velocity + u * b->velocity + v * v);
+    const double rate = orr_vec3_norm(g->v_mps) / orr_vec3_norm(g->r_m); // errors of the orbit turn with it
+    s->sigma_mps = (float)fmax(sqrt((1 - u) * a->velocity + u * b->velocity + v * v), floor_m * rate);
 }
 
 // Smoothed state x about point g as a sample.
@@ -118,6 +121,10 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
         return ORR_E_MEMORY;
     }
     between_nodes nodes = {0};
+    bool eclipsing = false;
+    for (size_t k = 0; k < t->n; k++) eclipsing = eclipsing || t->at[k].next.near_shadow;
+    const orr_claim claim = orr_noise_claim(c, node_step_s, eclipsing);
+    scale *= claim.times;
     variances after = variances_at(&t->at[0], scale);
     for (size_t k = 0; k < t->n; k++) {
         const orr_instant *at = &t->at[k], *next = k + 1 < t->n ? at + 1 : at;
@@ -141,7 +148,9 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
             const orr_join *joined = join != NULL ? &join[at->grid + j] : NULL;
             set_state(c, g, x[j], joined, s);
             set_sigma(g, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s), joined,
-                      s);
+                      claim.least_m, s);
+            if (joined != NULL && joined->between_files) s->flags |= ORR_EPH_JOINT;
+            if (eclipsing && at->shadow > 0) s->flags |= ORR_EPH_SHADOW_NOISE;
         }
     }
     free(x);

@@ -87,6 +87,8 @@ static const orr_field_word words_state_flags[] = {
     {UINT64_C(8), "CLOCK_EVENT", "clock event", false},
     {UINT64_C(16), "ECLIPSE", "eclipse", false},
     {UINT64_C(32), "GAP", "gap", false},
+    {UINT64_C(64), "JOINT", "joint", false},
+    {UINT64_C(128), "SHADOW_NOISE", "shadow noise", false},
 };
 
 static const orr_field_word words_nav_notes[] = {

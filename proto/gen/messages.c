@@ -160,6 +160,8 @@ const char *orr_msg_state_flags_name(unsigned bit)
     case 3: return "CLOCK_EVENT";
     case 4: return "ECLIPSE";
     case 5: return "GAP";
+    case 6: return "JOINT";
+    case 7: return "SHADOW_NOISE";
     default: return NULL;
     }
 }

@@ -135,6 +135,8 @@ enum { // tec_origin (u8): What a delay came from.
 #define ORR_MSG_STATE_FLAGS_CLOCK_EVENT ((uint32_t)(UINT64_C(1) << 3)) // the input flagged a clock event at a neighbouring node
 #define ORR_MSG_STATE_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 4)) // in the umbra or penumbra of the Earth
 #define ORR_MSG_STATE_FLAGS_GAP ((uint32_t)(UINT64_C(1) << 5)) // between input nodes further apart than twice the usual
+#define ORR_MSG_STATE_FLAGS_JOINT ((uint32_t)(UINT64_C(1) << 6)) // between the orbits of two input files that do not meet
+#define ORR_MSG_STATE_FLAGS_SHADOW_NOISE ((uint32_t)(UINT64_C(1) << 7)) // the input's orbits are noisier near the Earth's shadow; sigma is less sure
 
 // nav_notes (u32): What should be known of a broadcast set.
 #define ORR_MSG_NAV_NOTES_MANOEUVRE ((uint32_t)(UINT64_C(1) << 0)) // a manoeuvre within the window, or files that do not meet: marked unhealthy

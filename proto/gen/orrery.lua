@@ -79,6 +79,8 @@ bitsets.state_flags = {
   {name = "CLOCK_EVENT", bit = 3},
   {name = "ECLIPSE", bit = 4},
   {name = "GAP", bit = 5},
+  {name = "JOINT", bit = 6},
+  {name = "SHADOW_NOISE", bit = 7},
 }
 bitsets.nav_notes = {
   {name = "MANOEUVRE", bit = 0},

@@ -20,7 +20,9 @@ _Static_assert((int)ORR_ANSWER_OK == ORR_MSG_ANSWER_OK &&
                "the engine's answers are the wire's");
 _Static_assert(ORR_EPH_CLOCK_VALID == 1u << 0 && ORR_EPH_PREDICTED == 1u << 1 &&
                    ORR_EPH_MANOEUVRE == 1u << 2 && ORR_EPH_CLOCK_EVENT == 1u << 3 &&
-                   ORR_EPH_ECLIPSE == 1u << 4 && ORR_EPH_GAP == 1u << 5,
+                   ORR_EPH_ECLIPSE == 1u << 4 && ORR_EPH_GAP == 1u << 5 &&
+                   ORR_EPH_JOINT == ORR_MSG_STATE_FLAGS_JOINT &&
+                   ORR_EPH_SHADOW_NOISE == ORR_MSG_STATE_FLAGS_SHADOW_NOISE,
                "the ephemeris' flags are the wire's");
 
 static uint16_t begin_poll(void *user, const orr_msg_poll *poll, orr_server_refusal *why)

@@ -135,6 +135,8 @@ class StateFlags(enum.IntFlag):
     CLOCK_EVENT = 8  # the input flagged a clock event at a neighbouring node
     ECLIPSE = 16  # in the umbra or penumbra of the Earth
     GAP = 32  # between input nodes further apart than twice the usual
+    JOINT = 64  # between the orbits of two input files that do not meet
+    SHADOW_NOISE = 128  # the input's orbits are noisier near the Earth's shadow; sigma is less sure
 
 
 class NavNotes(enum.IntFlag):

@@ -110,7 +110,8 @@ const orr_command orr_cmd_states = {
              "sigma_cross_m are its parts, sigma_mps is that of the velocity; empty where none is known.\n\n"
              "flags is a sum of: 1 clock is known, 2 predicted, 4 manoeuvre, 8 clock event, 16 eclipse, 32 "
              "gap between "
-             "input nodes.",
+             "input nodes, 64 between the orbits of two files that do not meet, 128 orbits of a file that "
+             "are noisier near the Earth's shadow.",
     .example = "orrery states day.nc --from 2024-02-04T12:00 --to 2024-02-04T12:01 --step 0.1 --sat G05,E\n"
                "orrery states day.nc --step 300 --format sp3 -o day.sp3",
     .n_options = sizeof options / sizeof options[0],
