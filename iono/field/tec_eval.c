@@ -49,7 +49,8 @@ orr_status orr_tec_field_at(const orr_tec_field *f, orr_time t, orr_tec_instant 
     orr_tec_temporal how = f->options.temporal;
     if (f->t1[k] == ORR_TIME_NONE || t > f->t1[k]) {
         if (f->t1[k] == ORR_TIME_NONE && k + 1 < f->n && f->t1[k + 1] == ORR_TIME_NONE) {
-            out->w = (double)(t - f->t[k]) / (double)(f->t[k + 1] - f->t[k]);
+            // Before the first epoch its values are held.
+            out->w = t > f->t[k] ? (double)(t - f->t[k]) / (double)(f->t[k + 1] - f->t[k]) : 0;
             if (how == ORR_TEC_NEAREST) {
                 if (out->w > 0.5) out->i0 = out->i1 = k + 1;
                 out->w = 0;

@@ -11,14 +11,15 @@
 
 #define MAX_EPOCHS 100000
 #define MAX_CELLS 20000000 // of all maps together
-// Maps are labelled in UT while some centres mean GPS time: the first and last one are held for so long.
+// Maps and snapshots of coefficients are labelled in UT while some centres mean GPS time: the first and last one are held
+// for so long.
 #define EDGE_HOLD_NS (60 * ORR_NS_PER_S)
 #define NOISE_TECU 2.0 // how far below zero a cell of a map still means none
 
 orr_tec_options orr_tec_default_options(void)
 {
-    return (orr_tec_options){.spatial = ORR_TEC_HARMONIC,
-                             .temporal = ORR_TEC_ROTATED,
+    return (orr_tec_options){.spatial = ORR_TEC_SPATIAL_DEFAULT,
+                             .temporal = ORR_TEC_TEMPORAL_DEFAULT,
                              .rotation = 1,
                              .degree = 15,
                              .pole_lat_deg = ORR_GEOMAGNETIC_POLE_LAT_DEG,
@@ -43,6 +44,8 @@ static orr_status begin(tec_kind kind, size_t n, double shell_radius_m, const ch
 {
     *out = NULL;
     orr_tec_options o = options != NULL ? *options : orr_tec_default_options();
+    if (o.temporal == ORR_TEC_TEMPORAL_DEFAULT) o.temporal = ORR_TEC_ROTATED;
+    if (o.spatial == ORR_TEC_SPATIAL_DEFAULT) o.spatial = ORR_TEC_HARMONIC;
     orr_status s = refuse_options(&o, diag);
     if (s != ORR_OK) return s;
     if (source == NULL) source = "field";
@@ -153,6 +156,14 @@ static orr_status keep_grid(const orr_tec_maps *m, const double *value, tec_grid
     return ORR_OK;
 }
 
+// Not all round, or not up to the poles.
+static bool of_a_region(const orr_tec_maps *m)
+{
+    double last = m->lat0_deg + m->dlat_deg * (double)(m->n_lat - 1);
+    return m->dlon_deg * (double)m->n_lon <= 360 - 1e-6 || fmax(m->lat0_deg, last) < 80 ||
+           fmin(m->lat0_deg, last) > -80;
+}
+
 orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_options *options,
                                    orr_tec_field **out, orr_diag *diag)
 {
@@ -160,9 +171,13 @@ orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_optio
     orr_status s = check_maps(maps, diag);
     if (s != ORR_OK) return s;
     orr_tec_field *f;
-    bool harmonic = options == NULL || options->spatial == ORR_TEC_HARMONIC;
-    s = begin(harmonic ? TEC_HARMONICS : TEC_GRID, maps->n_maps, maps->shell_radius_m, maps->source, options,
-              &f, diag);
+    orr_tec_options o = options != NULL ? *options : orr_tec_default_options();
+    const bool region = of_a_region(maps);
+    if (o.spatial == ORR_TEC_SPATIAL_DEFAULT) o.spatial = region ? ORR_TEC_BILINEAR : ORR_TEC_HARMONIC;
+    if (o.temporal == ORR_TEC_TEMPORAL_DEFAULT) o.temporal = region ? ORR_TEC_LINEAR : ORR_TEC_ROTATED;
+    const bool harmonic = o.spatial == ORR_TEC_HARMONIC;
+    s = begin(harmonic ? TEC_HARMONICS : TEC_GRID, maps->n_maps, maps->shell_radius_m, maps->source, &o, &f,
+              diag);
     if (s != ORR_OK) return s;
     for (size_t k = 0; s == ORR_OK && k < maps->n_maps; k++)
         s = set_epoch(f, k, maps->t[k], ORR_TIME_NONE, diag);
@@ -171,9 +186,7 @@ orr_status orr_tec_field_from_maps(const orr_tec_maps *maps, const orr_tec_optio
     if (s == ORR_OK) s = keep_grid(maps, maps->tec, &f->tec, diag); // harmonics need it where there are holes
     if (s == ORR_OK && maps->rms != NULL) s = keep_grid(maps, maps->rms, &f->rms, diag);
     if (s == ORR_OK && harmonic) {
-        double north = fmax(maps->lat0_deg, maps->lat0_deg + maps->dlat_deg * (double)(maps->n_lat - 1));
-        double south = fmin(maps->lat0_deg, maps->lat0_deg + maps->dlat_deg * (double)(maps->n_lat - 1));
-        if (!f->tec.round || north < 80 || south > -80)
+        if (region)
             s = orr_diag_set(
                 diag, ORR_E_UNSUPPORTED,
                 "%s: maps of a region cannot be refitted to spherical harmonics; use the bilinear mode",
@@ -238,6 +251,7 @@ orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_op
     if (model->n == 0) return orr_diag_set(diag, ORR_E_NODATA, "%s: no set of coefficients in it", name);
     orr_tec_options o = options != NULL ? *options : orr_tec_default_options();
     o.spatial = ORR_TEC_HARMONIC;
+    if (o.temporal == ORR_TEC_TEMPORAL_DEFAULT) o.temporal = ORR_TEC_ROTATED;
     o.pole_lat_deg = model->pole_lat_deg;
     o.pole_lon_deg = model->pole_lon_deg;
     o.degree = 0;
@@ -274,6 +288,8 @@ orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_op
                                      f->source, n, m);
             }
     }
+    if (s == ORR_OK && model->set[0].t1 == ORR_TIME_NONE) f->from -= EDGE_HOLD_NS;
+    if (s == ORR_OK && model->set[f->n - 1].t1 == ORR_TIME_NONE) f->to += EDGE_HOLD_NS;
     if (s == ORR_OK && with_rms) s = grid_of_rms(f, diag);
     if (s != ORR_OK) {
         orr_tec_field_free(f);

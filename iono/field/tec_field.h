@@ -12,10 +12,18 @@
 #include "iono/field/harmonics.h"
 #include "iono/field/pierce.h"
 
-typedef enum orr_tec_spatial { ORR_TEC_HARMONIC, ORR_TEC_BILINEAR } orr_tec_spatial;
+// How maps are kept. By default global maps are refitted to harmonics, and maps of a region, which cannot be, stay as they
+// are.
+typedef enum orr_tec_spatial { ORR_TEC_HARMONIC, ORR_TEC_BILINEAR, ORR_TEC_SPATIAL_DEFAULT } orr_tec_spatial;
 // Between epochs. The three classical ways (Schaer, Gurtner, Feltens 1998): the nearest map, linear between
-// two maps at one place on the Earth, linear between two maps turned with the Sun.
-typedef enum orr_tec_temporal { ORR_TEC_NEAREST, ORR_TEC_LINEAR, ORR_TEC_ROTATED } orr_tec_temporal;
+// two maps at one place on the Earth, linear between two maps turned with the Sun. By default the last; for maps of a
+// region the second, because turned maps of a region do not cover its place.
+typedef enum orr_tec_temporal {
+    ORR_TEC_NEAREST,
+    ORR_TEC_LINEAR,
+    ORR_TEC_ROTATED,
+    ORR_TEC_TEMPORAL_DEFAULT,
+} orr_tec_temporal;
 
 // The models that satellites broadcast: GPS's eight numbers (QZSS's and NavIC's are of the same model), BeiDou's eight,
 // BeiDou's nine, Galileo's three. AUTO: of a navigation file GPS's, else QZSS's, NavIC's, BeiDou's eight, its nine,
@@ -42,7 +50,7 @@ typedef struct orr_tec_options {
         *nequick; // folder of NeQuick-G's tables (orr_nequick_load); NULL: none; used while a field is made
     const orr_leap_table *leap; // NULL: built-in; must outlive the field
 } orr_tec_options;
-orr_tec_options orr_tec_default_options(void); // harmonic, rotated, 1, 15, 79 N 71 W, MSLM
+orr_tec_options orr_tec_default_options(void); // the two defaults, 1, 15, 79 N 71 W, MSLM
 
 // Maps on a regular grid of geocentric latitude and longitude, [map][lat][lon]; NAN is a hole. Cells below zero are
 // left out of a fit; in maps as they are they count as 0, below -2 TECU as holes.

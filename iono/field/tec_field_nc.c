@@ -82,10 +82,12 @@ orr_status orr_tec_field_put(orr_nc_writer *w, const orr_tec_field *f, orr_diag 
     orr_nc_put_dim(w, "field_epoch", f->n, diag);
     orr_nc_put_dim(w, "field_grid_parameter", 6, diag);
     const char *epochs[] = {"field_epoch"};
-    orr_nc_put_var(w, "field_t", ORR_NC_INT64, 1, epochs, f->t, "ns since 1980-01-06T00:00:00 GPS",
-                   "epoch of the field", diag);
-    orr_nc_put_var(w, "field_t1", ORR_NC_INT64, 1, epochs, f->t1, "ns since 1980-01-06T00:00:00 GPS",
-                   "end of a set that holds for an interval; the lowest number: a snapshot", diag);
+    orr_nc_put_var(w, "field_t", ORR_NC_INT64, 1, epochs, f->t, "nanoseconds since 1980-01-06 00:00:00",
+                   "epoch of the field, GPS time", diag);
+    orr_nc_put_var(w, "field_t1", ORR_NC_INT64, 1, epochs, f->t1, NULL,
+                   "end of a set that holds for an interval, nanoseconds of GPS time since 1980-01-06; the "
+                   "lowest number: a snapshot",
+                   diag);
     if (f->kind == TEC_HARMONICS) {
         double *all = malloc(f->n * f->basis.n_coef * sizeof *all);
         if (all == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory to write a field");

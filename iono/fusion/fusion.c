@@ -19,10 +19,7 @@ orr_fusion_options orr_fusion_default_options(void)
 {
     return (orr_fusion_options){.method = ORR_FUSION_JOINT,
                                 .knot_s = 3600,
-                                .thin_s = 120,
-                                .sample_tecu = 1,
-                                .walk_tecu = {2, 1, 0.5},
-                                .start_tecu = {10, 5, 5},
+                                .thin_s = 300,
                                 .code_systems = "G",
                                 .code_tecu = 1.5,
                                 .step_test = true,
@@ -41,7 +38,10 @@ void orr_fusion_free(orr_fusion *f, const orr_phase_tec *phase)
     *f = (orr_fusion){0};
 }
 
-// Model value and mapping of every sample.
+#define USUAL_PART                                                                                           \
+    0.1 // of the content, where a field does not tell its RMS: what maps are wrong by in general
+
+// Model value and mapping of every sample, and the field's own sigma over the station.
 static orr_status model_samples(const orr_phase_tec *p, const orr_tec_field *field, orr_fusion *out,
                                 orr_diag *diag)
 {
@@ -51,6 +51,7 @@ static orr_status model_samples(const orr_phase_tec *p, const orr_tec_field *fie
     orr_status s = out->model_vtec != NULL && out->mapping != NULL && at != NULL
                        ? ORR_OK
                        : orr_diag_set(diag, ORR_E_MEMORY, "no memory for the model along the arcs");
+    double rms = 0, with_rms = 0, content = 0, weights = 0;
     for (size_t k = 0; s == ORR_OK && k < p->n_sats; k++) {
         const orr_phase_sat *sat = &p->sat[k];
         double *v = malloc(2 * (sat->n + 1) * sizeof *v);
@@ -72,8 +73,17 @@ static orr_status model_samples(const orr_phase_tec *p, const orr_tec_field *fie
             }
             v[i] = ray.vtec_tecu;
             v[sat->n + i] = ray.mapping;
+            double w = 1 / (ray.mapping * ray.mapping);
+            content += w * ray.vtec_tecu;
+            weights += w;
+            if (!(ray.sigma_tecu > 0)) continue;
+            rms += w * ray.sigma_tecu / ray.mapping;
+            with_rms += w;
         }
     }
+    out->field_rms_assumed = !(with_rms > 0);
+    out->field_rms_tecu = with_rms > 0 ? rms / with_rms : weights > 0 ? USUAL_PART * content / weights : 1;
+    out->field_rms_tecu = fmax(out->field_rms_tecu, 0.5);
     free(at);
     return s;
 }
@@ -99,9 +109,7 @@ static orr_status list_arcs(const orr_phase_tec *p, const orr_fusion_options *o,
                 sum += sat->gf_tecu[i] - out->mapping[s][i] * out->model_vtec[s][i];
             }
             if (a.n < 2) continue;
-            bool withheld = o->withhold_sat != NULL && *o->withhold_sat == sat->sat && o->withhold_arc == k;
-            a.bias_tecu =
-                withheld ? ORR_NAN : sum / (double)a.n; // the source's method; a start for the joint one
+            a.bias_tecu = sum / (double)a.n; // the source's method; a start for the joint one
             a.sigma_tecu = ORR_NAN;
             out->arc[out->n_arcs++] = a;
         }
@@ -129,14 +137,6 @@ static orr_status init_correction(const orr_phase_tec *p, const orr_tec_field *f
     c->n = (size_t)n;
     c->term = calloc(c->n, sizeof *c->term);
     return c->term != NULL ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "no memory for the correction");
-}
-
-static double residual(const orr_phase_tec *p, const orr_fusion *f, const orr_fused_arc *a, size_t i)
-{
-    const orr_phase_sat *sat = &p->sat[a->sat_index];
-    double v =
-        f->model_vtec[a->sat_index][i] + orr_correction_at(&f->correction, sat->t[i], sat->pierce[i].unit);
-    return sat->gf_tecu[i] - a->bias_tecu - f->mapping[a->sat_index][i] * v;
 }
 
 // Splits arc k of a satellite before sample `at`; parts too short are dropped.
@@ -195,13 +195,12 @@ static orr_status step_tests(orr_phase_tec *p, const orr_fusion_options *o, orr_
     for (size_t a = 0; s == ORR_OK && a < f->n_arcs; a++) {
         const orr_fused_arc *arc = &f->arc[a];
         orr_phase_sat *sat = &p->sat[arc->sat_index];
-        if (isnan(arc->bias_tecu)) continue;
         size_t n = 0, at;
         double step;
         for (size_t i = SIZE_MAX;
              fusion_next_sample(sat, (int)arc->arc, 0, f->model_vtec[arc->sat_index], &i);) {
             t[n] = orr_time_diff_s(sat->t[i], arc->from);
-            r[n] = residual(p, f, arc, i);
+            r[n] = fusion_residual(p, f, arc, i);
             index[n++] = i;
         }
         if (!orr_arc_step(t, r, n, &o->arcs, &at, &step)) continue;
@@ -211,6 +210,14 @@ static orr_status step_tests(orr_phase_tec *p, const orr_fusion_options *o, orr_
     free(t);
     free(index);
     return s;
+}
+
+static double mean_mapping(const orr_phase_sat *sat, const orr_fusion *f, const orr_fused_arc *arc)
+{
+    double sum = 0;
+    for (size_t i = SIZE_MAX; fusion_next_sample(sat, (int)arc->arc, 0, f->model_vtec[arc->sat_index], &i);)
+        sum += f->mapping[arc->sat_index][i];
+    return sum / (double)arc->n;
 }
 
 static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_fusion *f)
@@ -224,10 +231,9 @@ static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_f
         orr_fused_arc *arc = &f->arc[a];
         const orr_phase_sat *sat = &p->sat[arc->sat_index];
         double own = 0;
-        if (isnan(arc->bias_tecu)) continue;
         for (size_t i = SIZE_MAX;
              fusion_next_sample(sat, (int)arc->arc, 0, f->model_vtec[arc->sat_index], &i);) {
-            double r = residual(p, f, arc, i);
+            double r = fusion_residual(p, f, arc, i);
             double m = sat->gf_tecu[i] - arc->bias_tecu -
                        f->mapping[arc->sat_index][i] * f->model_vtec[arc->sat_index][i];
             int b = (int)(sat->pierce[i].el_rad * ORR_DEG_PER_RAD / 10);
@@ -240,8 +246,9 @@ static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_f
         }
         all += own;
         arc->residual_tecu = sqrt(own / (double)arc->n);
+        // Errors of a field that nothing corrects do not average out.
         if (f->method == ORR_FUSION_THESIS)
-            arc->sigma_tecu = arc->residual_tecu; // the model's errors do not average out
+            arc->sigma_tecu = hypot(arc->residual_tecu, mean_mapping(sat, f, arc) * f->field_rms_tecu);
     }
     f->residual_tecu = sqrt(all / (double)f->n_samples);
     f->model_residual_tecu = sqrt(plain / (double)f->n_samples);
@@ -254,8 +261,8 @@ static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_f
     for (int pass = 0; pass < 2; pass++)
         for (size_t a = 0; a < f->n_arcs; a++) {
             const orr_fused_arc *arc = &f->arc[a];
-            if (orr_sat_system(arc->sat) != 'E' || isnan(arc->code_bias_tecu) || isnan(arc->bias_tecu) ||
-                arc->group >= 64 || orr_time_diff_s(arc->to, arc->from) < 7200)
+            if (orr_sat_system(arc->sat) != 'E' || isnan(arc->code_bias_tecu) || arc->group >= 64 ||
+                orr_time_diff_s(arc->to, arc->from) < 7200)
                 continue;
             double d = arc->bias_tecu - arc->code_bias_tecu;
             if (pass == 0) {
@@ -272,97 +279,104 @@ static void summarise(const orr_phase_tec *p, const orr_fusion_options *o, orr_f
     f->galileo_std_tecu = f->galileo_n > groups ? sqrt(square / (double)(f->galileo_n - groups)) : ORR_NAN;
 }
 
+static void use_codes(const orr_fusion_options *o, orr_fusion *f)
+{
+    for (size_t a = 0; a < f->n_arcs; a++)
+        f->arc[a].code_used = !isnan(f->arc[a].code_bias_tecu) &&
+                              strchr(o->code_systems, orr_sat_system(f->arc[a].sat)) != NULL;
+}
+
+// Arcs and their biases, until no residual shows a step.
+static orr_status level(orr_phase_tec *phase, const orr_bias_set *biases, size_t n_biases,
+                        const orr_fusion_options *o, orr_fusion *out, orr_diag *diag)
+{
+    for (int round = 0;; round++) {
+        orr_status s = list_arcs(phase, o, out, diag);
+        if (s == ORR_OK) s = fusion_level_codes(phase, biases, n_biases, o, out, diag);
+        if (s == ORR_OK && o->method == ORR_FUSION_JOINT) {
+            use_codes(o, out);
+            s = fusion_solve(phase, o, out, diag);
+        }
+        size_t found = 0;
+        if (s == ORR_OK && o->step_test && round + 1 < MAX_ROUNDS)
+            s = step_tests(phase, o, out, &found, diag);
+        if (s != ORR_OK || found == 0) return s;
+    }
+}
+
+// A correction that does not help is none: biases are what codes and the field say, and no surer than the field.
+static orr_status drop_correction(const orr_phase_tec *phase, const orr_fusion_options *o, orr_fusion *f,
+                                  orr_diag *diag)
+{
+    const double level = f->model.level_tecu, none = 1e-6;
+    f->fallback = ORR_FUSION_NO_GAIN;
+    f->model.level_tecu = f->model.rms_tecu = none;
+    orr_status s = fusion_solve(phase, o, f, diag);
+    f->model.level_tecu = f->level_sigma_tecu = level;
+    memset(f->correction.term, 0, f->correction.n * sizeof *f->correction.term);
+    for (size_t a = 0; s == ORR_OK && a < f->n_arcs; a++) {
+        orr_fused_arc *arc = &f->arc[a];
+        arc->sigma_tecu = hypot(arc->sigma_tecu, level * mean_mapping(&phase->sat[arc->sat_index], f, arc));
+    }
+    for (size_t g = 0; g < f->n_groups; g++) f->group[g].sigma_tecu = hypot(f->group[g].sigma_tecu, level);
+    f->left.corrected_tecu = f->left.plain_tecu;
+    f->left.corrected_dstec_tecu = f->left.plain_dstec_tecu;
+    for (int b = 0; b < ORR_FUSION_BANDS; b++) f->left.band[b].corrected_tecu = f->left.band[b].plain_tecu;
+    return s;
+}
+
+// The statistics were chosen from the same arcs, as degrees of freedom that a plain covariance does not count.
+static void widen(orr_fusion *f)
+{
+    double n = (double)f->n_arcs, factor = sqrt(n / fmax(n - FUSION_MODEL_UNKNOWNS, n / 2));
+    for (size_t a = 0; a < f->n_arcs; a++) f->arc[a].sigma_tecu *= factor;
+    for (size_t g = 0; g < f->n_groups; g++) f->group[g].sigma_tecu *= factor;
+    f->level_sigma_tecu *= factor;
+}
+
+// The joint fit with statistics of the session's own, and what arcs left out say of it. Where they are worse with the
+// correction than without, it is made weaker, and dropped in the end.
+static orr_status joint(const orr_phase_tec *phase, const orr_fusion_options *o, orr_fusion *f,
+                        orr_diag *diag)
+{
+    orr_status s = fusion_choose_model(phase, o, f, diag);
+    for (int attempt = 0; s == ORR_OK && attempt < 3; attempt++) {
+        s = fusion_solve(phase, o, f, diag);
+        if (s == ORR_OK) s = fusion_leave_out(phase, o, f, diag);
+        if (s != ORR_OK) return s;
+        widen(f);
+        if (!(f->left.corrected_tecu > f->left.plain_tecu)) return ORR_OK;
+        f->model.level_tecu /= 2;
+    }
+    f->model.level_tecu *= 8; // as it was chosen
+    return s == ORR_OK ? drop_correction(phase, o, f, diag) : s;
+}
+
 orr_status orr_fuse(orr_phase_tec *phase, const orr_tec_field *field, const orr_bias_set *biases,
                     size_t n_biases, const orr_fusion_options *options, orr_fusion *out, orr_diag *diag)
 {
     *out = (orr_fusion){0};
     orr_fusion_options o = options != NULL ? *options : orr_fusion_default_options();
-    out->method = o.method;
     if (!phase->has_geometry)
         return orr_diag_set(diag, ORR_E_ARG, "a fusion needs the satellites' positions: give an orbit");
     orr_status s = model_samples(phase, field, out, diag);
+    out->model = fusion_usual_model(out->field_rms_tecu);
     if (s == ORR_OK && o.method == ORR_FUSION_JOINT)
         s = init_correction(phase, field, &o, &out->correction, diag);
-    for (int round = 0; s == ORR_OK; round++) {
+    if (s == ORR_OK) s = level(phase, biases, n_biases, &o, out, diag);
+    if (s == ORR_OK && o.method == ORR_FUSION_JOINT && out->n_arcs < 2) { // nothing to tell map from arc
+        o.method = ORR_FUSION_THESIS;
+        out->fallback = ORR_FUSION_TOO_FEW_ARCS;
+        out->correction.n = 0;
         s = list_arcs(phase, &o, out, diag);
-        if (s == ORR_OK) s = fusion_level_codes(phase, biases, n_biases, out, diag);
-        if (s != ORR_OK) break;
-        if (o.method == ORR_FUSION_JOINT) {
-            for (size_t a = 0; a < out->n_arcs; a++)
-                out->arc[a].code_used = !isnan(out->arc[a].code_bias_tecu) && !isnan(out->arc[a].bias_tecu) &&
-                                        strchr(o.code_systems, orr_sat_system(out->arc[a].sat)) != NULL;
-            s = fusion_solve(phase, &o, out, diag);
-            if (s != ORR_OK) break;
-        }
-        size_t found = 0;
-        if (o.step_test && round + 1 < MAX_ROUNDS) s = step_tests(phase, &o, out, &found, diag);
-        if (found == 0) break;
+        if (s == ORR_OK) s = fusion_level_codes(phase, biases, n_biases, &o, out, diag);
     }
+    out->method = o.method;
+    if (s == ORR_OK && o.method == ORR_FUSION_JOINT) s = joint(phase, &o, out, diag);
     if (s != ORR_OK) {
         orr_fusion_free(out, phase);
         return s;
     }
     summarise(phase, &o, out);
     return ORR_OK;
-}
-
-orr_status orr_fusion_leave_one_out(orr_phase_tec *phase, const orr_tec_field *field,
-                                    const orr_bias_set *biases, size_t n_biases,
-                                    const orr_fusion_options *options, double min_span_s, orr_leave_out *out,
-                                    orr_diag *diag)
-{
-    *out = (orr_leave_out){0};
-    orr_fusion_options o = options != NULL ? *options : orr_fusion_default_options();
-    o.method = ORR_FUSION_JOINT;
-    orr_fusion f;
-    orr_status s = orr_fuse(phase, field, biases, n_biases, &o, &f, diag);
-    if (s != ORR_OK) return s;
-    double corrected[ORR_FUSION_BANDS] = {0}, plain[ORR_FUSION_BANDS] = {0}, all[2] = {0};
-    for (int b = 0; b < ORR_FUSION_BANDS; b++) {
-        out->band[b].from_deg = 10 * b;
-        out->band[b].to_deg = 10 * (b + 1);
-    }
-    for (size_t a = 0; s == ORR_OK && a < f.n_arcs; a++) {
-        orr_fused_arc *arc = &f.arc[a];
-        if (orr_time_diff_s(arc->to, arc->from) < min_span_s) continue;
-        double kept = arc->bias_tecu;
-        bool code = arc->code_used;
-        arc->bias_tecu = ORR_NAN;
-        arc->code_used = false;
-        s = fusion_solve(phase, &o, &f, diag);
-        if (s != ORR_OK) break;
-        arc->bias_tecu = 0;
-        const orr_phase_sat *sat = &phase->sat[arc->sat_index];
-        const double *vtec = f.model_vtec[arc->sat_index], *map = f.mapping[arc->sat_index];
-        double mean[2] = {0};
-        for (int pass = 0; pass < 2; pass++)
-            for (size_t i = SIZE_MAX; fusion_next_sample(sat, (int)arc->arc, 0, vtec, &i);) {
-                double r[2] = {residual(phase, &f, arc, i), sat->gf_tecu[i] - map[i] * vtec[i]};
-                if (pass == 0) {
-                    mean[0] += r[0] / (double)arc->n;
-                    mean[1] += r[1] / (double)arc->n;
-                    continue;
-                }
-                int b = (int)(sat->pierce[i].el_rad * ORR_DEG_PER_RAD / 10);
-                if (b > ORR_FUSION_BANDS - 1) b = ORR_FUSION_BANDS - 1;
-                corrected[b] += (r[0] - mean[0]) * (r[0] - mean[0]);
-                plain[b] += (r[1] - mean[1]) * (r[1] - mean[1]);
-                out->band[b].n++;
-                out->n_samples++;
-            }
-        out->n_arcs++;
-        arc->bias_tecu = kept;
-        arc->code_used = code;
-    }
-    for (int b = 0; b < ORR_FUSION_BANDS; b++) {
-        double n = (double)out->band[b].n;
-        all[0] += corrected[b];
-        all[1] += plain[b];
-        out->band[b].corrected_tecu = n > 0 ? sqrt(corrected[b] / n) : ORR_NAN;
-        out->band[b].plain_tecu = n > 0 ? sqrt(plain[b] / n) : ORR_NAN;
-    }
-    out->corrected_tecu = out->n_samples > 0 ? sqrt(all[0] / (double)out->n_samples) : ORR_NAN;
-    out->plain_tecu = out->n_samples > 0 ? sqrt(all[1] / (double)out->n_samples) : ORR_NAN;
-    orr_fusion_free(&f, phase);
-    return s;
 }

@@ -53,6 +53,8 @@ static void learn_time(orr_session *s)
     if (!(s->small.time_s >= 60)) s->small.time_s = 60;
 }
 
+#define LEAST_SHARED 0.3 // of the variance: fewer pairs than it takes to say less
+
 // Pairs of satellites at one epoch (of every tenth minute), by distance of their pierce points.
 static orr_status learn_length(orr_session *s, orr_diag *diag)
 {
@@ -86,22 +88,29 @@ static orr_status learn_length(orr_session *s, orr_diag *diag)
     }
     free(now);
     free(at);
-    // One-parameter fit of sigma^2 exp(-d / L), weighted by counts: the sum of squares over a ladder of L.
-    double variance = s->small.sigma_tecu * s->small.sigma_tecu, best = (double)INFINITY;
+    // Fit of a exp(-d / L), weighted by counts: a by least squares for each L of a ladder. What a lacks of the variance
+    // is not shared by neighbours.
+    double variance = s->small.sigma_tecu * s->small.sigma_tecu, best = (double)INFINITY, shared = variance;
     s->small.length_m = 300e3;
     for (double l = 20e3; l < 3000e3; l *= 1.1) {
-        double sum = 0, n = 0;
+        double up = 0, down = 0, square = 0;
         for (size_t b = 1; b < BINS; b++) {
             if (count[b] < 20) continue;
-            double r = product[b] / count[b] - variance * exp(-((double)b - 0.5) * width / l);
-            sum += count[b] * r * r;
-            n += count[b];
+            double e = exp(-((double)b - 0.5) * width / l), mean = product[b] / count[b];
+            up += count[b] * e * mean;
+            down += count[b] * e * e;
+            square += count[b] * mean * mean;
         }
-        if (n > 0 && sum < best) {
+        if (!(down > 0)) continue;
+        double a = fmin(fmax(up / down, LEAST_SHARED * variance), variance),
+               sum = square - 2 * a * up + a * a * down;
+        if (sum < best) {
             best = sum;
+            shared = a;
             s->small.length_m = l;
         }
     }
+    s->small.own_tecu = sqrt(variance - shared);
     return ORR_OK;
 }
 
@@ -140,7 +149,6 @@ orr_status orr_session_make(const orr_phase_tec *phase, const orr_fusion *fusion
     qsort(order, fusion->n_arcs, sizeof *order, by_sat_and_time);
     for (size_t k = 0; k < fusion->n_arcs; k++) {
         const orr_fused_arc *a = &order[k];
-        if (isnan(a->bias_tecu)) continue;
         const orr_phase_sat *sat = &phase->sat[a->sat_index];
         const double *vtec = fusion->model_vtec[a->sat_index], *map = fusion->mapping[a->sat_index];
         orr_session_arc *arc = &out->arc[out->n_arcs++];
@@ -152,8 +160,8 @@ orr_status orr_session_make(const orr_phase_tec *phase, const orr_fusion *fusion
             x->stec_tecu = sat->gf_tecu[i] - a->bias_tecu;
             x->model_stec_tecu = map[i] * vtec[i];
             x->mapping = map[i];
-            x->residual_tecu =
-                x->stec_tecu / map[i] - vtec[i] - orr_correction_at(&out->correction, x->t, p->unit);
+            x->residual_tecu = x->stec_tecu / map[i] - vtec[i] -
+                               orr_correction_at(&out->correction, x->t, p->unit, vtec[i], map[i]);
             x->pierce = p->unit;
             x->az_rad = p->az_rad;
             x->el_rad = p->el_rad;

@@ -29,10 +29,11 @@ typedef struct orr_session_sample {
     double az_rad, el_rad;
 } orr_session_sample;
 
-// The small-scale structure that field and correction leave, vertical: variance, and how it fades with the
-// distance of pierce points and with time, both exponential.
+// The small-scale structure that field and correction leave, vertical: its sigma, how it fades with the distance of
+// pierce points and with time, both exponential, and the sigma of that part of it that belongs to single satellites
+// (errors of their arcs' biases) and not to places.
 typedef struct orr_small_scale {
-    double sigma_tecu, length_m, time_s;
+    double sigma_tecu, length_m, time_s, own_tecu;
 } orr_small_scale;
 
 typedef struct orr_session {
@@ -83,7 +84,7 @@ typedef enum orr_tec_origin {
     ORR_ORIGIN_FIELD = 0,       // the field alone
     ORR_ORIGIN_FUSED = 1,       // the station's own phase, levelled
     ORR_ORIGIN_TRANSFERRED = 2, // field, and the station's residual of this satellite carried over
-    ORR_ORIGIN_NOISE = 3,       // field, what neighbouring rays tell, and seeded noise
+    ORR_ORIGIN_NOISE = 3,       // no arc of this satellite now: field, what other rays tell, and seeded noise
 } orr_tec_origin;
 
 typedef struct orr_realisation {
@@ -103,7 +104,8 @@ typedef struct orr_transfer_options {
 
 // Slant TEC from a receiver to satellites.
 //   Given:    s        the session
-//             t        instant; outside the session's span the field alone is used
+//             t        instant; beyond the session's ends its part tapers off within half an hour, then the field
+//                      alone is used
 //             site_m   receiver, ecef
 //             sat      [n] satellites, and
 //             sat_m    [n] their positions, ecef
@@ -139,5 +141,13 @@ orr_status orr_field_realise(const orr_tec_field *f, orr_time t, orr_vec3 site_m
 // 1/e in about time_s; a cubic B-spline of independent numbers on a lattice, divided by its own standard
 // deviation at t.
 double orr_coloured_noise(uint64_t seed, orr_sat sat, orr_time t, double time_s);
+// The same over a plane and time: places that are alike see the same.
+// Given:
+//   seed         any number
+//   east, north  place, in units of the distance at which the correlation is about 1/e
+//   t            instant
+//   time_s       time after which the correlation is about 1/e
+// Returned: a number of mean 0 and variance 1, continuous in place and time.
+double orr_shell_noise(uint64_t seed, double east, double north, orr_time t, double time_s);
 
 #endif

@@ -9,7 +9,7 @@
 #include "iono/fusion/session.h"
 
 #define TITLE "Fused ionospheric delays of a station"
-#define TIME_UNITS "ns since 1980-01-06T00:00:00 GPS"
+#define TIME_UNITS "nanoseconds since 1980-01-06 00:00:00"
 #define MAX_ARCS 100000
 #define MAX_SAMPLES 50000000
 #define MAX_KNOTS 20000
@@ -144,6 +144,7 @@ orr_status orr_session_save(const orr_session *s, const char *path, const char *
         put_number(&w, "small_scale_sigma_tecu", s->small.sigma_tecu, diag);
         put_number(&w, "small_scale_length_m", s->small.length_m, diag);
         put_number(&w, "small_scale_time_s", s->small.time_s, diag);
+        put_number(&w, "small_scale_own_tecu", s->small.own_tecu, diag);
         orr_nc_put_att_int64(&w, NULL, "from_ns", &s->from, 1, diag);
         orr_nc_put_att_int64(&w, NULL, "to_ns", &s->to, 1, diag);
         put_samples(&w, s, buf, whole, diag);
@@ -152,10 +153,11 @@ orr_status orr_session_save(const orr_session *s, const char *path, const char *
             const char *dims[] = {"knot", "correction_term"};
             orr_nc_put_dim(&w, "knot", s->correction.n, diag);
             orr_nc_put_dim(&w, "correction_term", ORR_CORRECTION_TERMS, diag);
-            orr_nc_put_var(
-                &w, "correction", ORR_NC_DOUBLE, 2, dims, s->correction.term, "TECU",
-                "correction of vertical TEC: 1, x, y, x^2, x y, y^2; x East, y North in 1000 km on the shell",
-                diag);
+            orr_nc_put_var(&w, "correction", ORR_NC_DOUBLE, 2, dims, s->correction.term, "TECU",
+                           "correction of vertical TEC: 1, x, y, x^2, x y, y^2, x^3, x^2 y, x y^2, y^3 (x "
+                           "East, y North in 1000 km on the "
+                           "shell), effective height in 100 km, content of the plasmasphere",
+                           diag);
             orr_nc_put_att_int64(&w, NULL, "correction_t0_ns", &s->correction.t0, 1, diag);
             put_number(&w, "correction_knot_s", s->correction.knot_s, diag);
             put_number(&w, "correction_reach", s->correction.reach, diag);
@@ -186,7 +188,8 @@ static orr_status get_scalars(const orr_nc_reader *r, orr_session *s, orr_diag *
                 {"max_gap_s", &s->max_gap_s},
                 {"small_scale_sigma_tecu", &s->small.sigma_tecu},
                 {"small_scale_length_m", &s->small.length_m},
-                {"small_scale_time_s", &s->small.time_s}};
+                {"small_scale_time_s", &s->small.time_s},
+                {"small_scale_own_tecu", &s->small.own_tecu}};
     for (size_t i = 0; i < sizeof real / sizeof *real; i++)
         if (orr_nc_get_att_double(r, NULL, real[i].name, real[i].v, NULL) != ORR_OK || !isfinite(*real[i].v))
             return orr_diag_set(diag, ORR_E_FORMAT, "%s: no usable attribute %s", r->path, real[i].name);
@@ -196,7 +199,9 @@ static orr_status get_scalars(const orr_nc_reader *r, orr_session *s, orr_diag *
         return orr_diag_set(diag, ORR_E_FORMAT, "%s: no usable span (from_ns, to_ns)", r->path);
     if (!(s->small.length_m > 1 && s->small.length_m < 1e9) ||
         !(s->small.time_s > 0 && s->small.time_s < 1e8) ||
-        !(s->small.sigma_tecu >= 0 && s->small.sigma_tecu < 1e5) || !(s->interval_s >= 0))
+        !(s->small.sigma_tecu >= 0 && s->small.sigma_tecu < 1e5) ||
+        !(s->small.own_tecu >= 0 && s->small.own_tecu < fmax(s->small.sigma_tecu, 1e-12)) ||
+        !(s->interval_s >= 0))
         return orr_diag_set(diag, ORR_E_FORMAT, "%s: its small-scale structure makes no sense", r->path);
     orr_nc_get_att_text(r, NULL, "station", s->station, sizeof s->station, NULL); // a name may be missing
     orr_nc_get_att_text(r, NULL, "method", s->method, sizeof s->method, NULL);

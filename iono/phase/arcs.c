@@ -10,9 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define GF_SIDE 5       // samples either side of a boundary for the phase's parabola and step
-#define MW_SIDE 20      // and for the means of the wide lane
-#define NEAR 12         // samples either side from which the noise of one is judged
+#define GF_SIDE 5      // samples either side of a boundary for the phase's parabola and step
+#define MW_SIDE 20     // and for the means of the wide lane
+#define END_SIDE 2     // samples at an end of a pass that are dropped where they do not go on smoothly,
+#define END_SIGMAS 5.5 // by so many sigma
+#define END_TECU                                                                                             \
+    0.8         // and by so much: noise at the horizon grows faster than it can be judged from samples nearby
+#define NEAR 12 // samples either side from which the noise of one is judged
 #define UNIQUE 12.0     // chi-square by which one pair of cycles must beat every other to be believed
 #define FITS 16.0       // chi-square (two values) with which a pair of cycles still explains a step
 #define ALIKE_TECU 0.06 // pairs of cycles whose steps differ by less are one as far as TEC goes
@@ -273,8 +277,10 @@ static double evidence_of(const packed *p, const step *s, double needed)
     needed *= 1 + 2 * (1 - (double)s->side / GF_SIDE);
     judgement j = judge(p, s);
     if (j.best < FITS && j.none - j.best > needed) return j.none - j.best;
-    // No pair of whole cycles explains it, but the phase has jumped all the same.
     double d = s->gf / s->gf_sigma;
+    // One or two samples at an end cannot prove a slip, but nor are they worth much: what does not go on smoothly goes.
+    if (s->side <= END_SIDE && fabs(d) > END_SIGMAS && fabs(s->gf) > END_TECU) return d * d;
+    // No pair of whole cycles explains it, but the phase has jumped all the same.
     return j.best >= FITS && d * d > 2 * needed ? d * d - needed : 0;
 }
 

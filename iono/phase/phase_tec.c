@@ -11,6 +11,7 @@
 #include "core/astro.h"
 #include "core/nan.h"
 #include "ingest/rinex/rinex_obs.h"
+#include "iono/phase/clock_steps.h"
 #include "iono/phase/signals.h"
 #include "iono/phase/windup.h"
 
@@ -396,6 +397,20 @@ static orr_status make_sat(const reading *r, size_t slot, const sun_table *sun, 
     return ORR_OK;
 }
 
+static orr_status undo_clock_steps(reading *r, orr_phase_tec *out, orr_diag *diag)
+{
+    orr_clock_series *series = calloc(SAT_SLOTS, sizeof *series);
+    if (series == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for observations");
+    size_t n = 0;
+    for (size_t slot = 0; slot < SAT_SLOTS; slot++)
+        if (r->choice[slot] != NULL && r->raw[slot].n > 0)
+            series[n++] = (orr_clock_series){r->raw[slot].n, r->raw[slot].t, r->raw[slot].value,
+                                             ORR_LIGHT_MPS / r->choice[slot]->freq_hz[0]};
+    orr_status s = orr_clock_steps_undo(series, n, r->epoch, r->n_epochs, &out->n_clock_steps, diag);
+    free(series);
+    return s;
+}
+
 static int by_time(const void *a, const void *b)
 {
     orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
@@ -410,6 +425,8 @@ static orr_status finish(reading *r, const char *path, orr_phase_tec *out, orr_d
     out->from = r->epoch[0];
     out->to = r->epoch[r->n_epochs - 1];
     if (out->to < out->from) return orr_diag_at(diag, ORR_E_FORMAT, path, 0, 0, "epochs go backward in time");
+    orr_status s = undo_clock_steps(r, out, diag);
+    if (s != ORR_OK) return s;
     for (size_t i = 0; i + 1 < r->n_epochs; i++) r->epoch[i] = r->epoch[i + 1] - r->epoch[i];
     if (r->n_epochs > 1) {
         qsort(r->epoch, r->n_epochs - 1, sizeof *r->epoch, by_time);
@@ -419,7 +436,6 @@ static orr_status finish(reading *r, const char *path, orr_phase_tec *out, orr_d
     out->sat = calloc(SAT_SLOTS, sizeof *out->sat);
     if (out->sat == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for satellites");
     sun_table sun = {0};
-    orr_status s = ORR_OK;
     if (r->o->position != NULL && r->o->windup) s = sun_init(&sun, out->from, out->to, r->o->leap, diag);
     size_t dual = 0;
     for (size_t slot = 0; s == ORR_OK && slot < SAT_SLOTS; slot++) {

@@ -54,7 +54,8 @@ typedef struct orr_phase_tec {
     double interval_s; // median of the epochs
     orr_time from, to;
     size_t n_epochs, n_sats;
-    orr_phase_sat *sat; // ascending; satellites with at least one sample
+    orr_phase_sat *sat;   // ascending; satellites with at least one sample
+    size_t n_clock_steps; // epochs at which the receiver's clock stepped by whole milliseconds
     size_t n_single,
         n_unknown; // satellites left out: without a second carrier; without a position at any epoch
 } orr_phase_tec;

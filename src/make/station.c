@@ -9,6 +9,10 @@
 #include "ingest/input/sniff.h"
 #include "ingest/rinex/rinex_obs.h"
 #include "ingest/tables/sinex.h"
+#include "iono/fusion/ionex_bias.h"
+
+// Of the level's a-priori sigma: where so much is left the session has told nothing.
+#define UNDETERMINED 0.8
 
 orr_station_plan orr_station_plan_default(void)
 {
@@ -22,7 +26,7 @@ void orr_station_free(orr_station *s)
     orr_bytes_free(&s->observations);
     orr_positions_close(s->positions);
     orr_tec_field_free(s->field);
-    for (size_t i = 0; i < s->n_biases; i++) orr_bias_free(&s->bias[i]);
+    orr_bias_free(&s->bias);
     orr_fusion_free(&s->fusion, &s->phase);
     orr_phase_tec_free(&s->phase);
     orr_session_free(&s->session);
@@ -30,19 +34,36 @@ void orr_station_free(orr_station *s)
     *s = (orr_station){0};
 }
 
+// Biases of a text, whichever kind of file it is.
+static orr_status parse_biases(const char *path, const orr_bytes *text, orr_bias_set *out,
+                               orr_warnings *warnings, orr_diag *diag)
+{
+    orr_status status = orr_bias_parse(path, text->text, text->n, NULL, out, warnings, diag);
+    if (status != ORR_E_KIND) return status;
+    orr_ionex maps;
+    status = orr_ionex_parse(path, text->text, text->n, NULL, &maps, warnings, diag);
+    if (status == ORR_E_KIND)
+        return orr_diag_at(diag, ORR_E_KIND, path, 0, 0,
+                           "neither Bias-SINEX, nor CODE's DCB text, nor an IONEX file with code biases");
+    if (status != ORR_OK) return status;
+    status = orr_bias_of_ionex(&maps, out, diag);
+    orr_ionex_free(&maps);
+    if (status == ORR_OK && out->n == 0)
+        status = orr_diag_at(diag, ORR_E_NODATA, path, 0, 0, "this IONEX file has no code biases");
+    return status;
+}
+
 static orr_status read_biases(orr_station *s, orr_warnings *warnings, orr_diag *diag)
 {
     const orr_station_plan *p = s->plan;
-    if (p->n_biases > ORR_STATION_MAX_BIASES)
-        return orr_diag_set(diag, ORR_E_LIMIT, "more than %d files of biases", ORR_STATION_MAX_BIASES);
     orr_status status = ORR_OK;
     for (size_t i = 0; i < p->n_biases && status == ORR_OK; i++) {
         orr_bytes text;
+        orr_bias_set more = {0};
         status = orr_inputs_read(&s->inputs, p->biases[i], &text, diag);
-        if (status == ORR_OK)
-            status = orr_bias_parse(p->biases[i], text.text, text.n, NULL, &s->bias[i], warnings, diag);
+        if (status == ORR_OK) status = parse_biases(p->biases[i], &text, &more, warnings, diag);
         orr_bytes_free(&text);
-        if (status == ORR_OK) s->n_biases = i + 1;
+        if (status == ORR_OK) status = orr_bias_join(&s->bias, &more, diag);
     }
     return status;
 }
@@ -91,23 +112,37 @@ static void channels_of_field(orr_station *s, const orr_bytes *text)
     orr_nav_free(&nav);
 }
 
+// The field, and where it is an IONEX file its code biases, which belong to its level.
+static orr_status read_field(orr_station *s, orr_bias_set *biases, orr_warnings *warnings, orr_diag *diag)
+{
+    const orr_station_plan *p = s->plan;
+    orr_bytes text;
+    orr_status status = orr_inputs_read(&s->inputs, p->field, &text, diag);
+    if (status == ORR_OK)
+        status = orr_tec_field_parse(p->field, text.text, text.n, &p->tec, &s->field, warnings, diag);
+    if (status == ORR_OK) channels_of_field(s, &text);
+    orr_ionex maps;
+    if (status == ORR_OK && orr_ionex_parse(p->field, text.text, text.n, NULL, &maps, NULL, NULL) == ORR_OK) {
+        status = orr_bias_of_ionex(&maps, biases, diag);
+        orr_ionex_free(&maps);
+    }
+    orr_bytes_free(&text);
+    return status;
+}
+
 static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *diag)
 {
     const orr_station_plan *p = s->plan;
     s->inputs.leap = p->tec.leap;
     orr_status status = orr_inputs_read_raw(&s->inputs, p->observations, &s->observations, diag);
-    if (status == ORR_OK && p->field != NULL) {
-        orr_bytes text;
-        status = orr_inputs_read(&s->inputs, p->field, &text, diag);
-        if (status == ORR_OK)
-            status = orr_tec_field_parse(p->field, text.text, text.n, &p->tec, &s->field, warnings, diag);
-        if (status == ORR_OK) channels_of_field(s, &text);
-        orr_bytes_free(&text);
-    }
+    orr_bias_set of_field = {0};
+    if (status == ORR_OK && p->field != NULL) status = read_field(s, &of_field, warnings, diag);
     if (status == ORR_OK && p->orbit != NULL)
         status = orr_positions_open(p->orbit, p->messages, &s->positions, &s->inputs, warnings, diag);
     if (status == ORR_OK && s->positions != NULL) note_channels(s, orr_positions_nav(s->positions));
     if (status == ORR_OK) status = read_biases(s, warnings, diag);
+    if (status == ORR_OK) status = orr_bias_join(&s->bias, &of_field, diag);
+    orr_bias_free(&of_field);
     if (status == ORR_OK && !p->has_site && p->sinex != NULL) status = site_of_sinex(s, diag);
     return status;
 }
@@ -163,10 +198,30 @@ orr_status orr_station_other(const orr_station *s, const char *path, orr_phase_t
 orr_status orr_station_fuse(orr_station *s, orr_warnings *warnings, orr_diag *diag)
 {
     orr_status status =
-        orr_fuse(&s->phase, s->field, s->bias, s->n_biases, &s->plan->fusion, &s->fusion, diag);
+        orr_fuse(&s->phase, s->field, &s->bias, s->bias.n > 0 ? 1 : 0, &s->plan->fusion, &s->fusion, diag);
     if (status == ORR_OK && s->fusion.n_no_model > 0)
         orr_warnings_add(warnings, orr_tec_field_source(s->field), 0, 0,
                          "%zu samples pierce holes of the maps and are left out", s->fusion.n_no_model);
+    if (status != ORR_OK) return status;
+    const orr_fusion *f = &s->fusion;
+    const char *name = s->phase.marker[0] != '\0' ? s->phase.marker : s->plan->observations;
+    if (f->fallback == ORR_FUSION_TOO_FEW_ARCS)
+        orr_warnings_add(
+            warnings, name, 0, 0,
+            "one arc cannot tell the field's error from its own bias: it is levelled to the field as it is "
+            "(--method thesis), which is known to %.1f TECU",
+            f->field_rms_tecu);
+    else if (f->fallback == ORR_FUSION_NO_GAIN)
+        orr_warnings_add(
+            warnings, name, 0, 0,
+            "a correction of the field does not help arcs that it was not fitted to; the field is used as "
+            "it is");
+    else if (f->method == ORR_FUSION_JOINT && f->level_sigma_tecu > UNDETERMINED * f->model.level_tecu)
+        orr_warnings_add(
+            warnings, name, 0, 0,
+            "this session does not determine the level of the content: it is the field's own, good to "
+            "%.1f TECU vertical; more satellites, a longer session or the station's code bias would",
+            f->level_sigma_tecu);
     return status;
 }
 

@@ -8,14 +8,12 @@
 #include "iono/fusion/session.h"
 #include "src/make/positions.h"
 
-#define ORR_STATION_MAX_BIASES 16
-
 typedef struct orr_station_plan {
     const char *observations;
     const char *field;         // NULL: none (phases alone)
     const char *orbit;         // an orbit product or a navigation file; NULL: none (phases alone)
     uint32_t messages;         // of that file to insist on (orr_broadcast_choice.messages); 0: the usual ones
-    const char *const *biases; // code biases of satellites
+    const char *const *biases; // files of code biases; those of an IONEX field are used besides
     size_t n_biases;
     bool has_site; // the station's position (ecef); else by `sinex`, else the header's
     orr_vec3 site_m;
@@ -36,16 +34,14 @@ typedef struct orr_station {
     orr_bytes observations;      // as they were read
     orr_positions *positions;
     orr_tec_field *field; // NULL once the session has it
-    orr_bias_set bias[ORR_STATION_MAX_BIASES];
-    size_t n_biases;
+    orr_bias_set bias;    // of all files, joined
     orr_phase_tec phase;
     orr_fusion fusion;
     orr_session session;
     orr_inputs inputs; // provenance
 } orr_station;
 
-// Reads everything, then the phases. Errors: those of the readers and of orr_phase_tec_read; ORR_E_LIMIT (biases);
-// ORR_E_NODATA (no such station in `sinex`). Free with orr_station_free whatever it returned.
+// Reads everything, then the phases. Errors: those of the readers and of orr_phase_tec_read; ORR_E_NODATA (no such station in `sinex`). Free with orr_station_free whatever it returned.
 orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_warnings *warnings,
                             orr_diag *diag);
 // Frees all that a station holds; it is zero then.

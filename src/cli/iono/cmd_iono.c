@@ -64,6 +64,7 @@ static int make_plan(const orr_cli *c, work *w)
     orr_fusion_options *f = &p->fusion;
     f->method =
         strcmp(orr_cli_text(c, "method", "joint"), "thesis") == 0 ? ORR_FUSION_THESIS : ORR_FUSION_JOINT;
+    f->withhold_station_bias = orr_cli_given(c, "withhold-station-bias");
     const char *systems = orr_cli_text(c, "code", f->code_systems);
     if (strcmp(systems, "none") == 0) systems = "";
     if (strlen(systems) >= sizeof f->code_systems || strspn(systems, ORR_SYSTEMS) != strlen(systems))
@@ -129,13 +130,13 @@ static void print_session(FILE *f, const orr_cli *c, const work *w)
 // Whether standard output is the series of --csv; the report then goes to standard error.
 static bool to_stdout(const orr_cli *c) { return strcmp(orr_cli_text(c, "csv", ""), "-") == 0; }
 
-static void report(const orr_cli *c, const orr_station *st, const orr_leave_out *left)
+static void report(const orr_cli *c, const orr_station *st)
 {
     const bool explain = orr_cli_given(c, "explain");
     if (orr_cli_says(c, "format", "json"))
-        orr_iono_report_json(stdout, &st->phase, &st->fusion, left, explain);
+        orr_iono_report_json(stdout, &st->phase, &st->fusion, explain);
     else
-        orr_iono_report_text(to_stdout(c) ? stderr : stdout, &st->phase, &st->fusion, left, explain);
+        orr_iono_report_text(to_stdout(c) ? stderr : stdout, &st->phase, &st->fusion, explain);
 }
 
 static int fuse(const orr_cli *c, work *w)
@@ -145,13 +146,9 @@ static int fuse(const orr_cli *c, work *w)
     orr_diag diag = {0};
     orr_station *st = &w->station;
     const char *output = orr_cli_text(c, "output", NULL);
-    const bool without_one = orr_cli_given(c, "leave-one-out"), csv = orr_cli_given(c, "csv");
-    orr_leave_out left = {0};
+    const bool csv = orr_cli_given(c, "csv");
     orr_status s = orr_station_open(&w->plan, st, &w->warnings, &diag);
     if (st->field != NULL) orr_tec_fit_say(c, st->field);
-    if (s == ORR_OK && without_one)
-        s = orr_fusion_leave_one_out(&st->phase, st->field, st->bias, st->n_biases, &w->plan.fusion, 3600,
-                                     &left, &diag);
     if (s == ORR_OK && output != NULL && st->field != NULL &&
         strcmp(orr_tec_field_kind(st->field), "nequick") == 0)
         s = orr_diag_set(
@@ -159,7 +156,7 @@ static int fuse(const orr_cli *c, work *w)
             "--output: a session over NeQuick-G is not saved, for its tables would have to go along");
     if (s == ORR_OK) s = orr_station_fuse(st, &w->warnings, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
-    report(c, st, without_one ? &left : NULL);
+    report(c, st);
     if (output == NULL && !csv) return ORR_EXIT_OK;
     s = orr_station_session(st, &diag);
     if (s == ORR_OK && csv) s = print_to(c, w, print_session, &diag);
@@ -207,15 +204,18 @@ static const orr_option options[] = {
      .applies = "!compare",
      .kind = ORR_OPT_CHOICE,
      .value = "thesis|joint",
-     .help = "How arcs are levelled. joint (default): all arcs' biases and an hourly quadratic correction of "
-             "the field in one least-squares adjustment. thesis: the mean of phase minus model over each arc "
+     .help = "How arcs are levelled. joint (default): all arcs' biases and an hourly cubic correction of the "
+             "field in one least-squares adjustment, as strong as the session's likelihood allows. thesis: "
+             "the mean of phase minus model over each arc "
              "(Bogdanov 2015)."},
     {.name = "biases",
      .applies = "!compare",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .repeated = true,
-     .help = "Code biases of satellites (Bias-SINEX or CODE's DCB files): codes then help to level arcs."},
+     .help = "Code biases (Bias-SINEX, CODE's DCB files, IONEX): codes then help to level arcs. Those of an "
+             "IONEX "
+             "field are used besides."},
     {.name = "code",
      .applies = "!compare",
      .kind = ORR_OPT_TEXT,
@@ -233,10 +233,10 @@ static const orr_option options[] = {
      .applies = "!compare",
      .kind = ORR_OPT_FLAG,
      .help = "List every arc and every slip, with what was decided and why."},
-    {.name = "leave-one-out",
+    {.name = "withhold-station-bias",
      .applies = "!compare",
      .kind = ORR_OPT_FLAG,
-     .help = "Predict each arc of an hour and more from the others, and tell how well."},
+     .help = "Do not use the station's own code bias where a file has it: to judge the level against it."},
     {.name = "compare",
      .kind = ORR_OPT_TEXT,
      .value = "OBS",

@@ -89,8 +89,53 @@ static void text_arcs(FILE *f, const orr_phase_tec *p, const orr_fusion *k)
         }
 }
 
-void orr_iono_report_text(FILE *f, const orr_phase_tec *p, const orr_fusion *k, const orr_leave_out *left,
-                          bool explain)
+// Accuracy by arcs that the correction was not fitted to, and the statistics that were chosen for it.
+static void text_judgement(FILE *f, const orr_fusion *k)
+{
+    const orr_leave_out *left = &k->left;
+    const orr_fusion_model *m = &k->model;
+    if (left->n_samples == 0)
+        fputs("accuracy: no arc is long enough to be left out\n", f);
+    else {
+        fprintf(f,
+                "accuracy by %zu arcs left out in turn: corrected field %.3f TECU, field as it is %.3f TECU "
+                "(slant, "
+                "about the arc's mean)\n",
+                left->n_arcs, left->corrected_tecu, left->plain_tecu);
+        fprintf(f, "  dSTEC (about the arc's highest point): corrected %.3f, as it is %.3f TECU\n",
+                left->corrected_dstec_tecu, left->plain_dstec_tecu);
+    }
+    for (size_t b = 0; b < ORR_FUSION_BANDS; b++) {
+        if (left->band[b].n == 0) continue;
+        fprintf(f,
+                "  %2.0f-%2.0f deg %7zu samples  corrected %.3f, as it is %.3f, what was fitted %.3f TECU\n",
+                left->band[b].from_deg, left->band[b].to_deg, left->band[b].n, left->band[b].corrected_tecu,
+                left->band[b].plain_tecu, k->band[b].rms_tecu);
+    }
+    if (k->fallback == ORR_FUSION_NO_GAIN)
+        fputs("correction: none, because it does not help arcs that were left out\n", f);
+    else
+        fprintf(f,
+                "correction: level %.2f TECU over %.0f h (known to %.2f; the field's own RMS is %.2f%s); "
+                "structure that "
+                "it leaves %.2f TECU over %.0f min; effective height of the shell free by %.0f km, "
+                "plasmasphere by %.1f TECU\n",
+                m->level_tecu, m->level_s / 3600, k->level_sigma_tecu, k->field_rms_tecu,
+                k->field_rms_assumed ? ", assumed" : "", m->residual_tecu, m->residual_s / 60, m->height_km,
+                m->plasmasphere_tecu);
+}
+
+static void text_receiver(FILE *f, const orr_code_group *g)
+{
+    if (isnan(g->receiver_tecu)) return;
+    fprintf(f, "receiver's bias %c %s-%s: %.2f +- %.2f TECU", g->system, g->range[0], g->range[1],
+            g->receiver_tecu, g->sigma_tecu);
+    if (!isnan(g->published_tecu))
+        fprintf(f, " (published: %.2f +- %.2f)", g->published_tecu, g->published_sigma_tecu);
+    fputc('\n', f);
+}
+
+void orr_iono_report_text(FILE *f, const orr_phase_tec *p, const orr_fusion *k, bool explain)
 {
     slips n = count_slips(p);
     fprintf(f, "%s, %s method: %zu satellites, %zu arcs, %zu samples every %g s\n", p->marker,
@@ -99,34 +144,19 @@ void orr_iono_report_text(FILE *f, const orr_phase_tec *p, const orr_fusion *k, 
             "slips and gaps: %zu (%zu repaired, %zu without a jump, %zu broken), %zu outliers, %zu samples "
             "in arcs too short\n",
             n.repaired + n.none + n.broken, n.repaired, n.none, n.broken, n.outliers, n.dropped);
-    fprintf(f, "levelled phase minus %s: RMS %.3f TECU\n",
+    if (p->n_clock_steps > 0)
+        fprintf(f, "steps of the receiver's clock by whole milliseconds, taken out of its ranges: %zu\n",
+                p->n_clock_steps);
+    if (k->method == ORR_FUSION_JOINT) text_judgement(f, k);
+    fprintf(f, "levelled phase minus %s (what was fitted): RMS %.3f TECU\n",
             k->method == ORR_FUSION_JOINT ? "corrected field" : "field", k->residual_tecu);
     if (k->method == ORR_FUSION_JOINT)
         fprintf(f, "levelled phase minus the field as it is: RMS %.3f TECU\n", k->model_residual_tecu);
-    for (size_t b = 0; b < k->n_band; b++)
-        if (k->band[b].n > 0)
-            fprintf(f, "  %2.0f-%2.0f deg %7zu samples  %.3f TECU\n", k->band[b].from_deg, k->band[b].to_deg,
-                    k->band[b].n, k->band[b].rms_tecu);
-    for (size_t g = 0; g < k->n_groups; g++)
-        if (!isnan(k->group[g].receiver_tecu))
-            fprintf(f, "receiver's bias %c %s-%s: %.2f +- %.2f TECU\n", k->group[g].system,
-                    k->group[g].range[0], k->group[g].range[1], k->group[g].receiver_tecu,
-                    k->group[g].sigma_tecu);
+    for (size_t g = 0; g < k->n_groups; g++) text_receiver(f, &k->group[g]);
     if (!isnan(k->galileo_std_tecu))
         fprintf(f, "biases against Galileo's codes (%s), arcs over 2 h: std %.3f TECU over %zu arcs\n",
                 k->galileo_withheld ? "not used in the fit" : "used in the fit", k->galileo_std_tecu,
                 k->galileo_n);
-    if (left != NULL) {
-        fprintf(f,
-                "leave one arc out, %zu arcs: corrected field %.3f TECU, plain field %.3f TECU against the "
-                "centred phase\n",
-                left->n_arcs, left->corrected_tecu, left->plain_tecu);
-        for (int b = 0; b < ORR_FUSION_BANDS; b++)
-            if (left->band[b].n > 0)
-                fprintf(f, "  %2.0f-%2.0f deg %7zu samples  corrected %.3f, plain %.3f TECU\n",
-                        left->band[b].from_deg, left->band[b].to_deg, left->band[b].n,
-                        left->band[b].corrected_tecu, left->band[b].plain_tecu);
-    }
     if (explain) text_arcs(f, p, k);
 }
 
@@ -178,8 +208,41 @@ static void json_arcs(FILE *f, const orr_phase_tec *p, const orr_fusion *k)
     fputs("\n ]", f);
 }
 
-void orr_iono_report_json(FILE *f, const orr_phase_tec *p, const orr_fusion *k, const orr_leave_out *left,
-                          bool explain)
+static void json_judgement(FILE *f, const orr_fusion *k)
+{
+    static const char *const fallback[] = {"none", "too few arcs", "no gain"};
+    const orr_leave_out *left = &k->left;
+    const orr_fusion_model *m = &k->model;
+    fprintf(f, ",\n \"leave_one_out\": {\"arcs\": %zu, \"corrected_rms_tecu\": ", left->n_arcs);
+    put(f, left->corrected_tecu, 4);
+    fputs(", \"plain_rms_tecu\": ", f);
+    put(f, left->plain_tecu, 4);
+    fputs(", \"corrected_dstec_tecu\": ", f);
+    put(f, left->corrected_dstec_tecu, 4);
+    fputs(", \"plain_dstec_tecu\": ", f);
+    put(f, left->plain_dstec_tecu, 4);
+    fputs(", \"by_elevation\": [", f);
+    bool first = true;
+    for (int b = 0; b < ORR_FUSION_BANDS; b++) {
+        if (left->band[b].n == 0) continue;
+        fprintf(f,
+                "%s\n   {\"from_deg\": %.0f, \"to_deg\": %.0f, \"n\": %zu, \"corrected_rms_tecu\": %.4f, "
+                "\"plain_rms_tecu\": %.4f}",
+                first ? "" : ",", left->band[b].from_deg, left->band[b].to_deg, left->band[b].n,
+                left->band[b].corrected_tecu, left->band[b].plain_tecu);
+        first = false;
+    }
+    fprintf(f,
+            "]},\n \"correction\": {\"fallback\": \"%s\", \"level_tecu\": %.4f, \"level_s\": %.0f, "
+            "\"per_degree\": %.4f, \"time_per_degree\": %.4f, \"residual_tecu\": %.4f, \"residual_s\": %.0f, "
+            "\"height_km\": %.1f, \"plasmasphere_tecu\": %.2f, "
+            "\"level_sigma_tecu\": %.4f, \"field_rms_tecu\": %.4f, \"field_rms_assumed\": %s}",
+            fallback[k->fallback], m->level_tecu, m->level_s, m->per_degree, m->time_per_degree,
+            m->residual_tecu, m->residual_s, m->height_km, m->plasmasphere_tecu, k->level_sigma_tecu,
+            k->field_rms_tecu, k->field_rms_assumed ? "true" : "false");
+}
+
+void orr_iono_report_json(FILE *f, const orr_phase_tec *p, const orr_fusion *k, bool explain)
 {
     char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     slips n = count_slips(p);
@@ -192,8 +255,8 @@ void orr_iono_report_json(FILE *f, const orr_phase_tec *p, const orr_fusion *k, 
             k->n_samples);
     fprintf(f,
             " \"slips\": {\"repaired\": %zu, \"none\": %zu, \"broken\": %zu, \"outliers\": %zu, "
-            "\"dropped_samples\": %zu},\n",
-            n.repaired, n.none, n.broken, n.outliers, n.dropped);
+            "\"dropped_samples\": %zu, \"clock_steps\": %zu},\n",
+            n.repaired, n.none, n.broken, n.outliers, n.dropped, p->n_clock_steps);
     fputs(" \"residual\": {\"rms_tecu\": ", f);
     put(f, k->residual_tecu, 4);
     fputs(", \"model_rms_tecu\": ", f);
@@ -212,33 +275,19 @@ void orr_iono_report_json(FILE *f, const orr_phase_tec *p, const orr_fusion *k, 
         if (isnan(k->group[g].receiver_tecu)) continue;
         fprintf(
             f,
-            "%s{\"system\": \"%c\", \"codes\": [\"%s\", \"%s\"], \"bias_tecu\": %.3f, \"sigma_tecu\": %.3f}",
+            "%s{\"system\": \"%c\", \"codes\": [\"%s\", \"%s\"], \"bias_tecu\": %.3f, \"sigma_tecu\": %.3f, "
+            "\"published_tecu\": ",
             first ? "" : ", ", k->group[g].system, k->group[g].range[0], k->group[g].range[1],
             k->group[g].receiver_tecu, k->group[g].sigma_tecu);
+        put(f, k->group[g].published_tecu, 3);
+        fputs("}", f);
         first = false;
     }
     fprintf(f, "],\n \"galileo_code\": {\"withheld\": %s, \"arcs\": %zu, \"std_tecu\": ",
             k->galileo_withheld ? "true" : "false", k->galileo_n);
     put(f, k->galileo_std_tecu, 4);
     fputs("}", f);
-    if (left != NULL) {
-        fprintf(f, ",\n \"leave_one_out\": {\"arcs\": %zu, \"corrected_rms_tecu\": ", left->n_arcs);
-        put(f, left->corrected_tecu, 4);
-        fputs(", \"plain_rms_tecu\": ", f);
-        put(f, left->plain_tecu, 4);
-        fputs(", \"by_elevation\": [", f);
-        first = true;
-        for (int b = 0; b < ORR_FUSION_BANDS; b++) {
-            if (left->band[b].n == 0) continue;
-            fprintf(f,
-                    "%s\n   {\"from_deg\": %.0f, \"to_deg\": %.0f, \"n\": %zu, \"corrected_rms_tecu\": %.4f, "
-                    "\"plain_rms_tecu\": %.4f}",
-                    first ? "" : ",", left->band[b].from_deg, left->band[b].to_deg, left->band[b].n,
-                    left->band[b].corrected_tecu, left->band[b].plain_tecu);
-            first = false;
-        }
-        fputs("]}", f);
-    }
+    if (k->method == ORR_FUSION_JOINT) json_judgement(f, k);
     if (explain) json_arcs(f, p, k);
     fputs("}\n", f);
 }

@@ -7,25 +7,11 @@
 
 #include "iono/fusion/session.h"
 
-// Tells of a fusion in words.
-// Given:
-//   f        where to
-//   p        phases of the station
-//   k        the fusion of them with the field
-//   left     accuracy at arcs that were left out; may be NULL
-//   explain  whether to add the arcs one by one
-void orr_iono_report_text(FILE *f, const orr_phase_tec *p, const orr_fusion *k, const orr_leave_out *left,
-                          bool explain);
+// The summary: what arcs left out say comes first. explain: with every arc and slip.
+void orr_iono_report_text(FILE *f, const orr_phase_tec *p, const orr_fusion *k, bool explain);
 // The same as one JSON object.
-// Given:
-//   f        where to
-//   p        phases of the station
-//   k        the fusion of them with the field
-//   left     accuracy at arcs that were left out; may be NULL
-//   explain  whether to add the arcs one by one
-void orr_iono_report_json(FILE *f, const orr_phase_tec *p, const orr_fusion *k, const orr_leave_out *left,
-                          bool explain);
-// How the phases of two stations agree (k), as one JSON object.
+void orr_iono_report_json(FILE *f, const orr_phase_tec *p, const orr_fusion *k, bool explain);
+// Two stations side by side, as one JSON object.
 void orr_iono_report_comparison_json(FILE *f, const orr_phase_tec *a, const orr_phase_tec *b,
                                      const orr_curves *k);
 // t_gps,sat,arc,az_deg,el_deg,stec_tecu,vtec_tecu,model_stec_tecu,sigma_tecu,delay1_m

@@ -10,9 +10,10 @@ int orr_tec_options_ask(const orr_cli *c, orr_tec_options *out)
     if (orr_cli_given(c, "bilinear")) out->spatial = ORR_TEC_BILINEAR;
     out->degree = (int)orr_cli_int(c, "degree", out->degree);
     const char *between = orr_cli_text(c, "between", "rotated");
-    out->temporal = strcmp(between, "nearest") == 0  ? ORR_TEC_NEAREST
-                    : strcmp(between, "linear") == 0 ? ORR_TEC_LINEAR
-                                                     : ORR_TEC_ROTATED;
+    if (orr_cli_given(c, "between") || orr_cli_given(c, "rotation"))
+        out->temporal = strcmp(between, "nearest") == 0  ? ORR_TEC_NEAREST
+                        : strcmp(between, "linear") == 0 ? ORR_TEC_LINEAR
+                                                         : ORR_TEC_ROTATED;
     out->rotation = orr_cli_real(c, "rotation", 1);
     static const char *const model[] = {
         [ORR_TEC_AUTO] = "auto",      [ORR_TEC_GPS] = "gps",       [ORR_TEC_QZSS] = "qzss",

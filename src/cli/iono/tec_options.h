@@ -8,7 +8,9 @@
 
 // Rows of a command's table.
 #define ORR_TEC_OPTIONS                                                                                      \
-    {.name = "bilinear", .kind = ORR_OPT_FLAG, .help = "Take maps as they are, bilinear; no refit."},        \
+    {.name = "bilinear",                                                                                     \
+     .kind = ORR_OPT_FLAG,                                                                                   \
+     .help = "Take maps as they are, bilinear; no refit. Maps of a region always are."},                     \
         {.name = "degree",                                                                                   \
          .applies = "!bilinear",                                                                             \
          .kind = ORR_OPT_INT,                                                                                \

@@ -6,6 +6,15 @@
 #include "core/earth.h"
 #include "iono/field/tec_files.h"
 
+_Static_assert((int)ORR_IONO_MAPS_BILINEAR == ORR_TEC_BILINEAR &&
+                   (int)ORR_IONO_MAPS_HARMONICS == ORR_TEC_HARMONIC &&
+                   (int)ORR_IONO_MAPS_AUTO == ORR_TEC_SPATIAL_DEFAULT &&
+                   (int)ORR_IONO_BETWEEN_NEAREST == ORR_TEC_NEAREST &&
+                   (int)ORR_IONO_BETWEEN_LINEAR == ORR_TEC_LINEAR &&
+                   (int)ORR_IONO_BETWEEN_ROTATED == ORR_TEC_ROTATED &&
+                   (int)ORR_IONO_BETWEEN_AUTO == ORR_TEC_TEMPORAL_DEFAULT,
+               "words of a scenario and ways of a field");
+
 struct orr_source_iono {
     const orr_source_orbit *orbits;
     bool has_session;
@@ -28,8 +37,13 @@ orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *o
     if (o->session != NULL) {
         status = orr_session_load(o->session, &i->session, diag);
         i->has_session = status == ORR_OK;
-    } else
-        status = orr_tec_field_open(o->field, NULL, &i->field, warnings, diag);
+    } else {
+        orr_tec_options options = orr_tec_default_options();
+        options.spatial = (orr_tec_spatial)o->maps;
+        options.temporal = (orr_tec_temporal)o->between;
+        options.rotation = o->rotation;
+        status = orr_tec_field_open(o->field, &options, &i->field, warnings, diag);
+    }
     if (status != ORR_OK) {
         orr_source_iono_close(i);
         return status;

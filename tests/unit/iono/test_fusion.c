@@ -30,9 +30,9 @@ static double unknown(const orr_iono_site *site, orr_vec3 unit, double hours)
 
 static orr_tec_field *made_field(orr_time t0)
 {
-    double value[9] = {25, 2, 8};
-    orr_tec_coefficients set[2] = {{t0, ORR_TIME_NONE, 2, 2, value, NULL},
-                                   {orr_time_add_s(t0, 6 * 3600.0), ORR_TIME_NONE, 2, 2, value, NULL}};
+    double value[9] = {25, 2, 8}, rms[9] = {5}; // wrong by 2 to 7 TECU, and says so
+    orr_tec_coefficients set[2] = {{t0, ORR_TIME_NONE, 2, 2, value, rms},
+                                   {orr_time_add_s(t0, 6 * 3600.0), ORR_TIME_NONE, 2, 2, value, rms}};
     orr_tec_model model = {2, set, 79, -71, RADIUS, "made"};
     orr_tec_field *f;
     orr_diag d = {0};
@@ -130,16 +130,18 @@ static void test_known_truth(void **state)
     print_message(
         "%zu arcs, worst bias %.3f TECU off, RMS against the corrected field %.4f, against the field %.3f\n",
         f.n_arcs, worst, f.residual_tecu, f.model_residual_tecu);
-    assert_true(worst < 0.5);            // priors of 10 and 5 TECU on what is 2 to 7 TECU
-    assert_true(f.residual_tecu < 0.05); // the hourly knots meet a line in time exactly
+    // Priors pull: 5 TECU on what is 2 to 7 TECU, and an effective height and a plasmasphere that take their part.
+    assert_true(worst < 0.7);
+    assert_true(f.residual_tecu < 0.02 * f.model_residual_tecu);
     // The correction is the unknown part, where rays are.
     for (size_t a = 0; a < f.n_arcs; a++) {
         const orr_phase_sat *sat = &s.phase.sat[f.arc[a].sat_index];
         for (size_t i = 0; i < sat->n; i += 20)
             ASSERT_NEAR(
-                orr_correction_at(&f.correction, sat->t[i], sat->pierce[i].unit),
+                orr_correction_at(&f.correction, sat->t[i], sat->pierce[i].unit,
+                                  f.model_vtec[f.arc[a].sat_index][i], f.mapping[f.arc[a].sat_index][i]),
                 unknown(&s.phase.site, sat->pierce[i].unit, orr_time_diff_s(sat->t[i], s.phase.from) / 3600),
-                0.5);
+                0.7);
     }
     // The source's method puts the field's error into the biases instead.
     orr_fusion thesis;
@@ -200,7 +202,8 @@ static void test_sigma_and_codes(void **state)
     print_message("with GPS codes: bias error %.3f TECU RMS; receiver %.2f +- %.2f; Galileo std %.3f\n",
                   sqrt(coded / n), f.group[0].receiver_tecu, f.group[0].sigma_tecu, f.galileo_std_tecu);
     assert_true(coded < plain);
-    ASSERT_NEAR(f.group[0].receiver_tecu, 12, 1.0); // sign: code = content + 12
+    // Sign: code = content + 12. A mapping function that may be wrong leaves the level known to a TECU and a half.
+    assert_true(fabs(f.group[0].receiver_tecu - 12) < 2 * f.group[0].sigma_tecu && f.group[0].sigma_tecu < 2);
     assert_true(f.galileo_withheld && f.galileo_std_tecu < 1);
     orr_fusion_free(&f, &s.phase);
     free(line);

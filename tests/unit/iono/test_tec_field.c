@@ -303,6 +303,7 @@ static void test_refusals(void **state)
     m.tec[100] = 1;
     orr_tec_maps region = m.maps;
     region.n_lat = 20;
+    o.spatial = ORR_TEC_HARMONIC;
     assert_int_equal(orr_tec_field_from_maps(&region, &o, &f, &d), ORR_E_UNSUPPORTED);
     o.spatial = ORR_TEC_BILINEAR;
     region.n_maps = 1;
@@ -317,6 +318,63 @@ static void test_refusals(void **state)
     o.rotation = 1.5;
     assert_int_equal(orr_tec_field_from_maps(&m.maps, &o, &f, &d), ORR_E_ARG);
     free(at);
+    drop(&m);
+}
+
+// Maps of a region, by default: as they are and fixed to the Earth, so that no place of theirs is refused between epochs.
+static void test_region(void **state)
+{
+    (void)state;
+    enum { LATS = 9, LONS = 5, MAPS = 3 };
+    orr_time t[MAPS];
+    double tec[MAPS * LATS * LONS];
+    assert_int_equal(orr_time_parse("2024-02-04T00:00:00Z", NULL, &t[0], NULL), ORR_OK);
+    for (size_t k = 0; k < MAPS; k++) {
+        t[k] = orr_time_add_s(t[0], 7200.0 * (double)k);
+        for (size_t i = 0; i < LATS * LONS; i++) tec[k * LATS * LONS + i] = 10 + 4 * (double)k;
+    }
+    orr_tec_maps m = {.n_maps = MAPS,
+                      .n_lat = LATS,
+                      .n_lon = LONS,
+                      .lat0_deg = 60,
+                      .dlat_deg = -2.5,
+                      .lon0_deg = 5,
+                      .dlon_deg = 5,
+                      .shell_radius_m = ORR_SHELL_RADIUS_M,
+                      .unit_tecu = 0.1,
+                      .t = t,
+                      .tec = tec};
+    orr_tec_field *f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_tec_field_from_maps(&m, NULL, &f, &d), d);
+    assert_string_equal(orr_tec_field_kind(f), "maps");
+    for (int minute = 0; minute <= 240; minute += 5)
+        for (double lon = 5; lon <= 25; lon += 2.5)
+            ASSERT_NEAR(
+                vtec(f, orr_time_add_s(t[0], 60 * minute), 50 * ORR_RAD_PER_DEG, lon * ORR_RAD_PER_DEG),
+                10 + minute / 30.0, 1e-5);
+    orr_tec_field_free(f);
+}
+
+// Before the first map and after the last its values are held, whatever the slope between maps, in every mode.
+static void test_edges_are_held(void **state)
+{
+    (void)state;
+    made m = make(2, 2, false);
+    for (int mode = 0; mode < 6; mode++) {
+        orr_tec_options o = orr_tec_default_options();
+        orr_diag d = {0};
+        orr_tec_field *f;
+        o.degree = 3;
+        o.spatial = mode % 2 ? ORR_TEC_BILINEAR : ORR_TEC_HARMONIC;
+        o.temporal = (orr_tec_temporal)(mode / 2);
+        o.rotation = 0; // held at its place
+        ASSERT_OK(orr_tec_field_from_maps(&m.maps, &o, &f, &d), d);
+        for (int end = 0; end < 2; end++)
+            ASSERT_NEAR(vtec(f, orr_time_add_s(m.t[end], end ? 50 : -50), 0.3, 1), vtec(f, m.t[end], 0.3, 1),
+                        1e-12);
+        orr_tec_field_free(f);
+    }
     drop(&m);
 }
 
@@ -470,7 +528,8 @@ int main(void)
         cmocka_unit_test(test_refit_exact),     cmocka_unit_test(test_between_epochs),
         cmocka_unit_test(test_rms_and_ray),     cmocka_unit_test(test_clipped_cells),
         cmocka_unit_test(test_holes),           cmocka_unit_test(test_negative_cells),
-        cmocka_unit_test(test_refusals),        cmocka_unit_test(test_model),
+        cmocka_unit_test(test_refusals),        cmocka_unit_test(test_region),
+        cmocka_unit_test(test_edges_are_held),  cmocka_unit_test(test_model),
         cmocka_unit_test(test_klobuchar_field), cmocka_unit_test(test_broadcast_sets)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
