@@ -122,10 +122,9 @@ typedef struct orr_fusion {
     double
         field_rms_tecu; // the field's own sigma over the station, vertical; assumed where the field has none
     bool field_rms_assumed;
-    orr_fusion_model model; // JOINT
-    double
-        level_sigma_tecu; // JOINT: sigma of the correction over the station, mid-session; at most model.level_tecu
-    orr_leave_out left; // JOINT
+    orr_fusion_model model;  // JOINT
+    double level_sigma_tecu; // JOINT: sigma of the correction over the station, mid-session
+    orr_leave_out left;      // JOINT
     size_t n_arcs, n_groups;
     orr_fused_arc *arc;
     orr_code_group *group;

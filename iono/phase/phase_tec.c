@@ -333,6 +333,26 @@ static void phase_sat_free(orr_phase_sat *s)
     orr_arcs_free(&s->arcs);
 }
 
+// What the phase centre of each carrier adds to the range from the centre of mass, taken out: metres to add to what was
+// measured on carriers 1 and 2. The satellite keeps nominal yaw. False where the file has not both carriers.
+static bool antenna_shift(const orr_antex *antex, const choice *c, orr_sat sat, orr_time t, orr_vec3 pos_m,
+                          orr_vec3 sun_m, orr_vec3 site_m, double shift_m[2])
+{
+    const orr_antex_antenna *a = orr_antex_find_sat(antex, sat, t);
+    if (a == NULL) return false;
+    orr_vec3 z = orr_vec3_scale(-1, orr_vec3_unit(pos_m));
+    orr_vec3 y = orr_vec3_unit(orr_vec3_cross(z, orr_vec3_unit(orr_vec3_sub(sun_m, pos_m))));
+    orr_vec3 x = orr_vec3_cross(y, z), down = orr_vec3_unit(orr_vec3_sub(site_m, pos_m));
+    for (int i = 0; i < 2; i++) {
+        const char code[4] = {orr_sat_system(sat), '0', c->phase[i][1], '\0'};
+        const orr_antex_frequency *f = orr_antex_find_frequency(a, code);
+        if (f == NULL) return false;
+        shift_m[i] = f->offset_m[0] * orr_vec3_dot(down, x) + f->offset_m[1] * orr_vec3_dot(down, y) +
+                     f->offset_m[2] * orr_vec3_dot(down, z);
+    }
+    return true;
+}
+
 static orr_status make_sat(const reading *r, size_t slot, const sun_table *sun, orr_phase_tec *out,
                            bool *known, orr_diag *diag)
 {
@@ -355,11 +375,11 @@ static orr_status make_sat(const reading *r, size_t slot, const sun_table *sun, 
         status = orr_diag_set(diag, ORR_E_MEMORY, "no memory for the phases of a satellite");
     double f1 = s.freq_hz[0], f2 = s.freq_hz[1], l1 = ORR_LIGHT_MPS / f1, l2 = ORR_LIGHT_MPS / f2;
     double k = orr_tecu_per_metre(f1, f2), turns = 0;
-    bool pending = false;
+    bool pending = false, antenna = o->antex == NULL;
     *known = o->position == NULL;
     for (size_t i = 0; status == ORR_OK && i < w->n; i++) {
         pending |= w->lost[i];
-        double wind = 0;
+        double wind = 0, shift[2] = {0};
         if (o->position != NULL) {
             orr_vec3 pos;
             if (!o->position(o->user, s.sat, w->t[i], &pos)) continue;
@@ -368,14 +388,19 @@ static orr_status make_sat(const reading *r, size_t slot, const sun_table *sun, 
                 s.pierce[s.n].el_rad < o->mask_rad)
                 continue;
             if (o->windup) wind = turns = orr_windup_turns(&out->site, pos, sun_at(sun, w->t[i]), turns);
+            if (o->antex != NULL &&
+                antenna_shift(o->antex, c, s.sat, w->t[i], pos, sun_at(sun, w->t[i]), out->site.pos_m, shift))
+                antenna = true;
+            else
+                shift[0] = shift[1] = 0;
         }
         const double *v = w->value[i];
         double z1 = v[0] - wind, z2 = v[1] - wind;
         s.t[s.n] = w->t[i];
         seconds[s.n] = orr_time_diff_s(w->t[i], w->t[0]);
         s.windup[s.n] = wind;
-        s.gf_tecu[s.n] = k * (l1 * z1 - l2 * z2);
-        s.code_tecu[s.n] = k * (v[3] - v[2]);
+        s.gf_tecu[s.n] = k * (l1 * z1 + shift[0] - l2 * z2 - shift[1]);
+        s.code_tecu[s.n] = k * (v[3] + shift[1] - v[2] - shift[0]);
         mw[s.n] = z1 - z2 - (f1 * v[2] + f2 * v[3]) * (f1 - f2) / ((f1 + f2) * ORR_LIGHT_MPS);
         lost[s.n] = pending;
         pending = false;
@@ -385,6 +410,7 @@ static orr_status make_sat(const reading *r, size_t slot, const sun_table *sun, 
         orr_arc_series series = {s.n, seconds, s.gf_tecu, mw, lost, k * l1, k * l2};
         status = orr_arcs_find(&series, &o->arcs, &s.arcs, diag);
     }
+    if (!antenna) out->n_without_antenna++;
     free(mw);
     free(seconds);
     free(lost);
@@ -436,7 +462,8 @@ static orr_status finish(reading *r, const char *path, orr_phase_tec *out, orr_d
     out->sat = calloc(SAT_SLOTS, sizeof *out->sat);
     if (out->sat == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for satellites");
     sun_table sun = {0};
-    if (r->o->position != NULL && r->o->windup) s = sun_init(&sun, out->from, out->to, r->o->leap, diag);
+    if (r->o->position != NULL && (r->o->windup || r->o->antex != NULL))
+        s = sun_init(&sun, out->from, out->to, r->o->leap, diag);
     size_t dual = 0;
     for (size_t slot = 0; s == ORR_OK && slot < SAT_SLOTS; slot++) {
         if (r->tally[slot] == NULL) continue;

@@ -7,6 +7,7 @@
 
 #include "core/sat.h"
 #include "core/time.h"
+#include "ingest/tables/antex.h"
 #include "iono/field/pierce.h"
 #include "iono/phase/arcs.h"
 
@@ -21,6 +22,9 @@ typedef struct orr_phase_options {
     const orr_vec3 *site_m;  // NULL: the header's position
     double shell_radius_m;
     bool windup;
+    // Phase centres of the satellites' antennas, which stand metres apart for different carriers on some: measurements
+    // are referred to one point. NULL: not.
+    const orr_antex *antex;
     orr_position_fn position; // NULL: no geometry (no mask, no wind-up)
     void *user;
     orr_arc_options arcs;
@@ -54,8 +58,9 @@ typedef struct orr_phase_tec {
     double interval_s; // median of the epochs
     orr_time from, to;
     size_t n_epochs, n_sats;
-    orr_phase_sat *sat;   // ascending; satellites with at least one sample
-    size_t n_clock_steps; // epochs at which the receiver's clock stepped by whole milliseconds
+    orr_phase_sat *sat;       // ascending; satellites with at least one sample
+    size_t n_without_antenna; // satellites whose antenna (or one of its carriers) was asked for and not found
+    size_t n_clock_steps;     // epochs at which the receiver's clock stepped by whole milliseconds
     size_t n_single,
         n_unknown; // satellites left out: without a second carrier; without a position at any epoch
 } orr_phase_tec;

@@ -27,6 +27,7 @@ void orr_station_free(orr_station *s)
     orr_positions_close(s->positions);
     orr_tec_field_free(s->field);
     orr_bias_free(&s->bias);
+    orr_antex_free(&s->antex);
     orr_fusion_free(&s->fusion, &s->phase);
     orr_phase_tec_free(&s->phase);
     orr_session_free(&s->session);
@@ -130,6 +131,16 @@ static orr_status read_field(orr_station *s, orr_bias_set *biases, orr_warnings 
     return status;
 }
 
+static orr_status read_antennas(orr_station *s, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_bytes text;
+    orr_status status = orr_inputs_read(&s->inputs, s->plan->antex, &text, diag);
+    if (status == ORR_OK)
+        status = orr_antex_parse(s->plan->antex, text.text, text.n, NULL, &s->antex, warnings, diag);
+    orr_bytes_free(&text);
+    return status;
+}
+
 static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *diag)
 {
     const orr_station_plan *p = s->plan;
@@ -140,6 +151,7 @@ static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *
     if (status == ORR_OK && p->orbit != NULL)
         status = orr_positions_open(p->orbit, p->messages, &s->positions, &s->inputs, warnings, diag);
     if (status == ORR_OK && s->positions != NULL) note_channels(s, orr_positions_nav(s->positions));
+    if (status == ORR_OK && p->antex != NULL) status = read_antennas(s, warnings, diag);
     if (status == ORR_OK) status = read_biases(s, warnings, diag);
     if (status == ORR_OK) status = orr_bias_join(&s->bias, &of_field, diag);
     orr_bias_free(&of_field);
@@ -176,10 +188,16 @@ orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_
         o->position = orr_positions_at;
         o->user = out->positions;
     }
+    if (plan->antex != NULL) o->antex = &out->antex;
     if (out->field != NULL) o->shell_radius_m = orr_tec_field_shell_radius_m(out->field);
     orr_phase_options own = *o;
     own.site_m = plan->has_site || plan->sinex != NULL ? &out->site_m : NULL;
     s = read_phases(plan->observations, &out->observations, &own, &out->phase, warnings, diag);
+    if (s == ORR_OK && out->phase.n_without_antenna > 0)
+        orr_warnings_add(
+            warnings, plan->antex, 0, 0,
+            "%zu satellites have no antenna with both carriers there; their phase centres are taken as one",
+            out->phase.n_without_antenna);
     orr_bytes_free(&out->observations);
     return s;
 }
@@ -216,7 +234,8 @@ orr_status orr_station_fuse(orr_station *s, orr_warnings *warnings, orr_diag *di
             warnings, name, 0, 0,
             "a correction of the field does not help arcs that it was not fitted to; the field is used as "
             "it is");
-    else if (f->method == ORR_FUSION_JOINT && f->level_sigma_tecu > UNDETERMINED * f->model.level_tecu)
+    else if (f->method == ORR_FUSION_JOINT &&
+             f->level_sigma_tecu > UNDETERMINED * hypot(f->model.level_tecu, f->model.rms_tecu))
         orr_warnings_add(
             warnings, name, 0, 0,
             "this session does not determine the level of the content: it is the field's own, good to "

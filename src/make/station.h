@@ -15,7 +15,8 @@ typedef struct orr_station_plan {
     uint32_t messages;         // of that file to insist on (orr_broadcast_choice.messages); 0: the usual ones
     const char *const *biases; // files of code biases; those of an IONEX field are used besides
     size_t n_biases;
-    bool has_site; // the station's position (ecef); else by `sinex`, else the header's
+    const char *antex; // phase centres of the satellites' antennas; NULL: none
+    bool has_site;     // the station's position (ecef); else by `sinex`, else the header's
     orr_vec3 site_m;
     const char *sinex; // NULL: none
     const char *code;  // the station's name there; NULL: the first four characters of the observations' name
@@ -35,6 +36,7 @@ typedef struct orr_station {
     orr_positions *positions;
     orr_tec_field *field; // NULL once the session has it
     orr_bias_set bias;    // of all files, joined
+    orr_antex antex;
     orr_phase_tec phase;
     orr_fusion fusion;
     orr_session session;

@@ -46,6 +46,7 @@ static int make_plan(const orr_cli *c, work *w)
     w->biases = orr_cli_texts(c, "biases", &p->n_biases);
     if (w->biases == NULL) return orr_cli_failf(c, "out of memory");
     p->biases = w->biases;
+    p->antex = orr_cli_text(c, "antex", NULL);
     orr_geodetic place;
     p->has_site = orr_cli_place(c, "receiver", &place);
     if (p->has_site) p->site_m = orr_earth_to_ecef(place);
@@ -216,6 +217,13 @@ static const orr_option options[] = {
      .help = "Code biases (Bias-SINEX, CODE's DCB files, IONEX): codes then help to level arcs. Those of an "
              "IONEX "
              "field are used besides."},
+    {.name = "antex",
+     .applies = "orbit",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Phase centres of the satellites' antennas (ANTEX): those of some satellites stand so far apart "
+             "for the two "
+             "carriers that codes are off by several TECU."},
     {.name = "code",
      .applies = "!compare",
      .kind = ORR_OPT_TEXT,

@@ -183,6 +183,30 @@ class Station(unittest.TestCase):
                     self.assertAlmostEqual(s.stec_tecu, there.stec_tecu, delta=1)
             self.assertEqual(c.delays(t - 3600 * 10**9).answer, messages.Answer.OUTSIDE_SPAN)  # never the station instead
 
+    def test_antennas(self):
+        """A phase centre that stands 0.3 m further out on L1 than on L2 makes codes tell 0.3 m K cos(nadir) TECU too much and phases
+        as much too little: both are mended, so an arc's bias rises by it, what its codes say of that bias by twice as much."""
+        line = "{:<60}{}\n".format
+        antenna = [line("", "START OF ANTENNA"), line("BLOCK IIIA          G05                 G099      2000-000A", "TYPE / SERIAL NO"),
+                   line("     0.0", "DAZI"), line("     0.0  14.0   7.0", "ZEN1 / ZEN2 / DZEN"), line("     2", "# OF FREQUENCIES"),
+                   line("  2000     1     1     0     0    0.0000000", "VALID FROM")]
+        for code, z in (("G01", 1000), ("G02", 700)):
+            antenna += [line(f"   {code}", "START OF FREQUENCY"), line(f"      0.00      0.00{z:10.2f}", "NORTH / EAST / UP"),
+                        "   NOAZI    0.00    0.00    0.00\n", line(f"   {code}", "END OF FREQUENCY")]
+        text = [line("     1.4            M", "ANTEX VERSION / SYST"), line("A", "PCV TYPE / REFANT"), line("", "END OF HEADER"), *antenna,
+                line("", "END OF ANTENNA")]
+        antex = WORK / "made.atx"
+        antex.write_text("".join(text))
+        args = ["iono", OBS, "--field", MAPS, "--orbit", NAV, "--biases", BIAS, "--sat", "G05", "--method", "thesis", "--format", "json",
+                "--explain"]
+        plain, shifted = (json.loads(self.ok(*args, *more)) for more in ([], ["--antex", antex]))
+        k = 1575.42e6**2 * 1227.60e6**2 / (40.3e16 * (1575.42e6**2 - 1227.60e6**2))
+        for a, b in zip(plain["arc_list"], shifted["arc_list"]):
+            self.assertAlmostEqual(b["bias_tecu"] - a["bias_tecu"], 0.3 * k * 0.98, delta=0.3 * k * 0.02)  # nadir to 14 degrees
+            self.assertAlmostEqual(b["code_bias_tecu"] - a["code_bias_tecu"], 0.6 * k * 0.98, delta=0.6 * k * 0.02)
+        missing = orrery(*args[:8], "--sat", "G07", "--antex", antex, "--method", "thesis")
+        self.assertIn("1 satellites have no antenna", missing.stderr)
+
     def test_pair(self):
         a, b = PAIR / "07590920.05o.gz", PAIR / "30400920.05o.gz"
         got = json.loads(self.ok("iono", a, "--compare", b, "--format", "json"))
