@@ -285,6 +285,74 @@ static void test_coloured_noise(void **state)
     ASSERT_NEAR(cross / N, 0, 0.05);
 }
 
+// Noise over places and time: unit variance, correlation of about 1/e at a unit of distance, next to none at three, and
+// close places alike.
+static void test_shell_noise(void **state)
+{
+    (void)state;
+    double square = 0, one = 0, three = 0, lag = 0, worst = 0;
+    enum { M = 20000 };
+    for (int i = 0; i < M; i++) {
+        orr_time t = (orr_time)i * 1700 * ORR_NS_PER_S;
+        double x = 7.3 * (i % 100) - 300, y = 5.1 * (i / 100) - 400, v = orr_shell_noise(3, x, y, t, 600);
+        square += v * v;
+        one += v * orr_shell_noise(3, x + 1, y, t, 600);
+        three += v * orr_shell_noise(3, x, y + 4, t, 600);
+        lag += v * orr_shell_noise(3, x, y, t + 600 * ORR_NS_PER_S, 600);
+        worst = fmax(worst, fabs(orr_shell_noise(3, x + 0.01, y, t, 600) - v));
+    }
+    ASSERT_NEAR(square / M, 1, 0.05);
+    ASSERT_NEAR(one / square, exp(-1), 0.08);
+    ASSERT_NEAR(three / square, 0, 0.05);
+    ASSERT_NEAR(lag / square, exp(-1), 0.08);
+    assert_true(worst < 0.1);
+}
+
+// Two satellites that the station does not see, a tenth of a degree apart, have almost the same noise; on the other side
+// of the sky another one. Beyond the session's ends all of it fades to the field.
+static void test_unseen_neighbours(void **state)
+{
+    (void)state;
+    static sky s;
+    make(&s, 0.6);
+    orr_fusion f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_fuse(&s.phase, s.field, NULL, 0, NULL, &f, &d), d);
+    orr_session x;
+    ASSERT_OK(orr_session_make(&s.phase, &f, made_field(s.phase.from), 300, &x, &d), d);
+    orr_vec3 site = x.site.pos_m, pos[3];
+    const double dir[3][2] = {{0.3, 0.6}, {0.302, 0.6}, {3.4, 0.5}}; // azimuth, elevation
+    for (int i = 0; i < 3; i++)
+        pos[i] = orr_vec3_axpy(22e6,
+                               orr_vec3_axpy(cos(dir[i][1]) * sin(dir[i][0]), x.site.east,
+                                             orr_vec3_axpy(cos(dir[i][1]) * cos(dir[i][0]), x.site.north,
+                                                           orr_vec3_scale(sin(dir[i][1]), x.site.up))),
+                               site);
+    const orr_sat unseen[3] = {orr_sat_make('R', 1), orr_sat_make('R', 2), orr_sat_make('R', 3)};
+    double near = 0, far = 0, own = 2 * x.small.own_tecu * x.small.own_tecu, n = 0;
+    for (uint64_t seed = 1; seed <= 300; seed++) {
+        orr_realisation r[3], quiet[3];
+        size_t m;
+        orr_transfer_options o = {.seed = seed, .noise = true};
+        orr_time t = orr_time_add_s(x.from, 3600 * 3);
+        ASSERT_OK(orr_session_realise(&x, t, site, unseen, pos, 3, &o, r, &m, &d), d);
+        o.noise = false;
+        ASSERT_OK(orr_session_realise(&x, t, site, unseen, pos, 3, &o, quiet, &m, &d), d);
+        assert_int_equal(m, 3);
+        double v[3];
+        for (int i = 0; i < 3; i++) v[i] = r[i].vtec_tecu - quiet[i].vtec_tecu;
+        near += (v[0] - v[1]) * (v[0] - v[1]);
+        far += (v[0] - v[2]) * (v[0] - v[2]);
+        n++;
+    }
+    print_message("noise of two unseen satellites apart by 0.1 deg: %.3f TECU, on other sides: %.3f\n",
+                  sqrt(near / n), sqrt(far / n));
+    assert_true(near / n < 1.3 * own + 0.02 * far / n && near < far / 2);
+    orr_session_free(&x);
+    orr_fusion_free(&f, &s.phase);
+    drop(&s);
+}
+
 // A session in a file and back; at home the truth; near by, close to it; damaged files are refused.
 static void test_session(void **state)
 {
@@ -359,8 +427,9 @@ static void test_session(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_truth),    cmocka_unit_test(test_sigma_and_codes),
-        cmocka_unit_test(test_step_splits),    cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_coloured_noise), cmocka_unit_test(test_session)};
+        cmocka_unit_test(test_known_truth),       cmocka_unit_test(test_sigma_and_codes),
+        cmocka_unit_test(test_step_splits),       cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_coloured_noise),    cmocka_unit_test(test_shell_noise),
+        cmocka_unit_test(test_unseen_neighbours), cmocka_unit_test(test_session)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
