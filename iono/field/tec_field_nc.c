@@ -236,7 +236,7 @@ static orr_status get_broadcast(const orr_nc_reader *r, orr_tec_field *f, orr_di
     void *t = NULL, *value = NULL;
     orr_status s = ORR_OK;
     size_t per = 9;
-    if (orr_nc_has_var(r, "field_klobuchar")) { // of files up to 0.4: one set of GPS's, for all times
+    if (orr_nc_has_var(r, "field_klobuchar")) { // of older files: one set of GPS's, for all times
         per = 8;
         s = orr_nc_alloc_var(r, "field_klobuchar", ORR_NC_DOUBLE, 1, &per, &value, diag);
     } else {
