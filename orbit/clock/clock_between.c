@@ -8,7 +8,7 @@
 #include "core/robust.h"
 #include "orbit/clock/clock_common.h"
 
-enum { N_LAGS = 2, LEAST_DIFFERENCES = 5 };
+enum { N_LAGS = 2, LEAST_DIFFERENCES = 5, LEAST_SHARING = 5 };
 static const size_t lag[N_LAGS] = {1, 2};
 
 typedef struct sums {
@@ -45,21 +45,25 @@ static sums second_differences(const orr_clock_list *l, double step_s, double ma
     return s;
 }
 
-// White noise, a random walk and one of frequency have second differences of variance 6 w, 2 q tau and 2/3 r tau^3. Of
-// each two neighbouring kinds the first two lags tell how much: a ratio of 1 is white, 2 a walk, 8 one of frequency.
+// Variance of second differences, a lag apart, of white noise of variance 1.
+static double white_difference(double tau_s)
+{
+    return 6 - 8 * orr_clock_white_correlation(tau_s) + 2 * orr_clock_white_correlation(2 * tau_s);
+}
+
+// White noise, a random walk and one of frequency have second differences of variance f(tau) w, 2 q tau and 2/3 r tau^3.
+// Of each two neighbouring kinds the first two lags tell how much: a ratio of 2 is a walk, of 8 one of frequency.
 static orr_clock_noise noise_of(const sums *s, double step_s)
 {
-    const double v1 = s->sum2[0] / (double)s->n[0];
+    const double v1 = s->sum2[0] / (double)s->n[0], f1 = white_difference(step_s),
+                 f2 = white_difference(2 * step_s);
+    const double v2 = s->n[1] >= LEAST_DIFFERENCES ? s->sum2[1] / (double)s->n[1] : 2 * v1;
     orr_clock_noise n = {0};
-    const int far = s->n[1] >= LEAST_DIFFERENCES ? 1 : 0;
-    const double v2 = far ? s->sum2[1] / (double)s->n[1] : 2 * v1;
-    if (v2 <= v1) {
-        n.white_s2 = v1 / 6;
-    } else if (v2 <= 2 * v1) { // 6 w + 2 q tau, 6 w + 4 q tau
-        n.wfm_s2ps = (v2 - v1) / (2 * step_s);
-        n.white_s2 = (2 * v1 - v2) / 6;
+    if (v2 <= 2 * v1 && f2 < 2 * f1) { // f1 w + 2 q tau, f2 w + 4 q tau
+        n.white_s2 = fmin((2 * v1 - v2) / (2 * f1 - f2), v1 / f1);
+        n.wfm_s2ps = fmax(v1 - f1 * n.white_s2, 0) / (2 * step_s);
     } else { // 2 q tau + 2/3 r tau^3, 4 q tau + 16/3 r tau^3
-        const double r = fmin((v2 - 2 * v1) / 6, v1);
+        const double r = fmin(fmax(v2 - 2 * v1, 0) / 6, v1);
         n.rwfm_s2ps3 = 1.5 * r / (step_s * step_s * step_s);
         n.wfm_s2ps = (v1 - r) / (2 * step_s);
     }
@@ -101,13 +105,21 @@ static double usual_step(const orr_clock_list *l, double *room)
     return n > 0 ? orr_upper_median(room, n) : 0;
 }
 
-// Of one system, after the reference's steps are taken from a copy of each clock.
+// Whether at most epochs so many satellites tell what is shared that a single one's noise is not taken for it.
+static bool is_told_by_many(const orr_clock_common *c)
+{
+    size_t many = 0;
+    for (size_t e = 0; e < c->n; e++) many += c->epoch[e].n >= LEAST_SHARING;
+    return 2 * many > c->n;
+}
+
+// Of one system, after what all share is taken from a copy of each clock; of few satellites the reference's steps alone.
 static orr_status measure_system(const orr_clock_table *clocks, char system, double max_gap_s, bool *told,
                                  orr_clock_noise *noise)
 {
-    orr_clock_common steps;
-    orr_status s = orr_clock_common_find(clocks->list, clocks->n, system, &steps);
-    if (s == ORR_OK) s = orr_clock_common_keep_steps(&steps);
+    orr_clock_common shared;
+    orr_status s = orr_clock_common_find(clocks->list, clocks->n, system, &shared);
+    if (s == ORR_OK && !is_told_by_many(&shared)) s = orr_clock_common_keep_steps(&shared);
     for (size_t i = 0; i < clocks->n && s == ORR_OK; i++) {
         const orr_clock_list *l = &clocks->list[i];
         if (orr_sat_system(l->sat) != system || l->n == 0) continue;
@@ -115,7 +127,7 @@ static orr_status measure_system(const orr_clock_table *clocks, char system, dou
         double *room = malloc(l->n * sizeof *room);
         if (copy.node != NULL && room != NULL) {
             memcpy(copy.node, l->node, l->n * sizeof *copy.node);
-            orr_clock_common_apply(&steps, -1, &copy);
+            orr_clock_common_apply(&shared, -1, &copy);
             const double step_s = usual_step(l, room);
             const sums d = second_differences(&copy, step_s, max_gap_s);
             told[i] = d.n[0] >= LEAST_DIFFERENCES;
@@ -125,7 +137,7 @@ static orr_status measure_system(const orr_clock_table *clocks, char system, dou
         free(copy.node);
         free(room);
     }
-    orr_clock_common_free(&steps);
+    orr_clock_common_free(&shared);
     return s;
 }
 

@@ -12,8 +12,14 @@
 // the line over the whole interval (monotone cubic, spline) cost old rubidium clocks 3 to 8 per cent of accuracy and gain
 // nothing elsewhere; this one costs 0.3 per cent.
 #define ORR_CLOCK_ROUNDED 0.25
-// Beside a node its own white noise is known, further away that of another instant.
-#define ORR_CLOCK_WHITE_REACH 0.125
+// What is white noise from node to node is correlated over minutes: (1 + tau / 300 s)^-2, a covariance since it is
+// convex. Old rubidium clocks between nodes of 5 min and of 15 min ask for about so much.
+#define ORR_CLOCK_WHITE_S 300.0
+static inline double orr_clock_white_correlation(double tau_s)
+{
+    const double r = 1 / (1 + tau_s / ORR_CLOCK_WHITE_S);
+    return r * r;
+}
 
 // One interval between nodes.
 typedef struct orr_clock_interval {
@@ -42,14 +48,16 @@ static inline void orr_clock_interval_at(const orr_clock_interval *c, double par
 
 // Variance of what the clock is off the line between two nodes, a part of the way into an interval of length_s:
 // a random walk held at both ends wanders by q h p (1 - p), one whose frequency wanders by q h^3 p^2 (1 - p)^2 / 3 (the
-// square of the Green function of a string held at both ends); white noise of both nodes and of the instant itself.
-// The shared noise of all clocks of the product is in it.
+// square of the Green function of a string held at both ends); white noise of both nodes and of the instant itself, as
+// far as they are not one (orr_clock_white_correlation). What all clocks of a system do together is not in it.
 static inline double orr_clock_between_s2(const orr_clock_noise *n, double length_s, double part)
 {
-    const double q = 1 - part, near = part < q ? part : q, u = near / ORR_CLOCK_WHITE_REACH;
-    const double apart = u < 1 ? u * u * (3 - 2 * u) : 1;
-    return apart * n->white_s2 * (1 + part * part + q * q) + n->wfm_s2ps * length_s * part * q +
-           n->rwfm_s2ps3 * length_s * length_s * length_s * part * part * q * q / 3;
+    const double p = part, q = 1 - part, h = length_s;
+    const double apart = 1 + p * p + q * q + 2 * p * q * orr_clock_white_correlation(h) -
+                         2 * q * orr_clock_white_correlation(p * h) -
+                         2 * p * orr_clock_white_correlation(q * h);
+    return n->white_s2 * (apart > 0 ? apart : 0) + n->wfm_s2ps * h * p * q +
+           n->rwfm_s2ps3 * h * h * h * p * p * q * q / 3;
 }
 
 // How the clocks of a product wander between their nodes.
@@ -60,8 +68,9 @@ static inline double orr_clock_between_s2(const orr_clock_noise *n, double lengt
 //   noise      [clocks->n] of each, for orr_clock_between_s2; all NAN where nothing tells it
 // Errors: ORR_E_MEMORY.
 // Notes: from second differences of one and two of a satellite's usual steps, which a constant rate has no part in (the
-// Allan variance under another name), after steps and ramps of the reference are taken away. A satellite with fewer than
-// five of them has the median of its system's.
+// Allan variance under another name), after what all clocks of the system do together is taken away: the reference clock's
+// doing, which no receiver sees. Where fewer than five satellites tell that, its steps and ramps alone are. A satellite
+// with fewer than five differences has the median of its system's.
 orr_status orr_clock_between_noise(const orr_clock_table *clocks, double max_gap_s, orr_clock_noise *noise);
 
 #endif

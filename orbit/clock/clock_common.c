@@ -8,6 +8,7 @@
 
 #define STEP_LEAST_S 5e-9
 #define STEP_TIMES_USUAL 10.0
+#define RECENT_S 3600.0 // a satellite's last node further back tells nothing of an epoch
 
 void orr_clock_common_free(orr_clock_common *c)
 {
@@ -64,22 +65,35 @@ static bool is_at(const orr_clock_node *c, const orr_clock_epoch *e)
     return c->t == e->t && c->source == e->source;
 }
 
-// Steps from epoch to epoch. at[i] is the first node of list i that is not before the epoch.
-static void measure_steps(const orr_clock_list *list, size_t n_lists, const double *rate, size_t *at,
+// Where one list has been read up to.
+typedef struct place {
+    size_t next, epoch; // its first node that was not looked at yet, and the epoch of the one before
+} place;
+
+// Steps from epoch to epoch. A satellite without a node at the epoch before tells by its last one, if that is not long
+// ago, what is left beyond the steps between: a node that one satellite alone has, where its files meet, must not hide
+// what all others do.
+static void measure_steps(const orr_clock_list *list, size_t n_lists, const double *rate, place *at,
                           double *step, orr_clock_common *out)
 {
+    double sum = 0; // of all steps so far
     for (size_t e = 0; e < out->n; e++) {
         orr_clock_epoch *now = &out->epoch[e];
         size_t n = 0;
         for (size_t i = 0; i < n_lists; i++) {
             const orr_clock_list *l = &list[i];
-            if (at[i] >= l->n || isnan(rate[i]) || !is_at(&l->node[at[i]], now)) continue;
-            const orr_clock_node *c = &l->node[at[i]++];
-            if (e == 0 || c == l->node || !is_at(c - 1, now - 1)) continue;
-            step[n++] = c->clock_s - c[-1].clock_s - rate[i] * orr_time_diff_s(c->t, c[-1].t);
+            if (at[i].next >= l->n || isnan(rate[i]) || !is_at(&l->node[at[i].next], now)) continue;
+            const orr_clock_node *c = &l->node[at[i].next++];
+            const size_t before = at[i].epoch;
+            at[i].epoch = e;
+            if (c == l->node || orr_time_diff_s(c->t, c[-1].t) > RECENT_S) continue;
+            const double between = sum - out->epoch[before].value_s;
+            step[n++] = c->clock_s - c[-1].clock_s - rate[i] * orr_time_diff_s(c->t, c[-1].t) - between;
         }
         now->n = n < 2 ? 0 : n;
         now->step_s = shared_part(step, n);
+        sum += now->step_s;
+        now->value_s = sum; // for the time being
     }
 }
 
@@ -122,7 +136,7 @@ orr_status orr_clock_common_find(const orr_clock_list *list, size_t n_lists, cha
     size_t longest = n_lists;
     for (size_t i = 0; i < n_lists; i++) longest = list[i].n > longest ? list[i].n : longest;
     double *rate = malloc((n_lists + 1) * sizeof *rate), *room = malloc((longest + 1) * sizeof *room);
-    size_t *at = calloc(n_lists + 1, sizeof *at);
+    place *at = calloc(n_lists + 1, sizeof *at);
     if (rate == NULL || room == NULL || at == NULL) s = ORR_E_MEMORY;
     if (s == ORR_OK) {
         for (size_t i = 0; i < n_lists; i++)

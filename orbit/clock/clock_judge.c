@@ -193,7 +193,7 @@ static orr_status add_reference(orr_clock_events *events, orr_clock_event e)
     return add(events, e);
 }
 
-// Steps that follow each other with one sign are one ramp.
+// Steps that follow each other with one sign are one ramp; an epoch that nobody tells of does not end it.
 static orr_status tell_reference(const orr_clock_common *c, orr_clock_events *events)
 {
     orr_status s = ORR_OK;
@@ -203,12 +203,18 @@ static orr_status tell_reference(const orr_clock_common *c, orr_clock_events *ev
             continue;
         }
         const size_t first = e;
+        size_t last = e;
         double sum = 0;
-        while (e < c->n && c->epoch[e].step_s != 0 &&
-               (c->epoch[e].step_s > 0) == (c->epoch[first].step_s > 0))
-            sum += c->epoch[e++].step_s;
-        orr_clock_event event = {ORR_CLOCK_EVENT_REFERENCE, ORR_SAT_NONE, c->epoch[first - 1].t,
-                                 c->epoch[e - 1].t,         sum,          {c->system}};
+        for (; e < c->n; e++) {
+            const double step_s = c->epoch[e].step_s;
+            if (step_s == 0 && c->epoch[e].n == 0) continue;
+            if (step_s == 0 || (step_s > 0) != (c->epoch[first].step_s > 0)) break;
+            sum += step_s;
+            last = e;
+        }
+        e = last + 1;
+        const orr_clock_event event = {ORR_CLOCK_EVENT_REFERENCE, ORR_SAT_NONE, c->epoch[first - 1].t,
+                                       c->epoch[last].t,          sum,          {c->system}};
         s = add_reference(events, event);
     }
     return s;

@@ -22,7 +22,8 @@ typedef struct orr_sat_state {
     // that the input has, whose own errors they do not hold. NAN in the last two where a product of an earlier program does
     // not tell them.
     float sigma_m, sigma_rtn_m[3], sigma_mps;
-    float clock_sigma_s; // 1-sigma of clock_s against the input's own clock at that instant; NAN: not known
+    // Of clock_s against the input's own clock at that instant, what all clocks of a system share apart; NAN: not known.
+    float clock_sigma_s;
     orr_time valid_from, valid_to; // the arc that was evaluated
 } orr_sat_state;
 

@@ -22,9 +22,9 @@ static const char HOW_TO[] =
     "rate at a node is the mean of the lines' on its two sides: with d that rate less the "
     "line's, and u the time from the node over h/4, d h/4 u (1 - u)^2 is added after the node "
     "and taken off before it. Variance of the clock at the part p of the way, against the "
-    "input's own clock: clock_sigma^2 (linear in p) + w clock_white_noise (1 + p^2 + q^2) + "
-    "clock_walk_noise h p q + clock_frequency_noise h^3 p^2 q^2 / 3, q = 1 - p, w = 3 v^2 - 2 v^3 "
-    "for v = 8 min(p, q) below 1, else 1. Ragged arrays "
+    "input's own clock: clock_sigma^2 (linear in p) + clock_white_noise (1 + p^2 + q^2 + "
+    "2 p q c(h) - 2 q c(p h) - 2 p c(q h)) + clock_walk_noise h p q + clock_frequency_noise h^3 p^2 q^2 / 3, "
+    "q = 1 - p, c(s) = (1 + s / 300)^-2. Ragged arrays "
     "are CF contiguous ragged arrays: the counts name their sample_dimension.";
 
 static const char TIME_UNITS[] = "nanoseconds since 1980-01-06 00:00:00";

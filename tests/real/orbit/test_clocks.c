@@ -148,14 +148,15 @@ static void the_line_is_the_best_between_nodes(void **state)
     real_close(&f);
 }
 
-// RMS over satellites and epochs of the product's clocks less those of a CLK file, the epoch's median taken away.
-static double off_clk(const orr_ephemeris *e, const orr_clk *clk, int64_t step_s)
+// RMS over satellites and epochs of the product's clocks less those of a CLK file, the epoch's median taken away; and of
+// that over sigma, between nodes.
+static double off_clk(const orr_ephemeris *e, const orr_clk *clk, int64_t step_s, double *ratio)
 {
-    double sum2 = 0;
-    size_t n = 0;
+    double sum2 = 0, ratio2 = 0;
+    size_t n = 0, n_ratio = 0;
     for (size_t k = 0; k < clk->n_epochs; k++) {
         const orr_time t = clk->epoch[k];
-        double off[128], room[128];
+        double off[128], room[128], sigma[128];
         size_t m = 0;
         if (t % (step_s * ORR_NS_PER_S) != 0) continue;
         for (size_t i = 0; i < clk->n_sats && m < 128; i++) {
@@ -171,16 +172,37 @@ static double off_clk(const orr_ephemeris *e, const orr_clk *clk, int64_t step_s
             }
             if (low == c->n || c->record[low].t != t || orr_ephemeris_eval(e, c->sat, t, &s) != ORR_OK)
                 continue;
-            if ((s.flags & ORR_EPH_CLOCK_VALID) != 0) off[m++] = s.clock_s - c->record[low].bias_s;
+            if ((s.flags & ORR_EPH_CLOCK_VALID) == 0) continue;
+            sigma[m] = (double)s.clock_sigma_s;
+            off[m++] = s.clock_s - c->record[low].bias_s;
         }
         if (m < 5) continue;
         memcpy(room, off, sizeof off);
         const double median = orr_median(room, m);
-        for (size_t i = 0; i < m; i++) sum2 += (off[i] - median) * (off[i] - median);
+        for (size_t i = 0; i < m; i++) {
+            const double x = off[i] - median;
+            sum2 += x * x;
+            if (!(sigma[i] > 1e-12)) continue;
+            ratio2 += x * x / (sigma[i] * sigma[i]);
+            n_ratio++;
+        }
         n += m;
     }
     assert_true(n > 5000);
+    *ratio = n_ratio > 0 ? sqrt(ratio2 / (double)n_ratio) : (double)NAN;
     return sqrt(sum2 / (double)n);
+}
+
+// Takes all records away that are no multiples of a step.
+static void thin(orr_clk *clk, int64_t step_s)
+{
+    for (size_t i = 0; i < clk->n_sats; i++) {
+        orr_clk_series *c = &clk->sat[i];
+        size_t n = 0;
+        for (size_t k = 0; k < c->n; k++)
+            if (c->record[k].t % (step_s * ORR_NS_PER_S) == 0) c->record[n++] = c->record[k];
+        c->n = n;
+    }
 }
 
 // CODE's orbits with Wuhan's clocks of 30 s: they are aligned, told, and followed; with SP3's clocks alone, a quarter of
@@ -214,9 +236,22 @@ static void clocks_of_another_centre_are_followed(void **state)
     const size_t n = orr_ephemeris_clock_events(e, &event);
     assert_true(n > 5);
     for (size_t i = 0; i < n; i++) assert_int_equal(event[i].kind, ORR_CLOCK_EVENT_REFERENCE);
-    const double with = off_clk(e, &clk, 30), without = off_clk(alone, &clk, 450);
+    double ratio;
+    const double with = off_clk(e, &clk, 30, &ratio), without = off_clk(alone, &clk, 450, &ratio);
     print_message("with 30-s clocks %.4f ns, with 15-min clocks %.3f ns\n", 1e9 * with, 1e9 * without);
     assert_true(with < 1e-12 && without > 0.2e-9 && without < 0.5e-9);
+    // Of the same clocks every fifth minute, and the rest as truth: no centres differ here.
+    orr_clk five;
+    ASSERT_OK(orr_clk_read(path, NULL, &five, NULL, &d), d);
+    thin(&five, 300);
+    const orr_smoother_clk in_five = {.clk = &five, .name = "five"};
+    o.clk = &in_five;
+    orr_ephemeris *thinned = product(&f, &o);
+    const double between_s = off_clk(thinned, &clk, 30, &ratio);
+    print_message("with 5-min clocks of 30-s ones %.3f ns, error/sigma %.2f\n", 1e9 * between_s, ratio);
+    assert_true(between_s < 0.2e-9 && ratio > 0.5 && ratio < 1.5);
+    orr_ephemeris_free(thinned);
+    orr_clk_free(&five);
     // Mean of the product's clocks stays CODE's.
     double shift = 0;
     size_t m = 0;

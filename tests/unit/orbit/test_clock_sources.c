@@ -216,6 +216,29 @@ static void the_reference_is_told_once(void **state)
         }
 }
 
+// One satellite whose files meet in the middle of a ramp has two nodes there; the ramp stays one event, and all noise
+// small.
+static void a_joint_of_one_satellite_hides_nothing(void **state)
+{
+    (void)state;
+    orr_clock_table t = noisy(ramp);
+    orr_clock_list *l = &t.list[3];
+    l->node = realloc(l->node, (l->n + 1) * sizeof *l->node);
+    memmove(&l->node[151], &l->node[150], (l->n - 150) * sizeof *l->node);
+    l->n++;
+    l->node[151].source = 1;
+    orr_clock_noise noise_of[SATS];
+    assert_int_equal(orr_clock_between_noise(&t, GAP, noise_of), ORR_OK);
+    for (size_t i = 0; i < SATS; i++)
+        assert_true(orr_clock_between_s2(&noise_of[i], STEP, 0.5) < 3e-10 * 3e-10); // of 0.1 ns a node
+    orr_clock_events e;
+    assert_int_equal(orr_clock_judge(GAP, true, false, &t, &e), ORR_OK);
+    assert_int_equal(e.n, 1);
+    ASSERT_NEAR(e.item[0].value_s, -6.2e-6, 2e-9);
+    orr_clock_table_free(&t);
+    free(e.item);
+}
+
 // Of one satellite: a lone error of 50 to 95 ns is left out, a step of so much is a jump, a corner is let be.
 static void lone_errors_corners_and_steps_are_told_apart(void **state)
 {
@@ -283,17 +306,20 @@ static void sigma_is_what_nodes_left_out_are_off(void **state)
         for (size_t i = 0; i < SATS; i++) {
             orr_clock_list *l = &f.table.list[i], *m = &thin.list[i];
             *m = (orr_clock_list){.sat = l->sat, .node = calloc(l->n, sizeof *m->node)};
-            double walk = 0, rate = 0;
+            double walk = 0, rate = 0, white = orr_rng_normal(10, i, 0);
             for (size_t k = 0; k < l->n; k++) {
                 const double z = orr_rng_normal(11 + (uint64_t)kind, i, k);
                 if (kind == 1) walk += 2e-11 * z;
                 if (kind == 2) walk += 300 * (rate += 1e-14 * z);
-                l->node[k].clock_s += kind == 0 ? 1e-10 * z : walk;
+                white = 0.25 * white + sqrt(1 - 0.25 * 0.25) * z; // of minutes: a quarter is left after 300 s
+                l->node[k].clock_s += kind == 0 ? 1e-10 * white : walk;
                 if (k % 3 == 0) m->node[m->n++] = l->node[k];
             }
         }
         orr_clock_noise noise[SATS];
         assert_int_equal(orr_clock_between_noise(&thin, GAP, noise), ORR_OK);
+        for (size_t i = 0; i < SATS; i++) // not by rounding either: a product with negative noise is refused
+            assert_true(noise[i].white_s2 >= 0 && noise[i].wfm_s2ps >= 0 && noise[i].rwfm_s2ps3 >= 0);
         double sum = 0;
         size_t n = 0;
         for (size_t i = 0; i < SATS; i++)
@@ -320,6 +346,7 @@ int main(void)
                                        cmocka_unit_test(the_newer_prediction_holds),
                                        cmocka_unit_test(better_clocks_take_the_place),
                                        cmocka_unit_test(the_reference_is_told_once),
+                                       cmocka_unit_test(a_joint_of_one_satellite_hides_nothing),
                                        cmocka_unit_test(lone_errors_corners_and_steps_are_told_apart),
                                        cmocka_unit_test(between_nodes_the_clock_is_smooth),
                                        cmocka_unit_test(sigma_is_what_nodes_left_out_are_off)};

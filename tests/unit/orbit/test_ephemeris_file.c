@@ -140,7 +140,9 @@ static void test_round_trip(void **state)
     orr_sat_state at; // between a node and a predicted one: both kinds of sigma
     assert_int_equal(orr_ephemeris_eval(b, s.sat[4].sat, s.sat[4].clock[6].t + 150 * ORR_NS_PER_S, &at),
                      ORR_OK);
-    const double between_s2 = 4e-21 * 1.5 + 1e-24 * 75 + 1e-33 * 2.7e7 / 48, given_s2 = 0.5 * 4e-18;
+    // Half way in 300 s: 1.5 + 0.5 c(300) - 2 c(150), c = 1/4 and 4/9.
+    const double between_s2 = 4e-21 * (1.625 - 8.0 / 9) + 1e-24 * 75 + 1e-33 * 2.7e7 / 48,
+                 given_s2 = 0.5 * 4e-18;
     ASSERT_NEAR(at.clock_sigma_s, sqrt(between_s2 + given_s2), 1e-15);
     assert_int_equal(orr_ephemeris_eval(b, s.sat[9].sat, made_midnight + 150 * ORR_NS_PER_S, &at), ORR_OK);
     assert_true(isfinite(at.clock_s) && isnan(at.clock_sigma_s));
