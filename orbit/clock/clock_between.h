@@ -15,6 +15,8 @@
 // What is white noise from node to node is correlated over minutes: (1 + tau / 300 s)^-2, a covariance since it is
 // convex. Old rubidium clocks between nodes of 5 min and of 15 min ask for about so much.
 #define ORR_CLOCK_WHITE_S 300.0
+
+// That correlation of two instants tau_s apart.
 static inline double orr_clock_white_correlation(double tau_s)
 {
     const double r = 1 / (1 + tau_s / ORR_CLOCK_WHITE_S);
