@@ -398,7 +398,7 @@ static orr_status iterate(work *w, orr_reference_fit *out, double *change)
         w->first = false;
         const double *by = NULL;
         if (estimate) {
-            out->estimated = satellites(w) >= LEAST_SATELLITES;
+            out->estimated = satellites(w) >= (w->p->forecast ? 1 : LEAST_SATELLITES);
             for (size_t i = 0; i < w->p->n_arcs; i++) w->share[i].rms_m = rms_of(&w->share[i], NULL, 0);
             assemble(w);
             if (out->estimated && factor(w)) {

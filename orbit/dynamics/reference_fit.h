@@ -63,8 +63,8 @@ typedef struct orr_reference_fit {
 // Gauss-Newton about integrated orbits, satellites eliminated from the normal equations; nodes that disagree
 // with their satellite are set aside, satellites count by the inverse square of their residuals. Results do
 // not depend on jobs. Errors: ORR_E_ARG (span), ORR_E_MEMORY, ORR_E_INTERRUPTED. With fewer than four
-// satellites that can be fitted the rotation stays as it was (estimated is false). Free with
-// orr_reference_fit_free.
+// satellites that can be fitted the rotation stays as it was (estimated is false), save in a forecast, whose orbits it
+// serves even where it is poor. Free with orr_reference_fit_free.
 orr_status orr_reference_fit_run(const orr_reference_problem *problem, orr_reference_fit *out,
                                  orr_diag *diag);
 // Frees sky and rotation and zeroes the fit.

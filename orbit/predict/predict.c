@@ -20,6 +20,7 @@
 #define GRAVITY_DEGREE 8    // more gains nothing, 4 loses metres
 #define LATE_S (3 * 3600.0) // a satellite whose positions end so long before the others' has left
 #define LEAST_NODES 6
+#define LEAST_SATELLITES 4 // that tell the Earth's rotation well enough for others
 #define LEAST_SPAN_S 7200.0
 #define LOW_ORBIT_M 1.5e7 // below it drag is what matters
 #define LEAST_JOINTS 3    // satellites that tell what a system steps from file to file
@@ -204,7 +205,7 @@ static orr_status fit(work *w, orr_diag *diag)
     orr_status s = orr_reference_fit_run(&p, &w->fit, diag);
     if (s == ORR_OK) s = orr_gravity_field_init(&w->earth, GRAVITY_DEGREE, false, diag);
     w->report->eop_known = known;
-    w->report->eop_estimated = w->fit.estimated && !known;
+    w->report->eop_estimated = w->fit.estimated && !known && w->fit.fitted >= LEAST_SATELLITES;
     return s;
 }
 
