@@ -20,6 +20,7 @@
 #define GRAVITY_DEGREE 8    // more gains nothing, 4 loses metres
 #define LATE_S (3 * 3600.0) // a satellite whose positions end so long before the others' has left
 #define LEAST_NODES 6
+#define FEW_RATIO 2.25     // fewer err by half as much again
 #define LEAST_SATELLITES 4 // that tell the Earth's rotation well enough for others
 #define LEAST_SPAN_S 7200.0
 #define LOW_ORBIT_M 1.5e7 // below it drag is what matters
@@ -291,6 +292,7 @@ static orr_status set_sigmas(work *w, orr_diag *diag)
         double rms_m;
         usual_of(w, j, room, &rms_m, &k.joint_m);
         k.rms_ratio = j->arc->rms_m / rms_m;
+        if (w->fit.fitted < LEAST_SATELLITES) k.rms_ratio = fmax(k.rms_ratio, FEW_RATIO);
         const orr_predict_growth g = orr_predict_growth_of(&k);
         for (size_t m = j->before; m < arc->n; m++) {
             orr_orbit_sample *x = &arc->sample[m];

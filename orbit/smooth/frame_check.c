@@ -44,9 +44,11 @@ orr_status orr_frame_check(const orr_sp3 *sp3, const char *name, orr_diag *diag)
             turned[n++] = off_kepler(a, orr_mat3_apply(&back, b), dt_s);
         }
     }
-    if (n < LEAST_PAIRS || !(orr_median(as_they_are, n) < NEAR) || !(orr_median(turned, n) > FAR)) return ORR_OK;
+    if (n < LEAST_PAIRS || !(orr_median(as_they_are, n) < NEAR) || !(orr_median(turned, n) > FAR))
+        return ORR_OK;
     return orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0,
-                       "its positions do not turn with the Earth: they are in inertial axes (its header says \"%s\"); SP3 has "
+                       "its positions do not turn with the Earth: they are in inertial axes (its header says "
+                       "\"%s\"); SP3 has "
                        "Earth-fixed ones, turn them before",
                        sp3->coordinates);
 }

@@ -385,7 +385,8 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
         s = orr_gravity_field_init(&force.earth, options->low_gravity_degree, options->zonal_only, diag);
     if (s == ORR_OK)
         s = orr_gravity_field_init(&force.earth, options->gravity_degree, options->zonal_only, diag);
-    for (size_t i = 0; i < n_inputs && s == ORR_OK; i++) s = orr_frame_check(input[i].sp3, input[i].name, diag);
+    for (size_t i = 0; i < n_inputs && s == ORR_OK; i++)
+        s = orr_frame_check(input[i].sp3, input[i].name, diag);
     if (s == ORR_OK) s = orr_nodes_collect(input, n_inputs, options, &table, warnings, diag);
     if (s != ORR_OK) return s;
     ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);

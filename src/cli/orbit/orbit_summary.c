@@ -267,9 +267,10 @@ static void say_prediction(const orr_cli *c, const orr_predict_report *p, const 
     orr_ephemeris_span(e, &from, &to);
     orr_cli_say(c, "predicted from %s to %s: %zu orbits, %zu clocks; %s", orr_time_text(p->from, when[0]),
                 orr_time_text(to, when[1]), p->orbits, p->clocks,
-                p->eop_known       ? "Earth rotation as given"
-                : p->eop_estimated ? "Earth rotation carried on as the orbits tell it"
-                                   : "too few satellites to tell the Earth's rotation, which makes it poor");
+                p->eop_known ? "Earth rotation as given"
+                : p->eop_estimated
+                    ? "Earth rotation carried on as the orbits tell it"
+                    : "of the Earth's rotation too few satellites tell, and the product keeps none");
 }
 
 int orbit_summary_print(const orr_cli *c, const orr_orbit_solution *s, const orr_smoother_report *report,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Earth's rotation that a product holds: as a file of Earth rotation parameters, and where the frame is turned by it."""
 import csv
+import gzip
 import io
 import math
 import pathlib
@@ -95,6 +96,39 @@ class Rotation(Folder):
         self.assertRegex(done.stderr, "the orbits tell no Earth rotation .*four satellites")
         self.assertNotIn("one.erp", self.left())
         self.assertNotIn("pole_x", dump(self.path("one.nc")))
+
+    def test_inertial_positions_are_refused(self):
+        """Turned by the Earth's angle, whatever the header calls the frame."""
+        out, t = [], 0
+        for line in gzip.open(sample(DAYS[1]), "rt", encoding="ascii").read().splitlines():
+            if line.startswith("*"):
+                t = int(line[14:16]) * 3600 + int(line[17:19]) * 60
+            if line.startswith("P"):
+                x, y, z = (float(line[4 + 14 * k:18 + 14 * k]) for k in range(3))
+                c, s = math.cos(1 + 7.2921151467e-5 * t), math.sin(1 + 7.2921151467e-5 * t)
+                line = f"{line[:4]}{c * x - s * y:14.6f}{s * x + c * y:14.6f}{z:14.6f}{line[46:]}"
+            out.append(line)
+        pathlib.Path(self.path("inertial.sp3")).write_text("\n".join(out) + "\n", encoding="ascii")
+        done = run("orbit", "-o", self.path("x.nc"), self.path("inertial.sp3"), status=1)
+        self.assertRegex(done.stderr, r"inertial\.sp3: its positions do not turn with the Earth: they are in inertial axes")
+        self.assertNotIn("x.nc", self.left())
+
+    def test_an_hour_of_data(self):
+        """It tells no pole; the orbit is there all the same, and nothing can be predicted from it."""
+        hour = ("--exclude", "2025-03-21T01:01/2025-03-23", "--sat", "G", sample(DAYS[1]))
+        done = run("orbit", "-o", self.path("hour.nc"), *hour)
+        self.assertIn("Earth rotation: secular pole, UT1 by the leap seconds", done.stderr)
+        done = run("orbit", "-o", self.path("hour.nc"), "--predict", "1h", *hour, status=1)
+        self.assertIn("nothing to predict from: no satellite has positions over two hours", done.stderr)
+
+    def test_one_satellite_is_predicted(self):
+        """It tells a rotation good enough for itself, which the product does not keep."""
+        s = run_json("orbit", "--format", "json", "--predict", "6h", "--sat", "G05", "-o", self.path("g05.nc"), sample(DAYS[1]))
+        self.assertEqual(s["prediction"]["orbits"], 1)
+        self.assertNotIn("earth_rotation", s["prediction"])
+        self.assertNotIn("pole_x", dump(self.path("g05.nc")))
+        x = run_json("compare", "--format", "json", self.path("g05.nc"), sample(DAYS[2]))
+        self.assertLess(next(r for r in x["prediction"]["rows"] if r["age_h"] == 3)["orbit"]["median_mm"], 300)
 
     def test_real_pole(self):
         """CODE's own pole, which its orbits were made with, to 0.1 mas; its length of day, whose change over a day is
