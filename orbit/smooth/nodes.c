@@ -205,7 +205,8 @@ static orr_status settle_overlaps(const orr_smoother_input *input, size_t n, siz
 }
 
 // Predictions taken as input, and frames that are not one.
-static void tell_kinds(const orr_smoother_input *input, size_t n, const size_t *order, orr_warnings *warnings)
+static void tell_kinds(const orr_smoother_input *input, size_t n, const size_t *order, bool observed_only,
+                       orr_warnings *warnings)
 {
     const orr_smoother_input *first = &input[order[0]];
     for (size_t k = 0; k < n; k++) {
@@ -218,10 +219,11 @@ static void tell_kinds(const orr_smoother_input *input, size_t n, const size_t *
         }
         if (predicted > 0)
             orr_warnings_add(warnings, x->name, 0, 0,
-                             "%zu of %zu positions are the centre's predictions (flag P); they are followed "
-                             "less closely, and "
-                             "the product flags them as predicted",
-                             predicted, all);
+                             "%zu of %zu positions are the centre's predictions (flag P); %s", predicted, all,
+                             observed_only
+                                 ? "they are not used, the prediction is made from what was observed"
+                                 : "they are followed less closely, and the product flags them as "
+                                   "predicted");
         const char *frame = x->sp3->coordinates, *other = first->sp3->coordinates;
         if (frame[0] != '\0' && other[0] != '\0' && strncmp(frame, other, 5) != 0)
             orr_warnings_add(warnings, x->name, 0, 0,
@@ -382,7 +384,7 @@ orr_status orr_nodes_collect(const orr_smoother_input *input, size_t n_inputs, c
         for (size_t k = 0; k < out->list[i].n_nodes; k++)
             out->list[i].node[k].t_s = orr_time_diff_s(out->list[i].node[k].t, out->from);
     if (settle_overlaps(input, n_inputs, n_all, order, out, warnings) != ORR_OK) goto memory;
-    tell_kinds(input, n_inputs, order, warnings);
+    tell_kinds(input, n_inputs, order, o->observed_only, warnings);
     if (orr_clocks_gather(input, n_inputs, order, o, midnight, out, warnings) != ORR_OK) goto memory;
     free(order);
     return o->bridge ? bridge_all(o, out, warnings, diag) : ORR_OK;
