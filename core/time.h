@@ -142,7 +142,8 @@ char *orr_time_format(orr_time t, orr_scale scale, int decimals, const orr_leap_
 char *orr_time_text(orr_time t, char buf[ORR_TIME_TEXT]);
 // Reads what the command line accepts: ISO 8601 date or date and time ('T' or blank between, minutes
 // and seconds optional), with an optional suffix " GPS", " UTC", "Z" (= UTC), " TAI", " GLO", " GAL", " BDT",
-// " TT"; GPS without one; "WWWW:SSSSSS.s" (GPS week and seconds); "YYYY-DDD" with an optional "Thh:mm[:ss]".
+// " TT"; GPS without one; "+hh:mm" (UTC and the zone's offset); "WWWW:SSSSSS.s" (GPS week and seconds); "YYYY-DDD" with an
+// optional "Thh:mm[:ss]"; SINEX' "YYYY:DDD:SSSSS"; "YYYY M D h m s" in columns; "MJD60344.25".
 orr_status orr_time_parse(const char *text, const orr_leap_table *leap, orr_time *out, orr_diag *diag);
 // A length of time, not negative: "900", "900s", "15min" (or "15m"), "2h", "1d", "0.1", "100ms", "us", "ns"
 // -> nanoseconds.

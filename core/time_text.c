@@ -85,9 +85,9 @@ static bool take_fraction(const char **p, int32_t *ns)
 }
 
 #define FORMS                                                                                                \
-    "use 2024-02-04T00:15:00 (GPS time; with Z or UTC, TAI, TT, GLO, GAL, BDT for another scale), "          \
-    "2024-035T00:15 or "                                                                                     \
-    "week:seconds as in 2300:900"
+    "use 2024-02-04T00:15:00 (GPS time; with Z or UTC, TAI, TT, GLO, GAL, BDT for another scale, or "        \
+    "+00:00), "                                                                                              \
+    "2024-035T00:15, 2024:035:00900, \"2024 2 4 0 15 0\", MJD60344.25 or week:seconds as in 2300:900"
 
 static orr_status refuse(orr_diag *diag, orr_status s, const char *text, const char *why)
 {
@@ -109,6 +109,82 @@ static orr_status parse_week(const char *text, orr_time *out, orr_diag *diag)
     return ORR_OK;
 }
 
+// What goes on from midnight of the day that c has: seconds of the day as SINEX counts them.
+static bool put_second_of_day(int second, orr_civil *c)
+{
+    c->hour = second / 3600;
+    c->minute = second / 60 % 60;
+    c->second = second % 60;
+    return second <= 86400;
+}
+
+static bool put_day_of_year(int doy, orr_civil *c, const char **why)
+{
+    if (doy < 1 || doy > (orr_is_leap_year(c->year) ? 366 : 365)) {
+        *why = "the year has no such day";
+        return false;
+    }
+    orr_date_from_mjd(orr_mjd_from_date(c->year, 1, 1) + doy - 1, &c->year, &c->month, &c->day);
+    return true;
+}
+
+// SINEX: "YYYY:DDD:SSSSS", or with the year's last two digits, of 1950 to 2049.
+static bool take_sinex(const char **p, orr_civil *c, const char **why)
+{
+    const char *begin = *p;
+    int doy, second;
+    if (!take_int(p, 2, 4, &c->year) || *p - begin == 3 || *(*p)++ != ':') return false;
+    if (*p - begin == 3) c->year += c->year < 50 ? 2000 : 1900;
+    if (!take_int(p, 3, 3, &doy) || *(*p)++ != ':' || !take_int(p, 5, 5, &second)) return false;
+    return put_day_of_year(doy, c, why) && put_second_of_day(second, c);
+}
+
+// "YYYY M D", then "h", "h m", "h m s", "h m s.s", divided by blanks as in tables and in SP3.
+static bool take_columns(const char **p, orr_civil *c)
+{
+    int *const part[] = {&c->year, &c->month, &c->day, &c->hour, &c->minute, &c->second};
+    for (int i = 0; i < 6; i++) {
+        const char *q = *p;
+        while (*q == ' ') q++;
+        if (!digit(*q)) return i > 2; // the date is there; a scale may follow
+        if (i > 0 && q == *p) return false;
+        if (!take_int(&q, i == 0 ? 4 : 1, i == 0 ? 4 : 2, part[i])) return false;
+        *p = q;
+        if (i > 1 && **p == '\0') return true;
+    }
+    return take_fraction(p, &c->ns);
+}
+
+// "MJD60344.25", a blank behind the letters allowed: the modified Julian day and its part, to 1 ns.
+static bool take_mjd(const char **p, orr_civil *c)
+{
+    int day, n = 0;
+    int64_t part = 0; // in 1e-14 days
+    *p += 3;
+    while (**p == ' ') (*p)++;
+    if (!take_int(p, 1, 6, &day)) return false;
+    if (**p == '.')
+        for ((*p)++; digit(**p); (*p)++, n++)
+            if (n < 14) part = 10 * part + (**p - '0');
+    for (; n < 14; n++) part *= 10;
+    const int64_t ns = (part * 864 + 500) / 1000;
+    orr_date_from_mjd(day, &c->year, &c->month, &c->day);
+    c->ns = (int32_t)(ns % ORR_NS_PER_S);
+    return put_second_of_day((int)(ns / ORR_NS_PER_S), c);
+}
+
+// "+hh:mm" or "-hh:mm", "+hhmm" and "+hh": the zone's time minus UTC, in minutes.
+static bool take_zone(const char *p, int *minutes)
+{
+    const int sign = *p == '-' ? -1 : 1;
+    int hour, minute = 0;
+    if ((*p != '+' && *p != '-') || (p++, !take_int(&p, 2, 2, &hour))) return false;
+    if (*p == ':') p++;
+    if (*p != '\0' && !take_int(&p, 2, 2, &minute)) return false;
+    *minutes = sign * (60 * hour + minute);
+    return *p == '\0' && hour <= 14 && minute < 60;
+}
+
 // "YYYY-MM-DD" or "YYYY-DDD"
 static bool take_date(const char **p, orr_civil *c, const char **why)
 {
@@ -117,13 +193,8 @@ static bool take_date(const char **p, orr_civil *c, const char **why)
     const char *q = *p;
     int doy;
     if (take_int(&q, 3, 3, &doy) && !digit(*q) && *q != '-') {
-        if (doy < 1 || doy > (orr_is_leap_year(c->year) ? 366 : 365)) {
-            *why = "the year has no such day";
-            return false;
-        }
-        orr_date_from_mjd(orr_mjd_from_date(c->year, 1, 1) + doy - 1, &c->year, &c->month, &c->day);
         *p = q;
-        return true;
+        return put_day_of_year(doy, c, why);
     }
     if (!take_int(p, 1, 2, &c->month) || **p != '-') return false;
     (*p)++;
@@ -148,24 +219,36 @@ orr_status orr_time_parse(const char *text, const orr_leap_table *leap, orr_time
     if (leap == NULL) leap = orr_leap_builtin();
     const char *p = text;
     while (digit(*p)) p++;
-    if (*p == ':') return parse_week(text, out, diag);
+    const bool colon = *p == ':';
+    if (colon && strchr(p + 1, ':') == NULL) return parse_week(text, out, diag);
 
     orr_civil c = {0};
     orr_scale scale = ORR_SCALE_GPS;
     const char *why = FORMS;
+    int zone = 0;
+    const bool columns = p == text + 4 && *p == ' ',
+               mjd = strncmp(text, "MJD", 3) == 0 || strncmp(text, "mjd", 3) == 0;
     p = text;
-    if (!take_date(&p, &c, &why)) return refuse(diag, ORR_E_ARG, text, why);
-    if (((*p == 'T' || *p == 't') && digit(p[1])) || (*p == ' ' && digit(p[1]))) {
+    const bool good = colon     ? take_sinex(&p, &c, &why)
+                      : columns ? take_columns(&p, &c)
+                      : mjd     ? take_mjd(&p, &c)
+                                : take_date(&p, &c, &why);
+    if (!good) return refuse(diag, ORR_E_ARG, text, why);
+    const bool iso = !colon && !columns && !mjd;
+    if (iso && (*p == 'T' || *p == 't' || *p == ' ') && digit(p[1])) {
         p++;
         if (!take_clock(&p, &c)) return refuse(diag, ORR_E_ARG, text, FORMS);
     }
     while (*p == ' ') p++;
     if ((*p == 'Z' || *p == 'z') && p[1] == '\0')
         scale = ORR_SCALE_UTC;
+    else if (take_zone(p, &zone))
+        scale = ORR_SCALE_UTC;
     else if (*p != '\0' && orr_scale_parse(p, strlen(p), &scale) != ORR_OK)
         return refuse(diag, ORR_E_ARG, text, FORMS);
 
     orr_status status = orr_time_from_civil(&c, scale, leap, out);
+    if (status == ORR_OK) *out = orr_time_add(*out, -zone * 60 * ORR_NS_PER_S);
     if (status == ORR_E_RANGE && c.year >= ORR_TIME_FIRST_YEAR && c.year <= ORR_TIME_LAST_YEAR)
         return refuse(diag, status, text,
                       "UTC and GLO have whole leap seconds since 1972-01-01 only; use GPS or TAI");

@@ -39,7 +39,7 @@ void orr_cli_signals_take(void);
     "ionospheric delays and matching inertial readings, and serves them by time tag."
 #define ORR_CLI_TIMES_TEXT                                                                                   \
     "2024-02-04T00:15:00 (GPS scale), 2024-02-04T00:14:42Z (UTC), 2300:900 (GPS week:seconds), 2024-035 "    \
-    "(year-day)."
+    "(year-day), 2024:035:00900 (SINEX), \"2024 2 4 0 15 0\", MJD60344.25."
 #define ORR_CLI_STATUS_TEXT                                                                                  \
     "0: done. 1: it could not be done. 2: usage error. A signal ends a command at once (130 after SIGINT, "  \
     "143 after SIGTERM in a shell); unfinished output files are removed."
