@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "ingest/tables/erp.h"
+#include "src/make/products.h"
 
 // A product and what it covers.
 typedef struct product {
@@ -24,7 +25,7 @@ static orr_status put_in_order(const orr_elements_plan *plan, product *list, orr
     for (size_t k = 0; k < plan->n_products; k++) {
         orr_ephemeris *e = NULL;
         list[k].path = plan->product[k];
-        orr_status s = orr_ephemeris_load(list[k].path, &e, diag);
+        orr_status s = orr_product_load(list[k].path, &e, diag);
         if (s != ORR_OK) return s;
         orr_ephemeris_span(e, &list[k].from, &list[k].to);
         orr_ephemeris_free(e);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/make/orbit.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -89,6 +90,26 @@ static orr_status read_sp3(const orr_orbit_plan *plan, const orr_log *log, work 
     return s;
 }
 
+// Nodes that a file does not have at their step: the epochs that both have are few.
+static void check_nodes(const orr_orbit_plan *plan, const work *w, orr_warnings *warnings)
+{
+    for (size_t i = 0; i < w->n_sp3; i++) {
+        const int64_t step = llround(plan->smoother.node_step_s * 1e3),
+                      own = llround(w->sp3[i].interval_s * 1e3);
+        if (step <= 0 || own <= 0 || step % own == 0) continue;
+        int64_t a = step, b = own;
+        while (b != 0) {
+            const int64_t rest = a % b;
+            a = b;
+            b = rest;
+        }
+        orr_warnings_add(
+            warnings, plan->sp3[i], 0, 0,
+            "nodes every %g s are wanted, and its epochs are %g s apart: what both have is every %g s",
+            plan->smoother.node_step_s, w->sp3[i].interval_s, (double)(step / a * own) * 1e-3);
+    }
+}
+
 static orr_status read_erp(const orr_orbit_plan *plan, work *w, orr_eop_series *eop, orr_warnings *warnings,
                            orr_diag *diag)
 {
@@ -139,6 +160,7 @@ static orr_status read_all(const orr_orbit_plan *plan, const orr_log *log, work 
                            orr_warnings *warnings, orr_diag *diag)
 {
     orr_status s = read_sp3(plan, log, w, warnings, diag);
+    if (s == ORR_OK) check_nodes(plan, w, warnings);
     if (s == ORR_OK) s = read_erp(plan, w, eop, warnings, diag);
     if (s == ORR_OK) s = read_clk(plan, w, warnings, diag);
     if (s == ORR_OK && plan->n_nav > 0)

@@ -4,7 +4,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/ncfile.h"
+#include "ingest/input/input.h"
 #include "src/make/frames.h"
+
+orr_kind orr_product_kind(const char *path)
+{
+    orr_input *in;
+    if (orr_input_open(path, NULL, &in, NULL) != ORR_OK) return ORR_KIND_UNKNOWN;
+    const orr_kind kind = orr_sniff(orr_input_head(in)).kind;
+    orr_input_close(in);
+    return kind;
+}
+
+orr_status orr_product_load(const char *path, orr_ephemeris **out, orr_diag *diag)
+{
+    const orr_status s = orr_ephemeris_load(path, out, diag);
+    if (s != ORR_E_KIND || orr_nc_is_hdf5(path)) return s;
+    const orr_kind kind = orr_product_kind(path);
+    if (kind == ORR_KIND_SP3)
+        return orr_diag_at(
+            diag, s, path, 0, 0,
+            "is an SP3 file, and an orbit product is wanted: `orrery orbit -o day.nc %s` makes one", path);
+    if (kind != ORR_KIND_UNKNOWN)
+        return orr_diag_at(diag, s, path, 0, 0,
+                           "is no orbit product but %s; `orrery orbit` makes one of SP3 files",
+                           orr_kind_name(kind));
+    return s;
+}
 
 static orr_time begin_of(const orr_ephemeris *e)
 {
@@ -73,7 +100,7 @@ orr_status orr_products_open(const char *const *path, size_t n, orr_products *ou
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu products", n);
     orr_status s = ORR_OK;
     for (; out->n < n && s == ORR_OK; out->n += s == ORR_OK) {
-        s = orr_ephemeris_load(path[out->n], &out->own[out->n], diag);
+        s = orr_product_load(path[out->n], &out->own[out->n], diag);
         out->item[out->n] = out->own[out->n];
     }
     if (s != ORR_OK) return s;

@@ -3,6 +3,7 @@
 #ifndef ORR_MAKE_PRODUCTS_H
 #define ORR_MAKE_PRODUCTS_H
 
+#include "ingest/input/sniff.h"
 #include "orbit/ephemeris/ephemeris.h"
 
 typedef struct orr_products {
@@ -12,6 +13,11 @@ typedef struct orr_products {
     orr_sat *sat;               // of all, ascending
     orr_time from, to;          // from the first begin to the last end
 } orr_products;
+
+// Loads one product (orr_ephemeris_load); of a file of another kind it says which, and what makes a product of it.
+orr_status orr_product_load(const char *path, orr_ephemeris **out, orr_diag *diag);
+// What kind of file it is, by its first lines; ORR_KIND_UNKNOWN where it cannot be read.
+orr_kind orr_product_kind(const char *path);
 
 // Loads products.
 // Given:

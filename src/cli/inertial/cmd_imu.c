@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery imu: ideal inertial readings of a scenario's flight or of a log.
 #include <string.h>
+#include <strings.h>
 
 #include "core/outfile.h"
 #include "src/cli/frame/options.h"
@@ -27,7 +28,7 @@ static void mode_options(const orr_cli *c, orr_readings_plan *p)
 static bool is_csv(const char *path)
 {
     size_t n = strlen(path);
-    return strcmp(path, "-") == 0 || (n > 4 && strcmp(path + n - 4, ".csv") == 0);
+    return strcmp(path, "-") == 0 || (n > 4 && strcasecmp(path + n - 4, ".csv") == 0);
 }
 
 static orr_status write_csv(const char *path, const orr_imu *imu, orr_imu_axes axes, orr_diag *diag)

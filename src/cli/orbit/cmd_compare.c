@@ -12,6 +12,7 @@
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/compare_clocks_print.h"
 #include "src/cli/orbit/compare_prediction.h"
+#include "src/make/products.h"
 
 static const char *const place_name[ORR_COMPARE_PLACES] = {"inner", "edge", "gap"};
 static const char *const light_name[ORR_COMPARE_LIGHTS] = {"sunlit", "eclipsing"};
@@ -320,7 +321,7 @@ static int run(orr_cli *c)
     const char *path = c->operand[0], *csv = orr_cli_text(c, "csv", "");
     if (strcmp(csv, "-") == 0 && orr_cli_says(c, "format", "json"))
         return orr_cli_usage(c, "only one of --csv - and --format json can go to standard output");
-    const orr_status s = orr_nc_is_hdf5(path) ? orr_ephemeris_load(path, &u.e, &diag)
+    const orr_status s = orr_nc_is_hdf5(path) ? orr_product_load(path, &u.e, &diag)
                                               : orr_sp3_read(path, NULL, &u.sp3, NULL, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     orr_sp3 *truth = calloc(n, sizeof *truth);

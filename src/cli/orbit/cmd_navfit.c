@@ -7,6 +7,7 @@
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/navfit_write.h"
 #include "src/make/navset.h"
+#include "src/make/products.h"
 
 // Everything that a run holds.
 typedef struct work {
@@ -35,7 +36,7 @@ static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_di
     plan.options.zero_clocks = orr_cli_given(c, "zero-clocks");
     plan.options.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;
     orr_status s = orr_inputs_note(&w->inputs, c->operand[0], diag);
-    if (s == ORR_OK) s = orr_ephemeris_load(c->operand[0], &w->product, diag);
+    if (s == ORR_OK) s = orr_product_load(c->operand[0], &w->product, diag);
     if (s == ORR_OK) s = orr_navset_make(w->product, &plan, &w->set, &w->inputs, warnings, diag);
     free(nav);
     return s;

@@ -85,9 +85,9 @@ orr_status navfit_write_bits(const orr_navset *set, const orr_inputs *inputs, or
     for (size_t i = 0; i < n; i++) next[i] = from;
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
+    if (s == ORR_OK) fputs("t_gps,sat,message,number,page,bits,hex\n", out.stream);
     for (size_t i = 0; s == ORR_OK && i < inputs->n; i++)
         fprintf(out.stream, "# input %s, SHA-256 %s\n", inputs->item[i].name, inputs->item[i].sha256);
-    if (s == ORR_OK) fputs("t_gps,sat,message,number,page,bits,hex\n", out.stream);
     *n_pieces = 0;
     for (orr_time t = from; t < to && s == ORR_OK; t += block) {
         for (size_t i = 0; i < n && s == ORR_OK; i++)

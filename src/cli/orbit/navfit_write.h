@@ -10,7 +10,7 @@
 // RINEX NAV 3.05; comments of the header name the inputs and their SHA-256.
 orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, const char *path,
                               orr_diag *diag);
-// Writes the bit streams as CSV, behind comments (#) that name the inputs.
+// Writes the bit streams as CSV; comments (#) behind the names of columns tell the inputs.
 // Given:
 //   set       the broadcast data
 //   inputs    what they were made from

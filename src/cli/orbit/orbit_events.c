@@ -27,7 +27,17 @@ const char *orbit_event_name(orr_event_kind kind)
     return "unknown";
 }
 
-bool orbit_event_text(orr_sat sat, const orr_orbit_event *e, char *buf, size_t n)
+// What the product has in the middle of a gap.
+static const char *became_of(const orr_ephemeris *orbit, orr_sat sat, const orr_orbit_event *e)
+{
+    orr_sat_state state;
+    if (orr_ephemeris_eval(orbit, sat, e->t0 + (e->t1 - e->t0) / 2, &state) != ORR_OK)
+        return ": left open, longer than is bridged (--max-gap)";
+    return (state.flags & ORR_EPH_PREDICTED) != 0 ? ": bridged by broadcast ephemerides, flagged as predicted"
+                                                  : ": bridged by the smoothed orbit";
+}
+
+bool orbit_event_text(orr_sat sat, const orr_orbit_event *e, const orr_ephemeris *orbit, char *buf, size_t n)
 {
     char name[ORR_SAT_TEXT], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     orr_sat_text(sat, name);
@@ -45,7 +55,8 @@ bool orbit_event_text(orr_sat sat, const orr_orbit_event *e, char *buf, size_t n
             snprintf(buf, n, "%s: the position of %s is left out, no orbit is near it", name, from);
         return true;
     case ORR_EVENT_GAP:
-        snprintf(buf, n, "%s: no positions between %s and %s", name, from, to);
+        snprintf(buf, n, "%s: no positions between %s and %s%s", name, from, to,
+                 orbit != NULL ? became_of(orbit, sat, e) : "");
         return true;
     default:
         return false;

@@ -5,13 +5,20 @@
 
 #include <stddef.h>
 
-#include "orbit/smooth/solution.h"
+#include "orbit/ephemeris/ephemeris.h"
 
 // Short name of a kind: "manoeuvre", "outlier" ...
 const char *orbit_event_name(orr_event_kind kind);
-// A sentence of one manoeuvre, outlier or gap into buf; false for what needs none (eclipses, joints of
-// files).
-bool orbit_event_text(orr_sat sat, const orr_orbit_event *e, char *buf, size_t n);
+// A sentence of one manoeuvre, outlier or gap.
+// Given:
+//   sat    satellite
+//   e      the event
+//   orbit  the product, which tells what became of a gap; NULL: not said
+//   n      size of buf
+// Returned:
+//   buf    the sentence
+// Returns false for what needs none (eclipses, joints of files).
+bool orbit_event_text(orr_sat sat, const orr_orbit_event *e, const orr_ephemeris *orbit, char *buf, size_t n);
 // "2 manoeuvres, 8 outliers, 40 eclipses" of a number of satellites' events, kinds that are there alone;
 // "none".
 typedef struct orbit_event_counts {

@@ -64,7 +64,7 @@ static joints tally_joints(const orr_orbit_solution *s)
 }
 
 // Manoeuvres first, then what was left out, then gaps: as many as a reader will read.
-static void say_events(const orr_cli *c, const orr_orbit_solution *s)
+static void say_events(const orr_cli *c, const orr_orbit_solution *s, const orr_ephemeris *orbit)
 {
     enum { SHOWN = 12 };
     static const orr_event_kind order[] = {ORR_EVENT_MANOEUVRE, ORR_EVENT_OUTLIER, ORR_EVENT_GAP};
@@ -74,7 +74,8 @@ static void say_events(const orr_cli *c, const orr_orbit_solution *s)
         for (size_t i = 0; i < s->n_sats; i++)
             for (size_t j = 0; j < s->sat[i].n_events; j++) {
                 const orr_orbit_event *e = &s->sat[i].event[j];
-                if (e->kind != order[k] || !orbit_event_text(s->sat[i].sat, e, text, sizeof text)) continue;
+                if (e->kind != order[k] || !orbit_event_text(s->sat[i].sat, e, orbit, text, sizeof text))
+                    continue;
                 if (told++ < SHOWN) orr_cli_say(c, "%s", text);
             }
     if (told > SHOWN) orr_cli_say(c, "and %zu more such events; --format json tells all", told - SHOWN);
@@ -96,7 +97,7 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
         orr_cli_say(c, "%-9s %5zu %8zu %12.3f %9zu %10zu %5zu %9zu", orr_system_name(*system), t.sats, t.used,
                     residual_mm(&t), t.rejected, t.events.manoeuvres, t.events.gaps, t.events.eclipses);
     }
-    say_events(c, s);
+    say_events(c, s, e);
     joints j = tally_joints(s);
     if (j.n > 0 && j.worst != ORR_SAT_NONE)
         orr_cli_say(

@@ -9,6 +9,7 @@
 
 #include "src/cli/frame/cli.h"
 #include "src/cli/service/serve_log.h"
+#include "src/make/products.h"
 #include "src/service/answers.h"
 #include "src/service/service.h"
 
@@ -76,10 +77,28 @@ static orr_status listen_on(serving *v, orr_diag *diag)
     return orr_service_open(&options, NULL, &v->log, &v->service, diag);
 }
 
+// A data file instead of a scenario: what to do with it.
+static orr_status check_kind(const char *path, orr_diag *diag)
+{
+    const orr_kind kind = orr_product_kind(path);
+    if (kind == ORR_KIND_SP3)
+        return orr_diag_at(
+            diag, ORR_E_KIND, path, 0, 0,
+            "is an SP3 file: `orrery orbit -o day.nc %s` makes a product of it, which can be served; or name "
+            "it in a scenario under orbit.sp3",
+            path);
+    if (kind == ORR_KIND_UNKNOWN || kind == ORR_KIND_EMPTY || kind == ORR_KIND_TABLE)
+        return ORR_OK; // may be YAML
+    return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is neither a scenario nor an orbit product but %s",
+                       orr_kind_name(kind));
+}
+
 static orr_status prepare(serving *v, const char *path, orr_diag *diag)
 {
     bool product = false;
     orr_status s = is_product(path, &product, diag);
+    if (s != ORR_OK) return s;
+    if (!product) s = check_kind(path, diag);
     if (s != ORR_OK) return s;
     s = product ? orr_scenario_of_product(path, &v->scenario, diag)
                 : orr_scenario_read(path, &v->scenario, diag);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "src/make/orbit.h"
+#include "src/make/products.h"
 
 struct orr_source_orbit {
     orr_ephemeris *eph;
@@ -33,7 +34,7 @@ orr_status orr_source_orbit_open(const orr_scenario *s, const orr_log *log, cons
     orr_orbit_made made = {0};
     orr_status status;
     if (s->orbit.product != NULL) {
-        status = orr_ephemeris_load(s->orbit.product, &made.ephemeris, diag);
+        status = orr_product_load(s->orbit.product, &made.ephemeris, diag);
     } else if (s->orbit.sp3.n > 0) {
         const orr_orbit_plan plan = orr_orbit_plan_of(&s->orbit);
         status = orr_orbit_make(&plan, log, cancel, &made, warnings, diag);
