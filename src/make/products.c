@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/ncfile.h"
 #include "ingest/input/input.h"
@@ -11,6 +12,8 @@
 orr_kind orr_product_kind(const char *path)
 {
     orr_input *in;
+    struct stat st; // a pipe is read once, by who wants what is in it
+    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode)) return ORR_KIND_UNKNOWN;
     if (orr_input_open(path, NULL, &in, NULL) != ORR_OK) return ORR_KIND_UNKNOWN;
     const orr_kind kind = orr_sniff(orr_input_head(in)).kind;
     orr_input_close(in);

@@ -103,6 +103,23 @@ class Orbit(Folder):
                      "nanoseconds since 1980-01-06", 'reference_frame = "', "input_sha256"):
             self.assertIn(word, done.stdout)
 
+    def test_gaps_tell_what_became_of_them(self):
+        args = ("orbit", "-o", self.path("gaps.nc"), "--sat", "G01,G02", "--exclude", "2025-03-21T02:01/2025-03-21T04:00", sample(DAYS[1]))
+        told = run(*args).stderr
+        self.assertIn("G01: no positions between 2025-03-21T02:00:00 and 2025-03-21T04:00:00: bridged by the smoothed orbit", told)
+        self.assertIn("left open, longer than is bridged", run(*args, "--max-gap", "1h").stderr)
+
+    def test_nodes_that_the_file_does_not_have(self):
+        args = ("orbit", "-o", self.path("nodes.nc"), "--sat", "G01-G03", sample(DAYS[1]), "--nodes")
+        self.assertIn("what both have is every 9000 s", run(*args, "1000").stderr)
+        self.assertNotIn("warning", run(*args, "1800").stderr)
+
+    def test_a_file_of_another_kind(self):
+        for name in ("states", "elements", "eclipses", "satellites", "navfit"):
+            self.assertIn("`orrery orbit -o day.nc", run(name, sample(DAYS[1]), status=1).stderr, name)
+        self.assertIn("which can be served", run("serve", sample(DAYS[1]), status=1).stderr)
+        self.assertIn("neither a scenario nor an orbit product", run("serve", sample("ionosphere.ION"), status=1).stderr)
+
     def test_wrong_inputs(self):
         empty, binary, cut, html = (self.path(n) for n in ("empty.sp3", "binary.sp3", "cut.sp3", "page.sp3"))
         text = sp3_text(DAYS[1])
