@@ -104,6 +104,8 @@ class Signals(Folder):
             "check": [fifo],
             "simulate": [fifo, "-o", out],
             "serve": [fifo],
+            "check": [fifo],
+            "simulate": [fifo, "-o", out],
             "inspect": [fifo],
             "convert": [fifo, "-o", out],
             "fetch": ["2024-02-04", "--archives", fifo, "--cache", self.path("cache")],
