@@ -5,11 +5,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/array.h"
 #include "ingest/input/text_records.h"
 
 #define MAX_LINES 10000
+
+enum { TABLE_MAX_BYTES = 4 << 20 }; // a table has hundreds of lines
 
 typedef struct name_rule {
     orr_product product;
@@ -261,6 +264,11 @@ orr_status orr_archives_read(const char *path, orr_archives **out, orr_diag *dia
         return orr_archives_parse("built-in table of archives", text, n, out, diag);
     }
     orr_bytes b;
+    struct stat st;
+    if (stat(path, &st) == 0 && S_ISREG(st.st_mode) && st.st_size > TABLE_MAX_BYTES)
+        return orr_diag_at(diag, ORR_E_LIMIT, path, 0, 0,
+                           "has %lld bytes; a table of archives has %d at most", (long long)st.st_size,
+                           TABLE_MAX_BYTES);
     orr_status s = orr_records_load(path, NULL, &b, diag);
     if (s != ORR_OK) return s;
     s = orr_archives_parse(path, b.text, b.n, out, diag);

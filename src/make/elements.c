@@ -125,7 +125,7 @@ static orr_status read_erp(const orr_elements_plan *plan, orr_inputs *inputs, or
                            orr_warnings *warnings, orr_diag *diag)
 {
     orr_bytes text;
-    orr_status s = orr_inputs_read(inputs, plan->erp, &text, diag);
+    orr_status s = orr_inputs_read(inputs, plan->erp, ORR_KIND_BIT(ORR_KIND_ERP), &text, diag);
     if (s == ORR_OK) s = orr_erp_parse(plan->erp, text.text, text.n, plan->leap, NULL, out, warnings, diag);
     orr_bytes_free(&text);
     return s;

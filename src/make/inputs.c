@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/sha256.h"
 
@@ -56,11 +57,27 @@ orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, orr_bytes *by
     return s;
 }
 
-orr_status orr_inputs_read(orr_inputs *list, const char *path, orr_bytes *text, orr_diag *diag)
+orr_status orr_inputs_expect(const char *path, uint64_t kinds, orr_diag *diag)
+{
+    struct stat st;
+    orr_input *in;
+    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode) || st.st_size <= ORR_INPUTS_LARGE) return ORR_OK;
+    orr_status s = orr_input_open(path, NULL, &in, diag);
+    if (s != ORR_OK) return s;
+    const orr_kind kind = orr_sniff(orr_input_head(in)).kind;
+    orr_input_close(in);
+    if ((kinds & ORR_KIND_BIT(kind)) != 0) return ORR_OK;
+    return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is not what is wanted here: its first lines are of %s",
+                       kind == ORR_KIND_UNKNOWN ? "no format that is known" : orr_kind_name(kind));
+}
+
+orr_status orr_inputs_read(orr_inputs *list, const char *path, uint64_t kinds, orr_bytes *text,
+                           orr_diag *diag)
 {
     orr_bytes raw;
     *text = (orr_bytes){0};
-    orr_status s = orr_inputs_read_raw(list, path, &raw, diag);
+    orr_status s = orr_inputs_expect(path, kinds, diag);
+    if (s == ORR_OK) s = orr_inputs_read_raw(list, path, &raw, diag);
     if (s != ORR_OK) return s;
     s = orr_input_read_bytes(path, raw.text, raw.n, NULL, text, diag);
     orr_bytes_free(&raw);
@@ -85,7 +102,7 @@ orr_status orr_inputs_read_navs(orr_inputs *list, const char *const *path, size_
     limits.leap = list != NULL ? list->leap : NULL;
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         orr_bytes text;
-        s = orr_inputs_read(list, path[i], &text, diag);
+        s = orr_inputs_read(list, path[i], ORR_KIND_BIT(ORR_KIND_RINEX_NAV), &text, diag);
         if (s == ORR_OK) s = orr_nav_parse(path[i], text.text, text.n, &limits, &file[i], warnings, diag);
         orr_bytes_free(&text);
     }

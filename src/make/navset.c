@@ -59,7 +59,10 @@ static orr_status read_field(const char *path, orr_inputs *inputs, orr_nav *out,
     *is_nav = false;
     if (path == NULL) return ORR_OK;
     orr_inputs own = {0};
-    orr_status s = orr_inputs_read(&own, path, &text, &other);
+    orr_status s = orr_inputs_read(&own, path,
+                                   ORR_KIND_BIT(ORR_KIND_IONEX) | ORR_KIND_BIT(ORR_KIND_ION) |
+                                       ORR_KIND_BIT(ORR_KIND_RINEX_NAV),
+                                   &text, &other);
     if (s == ORR_OK) s = orr_nav_parse(path, text.text, text.n, NULL, out, NULL, &other);
     orr_bytes_free(&text);
     *is_nav = s == ORR_OK;
@@ -97,14 +100,15 @@ static orr_status read_all(const orr_ephemeris *e, const orr_navset_plan *plan, 
     orr_bytes text;
     orr_status s = ORR_OK;
     if (plan->antex != NULL) {
-        s = orr_inputs_read(inputs, plan->antex, &text, diag);
+        s = orr_inputs_read(inputs, plan->antex, ORR_KIND_BIT(ORR_KIND_ANTEX), &text, diag);
         if (s == ORR_OK) s = orr_antex_parse(plan->antex, text.text, text.n, NULL, &f->antex, warnings, diag);
         orr_bytes_free(&text);
         if (s == ORR_OK) orr_frames_check_antex(&f->antex, plan->antex, orr_ephemeris_frame(e), warnings);
         o->antex = &f->antex;
     }
     if (s == ORR_OK && plan->bias != NULL) {
-        s = orr_inputs_read(inputs, plan->bias, &text, diag);
+        s = orr_inputs_read(inputs, plan->bias,
+                            ORR_KIND_BIT(ORR_KIND_BIAS_SINEX) | ORR_KIND_BIT(ORR_KIND_DCB), &text, diag);
         if (s == ORR_OK) s = orr_bias_parse(plan->bias, text.text, text.n, NULL, &f->bias, warnings, diag);
         orr_bytes_free(&text);
         o->bias = &f->bias;

@@ -73,7 +73,7 @@ static orr_status read_sp3(const orr_orbit_plan *plan, const orr_log *log, work 
     for (size_t i = 0; i < plan->n_sp3 && s == ORR_OK; i++) {
         orr_bytes text;
         ORR_LOG(log, ORR_LOG_INFO, "reading %s", plan->sp3[i]);
-        s = orr_inputs_read(&w->inputs, plan->sp3[i], &text, diag);
+        s = orr_inputs_read(&w->inputs, plan->sp3[i], ORR_KIND_BIT(ORR_KIND_SP3), &text, diag);
         if (s == ORR_OK)
             s = orr_sp3_parse(plan->sp3[i], text.text, text.n, &limits, &w->sp3[i], warnings, diag);
         orr_bytes_free(&text);
@@ -119,7 +119,7 @@ static orr_status read_erp(const orr_orbit_plan *plan, work *w, orr_eop_series *
     orr_status s = ORR_OK;
     for (size_t i = 0; i < plan->n_erp && s == ORR_OK; i++) {
         orr_bytes text;
-        s = orr_inputs_read(&w->also, plan->erp[i], &text, diag);
+        s = orr_inputs_read(&w->also, plan->erp[i], ORR_KIND_BIT(ORR_KIND_ERP), &text, diag);
         if (s == ORR_OK)
             s = orr_erp_parse(plan->erp[i], text.text, text.n, plan->leap, NULL, &erp[i], warnings, diag);
         orr_bytes_free(&text);

@@ -61,7 +61,10 @@ static orr_status read_biases(orr_station *s, orr_warnings *warnings, orr_diag *
     for (size_t i = 0; i < p->n_biases && status == ORR_OK; i++) {
         orr_bytes text;
         orr_bias_set more = {0};
-        status = orr_inputs_read(&s->inputs, p->biases[i], &text, diag);
+        status = orr_inputs_read(&s->inputs, p->biases[i],
+                                 ORR_KIND_BIT(ORR_KIND_BIAS_SINEX) | ORR_KIND_BIT(ORR_KIND_DCB) |
+                                     ORR_KIND_BIT(ORR_KIND_IONEX),
+                                 &text, diag);
         if (status == ORR_OK) status = parse_biases(p->biases[i], &text, &more, warnings, diag);
         orr_bytes_free(&text);
         if (status == ORR_OK) status = orr_bias_join(&s->bias, &more, diag);
@@ -79,7 +82,7 @@ static orr_status site_of_sinex(orr_station *s, orr_diag *diag)
     orr_bytes text;
     orr_sinex x;
     double pos[3];
-    orr_status status = orr_inputs_read(&s->inputs, p->sinex, &text, diag);
+    orr_status status = orr_inputs_read(&s->inputs, p->sinex, ORR_KIND_BIT(ORR_KIND_SINEX), &text, diag);
     if (status != ORR_OK) return status;
     status = orr_sinex_parse(p->sinex, text.text, text.n, NULL, &x, NULL, diag);
     orr_bytes_free(&text);
@@ -118,7 +121,10 @@ static orr_status read_field(orr_station *s, orr_bias_set *biases, orr_warnings 
 {
     const orr_station_plan *p = s->plan;
     orr_bytes text;
-    orr_status status = orr_inputs_read(&s->inputs, p->field, &text, diag);
+    orr_status status = orr_inputs_read(&s->inputs, p->field,
+                                        ORR_KIND_BIT(ORR_KIND_IONEX) | ORR_KIND_BIT(ORR_KIND_ION) |
+                                            ORR_KIND_BIT(ORR_KIND_RINEX_NAV),
+                                        &text, diag);
     if (status == ORR_OK)
         status = orr_tec_field_parse(p->field, text.text, text.n, &p->tec, &s->field, warnings, diag);
     if (status == ORR_OK) channels_of_field(s, &text);

@@ -127,6 +127,17 @@ class Outputs(Folder):
                 alive.terminate()
         self.assertEqual(parts(), [])
 
+    def test_large_files_of_no_format(self):
+        """Refused by their first lines, before the rest is read."""
+        big = self.path("plain.txt")
+        pathlib.Path(big).write_bytes(b"no format at all, line by line\n" * (1 << 20))
+        for words in (("orbit", big, "-o", self.path("none.nc")), ("orbit", self.sp3, "--erp", big, "-o", self.path("none.nc")),
+                      ("tec", big, "--grid"), ("satellites", self.product, "--antex", big), ("navfit", self.product, "--antex", big),
+                      ("elements", self.product, "--erp", big), ("compare", big, big), ("sisre", big, big)):
+            with self.subTest(words=words):
+                self.assertIn("first lines are of no format", run(*words, status=1).stderr)
+        self.assertIn("a table of archives", run("fetch", "2024-02-04", "--archives", big, "--cache", self.path("cache"), status=1).stderr)
+
     def test_force_needs_a_file(self):
         self.assertIn("--force has no effect", run("states", self.product, "--force", status=2).stderr)
         self.assertIn("no option --force", run("inspect", self.product, "--force", status=2).stderr)
