@@ -102,4 +102,11 @@
         .name = "erp", .kind = ORR_OPT_TEXT, .value = "FILE", __VA_ARGS__                                    \
     }
 
+// Threads; orr_cli_int with the machine's cores otherwise.
+#define ORR_OPTION_JOBS                                                                                      \
+    {                                                                                                        \
+        .name = "jobs", .letter = 'j', .kind = ORR_OPT_INT, .value = "N", .min = 1, .max = 256,              \
+        .help = "Number of threads; the machine's cores by default. The result does not depend on it."       \
+    }
+
 #endif

@@ -114,13 +114,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_FLAG,
      .help = "Send a clock of zero for satellites whose clock the product does not know. Without it they are "
              "left out."},
-    {.name = "jobs",
-     .letter = 'j',
-     .kind = ORR_OPT_INT,
-     .value = "N",
-     .min = 1,
-     .max = 256,
-     .help = "Number of threads; the machine's cores by default. The data do not depend on it."},
+    ORR_OPTION_JOBS,
     ORR_OPTION_FORMAT_AS(
         "text|json", "text",
         .help =

@@ -109,6 +109,15 @@ class Orbit(Folder):
         self.assertIn("G01: no positions between 2025-03-21T02:00:00 and 2025-03-21T04:00:00: bridged by the smoothed orbit", told)
         self.assertIn("left open, longer than is bridged", run(*args, "--max-gap", "1h").stderr)
 
+    def test_days_of_different_frames(self):
+        text = gzip.open(sample(DAYS[2]), "rt", encoding="ascii").read()
+        self.assertEqual(text[46:51], "IGS20")
+        other = self.path("other.sp3")
+        pathlib.Path(other).write_text(text[:46] + "IGb14" + text[51:], encoding="ascii")
+        args = ("orbit", "-o", self.path("frames.nc"), "--sat", "G01-G03", sample(DAYS[1]))
+        self.assertIn("orbits of different frames are joined", run(*args, other).stderr)
+        self.assertNotIn("frames", run(*args, sample(DAYS[2])).stderr)
+
     def test_nodes_that_the_file_does_not_have(self):
         args = ("orbit", "-o", self.path("nodes.nc"), "--sat", "G01-G03", sample(DAYS[1]), "--nodes")
         self.assertIn("what both have is every 9000 s", run(*args, "1000").stderr)
