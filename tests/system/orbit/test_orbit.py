@@ -114,7 +114,7 @@ class Orbit(Folder):
         self.assertEqual(text[46:51], "IGS20")
         other = self.path("other.sp3")
         pathlib.Path(other).write_text(text[:46] + "IGb14" + text[51:], encoding="ascii")
-        args = ("orbit", "-o", self.path("frames.nc"), "--sat", "G01-G03", sample(DAYS[1]))
+        args = ("orbit", "-o", self.path("joined.nc"), "--sat", "G01-G03", sample(DAYS[1]))
         self.assertIn("orbits of different frames are joined", run(*args, other).stderr)
         self.assertNotIn("frames", run(*args, sample(DAYS[2])).stderr)
 
