@@ -27,9 +27,9 @@ orr_status orr_inputs_join(orr_inputs *list, const orr_inputs *more, orr_diag *d
 
 // A set of kinds of files, for the two below.
 #define ORR_KIND_BIT(kind) (UINT64_C(1) << (kind))
+#define ORR_INPUTS_LARGE (INT64_C(16) << 20)
 // Looks at the first lines of a large file (more than ORR_INPUTS_LARGE bytes) before all of it is read: ORR_E_KIND where it
 // is of none of `kinds`. Pipes and small files are left to their readers.
-#define ORR_INPUTS_LARGE (INT64_C(16) << 20)
 orr_status orr_inputs_expect(const char *path, uint64_t kinds, orr_diag *diag);
 // Reads a file as it is expected.
 // Given:
