@@ -136,9 +136,10 @@ static void test_absent_and_folder(void **state)
     orr_inputs list = {0};
     orr_bytes text;
     orr_diag d = {0};
-    assert_int_equal(orr_inputs_read(&list, "absent", &text, &d), ORR_E_IO);
-    assert_int_equal(orr_inputs_read(&list, ".", &text, &d), ORR_E_KIND);
-    assert_int_equal(orr_inputs_read(&list, "/dev/null", &text, &d), ORR_E_KIND); // an empty file
+    assert_int_equal(orr_inputs_read(&list, "absent", ORR_KIND_BIT(ORR_KIND_SP3), &text, &d), ORR_E_IO);
+    assert_int_equal(orr_inputs_read(&list, ".", ORR_KIND_BIT(ORR_KIND_SP3), &text, &d), ORR_E_KIND);
+    assert_int_equal(orr_inputs_read(&list, "/dev/null", ORR_KIND_BIT(ORR_KIND_SP3), &text, &d),
+                     ORR_E_KIND); // an empty file
     assert_int_equal(orr_input_read_raw(SP3, 1000, &text, &d), ORR_E_LIMIT);
     orr_inputs_free(&list);
 }
