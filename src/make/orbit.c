@@ -141,7 +141,7 @@ static orr_status read_clk(const orr_orbit_plan *plan, work *w, orr_warnings *wa
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu files", plan->n_clk);
     for (size_t i = 0; i < plan->n_clk && s == ORR_OK; i++) {
         orr_bytes text;
-        s = orr_inputs_read(&w->also, plan->clk[i], &text, diag);
+        s = orr_inputs_read(&w->also, plan->clk[i], ORR_KIND_BIT(ORR_KIND_RINEX_CLK), &text, diag);
         if (s == ORR_OK)
             s = orr_clk_parse(plan->clk[i], text.text, text.n, &clk_limits, &w->clk[i], warnings, diag);
         orr_bytes_free(&text);
