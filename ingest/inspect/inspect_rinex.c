@@ -142,16 +142,23 @@ static void obs_header_facts(const orr_rinex_obs_header *h, orr_inspection *r)
 
 static void obs_code_facts(const orr_rinex_obs_header *h, orr_inspection *r)
 {
+    size_t unknown = 0;
     for (size_t s = 0; s < ORR_N_SYSTEMS; s++) {
         const orr_obs_codes *c = &h->codes[s];
         if (c->n == 0 || strchr(r->systems, ORR_SYSTEMS[s]) == NULL) continue;
         char line[sizeof((orr_inspect_fact *)0)->text] = "";
         size_t at = 0;
-        for (size_t j = 0; j < c->n && at + 8 < sizeof line; j++)
-            at += (size_t)snprintf(line + at, sizeof line - at, "%s%s", j > 0 ? " " : "",
-                                   c->code[j][0] != '\0' ? c->code[j] : c->original[j]);
+        for (size_t j = 0; j < c->n && at + 8 < sizeof line; j++) {
+            const bool odd = h->version >= 3 && !orr_obs_code_is_known(ORR_SYSTEMS[s], c->code[j]);
+            at += (size_t)snprintf(line + at, sizeof line - at, "%s%s%s", j > 0 ? " " : "",
+                                   c->code[j][0] != '\0' ? c->code[j] : c->original[j], odd ? "?" : "");
+            unknown += odd;
+        }
         orr_inspect_fact_add(r, orr_system_name(ORR_SYSTEMS[s]), "%s", line);
     }
+    if (unknown > 0)
+        orr_inspect_fact_add(r, "unknown", "%zu codes marked ? are none that RINEX has for their system",
+                             unknown);
 }
 
 static void obs_tally_facts(const obs_tally *t, uint64_t skipped, orr_inspection *r)
@@ -191,6 +198,9 @@ orr_status orr_inspect_rinex_obs(const char *path, orr_inspection *r, orr_diag *
         r->epochs = (int64_t)t.epochs;
         r->gaps += (int64_t)t.gaps_later;
         if (t.epochs > 0) r->to = t.last;
+        if (h->declared_sats > 0 && h->declared_sats != r->satellites)
+            orr_inspect_fact_add(r, "disagreement", "the header tells of %d satellites (# OF SATELLITES)",
+                                 h->declared_sats);
         obs_header_facts(h, r);
         obs_code_facts(h, r);
         obs_tally_facts(&t, orr_rinex_obs_skipped(reader), r);

@@ -31,6 +31,28 @@ static bool label_is(orr_view line, const char *name)
            orr_records_label_is(orr_view_trim(orr_view_cols(line, 66, 20)), name);
 }
 
+// Labels whose lines are not needed here.
+static bool is_other_label(orr_view line)
+{
+    static const char *const known[] = {"COMMENT",
+                                        "SYS / # / OBS TYPES",
+                                        "# / TYPES OF DATA",
+                                        "STATION NAME / NUM",
+                                        "STATION CLK REF",
+                                        "# OF CLK REF",
+                                        "# OF SOLN STA / TRF",
+                                        "SOLN STA NAME / NUM",
+                                        "# OF SOLN SATS",
+                                        "PRN LIST",
+                                        "SYS / DCBS APPLIED",
+                                        "SYS / PCVS APPLIED",
+                                        "LEAP SECONDS GNSS",
+                                        "RINEX VERSION / TYPE"};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (label_is(line, known[i])) return true;
+    return false;
+}
+
 static orr_status first_line(clk_reader *r, orr_view line)
 {
     orr_clk *x = r->out;
@@ -46,6 +68,12 @@ static orr_status first_line(clk_reader *r, orr_view line)
     if (!(x->version >= 1.99 && x->version < 4.0))
         return orr_cursor_error(&r->c, r->diag, ORR_E_UNSUPPORTED, 1,
                                 "RINEX clock version %.2f is not known (2.00 to 3.04 are)", x->version);
+    static const double known[] = {2.00, 2.01, 3.00, 3.01, 3.02, 3.04};
+    size_t i = 0;
+    while (i < sizeof known / sizeof known[0] && fabs(known[i] - x->version) > 0.005) i++;
+    if (i == sizeof known / sizeof known[0])
+        orr_cursor_warn(&r->c, r->warnings, 1,
+                        "there is no such version of RINEX clock files; read as the last before it");
     orr_view system = orr_view_trim(orr_view_cols(line, 41, 20));
     x->system = system.n > 0 && orr_records_label_is(orr_records_label(line), "RINEX VERSION / TYPE")
                     ? system.p[0]
@@ -80,6 +108,8 @@ static orr_status header_line(clk_reader *r, orr_view line)
     } else if (label_is(line, "ANALYSIS CLK REF")) {
         orr_view rest = text, word;
         if (orr_view_word(&rest, &word)) orr_view_copy(word, x->reference, sizeof x->reference);
+    } else if (!orr_view_is_blank(line) && !is_other_label(line)) {
+        orr_cursor_warn(&r->c, r->warnings, 61, "the header label is not known: the line is ignored");
     }
     return ORR_OK;
 }

@@ -44,6 +44,27 @@ orr_status orr_rinex_first_line(const char *name, orr_view line, orr_rinex_first
     return ORR_OK;
 }
 
+void orr_rinex_check_version(const char *name, double version, orr_warnings *warnings)
+{
+    // Those of observations and navigation data (RINEX 2.11, 2.12 and 2.20 of LEOs; 3.00 to 3.05; 4.00 to 4.02).
+    static const int known[] = {200, 201, 202, 210, 211, 212, 220, 300,
+                                301, 302, 303, 304, 305, 400, 401, 402};
+    const int v = (int)lround(version * 100);
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (known[i] == v) return;
+    orr_warnings_add(warnings, name, 1, 1, "there is no RINEX version %.2f; read as the last before it",
+                     version);
+}
+
+void orr_rinex_check_width(const char *name, int64_t line_number, orr_view line, bool *told,
+                           orr_warnings *warnings)
+{
+    if (*told || orr_view_trim(orr_view_cols(line, 81 + bytes_more_than_columns(line), 200)).n == 0) return;
+    *told = true;
+    orr_warnings_add(warnings, name, line_number, 81,
+                     "the header has text behind column 80, which is not read");
+}
+
 bool orr_rinex_seconds(orr_view line, int col, int width, int64_t *ps)
 {
     double s = 0;

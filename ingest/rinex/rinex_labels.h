@@ -17,6 +17,18 @@ typedef struct orr_rinex_first {
 // Reads "RINEX VERSION / TYPE". ORR_E_KIND with a sentence if it is none.
 orr_status orr_rinex_first_line(const char *name, orr_view line, orr_rinex_first *out, orr_diag *diag);
 
+// Warns of a version that nobody has published; it is read as the last before it.
+void orr_rinex_check_version(const char *name, double version, orr_warnings *warnings);
+// Warns of a header line with text behind column 80, which is not read; once a file.
+//   Given:    name          of the file
+//             line_number   from 1
+//             line          the line
+//             told          whether that has been told
+//   Returned: told          true once it has
+//             warnings      may be NULL
+void orr_rinex_check_width(const char *name, int64_t line_number, orr_view line, bool *told,
+                           orr_warnings *warnings);
+
 // A date and time in fields of fixed columns: year (two digits: 80-99 are 1980-1999, 00-79 are 2000-2079),
 // month, day, hour, minute and seconds as picoseconds of the minute. Seconds 60.0 are the next minute, or the
 // leap second where the scale has one.

@@ -75,6 +75,8 @@ static orr_status read_header(reader *r)
     orr_status s = orr_rinex_first_line(r->c.name, line, &first, r->diag);
     if (s != ORR_OK) return s;
     nav->version = first.version;
+    orr_rinex_check_version(r->c.name, first.version, r->w);
+    bool wide = false;
     r->v2 = first.version < 3;
     r->v4 = first.version >= 4;
     bool nav_type = first.type == 'N' || (r->v2 && (first.type == 'G' || first.type == 'H'));
@@ -94,6 +96,7 @@ static orr_status read_header(reader *r)
             drop_half_sets(r);
             return ORR_OK;
         }
+        orr_rinex_check_width(r->c.name, r->c.line, line, &wide, r->w);
         s = orr_nav_header_line(nav, line, r->c.name, r->c.line, r->w, r->diag);
         if (s != ORR_OK) return s;
     }

@@ -172,4 +172,7 @@ orr_status orr_rinex_obs_write(orr_rinex_obs_writer *w, const orr_rinex_obs_epoc
 orr_status orr_rinex_obs_commit(orr_rinex_obs_writer *w, orr_diag *diag); // ends w
 void orr_rinex_obs_abort(orr_rinex_obs_writer *w); // ends w, leaves no file; NULL is allowed
 
+// Whether any version of RINEX 3 or 4 has an observation code ("C1C", without attribute "C1") for a system.
+bool orr_obs_code_is_known(char system, const char *code);
+
 #endif

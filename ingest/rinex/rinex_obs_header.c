@@ -33,6 +33,7 @@ orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *
         return orr_diag_at(c->diag, ORR_E_KIND, c->name, c->line, 21,
                            "a RINEX file of type '%c', not of observations", first->type);
     h->version = first->version;
+    orr_rinex_check_version(c->name, first->version, c->warnings);
     char s = first->system == ' ' ? 'G' : first->system; // a blank is GPS in RINEX 2
     if (s == 'T')
         return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
@@ -459,6 +460,7 @@ orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, or
                                const obs_context *c)
 {
     orr_view label = orr_rinex_label(line);
+    orr_rinex_check_width(c->name, c->line, line, &st->wide, c->warnings);
     size_t i = 0, n = sizeof labels / sizeof labels[0];
     while (i < n && !orr_view_equals(label, labels[i].label)) i++;
     if (i == n) {

@@ -30,8 +30,8 @@ typedef struct obs_header_state {
         int factor, column;
         int64_t line;
     } v2_scale[ORR_OBS_MAX_CODES];
-    bool ended;
-    uint32_t seen; // OBS_SEEN_*
+    bool ended, wide; // wide: text behind column 80 has been told
+    uint32_t seen;    // OBS_SEEN_*
 } obs_header_state;
 enum { OBS_SEEN_MARKER = 1, OBS_SEEN_TYPES = 2, OBS_SEEN_FIRST = 4 };
 

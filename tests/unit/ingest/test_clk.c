@@ -122,6 +122,25 @@ static void test_version_304(void **state)
     orr_clk_free(&x);
 }
 
+// A label that no version has, and a version that was never published: told, and read.
+static void test_told_and_read(void **state)
+{
+    (void)state;
+    orr_clk x;
+    orr_diag d;
+    orr_warnings w = {0};
+    made_text t = version3();
+    made_replace(&t, "LEAP SECONDS", "SLEEP SECONDS");
+    made_replace(&t, "     3.00", "     3.33");
+    ASSERT_OK(parse(&t, &x, &w, &d), d);
+    assert_int_equal(x.n_sats, 2);
+    assert_int_equal(w.count, 2);
+    assert_non_null(strstr(w.item[0].text, "no such version"));
+    assert_non_null(strstr(w.item[1].text, "label is not known"));
+    orr_warnings_free(&w);
+    orr_clk_free(&x);
+}
+
 static void test_order_and_doubles(void **state)
 {
     (void)state;
@@ -250,10 +269,11 @@ static void test_limits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_version_3),   cmocka_unit_test(test_version_2),
-        cmocka_unit_test(test_version_304), cmocka_unit_test(test_order_and_doubles),
-        cmocka_unit_test(test_stray_lines), cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_cut_short),   cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_version_3),     cmocka_unit_test(test_version_2),
+        cmocka_unit_test(test_version_304),   cmocka_unit_test(test_order_and_doubles),
+        cmocka_unit_test(test_told_and_read), cmocka_unit_test(test_stray_lines),
+        cmocka_unit_test(test_refusals),      cmocka_unit_test(test_cut_short),
+        cmocka_unit_test(test_limits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

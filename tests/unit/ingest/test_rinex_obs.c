@@ -389,6 +389,54 @@ static void refusals(void **state)
     text_free(&t);
 }
 
+// What is read all the same is told: a version that was never published, text behind column 80.
+static void told_and_read(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *version, *behind, *words;
+    } cases[] = {
+        {"3.33", "", "there is no RINEX version 3.33"},
+        {"3.04", "  and more", "behind column 80"},
+        {"3.05", "", NULL},
+        {"4.02", "", NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        text t = {0};
+        orr_warnings w = {0};
+        char first[64];
+        snprintf(first, sizeof first, "%9s           OBSERVATION DATA    M: MIXED", cases[i].version);
+        text_header(&t, first, "RINEX VERSION / TYPE");
+        text_add(&t, "%-60s%-20s%s\n", "G    1 C1C", "SYS / # / OBS TYPES", cases[i].behind);
+        text_header(&t, "  2024    02    04    00    00    0.0000000     GPS", "TIME OF FIRST OBS");
+        text_header(&t, "", "END OF HEADER");
+        text_add(&t, "> 2024 02 04 00 00  0.0000000  0  1\nG05  20123456.789\n");
+        orr_rinex_obs *r = open_text(&t, &w);
+        assert_non_null(next(r));
+        size_t found = 0;
+        for (size_t k = 0; k < w.kept; k++)
+            found += cases[i].words != NULL && strstr(w.item[k].text, cases[i].words) != NULL;
+        assert_int_equal(found, cases[i].words != NULL);
+        if (cases[i].words == NULL) assert_true(w.count <= 1); // no marker's name
+        orr_warnings_free(&w);
+        orr_rinex_obs_close(r);
+        text_free(&t);
+    }
+}
+
+static void codes_that_there_are(void **state)
+{
+    (void)state;
+    static const char *const good[] = {"GC1C", "GL2W", "GS5Q", "RC1P", "RD3X", "EC1B", "EL5Q", "EC6Z", "CC2I",
+                                       "CL1P", "CC7D", "CC1I", "JL5P", "IC5A", "SC1C", "CX1",  "GL1"},
+                             *const bad[] = {"CC9Z", "CC3I", "CL2W", "GC1Z", "RC5I",
+                                             "EC2C", "SC2C", "GQ1C", "IC2A"};
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++)
+        if (!orr_obs_code_is_known(good[i][0], good[i] + 1)) fail_msg("%s is not known", good[i]);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
+        if (orr_obs_code_is_known(bad[i][0], bad[i] + 1)) fail_msg("%s is known", bad[i]);
+}
+
 static void written_and_read_back(void **state)
 {
     (void)state;
@@ -511,6 +559,8 @@ int main(void)
         cmocka_unit_test(damage),
         cmocka_unit_test(cut_anywhere),
         cmocka_unit_test(refusals),
+        cmocka_unit_test(told_and_read),
+        cmocka_unit_test(codes_that_there_are),
         cmocka_unit_test(written_and_read_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
