@@ -98,7 +98,7 @@ static void look_at_joints(orr_products *p, orr_warnings *warnings)
 orr_status orr_products_open(const char *const *path, size_t n, orr_products *out, orr_warnings *warnings,
                              orr_diag *diag)
 {
-    *out = (orr_products){.item = calloc(n + 1, sizeof *out->item), .own = calloc(n + 1, sizeof *out->own)};
+    *out = (orr_products){.item = calloc(n + 1, sizeof(void *)), .own = calloc(n + 1, sizeof(void *))};
     if (out->item == NULL || out->own == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu products", n);
     orr_status s = ORR_OK;
@@ -107,14 +107,14 @@ orr_status orr_products_open(const char *const *path, size_t n, orr_products *ou
         out->item[out->n] = out->own[out->n];
     }
     if (s != ORR_OK) return s;
-    qsort(out->item, n, sizeof *out->item, by_begin);
+    qsort(out->item, n, sizeof(void *), by_begin);
     look_at_joints(out, warnings);
     return gather_satellites(out, diag);
 }
 
 orr_status orr_products_of(const orr_ephemeris *e, orr_products *out, orr_diag *diag)
 {
-    *out = (orr_products){.n = 1, .item = calloc(1, sizeof *out->item)};
+    *out = (orr_products){.n = 1, .item = calloc(1, sizeof(void *))};
     if (out->item == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a product");
     out->item[0] = e;
     look_at_joints(out, NULL);

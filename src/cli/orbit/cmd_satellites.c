@@ -179,9 +179,10 @@ static orr_status print_all(request *q, FILE *f, size_t *rows)
             if (q->sats != NULL && !orr_sat_set_has(q->sats, list[i])) continue;
             if (orr_spacecraft_at(&q->src, list[i], t, sun, &x) != ORR_OK) continue;
             const size_t n = fill(q, &x, t, names, row);
-            q->with_antenna += isfinite(x.antenna_body_m[0]);
+            if (isfinite(x.antenna_body_m[0])) q->with_antenna++;
             q->with_health += x.health != ORR_HEALTH_UNKNOWN;
-            for (size_t k = 0; k < q->n_signals; k++) q->with_delay += isfinite(row[n - 1 - k].value);
+            for (size_t k = 0; k < q->n_signals; k++)
+                if (isfinite(row[n - 1 - k].value)) q->with_delay++;
             if (q->format == 't')
                 print_line(f, q, &x, t);
             else if (q->format == 'c')
