@@ -140,7 +140,8 @@ static orr_status read_field(orr_station *s, orr_bias_set *biases, orr_warnings 
 static orr_status read_antennas(orr_station *s, orr_warnings *warnings, orr_diag *diag)
 {
     orr_bytes text;
-    orr_status status = orr_inputs_read(&s->inputs, s->plan->antex, &text, diag);
+    orr_status status =
+        orr_inputs_read(&s->inputs, s->plan->antex, ORR_KIND_BIT(ORR_KIND_ANTEX), &text, diag);
     if (status == ORR_OK)
         status = orr_antex_parse(s->plan->antex, text.text, text.n, NULL, &s->antex, warnings, diag);
     orr_bytes_free(&text);
