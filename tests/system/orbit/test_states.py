@@ -176,7 +176,7 @@ class States(Folder):
         for args, status, word in (
                 (("states",), 2, "PRODUCT... is needed"),
                 (("states", self.path("absent.nc")), 1, "absent.nc"),
-                (("states", sample(DAY)), 1, "NetCDF"),
+                (("states", sample(DAY)), 1, "orbit product is wanted"),
                 (("states", self.product, "--from", "2025-03-20T23:00"), 1, "covers 2025-03-21T00:00:00 to"),
                 (("states", self.product, "--to", "2025-03-22T00:00:00.1"), 1, "covers"),
                 (("states", self.product, "--from", "2025-03-21T02:00", "--to", "2025-03-21T01:00"), 2, "--to is before"),
