@@ -129,15 +129,20 @@ static void check_state(const orr_sat_state *s, orr_time t)
     if (has_clock ? !isfinite(s->clock_s) || !isfinite(s->clock_rate_sps) : !isnan(s->clock_s)) abort();
 }
 
-static void elements(const orr_ephemeris *e, orr_sat sat, orr_time t)
+// All satellites share the axes of an instant: those of the mean method cost a hundred rotations of the Earth.
+static void elements(const orr_ephemeris *e, const orr_sat *list, size_t n, orr_time t)
 {
     for (int method = ORR_ELEMENTS_STATE; method <= ORR_ELEMENTS_MEAN; method++) {
         const orr_elements_options o = {.frame = (orr_elements_frame)(method % 3),
                                         .method = (orr_elements_method)method};
-        orr_kepler k;
-        if (orr_elements_at(e, sat, t, &o, &k) != ORR_OK) continue;
-        if (!isfinite(k.a_m + k.e + k.i_rad + k.raan_rad + k.argp_rad + k.m_rad + k.u_rad)) abort();
-        if (!(k.e >= 0 && k.e < 1 && k.a_m > 0)) abort();
+        orr_elements_axes axes;
+        orr_elements_axes_at(t, &o, &axes);
+        for (size_t i = 0; i < n; i++) {
+            orr_kepler k;
+            if (orr_elements_of(e, list[i], &axes, &k) != ORR_OK) continue;
+            if (!isfinite(k.a_m + k.e + k.i_rad + k.raan_rad + k.argp_rad + k.m_rad + k.u_rad)) abort();
+            if (!(k.e >= 0 && k.e < 1 && k.a_m > 0)) abort();
+        }
     }
 }
 
@@ -232,10 +237,10 @@ static void look(const orr_ephemeris *e, unsigned choice)
     for (size_t k = 0; k < sizeof at / sizeof at[0]; k++) ask(e, at[k]);
     for (size_t i = 0; i < n && i < SATS; i++) {
         list_satellite(e, list[i]);
-        elements(e, list[i], from);
-        elements(e, list[i], middle);
-        elements(e, list[i], to);
     }
+    elements(e, list, n < SATS ? n : SATS, from);
+    elements(e, list, n < SATS ? n : SATS, middle);
+    elements(e, list, n < SATS ? n : SATS, to);
     for (size_t i = orr_ephemeris_sources(e, &source); i-- > 0;)
         if (strnlen(source[i].name, sizeof source[i].name) == sizeof source[i].name) abort();
     const double length_s = orr_time_diff_s(to, from);
