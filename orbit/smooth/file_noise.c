@@ -88,12 +88,13 @@ void orr_file_evidence_add(orr_track_context *c, const orr_node *list, const orr
 {
     const bool shadow = passes_shadow(t), noon = passes_noon(t);
     sums *of = calloc(n_files, sizeof *of);
-    double *best = calloc(3 * n_files, sizeof *best), *other = best + n_files;
+    double *best = calloc(3 * n_files, sizeof *best);
     if (of == NULL || best == NULL || (!shadow && !noon)) {
         free(of);
         free(best);
         return; // without evidence nothing is assumed
     }
+    double *other = best + n_files;
     add_up(list, t, n_files, of);
     for (size_t f = 0; f < n_files; f++) best[f] = -HUGE_VAL;
     take_best(c, of, node_step_s, n_files, best);

@@ -104,8 +104,7 @@ static void issues_do_not_repeat_for_weeks(void **state)
     orr_time last[240] = {0};
     for (size_t k = 0; k < s.n; k++) {
         const int32_t issue = s.slot[k].iodc;
-        assert_true(issue >= 0 &&
-                    issue < 240); // what IODE's eight bits hold: receivers compare all of IODC with it
+        assert_in_range(issue, 0, 239); // what IODE's eight bits hold: receivers compare all of IODC with it
         if (last[issue] != 0) assert_true(s.slot[k].from - last[issue] >= 7 * 86400 * ORR_NS_PER_S);
         last[issue] = s.slot[k].to;
         assert_int_equal(s.slot[k].reference % (7200 * ORR_NS_PER_S), 0);
