@@ -445,6 +445,8 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
 {
     *out = (orr_segmentation){0};
     const bool rich = c->noise.nx == ORR_NX;
+    // Without a reference the pole is not known, and nodes sparser than two hours disagree by that much more than by errors.
+    const bool told = rich || node_step_s <= 7200;
     orr_track_context own = *c;
     if (rich && node_step_s > SPARSE_S)
         own.noise.factor.q *= node_step_s > VERY_SPARSE_S ? QUIET_VERY_SPARSE : QUIET_SPARSE;
@@ -467,7 +469,7 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     for (size_t a = 0, b; a < n_groups && s == ORR_OK; a = b) {
         b = a + 1;
         while (b < n_groups && !g[b].manoeuvre) b++;
-        if (c->options->detect && b - a >= LEAST_NODES) {
+        if (c->options->detect && b - a >= LEAST_NODES && told) {
             s = judge(&w, a, b, out->verdict);
             if (s == ORR_OK) s = fit(&w, a, b);
             if (s == ORR_OK) tell_joints(&w, a, b);

@@ -39,7 +39,7 @@ class Starting(unittest.TestCase):
         self.refused(1, str(WORK / "missing.sp3"), write("bad4.yaml", "orbit: {sp3: missing.sp3}\n"))
         self.refused(1, "bad1.yaml: is no NetCDF file", write("no-product.yaml", "orbit: {product: bad1.yaml}\n"))
         (WORK / "binary").write_bytes(bytes(range(256)))
-        self.refused(1, "control character", WORK / "binary")
+        self.refused(1, "binary data", WORK / "binary")
         (WORK / "fake.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
         self.refused(1, "fake.nc", WORK / "fake.nc")
         self.refused(1, "", WORK)
