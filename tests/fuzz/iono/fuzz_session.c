@@ -68,7 +68,7 @@ static void make(unsigned kind)
         .n_samples = SAMPLES,
         .arc = arc,
         .sample = sample,
-        .small = {0.5, 150e3, 1200}};
+        .small = {.sigma_tecu = 0.5, .length_m = 150e3, .time_s = 1200, .own_tecu = 0}};
     orr_diag diag = {0};
     if (orr_iono_site_at((orr_vec3){3738358, 1148174, 5021815}, &s.site, &diag) != ORR_OK) abort();
     for (int a = 0; a < SATS; a++) {
