@@ -5,12 +5,6 @@
 
 #include "core/constants.h"
 
-static orr_vec3 turned(orr_vec3 v, double angle_rad)
-{
-    const double c = cos(angle_rad), s = sin(angle_rad);
-    return (orr_vec3){c * v.x + s * v.y, c * v.y - s * v.x, v.z};
-}
-
 // State at emission, tau before t. The product is asked once, at the nearest whole nanosecond of the first estimate; from there
 // less than a microsecond is left, which two derivatives carry to 1e-18 m.
 static void carry(const orr_sat_state *from, double dt_s, orr_sat_state *out)
@@ -34,14 +28,16 @@ orr_status orr_light_from(const orr_ephemeris *e, orr_time t, const orr_sat_stat
     orr_vec3 d = {0, 0, 0};
     for (int step = 0; step < 3; step++) {
         carry(&near, (double)before_ns * 1e-9 - tau, &out->emission);
-        out->sat_m = turned(out->emission.pos_m, w * tau);
+        const orr_mat3 R = orr_mat3_rot3(w * tau);
+        out->sat_m = orr_mat3_apply(&R, out->emission.pos_m);
         d = orr_vec3_sub(out->sat_m, r_m);
         out->range_m = orr_vec3_norm(d);
         tau = out->range_m / c;
     }
     out->tau_s = tau;
     out->u = orr_vec3_scale(1 / out->range_m, d);
-    const orr_vec3 earth = {0, 0, w}, v = turned(out->emission.vel_mps, w * tau);
+    const orr_mat3 R = orr_mat3_rot3(w * tau);
+    const orr_vec3 earth = {0, 0, w}, v = orr_mat3_apply(&R, out->emission.vel_mps);
     out->sat_v_mps = orr_vec3_add(v, orr_vec3_cross(earth, out->sat_m));
     out->range_rate_mps =
         orr_vec3_dot(out->u, orr_vec3_sub(v, v_mps)) / (1 + orr_vec3_dot(out->u, out->sat_v_mps) / c);

@@ -8,16 +8,10 @@
 
 static const int64_t STEP_NS = 3600 * ORR_NS_PER_S;
 
-// About the Earth's axis.
-static orr_vec3 turned(orr_vec3 v, double angle_rad)
+// Turns with the mean Earth from s->from to t.
+static orr_mat3 earth_turn(const orr_sun_track *s, orr_time t)
 {
-    const double c = cos(angle_rad), s = sin(angle_rad);
-    return (orr_vec3){c * v.x + s * v.y, c * v.y - s * v.x, v.z};
-}
-
-static double earth_angle(const orr_sun_track *s, orr_time t)
-{
-    return ORR_EARTH_RATE_RADPS * orr_time_diff_s(t, s->from);
+    return orr_mat3_rot3(ORR_EARTH_RATE_RADPS * orr_time_diff_s(t, s->from));
 }
 
 orr_status orr_sun_track_open(orr_time from, orr_time to, const orr_eop_series *eop, orr_sun_track *out,
@@ -28,7 +22,8 @@ orr_status orr_sun_track_open(orr_time from, orr_time to, const orr_eop_series *
     if (out->sun_m == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     for (size_t k = 0; k < out->n; k++) {
         const orr_time t = orr_time_add(from, (int64_t)k * STEP_NS);
-        out->sun_m[k] = turned(orr_attitude_sun(t, eop), -earth_angle(out, t));
+        const orr_mat3 R = earth_turn(out, t);
+        out->sun_m[k] = orr_mat3_apply_t(&R, orr_attitude_sun(t, eop));
     }
     return ORR_OK;
 }
@@ -46,5 +41,6 @@ orr_vec3 orr_sun_track_at(const orr_sun_track *s, orr_time t)
     if (k > s->n - 2) k = s->n - 2;
     const double part = (double)(dt - (int64_t)k * STEP_NS) / (double)STEP_NS;
     const orr_vec3 a = s->sun_m[k], b = s->sun_m[k + 1];
-    return turned(orr_vec3_axpy(part, orr_vec3_sub(b, a), a), earth_angle(s, t));
+    const orr_mat3 R = earth_turn(s, t);
+    return orr_mat3_apply(&R, orr_vec3_axpy(part, orr_vec3_sub(b, a), a));
 }
