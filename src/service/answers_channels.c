@@ -44,13 +44,6 @@ void orr_answers_channels_close(orr_answers_channels_room *room)
     *room = (orr_answers_channels_room){.work = NULL};
 }
 
-static void put(double to[3], orr_vec3 v)
-{
-    to[0] = v.x;
-    to[1] = v.y;
-    to[2] = v.z;
-}
-
 static void list_antennas(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps)
 {
     for (size_t k = 0; k < orr_channels_antennas(c); k++) {
@@ -59,7 +52,7 @@ static void list_antennas(const orr_channels *c, orr_answers_channels_room *room
         *m = (orr_msg_antenna){
             .antenna = (uint16_t)k, .name = orr_wire_text(a->name), .kind = orr_wire_text(a->type)};
         const orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
-        put(m->pos_m, a->motion == NULL ? a->fixed.r_m : none);
+        orr_answers_put(m->pos_m, a->motion == NULL ? a->fixed.r_m : none);
     }
     caps->antennas.count = (uint16_t)orr_channels_antennas(c);
     caps->antennas.item = room->antenna;
@@ -207,14 +200,14 @@ uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr
         const orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
         m.block = ORR_TIME_NONE;
         m.error_m = ORR_NAN;
-        put(m.pos_m, none);
-        put(m.vel_mps, none);
+        orr_answers_put(m.pos_m, none);
+        orr_answers_put(m.vel_mps, none);
     } else {
         m.block = blocks.t0;
         m.length = blocks.length_ns;
         m.error_m = blocks.error_m;
-        put(m.pos_m, at.r_m);
-        put(m.vel_mps, at.v_mps);
+        orr_answers_put(m.pos_m, at.r_m);
+        orr_answers_put(m.vel_mps, at.v_mps);
         for (size_t k = 0; k < n; k++) {
             fill(&room->block[k], &room->channel[k]);
             if (poll->terms != 0) fill_terms(&room->block[k].at, &room->terms[k]);

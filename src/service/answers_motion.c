@@ -27,13 +27,6 @@ static uint16_t check_unit(const orr_engine *e, const char *name, uint16_t unit,
     return ORR_MSG_ERROR_CODE_BAD_REQUEST;
 }
 
-static void put(double to[3], orr_vec3 v)
-{
-    to[0] = v.x;
-    to[1] = v.y;
-    to[2] = v.z;
-}
-
 uint16_t orr_answers_begin_imu(void *user, const orr_msg_poll_imu *poll, orr_server_refusal *why)
 {
     const orr_engine *e = orr_answers_engine(user);
@@ -87,8 +80,8 @@ uint16_t orr_answers_imu(void *user, const orr_msg_poll_imu *poll, orr_server_pa
                 memcpy(part->kept, &sum, sizeof sum);
                 return 0;
             }
-    put(m.dtheta_rad, sum.dtheta_rad);
-    put(m.dv_mps, sum.dv_mps);
+    orr_answers_put(m.dtheta_rad, sum.dtheta_rad);
+    orr_answers_put(m.dv_mps, sum.dv_mps);
     orr_msg_imu_encode(&m, w);
     return 0;
 }
@@ -120,9 +113,9 @@ uint16_t orr_answers_truth(void *user, const orr_msg_poll_truth *poll, orr_serve
                         .eotvos_mgal = ORR_NAN,
                         .vertical_mps2 = ORR_NAN};
     }
-    put(m.pos_m, t.motion.r_m);
-    put(m.vel_mps, t.motion.v_mps);
-    put(m.acc_mps2, t.motion.a_mps2);
+    orr_answers_put(m.pos_m, t.motion.r_m);
+    orr_answers_put(m.vel_mps, t.motion.v_mps);
+    orr_answers_put(m.acc_mps2, t.motion.a_mps2);
     m.attitude[0] = t.motion.q_be.w;
     m.attitude[1] = t.motion.q_be.x;
     m.attitude[2] = t.motion.q_be.y;
@@ -130,8 +123,8 @@ uint16_t orr_answers_truth(void *user, const orr_msg_poll_truth *poll, orr_serve
     m.heading_rad = t.angles.heading_rad;
     m.pitch_rad = t.angles.pitch_rad;
     m.roll_rad = t.angles.roll_rad;
-    put(m.rate_radps, t.rate_radps);
-    put(m.force_mps2, t.force_mps2);
+    orr_answers_put(m.rate_radps, t.rate_radps);
+    orr_answers_put(m.force_mps2, t.force_mps2);
     m.disturbance_mgal = t.disturbance_mgal;
     m.eotvos_mgal = t.eotvos_mgal;
     m.vertical_mps2 = t.vertical_mps2;

@@ -50,19 +50,12 @@ static void fill_lnav(const orr_nav_eph *eph, orr_msg_lnav_set *m)
                             .tgd_s = eph->delay.tgd_s};
 }
 
-static void put(double to[3], orr_vec3 v)
-{
-    to[0] = v.x;
-    to[1] = v.y;
-    to[2] = v.z;
-}
-
 static void fill_glonass(const orr_nav_glonass *g, orr_msg_glonass_set *m)
 {
     *m = (orr_msg_glonass_set){.delta_tau_s = g->delta_tau_s, .channel = (int8_t)g->freq_channel};
-    put(m->pos_m, g->pos_m);
-    put(m->vel_mps, g->vel_mps);
-    put(m->acc_mps2, g->acc_mps2);
+    orr_answers_put(m->pos_m, g->pos_m);
+    orr_answers_put(m->vel_mps, g->vel_mps);
+    orr_answers_put(m->acc_mps2, g->acc_mps2);
 }
 
 static void fill_pages(const orr_navframe *f, orr_msg_nav_page *m)

@@ -37,4 +37,12 @@ orr_wire_records orr_answers_promise(uint16_t stride);
 // answer.
 const orr_sat *orr_answers_asked(orr_answers *a, const orr_msg_sat_id_list *satellites, uint16_t *n);
 
+// A vector as a message's array.
+static inline void orr_answers_put(double to[3], orr_vec3 v)
+{
+    to[0] = v.x;
+    to[1] = v.y;
+    to[2] = v.z;
+}
+
 #endif
