@@ -288,8 +288,6 @@ size_t orr_ephemeris_clock_events(const orr_ephemeris *e, const orr_clock_event 
     return e->clock_events.n;
 }
 
-double orr_ephemeris_clock_max_gap_s(const orr_ephemeris *e) { return e->clock_max_gap_s; }
-
 size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list)
 {
     const eph_sat *s = find(e, sat);

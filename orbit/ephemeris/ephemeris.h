@@ -59,8 +59,6 @@ size_t orr_ephemeris_nodes(const orr_ephemeris *e, orr_sat sat, const orr_orbit_
 size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit_event **list);
 // Clocks left out, jumps, steps of the reference: of all satellites, ascending in t0.
 size_t orr_ephemeris_clock_events(const orr_ephemeris *e, const orr_clock_event **list);
-// Longest interval between nodes that a clock is interpolated over.
-double orr_ephemeris_clock_max_gap_s(const orr_ephemeris *e);
 // Clock nodes of a satellite, ascending.
 size_t orr_ephemeris_clocks(const orr_ephemeris *e, orr_sat sat, const orr_clock_node **list);
 // Files that the product was made of.

@@ -15,8 +15,8 @@ static void progress(void *user, size_t done, size_t total)
     orr_cli_progress(user, "observations", done, total);
 }
 
-static int observe_antenna(simulation *s, size_t k, const orr_observe_plan *plan, int64_t truth_step_ns,
-                           orr_diag *diag)
+static orr_status observe_antenna(simulation *s, size_t k, const orr_observe_plan *plan,
+                                  int64_t truth_step_ns, orr_diag *diag)
 {
     const orr_channels *channels = orr_engine_channels(s->engine);
     const orr_antenna *a = orr_channels_antenna(channels, k);
@@ -41,7 +41,7 @@ static int observe_antenna(simulation *s, size_t k, const orr_observe_plan *plan
     if (status == ORR_OK) status = simulate_path(s, name, path, diag);
     if (status == ORR_OK) status = orr_observe_track(channels, k, plan, path, diag);
     if (status == ORR_OK) status = simulate_note(s, name, "true motion of the antenna", diag);
-    return (int)status;
+    return status;
 }
 
 // Span and step of the observations.
@@ -78,7 +78,7 @@ static orr_status write_all(orr_cli *c, simulation *s, const orr_observe_plan *p
         return orr_diag_set(diag, ORR_E_IO, "%s: the folder cannot be made: %s", s->folder, strerror(errno));
     orr_status status = ORR_OK;
     for (size_t k = 0; status == ORR_OK && k < orr_channels_antennas(orr_engine_channels(s->engine)); k++)
-        status = (orr_status)observe_antenna(s, k, plan, truth_ns, diag);
+        status = observe_antenna(s, k, plan, truth_ns, diag);
     if (status == ORR_OK) status = simulate_broadcast(s, diag);
     if (status == ORR_OK) status = simulate_orbits(s, diag);
     if (status == ORR_OK && !orr_cli_given(c, "no-imu")) status = simulate_readings(s, diag);

@@ -7,8 +7,6 @@
 #include "src/scenario/channel/channel.h"
 
 #define ORR_BLOCK_CELL_NS (10 * ORR_NS_PER_S) // all blocks of a cell have one length
-#define ORR_BLOCK_LENGTHS 10
-extern const int64_t orr_block_lengths[ORR_BLOCK_LENGTHS]; // ns, ascending: 1 ms to 1 s; each divides a cell
 // Begin of the cell that holds t.
 static inline orr_time orr_block_cell(orr_time t) { return t - orr_floor_mod(t, ORR_BLOCK_CELL_NS); }
 

@@ -5,12 +5,9 @@
 #include "src/scenario/channel/block.h"
 #include "src/scenario/channel/channels_private.h"
 
-static const int64_t MS = 1000000;
-const int64_t orr_block_lengths[ORR_BLOCK_LENGTHS] = {1000000,  2000000,   5000000,   10000000,  20000000,
-                                                      50000000, 100000000, 200000000, 500000000, 1000000000};
-
-// An antenna on a body may shake at any rate; beyond 100 ms nothing is gained.
-static const int64_t LONGEST_MOVING_NS = 100000000;
+// Of an antenna on a body, which may shake at any rate: beyond 100 ms nothing is gained. Each divides a cell.
+static const int64_t LENGTHS_NS[] = {1000000, 2000000, 5000000, 10000000, 20000000, 50000000, 100000000};
+static const int64_t FIXED_NS = ORR_NS_PER_S; // of a fixed antenna
 // Blocks of one length that are tried in a cell: all where there are fewer, otherwise spread over it.
 enum { TRIED = 500 };
 
@@ -52,16 +49,16 @@ void orr_block_length_of(const orr_channels *c, size_t antenna, orr_time cell, i
 {
     const orr_antenna *a = &c->antenna[antenna];
     if (a->motion == NULL) { // the satellites' motion and the ionosphere's change decide (docs/channels.md)
-        *length_ns = 1000 * MS;
+        *length_ns = FIXED_NS;
         *error_m = 1.3e-10; // T^4/384 of 5e-8 m/s^4, a navigation satellite's at the horizon
         return;
     }
-    *length_ns = orr_block_lengths[0];
-    *error_m = worst_m(a, cell, orr_block_lengths[0]);
-    for (int k = 1; k < ORR_BLOCK_LENGTHS && orr_block_lengths[k] <= LONGEST_MOVING_NS; k++) {
-        const double worst = worst_m(a, cell, orr_block_lengths[k]);
+    *length_ns = LENGTHS_NS[0];
+    *error_m = worst_m(a, cell, LENGTHS_NS[0]);
+    for (size_t k = 1; k < sizeof LENGTHS_NS / sizeof *LENGTHS_NS; k++) {
+        const double worst = worst_m(a, cell, LENGTHS_NS[k]);
         if (worst > c->options.error_m / 1.25) return;
-        *length_ns = orr_block_lengths[k];
+        *length_ns = LENGTHS_NS[k];
         *error_m = worst;
     }
 }

@@ -263,7 +263,6 @@ static void fill(const moment side[SIDES], const batch *b, size_t k, size_t sign
     const double hz = orr_signal_carrier_hz(s, r->sat->frequency_channel);
     *out = (orr_channel){.sat = r->sat->sat,
                          .signal = (uint16_t)signal,
-                         .answer = ORR_ANSWER_OK,
                          .flags = r->flags,
                          .az_rad = r->az_rad,
                          .el_rad = r->el_rad,

@@ -36,8 +36,7 @@ enum {                                // orr_channel.flags
 // What arrives of one signal. Rates are derivatives by the instant of reception.
 typedef struct orr_channel {
     orr_sat sat;
-    uint16_t signal;   // place in orr_signals
-    orr_answer answer; // without ORR_ANSWER_OK only sat, signal, az and el are set
+    uint16_t signal; // place in orr_signals
     uint32_t flags;
     double az_rad, el_rad; // of the satellite above the ellipsoid's horizon, geometric
     double term_m[ORR_N_TERMS], rate_mps[ORR_N_TERMS];

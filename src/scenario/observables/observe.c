@@ -24,7 +24,6 @@ typedef struct writer {
     orr_sat *sat;
     double *value;
     uint8_t *lli, *ssi;
-    bool *tracked; // [sat number by channel order of the epoch before]: whether a channel was there
     orr_sat *before;
     size_t n_before;
 } writer;
