@@ -157,8 +157,7 @@ static bool read_interval(const orr_cli *c, const char *text, orr_time t[2], orr
     return true;
 }
 
-// n numbers that commas divide and that are the whole text; how many, 0 where it is something else.
-static int read_numbers(const char *text, double *v, int most)
+int orr_cli_numbers(const char *text, double *v, int most)
 {
     for (int n = 0; n < most; n++) {
         char *end;
@@ -176,7 +175,7 @@ static bool read_place(const char *text, orr_geodetic *out, orr_diag *diag)
     static const char ecef[] = "ecef:";
     double v[3] = {0, 0, 0};
     if (strncmp(text, ecef, sizeof ecef - 1) == 0) {
-        const bool good = read_numbers(text + sizeof ecef - 1, v, 3) == 3;
+        const bool good = orr_cli_numbers(text + sizeof ecef - 1, v, 3) == 3;
         const orr_vec3 r = {v[0], v[1], v[2]};
         const double radius_m = orr_vec3_norm(r);
         if (!good)
@@ -188,7 +187,7 @@ static bool read_place(const char *text, orr_geodetic *out, orr_diag *diag)
             *out = orr_earth_from_ecef(r);
         return good && radius_m >= 6.3e6 && radius_m <= 7e6;
     }
-    const int n = read_numbers(text, v, 3);
+    const int n = orr_cli_numbers(text, v, 3);
     if (n < 2) {
         orr_diag_set(diag, ORR_E_ARG,
                      "'%s' is neither LAT,LON[,H] in degrees and metres nor ecef:X,Y,Z in metres", text);

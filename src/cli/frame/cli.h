@@ -114,6 +114,9 @@ void orr_cli_interval_at(const orr_cli *c, const char *name, size_t i, orr_time 
 const orr_sat_set *orr_cli_sats(const orr_cli *c,
                                 const char *name); // NULL where it was not given: all satellites
 
+// Finite numbers that commas divide and that are the whole text, into v[0..most); how many, 0 where it is something else.
+int orr_cli_numbers(const char *text, double *v, int most);
+
 // Tells the value of an option that was not given and has no fallback, once the inputs told it: whatever was given and
 // does not apply with it is refused. An exit status.
 int orr_cli_settle(const orr_cli *c, const char *name, const char *value);

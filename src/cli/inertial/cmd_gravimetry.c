@@ -61,15 +61,10 @@ static orr_status read_track(const orr_cli *c, orr_time t0, orr_gravimetry_track
 // RIGHT,FORWARD,UP in metres.
 static bool parse_arm(const char *text, orr_vec3 *out)
 {
-    char *end;
     double v[3];
-    for (int k = 0; k < 3; k++) {
-        v[k] = strtod(text, &end);
-        if (end == text || *end != (k < 2 ? ',' : '\0') || !(fabs(v[k]) <= 1000)) return false;
-        text = end + 1;
-    }
+    if (orr_cli_numbers(text, v, 3) != 3) return false;
     *out = (orr_vec3){v[0], v[1], v[2]};
-    return true;
+    return fabs(v[0]) <= 1000 && fabs(v[1]) <= 1000 && fabs(v[2]) <= 1000;
 }
 
 static int run(orr_cli *c)
