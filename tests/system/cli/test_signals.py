@@ -98,6 +98,7 @@ class Signals(Folder):
             "iono": [fifo, "--field", fifo, "--orbit", self.product, "-o", out],
             "imu": [fifo, "-o", out],
             "nulltest": [fifo],
+            "alignment": [fifo],
             "allan": [fifo],
             "gravimetry": [fifo],
             "track": ["--telemetry", fifo, "-o", out],
