@@ -21,19 +21,23 @@ typedef struct evidence { // of the innovations after the young ones
     size_t n; // coordinates
 } evidence;
 
-static evidence look(orr_track_context *c, const orr_node *list, const orr_verdict *verdict, orr_track *t,
-                     size_t first, size_t last)
+static evidence add_up(const orr_track *t)
 {
     evidence e = {0};
     size_t seen = 0;
-    orr_filter_range(c, list, verdict, t, first, last);
-    for (size_t k = first; k <= last; k++) {
+    for (size_t k = 0; k < t->n; k++) {
         if (t->at[k].count == 0 || seen++ < YOUNG) continue;
         e.chi2 += t->at[k].d2;
         e.log_det += t->at[k].log_det;
         e.n += 3 * t->at[k].count;
     }
     return e;
+}
+
+static evidence look(orr_track_context *c, const orr_node *list, const orr_verdict *verdict, orr_track *t)
+{
+    orr_filter_range(c, list, verdict, t, 0, t->n - 1);
+    return add_up(t);
 }
 
 // Logarithm of the posterior of scale s; q in nm^2/s^5 for a scale of one.
@@ -69,13 +73,13 @@ double orr_noise_evidence(const orr_track_context *c, double chi2, double log_de
 }
 
 orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
-                                  orr_track *t, size_t first, size_t last, double node_step_s)
+                                  orr_track *t, bool filtered, double node_step_s)
 {
     const orr_noise_factor factor = c->noise.factor;
     const double sigma_mm = 1e3 * c->options->sigma_m;
     orr_noise_choice best = {.scale = SCALE_MM / sigma_mm, .factor = factor};
     if (node_step_s <= DENSE_S) {
-        const evidence e = look(c, list, verdict, t, first, last);
+        const evidence e = filtered ? add_up(t) : look(c, list, verdict, t);
         best.nodes = e.n / 3;
         // few nodes: the rounding has the word of some of them
         const double prior = 3, s0 = SCALE_MM / sigma_mm;
@@ -85,7 +89,7 @@ orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, co
     double most = -HUGE_VAL;
     for (double lq = LOWEST; lq <= HIGHEST; lq += STEP) {
         c->noise.factor.q = factor.q * pow(10, lq);
-        const evidence e = look(c, list, verdict, t, first, last);
+        const evidence e = look(c, list, verdict, t);
         const double q = c->noise.factor.q * c->noise.qf_m2ps5 * 1e18;
         for (int k = 0; k < SCALES; k++) {
             const double s = LEAST_S * pow(MOST_S / LEAST_S, k / (SCALES - 1.0)),
@@ -96,7 +100,7 @@ orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, co
         }
     }
     c->noise.factor = best.factor;
-    look(c, list, verdict, t, first, last);
+    look(c, list, verdict, t);
     return best;
 }
 
@@ -112,7 +116,7 @@ orr_noise_choice orr_noise_choose_freely(orr_track_context *c, const orr_node *l
     double most = -HUGE_VAL;
     for (double lq = LOWEST; lq <= WIDEST; lq += FINE) {
         c->noise.factor.q = factor.q * pow(10, lq);
-        const evidence e = look(c, list, verdict, t, 0, t->n - 1);
+        const evidence e = look(c, list, verdict, t);
         if (e.n < 3 * LEAST_TELLING || !(e.chi2 > 0)) break;
         // The scale is the one that suits the factor best: its square is the mean of the squares.
         // Where the model is what errs, the likelihood is flat over decades: what files are rounded to decides.

@@ -20,13 +20,13 @@ typedef struct orr_noise_choice {
 //   list         nodes of the satellite
 //   verdict      of each node
 //   t            the track
-//   first, last  instants that are looked at
+//   filtered     the track is filtered already, as context and verdicts say
 //   node_step_s  usual distance of nodes, s
 // Returned:
 //   value        the choice
 //   t            filtered with it
 orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
-                                  orr_track *t, size_t first, size_t last, double node_step_s);
+                                  orr_track *t, bool filtered, double node_step_s);
 
 // The same for an orbit that is ruled by what no model here tells (drag, the field's details): ratio and scale by the
 // largest likelihood of the innovations, with a wide prior of the scale (ln s about 0.30 mm, 1.5). Few nodes leave it as

@@ -58,6 +58,11 @@ typedef struct trial { // a hypothesis: which nodes are wrong, where the satelli
     bool good;                    // all is explained
 } trial;
 
+typedef struct fitted { // what the track's states are those of
+    size_t a, b;        // groups; a == b: of nothing
+    uint8_t *verdict;   // of each node
+} fitted;
+
 typedef struct work {
     const orr_track_context *c; // with noise as it is reckoned with here
     const orr_node *list;
@@ -67,6 +72,7 @@ typedef struct work {
     const group *g;
     double *room;
     double wrong2, floor_m;
+    fitted *fitted;
 } work;
 
 void orr_segmentation_free(orr_segmentation *s)
@@ -88,11 +94,41 @@ static bool group_rejected(const work *w, size_t g)
     return true;
 }
 
+// Takes the verdicts on groups [a, b) down; whether they are what the track was fitted with last.
+static bool note_verdicts(const work *w, size_t a, size_t b)
+{
+    fitted *f = w->fitted;
+    bool same = f->a == a && f->b == b;
+    for (size_t g = a; g < b; g++) {
+        const orr_instant *at = instant_of(w, g);
+        for (size_t i = at->first; i < at->first + at->n; i++) {
+            const uint8_t now = (uint8_t)(2 * w->verdict[i].begins_anew + w->verdict[i].rejected);
+            same = same && f->verdict[i] == now;
+            f->verdict[i] = now;
+        }
+    }
+    f->a = a;
+    f->b = b;
+    return same;
+}
+
+// Whether the track's states are those of an arc with its verdicts.
+static bool is_fitted(const work *w, const orr_arc_range *arc)
+{
+    const size_t a = w->fitted->a, b = w->fitted->b;
+    return a < b && w->g[a].instant == arc->first && w->g[b - 1].instant == arc->last &&
+           note_verdicts(w, a, b);
+}
+
+// Filter and smoother with the verdicts as they are; nothing is done twice.
 static orr_status fit(const work *w, size_t a, size_t b)
 {
     const size_t first = w->g[a].instant, last = w->g[b - 1].instant;
+    if (note_verdicts(w, a, b)) return ORR_OK;
     orr_filter_range(w->c, w->list, w->verdict, w->t, first, last);
-    return orr_smooth_range(w->c, w->t, first, last);
+    const orr_status s = orr_smooth_range(w->c, w->t, first, last);
+    if (s != ORR_OK) w->fitted->b = w->fitted->a;
+    return s;
 }
 
 typedef struct look {
@@ -446,23 +482,25 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     *out = (orr_segmentation){0};
     const bool rich = c->noise.nx == ORR_NX;
     // Without a reference the pole is not known, and nodes sparser than two hours disagree by that much more than by errors.
-    const bool told = rich || node_step_s <= 7200;
+    const bool told = rich || node_step_s <= 7200, quiet = rich && node_step_s > SPARSE_S;
     orr_track_context own = *c;
-    if (rich && node_step_s > SPARSE_S)
-        own.noise.factor.q *= node_step_s > VERY_SPARSE_S ? QUIET_VERY_SPARSE : QUIET_SPARSE;
+    if (quiet) own.noise.factor.q *= node_step_s > VERY_SPARSE_S ? QUIET_VERY_SPARSE : QUIET_SPARSE;
     group *g = malloc((t->n + 1) * sizeof *g);
+    fitted last = {.verdict = calloc(n + 1, sizeof *last.verdict)};
     work w = {.c = &own,
               .list = list,
               .n_nodes = n,
               .t = t,
               .g = g,
               .wrong2 = rich ? WRONG * WRONG : WRONG_PLAIN * WRONG_PLAIN,
-              .floor_m = FLOOR_M};
+              .floor_m = FLOOR_M,
+              .fitted = &last};
     out->verdict = calloc(n + 1, sizeof *out->verdict);
     out->arc = malloc((n + 1) * sizeof *out->arc);
     w.room = malloc((n + 1) * sizeof *w.room);
     orr_status s = ORR_E_MEMORY;
-    if (g == NULL || out->verdict == NULL || out->arc == NULL || w.room == NULL) goto done;
+    if (g == NULL || last.verdict == NULL || out->verdict == NULL || out->arc == NULL || w.room == NULL)
+        goto done;
     const size_t n_groups = make_groups(list, t, g);
     s = n_groups > 0 ? ORR_OK : ORR_E_NODATA;
     w.verdict = out->verdict;
@@ -476,9 +514,13 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
         }
         if (s == ORR_OK) add_arcs(&w, a, b, n_groups, out);
     }
-    for (size_t a = 0; a < out->n_arcs && s == ORR_OK; a++)
+    if (s == ORR_OK && !quiet && out->n_arcs == 1 && is_fitted(&w, &out->arc[0])) goto done;
+    for (size_t a = 0; a < out->n_arcs && s == ORR_OK; a++) {
         orr_filter_range(c, list, out->verdict, t, out->arc[a].first, out->arc[a].last);
+        s = orr_smooth_range(c, t, out->arc[a].first, out->arc[a].last);
+    }
 done:
+    free(last.verdict);
     free(g);
     free(w.room);
     if (s != ORR_OK) orr_segmentation_free(out);

@@ -25,7 +25,7 @@ typedef struct orr_segmentation {
 //   node_step_s  usual distance of nodes, s
 //   t            the track, linearised
 // Returned:
-//   t            predicted and filtered states of the arcs
+//   t            predicted, filtered and smoothed states of the arcs
 //   out          arcs, and a verdict on each node; free with orr_segmentation_free
 // Errors: ORR_E_MEMORY, ORR_E_NODATA (no usable node), ORR_E_NUMERIC.
 orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, size_t n, double node_step_s,

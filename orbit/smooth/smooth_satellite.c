@@ -189,21 +189,23 @@ static orr_status emit_arc(work *w, const orr_track *t, const orr_verdict *verdi
     return s;
 }
 
-// Filter and smoother once more over the whole track, with noise as large as it is.
-static orr_status settle(work *w, orr_track *t, const orr_verdict *verdict)
+// Filter and smoother over the whole track, with noise as large as it is. smoothed: it is already, with the noise as it was
+// before.
+static orr_status settle(work *w, orr_track *t, const orr_verdict *verdict, bool smoothed)
 {
+    const double step_s = w->table->step_s;
     if (w->c->noise.nx == ORR_NX) {
         w->c->noise.factor = w->factor;
-        const orr_noise_choice choice =
-            orr_noise_choose(w->c, w->node, verdict, t, 0, t->n - 1, w->table->step_s);
+        const orr_noise_choice choice = orr_noise_choose(w->c, w->node, verdict, t, smoothed, step_s);
         w->scale = choice.scale;
         w->c->noise.factor = choice.factor;
         if (w->evidence != NULL)
-            orr_file_evidence_add(w->c, w->node, verdict, t, w->table->step_s, w->n_files, w->evidence);
-    } else {
+            orr_file_evidence_add(w->c, w->node, verdict, t, step_s, w->n_files, w->evidence);
+        smoothed = smoothed && !orr_noise_ratio_is_sought(step_s);
+    } else if (!smoothed) {
         orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
     }
-    return orr_smooth_range(w->c, t, 0, t->n - 1);
+    return smoothed ? ORR_OK : orr_smooth_range(w->c, t, 0, t->n - 1);
 }
 
 // One arc again on a grid of its own, from from_s to to_s, which may reach beyond its nodes list[i0..i1).
@@ -220,7 +222,7 @@ static orr_status smooth_alone(work *w, double from_s, double to_s, size_t i0, s
             t.at[k].first = i0;
         }
     s = orr_track_linearise(w->c, w->ref, &t);
-    if (s == ORR_OK) s = settle(w, &t, verdict);
+    if (s == ORR_OK) s = settle(w, &t, verdict, false);
     if (s == ORR_OK) s = emit_arc(w, &t, verdict);
     orr_track_free(&t);
     return s;
@@ -326,7 +328,7 @@ static orr_status emit_all(work *w, orr_track *t, const orr_segmentation *seg)
             s = smooth_alone(w, from_s, to_s, i0, i1, seg->verdict);
             continue;
         }
-        if (w->c->noise.nx == ORR_NX) s = settle(w, t, seg->verdict);
+        s = settle(w, t, seg->verdict, true);
         if (s == ORR_OK) s = emit_arc(w, t, seg->verdict);
     }
     return s;
@@ -390,8 +392,6 @@ static orr_status smooth_stretch(work *w, size_t i0, size_t i1)
         if (s == ORR_OK) s = choose_noise_of_low_orbit(w, &t, i0);
         if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, w->table->step_s, &t, &seg);
         double largest = 0;
-        for (size_t a = 0; a < seg.n_arcs && s == ORR_OK; a++)
-            s = orr_smooth_range(w->c, &t, seg.arc[a].first, seg.arc[a].last);
         if (s != ORR_OK) break;
         size_t left_out = invalidate_left_out(w, &t, &seg, i0, i1);
         // A poor linearisation about sparse first nodes can make good nodes look bad: the verdict has to
