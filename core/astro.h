@@ -16,7 +16,8 @@ typedef struct orr_eop {
     double xp_rate_radps, yp_rate_radps;
 } orr_eop;
 
-// A series of them (daily, from an ERP file), ascending in MJD UTC. Their lod_s and rates may be left zero.
+// A series of them (daily, from an ERP file), ascending in MJD UTC. Their lod_s and rates may be left zero. UTC is that
+// of the built-in table of leap seconds: who reads or writes files by another one converts.
 typedef struct orr_eop_series {
     size_t n;
     double *mjd_utc;

@@ -156,7 +156,7 @@ orr_status orr_inspect_erp(const char *path, orr_inspection *r, orr_diag *diag)
     }
     for (size_t i = 0; i < x.series.n; i++) {
         double day = floor(x.series.mjd_utc[i]);
-        t[i] = orr_time_from_mjd((int32_t)day, x.series.mjd_utc[i] - day, ORR_SCALE_UTC, r->leap);
+        t[i] = orr_time_from_mjd((int32_t)day, x.series.mjd_utc[i] - day, ORR_SCALE_UTC, NULL);
     }
     orr_leap_warn(t[x.series.n - 1], r->leap, path, &r->warnings);
     orr_inspect_epochs(r, t, x.series.n);

@@ -90,7 +90,7 @@ static orr_status assemble(ionex_reader *r, ionex_kind kind, double **out)
             char text[ORR_TIME_TEXT];
             orr_warnings_add(r->warnings, r->c.name, 0, 0, "a second %s map at %s UT is left out",
                              ionex_kind_name[kind],
-                             orr_time_format(m->epoch[i], ORR_SCALE_UTC, 0, NULL, text));
+                             orr_time_format(m->epoch[i], ORR_SCALE_UTC, 0, r->limits.leap, text));
             continue;
         }
         seen[e] = 1;
@@ -148,6 +148,7 @@ orr_status orr_ionex_parse(const char *name, const char *text, size_t n, const o
     *out = (orr_ionex){0};
     ionex_reader r = {.out = out, .warnings = warnings, .diag = diag};
     r.limits = limits != NULL ? *limits : orr_read_default_limits();
+    out->leap = r.limits.leap;
     orr_cursor_init(&r.c, name, text, n);
     orr_status s = ionex_read_header(&r);
     if (s == ORR_OK) s = ionex_read_maps(&r);

@@ -53,6 +53,7 @@ typedef struct orr_ionex {
     orr_ionex_dcb *dcb;
     size_t n_descriptions, n_comments;
     char **description, **comment; // trailing blanks stripped; comments of the header
+    const orr_leap_table *leap;    // of labels in UTC; borrowed; NULL: built-in
 } orr_ionex;
 
 // Index of a grid point into tec_tecu, rms_tecu, hgt_m.

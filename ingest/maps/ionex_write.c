@@ -98,10 +98,10 @@ static void label_line(FILE *f, const char *text, const char *label)
     fprintf(f, "%-60.60s%-20s\n", text, label);
 }
 
-static void epoch_line(FILE *f, orr_time t, const char *label)
+static void epoch_line(FILE *f, orr_time t, const orr_leap_table *leap, const char *label)
 {
     orr_civil c;
-    orr_time_to_civil(t, ORR_SCALE_UTC, NULL, &c);
+    orr_time_to_civil(t, ORR_SCALE_UTC, leap, &c);
     char text[64];
     snprintf(text, sizeof text, "%6d%6d%6d%6d%6d%6d", c.year, c.month, c.day, c.hour, c.minute, c.second);
     label_line(f, text, label);
@@ -151,8 +151,8 @@ static void write_header(FILE *f, const orr_ionex *x, const double hgt[3], const
     snprintf(text, sizeof text, "%-20s%-20s%-20s", x->program, x->run_by, x->date);
     label_line(f, text, "PGM / RUN BY / DATE");
     for (size_t i = 0; i < x->n_descriptions; i++) label_line(f, x->description[i], "DESCRIPTION");
-    epoch_line(f, x->epoch[0], "EPOCH OF FIRST MAP");
-    epoch_line(f, x->epoch[x->n_epochs - 1], "EPOCH OF LAST MAP");
+    epoch_line(f, x->epoch[0], x->leap, "EPOCH OF FIRST MAP");
+    epoch_line(f, x->epoch[x->n_epochs - 1], x->leap, "EPOCH OF LAST MAP");
     number_line(f, "%6.0f", x->interval_s, "INTERVAL");
     number_line(f, "%6.0f", (double)x->n_epochs, "# OF MAPS IN FILE");
     snprintf(text, sizeof text, "  %-4s", x->mapping_text[0] != '\0' ? x->mapping_text : "NONE");
@@ -194,7 +194,7 @@ static void write_map(FILE *f, const orr_ionex *x, const double *all, double fac
     char text[64], label[24];
     snprintf(label, sizeof label, "START OF %s MAP", ionex_kind_name[kind]);
     number_line(f, "%6.0f", (double)e + 1, label);
-    epoch_line(f, x->epoch[e], "EPOCH OF CURRENT MAP");
+    epoch_line(f, x->epoch[e], x->leap, "EPOCH OF CURRENT MAP");
     double unit = pow(10, abs(x->exponent));
     for (size_t h = 0; h < x->n_heights; h++) {
         for (size_t i = 0; i < x->n_lats; i++) {
@@ -226,7 +226,7 @@ orr_status orr_ionex_write(const orr_ionex *x, const char *path, orr_diag *diag)
     if (s != ORR_OK) return s;
     for (size_t e = 0; e < x->n_epochs; e++) {
         orr_civil c;
-        orr_time_to_civil(x->epoch[e], ORR_SCALE_UTC, NULL, &c);
+        orr_time_to_civil(x->epoch[e], ORR_SCALE_UTC, x->leap, &c);
         if (c.ns != 0) return orr_diag_set(diag, ORR_E_ARG, "IONEX epochs are whole seconds of UT");
     }
     const double *values[IONEX_KINDS] = {x->tec_tecu, x->rms_tecu, x->hgt_m};

@@ -268,6 +268,7 @@ orr_status orr_clk_parse(const char *name, const char *text, size_t n, const orr
                      .interval_s = ORR_NAN};
     clk_reader r = {.out = out, .warnings = warnings, .diag = diag};
     r.limits = limits != NULL ? *limits : orr_read_default_limits();
+    out->leap = r.limits.leap;
     orr_cursor_init(&r.c, name, text, n);
     orr_status s = read_header(&r);
     if (s == ORR_OK) s = clk_read_records(&r);

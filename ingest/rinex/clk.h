@@ -27,9 +27,10 @@ typedef struct orr_clk_series {
 
 typedef struct orr_clk {
     double version;
-    char system;      // file's, 'M' for mixed, ' ' if not told
-    orr_scale scale;  // of the file's labels; record times are GPS scale whatever it is
-    int leap_seconds; // -1 if not told
+    char system;                // file's, 'M' for mixed, ' ' if not told
+    orr_scale scale;            // of the file's labels; record times are GPS scale whatever it is
+    const orr_leap_table *leap; // of labels in UTC and GLONASS time; borrowed; NULL: built-in
+    int leap_seconds;           // -1 if not told
     char program[21], run_by[21], date[21], agency[61],
         reference[61]; // reference clock or its name; empty if not told
     size_t n_sats, n_receivers;

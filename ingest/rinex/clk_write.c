@@ -52,7 +52,7 @@ orr_status orr_clk_write(const orr_clk *x, const char *path, orr_diag *diag)
                     high = mid;
             }
             if (low == c->n || c->record[low].t != x->epoch[i] || !isfinite(c->record[low].bias_s)) continue;
-            orr_time_to_civil(x->epoch[i], x->scale, NULL, &t);
+            orr_time_to_civil(x->epoch[i], x->scale, x->leap, &t);
             fprintf(out.stream, "AS %-4s %4d %02d %02d %02d %02d %9.6f %2d   %19.12E\n", c->name, t.year,
                     t.month, t.day, t.hour, t.minute, t.second + t.ns * 1e-9, 1, c->record[low].bias_s);
         }

@@ -256,6 +256,7 @@ orr_status orr_nav_parse(const char *name, const char *text, size_t n, const orr
     *out = (orr_nav){0};
     reader r = {.nav = out, .w = warnings, .diag = diag};
     r.limits = limits != NULL ? *limits : orr_nav_default_limits();
+    out->leap = r.limits.leap;
     if (n > r.limits.max_bytes)
         return orr_diag_at(diag, ORR_E_LIMIT, name, 0, 0, "more than %zu bytes of text", r.limits.max_bytes);
     orr_cursor_init(&r.c, name, text, n);

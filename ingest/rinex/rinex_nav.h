@@ -193,7 +193,8 @@ typedef struct orr_nav {
     orr_nav_sto *sto;
     orr_nav_eop *eop;
     char **comment;
-    size_t n_skipped; // records left out (each with a warning)
+    size_t n_skipped;           // records left out (each with a warning)
+    const orr_leap_table *leap; // of labels in UTC and GLONASS time; borrowed; NULL: built-in
 } orr_nav;
 
 typedef struct orr_nav_limits {

@@ -283,7 +283,7 @@ static orr_status corr_to_system_time(const header_context *c)
         orr_field_int_in(c->line, 7, 6, 1, 12, &d.month) != ORR_FIELD_OK ||
         orr_field_int_in(c->line, 13, 6, 1, 31, &d.day) != ORR_FIELD_OK ||
         orr_field_real(c->line, 19, 42, &tau) != ORR_FIELD_OK ||
-        orr_rinex_time(&d, ORR_SCALE_UTC, NULL, &t) != ORR_OK)
+        orr_rinex_time(&d, ORR_SCALE_UTC, c->nav->leap, &t) != ORR_OK)
         return leave_out(c, 1, "a correction to system time that is not readable");
     return add_sto(c, "GLUT", tau, 0, t);
 }

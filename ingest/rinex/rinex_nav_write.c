@@ -42,11 +42,12 @@ static void put_orbit_line(FILE *f, double a, double b, double c, double d)
     fputc('\n', f);
 }
 
-static void put_first_line(FILE *f, const orr_nav_eph *e, double a, double b, double c)
+static void put_first_line(FILE *f, const orr_leap_table *leap, const orr_nav_eph *e, double a, double b,
+                           double c)
 {
     char id[ORR_SAT_TEXT];
     orr_civil t;
-    orr_time_to_civil(e->toc, orr_nav_scale_of(orr_sat_system(e->sat)), NULL, &t);
+    orr_time_to_civil(e->toc, orr_nav_scale_of(orr_sat_system(e->sat)), leap, &t);
     fprintf(f, "%s %04d %02d %02d %02d %02d %02d", orr_sat_text(e->sat, id), t.year, t.month, t.day, t.hour,
             t.minute, t.second);
     put_number(f, a);
@@ -67,7 +68,7 @@ static double transmission_sow(const orr_nav_eph *e, int32_t week, char system)
     return orr_time_diff_s(e->transmission - shift, orr_time_from_week(gps_week, 0));
 }
 
-static void put_kepler(FILE *f, const orr_nav_eph *e)
+static void put_kepler(FILE *f, const orr_leap_table *leap, const orr_nav_eph *e)
 {
     const orr_nav_kepler *k = &e->kepler;
     char system = orr_sat_system(e->sat);
@@ -76,7 +77,7 @@ static void put_kepler(FILE *f, const orr_nav_eph *e)
     orr_time_week(e->toe - (system == 'C' ? BDT_MINUS_GPS_NS : 0), &week, &ns);
     if (system == 'C') week -= BDT_WEEK0;
     double blank = ORR_NAN, tow = transmission_sow(e, week, system);
-    put_first_line(f, e, e->af0_s, e->af1_sps, e->af2_sps2);
+    put_first_line(f, leap, e, e->af0_s, e->af1_sps, e->af2_sps2);
     put_orbit_line(f, number_or_blank(e->iode), k->crs_m, k->delta_n_radps, k->m0_rad);
     put_orbit_line(f, k->cuc_rad, k->e, k->cus_rad, k->sqrt_a_sqrtm);
     put_orbit_line(f, k->toe_sow_s, k->cic_rad, k->omega0_rad, k->cis_rad);
@@ -115,10 +116,10 @@ static void put_state(FILE *f, orr_vec3 p, orr_vec3 v, orr_vec3 a, double x, dou
     put_orbit_line(f, p.z * 1e-3, v.z * 1e-3, a.z * 1e-3, z);
 }
 
-static void put_glonass(FILE *f, const orr_nav_eph *e)
+static void put_glonass(FILE *f, const orr_leap_table *leap, const orr_nav_eph *e)
 {
     const orr_nav_glonass *g = &e->glonass;
-    put_first_line(f, e, e->af0_s, e->af1_sps, g->frame_time_s);
+    put_first_line(f, leap, e, e->af0_s, e->af1_sps, g->frame_time_s);
     put_state(f, g->pos_m, g->vel_mps, g->acc_mps2, word_or_blank(e->health), g->freq_channel, g->age_days);
     double blank = ORR_NAN;
     put_orbit_line(f, g->has_flags ? g->status_flags : blank,
@@ -126,13 +127,13 @@ static void put_glonass(FILE *f, const orr_nav_eph *e)
                    g->has_flags ? g->health_flags : blank);
 }
 
-static void put_geo(FILE *f, const orr_nav_eph *e)
+static void put_geo(FILE *f, const orr_leap_table *leap, const orr_nav_eph *e)
 {
     const orr_nav_geo *g = &e->geo;
     int32_t week = 0;
     int64_t ns = 0;
     orr_time_week(e->toe, &week, &ns);
-    put_first_line(f, e, e->af0_s, e->af1_sps, transmission_sow(e, week, 'S'));
+    put_first_line(f, leap, e, e->af0_s, e->af1_sps, transmission_sow(e, week, 'S'));
     put_state(f, g->pos_m, g->vel_mps, g->acc_mps2, word_or_blank(e->health), g->ura_m,
               number_or_blank(g->iodn));
 }
@@ -229,13 +230,13 @@ orr_status orr_nav_write(const orr_nav *nav, const char *path, size_t *n_left_ou
         }
         switch (e->kind) {
         case ORR_NAV_KEPLER:
-            put_kepler(out.stream, e);
+            put_kepler(out.stream, nav->leap, e);
             break;
         case ORR_NAV_GLONASS:
-            put_glonass(out.stream, e);
+            put_glonass(out.stream, nav->leap, e);
             break;
         default:
-            put_geo(out.stream, e);
+            put_geo(out.stream, nav->leap, e);
             break;
         }
     }

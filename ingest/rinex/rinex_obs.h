@@ -65,10 +65,11 @@ typedef struct orr_rinex_obs_header {
     double interval_s; // NAN if missing
     // Of the file's epochs (TIME OF FIRST OBS, else the system's own); values of orr_time are GPS
     orr_scale scale;
-    orr_time first, last; // as the header says; ORR_TIME_NONE if missing
-    bool clock_applied;   // RCV CLOCK OFFS APPL
-    char signal_unit[24]; // SIGNAL STRENGTH UNIT, e.g. "DBHZ"
-    int declared_sats;    // # OF SATELLITES; -1 if missing
+    const orr_leap_table *leap; // of labels in UTC and GLONASS time; borrowed; NULL: built-in
+    orr_time first, last;       // as the header says; ORR_TIME_NONE if missing
+    bool clock_applied;         // RCV CLOCK OFFS APPL
+    char signal_unit[24];       // SIGNAL STRENGTH UNIT, e.g. "DBHZ"
+    int declared_sats;          // # OF SATELLITES; -1 if missing
 } orr_rinex_obs_header;
 
 enum {                          // bits of lli

@@ -78,6 +78,7 @@ static orr_status open_input(orr_input *in, const orr_rinex_obs_limits *limits, 
     }
     r->in = in;
     r->limits = limits != NULL ? *limits : orr_rinex_obs_default_limits();
+    r->h.leap = r->limits.leap;
     r->warnings = warnings;
     r->state.open_system = -1;
     r->last = ORR_TIME_NONE;

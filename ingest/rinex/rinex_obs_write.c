@@ -12,6 +12,7 @@ struct orr_rinex_obs_writer {
     orr_outfile out;
     double version;
     orr_scale scale;
+    const orr_leap_table *leap;
     size_t n_codes[ORR_N_SYSTEMS];
     bool failed;
     char line[3 + 16 * ORR_OBS_MAX_CODES + 2];
@@ -81,18 +82,18 @@ static void put_glonass(orr_rinex_obs_writer *w, const orr_rinex_obs_header *h)
     put_header(w, "GLONASS COD/PHS/BIS", "%s", text);
 }
 
-static orr_civil civil_100ns(orr_time t, orr_scale scale)
+static orr_civil civil_100ns(orr_time t, orr_scale scale, const orr_leap_table *leap)
 {
     orr_civil c;
     orr_time r = (t >= 0 ? t + 50 : t - 49) / 100 * 100; // seven decimals is what the format has
-    orr_time_to_civil(r, scale, NULL, &c);
+    orr_time_to_civil(r, scale, leap, &c);
     return c;
 }
 
 static void put_time(orr_rinex_obs_writer *w, const char *label, orr_time t)
 {
     if (t == ORR_TIME_NONE) return;
-    orr_civil c = civil_100ns(t, w->scale);
+    orr_civil c = civil_100ns(t, w->scale, w->leap);
     put_header(w, label, "%6d%6d%6d%6d%6d%5d.%07d     %-3.3s", c.year, c.month, c.day, c.hour, c.minute,
                c.second, (int)(c.ns / 100), orr_scale_name(w->scale));
 }
@@ -169,6 +170,7 @@ orr_status orr_rinex_obs_create(const char *path, double version, const orr_rine
     }
     w->version = version;
     w->scale = h->scale;
+    w->leap = h->leap;
     for (size_t i = 0; i < ORR_N_SYSTEMS; i++) w->n_codes[i] = h->codes[i].n;
     put_whole_header(w, h);
     *out = w;
@@ -231,7 +233,7 @@ orr_status orr_rinex_obs_write(orr_rinex_obs_writer *w, const orr_rinex_obs_epoc
         if (!event) return orr_diag_set(diag, ORR_E_ARG, "an epoch of observations needs a time");
         snprintf(head, sizeof head, ">%30s%d%3zu", "", e->flag, n);
     } else {
-        orr_civil c = civil_100ns(e->t, w->scale);
+        orr_civil c = civil_100ns(e->t, w->scale, w->leap);
         int at = snprintf(head, sizeof head, "> %04d %02d %02d %02d %02d%3d.%07d  %d%3zu", c.year, c.month,
                           c.day, c.hour, c.minute, c.second, (int)(c.ns / 100), e->flag, n);
         if (!event && !isnan(e->clock_offset_s) && at > 0 && fabs(e->clock_offset_s) < 10)

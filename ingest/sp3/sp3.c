@@ -38,6 +38,7 @@ orr_status orr_sp3_parse(const char *name, const char *text, size_t n, const orr
     if (p == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     orr_diag own = {0};
     p->limits = limits != NULL ? *limits : orr_sp3_default_limits();
+    out->leap = p->limits.leap;
     p->out = out;
     p->warnings = warnings;
     p->diag = diag != NULL ? diag : &own;

@@ -37,8 +37,9 @@ typedef struct orr_sp3 {
     char version;      // 'a'..'d'
     bool has_velocity; // header says V, or V records were found
     char data_used[8], coordinates[8], orbit_type[8], agency[8], file_type[4];
-    orr_scale scale;   // of the file's own labels; epoch[] is GPS scale whatever it is
-    double interval_s; // header's
+    orr_scale scale;            // of the file's own labels; epoch[] is GPS scale whatever it is
+    const orr_leap_table *leap; // of labels in UTC and GLONASS time; borrowed; NULL: built-in
+    double interval_s;          // header's
     double pos_vel_base, clock_base;
     size_t n_sats, n_epochs;
     orr_sat *sat;           // header order, then those that only records name

@@ -79,7 +79,7 @@ static orr_status write_start(const writer *w)
 {
     const orr_sp3 *o = w->sp3;
     orr_civil c;
-    orr_time_to_civil(o->epoch[0], o->scale, NULL, &c);
+    orr_time_to_civil(o->epoch[0], o->scale, o->leap, &c);
     fprintf(w->f, "#%c%c%4d %2d %2d %2d %2d %11.8f %7zu %5.5s %5.5s %3.3s %4.4s\n", o->version,
             o->has_velocity ? 'V' : 'P', c.year, c.month, c.day, c.hour, c.minute, seconds_of(&c),
             o->n_epochs, o->data_used, o->coordinates, o->orbit_type, o->agency);
@@ -264,7 +264,7 @@ static orr_status write_all(const writer *w)
     write_types(w);
     for (size_t e = 0; e < o->n_epochs; e++) {
         orr_civil c;
-        orr_time_to_civil(o->epoch[e], o->scale, NULL, &c);
+        orr_time_to_civil(o->epoch[e], o->scale, o->leap, &c);
         fprintf(w->f, "*  %4d %2d %2d %2d %2d %11.8f\n", c.year, c.month, c.day, c.hour, c.minute,
                 seconds_of(&c));
         for (size_t s = 0; s < o->n_sats; s++) {

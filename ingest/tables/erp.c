@@ -307,6 +307,21 @@ static int by_date(const void *a, const void *b)
     return (x->order > y->order) - (x->order < y->order);
 }
 
+// Labels and UT1 - UTC by a run's table of leap seconds, as they are by the built-in one. UT1 itself stays.
+static void by_builtin(const orr_leap_table *leap, orr_eop_series *s)
+{
+    for (size_t i = 0; leap != NULL && i < s->n; i++) {
+        int32_t day = (int32_t)floor(s->mjd_utc[i]);
+        double fraction;
+        const orr_time t = orr_time_from_mjd(day, s->mjd_utc[i] - day, ORR_SCALE_UTC, leap);
+        const int ahead_s = orr_leap_tai_minus_utc(t, NULL) - orr_leap_tai_minus_utc(t, leap);
+        if (ahead_s == 0) continue; // the label keeps its very digits
+        orr_time_mjd(t, ORR_SCALE_UTC, NULL, &day, &fraction);
+        s->mjd_utc[i] = day + fraction;
+        s->value[i].ut1_utc_s += ahead_s;
+    }
+}
+
 static orr_status make_series(erp_reader *r)
 {
     orr_erp *x = r->out;
@@ -335,6 +350,7 @@ static orr_status make_series(erp_reader *r)
         x->series.value[k] = r->row[i].eop;
         x->detail[k] = r->row[i].detail;
     }
+    by_builtin(r->leap, &x->series);
     return ORR_OK;
 }
 

@@ -61,11 +61,11 @@ static void hand_on(telemetry_reader *r)
     if (r->notes != NULL && r->rows.count > KEPT_ROWS) r->notes->count += r->rows.count - KEPT_ROWS;
 }
 
-static orr_status read_input(orr_input *in, const char *columns, orr_telemetry *out, orr_warnings *w,
-                             orr_diag *diag)
+static orr_status read_input(orr_input *in, const char *columns, const orr_leap_table *leap,
+                             orr_telemetry *out, orr_warnings *w, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
-    telemetry_reader r = {.in = in, .out = out, .notes = w};
+    telemetry_reader r = {.in = in, .out = out, .notes = w, .leap = leap};
     const size_t before = w != NULL ? w->kept : 0;
     bool nmea = columns == NULL && telemetry_is_nmea(orr_input_head(in));
     if (nmea) out->kind = ORR_TELEMETRY_NMEA;
@@ -84,26 +84,27 @@ static orr_status read_input(orr_input *in, const char *columns, orr_telemetry *
     return s;
 }
 
-orr_status orr_telemetry_read(const char *path, const char *columns, orr_telemetry *out,
-                              orr_warnings *warnings, orr_diag *diag)
+orr_status orr_telemetry_read(const char *path, const char *columns, const orr_leap_table *leap,
+                              orr_telemetry *out, orr_warnings *warnings, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
     orr_input *in;
     orr_status s = orr_input_open(path, NULL, &in, diag);
     if (s != ORR_OK) return s;
-    s = read_input(in, columns, out, warnings, diag);
+    s = read_input(in, columns, leap, out, warnings, diag);
     orr_input_close(in);
     return s;
 }
 
 orr_status orr_telemetry_read_bytes(const char *name, const void *data, size_t n, const char *columns,
-                                    orr_telemetry *out, orr_warnings *warnings, orr_diag *diag)
+                                    const orr_leap_table *leap, orr_telemetry *out, orr_warnings *warnings,
+                                    orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
     orr_input *in;
     orr_status s = orr_input_open_bytes(name, data, n, NULL, &in, diag);
     if (s != ORR_OK) return s;
-    s = read_input(in, columns, out, warnings, diag);
+    s = read_input(in, columns, leap, out, warnings, diag);
     orr_input_close(in);
     return s;
 }

@@ -78,22 +78,25 @@ typedef struct orr_telemetry {
 // Reads a log.
 //   Given:    path          of the file
 //             columns       declaration of the columns, NULL: the file says so
+//             leap          table of leap seconds; NULL: built-in
 //   Returned: out           its rows; free with orr_telemetry_free
 //             warnings      what concerns the log as a whole, then rows that were left out; may be NULL
 //   Notes:    ORR_E_FORMAT (no telemetry, columns that make no place and no angles), ORR_E_ARG (a bad
 //             declaration), ORR_E_LIMIT, ORR_E_MEMORY.
-orr_status orr_telemetry_read(const char *path, const char *columns, orr_telemetry *out,
-                              orr_warnings *warnings, orr_diag *diag);
+orr_status orr_telemetry_read(const char *path, const char *columns, const orr_leap_table *leap,
+                              orr_telemetry *out, orr_warnings *warnings, orr_diag *diag);
 
 // The same from bytes in memory.
 //   Given:    name          of the file, for sentences
 //             data, n       its bytes, compressed or not
 //             columns       as above
+//             leap          as above
 //   Returned: out           its rows; free with orr_telemetry_free
 //             warnings      as above
 //   Notes:    As above.
 orr_status orr_telemetry_read_bytes(const char *name, const void *data, size_t n, const char *columns,
-                                    orr_telemetry *out, orr_warnings *warnings, orr_diag *diag);
+                                    const orr_leap_table *leap, orr_telemetry *out, orr_warnings *warnings,
+                                    orr_diag *diag);
 
 // Frees the rows; an empty log is allowed.
 void orr_telemetry_free(orr_telemetry *t);

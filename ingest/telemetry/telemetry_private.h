@@ -19,6 +19,7 @@ typedef struct telemetry_reader {
     orr_warnings rows;   // rows that are left out
     size_t n_above_sea;  // places whose heights are above sea level: their indices
     size_t *above_sea;
+    const orr_leap_table *leap; // NULL: built-in
 } telemetry_reader;
 
 // --- columns ---
@@ -98,12 +99,18 @@ bool telemetry_is_nan(orr_view field);
 
 // A date and time of day as text. With a date *at is the instant and *of_day_s NAN; a time of day alone
 // ("10:00:18.5") is *of_day_s, in seconds, and *at ORR_TIME_NONE. A zone may follow: Z, UTC, GPS, another scale,
-// +00:00, -0530. `usual` is the scale of text that names none. False if it is no time.
-bool telemetry_time_text(orr_view field, orr_scale usual, orr_time *at, double *of_day_s);
+// +00:00, -0530. False if it is no time.
+//   Given:    field     the text
+//             usual     scale of text that names none
+//             leap      table of leap seconds; NULL: built-in
+//   Returned: at        the instant, or ORR_TIME_NONE
+//             of_day_s  the time of day, or NAN
+bool telemetry_time_text(orr_view field, orr_scale usual, const orr_leap_table *leap, orr_time *at,
+                         double *of_day_s);
 // 2024-08-15, 2024/08/15, 20240815, 15.08.2024 to the day (MJD).
 bool telemetry_date_text(orr_view field, int32_t *mjd);
 // Instant of so many seconds since 1970-01-01 UTC, times `scale`.
-orr_time telemetry_unix_time(double x, double scale);
+orr_time telemetry_unix_time(double x, double scale, const orr_leap_table *leap);
 
 // --- clocks ---
 

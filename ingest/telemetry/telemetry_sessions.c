@@ -259,7 +259,7 @@ static orr_status date_events(nmea_log *log, sessions *s, telemetry_reader *r, o
     bool ordered = true;
     for (size_t i = 0; i < s->n; i++) {
         session *q = &s->item[i];
-        q->begin = orr_time_add_s(orr_time_from_mjd(q->mjd, 0.0, ORR_SCALE_UTC, NULL), q->begin_s);
+        q->begin = orr_time_add_s(orr_time_from_mjd(q->mjd, 0.0, ORR_SCALE_UTC, r->leap), q->begin_s);
         ordered = ordered && (i == 0 || q->begin >= s->item[i - 1].begin);
         if (zero == ORR_TIME_NONE || q->begin < zero) zero = q->begin;
     }
@@ -267,10 +267,10 @@ static orr_status date_events(nmea_log *log, sessions *s, telemetry_reader *r, o
         for (size_t k = s->item[i].from; k < s->item[i].to; k++) {
             nmea_event *e = &log->event[k];
             int32_t mjd = s->item[i].mjd + s->day[k];
-            orr_time midnight = orr_time_from_mjd(mjd, 0.0, ORR_SCALE_UTC, NULL);
+            orr_time midnight = orr_time_from_mjd(mjd, 0.0, ORR_SCALE_UTC, r->leap);
             orr_time at = orr_time_add_s(midnight, e->tod_s);
             if (e->tod_s >= TELEMETRY_DAY_S && past_table == 0 &&
-                at >= orr_time_from_mjd(mjd + 1, 0.0, ORR_SCALE_UTC, NULL))
+                at >= orr_time_from_mjd(mjd + 1, 0.0, ORR_SCALE_UTC, r->leap))
                 past_table = e->line;
             e->t_s = orr_time_diff_s(at, zero);
         }

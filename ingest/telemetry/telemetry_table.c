@@ -101,7 +101,7 @@ static bool is_header(orr_view v, char separator)
 }
 
 // "t in seconds after 2024-02-04T10:00:00 GPS" of 'orrery track', "...; t0 2024-02-04T10:00:00 GPS" of 'orrery imu'.
-static bool zero_of_comment(orr_view comment, orr_time *zero)
+static bool zero_of_comment(orr_view comment, const orr_leap_table *leap, orr_time *zero)
 {
     char text[256];
     orr_view_copy(comment, text, sizeof text);
@@ -112,7 +112,7 @@ static bool zero_of_comment(orr_view comment, orr_time *zero)
         if (p == NULL) continue;
         p += strlen(before[k]);
         size_t n = strcspn(p, ",;");
-        if (telemetry_time_text(orr_view_trim((orr_view){p, n}), ORR_SCALE_GPS, zero, &of_day_s) &&
+        if (telemetry_time_text(orr_view_trim((orr_view){p, n}), ORR_SCALE_GPS, leap, zero, &of_day_s) &&
             *zero != ORR_TIME_NONE && orr_time_is_near(*zero))
             return true;
     }
@@ -122,13 +122,13 @@ static bool zero_of_comment(orr_view comment, orr_time *zero)
 // --- one row ---
 
 // Text or number of a column of time; NULL, or why the row is to be left out.
-static const char *read_time(const telemetry_column *c, orr_view field, row *r)
+static const char *read_time(const telemetry_column *c, orr_view field, const orr_leap_table *leap, row *r)
 {
     double x;
     bool number = telemetry_number(field, &x) == ORR_FIELD_OK;
     if (c->form == FORM_UNIX || (c->quantity == Q_INSTANT && c->form == FORM_OPEN && number)) {
         if (!number) return field.n == 0 || telemetry_is_nan(field) ? NULL : NO_NUMBER;
-        if (x > 0.0) r->at = telemetry_unix_time(x, c->scale); // 0: not known yet
+        if (x > 0.0) r->at = telemetry_unix_time(x, c->scale, leap); // 0: not known yet
         return NULL;
     }
     if (number && (c->form == FORM_NUMBER || c->form == FORM_OPEN)) {
@@ -139,7 +139,7 @@ static const char *read_time(const telemetry_column *c, orr_view field, row *r)
     if (c->form == FORM_NUMBER) return NO_NUMBER;
     orr_time at;
     double of_day_s;
-    if (!telemetry_time_text(field, c->form == FORM_TEXT_GPS ? ORR_SCALE_GPS : ORR_SCALE_UTC, &at,
+    if (!telemetry_time_text(field, c->form == FORM_TEXT_GPS ? ORR_SCALE_GPS : ORR_SCALE_UTC, leap, &at,
                              &of_day_s)) {
         // A word in a column of numbers is no time at all.
         bool digit = field.n > 0 && field.p[0] >= '0' && field.p[0] <= '9';
@@ -168,7 +168,7 @@ static const char *read_row(const table_reader *t, orr_view line, row *r)
         const telemetry_column *c = &t->table.column[n];
         if (c->quantity == Q_SKIP) continue;
         if (c->quantity == Q_TIME || c->quantity == Q_INSTANT) {
-            const char *why = read_time(c, field, r);
+            const char *why = read_time(c, field, t->r->leap, r);
             if (why != NULL) return why;
             continue;
         }
@@ -303,7 +303,7 @@ static const char *times_of(table_reader *t, const row *r, double *gps_s, double
     if (!isnan(of_day_s) && !(fabs(of_day_s) < LAST_TIME_S)) return FAR_TIME;
     bool own = r->has[Q_TIME];
     if (r->has[Q_DATE] && at == ORR_TIME_NONE && (!isnan(of_day_s) || own)) {
-        at = orr_time_add_s(orr_time_from_mjd(r->mjd, 0.0, ORR_SCALE_UTC, NULL),
+        at = orr_time_add_s(orr_time_from_mjd(r->mjd, 0.0, ORR_SCALE_UTC, t->r->leap),
                             !isnan(of_day_s) ? of_day_s : r->value[Q_TIME]);
         of_day_s = ORR_NAN;
         own = false;
@@ -483,7 +483,7 @@ static orr_status set_zero(table_reader *t, orr_diag *diag)
 static orr_status take_comment(table_reader *t, orr_view v, bool *declared, orr_diag *diag)
 {
     orr_view rest = orr_view_trim((orr_view){v.p + 1, v.n - 1});
-    if (t->zero == ORR_TIME_NONE && zero_of_comment(rest, &t->zero)) return ORR_OK;
+    if (t->zero == ORR_TIME_NONE && zero_of_comment(rest, t->r->leap, &t->zero)) return ORR_OK;
     if (*declared || !orr_view_starts(rest, "columns:")) return ORR_OK;
     rest.p += 8;
     rest.n -= 8;

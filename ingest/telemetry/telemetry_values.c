@@ -183,7 +183,8 @@ static bool take_zone(const char *p, orr_scale *scale, double *east_s)
     return true;
 }
 
-bool telemetry_time_text(orr_view field, orr_scale usual, orr_time *at, double *of_day_s)
+bool telemetry_time_text(orr_view field, orr_scale usual, const orr_leap_table *leap, orr_time *at,
+                         double *of_day_s)
 {
     char text[64];
     *at = ORR_TIME_NONE;
@@ -193,9 +194,9 @@ bool telemetry_time_text(orr_view field, orr_scale usual, orr_time *at, double *
     const char *p = text, *divide = strpbrk(text, "Tt ");
     int32_t mjd = 0;
     double s, east_s;
-    bool leap;
+    bool sixtieth;
     if (telemetry_date_text(field, &mjd)) { // a date alone is its midnight
-        *at = orr_time_from_mjd(mjd, 0.0, usual, NULL);
+        *at = orr_time_from_mjd(mjd, 0.0, usual, leap);
         return true;
     }
     // A blank or T divides date and time where a digit follows; "TAI" behind the time divides nothing.
@@ -203,33 +204,33 @@ bool telemetry_time_text(orr_view field, orr_scale usual, orr_time *at, double *
         divide != NULL && divide[strspn(divide, "Tt ")] >= '0' && divide[strspn(divide, "Tt ")] <= '9';
     if (dated) {
         if (!telemetry_date_text((orr_view){text, (size_t)(divide - text)}, &mjd))
-            return orr_time_parse(text, NULL, at, NULL) == ORR_OK; // days of the year
+            return orr_time_parse(text, leap, at, NULL) == ORR_OK; // days of the year
         p = divide + 1;
         while (*p == ' ') p++;
     }
     // Without a date digits alone are a number, not a time of day.
     if (!dated && strchr(text, ':') == NULL) return false;
-    if (!take_clock(&p, &s, &leap) || !take_zone(p, &usual, &east_s)) return false;
+    if (!take_clock(&p, &s, &sixtieth) || !take_zone(p, &usual, &east_s)) return false;
     s -= east_s;
     if (!dated) {
-        *of_day_s = s + (leap ? 1.0 : 0.0);
+        *of_day_s = s + (sixtieth ? 1.0 : 0.0);
         return true;
     }
     // The 60th second stands before a midnight of UTC, which is another time of day in another zone: it is a
     // second behind the 59th, and before the next day where the table has it.
     double days = floor(s / TELEMETRY_DAY_S);
     mjd += (int32_t)days;
-    *at = orr_time_add_s(orr_time_from_mjd(mjd, 0.0, usual, NULL),
-                         s - days * TELEMETRY_DAY_S + (leap ? 1.0 : 0.0));
-    return !leap || (s - days * TELEMETRY_DAY_S >= TELEMETRY_DAY_S - 1.0 &&
-                     *at < orr_time_from_mjd(mjd + 1, 0.0, usual, NULL));
+    *at = orr_time_add_s(orr_time_from_mjd(mjd, 0.0, usual, leap),
+                         s - days * TELEMETRY_DAY_S + (sixtieth ? 1.0 : 0.0));
+    return !sixtieth || (s - days * TELEMETRY_DAY_S >= TELEMETRY_DAY_S - 1.0 &&
+                         *at < orr_time_from_mjd(mjd + 1, 0.0, usual, leap));
 }
 
-orr_time telemetry_unix_time(double x, double scale)
+orr_time telemetry_unix_time(double x, double scale, const orr_leap_table *leap)
 {
     // Remainder and quotient by whole days in the number's own unit, so that microseconds stay exact.
     double day = TELEMETRY_DAY_S / scale, days = floor(x / day);
     if (!(fabs(days) < 60000.0)) return ORR_TIME_NONE;
-    return orr_time_add_s(orr_time_from_mjd(40587 + (int32_t)days, 0.0, ORR_SCALE_UTC, NULL),
+    return orr_time_add_s(orr_time_from_mjd(40587 + (int32_t)days, 0.0, ORR_SCALE_UTC, leap),
                           (x - days * day) * scale);
 }

@@ -89,7 +89,7 @@ static bool orbit_at_node(const orr_glonass_almanac *a, node_orbit *o)
 // clock's label is the count from there on.
 static double since_t_lambda(const orr_glonass_almanac *a, orr_time t)
 {
-    orr_time next = orr_glonass_day(orr_time_add_s(a->day, 1.5 * ORR_S_PER_DAY));
+    orr_time next = orr_glonass_day(orr_time_add_s(a->day, 1.5 * ORR_S_PER_DAY), a->leap);
     return orr_time_diff_s(t, next) + ORR_S_PER_DAY - a->t_lambda_s;
 }
 

@@ -9,18 +9,19 @@
 
 // Table 4.9, superscript A left out. Angles are radians where the message has semicircles.
 typedef struct orr_glonass_almanac {
-    int number;          // n: slot 1..24
-    bool operational;    // C_n: may be used
-    int type;            // M_n: 0 GLONASS, 1 GLONASS-M
-    int channel;         // H_n: -7..24
-    orr_time day;        // N: begin of the almanac's day in Moscow (orr_glonass_day)
-    double tau_s;        // tau_n: correction to the satellite's clock, the opposite of af0
-    double lambda_rad;   // longitude of the day's first ascending node
-    double t_lambda_s;   // its instant, seconds of the day in Moscow
-    double delta_i_rad;  // inclination less 63 degrees
-    double delta_t_s;    // draconic period less 43200 s
-    double delta_t_rate; // its change, s per revolution, per revolution
-    double e, omega_rad; // eccentricity, argument of perigee
+    int number;                 // n: slot 1..24
+    bool operational;           // C_n: may be used
+    int type;                   // M_n: 0 GLONASS, 1 GLONASS-M
+    int channel;                // H_n: -7..24
+    orr_time day;               // N: begin of the almanac's day in Moscow (orr_glonass_day)
+    double tau_s;               // tau_n: correction to the satellite's clock, the opposite of af0
+    double lambda_rad;          // longitude of the day's first ascending node
+    double t_lambda_s;          // its instant, seconds of the day in Moscow
+    double delta_i_rad;         // inclination less 63 degrees
+    double delta_t_s;           // draconic period less 43200 s
+    double delta_t_rate;        // its change, s per revolution, per revolution
+    double e, omega_rad;        // eccentricity, argument of perigee
+    const orr_leap_table *leap; // that days are counted by; NULL: built-in
 } orr_glonass_almanac;
 
 // What one bit of a word is worth.
@@ -44,6 +45,7 @@ orr_status orr_glonass_almanac_eval(const orr_glonass_almanac *a, orr_time t, or
 // Given:
 //   sat     GLONASS satellite, slot 1 to 24
 //   day     any instant of the day in Moscow that the almanac is for
+//   leap    table of leap seconds, which has to outlive the almanac; NULL: built-in
 //   source  position of the satellite, ecef, m; asked every 15 min of that day
 //   user    handed to source
 // Returned:
@@ -56,7 +58,8 @@ orr_status orr_glonass_almanac_eval(const orr_glonass_almanac *a, orr_time t, or
 // Notes: least squares by the algorithm of orr_glonass_almanac_eval; each word is rounded to its LSB in turn and the rest
 // fitted again. report->rms_m is about a kilometre: the algorithm's jump at the nodes, spread over the day.
 // Reference: GLONASS ICD L1/L2 edition 5.1, 2008, A.3.2.
-orr_status orr_glonass_almanac_fit(orr_sat sat, orr_time day, orr_navfit_source source, void *user,
-                                   orr_glonass_almanac *a, orr_navfit_report *report, orr_diag *diag);
+orr_status orr_glonass_almanac_fit(orr_sat sat, orr_time day, const orr_leap_table *leap,
+                                   orr_navfit_source source, void *user, orr_glonass_almanac *a,
+                                   orr_navfit_report *report, orr_diag *diag);
 
 #endif

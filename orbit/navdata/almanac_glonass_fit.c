@@ -104,10 +104,12 @@ static orr_status converge(double x[UNKNOWNS], int first, orr_glonass_almanac *a
     return s;
 }
 
-static orr_status gather(orr_time day, orr_navfit_source source, void *user, day_positions *p, orr_diag *diag)
+static orr_status gather(const orr_glonass_almanac *a, orr_navfit_source source, void *user, day_positions *p,
+                         orr_diag *diag)
 {
     p->n = 0;
-    p->start = orr_time_add_s(orr_glonass_day(orr_time_add_s(day, 1.5 * ORR_S_PER_DAY)), -ORR_S_PER_DAY);
+    p->start =
+        orr_time_add_s(orr_glonass_day(orr_time_add_s(a->day, 1.5 * ORR_S_PER_DAY), a->leap), -ORR_S_PER_DAY);
     for (int k = 0; k < MAX_POSITIONS; k++) {
         orr_time t = orr_time_add_s(p->start, (double)k * STEP_S);
         if (source(user, t, &p->pos[p->n]) == ORR_OK) p->t[p->n++] = t;
@@ -188,16 +190,20 @@ static orr_status fits_its_fields(const orr_glonass_almanac *a, orr_diag *diag)
     return ORR_OK;
 }
 
-orr_status orr_glonass_almanac_fit(orr_sat sat, orr_time day, orr_navfit_source source, void *user,
-                                   orr_glonass_almanac *out, orr_navfit_report *report, orr_diag *diag)
+orr_status orr_glonass_almanac_fit(orr_sat sat, orr_time day, const orr_leap_table *leap,
+                                   orr_navfit_source source, void *user, orr_glonass_almanac *out,
+                                   orr_navfit_report *report, orr_diag *diag)
 {
     if (orr_sat_system(sat) != 'R' || orr_sat_number(sat) < 1 || orr_sat_number(sat) > 24)
         return orr_diag_set(diag, ORR_E_ARG, "GLONASS almanacs are of slots 1 to 24");
-    orr_glonass_almanac a = {
-        .number = orr_sat_number(sat), .operational = true, .type = 1, .day = orr_glonass_day(day)};
+    orr_glonass_almanac a = {.number = orr_sat_number(sat),
+                             .operational = true,
+                             .type = 1,
+                             .day = orr_glonass_day(day, leap),
+                             .leap = leap};
     day_positions p;
     double x[UNKNOWNS];
-    orr_status s = gather(a.day, source, user, &p, diag);
+    orr_status s = gather(&a, source, user, &p, diag);
     if (s != ORR_OK) return s;
     if (!first_guess(&p, x))
         return orr_diag_set(diag, ORR_E_NODATA, "no ascending node among the day's positions");

@@ -92,12 +92,14 @@ static orr_status seal(draft *d, int string, orr_glonass_string *out)
 
 // RINEX 3.05, table A10, status flags: M in bits 7-8, P4 6, P3 5, P2 4, P1 2-3, P 0-1. All zero is a blank
 // field. Its health flags are left alone: writers number their bits from either end.
-void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, orr_glonass_immediate *out)
+void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, const orr_leap_table *leap,
+                              orr_glonass_immediate *out)
 {
     static const int interval_min[4] = {0, 30, 45, 60};
     const orr_nav_glonass *g = &eph->glonass;
-    int frame = orr_glonass_frame(t_k);
+    int frame = orr_glonass_frame(t_k, leap);
     *out = (orr_glonass_immediate){.t_k = t_k,
+                                   .leap = leap,
                                    .p1_min = 30,
                                    .p3 = frame >= 1 && frame <= 4,
                                    .m = 1,
@@ -122,8 +124,8 @@ static orr_status fill_1(draft *d, const orr_nav_eph *e, const orr_glonass_immed
 {
     static const char *const name[3] = {"x_n", "x_n'", "x_n''"};
     orr_civil c;
-    orr_glonass_clock(im->t_k, &c);
-    if (orr_glonass_frame(im->t_k) == 0)
+    orr_glonass_clock(im->t_k, im->leap, &c);
+    if (orr_glonass_frame(im->t_k, im->leap) == 0)
         return orr_diag_set(d->diag, ORR_E_ARG, "t_k: a frame begins at second 0 or 30 of UTC");
     if (im->p1_min != 0 && im->p1_min != 30 && im->p1_min != 45 && im->p1_min != 60)
         return orr_diag_set(d->diag, ORR_E_RANGE, "P1 = %d min is none of 0, 30, 45 and 60", im->p1_min);
@@ -139,7 +141,7 @@ static orr_status fill_2(draft *d, const orr_nav_eph *e, const orr_glonass_immed
 {
     static const char *const name[3] = {"y_n", "y_n'", "y_n''"};
     orr_civil c;
-    orr_glonass_clock(e->toe, &c);
+    orr_glonass_clock(e->toe, im->leap, &c);
     uint32_t t_b = (uint32_t)(c.hour * 60 + c.minute) / 15;
     if (c.ns != 0 || c.second != 0 || c.minute % 15 != 0 || t_b == 0)
         return orr_diag_set(d->diag, ORR_E_RANGE, "t_b is sent as 15, 30 .. 1425 min of the day in Moscow");
@@ -165,7 +167,7 @@ static void fill_3(draft *d, const orr_nav_eph *e, const orr_glonass_immediate *
 static orr_status fill_4(draft *d, const orr_nav_eph *e, const orr_glonass_immediate *im)
 {
     int n4 = 0, nt = 0;
-    orr_status s = orr_glonass_calendar(im->t_k, &n4, &nt, d->diag);
+    orr_status s = orr_glonass_calendar(im->t_k, im->leap, &n4, &nt, d->diag);
     if (s != ORR_OK) return s;
     double delta_tau_s = isnan(e->glonass.delta_tau_s) ? 0 : e->glonass.delta_tau_s;
     put_signed(d, 80, 22, "tau_n", -e->af0_s, ldexp(1, -30));
@@ -209,8 +211,8 @@ orr_status orr_glonass_encode_time(const orr_glonass_time *time, orr_glonass_str
 {
     draft d = {.diag = diag};
     int n4 = 0, na = 0, other = 0;
-    orr_status s = orr_glonass_calendar(time->almanac_day, &other, &na, diag);
-    if (s == ORR_OK) s = orr_glonass_calendar(time->t_k, &n4, &other, diag);
+    orr_status s = orr_glonass_calendar(time->almanac_day, time->leap, &other, &na, diag);
+    if (s == ORR_OK) s = orr_glonass_calendar(time->t_k, time->leap, &n4, &other, diag);
     if (s != ORR_OK) return s;
     put_unsigned(&d, 80, 11, "N_A", na, 1);
     put_signed(&d, 69, 32, "tau_c", time->tau_c_s, ldexp(1, -31));

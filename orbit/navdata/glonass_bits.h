@@ -19,21 +19,23 @@ typedef struct orr_glonass_string {
 
 // What strings 1 to 4 carry beside an ephemeris; names are the ICD's (table 4.5).
 typedef struct orr_glonass_immediate {
-    orr_time t_k; // begin of the frame: second 0 or 30 of a UTC minute
-    int p1_min;   // P1: time between sets, 0, 30, 45 or 60 min
-    bool p3;      // five almanacs in this frame (frames 1 to 4), not four
-    bool p4;      // ephemeris or clock are new
-    int p;        // P: 0..3, where tau_c and tau_GPS were computed (3: on board)
-    int m;        // M: 0 GLONASS, 1 GLONASS-M
-    bool l_n;     // the satellite is unfit
-    int f_t;      // F_T: 0..15, index of accuracy (table 4.4)
-    int e_n_days; // E_n: 0..31, age of the data
+    orr_time t_k;               // begin of the frame: second 0 or 30 of a UTC minute
+    int p1_min;                 // P1: time between sets, 0, 30, 45 or 60 min
+    bool p3;                    // five almanacs in this frame (frames 1 to 4), not four
+    bool p4;                    // ephemeris or clock are new
+    int p;                      // P: 0..3, where tau_c and tau_GPS were computed (3: on board)
+    int m;                      // M: 0 GLONASS, 1 GLONASS-M
+    bool l_n;                   // the satellite is unfit
+    int f_t;                    // F_T: 0..15, index of accuracy (table 4.4)
+    int e_n_days;               // E_n: 0..31, age of the data
+    const orr_leap_table *leap; // that the calendar goes by; NULL: built-in
 } orr_glonass_immediate;
 
 // What a record itself says of them: E_n (31 where it does not), F_T (15: none), l_n by its health word; M,
 // P, P1 and P4 by the status flags of RINEX 3.05, or else 1, 0, 30 min and 0. P3 follows from t_k
-// (orr_glonass_frame).
-void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, orr_glonass_immediate *out);
+// (orr_glonass_frame). leap may be NULL: built-in.
+void orr_glonass_immediate_of(const orr_nav_eph *eph, orr_time t_k, const orr_leap_table *leap,
+                              orr_glonass_immediate *out);
 
 // Makes string 1, 2, 3 or 4 of a GLONASS satellite's own data.
 // Given:
@@ -57,6 +59,7 @@ typedef struct orr_glonass_time {
     double tau_c_s;       // GLONASS time to UTC(SU): T_UTC = T_GLONASS + tau_c (less three hours)
     double tau_gps_s;     // T_GPS - T_GLONASS = whole seconds + tau_GPS
     bool l_n;
+    const orr_leap_table *leap; // that the calendar goes by; NULL: built-in
 } orr_glonass_time;
 // Makes string 5 of a frame. ORR_E_RANGE with the word's name where a correction does not fit its field.
 // Reference: GLONASS ICD L1/L2 edition 5.1, 2008, 4.5.

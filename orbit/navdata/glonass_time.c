@@ -5,24 +5,24 @@
 #define FRAME_S 30
 #define FRAMES 5
 
-int32_t orr_glonass_clock(orr_time t, orr_civil *c)
+int32_t orr_glonass_clock(orr_time t, const orr_leap_table *leap, orr_civil *c)
 {
-    orr_time_to_civil(t, ORR_SCALE_UTC, NULL, c);
+    orr_time_to_civil(t, ORR_SCALE_UTC, leap, c);
     int32_t mjd = orr_mjd_from_date(c->year, c->month, c->day) + (c->hour + MOSCOW_H >= 24);
     c->hour = (c->hour + MOSCOW_H) % 24;
     return mjd;
 }
 
-orr_time orr_glonass_day(orr_time t)
+orr_time orr_glonass_day(orr_time t, const orr_leap_table *leap)
 {
     orr_civil c;
-    return orr_time_from_mjd(orr_glonass_clock(t, &c) - 1, (24.0 - MOSCOW_H) / 24, ORR_SCALE_UTC, NULL);
+    return orr_time_from_mjd(orr_glonass_clock(t, leap, &c) - 1, (24.0 - MOSCOW_H) / 24, ORR_SCALE_UTC, leap);
 }
 
-orr_status orr_glonass_calendar(orr_time t, int *n4, int *nt, orr_diag *diag)
+orr_status orr_glonass_calendar(orr_time t, const orr_leap_table *leap, int *n4, int *nt, orr_diag *diag)
 {
     orr_civil c;
-    int32_t mjd = orr_glonass_clock(t, &c);
+    int32_t mjd = orr_glonass_clock(t, leap, &c);
     int year, month, day;
     orr_date_from_mjd(mjd, &year, &month, &day);
     if (year < 1996 || year > 2119)
@@ -32,10 +32,10 @@ orr_status orr_glonass_calendar(orr_time t, int *n4, int *nt, orr_diag *diag)
     return ORR_OK;
 }
 
-int orr_glonass_frame(orr_time t_k)
+int orr_glonass_frame(orr_time t_k, const orr_leap_table *leap)
 {
     orr_civil c;
-    orr_glonass_clock(t_k, &c);
+    orr_glonass_clock(t_k, leap, &c);
     if (c.ns != 0 || (c.second != 0 && c.second != FRAME_S)) return 0;
     return (c.hour * 3600 + c.minute * 60 + c.second) / FRAME_S % FRAMES + 1;
 }

@@ -36,14 +36,13 @@ static void pack_subframe(const orr_lnav_subframe *s, orr_navframe_piece *p)
 
 // Leap seconds around t, as page 18 tells them: the one that is announced, or the last one
 // (IS-GPS-200N 20.3.3.5.2.4).
-static orr_lnav_utc utc_parameters(orr_time t, const navset_day *day)
+static orr_lnav_utc utc_parameters(orr_time t, const navset_day *day, const orr_leap_table *leap)
 {
-    const orr_leap_table *leap = orr_leap_builtin();
     orr_lnav_utc utc = {
-        .tot_s = day->toa_s, .week = day->week, .leap_s = orr_leap_tai_minus_utc(t, NULL) - 19};
+        .tot_s = day->toa_s, .week = day->week, .leap_s = orr_leap_tai_minus_utc(t, leap) - 19};
     int32_t mjd;
     double fraction;
-    orr_time_mjd(t, ORR_SCALE_UTC, NULL, &mjd, &fraction);
+    orr_time_mjd(t, ORR_SCALE_UTC, leap, &mjd, &fraction);
     size_t k = 0;
     while (k + 1 < leap->n && leap->entry[k + 1].mjd <= mjd + ANNOUNCED_DAYS) k++;
     utc.leap_future_s = leap->entry[k].tai_minus_utc_s - 19;
@@ -72,7 +71,7 @@ static orr_status subframe_4(const orr_navset *set, const navset_day *day, orr_t
     if (id <= 32) return spare_or_almanac(day, id, how, out, diag);
     if (page == 25) return orr_lnav_encode_page25(4, day->toa_s, day->week, day->lnav_health, how, out, diag);
     if (page != 18) return orr_lnav_encode_spare(4, id, how, out, diag);
-    const orr_lnav_utc utc = utc_parameters(t, day);
+    const orr_lnav_utc utc = utc_parameters(t, day, set->leap);
     return orr_lnav_encode_page18(set->alpha, set->beta, &utc, how, out, diag);
 }
 
@@ -114,25 +113,24 @@ static orr_status lnav_frame(const orr_navset *set, orr_sat sat, orr_time t, orr
 // --- GLONASS ---
 
 // Begin of the UTC half minute that holds t, and of the next one, 31 s later where a leap second is inserted.
-static void utc_half_minute(orr_time t, orr_time *from, orr_time *to)
+static void utc_half_minute(orr_time t, const orr_leap_table *leap, orr_time *from, orr_time *to)
 {
     orr_civil c;
-    orr_time_to_civil(t, ORR_SCALE_UTC, NULL, &c);
+    orr_time_to_civil(t, ORR_SCALE_UTC, leap, &c);
     const int into = c.second >= 30 ? c.second - 30 : c.second; // 23:59:60 is 30 s into the second half
     *from = t - into * ORR_NS_PER_S - c.ns;
     *to = *from + FRAME_NS;
-    orr_time_to_civil(*to, ORR_SCALE_UTC, NULL, &c);
+    orr_time_to_civil(*to, ORR_SCALE_UTC, leap, &c);
     if (c.second == 60) *to += ORR_NS_PER_S;
 }
 
 // KP: the leap second at the end of the quarter that holds t.
-static int leap_of_quarter(orr_time t)
+static int leap_of_quarter(orr_time t, const orr_leap_table *leap)
 {
-    const orr_leap_table *leap = orr_leap_builtin();
     int32_t mjd;
     double fraction;
     int year, month, day, y, m, d;
-    orr_time_mjd(t, ORR_SCALE_UTC, NULL, &mjd, &fraction);
+    orr_time_mjd(t, ORR_SCALE_UTC, leap, &mjd, &fraction);
     orr_date_from_mjd(mjd, &year, &month, &day);
     for (size_t k = 1; k < leap->n; k++) {
         if (leap->entry[k].mjd <= mjd) continue;
@@ -149,12 +147,13 @@ static orr_status glonass_string(const navset_day *day, const orr_navset_item *i
 {
     if (string <= 4) return orr_glonass_encode_immediate(&item->eph, im, string, out, diag);
     if (string == 5) {
-        const orr_glonass_time time = {.t_k = im->t_k, .almanac_day = day->glonass_day, .l_n = im->l_n};
+        const orr_glonass_time time = {
+            .t_k = im->t_k, .almanac_day = day->glonass_day, .l_n = im->l_n, .leap = im->leap};
         return orr_glonass_encode_time(&time, out, diag);
     }
     const int slot = orr_glonass_almanac_slot(frame, string);
     if (slot == 0) {
-        const orr_glonass_utc utc = {.kp = leap_of_quarter(im->t_k)};
+        const orr_glonass_utc utc = {.kp = leap_of_quarter(im->t_k, im->leap)};
         return orr_glonass_encode_utc(&utc, string, im->l_n, out, diag);
     }
     const orr_glonass_almanac *almanac = day->has_glonass[slot - 1] ? &day->glonass[slot - 1] : NULL;
@@ -165,13 +164,13 @@ static orr_status glonass_frame(const orr_navset *set, orr_sat sat, orr_time t, 
                                 orr_diag *diag)
 {
     orr_time begin, end;
-    utc_half_minute(t, &begin, &end);
+    utc_half_minute(t, set->leap, &begin, &end);
     const orr_navset_item *item = item_of(set, sat, begin, t);
     if (item == NULL) return ORR_E_NODATA;
     const navset_day *day = navset_day_at(set, begin);
-    const int frame = orr_glonass_frame(begin);
+    const int frame = orr_glonass_frame(begin, set->leap);
     orr_glonass_immediate im;
-    orr_glonass_immediate_of(&item->eph, begin, &im);
+    orr_glonass_immediate_of(&item->eph, begin, set->leap, &im);
     *out = (orr_navframe){
         .sat = sat, .message = ORR_NAV_FDMA, .from = begin, .to = end, .n = ORR_NAVFRAME_PIECES};
     for (int k = 1; k <= ORR_NAVFRAME_PIECES; k++) {

@@ -76,7 +76,7 @@ static orr_status fit_all(work *w)
     orr_time from, to;
     orr_ephemeris_span(w->e, &from, &to);
     orr_status s = navset_schedule_gps(from, to, w->o->window_s, &w->gps);
-    if (s == ORR_OK) s = navset_schedule_glonass(from, to, &w->glonass);
+    if (s == ORR_OK) s = navset_schedule_glonass(from, to, w->o->leap, &w->glonass);
     w->sat = calloc(n + 1, sizeof *w->sat);
     if (w->sat == NULL) s = ORR_E_MEMORY;
     for (size_t i = 0; i < n && s == ORR_OK; i++)
@@ -123,6 +123,7 @@ orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o,
     orr_status s = set == NULL ? ORR_E_MEMORY : fit_all(&w);
     if (s == ORR_OK) {
         orr_ephemeris_span(e, &set->from, &set->to);
+        set->leap = o->leap != NULL ? o->leap : orr_leap_builtin();
         take_klobuchar(set, o->nav, warnings);
         s = collect(&w, set, warnings, diag);
         if (s == ORR_OK) s = navset_fit_days(e, o, set);

@@ -18,8 +18,10 @@ typedef struct orr_navset_options {
     const orr_antex *antex;   // antennas' phase centres; NULL: the centre of mass, as STATES gives it
     const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: all zero
     const orr_nav *nav;       // GLONASS channels, Klobuchar; NULL: channels of the nominal plan, no Klobuchar
-    bool zero_clocks;         // satellites without a clock get one of zero; otherwise they are left out
-    int jobs;                 // threads
+    const orr_leap_table
+        *leap;        // that UTC and GLONASS' calendar go by; has to outlive the set; NULL: built-in
+    bool zero_clocks; // satellites without a clock get one of zero; otherwise they are left out
+    int jobs;         // threads
     const volatile int *cancel; // may be NULL
 } orr_navset_options;
 orr_navset_options orr_navset_defaults(void); // 2 h, all satellites, nothing else, one thread

@@ -76,7 +76,8 @@ static bool glonass_almanac(const work *w, navset_day *day, orr_sat sat, orr_glo
     orr_navfit_product source = {.ephemeris = w->e, .sat = sat};
     orr_navfit_report report;
     bool nominal;
-    if (orr_glonass_almanac_fit(sat, day->noon, orr_navfit_from_product, &source, a, &report, NULL) != ORR_OK)
+    if (orr_glonass_almanac_fit(sat, day->noon, w->o->leap, orr_navfit_from_product, &source, a, &report,
+                                NULL) != ORR_OK)
         return false;
     const orr_navset_item *item = orr_navset_at(w->set, sat, day->noon), *list;
     const size_t n = orr_navset_items(w->set, sat, &list);

@@ -147,11 +147,12 @@ static void fill_lnav(orr_nav_eph *eph, const navset_slot *slot, bool out)
 enum { STATUS_M = 1u << 7, STATUS_P3 = 1u << 5, STATUS_P2 = 1u << 4, STATUS_30_MIN = 1u << 2 };
 enum { HEALTH_L = 1u << 0, HEALTH_TOLD = 1u << 1, HEALTH_ALMANAC = 1u << 2 };
 
-static void fill_glonass(orr_nav_eph *eph, const navset_slot *slot, int channel, bool out)
+static void fill_glonass(orr_nav_eph *eph, const navset_slot *slot, const orr_leap_table *leap, int channel,
+                         bool out)
 {
     int32_t mjd;
     double fraction;
-    orr_time_mjd(slot->from, ORR_SCALE_UTC, NULL, &mjd, &fraction);
+    orr_time_mjd(slot->from, ORR_SCALE_UTC, leap, &mjd, &fraction);
     eph->health = out;
     eph->accuracy_m = (double)NAN;
     orr_nav_glonass *g = &eph->glonass;
@@ -244,7 +245,7 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
     const bool out = (item.notes & (ORR_NAVSET_MANOEUVRE | ORR_NAVSET_CLOCK_JUMP)) != 0;
     item.eph.transmission = item.from;
     if (orr_sat_system(sat->sat) == 'R')
-        fill_glonass(&item.eph, slot, channel, out);
+        fill_glonass(&item.eph, slot, o->leap, channel, out);
     else
         fill_lnav(&item.eph, slot, out);
     add_delays(o->bias, &item);

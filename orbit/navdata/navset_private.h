@@ -23,7 +23,8 @@ typedef struct navset_schedule {
 
 // The slots that touch [from, to]. Free the slots with free().
 orr_status navset_schedule_gps(orr_time from, orr_time to, double window_s, navset_schedule *out);
-orr_status navset_schedule_glonass(orr_time from, orr_time to, navset_schedule *out);
+orr_status navset_schedule_glonass(orr_time from, orr_time to, const orr_leap_table *leap,
+                                   navset_schedule *out);
 
 // What became of one satellite.
 typedef struct navset_satellite {
@@ -61,6 +62,7 @@ struct orr_navset {
     orr_sat *sat;           // those with sets, ascending
     navset_satellite *sets; // in that order
     orr_time from, to;
+    const orr_leap_table *leap;
     size_t n_days;
     navset_day *day;
     bool has_klobuchar;

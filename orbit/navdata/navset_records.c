@@ -29,8 +29,9 @@ orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *dia
     for (size_t i = 0; i < set->n_sats; i++) n += set->sets[i].n;
     *out = (orr_nav){.version = 3.05,
                      .system = system_of(set),
+                     .leap = set->leap,
                      .has_leap = true,
-                     .leap_s = orr_leap_tai_minus_utc(set->from, NULL) - 19,
+                     .leap_s = orr_leap_tai_minus_utc(set->from, set->leap) - 19,
                      .leap_scale = ORR_SCALE_GPS};
     out->eph = calloc(n + 1, sizeof *out->eph);
     out->iono = calloc(1, sizeof *out->iono);

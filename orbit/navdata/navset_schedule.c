@@ -33,24 +33,25 @@ orr_status navset_schedule_gps(orr_time from, orr_time to, double window_s, navs
 }
 
 // Begin of the k-th half hour of a UTC day (k = 48 is the next day's first).
-static orr_time half_hour(int32_t mjd, int k)
+static orr_time half_hour(int32_t mjd, int k, const orr_leap_table *leap)
 {
-    return orr_time_from_mjd(mjd + k / 48, (k % 48) / 48.0, ORR_SCALE_UTC, NULL);
+    return orr_time_from_mjd(mjd + k / 48, (k % 48) / 48.0, ORR_SCALE_UTC, leap);
 }
 
-orr_status navset_schedule_glonass(orr_time from, orr_time to, navset_schedule *out)
+orr_status navset_schedule_glonass(orr_time from, orr_time to, const orr_leap_table *leap,
+                                   navset_schedule *out)
 {
     int32_t first, last;
     double fraction;
-    orr_time_mjd(from, ORR_SCALE_UTC, NULL, &first, &fraction);
-    orr_time_mjd(to, ORR_SCALE_UTC, NULL, &last, &fraction);
+    orr_time_mjd(from, ORR_SCALE_UTC, leap, &first, &fraction);
+    orr_time_mjd(to, ORR_SCALE_UTC, leap, &last, &fraction);
     *out = (navset_schedule){.slot = calloc((size_t)(last - first + 1) * 48, sizeof *out->slot)};
     if (out->slot == NULL) return ORR_E_MEMORY;
     const int64_t half = GLONASS_STEP_S / 2 * ORR_NS_PER_S;
     for (int32_t mjd = first; mjd <= last; mjd++)
         for (int k = 0; k < 48; k++) {
             navset_slot slot = {
-                .from = half_hour(mjd, k), .to = half_hour(mjd, k + 1), .iodc = ORR_NAV_NO_IOD};
+                .from = half_hour(mjd, k, leap), .to = half_hour(mjd, k + 1, leap), .iodc = ORR_NAV_NO_IOD};
             slot.reference = slot.from + half;
             slot.window_from = slot.reference - half;
             slot.window_to = slot.reference + half;

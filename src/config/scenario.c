@@ -105,19 +105,28 @@ static const orr_schema schema = {.key = rows,
 
 const orr_schema *orr_scenario_schema(void) { return &schema; }
 
+// A tree as a scenario of a run.
+static orr_status of_tree(const orr_schema *table, const orr_yaml *y, const char *folder,
+                          const orr_leap_table *leap, orr_scenario *out, orr_diag *diag)
+{
+    const orr_status s = orr_schema_read(table, y, folder, leap, out, diag);
+    out->leap = leap;
+    return s;
+}
+
 orr_status orr_scenario_parse(const char *name, const char *text, size_t n, const char *folder,
-                              orr_scenario *out, orr_diag *diag)
+                              const orr_leap_table *leap, orr_scenario *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
     orr_yaml y;
     orr_status s = orr_yaml_parse(name, text, n, &y, diag);
     if (s != ORR_OK) return s;
-    s = orr_schema_read(&schema, &y, folder, out, diag);
+    s = of_tree(&schema, &y, folder, leap, out, diag);
     orr_yaml_free(&y);
     return s;
 }
 
-orr_status orr_scenario_read(const char *path, orr_scenario *out, orr_diag *diag)
+orr_status orr_scenario_read(const char *path, const orr_leap_table *leap, orr_scenario *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
     orr_yaml y;
@@ -128,19 +137,19 @@ orr_status orr_scenario_read(const char *path, orr_scenario *out, orr_diag *diag
     if (folder == NULL)
         s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     else
-        s = orr_schema_read(&schema, &y, folder, out, diag);
+        s = of_tree(&schema, &y, folder, leap, out, diag);
     free(folder);
     orr_yaml_free(&y);
     return s;
 }
 
 // The tables' defaults; what has to be in a file is left to the caller.
-static orr_status defaults(orr_scenario *out, orr_diag *diag)
+static orr_status defaults(const orr_leap_table *leap, orr_scenario *out, orr_diag *diag)
 {
     orr_schema bare = schema; // without the check for orbits or a trajectory
     bare.check = NULL;
     const orr_yaml empty = {0};
-    return orr_schema_read(&bare, &empty, NULL, out, diag);
+    return of_tree(&bare, &empty, NULL, leap, out, diag);
 }
 
 static orr_status out_of_memory(orr_scenario *out, orr_diag *diag)
@@ -149,22 +158,23 @@ static orr_status out_of_memory(orr_scenario *out, orr_diag *diag)
     return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
 }
 
-orr_status orr_scenario_of_product(const char *path, orr_scenario *out, orr_diag *diag)
+orr_status orr_scenario_of_product(const char *path, const orr_leap_table *leap, orr_scenario *out,
+                                   orr_diag *diag)
 {
-    orr_status s = defaults(out, diag);
+    orr_status s = defaults(leap, out, diag);
     if (s != ORR_OK) return s;
     out->orbit.product = strdup(path);
     return out->orbit.product != NULL ? ORR_OK : out_of_memory(out, diag);
 }
 
 orr_status orr_scenario_of_telemetry(const char *const *file, const char *const *columns, size_t n,
-                                     orr_scenario *out, orr_diag *diag)
+                                     const orr_leap_table *leap, orr_scenario *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
     if (n < 1 || n > ORR_TRAJECTORY_MAX_LOGS)
         return orr_diag_set(diag, ORR_E_ARG,
                             "telemetry comes in one file or two (places and angles), not in %zu", n);
-    orr_status s = defaults(out, diag);
+    orr_status s = defaults(leap, out, diag);
     if (s != ORR_OK) return s;
     orr_scenario_trajectory *t = &out->motion.trajectory;
     t->kind = ORR_MOTION_TELEMETRY;

@@ -41,39 +41,44 @@ typedef struct orr_scenario {
     orr_scenario_mask mask;
     orr_scenario_channel channel;
     orr_scenario_serve serve;
+    const orr_leap_table *leap; // that its times were read by and its run goes by; borrowed; NULL: built-in
 } orr_scenario;
 
 // The root table of a scenario file.
 const orr_schema *orr_scenario_schema(void);
 
-// Reads and checks a scenario. Paths in it are relative to its folder. Errors: ORR_E_IO, ORR_E_FORMAT and
+// Reads and checks a scenario. Paths in it are relative to its folder. leap is the run's table of leap seconds and has
+// to outlive the scenario; NULL, here and below: built-in. Errors: ORR_E_IO, ORR_E_FORMAT and
 // ORR_E_KIND with line, column and path, ORR_E_LIMIT, ORR_E_MEMORY. Free with orr_scenario_free.
-orr_status orr_scenario_read(const char *path, orr_scenario *out, orr_diag *diag);
+orr_status orr_scenario_read(const char *path, const orr_leap_table *leap, orr_scenario *out, orr_diag *diag);
 // The same from memory.
 // Given:
 //   name    of the file, for messages
 //   text    [n] its bytes
 //   n       how many
 //   folder  what relative paths in it refer to
+//   leap    table of leap seconds, which has to outlive the scenario
 // Returned:
 //   out     the scenario; free with orr_scenario_free
 //   diag    why it failed; may be NULL
 // Errors: as of orr_scenario_read, without ORR_E_IO.
 orr_status orr_scenario_parse(const char *name, const char *text, size_t n, const char *folder,
-                              orr_scenario *out, orr_diag *diag);
+                              const orr_leap_table *leap, orr_scenario *out, orr_diag *diag);
 // A product alone, the rest as the tables' defaults have it.
-orr_status orr_scenario_of_product(const char *path, orr_scenario *out, orr_diag *diag);
+orr_status orr_scenario_of_product(const char *path, const orr_leap_table *leap, orr_scenario *out,
+                                   orr_diag *diag);
 // A trajectory of logs alone, the rest as the tables' defaults have it.
 // Given:
 //   file     [n] paths of the logs
 //   columns  [n] what their columns are; NULL where a log says that itself
 //   n        1 to ORR_TRAJECTORY_MAX_LOGS
+//   leap     table of leap seconds, which has to outlive the scenario
 // Returned:
 //   out      the scenario; free with orr_scenario_free
 //   diag     why it failed; may be NULL
 // Errors: ORR_E_ARG, ORR_E_MEMORY.
 orr_status orr_scenario_of_telemetry(const char *const *file, const char *const *columns, size_t n,
-                                     orr_scenario *out, orr_diag *diag);
+                                     const orr_leap_table *leap, orr_scenario *out, orr_diag *diag);
 // Frees all that a scenario holds; zeroed scenarios may be freed.
 void orr_scenario_free(orr_scenario *s);
 

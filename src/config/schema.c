@@ -15,6 +15,7 @@ enum { PATH_MAX_CHARS = 200 };
 typedef struct reader {
     const char *name;   // of the file
     const char *folder; // that FILE values are relative to
+    const orr_leap_table *leap;
     orr_diag *diag;
 } reader;
 
@@ -162,7 +163,7 @@ static orr_status read_choice(const reader *r, const orr_key *k, const orr_yaml_
     return refuse(r, node, path, sentence);
 }
 
-static orr_status read_interval(const char *text, orr_interval *to, orr_diag *d)
+static orr_status read_interval(const char *text, const orr_leap_table *leap, orr_interval *to, orr_diag *d)
 {
     const char *slash = strchr(text, '/');
     char from[64];
@@ -170,8 +171,8 @@ static orr_status read_interval(const char *text, orr_interval *to, orr_diag *d)
         return orr_diag_set(d, ORR_E_ARG, "'%.80s' is no interval FROM/TO", text);
     memcpy(from, text, (size_t)(slash - text));
     from[slash - text] = '\0';
-    orr_status s = orr_time_parse(from, NULL, &to->from, d);
-    if (s == ORR_OK) s = orr_time_parse(slash + 1, NULL, &to->to, d);
+    orr_status s = orr_time_parse(from, leap, &to->from, d);
+    if (s == ORR_OK) s = orr_time_parse(slash + 1, leap, &to->to, d);
     if (s == ORR_OK && to->to < to->from)
         s = orr_diag_set(d, ORR_E_ARG, "'%.80s' ends before it begins", text);
     return s;
@@ -211,7 +212,7 @@ static orr_status read_value(const reader *r, const orr_key *k, const orr_yaml_n
     case ORR_KEY_CHOICE:
         return read_choice(r, k, node, path, to);
     case ORR_KEY_TIME:
-        s = orr_time_parse(node->text, NULL, to, &inner);
+        s = orr_time_parse(node->text, r->leap, to, &inner);
         break;
     case ORR_KEY_DURATION:
         s = orr_duration_parse(node->text, to, &inner);
@@ -219,7 +220,7 @@ static orr_status read_value(const reader *r, const orr_key *k, const orr_yaml_n
             s = orr_diag_set(&inner, ORR_E_ARG, "'%.60s' is no positive length of time", node->text);
         break;
     case ORR_KEY_INTERVAL:
-        s = read_interval(node->text, to, &inner);
+        s = read_interval(node->text, r->leap, to, &inner);
         break;
     case ORR_KEY_SATS:
         s = orr_sat_set_parse(node->text, to, &inner);
@@ -272,7 +273,7 @@ static orr_status set_default(const orr_key *k, const reader *r, void *member)
     if (k->kind == ORR_KEY_MAP && !k->list) return set_defaults(k->map, r, member);
     if (k->fallback == NULL) return ORR_OK;
     orr_yaml_node text = {.kind = ORR_YAML_TEXT, .text = (char *)(uintptr_t)k->fallback};
-    reader plain = {"(default)", NULL, r->diag};
+    reader plain = {"(default)", NULL, NULL, r->diag};
     return k->list ? read_list(&plain, k, &text, NULL, k->name, member)
                    : read_value(&plain, k, &text, NULL, k->name, member);
 }
@@ -426,11 +427,11 @@ static orr_status read_map(const reader *r, const orr_schema *schema, const orr_
                        path[0] != '\0' ? ": " : "", why);
 }
 
-orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const char *folder, void *base,
-                           orr_diag *diag)
+orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const char *folder,
+                           const orr_leap_table *leap, void *base, orr_diag *diag)
 {
     memset(base, 0, schema->size);
-    reader r = {y->name, folder, diag};
+    reader r = {y->name, folder, leap, diag};
     orr_yaml_node empty = {.kind = ORR_YAML_MAP, .line = 1, .column = 1};
     const orr_yaml_node *root = y->root != NULL ? y->root : &empty;
     orr_status s = set_defaults(schema, &r, base);

@@ -103,13 +103,14 @@ typedef struct orr_real_list {
 //   schema  table of the root map
 //   y       the tree
 //   folder  joined to FILE values that are relative; NULL: they stay as they are
+//   leap    table of leap seconds, for times; NULL: built-in
 // Returned:
 //   base    schema->size bytes, zeroed first; nothing to free after an error. Free with orr_schema_free
 //   diag    why it failed; may be NULL
 // Errors: ORR_E_FORMAT with line, column and path (an unknown key with the nearest known one, a key without
 // effect with the reason), ORR_E_KIND for a file that is no map, ORR_E_LIMIT, ORR_E_MEMORY.
-orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const char *folder, void *base,
-                           orr_diag *diag);
+orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const char *folder,
+                           const orr_leap_table *leap, void *base, orr_diag *diag);
 // Frees what orr_schema_read allocated below `base`, and zeroes it.
 void orr_schema_free(const orr_schema *schema, void *base);
 

@@ -119,7 +119,7 @@ orr_status orr_sensor_errors_parse(const char *name, const char *text, size_t n,
     orr_yaml y;
     orr_status s = orr_yaml_parse(name, text, n, &y, diag);
     if (s != ORR_OK) return s;
-    s = orr_schema_read(&schema, &y, NULL, out, diag);
+    s = orr_schema_read(&schema, &y, NULL, NULL, out, diag);
     orr_yaml_free(&y);
     return s;
 }

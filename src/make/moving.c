@@ -180,6 +180,7 @@ typedef struct joined {
     orr_telemetry_log view;
     orr_time zero;
     double *place_s, *angle_s; // times after zero
+    const orr_leap_table *leap;
 } joined;
 
 static void joined_free(joined *j)
@@ -191,7 +192,7 @@ static void joined_free(joined *j)
 
 // Instant of the clock's zero where no date goes with it: midnight UTC of the date, or begin of the week, that `day`
 // has in GPS time.
-static orr_time assumed_zero(double period_s, orr_time day)
+static orr_time assumed_zero(double period_s, orr_time day, const orr_leap_table *leap)
 {
     int32_t number;
     if (period_s == 604800.0) {
@@ -201,18 +202,19 @@ static orr_time assumed_zero(double period_s, orr_time day)
     }
     double fraction;
     orr_time_mjd(day, ORR_SCALE_GPS, NULL, &number, &fraction);
-    return orr_time_from_mjd(number, 0.0, ORR_SCALE_UTC, NULL);
+    return orr_time_from_mjd(number, 0.0, ORR_SCALE_UTC, leap);
 }
 
 // Times of one log on the clock of the other: n times t_s to out_s.
-static void bring(const orr_telemetry *log, const orr_telemetry *other, orr_time zero, const double *t_s,
+static void bring(const orr_telemetry *log, const orr_telemetry *other, const joined *j, const double *t_s,
                   size_t n, double *out_s)
 {
     bool tied =
         !log->absolute && other != NULL && other->tie.n > 0; // the other tells GPS time beside this clock
-    double shift = log->absolute         ? orr_time_diff_s(log->t0, zero)
-                   : log->period_s > 0.0 ? orr_time_diff_s(assumed_zero(log->period_s, zero), zero)
-                                         : 0.0;
+    double shift = log->absolute ? orr_time_diff_s(log->t0, j->zero)
+                   : log->period_s > 0.0
+                       ? orr_time_diff_s(assumed_zero(log->period_s, j->zero, j->leap), j->zero)
+                       : 0.0;
     for (size_t k = 0; k < n; k++) out_s[k] = tied ? orr_clock_tied_s(&other->tie, t_s[k]) : t_s[k] + shift;
 }
 
@@ -228,18 +230,18 @@ static orr_status join(joined *j, orr_time fallback, orr_diag *diag)
         return orr_diag_set(diag, ORR_E_NODATA, "the telemetry has angles, but no place in any file");
     const orr_telemetry *dated = p->absolute || a == NULL || !a->absolute ? p : a;
     j->zero = dated->absolute         ? dated->t0
-              : dated->period_s > 0.0 ? assumed_zero(dated->period_s, fallback)
+              : dated->period_s > 0.0 ? assumed_zero(dated->period_s, fallback, j->leap)
                                       : 0;
     j->place_s = malloc(p->n_position * sizeof *j->place_s);
     j->angle_s = malloc((a != NULL ? a->n_attitude + 1 : 1) * sizeof *j->angle_s);
     if (j->place_s == NULL || j->angle_s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    bring(p, a != p ? a : NULL, j->zero, p->position_t_s, p->n_position, j->place_s);
+    bring(p, a != p ? a : NULL, j, p->position_t_s, p->n_position, j->place_s);
     j->view = (orr_telemetry_log){.n_position = p->n_position,
                                   .position_t_s = j->place_s,
                                   .position = p->position,
                                   .position_row = p->position_line};
     if (a == NULL) return ORR_OK;
-    bring(a, a != p ? p : NULL, j->zero, a->attitude_t_s, a->n_attitude, j->angle_s);
+    bring(a, a != p ? p : NULL, j, a->attitude_t_s, a->n_attitude, j->angle_s);
     j->view.n_attitude = a->n_attitude;
     j->view.attitude_t_s = j->angle_s;
     j->view.heading_rad = a->heading_rad;
@@ -264,7 +266,7 @@ static void date_log(const orr_scenario_trajectory *m, const joined *j, orr_time
             "trajectory.start tells another)",
             j->places->period_s == 604800.0 ? "week" : "day",
             j->places->period_s == 604800.0 ? orr_time_format(j->zero, ORR_SCALE_GPS, 0, NULL, text)
-                                            : orr_time_format(j->zero, ORR_SCALE_UTC, 0, NULL, text),
+                                            : orr_time_format(j->zero, ORR_SCALE_UTC, 0, j->leap, text),
             j->places->period_s == 604800.0 ? " and after" : " UTC");
     } else if (!absolute) {
         out->trajectory.t0 = fallback;
@@ -295,14 +297,15 @@ static orr_status make_telemetry(const orr_scenario_trajectory *m, orr_time fall
     joined j;
     orr_warnings of_log[ORR_TRAJECTORY_MAX_LOGS] = {{0}}; // sentences on whole logs go before those on rows
     memset(&j, 0, sizeof j);
+    j.leap = out->inputs.leap;
     orr_status s = ORR_OK;
     for (size_t k = 0; k < m->logs.n && s == ORR_OK; k++) {
         const char *path = m->logs.item[k].file;
         orr_bytes raw;
         s = orr_inputs_read_raw(&out->inputs, path, &raw, diag);
         if (s == ORR_OK)
-            s = orr_telemetry_read_bytes(path, raw.text, raw.n, m->logs.item[k].columns, &j.log[k],
-                                         &of_log[k], diag);
+            s = orr_telemetry_read_bytes(path, raw.text, raw.n, m->logs.item[k].columns, out->inputs.leap,
+                                         &j.log[k], &of_log[k], diag);
         orr_bytes_free(&raw);
         hand_on(&of_log[k], 0, j.log[k].notes, warnings);
         j.n = k + 1;
@@ -482,10 +485,10 @@ static void set_mode(const orr_scenario_imu *i, orr_moving *out)
     if (out->mode.order == 0) out->mode.order = orr_moving_order(out, out->mode.quadrature, i->rate_hz);
 }
 
-orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, orr_warnings *warnings,
-                           orr_moving *out, orr_diag *diag)
+orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, const orr_leap_table *leap,
+                           orr_warnings *warnings, orr_moving *out, orr_diag *diag)
 {
-    memset(out, 0, sizeof *out);
+    *out = (orr_moving){.inputs.leap = leap};
     const orr_scenario_trajectory *t = &m->trajectory;
     orr_time start = t->has_start ? t->start : fallback_start;
     orr_status s = ORR_OK;

@@ -35,13 +35,14 @@ orr_time orr_moving_fallback_start(void);
 // Given:
 //   m               trajectory, units, gravity and readings of the scenario
 //   fallback_start  where the scenario has no start
+//   leap            table of leap seconds that logs are read by; NULL: built-in
 // Returned:
 //   warnings        of the logs' readers; may be NULL
 //   out             the motion; free with orr_moving_free
 //   diag            why it failed, with file and line; may be NULL
 // Errors: those of readers and makers; ORR_E_NODATA (the scenario has no trajectory).
-orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, orr_warnings *warnings,
-                           orr_moving *out, orr_diag *diag);
+orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start, const orr_leap_table *leap,
+                           orr_warnings *warnings, orr_moving *out, orr_diag *diag);
 // Frees all that a motion holds; it is zero then.
 void orr_moving_free(orr_moving *v);
 // Nodes (or rectangles) a step where nobody says: 2 Gauss-Legendre nodes at 50 Hz and more, 3 below and on

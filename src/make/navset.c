@@ -22,6 +22,7 @@ bool orr_navset_plan_of(const orr_scenario *s, orr_navset_plan *out)
     out->nav = (const char *const *)n->nav.item;
     out->n_nav = n->nav.n;
     out->field = s->iono.field;
+    out->options.leap = s->leap;
     out->options.window_s = n->window == ORR_NAVDATA_4H ? 14400 : 7200;
     out->options.zero_clocks = n->zero_clocks;
     return n->window != ORR_NAVDATA_NONE;
@@ -58,15 +59,17 @@ static orr_status read_field(const char *path, orr_inputs *inputs, orr_nav *out,
     orr_diag other = {0};
     *is_nav = false;
     if (path == NULL) return ORR_OK;
-    orr_inputs own = {0};
+    orr_inputs own = {.leap = inputs->leap};
+    orr_nav_limits limits = orr_nav_default_limits();
+    limits.leap = inputs->leap;
     orr_status s = orr_inputs_read(&own, path,
                                    ORR_KIND_BIT(ORR_KIND_IONEX) | ORR_KIND_BIT(ORR_KIND_ION) |
                                        ORR_KIND_BIT(ORR_KIND_RINEX_NAV),
                                    &text, &other);
-    if (s == ORR_OK) s = orr_nav_parse(path, text.text, text.n, NULL, out, NULL, &other);
+    if (s == ORR_OK) s = orr_nav_parse(path, text.text, text.n, &limits, out, NULL, &other);
     orr_bytes_free(&text);
     *is_nav = s == ORR_OK;
-    if (s == ORR_OK && inputs != NULL) s = orr_inputs_join(inputs, &own, &other);
+    if (s == ORR_OK) s = orr_inputs_join(inputs, &own, &other);
     orr_inputs_free(&own);
     if (s == ORR_E_KIND) return ORR_OK;
     if (s != ORR_OK && diag != NULL) *diag = other;
@@ -122,8 +125,10 @@ orr_status orr_navset_make(const orr_ephemeris *e, const orr_navset_plan *plan, 
     *out = NULL;
     files f = {0};
     orr_navset_options o = plan->options;
-    orr_status s = read_all(e, plan, &f, &o, inputs, warnings, diag);
+    orr_inputs own = {.leap = o.leap};
+    orr_status s = read_all(e, plan, &f, &o, inputs != NULL ? inputs : &own, warnings, diag);
     if (s == ORR_OK) s = orr_navset_build(e, &o, out, warnings, diag);
     files_free(&f);
+    orr_inputs_free(&own);
     return s;
 }

@@ -19,11 +19,13 @@ orr_orbit_plan orr_orbit_plan_default(void)
     return p;
 }
 
-orr_orbit_plan orr_orbit_plan_of(const orr_scenario_orbit *section)
+orr_orbit_plan orr_orbit_plan_of(const orr_scenario *s)
 {
+    const orr_scenario_orbit *section = &s->orbit;
     orr_orbit_plan p = orr_orbit_plan_default();
     p.sp3 = (const char *const *)section->sp3.item;
     p.n_sp3 = section->sp3.n;
+    p.leap = s->leap;
     p.erp = (const char *const *)section->erp.item;
     p.n_erp = section->erp.n;
     p.clk = (const char *const *)section->clk.item;

@@ -27,8 +27,8 @@ typedef struct orr_orbit_plan {
 
 // A plan without files and with the smoother's defaults on all cores.
 orr_orbit_plan orr_orbit_plan_default(void);
-// What a scenario's section asks for. The plan borrows from it.
-orr_orbit_plan orr_orbit_plan_of(const orr_scenario_orbit *section);
+// What a scenario asks for. The plan borrows from it.
+orr_orbit_plan orr_orbit_plan_of(const orr_scenario *s);
 
 typedef struct orr_orbit_made {
     orr_ephemeris *ephemeris; // carries the names and SHA-256 of all inputs and the smoother's options

@@ -7,7 +7,8 @@
 
 #include "inertial/sense/sensors.h"
 
-orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, orr_scenario *out, orr_diag *diag)
+orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, const orr_leap_table *leap,
+                               orr_scenario *out, orr_diag *diag)
 {
     orr_bytes text;
     *out = (orr_scenario){0};
@@ -15,7 +16,7 @@ orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, orr_scenari
     if (s != ORR_OK) return s;
     const char *slash = strrchr(path, '/');
     char *folder = strndup(path, slash == NULL ? 0 : slash == path ? 1 : (size_t)(slash - path));
-    s = folder != NULL ? orr_scenario_parse(path, text.text, text.n, folder, out, diag)
+    s = folder != NULL ? orr_scenario_parse(path, text.text, text.n, folder, leap, out, diag)
                        : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     free(folder);
     orr_bytes_free(&text);

@@ -7,8 +7,17 @@
 #include "inertial/sense/measured.h"
 #include "src/make/moving.h"
 
-// A scenario, read once and appended to `inputs` (may be NULL). Errors and freeing as of orr_scenario_read.
-orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, orr_scenario *out, orr_diag *diag);
+// A scenario, read once by a run's table of leap seconds and appended to `inputs` (may be NULL).
+// Given:
+//   inputs  the list that it is appended to; may be NULL
+//   path    the scenario
+//   leap    table of leap seconds, which has to outlive the scenario; NULL: built-in
+// Returned:
+//   out     the scenario; free with orr_scenario_free
+//   diag    why it failed; may be NULL
+// Errors: as of orr_scenario_read.
+orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, const orr_leap_table *leap,
+                               orr_scenario *out, orr_diag *diag);
 
 typedef struct orr_readings_plan {
     const orr_moving *moving;

@@ -12,11 +12,11 @@
 // UT1 of an estimate starts from the leap seconds, which tell it so well.
 #define UT1_BY_LEAP_SECONDS_S 0.4
 
-static double mjd_utc(orr_time t)
+static double mjd_utc(orr_time t, const orr_leap_table *leap)
 {
     int32_t day;
     double fraction;
-    orr_time_mjd(t, ORR_SCALE_UTC, NULL, &day, &fraction);
+    orr_time_mjd(t, ORR_SCALE_UTC, leap, &day, &fraction);
     return day + fraction;
 }
 
@@ -38,7 +38,8 @@ static orr_erp_detail detail_of(const orr_earth_rotation *r, const orr_eop *e, s
                             .n_satellites = (int)n_sats};
 }
 
-orr_status orr_rotation_file_write(const orr_ephemeris *e, const char *path, orr_diag *diag)
+orr_status orr_rotation_file_write(const orr_ephemeris *e, const orr_leap_table *leap, const char *path,
+                                   orr_diag *diag)
 {
     static const char *const remark[] = {
         "Pole, its rates and LOD are estimated together with the orbits; the sigmas are formal.",
@@ -55,8 +56,8 @@ orr_status orr_rotation_file_write(const orr_ephemeris *e, const char *path, orr
     orr_time from, to;
     const orr_sat *sat;
     orr_ephemeris_span(e, &from, &to);
-    const double first = floor(mjd_utc(from) / STEP_DAYS) * STEP_DAYS;
-    const size_t n = (size_t)ceil((mjd_utc(to) - first) / STEP_DAYS) + 1;
+    const double first = floor(mjd_utc(from, leap) / STEP_DAYS) * STEP_DAYS;
+    const size_t n = (size_t)ceil((mjd_utc(to, leap) - first) / STEP_DAYS) + 1;
     orr_erp erp = {.version = 2};
     snprintf(erp.title, sizeof erp.title, "Orrery: Earth rotation, %s",
              r->source == ORR_ROTATION_ESTIMATED ? "estimated from orbits" : "as it was given");
@@ -68,9 +69,10 @@ orr_status orr_rotation_file_write(const orr_ephemeris *e, const char *path, orr
         s = orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu lines of Earth rotation", n);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         const double mjd = first + STEP_DAYS * (double)i, day = floor(mjd);
-        const orr_time t = orr_time_from_mjd((int32_t)day, mjd - day, ORR_SCALE_UTC, NULL);
+        const orr_time t = orr_time_from_mjd((int32_t)day, mjd - day, ORR_SCALE_UTC, leap);
         erp.series.mjd_utc[i] = mjd;
         erp.series.value[i] = orr_eop_at(&r->series, t, NULL, NULL);
+        erp.series.value[i].ut1_utc_s += orr_leap_tai_minus_utc(t, leap) - orr_leap_tai_minus_utc(t, NULL);
         erp.detail[i] = detail_of(r, &erp.series.value[i], orr_ephemeris_satellites(e, &sat));
         erp.series.n = i + 1;
     }

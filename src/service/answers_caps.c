@@ -11,9 +11,8 @@ _Static_assert((int)ORR_RECEIVER_NONE == ORR_MSG_RECEIVER_SOURCE_NONE &&
                "the engine's kinds of receiver are the wire's");
 
 // The leap seconds around an instant. A change beyond the end of the table is not known.
-static orr_msg_leap_seconds leap_seconds(orr_time t)
+static orr_msg_leap_seconds leap_seconds(orr_time t, const orr_leap_table *table)
 {
-    const orr_leap_table *table = orr_leap_builtin();
     const int tai_gps_s = 19;
     int now = orr_leap_tai_minus_utc(t, table) - tai_gps_s;
     orr_msg_leap_seconds leap = {(int16_t)now, (int16_t)now, ORR_TIME_NONE};
@@ -64,7 +63,7 @@ void orr_answers_caps(void *user, orr_msg_caps *caps)
     caps->version = orr_wire_text(ORR_VERSION);
     caps->title = orr_wire_text(orr_engine_title(e));
     caps->frame = orr_wire_text(orr_engine_frame(e));
-    caps->leap = leap_seconds(caps->span.first);
+    caps->leap = leap_seconds(caps->span.first, orr_engine_leap(e));
     if (orr_engine_no_navdata(e) == NULL)
         caps->navdata_point = orr_engine_navdata_phase_centres(e) ? ORR_MSG_ORBIT_POINT_PHASE_CENTRE
                                                                   : ORR_MSG_ORBIT_POINT_CENTRE_OF_MASS;

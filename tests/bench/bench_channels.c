@@ -83,7 +83,7 @@ static void run(bench *b, const char *name, const char *antenna)
              "\"E:E5a\", \"E:E5b\"]\n"
              "mask: {elevation: 0}\n%s",
              ORR_SOURCE_DIR, ORR_SOURCE_DIR, antenna);
-    orr_status status = orr_scenario_parse("bench", text, strlen(text), NULL, &s, &d);
+    orr_status status = orr_scenario_parse("bench", text, strlen(text), NULL, NULL, &s, &d);
     if (status == ORR_OK) {
         status = orr_engine_open(&s, NULL, NULL, NULL, &e, &d);
         orr_scenario_free(&s);

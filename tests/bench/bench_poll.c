@@ -140,7 +140,7 @@ static orr_engine *one_day(void)
     orr_scenario scenario;
     orr_engine *e;
     orr_diag diag = {0};
-    must(orr_scenario_parse("bench", text, strlen(text), ORR_SOURCE_DIR "/samples", &scenario, &diag) ==
+    must(orr_scenario_parse("bench", text, strlen(text), ORR_SOURCE_DIR "/samples", NULL, &scenario, &diag) ==
              ORR_OK,
          diag.text);
     must(orr_engine_open(&scenario, NULL, NULL, NULL, &e, &diag) == ORR_OK, diag.text);

@@ -35,7 +35,7 @@ static orr_status read_track(const orr_cli *c, orr_time t0, orr_gravimetry_track
 {
     orr_telemetry log;
     const char *path = orr_cli_text(c, "track", NULL);
-    orr_status s = orr_telemetry_read(path, orr_cli_text(c, "columns", NULL), &log, warnings, diag);
+    orr_status s = orr_telemetry_read(path, orr_cli_text(c, "columns", NULL), c->leap, &log, warnings, diag);
     if (s != ORR_OK) return s;
     double *t_s = malloc((log.n_position + 1) * sizeof *t_s);
     orr_vec3 *r_m = malloc((log.n_position + 1) * sizeof *r_m);

@@ -18,8 +18,9 @@ static int scenario_of_logs(orr_cli *c, orr_scenario *out)
         file[k] = orr_cli_text_at(c, "telemetry", k);
         if (k < n_columns) columns[k] = orr_cli_text_at(c, "columns", k);
     }
-    return orr_scenario_of_telemetry(file, columns, n, out, &diag) == ORR_OK ? ORR_EXIT_OK
-                                                                             : orr_cli_fail(c, &diag);
+    return orr_scenario_of_telemetry(file, columns, n, c->leap, out, &diag) == ORR_OK
+               ? ORR_EXIT_OK
+               : orr_cli_fail(c, &diag);
 }
 
 // Options of a log alone, and whether one of them was given.
@@ -141,12 +142,13 @@ int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_inputs *inputs, 
     int status = ORR_EXIT_OK;
     if (log)
         status = scenario_of_logs(c, scenario);
-    else if (orr_inputs_scenario(inputs, c->operand[0], scenario, &diag) != ORR_OK)
+    else if (orr_inputs_scenario(inputs, c->operand[0], c->leap, scenario, &diag) != ORR_OK)
         status = orr_cli_fail(c, &diag);
     if (status != ORR_EXIT_OK) return status;
     status = apply_options(c, &scenario->motion.trajectory);
     if (status == ORR_EXIT_OK) {
-        s = orr_moving_open(&scenario->motion, orr_moving_fallback_start(), &warnings, moving, &diag);
+        s = orr_moving_open(&scenario->motion, orr_moving_fallback_start(), c->leap, &warnings, moving,
+                            &diag);
         orr_cli_warnings(c, &warnings);
         if (s != ORR_OK) status = orr_cli_fail(c, &diag);
     }

@@ -67,14 +67,14 @@ static orr_status scenario_of_options(job *j, orr_diag *diag)
         return orr_diag_set(diag, ORR_E_LIMIT, "the names of the files are too long");
     int n = snprintf(text, sizeof text, "orbit: {%s}\nnavdata: {window: none}\nionosphere: {%s}\n", product,
                      source);
-    return orr_scenario_parse("options", text, (size_t)n, ".", &j->scenario, diag);
+    return orr_scenario_parse("options", text, (size_t)n, ".", j->c->leap, &j->scenario, diag);
 }
 
 static orr_status open_engine(job *j, orr_diag *diag)
 {
     bool direct = orr_cli_given(j->c, "field") || orr_cli_given(j->c, "session");
-    orr_status s =
-        direct ? scenario_of_options(j, diag) : orr_scenario_read(j->c->operand[0], &j->scenario, diag);
+    orr_status s = direct ? scenario_of_options(j, diag)
+                          : orr_scenario_read(j->c->operand[0], j->c->leap, &j->scenario, diag);
     if (s != ORR_OK) return s;
     orr_warnings warnings = {0};
     s = orr_engine_open(&j->scenario, j->c->log, NULL, &warnings, &j->engine, diag);

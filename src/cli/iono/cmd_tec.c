@@ -171,6 +171,7 @@ static orr_status to_files(const orr_cli *c, const orr_tec_field *field, span wh
         if (s != ORR_OK) return s;
         if (ionex) {
             maps.exponent = -1;
+            maps.leap = c->leap;
             snprintf(maps.program, sizeof maps.program, "ORRERY TEC");
             s = orr_ionex_write(&maps, path, diag);
             orr_ionex_free(&maps);

@@ -32,6 +32,7 @@ static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_di
     plan.antex = orr_cli_text(c, "antex", NULL);
     plan.bias = orr_cli_text(c, "bias", NULL);
     plan.options.jobs = (int)orr_cli_int(c, "jobs", plan.options.jobs);
+    plan.options.leap = w->inputs.leap = c->leap;
     plan.options.sats = orr_cli_sats(c, "sat");
     plan.options.zero_clocks = orr_cli_given(c, "zero-clocks");
     plan.options.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;

@@ -292,7 +292,7 @@ static int run(orr_cli *c)
     const double made_s = now_s();
     if (s == ORR_OK) s = orr_ephemeris_save(made.ephemeris, orr_cli_text(c, "output", NULL), c->call, &diag);
     const char *erp_out = orr_cli_text(c, "erp-out", NULL);
-    if (s == ORR_OK && erp_out != NULL) s = orr_rotation_file_write(made.ephemeris, erp_out, &diag);
+    if (s == ORR_OK && erp_out != NULL) s = orr_rotation_file_write(made.ephemeris, c->leap, erp_out, &diag);
     orr_cli_warnings(c, &warnings);
     int status = ORR_EXIT_OK;
     if (s == ORR_OK) {

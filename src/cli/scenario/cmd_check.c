@@ -129,7 +129,7 @@ static int run(orr_cli *c)
     orr_diag diag = {0};
     orr_warnings warnings = {0};
     const char *path = c->operand[0];
-    orr_status status = orr_scenario_read(path, &s, &diag);
+    orr_status status = orr_scenario_read(path, c->leap, &s, &diag);
     if (status != ORR_OK) return orr_cli_fail(c, &diag);
     status = orr_engine_open(&s, c->log, NULL, &warnings, &e, &diag);
     orr_cli_warnings(c, &warnings);

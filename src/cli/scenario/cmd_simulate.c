@@ -112,7 +112,7 @@ static int run(orr_cli *c)
     orr_warnings warnings = {0};
     simulation s = {
         .c = c, .folder = orr_cli_text(c, "output", "."), .scenario = &scenario, .files = json_array()};
-    orr_status status = orr_inputs_scenario(&s.inputs, c->operand[0], &scenario, &diag);
+    orr_status status = orr_inputs_scenario(&s.inputs, c->operand[0], c->leap, &scenario, &diag);
     if (status == ORR_OK) {
         status = orr_engine_open(&scenario, c->log, NULL, &warnings, &e, &diag);
         orr_cli_warnings(c, &warnings);

@@ -31,10 +31,10 @@ orr_status simulate_note(simulation *s, const char *name, const char *note, orr_
 }
 
 // Where the simulated time begins, in headers: the same scenario makes the same bytes.
-static void header_date(orr_time t, char *date, size_t n)
+static void header_date(orr_time t, const orr_leap_table *leap, char *date, size_t n)
 {
     orr_civil c;
-    orr_time_to_civil(t, ORR_SCALE_UTC, NULL, &c);
+    orr_time_to_civil(t, ORR_SCALE_UTC, leap, &c);
     snprintf(date, n, "%04d%02d%02d %02d%02d%02d UTC", c.year, c.month, c.day, c.hour, c.minute, c.second);
 }
 
@@ -50,7 +50,7 @@ orr_status simulate_broadcast(simulation *s, orr_diag *diag)
     if (status != ORR_OK) return status;
     snprintf(nav.program, sizeof nav.program, "orrery %s", ORR_VERSION);
     if (orr_engine_part_span(s->engine, ORR_PART_NAVDATA, &span))
-        header_date(span.from, nav.date, sizeof nav.date);
+        header_date(span.from, s->c->leap, nav.date, sizeof nav.date);
     status = orr_nav_write(&nav, path, NULL, diag);
     orr_nav_free(&nav);
     return status == ORR_OK ? simulate_note(s, "broadcast.rnx", "broadcast data, RINEX 3.05", diag) : status;
@@ -116,7 +116,7 @@ orr_status simulate_orbits(simulation *s, orr_diag *diag)
     if (status == ORR_OK) {
         snprintf(clk.program, sizeof clk.program, "orrery %s", ORR_VERSION);
         snprintf(clk.agency, sizeof clk.agency, "true clocks of a simulation");
-        header_date(span.from, clk.date, sizeof clk.date);
+        header_date(span.from, s->c->leap, clk.date, sizeof clk.date);
         status = orr_clk_write(&clk, path, diag);
     }
     clocks_free(&clk);

@@ -100,8 +100,8 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     if (s != ORR_OK) return s;
     if (!product) s = check_kind(path, diag);
     if (s != ORR_OK) return s;
-    s = product ? orr_scenario_of_product(path, &v->scenario, diag)
-                : orr_scenario_read(path, &v->scenario, diag);
+    s = product ? orr_scenario_of_product(path, v->c->leap, &v->scenario, diag)
+                : orr_scenario_read(path, v->c->leap, &v->scenario, diag);
     if (s == ORR_OK) s = listen_on(v, diag);
     if (s != ORR_OK) return s;
     size_t files = v->scenario.orbit.sp3.n;

@@ -118,14 +118,16 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
                           const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
     orr_nav nav = {.n_eph = 0};
+    orr_inputs inputs = {.leap = s->leap};
     orr_status status = parse_signals(s, c, diag);
     if (status == ORR_OK) status = read_files(s, c, warnings, diag);
     if (status == ORR_OK) status = keep_horizon(s, c, diag);
     if (status == ORR_OK)
-        status = orr_inputs_read_navs(NULL, (const char *const *)s->navdata.nav.item, s->navdata.nav.n, &nav,
-                                      NULL, diag);
+        status = orr_inputs_read_navs(&inputs, (const char *const *)s->navdata.nav.item, s->navdata.nav.n,
+                                      &nav, NULL, diag);
     if (status == ORR_OK) status = list_satellites(s, &nav, c, diag);
     orr_nav_free(&nav);
+    orr_inputs_free(&inputs);
     if (status == ORR_OK)
         status = orr_sun_track_open(c->span.from, c->span.to,
                                     orr_ephemeris_eop(orr_source_orbit_ephemeris(c->orbits)), &c->sun, diag);

@@ -9,6 +9,7 @@
 
 struct orr_engine {
     char title[128];
+    const orr_leap_table *leap;
     orr_source_orbit *orbits; // NULL: none; the same of all sources
     orr_source_navdata *navdata;
     orr_source_iono *iono;
@@ -61,6 +62,7 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
     orr_status status = make_engine(title_of(s), out, diag);
     if (status != ORR_OK) return status;
     orr_engine *e = *out;
+    e->leap = s->leap != NULL ? s->leap : orr_leap_builtin();
     orr_span span = {.from = orr_moving_fallback_start()};
     status = orr_source_orbit_open(s, log, cancel, warnings, &e->orbits, diag);
     if (status == ORR_OK)
@@ -95,6 +97,7 @@ void orr_engine_close(orr_engine *e)
 }
 
 const char *orr_engine_title(const orr_engine *e) { return e->title; }
+const orr_leap_table *orr_engine_leap(const orr_engine *e) { return e->leap; }
 
 const char *orr_engine_frame(const orr_engine *e)
 {

@@ -15,7 +15,7 @@ typedef struct orr_engine orr_engine;
 // Prepares a scenario: loads the product, or reads and smooths the SP3 files, and fits broadcast data to them
 // (seconds). A scenario may have satellites, a trajectory, or both.
 // Given:
-//   s         the scenario
+//   s         the scenario; its table of leap seconds has to outlive the engine
 //   log       progress; may be NULL
 //   cancel    ends the preparation with ORR_E_INTERRUPTED once it is not 0; may be NULL
 // Returned:
@@ -32,6 +32,8 @@ void orr_engine_close(orr_engine *e);
 const char *orr_engine_title(const orr_engine *e);
 // Of positions: the orbits', e.g. "IGS20"; without satellites "WGS84", which places of a trajectory refer to.
 const char *orr_engine_frame(const orr_engine *e);
+// The run's table of leap seconds; never NULL.
+const orr_leap_table *orr_engine_leap(const orr_engine *e);
 // The parts that an engine may have, each with the time that it covers.
 typedef enum orr_engine_part {
     ORR_PART_ORBITS,     // states, elements

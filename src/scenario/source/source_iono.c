@@ -42,6 +42,7 @@ orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *o
         options.spatial = (orr_tec_spatial)o->maps;
         options.temporal = (orr_tec_temporal)o->between;
         options.rotation = o->rotation;
+        options.leap = s->leap;
         status = orr_tec_field_open(o->field, &options, &i->field, warnings, diag);
     }
     if (status != ORR_OK) {

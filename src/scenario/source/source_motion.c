@@ -35,7 +35,7 @@ orr_status orr_source_motion_open(const orr_scenario *s, orr_time fallback_start
     if (s->motion.trajectory.kind == ORR_MOTION_NONE) return ORR_OK;
     orr_source_motion *m = calloc(1, sizeof *m);
     if (m == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    orr_status status = orr_moving_open(&s->motion, fallback_start, warnings, &m->moving, diag);
+    orr_status status = orr_moving_open(&s->motion, fallback_start, s->leap, warnings, &m->moving, diag);
     if (status != ORR_OK) {
         free(m);
         return status;

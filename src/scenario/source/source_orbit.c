@@ -36,7 +36,7 @@ orr_status orr_source_orbit_open(const orr_scenario *s, const orr_log *log, cons
     if (s->orbit.product != NULL) {
         status = orr_product_load(s->orbit.product, &made.ephemeris, diag);
     } else if (s->orbit.sp3.n > 0) {
-        const orr_orbit_plan plan = orr_orbit_plan_of(&s->orbit);
+        const orr_orbit_plan plan = orr_orbit_plan_of(s);
         status = orr_orbit_make(&plan, log, cancel, &made, warnings, diag);
     } else
         return ORR_OK;

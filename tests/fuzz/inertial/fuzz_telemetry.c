@@ -61,7 +61,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     orr_telemetry t;
     orr_warnings w = {0};
     orr_diag diag = {0};
-    orr_status s = orr_telemetry_read_bytes("fuzz", data, n, declared, &t, &w, &diag);
+    orr_status s = orr_telemetry_read_bytes("fuzz", data, n, declared, NULL, &t, &w, &diag);
     if (s == ORR_OK) {
         if (t.n_position + t.n_attitude == 0) abort();
         for (size_t k = 0; k < t.n_position; k++)

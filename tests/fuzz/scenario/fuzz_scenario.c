@@ -46,7 +46,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
     orr_scenario s;
     orr_diag diag = {0};
-    orr_status status = orr_scenario_parse("fuzz.yaml", (const char *)data, n, "folder", &s, &diag);
+    orr_status status = orr_scenario_parse("fuzz.yaml", (const char *)data, n, "folder", NULL, &s, &diag);
     if (status == ORR_OK) {
         check_accepted(&s);
         orr_scenario_free(&s);

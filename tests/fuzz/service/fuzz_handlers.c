@@ -88,7 +88,7 @@ static const orr_server *server(void)
     orr_engine *engine;
     orr_answers *answers;
     orr_diag diag = {0};
-    if (orr_scenario_parse("fuzz", text, strlen(text), folder, &scenario, &diag) != ORR_OK ||
+    if (orr_scenario_parse("fuzz", text, strlen(text), folder, NULL, &scenario, &diag) != ORR_OK ||
         orr_engine_open(&scenario, NULL, NULL, NULL, &engine, &diag) != ORR_OK ||
         orr_answers_open(engine, &answers, &diag) != ORR_OK) {
         fprintf(stderr, "fuzz_handlers: %s\n", diag.text);

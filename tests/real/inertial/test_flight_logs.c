@@ -16,10 +16,10 @@ static void aircraft_log_comes_through(void **state)
         SKIP_NO_DATA("flight-x8");
     orr_diag diag = {0};
     orr_telemetry g, a;
-    ASSERT_OK(
-        orr_telemetry_read(gps, "-,fix[>=3],tow[ms],week,-,-,lat,lon,-,alt,-,-,-,t[ms]", &g, NULL, &diag),
-        diag);
-    ASSERT_OK(orr_telemetry_read(att, "-,t[ms],roll,pitch,heading,-,-", &a, NULL, &diag), diag);
+    ASSERT_OK(orr_telemetry_read(gps, "-,fix[>=3],tow[ms],week,-,-,lat,lon,-,alt,-,-,-,t[ms]", NULL, &g, NULL,
+                                 &diag),
+              diag);
+    ASSERT_OK(orr_telemetry_read(att, "-,t[ms],roll,pitch,heading,-,-", NULL, &a, NULL, &diag), diag);
     assert_int_equal(g.unreadable, 412); // rows before the first fix
     assert_true(g.absolute);
     // The log's own clock against GPS time, over the whole log; angles are on the former.
@@ -46,8 +46,9 @@ static void aircraft_log_comes_through(void **state)
     assert_true(rep.residuals.attitude_rms_rad < 0.5 * ORR_RAD_PER_DEG);
     // Against the log's own GPS time, read without the other clock.
     orr_telemetry own;
-    ASSERT_OK(orr_telemetry_read(gps, "-,fix[>=3],tow[ms],week,-,-,lat,lon,-,alt,-,-,-,-", &own, NULL, &diag),
-              diag);
+    ASSERT_OK(
+        orr_telemetry_read(gps, "-,fix[>=3],tow[ms],week,-,-,lat,lon,-,alt,-,-,-,-", NULL, &own, NULL, &diag),
+        diag);
     double sum = 0.0, n = 0.0;
     for (size_t k = 0; k < own.n_position; k++) {
         double t = orr_time_diff_s(orr_time_add_s(own.t0, own.position_t_s[k]), tr.t0);

@@ -58,10 +58,10 @@ static void records_of_files_come_back(void **state)
         for (size_t i = 0; i < nav.n_eph; i++) {
             const orr_nav_eph *e = &nav.eph[i];
             if (e->kind != ORR_NAV_GLONASS) continue;
-            orr_time t_k = orr_glonass_frame(e->transmission) > 0 ? e->transmission : e->toe;
+            orr_time t_k = orr_glonass_frame(e->transmission, NULL) > 0 ? e->transmission : e->toe;
             orr_glonass_immediate im;
             orr_glonass_string s[5];
-            orr_glonass_immediate_of(e, t_k, &im);
+            orr_glonass_immediate_of(e, t_k, NULL, &im);
             for (int k = 1; k <= 4; k++) {
                 ASSERT_OK(orr_glonass_encode_immediate(e, &im, k, &s[k], &d), d);
                 assert_true(orr_glonass_check(&s[k]) && glo_sums_are_zero(&s[k]));
@@ -160,8 +160,8 @@ static void almanacs_of_a_day_and_the_next(void **state)
         orr_navfit_report r;
         orr_diag d = {0};
         // Noon of the product's day: the day in Moscow begins three hours before the product does.
-        ASSERT_OK(orr_glonass_almanac_fit(list[i], orr_time_add_s(from, 43200), orr_navfit_from_product, &p,
-                                          &a, &r, &d),
+        ASSERT_OK(orr_glonass_almanac_fit(list[i], orr_time_add_s(from, 43200), NULL, orr_navfit_from_product,
+                                          &p, &a, &r, &d),
                   d);
         assert_int_equal(r.n, 85); // every 15 min of the 21 h that the product has
         assert_true(a.t_lambda_s >= 0 && a.t_lambda_s < 44100);

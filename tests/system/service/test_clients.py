@@ -78,6 +78,17 @@ class Clients(unittest.TestCase):
             self.assertEqual((caps.leap.gps_utc_s, caps.leap.next_gps_utc_s, caps.leap.next), (18, 18, -2**63))  # 2025
             client.ping(2**64 - 1)
 
+    def test_leap_seconds_are_those_of_the_run(self):
+        table = WORK / "leap-seconds.list"
+        days = (41317, 41499, 41683, 42048, 42413, 42778, 43144, 43509, 43874, 44239, 44786, 45151, 45516, 46247, 47161, 47892, 48257, 48804,
+                49169, 49534, 50083, 50630, 51179, 53736, 54832, 56109, 57204, 57754, 61406)  # the last is 2027-01-01
+        table.write_text(f"#@ {(61583 - 15020) * 86400}\n" + "".join(f"{(d - 15020) * 86400} {10 + k}\n" for k, d in enumerate(days)),
+                         encoding="ascii")
+        with Daemon(product(), "--leap-seconds", table) as daemon, orrery.Client(daemon.urls[0]) as client:
+            leap = client.caps.leap
+            begin = (61406 - 44244) * 86400 + 19  # seconds of GPS time at 00:00:00 UTC, 19 leap seconds after 1980
+            self.assertEqual((leap.gps_utc_s, leap.next_gps_utc_s, leap.next), (18, 19, begin * NS))
+
     def test_many_clients_agree_to_the_byte(self):
         rng = random.Random(1)
         polls = [messages.Poll(messages.Epochs(rng.randrange(self.start, self.end), 10**8, rng.randrange(1, 30)),

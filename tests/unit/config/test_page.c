@@ -60,7 +60,7 @@ static void its_examples_are_scenarios(void **state)
         assert_non_null(end);
         orr_scenario s;
         orr_diag diag = {0};
-        if (orr_scenario_parse("example", p, (size_t)(end - p), "docs", &s, &diag) != ORR_OK)
+        if (orr_scenario_parse("example", p, (size_t)(end - p), "docs", NULL, &s, &diag) != ORR_OK)
             fail_msg("line %lld of this example: %s\n%.*s", (long long)diag.line, diag.text, (int)(end - p),
                      p);
         motion[s.motion.trajectory.kind] = true;

@@ -5,7 +5,7 @@
 
 static orr_status parse(const char *text, orr_scenario *s, orr_diag *diag)
 {
-    return orr_scenario_parse("s.yaml", text, strlen(text), "/some/where", s, diag);
+    return orr_scenario_parse("s.yaml", text, strlen(text), "/some/where", NULL, s, diag);
 }
 
 static void everything(void **state)
@@ -298,20 +298,43 @@ static void made_without_a_file(void **state)
     (void)state;
     orr_scenario s;
     orr_diag diag = {0};
-    ASSERT_OK(orr_scenario_of_product("a.nc", &s, &diag), diag);
+    ASSERT_OK(orr_scenario_of_product("a.nc", NULL, &s, &diag), diag);
     assert_string_equal(s.orbit.product, "a.nc");
     assert_int_equal(s.navdata.window, ORR_NAVDATA_2H);
     orr_scenario_free(&s);
     const char *const file[3] = {"p.csv", "a.csv", "b.csv"}, *const columns[3] = {NULL, "t,roll", NULL};
-    ASSERT_OK(orr_scenario_of_telemetry(file, columns, 2, &s, &diag), diag);
+    ASSERT_OK(orr_scenario_of_telemetry(file, columns, 2, NULL, &s, &diag), diag);
     assert_int_equal(s.motion.trajectory.kind, ORR_MOTION_TELEMETRY);
     assert_int_equal(s.motion.trajectory.logs.n, 2);
     assert_string_equal(s.motion.trajectory.logs.item[1].columns, "t,roll");
     assert_null(s.motion.trajectory.logs.item[0].columns);
     assert_true(s.motion.imu.rate_hz == 100);
     orr_scenario_free(&s);
-    assert_int_equal(orr_scenario_of_telemetry(file, columns, 3, &s, &diag), ORR_E_ARG);
+    assert_int_equal(orr_scenario_of_telemetry(file, columns, 3, NULL, &s, &diag), ORR_E_ARG);
     assert_non_null(strstr(diag.text, "not in 3"));
+}
+
+// Times in a scenario are read by the run's table of leap seconds, which goes on with it.
+static void leap_seconds_of_the_run(void **state)
+{
+    (void)state;
+    const orr_leap_table *known = orr_leap_builtin();
+    orr_leap_entry entry[64];
+    memcpy(entry, known->entry, known->n * sizeof *entry);
+    entry[known->n] = (orr_leap_entry){61406, 38}; // 2027-01-01
+    const orr_leap_table table = {.n = known->n + 1, .entry = entry, .expires_mjd = 61583};
+    const char text[] =
+        "orbit: {sp3: a.sp3, exclude: [2026-12-31T23:59:60Z/2027-01-02T00:00:00Z]}\n"
+        "trajectory: {kind: analytic, start: '2027-01-01T00:00:00Z', duration: 60, lat: 50, lon: 20}\n";
+    orr_scenario s;
+    orr_diag diag = {0};
+    ASSERT_OK(orr_scenario_parse("s.yaml", text, strlen(text), NULL, &table, &s, &diag), diag);
+    const orr_time begin = orr_time_from_mjd(61406, 0, ORR_SCALE_UTC, &table);
+    assert_true(s.motion.trajectory.start == begin && s.leap == &table);
+    assert_true(s.orbit.exclude.item[0].from == begin - ORR_NS_PER_S);
+    assert_true(s.orbit.exclude.item[0].to == begin + 86400 * ORR_NS_PER_S);
+    orr_scenario_free(&s);
+    assert_int_equal(orr_scenario_parse("s.yaml", text, strlen(text), NULL, NULL, &s, &diag), ORR_E_FORMAT);
 }
 
 int main(void)
@@ -324,6 +347,7 @@ int main(void)
         cmocka_unit_test(words_are_their_values),
         cmocka_unit_test(defaults_of_what_is_not_there),
         cmocka_unit_test(made_without_a_file),
+        cmocka_unit_test(leap_seconds_of_the_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

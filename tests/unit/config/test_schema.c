@@ -117,7 +117,7 @@ static orr_status read_toy(const char *text, toy *t, orr_diag *diag)
     orr_yaml y;
     orr_status s = orr_yaml_parse("toy.yaml", text, strlen(text), &y, diag);
     if (s != ORR_OK) return s;
-    s = orr_schema_read(&toy_schema, &y, NULL, t, diag);
+    s = orr_schema_read(&toy_schema, &y, NULL, NULL, t, diag);
     orr_yaml_free(&y);
     return s;
 }
@@ -237,7 +237,7 @@ static orr_status read_study(const char *text, study *s, orr_diag *diag)
 {
     orr_yaml y;
     ASSERT_OK(orr_yaml_parse("study.yaml", text, strlen(text), &y, diag), *diag);
-    orr_status status = orr_schema_read(&study_schema, &y, NULL, s, diag);
+    orr_status status = orr_schema_read(&study_schema, &y, NULL, NULL, s, diag);
     orr_yaml_free(&y);
     return status;
 }

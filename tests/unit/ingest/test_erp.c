@@ -309,13 +309,43 @@ static void test_cut_short(void **state)
     assert_int_equal(orr_erp_parse("cut", code, start + 30, NULL, NULL, &x, NULL, &d), ORR_E_FORMAT);
 }
 
+// UT1 does not step with a leap second that the built-in table does not know: what the file calls UT1 - UTC by the run's
+// table is the same UT1 in the series.
+static void test_leap_seconds(void **state)
+{
+    (void)state;
+    const orr_leap_table *known = orr_leap_builtin();
+    orr_leap_entry entry[64];
+    memcpy(entry, known->entry, known->n * sizeof *entry);
+    entry[known->n] = (orr_leap_entry){61406, 38}; // 2027-01-01
+    const orr_leap_table table = {.n = known->n + 1, .entry = entry, .expires_mjd = 61583};
+    char text[2000];
+    size_t at =
+        (size_t)snprintf(text, sizeof text, "VERSION 2\nMJD Xpole Ypole UT1-UTC LOD\n(10**-6\") (.1us)\n");
+    for (int k = 0; k < 6; k++)
+        at += (size_t)snprintf(text + at, sizeof text - at, "%.2f 100000 200000 %d 0\n", 61403.0 + k,
+                               -5000000 + 10000 * k + (61403 + k >= 61406 ? 10000000 : 0));
+    orr_erp x;
+    orr_diag d = {0};
+    ASSERT_OK(orr_erp_parse("made", text, at, &table, NULL, &x, NULL, &d), d);
+    assert_int_equal(x.series.n, 6);
+    for (int k = 0; k < 6; k++) {
+        const orr_time t = orr_time_from_mjd(61403 + k, 0, ORR_SCALE_UTC, &table);
+        ASSERT_NEAR(orr_eop_at(&x.series, t, NULL, NULL).ut1_utc_s - orr_leap_tai_minus_utc(t, NULL),
+                    -37.5 + 1e-3 * k, 1e-10);
+    }
+    orr_erp_free(&x);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_igs),       cmocka_unit_test(test_code),        cmocka_unit_test(test_ut1_tai),
-        cmocka_unit_test(test_several),   cmocka_unit_test(test_merge),       cmocka_unit_test(test_finals),
-        cmocka_unit_test(test_c04),       cmocka_unit_test(test_stray_lines), cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_cut_short),
+        cmocka_unit_test(test_igs),          cmocka_unit_test(test_code),
+        cmocka_unit_test(test_ut1_tai),      cmocka_unit_test(test_several),
+        cmocka_unit_test(test_merge),        cmocka_unit_test(test_finals),
+        cmocka_unit_test(test_c04),          cmocka_unit_test(test_stray_lines),
+        cmocka_unit_test(test_refusals),     cmocka_unit_test(test_cut_short),
+        cmocka_unit_test(test_leap_seconds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

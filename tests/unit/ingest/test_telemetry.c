@@ -7,7 +7,7 @@
 static orr_status read(const char *text, const char *columns, orr_telemetry *t, orr_warnings *w,
                        orr_diag *diag)
 {
-    return orr_telemetry_read_bytes("made.csv", text, strlen(text), columns, t, w, diag);
+    return orr_telemetry_read_bytes("made.csv", text, strlen(text), columns, NULL, t, w, diag);
 }
 
 static void header_names_and_units(void **state)
@@ -183,7 +183,7 @@ static void truncated_text(void **state)
     for (size_t n = 1; n < strlen(text); n++) {
         orr_diag diag = {0};
         orr_telemetry t;
-        if (orr_telemetry_read_bytes("cut", text, n, NULL, &t, NULL, &diag) == ORR_OK) {
+        if (orr_telemetry_read_bytes("cut", text, n, NULL, NULL, &t, NULL, &diag) == ORR_OK) {
             assert_true(t.n_position <= 2);
             orr_telemetry_free(&t);
         }

@@ -40,7 +40,7 @@ static orr_telemetry read(text *t, orr_warnings *w)
 {
     orr_diag diag = {0};
     orr_telemetry out;
-    ASSERT_OK(orr_telemetry_read_bytes("made.nmea", t->p, t->n, NULL, &out, w, &diag), diag);
+    ASSERT_OK(orr_telemetry_read_bytes("made.nmea", t->p, t->n, NULL, NULL, &out, w, &diag), diag);
     assert_int_equal(out.kind, ORR_TELEMETRY_NMEA);
     free(t->p);
     *t = (text){0};

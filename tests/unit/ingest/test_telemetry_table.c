@@ -10,7 +10,7 @@ static orr_telemetry read(const char *text, const char *columns, orr_warnings *w
 {
     orr_diag diag = {0};
     orr_telemetry t;
-    ASSERT_OK(orr_telemetry_read_bytes("made.csv", text, strlen(text), columns, &t, w, &diag), diag);
+    ASSERT_OK(orr_telemetry_read_bytes("made.csv", text, strlen(text), columns, NULL, &t, w, &diag), diag);
     return t;
 }
 
@@ -130,7 +130,7 @@ static void decimal_commas(void **state)
     orr_diag diag = {0};
     orr_telemetry t;
     const char *text = "t,lat,lon,height\n0,5,48,25,11,5,100,75\n";
-    assert_int_equal(orr_telemetry_read_bytes("made.csv", text, strlen(text), NULL, &t, NULL, &diag),
+    assert_int_equal(orr_telemetry_read_bytes("made.csv", text, strlen(text), NULL, NULL, &t, NULL, &diag),
                      ORR_E_FORMAT);
     assert_non_null(strstr(diag.text, "decimal commas"));
 }
@@ -308,6 +308,39 @@ static void own_tables(void **state)
     }
 }
 
+// Instants in UTC go by the table that is given: with a leap second at the end of 2026 the day after has one more.
+static void leap_seconds_of_the_run(void **state)
+{
+    (void)state;
+    const orr_leap_table *known = orr_leap_builtin();
+    orr_leap_entry entry[64];
+    memcpy(entry, known->entry, known->n * sizeof *entry);
+    entry[known->n] = (orr_leap_entry){61406, 38}; // 2027-01-01
+    const orr_leap_table table = {.n = known->n + 1, .entry = entry, .expires_mjd = 61583};
+    static const char *const log[] = {
+        "utc,lat,lon,height\n2026-12-31T23:59:59Z,50,20,300\n2026-12-31T23:59:60Z,50,20,300\n"
+        "2027-01-01T00:00:00Z,50,20,300\n",
+        "t[unix],lat,lon,height\n1798761599,50,20,300\n1798761600,50,20,300\n",
+        "time,date,lat,lon,height\n23:59:59,2026-12-31,50,20,300\n00:00:00,2027-01-01,50,20,300\n",
+        "$GPRMC,235959.00,A,5000.0000,N,02000.0000,E,0.0,0.0,311226,,,A*5D\r\n"
+        "$GPGGA,235959.00,5000.0000,N,02000.0000,E,1,08,1.0,300.0,M,0.0,M,,*50\r\n"
+        "$GPGGA,235960.00,5000.0000,N,02000.0000,E,1,08,1.0,300.0,M,0.0,M,,*5A\r\n"
+        "$GPGGA,000000.00,5000.0000,N,02000.0000,E,1,08,1.0,300.0,M,0.0,M,,*51\r\n"};
+    for (size_t k = 0; k < sizeof log / sizeof log[0]; k++) {
+        orr_telemetry t;
+        orr_diag d = {0};
+        orr_warnings w = {0};
+        ASSERT_OK(orr_telemetry_read_bytes("made", log[k], strlen(log[k]), NULL, &table, &t, &w, &d), d);
+        assert_true(t.absolute && t.n_position >= 2);
+        const orr_time last = orr_time_add_s(t.t0, t.position_t_s[t.n_position - 1]);
+        assert_true(last - orr_time_add_s(t.t0, t.position_t_s[0]) == 2 * ORR_NS_PER_S);
+        assert_true(last == orr_time_from_mjd(61406, 0, ORR_SCALE_UTC, &table));
+        assert_false(told(&w, "60th second"));
+        orr_telemetry_free(&t);
+        orr_warnings_free(&w);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -320,6 +353,7 @@ int main(void)
         cmocka_unit_test(quaternions),
         cmocka_unit_test(two_clocks),
         cmocka_unit_test(own_tables),
+        cmocka_unit_test(leap_seconds_of_the_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

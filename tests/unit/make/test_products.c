@@ -42,8 +42,8 @@ static void test_orbit_of_files_and_of_a_scenario(void **state)
     static const char *const path[] = {SP3};
     orr_diag d = {0};
     orr_scenario s = {0};
-    ASSERT_OK(orr_scenario_parse("test", scenario_text, sizeof scenario_text - 1, ".", &s, &d), d);
-    const orr_orbit_plan asked[2] = {plan_of_file(path), orr_orbit_plan_of(&s.orbit)};
+    ASSERT_OK(orr_scenario_parse("test", scenario_text, sizeof scenario_text - 1, ".", NULL, &s, &d), d);
+    const orr_orbit_plan asked[2] = {plan_of_file(path), orr_orbit_plan_of(&s)};
     static const char *const file[2] = {ORR_BINARY_DIR "/files.nc", ORR_BINARY_DIR "/scenario.nc"};
     orr_bytes bytes[2];
     for (int k = 0; k < 2; k++) {
@@ -67,7 +67,7 @@ static void test_navset_of_files_and_of_a_scenario(void **state)
     static const char *const path[] = {SP3};
     orr_diag d = {0};
     orr_scenario s = {0};
-    ASSERT_OK(orr_scenario_parse("test", scenario_text, sizeof scenario_text - 1, ".", &s, &d), d);
+    ASSERT_OK(orr_scenario_parse("test", scenario_text, sizeof scenario_text - 1, ".", NULL, &s, &d), d);
     orr_orbit_plan orbit = plan_of_file(path);
     orr_orbit_made made;
     orbit_of(&orbit, &made);

@@ -128,7 +128,7 @@ static made made_orbit(uint64_t n)
 #define S(k) (2 * U(k) - 1)
     made m = {
         .almanac = {.number = (int)(n % 24) + 1,
-                    .day = orr_glonass_day(utc(2024, 2, 4, 12, 0, 0)),
+                    .day = orr_glonass_day(utc(2024, 2, 4, 12, 0, 0), NULL),
                     .lambda_rad = lattice(PI_ * S(1), ORR_GLONASS_ALM_ANGLE_LSB_RAD),
                     .t_lambda_s = lattice(40500 * U(2), ORR_GLONASS_ALM_T_LAMBDA_LSB_S),
                     .delta_i_rad = lattice((1.8 + S(3)) * ORR_RAD_PER_DEG, ORR_GLONASS_ALM_ANGLE_LSB_RAD),
@@ -153,7 +153,7 @@ static void made_orbits_are_found_again(void **state)
         orr_navfit_report r;
         orr_diag d = {0};
         ASSERT_OK(orr_glonass_almanac_fit(orr_sat_make('R', m.almanac.number), utc(2024, 2, 4, 12, 0, 0),
-                                          made_position, &m, &a, &r, &d),
+                                          NULL, made_position, &m, &a, &r, &d),
                   d);
         assert_int_equal(a.number, m.almanac.number);
         assert_true(a.operational && a.day == m.almanac.day);
@@ -180,8 +180,9 @@ static void nodes_at_midnight_stay_in_the_day(void **state)
         orr_glonass_almanac a;
         orr_navfit_report r;
         orr_diag d = {0};
-        ASSERT_OK(orr_glonass_almanac_fit(orr_sat_make('R', 6), m.almanac.day, made_position, &m, &a, &r, &d),
-                  d);
+        ASSERT_OK(
+            orr_glonass_almanac_fit(orr_sat_make('R', 6), m.almanac.day, NULL, made_position, &m, &a, &r, &d),
+            d);
         assert_true(a.t_lambda_s >= 0 && a.t_lambda_s < 44100);
         ASSERT_NEAR(r.rms_m, 0, 150);
     }
@@ -194,16 +195,20 @@ static void what_cannot_be_fitted_is_refused(void **state)
     orr_glonass_almanac a;
     orr_navfit_report r;
     orr_diag d = {0};
-    assert_int_equal(orr_glonass_almanac_fit(orr_sat_make('G', 6), m.from, made_position, &m, &a, &r, &d),
-                     ORR_E_ARG);
-    assert_int_equal(orr_glonass_almanac_fit(orr_sat_make('R', 25), m.from, made_position, &m, &a, &r, &d),
-                     ORR_E_ARG);
+    assert_int_equal(
+        orr_glonass_almanac_fit(orr_sat_make('G', 6), m.from, NULL, made_position, &m, &a, &r, &d),
+        ORR_E_ARG);
+    assert_int_equal(
+        orr_glonass_almanac_fit(orr_sat_make('R', 25), m.from, NULL, made_position, &m, &a, &r, &d),
+        ORR_E_ARG);
     m.to = orr_time_add_s(m.from, 11 * 3600);
-    assert_int_equal(orr_glonass_almanac_fit(orr_sat_make('R', 6), m.from, made_position, &m, &a, &r, &d),
-                     ORR_E_NODATA);
+    assert_int_equal(
+        orr_glonass_almanac_fit(orr_sat_make('R', 6), m.from, NULL, made_position, &m, &a, &r, &d),
+        ORR_E_NODATA);
     m = made_orbit(7), m.almanac.e = 0.04; // 0.031 is the most that 15 bits hold
-    assert_int_equal(orr_glonass_almanac_fit(orr_sat_make('R', 6), m.from, made_position, &m, &a, &r, &d),
-                     ORR_E_RANGE);
+    assert_int_equal(
+        orr_glonass_almanac_fit(orr_sat_make('R', 6), m.from, NULL, made_position, &m, &a, &r, &d),
+        ORR_E_RANGE);
     assert_non_null(strstr(d.text, "epsilon_n"));
 }
 
@@ -213,8 +218,8 @@ static void leap_second_does_not_move_the_satellite(void **state)
 {
     (void)state;
     orr_glonass_almanac plain = example(), leap = example();
-    plain.day = orr_glonass_day(utc(2016, 1, 1, 12, 0, 0)),
-    leap.day = orr_glonass_day(utc(2017, 1, 1, 12, 0, 0));
+    plain.day = orr_glonass_day(utc(2016, 1, 1, 12, 0, 0), NULL),
+    leap.day = orr_glonass_day(utc(2017, 1, 1, 12, 0, 0), NULL);
     for (int hour = 3; hour < 21; hour++) {
         orr_vec3 a, b, v;
         assert_int_equal(orr_glonass_almanac_eval(&plain, utc(2016, 1, 1, hour, 0, 0), &a, &v), ORR_OK);

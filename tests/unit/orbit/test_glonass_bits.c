@@ -359,21 +359,21 @@ static void days_and_frames_are_of_moscow(void **state)
             utc(known[k].year, known[k].month, known[k].day, known[k].hour, known[k].minute, known[k].second);
         int n4 = 0, nt = 0;
         orr_diag d = {0};
-        ASSERT_OK(orr_glonass_calendar(t, &n4, &nt, &d), d);
+        ASSERT_OK(orr_glonass_calendar(t, NULL, &n4, &nt, &d), d);
         assert_int_equal(n4, known[k].n4);
         if (known[k].year != 2119) assert_int_equal(nt, known[k].nt);
-        assert_int_equal(orr_glonass_frame(t), known[k].frame);
-        assert_int_equal(orr_glonass_frame(t + 1), 0);
-        orr_time day = orr_glonass_day(t);
+        assert_int_equal(orr_glonass_frame(t, NULL), known[k].frame);
+        assert_int_equal(orr_glonass_frame(t + 1, NULL), 0);
+        orr_time day = orr_glonass_day(t, NULL);
         assert_true(day <= t && orr_time_diff_s(t, day) < 86401.5);
         orr_civil c;
         orr_time_to_civil(day, ORR_SCALE_UTC, NULL, &c);
         assert_true(c.hour == 21 && c.minute == 0 && c.second == 0 && c.ns == 0);
     }
-    assert_int_equal(orr_glonass_frame(utc(2016, 12, 31, 23, 59, 60)), 0);
+    assert_int_equal(orr_glonass_frame(utc(2016, 12, 31, 23, 59, 60), NULL), 0);
     int n4 = 0, nt = 0;
-    assert_int_equal(orr_glonass_calendar(utc(1995, 12, 31, 20, 59, 59), &n4, &nt, NULL), ORR_E_RANGE);
-    assert_int_equal(orr_glonass_calendar(utc(2119, 12, 31, 21, 0, 0), &n4, &nt, NULL), ORR_E_RANGE);
+    assert_int_equal(orr_glonass_calendar(utc(1995, 12, 31, 20, 59, 59), NULL, &n4, &nt, NULL), ORR_E_RANGE);
+    assert_int_equal(orr_glonass_calendar(utc(2119, 12, 31, 21, 0, 0), NULL, &n4, &nt, NULL), ORR_E_RANGE);
 
     // Every slot is sent once in a superframe.
     int seen[25] = {0};
@@ -395,15 +395,15 @@ static void what_a_record_says_is_taken(void **state)
     orr_time fifth = utc(2024, 2, 4, 0, 2, 0), first = fifth + (orr_time)30 * ORR_NS_PER_S;
     e.health = UINT32_MAX; // blank
     e.glonass.ura = e.glonass.age_days = (double)NAN;
-    orr_glonass_immediate_of(&e, fifth, &im);
+    orr_glonass_immediate_of(&e, fifth, NULL, &im);
     assert_true(im.t_k == fifth && im.l_n && !im.p3 && !im.p4);
     assert_true(im.f_t == 15 && im.e_n_days == 31 && im.p1_min == 30 && im.m == 1 && im.p == 0);
     e.glonass.has_flags = true; // with a blank word
-    orr_glonass_immediate_of(&e, first, &im);
+    orr_glonass_immediate_of(&e, first, NULL, &im);
     assert_true(im.p3 && im.p1_min == 30 && im.m == 1 && im.p == 0);
     e.health = 0, e.glonass.ura = 3, e.glonass.age_days = 1;
     e.glonass.status_flags = 2u << 7 | 1u << 6 | 3u << 2 | 2u;
-    orr_glonass_immediate_of(&e, first, &im);
+    orr_glonass_immediate_of(&e, first, NULL, &im);
     assert_true(!im.l_n && im.p4 && im.f_t == 3 && im.e_n_days == 1);
     assert_true(im.p1_min == 60 && im.m == 2 && im.p == 2);
 }

@@ -119,7 +119,7 @@ static void glonass_half_hours_are_those_of_utc(void **state)
     (void)state;
     navset_schedule s;
     orr_time from = when("2016-12-31T20:00:00"), to = when("2017-01-01T03:00:00");
-    assert_int_equal(navset_schedule_glonass(from, to, &s), ORR_OK);
+    assert_int_equal(navset_schedule_glonass(from, to, NULL, &s), ORR_OK);
     size_t longer = 0;
     for (size_t k = 0; k < s.n; k++) {
         orr_civil c;
@@ -403,6 +403,59 @@ static void receivers_have_the_leap_seconds_of_their_day(void **state)
     }
 }
 
+// The built-in table and one that tells of a leap second at the end of 2026, as a file of 2026-07 might.
+static orr_leap_table of_2027(orr_leap_entry entry[64])
+{
+    const orr_leap_table *known = orr_leap_builtin();
+    memcpy(entry, known->entry, known->n * sizeof *entry);
+    entry[known->n] = (orr_leap_entry){61406, 38}; // 2027-01-01
+    return (orr_leap_table){.n = known->n + 1, .entry = entry, .expires_mjd = 61583};
+}
+
+// One table a run: page 18, GLONASS' frames and half hours, its N_T and KP, and the header of a navigation file.
+static void the_table_of_the_run_is_that_of_the_messages(void **state)
+{
+    (void)state;
+    orr_leap_entry entry[64];
+    const orr_leap_table table = of_2027(entry);
+    orr_ephemeris *e = product("2026-12-31T22:30:00", 3, nothing);
+    orr_navset_options o = orr_navset_defaults();
+    o.leap = &table;
+    orr_navset *set = build(e, &o);
+    int32_t week;
+    int64_t ns;
+    orr_time_week(set->from, &week, &ns);
+    orr_navframe f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_navframe_at(
+                  set, set->sat[0],
+                  orr_time_from_week(week, ns - ns % (750 * ORR_NS_PER_S) + (750 + 17 * 30) * ORR_NS_PER_S),
+                  &f, &d),
+              d);
+    assert_int_equal(f.piece[3].page, 18);
+    assert_int_equal(received(&f.piece[3], 241, 8), 18);
+    assert_int_equal(received(&f.piece[3], 271, 8), 19);
+    // 23:59:60 is in the frame that begins at 23:59:30, and the next half hour begins behind it.
+    orr_time last;
+    ASSERT_OK(orr_time_parse("2026-12-31T23:59:60Z", &table, &last, &d), d);
+    const orr_sat sat = orr_sat_parse("R01");
+    ASSERT_OK(orr_navframe_at(set, sat, last, &f, &d), d);
+    assert_true(f.to - f.from == 31 * ORR_NS_PER_S && f.to == last + ORR_NS_PER_S);
+    assert_true(orr_navset_at(set, sat, last)->to == last + ORR_NS_PER_S);
+    int n4, nt, before;
+    ASSERT_OK(orr_glonass_calendar(last, &table, &n4, &before, &d), d);
+    ASSERT_OK(orr_glonass_calendar(last + ORR_NS_PER_S, &table, &n4, &nt, &d), d);
+    assert_int_equal(before, nt); // the day in Moscow began three hours before
+    assert_true(orr_glonass_day(last, &table) == last - 10800 * ORR_NS_PER_S);
+    orr_nav records;
+    ASSERT_OK(orr_navset_records(set, &records, &d), d);
+    assert_int_equal(records.leap_s, 18);
+    assert_true(records.leap == &table);
+    orr_nav_free(&records);
+    orr_navset_free(set);
+    orr_ephemeris_free(e);
+}
+
 static void same_frame(const orr_navframe *a, const orr_navframe *b)
 {
     assert_true(a->from == b->from && a->to == b->to && a->n == b->n && a->message == b->message);
@@ -554,6 +607,7 @@ int main(void)
         cmocka_unit_test(files_that_do_not_meet_make_their_set_unhealthy),
         cmocka_unit_test(a_reset_makes_its_sets_unhealthy),
         cmocka_unit_test(receivers_have_the_leap_seconds_of_their_day),
+        cmocka_unit_test(the_table_of_the_run_is_that_of_the_messages),
         cmocka_unit_test(frames_follow_one_another),
         cmocka_unit_test(the_week_is_that_of_the_frame),
         cmocka_unit_test(pages_count_from_the_begin_of_the_week),

@@ -22,7 +22,7 @@ static void open_with(const char *rest)
     orr_scenario s;
     orr_diag diag = {0};
     snprintf(text, sizeof text, "orbit: {product: " PRODUCT "}\nnavdata: {window: none}\n%s", rest);
-    ASSERT_OK(orr_scenario_parse("test", text, strlen(text), NULL, &s, &diag), diag);
+    ASSERT_OK(orr_scenario_parse("test", text, strlen(text), NULL, NULL, &s, &diag), diag);
     ASSERT_OK(orr_engine_open(&s, NULL, NULL, NULL, &engine, &diag), diag);
     orr_scenario_free(&s);
 }

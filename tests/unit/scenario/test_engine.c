@@ -37,7 +37,7 @@ static orr_status open_product(const volatile int *cancel, orr_navdata_window wi
                                orr_diag *diag)
 {
     orr_scenario s;
-    ASSERT_OK(orr_scenario_of_product(PRODUCT, &s, diag), *diag);
+    ASSERT_OK(orr_scenario_of_product(PRODUCT, NULL, &s, diag), *diag);
     s.navdata.window = (int)window;
     orr_status status = orr_engine_open(&s, NULL, cancel, NULL, e, diag);
     orr_scenario_free(&s);
@@ -167,7 +167,7 @@ static void open_text(const char *text, orr_engine **e)
 {
     orr_scenario s;
     orr_diag diag = {0};
-    ASSERT_OK(orr_scenario_parse("s.yaml", text, strlen(text), ORR_BINARY_DIR, &s, &diag), diag);
+    ASSERT_OK(orr_scenario_parse("s.yaml", text, strlen(text), ORR_BINARY_DIR, NULL, &s, &diag), diag);
     ASSERT_OK(orr_engine_open(&s, NULL, NULL, NULL, e, &diag), diag);
     orr_scenario_free(&s);
 }

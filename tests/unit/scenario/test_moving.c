@@ -9,8 +9,8 @@
 static orr_status open_text(const char *text, orr_moving *v, orr_diag *diag)
 {
     orr_scenario s;
-    ASSERT_OK(orr_scenario_parse("s.yaml", text, strlen(text), ORR_BINARY_DIR, &s, diag), *diag);
-    orr_status status = orr_moving_open(&s.motion, orr_moving_fallback_start(), NULL, v, diag);
+    ASSERT_OK(orr_scenario_parse("s.yaml", text, strlen(text), ORR_BINARY_DIR, NULL, &s, diag), *diag);
+    orr_status status = orr_moving_open(&s.motion, orr_moving_fallback_start(), NULL, NULL, v, diag);
     orr_scenario_free(&s);
     return status;
 }

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One table of leap seconds a run: --leap-seconds, ORRERY_LEAP_SECONDS; of commands, scenarios, logs and what is written."""
+import csv
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from program import Folder, run  # noqa: E402
+
+MJD_OF_NTP = 15020
+# A list as IERS serves it, with a leap second at the end of 2026 (MJD 61406 is 2027-01-01).
+TABLE = list(zip((41317, 41499, 41683, 42048, 42413, 42778, 43144, 43509, 43874, 44239, 44786, 45151, 45516, 46247, 47161, 47892, 48257,
+                  48804, 49169, 49534, 50083, 50630, 51179, 53736, 54832, 56109, 57204, 57754, 61406), range(10, 39)))
+EXPIRES = 61583
+
+
+def stamp(mjd):
+    return (mjd - MJD_OF_NTP) * 86400
+
+
+class LeapSeconds(Folder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.list = cls.path("leap-seconds.list")
+        rows = "".join(f"{stamp(mjd)}\t{n}\n" for mjd, n in TABLE)
+        pathlib.Path(cls.list).write_text(f"#$ {stamp(61200)}\n#@ {stamp(EXPIRES)}\n{rows}", encoding="ascii")
+
+    def rows(self, *args, **kwargs):
+        out = run(*args, **kwargs).stdout
+        return list(csv.DictReader(line for line in out.splitlines() if not line.startswith("#"))), out
+
+    def test_scenario_and_log(self):
+        scenario = pathlib.Path(self.path("s.yaml"))
+        scenario.write_text("trajectory: {kind: analytic, start: '2027-01-02T00:00:00Z', duration: 2, lat: 50, lon: 20, height: 300}\n", encoding="ascii")
+        log = pathlib.Path(self.path("log.csv"))
+        log.write_text("utc,lat,lon,height\n" + "".join(f"2027-01-02T00:00:{k:02d}Z,50,20,{300 + k}\n" for k in range(20)), encoding="ascii")
+        for what in ([scenario], ["--telemetry", log]):
+            known = run("track", *what, "--leap-seconds", self.list).stdout
+            self.assertIn("2027-01-02T00:00:19", known, what)  # 38 - 19 s ahead of UTC
+            self.assertNotIn("00:00:18", known.splitlines()[0])
+            assumed = run("track", *what, env={"ORRERY_LEAP_SECONDS": "", "PATH": "/nowhere"})
+            self.assertIn("2027-01-02T00:00:18", assumed.stdout)
+            self.assertEqual(known, run("track", *what, env={"ORRERY_LEAP_SECONDS": self.list}).stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
