@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-orr_status orr_study_parse(const orr_schema *schema, const char *name, const char *text, size_t n, void *base,
-                           orr_diag *diag)
+orr_status orr_study_parse(const orr_schema *schema, const char *name, const char *text, size_t n,
+                           const orr_leap_table *leap, void *base, orr_diag *diag)
 {
     memset(base, 0, schema->size);
     const char *slash = strrchr(name, '/');
@@ -14,7 +14,7 @@ orr_status orr_study_parse(const orr_schema *schema, const char *name, const cha
     orr_yaml y;
     orr_status s = orr_yaml_parse(name, text, n, &y, diag);
     if (s == ORR_OK) {
-        s = orr_schema_read(schema, &y, folder, base, diag);
+        s = orr_schema_read(schema, &y, folder, leap, base, diag);
         orr_yaml_free(&y);
     }
     free(folder);

@@ -20,9 +20,10 @@ typedef struct orr_study_head {
 //   Given:    schema        the root table of this study
 //             name          of the file, for sentences; files that it names are relative to its folder
 //             text, n       its bytes
+//             leap          table of leap seconds, for times; NULL: built-in
 //   Returned: base          schema->size bytes; free with orr_schema_free
 //   Notes:    ORR_E_FORMAT and ORR_E_KIND with line, column and path, ORR_E_LIMIT, ORR_E_MEMORY.
-orr_status orr_study_parse(const orr_schema *schema, const char *name, const char *text, size_t n, void *base,
-                           orr_diag *diag);
+orr_status orr_study_parse(const orr_schema *schema, const char *name, const char *text, size_t n,
+                           const orr_leap_table *leap, void *base, orr_diag *diag);
 
 #endif

@@ -14,8 +14,7 @@
 typedef struct orr_inputs {
     orr_orbit_source *item;
     size_t n;
-    const orr_leap_table
-        *leap; // by which navigation files that are read into the list are dated; NULL: built-in
+    const orr_leap_table *leap; // by which files that are read into the list are dated; NULL: built-in
 } orr_inputs;
 // Frees the list; it is empty then.
 void orr_inputs_free(orr_inputs *list);

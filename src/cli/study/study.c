@@ -18,6 +18,7 @@ int orr_cli_study_open(orr_cli *c, const orr_schema *schema, void *base, orr_inp
     if (orr_study_to_stdout(c) && orr_cli_says(c, "format", "json"))
         return orr_cli_usage(c, "only one of --output - and --format json can go to standard output");
     orr_diag diag = {0};
+    inputs->leap = c->leap;
     if (orr_study_open(inputs, c->operand[0], schema, base, &diag) != ORR_OK) {
         orr_inputs_free(inputs);
         return orr_cli_fail(c, &diag);
