@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The mixer in plain C, which is what the others are measured by, and the choice among them.
+#include "src/generator/kernel/mix.h"
+
+#include "src/generator/kernel/phasor_private.h"
+
+void orr_gen_rotate(uint64_t carrier_step, orr_gen_rotation *r)
+{
+    double re[2 * ORR_GEN_GROUP] = {1.0}, im[2 * ORR_GEN_GROUP] = {0.0}, w_re, w_im;
+    unit_phasor(carrier_step, &w_re, &w_im);
+    powers(re, im, w_re, w_im, ORR_GEN_GROUP);
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++) {
+        r->re[k] = nearest(8192.0 * re[k]);
+        r->im[k] = nearest(8192.0 * im[k]);
+    }
+    unit_phasor(carrier_step * ORR_GEN_GROUP, &r->group_re, &r->group_im);
+    r->step = carrier_step;
+}
+
+// a * b / 2^15, rounded, as pmulhrsw and vqrdmulh do it.
+static inline int16_t times(int16_t a, int16_t b) { return (int16_t)((a * b + 0x4000) >> 15); }
+
+// Chips of one group: of eight samples the phase of the first is truncated to 1/8192 sub-chip and the steps are rounded.
+static void group_chips(const orr_gen_run *run, uint64_t code, const uint16_t steps[8], int16_t *chip)
+{
+    for (size_t k = 0; k < ORR_GEN_GROUP; k += 8) {
+        const int8_t *at = run->chips + (code >> ORR_GEN_CODE_BITS);
+        const uint16_t part = (uint16_t)(code >> (ORR_GEN_CODE_BITS - 13) & 0x1fff);
+        for (size_t i = 0; i < 8; i++) chip[k + i] = at[(uint16_t)(part + steps[i]) >> 13];
+        code += 8 * run->code_step;
+    }
+}
+
+static void group_samples(const orr_gen_rotation *r, int16_t p_re, int16_t p_im, bool levels,
+                          const int16_t *restrict chip, int16_t *restrict re, int16_t *restrict im)
+{
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++) {
+        const int16_t s_re = (int16_t)(times(p_re, r->re[k]) - times(p_im, r->im[k]));
+        const int16_t s_im = (int16_t)(times(p_re, r->im[k]) + times(p_im, r->re[k]));
+        re[k] = levels ? times((int16_t)(chip[k] * 256), s_re) : (int16_t)(chip[k] * s_re);
+        im[k] = levels ? times((int16_t)(chip[k] * 256), s_im) : (int16_t)(chip[k] * s_im);
+    }
+}
+
+void orr_gen_mix_plain(const orr_gen_run *run, int16_t *re, int16_t *im)
+{
+    int16_t p_re[GROUPS], p_im[GROUPS], chip[ORR_GEN_GROUP], s_re[ORR_GEN_GROUP], s_im[ORR_GEN_GROUP];
+    uint16_t steps[8];
+    for (unsigned i = 0; i < 8; i++)
+        steps[i] = (uint16_t)((i * run->code_step + ((uint64_t)1 << (ORR_GEN_CODE_BITS - 14))) >>
+                              (ORR_GEN_CODE_BITS - 13));
+    const size_t groups = run_phasors(run, p_re, p_im);
+    uint64_t code = run->code;
+    for (size_t g = 0; g < groups; g++) {
+        const size_t at = g * ORR_GEN_GROUP, left = run->n - at;
+        const size_t n = left < ORR_GEN_GROUP ? left : ORR_GEN_GROUP;
+        group_chips(run, code, steps, chip);
+        group_samples(run->rotation, p_re[g], p_im[g], run->levels, chip, s_re, s_im);
+        for (size_t k = 0; k < n; k++) re[at + k] = (int16_t)(re[at + k] + s_re[k]);
+        for (size_t k = 0; k < n; k++) im[at + k] = (int16_t)(im[at + k] + s_im[k]);
+        code += ORR_GEN_GROUP * run->code_step;
+    }
+}
+
+orr_gen_mixer *orr_gen_mix_best(void)
+{
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) return orr_gen_mix_avx2;
+#endif
+    return orr_gen_mix_plain;
+}
+
+const char *orr_gen_mix_name(orr_gen_mixer *mixer) { return mixer == orr_gen_mix_plain ? "plain" : "AVX2"; }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Phasors of a run, in doubles and a fixed order, compiled into each mixer so that each vectorises it as it can: no
+// operation is fused (-ffp-contract=off), so that all give the same bits.
+#ifndef ORR_GENERATOR_KERNEL_PHASOR_PRIVATE_H
+#define ORR_GENERATOR_KERNEL_PHASOR_PRIVATE_H
+
+#include "src/generator/kernel/mix.h"
+#include "src/generator/kernel/oscillator.h"
+
+#define GROUPS (ORR_GEN_PIECE / ORR_GEN_GROUP + 1)
+
+// cos and sin of a phase. Taylor's series on an eighth of a turn each side: 1e-16.
+static inline void unit_phasor(uint64_t phase, double *re, double *im)
+{
+    const uint64_t quarter = phase + ((uint64_t)1 << 61); // rounded to the nearest quarter
+    const double x =
+        (double)(int64_t)(phase - (quarter & ((uint64_t)3 << 62))) * (6.283185307179586477 * 0x1p-64);
+    const double y = x * x;
+    const double c =
+        1.0 - y * (1.0 / 2 -
+                   y * (1.0 / 24 -
+                        y * (1.0 / 720 -
+                             y * (1.0 / 40320 -
+                                  y * (1.0 / 3628800 - y * (1.0 / 479001600 - y * (1.0 / 87178291200.0)))))));
+    const double s =
+        x *
+        (1.0 -
+         y * (1.0 / 6 -
+              y * (1.0 / 120 -
+                   y * (1.0 / 5040 - y * (1.0 / 362880 - y * (1.0 / 39916800 - y * (1.0 / 6227020800.0)))))));
+    switch (quarter >> 62) {
+    case 0:
+        *re = c, *im = s;
+        break;
+    case 1:
+        *re = -s, *im = c;
+        break;
+    case 2:
+        *re = -c, *im = -s;
+        break;
+    default:
+        *re = s, *im = -c;
+        break;
+    }
+}
+
+// z[k] = z[0] w^k for k below n, by doubling: z[m + k] = z[k] w^m. Arrays hold the next power of two above n.
+static inline void powers(double *restrict re, double *restrict im, double w_re, double w_im, size_t n)
+{
+    for (size_t m = 1; m < n; m *= 2) {
+        for (size_t k = 0; k < m; k++) {
+            re[m + k] = re[k] * w_re - im[k] * w_im;
+            im[m + k] = re[k] * w_im + im[k] * w_re;
+        }
+        const double square_re = w_re * w_re - w_im * w_im, square_im = 2.0 * (w_re * w_im);
+        w_re = square_re, w_im = square_im;
+    }
+}
+
+// The nearest integer, halves to even, of |x| < 2^31: added to 1.5 * 2^52 it stands in the lowest bits.
+static inline int16_t nearest(double x) { return (int16_t)(int32_t)(x + 0x1.8p52 - 0x1.8p52); }
+
+// A phasor a group of the run, four times its amplitude.
+static inline size_t run_phasors(const orr_gen_run *run, int16_t *restrict re, int16_t *restrict im)
+{
+    double z_re[256], z_im[256];
+    const size_t n = (run->n + ORR_GEN_GROUP - 1) / ORR_GEN_GROUP;
+    unit_phasor(run->carrier, &z_re[0], &z_im[0]);
+    z_re[0] *= 4.0 * run->amplitude;
+    z_im[0] *= 4.0 * run->amplitude;
+    powers(z_re, z_im, run->rotation->group_re, run->rotation->group_im, n);
+    for (size_t k = 0; k < n; k++) re[k] = nearest(z_re[k]);
+    for (size_t k = 0; k < n; k++) im[k] = nearest(z_im[k]);
+    return n;
+}
+
+#endif
