@@ -47,11 +47,24 @@ double orr_rng_uniform(uint64_t seed, uint64_t stream, uint64_t k)
 }
 
 // Box and Muller 1958; the counter's two words give the radius and the angle.
+static double radius(uint64_t word)
+{
+    return sqrt(-2.0 * log((double)((word >> 11) + 1) * 0x1p-53)); // of (0, 1]: the logarithm exists
+}
+static double angle(uint64_t word) { return 2.0 * ORR_PI * ((double)(word >> 11) * 0x1p-53); }
+
 double orr_rng_normal(uint64_t seed, uint64_t stream, uint64_t k)
 {
     uint64_t r[2];
     philox(seed, stream, k, r);
-    double u = (double)((r[0] >> 11) + 1) * 0x1p-53; // (0, 1]: its logarithm exists
-    double v = (double)(r[1] >> 11) * 0x1p-53;
-    return sqrt(-2.0 * log(u)) * cos(2.0 * ORR_PI * v);
+    return radius(r[0]) * cos(angle(r[1]));
+}
+
+void orr_rng_normal_pair(uint64_t seed, uint64_t stream, uint64_t k, double out[2])
+{
+    uint64_t r[2];
+    philox(seed, stream, k, r);
+    const double a = radius(r[0]), b = angle(r[1]);
+    out[0] = a * cos(b);
+    out[1] = a * sin(b);
 }

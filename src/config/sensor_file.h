@@ -12,19 +12,32 @@ typedef struct orr_error_process {
     double sigma, time_s;
 } orr_error_process;
 
+typedef struct orr_error_temperature {
+    orr_real_list bias, bias2, rate, scale;
+} orr_error_temperature;
+
 // Of a triad. Lists have one value, for all axes, or three.
 typedef struct orr_error_triad {
-    orr_real_list bias, ramp, scale, asymmetry, quadratic, cubic, misalignment, by_force, by_force_squared;
-    double bias_sigma, white, walk, scale_sigma, misalignment_sigma, limit, quantum;
+    orr_real_list bias, white, walk, ramp, scale, asymmetry, quadratic, cubic, misalignment, by_force,
+        by_force_squared, rectification, arms;
+    double bias_sigma, scale_sigma, misalignment_sigma, bandwidth_hz, damping, limit, quantum;
+    orr_error_temperature temperature;
     struct {
         size_t n;
         orr_error_process *item;
     } instability;
 } orr_error_triad;
 
+typedef struct orr_error_profile {
+    orr_real_list times_s, values_c;
+    double reference_c, lag_s;
+} orr_error_profile;
+
 typedef struct orr_sensor_errors {
     char *title, *source;
     int64_t seed;
+    orr_error_profile temperature;
+    double vibration_g, delay_ms, jitter_us;
     orr_error_triad gyro, accelerometer;
 } orr_sensor_errors;
 

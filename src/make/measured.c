@@ -26,8 +26,15 @@ static orr_triad_errors triad(const orr_error_triad *t, double rate, double nois
     fill(e.scale, &t->scale, PPM);
     fill(e.asymmetry, &t->asymmetry, PPM);
     e.bias_sigma = t->bias_sigma * rate;
-    e.white = t->white * noise;
-    e.walk = t->walk * rate / sqrt(HOUR_S);
+    fill(e.white, &t->white, noise);
+    fill(e.walk, &t->walk, rate / sqrt(HOUR_S));
+    fill(e.rectification, &t->rectification, rate / (G_MPS2 * G_MPS2));
+    fill(e.by_temperature, &t->temperature.bias, rate);
+    fill(e.by_temperature_squared, &t->temperature.bias2, rate);
+    fill(e.by_temperature_rate, &t->temperature.rate, rate * 60.0);
+    fill(e.scale_by_temperature, &t->temperature.scale, PPM);
+    e.bandwidth_hz = t->bandwidth_hz;
+    e.damping = t->damping;
     e.scale_sigma = t->scale_sigma * PPM;
     e.cross_sigma = t->misalignment_sigma * ARCSEC;
     static const int of[6][2] = {{0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}};
@@ -45,7 +52,15 @@ orr_imu_errors orr_errors_of(const orr_sensor_errors *file)
     const double per_hour = DEG / HOUR_S, ug = 1e-6 * G_MPS2;
     orr_imu_errors e = {.gyro = triad(g, per_hour, DEG / sqrt(HOUR_S)),
                         .accel = triad(a, ug, ug),
-                        .seed = (uint64_t)file->seed};
+                        .seed = (uint64_t)file->seed,
+                        .temperature = {.n = file->temperature.times_s.n,
+                                        .t_s = file->temperature.times_s.item,
+                                        .celsius = file->temperature.values_c.item,
+                                        .reference_c = file->temperature.reference_c,
+                                        .lag_s = file->temperature.lag_s},
+                        .vibration_mps2 = file->vibration_g * G_MPS2,
+                        .delay_s = file->delay_ms * 1e-3,
+                        .jitter_s = file->jitter_us * 1e-6};
     fill(e.gyro.quadratic, &g->quadratic, PPM / DEG);
     fill(e.gyro.cubic, &g->cubic, PPM / (DEG * DEG));
     fill(e.gyro.by_force_squared, &g->by_force_squared, per_hour / (G_MPS2 * G_MPS2));
@@ -60,6 +75,7 @@ orr_imu_errors orr_errors_of(const orr_sensor_errors *file)
     e.gyro.quantum = g->quantum * ARCSEC;
     fill(e.accel.quadratic, &a->quadratic, ug / (G_MPS2 * G_MPS2));
     fill(e.accel.cubic, &a->cubic, ug / (G_MPS2 * G_MPS2 * G_MPS2));
+    for (size_t k = 0; k < a->arms.n; k++) e.accel.arm_m[k / 3][k % 3] = a->arms.item[k] * 1e-3;
     e.accel.limit = a->limit * G_MPS2;
     e.accel.quantum = a->quantum * 1e-6;
     return e;

@@ -7,7 +7,7 @@
 #include "src/config/sensor_file.h"
 #include "src/make/inputs.h"
 
-// In SI units; what needs no memory of the file stays, which may be freed.
+// In SI units. The temperature profile is borrowed from the file, which has to outlive the model.
 orr_imu_errors orr_errors_of(const orr_sensor_errors *file);
 // Reads a file, appended to `inputs`.
 //   Given:    inputs        what has been read so far

@@ -109,7 +109,7 @@ static void limits_cut_and_are_counted(void **state)
     orr_imu_free(&imu);
     // What is no model.
     imu = steady(10, orr_vec3_make(0, 0, 0), orr_vec3_make(0, 0, 9.8));
-    const orr_imu_errors wrong[] = {{.gyro = {.white = -1}},
+    const orr_imu_errors wrong[] = {{.gyro = {.white = {-1, -1, -1}}},
                                     {.accel = {.bias_sigma = -1}},
                                     {.gyro = {.n_processes = 1, .process = {{1, 0}}}},
                                     {.accel = {.n_processes = 1, .process = {{-1, 1}}}},
@@ -125,7 +125,8 @@ static void seeds(void **state)
     (void)state;
     orr_imu a = steady(2000, orr_vec3_make(0, 0, 0), orr_vec3_make(0, 0, 0)),
             b = steady(2000, orr_vec3_make(0, 0, 0), orr_vec3_make(0, 0, 0));
-    orr_imu_errors e = {.gyro = {.white = 1, .bias_sigma = 0.1}, .accel = {.white = 1}, .seed = 3};
+    orr_imu_errors e = {
+        .gyro = {.white = {1, 1, 1}, .bias_sigma = 0.1}, .accel = {.white = {1, 1, 1}}, .seed = 3};
     measure(&e, &a);
     measure(&e, &b);
     assert_memory_equal(a.measured_dtheta_rad, b.measured_dtheta_rad, a.n * sizeof *a.measured_dtheta_rad);
@@ -149,8 +150,8 @@ static void noises_come_back(void **state)
 {
     (void)state;
     orr_imu imu = steady(200000, orr_vec3_make(0, 0, 0), orr_vec3_make(0, 0, 0));
-    orr_imu_errors e = {.gyro = {.white = 1e-4, .n_processes = 1, .process = {{5e-5, 10}}},
-                        .accel = {.white = 1e-3, .walk = 2e-4},
+    orr_imu_errors e = {.gyro = {.white = {1e-4, 1e-4, 1e-4}, .n_processes = 1, .process = {{5e-5, 10}}},
+                        .accel = {.white = {1e-3, 1e-3, 1e-3}, .walk = {2e-4, 2e-4, 2e-4}},
                         .seed = 11};
     measure(&e, &imu);
     double *x = malloc(imu.n * sizeof *x);
