@@ -215,7 +215,7 @@ static void iterate(const orr_method_plan *plan, const orr_xvec *d, const orr_xv
                                        fmaxl(fabsl(s.y - p[k].y), fabsl(s.z - p[k].z))));
             p[k] = s;
         }
-        if (moved < 1e-21L) break;
+        if (moved < 1e-20L) break;
     }
     if (dv != NULL) {
         orr_xvec u = {0, 0, 0};

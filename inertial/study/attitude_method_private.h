@@ -6,7 +6,7 @@
 #include "inertial/study/attitude_method.h"
 #include "inertial/study/extended_private.h"
 
-#define ORR_METHOD_NODES 20 // of an iteration: Chebyshev's extrema over a group
+#define ORR_METHOD_NODES 16 // of an iteration: Chebyshev's extrema over a group
 
 // A method with what its steps need prepared.
 typedef struct orr_method_plan {

@@ -194,9 +194,12 @@ orr_status orr_sculling_error_of(const orr_vibration_study *study, const orr_att
 
 // --- Crossings ---
 
+// Above 0 where the first has the larger error; 0 where they differ by rounding alone.
 static double larger(const orr_attitude_method *a, const orr_attitude_method *b, double ratio)
 {
-    return fabs(orr_attitude_method_response(a, ratio)) - fabs(orr_attitude_method_response(b, ratio));
+    const double x = fabs(orr_attitude_method_response(a, ratio)),
+                 y = fabs(orr_attitude_method_response(b, ratio));
+    return fabs(x - y) > 1e-11 * x ? x - y : 0.0;
 }
 
 static int by_ratio(const void *a, const void *b)
@@ -216,7 +219,7 @@ size_t orr_vibration_crossings(const orr_attitude_method *methods, size_t n, dou
             for (double to = low + step; at < high && found < most; to += step) {
                 if (to > high) to = high;
                 const double now = larger(&methods[i], &methods[j], to);
-                if ((before < 0) != (now < 0) && before != 0 && now != 0) {
+                if (before * now < 0) {
                     double a = at, b = to;
                     for (int k = 0; k < 60; k++) {
                         const double m = 0.5 * (a + b);
@@ -229,7 +232,7 @@ size_t orr_vibration_crossings(const orr_attitude_method *methods, size_t n, dou
                         (orr_vibration_crossing){i, j, b, fabs(orr_attitude_method_response(&methods[i], b))};
                 }
                 at = to;
-                before = now;
+                if (now < 0 || now > 0) before = now;
             }
         }
     qsort(out, found, sizeof *out, by_ratio);
