@@ -17,25 +17,31 @@ typedef struct orr_xquat {
 
 #define ORR_PI_X 3.14159265358979323846264338327950288L
 
+// a + b
 static inline orr_xvec orr_xvec_add(orr_xvec a, orr_xvec b)
 {
     return (orr_xvec){a.x + b.x, a.y + b.y, a.z + b.z};
 }
+// a + k b
 static inline orr_xvec orr_xvec_axpy(long double k, orr_xvec b, orr_xvec a)
 {
     return (orr_xvec){a.x + k * b.x, a.y + k * b.y, a.z + k * b.z};
 }
+// a x b
 static inline orr_xvec orr_xvec_cross(orr_xvec a, orr_xvec b)
 {
     return (orr_xvec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+// Hamilton's product a b.
 static inline orr_xquat orr_xquat_mul(orr_xquat a, orr_xquat b)
 {
     return (orr_xquat){
         a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
         a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
+// The conjugate, which is the inverse of a unit quaternion.
 static inline orr_xquat orr_xquat_conj(orr_xquat a) { return (orr_xquat){a.w, -a.x, -a.y, -a.z}; }
+// a / |a|
 static inline orr_xquat orr_xquat_unit(orr_xquat a)
 {
     const long double n = sqrtl(a.w * a.w + a.x * a.x + a.y * a.y + a.z * a.z);
