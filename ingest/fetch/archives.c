@@ -269,7 +269,7 @@ orr_status orr_archives_read(const char *path, orr_archives **out, orr_diag *dia
         return orr_diag_at(diag, ORR_E_LIMIT, path, 0, 0,
                            "has %lld bytes; a table of archives has %d at most", (long long)st.st_size,
                            TABLE_MAX_BYTES);
-    orr_status s = orr_records_load(path, NULL, &b, diag);
+    orr_status s = orr_records_load(path, NULL, 0, &b, diag);
     if (s != ORR_OK) return s;
     s = orr_archives_parse(path, b.text, b.n, out, diag);
     orr_bytes_free(&b);

@@ -101,7 +101,7 @@ orr_status fetch_index_read(const char *cache_dir, fetch_index *x, orr_diag *dia
     struct stat st;
     if (stat(path, &st) != 0 || st.st_size == 0) return ORR_OK;
     orr_bytes b;
-    orr_status s = orr_records_load(path, NULL, &b, diag);
+    orr_status s = orr_records_load(path, NULL, 0, &b, diag);
     if (s != ORR_OK) return s;
     orr_cursor c;
     orr_view line;

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "ingest/input/sniff.h"
 #include "ingest/input/stage.h"
 
 enum { MAX_LAYERS = 3, BUFFER = 1 << 18, HEAD = 1 << 16 };
@@ -412,10 +413,15 @@ static orr_status read_whole(orr_stage *bottom, size_t hint, const orr_input_lim
     size_t capacity = (in->top == in->bottom ? hint : 4 * hint) + 65536;
     orr_bytes b = {.text = malloc(capacity)};
     if (b.text == NULL) st = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    bool judged = in->limits.kinds == 0;
     while (st == ORR_OK && !in->at_end) {
         size_t got = 0;
         st = draw(in, b.text + b.n, capacity - b.n - 1, &got, diag);
         b.n += got;
+        if (st == ORR_OK && !judged && b.n > ORR_INPUT_JUDGED) {
+            st = orr_sniff_expect(in->name, (orr_view){b.text, HEAD}, in->limits.kinds, diag);
+            judged = true;
+        }
         if (st == ORR_OK && !in->at_end && capacity - b.n - 1 < 4096) {
             char *grown = realloc(b.text, capacity * 2);
             if (grown == NULL) {

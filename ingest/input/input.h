@@ -15,8 +15,13 @@ typedef struct orr_input_limits {
     size_t max_line;  // of orr_input_line
     size_t max_ratio; // expansion, once more than ratio_grace bytes came out
     size_t ratio_grace;
+    uint64_t
+        kinds; // that the text may be of (ORR_KIND_BIT): what is read whole and is of none of them is refused by its
+    // first lines once ORR_INPUT_JUDGED bytes came, be it an endless pipe; shorter ones are left to their
+    // readers. 0: any
 } orr_input_limits;
-orr_input_limits orr_input_default_limits(void); // 2 GiB, ORR_LINE_MAX, 300, 64 MiB
+#define ORR_INPUT_JUDGED ((size_t)1 << 20)
+orr_input_limits orr_input_default_limits(void); // 2 GiB, ORR_LINE_MAX, 300, 64 MiB, any kind
 
 // A text in memory. text[n] is a NUL that does not count, so text is never NULL.
 typedef struct orr_bytes {
@@ -37,9 +42,11 @@ orr_status orr_input_read_bytes(const char *name, const void *data, size_t n, co
                                 orr_bytes *out, orr_diag *diag);
 // Frees the text and leaves *b empty.
 void orr_bytes_free(orr_bytes *b);
-// The bytes as they are, compressed or not, of a file or a pipe; text[n] is a NUL that does not count. ORR_E_IO,
-// ORR_E_KIND (a folder), ORR_E_LIMIT, ORR_E_MEMORY.
-orr_status orr_input_read_raw(const char *path, size_t max_bytes, orr_bytes *out, orr_diag *diag);
+// The bytes as they are, compressed or not, of a file or a pipe; text[n] is a NUL that does not count. Of the limits (may
+// be NULL) max_bytes, here before decompression, and kinds count. ORR_E_IO, ORR_E_KIND (a folder, another kind),
+// ORR_E_LIMIT, ORR_E_MEMORY.
+orr_status orr_input_read_raw(const char *path, const orr_input_limits *limits, orr_bytes *out,
+                              orr_diag *diag);
 
 // The stream face: memory use does not grow with the file.
 typedef struct orr_input orr_input;

@@ -35,6 +35,14 @@ static const struct {
     [ORR_KIND_ZIP] = {"zip", "a zip archive"},
 };
 
+orr_status orr_sniff_expect(const char *name, orr_view head, uint64_t wanted, orr_diag *diag)
+{
+    const orr_kind kind = orr_sniff(head).kind;
+    if ((wanted & ORR_KIND_BIT(kind)) != 0) return ORR_OK;
+    return orr_diag_at(diag, ORR_E_KIND, name, 0, 0, "is not what is wanted here: its first lines are of %s",
+                       kind == ORR_KIND_UNKNOWN ? "no format that is known" : orr_kind_name(kind));
+}
+
 const char *orr_kind_name(orr_kind k) { return k < ORR_KIND_N ? kinds[k].name : kinds[0].name; }
 const char *orr_kind_token(orr_kind k) { return k < ORR_KIND_N ? kinds[k].token : kinds[0].token; }
 

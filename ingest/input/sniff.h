@@ -4,6 +4,7 @@
 #define ORR_INGEST_INPUT_SNIFF_H
 
 #include "core/cursor.h"
+#include "core/status.h"
 
 // In the order of the table in sniff.c.
 typedef enum orr_kind {
@@ -42,6 +43,13 @@ typedef struct orr_sniffed {
 orr_sniffed orr_sniff(orr_view head);
 const char *orr_kind_name(orr_kind k);  // "SP3 orbits", "RINEX navigation data", ...
 const char *orr_kind_token(orr_kind k); // for scripts: "sp3", "rinex-nav", ...
+
+// A set of kinds.
+#define ORR_KIND_BIT(kind) (UINT64_C(1) << (kind))
+// Every kind that Orrery has a reader of.
+#define ORR_KINDS_KNOWN (~(ORR_KIND_BIT(ORR_KIND_WEB_PAGE + 1) - 1))
+// ORR_E_KIND, with the file's name, where the start of its text is of none of `kinds`.
+orr_status orr_sniff_expect(const char *name, orr_view head, uint64_t kinds, orr_diag *diag);
 
 // Whether this is the first line of an SP3 file as it was before versions had letters:
 // "#  1992  8 23  0  0  0.00000000      96 ...", or with P or V in column 3.

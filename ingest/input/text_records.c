@@ -40,10 +40,12 @@ orr_status orr_records_verdict(const orr_records_tally *tally, orr_diag *diag)
                        d->text, tally->good + tally->left_out, tally->left_out);
 }
 
-orr_status orr_records_load(const char *path, const orr_read_limits *limits, orr_bytes *out, orr_diag *diag)
+orr_status orr_records_load(const char *path, const orr_read_limits *limits, uint64_t kinds, orr_bytes *out,
+                            orr_diag *diag)
 {
     orr_input_limits in = orr_input_default_limits();
     in.max_bytes = limits != NULL ? limits->max_bytes : orr_read_default_limits().max_bytes;
+    in.kinds = kinds;
     return orr_input_read_all(path, &in, out, diag);
 }
 

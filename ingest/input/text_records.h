@@ -19,8 +19,14 @@
 orr_status orr_records_grow(void *array, size_t n, size_t element_size, size_t limit, const char *what,
                             const orr_cursor *at, orr_diag *diag);
 
-// Reads a file whole under limits->max_bytes (NULL: defaults).
-orr_status orr_records_load(const char *path, const orr_read_limits *limits, orr_bytes *out, orr_diag *diag);
+// Reads a file whole.
+//   Given:    path          of the file
+//             limits        max_bytes of them; NULL: the defaults
+//             kinds         that it may be of, as of orr_input_limits
+//   Returned: out           the text; free with orr_bytes_free
+//             diag          as of orr_input_read_all
+orr_status orr_records_load(const char *path, const orr_read_limits *limits, uint64_t kinds, orr_bytes *out,
+                            orr_diag *diag);
 
 // One policy for lines that no record can be made of, in all readers: each is told and left out, and the file stands
 // unless more was left out than read.

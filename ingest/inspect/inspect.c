@@ -14,6 +14,7 @@ static inspector *inspector_of(orr_kind kind)
 #define ORR_INSPECT(kind, name)                                                                              \
     case kind:                                                                                               \
         return orr_inspect_##name;
+#include "ingest/input/sniff.h"
 #include "ingest/inspect/inspect.def"
 #undef ORR_INSPECT
     default:
@@ -65,7 +66,9 @@ orr_status orr_inspect(const char *path, const orr_leap_table *leap, orr_inspect
     orr_inspection_init(out);
     out->leap = leap;
     if (read_once(path)) {
-        const orr_status s = orr_input_read_raw(path, orr_input_default_limits().max_bytes, &raw, diag);
+        orr_input_limits limits = orr_input_default_limits();
+        limits.kinds = ORR_KINDS_KNOWN;
+        const orr_status s = orr_input_read_raw(path, &limits, &raw, diag);
         if (s != ORR_OK) return s;
         out->raw = &raw;
     }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/nan.h"
+#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 
 #define ION_LABEL_COLUMNS 48
@@ -462,7 +463,7 @@ orr_status orr_ion_read(const char *path, const orr_read_limits *limits, orr_ion
 {
     *out = (orr_ion){0};
     orr_bytes b;
-    orr_status s = orr_records_load(path, limits, &b, diag);
+    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_ION), &b, diag);
     if (s != ORR_OK) return s;
     s = orr_ion_parse(path, b.text, b.n, limits, out, warnings, diag);
     orr_bytes_free(&b);

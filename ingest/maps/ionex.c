@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/nan.h"
+#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 #include "ingest/maps/ionex_private.h"
 
@@ -174,7 +175,7 @@ orr_status orr_ionex_read(const char *path, const orr_read_limits *limits, orr_i
 {
     *out = (orr_ionex){0};
     orr_bytes b;
-    orr_status s = orr_records_load(path, limits, &b, diag);
+    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_IONEX), &b, diag);
     if (s != ORR_OK) return s;
     s = orr_ionex_parse(path, b.text, b.n, limits, out, warnings, diag);
     orr_bytes_free(&b);

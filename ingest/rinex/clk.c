@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/nan.h"
+#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 #include "ingest/rinex/clk_private.h"
 
@@ -288,7 +289,7 @@ orr_status orr_clk_read(const char *path, const orr_read_limits *limits, orr_clk
 {
     *out = (orr_clk){0};
     orr_bytes b;
-    orr_status s = orr_records_load(path, limits, &b, diag);
+    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_RINEX_CLK), &b, diag);
     if (s != ORR_OK) return s;
     s = orr_clk_parse(path, b.text, b.n, limits, out, warnings, diag);
     orr_bytes_free(&b);

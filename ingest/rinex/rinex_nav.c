@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "ingest/input/input.h"
+#include "ingest/input/sniff.h"
 #include "ingest/rinex/rinex_nav_private.h"
 
 orr_nav_limits orr_nav_default_limits(void)
@@ -286,6 +287,7 @@ orr_status orr_nav_read(const char *path, const orr_nav_limits *limits, orr_nav 
     orr_input_limits l = orr_input_default_limits();
     if (limits != NULL) l.max_bytes = limits->max_bytes;
     orr_bytes b = {0};
+    l.kinds = ORR_KIND_BIT(ORR_KIND_RINEX_NAV);
     orr_status s = orr_input_read_all(path, &l, &b, diag);
     if (s == ORR_OK) s = orr_nav_parse(path, b.text, b.n, limits, out, warnings, diag);
     orr_bytes_free(&b);

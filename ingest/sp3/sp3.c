@@ -67,6 +67,7 @@ orr_status orr_sp3_read(const char *path, const orr_sp3_limits *limits, orr_sp3 
     *out = (orr_sp3){0};
     orr_input_limits il = orr_input_default_limits();
     il.max_bytes = limits != NULL ? limits->max_bytes : orr_sp3_default_limits().max_bytes;
+    il.kinds = ORR_KIND_BIT(ORR_KIND_SP3);
     orr_bytes text;
     orr_status st = orr_input_read_all(path, &il, &text, diag);
     if (st != ORR_OK) return st;

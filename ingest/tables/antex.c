@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 #include "ingest/tables/antex_private.h"
 
@@ -154,7 +155,7 @@ orr_status orr_antex_read(const char *path, const orr_read_limits *limits, orr_a
 {
     *out = (orr_antex){0};
     orr_bytes b;
-    orr_status s = orr_records_load(path, limits, &b, diag);
+    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_ANTEX), &b, diag);
     if (s != ORR_OK) return s;
     s = orr_antex_parse(path, b.text, b.n, limits, out, warnings, diag);
     orr_bytes_free(&b);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 #include "ingest/tables/bias_private.h"
 
@@ -49,7 +50,8 @@ orr_status orr_bias_read(const char *path, const orr_read_limits *limits, orr_bi
 {
     *out = (orr_bias_set){0};
     orr_bytes b;
-    orr_status s = orr_records_load(path, limits, &b, diag);
+    orr_status s = orr_records_load(path, limits,
+                                    ORR_KIND_BIT(ORR_KIND_BIAS_SINEX) | ORR_KIND_BIT(ORR_KIND_DCB), &b, diag);
     if (s != ORR_OK) return s;
     s = orr_bias_parse(path, b.text, b.n, limits, out, warnings, diag);
     orr_bytes_free(&b);

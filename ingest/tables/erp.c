@@ -10,6 +10,7 @@
 
 #include "core/nan.h"
 #include "core/vec.h"
+#include "ingest/input/sniff.h"
 #include "ingest/tables/erp_private.h"
 
 #define RAD_PER_UAS (1e-6 / 3600.0 * ORR_RAD_PER_DEG)
@@ -373,7 +374,7 @@ orr_status orr_erp_read(const char *path, const orr_leap_table *leap, const orr_
 {
     *out = (orr_erp){0};
     orr_bytes b;
-    orr_status s = orr_records_load(path, limits, &b, diag);
+    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_ERP), &b, diag);
     if (s != ORR_OK) return s;
     s = orr_erp_parse(path, b.text, b.n, leap, limits, out, warnings, diag);
     orr_bytes_free(&b);

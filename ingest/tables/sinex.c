@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/nan.h"
+#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 
 #define S_PER_YEAR (365.25 * 86400.0)
@@ -276,7 +277,7 @@ orr_status orr_sinex_read(const char *path, const orr_read_limits *limits, orr_s
 {
     *out = (orr_sinex){0};
     orr_bytes b;
-    orr_status s = orr_records_load(path, limits, &b, diag);
+    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_SINEX), &b, diag);
     if (s != ORR_OK) return s;
     s = orr_sinex_parse(path, b.text, b.n, limits, out, warnings, diag);
     orr_bytes_free(&b);

@@ -2,6 +2,7 @@
 #include "iono/field/tec_files.h"
 #include "core/nan.h"
 #include "ingest/input/input.h"
+#include "ingest/input/sniff.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -241,7 +242,10 @@ orr_status orr_tec_field_open(const char *path, const orr_tec_options *options, 
 {
     *out = NULL;
     orr_bytes text;
-    orr_status s = orr_input_read_all(path, NULL, &text, diag);
+    orr_input_limits limits = orr_input_default_limits();
+    limits.kinds =
+        ORR_KIND_BIT(ORR_KIND_IONEX) | ORR_KIND_BIT(ORR_KIND_ION) | ORR_KIND_BIT(ORR_KIND_RINEX_NAV);
+    orr_status s = orr_input_read_all(path, &limits, &text, diag);
     if (s != ORR_OK) return s;
     s = orr_tec_field_parse(path, text.text, text.n, options, out, warnings, diag);
     orr_bytes_free(&text);

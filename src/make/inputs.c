@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "core/sha256.h"
 
@@ -46,9 +45,12 @@ static orr_orbit_source *append(orr_inputs *list, const char *path)
     return item;
 }
 
-orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, orr_bytes *bytes, orr_diag *diag)
+orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, uint64_t kinds, orr_bytes *bytes,
+                               orr_diag *diag)
 {
-    orr_status s = orr_input_read_raw(path, orr_input_default_limits().max_bytes, bytes, diag);
+    orr_input_limits limits = orr_input_default_limits();
+    limits.kinds = kinds;
+    orr_status s = orr_input_read_raw(path, &limits, bytes, diag);
     if (s != ORR_OK || list == NULL) return s;
     orr_orbit_source *item = append(list, path);
     s = item != NULL ? orr_sha256_bytes(bytes->text, bytes->n, item->sha256, diag)
@@ -57,27 +59,12 @@ orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, orr_bytes *by
     return s;
 }
 
-orr_status orr_inputs_expect(const char *path, uint64_t kinds, orr_diag *diag)
-{
-    struct stat st;
-    orr_input *in;
-    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode) || st.st_size <= ORR_INPUTS_LARGE) return ORR_OK;
-    orr_status s = orr_input_open(path, NULL, &in, diag);
-    if (s != ORR_OK) return s;
-    const orr_kind kind = orr_sniff(orr_input_head(in)).kind;
-    orr_input_close(in);
-    if ((kinds & ORR_KIND_BIT(kind)) != 0) return ORR_OK;
-    return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is not what is wanted here: its first lines are of %s",
-                       kind == ORR_KIND_UNKNOWN ? "no format that is known" : orr_kind_name(kind));
-}
-
 orr_status orr_inputs_read(orr_inputs *list, const char *path, uint64_t kinds, orr_bytes *text,
                            orr_diag *diag)
 {
     orr_bytes raw;
     *text = (orr_bytes){0};
-    orr_status s = orr_inputs_expect(path, kinds, diag);
-    if (s == ORR_OK) s = orr_inputs_read_raw(list, path, &raw, diag);
+    orr_status s = orr_inputs_read_raw(list, path, kinds, &raw, diag);
     if (s != ORR_OK) return s;
     s = orr_input_read_bytes(path, raw.text, raw.n, NULL, text, diag);
     orr_bytes_free(&raw);

@@ -24,26 +24,21 @@ orr_nc_input *orr_inputs_provenance(const orr_inputs *list);
 // Appends what another list has. ORR_E_MEMORY.
 orr_status orr_inputs_join(orr_inputs *list, const orr_inputs *more, orr_diag *diag);
 
-// A set of kinds of files, for the two below.
-#define ORR_KIND_BIT(kind) (UINT64_C(1) << (kind))
-#define ORR_INPUTS_LARGE (INT64_C(16) << 20)
-// Looks at the first lines of a large file (more than ORR_INPUTS_LARGE bytes) before all of it is read: ORR_E_KIND where it
-// is of none of `kinds`. Pipes and small files are left to their readers.
-orr_status orr_inputs_expect(const char *path, uint64_t kinds, orr_diag *diag);
 // Reads a file as it is expected.
 // Given:
 //   list   what has been read so far; NULL: provenance is not wanted
 //   path   the file
-//   kinds  what it may be
+//   kinds  what it may be (orr_input_limits): another file is refused by its first lines
 // Returned:
 //   list   the file appended
 //   text   its text, decompressed; free with orr_bytes_free
 //   diag   why it failed; may be NULL
-// Errors: those of orr_input_read_all and orr_inputs_expect.
+// Errors: those of orr_input_read_all.
 orr_status orr_inputs_read(orr_inputs *list, const char *path, uint64_t kinds, orr_bytes *text,
                            orr_diag *diag);
-// The same with the bytes as they are, compressed or not.
-orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, orr_bytes *bytes, orr_diag *diag);
+// The same with the bytes as they are, compressed or not; `kinds` 0: whatever it is.
+orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, uint64_t kinds, orr_bytes *bytes,
+                               orr_diag *diag);
 // Appends a file that a library opened by itself (NetCDF): its bytes are read again to be hashed.
 orr_status orr_inputs_note(orr_inputs *list, const char *path, orr_diag *diag);
 

@@ -86,7 +86,7 @@ orr_status orr_errors_open(orr_inputs *inputs, const char *path, orr_sensor_erro
 {
     orr_bytes raw;
     memset(file, 0, sizeof *file);
-    orr_status s = orr_inputs_read_raw(inputs, path, &raw, diag);
+    orr_status s = orr_inputs_read_raw(inputs, path, 0, &raw, diag);
     if (s == ORR_OK) s = orr_sensor_errors_parse(path, raw.text, raw.n, file, diag);
     if (s == ORR_OK) *out = orr_errors_of(file);
     orr_bytes_free(&raw);

@@ -302,7 +302,7 @@ static orr_status make_telemetry(const orr_scenario_trajectory *m, orr_time fall
     for (size_t k = 0; k < m->logs.n && s == ORR_OK; k++) {
         const char *path = m->logs.item[k].file;
         orr_bytes raw;
-        s = orr_inputs_read_raw(&out->inputs, path, &raw, diag);
+        s = orr_inputs_read_raw(&out->inputs, path, 0, &raw, diag);
         if (s == ORR_OK)
             s = orr_telemetry_read_bytes(path, raw.text, raw.n, m->logs.item[k].columns, out->inputs.leap,
                                          &j.log[k], &of_log[k], diag);
@@ -408,7 +408,7 @@ static orr_status make_gravity(const orr_scenario_gravity *g, const orr_mat3 *C,
     if (g->has_profile) add_profile(&g->profile, &p);
     if (s == ORR_OK && g->file != NULL) {
         orr_bytes raw;
-        s = orr_inputs_read_raw(&out->inputs, g->file, &raw, diag);
+        s = orr_inputs_read_raw(&out->inputs, g->file, 0, &raw, diag);
         if (s == ORR_OK) s = orr_gravity_file_read_bytes(g->file, raw.text, raw.n, &file, diag);
         orr_bytes_free(&raw);
         if (s == ORR_OK) s = add_file(g, &file, &p, diag);

@@ -41,7 +41,8 @@ orr_status orr_positions_open(const char *path, uint32_t messages, orr_positions
     p->choice = orr_broadcast_choice_default();
     p->choice.messages = messages;
     orr_bytes raw;
-    orr_status s = orr_inputs_read_raw(inputs, path, &raw, diag);
+    orr_status s = orr_inputs_read_raw(
+        inputs, path, ORR_KIND_BIT(ORR_KIND_NETCDF) | ORR_KIND_BIT(ORR_KIND_RINEX_NAV), &raw, diag);
     if (s == ORR_OK && is_netcdf(&raw))
         s = orr_ephemeris_load(path, &p->product, diag);
     else if (s == ORR_OK)

@@ -12,7 +12,7 @@ orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, const orr_l
 {
     orr_bytes text;
     *out = (orr_scenario){0};
-    orr_status s = orr_inputs_read_raw(inputs, path, &text, diag);
+    orr_status s = orr_inputs_read_raw(inputs, path, 0, &text, diag);
     if (s != ORR_OK) return s;
     const char *slash = strrchr(path, '/');
     char *folder = strndup(path, slash == NULL ? 0 : slash == path ? 1 : (size_t)(slash - path));

@@ -14,6 +14,8 @@
 // Of the level's a-priori sigma: where so much is left the session has told nothing.
 #define UNDETERMINED 0.8
 
+#define OBSERVATIONS (ORR_KIND_BIT(ORR_KIND_RINEX_OBS) | ORR_KIND_BIT(ORR_KIND_CRINEX))
+
 orr_station_plan orr_station_plan_default(void)
 {
     return (orr_station_plan){.phase = orr_phase_default_options(),
@@ -152,7 +154,8 @@ static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *
 {
     const orr_station_plan *p = s->plan;
     s->inputs.leap = p->tec.leap;
-    orr_status status = orr_inputs_read_raw(&s->inputs, p->observations, &s->observations, diag);
+    orr_status status =
+        orr_inputs_read_raw(&s->inputs, p->observations, OBSERVATIONS, &s->observations, diag);
     orr_bias_set of_field = {0};
     if (status == ORR_OK && p->field != NULL) status = read_field(s, &of_field, warnings, diag);
     if (status == ORR_OK && p->orbit != NULL)
@@ -214,7 +217,7 @@ orr_status orr_station_other(const orr_station *s, const char *path, orr_phase_t
 {
     orr_bytes raw;
     *out = (orr_phase_tec){0};
-    orr_status status = orr_inputs_read_raw(NULL, path, &raw, diag);
+    orr_status status = orr_inputs_read_raw(NULL, path, OBSERVATIONS, &raw, diag);
     if (status == ORR_OK) status = read_phases(path, &raw, &s->options, out, warnings, diag);
     orr_bytes_free(&raw);
     return status;

@@ -8,7 +8,7 @@ orr_status orr_study_open(orr_inputs *inputs, const char *path, const orr_schema
 {
     orr_bytes raw;
     memset(base, 0, schema->size);
-    orr_status s = orr_inputs_read_raw(inputs, path, &raw, diag);
+    orr_status s = orr_inputs_read_raw(inputs, path, 0, &raw, diag);
     if (s == ORR_OK) s = orr_study_parse(schema, path, raw.text, raw.n, inputs->leap, base, diag);
     orr_bytes_free(&raw);
     return s;

@@ -213,10 +213,7 @@ static int run(orr_cli *c)
     int e = orr_tec_options_ask(c, &o);
     if (e != ORR_EXIT_OK) return e;
     orr_tec_field *field;
-    orr_status s = orr_inputs_expect(
-        c->operand[0],
-        ORR_KIND_BIT(ORR_KIND_IONEX) | ORR_KIND_BIT(ORR_KIND_ION) | ORR_KIND_BIT(ORR_KIND_RINEX_NAV), &diag);
-    if (s == ORR_OK) s = orr_tec_field_open(c->operand[0], &o, &field, &warnings, &diag);
+    orr_status s = orr_tec_field_open(c->operand[0], &o, &field, &warnings, &diag);
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);

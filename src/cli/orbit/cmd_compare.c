@@ -269,8 +269,7 @@ static int compare(orr_cli *c, const subject *u, orr_sp3 *truth, size_t n)
         orr_cli_progress(c, "reading", i, n);
         orr_sp3_limits limits = orr_sp3_default_limits();
         limits.leap = c->leap;
-        orr_status s = orr_inputs_expect(path, ORR_KIND_BIT(ORR_KIND_SP3), &diag);
-        if (s == ORR_OK) s = orr_sp3_read(path, &limits, &truth[i], &warnings, &diag);
+        orr_status s = orr_sp3_read(path, &limits, &truth[i], &warnings, &diag);
         orr_cli_progress(c, "reading", n, n);
         if (s != ORR_OK) {
             orr_warnings_free(&warnings);
@@ -324,9 +323,10 @@ static int run(orr_cli *c)
     if (strcmp(csv, "-") == 0 && orr_cli_says(c, "format", "json"))
         return orr_cli_usage(c, "only one of --csv - and --format json can go to standard output");
     const bool product = orr_nc_is_hdf5(path);
-    orr_status s = product ? ORR_OK : orr_inputs_expect(path, ORR_KIND_BIT(ORR_KIND_SP3), &diag);
-    if (s == ORR_OK)
-        s = product ? orr_product_load(path, &u.e, &diag) : orr_sp3_read(path, NULL, &u.sp3, NULL, &diag);
+    orr_sp3_limits limits = orr_sp3_default_limits();
+    limits.leap = c->leap;
+    const orr_status s =
+        product ? orr_product_load(path, &u.e, &diag) : orr_sp3_read(path, &limits, &u.sp3, NULL, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     orr_sp3 *truth = calloc(n, sizeof *truth);
     int status = truth != NULL ? compare(c, &u, truth, n) : orr_cli_failf(c, "out of memory");

@@ -287,17 +287,10 @@ static int run(orr_cli *c)
     limits.leap = c->leap;
     orr_status s = orr_products_open((const char *const *)c->operand, (size_t)c->n_operands, &products,
                                      &warnings, &diag);
-    if (s == ORR_OK && antex_path != NULL)
-        s = orr_inputs_expect(antex_path, ORR_KIND_BIT(ORR_KIND_ANTEX), &diag);
     if (s == ORR_OK && antex_path != NULL) s = orr_antex_read(antex_path, NULL, &antex, &warnings, &diag);
     if (s == ORR_OK && antex_path != NULL)
         orr_frames_check_antex(&antex, antex_path, orr_ephemeris_frame(products.item[0]), &warnings);
-    if (s == ORR_OK && bias_path != NULL)
-        s = orr_inputs_expect(bias_path, ORR_KIND_BIT(ORR_KIND_BIAS_SINEX) | ORR_KIND_BIT(ORR_KIND_DCB),
-                              &diag);
     if (s == ORR_OK && bias_path != NULL) s = orr_bias_read(bias_path, NULL, &bias, &warnings, &diag);
-    if (s == ORR_OK && nav_path != NULL)
-        s = orr_inputs_expect(nav_path, ORR_KIND_BIT(ORR_KIND_RINEX_NAV), &diag);
     if (s == ORR_OK && nav_path != NULL) s = orr_nav_read(nav_path, &limits, &nav, &warnings, &diag);
     orr_cli_warnings(c, &warnings);
     int status = ORR_EXIT_FAILED;

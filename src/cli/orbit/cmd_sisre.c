@@ -151,11 +151,7 @@ static int run(orr_cli *c)
     orr_nav_limits nav_limits = orr_nav_default_limits();
     orr_sp3_limits sp3_limits = orr_sp3_default_limits();
     nav_limits.leap = sp3_limits.leap = c->leap;
-    orr_status s = orr_inputs_expect(c->operand[0], ORR_KIND_BIT(ORR_KIND_RINEX_NAV), &diag);
-    if (s == ORR_OK) s = orr_inputs_expect(c->operand[1], ORR_KIND_BIT(ORR_KIND_SP3), &diag);
-    if (s == ORR_OK && antex_path != NULL)
-        s = orr_inputs_expect(antex_path, ORR_KIND_BIT(ORR_KIND_ANTEX), &diag);
-    if (s == ORR_OK) s = orr_nav_read(c->operand[0], &nav_limits, &nav, &warnings, &diag);
+    orr_status s = orr_nav_read(c->operand[0], &nav_limits, &nav, &warnings, &diag);
     if (s == ORR_OK) s = orr_sp3_read(c->operand[1], &sp3_limits, &truth, &warnings, &diag);
     if (s == ORR_OK && antex_path != NULL) {
         s = orr_antex_read(antex_path, NULL, &antex, &warnings, &diag);

@@ -49,6 +49,20 @@ class Readers(Folder):
         self.assertIn("zip archive", subprocess.run([ORRERY, "inspect", "-"], input=b"PK\x03\x04", capture_output=True,
                                                     check=False).stderr.decode())
 
+    def test_pipes_without_an_end(self):
+        """They are refused by what they begin with, not read until memory is short."""
+        field = ("tec", "-", "--at", "2024-02-04", "--point", "50,10")
+        for args in (("inspect", "-"), ("orbit", "-o", self.path("y.nc"), "-"), field, ("sisre", "-", GOLDEN),
+                     ("iono", "-", "--field", "x", "--orbit", "y"), ("compare", "-", GOLDEN), ("compare", GOLDEN, "-")):
+            for stream in (["yes"], ["cat", "/dev/zero"], ["sh", "-c", "yes | gzip -1"])[:3 if args[0] == "orbit" else 1]:
+                with subprocess.Popen(stream, stdout=subprocess.PIPE) as endless:
+                    done = subprocess.run([ORRERY, *map(str, args)], stdin=endless.stdout, capture_output=True, text=True, timeout=60,
+                                          check=False)
+                    endless.stdout.close()
+                    endless.terminate()
+                self.assertEqual(done.returncode, 1, (args, done.stderr))
+                self.assertRegex(done.stderr, "first lines|text of an unknown|binary|not text|no text", (args, stream))
+
     def test_leap_seconds(self):
         sp3 = GOLDEN.read_text().replace("GPS ccc", "UTC ccc").replace("2024  2  4", "2027  2  4")
         late = self.path("late.sp3")

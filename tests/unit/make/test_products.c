@@ -18,7 +18,7 @@ static const char scenario_text[] = "orbit: {sp3: [" SP3 "], nodes: 1800}\n";
 static void read_bytes(const char *path, orr_bytes *out)
 {
     orr_diag d = {0};
-    ASSERT_OK(orr_input_read_raw(path, (size_t)1 << 30, out, &d), d);
+    ASSERT_OK(orr_input_read_raw(path, NULL, out, &d), d);
 }
 
 static void orbit_of(const orr_orbit_plan *plan, orr_orbit_made *made)
@@ -140,7 +140,11 @@ static void test_absent_and_folder(void **state)
     assert_int_equal(orr_inputs_read(&list, ".", ORR_KIND_BIT(ORR_KIND_SP3), &text, &d), ORR_E_KIND);
     assert_int_equal(orr_inputs_read(&list, "/dev/null", ORR_KIND_BIT(ORR_KIND_SP3), &text, &d),
                      ORR_E_KIND); // an empty file
-    assert_int_equal(orr_input_read_raw(SP3, 1000, &text, &d), ORR_E_LIMIT);
+    orr_input_limits limits = orr_input_default_limits();
+    limits.max_bytes = 1000;
+    assert_int_equal(orr_input_read_raw(SP3, &limits, &text, &d), ORR_E_LIMIT);
+    // What never ends is refused by its first lines.
+    assert_int_equal(orr_inputs_read(&list, "/dev/zero", ORR_KIND_BIT(ORR_KIND_SP3), &text, &d), ORR_E_KIND);
     orr_inputs_free(&list);
 }
 
