@@ -36,7 +36,16 @@ orr_status orr_inputs_join(orr_inputs *list, const orr_inputs *more, orr_diag *d
 // Errors: those of orr_input_read_all.
 orr_status orr_inputs_read(orr_inputs *list, const char *path, uint64_t kinds, orr_bytes *text,
                            orr_diag *diag);
-// The same with the bytes as they are, compressed or not; `kinds` 0: whatever it is.
+// The same with the bytes as they are, compressed or not.
+// Given:
+//   list   what has been read so far; NULL: provenance is not wanted
+//   path   the file
+//   kinds  what it may be; 0: whatever it is
+// Returned:
+//   list   the file appended
+//   bytes  its bytes; free with orr_bytes_free
+//   diag   why it failed; may be NULL
+// Errors: those of orr_input_read_raw.
 orr_status orr_inputs_read_raw(orr_inputs *list, const char *path, uint64_t kinds, orr_bytes *bytes,
                                orr_diag *diag);
 // Appends a file that a library opened by itself (NetCDF): its bytes are read again to be hashed.
