@@ -54,7 +54,7 @@ orr_status orr_spectrum_read(orr_inputs *inputs, const char *path, orr_spectrum_
 {
     orr_bytes raw;
     *out = (orr_spectrum_table){0};
-    const orr_status s = orr_inputs_read_raw(inputs, path, &raw, diag);
+    const orr_status s = orr_inputs_read_raw(inputs, path, 0, &raw, diag);
     if (s != ORR_OK) return s;
     const orr_status rows = read_rows(path, &raw, out, diag);
     orr_bytes_free(&raw);
