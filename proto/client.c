@@ -27,6 +27,7 @@ void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *
     w->capacity = c->capacity - c->size;
     w->status = ORR_WIRE_OK;
     if (++c->sequence == 0) c->sequence = 1; // 0 is the server's, for an ERROR that answers no request
+    c->awaited = c->sequence;
     orr_frame_begin(w, type, c->sequence, start);
 }
 
@@ -58,19 +59,34 @@ static orr_wire_status receive(orr_client *c, orr_frame *f)
     }
 }
 
+static orr_wire_status refused(orr_client *c, const orr_frame *f)
+{
+    orr_msg_error error;
+    orr_wire_status s = orr_msg_error_decode(f->payload, f->size, &error);
+    if (s != ORR_WIRE_OK) return s;
+    c->error_code = error.code;
+    orr_wire_text_copy(error.sentence, c->sentence, sizeof c->sentence);
+    return ORR_WIRE_REFUSED;
+}
+
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f)
 {
-    orr_wire_status s = receive(c, f);
-    if (s != ORR_WIRE_OK) return s;
-    if (f->type == ORR_MSG_TYPE_ERROR && (f->sequence == c->sequence || f->sequence == 0)) {
-        orr_msg_error error;
-        s = orr_msg_error_decode(f->payload, f->size, &error);
+    for (;;) {
+        orr_wire_status s = receive(c, f);
         if (s != ORR_WIRE_OK) return s;
-        c->error_code = error.code;
-        orr_wire_text_copy(error.sentence, c->sentence, sizeof c->sentence);
-        return ORR_WIRE_REFUSED;
+        if (f->type == ORR_MSG_TYPE_ERROR && (f->sequence == c->awaited || f->sequence == 0))
+            return refused(c, f);
+        if (f->type == type && f->sequence == c->awaited) return ORR_WIRE_OK;
+        if (c->stream == NULL || f->sequence == c->awaited || f->sequence == 0) return ORR_WIRE_UNEXPECTED;
+        c->stream(c->stream_user, f);
     }
-    return f->type == type && f->sequence == c->sequence ? ORR_WIRE_OK : ORR_WIRE_UNEXPECTED;
+}
+
+orr_wire_status orr_client_next(orr_client *c, orr_frame *f)
+{
+    orr_wire_status s = receive(c, f);
+    if (s == ORR_WIRE_OK && f->type == ORR_MSG_TYPE_ERROR && f->sequence == 0) s = refused(c, f);
+    return s;
 }
 
 void orr_client_expect(orr_client *c, uint32_t count)

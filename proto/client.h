@@ -36,10 +36,15 @@ typedef struct orr_client {
     orr_client_io io;
     uint8_t *data;
     size_t capacity, size, used; // bytes of data that are filled; of the frame handed out last
-    uint32_t sequence;           // of the last request
+    uint32_t sequence;           // of the last message sent
+    uint32_t awaited;            // of the request whose answer is waited for
     uint32_t index, count;       // of its epochs: that of the next frame, and how many there are
     uint16_t error_code;         // after ORR_WIRE_REFUSED: ORR_MSG_ERROR_CODE_*
     char sentence[ORR_CLIENT_SENTENCE];
+    // Gets each frame that comes while another one is waited for: those of streams (SUBSCRIBE), whose number is the
+    // frame's sequence. It must not use the client. NULL: such frames are ORR_WIRE_UNEXPECTED.
+    void (*stream)(void *user, const orr_frame *f);
+    void *stream_user;
 } orr_client;
 
 // The buffer holds one frame at a time: ORR_FRAME_OVERHEAD plus the largest message that will be sent or
@@ -69,6 +74,9 @@ orr_wire_status orr_client_send(orr_client *c, orr_wire_writer *w, size_t start)
 // Waits for the next frame. ORR_WIRE_OK where it is of the type and answers the last request, REFUSED where it is
 // an ERROR, UNEXPECTED otherwise, and the errors of frame and io. *f borrows the buffer until the next call.
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f);
+// Waits for the next frame, whatever it is, and hands it out: who has streams looks at f->sequence and f->type, and decodes.
+// ORR_WIRE_REFUSED for an ERROR that answers no request: the server is about to close.
+orr_wire_status orr_client_next(orr_client *c, orr_frame *f);
 // A request of epochs says how many frames it expects.
 void orr_client_expect(orr_client *c, uint32_t count);
 // (I11, I12) Compares a frame's index and count with what is due; ORR_WIRE_UNEXPECTED where they differ.

@@ -61,6 +61,11 @@ static uint16_t answer_hello(const orr_server *s, orr_wire_writer *w)
         if (requests[n].answer == 0) continue;
         if (s->served == NULL || s->served(s->user, type, &requests[n].span)) n++;
     }
+    for (size_t i = 0; s->lanes && n < 64 && (type = orr_msg_lane_request(i, &requests[n].answer)) != 0;
+         i++) {
+        requests[n].request = type;
+        requests[n++].span = never;
+    }
     orr_msg_caps caps;
     memset(&caps, 0, sizeof caps);
     if (s->caps != NULL) s->caps(s->user, &caps);

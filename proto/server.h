@@ -61,6 +61,7 @@ typedef struct orr_server {
     void (*caps)(void *user, orr_msg_caps *caps);
     bool (*served)(void *user, uint16_t request, orr_msg_span *span);
     void *user;
+    bool lanes; // its owner answers the messages of orr_msg_is_lane itself: CAPS lists them
 } orr_server;
 
 // One connection; zero-initialise.

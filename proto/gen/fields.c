@@ -66,6 +66,24 @@ static const orr_field_word words_tec_origin[] = {
     {3, "NOISE", "noise", false},
 };
 
+static const orr_field_word words_pacing[] = {
+    {0, "FREE", "as fast as they are taken", false},
+    {1, "CLOCK", "by the scenario clock", false},
+};
+
+static const orr_field_word words_gap_reason[] = {
+    {1, "CREDIT", "no credit", false},
+    {2, "LATE", "late", false},
+};
+
+static const orr_field_word words_end_reason[] = {
+    {1, "FINISHED", "finished", false},
+    {2, "UNSUBSCRIBED", "unsubscribed", false},
+    {3, "SLOW", "too slow", false},
+    {4, "OUTSIDE_SPAN", "end of the span", false},
+    {5, "FAILED", "failed", false},
+};
+
 static const orr_field_word words_channel_flags[] = {
     {UINT64_C(1), "UNHEALTHY", "unhealthy", false},
     {UINT64_C(2), "ECLIPSE", "eclipse", false},
@@ -756,6 +774,102 @@ static orr_wire_status decode_truth(const uint8_t *payload, size_t size, void *m
     return orr_msg_truth_decode(payload, size, (orr_msg_truth *)m);
 }
 
+static const orr_field fields_subscribe[] = {
+    {.name = "request", .unit = "", .doc = "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU or POLL_TRUTH", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_subscribe, request), .in_text = true, .text_name = "request", .text_factor = 1.0, .in_table = true, .head = "request", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "pacing", .unit = "", .doc = "when blocks are made", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_subscribe, pacing), .word = words_pacing, .n_words = sizeof words_pacing / sizeof words_pacing[0], .in_text = true, .text_name = "pacing", .text_factor = 1.0, .in_table = true, .head = "pacing", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "credit", .unit = "", .doc = "how many blocks may be sent before there is more credit (CREDIT)", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, credit), .in_text = true, .text_name = "credit", .text_factor = 1.0, .in_table = true, .head = "credit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "lead", .unit = "ns", .doc = "with CLOCK: how long before its instant a block is made, 0 to 60 s", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, lead), .in_text = true, .text_name = "lead", .text_factor = 1.0, .in_table = true, .head = "lead", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "poll", .unit = "", .doc = "payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, poll), .limit = 16384, .in_text = true, .text_name = "poll", .text_factor = 1.0, .in_table = true, .head = "poll", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_subscribe = {"subscribe", fields_subscribe, 6, sizeof(orr_msg_subscribe), false, false};
+
+static orr_wire_status encode_subscribe(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_subscribe_encode((const orr_msg_subscribe *)m, w);
+}
+static orr_wire_status decode_subscribe(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_subscribe_decode(payload, size, (orr_msg_subscribe *)m);
+}
+
+static const orr_field fields_subscribed[] = {
+    {.name = "first", .unit = "ns", .doc = "instant of its first block", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_subscribed, first), .in_text = true, .text_name = "first", .text_factor = 1.0, .in_table = true, .head = "first", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "step", .unit = "ns", .doc = "from block to block; 0: as long as they are", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribed, step), .in_text = true, .text_name = "step", .text_factor = 1.0, .in_table = true, .head = "step", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_subscribed = {"subscribed", fields_subscribed, 2, sizeof(orr_msg_subscribed), false, false};
+
+static orr_wire_status encode_subscribed(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_subscribed_encode((const orr_msg_subscribed *)m, w);
+}
+static orr_wire_status decode_subscribed(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_subscribed_decode(payload, size, (orr_msg_subscribed *)m);
+}
+
+static const orr_field fields_unsubscribe[] = {
+    {.name = "stream", .unit = "", .doc = "sequence number of its SUBSCRIBE", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_unsubscribe, stream), .in_text = true, .text_name = "stream", .text_factor = 1.0, .in_table = true, .head = "stream", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_unsubscribe = {"unsubscribe", fields_unsubscribe, 1, sizeof(orr_msg_unsubscribe), false, false};
+
+static orr_wire_status encode_unsubscribe(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_unsubscribe_encode((const orr_msg_unsubscribe *)m, w);
+}
+static orr_wire_status decode_unsubscribe(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_unsubscribe_decode(payload, size, (orr_msg_unsubscribe *)m);
+}
+
+static const orr_field fields_credit[] = {
+    {.name = "stream", .unit = "", .doc = "sequence number of its SUBSCRIBE", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_credit, stream), .in_text = true, .text_name = "stream", .text_factor = 1.0, .in_table = true, .head = "stream", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "blocks", .unit = "", .doc = "how many more", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_credit, blocks), .in_text = true, .text_name = "blocks", .text_factor = 1.0, .in_table = true, .head = "blocks", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_credit = {"credit", fields_credit, 2, sizeof(orr_msg_credit), false, false};
+
+static orr_wire_status encode_credit(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_credit_encode((const orr_msg_credit *)m, w);
+}
+static orr_wire_status decode_credit(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_credit_decode(payload, size, (orr_msg_credit *)m);
+}
+
+static const orr_field fields_gap[] = {
+    {.name = "first", .unit = "ns", .doc = "instant of the first that was left out", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_gap, first), .in_text = true, .text_name = "first", .text_factor = 1.0, .in_table = true, .head = "first", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "last", .unit = "ns", .doc = "instant of the last", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_gap, last), .in_text = true, .text_name = "last", .text_factor = 1.0, .in_table = true, .head = "last", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "blocks", .unit = "", .doc = "how many; of channels by their blocks 0, for their lengths were not looked at", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_gap, blocks), .in_text = true, .text_name = "blocks", .text_factor = 1.0, .in_table = true, .head = "blocks", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reason", .unit = "", .doc = "why", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_gap, reason), .word = words_gap_reason, .n_words = sizeof words_gap_reason / sizeof words_gap_reason[0], .in_text = true, .text_name = "reason", .text_factor = 1.0, .in_table = true, .head = "reason", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_gap = {"gap", fields_gap, 4, sizeof(orr_msg_gap), false, false};
+
+static orr_wire_status encode_gap(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_gap_encode((const orr_msg_gap *)m, w);
+}
+static orr_wire_status decode_gap(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_gap_decode(payload, size, (orr_msg_gap *)m);
+}
+
+static const orr_field fields_stream_end[] = {
+    {.name = "next", .unit = "ns", .doc = "instant of the block that would have come next: where another SUBSCRIBE goes on", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_stream_end, next), .in_text = true, .text_name = "next", .text_factor = 1.0, .in_table = true, .head = "next", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "reason", .unit = "", .doc = "why", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_stream_end, reason), .word = words_end_reason, .n_words = sizeof words_end_reason / sizeof words_end_reason[0], .in_text = true, .text_name = "reason", .text_factor = 1.0, .in_table = true, .head = "reason", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "sentence", .unit = "", .doc = "the same, for people", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_stream_end, sentence), .limit = 200, .in_text = true, .text_name = "sentence", .text_factor = 1.0, .in_table = true, .head = "sentence", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_stream_end = {"stream_end", fields_stream_end, 3, sizeof(orr_msg_stream_end), false, false};
+
+static orr_wire_status encode_stream_end(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_stream_end_encode((const orr_msg_stream_end *)m, w);
+}
+static orr_wire_status decode_stream_end(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_stream_end_decode(payload, size, (orr_msg_stream_end *)m);
+}
+
 static const orr_message_info messages[] = {
     {"HELLO", ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, true, &record_hello, encode_hello, decode_hello},
     {"CAPS", ORR_MSG_TYPE_CAPS, 0, false, &record_caps, encode_caps, decode_caps},
@@ -776,6 +890,12 @@ static const orr_message_info messages[] = {
     {"IMU", ORR_MSG_TYPE_IMU, 0, false, &record_imu, encode_imu, decode_imu},
     {"POLL_TRUTH", ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_TRUTH, true, &record_poll_truth, encode_poll_truth, decode_poll_truth},
     {"TRUTH", ORR_MSG_TYPE_TRUTH, 0, false, &record_truth, encode_truth, decode_truth},
+    {"SUBSCRIBE", ORR_MSG_TYPE_SUBSCRIBE, ORR_MSG_TYPE_SUBSCRIBED, true, &record_subscribe, encode_subscribe, decode_subscribe},
+    {"SUBSCRIBED", ORR_MSG_TYPE_SUBSCRIBED, 0, false, &record_subscribed, encode_subscribed, decode_subscribed},
+    {"UNSUBSCRIBE", ORR_MSG_TYPE_UNSUBSCRIBE, 0, true, &record_unsubscribe, encode_unsubscribe, decode_unsubscribe},
+    {"CREDIT", ORR_MSG_TYPE_CREDIT, 0, true, &record_credit, encode_credit, decode_credit},
+    {"GAP", ORR_MSG_TYPE_GAP, 0, false, &record_gap, encode_gap, decode_gap},
+    {"STREAM_END", ORR_MSG_TYPE_STREAM_END, 0, false, &record_stream_end, encode_stream_end, decode_stream_end},
 };
 
 const orr_message_info *orr_message_of(uint16_t type)

@@ -88,3 +88,24 @@ uint16_t orr_msg_answer(const orr_msg_handlers *h, void *user, uint16_t type, co
     default: return ORR_MSG_ERROR_CODE_INTERNAL;
     }
 }
+
+bool orr_msg_is_lane(uint16_t type)
+{
+    switch (type) {
+    case ORR_MSG_TYPE_SUBSCRIBE:
+    case ORR_MSG_TYPE_UNSUBSCRIBE:
+    case ORR_MSG_TYPE_CREDIT:
+        return true;
+    default: return false;
+    }
+}
+
+uint16_t orr_msg_lane_request(size_t i, uint16_t *answer)
+{
+    static const uint16_t lanes[][2] = {
+        {ORR_MSG_TYPE_SUBSCRIBE, ORR_MSG_TYPE_SUBSCRIBED},
+    };
+    if (i >= sizeof lanes / sizeof lanes[0]) return 0;
+    *answer = lanes[i][1];
+    return lanes[i][0];
+}

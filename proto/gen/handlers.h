@@ -46,5 +46,9 @@ uint32_t orr_msg_request_frames(uint16_t type, const orr_msg_any *request);
 uint16_t orr_msg_begin(const orr_msg_handlers *h, void *user, uint16_t type, const orr_msg_any *request, orr_server_refusal *why);
 uint16_t orr_msg_answer(const orr_msg_handlers *h, void *user, uint16_t type, const orr_msg_any *request, orr_server_part *part,
                         orr_wire_writer *w, orr_server_refusal *why);
+// Whether a message belongs to the connection (SUBSCRIBE, ...): who owns connections answers it, not the table.
+bool orr_msg_is_lane(uint16_t type);
+// Number i of those that are answered, and its answer in *answer; 0 behind the last.
+uint16_t orr_msg_lane_request(size_t i, uint16_t *answer);
 
 #endif

@@ -25,6 +25,12 @@ const char *orr_msg_type_name(uint16_t type)
     case 17: return "IMU";
     case 18: return "POLL_TRUTH";
     case 19: return "TRUTH";
+    case 20: return "SUBSCRIBE";
+    case 21: return "SUBSCRIBED";
+    case 22: return "UNSUBSCRIBE";
+    case 23: return "CREDIT";
+    case 24: return "GAP";
+    case 25: return "STREAM_END";
     default: return NULL;
     }
 }
@@ -120,6 +126,36 @@ const char *orr_msg_tec_origin_name(uint8_t value)
     case 1: return "FUSED";
     case 2: return "TRANSFERRED";
     case 3: return "NOISE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_pacing_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "FREE";
+    case 1: return "CLOCK";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_gap_reason_name(uint8_t value)
+{
+    switch (value) {
+    case 1: return "CREDIT";
+    case 2: return "LATE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_end_reason_name(uint8_t value)
+{
+    switch (value) {
+    case 1: return "FINISHED";
+    case 2: return "UNSUBSCRIBED";
+    case 3: return "SLOW";
+    case 4: return "OUTSIDE_SPAN";
+    case 5: return "FAILED";
     default: return NULL;
     }
 }
@@ -2727,5 +2763,209 @@ orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_ms
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_truth(&r, m);
+    return r.status;
+}
+
+static void put_subscribe(orr_wire_writer *w, const orr_msg_subscribe *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 16);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->request);
+    orr_wire_store_u8(p + 2, m->pacing);
+    orr_wire_store_u8(p + 3, m->reserved);
+    orr_wire_store_u32(p + 4, m->credit);
+    orr_wire_store_i64(p + 8, m->lead);
+    orr_wire_put_bytes(w, m->poll, 16384);
+}
+
+static void get_subscribe(orr_wire_reader *r, orr_msg_subscribe *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 16);
+    if (p == NULL) return;
+    m->request = orr_wire_load_u16(p + 0);
+    m->pacing = orr_wire_load_u8(p + 2);
+    m->reserved = orr_wire_load_u8(p + 3);
+    m->credit = orr_wire_load_u32(p + 4);
+    m->lead = orr_wire_load_i64(p + 8);
+    m->poll = orr_wire_get_bytes(r, 16384);
+}
+
+orr_wire_status orr_msg_subscribe_encode(const orr_msg_subscribe *m, orr_wire_writer *w)
+{
+    put_subscribe(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, orr_msg_subscribe *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_subscribe(&r, m);
+    return r.status;
+}
+
+static void put_subscribed(orr_wire_writer *w, const orr_msg_subscribed *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 16);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->first);
+    orr_wire_store_i64(p + 8, m->step);
+}
+
+static void get_subscribed(orr_wire_reader *r, orr_msg_subscribed *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 16);
+    if (p == NULL) return;
+    m->first = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+}
+
+orr_wire_status orr_msg_subscribed_encode(const orr_msg_subscribed *m, orr_wire_writer *w)
+{
+    put_subscribed(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_subscribed_decode(const uint8_t *payload, size_t size, orr_msg_subscribed *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_subscribed(&r, m);
+    return r.status;
+}
+
+static void put_unsubscribe(orr_wire_writer *w, const orr_msg_unsubscribe *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->stream);
+}
+
+static void get_unsubscribe(orr_wire_reader *r, orr_msg_unsubscribe *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->stream = orr_wire_load_u32(p + 0);
+}
+
+orr_wire_status orr_msg_unsubscribe_encode(const orr_msg_unsubscribe *m, orr_wire_writer *w)
+{
+    put_unsubscribe(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_unsubscribe_decode(const uint8_t *payload, size_t size, orr_msg_unsubscribe *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_unsubscribe(&r, m);
+    return r.status;
+}
+
+static void put_credit(orr_wire_writer *w, const orr_msg_credit *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 8);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->stream);
+    orr_wire_store_u32(p + 4, m->blocks);
+}
+
+static void get_credit(orr_wire_reader *r, orr_msg_credit *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 8);
+    if (p == NULL) return;
+    m->stream = orr_wire_load_u32(p + 0);
+    m->blocks = orr_wire_load_u32(p + 4);
+}
+
+orr_wire_status orr_msg_credit_encode(const orr_msg_credit *m, orr_wire_writer *w)
+{
+    put_credit(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_credit_decode(const uint8_t *payload, size_t size, orr_msg_credit *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_credit(&r, m);
+    return r.status;
+}
+
+static void put_gap(orr_wire_writer *w, const orr_msg_gap *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 21);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->first);
+    orr_wire_store_i64(p + 8, m->last);
+    orr_wire_store_u32(p + 16, m->blocks);
+    orr_wire_store_u8(p + 20, m->reason);
+}
+
+static void get_gap(orr_wire_reader *r, orr_msg_gap *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 21);
+    if (p == NULL) return;
+    m->first = orr_wire_load_i64(p + 0);
+    m->last = orr_wire_load_i64(p + 8);
+    m->blocks = orr_wire_load_u32(p + 16);
+    m->reason = orr_wire_load_u8(p + 20);
+}
+
+orr_wire_status orr_msg_gap_encode(const orr_msg_gap *m, orr_wire_writer *w)
+{
+    put_gap(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_gap_decode(const uint8_t *payload, size_t size, orr_msg_gap *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_gap(&r, m);
+    return r.status;
+}
+
+static void put_stream_end(orr_wire_writer *w, const orr_msg_stream_end *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 9);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->next);
+    orr_wire_store_u8(p + 8, m->reason);
+    orr_wire_put_bytes(w, m->sentence, 200);
+}
+
+static void get_stream_end(orr_wire_reader *r, orr_msg_stream_end *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 9);
+    if (p == NULL) return;
+    m->next = orr_wire_load_i64(p + 0);
+    m->reason = orr_wire_load_u8(p + 8);
+    m->sentence = orr_wire_get_bytes(r, 200);
+}
+
+orr_wire_status orr_msg_stream_end_encode(const orr_msg_stream_end *m, orr_wire_writer *w)
+{
+    put_stream_end(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_stream_end_decode(const uint8_t *payload, size_t size, orr_msg_stream_end *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_stream_end(&r, m);
     return r.status;
 }

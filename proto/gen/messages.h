@@ -51,6 +51,12 @@ enum { // message types
     ORR_MSG_TYPE_IMU = 17,
     ORR_MSG_TYPE_POLL_TRUTH = 18,
     ORR_MSG_TYPE_TRUTH = 19,
+    ORR_MSG_TYPE_SUBSCRIBE = 20,
+    ORR_MSG_TYPE_SUBSCRIBED = 21,
+    ORR_MSG_TYPE_UNSUBSCRIBE = 22,
+    ORR_MSG_TYPE_CREDIT = 23,
+    ORR_MSG_TYPE_GAP = 24,
+    ORR_MSG_TYPE_STREAM_END = 25,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -116,6 +122,24 @@ enum { // tec_origin (u8): What a delay came from.
     ORR_MSG_TEC_ORIGIN_NOISE = 3, // the field, corrected, what neighbouring rays tell, and seeded noise: the station did not see the satellite
 };
 
+enum { // pacing (u8): When the blocks of a stream are made.
+    ORR_MSG_PACING_FREE = 0, // as fast as there is credit and they are taken
+    ORR_MSG_PACING_CLOCK = 1, // each so long before the scenario clock shows its instant as `lead` says
+};
+
+enum { // gap_reason (u8): Why blocks of a stream were left out.
+    ORR_MSG_GAP_REASON_CREDIT = 1, // there was no credit before the clock had passed them
+    ORR_MSG_GAP_REASON_LATE = 2, // they could not be made before the clock had passed them: the machine was busy, or the clock was set forward
+};
+
+enum { // end_reason (u8): Why a stream has ended.
+    ORR_MSG_END_REASON_FINISHED = 1, // all epochs that were asked for have been sent
+    ORR_MSG_END_REASON_UNSUBSCRIBED = 2, // as the client wished
+    ORR_MSG_END_REASON_SLOW = 3, // its blocks were not taken although there was credit; other streams and clients do not wait for it
+    ORR_MSG_END_REASON_OUTSIDE_SPAN = 4, // what is served ends there
+    ORR_MSG_END_REASON_FAILED = 5, // the next block could not be made; the sentence says why
+};
+
 // channel_flags (u32): What should be known of a channel.
 #define ORR_MSG_CHANNEL_FLAGS_UNHEALTHY ((uint32_t)(UINT64_C(1) << 0)) // the scenario marks the satellite as not to be used
 #define ORR_MSG_CHANNEL_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 1)) // the satellite is in the umbra or penumbra of the Earth
@@ -157,6 +181,9 @@ const char *orr_msg_elements_method_name(uint8_t value);
 const char *orr_msg_orbit_point_name(uint8_t value);
 const char *orr_msg_receiver_source_name(uint8_t value);
 const char *orr_msg_tec_origin_name(uint8_t value);
+const char *orr_msg_pacing_name(uint8_t value);
+const char *orr_msg_gap_reason_name(uint8_t value);
+const char *orr_msg_end_reason_name(uint8_t value);
 const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
@@ -892,8 +919,78 @@ typedef struct orr_msg_truth {
 orr_wire_status orr_msg_truth_encode(const orr_msg_truth *m, orr_wire_writer *w);
 orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_msg_truth *m);
 
+// Asks for a stream. Its blocks are frames of the kind that answers the named request, and each is, byte for byte, the answer to that request for its instant alone. All frames of the stream bear the sequence number of the SUBSCRIBE, which is the stream's number.
+typedef struct orr_msg_subscribe {
+    uint16_t request; // POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU or POLL_TRUTH
+    uint8_t pacing; // when blocks are made
+    uint8_t reserved; // 0
+    uint32_t credit; // how many blocks may be sent before there is more credit (CREDIT)
+    int64_t lead; // [ns] with CLOCK: how long before its instant a block is made, 0 to 60 s
+    orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
+} orr_msg_subscribe;
+#define ORR_MSG_SUBSCRIBE_LARGEST 16402u
+
+orr_wire_status orr_msg_subscribe_encode(const orr_msg_subscribe *m, orr_wire_writer *w);
+orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, orr_msg_subscribe *m);
+
+// The stream is there; its blocks follow.
+typedef struct orr_msg_subscribed {
+    int64_t first; // [ns] instant of its first block
+    int64_t step; // [ns] from block to block; 0: as long as they are
+} orr_msg_subscribed;
+#define ORR_MSG_SUBSCRIBED_SIZE 16u
+#define ORR_MSG_SUBSCRIBED_LARGEST 16u
+
+orr_wire_status orr_msg_subscribed_encode(const orr_msg_subscribed *m, orr_wire_writer *w);
+orr_wire_status orr_msg_subscribed_decode(const uint8_t *payload, size_t size, orr_msg_subscribed *m);
+
+// Ends a stream; its last frame is a STREAM_END. Of a stream that has ended already it is passed over.
+typedef struct orr_msg_unsubscribe {
+    uint32_t stream; // sequence number of its SUBSCRIBE
+} orr_msg_unsubscribe;
+#define ORR_MSG_UNSUBSCRIBE_SIZE 4u
+#define ORR_MSG_UNSUBSCRIBE_LARGEST 4u
+
+orr_wire_status orr_msg_unsubscribe_encode(const orr_msg_unsubscribe *m, orr_wire_writer *w);
+orr_wire_status orr_msg_unsubscribe_decode(const uint8_t *payload, size_t size, orr_msg_unsubscribe *m);
+
+// Lets a stream send so many blocks more. Of a stream that has ended already it is passed over.
+typedef struct orr_msg_credit {
+    uint32_t stream; // sequence number of its SUBSCRIBE
+    uint32_t blocks; // how many more
+} orr_msg_credit;
+#define ORR_MSG_CREDIT_SIZE 8u
+#define ORR_MSG_CREDIT_LARGEST 8u
+
+orr_wire_status orr_msg_credit_encode(const orr_msg_credit *m, orr_wire_writer *w);
+orr_wire_status orr_msg_credit_decode(const uint8_t *payload, size_t size, orr_msg_credit *m);
+
+// Blocks of a stream that will not come. The next block is the first after them.
+typedef struct orr_msg_gap {
+    int64_t first; // [ns] instant of the first that was left out
+    int64_t last; // [ns] instant of the last
+    uint32_t blocks; // how many; of channels by their blocks 0, for their lengths were not looked at
+    uint8_t reason; // why
+} orr_msg_gap;
+#define ORR_MSG_GAP_SIZE 21u
+#define ORR_MSG_GAP_LARGEST 21u
+
+orr_wire_status orr_msg_gap_encode(const orr_msg_gap *m, orr_wire_writer *w);
+orr_wire_status orr_msg_gap_decode(const uint8_t *payload, size_t size, orr_msg_gap *m);
+
+// The last frame of a stream.
+typedef struct orr_msg_stream_end {
+    int64_t next; // [ns] instant of the block that would have come next: where another SUBSCRIBE goes on
+    uint8_t reason; // why
+    orr_wire_bytes sentence; // the same, for people
+} orr_msg_stream_end;
+#define ORR_MSG_STREAM_END_LARGEST 211u
+
+orr_wire_status orr_msg_stream_end_encode(const orr_msg_stream_end *m, orr_wire_writer *w);
+orr_wire_status orr_msg_stream_end_decode(const uint8_t *payload, size_t size, orr_msg_stream_end *m);
+
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end)
 
 // Room for any of them.
 typedef union orr_msg_any {
@@ -916,6 +1013,12 @@ typedef union orr_msg_any {
     orr_msg_imu imu;
     orr_msg_poll_truth poll_truth;
     orr_msg_truth truth;
+    orr_msg_subscribe subscribe;
+    orr_msg_subscribed subscribed;
+    orr_msg_unsubscribe unsubscribe;
+    orr_msg_credit credit;
+    orr_msg_gap gap;
+    orr_msg_stream_end stream_end;
 } orr_msg_any;
 
 #ifdef __cplusplus

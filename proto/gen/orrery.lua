@@ -60,6 +60,21 @@ enums.tec_origin = {
   [2] = "TRANSFERRED",
   [3] = "NOISE",
 }
+enums.pacing = {
+  [0] = "FREE",
+  [1] = "CLOCK",
+}
+enums.gap_reason = {
+  [1] = "CREDIT",
+  [2] = "LATE",
+}
+enums.end_reason = {
+  [1] = "FINISHED",
+  [2] = "UNSUBSCRIBED",
+  [3] = "SLOW",
+  [4] = "OUTSIDE_SPAN",
+  [5] = "FAILED",
+}
 bitsets.channel_flags = {
   {name = "UNHEALTHY", bit = 0},
   {name = "ECLIPSE", bit = 1},
@@ -414,6 +429,36 @@ records.truth = {size = 219, smallest = 219, fields = {
     {name = "eotvos_mgal", kind = "scalar", scalar = "f64", unit = "mGal"},
     {name = "vertical_mps2", kind = "scalar", scalar = "f64", unit = "m/s2"},
 }}
+records.subscribe = {fields = {
+    {name = "request", kind = "scalar", scalar = "u16", show = "message"},
+    {name = "pacing", kind = "scalar", scalar = "u8", enum = "pacing"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "credit", kind = "scalar", scalar = "u32"},
+    {name = "lead", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "poll", kind = "bytes", limit = 16384},
+}}
+records.subscribed = {size = 16, smallest = 16, fields = {
+    {name = "first", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "step", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+}}
+records.unsubscribe = {size = 4, smallest = 4, fields = {
+    {name = "stream", kind = "scalar", scalar = "u32"},
+}}
+records.credit = {size = 8, smallest = 8, fields = {
+    {name = "stream", kind = "scalar", scalar = "u32"},
+    {name = "blocks", kind = "scalar", scalar = "u32"},
+}}
+records.gap = {size = 21, smallest = 21, fields = {
+    {name = "first", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "last", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "blocks", kind = "scalar", scalar = "u32"},
+    {name = "reason", kind = "scalar", scalar = "u8", enum = "gap_reason"},
+}}
+records.stream_end = {fields = {
+    {name = "next", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "reason", kind = "scalar", scalar = "u8", enum = "end_reason"},
+    {name = "sentence", kind = "string", limit = 200},
+}}
 local messages = {
   [1] = {name = "HELLO", record = "hello", from = "client", answer = "CAPS"},
   [2] = {name = "CAPS", record = "caps", from = "server"},
@@ -434,6 +479,12 @@ local messages = {
   [17] = {name = "IMU", record = "imu", from = "server"},
   [18] = {name = "POLL_TRUTH", record = "poll_truth", from = "client", answer = "TRUTH"},
   [19] = {name = "TRUTH", record = "truth", from = "server"},
+  [20] = {name = "SUBSCRIBE", record = "subscribe", from = "client", answer = "SUBSCRIBED"},
+  [21] = {name = "SUBSCRIBED", record = "subscribed", from = "server"},
+  [22] = {name = "UNSUBSCRIBE", record = "unsubscribe", from = "client"},
+  [23] = {name = "CREDIT", record = "credit", from = "client"},
+  [24] = {name = "GAP", record = "gap", from = "server"},
+  [25] = {name = "STREAM_END", record = "stream_end", from = "server"},
 }
 local message_names = {}
 for number, message in pairs(messages) do message_names[number] = message.name end

@@ -97,6 +97,40 @@ orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *r
     return orr_client_send(c, &w, start);
 }
 
+orr_wire_status orr_client_subscribe(orr_client *c, const orr_msg_subscribe *request, orr_msg_subscribed *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_SUBSCRIBE, &w, &start);
+    orr_msg_subscribe_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_SUBSCRIBED, &f);
+    return s == ORR_WIRE_OK ? orr_msg_subscribed_decode(f.payload, f.size, answer) : s;
+}
+
+orr_wire_status orr_client_unsubscribe(orr_client *c, const orr_msg_unsubscribe *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    uint32_t awaited = c->awaited;
+    orr_client_begin(c, ORR_MSG_TYPE_UNSUBSCRIBE, &w, &start);
+    orr_msg_unsubscribe_encode(request, &w);
+    c->awaited = awaited;
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_credit(orr_client *c, const orr_msg_credit *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    uint32_t awaited = c->awaited;
+    orr_client_begin(c, ORR_MSG_TYPE_CREDIT, &w, &start);
+    orr_msg_credit_encode(request, &w);
+    c->awaited = awaited;
+    return orr_client_send(c, &w, start);
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)
 {
     orr_frame f;

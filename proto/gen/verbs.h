@@ -34,6 +34,12 @@ orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *reque
 // Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.
 // Then call orr_client_truth request->epochs.count times.
 orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *request);
+// Asks for a stream. Its blocks are frames of the kind that answers the named request, and each is, byte for byte, the answer to that request for its instant alone. All frames of the stream bear the sequence number of the SUBSCRIBE, which is the stream's number.
+orr_wire_status orr_client_subscribe(orr_client *c, const orr_msg_subscribe *request, orr_msg_subscribed *answer);
+// Ends a stream; its last frame is a STREAM_END. Of a stream that has ended already it is passed over.
+orr_wire_status orr_client_unsubscribe(orr_client *c, const orr_msg_unsubscribe *request);
+// Lets a stream send so many blocks more. Of a stream that has ended already it is passed over.
+orr_wire_status orr_client_credit(orr_client *c, const orr_msg_credit *request);
 
 // Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);

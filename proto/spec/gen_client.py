@@ -54,7 +54,11 @@ class Verbs:
         out = [line.format(source=self.source) for line in HEAD] + ['#include "proto/client.h"', ""]
         for m in self.requests():
             out += [self.prototype(m), "{", "    orr_wire_writer w;", "    size_t start;"]
+            if m.answer == "none":  # another request's answer may be waited for
+                out.append("    uint32_t awaited = c->awaited;")
             out += [f"    orr_client_begin(c, {up}_TYPE_{m.name.upper()}, &w, &start);", f"    {p}_{m.name}_encode(request, &w);"]
+            if m.answer == "none":
+                out.append("    c->awaited = awaited;")
             if m.epochs:
                 out.append(f"    orr_client_expect(c, request->{m.epochs.name}.count);")
             if m.epochs or m.answer == "none":

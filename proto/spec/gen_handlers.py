@@ -6,7 +6,8 @@ from gen_c import HEAD
 class Handlers:
     def __init__(self, spec, source):
         self.spec, self.source, self.p, self.up = spec, source, spec.prefix, spec.prefix.upper()
-        self.requests = [m for m in spec.messages.values() if m.sender == "client" and m.answer != "none" and not m.built_in]
+        self.requests = [m for m in spec.messages.values() if m.sender == "client" and m.answer != "none" and not m.built_in and not m.lane]
+        self.lanes = [m for m in spec.messages.values() if m.lane]
 
     def header(self):
         p = self.p
@@ -27,7 +28,10 @@ class Handlers:
                 f"uint32_t {p}_request_frames(uint16_t type, const {p}_any *request);",
                 f"uint16_t {p}_begin(const {p}_handlers *h, void *user, uint16_t type, const {p}_any *request, orr_server_refusal *why);",
                 f"uint16_t {p}_answer(const {p}_handlers *h, void *user, uint16_t type, const {p}_any *request, orr_server_part *part,",
-                "                        orr_wire_writer *w, orr_server_refusal *why);", "", "#endif"]
+                "                        orr_wire_writer *w, orr_server_refusal *why);",
+                "// Whether a message belongs to the connection (SUBSCRIBE, ...): who owns connections answers it, not the table.",
+                f"bool {p}_is_lane(uint16_t type);", "// Number i of those that are answered, and its answer in *answer; 0 behind the last.",
+                f"uint16_t {p}_lane_request(size_t i, uint16_t *answer);", "", "#endif"]
         return "\n".join(out) + "\n"
 
     def switch(self, default, case):
@@ -52,4 +56,11 @@ class Handlers:
         out += [f"uint16_t {p}_answer(const {p}_handlers *h, void *user, uint16_t type, const {p}_any *request, orr_server_part *part,",
                 "                        orr_wire_writer *w, orr_server_refusal *why)", "{"]
         out += self.switch(f"return {up}_ERROR_CODE_INTERNAL;", lambda m: f"return h->{m.name}(user, &request->{m.name}, part, w, why);")
+        out += [f"bool {p}_is_lane(uint16_t type)", "{", "    switch (type) {"] + \
+            [f"    case {up}_TYPE_{m.name.upper()}:" for m in self.lanes] + \
+            (["        return true;"] if self.lanes else []) + ["    default: return false;", "    }", "}", ""]
+        answered = [m for m in self.lanes if m.answer != "none"]
+        out += [f"uint16_t {p}_lane_request(size_t i, uint16_t *answer)", "{", "    static const uint16_t lanes[][2] = {"]
+        out += [f"        {{{up}_TYPE_{m.name.upper()}, {up}_TYPE_{m.answer}}}," for m in answered]
+        out += ["    };", "    if (i >= sizeof lanes / sizeof lanes[0]) return 0;", "    *answer = lanes[i][1];", "    return lanes[i][0];", "}", ""]
         return "\n".join(out).rstrip("\n") + "\n"

@@ -81,11 +81,12 @@ class Struct:
     def __init__(self, name, raw, message=False):
         self.name, self.doc, self.message = name, raw["doc"], message
         self.fields = [Field(name, f) for f in raw.get("fields", [])]
-        unknown = set(raw) - {"doc", "fields", "type", "from", "answer", "spread", "show", "built_in"}
+        unknown = set(raw) - {"doc", "fields", "type", "from", "answer", "spread", "show", "built_in", "lane"}
         if unknown:
             raise SpecError(f"{name}: unknown key {sorted(unknown)[0]}")
         self.type_number, self.sender, self.answer = raw.get("type", 0), raw.get("from", ""), raw.get("answer", "")
         self.spread, self.show, self.built_in = raw.get("spread", False), raw.get("show", ""), raw.get("built_in", False)
+        self.lane = raw.get("lane", False)
 
     @property
     def fixed(self):

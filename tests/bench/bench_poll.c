@@ -19,10 +19,10 @@
 
 #include "bench/bench.h"
 #include "src/scenario/engine/engine.h"
-#include "src/service/answers.h"
-#include "src/service/dial.h"
-#include "src/service/service.h"
-#include "src/service/url.h"
+#include "src/service/answers/answers.h"
+#include "src/service/net/dial.h"
+#include "src/service/net/url.h"
+#include "src/service/serve/service.h"
 
 enum { ROUNDS = 60, TURN = 250, WARM_UP = 500 };
 

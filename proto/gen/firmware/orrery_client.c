@@ -786,6 +786,12 @@ const char *orr_msg_type_name(uint16_t type)
     case 17: return "IMU";
     case 18: return "POLL_TRUTH";
     case 19: return "TRUTH";
+    case 20: return "SUBSCRIBE";
+    case 21: return "SUBSCRIBED";
+    case 22: return "UNSUBSCRIBE";
+    case 23: return "CREDIT";
+    case 24: return "GAP";
+    case 25: return "STREAM_END";
     default: return NULL;
     }
 }
@@ -881,6 +887,36 @@ const char *orr_msg_tec_origin_name(uint8_t value)
     case 1: return "FUSED";
     case 2: return "TRANSFERRED";
     case 3: return "NOISE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_pacing_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "FREE";
+    case 1: return "CLOCK";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_gap_reason_name(uint8_t value)
+{
+    switch (value) {
+    case 1: return "CREDIT";
+    case 2: return "LATE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_end_reason_name(uint8_t value)
+{
+    switch (value) {
+    case 1: return "FINISHED";
+    case 2: return "UNSUBSCRIBED";
+    case 3: return "SLOW";
+    case 4: return "OUTSIDE_SPAN";
+    case 5: return "FAILED";
     default: return NULL;
     }
 }
@@ -3491,6 +3527,210 @@ orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_ms
     return r.status;
 }
 
+static void put_subscribe(orr_wire_writer *w, const orr_msg_subscribe *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 16);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->request);
+    orr_wire_store_u8(p + 2, m->pacing);
+    orr_wire_store_u8(p + 3, m->reserved);
+    orr_wire_store_u32(p + 4, m->credit);
+    orr_wire_store_i64(p + 8, m->lead);
+    orr_wire_put_bytes(w, m->poll, 16384);
+}
+
+static void get_subscribe(orr_wire_reader *r, orr_msg_subscribe *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 16);
+    if (p == NULL) return;
+    m->request = orr_wire_load_u16(p + 0);
+    m->pacing = orr_wire_load_u8(p + 2);
+    m->reserved = orr_wire_load_u8(p + 3);
+    m->credit = orr_wire_load_u32(p + 4);
+    m->lead = orr_wire_load_i64(p + 8);
+    m->poll = orr_wire_get_bytes(r, 16384);
+}
+
+orr_wire_status orr_msg_subscribe_encode(const orr_msg_subscribe *m, orr_wire_writer *w)
+{
+    put_subscribe(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, orr_msg_subscribe *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_subscribe(&r, m);
+    return r.status;
+}
+
+static void put_subscribed(orr_wire_writer *w, const orr_msg_subscribed *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 16);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->first);
+    orr_wire_store_i64(p + 8, m->step);
+}
+
+static void get_subscribed(orr_wire_reader *r, orr_msg_subscribed *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 16);
+    if (p == NULL) return;
+    m->first = orr_wire_load_i64(p + 0);
+    m->step = orr_wire_load_i64(p + 8);
+}
+
+orr_wire_status orr_msg_subscribed_encode(const orr_msg_subscribed *m, orr_wire_writer *w)
+{
+    put_subscribed(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_subscribed_decode(const uint8_t *payload, size_t size, orr_msg_subscribed *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_subscribed(&r, m);
+    return r.status;
+}
+
+static void put_unsubscribe(orr_wire_writer *w, const orr_msg_unsubscribe *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->stream);
+}
+
+static void get_unsubscribe(orr_wire_reader *r, orr_msg_unsubscribe *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->stream = orr_wire_load_u32(p + 0);
+}
+
+orr_wire_status orr_msg_unsubscribe_encode(const orr_msg_unsubscribe *m, orr_wire_writer *w)
+{
+    put_unsubscribe(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_unsubscribe_decode(const uint8_t *payload, size_t size, orr_msg_unsubscribe *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_unsubscribe(&r, m);
+    return r.status;
+}
+
+static void put_credit(orr_wire_writer *w, const orr_msg_credit *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 8);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->stream);
+    orr_wire_store_u32(p + 4, m->blocks);
+}
+
+static void get_credit(orr_wire_reader *r, orr_msg_credit *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 8);
+    if (p == NULL) return;
+    m->stream = orr_wire_load_u32(p + 0);
+    m->blocks = orr_wire_load_u32(p + 4);
+}
+
+orr_wire_status orr_msg_credit_encode(const orr_msg_credit *m, orr_wire_writer *w)
+{
+    put_credit(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_credit_decode(const uint8_t *payload, size_t size, orr_msg_credit *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_credit(&r, m);
+    return r.status;
+}
+
+static void put_gap(orr_wire_writer *w, const orr_msg_gap *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 21);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->first);
+    orr_wire_store_i64(p + 8, m->last);
+    orr_wire_store_u32(p + 16, m->blocks);
+    orr_wire_store_u8(p + 20, m->reason);
+}
+
+static void get_gap(orr_wire_reader *r, orr_msg_gap *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 21);
+    if (p == NULL) return;
+    m->first = orr_wire_load_i64(p + 0);
+    m->last = orr_wire_load_i64(p + 8);
+    m->blocks = orr_wire_load_u32(p + 16);
+    m->reason = orr_wire_load_u8(p + 20);
+}
+
+orr_wire_status orr_msg_gap_encode(const orr_msg_gap *m, orr_wire_writer *w)
+{
+    put_gap(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_gap_decode(const uint8_t *payload, size_t size, orr_msg_gap *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_gap(&r, m);
+    return r.status;
+}
+
+static void put_stream_end(orr_wire_writer *w, const orr_msg_stream_end *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 9);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->next);
+    orr_wire_store_u8(p + 8, m->reason);
+    orr_wire_put_bytes(w, m->sentence, 200);
+}
+
+static void get_stream_end(orr_wire_reader *r, orr_msg_stream_end *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 9);
+    if (p == NULL) return;
+    m->next = orr_wire_load_i64(p + 0);
+    m->reason = orr_wire_load_u8(p + 8);
+    m->sentence = orr_wire_get_bytes(r, 200);
+}
+
+orr_wire_status orr_msg_stream_end_encode(const orr_msg_stream_end *m, orr_wire_writer *w)
+{
+    put_stream_end(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_stream_end_decode(const uint8_t *payload, size_t size, orr_msg_stream_end *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_stream_end(&r, m);
+    return r.status;
+}
+
 void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity)
 {
     memset(c, 0, sizeof *c);
@@ -3517,6 +3757,7 @@ void orr_client_begin(orr_client *c, uint16_t type, orr_wire_writer *w, size_t *
     w->capacity = c->capacity - c->size;
     w->status = ORR_WIRE_OK;
     if (++c->sequence == 0) c->sequence = 1; // 0 is the server's, for an ERROR that answers no request
+    c->awaited = c->sequence;
     orr_frame_begin(w, type, c->sequence, start);
 }
 
@@ -3548,19 +3789,34 @@ static orr_wire_status receive(orr_client *c, orr_frame *f)
     }
 }
 
+static orr_wire_status refused(orr_client *c, const orr_frame *f)
+{
+    orr_msg_error error;
+    orr_wire_status s = orr_msg_error_decode(f->payload, f->size, &error);
+    if (s != ORR_WIRE_OK) return s;
+    c->error_code = error.code;
+    orr_wire_text_copy(error.sentence, c->sentence, sizeof c->sentence);
+    return ORR_WIRE_REFUSED;
+}
+
 orr_wire_status orr_client_answer(orr_client *c, uint16_t type, orr_frame *f)
 {
-    orr_wire_status s = receive(c, f);
-    if (s != ORR_WIRE_OK) return s;
-    if (f->type == ORR_MSG_TYPE_ERROR && (f->sequence == c->sequence || f->sequence == 0)) {
-        orr_msg_error error;
-        s = orr_msg_error_decode(f->payload, f->size, &error);
+    for (;;) {
+        orr_wire_status s = receive(c, f);
         if (s != ORR_WIRE_OK) return s;
-        c->error_code = error.code;
-        orr_wire_text_copy(error.sentence, c->sentence, sizeof c->sentence);
-        return ORR_WIRE_REFUSED;
+        if (f->type == ORR_MSG_TYPE_ERROR && (f->sequence == c->awaited || f->sequence == 0))
+            return refused(c, f);
+        if (f->type == type && f->sequence == c->awaited) return ORR_WIRE_OK;
+        if (c->stream == NULL || f->sequence == c->awaited || f->sequence == 0) return ORR_WIRE_UNEXPECTED;
+        c->stream(c->stream_user, f);
     }
-    return f->type == type && f->sequence == c->sequence ? ORR_WIRE_OK : ORR_WIRE_UNEXPECTED;
+}
+
+orr_wire_status orr_client_next(orr_client *c, orr_frame *f)
+{
+    orr_wire_status s = receive(c, f);
+    if (s == ORR_WIRE_OK && f->type == ORR_MSG_TYPE_ERROR && f->sequence == 0) s = refused(c, f);
+    return s;
 }
 
 void orr_client_expect(orr_client *c, uint32_t count)
@@ -3667,6 +3923,40 @@ orr_wire_status orr_client_poll_truth(orr_client *c, const orr_msg_poll_truth *r
     orr_client_begin(c, ORR_MSG_TYPE_POLL_TRUTH, &w, &start);
     orr_msg_poll_truth_encode(request, &w);
     orr_client_expect(c, request->epochs.count);
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_subscribe(orr_client *c, const orr_msg_subscribe *request, orr_msg_subscribed *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_SUBSCRIBE, &w, &start);
+    orr_msg_subscribe_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_SUBSCRIBED, &f);
+    return s == ORR_WIRE_OK ? orr_msg_subscribed_decode(f.payload, f.size, answer) : s;
+}
+
+orr_wire_status orr_client_unsubscribe(orr_client *c, const orr_msg_unsubscribe *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    uint32_t awaited = c->awaited;
+    orr_client_begin(c, ORR_MSG_TYPE_UNSUBSCRIBE, &w, &start);
+    orr_msg_unsubscribe_encode(request, &w);
+    c->awaited = awaited;
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_credit(orr_client *c, const orr_msg_credit *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    uint32_t awaited = c->awaited;
+    orr_client_begin(c, ORR_MSG_TYPE_CREDIT, &w, &start);
+    orr_msg_credit_encode(request, &w);
+    c->awaited = awaited;
     return orr_client_send(c, &w, start);
 }
 

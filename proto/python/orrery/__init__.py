@@ -19,7 +19,8 @@ from .messages import (Answer, DelayFlags, ElementsFrame, ElementsMethod, ErrorC
                        SatId, StateFlags, TecOrigin)
 from .reconnect import ReconnectingClient
 from .satellite import sat_id, sat_name
+from .stream import Stream
 
 __all__ = ["Answer", "Client", "CodecError", "DelayFlags", "ElementsFrame", "ElementsMethod", "ErrorCode", "NavMessage", "NavNotes",
-           "OrbitPoint", "ProtocolError", "ReceiverSource", "ReconnectingClient", "Refused", "SatId", "StateFlags", "TecOrigin",
+           "OrbitPoint", "ProtocolError", "ReceiverSource", "ReconnectingClient", "Refused", "SatId", "StateFlags", "Stream", "TecOrigin",
            "__version__", "from_datetime", "from_text", "sat_id", "sat_name", "time_tag", "to_datetime", "to_text", "to_utc"]

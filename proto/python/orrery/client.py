@@ -6,14 +6,16 @@ from __future__ import annotations
 import collections
 import socket
 from types import TracebackType
-from typing import Deque, Dict, Iterator, Optional, Type
+from typing import Deque, Dict, Iterator, Optional, Type, Union
 from urllib.parse import urlsplit
 
 from . import frame, messages
 from ._version import __version__
-from .asking import A, M, Message, Request, from_epoch, next_epoch
+from .asking import A, M, Message, Request, choice, from_epoch, next_epoch, step_ns
 from .codec import CodecError
+from .gpstime import NONE, Time, time_tag
 from .satellite import sat_id, sat_name
+from .stream import Stream
 from .verbs import Verbs
 
 __all__ = ["Client", "ProtocolError", "Refused", "connect", "sat_id", "sat_name"]
@@ -95,6 +97,25 @@ class Client(Verbs):
         """Asks whether the server is alive."""
         if self._ask(messages.Ping(token), messages.Pong).token != token:
             raise self._broken("the PONG is not that of this PING")
+
+    def subscribe(self, request: Request, t: Optional[Time] = None, step_s: float = 0.0, count: int = 0,
+                  pacing: Union[messages.Pacing, str] = messages.Pacing.CLOCK, lead_s: float = 0.0, credit: int = 64,
+                  window: Optional[int] = None) -> Stream:
+        """A stream of the blocks that answer `request` (a Poll, PollChannels, ...; its epochs are those given here): from t on (None: the
+        next one), step_s apart (0: every block of channels once), `count` of them (0: without end). pacing: "clock", each lead_s before
+        the scenario clock shows its instant, or "free". credit: how many may come before there is more; the stream renews it as they
+        are read, up to `window` (that of `credit` if None; 0: you call Stream.credit)."""
+        poll = from_epoch(request, NONE if t is None else time_tag(t), step_ns(step_s), count)
+        asked = messages.Subscribe(request=request.TYPE, pacing=choice(messages.Pacing, pacing), credit=credit, lead=step_ns(lead_s),
+                                   poll=poll.encode())
+        number = self._send(asked)
+        self._inbox[number] = collections.deque()
+        try:
+            told = self._decode(self._next_frame(number), messages.Subscribed)
+        except BaseException:
+            self._inbox.pop(number, None)
+            raise
+        return Stream(self, number, told, request, credit if window is None else window)
 
     def _series(self, request: Request, reply: Type[A], count: int) -> Iterator[A]:
         if count < 0:

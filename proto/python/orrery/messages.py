@@ -108,6 +108,30 @@ class TecOrigin(WireEnum):
     NOISE = 3  # the field, corrected, what neighbouring rays tell, and seeded noise: the station did not see the satellite
 
 
+class Pacing(WireEnum):
+    """When the blocks of a stream are made."""
+
+    FREE = 0  # as fast as there is credit and they are taken
+    CLOCK = 1  # each so long before the scenario clock shows its instant as `lead` says
+
+
+class GapReason(WireEnum):
+    """Why blocks of a stream were left out."""
+
+    CREDIT = 1  # there was no credit before the clock had passed them
+    LATE = 2  # they could not be made before the clock had passed them: the machine was busy, or the clock was set forward
+
+
+class EndReason(WireEnum):
+    """Why a stream has ended."""
+
+    FINISHED = 1  # all epochs that were asked for have been sent
+    UNSUBSCRIBED = 2  # as the client wished
+    SLOW = 3  # its blocks were not taken although there was credit; other streams and clients do not wait for it
+    OUTSIDE_SPAN = 4  # what is served ends there
+    FAILED = 5  # the next block could not be made; the sentence says why
+
+
 class ChannelFlags(enum.IntFlag):
     """What should be known of a channel."""
 
@@ -1584,6 +1608,135 @@ class Truth(Record):
         return self.epoch.answer
 
 
+@dataclasses.dataclass(eq=False, slots=True)
+class Subscribe(Record):
+    """Asks for a stream. Its blocks are frames of the kind that answers the named request, and each is, byte for byte, the
+    answer to that request for its instant alone. All frames of the stream bear the sequence number of the SUBSCRIBE, which is
+    the stream's number.
+
+    request: POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU or POLL_TRUTH
+    pacing: when blocks are made
+    reserved: 0
+    credit: how many blocks may be sent before there is more credit (CREDIT)
+    lead [ns]: with CLOCK: how long before its instant a block is made, 0 to 60 s
+    poll: payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s
+    (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
+    """
+
+    TYPE: ClassVar[int] = 20
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("request", "scalar", scalar="u16"),
+        Field("pacing", "scalar", scalar="u8", enum=Pacing),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("credit", "scalar", scalar="u32"),
+        Field("lead", "scalar", scalar="i64"),
+        Field("poll", "bytes", limit=16384),
+    )
+
+    request: int = 0
+    pacing: Pacing = Pacing(0)
+    reserved: int = 0
+    credit: int = 0
+    lead: int = 0
+    poll: bytes = b""
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Subscribed(Record):
+    """The stream is there; its blocks follow.
+
+    first [ns]: instant of its first block
+    step [ns]: from block to block; 0: as long as they are
+    """
+
+    TYPE: ClassVar[int] = 21
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("first", "scalar", scalar="i64"),
+        Field("step", "scalar", scalar="i64"),
+    )
+
+    first: int = 0
+    step: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Unsubscribe(Record):
+    """Ends a stream; its last frame is a STREAM_END. Of a stream that has ended already it is passed over.
+
+    stream: sequence number of its SUBSCRIBE
+    """
+
+    TYPE: ClassVar[int] = 22
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("stream", "scalar", scalar="u32"),
+    )
+
+    stream: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Credit(Record):
+    """Lets a stream send so many blocks more. Of a stream that has ended already it is passed over.
+
+    stream: sequence number of its SUBSCRIBE
+    blocks: how many more
+    """
+
+    TYPE: ClassVar[int] = 23
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("stream", "scalar", scalar="u32"),
+        Field("blocks", "scalar", scalar="u32"),
+    )
+
+    stream: int = 0
+    blocks: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Gap(Record):
+    """Blocks of a stream that will not come. The next block is the first after them.
+
+    first [ns]: instant of the first that was left out
+    last [ns]: instant of the last
+    blocks: how many; of channels by their blocks 0, for their lengths were not looked at
+    reason: why
+    """
+
+    TYPE: ClassVar[int] = 24
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("first", "scalar", scalar="i64"),
+        Field("last", "scalar", scalar="i64"),
+        Field("blocks", "scalar", scalar="u32"),
+        Field("reason", "scalar", scalar="u8", enum=GapReason),
+    )
+
+    first: int = 0
+    last: int = 0
+    blocks: int = 0
+    reason: GapReason = GapReason(0)
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class StreamEnd(Record):
+    """The last frame of a stream.
+
+    next [ns]: instant of the block that would have come next: where another SUBSCRIBE goes on
+    reason: why
+    sentence: the same, for people
+    """
+
+    TYPE: ClassVar[int] = 25
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("next", "scalar", scalar="i64"),
+        Field("reason", "scalar", scalar="u8", enum=EndReason),
+        Field("sentence", "string", limit=200),
+    )
+
+    next: int = 0
+    reason: EndReason = EndReason(0)
+    sentence: str = ""
+
+
 MESSAGES: dict[int, Type[Record]] = {
     1: Hello,
     2: Caps,
@@ -1604,4 +1757,10 @@ MESSAGES: dict[int, Type[Record]] = {
     17: Imu,
     18: PollTruth,
     19: Truth,
+    20: Subscribe,
+    21: Subscribed,
+    22: Unsubscribe,
+    23: Credit,
+    24: Gap,
+    25: StreamEnd,
 }

@@ -9,7 +9,7 @@
 #include "src/cli/service/message_text.h"
 #include "src/cli/service/poll_ask.h"
 #include "src/cli/service/poll_pages.h"
-#include "src/service/dial.h"
+#include "src/service/net/dial.h"
 
 typedef struct poll_job {
     orr_cli *c;

@@ -10,8 +10,8 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/service/serve_log.h"
 #include "src/make/products.h"
-#include "src/service/answers.h"
-#include "src/service/service.h"
+#include "src/service/answers/answers.h"
+#include "src/service/serve/service.h"
 
 // NetCDF by its first bytes: HDF5 (NetCDF-4) or classic. A scenario is text.
 static orr_status is_product(const char *path, bool *yes, orr_diag *diag)
@@ -34,15 +34,27 @@ typedef struct serving {
     const char **url; // of --listen
     orr_service *service;
     orr_engine *engine;
-    orr_answers *answers;
+    orr_answers *answers, *maker; // of requests and of streams: each thread has a room of its own
+    orr_streams *streams;
     orr_serve_log talk;
     orr_log log;
 } serving;
+
+// The scenario's clock shows its first instant when the service can be reached.
+static void start_clock(serving *v)
+{
+    orr_time first, last;
+    orr_clock clock = {.state = ORR_CLOCK_STOPPED};
+    orr_engine_span(v->engine, &first, &last);
+    orr_clock_start(&clock, orr_streams_now_ns(v->streams), first);
+    orr_streams_set_clock(v->streams, &clock);
+}
 
 // What is told once the service can be reached; scripts wait for this line, so --quiet does not silence it.
 static void say_ready(void *user)
 {
     serving *v = user;
+    start_clock(v);
     char text[1200], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     const orr_sat *sats;
     orr_time t0, t1;
@@ -93,6 +105,22 @@ static orr_status check_kind(const char *path, orr_diag *diag)
                        orr_kind_name(kind));
 }
 
+// Streams, made by a thread of their own. The scenario's clock begins at the first instant.
+static orr_status open_streams(serving *v, orr_diag *diag)
+{
+    orr_status s = orr_answers_open(v->engine, &v->maker, diag);
+    if (s != ORR_OK) return s;
+    const orr_streams_options o = {.maker = orr_answers_server(v->maker),
+                                   .wake = orr_service_wake,
+                                   .wake_user = v->service,
+                                   .priority = (int)orr_cli_int(v->c, "priority", 0),
+                                   .processor = (int)orr_cli_int(v->c, "processor", -1),
+                                   .lock_memory = orr_cli_given(v->c, "lock-memory")};
+    s = orr_streams_open(&o, &v->streams, diag);
+    if (s == ORR_OK) orr_service_stream(v->service, v->streams);
+    return s;
+}
+
 static orr_status prepare(serving *v, const char *path, orr_diag *diag)
 {
     bool product = false;
@@ -112,6 +140,7 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     orr_warnings_free(&warnings);
     if (s == ORR_OK) s = orr_answers_open(v->engine, &v->answers, diag);
     if (s == ORR_OK) orr_service_provide(v->service, orr_answers_server(v->answers));
+    if (s == ORR_OK) s = open_streams(v, diag);
     return s;
 }
 
@@ -131,7 +160,10 @@ static int run(orr_cli *c)
     bool asked_wrongly = s == ORR_E_ARG && v.service == NULL && v.url != NULL; // --listen, or serve.listen
     if (s == ORR_OK) s = orr_service_run(v.service, say_ready, &v, &diag);
     if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, "stopped");
+    orr_streams_halt(v.streams);
     orr_service_close(v.service);
+    orr_streams_close(v.streams);
+    orr_answers_close(v.maker);
     orr_answers_close(v.answers);
     orr_engine_close(v.engine);
     orr_scenario_free(&v.scenario);
@@ -156,6 +188,22 @@ static const orr_option options[] = {
      .help =
          "Largest number of clients at once. One more takes the place of the one that has been idle longest, "
          "or is answered BUSY. 256 by default."},
+    {.name = "priority",
+     .kind = ORR_OPT_INT,
+     .value = "P",
+     .min = 1,
+     .max = 99,
+     .help = "Real-time priority (SCHED_FIFO) of the thread that makes the blocks of streams; the machine "
+             "must permit it."},
+    {.name = "processor",
+     .kind = ORR_OPT_INT,
+     .value = "K",
+     .min = 0,
+     .max = 1023,
+     .help = "The processor that this thread runs on, from 0; any by default."},
+    {.name = "lock-memory",
+     .kind = ORR_OPT_FLAG,
+     .help = "Keep the whole process in memory, so that no block waits for a page."},
     {.name = "help-scenario", .kind = ORR_OPT_FLAG, .help = "Print all keys of a scenario file, and end."},
 };
 

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "src/scenario/engine/engine.h"
-#include "src/service/answers.h"
+#include "src/service/answers/answers.h"
 #include "unit/orbit/made_orbit.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);

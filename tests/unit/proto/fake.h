@@ -60,6 +60,9 @@ static inline void fake_caps(void *user, orr_msg_caps *caps)
 
 static const orr_msg_handlers fake_handlers = {.begin_poll = fake_begin, .poll = fake_answer};
 
-static inline orr_server fake_server(fake *f) { return (orr_server){&fake_handlers, fake_caps, NULL, f}; }
+static inline orr_server fake_server(fake *f)
+{
+    return (orr_server){.handlers = &fake_handlers, .caps = fake_caps, .user = f};
+}
 
 #endif

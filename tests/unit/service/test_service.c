@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The service over real sockets with a made-up answerer: what clients may do to it, and what it does about
 // them.
-#include "src/service/service.h"
+#include "src/service/serve/service.h"
 
 #include <errno.h>
 #include <pthread.h>
@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "fake.h"
-#include "src/service/dial.h"
-#include "src/service/url.h"
+#include "src/service/net/dial.h"
+#include "src/service/net/url.h"
 #include "testing.h"
 
 typedef struct bench {
@@ -464,6 +464,82 @@ static void a_crowd_fills_no_log(void **state)
     finish(b);
 }
 
+// Blocks that came while something else was waited for.
+typedef struct heard {
+    uint32_t stream, blocks;
+    int64_t next;
+} heard;
+
+static void hear(void *user, const orr_frame *f)
+{
+    heard *h = user;
+    orr_msg_states m;
+    if (f->type != ORR_MSG_TYPE_STATES) return;
+    assert_int_equal(f->sequence, h->stream);
+    assert_int_equal(orr_msg_states_decode(f->payload, f->size, &m), ORR_WIRE_OK);
+    assert_int_equal(m.epoch.t, h->next);
+    h->next += 1000000;
+    h->blocks++;
+}
+
+// The C client: a stream as fast as it is taken, and polls beside it; then frame by frame to its end.
+static void streams_beside_polls(void **state)
+{
+    (void)state;
+    bench *b = calloc(1, sizeof *b);
+    b->fake.n_sats = 20;
+    fake maker_fake = {.n_sats = 20};
+    const orr_server maker = fake_server(&maker_fake);
+    orr_streams *streams;
+    orr_diag diag = {0};
+    b->server = fake_server(&b->fake);
+    b->server.lanes = true;
+    pthread_mutex_init(&b->lock, NULL);
+    orr_service_options o = quick_options();
+    ASSERT_OK(orr_service_open(&o, &b->server, NULL, &b->service, &diag), diag);
+    const orr_streams_options so = {
+        .maker = &maker, .wake = orr_service_wake, .wake_user = b->service, .processor = -1};
+    ASSERT_OK(orr_streams_open(&so, &streams, &diag), diag);
+    orr_service_stream(b->service, streams);
+    assert_int_equal(pthread_create(&b->thread, NULL, serve, b), 0);
+    orr_dial *d = dial(b);
+    uint8_t payload[64];
+    orr_wire_writer w = {payload, 0, sizeof payload, ORR_WIRE_OK};
+    const orr_msg_poll asked = {.epochs = {1000, 1000000, 5000}};
+    orr_msg_poll_encode(&asked, &w);
+    const orr_msg_subscribe subscribe = {
+        .request = ORR_MSG_TYPE_POLL, .credit = 3000, .poll = {payload, (uint16_t)w.size}};
+    orr_msg_subscribed told;
+    assert_int_equal(orr_client_subscribe(&d->client, &subscribe, &told), ORR_WIRE_OK);
+    assert_true(told.first == 1000 && told.step == 1000000);
+    heard h = {.stream = d->client.sequence, .next = told.first};
+    d->client.stream = hear;
+    d->client.stream_user = &h;
+    for (uint32_t n = 0; n < 200; n++) {
+        const orr_msg_poll poll = {.epochs = {7, 3, 2}};
+        orr_msg_states m;
+        assert_int_equal(orr_client_poll(&d->client, &poll), ORR_WIRE_OK);
+        const orr_msg_credit more = {h.stream, 10}; // in the middle of the answer
+        assert_int_equal(orr_client_credit(&d->client, &more), ORR_WIRE_OK);
+        for (uint32_t k = 0; k < 2; k++) {
+            assert_int_equal(orr_client_states(&d->client, &m), ORR_WIRE_OK);
+            assert_int_equal(m.epoch.t, 7 + 3 * k);
+        }
+    }
+    orr_frame f;
+    do {
+        assert_int_equal(orr_client_next(&d->client, &f), ORR_WIRE_OK);
+        hear(&h, &f);
+    } while (f.type == ORR_MSG_TYPE_STATES);
+    assert_int_equal(f.type, ORR_MSG_TYPE_STREAM_END);
+    assert_int_equal(h.blocks, 5000);
+    assert_int_equal(orr_client_check(&d->client, 4), ORR_WIRE_OK);
+    orr_dial_close(d);
+    orr_streams_halt(streams);
+    finish(b);
+    orr_streams_close(streams);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -479,6 +555,7 @@ int main(void)
         cmocka_unit_test(the_idle_give_way),
         cmocka_unit_test(long_answers_hold_nobody_up),
         cmocka_unit_test(a_crowd_fills_no_log),
+        cmocka_unit_test(streams_beside_polls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fairness counted in units of work, on a clock that only work moves.
-#include "src/service/turns.h"
+#include "src/service/serve/turns.h"
 
 #include "core/rng.h"
 #include "testing.h"

@@ -6,6 +6,7 @@
 
 #include "core/log.h"
 #include "proto/server.h"
+#include "src/service/live/streams.h"
 
 typedef struct orr_service_options {
     const char *const *url; // where to listen; none: loopback and the default port
@@ -38,6 +39,10 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
                             orr_service **out, orr_diag *diag);
 // What answers, before the service runs, if it was opened without.
 void orr_service_provide(orr_service *s, const orr_server *server);
+// Streams beside the answers, likewise. They are halted before the service is closed, and closed after it.
+void orr_service_stream(orr_service *s, orr_streams *streams);
+// Streams have something to send; from any thread. `user` is the service.
+void orr_service_wake(void *user);
 // The URLs as bound (port 0 has become a real one); NULL beyond the last.
 const char *orr_service_url(const orr_service *s, size_t i);
 // Takes the signals, calls `ready` (which may be NULL), and serves until a signal or orr_service_stop, then finishes what

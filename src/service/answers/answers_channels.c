@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/answers_channels.h"
+#include "src/service/answers/answers_channels.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/nan.h"
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_private.h"
 
 _Static_assert(ORR_CHANNEL_UNHEALTHY == ORR_MSG_CHANNEL_FLAGS_UNHEALTHY &&
                    ORR_CHANNEL_ECLIPSE == ORR_MSG_CHANNEL_FLAGS_ECLIPSE &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/dial.h"
+#include "src/service/net/dial.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "src/service/url.h"
+#include "src/service/net/url.h"
 
 static ptrdiff_t read_socket(void *user, uint8_t *data, size_t n)
 {

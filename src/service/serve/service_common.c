@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <time.h>
 
-#include "src/service/service_private.h"
+#include "src/service/serve/service_private.h"
 
 int64_t orr_service_clock_ns(const orr_service *s)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/turns.h"
+#include "src/service/serve/turns.h"
 
 #include <stdlib.h>
 

@@ -4,8 +4,8 @@
 #ifndef ORR_SERVICE_ANSWERS_PRIVATE_H
 #define ORR_SERVICE_ANSWERS_PRIVATE_H
 
-#include "src/service/answers.h"
-#include "src/service/answers_channels.h"
+#include "src/service/answers/answers.h"
+#include "src/service/answers/answers_channels.h"
 
 struct orr_answers {
     const orr_engine *engine;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/answers_elements.h"
+#include "src/service/answers/answers_elements.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_private.h"
 
 _Static_assert((int)ORR_ELEMENTS_DATE == ORR_MSG_ELEMENTS_FRAME_DATE &&
                    (int)ORR_ELEMENTS_J2000 == ORR_MSG_ELEMENTS_FRAME_J2000 &&

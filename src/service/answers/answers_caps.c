@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/answers_caps.h"
+#include "src/service/answers/answers_caps.h"
 
 #include "core/nan.h"
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_private.h"
 
 _Static_assert((int)ORR_RECEIVER_NONE == ORR_MSG_RECEIVER_SOURCE_NONE &&
                    (int)ORR_RECEIVER_PLACE == ORR_MSG_RECEIVER_SOURCE_POSITION &&

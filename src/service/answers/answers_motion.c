@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/answers_motion.h"
+#include "src/service/answers/answers_motion.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/nan.h"
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_private.h"
 
 static uint16_t refuse(orr_server_refusal *why, uint16_t code, const char *name, const char *sentence)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/url.h"
+#include "src/service/net/url.h"
 
 #include <arpa/inet.h>
 #include <errno.h>

@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One client: bytes between its socket and the server's state machine. What has been read waits for its turn
-// (src/service/turns.h); replies go out by a direct write at the turn's end, so that an answered request costs
+// (src/service/serve/turns.h); replies go out by a direct write at the turn's end, so that an answered request costs
 // one wait, one read and one write. Only what the socket does not take waits for a write event, and as long as
-// something waits nothing more is read: a slow client holds one output buffer, no more.
+// something waits no request is answered: a slow client holds one output buffer, no more. Beside the answers go the
+// frames of its streams, in a buffer of their own; the two take turns. Input is read all the same, as far as its
+// buffer reaches: what a client says of its streams does not wait behind its requests.
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "src/service/service_private.h"
+#include "src/service/serve/lanes.h"
+#include "src/service/serve/service_private.h"
 
 static const double linger_s = 0.5;
+enum { MOST_FILLS = 6 }; // buffers of streams sent at one go
 
 typedef enum conn_state {
     CONN_OPEN,
     CONN_ENDING, // no more requests; closes its side when the output is sent
     CONN_LINGER, // its side is closed; waits for the peer's end, so that what was sent is not lost by a reset
 } conn_state;
+
+// Whole frames that wait to be sent, from `at` on.
+typedef struct output {
+    uint8_t *data;
+    size_t at, size, capacity;
+} output;
 
 struct orr_conn {
     orr_turns_member turn; // first, so that the member is the connection
@@ -27,9 +37,16 @@ struct orr_conn {
     bool peer_done; // the peer will send nothing more
     struct event *on_read, *on_write;
     orr_server_conn conn;
-    uint8_t *in, *out;
-    size_t in_size, in_capacity, out_at, out_size, out_capacity;
+    uint8_t *in;
+    size_t in_size, in_capacity;
+    size_t looked;   // bytes of the input in which messages of lanes have been looked for
+    output out;      // answers; the begin of a frame that is not finished stands behind its end
+    output lane;     // frames of streams
+    bool lane_more;  // its streams may have more than one write should hold
+    bool lane_first; // which of the two is sent next; what has been begun goes first
+    orr_lanes lanes;
     bool busy;  // an answer is not finished
+    bool fresh; // bytes have come that the server has not seen
     bool yield; // and takes long: others come first
     bool half;  // the input holds the beginning of a frame
     bool joined, counted;
@@ -57,35 +74,88 @@ void orr_conn_close(orr_conn *c)
     if (c->on_read != NULL) event_free(c->on_read);
     if (c->on_write != NULL) event_free(c->on_write);
     close(c->fd);
+    orr_lanes_close(&c->lanes);
     free(c->in);
-    free(c->out);
+    free(c->out.data);
+    free(c->lane.data);
     free(c);
 }
 
-static bool has_output(const orr_conn *c) { return c->out_at < c->out_size; }
+static bool waits(const output *o) { return o->at < o->size; }
+static bool has_answers(const orr_conn *c) { return waits(&c->out); }
+static bool has_output(const orr_conn *c) { return waits(&c->out) || waits(&c->lane); }
 
-// Sends what the socket takes. False: the connection has been closed.
-static bool flush(orr_conn *c)
+static bool grow(uint8_t **data, size_t *capacity, size_t need)
 {
-    while (has_output(c)) {
-        ssize_t n = send(c->fd, c->out + c->out_at, c->out_size - c->out_at, MSG_NOSIGNAL);
+    uint8_t *grown = realloc(*data, need);
+    if (grown == NULL) return false;
+    *data = grown;
+    *capacity = need;
+    return true;
+}
+
+// Sends what the socket takes of one buffer: 1: all, 0: not all, -1: the connection is lost.
+static int send_some(orr_conn *c, output *o)
+{
+    while (waits(o)) {
+        ssize_t n = send(c->fd, o->data + o->at, o->size - o->at, MSG_NOSIGNAL);
         if (n > 0) {
-            c->out_at += (size_t)n;
+            o->at += (size_t)n;
             c->since_ns = 0; // progress: the stall is counted anew
         } else if (n < 0 && errno == EINTR) {
             continue;
         } else if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
-            break;
+            return 0;
         } else {
             ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: %s", c->peer, strerror(errno));
+            return -1;
+        }
+    }
+    return 1;
+}
+
+// Takes frames of the streams while nothing of them waits. False: out of memory for a large one, whose turn it then never is.
+static bool fill_lane(orr_conn *c)
+{
+    if (c->lanes.n == 0 || waits(&c->lane)) return true;
+    if (c->lane.data == NULL && !grow(&c->lane.data, &c->lane.capacity, ORR_CONN_LANE)) return false;
+    orr_wire_writer w = {c->lane.data, 0, c->lane.capacity, ORR_WIRE_OK};
+    size_t need = orr_lanes_fill(&c->lanes, &w);
+    if (need > 0 && w.size == 0) {
+        if (!grow(&c->lane.data, &c->lane.capacity, need)) return false;
+        w = (orr_wire_writer){c->lane.data, 0, c->lane.capacity, ORR_WIRE_OK};
+        orr_lanes_fill(&c->lanes, &w);
+    }
+    c->lane.at = 0;
+    c->lane.size = w.size;
+    return true;
+}
+
+// Sends what the socket takes, the two buffers in turns. False: the connection has been closed.
+static bool flush(orr_conn *c)
+{
+    c->lane_more = false;
+    for (int fills = 0;; fills++) {
+        // Others come first after a while, however fast the streams are made.
+        c->lane_more = fills >= MOST_FILLS && c->lanes.n > 0 && !waits(&c->lane);
+        if (c->state == CONN_OPEN && !c->lane_more && !fill_lane(c)) break;
+        if (!has_output(c)) break;
+        if (!waits(&c->lane))
+            c->lane_first = false;
+        else if (!waits(&c->out))
+            c->lane_first = true;
+        output *o = c->lane_first ? &c->lane : &c->out;
+        const int sent = send_some(c, o);
+        if (sent < 0) {
             orr_conn_close(c);
             return false;
         }
-    }
-    if (!has_output(c)) {
-        // The begin of a frame that is not finished stays behind the output's end.
-        if (c->out_at > 0 && c->conn.unfinished > 0) memmove(c->out, c->out + c->out_at, c->conn.unfinished);
-        c->out_at = c->out_size = 0;
+        if (sent == 0) break;
+        if (o == &c->out) { // the begin of a frame that is not finished stays behind the output's end
+            if (o->at > 0 && c->conn.unfinished > 0) memmove(o->data, o->data + o->at, c->conn.unfinished);
+        }
+        o->at = o->size = 0;
+        c->lane_first = !c->lane_first;
     }
     return true;
 }
@@ -94,7 +164,8 @@ static void end(orr_conn *c)
 {
     if (c->state != CONN_OPEN) return;
     c->state = CONN_ENDING;
-    c->in_size = 0;
+    orr_lanes_close(&c->lanes);
+    c->in_size = c->looked = 0;
     c->busy = false;
     c->conn.unfinished = 0;
     c->since_ns = 0;
@@ -114,24 +185,15 @@ static void send_error(const orr_conn *c, uint16_t code, const char *sentence)
 static void end_with(orr_conn *c, uint16_t code, const char *sentence)
 {
     if (c->state != CONN_OPEN) return;
-    if (c->out == NULL) { // a client that has sent nothing yet: its ERROR goes past the buffers
+    if (c->out.data == NULL) { // a client that has sent nothing yet: its ERROR goes past the buffers
         send_error(c, code, sentence);
         end(c);
         return;
     }
-    orr_wire_writer w = {c->out, c->out_size, c->out_capacity, ORR_WIRE_OK};
+    orr_wire_writer w = {c->out.data, c->out.size, c->out.capacity, ORR_WIRE_OK};
     orr_server_error(&w, code, sentence);
-    c->out_size = w.size;
+    c->out.size = w.size;
     end(c);
-}
-
-static bool grow(uint8_t **data, size_t *capacity, size_t need)
-{
-    uint8_t *grown = realloc(*data, need);
-    if (grown == NULL) return false;
-    *data = grown;
-    *capacity = need;
-    return true;
 }
 
 static bool turn_over(void *owner)
@@ -143,20 +205,60 @@ static bool turn_over(void *owner)
 // Only who has sent something has buffers.
 static bool get_buffers(orr_conn *c)
 {
-    return grow(&c->in, &c->in_capacity, ORR_CONN_IN) && grow(&c->out, &c->out_capacity, ORR_CONN_OUT);
+    return grow(&c->in, &c->in_capacity, ORR_CONN_IN) && grow(&c->out.data, &c->out.capacity, ORR_CONN_OUT);
+}
+
+// Blocks that wait in the kernel grow old there, and hide that nobody takes them.
+static void keep_short(const orr_conn *c)
+{
+    const int bytes = ORR_CONN_KERNEL;
+    if (setsockopt(c->fd, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof bytes) != 0)
+        ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: SO_SNDBUF: %s", c->peer, strerror(errno));
+}
+
+// Takes what the input holds for the connection's streams, wherever it stands among the requests.
+static void take_lanes(orr_conn *c)
+{
+    while (c->lanes.streams != NULL && c->state == CONN_OPEN && c->in_size - c->looked >= ORR_FRAME_HEADER) {
+        uint8_t *at = c->in + c->looked;
+        orr_frame f;
+        size_t used;
+        if (!orr_msg_is_lane(
+                orr_wire_load_u16(at + 6))) { // a request, or nothing that makes sense: the server's
+            const size_t size = orr_wire_load_u32(at + 12);
+            if (size > ORR_MSG_MAX_REQUEST || size + ORR_FRAME_OVERHEAD > c->in_size - c->looked) return;
+            c->looked += size + ORR_FRAME_OVERHEAD;
+            continue;
+        }
+        if (orr_frame_parse(at, c->in_size - c->looked, ORR_MSG_MAX_REQUEST, &f, &used) != ORR_WIRE_OK)
+            return;
+        if (c->lane.data == NULL && !grow(&c->lane.data, &c->lane.capacity, ORR_CONN_LANE)) return;
+        orr_wire_writer w = {c->lane.data, c->lane.size, c->lane.capacity, ORR_WIRE_OK};
+        const size_t streams = c->lanes.n;
+        if (!orr_lanes_take(&c->lanes, &f, &w)) return; // it asks and asks, and does not read
+        if (streams == 0 && c->lanes.n > 0) keep_short(c);
+        c->lane.size = w.size;
+        c->in_size -= used;
+        memmove(at, at + used, c->in_size - c->looked);
+        c->conn.requests++;
+        c->last_ns = orr_service_clock_ns(c->service);
+        c->since_ns = 0;
+    }
 }
 
 // Answers what is in the input, as far as the output buffer allows.
 static void answer(orr_conn *c)
 {
-    orr_wire_writer w = {c->out, c->out_size, c->out_capacity, ORR_WIRE_OK};
+    orr_wire_writer w = {c->out.data, c->out.size, c->out.capacity, ORR_WIRE_OK};
     orr_server_step step;
     uint64_t before = c->conn.requests;
     orr_server_run(c->service->server, &c->conn, c->in, c->in_size, &w, &step);
-    c->out_size = w.size;
+    c->out.size = w.size;
     c->busy = step.busy;
+    c->fresh = false;
     c->yield = step.yield;
     c->in_size -= step.consumed;
+    c->looked -= step.consumed < c->looked ? step.consumed : c->looked;
     if (c->in_size > 0 && step.consumed > 0) memmove(c->in, c->in + step.consumed, c->in_size);
     bool half = c->in_size > 0 && !c->busy;
     if (half && !c->half) c->since_ns = 0;
@@ -175,17 +277,23 @@ static void answer(orr_conn *c)
     }
     // A request above the usual, whose length has been checked, or an answer; both have their limits.
     if ((!step.busy && step.need > c->in_capacity && !grow(&c->in, &c->in_capacity, step.need)) ||
-        (step.room > c->out_capacity && !grow(&c->out, &c->out_capacity, step.room)))
+        (step.room > c->out.capacity && !grow(&c->out.data, &c->out.capacity, step.room)))
         end_with(c, ORR_MSG_ERROR_CODE_INTERNAL, "the server is out of memory");
 }
 
 // Nothing is under way: all that was asked is answered and sent.
 static bool at_rest(const orr_conn *c)
 {
-    return c->state == CONN_OPEN && !c->busy && !has_output(c) && c->turn.place == 0;
+    return c->state == CONN_OPEN && !c->busy && !has_output(c) && c->turn.place == 0 && c->lanes.n == 0;
 }
 
 static void shut_down(orr_conn *c) { end_with(c, ORR_MSG_ERROR_CODE_CLOSING, "the server is shutting down"); }
+
+// Whether there is room for more of its input, or can be.
+static bool can_read(const orr_conn *c)
+{
+    return c->state != CONN_OPEN || c->in_size < c->in_capacity || c->in_capacity < ORR_CONN_IN_MOST;
+}
 
 // What to wait for next; also closes when all is done. The connection may be gone afterwards.
 static void settle(orr_conn *c)
@@ -203,8 +311,9 @@ static void settle(orr_conn *c)
         c->state = CONN_LINGER;
         c->since_ns = 0;
     }
-    bool write = has_output(c);
-    bool read = !write && !c->busy && !c->peer_done;
+    bool write = has_output(c) || c->lane_more;
+    // With streams its input is read whatever else is under way.
+    bool read = !c->peer_done && (c->lanes.n > 0 ? can_read(c) : !write && !c->busy);
     if (write)
         event_add(c->on_write, NULL);
     else
@@ -213,7 +322,7 @@ static void settle(orr_conn *c)
         event_add(c->on_read, NULL);
     else
         event_del(c->on_read);
-    if (c->busy && !write) orr_turns_wait(&c->service->turns, &c->turn);
+    if ((c->busy || c->fresh) && !has_answers(c)) orr_turns_wait(&c->service->turns, &c->turn);
 }
 
 // The last answer before a stop has gone out: until the next sweep it would answer what is asked meanwhile.
@@ -232,7 +341,7 @@ void orr_conn_turn(orr_turns_member *m)
     orr_conn *c = (orr_conn *)m;
     const int64_t begin_ns = orr_service_clock_ns(c->service);
     c->turn_ends_ns = begin_ns + ORR_CONN_TURN_NS;
-    for (bool more = true; more && c->state == CONN_OPEN && !has_output(c);) {
+    for (bool more = true; more && c->state == CONN_OPEN && !has_answers(c);) {
         answer(c);
         more = c->busy && !c->yield; // for want of room alone
         if (more && !flush(c)) return;
@@ -248,13 +357,18 @@ static void on_read(evutil_socket_t fd, short what, void *user)
     orr_conn *c = user;
     uint8_t waste[4096];
     bool open = c->state == CONN_OPEN;
-    if (open && c->turn.place > 0) { // it waits for its turn with what it has sent before
+    if (open && c->turn.place > 0 && c->lanes.n == 0) { // it waits for its turn with what it has sent before
         event_del(c->on_read);
         return;
     }
     if (open && c->in == NULL && !get_buffers(c)) {
         end_with(c, ORR_MSG_ERROR_CODE_INTERNAL, "the server is out of memory");
         go_on(c);
+        return;
+    }
+    if (open && c->in_size == c->in_capacity &&
+        (!can_read(c) || !grow(&c->in, &c->in_capacity, ORR_CONN_IN_MOST))) {
+        event_del(c->on_read); // until requests have been answered
         return;
     }
     ssize_t n =
@@ -267,10 +381,14 @@ static void on_read(evutil_socket_t fd, short what, void *user)
     if (!open) return;
     if (n == 0) c->peer_done = true; // it may still be reading
     c->in_size += (size_t)n;
+    take_lanes(c);
+    if (n > 0) c->fresh = c->in_size > 0;
     if (n == 0)
         settle(c);
-    else
+    else if (c->fresh && !has_answers(c))
         orr_turns_wait(&c->service->turns, &c->turn);
+    else if (!c->fresh)
+        go_on(c);
 }
 
 static void on_write(evutil_socket_t fd, short what, void *user)
@@ -297,6 +415,7 @@ orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer)
     c->conn.can_grow = true;
     c->conn.over = turn_over;
     c->conn.owner = c;
+    c->lanes = (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c};
     c->on_read = event_new(s->base, fd, EV_READ | EV_PERSIST, on_read, c);
     c->on_write = event_new(s->base, fd, EV_WRITE | EV_PERSIST, on_write, c);
     c->last_ns = orr_service_clock_ns(s);
@@ -328,6 +447,11 @@ void orr_conn_refuse(orr_conn *c, uint16_t code, const char *sentence)
 }
 
 bool orr_conn_is_idle(const orr_conn *c) { return c->counted && at_rest(c); }
+void orr_conn_stream(orr_conn *c)
+{
+    if (c->state == CONN_OPEN && flush(c)) settle(c);
+}
+
 int64_t orr_conn_last_ns(const orr_conn *c) { return c->last_ns; }
 const char *orr_conn_peer(const orr_conn *c) { return c->peer; }
 
@@ -351,6 +475,7 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
         orr_conn_close(c); // it would not read an ERROR either
         return;
     }
+    if (c->lanes.n > 0) return; // it listens
     if (c->in_size > 0 && waited > o->half_frame_s)
         why = "half a frame, and no more for too long";
     else if (c->in_size == 0 && c->conn.requests == 0 && quiet > o->first_s)
@@ -365,6 +490,7 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
 
 void orr_conn_drain(orr_conn *c, int64_t now_ns)
 {
+    orr_lanes_close(&c->lanes); // a stream has no end that could be waited for
     if (c->state == CONN_LINGER)
         orr_conn_sweep(c, now_ns);
     else if (at_rest(c)) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/answers.h"
+#include "src/service/answers/answers.h"
 
-#include "src/service/answers_caps.h"
-#include "src/service/answers_delays.h"
-#include "src/service/answers_elements.h"
-#include "src/service/answers_motion.h"
-#include "src/service/answers_navdata.h"
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_caps.h"
+#include "src/service/answers/answers_delays.h"
+#include "src/service/answers/answers_elements.h"
+#include "src/service/answers/answers_motion.h"
+#include "src/service/answers/answers_navdata.h"
+#include "src/service/answers/answers_private.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -112,7 +112,11 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
     a->all = sats;
     a->n_ids = (uint16_t)n;
     for (size_t i = 0; i < n; i++) a->id[i] = orr_answers_sat_id(sats[i]);
-    a->server = (orr_server){&handlers, orr_answers_caps, orr_answers_served, a};
+    a->server = (orr_server){.handlers = &handlers,
+                             .caps = orr_answers_caps,
+                             .served = orr_answers_served,
+                             .user = a,
+                             .lanes = true};
     orr_status s = orr_answers_channels_open(orr_engine_channels(engine), &a->channels, diag);
     if (s != ORR_OK) {
         free(a);

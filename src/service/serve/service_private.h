@@ -5,12 +5,18 @@
 
 #include <event2/event.h>
 
-#include "src/service/service.h"
-#include "src/service/turns.h"
+#include "src/service/live/streams.h"
+#include "src/service/serve/service.h"
+#include "src/service/serve/turns.h"
 
 enum {
     ORR_CONN_OUT = 128 << 10, // output at first: many frames a write; grows up to one largest frame
-    ORR_CONN_IN = 4096,       // input at first; grows up to one largest request
+    ORR_CONN_IN = 4096,       // input at first; grows up to one largest request, with streams up to
+    ORR_CONN_IN_MOST = 2 * (ORR_MSG_MAX_REQUEST + ORR_FRAME_OVERHEAD),
+    ORR_CONN_KERNEL =
+        256
+        << 10, // bytes of a connection with streams that the kernel keeps, at most (twice that with its own)
+    ORR_CONN_LANE = 64 << 10, // frames of streams a write; grows up to one largest frame
     ORR_CONN_TURN_NS =
         200000, // a turn; a piece of an answer may end it late, none takes longer than twice that
 };
@@ -20,12 +26,15 @@ typedef struct orr_conn orr_conn;
 struct orr_service {
     orr_service_options options;
     const orr_server *server;
+    orr_streams *streams; // NULL: none are served
     const orr_log *log;
     struct event_base *base;
     struct listener *listener;
     size_t n_listeners;
     struct event *on_stop, *on_sweep, *on_int, *on_term, *on_hangup;
     int stop_pipe[2];
+    int wake_fd; // an eventfd: streams have something to send
+    struct event *on_wake;
     orr_conn *conns; // all, newest first
     int n_conns;     // of those that are served
     orr_turns turns;
@@ -45,6 +54,8 @@ orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer);
 void orr_conn_serve(orr_conn *c);
 // Tells it why and ends it; it may be gone afterwards.
 void orr_conn_refuse(orr_conn *c, uint16_t code, const char *sentence);
+// Its streams have something to send. It may be gone afterwards.
+void orr_conn_stream(orr_conn *c);
 // Its turn has come: answers for ORR_CONN_TURN_NS. It may be gone afterwards.
 void orr_conn_turn(orr_turns_member *m);
 // Whether it is served and nothing of it is under way.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/answers_delays.h"
+#include "src/service/answers/answers_delays.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include "core/nan.h"
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_private.h"
 
 _Static_assert((int)ORR_ORIGIN_FIELD == ORR_MSG_TEC_ORIGIN_FIELD &&
                    (int)ORR_ORIGIN_FUSED == ORR_MSG_TEC_ORIGIN_FUSED &&

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_private.h"
 
 const orr_engine *orr_answers_engine(const void *user) { return ((const orr_answers *)user)->engine; }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/service/answers_navdata.h"
+#include "src/service/answers/answers_navdata.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#include "src/service/answers_private.h"
+#include "src/service/answers/answers_private.h"
 
 _Static_assert((uint32_t)ORR_NAVSET_MANOEUVRE == ORR_MSG_NAV_NOTES_MANOEUVRE &&
                    (uint32_t)ORR_NAVSET_SHIFTED == ORR_MSG_NAV_NOTES_SHIFTED &&

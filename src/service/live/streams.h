@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The streams of a service. A thread of its own makes their blocks, by the handlers that answer polls but in a room of their own,
+// so that a block is the poll's answer byte for byte; whoever owns the connections takes the blocks and sends them. Each stream
+// has its cursor, its credit and a bounded queue: one that is not taken holds nobody up and ends with a reason.
+#ifndef ORR_SERVICE_LIVE_STREAMS_H
+#define ORR_SERVICE_LIVE_STREAMS_H
+
+#include "core/status.h"
+#include "proto/server.h"
+#include "src/service/live/blocks.h"
+#include "src/service/live/clock.h"
+
+enum {
+    ORR_STREAM_QUEUE = 512,           // blocks that wait to be sent, at most
+    ORR_STREAM_QUEUE_BYTES = 4 << 20, // and their bytes
+    ORR_STREAM_QUEUE_FREE = 16,       // of one that is made as fast as it is taken
+    ORR_STREAMS_MOST = 4096,
+};
+#define ORR_STREAM_GRACE_NS                                                                                  \
+    INT64_C(500000000) // by which a block may be late before it is left out, or its stream ended
+
+typedef struct orr_streams orr_streams;
+typedef struct orr_stream orr_stream;
+
+typedef struct orr_streams_options {
+    // Makes the blocks; its user is the thread's alone. It must outlive the streams.
+    const orr_server *maker;
+    // Called by the thread when there is something to send (orr_streams_ready), without a lock held.
+    void (*wake)(void *user);
+    void *wake_user;
+    int64_t (*clock_ns)(
+        void *user); // monotonic; NULL: the machine's. With it there is no thread: orr_streams_turn
+    void *clock_user;
+    int priority;     // SCHED_FIFO of the thread; 0: an ordinary one
+    int processor;    // that it runs on; negative: any
+    bool lock_memory; // all pages of the process stay in memory
+} orr_streams_options;
+
+// Prepares, and starts the thread. Errors: ORR_E_MEMORY; ORR_E_IO (the machine does not allow priority, processor or locked
+// memory).
+orr_status orr_streams_open(const orr_streams_options *options, orr_streams **out, orr_diag *diag);
+// Ends the thread: no block is made and nobody woken after this.
+void orr_streams_halt(orr_streams *s);
+// Frees what orr_streams_open made. All streams must have been closed. NULL may be closed.
+void orr_streams_close(orr_streams *s);
+
+// Makes what is due, one block at most, when the host's clock shows now_ns. Returns when it should be called again at the latest:
+// now_ns or earlier where there is more to do. For tests with clocks of their own; the thread calls it otherwise.
+int64_t orr_streams_turn(orr_streams *s, int64_t now_ns);
+
+// The scenario's clock as it is.
+orr_clock orr_streams_clock(orr_streams *s);
+// Sets it; streams that are paced by it are looked at anew.
+void orr_streams_set_clock(orr_streams *s, const orr_clock *clock);
+// What the host's clock shows.
+int64_t orr_streams_now_ns(const orr_streams *s);
+
+// Begins a stream.
+// Given:
+//   s       the streams
+//   judge   refuses what cannot be asked, in the caller's thread
+//   m       what is asked for
+//   owner   of orr_streams_ready
+// Returned:
+//   told    the answer
+//   out     the stream; to be closed
+//   why     the sentence of a refusal
+// Returns 0 or an ORR_MSG_ERROR_CODE.
+uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const orr_msg_subscribe *m,
+                               void *owner, orr_msg_subscribed *told, orr_stream **out,
+                               orr_server_refusal *why);
+// So many blocks more.
+void orr_stream_credit(orr_stream *x, uint32_t blocks);
+// Ends it as its client wishes: what waits is let go, STREAM_END comes next.
+void orr_stream_end(orr_stream *x);
+// Forgets it, whatever waits.
+void orr_stream_close(orr_stream *x);
+// The owner of a stream that has something to send and was not told since it was last empty; NULL: none.
+void *orr_streams_ready(orr_streams *s);
+// What is next to be sent; NULL: nothing now. It is the caller's until orr_stream_sent. Behind a STREAM_END nothing comes.
+orr_payload *orr_stream_next(orr_stream *x);
+// Done with what orr_stream_next gave.
+void orr_stream_sent(orr_stream *x, orr_payload *b);
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Streams between what clients do to them (streams.c), what is made when (schedule.c) and what waits (queue.c).
+#ifndef ORR_SERVICE_LIVE_STREAMS_PRIVATE_H
+#define ORR_SERVICE_LIVE_STREAMS_PRIVATE_H
+
+#include <pthread.h>
+
+#include "src/service/live/streams.h"
+
+struct orr_stream {
+    orr_streams *all;
+    void *owner;
+    // What it asks for: does not change.
+    uint16_t type;
+    uint8_t pacing;
+    int64_t lead_ns, step_ns;
+    orr_msg_any request; // its lists borrow `poll`; its epochs are the thread's
+    orr_msg_epochs *epochs;
+    uint8_t *poll;
+    size_t poll_size;
+    orr_time last; // of the span
+    // Where it is: under the lock.
+    orr_time next;
+    uint64_t left; // blocks; UINT64_MAX: no end
+    uint64_t credit;
+    bool dry; // it had no credit when a block was due
+    bool ended, closed, making;
+    orr_payload *queue[ORR_STREAM_QUEUE + 2]; // two more for a GAP and the STREAM_END
+    size_t head, n, bytes;
+    bool listed;        // among those that are ready
+    orr_stream *follow; // there
+};
+
+struct orr_streams {
+    orr_streams_options options;
+    pthread_mutex_t lock;
+    pthread_cond_t changed;
+    pthread_t thread;
+    bool has_thread, stop;
+    bool told;          // something has been listed since the last wake
+    bool changed_since; // something that the thread waits for, since it last looked
+    orr_clock clock;
+    orr_payloads payloads;
+    orr_stream **stream; // all that are not closed, and closed ones that are being made
+    size_t n, turn;      // turn: of the streams that are made as fast as they are taken
+    orr_stream *ready, *ready_last;
+    // The thread's own: room for a block, and the last one with what was asked, for streams that ask for the same.
+    uint8_t *room;
+    orr_payload *made;
+    uint16_t made_type;
+    orr_msg_epochs made_epochs;
+    uint8_t *made_poll;
+    size_t made_size;
+};
+
+// All of these under the lock (queue.c). Puts a payload behind a stream's queue and lists the stream; takes the owner's part.
+void streams_push(orr_stream *x, orr_payload *b);
+// The first of the queue, which is not empty.
+orr_payload *streams_pop(orr_stream *x);
+// Takes a stream out of the list of those that are ready.
+void streams_unlist(orr_stream *x);
+// Ends a stream: its last frame.
+void streams_finish(orr_stream *x, uint8_t reason, const char *sentence);
+// Takes a stream out and frees it.
+void streams_forget(orr_stream *x);
+// Frees one that was never in.
+void streams_free(orr_stream *x);
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/service/serve/lanes.h"
+
+#include <stdio.h>
+
+// Appends a frame; false, and nothing, where it does not fit.
+static bool put_frame(orr_wire_writer *out, uint16_t type, uint32_t id, const uint8_t *payload, size_t size)
+{
+    size_t start;
+    if (out->capacity - out->size < ORR_FRAME_OVERHEAD + size) return false;
+    orr_frame_begin(out, type, id, &start);
+    orr_wire_put_raw(out, payload, size);
+    orr_frame_end(out, start);
+    return true;
+}
+
+static bool put_error(orr_wire_writer *out, const orr_frame *f, uint16_t code, const char *sentence)
+{
+    uint8_t data[ORR_SERVER_SENTENCE + 16];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    const orr_msg_error m = {code, f->type, orr_wire_text(sentence)};
+    orr_msg_error_encode(&m, &w);
+    return put_frame(out, ORR_MSG_TYPE_ERROR, f->sequence, data, w.size);
+}
+
+static size_t place_of(const orr_lanes *l, uint32_t id)
+{
+    size_t k = 0;
+    while (k < l->n && l->id[k] != id) k++;
+    return k;
+}
+
+static bool has_ended(const orr_lanes *l, uint32_t id)
+{
+    const size_t n = l->n_ended < ORR_LANES_ENDED ? l->n_ended : ORR_LANES_ENDED;
+    for (size_t k = 0; k < n; k++)
+        if (l->ended[k] == id) return true;
+    return false;
+}
+
+static bool subscribe(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    orr_msg_subscribe m;
+    orr_msg_subscribed told;
+    orr_server_refusal why = {""};
+    uint8_t data[64];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    if (out->capacity - out->size < ORR_FRAME_OVERHEAD + ORR_SERVER_SENTENCE + 16) return false;
+    const orr_wire_status decoded = orr_msg_subscribe_decode(f->payload, f->size, &m);
+    if (decoded != ORR_WIRE_OK) {
+        snprintf(why.sentence, sizeof why.sentence, "SUBSCRIBE: %s", orr_wire_status_text(decoded));
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, why.sentence);
+    }
+    if (f->sequence == 0 || place_of(l, f->sequence) < l->n)
+        return put_error(
+            out, f, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+            "SUBSCRIBE: its sequence number is the stream's: not 0, and not that of an open stream");
+    if (l->n == ORR_LANES_MOST)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_LIMIT, "SUBSCRIBE: a connection has at most 32 streams");
+    const uint16_t code =
+        orr_streams_subscribe(l->streams, l->judge, &m, l->owner, &told, &l->stream[l->n], &why);
+    if (code != 0) return put_error(out, f, code, why.sentence);
+    l->id[l->n] = f->sequence;
+    l->held[l->n] = NULL;
+    l->n++;
+    orr_msg_subscribed_encode(&told, &w);
+    return put_frame(out, ORR_MSG_TYPE_SUBSCRIBED, f->sequence, data, w.size);
+}
+
+// The stream that a message names; NULL where there is none, which is an error only if there never was.
+static orr_stream *find(const orr_lanes *l, uint32_t id, bool *unknown)
+{
+    const size_t k = place_of(l, id);
+    *unknown = k == l->n && !has_ended(l, id);
+    return k < l->n ? l->stream[k] : NULL;
+}
+
+bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    orr_stream *x = NULL;
+    bool unknown = false;
+    orr_wire_status decoded = ORR_WIRE_OK;
+    if (f->type == ORR_MSG_TYPE_SUBSCRIBE) return subscribe(l, f, out);
+    if (f->type == ORR_MSG_TYPE_CREDIT) {
+        orr_msg_credit m;
+        decoded = orr_msg_credit_decode(f->payload, f->size, &m);
+        if (decoded == ORR_WIRE_OK) x = find(l, m.stream, &unknown);
+        if (x != NULL) orr_stream_credit(x, m.blocks);
+    } else {
+        orr_msg_unsubscribe m;
+        decoded = orr_msg_unsubscribe_decode(f->payload, f->size, &m);
+        if (decoded == ORR_WIRE_OK) x = find(l, m.stream, &unknown);
+        if (x != NULL) orr_stream_end(x);
+    }
+    if (decoded != ORR_WIRE_OK)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
+    return !unknown ||
+           put_error(out, f, ORR_MSG_ERROR_CODE_BAD_REQUEST, "this connection has no stream of that number");
+}
+
+static void drop(orr_lanes *l, size_t k)
+{
+    orr_stream_close(l->stream[k]);
+    l->ended[l->n_ended++ % ORR_LANES_ENDED] = l->id[k];
+    l->n--;
+    l->stream[k] = l->stream[l->n];
+    l->id[k] = l->id[l->n];
+    l->held[k] = l->held[l->n];
+}
+
+// The next frame of stream k. False: no room.
+static bool put_next(orr_lanes *l, size_t k, orr_wire_writer *out, bool *sent)
+{
+    orr_payload *b = l->held[k] != NULL ? l->held[k] : orr_stream_next(l->stream[k]);
+    l->held[k] = b;
+    *sent = b != NULL;
+    if (b == NULL) return true;
+    if (!put_frame(out, b->type, l->id[k], b->data, b->size)) return false;
+    const bool last = b->type == ORR_MSG_TYPE_STREAM_END;
+    l->held[k] = NULL;
+    orr_stream_sent(l->stream[k], b);
+    if (last) drop(l, k);
+    return true;
+}
+
+size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out)
+{
+    for (size_t idle = 0; idle < l->n;) {
+        bool sent;
+        if (l->next >= l->n) l->next = 0;
+        if (!put_next(l, l->next, out, &sent)) return ORR_FRAME_OVERHEAD + l->held[l->next]->size;
+        idle = sent ? 0 : idle + 1;
+        l->next++;
+    }
+    return 0;
+}
+
+void orr_lanes_close(orr_lanes *l)
+{
+    while (l->n > 0) {
+        if (l->held[l->n - 1] != NULL) orr_stream_sent(l->stream[l->n - 1], l->held[l->n - 1]);
+        orr_stream_close(l->stream[--l->n]);
+    }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The streams of one connection beside its requests: what its client says of them, and which of their frames goes out next.
+#ifndef ORR_SERVICE_SERVE_LANES_H
+#define ORR_SERVICE_SERVE_LANES_H
+
+#include "src/service/live/streams.h"
+
+enum { ORR_LANES_MOST = 32, ORR_LANES_ENDED = 64 };
+
+// Zero-initialise but for the first three.
+typedef struct orr_lanes {
+    orr_streams *streams;
+    const orr_server *judge;
+    void *owner; // of the streams: the connection
+    orr_stream *stream[ORR_LANES_MOST];
+    uint32_t id[ORR_LANES_MOST];
+    orr_payload *held[ORR_LANES_MOST]; // taken, and there was no room for it
+    size_t n, next;
+    uint32_t ended[ORR_LANES_ENDED]; // the last of them
+    size_t n_ended;
+} orr_lanes;
+
+// Takes a message of those that orr_msg_is_lane tells; what is to be said at once goes into out, whole frames only. False: there
+// was no room for that; try again with more.
+bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out);
+// Appends frames of the streams, each in its turn, as long as there is room. Returns 0, or how many bytes the next one needs.
+size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out);
+// Closes all streams.
+void orr_lanes_close(orr_lanes *l);
+
+#endif
