@@ -4,6 +4,7 @@
 #include "core/rng.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "core/constants.h"
 
@@ -47,24 +48,43 @@ double orr_rng_uniform(uint64_t seed, uint64_t stream, uint64_t k)
 }
 
 // Box and Muller 1958; the counter's two words give the radius and the angle.
-static double radius(uint64_t word)
-{
-    return sqrt(-2.0 * log((double)((word >> 11) + 1) * 0x1p-53)); // of (0, 1]: the logarithm exists
-}
-static double angle(uint64_t word) { return 2.0 * ORR_PI * ((double)(word >> 11) * 0x1p-53); }
-
 double orr_rng_normal(uint64_t seed, uint64_t stream, uint64_t k)
 {
     uint64_t r[2];
     philox(seed, stream, k, r);
-    return radius(r[0]) * cos(angle(r[1]));
+    double u = (double)((r[0] >> 11) + 1) * 0x1p-53; // (0, 1]: its logarithm exists
+    double v = (double)(r[1] >> 11) * 0x1p-53;
+    return sqrt(-2.0 * log(u)) * cos(2.0 * ORR_PI * v);
 }
 
-void orr_rng_normal_pair(uint64_t seed, uint64_t stream, uint64_t k, double out[2])
+// sin and cos of 2 pi v, 0 <= v < 1, to 1e-12: Taylor's series about the nearest quarter turn.
+static void turn(double v, double *sine, double *cosine)
 {
-    uint64_t r[2];
-    philox(seed, stream, k, r);
-    const double a = radius(r[0]), b = angle(r[1]);
-    out[0] = a * cos(b);
-    out[1] = a * sin(b);
+    const double quarter = floor(4.0 * v + 0.5), a = 0.5 * ORR_PI * (4.0 * v - quarter), b = a * a;
+    const double s =
+        a * (1.0 +
+             b * (-1.0 / 6.0 +
+                  b * (1.0 / 120.0 + b * (-1.0 / 5040.0 + b * (1.0 / 362880.0 + b * (-1.0 / 39916800.0))))));
+    const double c =
+        1.0 + b * (-0.5 + b * (1.0 / 24.0 +
+                               b * (-1.0 / 720.0 +
+                                    b * (1.0 / 40320.0 + b * (-1.0 / 3628800.0 + b * (1.0 / 479001600.0))))));
+    const int q = (int)quarter & 3;
+    *sine = q == 0 ? s : q == 1 ? c : q == 2 ? -s : -c;
+    *cosine = q == 0 ? c : q == 1 ? -s : q == 2 ? -c : s;
+}
+
+// Half a word a radius, half a word an angle, whose cosine and sine are both of use.
+void orr_rng_normals(uint64_t seed, uint64_t stream, uint64_t k, double out[ORR_RNG_BLOCK])
+{
+    uint64_t word[ORR_RNG_BLOCK / 2];
+    for (size_t i = 0; i < ORR_RNG_BLOCK / 4; i++)
+        philox(seed, stream, k * (ORR_RNG_BLOCK / 4) + i, &word[2 * i]);
+    for (size_t i = 0; i < ORR_RNG_BLOCK / 2; i++) {
+        const double radius = sqrt(-2.0 * log((double)((word[i] >> 32) + 1) * 0x1p-32));
+        double s, c;
+        turn((double)(word[i] & 0xffffffff) * 0x1p-32, &s, &c);
+        out[2 * i] = radius * c;
+        out[2 * i + 1] = radius * s;
+    }
 }

@@ -12,9 +12,10 @@ uint64_t orr_rng_u64(uint64_t seed, uint64_t stream, uint64_t k);
 double orr_rng_uniform(uint64_t seed, uint64_t stream, uint64_t k);
 // Normal with mean 0 and variance 1 (Box and Muller 1958).
 double orr_rng_normal(uint64_t seed, uint64_t stream, uint64_t k);
-// Two of them, independent, at little more than the cost of one: the first is orr_rng_normal's.
-//   Given:    seed, stream, k   which
-//   Returned: out               [2] the numbers
-void orr_rng_normal_pair(uint64_t seed, uint64_t stream, uint64_t k, double out[2]);
+#define ORR_RNG_BLOCK 16
+// A block of them, independent, for long series: each has 32 bits, so that none is beyond 6.7.
+//   Given:    seed, stream, k   which block
+//   Returned: out               [ORR_RNG_BLOCK] the numbers; others than orr_rng_normal's
+void orr_rng_normals(uint64_t seed, uint64_t stream, uint64_t k, double out[ORR_RNG_BLOCK]);
 
 #endif

@@ -198,9 +198,7 @@ orr_status orr_imu_add_errors(const orr_imu_errors *errors, orr_imu *imu, orr_er
     for (int k = 0; k < 6; k++)
         c[k] = channel_of(k < 3 ? &errors->gyro : &errors->accel, k % 3, k >= 3, errors->seed, dt);
     respond(errors, c, imu);
-    const uint64_t stream = FIRST_STREAM + STREAM_SAMPLING;
-    s = orr_sampling_shift(errors, stream, dt, imu->measured_dtheta_rad, imu->n, diag);
-    if (s == ORR_OK) s = orr_sampling_shift(errors, stream, dt, imu->measured_dv_mps, imu->n, diag);
+    s = orr_sampling_shift(errors, FIRST_STREAM + STREAM_SAMPLING, imu, diag);
     if (s != ORR_OK) return s;
     orr_errors_report cut = {{0, 0}};
     for (size_t j = 0; j < imu->n; j++) {

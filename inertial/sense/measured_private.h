@@ -3,18 +3,22 @@
 #ifndef ORR_INERTIAL_SENSE_MEASURED_PRIVATE_H
 #define ORR_INERTIAL_SENSE_MEASURED_PRIVATE_H
 
+#include "core/rng.h"
 #include "inertial/sense/measured.h"
 
 // --- Noises of one sensor (sensor_noise.c) ---
 typedef struct orr_sensor_noise {
-    double white, walk; // N and K
+    double white; // of a step's integral: N, and the walk about its chord
+    double walk;  // of a step
     double ramp;
     size_t n_processes;
     double keep[ORR_ERRORS_MAX_PROCESSES], drive[ORR_ERRORS_MAX_PROCESSES]; // of a step
     double process[ORR_ERRORS_MAX_PROCESSES];                               // now
     double walked;
     double dt_s;
-    uint64_t seed, stream; // and the two after it
+    uint64_t seed, stream; // and the one after it
+    uint64_t drawn;        // normal numbers so far, a block at a time
+    double draw[ORR_RNG_BLOCK];
 } orr_sensor_noise;
 // The state before step 0.
 //   Given:    e             of the triad
@@ -48,12 +52,9 @@ double orr_bandwidth_step(orr_bandwidth *b, double increment, double dt_s);
 // Increments between the instants of sampling instead of the edges.
 //   Given:    errors        delay and jitter
 //             stream        of the draws, one an edge
-//             dt_s          length of a step
-//             increment     [n] between edges
-//             n             steps
-//   Returned: increment     between instants that are so much late
+//             imu           a run, with measured increments between edges
+//   Returned: imu           those between instants that are so much late
 //   Notes:    ORR_E_MEMORY.
-orr_status orr_sampling_shift(const orr_imu_errors *errors, uint64_t stream, double dt_s, orr_vec3 *increment,
-                              size_t n, orr_diag *diag);
+orr_status orr_sampling_shift(const orr_imu_errors *errors, uint64_t stream, orr_imu *imu, orr_diag *diag);
 
 #endif

@@ -2,18 +2,19 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/rng.h"
 #include "inertial/sense/measured_private.h"
 
-enum { PAIRS = (3 + ORR_ERRORS_MAX_PROCESSES + 1) / 2, STREAM_BEGIN = 0, STREAM_STEPS = 1 };
+enum { STREAM_BEGIN = 0, STREAM_STEPS = 1 };
 
 orr_sensor_noise orr_sensor_noise_begin(const orr_triad_errors *e, int axis, double dt_s, uint64_t seed,
                                         uint64_t stream)
 {
     orr_sensor_noise s;
     memset(&s, 0, sizeof s);
-    s.white = e->white[axis] * sqrt(dt_s);
-    s.walk = e->walk[axis];
+    // The integral of the walk about its chord has the variance K^2 dt^3 / 12, and is independent of its end.
+    s.white = sqrt(e->white[axis] * e->white[axis] * dt_s +
+                   e->walk[axis] * e->walk[axis] * dt_s * dt_s * dt_s / 12.0);
+    s.walk = e->walk[axis] * sqrt(dt_s);
     s.ramp = e->ramp[axis];
     s.n_processes = e->n_processes;
     s.dt_s = dt_s;
@@ -27,23 +28,26 @@ orr_sensor_noise orr_sensor_noise_begin(const orr_triad_errors *e, int axis, dou
     return s;
 }
 
+static double normal(orr_sensor_noise *s)
+{
+    const uint64_t at = s->drawn++ % ORR_RNG_BLOCK;
+    if (at == 0) orr_rng_normals(s->seed, s->stream + STREAM_STEPS, s->drawn / ORR_RNG_BLOCK, s->draw);
+    return s->draw[at];
+}
+
 double orr_sensor_noise_step(orr_sensor_noise *s, size_t j)
 {
-    const bool white = s->white > 0.0, walk = s->walk > 0.0;
-    const size_t wanted = (size_t)white + 2 * (size_t)walk + s->n_processes;
-    double draw[2 * PAIRS], dt = s->dt_s, sum = s->ramp * ((double)j + 0.5) * dt * dt;
-    for (size_t k = 0; 2 * k < wanted; k++)
-        orr_rng_normal_pair(s->seed, s->stream + STREAM_STEPS, (uint64_t)j * PAIRS + k, &draw[2 * k]);
-    const double *next = draw;
-    if (white) sum += s->white * *next++;
+    const double dt = s->dt_s;
+    double sum = s->ramp * ((double)j + 0.5) * dt * dt;
+    if (s->white > 0.0) sum += s->white * normal(s);
     for (size_t p = 0; p < s->n_processes; p++) {
-        const double end = s->keep[p] * s->process[p] + s->drive[p] * *next++;
+        const double end = s->keep[p] * s->process[p] + s->drive[p] * normal(s);
         sum += 0.5 * dt * (s->process[p] + end);
         s->process[p] = end;
     }
-    if (walk) { // its end, and its integral about the chord: variance dt^3 / 12
-        const double step = s->walk * sqrt(dt) * next[0];
-        sum += (s->walked + 0.5 * step) * dt + s->walk * dt * sqrt(dt / 12.0) * next[1];
+    if (s->walk > 0.0) {
+        const double step = s->walk * normal(s);
+        sum += (s->walked + 0.5 * step) * dt;
         s->walked += step;
     }
     return sum;

@@ -7,6 +7,7 @@
 #include "inertial/motion/flight_plan.h"
 #include "inertial/nav/null_test.h"
 #include "inertial/readings/imu_file.h"
+#include "inertial/sense/measured.h"
 #include "inertial/sense/sensors.h"
 
 typedef struct job {
@@ -25,6 +26,45 @@ static void generate(void *arg)
     bench_use(imu.dv_mps[imu.n - 1].z);
     orr_imu_free(&imu);
 }
+
+// What a navigation-grade unit and one with every term have to compute.
+static const double warm_s[] = {0, 3600}, warm_c[] = {20, 40};
+static const orr_imu_errors few = {.gyro = {.bias_sigma = 1e-8,
+                                            .white = {1e-6, 1e-6, 1e-6},
+                                            .n_processes = 1,
+                                            .process = {{1e-8, 1000}},
+                                            .scale_sigma = 1e-5},
+                                   .accel = {.bias_sigma = 1e-4,
+                                             .white = {1e-4, 1e-4, 1e-4},
+                                             .n_processes = 1,
+                                             .process = {{1e-5, 1000}},
+                                             .scale_sigma = 1e-5}};
+static const orr_imu_errors all = {.gyro = {.white = {1e-6, 1e-6, 1e-6},
+                                            .walk = {1e-8, 1e-8, 1e-8},
+                                            .n_processes = 2,
+                                            .process = {{1e-8, 1000}, {1e-8, 100}},
+                                            .by_temperature = {1e-8, 1e-8, 1e-8},
+                                            .bandwidth_hz = 40,
+                                            .quantum = 1e-9},
+                                   .accel = {.white = {1e-4, 1e-4, 1e-4},
+                                             .walk = {1e-7, 1e-7, 1e-7},
+                                             .n_processes = 2,
+                                             .process = {{1e-5, 1000}, {1e-5, 100}},
+                                             .rectification = {1e-5, 1e-5, 1e-5},
+                                             .arm_m = {{0.05, 0, 0}, {0, 0.05, 0}, {0, 0, 0.05}},
+                                             .bandwidth_hz = 40,
+                                             .quantum = 1e-7},
+                                   .temperature = {.n = 2, .t_s = warm_s, .celsius = warm_c, .lag_s = 300},
+                                   .delay_s = 0.003,
+                                   .jitter_s = 1e-6};
+
+static void add(job *j, const orr_imu_errors *e)
+{
+    if (orr_imu_add_errors(e, &j->imu, NULL, NULL) != ORR_OK) abort();
+    bench_use(j->imu.measured_dv_mps[j->imu.n - 1].z);
+}
+static void add_few(void *arg) { add(arg, &few); }
+static void add_all(void *arg) { add(arg, &all); }
 
 static void navigate(void *arg)
 {
@@ -58,8 +98,14 @@ void bench_inertial(bench *b)
         abort();
     close(fd);
     bench_group(b, "inertial: an hour at 100 Hz");
-    bench_row(b, "generator, approach 2", 1e3 * bench_seconds(b, generate, &j), 0, "ms", "");
-    bench_row(b, "file of readings and truth, to disk", 1e3 * bench_seconds(b, write_file, &j), 0, "ms", "");
+    const double made = 1e3 * bench_seconds(b, generate, &j),
+                 written = 1e3 * bench_seconds(b, write_file, &j);
+    bench_row(b, "generator, approach 2", made, 0, "ms", "");
+    bench_row(b, "file of readings and truth, to disk", written, 0, "ms", "");
+    bench_row(b, "errors of sensors, navigation grade", 1e3 * bench_seconds(b, add_few, &j), made + written,
+              "ms", "the ideal hour with its file");
+    bench_row(b, "errors of sensors, every term", 1e3 * bench_seconds(b, add_all, &j), made + written, "ms",
+              "the ideal hour with its file");
     j.navigator = (orr_navigator){.kind = ORR_NAVIGATOR_REFERENCE, .samples = 5};
     bench_row(b, "reference navigator and comparison", 1e3 * bench_seconds(b, navigate, &j), 0, "ms", "");
     j.navigator =

@@ -34,13 +34,13 @@ static void uniform_numbers_are_uniform(void **state)
     ASSERT_NEAR(lag / N * 12, 0, 4.5 / sqrt((double)N)); // correlation of neighbours
 }
 
-static void normal_numbers_are_normal(void **state)
+// Moments and tails of what `draw` gives, N of them.
+static void expect_normal(double (*draw)(uint64_t k))
 {
-    (void)state;
     double m[5] = {0};
     int beyond[5] = {0};
     for (uint64_t k = 0; k < N; k++) {
-        double z = orr_rng_normal(12, 5, k), p = 1;
+        double z = draw(k), p = 1;
         for (int i = 1; i <= 4; i++) m[i] += (p *= z);
         for (int i = 1; i <= 4; i++) beyond[i] += fabs(z) > i ? 1 : 0;
     }
@@ -51,6 +51,38 @@ static void normal_numbers_are_normal(void **state)
         double p = erfc(i / sqrt(2.0));
         ASSERT_NEAR(beyond[i] / (double)N, p, 4.5 * sqrt(p * (1 - p) / N));
     }
+}
+
+static double one(uint64_t k) { return orr_rng_normal(12, 5, k); }
+static double of_a_block(uint64_t k)
+{
+    double block[ORR_RNG_BLOCK];
+    orr_rng_normals(12, 5, k / ORR_RNG_BLOCK, block);
+    return block[k % ORR_RNG_BLOCK];
+}
+
+static void normal_numbers_are_normal(void **state)
+{
+    (void)state;
+    expect_normal(one);
+    expect_normal(of_a_block);
+    // Within a block: each against each, and their squares (a radius serves two).
+    double cross[ORR_RNG_BLOCK][ORR_RNG_BLOCK] = {{0}}, squares[ORR_RNG_BLOCK][ORR_RNG_BLOCK] = {{0}};
+    const int blocks = 20000;
+    for (int k = 0; k < blocks; k++) {
+        double z[ORR_RNG_BLOCK];
+        orr_rng_normals(3, 4, (uint64_t)k, z);
+        for (int i = 0; i < ORR_RNG_BLOCK; i++)
+            for (int j = 0; j < i; j++) {
+                cross[i][j] += z[i] * z[j] / blocks;
+                squares[i][j] += (z[i] * z[i] - 1) * (z[j] * z[j] - 1) / 2 / blocks;
+            }
+    }
+    for (int i = 0; i < ORR_RNG_BLOCK; i++)
+        for (int j = 0; j < i; j++) {
+            ASSERT_NEAR(cross[i][j], 0, 4.5 / sqrt((double)blocks));
+            ASSERT_NEAR(squares[i][j], 0, 6.0 / sqrt((double)blocks));
+        }
 }
 
 static void streams_seeds_and_counters_are_unrelated(void **state)
