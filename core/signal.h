@@ -7,6 +7,7 @@
 
 #define ORR_SIGNAL_CHANNEL_MIN (-7) // of GLONASS' frequency plan (ICD 5.1, table 3.1)
 #define ORR_SIGNAL_CHANNEL_MAX 6
+#define ORR_MAX_SIGNALS 64 // bits of a set of signals
 
 typedef struct orr_signal {
     char system;

@@ -13,6 +13,7 @@ typedef struct job {
     const orr_ephemeris *e;
     orr_time t;
     size_t channels, satellites, blocks;
+    orr_channel_work *work;
     orr_channel *channel;
     orr_block *block;
 } job;
@@ -20,7 +21,8 @@ typedef struct job {
 static void epoch(void *arg)
 {
     job *j = arg;
-    if (orr_channels_at(j->c, 0, j->t, UINT64_MAX, j->channel, &j->channels) != ORR_ANSWER_OK) abort();
+    if (orr_channels_at(j->c, 0, j->work, j->t, UINT64_MAX, j->channel, &j->channels) != ORR_ANSWER_OK)
+        abort();
     j->t += 100 * 1000000; // 10 Hz
     bench_use(j->channel[0].code_m);
 }
@@ -29,8 +31,7 @@ static void block(void *arg)
 {
     job *j = arg;
     orr_blocks b;
-    if (orr_blocks_at(j->c, 0, j->t, UINT64_MAX, j->channel, &b, j->block, &j->blocks) != ORR_ANSWER_OK)
-        abort();
+    if (orr_blocks_at(j->c, 0, j->work, j->t, UINT64_MAX, &b, j->block, &j->blocks) != ORR_ANSWER_OK) abort();
     j->t = b.t0 + b.length_ns;
     bench_use(j->block[0].code[1]);
 }
@@ -56,7 +57,8 @@ static void measure(bench *b, const char *name, orr_engine *e, orr_time from)
     job j = {.c = orr_engine_channels(e), .e = orr_engine_ephemeris(e), .t = from};
     j.channel = calloc(orr_channels_max(j.c), sizeof *j.channel);
     j.block = calloc(orr_channels_max(j.c), sizeof *j.block);
-    if (j.channel == NULL || j.block == NULL) abort();
+    orr_diag d = {0};
+    if (j.channel == NULL || j.block == NULL || orr_channel_work_open(j.c, &j.work, &d) != ORR_OK) abort();
     const double epoch_s = bench_seconds(b, epoch, &j);
     j.t = from;
     const double block_s = bench_seconds(b, block, &j);
@@ -66,6 +68,7 @@ static void measure(bench *b, const char *name, orr_engine *e, orr_time from)
     bench_row(b, row, epoch_s * 1e6, orbit_s * 1e6, "us", "orbits at reception and emission alone");
     bench_note(b, "%.0f epochs a second, %.0f ns a channel; %.0f blocks of all channels a second",
                1 / epoch_s, epoch_s * 1e9 / (double)j.channels, 1 / block_s);
+    orr_channel_work_close(j.work);
     free(j.channel);
     free(j.block);
 }

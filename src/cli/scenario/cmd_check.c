@@ -49,12 +49,13 @@ typedef struct view {
     uint32_t flags;
 } view;
 
-static orr_answer look(const orr_channels *c, size_t antenna, orr_time t, orr_channel *list, view *v)
+static orr_answer look(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
+                       orr_channel *list, view *v)
 {
     size_t n;
     orr_sat last = ORR_SAT_NONE;
     *v = (view){.all = 0};
-    const orr_answer answer = orr_channels_at(c, antenna, t, UINT64_MAX, list, &n);
+    const orr_answer answer = orr_channels_at(c, antenna, work, t, UINT64_MAX, list, &n);
     for (size_t k = 0; k < n; k++) {
         v->flags |= list[k].flags;
         v->channels++;
@@ -92,7 +93,12 @@ static int print_views(orr_cli *cli, const orr_channels *c)
     orr_channel *list = calloc(orr_channels_max(c), sizeof *list);
     uint32_t flags = 0;
     bool nothing = true;
-    if (list == NULL) return orr_cli_failf(cli, "out of memory");
+    orr_channel_work *work = NULL;
+    orr_diag diag = {0};
+    if (list == NULL || orr_channel_work_open(c, &work, &diag) != ORR_OK) {
+        free(list);
+        return orr_cli_failf(cli, "out of memory");
+    }
     for (size_t a = 0; a < orr_channels_antennas(c); a++) {
         const orr_antenna *antenna = orr_channels_antenna(c, a);
         const orr_span span = orr_channels_antenna_span(c, a);
@@ -105,7 +111,7 @@ static int print_views(orr_cli *cli, const orr_channels *c)
             view v;
             char text[ORR_TIME_TEXT];
             const orr_time t = orr_time_add(span.from, (span.to - span.from) / 12 * k);
-            const orr_answer answer = look(c, a, t, list, &v);
+            const orr_answer answer = look(c, a, work, t, list, &v);
             printf("%-25s", orr_time_format(t, ORR_SCALE_GPS, 0, NULL, text));
             if (answer != ORR_ANSWER_OK) {
                 printf("  the antenna is not there then\n");
@@ -118,6 +124,7 @@ static int print_views(orr_cli *cli, const orr_channels *c)
         }
     }
     free(list);
+    orr_channel_work_close(work);
     print_flags(flags);
     return nothing ? orr_cli_failf(cli, "no antenna ever sees a satellite (mask, satellites)") : ORR_EXIT_OK;
 }

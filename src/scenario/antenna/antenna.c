@@ -4,10 +4,16 @@
 #include <math.h>
 #include <stdio.h>
 
+static void set_place(orr_antenna_state *x)
+{
+    x->place = orr_earth_from_ecef(x->r_m);
+    x->enu = orr_earth_enu_from_ecef(x->place.lat_rad, x->place.lon_rad);
+}
+
 static void stand_at(orr_vec3 r_m, orr_antenna_state *out)
 {
-    *out = (orr_antenna_state){.r_m = r_m, .place = orr_earth_from_ecef(r_m)};
-    out->enu = orr_earth_enu_from_ecef(out->place.lat_rad, out->place.lon_rad);
+    *out = (orr_antenna_state){.r_m = r_m};
+    set_place(out);
     out->axes = out->enu;
 }
 
@@ -81,6 +87,14 @@ orr_status orr_antenna_open(const orr_scenario *s, size_t k, const orr_source_mo
     return find_type(antex, k, out, warnings, diag);
 }
 
+orr_antenna_state orr_antenna_carried(const orr_antenna_state *state, double s)
+{
+    orr_antenna_state x = *state;
+    x.r_m = orr_vec3_axpy(s, state->v_mps, state->r_m);
+    set_place(&x);
+    return x;
+}
+
 orr_answer orr_antenna_at(const orr_antenna *a, orr_time t, orr_antenna_state *out)
 {
     if (a->motion == NULL) {
@@ -95,9 +109,9 @@ orr_answer orr_antenna_at(const orr_antenna *a, orr_time t, orr_antenna_state *o
     *out = (orr_antenna_state){
         .r_m = orr_vec3_add(m.r_m, arm),
         .v_mps = orr_vec3_add(m.v_mps, orr_mat3_apply_t(&body, orr_vec3_cross(m.w_radps, a->arm_m))),
-        .axes = body};
-    out->place = orr_earth_from_ecef(out->r_m);
-    out->enu = orr_earth_enu_from_ecef(out->place.lat_rad, out->place.lon_rad);
+        .axes = body,
+        .w_radps = orr_mat3_apply_t(&body, m.w_radps)};
+    set_place(out);
     return ORR_ANSWER_OK;
 }
 
@@ -127,15 +141,31 @@ const orr_antex_frequency *orr_antenna_frequency(const orr_antex_antenna *a, con
     return nearest;
 }
 
-double orr_antenna_range_m(const orr_antenna *a, const orr_antenna_state *state, orr_vec3 u,
-                           const orr_signal *s, double carrier_hz)
+orr_antenna_direction orr_antenna_toward(const orr_antenna_state *state, orr_vec3 u, orr_vec3 u_rate_ps)
 {
-    if (a->antex == NULL) return 0;
-    const orr_antex_frequency *f = orr_antenna_frequency(a->antex, s, carrier_hz);
+    orr_antenna_direction d = {.own = orr_mat3_apply(&state->axes, u),
+                               .own_rate_ps = orr_mat3_apply(
+                                   &state->axes, orr_vec3_sub(u_rate_ps, orr_vec3_cross(state->w_radps, u)))};
+    const orr_vec3 o = d.own, r = d.own_rate_ps;
+    const double level = fmax(o.x * o.x + o.y * o.y, 1e-12); // at the zenith there is no azimuth
+    d.az_deg = atan2(o.x, o.y) * ORR_DEG_PER_RAD;
+    d.zenith_deg = acos(fmin(fmax(o.z, -1), 1)) * ORR_DEG_PER_RAD;
+    d.az_rate_dps = (r.x * o.y - o.x * r.y) / level * ORR_DEG_PER_RAD;
+    d.zenith_rate_dps = -r.z / sqrt(level) * ORR_DEG_PER_RAD;
+    return d;
+}
+
+double orr_antenna_range_m(const orr_antenna *a, const orr_antenna_direction *d, size_t signal,
+                           double *rate_mps)
+{
+    const orr_antex_frequency *f = a->centre[signal];
+    *rate_mps = 0;
     if (f == NULL) return 0;
-    const orr_vec3 own = orr_mat3_apply(&state->axes, u); // East, North, Up of the antenna
-    const double az_deg = atan2(own.x, own.y) * ORR_DEG_PER_RAD;
-    const double zenith_deg = acos(fmin(fmax(own.z, -1), 1)) * ORR_DEG_PER_RAD;
-    return -(f->offset_m[0] * own.y + f->offset_m[1] * own.x + f->offset_m[2] * own.z) +
-           orr_antex_variation_m(a->antex, f, az_deg, zenith_deg);
+    const double *o = f->offset_m, later_s = 1e-3; // between the table's nodes the variation is linear
+    const double now = orr_antex_variation_m(a->antex, f, d->az_deg, d->zenith_deg),
+                 later = orr_antex_variation_m(a->antex, f, d->az_deg + later_s * d->az_rate_dps,
+                                               d->zenith_deg + later_s * d->zenith_rate_dps);
+    *rate_mps = -(o[0] * d->own_rate_ps.y + o[1] * d->own_rate_ps.x + o[2] * d->own_rate_ps.z) +
+                (later - now) / later_s;
+    return -(o[0] * d->own.y + o[1] * d->own.x + o[2] * d->own.z) + now;
 }

@@ -13,15 +13,17 @@
 typedef struct orr_antenna_state {
     orr_vec3 r_m, v_mps; // antenna reference point
     orr_mat3 axes;       // rows: the antenna's East, North and Up, which on a body are right, forward, up
+    orr_vec3 w_radps;    // rate at which they turn against the Earth, ecef
     orr_mat3 enu;        // rows: East, North, Up of the place
     orr_geodetic place;
 } orr_antenna_state;
 
 typedef struct orr_antenna {
     char name[64];
-    char type[21];                   // "" where the scenario names none
-    const orr_antex_antenna *antex;  // NULL: the phase centre is the reference point
-    const orr_source_motion *motion; // NULL: fixed
+    char type[21];                                      // "" where the scenario names none
+    const orr_antex_antenna *antex;                     // NULL: the phase centre is the reference point
+    const orr_antex_frequency *centre[ORR_MAX_SIGNALS]; // of each of orr_signals; NULL: none
+    const orr_source_motion *motion;                    // NULL: fixed
     size_t unit;
     orr_vec3 arm_m;          // on the body, from the unit: right, forward, up
     orr_antenna_state fixed; // of a fixed antenna
@@ -43,21 +45,35 @@ orr_status orr_antenna_open(const orr_scenario *s, size_t k, const orr_source_mo
                             const orr_vec3 *station, const orr_antex *antex, orr_antenna *out,
                             orr_warnings *warnings, orr_diag *diag);
 
+// Where an antenna stands that is carried along from `state`, at its velocity and with its axes: place and enu.
+orr_antenna_state orr_antenna_carried(const orr_antenna_state *state, double s);
+
 // Where the antenna is at t. ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN of the trajectory.
 orr_answer orr_antenna_at(const orr_antenna *a, orr_time t, orr_antenna_state *out);
 
+// A direction in the antenna's own axes, with its rate.
+typedef struct orr_antenna_direction {
+    orr_vec3 own, own_rate_ps; // East, North, Up of the antenna
+    double az_deg, zenith_deg, az_rate_dps, zenith_rate_dps;
+} orr_antenna_direction;
+// Given:
+//   state      orr_antenna_at
+//   u          unit vector from the antenna to the satellite, ecef
+//   u_rate_ps  its rate
+orr_antenna_direction orr_antenna_toward(const orr_antenna_state *state, orr_vec3 u, orr_vec3 u_rate_ps);
+
 // What the antenna's phase centre adds to the range to a satellite, of code and carrier alike.
 // Given:
-//   a           antenna
-//   state       orr_antenna_at
-//   u           unit vector from the antenna to the satellite, ecef
-//   s           signal
-//   carrier_hz  its carrier
-// Returned: -offset.u + variation, m; 0 without a type.
+//   a         antenna
+//   d         direction of the satellite
+//   signal    place in orr_signals
+// Returned:
+//   rate_mps  its rate
+// Returns -offset.u + variation, m; 0 without a type.
 // Notes: a frequency that ANTEX lacks is taken from the nearest one that it has, as analysis centres do.
 // Reference: ANTEX 1.4, section "phase centre corrections": observed = geometric + correction.
-double orr_antenna_range_m(const orr_antenna *a, const orr_antenna_state *state, orr_vec3 u,
-                           const orr_signal *s, double carrier_hz);
+double orr_antenna_range_m(const orr_antenna *a, const orr_antenna_direction *d, size_t signal,
+                           double *rate_mps);
 
 // The frequency of an ANTEX antenna for a signal: its own, else the nearest in frequency. NULL where it has none.
 const orr_antex_frequency *orr_antenna_frequency(const orr_antex_antenna *a, const orr_signal *s,

@@ -32,18 +32,18 @@ typedef struct orr_blocks {
 // Given:
 //   c         channels
 //   antenna   which, from 0
+//   work      workspace of these channels
 //   t         instant of reception
 //   signals   those that are wanted, as orr_channels_signals
-//   work      [orr_channels_max] room of the caller
 // Returned:
 //   out       begin, length and error
 //   block     [at most orr_channels_max] those that the antenna sees at t0, by satellite and signal
 //   n         how many
 // Answers: as orr_channels_at, at t0 and at the end of the block.
 // Notes: a function of (scenario, t) alone. Blocks lie on multiples of their length. A satellite whose arc ends within the block
-// has none.
-orr_answer orr_blocks_at(const orr_channels *c, size_t antenna, orr_time t, uint64_t signals,
-                         orr_channel *work, orr_blocks *out, orr_block *block, size_t *n);
+// has none. Where blocks are asked for one after the other, each is one evaluation: its begin is the end of the one before.
+orr_answer orr_blocks_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
+                         uint64_t signals, orr_blocks *out, orr_block *block, size_t *n);
 
 // Code of a block s seconds after its begin, m.
 double orr_block_code_m(const orr_block *b, double s);

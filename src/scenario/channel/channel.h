@@ -95,17 +95,26 @@ orr_span orr_channels_antenna_span(const orr_channels *c, size_t antenna);
 // How many channels an antenna can have at once: satellites times their signals.
 size_t orr_channels_max(const orr_channels *c);
 
+// What evaluations find and keep for the next: curves of slow terms and of satellites over some seconds. Everything in it is a
+// function of scenario and time, so that an answer never depends on who asked before, of whatever workspace. One thread at a
+// time may use one; any number of them may use the same channels.
+typedef struct orr_channel_work orr_channel_work;
+// Errors: ORR_E_MEMORY. Close it before the channels.
+orr_status orr_channel_work_open(const orr_channels *c, orr_channel_work **out, orr_diag *diag);
+void orr_channel_work_close(orr_channel_work *work); // NULL is allowed
+
 // All channels of an antenna at t, by satellite and signal, those that the antenna does not see left out.
 // Given:
 //   c        channels
 //   antenna  which, from 0
+//   work     workspace of these channels
 //   t        instant of reception
 //   signals  those that are wanted, as orr_channels_signals; others are left out
 // Returned:
 //   out      [at most orr_channels_max] channels
 //   n        how many
 // Answers: ORR_ANSWER_OK; ORR_ANSWER_OUTSIDE_SPAN or ORR_ANSWER_NOT_SERVED (no such antenna), then *n is 0.
-orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_time t, uint64_t signals,
-                           orr_channel *out, size_t *n);
+orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
+                           uint64_t signals, orr_channel *out, size_t *n);
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The channels of a scenario among their parts: how they are prepared (open.c) and evaluated (channel.c).
+// The channels of a scenario among their parts: how they are prepared (open.c), what is kept while they are evaluated (work.c),
+// slow terms (slow.h) and their sums (channel.c).
 #ifndef ORR_SCENARIO_CHANNEL_CHANNELS_PRIVATE_H
 #define ORR_SCENARIO_CHANNEL_CHANNELS_PRIVATE_H
 
@@ -8,8 +9,18 @@
 #include "orbit/spacecraft/attitude_laws.h"
 #include "orbit/spacecraft/signal_delay.h"
 #include "src/scenario/channel/channel.h"
+#include "src/scenario/channel/satellite_cell.h"
 #include "src/scenario/channel/sun_track.h"
 #include "src/scenario/channel/windup.h"
+
+// A signal that a satellite sends.
+typedef struct channel_sent {
+    uint16_t signal; // place in orr_signals
+    double carrier_hz;
+    int64_t start; // the integer of its carrier: up to 8191 cycles, the same for all antennas and for ever
+} channel_sent;
+
+enum { CHANNEL_MAX_SENT = 8 }; // signals of a system
 
 // What the scenario says of a satellite, found once.
 typedef struct channel_satellite {
@@ -20,6 +31,8 @@ typedef struct channel_satellite {
     double power_db;
     orr_attitude_law law; // of its block, by ANTEX
     bool orbit_normal;    // geostationary satellites of BeiDou and QZSS
+    size_t n_sent;
+    channel_sent sent[CHANNEL_MAX_SENT];
 } channel_satellite;
 
 // Length of the blocks of 10 s, once somebody has asked. It depends on the scenario alone, so whoever decides it first writes
@@ -53,8 +66,63 @@ struct orr_channels {
     channel_cell *cell; // [n_antennas][n_cells]
 };
 
-// As orr_channels_at; where `want` is given ([n_sats]) of the satellites that it marks, seen or not.
-orr_answer channels_evaluate(const orr_channels *c, size_t antenna, orr_time t, uint64_t signals,
-                             const bool *want, orr_channel *out, size_t *n);
+// The orbits that are evaluated.
+static inline const orr_ephemeris *channels_ephemeris(const orr_channels *c)
+{
+    return orr_source_orbit_ephemeris(c->orbits);
+}
+
+// Group delays of a satellite's signals, which change between cells of the lattice alone.
+typedef struct channel_delays {
+    orr_time cell; // ORR_TIME_NONE: none yet
+    double delay_m[CHANNEL_MAX_SENT];
+    bool unknown[CHANNEL_MAX_SENT];
+} channel_delays;
+
+// Channels of an antenna at an instant.
+typedef struct channel_list {
+    orr_time t; // ORR_TIME_NONE: none yet
+    uint64_t signals;
+    size_t n;
+    orr_channel *channel;
+    uint16_t *place; // [n] satellites, as c->satellite
+    bool *seen;      // [n] by the mask
+} channel_list;
+
+// What is kept of an antenna.
+typedef struct channel_antenna_work {
+    struct slow_cell *slow; // [n_sats]
+    orr_time candidates_of; // cell of the lattice, ORR_TIME_NONE: none yet
+    size_t n_candidates;
+    uint16_t *candidate;     // [n_sats] satellites that may come above the mask in it
+    orr_span leaf;           // stretch in which the antenna's place is a cubic, nearly
+    channel_list end, begin; // of blocks
+} channel_antenna_work;
+
+struct orr_channel_work {
+    const orr_channels *c;
+    satellite_cell (*satellite)[2];   // [n_sats]
+    channel_delays *delays;           // [n_sats]
+    struct slow_node *node[4];        // [n_sats] each, while cells are made
+    struct slow_values *values[2];    // [n_sats] each
+    uint16_t *todo, *missing;         // [n_sats]
+    uint16_t *chosen;                 // [n_sats] satellites of an epoch, and
+    struct seen_direction *direction; // where they stand
+    bool *also;                       // [n_sats] those of a block's begin
+    channel_antenna_work antenna[ORR_MAX_ANTENNAS];
+};
+
+// The channels at t of all satellites that the antenna sees into *list, of which t, signals and n are set.
+// Given:
+//   c, antenna  channels, and which antenna
+//   work        workspace
+//   t           instant of reception, of the span
+//   at          the antenna then
+//   signals     those that are wanted
+//   also        [n_sats] satellites that are wanted whether they are seen or not; NULL: none
+// Returned:
+//   list        channels, by satellite and signal; room for orr_channels_max
+void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
+                       const orr_antenna_state *at, uint64_t signals, const bool *also, channel_list *list);
 
 #endif

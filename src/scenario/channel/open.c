@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Channels prepared: files read, satellites and antennas looked up, turns counted.
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/rng.h"
 #include "orbit/navdata/glonass_channel.h"
 #include "orbit/spacecraft/orbit_class.h"
 #include "src/make/inputs.h"
@@ -79,7 +81,14 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
             x->sends = false; // nobody knows its carriers
         if (nominal) x->flags |= ORR_CHANNEL_NOMINAL_FREQUENCY;
         for (size_t j = 0; x->sends && j < n_signals; j++)
-            c->max_channels += (c->signals >> j & 1) != 0 && signal[j].system == orr_sat_system(x->sat);
+            if ((c->signals >> j & 1) != 0 && signal[j].system == orr_sat_system(x->sat)) {
+                assert(x->n_sent < CHANNEL_MAX_SENT);
+                x->sent[x->n_sent++] =
+                    (channel_sent){.signal = (uint16_t)j,
+                                   .carrier_hz = orr_signal_carrier_hz(&signal[j], x->frequency_channel),
+                                   .start = (int64_t)(orr_rng_u64(0, x->sat, j) & 8191)};
+            }
+        c->max_channels += x->n_sent;
     }
     if (c->max_channels == 0)
         return orr_diag_set(diag, ORR_E_NODATA,

@@ -25,24 +25,28 @@ static double above_least_db(double el_rad)
     return x * (a + b * x);
 }
 
-// Power that is radiated at an angle from nadir, of a satellite so far from the Earth's centre, dBW (EIRP).
-static double radiated_dbw(const orr_signal *s, double radius_m, double nadir_rad)
+// Gain towards an angle from nadir, of a satellite so far from the Earth's centre, dB above what makes up for the loss in space
+// over a metre.
+static double radiated_db(double radius_m, double nadir_rad)
 {
     const double limb = asin(EARTH_M / radius_m), inside = fmin(nadir_rad, limb);
     const double el = acos(fmin(radius_m * sin(inside) / EARTH_M, 1));
     const double range = radius_m * cos(inside) - EARTH_M * sin(el);
     const double beyond = (nadir_rad - inside) * ORR_DEG_PER_RAD;
-    return s->power_dbw + above_least_db(el) + orr_power_space_loss_db(range, s->carrier_hz) +
-           orr_power_atmosphere_db(el) - fmin(3 * beyond, 20);
+    return above_least_db(el) + 20 * log10(range) + orr_power_atmosphere_db(el) - fmin(3 * beyond, 20);
 }
 
-double orr_power_received_dbw(const orr_signal *s, orr_vec3 sat_m, orr_vec3 r_m, double el_rad)
+double orr_power_gain_db(orr_vec3 sat_m, orr_vec3 r_m, double el_rad)
 {
     const orr_vec3 d = orr_vec3_sub(r_m, sat_m);
     const double range = orr_vec3_norm(d), radius = orr_vec3_norm(sat_m);
     const double cosine = -orr_vec3_dot(d, sat_m) / (range * radius);
     const double above_ground = orr_vec3_norm(r_m) - EARTH_M;
     const double lost = above_ground < 100e3 ? orr_power_atmosphere_db(el_rad) : 0;
-    return radiated_dbw(s, radius, acos(fmin(fmax(cosine, -1), 1))) -
-           orr_power_space_loss_db(range, s->carrier_hz) - lost;
+    return radiated_db(radius, acos(fmin(fmax(cosine, -1), 1))) - 20 * log10(range) - lost;
+}
+
+double orr_power_received_dbw(const orr_signal *s, orr_vec3 sat_m, orr_vec3 r_m, double el_rad)
+{
+    return s->power_dbw + orr_power_gain_db(sat_m, r_m, el_rad);
 }

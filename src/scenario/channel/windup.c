@@ -103,17 +103,69 @@ static size_t node_of(orr_time t, orr_time from, int64_t step_ns, size_t n, doub
     return k;
 }
 
-double orr_windup_at(const orr_windup *w, size_t k, orr_time t, const orr_antenna_state *state,
-                     orr_vec3 sat_m, const orr_mat3 *attitude)
+double orr_windup_still(const orr_windup *w, size_t k, orr_time t, const orr_antenna_state *state,
+                        orr_vec3 sat_m, const orr_mat3 *attitude)
 {
     double part;
-    size_t i = node_of(t, w->from, NODE_NS, w->n_nodes, &part);
+    const size_t i = node_of(t, w->from, NODE_NS, w->n_nodes, &part);
     const float *row = &w->turns[k * w->n_nodes];
     const double near = (double)row[i] + part * ((double)row[i + 1] - (double)row[i]);
-    const double still = turns(state, &state->enu, sat_m, attitude, near);
-    if (w->n_headings == 0) return still;
-    i = node_of(t, w->heading_from, HEADING_NS, w->n_headings, &part);
+    return turns(state, &state->enu, sat_m, attitude, near);
+}
+
+// Effective dipole of a receiving antenna (Wu et al. 1993, eq. (24)) with its rate.
+typedef struct dipole {
+    orr_vec3 d, rate;
+} dipole;
+
+// Along x and y, which turn at w; k points from the satellite to the antenna.
+static dipole effective(orr_vec3 x, orr_vec3 y, orr_vec3 w, orr_vec3 k, orr_vec3 k_rate)
+{
+    const orr_vec3 x_rate = orr_vec3_cross(w, x), y_rate = orr_vec3_cross(w, y);
+    const double along = orr_vec3_dot(k, x), along_rate = orr_vec3_dot(k_rate, x) + orr_vec3_dot(k, x_rate);
+    dipole e;
+    e.d = orr_vec3_add(orr_vec3_axpy(-along, k, x), orr_vec3_cross(k, y));
+    e.rate = orr_vec3_axpy(-along, k_rate, orr_vec3_axpy(-along_rate, k, x_rate));
+    e.rate = orr_vec3_add(e.rate, orr_vec3_add(orr_vec3_cross(k_rate, y), orr_vec3_cross(k, y_rate)));
+    return e;
+}
+
+// Rate of turn of a vector about k, to which it is perpendicular.
+static double turn_rate(const dipole *e, orr_vec3 k)
+{
+    return orr_vec3_dot(k, orr_vec3_cross(e->d, e->rate)) / orr_vec3_dot(e->d, e->d);
+}
+
+static orr_vec3 row_of(const orr_mat3 *axes, int row)
+{
+    return (orr_vec3){axes->m[row][0], axes->m[row][1], axes->m[row][2]};
+}
+
+// Rate at which East, North and Up turn under a moving antenna, ecef: of a sphere, which is right to 1 %.
+static orr_vec3 horizon_rate(const orr_antenna_state *state)
+{
+    const orr_vec3 v = orr_mat3_apply(&state->enu, state->v_mps);
+    const double r = orr_vec3_norm(state->r_m);
+    return orr_mat3_apply_t(&state->enu, (orr_vec3){-v.y / r, v.x / r, v.x / r * tan(state->place.lat_rad)});
+}
+
+double orr_windup_turned(const orr_windup *w, orr_time t, const orr_antenna_state *state, orr_vec3 u,
+                         orr_vec3 u_rate_ps, double *rate_hz)
+{
+    *rate_hz = 0;
+    if (w->n_headings == 0) return 0;
+    double part;
+    const size_t i = node_of(t, w->heading_from, HEADING_NS, w->n_headings, &part);
     const double heading = w->heading[i] + part * (w->heading[i + 1] - w->heading[i]);
-    // Seen from the satellite above, a heading turns clockwise, and the angle from its dipole to the antenna's grows.
-    return turns(state, &state->axes, sat_m, attitude, still + heading);
+    // As in iono/phase/windup.c, x points North and y West. Seen from the satellite above, a heading turns clockwise, and the
+    // angle from the still dipole to the antenna's grows.
+    const orr_vec3 k = orr_vec3_scale(-1, u), k_rate = orr_vec3_scale(-1, u_rate_ps);
+    const dipole still = effective(row_of(&state->enu, 1), orr_vec3_scale(-1, row_of(&state->enu, 0)),
+                                   horizon_rate(state), k, k_rate);
+    const dipole own = effective(row_of(&state->axes, 1), orr_vec3_scale(-1, row_of(&state->axes, 0)),
+                                 state->w_radps, k, k_rate);
+    const double angle = atan2(orr_vec3_dot(k, orr_vec3_cross(still.d, own.d)), orr_vec3_dot(still.d, own.d)),
+                 turned = angle / (2 * ORR_PI);
+    *rate_hz = (turn_rate(&own, k) - turn_rate(&still, k)) / (2 * ORR_PI);
+    return turned + floor(heading - turned + 0.5);
 }

@@ -32,7 +32,7 @@ orr_status orr_windup_open(const orr_source_orbit *orbits, const orr_antenna *a,
                            orr_windup *out, orr_diag *diag);
 void orr_windup_free(orr_windup *w); // leaves *w empty
 
-// Wind-up of satellite k at t, cycles: to be added to the carrier's phase range.
+// Wind-up between satellite k and a dipole that lies along East and North at the antenna's place, cycles.
 // Given:
 //   w         counted turns
 //   k         satellite, its place in orr_source_orbit_satellites
@@ -41,7 +41,19 @@ void orr_windup_free(orr_windup *w); // leaves *w empty
 //   sat_m     satellite, ecef
 //   attitude  rows are its body axes, ecef
 // Reference: Wu et al. 1993, Manuscripta Geodaetica 18:91.
-double orr_windup_at(const orr_windup *w, size_t k, orr_time t, const orr_antenna_state *state,
-                     orr_vec3 sat_m, const orr_mat3 *attitude);
+double orr_windup_still(const orr_windup *w, size_t k, orr_time t, const orr_antenna_state *state,
+                        orr_vec3 sat_m, const orr_mat3 *attitude);
+// What the antenna's own turn adds to it, cycles; 0 of a fixed antenna. The sum of both is to be added to the carrier's phase
+// range.
+// Given:
+//   w          counted turns
+//   t          instant of reception
+//   state      antenna
+//   u          unit vector from the antenna to the satellite, ecef
+//   u_rate_ps  its rate
+// Returned:
+//   rate_hz    rate, exact
+double orr_windup_turned(const orr_windup *w, orr_time t, const orr_antenna_state *state, orr_vec3 u,
+                         orr_vec3 u_rate_ps, double *rate_hz);
 
 #endif

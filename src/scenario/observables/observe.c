@@ -18,6 +18,7 @@ typedef struct writer {
     const orr_observe_plan *plan;
     size_t antenna, n_signals, n_sats, stride;
     const orr_signal *signal;
+    orr_channel_work *work;
     orr_channel *channel; // of one epoch
     orr_rinex_obs_header header;
     size_t column[64]; // of a signal's code observation among those of its system
@@ -119,7 +120,7 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
                               orr_diag *diag)
 {
     size_t n;
-    const orr_answer answer = orr_channels_at(w->c, w->antenna, t, UINT64_MAX, w->channel, &n);
+    const orr_answer answer = orr_channels_at(w->c, w->antenna, w->work, t, UINT64_MAX, w->channel, &n);
     if (answer != ORR_ANSWER_OK)
         return orr_diag_set(diag, ORR_E_RANGE, "the channels do not reach to %s of the observations",
                             t == w->plan->from ? "the begin" : "the end");
@@ -177,6 +178,7 @@ orr_status orr_observe_rinex(const orr_channels *c, size_t antenna, const orr_ob
     w.signal = orr_signals(&w.n_signals);
     orr_rinex_obs_header_init(&w.header);
     orr_status s = describe(&w, diag);
+    if (s == ORR_OK) s = orr_channel_work_open(c, &w.work, diag);
     if (s == ORR_OK) {
         w.channel = calloc(max, sizeof *w.channel);
         w.sat = calloc(max, sizeof *w.sat);
@@ -189,6 +191,7 @@ orr_status orr_observe_rinex(const orr_channels *c, size_t antenna, const orr_ob
             s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     }
     if (s == ORR_OK) s = write_all(&w, path, count, diag);
+    orr_channel_work_close(w.work);
     free(w.channel);
     free(w.sat);
     free(w.before);

@@ -28,7 +28,7 @@ static void row(FILE *f, const char *t, const orr_channel *x, const orr_signal *
 }
 
 static orr_status rows(FILE *f, const orr_channels *c, size_t antenna, const orr_observe_plan *p,
-                       orr_channel *list, orr_observe_count *count, orr_diag *diag)
+                       orr_channel_work *work, orr_channel *list, orr_observe_count *count, orr_diag *diag)
 {
     size_t n_signals, n;
     const orr_signal *signal = orr_signals(&n_signals);
@@ -36,7 +36,7 @@ static orr_status rows(FILE *f, const orr_channels *c, size_t antenna, const orr
     for (orr_time t = p->from; t <= p->to; t = orr_time_add(t, p->step_ns)) {
         char text[ORR_TIME_TEXT];
         if (p->cancel != NULL && *p->cancel) return orr_diag_set(diag, ORR_E_INTERRUPTED, "interrupted");
-        if (orr_channels_at(c, antenna, t, UINT64_MAX, list, &n) != ORR_ANSWER_OK)
+        if (orr_channels_at(c, antenna, work, t, UINT64_MAX, list, &n) != ORR_ANSWER_OK)
             return orr_diag_set(diag, ORR_E_RANGE, "the channels do not reach to %s", orr_time_text(t, text));
         orr_time_text(t, text);
         for (size_t k = 0; k < n; k++) row(f, text, &list[k], &signal[list[k].signal]);
@@ -53,14 +53,17 @@ orr_status orr_observe_truth(const orr_channels *c, size_t antenna, const orr_ob
     *count = (orr_observe_count){0};
     orr_channel *list = calloc(orr_channels_max(c), sizeof *list);
     if (list == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    orr_status s = orr_outfile_open(path, &out, diag);
+    orr_channel_work *work = NULL;
+    orr_status s = orr_channel_work_open(c, &work, diag);
+    if (s == ORR_OK) s = orr_outfile_open(path, &out, diag);
     if (s == ORR_OK) {
-        s = rows(out.stream, c, antenna, plan, list, count, diag);
+        s = rows(out.stream, c, antenna, plan, work, list, count, diag);
         if (s == ORR_OK)
             s = orr_outfile_commit(&out, diag);
         else
             orr_outfile_abort(&out);
     }
+    orr_channel_work_close(work);
     free(list);
     return s;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/earth.h"
+#include "core/nan.h"
 #include "iono/field/tec_files.h"
 
 _Static_assert((int)ORR_IONO_MAPS_BILINEAR == ORR_TEC_BILINEAR &&
@@ -127,5 +128,17 @@ orr_answer orr_source_iono_evaluate(const orr_source_iono *i, orr_time t, orr_ve
             delay[place[k]] = found[g++];
             answer[place[k]] = ORR_ANSWER_OK;
         }
+    return ORR_ANSWER_OK;
+}
+
+orr_answer orr_source_iono_contents(const orr_source_iono *i, orr_time t, orr_vec3 receiver_m,
+                                    const orr_sat *sat, const orr_vec3 *sat_m, size_t n, double *stec_tecu)
+{
+    orr_realisation found[ORR_SESSION_MAX_SATS];
+    size_t got = 0;
+    if (n > ORR_SESSION_MAX_SATS || realise(i, t, receiver_m, sat, sat_m, n, found, &got) != ORR_OK)
+        return ORR_ANSWER_OUTSIDE_SPAN;
+    for (size_t k = 0, g = 0; k < n; k++)
+        stec_tecu[k] = g < got && found[g].sat == sat[k] ? found[g++].stec_tecu : ORR_NAN;
     return ORR_ANSWER_OK;
 }

@@ -42,5 +42,18 @@ bool orr_source_iono_station(const orr_source_iono *i, orr_vec3 *out);
 orr_answer orr_source_iono_evaluate(const orr_source_iono *i, orr_time t, orr_vec3 receiver_m,
                                     const orr_sat *sats, size_t n, orr_realisation *delay,
                                     orr_answer *answer);
+// Slant contents alone, to satellites whose places are known.
+// Given:
+//   i           the source
+//   t           the instant
+//   receiver_m  place of the receiver (ecef)
+//   sat         [n] which, and
+//   sat_m       [n] where they are at t (ecef)
+//   n           at most ORR_SESSION_MAX_SATS
+// Returned:
+//   stec_tecu   [n] contents; NAN below the horizon, and where the source has no value
+// Answers: ORR_ANSWER_OK; ORR_ANSWER_OUTSIDE_SPAN, then nothing is written.
+orr_answer orr_source_iono_contents(const orr_source_iono *i, orr_time t, orr_vec3 receiver_m,
+                                    const orr_sat *sat, const orr_vec3 *sat_m, size_t n, double *stec_tecu);
 
 #endif

@@ -35,14 +35,21 @@ double orr_mapping_cosecant(double el_rad);
 double orr_mapping_black_eisner(double el_rad);
 // Chao (1972), as STANAG 4294 has it: 1 / (sin el + 0.00143 / (tan el + 0.0455)).
 double orr_mapping_chao(double el_rad);
+// A mapping at a place and an instant: Marini's continued fraction of sin(el), 1 at the zenith, and Niell's correction for the
+// height above sea level.
+typedef struct orr_mapping_fractions {
+    double a, b, c;
+    double height_km; // 0: without the correction
+} orr_mapping_fractions;
+// Factor at an elevation.
+double orr_mapping_fraction(const orr_mapping_fractions *m, double el_rad);
 // Niell (1996), J. Geophys. Res. 101(B2):3227.
-//   Given:    el_rad       elevation, geometric
-//             lat_rad      geodetic latitude
+//   Given:    lat_rad      geodetic latitude
 //             height_m     height above sea level
 //             t            instant: the hydrostatic one has a season
-//   Returned: hydrostatic  factor of the hydrostatic zenith delay
-//             wet          factor of the wet one
-void orr_mapping_niell(double el_rad, double lat_rad, double height_m, orr_time t, double *hydrostatic,
-                       double *wet);
+//   Returned: hydrostatic  of the hydrostatic zenith delay
+//             wet          of the wet one
+void orr_mapping_niell_at(double lat_rad, double height_m, orr_time t, orr_mapping_fractions *hydrostatic,
+                          orr_mapping_fractions *wet);
 
 #endif

@@ -45,21 +45,27 @@ static const double WET[3][5] = {{5.8021897e-4, 5.6794847e-4, 5.8118019e-4, 5.97
 static const double HEIGHT[3] = {2.53e-5, 5.49e-3, 1.14e-3};
 
 // Marini's continued fraction, 1 at the zenith.
-static double fraction(double s, double a, double b, double c)
+static double marini(double s, double a, double b, double c)
 {
     return (1 + a / (1 + b / (1 + c))) / (s + a / (s + b / (s + c)));
 }
 
-void orr_mapping_niell(double el_rad, double lat_rad, double height_m, orr_time t, double *hydrostatic,
-                       double *wet)
+double orr_mapping_fraction(const orr_mapping_fractions *m, double el_rad)
 {
-    const double s = sin(el_rad), season = orr_season_cosine(t, lat_rad < 0 ? 28 + 365.25 / 2 : 28);
+    const double s = sin(el_rad), at_sea = marini(s, m->a, m->b, m->c);
+    if (m->height_km == 0) return at_sea;
+    return at_sea + (1 / s - marini(s, HEIGHT[0], HEIGHT[1], HEIGHT[2])) * m->height_km;
+}
+
+void orr_mapping_niell_at(double lat_rad, double height_m, orr_time t, orr_mapping_fractions *hydrostatic,
+                          orr_mapping_fractions *wet)
+{
+    const double season = orr_season_cosine(t, lat_rad < 0 ? 28 + 365.25 / 2 : 28);
     double dry[3], w[3];
     for (int k = 0; k < 3; k++) {
         dry[k] = orr_by_latitude(DRY_MEAN[k], lat_rad) - orr_by_latitude(DRY_SEASON[k], lat_rad) * season;
         w[k] = orr_by_latitude(WET[k], lat_rad);
     }
-    const double with_height = 1 / s - fraction(s, HEIGHT[0], HEIGHT[1], HEIGHT[2]);
-    *hydrostatic = fraction(s, dry[0], dry[1], dry[2]) + with_height * height_m / 1e3;
-    *wet = fraction(s, w[0], w[1], w[2]);
+    *hydrostatic = (orr_mapping_fractions){dry[0], dry[1], dry[2], height_m / 1e3};
+    *wet = (orr_mapping_fractions){w[0], w[1], w[2], 0};
 }

@@ -6,15 +6,22 @@
 #include "src/config/section_channel.h"
 #include "src/scenario/troposphere/atmosphere.h"
 
-// Slant delays at an elevation.
+// What all satellites over a place share at an instant.
+typedef struct orr_troposphere_site {
+    int model, mapping;
+    orr_zenith_delay zenith;
+    orr_mapping_fractions hydrostatic, wet; // of mappings that are continued fractions
+} orr_troposphere_site;
+
+// Prepares a place.
 // Given:
-//   s             model, mapping, humidity
-//   place         antenna; its ellipsoidal height is taken as that above the sea, as receivers do
-//   el_rad        elevation of the satellite, geometric; below 0.5 deg that is taken
-//   t             instant
-// Returned:
-//   hydrostatic_m, wet_m  delays, m; none above 100 km
-orr_zenith_delay orr_troposphere_delay(const orr_scenario_troposphere *s, orr_geodetic place, double el_rad,
-                                       orr_time t);
+//   s      model, mapping, humidity
+//   place  antenna; its ellipsoidal height is taken as that above the sea, as receivers do
+//   t      instant
+// Notes: no delay above 100 km.
+orr_troposphere_site orr_troposphere_at(const orr_scenario_troposphere *s, orr_geodetic place, orr_time t);
+// Slant delays, m, at an elevation; it is geometric, and below 1 deg it is held, smoothly, so that the horizon has
+// the delay of 0.5 deg.
+orr_zenith_delay orr_troposphere_slant(const orr_troposphere_site *site, double el_rad);
 
 #endif

@@ -26,18 +26,19 @@ orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels
     if (n > ORR_MSG_MAX_CHANNELS)
         return orr_diag_set(diag, ORR_E_LIMIT, "an antenna can have %zu channels, a message lists at most %u",
                             n, ORR_MSG_MAX_CHANNELS);
-    out->work = calloc(n, sizeof *out->work);
+    const orr_status s = orr_channel_work_open(c, &out->work, diag);
+    if (s != ORR_OK) return s;
     out->block = calloc(n, sizeof *out->block);
     out->channel = calloc(n, sizeof *out->channel);
     out->terms = calloc(n, sizeof *out->terms);
-    if (out->work != NULL && out->block != NULL && out->channel != NULL && out->terms != NULL) return ORR_OK;
+    if (out->block != NULL && out->channel != NULL && out->terms != NULL) return ORR_OK;
     orr_answers_channels_close(out);
     return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
 }
 
 void orr_answers_channels_close(orr_answers_channels_room *room)
 {
-    free(room->work);
+    orr_channel_work_close(room->work);
     free(room->block);
     free(room->channel);
     free(room->terms);
@@ -191,7 +192,7 @@ uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr
     size_t n;
     orr_blocks blocks;
     orr_antenna_state at;
-    orr_answer answer = orr_blocks_at(c, poll->antenna, m.epoch.t, wanted(c, poll, &known), room->work,
+    orr_answer answer = orr_blocks_at(c, poll->antenna, room->work, m.epoch.t, wanted(c, poll, &known),
                                       &blocks, room->block, &n);
     if (answer == ORR_ANSWER_OK)
         answer = orr_antenna_at(orr_channels_antenna(c, poll->antenna), blocks.t0, &at);

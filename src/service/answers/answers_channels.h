@@ -8,7 +8,7 @@
 
 // Room for one epoch of channels and for the lists of CAPS.
 typedef struct orr_answers_channels_room {
-    orr_channel *work;
+    orr_channel_work *work;
     orr_block *block;
     orr_msg_sat_channel *channel;
     orr_msg_channel_terms *terms;

@@ -6,15 +6,18 @@
 #include "src/scenario/channel/block.h"
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/power.h"
+#include "src/scenario/channel/slow.h"
 #include "src/scenario/engine/engine.h"
 #include "src/scenario/troposphere/troposphere.h"
 #include "testing.h"
 #include "unit/orbit/made_orbit.h"
 
 #define PRODUCT ORR_BINARY_DIR "/channels.nc"
+#define IONOSPHERE ORR_BINARY_DIR "/channels.ION"
 enum { ROOM = 200 };
 
 static orr_engine *engine;
+static orr_channel_work *work;
 
 static void open_with(const char *rest)
 {
@@ -25,11 +28,31 @@ static void open_with(const char *rest)
     ASSERT_OK(orr_scenario_parse("test", text, strlen(text), NULL, NULL, &s, &diag), diag);
     ASSERT_OK(orr_engine_open(&s, NULL, NULL, NULL, &engine, &diag), diag);
     orr_scenario_free(&s);
+    ASSERT_OK(orr_channel_work_open(orr_engine_channels(engine), &work, &diag), diag);
+}
+
+// The sample's ionosphere, a year earlier: the days of the made orbits.
+static void make_ionosphere(void)
+{
+    static const char *const days[][2] = {{"2025 03 20", "2024 02 03"}, {"2025 03 23", "2024 02 06"}};
+    FILE *in = fopen(ORR_SOURCE_DIR "/samples/ionosphere.ION", "r"), *out = fopen(IONOSPHERE, "w");
+    assert_true(in != NULL && out != NULL);
+    char line[200];
+    while (fgets(line, sizeof line, in) != NULL) {
+        for (size_t k = 0; k < sizeof days / sizeof *days; k++) {
+            char *day = strstr(line, days[k][0]);
+            if (day != NULL) memcpy(day, days[k][1], strlen(days[k][1]));
+        }
+        fputs(line, out);
+    }
+    fclose(in);
+    assert_int_equal(fclose(out), 0);
 }
 
 static int set_up(void **state)
 {
     (void)state;
+    make_ionosphere();
     orr_diag diag = {0};
     orr_orbit_solution s = made_solution(9, 6, 900, 6);
     orr_ephemeris *e = NULL;
@@ -43,6 +66,8 @@ static int set_up(void **state)
 static int tear_down(void **state)
 {
     (void)state;
+    orr_channel_work_close(work);
+    work = NULL;
     orr_engine_close(engine);
     engine = NULL;
     return 0;
@@ -55,7 +80,7 @@ static size_t all_at(orr_time t, size_t antenna, orr_channel *out)
     size_t n;
     const orr_channels *c = orr_engine_channels(engine);
     assert_true(orr_channels_max(c) <= ROOM);
-    assert_int_equal(orr_channels_at(c, antenna, t, UINT64_MAX, out, &n), ORR_ANSWER_OK);
+    assert_int_equal(orr_channels_at(c, antenna, work, t, UINT64_MAX, out, &n), ORR_ANSWER_OK);
     return n;
 }
 
@@ -66,32 +91,32 @@ static size_t all_at(orr_time t, size_t antenna, orr_channel *out)
 static void the_range_is_that_of_inertial_space(void **state)
 {
     (void)state;
-    open_with(EVERYTHING);
+    open_with(
+        "signals: [G, R, E]\nmask: {elevation: -10}\nantennas: [{name: BASE, position: [52, 17, 124]}]\n");
     const orr_ephemeris *e = orr_engine_ephemeris(engine);
-    const orr_vec3 r = orr_channels_antenna(orr_engine_channels(engine), 0)->fixed.r_m, v = {0, 0, 0};
+    const orr_vec3 r = orr_channels_antenna(orr_engine_channels(engine), 0)->fixed.r_m;
     const double w = ORR_EARTH_RATE_RADPS, c = ORR_LIGHT_MPS;
-    const orr_sat *list;
-    const size_t n = orr_ephemeris_satellites(e, &list);
+    orr_channel x[ROOM];
+    const orr_time t = at(7000.123);
+    const size_t n = all_at(t, 0, x);
+    assert_true(n > 5);
     for (size_t k = 0; k < n; k++) {
-        orr_light l;
-        orr_sat_state now;
-        assert_int_equal(orr_ephemeris_eval(e, list[k], at(7000), &now), ORR_OK);
-        assert_int_equal(orr_light_from(e, at(7000), &now, r, v, &l), ORR_OK);
         // Both points in axes that coincide with ecef at reception; the light's way by bisection.
         double low = 0.01, high = 0.3;
         for (int step = 0; step < 80; step++) {
             const double tau = (low + high) / 2, ns = nearbyint(tau * 1e9);
-            orr_sat_state x;
-            assert_int_equal(orr_ephemeris_eval(e, list[k], at(7000) - (int64_t)ns, &x), ORR_OK);
-            const orr_vec3 p = orr_vec3_axpy(ns * 1e-9 - tau, x.vel_mps, x.pos_m);
+            orr_sat_state s;
+            assert_int_equal(orr_ephemeris_eval(e, x[k].sat, t - (int64_t)ns, &s), ORR_OK);
+            const orr_vec3 p = orr_vec3_axpy(ns * 1e-9 - tau, s.vel_mps, s.pos_m);
             const double a = -w * tau; // where the satellite was, turned back with the Earth
-            const orr_vec3 s = {cos(a) * p.x - sin(a) * p.y, sin(a) * p.x + cos(a) * p.y, p.z};
-            if (orr_vec3_norm(orr_vec3_sub(s, r)) > c * tau)
+            const orr_vec3 q = {cos(a) * p.x - sin(a) * p.y, sin(a) * p.x + cos(a) * p.y, p.z};
+            if (orr_vec3_norm(orr_vec3_sub(q, r)) > c * tau)
                 low = tau;
             else
                 high = tau;
         }
-        ASSERT_NEAR(l.range_m, c * low, 3e-8); // 1e-16 s of the bisection, 4e-9 m of doubles
+        // 1e-16 s of the bisection, 4e-9 m of doubles, and the product's own rounding.
+        ASSERT_NEAR(x[k].term_m[ORR_TERM_DISTANCE] + x[k].term_m[ORR_TERM_SAGNAC], c * low, 3e-8);
     }
 }
 
@@ -156,6 +181,86 @@ static void rates_are_derivatives(void **state)
                 // Rounding is 7e-9 m in 0.1 s. A circle of 900 m in 60 s has a third derivative of 1 m/s^3: h^2/6 of it is 4e-4.
                 ASSERT_NEAR(b[k].rate_mps[i], rate, antenna == 0 ? 2e-7 : 5e-4);
             }
+    }
+}
+
+// --- Slow terms on their lattice ---
+#define FLIES                                                                                                \
+    "  - {name: BODY, right: 1, forward: 2, up: 3}\n"                                                        \
+    "trajectory:\n  kind: analytic\n  start: 2024-02-04T01:00:00\n  duration: 600\n  lat: 52\n  lon: 17\n"   \
+    "  height: 500\n  motions:\n    - {kind: straight, east: 60}\n    - {kind: sine, up: 6.9, period: "      \
+    "3.333}\n    - {kind: circle, radius: 900, period: 60}\n"
+
+// Every term that is read from a curve, against the term itself.
+static void curves_are_the_terms(void **state)
+{
+    (void)state;
+    open_with("ionosphere: {field: " IONOSPHERE "}\nchannel: {shapiro: yes}\n"
+              "signals: [G, R, E]\ntroposphere: {model: saastamoinen}\nmask: {elevation: 2}\n"
+              "antennas:\n  - {name: BASE, position: [52, 17, 124]}\n" FLIES);
+    const orr_channels *c = orr_engine_channels(engine);
+    size_t compared = 0;
+    for (size_t antenna = 0; antenna < 2; antenna++)
+        for (int k = 0; k < 150; k++) {
+            orr_channel x[ROOM];
+            orr_antenna_state a;
+            const orr_time t = at(3610 + 3.7 * k + 0.0137 * (k % 7));
+            const size_t n = all_at(t, antenna, x);
+            assert_int_equal(orr_antenna_at(orr_channels_antenna(c, antenna), t, &a), ORR_ANSWER_OK);
+            for (size_t i = 0; i < n; i++) {
+                if (i > 0 && x[i].sat == x[i - 1].sat) continue;
+                uint16_t place = 0;
+                slow_values v;
+                while (c->satellite[place].sat != x[i].sat) place++;
+                slow_at(c, antenna, work, t, &a, &place, 1, &v);
+                assert_true(v.ok);
+                const double allowed =
+                    antenna == 0 ? 1.5e-7 : 1.5e-6; // slow_cell.c; beside the middle 3/2 of it
+                ASSERT_NEAR(x[i].term_m[ORR_TERM_SHAPIRO], v.v[SLOW_SHAPIRO], allowed);
+                ASSERT_NEAR(x[i].term_m[ORR_TERM_TROPOSPHERE_HYDROSTATIC], v.v[SLOW_HYDROSTATIC], allowed);
+                ASSERT_NEAR(x[i].term_m[ORR_TERM_TROPOSPHERE_WET], v.v[SLOW_WET], allowed);
+                ASSERT_NEAR(x[i].term_m[ORR_TERM_IONOSPHERE],
+                            orr_iono_delay_m(v.v[SLOW_CONTENT], x[i].carrier_hz, ORR_MEASURES_CODE), allowed);
+                if (antenna == 0)
+                    ASSERT_NEAR(x[i].term_m[ORR_TERM_WIND_UP] * x[i].carrier_hz / ORR_LIGHT_MPS,
+                                v.v[SLOW_TURNS], 4 * allowed);
+                compared++;
+            }
+        }
+    assert_true(compared > 500);
+}
+
+static void order_changes_no_byte(void **state)
+{
+    (void)state;
+    open_with(EVERYTHING FLIES);
+    enum { N = 60 };
+    static orr_channel forward[N][ROOM], y[ROOM];
+    size_t n[N];
+    const orr_channels *c = orr_engine_channels(engine);
+    // 1.7 s apart, past several cells of the lattice.
+    for (int k = 0; k < N; k++) n[k] = all_at(at(3650 + 1.7 * k), 1, forward[k]);
+    for (int k = N - 1; k >= 0; k -= 7) { // backwards, elsewhere, and in a workspace that knows nothing
+        orr_channel_work *fresh;
+        size_t m;
+        assert_int_equal(orr_channel_work_open(c, &fresh, NULL), ORR_OK);
+        for (int pass = 0; pass < 2; pass++) {
+            assert_int_equal(
+                orr_channels_at(c, 1, pass == 0 ? work : fresh, at(3650 + 1.7 * k), UINT64_MAX, y, &m),
+                ORR_ANSWER_OK);
+            assert_int_equal(m, n[k]);
+            for (size_t i = 0; i < m; i++) {
+                assert_memory_equal(y[i].term_m, forward[k][i].term_m, sizeof y[i].term_m);
+                assert_memory_equal(y[i].rate_mps, forward[k][i].rate_mps, sizeof y[i].rate_mps);
+                assert_true(y[i].carrier_cycles == forward[k][i].carrier_cycles &&
+                            y[i].carrier_fraction == forward[k][i].carrier_fraction &&
+                            y[i].code_m == forward[k][i].code_m &&
+                            y[i].power_dbw == forward[k][i].power_dbw &&
+                            y[i].az_rad == forward[k][i].az_rad && y[i].flags == forward[k][i].flags);
+            }
+        }
+        orr_channel_work_close(fresh);
+        all_at(at(1000 + 200 * k), 0, y);
     }
 }
 
@@ -236,13 +341,13 @@ static worst try_blocks(size_t antenna, orr_time t, int n_blocks, double error_m
 {
     const orr_channels *c = orr_engine_channels(engine);
     static orr_block now[ROOM], before[ROOM];
-    static orr_channel work[ROOM], direct[ROOM];
+    static orr_channel direct[ROOM];
     worst w = {0};
     size_t n_before = 0;
     orr_blocks b = {0}, last = {0};
     for (int i = 0; i < n_blocks; i++) {
         size_t n, m;
-        assert_int_equal(orr_blocks_at(c, antenna, t, UINT64_MAX, work, &b, now, &n), ORR_ANSWER_OK);
+        assert_int_equal(orr_blocks_at(c, antenna, work, t, UINT64_MAX, &b, now, &n), ORR_ANSWER_OK);
         assert_int_equal(orr_floor_mod(b.t0, b.length_ns), 0);
         assert_true(b.t0 <= t && t < b.t0 + b.length_ns);
         for (size_t k = 0; k < n && i > 0 && b.t0 == last.t0 + last.length_ns && n == n_before; k++) {
@@ -261,7 +366,8 @@ static worst try_blocks(size_t antenna, orr_time t, int n_blocks, double error_m
         double here = 0;
         for (int j = 0; j < 40; j++) {
             const int64_t dt = b.length_ns * j / 40;
-            assert_int_equal(orr_channels_at(c, antenna, b.t0 + dt, UINT64_MAX, direct, &m), ORR_ANSWER_OK);
+            assert_int_equal(orr_channels_at(c, antenna, work, b.t0 + dt, UINT64_MAX, direct, &m),
+                             ORR_ANSWER_OK);
             for (size_t k = 0; k < n && m == n; k++)
                 here = fmax(here, fabs(orr_block_code_m(&now[k], (double)dt / 1e9) - direct[k].code_m));
         }
@@ -304,17 +410,15 @@ static void blocks_hold_the_motion(void **state)
         const worst w = try_blocks(0, from, 60, 1e-5);
         size_t n;
         static orr_block block[ROOM];
-        static orr_channel work[ROOM];
         orr_blocks b;
-        orr_blocks_at(orr_engine_channels(engine), 0, from, UINT64_MAX, work, &b, block, &n);
+        orr_blocks_at(orr_engine_channels(engine), 0, work, from, UINT64_MAX, &b, block, &n);
         assert_true(n > 0);
         assert_in_range((uint64_t)(b.length_ns / 1000000), (uint64_t)cases[k].least_ms,
                         (uint64_t)cases[k].most_ms);
         assert_true(w.error_m < 1.2e-5);
         assert_int_equal(w.over, 0);
         assert_true(w.code_joint_m <= 4e-9 && w.carrier_joint_m <= 1e-9 && w.rate_joint_mps <= 1e-6);
-        orr_engine_close(engine);
-        engine = NULL;
+        tear_down(NULL);
     }
 }
 
@@ -331,16 +435,15 @@ static void blocks_do_not_remember(void **state)
 {
     (void)state;
     static orr_block a[ROOM], b[ROOM];
-    static orr_channel work[ROOM];
     orr_blocks x, y;
     size_t n, m;
     open_with(EVERYTHING);
-    orr_blocks_at(orr_engine_channels(engine), 0, at(9000), UINT64_MAX, work, &x, a, &n);
+    orr_blocks_at(orr_engine_channels(engine), 0, work, at(9000), UINT64_MAX, &x, a, &n);
     tear_down(NULL);
     open_with(EVERYTHING);
     for (double t = 1000; t < 20000; t += 1111)
-        orr_blocks_at(orr_engine_channels(engine), 0, at(t), UINT64_MAX, work, &y, b, &m);
-    orr_blocks_at(orr_engine_channels(engine), 0, at(9000.7), UINT64_MAX, work, &y, b, &m);
+        orr_blocks_at(orr_engine_channels(engine), 0, work, at(t), UINT64_MAX, &y, b, &m);
+    orr_blocks_at(orr_engine_channels(engine), 0, work, at(9000.7), UINT64_MAX, &y, b, &m);
     assert_int_equal(n, m);
     for (size_t k = 0; k < n; k++) {
         assert_memory_equal(a[k].code, b[k].code, sizeof a[k].code);
@@ -378,18 +481,33 @@ static void tropospheres_of_the_models(void **state)
     }
 }
 
+// Niell's factors at 100 m.
+static void niell(double el_rad, double lat_rad, orr_time t, double *dry, double *wet)
+{
+    orr_mapping_fractions d, w;
+    orr_mapping_niell_at(lat_rad, 100, t, &d, &w);
+    *dry = orr_mapping_fraction(&d, el_rad);
+    *wet = orr_mapping_fraction(&w, el_rad);
+}
+
+static orr_zenith_delay slant(const orr_scenario_troposphere *s, orr_geodetic place, double el_rad)
+{
+    const orr_troposphere_site site = orr_troposphere_at(s, place, made_midnight);
+    return orr_troposphere_slant(&site, el_rad);
+}
+
 static void mappings_are_one_above_and_grow(void **state)
 {
     (void)state;
     double dry, wet, last = 0.99;
     const double zenith = ORR_PI / 2, lat = 52 * ORR_RAD_PER_DEG;
-    orr_mapping_niell(zenith, lat, 100, made_midnight, &dry, &wet);
+    niell(zenith, lat, made_midnight, &dry, &wet);
     ASSERT_NEAR(dry, 1, 1e-12);
     ASSERT_NEAR(wet, 1, 1e-12);
     ASSERT_NEAR(orr_mapping_black_eisner(zenith), 1, 1e-5); // 1.001/sqrt(1.002001)
     ASSERT_NEAR(orr_mapping_cosecant(zenith), 1, 1e-15);
     for (double el = 90; el >= 3; el -= 1) {
-        orr_mapping_niell(el * ORR_RAD_PER_DEG, lat, 100, made_midnight, &dry, &wet);
+        niell(el * ORR_RAD_PER_DEG, lat, made_midnight, &dry, &wet);
         assert_true(dry > last);
         assert_true(wet >= dry - 1e-12 || el > 15); // water lies lower: closer to 1/sin
         assert_true(dry <= 1 / sin(el * ORR_RAD_PER_DEG) + 1e-12);
@@ -398,8 +516,8 @@ static void mappings_are_one_above_and_grow(void **state)
     // North and south have opposite seasons, half a year apart.
     double south, same;
     const orr_time half = orr_time_add_s(made_midnight, 182.625 * 86400);
-    orr_mapping_niell(0.1, -lat, 100, half, &south, &wet);
-    orr_mapping_niell(0.1, lat, 100, made_midnight, &same, &wet);
+    niell(0.1, -lat, half, &south, &wet);
+    niell(0.1, lat, made_midnight, &same, &wet);
     ASSERT_NEAR(south, same, 2e-4); // the calendar's day of year is not 365.25 long
 }
 
@@ -411,13 +529,11 @@ static void the_troposphere_thins_with_height(void **state)
             .model = model, .mapping = ORR_TROPO_MAPPING_NIELL, .humidity = 0.7};
         double last = 100;
         for (double h = 0; h <= 9000; h += 1000) {
-            const orr_zenith_delay d =
-                orr_troposphere_delay(&s, (orr_geodetic){0.9, 0.3, h}, 30 * ORR_RAD_PER_DEG, made_midnight);
+            const orr_zenith_delay d = slant(&s, (orr_geodetic){0.9, 0.3, h}, 30 * ORR_RAD_PER_DEG);
             assert_true(d.hydrostatic_m + d.wet_m < last && d.hydrostatic_m > 0);
             last = d.hydrostatic_m + d.wet_m;
         }
-        const orr_zenith_delay up =
-            orr_troposphere_delay(&s, (orr_geodetic){0.9, 0.3, 150e3}, 0.5, made_midnight);
+        const orr_zenith_delay up = slant(&s, (orr_geodetic){0.9, 0.3, 150e3}, 0.5);
         ASSERT_NEAR(up.hydrostatic_m + up.wet_m, 0, 0);
     }
 }
@@ -475,6 +591,8 @@ int main(void)
         cmocka_unit_test(shapiro_is_of_two_centimetres),
         cmocka_unit_test_teardown(terms_sum_to_code_and_carrier, tear_down),
         cmocka_unit_test_teardown(rates_are_derivatives, tear_down),
+        cmocka_unit_test_teardown(curves_are_the_terms, tear_down),
+        cmocka_unit_test_teardown(order_changes_no_byte, tear_down),
         cmocka_unit_test_teardown(doppler_is_positive_while_approaching, tear_down),
         cmocka_unit_test_teardown(wind_up_goes_on, tear_down),
         cmocka_unit_test_teardown(a_full_turn_of_the_body_is_a_cycle, tear_down),
