@@ -119,6 +119,14 @@ typedef struct orr_nc_reader {
 // ORR_E_IO if it cannot be opened, ORR_E_KIND if its first bytes are no NetCDF's, ORR_E_FORMAT if NetCDF
 // refuses it.
 orr_status orr_nc_open(const char *path, orr_nc_reader *r, orr_diag *diag);
+// The same of a file in memory; a seal is not looked at.
+//   Given:    name        of the file, for messages
+//             data, n     its n bytes, which NetCDF does not change; they must outlive the reader
+//   Returned: r           the reader, to be closed with orr_nc_close
+//             diag        ORR_E_KIND, ORR_E_FORMAT
+orr_status orr_nc_open_memory(const char *name, const void *data, size_t n, orr_nc_reader *r, orr_diag *diag);
+// Whether the first bytes of a file are a NetCDF file's: HDF5's signature, or "CDF" of the classic formats.
+bool orr_nc_is_netcdf(const void *data, size_t n);
 // Harmless on a reader that is not open.
 void orr_nc_close(orr_nc_reader *r);
 // The length of a dimension.

@@ -4,14 +4,15 @@
 #include <string.h>
 
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include "core/ncfile.h"
 #include "core/ncseal.h"
 
-// HDF5's signature, or "CDF" of the classic formats.
-static bool has_magic(const unsigned char *b, size_t n)
+bool orr_nc_is_netcdf(const void *data, size_t n)
 {
     static const unsigned char hdf5[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
+    const unsigned char *b = data;
     if (n >= 8 && memcmp(b, hdf5, 8) == 0) return true;
     return n >= 4 && memcmp(b, "CDF", 3) == 0 && (b[3] == 1 || b[3] == 2 || b[3] == 5);
 }
@@ -29,12 +30,24 @@ orr_status orr_nc_open(const char *path, orr_nc_reader *r, orr_diag *diag)
     fclose(f);
     if (bad) return orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be read: %s", strerror(e));
     if (n == 0) return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is empty");
-    if (!has_magic(head, n)) return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is no NetCDF file");
+    if (!orr_nc_is_netcdf(head, n)) return orr_diag_at(diag, ORR_E_KIND, path, 0, 0, "is no NetCDF file");
     orr_status s = orr_nc_check_seal(path, diag);
     if (s != ORR_OK) return s;
     int rc = nc_open(path, NC_NOWRITE, &r->id);
     if (rc != NC_NOERR)
         return orr_diag_at(diag, ORR_E_FORMAT, path, 0, 0, "is damaged: NetCDF says \"%s\"", nc_strerror(rc));
+    r->open = true;
+    return ORR_OK;
+}
+
+orr_status orr_nc_open_memory(const char *name, const void *data, size_t n, orr_nc_reader *r, orr_diag *diag)
+{
+    *r = (orr_nc_reader){0};
+    snprintf(r->path, sizeof r->path, "%s", name);
+    if (!orr_nc_is_netcdf(data, n)) return orr_diag_at(diag, ORR_E_KIND, name, 0, 0, "is no NetCDF file");
+    int rc = nc_open_mem(name, NC_NOWRITE, n, (void *)(uintptr_t)data, &r->id);
+    if (rc != NC_NOERR)
+        return orr_diag_at(diag, ORR_E_FORMAT, name, 0, 0, "is damaged: NetCDF says \"%s\"", nc_strerror(rc));
     r->open = true;
     return ORR_OK;
 }

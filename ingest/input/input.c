@@ -358,24 +358,6 @@ void orr_input_unline(orr_input *in)
     in->line--;
 }
 
-orr_status orr_input_read(orr_input *in, void *buf, size_t capacity, size_t *got, orr_diag *diag)
-{
-    *got = 0;
-    size_t held = in->to - in->from;
-    if (held > 0) {
-        if (held > capacity) held = capacity;
-        memcpy(buf, in->buf + in->from, held);
-        in->from += held;
-        *got = held;
-        return ORR_OK;
-    }
-    if (!in->failed) {
-        orr_diag why = {0};
-        if (draw(in, buf, capacity, got, &why) != ORR_OK) set_failure(in, &why);
-    }
-    return orr_input_status(in, diag);
-}
-
 // What every whole text goes through: web pages, the byte order mark, the final NUL.
 static orr_status finish_whole(const char *name, orr_bytes *b, orr_diag *diag)
 {

@@ -75,12 +75,5 @@ bool orr_input_line(orr_input *in, orr_view *line);
 void orr_input_unline(orr_input *in);
 // ORR_OK while all is well (so also at the true end), else what happened, again and again.
 orr_status orr_input_status(const orr_input *in, orr_diag *diag);
-// Raw text instead of lines. Not to be mixed with orr_input_line.
-//   Given:    in          the input
-//             capacity    bytes that `buf` has room for
-//   Returned: buf         the next bytes of the text
-//             got         how many; 0 at the end alone
-//             diag        ORR_E_IO, ORR_E_FORMAT, ORR_E_LIMIT
-orr_status orr_input_read(orr_input *in, void *buf, size_t capacity, size_t *got, orr_diag *diag);
 
 #endif

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "core/nan.h"
-#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 
 #define ION_LABEL_COLUMNS 48
@@ -24,12 +23,6 @@ typedef struct ion_reader {
     char title[81];
     orr_records_tally tally;
 } ion_reader;
-
-void orr_ion_model_free(orr_ion_model *m)
-{
-    if (m != NULL) free(m->coefficient);
-    if (m != NULL) *m = (orr_ion_model){0};
-}
 
 void orr_ion_free(orr_ion *x)
 {
@@ -455,17 +448,5 @@ orr_status orr_ion_parse(const char *name, const char *text, size_t n, const orr
         orr_cursor_warn(&r.c, warnings, 1, "the file ends after a title without its model");
     if (s == ORR_OK) sort_models(&r);
     if (s != ORR_OK) orr_ion_free(out);
-    return s;
-}
-
-orr_status orr_ion_read(const char *path, const orr_read_limits *limits, orr_ion *out, orr_warnings *warnings,
-                        orr_diag *diag)
-{
-    *out = (orr_ion){0};
-    orr_bytes b;
-    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_ION), &b, diag);
-    if (s != ORR_OK) return s;
-    s = orr_ion_parse(path, b.text, b.n, limits, out, warnings, diag);
-    orr_bytes_free(&b);
     return s;
 }

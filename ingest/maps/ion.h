@@ -54,30 +54,22 @@ typedef struct orr_ion {
     orr_ion_model *model; // ascending in `from` (of one type; unordered files are sorted with a warning)
 } orr_ion;
 
-// Reads a whole file. Header lines are known by their label (columns 1-48), whatever their order. Labels that
+// Reads a whole file in memory. Header lines are known by their label (columns 1-48), whatever their order. Labels that
 // are not known are warned of. Epochs are in the GPS scale, as all of Bernese.
-//   Given:    path        the file, plain, gzip or .Z by content
-//             limits      what is refused; NULL: the defaults
-//   Returned: out         the models, to be freed with orr_ion_free; empty on failure
-//             warnings    complaints that did not stop the reading; may be NULL
-//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
-orr_status orr_ion_read(const char *path, const orr_read_limits *limits, orr_ion *out, orr_warnings *warnings,
-                        orr_diag *diag);
-// The same from memory.
 //   Given:    name        of the file, for messages
 //             text, n     its n bytes, decompressed
 //             limits      what is refused; NULL: the defaults
-//   Returned: out, warnings, diag   as of orr_ion_read, but for ORR_E_IO
+//   Returned: out         the models, to be freed with orr_ion_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_ion_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                          orr_ion *out, orr_warnings *warnings, orr_diag *diag);
 // Frees all models and leaves *x empty.
 void orr_ion_free(orr_ion *x);
 
 // Makes a model of every coefficient up to degree and order (value 0, rms 0), file order, other fields as
-// "not told".
+// "not told". The caller frees its coefficients, or gives it to an orr_ion.
 orr_status orr_ion_model_alloc(int max_degree, int max_order, orr_ion_model *out, orr_diag *diag);
-// Frees the coefficients of one model and leaves it empty.
-void orr_ion_model_free(orr_ion_model *m);
 // Place of (n, m) in the order of orr_ion_model_alloc: n^2 for m = 0, then cosine and sine by turns; only for
 // max_order >= max_degree, where all orders up to n are there.
 static inline size_t orr_ion_index(int n, int m)

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/nan.h"
-#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 #include "ingest/maps/ionex_private.h"
 
@@ -167,17 +166,5 @@ orr_status orr_ionex_parse(const char *name, const char *text, size_t n, const o
         free(r.maps[k].value);
     }
     if (s != ORR_OK) orr_ionex_free(out);
-    return s;
-}
-
-orr_status orr_ionex_read(const char *path, const orr_read_limits *limits, orr_ionex *out,
-                          orr_warnings *warnings, orr_diag *diag)
-{
-    *out = (orr_ionex){0};
-    orr_bytes b;
-    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_IONEX), &b, diag);
-    if (s != ORR_OK) return s;
-    s = orr_ionex_parse(path, b.text, b.n, limits, out, warnings, diag);
-    orr_bytes_free(&b);
     return s;
 }

@@ -64,20 +64,14 @@ static inline size_t orr_ionex_index(const orr_ionex *x, size_t epoch, size_t he
     return ((epoch * x->n_heights + height) * x->n_lats + lat) * x->n_lons + lon;
 }
 
-// Reads a whole file (plain, gzip, .Z, by content). "24:00" is the next day's 00:00; of two maps at one
+// Reads a whole file in memory. "24:00" is the next day's 00:00; of two maps at one
 // instant the first is kept, with a warning; maps out of order are sorted, with one.
-//   Given:    path        the file, plain, gzip or .Z by content
-//             limits      what is refused; NULL: the defaults
-//   Returned: out         the maps, to be freed with orr_ionex_free; empty on failure
-//             warnings    complaints that did not stop the reading; may be NULL
-//             diag        ORR_E_IO, ORR_E_KIND (not an IONEX), ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
-orr_status orr_ionex_read(const char *path, const orr_read_limits *limits, orr_ionex *out,
-                          orr_warnings *warnings, orr_diag *diag);
-// The same from memory.
 //   Given:    name        of the file, for messages
 //             text, n     its n bytes, decompressed
 //             limits      what is refused; NULL: the defaults
-//   Returned: out, warnings, diag   as of orr_ionex_read, but for ORR_E_IO
+//   Returned: out         the maps, to be freed with orr_ionex_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_KIND (not an IONEX), ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_ionex_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                            orr_ionex *out, orr_warnings *warnings, orr_diag *diag);
 // Frees all and leaves *x empty.

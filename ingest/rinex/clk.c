@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/nan.h"
-#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 #include "ingest/rinex/clk_private.h"
 
@@ -281,18 +280,6 @@ orr_status orr_clk_parse(const char *name, const char *text, size_t n, const orr
     free(r.sat_epochs.t);
     free(r.receiver_epochs.t);
     if (s != ORR_OK) orr_clk_free(out);
-    return s;
-}
-
-orr_status orr_clk_read(const char *path, const orr_read_limits *limits, orr_clk *out, orr_warnings *warnings,
-                        orr_diag *diag)
-{
-    *out = (orr_clk){0};
-    orr_bytes b;
-    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_RINEX_CLK), &b, diag);
-    if (s != ORR_OK) return s;
-    s = orr_clk_parse(path, b.text, b.n, limits, out, warnings, diag);
-    orr_bytes_free(&b);
     return s;
 }
 

@@ -44,20 +44,14 @@ typedef struct orr_clk {
     size_t n_other;  // records of other types (CR, DR, MS), counted and passed over
 } orr_clk;
 
-// Reads a whole file. Of two records of one clock at one instant the first is kept, with a warning; unordered ones
+// Reads a whole file in memory. Of two records of one clock at one instant the first is kept, with a warning; unordered ones
 // are sorted, with one.
-//   Given:    path        the file, plain, gzip or .Z by content
-//             limits      what is refused; NULL: the defaults
-//   Returned: out         the clocks, to be freed with orr_clk_free; empty on failure
-//             warnings    complaints that did not stop the reading; may be NULL
-//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
-orr_status orr_clk_read(const char *path, const orr_read_limits *limits, orr_clk *out, orr_warnings *warnings,
-                        orr_diag *diag);
-// The same from memory.
 //   Given:    name        of the file, for messages
 //             text, n     its n bytes, decompressed
 //             limits      what is refused; NULL: the defaults
-//   Returned: out, warnings, diag   as of orr_clk_read, but for ORR_E_IO
+//   Returned: out         the clocks, to be freed with orr_clk_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_clk_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                          orr_clk *out, orr_warnings *warnings, orr_diag *diag);
 void orr_clk_free(orr_clk *x); // leaves *x empty

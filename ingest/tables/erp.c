@@ -10,7 +10,6 @@
 
 #include "core/nan.h"
 #include "core/vec.h"
-#include "ingest/input/sniff.h"
 #include "ingest/tables/erp_private.h"
 
 #define RAD_PER_UAS (1e-6 / 3600.0 * ORR_RAD_PER_DEG)
@@ -366,18 +365,6 @@ orr_status orr_erp_parse(const char *name, const char *text, size_t n, const orr
     if (s == ORR_OK) s = make_series(&r);
     free(r.row);
     if (s != ORR_OK) orr_erp_free(out);
-    return s;
-}
-
-orr_status orr_erp_read(const char *path, const orr_leap_table *leap, const orr_read_limits *limits,
-                        orr_erp *out, orr_warnings *warnings, orr_diag *diag)
-{
-    *out = (orr_erp){0};
-    orr_bytes b;
-    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_ERP), &b, diag);
-    if (s != ORR_OK) return s;
-    s = orr_erp_parse(path, b.text, b.n, leap, limits, out, warnings, diag);
-    orr_bytes_free(&b);
     return s;
 }
 

@@ -28,21 +28,15 @@ typedef struct orr_erp {
     orr_erp_detail *detail; // [series.n]
 } orr_erp;
 
-// Reads a whole file. Of two lines of one instant the later in the file is kept, with a warning.
-//   Given:    path        the file, plain, gzip or .Z by content
+// Reads a whole file in memory. Of two lines of one instant the later in the file is kept, with a warning.
+//   Given:    name        of the file, for messages
+//             text, n     its n bytes, decompressed
 //             leap        turns UT1 - TAI columns into UT1 - UTC; NULL: built-in
 //             limits      what is refused; NULL: the defaults
 //   Returned: out         the parameters, to be freed with orr_erp_free; empty on failure
 //             warnings    complaints that did not stop the reading; may be NULL
-//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_UNSUPPORTED (UT1R: zonal tides
+//             diag        ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_UNSUPPORTED (UT1R: zonal tides
 //                         taken out), ORR_E_MEMORY
-orr_status orr_erp_read(const char *path, const orr_leap_table *leap, const orr_read_limits *limits,
-                        orr_erp *out, orr_warnings *warnings, orr_diag *diag);
-// The same from memory.
-//   Given:    name        of the file, for messages
-//             text, n     its n bytes, decompressed
-//             leap, limits   as of orr_erp_read
-//   Returned: out, warnings, diag   as of orr_erp_read, but for ORR_E_IO
 orr_status orr_erp_parse(const char *name, const char *text, size_t n, const orr_leap_table *leap,
                          const orr_read_limits *limits, orr_erp *out, orr_warnings *warnings, orr_diag *diag);
 // Frees all and leaves *x empty.

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "core/array.h"
 #include "core/ncfile.h"
@@ -152,12 +151,13 @@ static void turn_over(orr_gravity_file *f)
     }
 }
 
-static orr_status read_netcdf(const char *path, orr_gravity_file *f, orr_diag *diag)
+static orr_status read_netcdf(const char *name, const void *data, size_t n, orr_gravity_file *f,
+                              orr_diag *diag)
 {
     static const char *const lats[3] = {"lat", "latitude", "y"}, *const lons[3] = {"lon", "longitude", "x"},
                              *const values[3] = {"disturbance", "gravity_disturbance", "mgal"};
     orr_nc_reader r;
-    orr_status s = orr_nc_open(path, &r, diag);
+    orr_status s = orr_nc_open_memory(name, data, n, &r, diag);
     if (s != ORR_OK) return s;
     const char *lat = first_of(&r, lats), *lon = first_of(&r, lons);
     void *a = NULL, *b = NULL, *c = NULL;
@@ -178,18 +178,6 @@ static orr_status read_netcdf(const char *path, orr_gravity_file *f, orr_diag *d
     return ORR_OK;
 }
 
-static bool is_netcdf(const char *path)
-{
-    unsigned char head[4] = {0};
-    struct stat st;
-    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode)) return false; // a pipe is read but once, as text
-    FILE *f = fopen(path, "rb");
-    if (f == NULL) return false; // the reader says why
-    size_t n = fread(head, 1, sizeof head, f);
-    fclose(f);
-    return n == 4 && (memcmp(head, "\x89HDF", 4) == 0 || memcmp(head, "CDF", 3) == 0);
-}
-
 // Closes `in`.
 static orr_status read_text(orr_input *in, orr_gravity_file *out, orr_diag *diag)
 {
@@ -204,26 +192,16 @@ static orr_status read_text(orr_input *in, orr_gravity_file *out, orr_diag *diag
     return s;
 }
 
-orr_status orr_gravity_file_read(const char *path, orr_gravity_file *out, orr_diag *diag)
+orr_status orr_gravity_file_parse(const char *name, const void *data, size_t n, orr_gravity_file *out,
+                                  orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
     orr_input *in;
-    orr_status s = ORR_OK;
-    if (is_netcdf(path))
-        s = read_netcdf(path, out, diag);
-    else if ((s = orr_input_open(path, NULL, &in, diag)) == ORR_OK)
+    orr_status s;
+    if (orr_nc_is_netcdf(data, n))
+        s = read_netcdf(name, data, n, out, diag);
+    else if ((s = orr_input_open_bytes(name, data, n, NULL, &in, diag)) == ORR_OK)
         s = read_text(in, out, diag);
-    if (s != ORR_OK) orr_gravity_file_free(out);
-    return s;
-}
-
-orr_status orr_gravity_file_read_bytes(const char *name, const void *data, size_t n, orr_gravity_file *out,
-                                       orr_diag *diag)
-{
-    memset(out, 0, sizeof *out);
-    orr_input *in;
-    orr_status s = orr_input_open_bytes(name, data, n, NULL, &in, diag);
-    if (s == ORR_OK) s = read_text(in, out, diag);
     if (s != ORR_OK) orr_gravity_file_free(out);
     return s;
 }

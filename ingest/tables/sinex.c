@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "core/nan.h"
-#include "ingest/input/sniff.h"
 #include "ingest/input/text_records.h"
 
 #define S_PER_YEAR (365.25 * 86400.0)
@@ -269,18 +268,6 @@ orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const o
     if (s == ORR_OK) s = check(&r);
     if (s == ORR_OK) orr_leap_warn(out->until, r.limits.leap, name, warnings);
     if (s != ORR_OK) orr_sinex_free(out);
-    return s;
-}
-
-orr_status orr_sinex_read(const char *path, const orr_read_limits *limits, orr_sinex *out,
-                          orr_warnings *warnings, orr_diag *diag)
-{
-    *out = (orr_sinex){0};
-    orr_bytes b;
-    orr_status s = orr_records_load(path, limits, ORR_KIND_BIT(ORR_KIND_SINEX), &b, diag);
-    if (s != ORR_OK) return s;
-    s = orr_sinex_parse(path, b.text, b.n, limits, out, warnings, diag);
-    orr_bytes_free(&b);
     return s;
 }
 

@@ -41,19 +41,13 @@ typedef struct orr_sinex {
     orr_sinex_estimate *estimate;
 } orr_sinex;
 
-// Reads a whole file.
-//   Given:    path        the file, plain, gzip or .Z by content
-//             limits      what is refused; NULL: the defaults
-//   Returned: out         the coordinates, to be freed with orr_sinex_free; empty on failure
-//             warnings    complaints that did not stop the reading; may be NULL
-//             diag        ORR_E_IO, ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
-orr_status orr_sinex_read(const char *path, const orr_read_limits *limits, orr_sinex *out,
-                          orr_warnings *warnings, orr_diag *diag);
-// The same from memory.
+// Reads a whole file in memory.
 //   Given:    name        of the file, for messages
 //             text, n     its n bytes, decompressed
 //             limits      what is refused; NULL: the defaults
-//   Returned: out, warnings, diag   as of orr_sinex_read, but for ORR_E_IO
+//   Returned: out         the coordinates, to be freed with orr_sinex_free; empty on failure
+//             warnings    complaints that did not stop the reading; may be NULL
+//             diag        ORR_E_KIND, ORR_E_FORMAT, ORR_E_LIMIT, ORR_E_MEMORY
 orr_status orr_sinex_parse(const char *name, const char *text, size_t n, const orr_read_limits *limits,
                            orr_sinex *out, orr_warnings *warnings, orr_diag *diag);
 // Frees all and leaves *x empty.

@@ -299,16 +299,6 @@ orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_op
     return ORR_OK;
 }
 
-orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, orr_time to,
-                                        const char *source, const orr_tec_options *options,
-                                        orr_tec_field **out, orr_diag *diag)
-{
-    orr_tec_broadcast set = {.t = ORR_TIME_NONE};
-    memcpy(set.value, k->alpha, sizeof k->alpha);
-    memcpy(set.value + 4, k->beta, sizeof k->beta);
-    return orr_tec_field_from_broadcast(ORR_TEC_GPS, &set, 1, from, to, source, options, out, diag);
-}
-
 orr_status orr_tec_field_from_broadcast(orr_tec_algorithm algorithm, const orr_tec_broadcast *set, size_t n,
                                         orr_time from, orr_time to, const char *source,
                                         const orr_tec_options *options, orr_tec_field **out, orr_diag *diag)

@@ -106,19 +106,6 @@ typedef struct orr_tec_model {
 orr_status orr_tec_field_from_model(const orr_tec_model *model, const orr_tec_options *options,
                                     orr_tec_field **out, orr_diag *diag);
 
-// A field of the broadcast Klobuchar model.
-// Given:
-//   k         coefficients
-//   from, to  interval that the field is to cover
-//   source    name for messages
-//   options   may be NULL
-// Returned:
-//   out       the field; free with orr_tec_field_free
-//   diag      why it failed; may be NULL
-// Errors: ORR_E_FORMAT (a coefficient that is no number), ORR_E_ARG (options), ORR_E_MEMORY.
-orr_status orr_tec_field_from_klobuchar(const orr_klobuchar *k, orr_time from, orr_time to,
-                                        const char *source, const orr_tec_options *options,
-                                        orr_tec_field **out, orr_diag *diag);
 // One set of broadcast coefficients.
 typedef struct orr_tec_broadcast {
     orr_time t; // from when it holds: its transmission; ORR_TIME_NONE: from ever

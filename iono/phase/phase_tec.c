@@ -50,7 +50,7 @@ typedef struct raw {
 } raw;
 
 typedef struct reading {
-    const char *data; // the file's bytes; NULL: opened by its name
+    const char *data; // the file's bytes
     size_t n_data;
     const orr_phase_options *o;
     tally *tally[SAT_SLOTS];
@@ -235,8 +235,7 @@ static orr_status take_epoch(reading *r, const orr_rinex_obs_epoch *e, bool skip
 static orr_status open_observations(const reading *r, const char *path, orr_warnings *warnings,
                                     orr_rinex_obs **out, orr_diag *diag)
 {
-    return r->data != NULL ? orr_rinex_obs_open_memory(path, r->data, r->n_data, NULL, warnings, out, diag)
-                           : orr_rinex_obs_open(path, NULL, warnings, out, diag);
+    return orr_rinex_obs_open_memory(path, r->data, r->n_data, NULL, warnings, out, diag);
 }
 
 static orr_status pass(reading *r, const char *path, bool counting, orr_phase_tec *out,
@@ -490,10 +489,8 @@ static orr_status finish(reading *r, const char *path, orr_phase_tec *out, orr_d
     return ORR_OK;
 }
 
-// data NULL: of the file itself.
-static orr_status read_observations(const char *path, const char *data, size_t n,
-                                    const orr_phase_options *options, orr_phase_tec *out,
-                                    orr_warnings *warnings, orr_diag *diag)
+orr_status orr_phase_tec_make(const char *name, const void *data, size_t n, const orr_phase_options *options,
+                              orr_phase_tec *out, orr_warnings *warnings, orr_diag *diag)
 {
     *out = (orr_phase_tec){0};
     orr_phase_options o = options != NULL ? *options : orr_phase_default_options();
@@ -502,7 +499,7 @@ static orr_status read_observations(const char *path, const char *data, size_t n
     r->o = &o;
     r->data = data;
     r->n_data = n;
-    orr_status s = pass(r, path, true, out, warnings, diag);
+    orr_status s = pass(r, name, true, out, warnings, diag);
     for (size_t slot = 0; s == ORR_OK && slot < SAT_SLOTS; slot++) {
         if (r->tally[slot] == NULL) continue;
         char system = ORR_SYSTEMS[slot / 100];
@@ -512,7 +509,7 @@ static orr_status read_observations(const char *path, const char *data, size_t n
             if (channel == ORR_OBS_NO_CHANNEL && o.glonass_channel != NULL)
                 channel = o.glonass_channel[slot % 100];
             if (channel == ORR_OBS_NO_CHANNEL) {
-                orr_warnings_add(warnings, path, 0, 0,
+                orr_warnings_add(warnings, name, 0, 0,
                                  "R%02zu is left out: neither the header nor a navigation file tells its "
                                  "frequency channel",
                                  slot % 100);
@@ -521,24 +518,11 @@ static orr_status read_observations(const char *path, const char *data, size_t n
         }
         s = choose(r, slot, system, channel, diag);
     }
-    if (s == ORR_OK) s = pass(r, path, false, out, NULL, diag); // warned of once
-    if (s == ORR_OK) s = finish(r, path, out, diag);
+    if (s == ORR_OK) s = pass(r, name, false, out, NULL, diag); // warned of once
+    if (s == ORR_OK) s = finish(r, name, out, diag);
     reading_free(r);
     if (s != ORR_OK) orr_phase_tec_free(out);
     return s;
-}
-
-orr_status orr_phase_tec_read(const char *path, const orr_phase_options *options, orr_phase_tec *out,
-                              orr_warnings *warnings, orr_diag *diag)
-{
-    return read_observations(path, NULL, 0, options, out, warnings, diag);
-}
-
-orr_status orr_phase_tec_read_bytes(const char *name, const void *data, size_t n,
-                                    const orr_phase_options *options, orr_phase_tec *out,
-                                    orr_warnings *warnings, orr_diag *diag)
-{
-    return read_observations(name, data, n, options, out, warnings, diag);
 }
 
 void orr_phase_tec_free(orr_phase_tec *p)

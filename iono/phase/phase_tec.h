@@ -67,7 +67,8 @@ typedef struct orr_phase_tec {
 
 // Slant TEC along the arcs of an observation file.
 // Given:
-//   path      RINEX 2 to 4, Hatanaka or plain, compressed or not
+//   name      of the observation file, for messages
+//   data, n   its n bytes: RINEX 2 to 4, Hatanaka or plain, compressed or not
 //   options   may be NULL
 // Returned:
 //   out       satellites with their samples and arcs; free with orr_phase_tec_free
@@ -76,21 +77,8 @@ typedef struct orr_phase_tec {
 // Errors: those of the reader; ORR_E_NODATA (no position in the header and none given; no satellite with two carriers;
 // nothing left), ORR_E_UNSUPPORTED (the antenna moves), ORR_E_LIMIT.
 // Reference: Bogdanov 2015, eqs. (37) to (39).
-orr_status orr_phase_tec_read(const char *path, const orr_phase_options *options, orr_phase_tec *out,
-                              orr_warnings *warnings, orr_diag *diag);
-// The same of a file in memory.
-// Given:
-//   name      for messages
-//   data, n   the file's bytes, compressed or not
-//   options   may be NULL
-// Returned:
-//   out       as orr_phase_tec_read
-//   warnings  may be NULL
-//   diag      why it failed; may be NULL
-// Errors: as orr_phase_tec_read.
-orr_status orr_phase_tec_read_bytes(const char *name, const void *data, size_t n,
-                                    const orr_phase_options *options, orr_phase_tec *out,
-                                    orr_warnings *warnings, orr_diag *diag);
+orr_status orr_phase_tec_make(const char *name, const void *data, size_t n, const orr_phase_options *options,
+                              orr_phase_tec *out, orr_warnings *warnings, orr_diag *diag);
 // Frees what a reading made.
 void orr_phase_tec_free(orr_phase_tec *p);
 

@@ -205,11 +205,3 @@ orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elemen
     if (s == ORR_OK) *out = el;
     return s;
 }
-
-orr_status orr_elements_at(const orr_ephemeris *e, orr_sat sat, orr_time t, const orr_elements_options *o,
-                           orr_kepler *out)
-{
-    orr_elements_axes axes;
-    orr_elements_axes_at(t, o, &axes);
-    return orr_elements_of(e, sat, &axes, out);
-}

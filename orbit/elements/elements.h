@@ -45,16 +45,5 @@ void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_element
 // each side), ORR_E_NUMERIC where three positions reach over more than half a revolution.
 orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
                            orr_kepler *out);
-// Axes and elements of one satellite at one instant.
-// Given:
-//   e     orbit product
-//   sat   satellite
-//   t     instant
-//   o     method, frame, spacing, Earth orientation
-// Returned:
-//   out   elements
-// Errors: as orr_elements_of.
-orr_status orr_elements_at(const orr_ephemeris *e, orr_sat sat, orr_time t, const orr_elements_options *o,
-                           orr_kepler *out);
 
 #endif

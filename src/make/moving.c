@@ -409,7 +409,7 @@ static orr_status make_gravity(const orr_scenario_gravity *g, const orr_mat3 *C,
     if (s == ORR_OK && g->file != NULL) {
         orr_bytes raw;
         s = orr_inputs_read_raw(&out->inputs, g->file, 0, &raw, diag);
-        if (s == ORR_OK) s = orr_gravity_file_read_bytes(g->file, raw.text, raw.n, &file, diag);
+        if (s == ORR_OK) s = orr_gravity_file_parse(g->file, raw.text, raw.n, &file, diag);
         orr_bytes_free(&raw);
         if (s == ORR_OK) s = add_file(g, &file, &p, diag);
     }

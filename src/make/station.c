@@ -173,14 +173,14 @@ static orr_status read_phases(const char *name, const orr_bytes *raw, const orr_
                               orr_phase_tec *out, orr_warnings *warnings, orr_diag *diag)
 {
     orr_phase_options o = *options;
-    orr_status s = orr_phase_tec_read_bytes(name, raw->text, raw->n, &o, out, warnings, diag);
+    orr_status s = orr_phase_tec_make(name, raw->text, raw->n, &o, out, warnings, diag);
     // Gaps are measured in the data's own interval: what a pair of missing epochs is at 30 s is much at 1 s and nothing
     // at 5 min.
     if (s == ORR_OK && out->interval_s * 4 > o.arcs.max_gap_s) {
         o.arcs.max_gap_s = 4 * out->interval_s;
         o.arcs.min_samples = 10;
         orr_phase_tec_free(out);
-        s = orr_phase_tec_read_bytes(name, raw->text, raw->n, &o, out, NULL, diag);
+        s = orr_phase_tec_make(name, raw->text, raw->n, &o, out, NULL, diag);
     }
     return s;
 }

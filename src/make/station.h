@@ -43,7 +43,7 @@ typedef struct orr_station {
     orr_inputs inputs; // provenance
 } orr_station;
 
-// Reads everything, then the phases. Errors: those of the readers and of orr_phase_tec_read; ORR_E_NODATA (no such station in `sinex`). Free with orr_station_free whatever it returned.
+// Reads everything, then the phases. Errors: those of the readers and of orr_phase_tec_make; ORR_E_NODATA (no such station in `sinex`). Free with orr_station_free whatever it returned.
 orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_warnings *warnings,
                             orr_diag *diag);
 // Frees all that a station holds; it is zero then.
@@ -57,7 +57,7 @@ void orr_station_free(orr_station *s);
 //   out       its phases; free with orr_phase_tec_free
 //   warnings  of the reader; may be NULL
 //   diag      why it failed; may be NULL
-// Errors: those of orr_phase_tec_read.
+// Errors: those of orr_phase_tec_make.
 orr_status orr_station_other(const orr_station *s, const char *path, orr_phase_tec *out,
                              orr_warnings *warnings, orr_diag *diag);
 

@@ -12,6 +12,9 @@
 #include "ingest/rinex/clk.h"
 #include "ingest/tables/antex.h"
 #include "ingest/tables/bias.h"
+#include "read_file.h"
+
+READ_FILE_BY_PARSER(ionex)
 
 typedef struct job {
     const char *path;
@@ -60,7 +63,7 @@ static void ionex_file(void *arg)
     const job *j = arg;
     orr_ionex x;
     orr_diag d = {0};
-    if (orr_ionex_read(j->path, NULL, &x, NULL, &d) != ORR_OK) abort();
+    if (read_ionex(j->path, NULL, &x, NULL, &d) != ORR_OK) abort();
     bench_use(x.tec_tecu[0]);
     orr_ionex_free(&x);
 }

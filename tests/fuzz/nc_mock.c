@@ -295,6 +295,15 @@ orr_status orr_nc_open(const char *path, orr_nc_reader *r, orr_diag *diag)
     return ORR_OK;
 }
 
+orr_status orr_nc_open_memory(const char *name, const void *data, size_t n, orr_nc_reader *r, orr_diag *diag)
+{
+    (void)data;
+    (void)n;
+    return orr_nc_open(name, r, diag);
+}
+
+bool orr_nc_is_netcdf(const void *data, size_t n) { return n >= 4 && memcmp(data, "\x89HDF", 4) == 0; }
+
 void orr_nc_close(orr_nc_reader *r) { r->open = false; }
 
 orr_status orr_nc_get_dim(const orr_nc_reader *r, const char *name, size_t max, size_t *len, orr_diag *diag)

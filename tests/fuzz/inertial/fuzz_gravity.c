@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
     orr_gravity_file f;
     orr_diag diag = {0};
-    if (orr_gravity_file_read_bytes("fuzz", data, n, &f, &diag) != ORR_OK) {
+    if (orr_gravity_file_parse("fuzz", data, n, &f, &diag) != ORR_OK) {
         if (diag.text[0] == '\0' || f.mgal != NULL) abort(); // a refusal says why and holds nothing
         return 0;
     }

@@ -22,8 +22,9 @@ static orr_tec_field *made_field(unsigned kind)
     orr_diag diag = {0};
     orr_status s;
     if (kind == 0) {
-        orr_klobuchar k = {{1e-8, 1e-8, -5e-8, -5e-8}, {9e4, 8e4, -2e5, -3e5}};
-        s = orr_tec_field_from_klobuchar(&k, start, start + INT64_C(7200000000000), "made", NULL, &f, &diag);
+        const orr_tec_broadcast k = {ORR_TIME_NONE, {1e-8, 1e-8, -5e-8, -5e-8, 9e4, 8e4, -2e5, -3e5}};
+        s = orr_tec_field_from_broadcast(ORR_TEC_GPS, &k, 1, start, start + INT64_C(7200000000000), "made",
+                                         NULL, &f, &diag);
     } else if (kind == 1) {
         double value[(DEGREE + 1) * (DEGREE + 1)] = {20, 3, 1, -2, 0.5, 0.2, 0.1, -0.3, 0.4},
                                               rms[9] = {0.1, 0.1};

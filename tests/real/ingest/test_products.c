@@ -11,6 +11,11 @@
 #include "ingest/tables/bias.h"
 #include "ingest/tables/erp.h"
 #include "ingest/tables/sinex.h"
+#include "read_file.h"
+
+READ_FILE_BY_PARSER(ionex)
+READ_FILE_BY_PARSER(clk)
+READ_FILE_BY_PARSER(sinex)
 
 // ---- plain counting: nothing of ours but what inflates ----
 
@@ -83,7 +88,7 @@ static void check_ionex(const char *name, double step_s, double first_value)
     orr_ionex x;
     orr_diag d = {0};
     orr_warnings w = {0};
-    ASSERT_OK(orr_ionex_read(path, NULL, &x, &w, &d), d);
+    ASSERT_OK(read_ionex(path, NULL, &x, &w, &d), d);
     assert_int_equal(w.count, 0);
     orr_bytes b = load(path);
     assert_int_equal(x.n_epochs, count(&b, "", 61, "START OF TEC MAP"));
@@ -138,10 +143,10 @@ static void test_ionex_round_trip(void **state)
     orr_ionex a, b;
     orr_diag d = {0};
     orr_warnings w = {0};
-    ASSERT_OK(orr_ionex_read(path, NULL, &a, NULL, &d), d);
+    ASSERT_OK(read_ionex(path, NULL, &a, NULL, &d), d);
     const char *copy = ORR_BINARY_DIR "/round-trip.inx";
     ASSERT_OK(orr_ionex_write(&a, copy, &d), d);
-    ASSERT_OK(orr_ionex_read(copy, NULL, &b, &w, &d), d);
+    ASSERT_OK(read_ionex(copy, NULL, &b, &w, &d), d);
     assert_int_equal(w.count, 0);
     assert_int_equal(a.n_epochs, b.n_epochs);
     size_t n = a.n_epochs * a.n_lats * a.n_lons * sizeof(double);
@@ -167,7 +172,7 @@ static void test_erp(void **state)
     orr_erp x;
     orr_diag d = {0};
     orr_warnings w = {0};
-    ASSERT_OK(orr_erp_read(path, NULL, NULL, &x, &w, &d), d);
+    ASSERT_OK(read_erp(path, &x, &w, &d), d);
     assert_int_equal(w.count, 0);
     orr_bytes b = load(path);
     assert_int_equal(x.series.n, count(&b, "547", 1, ""));
@@ -186,7 +191,7 @@ static void test_erp(void **state)
     orr_bytes_free(&b);
     orr_erp_free(&x);
     if (!path_of("2008-279/igr22264.erp.gz", path)) SKIP_NO_DATA("2008-279/igr22264.erp.gz");
-    ASSERT_OK(orr_erp_read(path, NULL, NULL, &x, &w, &d), d);
+    ASSERT_OK(read_erp(path, &x, &w, &d), d);
     assert_int_equal(w.count, 0);
     assert_int_equal(x.series.n, 1);
     ASSERT_NEAR(x.series.value[0].ut1_utc_s, -0.0098409, 1e-12);
@@ -204,7 +209,7 @@ static void test_clk(void **state)
     orr_clk x;
     orr_diag d = {0};
     orr_warnings w = {0};
-    ASSERT_OK(orr_clk_read(path, NULL, &x, &w, &d), d);
+    ASSERT_OK(read_clk(path, NULL, &x, &w, &d), d);
     assert_int_equal(w.count, 0);
     orr_bytes b = load(path);
     size_t records = 0;
@@ -266,7 +271,7 @@ static void test_sinex(void **state)
     orr_sinex x;
     orr_diag d = {0};
     orr_warnings w = {0};
-    ASSERT_OK(orr_sinex_read(path, NULL, &x, &w, &d), d);
+    ASSERT_OK(read_sinex(path, NULL, &x, &w, &d), d);
     assert_int_equal(w.count, 1); // the line of GODE is out of its columns in the file itself
     orr_bytes b = load(path);
     const char *at = strstr(b.text, "+SOLUTION/ESTIMATE");
@@ -369,7 +374,7 @@ static void test_odd_files(void **state)
         orr_status s;
         if (strstr(odd[i].name, "ionex") != NULL) {
             orr_ionex x;
-            s = orr_ionex_read(path, NULL, &x, &w, &d);
+            s = read_ionex(path, NULL, &x, &w, &d);
             orr_ionex_free(&x);
         } else {
             orr_antex x;
@@ -397,7 +402,7 @@ static void test_jammed_values(void **state)
     if (!path_of(name, path)) SKIP_NO_DATA(name);
     orr_ionex x;
     orr_diag d = {0};
-    ASSERT_OK(orr_ionex_read(path, NULL, &x, NULL, &d), d);
+    ASSERT_OK(read_ionex(path, NULL, &x, NULL, &d), d);
     ASSERT_NEAR(x.tec_tecu[orr_ionex_index(&x, 0, 0, 0, 0)], 89.17, 1e-12);
     ASSERT_NEAR(x.tec_tecu[orr_ionex_index(&x, 0, 0, 1, 0)], 101.57, 1e-12);
     ASSERT_NEAR(x.tec_tecu[orr_ionex_index(&x, 0, 0, 1, 1)], 101.67, 1e-12);

@@ -8,6 +8,7 @@
 #include "ingest/tables/bias.h"
 #include "iono/field/tec_files.h"
 #include "iono/fusion/fusion.h"
+#include "read_file.h"
 #include "testing.h"
 
 typedef struct station_day {
@@ -60,7 +61,7 @@ static inline void station_day_phases(station_day *day, bool windup)
     o.position = sp3_position;
     o.user = &day->sp3;
     o.windup = windup;
-    ASSERT_OK(orr_phase_tec_read(path, &o, &day->phase, NULL, &d), d);
+    ASSERT_OK(read_phases(path, &o, &day->phase, &d), d);
 }
 
 static inline bool station_day_read(station_day *day)

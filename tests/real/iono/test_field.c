@@ -4,7 +4,11 @@
 #include <unistd.h>
 
 #include "iono/field/tec_files.h"
+#include "read_file.h"
 #include "testing.h"
+
+READ_FILE_BY_PARSER(ion)
+READ_FILE_BY_PARSER(ionex)
 
 #define MAPS "2024-035/COD0OPSFIN_20240350000_01D_01H_GIM.INX.gz"
 
@@ -13,7 +17,7 @@ static bool read_maps(const char *name, orr_ionex *x)
     char path[512];
     orr_diag d = {0};
     if (!orr_test_data(name, path, sizeof path)) return false;
-    ASSERT_OK(orr_ionex_read(path, NULL, x, NULL, &d), d);
+    ASSERT_OK(read_ionex(path, NULL, x, NULL, &d), d);
     return true;
 }
 
@@ -92,7 +96,7 @@ static void test_refit(void **state)
     ASSERT_OK(orr_tec_field_to_ion(f, &out, &d), d);
     ASSERT_OK(orr_ion_write(&out, path, &d), d);
     orr_warnings w = {0};
-    ASSERT_OK(orr_ion_read(path, NULL, &in, &w, &d), d);
+    ASSERT_OK(read_ion(path, NULL, &in, &w, &d), d);
     assert_int_equal(w.count, 0);
     orr_tec_field *g;
     ASSERT_OK(orr_tec_field_from_ion(&in, "written", NULL, &g, &d), d);

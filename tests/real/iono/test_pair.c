@@ -3,6 +3,7 @@
 // geometry-free phases of the same satellite and arc, epochs within 0.1 s (their clocks drift by
 // milliseconds).
 #include "iono/phase/phase_tec.h"
+#include "read_file.h"
 #include "testing.h"
 
 #define A "2005-092-pair/07590920.05o.gz"
@@ -15,8 +16,8 @@ static void test_pair(void **state)
     if (!orr_test_data(A, a, sizeof a) || !orr_test_data(B, b, sizeof b)) SKIP_NO_DATA(A);
     orr_phase_tec p, q;
     orr_diag d = {0};
-    ASSERT_OK(orr_phase_tec_read(a, NULL, &p, NULL, &d), d);
-    ASSERT_OK(orr_phase_tec_read(b, NULL, &q, NULL, &d), d);
+    ASSERT_OK(read_phases(a, NULL, &p, &d), d);
+    ASSERT_OK(read_phases(b, NULL, &q, &d), d);
     orr_curves c;
     ASSERT_OK(orr_phase_compare(&p, &q, 0.1, 20, &c, &d), d);
     double swing = 0;

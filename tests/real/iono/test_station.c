@@ -5,6 +5,7 @@
 
 #include "core/sha256.h"
 #include "iono/fusion/session.h"
+#include "read_file.h"
 #include "station_day.h"
 
 static void show(const orr_fusion *f, const orr_phase_tec *p)
@@ -131,7 +132,7 @@ static void test_receiver_bias(void **state)
             o.position = sp3_position;
             o.user = &day->sp3;
             o.site_m = &day->phase.site.pos_m;
-            ASSERT_OK(orr_phase_tec_read(path, &o, &p, NULL, &d), d);
+            ASSERT_OK(read_phases(path, &o, &p, &d), d);
             ASSERT_OK(orr_fuse(&p, day->field, &day->biases, 1, NULL, &f, &d), d);
             size_t g = 0;
             while (g < f.n_groups && isnan(f.group[g].receiver_tecu)) g++;

@@ -7,7 +7,10 @@
 #include "orbit/clock/clock_between.h"
 #include "orbit/ephemeris/ephemeris.h"
 #include "orbit/judge/compare_clocks.h"
+#include "read_file.h"
 #include "real_orbit.h"
+
+READ_FILE_BY_PARSER(clk)
 
 #define COD "2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"
 #define GRG "2024-035/GRG0MGXFIN_20240350000_01D_05M_ORB.SP3.gz"
@@ -217,7 +220,7 @@ static void clocks_of_another_centre_are_followed(void **state)
         SKIP_NO_DATA(sp3);
     orr_clk clk;
     orr_diag d = {0};
-    ASSERT_OK(orr_clk_read(path, NULL, &clk, NULL, &d), d);
+    ASSERT_OK(read_clk(path, NULL, &clk, NULL, &d), d);
     orr_smoother_options o = quick();
     orr_ephemeris *alone = product(&f, &o);
     const orr_smoother_clk in = {.clk = &clk, .name = "whp15000.clk.Z"};
@@ -242,7 +245,7 @@ static void clocks_of_another_centre_are_followed(void **state)
     assert_true(with < 1e-12 && without > 0.2e-9 && without < 0.5e-9);
     // Of the same clocks every fifth minute, and the rest as truth: no centres differ here.
     orr_clk five;
-    ASSERT_OK(orr_clk_read(path, NULL, &five, NULL, &d), d);
+    ASSERT_OK(read_clk(path, NULL, &five, NULL, &d), d);
     thin(&five, 300);
     const orr_smoother_clk in_five = {.clk = &five, .name = "five"};
     o.clk = &in_five;

@@ -5,6 +5,7 @@
 #include "ingest/sp3/sp3.h"
 #include "ingest/tables/erp.h"
 #include "orbit/dynamics/reference_fit.h"
+#include "read_file.h"
 
 #define MAS (ORR_RAD_PER_DEG / 3.6e6)
 
@@ -106,7 +107,7 @@ static void pole_of_2008(void **state)
     if (!orr_test_data("2008-279/COD15007.ERP.Z", path, sizeof path)) SKIP_NO_DATA("2008-279");
     orr_erp erp;
     orr_diag diag = {0};
-    ASSERT_OK(orr_erp_read(path, NULL, NULL, &erp, NULL, &diag), diag);
+    ASSERT_OK(read_erp(path, &erp, NULL, &diag), diag);
     for (int alone = 0; alone < 2; alone++) {
         days d;
         if (!open_days(alone ? &names[1] : names, alone ? 1 : 3, 900, &d)) SKIP_NO_DATA(names[0]);

@@ -384,6 +384,24 @@ class Readings(Folder):
         self.assertAlmostEqual(dump(nc)["gravity_disturbance"][0], 3, delta=1e-9)  # a plane through 50 N, 20 E
         self.assertTrue(field)
 
+    def test_a_map_of_gravity_in_netcdf(self):
+        lats, lons = range(49, 53), range(19, 23)
+        cdl = self.scenario("field.cdl", "netcdf field { dimensions: lat = 4; lon = 4; variables: double lat(lat); "
+                            "double lon(lon); double disturbance(lat, lon); data: lat = " + ", ".join(map(str, lats)) +
+                            "; lon = " + ", ".join(map(str, lons)) + "; disturbance = " +
+                            ", ".join(str(a - 49 + 2 * (o - 19)) for a in lats for o in lons) + "; }\n")
+        for kind in ("classic", "nc4"):
+            subprocess.run(["ncgen", "-k", kind, "-o", self.path("field.nc"), cdl], check=True)
+            path = self.still(extra="gravity: {file: field.nc}\nimu: {rate: 10}\n")
+            nc = self.path("by-map.nc")
+            run("imu", "-q", path, "--rate", "5", "-o", nc)
+            self.assertAlmostEqual(dump(nc)["gravity_disturbance"][0], 3, delta=1e-9, msg=kind)
+        with open(self.path("field.nc"), "r+b") as cut:
+            cut.truncate(cut.seek(0, 2) // 2)
+        refused = subprocess.run([ORRERY, "imu", "-q", path, "-o", self.path("none.nc")], capture_output=True, text=True)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("field.nc", refused.stderr)
+
     def test_inspect_tells_what_a_file_holds(self):
         nc = self.path("told.nc")
         run(*SURVEY, "--rate", "25", "--start", "2024-02-04T23:59:00", "-o", nc)

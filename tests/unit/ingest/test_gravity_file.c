@@ -6,6 +6,7 @@
 #include "core/ncfile.h"
 #include "core/vec.h"
 #include "ingest/tables/gravity_file.h"
+#include "read_file.h"
 
 static char path[] = "gravity-file-XXXXXX";
 static int make_file(void **state)
@@ -32,7 +33,7 @@ static orr_status read_text(const char *text, orr_gravity_file *g, orr_diag *dia
 {
     *diag = (orr_diag){0};
     put(text, strlen(text));
-    return orr_gravity_file_read(path, g, diag);
+    return read_gravity(path, g, diag);
 }
 
 static void profiles_in_their_shapes(void **state)
@@ -124,10 +125,10 @@ static void what_is_no_gravity_is_told(void **state)
     }
     orr_gravity_file g;
     orr_diag diag = {0};
-    assert_int_equal(orr_gravity_file_read("no such file", &g, &diag), ORR_E_IO);
+    assert_int_equal(read_gravity("no such file", &g, &diag), ORR_E_IO);
     assert_non_null(strstr(diag.file, "no such file"));
     put("\x89HDF\r\n\x1a\n and then nothing of the kind", 38);
-    assert_int_equal(orr_gravity_file_read(path, &g, &diag), ORR_E_FORMAT);
+    assert_int_equal(read_gravity(path, &g, &diag), ORR_E_FORMAT);
 }
 
 typedef struct map {
@@ -171,7 +172,7 @@ static void netcdf_maps(void **state)
         orr_gravity_file g;
         orr_diag diag = {0};
         put_netcdf(&good[k]);
-        ASSERT_OK(orr_gravity_file_read(path, &g, &diag), diag);
+        ASSERT_OK(read_gravity(path, &g, &diag), diag);
         assert_int_equal(g.n_lat, good[k].n_lat);
         assert_int_equal(g.n_lon, good[k].n_lon);
         for (size_t i = 0; i < g.n_lat; i++)
@@ -189,7 +190,7 @@ static void netcdf_maps(void **state)
         orr_gravity_file g;
         orr_diag diag = {0};
         put_netcdf(&bad[k]);
-        assert_int_equal(orr_gravity_file_read(path, &g, &diag), ORR_E_KIND);
+        assert_int_equal(read_gravity(path, &g, &diag), ORR_E_KIND);
         assert_true(diag.text[0] != '\0');
         assert_null(g.mgal);
     }

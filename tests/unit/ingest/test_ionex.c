@@ -6,7 +6,10 @@
 
 #include "core/nan.h"
 #include "ingest/maps/ionex.h"
+#include "read_file.h"
 #include "unit/ingest/made_text.h"
+
+READ_FILE_BY_PARSER(ionex)
 
 enum { LATS = 3, LONS = 18 }; // 18 longitudes: one full line of 16 values and one of 2
 
@@ -475,7 +478,7 @@ static void test_write_reads_back(void **state)
     assert_true(fd >= 0);
     close(fd);
     ASSERT_OK(orr_ionex_write(&a, path, &d), d);
-    ASSERT_OK(orr_ionex_read(path, NULL, &b, &w, &d), d);
+    ASSERT_OK(read_ionex(path, NULL, &b, &w, &d), d);
     assert_int_equal(w.count, 0);
     assert_int_equal(b.n_epochs, 3);
     for (size_t e = 0; e < 3; e++) assert_true(a.epoch[e] == b.epoch[e]);

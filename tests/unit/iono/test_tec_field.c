@@ -432,7 +432,12 @@ static void test_klobuchar_field(void **state)
     assert_int_equal(orr_time_parse("2024-02-04T10:00:00", NULL, &t0, NULL), ORR_OK);
     orr_tec_field *f;
     orr_diag d = {0};
-    ASSERT_OK(orr_tec_field_from_klobuchar(&k, t0, orr_time_add_s(t0, 86400), "made", NULL, &f, &d), d);
+    orr_tec_broadcast set = {.t = ORR_TIME_NONE};
+    memcpy(set.value, k.alpha, sizeof k.alpha);
+    memcpy(set.value + 4, k.beta, sizeof k.beta);
+    ASSERT_OK(orr_tec_field_from_broadcast(ORR_TEC_GPS, &set, 1, t0, orr_time_add_s(t0, 86400), "made", NULL,
+                                           &f, &d),
+              d);
     orr_tec_instant *at = malloc(sizeof *at);
     orr_iono_site s;
     orr_pierce p;
@@ -443,9 +448,10 @@ static void test_klobuchar_field(void **state)
     ASSERT_OK(orr_tec_look_through(at, &s, &p, &r, &d), d);
     ASSERT_NEAR(orr_iono_delay_m(r.stec_tecu, 1575.42e6, ORR_MEASURES_CODE),
                 orr_klobuchar_delay_m(&k, t0, 0.9, 0.3, 2, 0.5), 1e-6);
-    k.beta[2] = ORR_NAN;
+    set.value[6] = ORR_NAN;
     orr_tec_field_free(f);
-    assert_int_equal(orr_tec_field_from_klobuchar(&k, t0, t0, "made", NULL, &f, &d), ORR_E_FORMAT);
+    assert_int_equal(orr_tec_field_from_broadcast(ORR_TEC_GPS, &set, 1, t0, t0, "made", NULL, &f, &d),
+                     ORR_E_FORMAT);
     free(at);
 }
 

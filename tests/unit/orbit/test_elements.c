@@ -2,6 +2,7 @@
 // Kepler elements of a product: they give back the state that they came from, and the means are the means.
 #include "testing.h"
 
+#include "elements_at.h"
 #include "orbit/elements/elements.h"
 #include "unit/orbit/made_orbit.h"
 
@@ -31,7 +32,7 @@ static void state_is_given_back(void **state)
             orr_kepler el;
             orr_sat_state s;
             orr_sat sat = made_satellite_at(k).sat;
-            assert_int_equal(orr_elements_at(e, sat, t, &o, &el), ORR_OK);
+            assert_int_equal(elements_at(e, sat, t, &o, &el), ORR_OK);
             assert_int_equal(orr_ephemeris_eval(e, sat, t, &s), ORR_OK);
             orr_vec3 r, v;
             orr_kepler_to_state(&el, ORR_EGM96_GM, &r, &v);
@@ -70,7 +71,7 @@ static void a_fall_to_the_centre_has_no_elements_that_are_no_numbers(void **stat
         for (int m = ORR_ELEMENTS_STATE; m <= ORR_ELEMENTS_MEAN; m++) {
             const orr_elements_options o = {.method = (orr_elements_method)m};
             orr_kepler k;
-            const bool good = orr_elements_at(e, s.sat[0].sat, at(1800.5), &o, &k) == ORR_OK;
+            const bool good = elements_at(e, s.sat[0].sat, at(1800.5), &o, &k) == ORR_OK;
             taken[m] += good;
             refused[m] += !good;
             if (good) assert_true(k.e < 1 && isfinite(k.m_rad) && isfinite(k.u_rad) && isfinite(k.argp_rad));
@@ -98,18 +99,18 @@ static void means_are_means(void **state)
             orr_mat3 R;
             orr_eop eop = orr_eop_at(NULL, t, NULL, NULL);
             orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
-            assert_int_equal(orr_elements_at(e, sat, t, &state_of, &centre), ORR_OK);
-            assert_int_equal(orr_elements_at(e, sat, t, &mean, &got), ORR_OK);
+            assert_int_equal(elements_at(e, sat, t, &state_of, &centre), ORR_OK);
+            assert_int_equal(elements_at(e, sat, t, &mean, &got), ORR_OK);
             double period = 2 * ORR_PI * sqrt(pow(centre.a_m, 3) / ORR_EGM96_GM), a = 0, h = 0, l = 0, p = 0,
                    q = 0;
             for (int j = 0; j < 64; j++) {
                 orr_kepler el;
                 orr_time then = orr_time_add_s(t, period * ((j + 0.5) / 64 - 0.5));
-                assert_int_equal(orr_elements_at(e, sat, then, &state_of, &el), ORR_OK);
+                assert_int_equal(elements_at(e, sat, then, &state_of, &el), ORR_OK);
                 if (f == ORR_ELEMENTS_ECEF) { // the axes of t: those of `then` have turned on with the Earth
                     const orr_elements_options j2000 = {.frame = ORR_ELEMENTS_J2000};
                     orr_vec3 r, v;
-                    assert_int_equal(orr_elements_at(e, sat, then, &j2000, &el), ORR_OK);
+                    assert_int_equal(elements_at(e, sat, then, &j2000, &el), ORR_OK);
                     orr_kepler_to_state(&el, ORR_EGM96_GM, &r, &v);
                     assert_int_equal(orr_kepler_from_state(orr_mat3_apply(&R, r), orr_mat3_apply(&R, v),
                                                            ORR_EGM96_GM, &el),
@@ -144,7 +145,7 @@ static void axes_are_shared(void **state)
             orr_kepler one, other;
             memset(&one, 0, sizeof one);
             memset(&other, 0, sizeof other);
-            assert_int_equal(orr_elements_at(e, made_satellite_at(k).sat, at(43210), &o, &one), ORR_OK);
+            assert_int_equal(elements_at(e, made_satellite_at(k).sat, at(43210), &o, &one), ORR_OK);
             assert_int_equal(orr_elements_of(e, made_satellite_at(k).sat, &axes, &other), ORR_OK);
             assert_memory_equal(&one, &other, sizeof one);
         }
@@ -161,21 +162,21 @@ static void where_a_method_lacks_instants(void **state)
                                three = {.method = ORR_ELEMENTS_THREE_POSITIONS},
                                mean = {.method = ORR_ELEMENTS_MEAN};
     orr_kepler k;
-    assert_int_equal(orr_elements_at(e, sat, at(60), &by_state, &k), ORR_OK);
-    assert_int_equal(orr_elements_at(e, sat, at(60), &three, &k), ORR_E_NODATA);
-    assert_int_equal(orr_elements_at(e, sat, at(300), &three, &k), ORR_OK);
+    assert_int_equal(elements_at(e, sat, at(60), &by_state, &k), ORR_OK);
+    assert_int_equal(elements_at(e, sat, at(60), &three, &k), ORR_E_NODATA);
+    assert_int_equal(elements_at(e, sat, at(300), &three, &k), ORR_OK);
     const orr_elements_options quarter = {.method = ORR_ELEMENTS_THREE_POSITIONS, .spacing_s = 10000},
                                too_far = {.method = ORR_ELEMENTS_THREE_POSITIONS, .spacing_s = 12000},
                                round = {.method = ORR_ELEMENTS_THREE_POSITIONS, .spacing_s = 36000};
-    assert_int_equal(orr_elements_at(e, sat, at(22000), &quarter, &k), ORR_OK);
-    assert_int_equal(orr_elements_at(e, sat, at(22000), &too_far, &k),
+    assert_int_equal(elements_at(e, sat, at(22000), &quarter, &k), ORR_OK);
+    assert_int_equal(elements_at(e, sat, at(22000), &too_far, &k),
                      ORR_E_NUMERIC); // more than 21600 s in all
-    assert_int_equal(orr_elements_at(e, sat, at(43200), &round, &k), ORR_E_NUMERIC);
-    assert_int_equal(orr_elements_at(e, sat, at(21000), &mean, &k),
+    assert_int_equal(elements_at(e, sat, at(43200), &round, &k), ORR_E_NUMERIC);
+    assert_int_equal(elements_at(e, sat, at(21000), &mean, &k),
                      ORR_E_NODATA); // half of 43200 s is not there
-    assert_int_equal(orr_elements_at(e, sat, at(22000), &mean, &k), ORR_OK);
-    assert_int_equal(orr_elements_at(e, orr_sat_make('C', 9), at(22000), &by_state, &k), ORR_E_NODATA);
-    assert_int_equal(orr_elements_at(e, sat, at(-1), &by_state, &k), ORR_E_RANGE);
+    assert_int_equal(elements_at(e, sat, at(22000), &mean, &k), ORR_OK);
+    assert_int_equal(elements_at(e, orr_sat_make('C', 9), at(22000), &by_state, &k), ORR_E_NODATA);
+    assert_int_equal(elements_at(e, sat, at(-1), &by_state, &k), ORR_E_RANGE);
     orr_ephemeris_free(e);
 }
 

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "elements_at.h"
 #include "testing.h"
 #include "unit/orbit/made_orbit.h"
 
@@ -76,7 +77,7 @@ static void elements_are_those_of_the_orbits(void **state)
         for (size_t i = 0; i < 4; i++) {
             orr_kepler want;
             if (i == 2) continue;
-            assert_int_equal(orr_elements_at(p, asked[i], at(43000), &o, &want), ORR_OK);
+            assert_int_equal(elements_at(p, asked[i], at(43000), &o, &want), ORR_OK);
             assert_int_equal(answer[i], ORR_ANSWER_OK);
             assert_true(k[i].a_m == want.a_m && k[i].e == want.e && k[i].u_rad == want.u_rad);
         }
