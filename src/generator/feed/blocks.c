@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/generator/feed/blocks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CELL_NS 10000000000 // lengths are one in each 10 s of scenario time (docs/channels.md)
+#define AHEAD_NS 1000000000 // asked for at once
+#define MOST 512            // blocks of them
+
+struct orr_gen_blocks {
+    orr_gen_link *link;
+    const orr_gen_service *service;
+    uint16_t antenna, n_signals;
+    uint16_t wanted[ORR_MSG_MAX_SIGNALS];
+    uint8_t place[ORR_MSG_MAX_SIGNALS]; // of a signal's number in CAPS
+    size_t n;                           // blocks held
+    orr_gen_block block[MOST];
+    int64_t length_ns; // of the last cell
+};
+
+bool orr_gen_blocks_open(orr_gen_link *link, const orr_gen_service *service, uint16_t antenna,
+                         const uint8_t *signal, size_t n_signals, orr_gen_blocks **blocks,
+                         orr_gen_fault *fault)
+{
+    orr_gen_blocks *b = calloc(1, sizeof *b);
+    *blocks = b;
+    if (b == NULL) return orr_gen_fail(fault, "out of memory");
+    *b = (orr_gen_blocks){
+        .link = link, .service = service, .antenna = antenna, .n_signals = (uint16_t)n_signals};
+    for (size_t k = 0; k < n_signals; k++) b->wanted[k] = service->signal[signal[k]].number;
+    for (size_t k = 0; k < service->n_signals; k++)
+        if (service->signal[k].number < ORR_MSG_MAX_SIGNALS) b->place[service->signal[k].number] = (uint8_t)k;
+    return true;
+}
+
+void orr_gen_blocks_close(orr_gen_blocks *blocks)
+{
+    if (blocks == NULL) return;
+    for (size_t k = 0; k < MOST; k++) free(blocks->block[k].channel);
+    free(blocks);
+}
+
+static bool keep(orr_gen_blocks *b, const orr_msg_channels *m, orr_gen_block *out, orr_gen_fault *fault)
+{
+    out->begin_ns = m->block;
+    out->length_ns = m->length;
+    out->error_m = m->error_m;
+    out->n = 0;
+    if (out->capacity < m->channels.count) {
+        orr_gen_channel *larger = realloc(out->channel, m->channels.count * sizeof *larger);
+        if (larger == NULL) return orr_gen_fail(fault, "out of memory");
+        out->channel = larger;
+        out->capacity = m->channels.count;
+    }
+    orr_msg_sat_channel c;
+    orr_wire_iter it = {0};
+    while (orr_msg_sat_channel_next(&m->channels, &it, &c)) {
+        if (c.signal >= ORR_MSG_MAX_SIGNALS) continue;
+        orr_gen_channel *k = &out->channel[out->n++];
+        *k = (orr_gen_channel){
+            .system = (char)c.sat.system, .number = c.sat.number, .signal = b->place[c.signal]};
+        k->power_dbw = (double)c.power_dbw;
+        k->strength = pow(10.0, k->power_dbw / 20.0);
+        k->cubics = (orr_gen_cubics){.block_ns = m->block,
+                                     .transmit_ns = c.transmit,
+                                     .transmit_rest_ns = c.transmit_fraction_ns,
+                                     .carrier_hz = c.carrier_hz};
+        memcpy(k->cubics.code_m, c.code, sizeof c.code);
+        memcpy(k->cubics.carrier_cycles, c.carrier, sizeof c.carrier);
+    }
+    return true;
+}
+
+// Asks for `count` blocks from the one that holds t on, a step apart; those that are the same again are left out.
+static orr_wire_status ask(orr_gen_blocks *b, int64_t t, int64_t step, uint32_t count, bool *outside,
+                           orr_gen_fault *fault)
+{
+    orr_client *c = orr_gen_link_client(b->link);
+    const orr_msg_poll_channels poll = {.epochs = {t, step, count},
+                                        .antenna = b->antenna,
+                                        .signals = {.count = b->n_signals, .item = b->wanted}};
+    orr_wire_status ws = orr_client_poll_channels(c, &poll);
+    for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) {
+        orr_msg_channels m;
+        ws = orr_client_channels(c, &m);
+        if (ws != ORR_WIRE_OK) break;
+        if (m.epoch.answer != ORR_MSG_ANSWER_OK)
+            *outside = true;
+        else if (b->n < MOST && (b->n == 0 || m.block != b->block[b->n - 1].begin_ns)) {
+            if (!keep(b, &m, &b->block[b->n++], fault)) return ORR_WIRE_SPACE;
+        }
+    }
+    return ws;
+}
+
+// What is held from t on: by the length of the last blocks up to the cell's end, so that mostly one question does.
+static bool refill(orr_gen_blocks *b, int64_t t, orr_gen_fault *fault)
+{
+    for (;;) {
+        const int64_t cell = t - ((t % CELL_NS) + CELL_NS) % CELL_NS + CELL_NS;
+        const int64_t until = t + AHEAD_NS < cell ? t + AHEAD_NS : cell;
+        const int64_t step = b->length_ns > 0 ? b->length_ns : AHEAD_NS;
+        int64_t count = (until - t + step - 1) / step;
+        if (count > MOST) count = MOST;
+        bool outside = false;
+        b->n = 0;
+        const orr_wire_status ws = ask(b, t, step, (uint32_t)count, &outside, fault);
+        if (ws != ORR_WIRE_OK) {
+            if (ws == ORR_WIRE_SPACE) return false;
+            if (!orr_gen_link_again(b->link, ws, "POLL_CHANNELS", fault)) return false;
+            continue;
+        }
+        if (b->n == 0)
+            return orr_gen_fail(fault,
+                                "the service has no channels at this instant: outside the scenario's span");
+        // Blocks that do not join: the length is another in this cell. What is held up to the first gap is good.
+        size_t good = 1;
+        while (good < b->n &&
+               b->block[good].begin_ns == b->block[good - 1].begin_ns + b->block[good - 1].length_ns)
+            good++;
+        b->n = good;
+        b->length_ns = b->block[0].length_ns;
+        return true;
+    }
+}
+
+bool orr_gen_blocks_from(orr_gen_blocks *blocks, int64_t t_ns, const orr_gen_block **block, size_t *n,
+                         orr_gen_fault *fault)
+{
+    orr_gen_blocks *b = blocks;
+    if (!refill(b, t_ns, fault)) return false;
+    *block = b->block;
+    *n = b->n;
+    if (t_ns >= b->block[0].begin_ns && t_ns < b->block[0].begin_ns + b->block[0].length_ns) return true;
+    return orr_gen_fail(fault,
+                        "the service answers with a block that does not hold the instant that was asked for");
+}

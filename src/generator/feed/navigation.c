@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/generator/feed/navigation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define NS_PER_S 1000000000
+#define FRAME_NS (30 * (int64_t)NS_PER_S)
+#define KEPT_NS (60 * (int64_t)NS_PER_S)
+#define PAGES 256  // of a message, held at once
+#define BYTES 256  // of a page's symbols
+#define MESSAGES 8 // of a satellite
+
+typedef struct page {
+    int64_t t_ns, length_ns; // the k-th of n symbols begins at t + k length / n
+    uint16_t n;
+    uint8_t symbol[BYTES]; // as on the wire, the first the highest bit
+} page;
+
+// One message of a satellite, which one or more signals carry.
+typedef struct message {
+    uint8_t kind;
+    uint64_t signals; // places in service->signal, a bit each
+    size_t n;
+    int64_t begin_ns[PAGES]; // in order
+    page *page[PAGES];       // likewise
+} message;
+
+typedef struct satellite {
+    message *message[MESSAGES];
+} satellite;
+
+struct orr_gen_navigation {
+    orr_gen_link *link;
+    const orr_gen_service *service;
+    int64_t until_ns; // pages are held up to there
+    satellite sat[128][100];
+};
+
+bool orr_gen_navigation_open(orr_gen_link *link, const orr_gen_service *service,
+                             orr_gen_navigation **navigation, orr_gen_fault *fault)
+{
+    orr_gen_navigation *v = calloc(1, sizeof *v);
+    *navigation = v;
+    if (v == NULL) return orr_gen_fail(fault, "out of memory");
+    v->link = link;
+    v->service = service;
+    v->until_ns = INT64_MIN;
+    return true;
+}
+
+static void free_message(message *m)
+{
+    if (m == NULL) return;
+    for (size_t k = 0; k < m->n; k++) free(m->page[k]);
+    free(m);
+}
+
+void orr_gen_navigation_close(orr_gen_navigation *navigation)
+{
+    if (navigation == NULL) return;
+    for (size_t k = 0; k < 128; k++)
+        for (size_t n = 0; n < 100; n++)
+            for (size_t m = 0; m < MESSAGES; m++) free_message(navigation->sat[k][n].message[m]);
+    free(navigation);
+}
+
+static int bit(const uint8_t *data, size_t k) { return data[k / 8] >> (7 - k % 8) & 1; }
+
+static void put(page *p, size_t k, int symbol)
+{
+    if (symbol) p->symbol[k / 8] |= (uint8_t)(0x80 >> k % 8);
+}
+
+// GLONASS ICD 5.1, 3.3.2.2 and figure 3.3: the bits in relative code, each with a meander of 10 ms on it (1 as 10, 0 as 01),
+// then the time mark, a shortened pseudo-random sequence of 30 symbols.
+static void glonass_symbols(const orr_msg_nav_page *p, page *out)
+{
+    static const char mark[] = "111110001101110101000010010110";
+    int relative = 0;
+    const size_t bits = p->bits;
+    for (size_t k = 0; k < bits; k++) {
+        relative ^= bit(p->data.data, k);
+        put(out, 2 * k, relative);
+        put(out, 2 * k + 1, !relative);
+    }
+    for (size_t k = 0; k < 30; k++) put(out, 2 * bits + k, mark[k] == '1');
+    out->n = (uint16_t)(2 * bits + 30);
+    out->length_ns = out->n * (int64_t)NS_PER_S / 100;
+}
+
+// How many pages begin at or before an instant.
+static size_t begun(const message *m, int64_t t_ns)
+{
+    size_t low = 0, high = m->n;
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (m->begin_ns[middle] <= t_ns)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static void drop_first(message *m)
+{
+    free(m->page[0]);
+    m->n--;
+    memmove(m->page, m->page + 1, m->n * sizeof(page *));
+    memmove(m->begin_ns, m->begin_ns + 1, m->n * sizeof m->begin_ns[0]);
+}
+
+// The place of a page: that of the same instant, else a new one in order. NULL where there is no memory.
+static page *place(message *m, int64_t t_ns)
+{
+    const size_t k = begun(m, t_ns);
+    if (k > 0 && m->begin_ns[k - 1] == t_ns) return m->page[k - 1];
+    if (m->n == PAGES) {
+        drop_first(m);
+        return place(m, t_ns);
+    }
+    page *p = calloc(1, sizeof *p);
+    if (p == NULL) return NULL;
+    memmove(m->page + k + 1, m->page + k, (m->n - k) * sizeof(page *));
+    memmove(m->begin_ns + k + 1, m->begin_ns + k, (m->n - k) * sizeof m->begin_ns[0]);
+    m->page[k] = p;
+    m->begin_ns[k] = t_ns;
+    m->n++;
+    return p;
+}
+
+static bool keep_page(const orr_msg_nav_page *p, uint8_t kind, page *out, orr_gen_fault *fault)
+{
+    const bool glonass = kind == ORR_MSG_NAV_MESSAGE_FDMA;
+    if (p->data.size > BYTES || (size_t)p->data.size * 8 < p->bits || (glonass && p->bits > 1000))
+        return orr_gen_fail(fault, "NAVDATA: a page of %u bits does not fit", p->bits);
+    memset(out->symbol, 0, sizeof out->symbol);
+    out->t_ns = p->t;
+    if (glonass) {
+        glonass_symbols(p, out);
+        return true;
+    }
+    memcpy(out->symbol, p->data.data, p->data.size);
+    out->n = p->bits;
+    out->length_ns = p->bits * (int64_t)NS_PER_S / 50;
+    return true;
+}
+
+// Which signals of CAPS carry a message.
+static uint64_t carriers(const orr_gen_service *s, char system, uint8_t kind)
+{
+    uint64_t mask = 0;
+    for (size_t k = 0; k < s->n_signals; k++) {
+        const char *name = s->signal[k].name;
+        if (s->signal[k].system != system) continue;
+        if (kind == ORR_MSG_NAV_MESSAGE_LNAV && strcmp(name, "L1CA") == 0) mask |= (uint64_t)1 << k;
+        if (kind == ORR_MSG_NAV_MESSAGE_FDMA && (strcmp(name, "L1OF") == 0 || strcmp(name, "L2OF") == 0))
+            mask |= (uint64_t)1 << k;
+    }
+    return mask;
+}
+
+static bool keep(orr_gen_navigation *v, const orr_msg_sat_navdata *d, int64_t forget_before_ns,
+                 orr_gen_fault *fault)
+{
+    if (d->answer != ORR_MSG_ANSWER_OK || d->message == ORR_MSG_NAV_MESSAGE_NONE) return true;
+    if (d->sat.system >= 128 || d->sat.number >= 100) return true;
+    satellite *s = &v->sat[d->sat.system][d->sat.number];
+    size_t m = 0;
+    while (m < MESSAGES && s->message[m] != NULL && s->message[m]->kind != d->message) m++;
+    if (m == MESSAGES) return true;
+    if (s->message[m] == NULL) {
+        s->message[m] = calloc(1, sizeof **s->message);
+        if (s->message[m] == NULL) return orr_gen_fail(fault, "out of memory");
+        s->message[m]->kind = d->message;
+        s->message[m]->signals = carriers(v->service, (char)d->sat.system, d->message);
+    }
+    orr_msg_nav_page p;
+    orr_wire_iter it = {0};
+    while (orr_msg_nav_page_next(&d->pages, &it, &p)) {
+        page *out = place(s->message[m], p.t);
+        if (out == NULL) return orr_gen_fail(fault, "out of memory");
+        if (!keep_page(&p, d->message, out, fault)) return false;
+    }
+    while (s->message[m]->n > 0 &&
+           s->message[m]->begin_ns[0] + s->message[m]->page[0]->length_ns < forget_before_ns)
+        drop_first(s->message[m]);
+    return true;
+}
+
+bool orr_gen_navigation_cover(orr_gen_navigation *navigation, int64_t from_ns, int64_t to_ns,
+                              orr_gen_fault *fault)
+{
+    orr_gen_navigation *v = navigation;
+    if (!v->service->has_navdata) return true;
+    if (v->until_ns < from_ns - FRAME_NS) v->until_ns = from_ns - FRAME_NS;
+    while (v->until_ns <
+           to_ns + FRAME_NS) { // frames begin at multiples of 30 s of GPS or UTC: 15 s apart, each is met
+        orr_client *c = orr_gen_link_client(v->link);
+        const orr_msg_poll_navdata poll = {.epochs = {v->until_ns, 0, 1}};
+        orr_msg_navdata m;
+        orr_wire_status ws = orr_client_poll_navdata(c, &poll);
+        if (ws == ORR_WIRE_OK) ws = orr_client_navdata(c, &m);
+        if (ws != ORR_WIRE_OK) {
+            if (!orr_gen_link_again(v->link, ws, "POLL_NAVDATA", fault)) return false;
+            continue;
+        }
+        orr_msg_sat_navdata d;
+        orr_wire_iter it = {0};
+        while (orr_msg_sat_navdata_next(&m.satellites, &it, &d))
+            if (!keep(v, &d, from_ns - KEPT_NS, fault)) return false;
+        v->until_ns += FRAME_NS / 2;
+    }
+    return true;
+}
+
+static int symbol_of(const message *m, int64_t sent_ns)
+{
+    const size_t k = begun(m, sent_ns);
+    if (k == 0) return 0;
+    const page *p = m->page[k - 1];
+    if (sent_ns >= p->t_ns + p->length_ns) return 0;
+    return bit(p->symbol, (size_t)((sent_ns - p->t_ns) * p->n / p->length_ns)) ? -1 : 1;
+}
+
+int orr_gen_navigation_symbol(const orr_gen_navigation *navigation, size_t signal, char system,
+                              unsigned number, int64_t sent_ns)
+{
+    if (number >= 100) return 0;
+    const satellite *s = &navigation->sat[(unsigned char)system & 127][number];
+    for (size_t m = 0; m < MESSAGES && s->message[m] != NULL; m++)
+        if (s->message[m]->signals >> signal & 1) return symbol_of(s->message[m], sent_ns);
+    return 0;
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "src/generator/kernel/output.h"
+
+#include <math.h>
+#include <string.h>
+
+#define BATCH 256
+#define TABLE_SIGMA 7000.0 // value of the table at one standard deviation: 4.3 of them fit into 16 bits
+#define NEAREST 0x1.8p23f  // added and taken off, it rounds a float below 2^22 to the nearest integer
+
+// The normal distribution's value of a probability below one half, by Newton's method on erfc.
+static double quantile(double p)
+{
+    double x = -sqrt(-2 * log(2 * p)) * 0.9;
+    for (int k = 0; k < 60; k++) {
+        const double miss = 0.5 * erfc(-x * 0.70710678118654752440) - p;
+        const double step = miss / (0.39894228040143267794 * exp(-0.5 * x * x));
+        x -= fabs(step) < 1 ? step : copysign(1, step);
+        if (fabs(step) < 1e-12) break;
+    }
+    return x;
+}
+
+void orr_gen_noise_init(orr_gen_noise *noise)
+{
+    for (size_t k = 0; k < 32768; k++) {
+        const double x = TABLE_SIGMA * quantile(((double)k + 0.5) / 65536);
+        const int16_t v = (int16_t)(x < -32767 ? -32767 : floor(x + 0.5));
+        noise->value[k] = v;
+        noise->value[65535 - k] = (int16_t)-v;
+    }
+}
+
+// A function of the number alone that looks like chance (Steele, Lea and Flood 2014, variant 13 of its mixer).
+static uint64_t scatter(uint64_t x)
+{
+    x *= 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+size_t orr_gen_output_size(orr_gen_format format, size_t n)
+{
+    switch (format) {
+    case ORR_GEN_I8:
+        return 2 * n;
+    case ORR_GEN_I16:
+        return 4 * n;
+    case ORR_GEN_I2:
+        return n;
+    default:
+        return 8 * n;
+    }
+}
+
+// Adds the noise of samples first .. first + n - 1; a number gives that of two.
+static void add_noise(const orr_gen_output *out, int64_t first, size_t n, float *re, float *im)
+{
+    const float scale = (float)(out->sigma / TABLE_SIGMA);
+    const int16_t *value = out->noise->value;
+    const uint64_t seed = scatter(out->seed + 1);
+    size_t k = 0;
+    while (k < n) {
+        const uint64_t number = (uint64_t)(first + (int64_t)k), r = scatter(seed + number / 2);
+        const unsigned from = number % 2 == 1;
+        for (unsigned h = from; h < 2 && k < n; h++, k++) {
+            re[k] += scale * (float)value[r >> (32 * h) & 0xffff];
+            im[k] += scale * (float)value[r >> (32 * h + 16) & 0xffff];
+        }
+    }
+}
+
+static size_t clip(float *x, size_t n, float most)
+{
+    size_t clipped = 0;
+    for (size_t k = 0; k < n; k++) {
+        clipped += x[k] > most || x[k] < -most;
+        x[k] = x[k] > most ? most : x[k] < -most ? -most : x[k];
+        x[k] = (x[k] + NEAREST) - NEAREST;
+    }
+    return clipped;
+}
+
+static void put_i8(const float *re, const float *im, size_t n, uint8_t *bytes)
+{
+    for (size_t k = 0; k < n; k++) {
+        bytes[2 * k] = (uint8_t)(int8_t)(int32_t)re[k];
+        bytes[2 * k + 1] = (uint8_t)(int8_t)(int32_t)im[k];
+    }
+}
+
+static void put_i16(const float *re, const float *im, size_t n, uint8_t *bytes)
+{
+    for (size_t k = 0; k < n; k++) {
+        const uint16_t a = (uint16_t)(int16_t)(int32_t)re[k], b = (uint16_t)(int16_t)(int32_t)im[k];
+        bytes[4 * k] = (uint8_t)a, bytes[4 * k + 1] = (uint8_t)(a >> 8);
+        bytes[4 * k + 2] = (uint8_t)b, bytes[4 * k + 3] = (uint8_t)(b >> 8);
+    }
+}
+
+static void put_f32(const float *re, const float *im, size_t n, uint8_t *bytes)
+{
+    for (size_t k = 0; k < n; k++) {
+        uint32_t w[2];
+        memcpy(&w[0], &re[k], 4);
+        memcpy(&w[1], &im[k], 4);
+        for (size_t j = 0; j < 8; j++) bytes[8 * k + j] = (uint8_t)(w[j / 4] >> (8 * (j % 4)));
+    }
+}
+
+static unsigned two_bits(float x) { return (x < 0 ? 1u : 0u) | (fabsf(x) >= 1 ? 2u : 0u); }
+
+static void put_i2(const float *re, const float *im, size_t n, uint8_t *bytes)
+{
+    for (size_t k = 0; k < n; k++) bytes[k] = (uint8_t)(two_bits(re[k]) | two_bits(im[k]) << 2);
+}
+
+size_t orr_gen_output_pack(uint8_t *bytes, size_t n)
+{
+    for (size_t k = 0; k < n; k++)
+        bytes[k / 2] = (uint8_t)(k % 2 == 0 ? bytes[k] : bytes[k / 2] | bytes[k] << 4);
+    return (n + 1) / 2;
+}
+
+size_t orr_gen_output_write(const orr_gen_output *out, const int32_t *re, const int32_t *im, int64_t first,
+                            size_t n, uint8_t *bytes)
+{
+    size_t clipped = 0;
+    const float gain = (float)out->gain;
+    for (size_t at = 0; at < n; at += BATCH) {
+        const size_t m = n - at < BATCH ? n - at : BATCH;
+        float x[BATCH], y[BATCH];
+        for (size_t k = 0; k < m; k++) x[k] = gain * (float)re[at + k];
+        for (size_t k = 0; k < m; k++) y[k] = gain * (float)im[at + k];
+        if (out->sigma > 0) add_noise(out, first + (int64_t)at, m, x, y);
+        const float most = out->format == ORR_GEN_I8 ? 127 : 32767;
+        if (out->format == ORR_GEN_I8 || out->format == ORR_GEN_I16)
+            clipped += clip(x, m, most) + clip(y, m, most);
+        uint8_t *to = bytes + orr_gen_output_size(out->format, at);
+        switch (out->format) {
+        case ORR_GEN_I8:
+            put_i8(x, y, m, to);
+            break;
+        case ORR_GEN_I16:
+            put_i16(x, y, m, to);
+            break;
+        case ORR_GEN_I2:
+            put_i2(x, y, m, to);
+            break;
+        default:
+            put_f32(x, y, m, to);
+            break;
+        }
+    }
+    return clipped;
+}
