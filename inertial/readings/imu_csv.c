@@ -7,13 +7,11 @@
 
 orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_imu_axes axes, orr_diag *diag)
 {
-    char mode[160], t0[ORR_TIME_TEXT];
+    char t_gps[ORR_TIME_TEXT];
     const bool frd = axes == ORR_AXES_FRD;
-    fprintf(f, "# %s; axes %s; t0 %s GPS\n", orr_imu_mode_text(&imu->mode, mode, sizeof mode),
-            orr_imu_axes_name(axes), orr_time_text(imu->t0, t0));
     fprintf(f,
             "t_s,dtheta_x_rad,dtheta_y_rad,dtheta_z_rad,dv_x_mps,dv_y_mps,dv_z_mps,lat_deg,lon_deg,height_m,"
-            "%s,heading_deg,pitch_deg,roll_deg%s%s\n",
+            "%s,heading_deg,pitch_deg,roll_deg%s%s,t_gps\n",
             frd ? "v_north_mps,v_east_mps,v_down_mps" : "v_east_mps,v_north_mps,v_up_mps",
             imu->measured_dtheta_rad != NULL
                 ? ",measured_dtheta_x_rad,measured_dtheta_y_rad,measured_dtheta_z_rad,"
@@ -57,7 +55,7 @@ orr_status orr_imu_write_csv(FILE *f, const orr_imu *imu, orr_imu_axes axes, orr
                      a_f = frd ? orr_axes_swapped(imu->accel_mps2[j]) : imu->accel_mps2[j];
             fprintf(f, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", w.x, w.y, w.z, a_f.x, a_f.y, a_f.z);
         }
-        fputc('\n', f);
+        fprintf(f, ",%s\n", orr_time_text(orr_time_add_s(imu->t0, orr_imu_edge_s(imu, j)), t_gps));
     }
     return ferror(f) ? orr_diag_set(diag, ORR_E_IO, "the readings could not be written: %s", strerror(errno))
                      : ORR_OK;

@@ -359,6 +359,9 @@ orr_status telemetry_columns_parse(orr_view text, char separator, bool header, c
         names[n].skipped = false;
         cut(field, &names[n++]);
     }
+    // Tables of `orrery track` and `imu` tell one clock twice: seconds after an instant, and instants.
+    const bool twice = header && n > 1 && strcmp(names[0].word, "t") == 0 &&
+                       strcmp(names[0].unit, "s") == 0 && strcmp(names[n - 1].word, "t_gps") == 0;
     family of = header ? family_of(names, n) : ANYWHERE;
     bool from_one = has(names, n, "q4") && !has(names, n, "q0"); // AHR2 counts its quaternion from 1
     const alias *taken[Q_COUNT] = {NULL};
@@ -373,6 +376,10 @@ orr_status telemetry_columns_parse(orr_view text, char separator, bool header, c
         const alias *a = find_alias(c->word, header, of);
         // The yaw that a receiver of two antennas would tell, 0 without: no attitude of the vehicle.
         if (of == ARDUPILOT && has(names, n, "gms") && strcmp(c->word, "yaw") == 0) a = NULL;
+        if (twice && k == 0) {
+            out->column[out->n++] = column;
+            continue;
+        }
         if (a == NULL) {
             if (!header) return unknown(c, file, line, diag);
             size_t at = strlen(words);

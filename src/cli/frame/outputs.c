@@ -13,9 +13,8 @@
 enum { HEAD = 4096 };
 
 // How text that Orrery writes begins, where it does not name its maker.
-static const char *const beginnings[] = {"t_gps,", "sat,penumbra_entry,", "t_s,dxi1_m,",
-                                         "t_s,recovered_mgal,"};
-static const char *const comments[] = {"# t in seconds after ", "# input ", "; t0 "}; // within the first line
+static const char *const beginnings[] = {"t_gps,",       "sat,penumbra_entry,", "t_s,dxi1_m,",
+                                         "t_s,lat_deg,", "t_s,recovered_mgal,", "t_s,dtheta_x_rad,"};
 
 static bool begins(const char *text, const char *with) { return strncmp(text, with, strlen(with)) == 0; }
 
@@ -27,14 +26,11 @@ static bool is_our_json(const char *text)
     return *text == ']' || begins(text, "\"t_gps\"") || begins(text, "\"sat\"");
 }
 
-static bool is_our_text(char *text)
+static bool is_our_text(const char *text)
 {
     if (strstr(text, "orrery") != NULL || strstr(text, "ORRERY") != NULL || is_our_json(text)) return true;
     for (size_t i = 0; i < sizeof beginnings / sizeof beginnings[0]; i++)
         if (begins(text, beginnings[i])) return true;
-    text[strcspn(text, "\n")] = '\0';
-    for (size_t i = 0; i < sizeof comments / sizeof comments[0] && text[0] == '#'; i++)
-        if (strstr(text, comments[i]) != NULL) return true;
     return false;
 }
 

@@ -22,15 +22,14 @@ static int run(orr_cli *c)
     } else if ((s = orr_outfile_open(orr_cli_text(c, "output", "-"), &f, &diag)) == ORR_OK) {
         const orr_trajectory *tr = orr_moving_unit(&v, unit);
         double rate = orr_cli_real(c, "rate", 1.0), n = floor((tr->end_s - tr->begin_s) * rate + 1e-6);
-        char t0[ORR_TIME_TEXT];
+        char t_gps[ORR_TIME_TEXT];
         // Milliseconds where they are all of it; a rounded time would move the body along its way.
         int decimals = fabs(1000.0 / rate - nearbyint(1000.0 / rate)) < 1e-9 * 1000.0 / rate &&
                                fabs(1000.0 * tr->begin_s - nearbyint(1000.0 * tr->begin_s)) < 1e-6
                            ? 3
                            : 9;
-        fprintf(f.stream, "# t in seconds after %s GPS\n", orr_time_text(tr->t0, t0));
         const bool frd = orr_cli_axes(c) == ORR_AXES_FRD;
-        fprintf(f.stream, "t_s,lat_deg,lon_deg,height_m,heading_deg,pitch_deg,roll_deg,%s\n",
+        fprintf(f.stream, "t_s,lat_deg,lon_deg,height_m,heading_deg,pitch_deg,roll_deg,%s,t_gps\n",
                 frd ? "v_north_mps,v_east_mps,v_down_mps" : "v_east_mps,v_north_mps,v_up_mps");
         for (double k = 0; k <= n; k++) {
             orr_motion m;
@@ -40,10 +39,11 @@ static int run(orr_cli *c)
             orr_angles a = orr_motion_angles(&m);
             orr_vec3 u = orr_motion_velocity_enu(&m);
             if (frd) u = orr_axes_swapped(u); // North, East, Down
-            fprintf(f.stream, "%.*f,%.10f,%.10f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", decimals, t,
+            fprintf(f.stream, "%.*f,%.10f,%.10f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%s\n", decimals, t,
                     g.lat_rad * ORR_DEG_PER_RAD, g.lon_rad * ORR_DEG_PER_RAD, g.height_m,
                     orr_heading_shown_deg(a.heading_rad, 6), a.pitch_rad * ORR_DEG_PER_RAD,
-                    a.roll_rad * ORR_DEG_PER_RAD, u.x, u.y, u.z);
+                    a.roll_rad * ORR_DEG_PER_RAD, u.x, u.y, u.z,
+                    orr_time_text(orr_time_add_s(tr->t0, t), t_gps));
         }
         s = orr_outfile_commit(&f, &diag);
     }

@@ -54,7 +54,7 @@ static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
     orr_ephemeris_span(w->product, &from, &to);
     from = orr_cli_time(c, "from", from);
     to = orr_cli_time(c, "to", to);
-    s = navfit_write_bits(w->set, &w->inputs, from, to, bits, &n, diag);
+    s = navfit_write_bits(w->set, from, to, bits, &n, diag);
     if (s == ORR_OK) orr_cli_say(c, "%s: %zu subframes and strings", bits, n);
     return s;
 }

@@ -74,8 +74,8 @@ static orr_status print_frame(FILE *f, const orr_navset *set, orr_sat sat, orr_t
     return ORR_OK;
 }
 
-orr_status navfit_write_bits(const orr_navset *set, const orr_inputs *inputs, orr_time from, orr_time to,
-                             const char *path, size_t *n_pieces, orr_diag *diag)
+orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, const char *path,
+                             size_t *n_pieces, orr_diag *diag)
 {
     const orr_sat *sat;
     const int64_t block = 30 * ORR_NS_PER_S;
@@ -86,8 +86,6 @@ orr_status navfit_write_bits(const orr_navset *set, const orr_inputs *inputs, or
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
     if (s == ORR_OK) fputs("t_gps,sat,message,number,page,bits,hex\n", out.stream);
-    for (size_t i = 0; s == ORR_OK && i < inputs->n; i++)
-        fprintf(out.stream, "# input %s, SHA-256 %s\n", inputs->item[i].name, inputs->item[i].sha256);
     *n_pieces = 0;
     for (orr_time t = from; t < to && s == ORR_OK; t += block) {
         for (size_t i = 0; i < n && s == ORR_OK; i++)

@@ -10,18 +10,17 @@
 // RINEX NAV 3.05; comments of the header name the inputs and their SHA-256.
 orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, const char *path,
                               orr_diag *diag);
-// Writes the bit streams as CSV; comments (#) behind the names of columns tell the inputs.
+// Writes the bit streams as CSV.
 // Given:
 //   set       the broadcast data
-//   inputs    what they were made from
 //   from, to  the span, [from, to)
 //   path      where to; without a piece there is no file
 // Returned:
 //   n_pieces  how many subframes and strings were written
 //   diag      why it failed; may be NULL
 // Errors: ORR_E_NODATA (nothing is sent then), ORR_E_IO, ORR_E_MEMORY.
-orr_status navfit_write_bits(const orr_navset *set, const orr_inputs *inputs, orr_time from, orr_time to,
-                             const char *path, size_t *n_pieces, orr_diag *diag);
+orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, const char *path,
+                             size_t *n_pieces, orr_diag *diag);
 
 // The report as a table on stderr.
 void navfit_say(const orr_cli *c, const orr_navset *set);

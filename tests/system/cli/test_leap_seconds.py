@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One table of leap seconds a run: --leap-seconds, ORRERY_LEAP_SECONDS; of commands, scenarios, logs and what is written."""
-import csv
 import pathlib
 import sys
 import unittest
@@ -27,10 +26,6 @@ class LeapSeconds(Folder):
         rows = "".join(f"{stamp(mjd)}\t{n}\n" for mjd, n in TABLE)
         pathlib.Path(cls.list).write_text(f"#$ {stamp(61200)}\n#@ {stamp(EXPIRES)}\n{rows}", encoding="ascii")
 
-    def rows(self, *args, **kwargs):
-        out = run(*args, **kwargs).stdout
-        return list(csv.DictReader(line for line in out.splitlines() if not line.startswith("#"))), out
-
     def test_scenario_and_log(self):
         scenario = pathlib.Path(self.path("s.yaml"))
         scenario.write_text("trajectory: {kind: analytic, start: '2027-01-02T00:00:00Z', duration: 2, lat: 50, lon: 20, height: 300}\n", encoding="ascii")
@@ -39,7 +34,7 @@ class LeapSeconds(Folder):
         for what in ([scenario], ["--telemetry", log]):
             known = run("track", *what, "--leap-seconds", self.list).stdout
             self.assertIn("2027-01-02T00:00:19", known, what)  # 38 - 19 s ahead of UTC
-            self.assertNotIn("00:00:18", known.splitlines()[0])
+            self.assertNotIn("00:00:18", known)
             assumed = run("track", *what, env={"ORRERY_LEAP_SECONDS": "", "PATH": "/nowhere"})
             self.assertIn("2027-01-02T00:00:18", assumed.stdout)
             self.assertEqual(known, run("track", *what, env={"ORRERY_LEAP_SECONDS": self.list}).stdout)

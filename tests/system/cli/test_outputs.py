@@ -82,7 +82,7 @@ class Outputs(Folder):
     def test_extensions_in_any_case(self):
         path = self.path("readings.CSV")
         run("imu", sample("survey.yaml"), "-q", "--duration", "3", "-o", path)
-        self.assertIn("dtheta_x_rad", pathlib.Path(path).read_text(encoding="ascii").splitlines()[1])
+        self.assertIn("dtheta_x_rad", pathlib.Path(path).read_text(encoding="ascii").splitlines()[0])
 
     def test_read_only(self):
         path = self.path("kept.nc")

@@ -38,7 +38,7 @@ def ecef(lat, lon, h):
 def table(text):
     """Rows of a CSV as numbers by column; lines of '#' are comments."""
     lines = [line for line in text.splitlines() if not line.startswith("#")]
-    return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(io.StringIO("\n".join(lines)))]
+    return [{k: float(v) for k, v in row.items() if k != "t_gps"} for row in csv.DictReader(io.StringIO("\n".join(lines)))]
 
 
 def vector(row, *names):

@@ -306,6 +306,14 @@ static void own_tables(void **state)
                          orr_time_from_week(2300, INT64_C(36001750000000)));
         orr_telemetry_free(&t);
     }
+    // Their tables: seconds and instants are one clock.
+    orr_telemetry t = read("t_s,lat_deg,lon_deg,height_m,t_gps\n1.5,50,20,300,2024-02-04T10:00:01.75\n"
+                           "2.5,50,20,300,2024-02-04T10:00:02.75\n",
+                           NULL, NULL);
+    assert_true(t.absolute && t.tie.n == 0);
+    assert_int_equal(orr_time_add_s(t.t0, t.position_t_s[0]),
+                     orr_time_from_week(2300, INT64_C(36001750000000)));
+    orr_telemetry_free(&t);
 }
 
 // Instants in UTC go by the table that is given: with a leap second at the end of 2026 the day after has one more.
