@@ -17,6 +17,7 @@ static const orr_field_word words_error_code[] = {
     {11, "TIMEOUT", "timeout", false},
     {12, "CLOSING", "closing", false},
     {13, "INTERNAL", "internal", false},
+    {14, "NOT_PERMITTED", "not permitted", false},
 };
 
 static const orr_field_word words_answer[] = {
@@ -82,6 +83,35 @@ static const orr_field_word words_end_reason[] = {
     {3, "SLOW", "too slow", false},
     {4, "OUTSIDE_SPAN", "end of the span", false},
     {5, "FAILED", "failed", false},
+};
+
+static const orr_field_word words_control_action[] = {
+    {1, "LOAD", "load", false},
+    {2, "ARM", "arm", false},
+    {3, "WAIT_PPS", "wait pps", false},
+    {4, "START", "start", false},
+    {5, "PAUSE", "pause", false},
+    {6, "STOP", "stop", false},
+};
+
+static const orr_field_word words_clock_reference[] = {
+    {0, "WALL", "the wall's clock", false},
+    {1, "RADIO", "the generator", false},
+};
+
+static const orr_field_word words_clock_state[] = {
+    {0, "STOPPED", "stopped", false},
+    {1, "ARMED", "armed", false},
+    {2, "WAITING", "waiting", false},
+    {3, "RUNNING", "running", false},
+    {4, "PAUSED", "paused", false},
+};
+
+static const orr_field_word words_stamp_clock[] = {
+    {0, "ARRIVAL", "arrival", false},
+    {1, "MONOTONIC", "monotonic", false},
+    {2, "TAI", "tai", false},
+    {3, "REALTIME", "realtime", false},
 };
 
 static const orr_field_word words_channel_flags[] = {
@@ -870,6 +900,107 @@ static orr_wire_status decode_stream_end(const uint8_t *payload, size_t size, vo
     return orr_msg_stream_end_decode(payload, size, (orr_msg_stream_end *)m);
 }
 
+static const orr_field fields_control[] = {
+    {.name = "action", .unit = "", .doc = "what to do", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_control, action), .word = words_control_action, .n_words = sizeof words_control_action / sizeof words_control_action[0], .in_text = true, .text_name = "action", .text_factor = 1.0, .in_table = true, .head = "action", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reference", .unit = "", .doc = "with ARM, and with START of one that was not armed: what paces it", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_control, reference), .word = words_clock_reference, .n_words = sizeof words_clock_reference / sizeof words_clock_reference[0], .in_text = true, .text_name = "reference", .text_factor = 1.0, .in_table = true, .head = "reference", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_control, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "t", .unit = "ns", .doc = "instant of the scenario; -2^63: where it stands", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_control, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "at", .unit = "ns", .doc = "with START: the wall's instant (GPS scale) at which it goes; -2^63: at once", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_control, at), .in_text = true, .text_name = "at", .text_factor = 1.0, .in_table = true, .head = "at", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "delay", .unit = "ns", .doc = "with START: so much later, 0 to an hour", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_control, delay), .in_text = true, .text_name = "delay", .text_factor = 1.0, .in_table = true, .head = "delay", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_control = {"control", fields_control, 6, sizeof(orr_msg_control), false, false};
+
+static orr_wire_status encode_control(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_control_encode((const orr_msg_control *)m, w);
+}
+static orr_wire_status decode_control(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_control_decode(payload, size, (orr_msg_control *)m);
+}
+
+static const orr_field fields_get_time[] = {
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_get_time, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_get_time = {"get_time", fields_get_time, 1, sizeof(orr_msg_get_time), false, false};
+
+static orr_wire_status encode_get_time(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_get_time_encode((const orr_msg_get_time *)m, w);
+}
+static orr_wire_status decode_get_time(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_get_time_decode(payload, size, (orr_msg_get_time *)m);
+}
+
+static const orr_field fields_time[] = {
+    {.name = "t", .unit = "ns", .doc = "the scenario's instant; before a start that is fixed it counts down", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_time, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "state", .unit = "", .doc = "whether it runs", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_time, state), .word = words_clock_state, .n_words = sizeof words_clock_state / sizeof words_clock_state[0], .in_text = true, .text_name = "state", .text_factor = 1.0, .in_table = true, .head = "state", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reference", .unit = "", .doc = "what paces it", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_time, reference), .word = words_clock_reference, .n_words = sizeof words_clock_reference / sizeof words_clock_reference[0], .in_text = true, .text_name = "reference", .text_factor = 1.0, .in_table = true, .head = "reference", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "week", .unit = "", .doc = "GPS week, unwrapped", .kind = ORR_FIELD_I32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, week), .in_text = true, .text_name = "week", .text_factor = 1.0, .in_table = true, .head = "week", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "tow", .unit = "ns", .doc = "time of that week", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, tow), .in_text = true, .text_name = "tow", .text_factor = 1.0, .in_table = true, .head = "tow", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "leap", .unit = "", .doc = "leap seconds in force, and the next change", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, leap), .record = &record_leap_seconds, .in_text = true, .text_name = "leap", .text_factor = 1.0, .in_table = true, .head = "leap", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "utc_mjd", .unit = "d", .doc = "modified Julian day of UTC", .kind = ORR_FIELD_I32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, utc_mjd), .in_text = true, .text_name = "utc_mjd", .text_factor = 1.0, .in_table = true, .head = "utc mjd", .table_unit = "d", .table_factor = 1.0, .digits = -1},
+    {.name = "n4", .unit = "", .doc = "GLONASS: four-year interval of the day in Moscow; 0 where it has no number", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, n4), .in_text = true, .text_name = "n4", .text_factor = 1.0, .in_table = true, .head = "n4", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "nt", .unit = "", .doc = "and the day in it", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, nt), .in_text = true, .text_name = "nt", .text_factor = 1.0, .in_table = true, .head = "nt", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "utc_su", .unit = "ns", .doc = "time of the day in Moscow, UTC(SU) + 3 h", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, utc_su), .in_text = true, .text_name = "utc_su", .text_factor = 1.0, .in_table = true, .head = "utc su", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "pps0", .unit = "ns", .doc = "the scenario's instant at PPS0; -2^63: none was fixed", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_time, pps0), .in_text = true, .text_name = "pps0", .text_factor = 1.0, .in_table = true, .head = "pps0", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "host", .unit = "ns", .doc = "the server's CLOCK_MONOTONIC at this moment", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, host), .in_text = true, .text_name = "host", .text_factor = 1.0, .in_table = true, .head = "host", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "wall", .unit = "ns", .doc = "the wall's instant at this moment", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_time, wall), .in_text = true, .text_name = "wall", .text_factor = 1.0, .in_table = true, .head = "wall", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "error_ns", .unit = "ns", .doc = "last RADIO_TIME against what the loop expected", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, error_ns), .in_text = true, .text_name = "error_ns", .text_factor = 1.0, .in_table = true, .head = "error ns", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "rate", .unit = "", .doc = "generator seconds a second of the host, less 1", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, rate), .in_text = true, .text_name = "rate", .text_factor = 1.0, .in_table = true, .head = "rate", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "wander_ns", .unit = "ns", .doc = "root mean square of those errors, of late", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, wander_ns), .in_text = true, .text_name = "wander_ns", .text_factor = 1.0, .in_table = true, .head = "wander ns", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "samples", .unit = "", .doc = "RADIO_TIMEs since the loop took up its lock", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, samples), .in_text = true, .text_name = "samples", .text_factor = 1.0, .in_table = true, .head = "samples", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "steps", .unit = "", .doc = "how often the generator's time stepped, so that the lock was taken up anew", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, steps), .in_text = true, .text_name = "steps", .text_factor = 1.0, .in_table = true, .head = "steps", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "suspends", .unit = "", .doc = "how often the host was suspended", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, suspends), .in_text = true, .text_name = "suspends", .text_factor = 1.0, .in_table = true, .head = "suspends", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "sets", .unit = "", .doc = "how often the host's wall clock was set", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_time, sets), .in_text = true, .text_name = "sets", .text_factor = 1.0, .in_table = true, .head = "sets", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_time = {"time", fields_time, 20, sizeof(orr_msg_time), false, false};
+
+static orr_wire_status encode_time(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_time_encode((const orr_msg_time *)m, w);
+}
+static orr_wire_status decode_time(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_time_decode(payload, size, (orr_msg_time *)m);
+}
+
+static const orr_field fields_radio_time[] = {
+    {.name = "elapsed", .unit = "ns", .doc = "its time since its own begin, whose whole seconds are its 1PPS", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_radio_time, elapsed), .in_text = true, .text_name = "elapsed", .text_factor = 1.0, .in_table = true, .head = "elapsed", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "stamp", .unit = "ns", .doc = "what a clock of the server's host showed then", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_radio_time, stamp), .in_text = true, .text_name = "stamp", .text_factor = 1.0, .in_table = true, .head = "stamp", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "clock", .unit = "", .doc = "which clock", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_radio_time, clock), .word = words_stamp_clock, .n_words = sizeof words_stamp_clock / sizeof words_stamp_clock[0], .in_text = true, .text_name = "clock", .text_factor = 1.0, .in_table = true, .head = "clock", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_radio_time = {"radio_time", fields_radio_time, 3, sizeof(orr_msg_radio_time), false, false};
+
+static orr_wire_status encode_radio_time(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_radio_time_encode((const orr_msg_radio_time *)m, w);
+}
+static orr_wire_status decode_radio_time(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_radio_time_decode(payload, size, (orr_msg_radio_time *)m);
+}
+
+static const orr_field fields_pace[] = {
+    {.name = "t", .unit = "ns", .doc = "the scenario's instant now", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_pace, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "error_ns", .unit = "ns", .doc = "this RADIO_TIME against what the loop expected", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_pace, error_ns), .in_text = true, .text_name = "error_ns", .text_factor = 1.0, .in_table = true, .head = "error ns", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "rate", .unit = "", .doc = "generator seconds a second of the host, less 1", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_pace, rate), .in_text = true, .text_name = "rate", .text_factor = 1.0, .in_table = true, .head = "rate", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "wander_ns", .unit = "ns", .doc = "root mean square of the errors, of late", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_pace, wander_ns), .in_text = true, .text_name = "wander_ns", .text_factor = 1.0, .in_table = true, .head = "wander ns", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "made", .unit = "ns", .doc = "instant of the block that was made last for this connection; -2^63: none", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_pace, made), .in_text = true, .text_name = "made", .text_factor = 1.0, .in_table = true, .head = "made", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "until_air", .unit = "ns", .doc = "how long from now until it is on air; -2^63: the clock does not run, or there is none", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_pace, until_air), .in_text = true, .text_name = "until_air", .text_factor = 1.0, .in_table = true, .head = "until air", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_pace = {"pace", fields_pace, 6, sizeof(orr_msg_pace), false, false};
+
+static orr_wire_status encode_pace(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_pace_encode((const orr_msg_pace *)m, w);
+}
+static orr_wire_status decode_pace(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_pace_decode(payload, size, (orr_msg_pace *)m);
+}
+
 static const orr_message_info messages[] = {
     {"HELLO", ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, true, &record_hello, encode_hello, decode_hello},
     {"CAPS", ORR_MSG_TYPE_CAPS, 0, false, &record_caps, encode_caps, decode_caps},
@@ -896,6 +1027,11 @@ static const orr_message_info messages[] = {
     {"CREDIT", ORR_MSG_TYPE_CREDIT, 0, true, &record_credit, encode_credit, decode_credit},
     {"GAP", ORR_MSG_TYPE_GAP, 0, false, &record_gap, encode_gap, decode_gap},
     {"STREAM_END", ORR_MSG_TYPE_STREAM_END, 0, false, &record_stream_end, encode_stream_end, decode_stream_end},
+    {"CONTROL", ORR_MSG_TYPE_CONTROL, ORR_MSG_TYPE_TIME, true, &record_control, encode_control, decode_control},
+    {"GET_TIME", ORR_MSG_TYPE_GET_TIME, ORR_MSG_TYPE_TIME, true, &record_get_time, encode_get_time, decode_get_time},
+    {"TIME", ORR_MSG_TYPE_TIME, 0, false, &record_time, encode_time, decode_time},
+    {"RADIO_TIME", ORR_MSG_TYPE_RADIO_TIME, ORR_MSG_TYPE_PACE, true, &record_radio_time, encode_radio_time, decode_radio_time},
+    {"PACE", ORR_MSG_TYPE_PACE, 0, false, &record_pace, encode_pace, decode_pace},
 };
 
 const orr_message_info *orr_message_of(uint16_t type)

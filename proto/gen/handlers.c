@@ -95,6 +95,9 @@ bool orr_msg_is_lane(uint16_t type)
     case ORR_MSG_TYPE_SUBSCRIBE:
     case ORR_MSG_TYPE_UNSUBSCRIBE:
     case ORR_MSG_TYPE_CREDIT:
+    case ORR_MSG_TYPE_CONTROL:
+    case ORR_MSG_TYPE_GET_TIME:
+    case ORR_MSG_TYPE_RADIO_TIME:
         return true;
     default: return false;
     }
@@ -104,6 +107,9 @@ uint16_t orr_msg_lane_request(size_t i, uint16_t *answer)
 {
     static const uint16_t lanes[][2] = {
         {ORR_MSG_TYPE_SUBSCRIBE, ORR_MSG_TYPE_SUBSCRIBED},
+        {ORR_MSG_TYPE_CONTROL, ORR_MSG_TYPE_TIME},
+        {ORR_MSG_TYPE_GET_TIME, ORR_MSG_TYPE_TIME},
+        {ORR_MSG_TYPE_RADIO_TIME, ORR_MSG_TYPE_PACE},
     };
     if (i >= sizeof lanes / sizeof lanes[0]) return 0;
     *answer = lanes[i][1];

@@ -31,6 +31,11 @@ const char *orr_msg_type_name(uint16_t type)
     case 23: return "CREDIT";
     case 24: return "GAP";
     case 25: return "STREAM_END";
+    case 26: return "CONTROL";
+    case 27: return "GET_TIME";
+    case 28: return "TIME";
+    case 29: return "RADIO_TIME";
+    case 30: return "PACE";
     default: return NULL;
     }
 }
@@ -51,6 +56,7 @@ const char *orr_msg_error_code_name(uint16_t value)
     case 11: return "TIMEOUT";
     case 12: return "CLOSING";
     case 13: return "INTERNAL";
+    case 14: return "NOT_PERMITTED";
     default: return NULL;
     }
 }
@@ -156,6 +162,51 @@ const char *orr_msg_end_reason_name(uint8_t value)
     case 3: return "SLOW";
     case 4: return "OUTSIDE_SPAN";
     case 5: return "FAILED";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_control_action_name(uint8_t value)
+{
+    switch (value) {
+    case 1: return "LOAD";
+    case 2: return "ARM";
+    case 3: return "WAIT_PPS";
+    case 4: return "START";
+    case 5: return "PAUSE";
+    case 6: return "STOP";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_clock_reference_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "WALL";
+    case 1: return "RADIO";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_clock_state_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "STOPPED";
+    case 1: return "ARMED";
+    case 2: return "WAITING";
+    case 3: return "RUNNING";
+    case 4: return "PAUSED";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_stamp_clock_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "ARRIVAL";
+    case 1: return "MONOTONIC";
+    case 2: return "TAI";
+    case 3: return "REALTIME";
     default: return NULL;
     }
 }
@@ -2967,5 +3018,217 @@ orr_wire_status orr_msg_stream_end_decode(const uint8_t *payload, size_t size, o
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_stream_end(&r, m);
+    return r.status;
+}
+
+static void put_control(orr_wire_writer *w, const orr_msg_control *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 28);
+    if (p == NULL) return;
+    orr_wire_store_u8(p + 0, m->action);
+    orr_wire_store_u8(p + 1, m->reference);
+    orr_wire_store_u16(p + 2, m->reserved);
+    orr_wire_store_i64(p + 4, m->t);
+    orr_wire_store_i64(p + 12, m->at);
+    orr_wire_store_i64(p + 20, m->delay);
+}
+
+static void get_control(orr_wire_reader *r, orr_msg_control *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 28);
+    if (p == NULL) return;
+    m->action = orr_wire_load_u8(p + 0);
+    m->reference = orr_wire_load_u8(p + 1);
+    m->reserved = orr_wire_load_u16(p + 2);
+    m->t = orr_wire_load_i64(p + 4);
+    m->at = orr_wire_load_i64(p + 12);
+    m->delay = orr_wire_load_i64(p + 20);
+}
+
+orr_wire_status orr_msg_control_encode(const orr_msg_control *m, orr_wire_writer *w)
+{
+    put_control(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_control_decode(const uint8_t *payload, size_t size, orr_msg_control *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_control(&r, m);
+    return r.status;
+}
+
+static void put_get_time(orr_wire_writer *w, const orr_msg_get_time *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->reserved);
+}
+
+static void get_get_time(orr_wire_reader *r, orr_msg_get_time *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->reserved = orr_wire_load_u32(p + 0);
+}
+
+orr_wire_status orr_msg_get_time_encode(const orr_msg_get_time *m, orr_wire_writer *w)
+{
+    put_get_time(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_get_time_decode(const uint8_t *payload, size_t size, orr_msg_get_time *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_get_time(&r, m);
+    return r.status;
+}
+
+static void put_time(orr_wire_writer *w, const orr_msg_time *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 118);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u8(p + 8, m->state);
+    orr_wire_store_u8(p + 9, m->reference);
+    orr_wire_store_i32(p + 10, m->week);
+    orr_wire_store_i64(p + 14, m->tow);
+    store_leap_seconds(p + 22, &m->leap);
+    orr_wire_store_i32(p + 34, m->utc_mjd);
+    orr_wire_store_u16(p + 38, m->n4);
+    orr_wire_store_u16(p + 40, m->nt);
+    orr_wire_store_i64(p + 42, m->utc_su);
+    orr_wire_store_i64(p + 50, m->pps0);
+    orr_wire_store_i64(p + 58, m->host);
+    orr_wire_store_i64(p + 66, m->wall);
+    orr_wire_store_f64(p + 74, m->error_ns);
+    orr_wire_store_f64(p + 82, m->rate);
+    orr_wire_store_f64(p + 90, m->wander_ns);
+    orr_wire_store_u64(p + 98, m->samples);
+    orr_wire_store_u32(p + 106, m->steps);
+    orr_wire_store_u32(p + 110, m->suspends);
+    orr_wire_store_u32(p + 114, m->sets);
+}
+
+static void get_time(orr_wire_reader *r, orr_msg_time *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 118);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->state = orr_wire_load_u8(p + 8);
+    m->reference = orr_wire_load_u8(p + 9);
+    m->week = orr_wire_load_i32(p + 10);
+    m->tow = orr_wire_load_i64(p + 14);
+    load_leap_seconds(p + 22, &m->leap);
+    m->utc_mjd = orr_wire_load_i32(p + 34);
+    m->n4 = orr_wire_load_u16(p + 38);
+    m->nt = orr_wire_load_u16(p + 40);
+    m->utc_su = orr_wire_load_i64(p + 42);
+    m->pps0 = orr_wire_load_i64(p + 50);
+    m->host = orr_wire_load_i64(p + 58);
+    m->wall = orr_wire_load_i64(p + 66);
+    m->error_ns = orr_wire_load_f64(p + 74);
+    m->rate = orr_wire_load_f64(p + 82);
+    m->wander_ns = orr_wire_load_f64(p + 90);
+    m->samples = orr_wire_load_u64(p + 98);
+    m->steps = orr_wire_load_u32(p + 106);
+    m->suspends = orr_wire_load_u32(p + 110);
+    m->sets = orr_wire_load_u32(p + 114);
+}
+
+orr_wire_status orr_msg_time_encode(const orr_msg_time *m, orr_wire_writer *w)
+{
+    put_time(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_time_decode(const uint8_t *payload, size_t size, orr_msg_time *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_time(&r, m);
+    return r.status;
+}
+
+static void put_radio_time(orr_wire_writer *w, const orr_msg_radio_time *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 17);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->elapsed);
+    orr_wire_store_i64(p + 8, m->stamp);
+    orr_wire_store_u8(p + 16, m->clock);
+}
+
+static void get_radio_time(orr_wire_reader *r, orr_msg_radio_time *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 17);
+    if (p == NULL) return;
+    m->elapsed = orr_wire_load_i64(p + 0);
+    m->stamp = orr_wire_load_i64(p + 8);
+    m->clock = orr_wire_load_u8(p + 16);
+}
+
+orr_wire_status orr_msg_radio_time_encode(const orr_msg_radio_time *m, orr_wire_writer *w)
+{
+    put_radio_time(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_radio_time_decode(const uint8_t *payload, size_t size, orr_msg_radio_time *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_radio_time(&r, m);
+    return r.status;
+}
+
+static void put_pace(orr_wire_writer *w, const orr_msg_pace *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 48);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_f64(p + 8, m->error_ns);
+    orr_wire_store_f64(p + 16, m->rate);
+    orr_wire_store_f64(p + 24, m->wander_ns);
+    orr_wire_store_i64(p + 32, m->made);
+    orr_wire_store_i64(p + 40, m->until_air);
+}
+
+static void get_pace(orr_wire_reader *r, orr_msg_pace *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 48);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->error_ns = orr_wire_load_f64(p + 8);
+    m->rate = orr_wire_load_f64(p + 16);
+    m->wander_ns = orr_wire_load_f64(p + 24);
+    m->made = orr_wire_load_i64(p + 32);
+    m->until_air = orr_wire_load_i64(p + 40);
+}
+
+orr_wire_status orr_msg_pace_encode(const orr_msg_pace *m, orr_wire_writer *w)
+{
+    put_pace(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_pace_decode(const uint8_t *payload, size_t size, orr_msg_pace *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_pace(&r, m);
     return r.status;
 }

@@ -57,6 +57,11 @@ enum { // message types
     ORR_MSG_TYPE_CREDIT = 23,
     ORR_MSG_TYPE_GAP = 24,
     ORR_MSG_TYPE_STREAM_END = 25,
+    ORR_MSG_TYPE_CONTROL = 26,
+    ORR_MSG_TYPE_GET_TIME = 27,
+    ORR_MSG_TYPE_TIME = 28,
+    ORR_MSG_TYPE_RADIO_TIME = 29,
+    ORR_MSG_TYPE_PACE = 30,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -73,6 +78,7 @@ enum { // error_code (u16): Why a request was refused or a connection is being c
     ORR_MSG_ERROR_CODE_TIMEOUT = 11, // half a frame, or nothing, for longer than the server waits
     ORR_MSG_ERROR_CODE_CLOSING = 12, // the server is shutting down
     ORR_MSG_ERROR_CODE_INTERNAL = 13, // the server failed; its log says how
+    ORR_MSG_ERROR_CODE_NOT_PERMITTED = 14, // clients of this server may read, not control (serve --read-only)
 };
 
 enum { // answer (u8): Whether there are numbers, and if not, why not.
@@ -140,6 +146,35 @@ enum { // end_reason (u8): Why a stream has ended.
     ORR_MSG_END_REASON_FAILED = 5, // the next block could not be made; the sentence says why
 };
 
+enum { // control_action (u8): What is to become of the scenario's clock.
+    ORR_MSG_CONTROL_ACTION_LOAD = 1, // it stands at `t`, where STOP leads back to
+    ORR_MSG_CONTROL_ACTION_ARM = 2, // ready to start at `t`, or where it stands, with the reference that is named
+    ORR_MSG_CONTROL_ACTION_WAIT_PPS = 3, // of an armed one: PPS0 is the next whole second of the reference, and `t` is the scenario's instant there
+    ORR_MSG_CONTROL_ACTION_START = 4, // goes: after WAIT_PPS at PPS0 + delay; else at the wall's instant `at` + delay, or delay from now
+    ORR_MSG_CONTROL_ACTION_PAUSE = 5, // stands where it is
+    ORR_MSG_CONTROL_ACTION_STOP = 6, // stands at its begin
+};
+
+enum { // clock_reference (u8): What paces the scenario's clock.
+    ORR_MSG_CLOCK_REFERENCE_WALL = 0, // the host's clock
+    ORR_MSG_CLOCK_REFERENCE_RADIO = 1, // the generator's elapsed time (RADIO_TIME)
+};
+
+enum { // clock_state (u8): The scenario's clock.
+    ORR_MSG_CLOCK_STATE_STOPPED = 0, // it stands at its begin
+    ORR_MSG_CLOCK_STATE_ARMED = 1, // a start is awaited
+    ORR_MSG_CLOCK_STATE_WAITING = 2, // the start is fixed, or PPS0 is, and to come
+    ORR_MSG_CLOCK_STATE_RUNNING = 3, // it runs
+    ORR_MSG_CLOCK_STATE_PAUSED = 4, // it stands where it was stopped
+};
+
+enum { // stamp_clock (u8): Which clock of the server's host a stamp was read from.
+    ORR_MSG_STAMP_CLOCK_ARRIVAL = 0, // none: the message's arrival counts
+    ORR_MSG_STAMP_CLOCK_MONOTONIC = 1, // CLOCK_MONOTONIC
+    ORR_MSG_STAMP_CLOCK_TAI = 2, // CLOCK_TAI, which PTP may keep on several hosts
+    ORR_MSG_STAMP_CLOCK_REALTIME = 3, // CLOCK_REALTIME, Unix time
+};
+
 // channel_flags (u32): What should be known of a channel.
 #define ORR_MSG_CHANNEL_FLAGS_UNHEALTHY ((uint32_t)(UINT64_C(1) << 0)) // the scenario marks the satellite as not to be used
 #define ORR_MSG_CHANNEL_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 1)) // the satellite is in the umbra or penumbra of the Earth
@@ -184,6 +219,10 @@ const char *orr_msg_tec_origin_name(uint8_t value);
 const char *orr_msg_pacing_name(uint8_t value);
 const char *orr_msg_gap_reason_name(uint8_t value);
 const char *orr_msg_end_reason_name(uint8_t value);
+const char *orr_msg_control_action_name(uint8_t value);
+const char *orr_msg_clock_reference_name(uint8_t value);
+const char *orr_msg_clock_state_name(uint8_t value);
+const char *orr_msg_stamp_clock_name(uint8_t value);
 const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
@@ -989,8 +1028,89 @@ typedef struct orr_msg_stream_end {
 orr_wire_status orr_msg_stream_end_encode(const orr_msg_stream_end *m, orr_wire_writer *w);
 orr_wire_status orr_msg_stream_end_decode(const uint8_t *payload, size_t size, orr_msg_stream_end *m);
 
+// Controls the scenario's clock; answered by what it is then.
+typedef struct orr_msg_control {
+    uint8_t action; // what to do
+    uint8_t reference; // with ARM, and with START of one that was not armed: what paces it
+    uint16_t reserved; // 0
+    int64_t t; // [ns] instant of the scenario; -2^63: where it stands
+    int64_t at; // [ns] with START: the wall's instant (GPS scale) at which it goes; -2^63: at once
+    int64_t delay; // [ns] with START: so much later, 0 to an hour
+} orr_msg_control;
+#define ORR_MSG_CONTROL_SIZE 28u
+#define ORR_MSG_CONTROL_LARGEST 28u
+
+orr_wire_status orr_msg_control_encode(const orr_msg_control *m, orr_wire_writer *w);
+orr_wire_status orr_msg_control_decode(const uint8_t *payload, size_t size, orr_msg_control *m);
+
+// Asks what the scenario's clock shows.
+typedef struct orr_msg_get_time {
+    uint32_t reserved; // 0
+} orr_msg_get_time;
+#define ORR_MSG_GET_TIME_SIZE 4u
+#define ORR_MSG_GET_TIME_LARGEST 4u
+
+orr_wire_status orr_msg_get_time_encode(const orr_msg_get_time *m, orr_wire_writer *w);
+orr_wire_status orr_msg_get_time_decode(const uint8_t *payload, size_t size, orr_msg_get_time *m);
+
+// The scenario's clock at the moment of the answer.
+typedef struct orr_msg_time {
+    int64_t t; // [ns] the scenario's instant; before a start that is fixed it counts down
+    uint8_t state; // whether it runs
+    uint8_t reference; // what paces it
+    int32_t week; // GPS week, unwrapped
+    int64_t tow; // [ns] time of that week
+    orr_msg_leap_seconds leap; // leap seconds in force, and the next change
+    int32_t utc_mjd; // modified Julian day of UTC
+    uint16_t n4; // GLONASS: four-year interval of the day in Moscow; 0 where it has no number
+    uint16_t nt; // and the day in it
+    int64_t utc_su; // [ns] time of the day in Moscow, UTC(SU) + 3 h
+    int64_t pps0; // [ns] the scenario's instant at PPS0; -2^63: none was fixed
+    int64_t host; // [ns] the server's CLOCK_MONOTONIC at this moment
+    int64_t wall; // [ns] the wall's instant at this moment
+    double error_ns; // last RADIO_TIME against what the loop expected
+    double rate; // generator seconds a second of the host, less 1
+    double wander_ns; // root mean square of those errors, of late
+    uint64_t samples; // RADIO_TIMEs since the loop took up its lock
+    uint32_t steps; // how often the generator's time stepped, so that the lock was taken up anew
+    uint32_t suspends; // how often the host was suspended
+    uint32_t sets; // how often the host's wall clock was set
+} orr_msg_time;
+#define ORR_MSG_TIME_SIZE 118u
+#define ORR_MSG_TIME_LARGEST 118u
+
+orr_wire_status orr_msg_time_encode(const orr_msg_time *m, orr_wire_writer *w);
+orr_wire_status orr_msg_time_decode(const uint8_t *payload, size_t size, orr_msg_time *m);
+
+// A generator tells its elapsed time, 1 to 1000 times a second; the scenario's clock follows it.
+typedef struct orr_msg_radio_time {
+    int64_t elapsed; // [ns] its time since its own begin, whose whole seconds are its 1PPS
+    int64_t stamp; // [ns] what a clock of the server's host showed then
+    uint8_t clock; // which clock
+} orr_msg_radio_time;
+#define ORR_MSG_RADIO_TIME_SIZE 17u
+#define ORR_MSG_RADIO_TIME_LARGEST 17u
+
+orr_wire_status orr_msg_radio_time_encode(const orr_msg_radio_time *m, orr_wire_writer *w);
+orr_wire_status orr_msg_radio_time_decode(const uint8_t *payload, size_t size, orr_msg_radio_time *m);
+
+// Where the scenario and its blocks are.
+typedef struct orr_msg_pace {
+    int64_t t; // [ns] the scenario's instant now
+    double error_ns; // this RADIO_TIME against what the loop expected
+    double rate; // generator seconds a second of the host, less 1
+    double wander_ns; // root mean square of the errors, of late
+    int64_t made; // [ns] instant of the block that was made last for this connection; -2^63: none
+    int64_t until_air; // [ns] how long from now until it is on air; -2^63: the clock does not run, or there is none
+} orr_msg_pace;
+#define ORR_MSG_PACE_SIZE 48u
+#define ORR_MSG_PACE_LARGEST 48u
+
+orr_wire_status orr_msg_pace_encode(const orr_msg_pace *m, orr_wire_writer *w);
+orr_wire_status orr_msg_pace_decode(const uint8_t *payload, size_t size, orr_msg_pace *m);
+
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace)
 
 // Room for any of them.
 typedef union orr_msg_any {
@@ -1019,6 +1139,11 @@ typedef union orr_msg_any {
     orr_msg_credit credit;
     orr_msg_gap gap;
     orr_msg_stream_end stream_end;
+    orr_msg_control control;
+    orr_msg_get_time get_time;
+    orr_msg_time time;
+    orr_msg_radio_time radio_time;
+    orr_msg_pace pace;
 } orr_msg_any;
 
 #ifdef __cplusplus

@@ -19,6 +19,7 @@ enums.error_code = {
   [11] = "TIMEOUT",
   [12] = "CLOSING",
   [13] = "INTERNAL",
+  [14] = "NOT_PERMITTED",
 }
 enums.answer = {
   [0] = "OK",
@@ -74,6 +75,31 @@ enums.end_reason = {
   [3] = "SLOW",
   [4] = "OUTSIDE_SPAN",
   [5] = "FAILED",
+}
+enums.control_action = {
+  [1] = "LOAD",
+  [2] = "ARM",
+  [3] = "WAIT_PPS",
+  [4] = "START",
+  [5] = "PAUSE",
+  [6] = "STOP",
+}
+enums.clock_reference = {
+  [0] = "WALL",
+  [1] = "RADIO",
+}
+enums.clock_state = {
+  [0] = "STOPPED",
+  [1] = "ARMED",
+  [2] = "WAITING",
+  [3] = "RUNNING",
+  [4] = "PAUSED",
+}
+enums.stamp_clock = {
+  [0] = "ARRIVAL",
+  [1] = "MONOTONIC",
+  [2] = "TAI",
+  [3] = "REALTIME",
 }
 bitsets.channel_flags = {
   {name = "UNHEALTHY", bit = 0},
@@ -459,6 +485,52 @@ records.stream_end = {fields = {
     {name = "reason", kind = "scalar", scalar = "u8", enum = "end_reason"},
     {name = "sentence", kind = "string", limit = 200},
 }}
+records.control = {size = 28, smallest = 28, fields = {
+    {name = "action", kind = "scalar", scalar = "u8", enum = "control_action"},
+    {name = "reference", kind = "scalar", scalar = "u8", enum = "clock_reference"},
+    {name = "reserved", kind = "scalar", scalar = "u16"},
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "at", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "delay", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+}}
+records.get_time = {size = 4, smallest = 4, fields = {
+    {name = "reserved", kind = "scalar", scalar = "u32"},
+}}
+records.time = {size = 118, smallest = 118, fields = {
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "state", kind = "scalar", scalar = "u8", enum = "clock_state"},
+    {name = "reference", kind = "scalar", scalar = "u8", enum = "clock_reference"},
+    {name = "week", kind = "scalar", scalar = "i32"},
+    {name = "tow", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "leap", kind = "struct", record = "leap_seconds"},
+    {name = "utc_mjd", kind = "scalar", scalar = "i32", unit = "d"},
+    {name = "n4", kind = "scalar", scalar = "u16"},
+    {name = "nt", kind = "scalar", scalar = "u16"},
+    {name = "utc_su", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "pps0", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "host", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "wall", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "error_ns", kind = "scalar", scalar = "f64", unit = "ns"},
+    {name = "rate", kind = "scalar", scalar = "f64"},
+    {name = "wander_ns", kind = "scalar", scalar = "f64", unit = "ns"},
+    {name = "samples", kind = "scalar", scalar = "u64"},
+    {name = "steps", kind = "scalar", scalar = "u32"},
+    {name = "suspends", kind = "scalar", scalar = "u32"},
+    {name = "sets", kind = "scalar", scalar = "u32"},
+}}
+records.radio_time = {size = 17, smallest = 17, fields = {
+    {name = "elapsed", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "stamp", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "clock", kind = "scalar", scalar = "u8", enum = "stamp_clock"},
+}}
+records.pace = {size = 48, smallest = 48, fields = {
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "error_ns", kind = "scalar", scalar = "f64", unit = "ns"},
+    {name = "rate", kind = "scalar", scalar = "f64"},
+    {name = "wander_ns", kind = "scalar", scalar = "f64", unit = "ns"},
+    {name = "made", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "until_air", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+}}
 local messages = {
   [1] = {name = "HELLO", record = "hello", from = "client", answer = "CAPS"},
   [2] = {name = "CAPS", record = "caps", from = "server"},
@@ -485,6 +557,11 @@ local messages = {
   [23] = {name = "CREDIT", record = "credit", from = "client"},
   [24] = {name = "GAP", record = "gap", from = "server"},
   [25] = {name = "STREAM_END", record = "stream_end", from = "server"},
+  [26] = {name = "CONTROL", record = "control", from = "client", answer = "TIME"},
+  [27] = {name = "GET_TIME", record = "get_time", from = "client", answer = "TIME"},
+  [28] = {name = "TIME", record = "time", from = "server"},
+  [29] = {name = "RADIO_TIME", record = "radio_time", from = "client", answer = "PACE"},
+  [30] = {name = "PACE", record = "pace", from = "server"},
 }
 local message_names = {}
 for number, message in pairs(messages) do message_names[number] = message.name end

@@ -131,6 +131,42 @@ orr_wire_status orr_client_credit(orr_client *c, const orr_msg_credit *request)
     return orr_client_send(c, &w, start);
 }
 
+orr_wire_status orr_client_control(orr_client *c, const orr_msg_control *request, orr_msg_time *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_CONTROL, &w, &start);
+    orr_msg_control_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_TIME, &f);
+    return s == ORR_WIRE_OK ? orr_msg_time_decode(f.payload, f.size, answer) : s;
+}
+
+orr_wire_status orr_client_get_time(orr_client *c, const orr_msg_get_time *request, orr_msg_time *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_GET_TIME, &w, &start);
+    orr_msg_get_time_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_TIME, &f);
+    return s == ORR_WIRE_OK ? orr_msg_time_decode(f.payload, f.size, answer) : s;
+}
+
+orr_wire_status orr_client_radio_time(orr_client *c, const orr_msg_radio_time *request, orr_msg_pace *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_RADIO_TIME, &w, &start);
+    orr_msg_radio_time_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_PACE, &f);
+    return s == ORR_WIRE_OK ? orr_msg_pace_decode(f.payload, f.size, answer) : s;
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)
 {
     orr_frame f;

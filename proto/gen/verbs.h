@@ -40,6 +40,12 @@ orr_wire_status orr_client_subscribe(orr_client *c, const orr_msg_subscribe *req
 orr_wire_status orr_client_unsubscribe(orr_client *c, const orr_msg_unsubscribe *request);
 // Lets a stream send so many blocks more. Of a stream that has ended already it is passed over.
 orr_wire_status orr_client_credit(orr_client *c, const orr_msg_credit *request);
+// Controls the scenario's clock; answered by what it is then.
+orr_wire_status orr_client_control(orr_client *c, const orr_msg_control *request, orr_msg_time *answer);
+// Asks what the scenario's clock shows.
+orr_wire_status orr_client_get_time(orr_client *c, const orr_msg_get_time *request, orr_msg_time *answer);
+// A generator tells its elapsed time, 1 to 1000 times a second; the scenario's clock follows it.
+orr_wire_status orr_client_radio_time(orr_client *c, const orr_msg_radio_time *request, orr_msg_pace *answer);
 
 // Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);

@@ -117,6 +117,22 @@ class Client(Verbs):
             raise
         return Stream(self, number, told, request, credit if window is None else window)
 
+    def time(self) -> messages.Time:
+        """What the scenario's clock shows."""
+        return self._ask(messages.GetTime(), messages.Time)
+
+    def control(self, action: Union[messages.ControlAction, str], t: Optional[Time] = None, at: Optional[Time] = None,
+                delay_s: float = 0.0, reference: Union[messages.ClockReference, str] = messages.ClockReference.WALL) -> messages.Time:
+        """Controls the scenario's clock: "load", "arm", "wait_pps", "start", "pause", "stop" (CONTROL in docs/protocol.md)."""
+        asked = messages.Control(choice(messages.ControlAction, action), choice(messages.ClockReference, reference), 0,
+                                 NONE if t is None else time_tag(t), NONE if at is None else time_tag(at), step_ns(delay_s))
+        return self._ask(asked, messages.Time)
+
+    def radio_time(self, elapsed_ns: int, stamp_ns: int = 0,
+                   clock: Union[messages.StampClock, str] = messages.StampClock.ARRIVAL) -> messages.Pace:
+        """Tells the generator's elapsed time, and what a clock of the server's host showed then."""
+        return self._ask(messages.RadioTime(elapsed_ns, stamp_ns, choice(messages.StampClock, clock)), messages.Pace)
+
     def _series(self, request: Request, reply: Type[A], count: int) -> Iterator[A]:
         if count < 0:
             raise ValueError(f"a series of {count} epochs")

@@ -40,6 +40,7 @@ class ErrorCode(WireEnum):
     TIMEOUT = 11  # half a frame, or nothing, for longer than the server waits
     CLOSING = 12  # the server is shutting down
     INTERNAL = 13  # the server failed; its log says how
+    NOT_PERMITTED = 14  # clients of this server may read, not control (serve --read-only)
 
     @property
     def closes(self) -> bool:
@@ -130,6 +131,43 @@ class EndReason(WireEnum):
     SLOW = 3  # its blocks were not taken although there was credit; other streams and clients do not wait for it
     OUTSIDE_SPAN = 4  # what is served ends there
     FAILED = 5  # the next block could not be made; the sentence says why
+
+
+class ControlAction(WireEnum):
+    """What is to become of the scenario's clock."""
+
+    LOAD = 1  # it stands at `t`, where STOP leads back to
+    ARM = 2  # ready to start at `t`, or where it stands, with the reference that is named
+    WAIT_PPS = 3  # of an armed one: PPS0 is the next whole second of the reference, and `t` is the scenario's instant there
+    START = 4  # goes: after WAIT_PPS at PPS0 + delay; else at the wall's instant `at` + delay, or delay from now
+    PAUSE = 5  # stands where it is
+    STOP = 6  # stands at its begin
+
+
+class ClockReference(WireEnum):
+    """What paces the scenario's clock."""
+
+    WALL = 0  # the host's clock
+    RADIO = 1  # the generator's elapsed time (RADIO_TIME)
+
+
+class ClockState(WireEnum):
+    """The scenario's clock."""
+
+    STOPPED = 0  # it stands at its begin
+    ARMED = 1  # a start is awaited
+    WAITING = 2  # the start is fixed, or PPS0 is, and to come
+    RUNNING = 3  # it runs
+    PAUSED = 4  # it stands where it was stopped
+
+
+class StampClock(WireEnum):
+    """Which clock of the server's host a stamp was read from."""
+
+    ARRIVAL = 0  # none: the message's arrival counts
+    MONOTONIC = 1  # CLOCK_MONOTONIC
+    TAI = 2  # CLOCK_TAI, which PTP may keep on several hosts
+    REALTIME = 3  # CLOCK_REALTIME, Unix time
 
 
 class ChannelFlags(enum.IntFlag):
@@ -1737,6 +1775,174 @@ class StreamEnd(Record):
     sentence: str = ""
 
 
+@dataclasses.dataclass(eq=False, slots=True)
+class Control(Record):
+    """Controls the scenario's clock; answered by what it is then.
+
+    action: what to do
+    reference: with ARM, and with START of one that was not armed: what paces it
+    reserved: 0
+    t [ns]: instant of the scenario; -2^63: where it stands
+    at [ns]: with START: the wall's instant (GPS scale) at which it goes; -2^63: at once
+    delay [ns]: with START: so much later, 0 to an hour
+    """
+
+    TYPE: ClassVar[int] = 26
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("action", "scalar", scalar="u8", enum=ControlAction),
+        Field("reference", "scalar", scalar="u8", enum=ClockReference),
+        Field("reserved", "scalar", scalar="u16"),
+        Field("t", "scalar", scalar="i64"),
+        Field("at", "scalar", scalar="i64"),
+        Field("delay", "scalar", scalar="i64"),
+    )
+
+    action: ControlAction = ControlAction(0)
+    reference: ClockReference = ClockReference(0)
+    reserved: int = 0
+    t: int = 0
+    at: int = 0
+    delay: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class GetTime(Record):
+    """Asks what the scenario's clock shows.
+
+    reserved: 0
+    """
+
+    TYPE: ClassVar[int] = 27
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("reserved", "scalar", scalar="u32"),
+    )
+
+    reserved: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Time(Record):
+    """The scenario's clock at the moment of the answer.
+
+    t [ns]: the scenario's instant; before a start that is fixed it counts down
+    state: whether it runs
+    reference: what paces it
+    week: GPS week, unwrapped
+    tow [ns]: time of that week
+    leap: leap seconds in force, and the next change
+    utc_mjd [d]: modified Julian day of UTC
+    n4: GLONASS: four-year interval of the day in Moscow; 0 where it has no number
+    nt: and the day in it
+    utc_su [ns]: time of the day in Moscow, UTC(SU) + 3 h
+    pps0 [ns]: the scenario's instant at PPS0; -2^63: none was fixed
+    host [ns]: the server's CLOCK_MONOTONIC at this moment
+    wall [ns]: the wall's instant at this moment
+    error_ns [ns]: last RADIO_TIME against what the loop expected
+    rate: generator seconds a second of the host, less 1
+    wander_ns [ns]: root mean square of those errors, of late
+    samples: RADIO_TIMEs since the loop took up its lock
+    steps: how often the generator's time stepped, so that the lock was taken up anew
+    suspends: how often the host was suspended
+    sets: how often the host's wall clock was set
+    """
+
+    TYPE: ClassVar[int] = 28
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("t", "scalar", scalar="i64"),
+        Field("state", "scalar", scalar="u8", enum=ClockState),
+        Field("reference", "scalar", scalar="u8", enum=ClockReference),
+        Field("week", "scalar", scalar="i32"),
+        Field("tow", "scalar", scalar="i64"),
+        Field("leap", "struct", record=LeapSeconds),
+        Field("utc_mjd", "scalar", scalar="i32"),
+        Field("n4", "scalar", scalar="u16"),
+        Field("nt", "scalar", scalar="u16"),
+        Field("utc_su", "scalar", scalar="i64"),
+        Field("pps0", "scalar", scalar="i64"),
+        Field("host", "scalar", scalar="i64"),
+        Field("wall", "scalar", scalar="i64"),
+        Field("error_ns", "scalar", scalar="f64"),
+        Field("rate", "scalar", scalar="f64"),
+        Field("wander_ns", "scalar", scalar="f64"),
+        Field("samples", "scalar", scalar="u64"),
+        Field("steps", "scalar", scalar="u32"),
+        Field("suspends", "scalar", scalar="u32"),
+        Field("sets", "scalar", scalar="u32"),
+    )
+
+    t: int = 0
+    state: ClockState = ClockState(0)
+    reference: ClockReference = ClockReference(0)
+    week: int = 0
+    tow: int = 0
+    leap: LeapSeconds = dataclasses.field(default_factory=LeapSeconds)
+    utc_mjd: int = 0
+    n4: int = 0
+    nt: int = 0
+    utc_su: int = 0
+    pps0: int = 0
+    host: int = 0
+    wall: int = 0
+    error_ns: float = 0.0
+    rate: float = 0.0
+    wander_ns: float = 0.0
+    samples: int = 0
+    steps: int = 0
+    suspends: int = 0
+    sets: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class RadioTime(Record):
+    """A generator tells its elapsed time, 1 to 1000 times a second; the scenario's clock follows it.
+
+    elapsed [ns]: its time since its own begin, whose whole seconds are its 1PPS
+    stamp [ns]: what a clock of the server's host showed then
+    clock: which clock
+    """
+
+    TYPE: ClassVar[int] = 29
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("elapsed", "scalar", scalar="i64"),
+        Field("stamp", "scalar", scalar="i64"),
+        Field("clock", "scalar", scalar="u8", enum=StampClock),
+    )
+
+    elapsed: int = 0
+    stamp: int = 0
+    clock: StampClock = StampClock(0)
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Pace(Record):
+    """Where the scenario and its blocks are.
+
+    t [ns]: the scenario's instant now
+    error_ns [ns]: this RADIO_TIME against what the loop expected
+    rate: generator seconds a second of the host, less 1
+    wander_ns [ns]: root mean square of the errors, of late
+    made [ns]: instant of the block that was made last for this connection; -2^63: none
+    until_air [ns]: how long from now until it is on air; -2^63: the clock does not run, or there is none
+    """
+
+    TYPE: ClassVar[int] = 30
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("t", "scalar", scalar="i64"),
+        Field("error_ns", "scalar", scalar="f64"),
+        Field("rate", "scalar", scalar="f64"),
+        Field("wander_ns", "scalar", scalar="f64"),
+        Field("made", "scalar", scalar="i64"),
+        Field("until_air", "scalar", scalar="i64"),
+    )
+
+    t: int = 0
+    error_ns: float = 0.0
+    rate: float = 0.0
+    wander_ns: float = 0.0
+    made: int = 0
+    until_air: int = 0
+
+
 MESSAGES: dict[int, Type[Record]] = {
     1: Hello,
     2: Caps,
@@ -1763,4 +1969,9 @@ MESSAGES: dict[int, Type[Record]] = {
     23: Credit,
     24: Gap,
     25: StreamEnd,
+    26: Control,
+    27: GetTime,
+    28: Time,
+    29: RadioTime,
+    30: Pace,
 }

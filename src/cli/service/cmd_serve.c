@@ -40,21 +40,34 @@ typedef struct serving {
     orr_log log;
 } serving;
 
-// The scenario's clock shows its first instant when the service can be reached.
-static void start_clock(serving *v)
+// Where the scenario's clock begins: --from, else the first instant that is served.
+static orr_time begin_of(const serving *v)
 {
     orr_time first, last;
-    orr_clock clock = {.state = ORR_CLOCK_STOPPED};
     orr_engine_span(v->engine, &first, &last);
-    orr_clock_start(&clock, orr_streams_now_ns(v->streams), first);
-    orr_streams_set_clock(v->streams, &clock);
+    return orr_cli_time(v->c, "from", first);
+}
+
+// The scenario's clock goes: at an instant of the wall, or at once.
+static orr_status start_clock(const serving *v, orr_time at, orr_diag *diag)
+{
+    const orr_msg_control m = {.action = ORR_MSG_CONTROL_ACTION_START, .t = ORR_TIME_NONE, .at = at};
+    orr_msg_time told;
+    orr_server_refusal why;
+    if (orr_streams_control(v->streams, &m, &told, &why) == 0) return ORR_OK;
+    return orr_diag_set(diag, ORR_E_ARG, "--start: %s", why.sentence);
+}
+
+static bool starts_at_once(const serving *v)
+{
+    return strcmp(orr_cli_text(v->c, "start", "now"), "now") == 0;
 }
 
 // What is told once the service can be reached; scripts wait for this line, so --quiet does not silence it.
 static void say_ready(void *user)
 {
     serving *v = user;
-    start_clock(v);
+    if (starts_at_once(v)) (void)start_clock(v, ORR_TIME_NONE, NULL); // it stands, so it can
     char text[1200], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     const orr_sat *sats;
     orr_time t0, t1;
@@ -85,6 +98,7 @@ static orr_status listen_on(serving *v, orr_diag *diag)
     for (size_t i = 0; i < n; i++) v->url[i] = orr_cli_text_at(v->c, "listen", i);
     options.url = n > 0 ? v->url : (const char *const *)listen->item;
     options.n_urls = n > 0 ? n : listen->n;
+    options.read_only = orr_cli_given(v->c, "read-only");
     options.max_clients = (int)orr_cli_int(v->c, "max-clients", options.max_clients);
     return orr_service_open(&options, NULL, &v->log, &v->service, diag);
 }
@@ -105,7 +119,7 @@ static orr_status check_kind(const char *path, orr_diag *diag)
                        orr_kind_name(kind));
 }
 
-// Streams, made by a thread of their own. The scenario's clock begins at the first instant.
+// Streams, made by a thread of their own, and the scenario's clock.
 static orr_status open_streams(serving *v, orr_diag *diag)
 {
     orr_status s = orr_answers_open(v->engine, &v->maker, diag);
@@ -113,12 +127,19 @@ static orr_status open_streams(serving *v, orr_diag *diag)
     const orr_streams_options o = {.maker = orr_answers_server(v->maker),
                                    .wake = orr_service_wake,
                                    .wake_user = v->service,
+                                   .begin = begin_of(v),
+                                   .leap = v->c->leap,
                                    .priority = (int)orr_cli_int(v->c, "priority", 0),
                                    .processor = (int)orr_cli_int(v->c, "processor", -1),
                                    .lock_memory = orr_cli_given(v->c, "lock-memory")};
     s = orr_streams_open(&o, &v->streams, diag);
-    if (s == ORR_OK) orr_service_stream(v->service, v->streams);
-    return s;
+    if (s != ORR_OK) return s;
+    orr_service_stream(v->service, v->streams);
+    const char *when = orr_cli_text(v->c, "start", "now");
+    orr_time at;
+    if (starts_at_once(v) || strcmp(when, "command") == 0) return ORR_OK;
+    s = orr_time_parse(when, v->c->leap, &at, diag);
+    return s == ORR_OK ? start_clock(v, at, diag) : s;
 }
 
 static orr_status prepare(serving *v, const char *path, orr_diag *diag)
@@ -188,6 +209,19 @@ static const orr_option options[] = {
      .help =
          "Largest number of clients at once. One more takes the place of the one that has been idle longest, "
          "or is answered BUSY. 256 by default."},
+    {.name = "from",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "Where the scenario's clock begins; the first instant served by default."},
+    {.name = "start",
+     .kind = ORR_OPT_TEXT,
+     .value = "WHEN",
+     .help = "When the scenario's clock goes, by which streams are paced: now (when the service is ready; "
+             "the default), command "
+             "(when a client says so), or an instant of the wall's clock (2026-03-01T12:00:00Z)."},
+    {.name = "read-only",
+     .kind = ORR_OPT_FLAG,
+     .help = "Clients may read; what controls the clock or sends motion is refused."},
     {.name = "priority",
      .kind = ORR_OPT_INT,
      .value = "P",

@@ -3,28 +3,13 @@
 
 #include "core/nan.h"
 #include "src/service/answers/answers_private.h"
+#include "src/service/live/pace.h"
 
 _Static_assert((int)ORR_RECEIVER_NONE == ORR_MSG_RECEIVER_SOURCE_NONE &&
                    (int)ORR_RECEIVER_PLACE == ORR_MSG_RECEIVER_SOURCE_POSITION &&
                    (int)ORR_RECEIVER_UNIT == ORR_MSG_RECEIVER_SOURCE_TRAJECTORY &&
                    (int)ORR_RECEIVER_STATION == ORR_MSG_RECEIVER_SOURCE_STATION,
                "the engine's kinds of receiver are the wire's");
-
-// The leap seconds around an instant. A change beyond the end of the table is not known.
-static orr_msg_leap_seconds leap_seconds(orr_time t, const orr_leap_table *table)
-{
-    const int tai_gps_s = 19;
-    int now = orr_leap_tai_minus_utc(t, table) - tai_gps_s;
-    orr_msg_leap_seconds leap = {(int16_t)now, (int16_t)now, ORR_TIME_NONE};
-    for (size_t i = 0; i < table->n; i++) {
-        orr_time begin = orr_time_from_mjd(table->entry[i].mjd, 0, ORR_SCALE_UTC, table);
-        if (begin <= t) continue;
-        leap.next = begin;
-        leap.next_gps_utc_s = (int16_t)(table->entry[i].tai_minus_utc_s - tai_gps_s);
-        break;
-    }
-    return leap;
-}
 
 // The receiver of a POLL_DELAYS that names none.
 static void fill_receiver(const orr_engine *e, orr_time t, orr_msg_caps *caps)
@@ -63,7 +48,7 @@ void orr_answers_caps(void *user, orr_msg_caps *caps)
     caps->version = orr_wire_text(ORR_VERSION);
     caps->title = orr_wire_text(orr_engine_title(e));
     caps->frame = orr_wire_text(orr_engine_frame(e));
-    caps->leap = leap_seconds(caps->span.first, orr_engine_leap(e));
+    caps->leap = orr_pace_leap(caps->span.first, orr_engine_leap(e));
     if (orr_engine_no_navdata(e) == NULL)
         caps->navdata_point = orr_engine_navdata_phase_centres(e) ? ORR_MSG_ORBIT_POINT_PHASE_CENTRE
                                                                   : ORR_MSG_ORBIT_POINT_CENTRE_OF_MASS;

@@ -58,10 +58,10 @@ static bool has_ended(orr_stream *x)
 // A stream that follows the clock.
 static need look_paced(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *when_ns)
 {
-    if (s->clock.state != ORR_CLOCK_RUNNING) return NEED_NOTHING;
+    if (s->pace.clock.state != ORR_CLOCK_RUNNING) return NEED_NOTHING;
     for (;;) {
         if (has_ended(x)) return NEED_ENDING;
-        const int64_t air_ns = orr_clock_when(&s->clock, x->next);
+        const int64_t air_ns = orr_clock_when(&s->pace.clock, x->next);
         *when_ns = orr_time_add(air_ns, -x->lead_ns);
         if (now_ns < *when_ns) return NEED_LATER;
         if (x->credit == 0) { // what passes meanwhile is told when there is credit
@@ -78,7 +78,7 @@ static need look_paced(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *w
             streams_finish(x, ORR_MSG_END_REASON_SLOW, "its blocks were not taken although there was credit");
             return NEED_ENDING;
         }
-        skip_to(x, orr_clock_at(&s->clock, now_ns),
+        skip_to(x, orr_clock_at(&s->pace.clock, now_ns),
                 x->dry ? ORR_MSG_GAP_REASON_CREDIT : ORR_MSG_GAP_REASON_LATE);
         if (x->step_ns == 0) return NEED_NOW;
     }
@@ -156,6 +156,7 @@ static void deliver(orr_stream *x, orr_payload *b)
     }
     b->owners++;
     streams_push(x, b);
+    x->made = x->next;
     x->next = next;
     x->dry = false;
     x->credit--;

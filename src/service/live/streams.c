@@ -18,12 +18,34 @@ enum { MOST_POLL = 16384 };
 static const int64_t SHORTEST_NS = 1000000, LONGEST_NS = 60 * ORR_NS_PER_S, LONGEST_IMU_NS = ORR_NS_PER_S,
                      LONGEST_LEAD_NS = 60 * ORR_NS_PER_S;
 
-int64_t orr_streams_now_ns(const orr_streams *s)
+static int64_t ns_of(clockid_t clock)
 {
-    if (s->options.clock_ns != NULL) return s->options.clock_ns(s->options.clock_user);
     struct timespec ts;
-    clock_gettime(CLOCK_MONOTONIC, &ts);
+    clock_gettime(clock, &ts);
     return (int64_t)ts.tv_sec * ORR_NS_PER_S + ts.tv_nsec;
+}
+
+static orr_host host_of(const orr_streams *s)
+{
+    orr_host h;
+    if (s->options.host != NULL)
+        s->options.host(s->options.host_user, &h);
+    else
+        h = (orr_host){ns_of(CLOCK_MONOTONIC), ns_of(CLOCK_BOOTTIME), ns_of(CLOCK_REALTIME),
+                       ns_of(CLOCK_TAI)};
+    return h;
+}
+
+// Whether the host was suspended or its clock set, a few times a second.
+static void compare_clocks(orr_streams *s, int64_t now_ns)
+{
+    static const int64_t every_ns = ORR_NS_PER_S / 5;
+    if (s->looked_ns != 0 && now_ns - s->looked_ns < every_ns) return;
+    const orr_host h = host_of(s);
+    pthread_mutex_lock(&s->lock);
+    orr_pace_host(&s->pace, &h);
+    pthread_mutex_unlock(&s->lock);
+    s->looked_ns = now_ns;
 }
 
 static void *run(void *user)
@@ -31,10 +53,12 @@ static void *run(void *user)
     orr_streams *s = user;
     prctl(PR_SET_TIMERSLACK, 1UL); // wakes when it asked to, not up to 50 us later
     for (;;) {
-        const int64_t next_ns = orr_streams_turn(s, orr_streams_now_ns(s));
+        const int64_t begin_ns = ns_of(CLOCK_MONOTONIC);
+        compare_clocks(s, begin_ns);
+        const int64_t next_ns = orr_streams_turn(s, begin_ns);
         pthread_mutex_lock(&s->lock);
         const bool stop = s->stop;
-        const int64_t now_ns = orr_streams_now_ns(s);
+        const int64_t now_ns = ns_of(CLOCK_MONOTONIC);
         // What has changed since the turn began has signalled to nobody.
         if (!stop && !s->changed_since && next_ns > now_ns) {
             const int64_t until = next_ns - now_ns > ORR_NS_PER_S ? now_ns + ORR_NS_PER_S : next_ns;
@@ -94,6 +118,7 @@ orr_status orr_streams_open(const orr_streams_options *options, orr_streams **ou
     orr_streams *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     s->options = *options;
+    orr_pace_init(&s->pace, options->begin, options->leap);
     pthread_condattr_t attr;
     pthread_condattr_init(&attr);
     pthread_condattr_setclock(&attr, CLOCK_MONOTONIC);
@@ -106,7 +131,7 @@ orr_status orr_streams_open(const orr_streams_options *options, orr_streams **ou
     orr_status status = ORR_OK;
     if (s->room == NULL || s->stream == NULL || s->made_poll == NULL)
         status = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    else if (options->clock_ns == NULL)
+    else if (options->host == NULL)
         status = start_thread(s, diag);
     if (status != ORR_OK) {
         orr_streams_close(s);
@@ -149,20 +174,44 @@ void orr_streams_close(orr_streams *s)
     free(s);
 }
 
-orr_clock orr_streams_clock(orr_streams *s)
+uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_time *told,
+                             orr_server_refusal *why)
 {
+    const orr_host h = host_of(s);
     pthread_mutex_lock(&s->lock);
-    const orr_clock clock = s->clock;
-    pthread_mutex_unlock(&s->lock);
-    return clock;
-}
-
-void orr_streams_set_clock(orr_streams *s, const orr_clock *clock)
-{
-    pthread_mutex_lock(&s->lock);
-    s->clock = *clock;
+    const uint16_t code = orr_pace_control(&s->pace, &h, m, why);
+    orr_pace_time(&s->pace, &h, told);
     changed(s);
     pthread_mutex_unlock(&s->lock);
+    return code;
+}
+
+uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time made, orr_msg_pace *told,
+                           orr_server_refusal *why)
+{
+    const orr_host h = host_of(s);
+    pthread_mutex_lock(&s->lock);
+    const uint16_t code = orr_pace_radio(&s->pace, &h, m, why);
+    orr_pace_told(&s->pace, &h, made, told);
+    changed(s);
+    pthread_mutex_unlock(&s->lock);
+    return code;
+}
+
+void orr_streams_time(orr_streams *s, orr_msg_time *told)
+{
+    const orr_host h = host_of(s);
+    pthread_mutex_lock(&s->lock);
+    orr_pace_time(&s->pace, &h, told);
+    pthread_mutex_unlock(&s->lock);
+}
+
+orr_time orr_stream_made(orr_stream *x)
+{
+    pthread_mutex_lock(&x->all->lock);
+    const orr_time made = x->made;
+    pthread_mutex_unlock(&x->all->lock);
+    return made;
 }
 
 static uint16_t wrong(orr_server_refusal *why, uint16_t code, const char *sentence)
@@ -213,8 +262,9 @@ static uint16_t find_first(orr_streams *s, orr_stream *x, orr_msg_span span, orr
     if (t == ORR_TIME_NONE) {
         t = span.first;
         if (x->pacing == ORR_MSG_PACING_CLOCK) {
-            const orr_clock clock = orr_streams_clock(s);
-            t = orr_time_add(orr_clock_at(&clock, orr_streams_now_ns(s)), x->lead_ns);
+            orr_msg_time now;
+            orr_streams_time(s, &now);
+            t = orr_time_add(now.t, x->lead_ns);
             if (x->step_ns > 0)
                 t = orr_time_add(t, x->step_ns - 1 - orr_floor_mod(orr_time_add(t, -1), x->step_ns));
             if (t < span.first) t = span.first;
@@ -261,6 +311,7 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
         return wrong(why, ORR_MSG_ERROR_CODE_INTERNAL, "out of memory");
     }
     x->all = s;
+    x->made = ORR_TIME_NONE;
     x->owner = owner;
     x->poll_size = m->poll.size;
     if (m->poll.size > 0) memcpy(x->poll, m->poll.data, m->poll.size);

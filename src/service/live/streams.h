@@ -8,7 +8,7 @@
 #include "core/status.h"
 #include "proto/server.h"
 #include "src/service/live/blocks.h"
-#include "src/service/live/clock.h"
+#include "src/service/live/pace.h"
 
 enum {
     ORR_STREAM_QUEUE = 512,           // blocks that wait to be sent, at most
@@ -28,12 +28,14 @@ typedef struct orr_streams_options {
     // Called by the thread when there is something to send (orr_streams_ready), without a lock held.
     void (*wake)(void *user);
     void *wake_user;
-    int64_t (*clock_ns)(
-        void *user); // monotonic; NULL: the machine's. With it there is no thread: orr_streams_turn
-    void *clock_user;
-    int priority;     // SCHED_FIFO of the thread; 0: an ordinary one
-    int processor;    // that it runs on; negative: any
-    bool lock_memory; // all pages of the process stay in memory
+    void (*host)(void *user,
+                 orr_host *out); // NULL: the machine's clocks. With it there is no thread: orr_streams_turn
+    void *host_user;
+    orr_time begin;             // where the scenario's clock stands at first
+    const orr_leap_table *leap; // NULL: the one built in
+    int priority;               // SCHED_FIFO of the thread; 0: an ordinary one
+    int processor;              // that it runs on; negative: any
+    bool lock_memory;           // all pages of the process stay in memory
 } orr_streams_options;
 
 // Prepares, and starts the thread. Errors: ORR_E_MEMORY; ORR_E_IO (the machine does not allow priority, processor or locked
@@ -48,12 +50,21 @@ void orr_streams_close(orr_streams *s);
 // now_ns or earlier where there is more to do. For tests with clocks of their own; the thread calls it otherwise.
 int64_t orr_streams_turn(orr_streams *s, int64_t now_ns);
 
-// The scenario's clock as it is.
-orr_clock orr_streams_clock(orr_streams *s);
-// Sets it; streams that are paced by it are looked at anew.
-void orr_streams_set_clock(orr_streams *s, const orr_clock *clock);
-// What the host's clock shows.
-int64_t orr_streams_now_ns(const orr_streams *s);
+// CONTROL, with its answer; 0 or an ORR_MSG_ERROR_CODE. Streams that follow the clock are looked at anew.
+uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_time *told,
+                             orr_server_refusal *why);
+// RADIO_TIME, likewise.
+// Given:
+//   s     the streams
+//   m     what the generator tells
+//   made  as of orr_pace_told
+// Returned:
+//   told  the answer
+//   why   the sentence of a refusal
+uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time made, orr_msg_pace *told,
+                           orr_server_refusal *why);
+// What TIME says.
+void orr_streams_time(orr_streams *s, orr_msg_time *told);
 
 // Begins a stream.
 // Given:
@@ -73,6 +84,8 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
 void orr_stream_credit(orr_stream *x, uint32_t blocks);
 // Ends it as its client wishes: what waits is let go, STREAM_END comes next.
 void orr_stream_end(orr_stream *x);
+// Instant of its last block; ORR_TIME_NONE: none was made.
+orr_time orr_stream_made(orr_stream *x);
 // Forgets it, whatever waits.
 void orr_stream_close(orr_stream *x);
 // The owner of a stream that has something to send and was not told since it was last empty; NULL: none.

@@ -23,7 +23,8 @@ struct orr_stream {
     orr_time next;
     uint64_t left; // blocks; UINT64_MAX: no end
     uint64_t credit;
-    bool dry; // it had no credit when a block was due
+    orr_time made; // instant of the last block; ORR_TIME_NONE: none
+    bool dry;      // it had no credit when a block was due
     bool ended, closed, making;
     orr_payload *queue[ORR_STREAM_QUEUE + 2]; // two more for a GAP and the STREAM_END
     size_t head, n, bytes;
@@ -39,7 +40,8 @@ struct orr_streams {
     bool has_thread, stop;
     bool told;          // something has been listed since the last wake
     bool changed_since; // something that the thread waits for, since it last looked
-    orr_clock clock;
+    orr_pace pace;
+    int64_t looked_ns; // when the host's clocks were compared last
     orr_payloads payloads;
     orr_stream **stream; // all that are not closed, and closed ones that are being made
     size_t n, turn;      // turn: of the streams that are made as fast as they are taken

@@ -415,7 +415,8 @@ orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer)
     c->conn.can_grow = true;
     c->conn.over = turn_over;
     c->conn.owner = c;
-    c->lanes = (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c};
+    c->lanes =
+        (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c, .read_only = s->options.read_only};
     c->on_read = event_new(s->base, fd, EV_READ | EV_PERSIST, on_read, c);
     c->on_write = event_new(s->base, fd, EV_WRITE | EV_PERSIST, on_write, c);
     c->last_ns = orr_service_clock_ns(s);

@@ -45,7 +45,6 @@ static bool subscribe(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
     orr_server_refusal why = {""};
     uint8_t data[64];
     orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
-    if (out->capacity - out->size < ORR_FRAME_OVERHEAD + ORR_SERVER_SENTENCE + 16) return false;
     const orr_wire_status decoded = orr_msg_subscribe_decode(f->payload, f->size, &m);
     if (decoded != ORR_WIRE_OK) {
         snprintf(why.sentence, sizeof why.sentence, "SUBSCRIBE: %s", orr_wire_status_text(decoded));
@@ -75,12 +74,11 @@ static orr_stream *find(const orr_lanes *l, uint32_t id, bool *unknown)
     return k < l->n ? l->stream[k] : NULL;
 }
 
-bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+static bool take_credit(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
 {
     orr_stream *x = NULL;
     bool unknown = false;
-    orr_wire_status decoded = ORR_WIRE_OK;
-    if (f->type == ORR_MSG_TYPE_SUBSCRIBE) return subscribe(l, f, out);
+    orr_wire_status decoded;
     if (f->type == ORR_MSG_TYPE_CREDIT) {
         orr_msg_credit m;
         decoded = orr_msg_credit_decode(f->payload, f->size, &m);
@@ -96,6 +94,58 @@ bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
         return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
     return !unknown ||
            put_error(out, f, ORR_MSG_ERROR_CODE_BAD_REQUEST, "this connection has no stream of that number");
+}
+
+// Messages of the clock: each is answered by one that fits into a small room.
+static bool take_time(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    uint8_t data[256];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    orr_server_refusal why = {""};
+    uint16_t code = 0, answer = ORR_MSG_TYPE_TIME;
+    orr_wire_status decoded = ORR_WIRE_OK;
+    orr_msg_time told;
+    if (f->type == ORR_MSG_TYPE_GET_TIME) {
+        orr_streams_time(l->streams, &told);
+        orr_msg_time_encode(&told, &w);
+        return put_frame(out, answer, f->sequence, data, w.size);
+    }
+    if (l->read_only)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_PERMITTED,
+                         "clients of this server may read, not control (serve --read-only)");
+    if (f->type == ORR_MSG_TYPE_CONTROL) {
+        orr_msg_control m;
+        decoded = orr_msg_control_decode(f->payload, f->size, &m);
+        if (decoded == ORR_WIRE_OK) code = orr_streams_control(l->streams, &m, &told, &why);
+        if (decoded == ORR_WIRE_OK) orr_msg_time_encode(&told, &w);
+    } else {
+        orr_msg_radio_time m;
+        orr_msg_pace pace;
+        answer = ORR_MSG_TYPE_PACE;
+        decoded = orr_msg_radio_time_decode(f->payload, f->size, &m);
+        const orr_time made = l->n > 0 ? orr_stream_made(l->stream[0]) : ORR_TIME_NONE;
+        if (decoded == ORR_WIRE_OK) code = orr_streams_radio(l->streams, &m, made, &pace, &why);
+        if (decoded == ORR_WIRE_OK) orr_msg_pace_encode(&pace, &w);
+    }
+    if (decoded != ORR_WIRE_OK)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
+    if (code != 0) return put_error(out, f, code, why.sentence);
+    return put_frame(out, answer, f->sequence, data, w.size);
+}
+
+bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    // Room for whatever is to be said at once, so that nothing is done twice.
+    if (out->capacity - out->size < ORR_FRAME_OVERHEAD + ORR_SERVER_SENTENCE + 64) return false;
+    switch (f->type) {
+    case ORR_MSG_TYPE_SUBSCRIBE:
+        return subscribe(l, f, out);
+    case ORR_MSG_TYPE_CREDIT:
+    case ORR_MSG_TYPE_UNSUBSCRIBE:
+        return take_credit(l, f, out);
+    default:
+        return take_time(l, f, out);
+    }
 }
 
 static void drop(orr_lanes *l, size_t k)

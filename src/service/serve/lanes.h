@@ -7,11 +7,12 @@
 
 enum { ORR_LANES_MOST = 32, ORR_LANES_ENDED = 64 };
 
-// Zero-initialise but for the first three.
+// Zero-initialise but for the first four.
 typedef struct orr_lanes {
     orr_streams *streams;
     const orr_server *judge;
-    void *owner; // of the streams: the connection
+    void *owner;    // of the streams: the connection
+    bool read_only; // what controls is refused
     orr_stream *stream[ORR_LANES_MOST];
     uint32_t id[ORR_LANES_MOST];
     orr_payload *held[ORR_LANES_MOST]; // taken, and there was no room for it

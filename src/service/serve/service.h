@@ -18,6 +18,7 @@ typedef struct orr_service_options {
     double half_frame_s;             // from the first byte of a frame to its last
     double stall_s;                  // a client that takes nothing of what waits for it
     double drain_s;                  // after SIGTERM, for answers under way
+    bool read_only;                  // clients may not control the scenario's clock or send motion
     bool signals;                    // SIGINT and SIGTERM stop it, SIGHUP does nothing
     int64_t (*clock_ns)(void *user); // monotonic; NULL: the machine's. Tests count work by it
     void *clock_user;

@@ -15,7 +15,19 @@ typedef struct bench {
     unsigned woken;
 } bench;
 
-static int64_t clock_of(void *user) { return ((bench *)user)->now_ns; }
+static void host_of(void *user, orr_host *h)
+{
+    const int64_t now = ((bench *)user)->now_ns;
+    *h = (orr_host){now, now, now, now};
+}
+
+static void control(bench *b, uint8_t action, int64_t t, int64_t delay)
+{
+    const orr_msg_control m = {.action = action, .t = t, .at = ORR_TIME_NONE, .delay = delay};
+    orr_msg_time told;
+    orr_server_refusal why;
+    assert_int_equal(orr_streams_control(b->streams, &m, &told, &why), 0);
+}
 static void wake(void *user) { ((bench *)user)->woken++; }
 
 static bool served(void *user, uint16_t request, orr_msg_span *span)
@@ -33,14 +45,13 @@ static void start(bench *b)
     const orr_streams_options o = {.maker = &b->server,
                                    .wake = wake,
                                    .wake_user = b,
-                                   .clock_ns = clock_of,
-                                   .clock_user = b,
+                                   .host = host_of,
+                                   .host_user = b,
+                                   .begin = 100 * ORR_NS_PER_S,
                                    .processor = -1};
     orr_diag diag = {0};
     ASSERT_OK(orr_streams_open(&o, &b->streams, &diag), diag);
-    orr_clock c = {.state = ORR_CLOCK_STOPPED};
-    orr_clock_start(&c, b->now_ns, 100 * ORR_NS_PER_S);
-    orr_streams_set_clock(b->streams, &c);
+    control(b, ORR_MSG_CONTROL_ACTION_START, ORR_TIME_NONE, 0);
 }
 
 static void finish(bench *b) { orr_streams_close(b->streams); }
@@ -230,15 +241,12 @@ static void the_clock_rules(void **state)
     orr_stream *x;
     int64_t t;
     start(&b);
-    orr_clock c = orr_streams_clock(b.streams);
-    orr_clock_pause(&c, b.now_ns);
-    orr_streams_set_clock(b.streams, &c);
+    control(&b, ORR_MSG_CONTROL_ACTION_PAUSE, ORR_TIME_NONE, 0);
     assert_int_equal(ask(&b, ORR_MSG_PACING_CLOCK, ORR_TIME_NONE, 10 * MS, 0, 0, 100, &x), 0);
     b.now_ns += 60 * ORR_NS_PER_S;
     assert_int_equal(settle(&b), INT64_MAX);
     assert_int_equal(take(x, &t), 0);
-    orr_clock_start(&c, b.now_ns + 5 * MS, c.t);
-    orr_streams_set_clock(b.streams, &c);
+    control(&b, ORR_MSG_CONTROL_ACTION_START, ORR_TIME_NONE, 5 * MS);
     assert_int_equal(settle(&b), b.now_ns + 5 * MS);
     b.now_ns += 5 * MS;
     settle(&b);
