@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/angle.h"
+
 static void set_place(orr_antenna_state *x)
 {
     x->place = orr_earth_from_ecef(x->r_m);
@@ -112,6 +114,10 @@ orr_answer orr_antenna_at(const orr_antenna *a, orr_time t, orr_antenna_state *o
         .axes = body,
         .w_radps = orr_mat3_apply_t(&body, m.w_radps)};
     set_place(out);
+    const orr_vec3 v = orr_mat3_apply(&out->enu, out->v_mps);
+    const double r = orr_vec3_norm(out->r_m);
+    out->enu_radps =
+        orr_mat3_apply_t(&out->enu, (orr_vec3){-v.y / r, v.x / r, v.x / r * tan(out->place.lat_rad)});
     return ORR_ANSWER_OK;
 }
 
@@ -148,8 +154,8 @@ orr_antenna_direction orr_antenna_toward(const orr_antenna_state *state, orr_vec
                                    &state->axes, orr_vec3_sub(u_rate_ps, orr_vec3_cross(state->w_radps, u)))};
     const orr_vec3 o = d.own, r = d.own_rate_ps;
     const double level = fmax(o.x * o.x + o.y * o.y, 1e-12); // at the zenith there is no azimuth
-    d.az_deg = atan2(o.x, o.y) * ORR_DEG_PER_RAD;
-    d.zenith_deg = acos(fmin(fmax(o.z, -1), 1)) * ORR_DEG_PER_RAD;
+    d.az_deg = orr_atan2(o.x, o.y) * ORR_DEG_PER_RAD;
+    d.zenith_deg = orr_atan2(sqrt(level), o.z) * ORR_DEG_PER_RAD;
     d.az_rate_dps = (r.x * o.y - o.x * r.y) / level * ORR_DEG_PER_RAD;
     d.zenith_rate_dps = -r.z / sqrt(level) * ORR_DEG_PER_RAD;
     return d;

@@ -15,6 +15,8 @@ typedef struct orr_antenna_state {
     orr_mat3 axes;       // rows: the antenna's East, North and Up, which on a body are right, forward, up
     orr_vec3 w_radps;    // rate at which they turn against the Earth, ecef
     orr_mat3 enu;        // rows: East, North, Up of the place
+    orr_vec3
+        enu_radps; // rate at which they turn while the antenna moves, ecef; of a sphere, which is right to 1 %
     orr_geodetic place;
 } orr_antenna_state;
 

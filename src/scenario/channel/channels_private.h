@@ -102,6 +102,7 @@ typedef struct channel_antenna_work {
 struct orr_channel_work {
     const orr_channels *c;
     satellite_cell (*satellite)[2];   // [n_sats]
+    orr_sat_state *state;             // [n_sats]
     channel_delays *delays;           // [n_sats]
     struct slow_node *node[4];        // [n_sats] each, while cells are made
     struct slow_values *values[2];    // [n_sats] each

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "core/angle.h"
+
 // Elevation below which nothing is seen at an azimuth.
 static double horizon_rad(const orr_scenario_mask *mask, double az_rad)
 {
@@ -30,9 +32,9 @@ seen_direction seen_at(const orr_channels *c, size_t antenna, const orr_antenna_
     const orr_scenario_mask *mask = &c->mask;
     const orr_vec3 d = orr_vec3_sub(sat_m, at->r_m), own = orr_mat3_apply(&at->enu, d);
     seen_direction out;
-    const double az = atan2(own.x, own.y);
+    const double az = orr_atan2(own.x, own.y);
     out.az_rad = az < 0 ? az + 2 * ORR_PI : az;
-    out.el_rad = atan2(own.z, sqrt(own.x * own.x + own.y * own.y));
+    out.el_rad = orr_atan2(own.z, sqrt(own.x * own.x + own.y * own.y));
     out.seen = out.el_rad >= horizon_rad(mask, out.az_rad);
     if (!out.seen || !mask->has_body || c->antenna[antenna].motion == NULL) return out;
     const orr_vec3 body = orr_mat3_apply(&at->axes, orr_vec3_unit(d));
@@ -40,14 +42,11 @@ seen_direction seen_at(const orr_channels *c, size_t antenna, const orr_antenna_
     return out;
 }
 
-// Whether a satellite is above an elevation so much lower than the mask that within half a cell it cannot come up. No orbit
-// turns by more than 1.2e-3 rad/s seen from the ground or from another low orbit's antenna.
-static bool may_rise(const orr_channels *c, size_t place, satellite_cell cell[2], orr_time t,
-                     const orr_antenna_state *at, double least_sine)
+// Whether a satellite, at the middle of a cell, is above an elevation so much lower than the mask that within half a cell it
+// cannot come up: seen from the ground or from a low orbit no satellite turns by more than 1.2e-3 rad/s.
+static bool may_rise(const orr_vec3 *sat_m, const orr_antenna_state *at, double least_sine)
 {
-    satellite_state x;
-    if (!satellite_at(channels_ephemeris(c), c->satellite[place].sat, cell, t, 0, &x)) return false;
-    const orr_vec3 d = orr_vec3_sub(x.pos_m, at->r_m);
+    const orr_vec3 d = orr_vec3_sub(*sat_m, at->r_m);
     const orr_vec3 up = {at->enu.m[2][0], at->enu.m[2][1], at->enu.m[2][2]};
     return orr_vec3_dot(d, up) >= least_sine * orr_vec3_norm(d);
 }
@@ -60,13 +59,16 @@ void seen_candidates(const orr_channels *c, size_t antenna, orr_channel_work *wo
     const orr_time from = lattice_cell(t);
     if (w->candidates_of == from) return;
     const double least = sin(fmax(c->mask.elevation_deg * ORR_RAD_PER_DEG - MARGIN_RAD, -ORR_PI / 2));
+    const size_t n =
+        orr_ephemeris_eval_all(channels_ephemeris(c), from + LATTICE_NS / 2, work->state, c->n_sats);
     w->n_candidates = 0;
-    for (size_t k = 0; k < c->n_sats; k++) {
-        if (!c->satellite[k].sends || c->satellite[k].n_sent == 0) continue;
-        bool may = false;
-        for (int part = 0; part < 3 && !may; part++)
-            may = may_rise(c, k, work->satellite[k], from + part * LATTICE_NS / 2, at, least);
-        if (may) w->candidate[w->n_candidates++] = (uint16_t)k;
+    for (size_t k = 0, j = 0; k < c->n_sats;
+         k++) { // both lists ascend; a satellite without an arc in the middle may have one
+        const channel_satellite *sat = &c->satellite[k];
+        while (j < n && work->state[j].sat < sat->sat) j++;
+        const bool known = j < n && work->state[j].sat == sat->sat;
+        if (sat->n_sent > 0 && (!known || may_rise(&work->state[j].pos_m, at, least)))
+            w->candidate[w->n_candidates++] = (uint16_t)k;
     }
     w->candidates_of = from;
 }

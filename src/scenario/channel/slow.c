@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "core/angle.h"
 #include "core/nan.h"
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/power.h"
@@ -15,6 +16,7 @@ typedef struct moment {
     size_t antenna;
     orr_time t;
     const orr_antenna_state *at;
+    bool slopes; // of delays by metres are wanted
     orr_vec3 sun_m;
     orr_troposphere_site site, site_above; // at the antenna, and a metre above it
 } moment;
@@ -24,7 +26,7 @@ typedef struct ray {
     const channel_satellite *sat;
     size_t place;
     satellite_state reception;
-    double el_rad, az_rad;
+    double el_rad;
     orr_light light;
     orr_attitude attitude;
     bool has_attitude;
@@ -39,8 +41,7 @@ static bool look(const moment *m, orr_channel_work *work, size_t place, ray *r)
     *r = (ray){.sat = &c->satellite[place], .place = place};
     if (!satellite_at(e, r->sat->sat, cell, m->t, 0, &r->reception)) return false;
     const orr_vec3 d = orr_vec3_sub(r->reception.pos_m, m->at->r_m), own = orr_mat3_apply(&m->at->enu, d);
-    r->az_rad = atan2(own.x, own.y);
-    r->el_rad = atan2(own.z, hypot(own.x, own.y));
+    r->el_rad = orr_atan2(own.z, sqrt(own.x * own.x + own.y * own.y));
     const double tau_s = orr_vec3_norm(d) / ORR_LIGHT_MPS;
     satellite_state emission;
     if (!satellite_at(e, r->sat->sat, cell, m->t, tau_s, &emission)) return false;
@@ -65,7 +66,7 @@ static void set_troposphere(const moment *m, const ray *r, slow_values *out)
     const orr_zenith_delay d = orr_troposphere_slant(&m->site, r->el_rad);
     out->v[SLOW_HYDROSTATIC] = d.hydrostatic_m;
     out->v[SLOW_WET] = d.wet_m;
-    if (m->c->antenna[m->antenna].motion == NULL) return;
+    if (!m->slopes) return;
     const double step_rad = 1e-6;
     const orr_zenith_delay above = orr_troposphere_slant(&m->site_above, r->el_rad);
     const orr_zenith_delay higher = orr_troposphere_slant(&m->site, r->el_rad + step_rad);
@@ -104,8 +105,8 @@ static void set_signals(const moment *m, const ray *r, slow_values *out)
     double nadir_deg = 0, az_deg = 0;
     if (r->antex != NULL && r->has_attitude) {
         const orr_vec3 to = orr_mat3_apply(&r->attitude.body, orr_vec3_scale(-1, r->light.u));
-        nadir_deg = acos(fmin(fmax(to.z, -1), 1)) * ORR_DEG_PER_RAD;
-        az_deg = atan2(to.y, to.x) * ORR_DEG_PER_RAD;
+        nadir_deg = orr_atan2(sqrt(to.x * to.x + to.y * to.y), to.z) * ORR_DEG_PER_RAD;
+        az_deg = orr_atan2(to.y, to.x) * ORR_DEG_PER_RAD;
     }
     const double gain_db = orr_power_gain_db(r->light.sat_m, m->at->r_m, r->el_rad) + r->sat->power_db;
     orr_antenna_direction toward = {.az_deg = 0};
@@ -154,7 +155,7 @@ static void set_contents(const moment *m, const orr_sat *sat, const orr_vec3 *sa
         out[k].v[SLOW_CONTENT] = covered ? tecu[k] : ORR_NAN;
         out[k].ok = out[k].ok && !isnan(out[k].v[SLOW_CONTENT]);
     }
-    if (!covered || m->c->antenna[m->antenna].motion == NULL) return;
+    if (!covered || !m->slopes) return;
     const double aside_m = 100; // East, North and Up; contents bend by 1e-9 TECU/m^2
     for (int axis = 0; axis < 3; axis++) {
         double aside_tecu[SLOW_BATCH];
@@ -170,9 +171,14 @@ static void set_contents(const moment *m, const orr_sat *sat, const orr_vec3 *sa
 }
 
 void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
-             const orr_antenna_state *at, const uint16_t *place, size_t n, slow_values *out)
+             const orr_antenna_state *at, bool slopes, const uint16_t *place, size_t n, slow_values *out)
 {
-    moment m = {.c = c, .antenna = antenna, .t = t, .at = at, .sun_m = orr_sun_track_at(&c->sun, t)};
+    moment m = {.c = c,
+                .antenna = antenna,
+                .t = t,
+                .at = at,
+                .slopes = slopes,
+                .sun_m = orr_sun_track_at(&c->sun, t)};
     orr_sat sat[SLOW_BATCH];
     orr_vec3 sat_m[SLOW_BATCH];
     if (c->has_troposphere) {

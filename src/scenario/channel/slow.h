@@ -36,7 +36,7 @@ typedef struct slow_values {
     bool ok;        // false: no arc or no ionosphere
     uint32_t flags; // FAST_TURN, NO_ANTENNA
     double v[SLOW_MOST];
-    orr_vec3 per_m[SLOW_SLOPES]; // of SLOW_HYDROSTATIC and the next, where the antenna moves
+    orr_vec3 per_m[SLOW_SLOPES]; // of SLOW_HYDROSTATIC and the next, where they are asked for
 } slow_values;
 
 // The values of some satellites.
@@ -45,13 +45,14 @@ typedef struct slow_values {
 //   work        workspace
 //   t           instant of reception
 //   at          the antenna then, or one near it
+//   slopes      whether per_m is wanted
 //   place       [n] satellites, their places in c->satellite
 //   n           at most SLOW_BATCH
 // Returned:
 //   out         [n] values
 enum { SLOW_BATCH = 64 };
 void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
-             const orr_antenna_state *at, const uint16_t *place, size_t n, slow_values *out);
+             const orr_antenna_state *at, bool slopes, const uint16_t *place, size_t n, slow_values *out);
 
 // Values and rates of one satellite at an instant.
 typedef struct slow_now {

@@ -75,7 +75,7 @@ static void one_sided(const orr_channels *c, size_t antenna, orr_channel_work *w
                       const orr_antenna_state *at, uint16_t place, slow_node *out)
 {
     slow_values here, there;
-    slow_at(c, antenna, work, t, at, &place, 1, &here);
+    slow_at(c, antenna, work, t, at, c->antenna[antenna].motion != NULL, &place, 1, &here);
     if (!here.ok) return;
     out->ok = true;
     out->flags = here.flags;
@@ -87,7 +87,7 @@ static void one_sided(const orr_channels *c, size_t antenna, orr_channel_work *w
     for (int side = -1; side <= 1; side += 2) {
         const double s = side * (double)SIDE_NS / 1e9;
         const orr_antenna_state near = carried(&c->antenna[antenna], at, s);
-        slow_at(c, antenna, work, orr_time_add(t, side * SIDE_NS), &near, &place, 1, &there);
+        slow_at(c, antenna, work, orr_time_add(t, side * SIDE_NS), &near, false, &place, 1, &there);
         if (!there.ok) continue;
         for (size_t i = 0; i < SLOW_MOST; i++) out->r[i] = (there.v[i] - here.v[i]) / s;
         return;
@@ -99,12 +99,14 @@ static void make_nodes(const orr_channels *c, size_t antenna, orr_channel_work *
                        const orr_antenna_state *at, const uint16_t *place, size_t n, slow_node *out)
 {
     const double s = (double)SIDE_NS / 1e9;
+    const bool moving = c->antenna[antenna].motion != NULL;
     const orr_antenna_state before = carried(&c->antenna[antenna], at, -s),
                             after = carried(&c->antenna[antenna], at, s);
     for (size_t first = 0; first < n; first += SLOW_BATCH) {
         const size_t m = n - first < SLOW_BATCH ? n - first : SLOW_BATCH;
-        slow_at(c, antenna, work, orr_time_add(t, -SIDE_NS), &before, &place[first], m, work->values[0]);
-        slow_at(c, antenna, work, orr_time_add(t, SIDE_NS), &after, &place[first], m, work->values[1]);
+        slow_at(c, antenna, work, orr_time_add(t, -SIDE_NS), &before, moving, &place[first], m,
+                work->values[0]);
+        slow_at(c, antenna, work, orr_time_add(t, SIDE_NS), &after, false, &place[first], m, work->values[1]);
         for (size_t k = 0; k < m; k++) {
             slow_node *node = &out[first + k];
             const slow_values *a = &work->values[0][k], *b = &work->values[1][k];

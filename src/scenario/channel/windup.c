@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/angle.h"
 #include "iono/phase/windup.h"
 #include "orbit/spacecraft/spacecraft.h"
 
@@ -141,14 +142,6 @@ static orr_vec3 row_of(const orr_mat3 *axes, int row)
     return (orr_vec3){axes->m[row][0], axes->m[row][1], axes->m[row][2]};
 }
 
-// Rate at which East, North and Up turn under a moving antenna, ecef: of a sphere, which is right to 1 %.
-static orr_vec3 horizon_rate(const orr_antenna_state *state)
-{
-    const orr_vec3 v = orr_mat3_apply(&state->enu, state->v_mps);
-    const double r = orr_vec3_norm(state->r_m);
-    return orr_mat3_apply_t(&state->enu, (orr_vec3){-v.y / r, v.x / r, v.x / r * tan(state->place.lat_rad)});
-}
-
 double orr_windup_turned(const orr_windup *w, orr_time t, const orr_antenna_state *state, orr_vec3 u,
                          orr_vec3 u_rate_ps, double *rate_hz)
 {
@@ -161,10 +154,11 @@ double orr_windup_turned(const orr_windup *w, orr_time t, const orr_antenna_stat
     // angle from the still dipole to the antenna's grows.
     const orr_vec3 k = orr_vec3_scale(-1, u), k_rate = orr_vec3_scale(-1, u_rate_ps);
     const dipole still = effective(row_of(&state->enu, 1), orr_vec3_scale(-1, row_of(&state->enu, 0)),
-                                   horizon_rate(state), k, k_rate);
+                                   state->enu_radps, k, k_rate);
     const dipole own = effective(row_of(&state->axes, 1), orr_vec3_scale(-1, row_of(&state->axes, 0)),
                                  state->w_radps, k, k_rate);
-    const double angle = atan2(orr_vec3_dot(k, orr_vec3_cross(still.d, own.d)), orr_vec3_dot(still.d, own.d)),
+    const double angle =
+                     orr_atan2(orr_vec3_dot(k, orr_vec3_cross(still.d, own.d)), orr_vec3_dot(still.d, own.d)),
                  turned = angle / (2 * ORR_PI);
     *rate_hz = (turn_rate(&own, k) - turn_rate(&still, k)) / (2 * ORR_PI);
     return turned + floor(heading - turned + 0.5);

