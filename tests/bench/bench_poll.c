@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A poll of all satellites over TCP loopback, beside a bare echo of the same reply size: one client, one
+// A poll of all satellites, and one of all channels of an antenna, over TCP loopback, beside a bare echo of the same reply size: one client, one
 // request at a time, both in turns of the same run, so that the machine's mood is the same for both. The echo
 // answers a request of the same length with a prepared reply and looks at nothing; its client only counts
 // bytes. The poll's client checks the frame and its checksum as any client does.
@@ -75,16 +75,40 @@ static void *run_service(void *user)
     return orr_service_run(user, NULL, NULL, &diag) == ORR_OK ? NULL : user;
 }
 
-static double one_poll(orr_dial *d, int64_t t, size_t *reply)
+// What is polled: a scenario, the request's length, and one exchange, which returns how many things it told.
+typedef struct workload {
+    const char *name, *scenario;
+    size_t request;
+    int64_t step_ns; // between polls
+    size_t (*poll)(orr_dial *d, int64_t t);
+} workload;
+
+static size_t poll_states(orr_dial *d, int64_t t)
 {
     orr_msg_poll poll = {.epochs = {.t = t, .count = 1}};
     orr_msg_states m;
-    double begin = now_us();
     must(orr_client_poll(&d->client, &poll) == ORR_WIRE_OK &&
-             orr_client_states(&d->client, &m) == ORR_WIRE_OK,
+             orr_client_states(&d->client, &m) == ORR_WIRE_OK && m.epoch.answer == ORR_MSG_ANSWER_OK,
          "no answer");
+    return m.satellites.count;
+}
+
+static size_t poll_channels(orr_dial *d, int64_t t)
+{
+    orr_msg_poll_channels poll = {.epochs = {.t = t, .count = 1}};
+    orr_msg_channels m;
+    must(orr_client_poll_channels(&d->client, &poll) == ORR_WIRE_OK &&
+             orr_client_channels(&d->client, &m) == ORR_WIRE_OK && m.epoch.answer == ORR_MSG_ANSWER_OK,
+         "no answer");
+    return m.channels.count;
+}
+
+static double one_poll(orr_dial *d, const workload *w, int64_t t, size_t *told, size_t *reply)
+{
+    double begin = now_us();
+    *told = w->poll(d, t);
     double took = now_us() - begin;
-    must(m.satellites.count > 0 && m.epoch.answer == ORR_MSG_ANSWER_OK, "no satellites");
+    must(*told > 0, "nothing was told");
     *reply = d->client.used;
     return took;
 }
@@ -133,10 +157,8 @@ static int connect_to(const char *text)
     return fd;
 }
 
-static orr_engine *one_day(void)
+static orr_engine *engine_of(const char *text)
 {
-    static const char text[] = "orbit: {sp3: ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz}\n"
-                               "navdata: {window: none}\n";
     orr_scenario scenario;
     orr_engine *e;
     orr_diag diag = {0};
@@ -148,13 +170,13 @@ static orr_engine *one_day(void)
     return e;
 }
 
-void bench_poll(bench *b)
+static void exchange(bench *b, const workload *w)
 {
     static double poll_us[ROUNDS * TURN], echo_us[ROUNDS * TURN];
     static echo e;
     static const char *const url[] = {"tcp://127.0.0.1:0"};
     orr_diag diag = {0};
-    orr_engine *engine = one_day();
+    orr_engine *engine = engine_of(w->scenario);
     orr_answers *answers;
     orr_service *service;
     orr_service_options options = orr_service_defaults();
@@ -168,10 +190,12 @@ void bench_poll(bench *b)
     orr_dial *d;
     must(orr_dial_open(orr_service_url(service, 0), 10, &d, &diag) == ORR_OK, diag.text);
     orr_time from, to;
+    size_t told;
     orr_engine_span(engine, &from, &to);
-    for (int k = 0; k < WARM_UP; k++) one_poll(d, from + k, &e.reply);
+    from = orr_time_add(from, ORR_NS_PER_S);
+    for (int k = 0; k < WARM_UP; k++) one_poll(d, w, from + k, &told, &e.reply);
 
-    e.request = ORR_FRAME_OVERHEAD + 24; // a POLL that names no satellite
+    e.request = ORR_FRAME_OVERHEAD + w->request;
     orr_url loopback, bound;
     char text[ORR_URL_TEXT];
     must(orr_url_parse(url[0], &loopback, &diag) == ORR_OK, diag.text);
@@ -180,7 +204,6 @@ void bench_poll(bench *b)
     int fd = connect_to(orr_url_text(&bound, text));
     for (int k = 0; k < WARM_UP; k++) one_echo(fd, &e);
 
-    bench_group(b, "service over TCP loopback");
     int cpu[2];
     bool two = two_processors(cpu);
     cpu_set_t before;
@@ -192,16 +215,14 @@ void bench_poll(bench *b)
         int n = 0;
         for (int round = 0; round < ROUNDS; round++, n += TURN) {
             for (int k = n; k < n + TURN; k++)
-                poll_us[k] = one_poll(d, from + k * INT64_C(5000000000), &e.reply);
+                poll_us[k] = one_poll(d, w, from + k * w->step_ns, &told, &e.reply);
             for (int k = n; k < n + TURN; k++) echo_us[k] = one_echo(fd, &e);
         }
         qsort(poll_us, ROUNDS * TURN, sizeof poll_us[0], ascending);
         qsort(echo_us, ROUNDS * TURN, sizeof echo_us[0], ascending);
-        const orr_sat *sats;
         char name[96];
         const char *where = place == 0 ? "one core" : "two cores";
-        snprintf(name, sizeof name, "poll of %zu satellites, %zu bytes, %s, p50",
-                 orr_engine_satellites(engine, &sats), e.reply, where);
+        snprintf(name, sizeof name, "poll of %zu %s, %zu bytes, %s, p50", told, w->name, e.reply, where);
         bench_row(b, name, poll_us[n / 2], echo_us[n / 2], "us", "bare echo of that size");
         snprintf(name, sizeof name, "the same, p99");
         bench_row(b, name, poll_us[n * 99 / 100], echo_us[n * 99 / 100], "us", "bare echo of that size");
@@ -217,4 +238,26 @@ void bench_poll(bench *b)
     orr_answers_close(answers);
     orr_engine_close(engine);
     close(e.listener);
+}
+
+void bench_poll(bench *b)
+{
+    static const workload loads[] = {
+        {.name = "satellites",
+         .scenario = "orbit: {sp3: ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz}\nnavdata: {window: none}\n",
+         .request = 24, // a POLL that names no satellite
+         .step_ns = 5 * ORR_NS_PER_S,
+         .poll = poll_states},
+        {.name = "channels",
+         .scenario =
+             "orbit: {sp3: ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz}\nnavdata: {window: none}\n"
+             "ionosphere: {field: ionosphere.ION}\ntroposphere: {model: saastamoinen}\n"
+             "signals: [\"G:L1CA\", \"G:L2C\", \"G:L5\", \"R:L1OF\", \"R:L2OF\", \"R:L3OC\", \"E:E1\", "
+             "\"E:E5a\", \"E:E5b\"]\nmask: {elevation: 0}\nantennas: [{name: A, position: [56, 40, 150]}]\n",
+         .request = 28,
+         .step_ns = ORR_NS_PER_S,
+         .poll = poll_channels},
+    };
+    bench_group(b, "service over TCP loopback");
+    for (size_t k = 0; k < sizeof loads / sizeof *loads; k++) exchange(b, &loads[k]);
 }
