@@ -104,12 +104,18 @@ struct orr_gravity_model {
 
 orr_status orr_gravity_model_open(const char *name, const char *dir, orr_gravity_model **out, orr_diag *diag)
 {
+    return orr_gravity_model_open_to(name, dir, -1, out, diag);
+}
+
+orr_status orr_gravity_model_open_to(const char *name, const char *dir, int degree, orr_gravity_model **out,
+                                     orr_diag *diag)
+{
     *out = NULL;
     orr_gravity_model *m = malloc(sizeof *m);
     if (m == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for gravity model %s", name);
     char why[300];
     int no_memory;
-    m->shim = orr_shim_gravity_open(name, dir != NULL ? dir : "", why, sizeof why, &no_memory);
+    m->shim = orr_shim_gravity_open(name, dir != NULL ? dir : "", degree, why, sizeof why, &no_memory);
     if (m->shim == NULL) {
         free(m);
         return orr_diag_set(diag, no_memory ? ORR_E_MEMORY : ORR_E_IO, "gravity model %s in %s%s: %s", name,
@@ -125,6 +131,13 @@ orr_vec3 orr_gravity_model_gravitation(const orr_gravity_model *m, orr_vec3 r_m)
     double g[3];
     orr_shim_gravity(m->shim, (double[3]){r_m.x, r_m.y, r_m.z}, g);
     return (orr_vec3){g[0], g[1], g[2]};
+}
+
+int orr_gravity_model_degree(const orr_gravity_model *m) { return orr_shim_gravity_degree(m->shim); }
+
+void orr_gravity_model_file(const orr_gravity_model *m, char *path, size_t n)
+{
+    orr_shim_gravity_file(m->shim, path, n);
 }
 
 void orr_gravity_model_free(orr_gravity_model *m)

@@ -80,12 +80,12 @@ extern "C" void orr_shim_geodesic_direct(double lat1_deg, double lon1_deg, doubl
     }
 }
 
-extern "C" void *orr_shim_gravity_open(const char *name, const char *dir, char *text, size_t n,
+extern "C" void *orr_shim_gravity_open(const char *name, const char *dir, int degree, char *text, size_t n,
                                        int *no_memory)
 {
     *no_memory = 0;
     try {
-        return new GeographicLib::GravityModel(name, dir);
+        return new GeographicLib::GravityModel(name, dir, degree, degree);
     } catch (const std::bad_alloc &) {
         *no_memory = 1;
         std::snprintf(text, n, "no memory for its coefficients");
@@ -104,6 +104,21 @@ extern "C" void orr_shim_gravity(const void *model, const double r_m[3], double 
                                                                    g_mps2[1], g_mps2[2]);
     } catch (...) {
         clear(g_mps2);
+    }
+}
+
+extern "C" int orr_shim_gravity_degree(const void *model)
+{
+    return static_cast<const GeographicLib::GravityModel *>(model)->Degree();
+}
+
+extern "C" void orr_shim_gravity_file(const void *model, char *path, size_t n)
+{
+    try {
+        std::snprintf(path, n, "%s",
+                      static_cast<const GeographicLib::GravityModel *>(model)->GravityFile().c_str());
+    } catch (...) {
+        path[0] = '\0';
     }
 }
 

@@ -62,6 +62,18 @@ typedef struct orr_gravity_model orr_gravity_model;
 // Errors: ORR_E_IO with the library's reason (no such files, no model in them, cut coefficients),
 // ORR_E_MEMORY.
 orr_status orr_gravity_model_open(const char *name, const char *dir, orr_gravity_model **out, orr_diag *diag);
+// The same, of which only terms to `degree` (-1: all) are read and summed.
+//   Given:    name, dir   as above
+//             degree      highest degree and order; a model that ends before it ends there
+//   Returned: out         the model; free with orr_gravity_model_free
+//             diag        errors as above
+orr_status orr_gravity_model_open_to(const char *name, const char *dir, int degree, orr_gravity_model **out,
+                                     orr_diag *diag);
+// The highest degree that is summed.
+int orr_gravity_model_degree(const orr_gravity_model *m);
+// The file (name.egm) that describes the model; its coefficients are in that name with .cof after it. Empty where n is
+// too small.
+void orr_gravity_model_file(const orr_gravity_model *m, char *path, size_t n);
 // Gravitation at an ecef point, m/s^2 in ecef axes, without the centrifugal part.
 orr_vec3 orr_gravity_model_gravitation(const orr_gravity_model *m, orr_vec3 r_m);
 // NULL is allowed.

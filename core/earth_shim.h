@@ -36,12 +36,18 @@ void orr_shim_geodesic_direct(double lat1_deg, double lon1_deg, double az1_deg, 
                               double *lat2_deg, double *lon2_deg, double *az2_deg);
 
 // Opens a gravity model.
-//   Given:    name, dir   the model and its folder; dir NULL: GeographicLib's own
+//   Given:    name, dir   the model and its folder; dir empty: GeographicLib's own
+//             degree      highest degree and order that is read; -1: all
 //             n           bytes that `text` has room for
 //   Returned: text        the library's reason where the model cannot be had
 //             no_memory   1 where the reason is memory, else 0
 //             (value)     the model, for the two below; NULL where it cannot be had
-void *orr_shim_gravity_open(const char *name, const char *dir, char *text, size_t n, int *no_memory);
+void *orr_shim_gravity_open(const char *name, const char *dir, int degree, char *text, size_t n,
+                            int *no_memory);
+// The degree that is summed.
+int orr_shim_gravity_degree(const void *model);
+// The file that describes the model, into path[n].
+void orr_shim_gravity_file(const void *model, char *path, size_t n);
 // Gravitation of a model in ecef axes, without the centrifugal part.
 void orr_shim_gravity(const void *model, const double r_m[3], double g_mps2[3]);
 // Frees a model; NULL is allowed.

@@ -6,7 +6,7 @@
 
 #include "testing.h"
 
-#define TEST_MODEL_MAX_DEGREE 40
+#define TEST_MODEL_MAX_DEGREE 64
 
 // Fully normalised coefficients of degree n and order m <= n; that of degree 0 is 1 and not among them.
 typedef struct test_model {

@@ -294,6 +294,11 @@ orr_status orr_gravity_field_init(orr_gravity_field *f, int degree, bool zonal_o
     return ORR_OK;
 }
 
+int orr_gravity_field_degree(const orr_gravity_field *f)
+{
+    return f->model != NULL && f->degree >= 2 ? orr_gravity_model_degree(f->model) : f->degree;
+}
+
 #define ROW (ORR_GRAVITY_MAX_DEGREE + 2)
 
 // Cunningham's V and W one degree and order further than the field; row n holds m = 0..n. Row by row, so that a compiler
@@ -346,16 +351,18 @@ static orr_vec3 gravitation(const orr_gravity_field *f, const double *tide, orr_
 {
     double r2 = orr_vec3_dot(r, r), v[ROW][ROW], w[ROW][ROW], sum[3][ROW] = {{0}};
     if (f->degree < 2) return orr_vec3_scale(-ORR_EGM96_GM / (r2 * sqrt(r2)), r);
+    if (f->model != NULL && tide == NULL) return orr_gravity_model_gravitation(f->model, r);
     solid_harmonics(f, r, v, w);
     if (tide != NULL) {
         const double c[3] = {tide[0], tide[1], tide[3]}, s[3] = {0, tide[2], tide[4]};
         add_degree(2, f->order < 2 ? f->order : 2, c, s, v, w, sum);
     }
-    for (int n = f->degree; n >= 0; n--) // small terms first
+    for (int n = f->model == NULL ? f->degree : -1; n >= 0; n--) // small terms first
         if (n != 1) add_degree(n, n < f->order ? n : f->order, f->c[n], f->s[n], v, w, sum);
     orr_vec3 a = {0, 0, 0};
     for (int m = f->order; m >= 0; m--) a = orr_vec3_add(a, orr_vec3_make(sum[0][m], sum[1][m], sum[2][m]));
-    return orr_vec3_scale(ORR_EGM96_GM / (ORR_EGM96_RADIUS_M * ORR_EGM96_RADIUS_M), a);
+    a = orr_vec3_scale(ORR_EGM96_GM / (ORR_EGM96_RADIUS_M * ORR_EGM96_RADIUS_M), a);
+    return f->model != NULL ? orr_vec3_add(a, orr_gravity_model_gravitation(f->model, r)) : a;
 }
 
 orr_vec3 orr_gravity_field_gravitation(const orr_gravity_field *f, orr_vec3 r)

@@ -154,9 +154,18 @@ static orr_status go(orr_integrator *it, double t_s, double h_s, double y[6])
     return ORR_OK;
 }
 
+#define WAVE_ANGLE 2.0 // of the highest harmonic that a step may pass over
+
+// The finer the field and the lower the orbit, the shorter the waves that it passes over.
+static double longest_step(const orr_integrator *it, orr_vec3 r, orr_vec3 v)
+{
+    const double waves = orr_gravity_field_degree(&it->force->earth) * orr_vec3_norm(v) / orr_vec3_norm(r);
+    return waves > 0 ? fmin(it->max_step_s, WAVE_ANGLE / waves) : it->max_step_s;
+}
+
 orr_status orr_integrate(orr_integrator *it, double t_s, double h_s, orr_vec3 *r, orr_vec3 *v)
 {
-    int coarse = (int)ceil(fabs(h_s) / it->max_step_s - 1e-9);
+    int coarse = (int)ceil(fabs(h_s) / longest_step(it, *r, *v) - 1e-9);
     if (coarse < 1) coarse = 1;
     double y[6] = {r->x, r->y, r->z, v->x, v->y, v->z};
     for (int i = 0; i < coarse; i++) {

@@ -505,6 +505,7 @@ static void choose_method(orr_track_context *c, orr_node_list *list, bool may_be
     const int degree = low ? o->low_gravity_degree : o->gravity_degree;
     if (c->force->earth.degree != degree) // both were tried before
         orr_gravity_field_init(&c->force->earth, degree, o->zonal_only, NULL);
+    c->force->earth.model = low ? o->low_gravity : NULL;
     if (rich) return;
     c->reference = NULL;
     for (size_t i = 0; i < list->n_nodes; i++)

@@ -83,14 +83,18 @@ static orr_status check_options(const orr_smoother_options *o, orr_diag *diag)
 static void describe(const orr_smoother_options *o, bool about_reference, char *buf, size_t n)
 {
     static const char *axes[] = {"RTN", "inertial", "ecef"};
-    const int used = snprintf(buf, n, "prior: %s; frame: %s; gravity: EGM96 %d%s; Sun and Moon: %s; ",
-                              o->nav == NULL ? "sparse SP3"
-                              : o->bridge    ? "broadcast, bridging"
-                                             : "broadcast",
-                              o->frame != ORR_SKY_GCRS ? "uniform rotation"
-                              : about_reference        ? "GCRS (IAU 2006/2000A)"
-                                                       : "GCRS (IAU 2006/2000B)",
-                              o->gravity_degree, o->zonal_only ? " zonal" : "", o->sun_moon ? "yes" : "no");
+    char low[40] = ""; // the model's name is among the inputs
+    if (o->low_gravity != NULL)
+        snprintf(low, sizeof low, " (of low orbits: a model's %d)", orr_gravity_model_degree(o->low_gravity));
+    const int used =
+        snprintf(buf, n, "prior: %s; frame: %s; gravity: EGM96 %d%s%s; Sun and Moon: %s; ",
+                 o->nav == NULL ? "sparse SP3"
+                 : o->bridge    ? "broadcast, bridging"
+                                : "broadcast",
+                 o->frame != ORR_SKY_GCRS ? "uniform rotation"
+                 : about_reference        ? "GCRS (IAU 2006/2000A)"
+                                          : "GCRS (IAU 2006/2000B)",
+                 o->gravity_degree, o->zonal_only ? " zonal" : "", low, o->sun_moon ? "yes" : "no");
     if (used < 0 || (size_t)used >= n) return;
     buf += used;
     n -= (size_t)used;

@@ -5,6 +5,7 @@
 #ifndef ORR_ORBIT_SMOOTH_SMOOTHER_H
 #define ORR_ORBIT_SMOOTH_SMOOTHER_H
 
+#include "core/earth.h"
 #include "core/interval.h"
 #include "core/log.h"
 #include "ingest/rinex/clk.h"
@@ -29,7 +30,9 @@ typedef struct orr_smoother_options {
     orr_sky_frame frame;
     int gravity_degree;     // 0 central term alone .. 21
     int low_gravity_degree; // the same of low orbits, below 15000 km of radius, which feel more of the field
-    bool zonal_only;        // with degree 2: J2 alone
+    // A field with more of them for low orbits, to the degree that it was opened to; NULL: EGM96 as above
+    const orr_gravity_model *low_gravity;
+    bool zonal_only; // with degree 2: J2 alone
     bool sun_moon;
     double srp_mps2; // plain radiation pressure at 1 au with the Earth's shadow
     // All satellites are fitted first, together with the Earth's rotation beneath them

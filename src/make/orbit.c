@@ -45,6 +45,7 @@ typedef struct work {
     orr_clk *clk;
     orr_smoother_clk *clk_input;
     size_t n_clk;
+    orr_gravity_model *gravity;
     orr_inputs inputs, also; // provenance: of the SP3 files, of the other kinds
 } work;
 
@@ -58,6 +59,7 @@ static void work_free(work *w)
     free(w->clk);
     free(w->clk_input);
     orr_inputs_free(&w->inputs);
+    orr_gravity_model_free(w->gravity);
     orr_inputs_free(&w->also);
 }
 
@@ -158,6 +160,19 @@ static orr_status read_clk(const orr_orbit_plan *plan, work *w, orr_warnings *wa
     return s;
 }
 
+static orr_status read_gravity(const orr_orbit_plan *plan, work *w, orr_diag *diag)
+{
+    char path[2][4096];
+    if (plan->gravity_model == NULL) return ORR_OK;
+    orr_status s = orr_gravity_model_open_to(plan->gravity_model, plan->gravity_dir, plan->gravity_degree,
+                                             &w->gravity, diag);
+    if (s != ORR_OK) return s;
+    orr_gravity_model_file(w->gravity, path[0], sizeof path[0] - 4);
+    snprintf(path[1], sizeof path[1], "%.*s.cof", (int)sizeof path[0] - 5, path[0]);
+    for (int i = 0; i < 2 && s == ORR_OK; i++) s = orr_inputs_note(&w->also, path[i], diag);
+    return s;
+}
+
 static orr_status read_all(const orr_orbit_plan *plan, const orr_log *log, work *w, orr_eop_series *eop,
                            orr_warnings *warnings, orr_diag *diag)
 {
@@ -165,6 +180,7 @@ static orr_status read_all(const orr_orbit_plan *plan, const orr_log *log, work 
     if (s == ORR_OK) check_nodes(plan, w, warnings);
     if (s == ORR_OK) s = read_erp(plan, w, eop, warnings, diag);
     if (s == ORR_OK) s = read_clk(plan, w, warnings, diag);
+    if (s == ORR_OK) s = read_gravity(plan, w, diag);
     if (s == ORR_OK && plan->n_nav > 0)
         s = orr_inputs_read_navs(&w->also, plan->nav, plan->n_nav, &w->nav, warnings, diag);
     return s;
@@ -209,6 +225,7 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
         orr_smoother_options options = plan->smoother;
         options.observed_only = plan->predict;
         options.eop = eop.n > 0 ? &eop : NULL;
+        options.low_gravity = w.gravity;
         options.nav = plan->n_nav > 0 ? &w.nav : NULL;
         options.clk = w.clk_input;
         options.n_clk = w.n_clk;

@@ -18,6 +18,10 @@ typedef struct orr_orbit_plan {
     size_t n_nav;
     const char *const *clk; // RINEX CLK files, whose clocks come before those of SP3
     size_t n_clk;
+    const char
+        *gravity_model; // of low orbits, in GeographicLib's format (orr_gravity_model_open_to); NULL: EGM96
+    const char *gravity_dir;    // where its files are; NULL: GeographicLib's own folder
+    int gravity_degree;         // of it
     const orr_leap_table *leap; // for labels in UTC; NULL: built-in
     bool predict;           // go on to `predict_after`, or the last observed position if that is later, ..
     orr_time predict_after; // ORR_TIME_NONE: to that position

@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "ingest/fetch/fetch.h"
+#include "orbit/force/gravity_field.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/orbit_summary.h"
@@ -13,6 +14,7 @@
 #include "src/make/orbit.h"
 #include "src/make/rotation_file.h"
 
+#define MODEL_DEGREE 60 // of a gravity model, by default
 #define USUAL_BEYOND_NOW_NS (6 * 3600 * ORR_NS_PER_S)
 
 static const orr_option options[] = {
@@ -119,8 +121,21 @@ static const orr_option options[] = {
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 0,
-     .max = 21,
-     .help = "Degree of the gravity field; 0 is the central term alone. 8 by default, 21 for low orbits."},
+     .max = 2190,
+     .help =
+         "Degree of the gravity field; 0 is the central term alone. 8 by default, 21 for low orbits, below "
+         "15000 km of radius: the built-in field, EGM96, ends there. With --gravity-model the degree to "
+         "which that is summed for low orbits, 60 by default; the others keep 8."},
+    {.name = "gravity-model",
+     .kind = ORR_OPT_TEXT,
+     .value = "NAME",
+     .help = "Gravity field of low orbits, in GeographicLib's format: NAME.egm and NAME.egm.cof, as egm96 or "
+             "egm2008, which geographiclib-get-gravity fetches."},
+    {.name = "gravity-folder",
+     .applies = "gravity-model",
+     .kind = ORR_OPT_TEXT,
+     .value = "DIR",
+     .help = "Where the gravity model's files are; GeographicLib's own folder by default."},
     {.name = "sun-moon",
      .kind = ORR_OPT_CHOICE,
      .value = "yes|no",
@@ -177,8 +192,10 @@ static void smoother_options(const orr_cli *c, orr_smoother_options *o)
     const int jobs = o->jobs;
     *o = says(c, "method", "literal", false) ? orr_smoother_literal() : orr_smoother_defaults();
     if (orr_cli_given(c, "frame")) o->frame = says(c, "frame", "gcrs", true) ? ORR_SKY_GCRS : ORR_SKY_UNIFORM;
-    o->gravity_degree = (int)orr_cli_int(c, "gravity", o->gravity_degree);
-    o->low_gravity_degree = (int)orr_cli_int(c, "gravity", o->low_gravity_degree);
+    if (!orr_cli_given(c, "gravity-model")) {
+        o->gravity_degree = (int)orr_cli_int(c, "gravity", o->gravity_degree);
+        o->low_gravity_degree = (int)orr_cli_int(c, "gravity", o->low_gravity_degree);
+    }
     o->sun_moon = says(c, "sun-moon", "yes", o->sun_moon);
     o->srp_mps2 = orr_cli_real(c, "srp", o->srp_mps2);
     if (orr_cli_given(c, "f0"))
@@ -260,6 +277,9 @@ static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, or
         orr_cli_interval_at(c, "exclude", i, &x->from, &x->to);
         if (x->to == x->from) x->to++; // an interval holds its begin and not its end
     }
+    plan->gravity_model = orr_cli_text(c, "gravity-model", NULL);
+    plan->gravity_dir = orr_cli_text(c, "gravity-folder", NULL);
+    plan->gravity_degree = (int)orr_cli_int(c, "gravity", MODEL_DEGREE);
     plan->erp = l->erp;
     plan->nav = l->nav;
     plan->clk = l->clk;
@@ -287,6 +307,11 @@ static int run(orr_cli *c)
         return orr_cli_usage(
             c, "--extend-to goes on by broadcast ephemerides, --predict and --now by themselves: one of "
                "them");
+    if (!orr_cli_given(c, "gravity-model") && orr_cli_int(c, "gravity", 0) > ORR_GRAVITY_MAX_DEGREE)
+        return orr_cli_usage(c,
+                             "--gravity %d: the built-in field, EGM96, ends at degree %d; --gravity-model "
+                             "names one that has more",
+                             (int)orr_cli_int(c, "gravity", 0), ORR_GRAVITY_MAX_DEGREE);
     orr_status s = make_plan(c, &l, &plan, &diag);
     if (s == ORR_OK) s = orr_orbit_make(&plan, c->log, NULL, &made, &warnings, &diag);
     const double made_s = now_s();
