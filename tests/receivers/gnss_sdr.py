@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""GNSS-SDR as a judge: its configuration for a recording, a run, and what it found out, from files that it wrote."""
+import math
+import re
+import shutil
+import struct
+import subprocess
+import unittest
+
+PROGRAM = shutil.which("gnss-sdr")
+
+# One signal each: how it is acquired and tracked. Values where GNSS-SDR 0.0.17 keeps lock at 45 dB-Hz and more.
+SIGNALS = {
+    "1C": """
+Acquisition_1C.implementation=GPS_L1_CA_PCPS_Acquisition
+Acquisition_1C.coherent_integration_time_ms=1
+Acquisition_1C.pfa=0.00001
+Acquisition_1C.doppler_max=6000
+Acquisition_1C.doppler_step=250
+Tracking_1C.implementation=GPS_L1_CA_DLL_PLL_Tracking
+Tracking_1C.pll_bw_hz=25.0
+Tracking_1C.dll_bw_hz=2.0
+Tracking_1C.early_late_space_chips=0.5
+TelemetryDecoder_1C.implementation=GPS_L1_CA_Telemetry_Decoder
+""",
+    "1B": """
+Acquisition_1B.implementation=Galileo_E1_PCPS_Ambiguous_Acquisition
+Acquisition_1B.coherent_integration_time_ms=4
+Acquisition_1B.acquire_pilot=true
+Acquisition_1B.pfa=0.000001
+Acquisition_1B.doppler_max=5000
+Acquisition_1B.doppler_step=125
+Acquisition_1B.cboc=false
+Tracking_1B.implementation=Galileo_E1_DLL_PLL_VEML_Tracking
+Tracking_1B.track_pilot=true
+Tracking_1B.pll_bw_hz=20.0
+Tracking_1B.dll_bw_hz=1.0
+Tracking_1B.pll_bw_narrow_hz=5.0
+Tracking_1B.dll_bw_narrow_hz=0.25
+Tracking_1B.extend_correlation_symbols=4
+Tracking_1B.early_late_space_chips=0.15
+Tracking_1B.very_early_late_space_chips=0.6
+Tracking_1B.early_late_space_narrow_chips=0.06
+Tracking_1B.very_early_late_space_narrow_chips=0.25
+TelemetryDecoder_1B.implementation=Galileo_E1B_Telemetry_Decoder
+""",
+    "1G": """
+Acquisition_1G.implementation=GLONASS_L1_CA_PCPS_Acquisition
+Acquisition_1G.pfa=0.00001
+Acquisition_1G.coherent_integration_time_ms=1
+Acquisition_1G.doppler_max=6000
+Acquisition_1G.doppler_step=100
+Tracking_1G.implementation=GLONASS_L1_CA_DLL_PLL_Tracking
+Tracking_1G.early_late_space_chips=0.5
+Tracking_1G.pll_bw_hz=40.0
+Tracking_1G.dll_bw_hz=1.0
+TelemetryDecoder_1G.implementation=GLONASS_L1_CA_Telemetry_Decoder
+""",
+    "B1": """
+Acquisition_B1.implementation=BEIDOU_B1I_PCPS_Acquisition
+Acquisition_B1.coherent_integration_time_ms=1
+Acquisition_B1.pfa=0.00001
+Acquisition_B1.doppler_max=6000
+Acquisition_B1.doppler_step=100
+Tracking_B1.implementation=BEIDOU_B1I_DLL_PLL_Tracking
+Tracking_B1.pll_bw_hz=25.0
+Tracking_B1.dll_bw_hz=2.5
+TelemetryDecoder_B1.implementation=BEIDOU_B1I_Telemetry_Decoder
+""",
+    "L5": """
+Acquisition_L5.implementation=GPS_L5i_PCPS_Acquisition
+Acquisition_L5.pfa=0.0001
+Acquisition_L5.doppler_max=5000
+Acquisition_L5.doppler_step=125
+Tracking_L5.implementation=GPS_L5_DLL_PLL_Tracking
+Tracking_L5.track_pilot=false
+Tracking_L5.pll_bw_hz=25.0
+Tracking_L5.dll_bw_hz=2.0
+Tracking_L5.early_late_space_chips=0.5
+TelemetryDecoder_L5.implementation=GPS_L5_Telemetry_Decoder
+""",
+}
+
+# No models of delays: the scenarios have none. Cold: nothing is known of time, place or satellites.
+COMMON = """[GNSS-SDR]
+GNSS-SDR.internal_fs_sps={rate}
+SignalSource.implementation=File_Signal_Source
+SignalSource.filename={samples}
+SignalSource.item_type=ibyte
+SignalSource.sampling_frequency={rate}
+SignalSource.samples=0
+SignalSource.repeat=false
+SignalSource.enable_throttle_control=false
+SignalConditioner.implementation=Signal_Conditioner
+DataTypeAdapter.implementation=Ibyte_To_Complex
+InputFilter.implementation=Pass_Through
+InputFilter.item_type=gr_complex
+Resampler.implementation=Pass_Through
+Resampler.item_type=gr_complex
+Channels.in_acquisition={at_once}
+Observables.implementation=Hybrid_Observables
+PVT.implementation=RTKLIB_PVT
+PVT.positioning_mode=Single
+PVT.iono_model=OFF
+PVT.trop_model=OFF
+PVT.output_rate_ms=100
+PVT.display_rate_ms=1000
+PVT.elevation_mask=0
+PVT.output_path={folder}
+PVT.rinex_output_enabled=false
+PVT.xml_output_enabled=true
+PVT.nmea_output_file_enabled=false
+PVT.geojson_output_enabled=false
+PVT.gpx_output_enabled=false
+PVT.kml_output_enabled=false
+PVT.rtcm_output_file_enabled=false
+PVT.dump=true
+PVT.dump_filename={folder}/pvt
+PVT.enable_rx_clock_correction=false
+"""
+
+
+def configuration(folder, samples, rate, channels, pinned=(), at_once=2):
+    """channels: {"1C": how many}; pinned: (signal, satellite) of each channel in turn, where the search is not free."""
+    text = COMMON.format(rate=rate, samples=samples, folder=folder, at_once=at_once)
+    for signal, count in channels.items():
+        text += f"Channels_{signal}.count={count}\n" + SIGNALS[signal]
+        text += f"Acquisition_{signal}.item_type=gr_complex\nTracking_{signal}.item_type=gr_complex\n"
+    if len(channels) == 1:
+        text += f"Channel.signal={next(iter(channels))}\n"
+    for k, (signal, satellite) in enumerate(pinned):
+        text += f"Channel{k}.signal={signal}\nChannel{k}.satellite={satellite}\n"
+    return text
+
+
+def run(folder, *args, **kwargs):
+    """Runs the receiver over a recording; its log."""
+    if PROGRAM is None:
+        raise unittest.SkipTest("gnss-sdr is not here (./check --receivers installs it)")
+    folder.mkdir(parents=True, exist_ok=True)
+    conf = folder / "receiver.conf"
+    conf.write_text(configuration(folder, *args, **kwargs))
+    done = subprocess.run(["nice", PROGRAM, f"--config_file={conf}", f"--log_dir={folder}"], stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=900, check=False)
+    (folder / "receiver.log").write_text(done.stdout)
+    return done.stdout
+
+
+def fixes(folder):
+    """(time of week s, position ecef m, velocity m/s, satellites) of each fix: the records of GNSS-SDR's dump."""
+    record = struct.Struct("<IIdd3d3d6d3dBBBff4d")
+    path = folder / "pvt.dat"
+    bytes_ = path.read_bytes() if path.exists() else b""
+    out = []
+    for at in range(0, len(bytes_) - record.size + 1, record.size):
+        f = record.unpack_from(bytes_, at)
+        out.append((f[2], f[4:7], f[7:10], f[19]))
+    return out
+
+
+def ephemerides(folder, name):
+    """{satellite: {field: value}} of an XML file of ephemerides."""
+    path = folder / name
+    if not path.exists():
+        return {}
+    out = {}
+    for item in re.split(r"<item[ >]", path.read_text())[1:]:
+        fields = {k: float(v) for k, v in re.findall(r"<(\w+)>(-?[\d.]+(?:e[+-]\d+)?)</\1>", item)}
+        if "PRN" in fields:
+            out[int(fields["PRN"])] = fields
+    return out
+
+
+def errors(found, truth, after_s=0.0):
+    """3-D RMS and largest distance of fixes from truth(time of week), from `after_s` after the first on; and how many."""
+    d = [math.dist(p, truth(t)) for t, p, _, _ in found if t - found[0][0] >= after_s]
+    return (math.sqrt(sum(x * x for x in d) / len(d)), max(d), len(d)) if d else (math.nan, math.nan, 0)

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""GNSS-SDR, cold and unassisted, on what orrery serve and orrery-generator make: where it says it is, when it says so first, and
+whether the ephemerides that it read are those that were sent. test_receivers.py [CASE...]; each prints what was measured beside its bar."""
+import pathlib
+import sys
+import unittest
+
+import gnss_sdr
+import recording
+from recording import program
+
+STATIC = """
+title: Static receiver, made constellation
+orbit:
+  sp3: [{sp3}]
+signals: {signals}
+antennas:
+  - {{name: ROOF, position: [52.2, 17.07, 100]}}
+mask: {{elevation: 5}}
+"""
+
+# LSB of each field of an LNAV ephemeris (IS-GPS-200N tables 20-I, 20-III), GNSS-SDR's name and ours, semicircles in radians.
+PI = 3.1415926535898
+LNAV = [("M_0", "m0_rad", PI * 2**-31), ("delta_n", "delta_n_radps", PI * 2**-43), ("ecc", "e", 2**-33),
+        ("sqrtA", "sqrt_a_sqrtm", 2**-19), ("OMEGA_0", "omega0_rad", PI * 2**-31), ("i_0", "i0_rad", PI * 2**-31),
+        ("omega", "omega_rad", PI * 2**-31), ("OMEGAdot", "omega_dot_radps", PI * 2**-43), ("idot", "idot_radps", PI * 2**-43),
+        ("Cuc", "cuc_rad", 2**-29), ("Cus", "cus_rad", 2**-29), ("Crc", "crc_m", 2**-5), ("Crs", "crs_m", 2**-5),
+        ("Cic", "cic_rad", 2**-29), ("Cis", "cis_rad", 2**-29), ("TGD", "tgd_s", 2**-31)]
+CLOCK = [("af0", "af0_s", 2**-31), ("af1", "af1_sps", 2**-43), ("af2", "af2_sps2", 2**-55)]
+# And of a GLONASS one (ICD 5.1 table 4.5), GNSS-SDR's in kilometres.
+FDMA = [("d_%sn", "pos_m", 2**-11), ("d_V%sn", "vel_mps", 2**-20), ("d_A%sn", "acc_mps2", 2**-30)]
+FDMA_CLOCK = [("d_tau_n", "af0_s", -1, 2**-30), ("d_gamma_n", "af1_sps", 1, 2**-40)]
+
+
+class Receivers(program.Folder):
+    def make(self, scenario, start, seconds, rate, centre, signals, cn0, change=None):
+        """A recording; the service stays for questions."""
+        path = self.folder / "scenario.yaml"
+        path.write_text(scenario)
+        self.start, self.rate, self.seconds = start, rate, seconds
+        self.service = recording.Service(path, self.folder)
+        self.addCleanup(self.service.stop)
+        self.samples = self.path("recording")
+        self.service.generate("-o", self.samples, "--rate", rate, "--centre", centre, "--signals", signals, "--from", start,
+                              "--seconds", seconds, "--noise", "--cn0", cn0)
+
+    def receive(self, channels, pinned=(), at_once=2):
+        self.out = self.folder / "receiver"
+        try:
+            self.log = gnss_sdr.run(self.out, f"{self.samples}.sigmf-data", self.rate, channels, pinned=pinned, at_once=at_once)
+        finally:
+            pathlib.Path(f"{self.samples}.sigmf-data").unlink()
+        self.found = gnss_sdr.fixes(self.out)
+        self.assertTrue(self.found, f"no fix\n{self.log[-2000:]}")
+
+    def judge(self, name, fix_s, rms_m, truth=None):
+        truth = truth or self.service.truth(self.start, self.seconds)
+        first = self.found[0][0] - recording.gps_s(self.start) % 604800
+        rms, worst, n = gnss_sdr.errors(self.found, truth, 20)
+        satellites = max(f[3] for f in self.found)
+        print(f"{name}: first fix {first:.1f} s (bar {fix_s}), 3-D RMS after 20 s {rms:.2f} m (bar {rms_m}), largest {worst:.2f} m, "
+              f"{n} fixes with up to {satellites} satellites")
+        self.assertGreater(n, 50)
+        self.assertLessEqual(first, fix_s)
+        self.assertLessEqual(rms, rms_m)
+
+    def judge_lnav(self, at, least):
+        """Ephemerides that were read against the sets that were sent, in LSB."""
+        read = gnss_sdr.ephemerides(self.out, "gps_ephemeris.xml")
+        sent = self.service.navdata(at, "G")
+        worst = 0.0
+        for prn, e in read.items():
+            s = sent[prn]
+            for theirs, ours, lsb in LNAV:
+                worst = max(worst, abs(e[theirs] - s["kepler"][ours]) / lsb)
+            for theirs, ours, lsb in CLOCK:
+                worst = max(worst, abs(e[theirs] - s[ours]) / lsb)
+            self.assertEqual(e["toe"], recording.gps_s(s["toe"]) % 604800)
+            self.assertEqual(e["IODC"], s["iodc"])
+            self.assertEqual(e["SV_health"], s["health"])
+        print(f"  ephemerides of {len(read)} satellites read back: largest difference {worst:.3f} LSB (bar 0)")
+        self.assertGreaterEqual(len(read), least)
+        self.assertLess(worst, 0.01)  # printed decimals
+
+    def judge_glonass(self, at, least):
+        """Likewise of GLONASS."""
+        read = gnss_sdr.ephemerides(self.out, "glo_gnav_ephemeris.xml")
+        sent = self.service.navdata(at, "R")
+        worst = 0.0
+        for slot, e in read.items():
+            s = sent[slot]
+            for theirs, ours, lsb in FDMA:
+                for k, axis in enumerate("XYZ"):
+                    worst = max(worst, abs(e[theirs % axis] - s["glonass"][ours][k] / 1000) / lsb)
+            for theirs, ours, sign, lsb in FDMA_CLOCK:
+                worst = max(worst, abs(e[theirs] - sign * s[ours]) / lsb)
+        print(f"  ephemerides of {len(read)} satellites read back: largest difference {worst:.3f} LSB (bar 0)")
+        self.assertGreaterEqual(len(read), least)
+        self.assertLess(worst, 0.01)
+
+    @staticmethod
+    def made(signals):
+        return STATIC.format(sp3=program.sample("ORR0TSTFIN_20250800000_01D_05M_ORB.SP3.gz"), signals=signals)
+
+    def test_gps(self):
+        """GPS L1 C/A, static."""
+        start = "2025-03-21T12:00:00"
+        self.make(self.made('["G:L1CA"]'), start, 120, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": 10})
+        self.judge("GPS L1 C/A, 2.6 Msps, 51 dB-Hz", 45, 2.0)
+        self.judge_lnav(start, 8)
+
+    def test_short(self):
+        """The same, no longer than it takes to see the first fixes: part of ./check."""
+        start = "2025-03-21T12:00:00"
+        self.make(self.made('["G:L1CA"]'), start, 52, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": 10}, at_once=10)
+        first = self.found[0][0] - recording.gps_s(start) % 604800
+        rms, worst, n = gnss_sdr.errors(self.found, self.service.truth(start, 52))
+        print(f"GPS L1 C/A, short: first fix {first:.1f} s (bar 45), {n} fixes, 3-D RMS {rms:.2f} m, largest {worst:.2f} m")
+        self.assertLessEqual(first, 45)
+        self.assertLess(rms, 4.0)  # fixes of the first seconds, with as few as four satellites
+        self.judge_lnav(start, 4)
+
+    def test_glonass(self):
+        """GLONASS L1OF at its own centre: strings, relative code, meander, time mark."""
+        start = "2025-03-21T12:00:18"  # a frame begins: 12:00:00 UTC
+        self.make(self.made('["R:L1OF"]'), start, 80, 10000000, 1602000000, "R:L1OF", 51)
+        slots = recording.satellites(self.samples, "L1OF")
+        self.receive({"1G": len(slots)}, [("1G", s) for s in slots])
+        self.judge("GLONASS L1OF, 10 Msps, 51 dB-Hz", 45, 4.0)
+        self.judge_glonass(start, 6)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *(f"Receivers.test_{a}" for a in sys.argv[1:])], verbosity=0)
