@@ -70,3 +70,12 @@ orr_status orr_least_squares(double *a, size_t rows, size_t n, double *b, double
     }
     return ORR_OK;
 }
+
+orr_status orr_singular_values(double *a, size_t rows, size_t n, double *s, double *v)
+{
+    for (size_t k = 0; k < rows * n; k++)
+        if (!isfinite(a[k])) return ORR_E_NUMERIC; // GSL would go on for ever
+    gsl_matrix_view m = gsl_matrix_view_array(a, rows, n), w = gsl_matrix_view_array(v, n, n);
+    gsl_vector_view d = gsl_vector_view_array(s, n);
+    return status_of(gsl_linalg_SV_decomp_jacobi(&m.matrix, &w.matrix, &d.vector));
+}

@@ -39,4 +39,13 @@ orr_status orr_band_solve(double *a, size_t n, size_t band, double *x, size_t co
 //   Notes:    ORR_E_NUMERIC where the columns of a depend on each other.
 orr_status orr_least_squares(double *a, size_t rows, size_t n, double *b, double *tau, double *x);
 
+// U S V' of a, U in its place: singular values descend. rows >= n.
+//   Given:    a    [rows][n]
+//   Returned: a    U
+//             s    [n]
+//             v    [n][n], V and not its transpose
+//   Notes:    ORR_E_NUMERIC where a has no numbers, ORR_E_MEMORY. By one-sided Jacobi rotations (Demmel and Veselic 1992), which
+//             keeps small singular values to their own digits.
+orr_status orr_singular_values(double *a, size_t rows, size_t n, double *s, double *v);
+
 #endif

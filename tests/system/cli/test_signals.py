@@ -99,6 +99,7 @@ class Signals(Folder):
             "imu": [fifo, "-o", out],
             "nulltest": [fifo],
             "alignment": [fifo],
+            "calibration": [fifo],
             "vibration": [fifo],
             "allan": [fifo],
             "gravimetry": [fifo],
