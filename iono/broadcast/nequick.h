@@ -20,6 +20,12 @@ typedef struct orr_nequick orr_nequick;
 orr_status orr_nequick_load(const char *folder, orr_nequick **out, orr_diag *diag);
 // NULL is allowed.
 void orr_nequick_free(orr_nequick *n);
+// How many numbers the tables are.
+#define ORR_NEQUICK_NUMBERS ((size_t)35817)
+// The tables as numbers in an order of their own, [ORR_NEQUICK_NUMBERS], for a product to keep; borrowed.
+const double *orr_nequick_numbers(const orr_nequick *n);
+// The way back from as many numbers. ORR_E_FORMAT where one is none, ORR_E_MEMORY. Free with orr_nequick_free.
+orr_status orr_nequick_of_numbers(const double *number, orr_nequick **out, orr_diag *diag);
 
 // The electron content between two points.
 //   Given:    n            the tables

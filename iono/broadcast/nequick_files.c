@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of NeQuick-G from a folder of text files: numbers divided by blanks, in their order.
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "ingest/input/input.h"
@@ -69,3 +71,21 @@ orr_status orr_nequick_load(const char *folder, orr_nequick **out, orr_diag *dia
 }
 
 void orr_nequick_free(orr_nequick *n) { free(n); }
+
+_Static_assert(sizeof(orr_nequick) == ORR_NEQUICK_NUMBERS * sizeof(double),
+               "tables are doubles without a gap");
+
+const double *orr_nequick_numbers(const orr_nequick *n) { return (const double *)(const void *)n; }
+
+orr_status orr_nequick_of_numbers(const double *number, orr_nequick **out, orr_diag *diag)
+{
+    *out = NULL;
+    for (size_t i = 0; i < ORR_NEQUICK_NUMBERS; i++)
+        if (!isfinite(number[i]))
+            return orr_diag_set(diag, ORR_E_FORMAT, "a table of NeQuick-G holds what is no number");
+    orr_nequick *n = malloc(sizeof *n);
+    if (n == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for NeQuick-G's tables");
+    memcpy(n, number, sizeof *n);
+    *out = n;
+    return ORR_OK;
+}

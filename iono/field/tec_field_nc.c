@@ -38,10 +38,6 @@ static void put_grid(orr_nc_writer *w, const tec_grid *g, const char *name, cons
 
 static orr_status put_broadcast(orr_nc_writer *w, const orr_tec_field *f, orr_diag *diag)
 {
-    if (f->algorithm == ORR_TEC_NEQUICK)
-        return orr_diag_set(diag, ORR_E_UNSUPPORTED,
-                            "%s: a field of NeQuick-G is not saved, for its tables would have to go along",
-                            f->source);
     orr_time *t = malloc(f->n * sizeof *t);
     double *value = malloc(f->n * sizeof f->set->value);
     orr_status s = ORR_OK;
@@ -58,8 +54,16 @@ static orr_status put_broadcast(orr_nc_writer *w, const orr_tec_field *f, orr_di
         const char *dims[] = {"field_broadcast_set", "field_broadcast_parameter"};
         orr_nc_put_var(w, "field_broadcast_t", ORR_NC_INT64, 1, dims, t, "ns since 1980-01-06T00:00:00 GPS",
                        "from when a set holds; the lowest number: from ever", diag);
-        s = orr_nc_put_var(w, "field_broadcast", ORR_NC_DOUBLE, 2, dims, value, NULL,
-                           "the coefficients as broadcast: alpha 0-3, beta 0-3; BDGIM's nine", diag);
+        s = orr_nc_put_var(
+            w, "field_broadcast", ORR_NC_DOUBLE, 2, dims, value, NULL,
+            "the coefficients as broadcast: alpha 0-3, beta 0-3; BDGIM's nine; NeQuick-G's three", diag);
+        if (f->algorithm == ORR_TEC_NEQUICK) {
+            const char *tables[] = {"field_nequick_number"};
+            orr_nc_put_dim(w, tables[0], ORR_NEQUICK_NUMBERS, diag);
+            s = orr_nc_put_var(
+                w, "field_nequick", ORR_NC_DOUBLE, 1, tables, orr_nequick_numbers(f->nequick), NULL,
+                "NeQuick-G's tables: a month foF2 [2][76][13] and M3000 [2][49][9], then modip", diag);
+        }
     }
     free(t);
     free(value);
@@ -229,6 +233,17 @@ static orr_status get_coefficients(const orr_nc_reader *r, orr_tec_field *f, orr
     return s;
 }
 
+static orr_status get_nequick(const orr_nc_reader *r, orr_tec_field *f, orr_diag *diag)
+{
+    const size_t n = ORR_NEQUICK_NUMBERS;
+    void *number = NULL;
+    orr_status s = orr_nc_alloc_var(r, "field_nequick", ORR_NC_DOUBLE, 1, &n, &number, diag);
+    if (s != ORR_OK) return s;
+    s = orr_nequick_of_numbers(number, &f->nequick, diag);
+    free(number);
+    return s;
+}
+
 static orr_status get_broadcast(const orr_nc_reader *r, orr_tec_field *f, orr_diag *diag)
 {
     int64_t algorithm = ORR_TEC_GPS;
@@ -241,7 +256,7 @@ static orr_status get_broadcast(const orr_nc_reader *r, orr_tec_field *f, orr_di
         s = orr_nc_alloc_var(r, "field_klobuchar", ORR_NC_DOUBLE, 1, &per, &value, diag);
     } else {
         if (orr_nc_get_att_int64(r, NULL, "field_algorithm", &algorithm, NULL) != ORR_OK ||
-            algorithm <= ORR_TEC_AUTO || algorithm >= ORR_TEC_NEQUICK)
+            algorithm <= ORR_TEC_AUTO || algorithm > ORR_TEC_NEQUICK)
             return orr_diag_set(diag, ORR_E_FORMAT, "%s: no usable model of its TEC field", r->path);
         s = orr_nc_get_dim(r, "field_broadcast_set", MAX_SETS, &f->n, diag);
         if (s == ORR_OK && f->n == 0)
@@ -265,7 +280,7 @@ static orr_status get_broadcast(const orr_nc_reader *r, orr_tec_field *f, orr_di
     }
     free(t);
     free(value);
-    return s;
+    return s == ORR_OK && f->algorithm == ORR_TEC_NEQUICK ? get_nequick(r, f, diag) : s;
 }
 
 orr_status orr_tec_field_get(const orr_nc_reader *r, orr_tec_field **out, orr_diag *diag)

@@ -150,11 +150,6 @@ static int fuse(const orr_cli *c, work *w)
     const bool csv = orr_cli_given(c, "csv");
     orr_status s = orr_station_open(&w->plan, st, &w->warnings, &diag);
     if (st->field != NULL) orr_tec_fit_say(c, st->field);
-    if (s == ORR_OK && output != NULL && st->field != NULL &&
-        strcmp(orr_tec_field_kind(st->field), "nequick") == 0)
-        s = orr_diag_set(
-            &diag, ORR_E_UNSUPPORTED,
-            "--output: a session over NeQuick-G is not saved, for its tables would have to go along");
     if (s == ORR_OK) s = orr_station_fuse(st, &w->warnings, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     report(c, st);

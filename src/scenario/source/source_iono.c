@@ -15,6 +15,15 @@ _Static_assert((int)ORR_IONO_MAPS_BILINEAR == ORR_TEC_BILINEAR &&
                    (int)ORR_IONO_BETWEEN_ROTATED == ORR_TEC_ROTATED &&
                    (int)ORR_IONO_BETWEEN_AUTO == ORR_TEC_TEMPORAL_DEFAULT,
                "words of a scenario and ways of a field");
+_Static_assert((int)ORR_IONO_MODEL_AUTO == ORR_TEC_AUTO && (int)ORR_IONO_MODEL_GPS == ORR_TEC_GPS &&
+                   (int)ORR_IONO_MODEL_QZSS == ORR_TEC_QZSS && (int)ORR_IONO_MODEL_NAVIC == ORR_TEC_NAVIC &&
+                   (int)ORR_IONO_MODEL_BEIDOU == ORR_TEC_BEIDOU &&
+                   (int)ORR_IONO_MODEL_BDGIM == ORR_TEC_BDGIM &&
+                   (int)ORR_IONO_MODEL_NEQUICK == ORR_TEC_NEQUICK &&
+                   (int)ORR_IONO_MAPPING_NONE == ORR_MAPPING_NONE &&
+                   (int)ORR_IONO_MAPPING_THIN_SHELL == ORR_MAPPING_THIN_SHELL &&
+                   (int)ORR_IONO_MAPPING_MSLM == ORR_MAPPING_MSLM,
+               "words of a scenario, broadcast models and mapping functions");
 
 struct orr_source_iono {
     const orr_source_orbit *orbits;
@@ -43,6 +52,9 @@ orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *o
         options.spatial = (orr_tec_spatial)o->maps;
         options.temporal = (orr_tec_temporal)o->between;
         options.rotation = o->rotation;
+        options.algorithm = (orr_tec_algorithm)o->model;
+        options.nequick = o->nequick;
+        options.mapping = (orr_mapping_kind)o->mapping;
         options.leap = s->leap;
         status = orr_tec_field_open(o->field, &options, &i->field, warnings, diag);
     }
