@@ -5,6 +5,10 @@
 #include <stdlib.h>
 
 #define TENTH 0.1
+// What rounding and the navigator's own steps leave of no errors at all: below it nothing is compared.
+#define FLOOR_M 1e-5
+#define FLOOR_MPS 1e-7
+#define FLOOR_RAD 1e-11
 
 const char *orr_error_method_name(orr_error_method m)
 {
@@ -209,6 +213,7 @@ orr_status orr_error_differ(const orr_error_flight *f, double size,
 // --- The comparison ---
 
 typedef struct race {
+    double floor;
     double most, worst, held_s; // greatest norm and deviation; when it was too much
     bool over;
 } race;
@@ -218,14 +223,14 @@ static void judge(race *r, double t_s, orr_vec3 linear, orr_vec3 direct)
     const double deviation = orr_vec3_norm(orr_vec3_sub(linear, direct));
     r->most = fmax(r->most, orr_vec3_norm(direct));
     r->worst = fmax(r->worst, deviation);
-    if (!r->over && deviation <= TENTH * r->most) r->held_s = t_s;
-    if (deviation > TENTH * r->most) r->over = true;
+    if (deviation > fmax(TENTH * r->most, r->floor)) r->over = true;
+    if (!r->over) r->held_s = t_s;
 }
 
 void orr_error_compare(const orr_error_flight *f, orr_error_model model, const orr_error_state *linear,
                        double size, orr_error_model of, const orr_error_state *direct, orr_error_hold *out)
 {
-    race position = {0}, velocity = {0}, attitude = {0};
+    race position = {.floor = FLOOR_M}, velocity = {.floor = FLOOR_MPS}, attitude = {.floor = FLOOR_RAD};
     for (size_t k = 0; k < orr_error_comparisons(f); k++) {
         const double t = (double)(k * f->every) / f->imu->rate_hz;
         orr_error_point p;

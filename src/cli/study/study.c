@@ -110,6 +110,12 @@ orr_status orr_study_write(const orr_cli *c, const char *title, const orr_inputs
     return write_netcdf(c, path, title, inputs, table, n_tables, diag);
 }
 
+orr_status orr_study_write_series(const orr_cli *c, const orr_study_table *table, orr_diag *diag)
+{
+    const char *path = orr_cli_text(c, "csv", NULL);
+    return path == NULL ? ORR_OK : write_csv(path, table, diag);
+}
+
 orr_status orr_study_plot(const orr_cli *c, const orr_plot *plot, orr_diag *diag)
 {
     const char *path = orr_cli_text(c, "plot", NULL);

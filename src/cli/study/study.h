@@ -59,6 +59,8 @@ typedef struct orr_study_table {
 //   Notes:    those of core/outfile.h and core/ncfile.h; ORR_E_MEMORY.
 orr_status orr_study_write(const orr_cli *c, const char *title, const orr_inputs *inputs,
                            const orr_study_table *table, size_t n_tables, orr_diag *diag);
+// Writes a table to --csv, of commands that have it, where it was given. Errors as of core/outfile.h.
+orr_status orr_study_write_series(const orr_cli *c, const orr_study_table *table, orr_diag *diag);
 // Whether the results go to standard output, which then has no report.
 bool orr_study_to_stdout(const orr_cli *c);
 // Draws --plot, where it was given.

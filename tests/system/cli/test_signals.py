@@ -100,6 +100,7 @@ class Signals(Folder):
             "nulltest": [fifo],
             "alignment": [fifo],
             "calibration": [fifo],
+            "error-equations": [fifo],
             "vibration": [fifo],
             "allan": [fifo],
             "gravimetry": [fifo],
