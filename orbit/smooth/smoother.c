@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "orbit/smooth/frame_check.h"
+#include "orbit/smooth/given_rotation.h"
 #include "orbit/smooth/reference.h"
 #include "orbit/smooth/smooth_satellite.h"
 
@@ -297,21 +298,6 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     return ORR_OK;
 }
 
-static void warn_of_eop(const orr_eop_series *eop, const orr_node_table *table, orr_warnings *warnings)
-{
-    char t[4][ORR_TIME_TEXT];
-    const double ends[2] = {eop->n > 0 ? eop->mjd_utc[0] : 0, eop->n > 0 ? eop->mjd_utc[eop->n - 1] : 0};
-    for (int k = 0; k < 2; k++) {
-        const double day = floor(ends[k]);
-        orr_time_text(orr_time_from_mjd((int32_t)day, ends[k] - day, ORR_SCALE_UTC, NULL), t[k]);
-    }
-    orr_warnings_add(
-        warnings, NULL, 0, 0,
-        "the Earth rotation given is of %s to %s and does not cover the positions of %s to %s; it is carried "
-        "on beyond its ends",
-        t[0], t[1], orr_time_text(table->from, t[2]), orr_time_text(table->to, t[3]));
-}
-
 #define MAS (ORR_RAD_PER_DEG / 3.6e6)
 // A centre's own pole is within 0.1 mas of what its orbits tell; another centre's, or a prediction, within these.
 #define POLE_CONTRADICTS_MAS 5.0
@@ -373,10 +359,14 @@ static orr_status keep_rotation(const orr_smoother_options *o, orr_reference_fit
 }
 
 orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
-                            const orr_smoother_options *options, const orr_log *log,
+                            const orr_smoother_options *wanted, const orr_log *log,
                             const volatile int *cancel, orr_orbit_solution *out, orr_smoother_report *report,
                             orr_warnings *warnings, orr_diag *diag)
 {
+    orr_smoother_options own = *wanted;
+    const orr_smoother_options *options = &own;
+    orr_given_rotation given = ORR_GIVEN_COVERS;
+    char given_text[256] = "";
     orr_smoother_report unused;
     if (report == NULL) report = &unused;
     *report = (orr_smoother_report){0};
@@ -394,16 +384,26 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     if (s == ORR_OK) s = orr_nodes_collect(input, n_inputs, options, &table, warnings, diag);
     if (s != ORR_OK) return s;
     ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);
+    if (own.eop != NULL)
+        given = orr_given_rotation_of(own.eop, table.from, table.to, given_text, sizeof given_text);
+    if (given == ORR_GIVEN_SAYS_NOTHING) own.eop = NULL;
     s = orr_sky_init(table.from, table.to, options->frame, options->eop, &sky, &report->eop_known, diag);
-    const bool covered = report->eop_known;
     orr_run_reference reference = {0};
     bool about_reference = false;
     if (s == ORR_OK && options->reference && options->frame == ORR_SKY_GCRS && options->gravity_degree >= 2)
         s = fit_reference(options, &table, cancel, &reference, &about_reference, report, warnings, diag);
-    if (s == ORR_OK && options->eop != NULL && !covered) {
-        report->eop_carried_on = true;
-        warn_of_eop(options->eop, &table, warnings);
-    }
+    report->eop_carried_on = given == ORR_GIVEN_CARRIED_ON;
+    if (s == ORR_OK && given == ORR_GIVEN_SAYS_NOTHING && !about_reference)
+        s = orr_diag_set(
+            diag, ORR_E_NODATA,
+            "%s, more than a month from any value; so few orbits do not tell the rotation by "
+            "themselves: give a file that covers them, or none, and the IERS secular pole will serve",
+            given_text);
+    if (s == ORR_OK && given != ORR_GIVEN_COVERS)
+        orr_warnings_add(warnings, NULL, 0, 0, "%s%s", given_text,
+                         given == ORR_GIVEN_CARRIED_ON
+                             ? "; it is carried on beyond its ends"
+                             : ", more than a month from any value; what the orbits tell is used instead");
 
     pool p = {.options = options,
               .sky = about_reference ? reference.fit.sky : sky,

@@ -158,6 +158,24 @@ class Rotation(Folder):
         self.assertRegex(done.stderr, r"contradicts the orbits: they tell a pole that is 500\.0 mas off")
         self.assertIn("told by the orbits themselves", done.stderr)
 
+    def test_a_gap_of_a_year_is_no_series(self):
+        """Values half a year before and after: what the orbits tell is used, to the bit as without the file; a satellite alone
+        tells nothing, and the file is refused."""
+        text = pathlib.Path(self.erp).read_text(encoding="ascii")
+        moved = [re.sub(r"^( *)(\d{5}\.\d\d)", lambda m: f"{m.group(1)}{float(m.group(2)) + days:.2f}", text, flags=re.M)
+                 for days in (-180, 180)]
+        rows = [line for line in moved[1].splitlines() if re.match(r" *\d{5}\.\d\d", line)]
+        path = self.path("gap.erp")
+        pathlib.Path(path).write_text(moved[0].rstrip("\n") + "\n" + "\n".join(rows) + "\n", encoding="ascii")
+        done = run("orbit", "-o", self.path("gap.nc"), "--erp", path, "--sat", "G", sample(DAYS[1]))
+        self.assertRegex(done.stderr, "given has no values from 2024-09-.* to 2025-09-.*, and the positions are of 2025-03-21.*"
+                         "more than a month from any value; what the orbits tell is used instead")
+        states = [run("states", self.path(n), "--sat", "G", "--step", "3h").stdout for n in ("gap.nc", "day.nc")]
+        self.assertEqual(*states)
+        done = run("orbit", "-o", self.path("alone.nc"), "--erp", path, "--sat", "G05", sample(DAYS[1]), status=1)
+        self.assertRegex(done.stderr, "more than a month from any value; so few orbits do not tell the rotation by themselves: give a "
+                         "file that covers them, or none")
+
 
 if __name__ == "__main__":
     unittest.main()
