@@ -286,6 +286,27 @@ static orr_status set_defaults(const orr_schema *schema, const reader *r, char *
     return s;
 }
 
+static bool see_value(const orr_key *k, const void *value, bool (*see)(void *, const char *), void *user)
+{
+    if (k->kind == ORR_KEY_MAP) return orr_schema_files(k->map, value, see, user);
+    const char *path = k->kind == ORR_KEY_FILE ? *(char *const *)value : NULL;
+    return path == NULL || see(user, path);
+}
+
+bool orr_schema_files(const orr_schema *schema, const void *base, bool (*see)(void *user, const char *path),
+                      void *user)
+{
+    for (size_t i = 0; i < schema->n; i++) {
+        const orr_key *k = &schema->key[i];
+        const void *member = (const char *)base + k->offset;
+        const any_list *list = member;
+        if (!k->list && !see_value(k, member, see, user)) return false;
+        for (size_t j = 0; k->list && j < list->n; j++)
+            if (!see_value(k, (const char *)list->item + j * kind_size(k), see, user)) return false;
+    }
+    return true;
+}
+
 static void free_value(const orr_key *k, void *value)
 {
     if (k->kind == ORR_KEY_TEXT || k->kind == ORR_KEY_FILE) {

@@ -111,6 +111,15 @@ typedef struct orr_real_list {
 // effect with the reason), ORR_E_KIND for a file that is no map, ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_schema_read(const orr_schema *schema, const orr_yaml *y, const char *folder,
                            const orr_leap_table *leap, void *base, orr_diag *diag);
+// Shows every file that a tree names, until one is refused.
+// Given:
+//   schema  table of the root map
+//   base    what orr_schema_read filled
+//   see     told each path; false ends it
+//   user    handed to see
+// Returns whether none was refused.
+bool orr_schema_files(const orr_schema *schema, const void *base, bool (*see)(void *user, const char *path),
+                      void *user);
 // Frees what orr_schema_read allocated below `base`, and zeroes it.
 void orr_schema_free(const orr_schema *schema, void *base);
 

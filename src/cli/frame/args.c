@@ -47,7 +47,7 @@ const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS] = {
 size_t orr_cli_n_common(const orr_command *cmd)
 {
     bool writes = false;
-    for (size_t i = 0; i < cmd->n_options; i++) writes |= cmd->option[i].writes;
+    for (size_t i = 0; i < cmd->n_options; i++) writes |= cmd->option[i].writes || cmd->option[i].fills;
     return writes ? ORR_CLI_COMMON_OPTIONS : ORR_CLI_COMMON_OPTIONS - 1;
 }
 

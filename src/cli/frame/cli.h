@@ -14,6 +14,7 @@
 #include "core/sat.h"
 #include "core/status.h"
 #include "core/time.h"
+#include "src/config/schema.h"
 
 enum { ORR_EXIT_OK = 0, ORR_EXIT_FAILED = 1, ORR_EXIT_USAGE = 2 };
 
@@ -39,6 +40,7 @@ typedef struct orr_option {
     const char *help;  // one sentence or two; the default belongs in it
     bool required, repeated;
     bool writes; // of TEXT: the name of a file that is written; looked at before the command runs
+    bool fills;  // of TEXT: the name of a folder that files are written into (orr_cli_file_check)
     // Where the option applies, as conditions that all have to hold, divided by commas; elsewhere it is refused, and help
     // says so. "bits": --bits is given; "el|az": one of them is; "!grid": --grid is not; "method=mean|state": so says
     // --method, or its fallback. NULL: everywhere.
@@ -151,5 +153,16 @@ void orr_cli_release(orr_cli *c);
 // Flushes stdout and says so if what was printed could not be written (a full disk); ORR_EXIT_OK otherwise.
 // The program calls it after every command; a command needs it only before it says that something is done.
 int orr_cli_flush(const orr_cli *c);
+
+// Outputs never destroy inputs that a scenario or a study names: whether no file of it is one that the command was told to
+// write, or ORR_E_ARG. base is what orr_schema_read filled.
+orr_status orr_cli_tree_check(const orr_cli *c, const orr_schema *schema, const void *base, orr_diag *diag);
+// The same of a file in a folder that the command fills, before it is written.
+//   Given:    c             the command
+//             path          of the file
+//             schema, base  the tree whose files it reads, as above
+//   Returned: diag          ORR_E_ARG where the file is an input, read-only, or not ours without --force; ORR_E_IO
+orr_status orr_cli_file_check(const orr_cli *c, const char *path, const orr_schema *schema, const void *base,
+                              orr_diag *diag);
 
 #endif

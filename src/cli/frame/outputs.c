@@ -126,6 +126,7 @@ int orr_cli_outputs_check(const orr_cli *c)
     bool writes = false;
     for (size_t i = 0; i < c->command->n_options && status == ORR_EXIT_OK && n < MOST; i++) {
         const orr_option *o = &c->command->option[i];
+        writes = writes || o->fills;
         if (!o->writes) continue;
         const char *path = orr_cli_text(c, o->name, o->fallback);
         if (path == NULL) continue;
@@ -149,6 +150,58 @@ int orr_cli_outputs_check(const orr_cli *c)
     if (status == ORR_EXIT_OK && !writes && orr_cli_given(c, "force"))
         return orr_cli_usage(c, "--force has no effect without a file to write");
     return status;
+}
+
+// --- files that a scenario or a study names ---
+
+typedef struct meeting {
+    struct stat st;
+    char with[4096]; // the file that is met
+} meeting;
+
+static bool apart(void *user, const char *path)
+{
+    meeting *m = user;
+    struct stat st;
+    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode) || !same_file(&st, &m->st)) return true;
+    snprintf(m->with, sizeof m->with, "%s", path);
+    return false;
+}
+
+orr_status orr_cli_tree_check(const orr_cli *c, const orr_schema *schema, const void *base, orr_diag *diag)
+{
+    for (size_t i = 0; i < c->command->n_options; i++) {
+        const orr_option *o = &c->command->option[i];
+        const char *path = o->writes ? orr_cli_text(c, o->name, o->fallback) : NULL;
+        meeting m = {.with = ""};
+        if (path == NULL || strcmp(path, "-") == 0 || stat(path, &m.st) != 0) continue;
+        if (!orr_schema_files(schema, base, apart, &m))
+            return orr_diag_set(diag, ORR_E_ARG,
+                                "--%s %s would overwrite %s, which %s names: name another file", o->name,
+                                path, m.with, c->n_operands > 0 ? c->operand[0] : "its input");
+    }
+    return ORR_OK;
+}
+
+orr_status orr_cli_file_check(const orr_cli *c, const char *path, const orr_schema *schema, const void *base,
+                              orr_diag *diag)
+{
+    meeting m = {.with = ""};
+    if (stat(path, &m.st) != 0) return ORR_OK;
+    bool free_of = true;
+    for (int i = 0; i < c->n_operands; i++) free_of = free_of && apart(&m, c->operand[i]);
+    if (!free_of || !orr_schema_files(schema, base, apart, &m))
+        return orr_diag_set(diag, ORR_E_ARG, "%s would overwrite %s, which is read: name another folder",
+                            path, m.with);
+    const bool force = orr_cli_given(c, "force"), read_only = (m.st.st_mode & 0222) == 0;
+    if (!force && read_only)
+        return orr_diag_set(diag, ORR_E_ARG, "%s: is read-only; --force replaces it", path);
+    if (!force && !is_ours(path))
+        return orr_diag_set(diag, ORR_E_ARG,
+                            "%s: is there already and was not written by Orrery; --force replaces it", path);
+    if (read_only && chmod(path, (m.st.st_mode & 0777) | 0200) != 0)
+        return orr_diag_set(diag, ORR_E_IO, "%s: cannot be replaced: %s", path, strerror(errno));
+    return ORR_OK;
 }
 
 static void warn_of(const orr_cli *c, const char *path)

@@ -145,7 +145,9 @@ int orr_cli_moving_open(orr_cli *c, orr_scenario *scenario, orr_inputs *inputs, 
     else if (orr_inputs_scenario(inputs, c->operand[0], c->leap, scenario, &diag) != ORR_OK)
         status = orr_cli_fail(c, &diag);
     if (status != ORR_EXIT_OK) return status;
-    status = apply_options(c, &scenario->motion.trajectory);
+    if (orr_cli_tree_check(c, orr_scenario_schema(), scenario, &diag) != ORR_OK)
+        status = orr_cli_fail(c, &diag);
+    if (status == ORR_EXIT_OK) status = apply_options(c, &scenario->motion.trajectory);
     if (status == ORR_EXIT_OK) {
         s = orr_moving_open(&scenario->motion, orr_moving_fallback_start(), c->leap, &warnings, moving,
                             &diag);

@@ -75,6 +75,7 @@ static orr_status open_engine(job *j, orr_diag *diag)
     bool direct = orr_cli_given(j->c, "field") || orr_cli_given(j->c, "session");
     orr_status s = direct ? scenario_of_options(j, diag)
                           : orr_scenario_read(j->c->operand[0], j->c->leap, &j->scenario, diag);
+    if (s == ORR_OK) s = orr_cli_tree_check(j->c, orr_scenario_schema(), &j->scenario, diag);
     if (s != ORR_OK) return s;
     orr_warnings warnings = {0};
     s = orr_engine_open(&j->scenario, j->c->log, NULL, &warnings, &j->engine, diag);

@@ -137,6 +137,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "DIR",
      .required = true,
+     .fills = true,
      .help = "Folder of the files; made if it is not there."},
     ORR_OPTION_FROM(.help = "First epoch; the first whole step that the scenario has by default."),
     ORR_OPTION_TO(.help = "Last epoch; the end of the scenario by default."),

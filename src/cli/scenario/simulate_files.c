@@ -15,15 +15,15 @@
 orr_status simulate_path(const simulation *s, const char *name, char path[SIMULATE_PATH], orr_diag *diag)
 {
     const int n = snprintf(path, SIMULATE_PATH, "%s/%s", s->folder, name);
-    return n > 0 && n < SIMULATE_PATH ? ORR_OK
-                                      : orr_diag_set(diag, ORR_E_LIMIT, "%s: the name is too long", name);
+    if (n < 0 || n >= SIMULATE_PATH) return orr_diag_set(diag, ORR_E_LIMIT, "%s: the name is too long", name);
+    return orr_cli_file_check(s->c, path, orr_scenario_schema(), s->scenario, diag);
 }
 
 orr_status simulate_note(simulation *s, const char *name, const char *note, orr_diag *diag)
 {
     char path[SIMULATE_PATH], hex[ORR_SHA256_HEX];
-    orr_status status = simulate_path(s, name, path, diag);
-    if (status == ORR_OK) status = orr_sha256_file(path, hex, diag);
+    (void)snprintf(path, sizeof path, "%s/%s", s->folder, name); // it was written there
+    orr_status status = orr_sha256_file(path, hex, diag);
     if (status != ORR_OK) return status;
     json_array_append_new(s->files, json_pack("{s:s, s:s, s:s}", "name", name, "sha256", hex, "what", note));
     orr_cli_say(s->c, "%s: %s", path, note);

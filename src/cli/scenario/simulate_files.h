@@ -20,7 +20,7 @@ typedef struct simulation {
 } simulation;
 
 #define SIMULATE_PATH 4096
-// FOLDER/NAME into path. ORR_E_LIMIT where it is too long.
+// FOLDER/NAME into path. ORR_E_LIMIT where it is too long; errors of orr_cli_file_check where it may not be written.
 orr_status simulate_path(const simulation *s, const char *name, char path[SIMULATE_PATH], orr_diag *diag);
 // Adds a file that was written to the manifest's list, with its SHA-256 and a note.
 orr_status simulate_note(simulation *s, const char *name, const char *note, orr_diag *diag);

@@ -19,7 +19,12 @@ int orr_cli_study_open(orr_cli *c, const orr_schema *schema, void *base, orr_inp
         return orr_cli_usage(c, "only one of --output - and --format json can go to standard output");
     orr_diag diag = {0};
     inputs->leap = c->leap;
-    if (orr_study_open(inputs, c->operand[0], schema, base, &diag) != ORR_OK) {
+    orr_status s = orr_study_open(inputs, c->operand[0], schema, base, &diag);
+    if (s == ORR_OK) {
+        s = orr_cli_tree_check(c, schema, base, &diag);
+        if (s != ORR_OK) orr_schema_free(schema, base);
+    }
+    if (s != ORR_OK) {
         orr_inputs_free(inputs);
         return orr_cli_fail(c, &diag);
     }

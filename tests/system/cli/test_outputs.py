@@ -79,6 +79,39 @@ class Outputs(Folder):
                 run(*words, path)
                 run(*words, path)
 
+    def test_inputs_that_a_scenario_names(self):
+        """What a scenario reads is an input as much as what the command line names: by its inode, whatever it is called."""
+        log, readings = self.path("flight.csv"), self.path("readings.nc")
+        run("track", "-q", sample("survey.yaml"), "--duration", "30", "-o", log)
+        before = pathlib.Path(log).read_bytes()
+        scenario = self.path("log.yaml")
+        pathlib.Path(scenario).write_text("trajectory: {kind: telemetry, telemetry: [{file: flight.csv}]}\n", encoding="ascii")
+        other = self.path("link.csv")
+        os.link(log, other)
+        for command in ("track", "imu"):
+            for path in (log, other):
+                self.assertIn("would overwrite", run(command, scenario, "-o", path, "--force", status=1).stderr)
+        self.assertEqual(pathlib.Path(log).read_bytes(), before)
+        run("imu", "-q", scenario, "-o", readings)
+        # The files of `simulate` have names of its own.
+        orbit, folder = self.path("orbit.nc"), pathlib.Path(self.path("simulated"))
+        run("orbit", "-q", "-o", orbit, "--sat", "G01-G08", self.sp3)
+        folder.mkdir()
+        nav = folder / "broadcast.rnx"
+        run("navfit", "-q", orbit, "--zero-clocks", "-o", nav)
+        before = nav.read_bytes()
+        whole = self.path("whole.yaml")
+        pathlib.Path(whole).write_text(f"orbit: {{product: {orbit}}}\nnavdata: {{nav: [{nav}]}}\nsignals: ['G:L1CA']\n"
+                                       "antennas: [{name: A, position: [52, 17, 124]}]\n", encoding="ascii")
+        span = ("--from", "2025-03-21T12:00", "--to", "2025-03-21T12:00:02")
+        self.assertIn("which is read: name another folder", run("simulate", "-q", whole, "-o", folder, *span, "--force", status=1).stderr)
+        self.assertEqual(nav.read_bytes(), before)
+        pathlib.Path(whole).write_text(pathlib.Path(whole).read_text(encoding="ascii").replace(f"navdata: {{nav: [{nav}]}}\n", ""), encoding="ascii")
+        nav.write_text("mine\n", encoding="ascii")
+        self.assertIn("was not written by Orrery", run("simulate", "-q", whole, "-o", folder, *span, status=1).stderr)
+        run("simulate", "-q", whole, "-o", folder, *span, "--force")
+        run("simulate", "-q", whole, "-o", folder, *span)  # its own files it replaces
+
     def test_extensions_in_any_case(self):
         path = self.path("readings.CSV")
         run("imu", sample("survey.yaml"), "-q", "--duration", "3", "-o", path)
