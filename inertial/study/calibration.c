@@ -11,11 +11,6 @@
 
 // --- Unknowns ---
 
-enum { ACCEL_BIAS = 0, ACCEL_SCALE = 3, ACCEL_CROSS = 6, GYRO_BIAS = 9, GYRO_MATRIX = 12, ARMS = 21 };
-enum { TILT_1, TILT_2, START, OFFSET_1, OFFSET_2 }; // of a cycle
-// Below the diagonal of the accelerometers' matrix: (1,0), (2,0), (2,1).
-static const int cross_row[3] = {1, 2, 2}, cross_column[3] = {0, 0, 1};
-
 static const struct {
     const char *name, *unit;
 } sensor_name[30] = {
@@ -56,10 +51,9 @@ size_t orr_calibration_parameters(const orr_calibration_plan *plan)
 {
     return ORR_CALIBRATION_SENSORS + arm_unknowns(plan);
 }
-static size_t per_cycle(const orr_calibration_plan *p) { return p->offsets_known ? 3 : 5; }
 size_t orr_calibration_unknowns(const orr_calibration_plan *plan)
 {
-    return orr_calibration_parameters(plan) + per_cycle(plan) * plan->n_cycles;
+    return orr_calibration_parameters(plan) + orr_calibration_per_cycle(plan) * plan->n_cycles;
 }
 
 const char *orr_calibration_name(const orr_calibration_plan *plan, size_t k, const char **unit)
@@ -78,30 +72,20 @@ double orr_calibration_size(size_t k)
     return k >= GYRO_BIAS && k < GYRO_MATRIX ? 1e-5 : 0.01;
 }
 
-// The body's axis that is meant to lie nearest to the stand's.
-static int along(const orr_stand_cycle *c)
-{
-    int best = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(c->order.m[i][1]) > fabs(c->order.m[best][1])) best = i;
-    return best;
-}
-static double *component(orr_vec3 *v, int i) { return i == 0 ? &v->x : i == 1 ? &v->y : &v->z; }
-
 // A cycle with the mounting that the unknowns say.
 static orr_stand_cycle cycle_of(const orr_calibration_plan *p, size_t c, const double *value)
 {
     orr_stand_cycle out = p->cycle[c];
-    const double *v = value + orr_calibration_parameters(p) + c * per_cycle(p);
-    const int a = along(&out), i = (a + 1) % 3, j = (a + 2) % 3;
+    const double *v = value + orr_calibration_parameters(p) + c * orr_calibration_per_cycle(p);
+    const int a = orr_calibration_nearest(&out), i = (a + 1) % 3, j = (a + 2) % 3;
     out.mounting_rad = (orr_vec3){0, 0, 0};
-    *component(&out.mounting_rad, i) = v[TILT_1];
-    *component(&out.mounting_rad, j) = v[TILT_2];
+    *orr_component(&out.mounting_rad, i) = v[TILT_1];
+    *orr_component(&out.mounting_rad, j) = v[TILT_2];
     out.start_rad = v[START];
     if (p->offsets_known) return out;
-    *component(&out.outer_m, a) = p->along_m[c];
-    *component(&out.outer_m, i) = v[OFFSET_1];
-    *component(&out.outer_m, j) = v[OFFSET_2];
+    *orr_component(&out.outer_m, a) = p->along_m[c];
+    *orr_component(&out.outer_m, i) = v[OFFSET_1];
+    *orr_component(&out.outer_m, j) = v[OFFSET_2];
     return out;
 }
 
@@ -155,7 +139,7 @@ static void block_rows(const orr_calibration_plan *p, const block *b, const doub
                        const double measured[6], double *J, double *y)
 {
     const size_t n = orr_calibration_unknowns(p),
-                 first = orr_calibration_parameters(p) + b->cycle * per_cycle(p);
+                 first = orr_calibration_parameters(p) + b->cycle * orr_calibration_per_cycle(p);
     const double T = b->to_s - b->from_s;
     const double w[6] = {1 / (p->gyro_white_radps_s * sqrt(T)), 1 / (p->gyro_white_radps_s * sqrt(T)),
                          1 / (p->gyro_white_radps_s * sqrt(T)), 1 / (p->accel_white_mps2_s * sqrt(T)),
@@ -181,7 +165,8 @@ static void block_rows(const orr_calibration_plan *p, const block *b, const doub
                     a[ARMS + 3 * (k - (p->offsets_known ? 0 : 1)) + j] =
                         w[3 + i] * A[i][k] * inc.arm_ps.m[k][j];
             if (p->offsets_known) continue;
-            const int axis = along(&p->cycle[b->cycle]), one = (axis + 1) % 3, two = (axis + 2) % 3;
+            const int axis = orr_calibration_nearest(&p->cycle[b->cycle]), one = (axis + 1) % 3,
+                      two = (axis + 2) % 3;
             a[first + OFFSET_1] += w[3 + i] * A[i][k] * inc.arm_ps.m[k][one];
             a[first + OFFSET_2] += w[3 + i] * A[i][k] * inc.arm_ps.m[k][two];
         }
@@ -465,106 +450,4 @@ void orr_calibration_linear_step(const orr_calibration_plan *plan, const orr_cal
         value[i] = l->at.value[i];
         for (size_t k = 0; k < n; k++) value[i] += l->at.covariance[i * n + k] * b[k];
     }
-}
-
-// --- Truth ---
-
-double orr_calibration_along(const orr_stand_cycle *cycle, const orr_calibration_truth *truth)
-{
-    orr_vec3 r = orr_vec3_add(cycle->outer_m, truth->inner_m[0]);
-    return *component(&r, along(cycle));
-}
-
-void orr_calibration_true_values(const orr_calibration_plan *plan, const orr_calibration_truth *truth,
-                                 double *value)
-{
-    for (int i = 0; i < 3; i++) {
-        value[ACCEL_BIAS + i] = truth->accel_bias_mps2[i];
-        value[GYRO_BIAS + i] = truth->gyro_bias_radps[i];
-        value[ACCEL_SCALE + i] = truth->accel.m[i][i] - 1;
-        value[ACCEL_CROSS + i] = truth->accel.m[cross_row[i]][cross_column[i]];
-        for (int k = 0; k < 3; k++) value[GYRO_MATRIX + 3 * i + k] = truth->gyro.m[i][k] - (i == k ? 1 : 0);
-    }
-    const orr_vec3 origin = plan->offsets_known ? (orr_vec3){0, 0, 0} : truth->inner_m[0];
-    for (int axis = plan->offsets_known ? 0 : 1; plan->arms && axis < 3; axis++) {
-        const orr_vec3 r = orr_vec3_sub(truth->inner_m[axis], origin);
-        double *v = value + ARMS + 3 * (axis - (plan->offsets_known ? 0 : 1));
-        v[0] = r.x;
-        v[1] = r.y;
-        v[2] = r.z;
-    }
-    for (size_t c = 0; c < plan->n_cycles; c++) {
-        const orr_stand_cycle *q = &plan->cycle[c];
-        double *v = value + orr_calibration_parameters(plan) + c * per_cycle(plan);
-        // The same attitude by a mounting error without a part along the axis: it is R = C1(alpha) I R2(chi) I' of the
-        // body's axes; the turn about the nearest axis goes to the start angle, by iteration.
-        const int a = along(q), i = (a + 1) % 3, j = (a + 2) % 3;
-        const orr_mat3 alpha = orr_mat3_from_rotvec(q->mounting_rad), chi = orr_mat3_rot2(q->start_rad),
-                       nominal = orr_mat3_mul(&q->order, &chi), C = orr_mat3_mul(&alpha, &nominal);
-        double start = q->start_rad;
-        orr_vec3 tilt = {0, 0, 0};
-        const double sign = q->order.m[a][1] > 0 ? 1 : -1;
-        for (int k = 0; k < 60; k++) {
-            const orr_mat3 back = orr_mat3_rot2(start), there = orr_mat3_mul(&q->order, &back),
-                           turned = orr_mat3_transpose(&there), left = orr_mat3_mul(&C, &turned);
-            tilt = orr_rotvec_from_mat3(&left);
-            start += sign * *component(&tilt, a);
-        }
-        v[TILT_1] = *component(&tilt, i);
-        v[TILT_2] = *component(&tilt, j);
-        v[START] = start;
-        if (plan->offsets_known) continue;
-        orr_vec3 r = orr_vec3_add(q->outer_m, origin);
-        v[OFFSET_1] = *component(&r, i);
-        v[OFFSET_2] = *component(&r, j);
-    }
-}
-
-orr_status orr_calibration_own_axes(orr_calibration_truth *truth, orr_mat3 *turned, orr_diag *diag)
-{
-    // Rows of the accelerometers' matrix, made orthogonal from the first on (Gram and Schmidt), are the axes.
-    orr_vec3 row[3], axis[3];
-    for (int i = 0; i < 3; i++)
-        row[i] = (orr_vec3){truth->accel.m[i][0], truth->accel.m[i][1], truth->accel.m[i][2]};
-    for (int i = 0; i < 3; i++) {
-        axis[i] = row[i];
-        for (int k = 0; k < i; k++)
-            axis[i] = orr_vec3_axpy(-orr_vec3_dot(axis[i], axis[k]), axis[k], axis[i]);
-        if (!(orr_vec3_norm(axis[i]) > 1e-3 * orr_vec3_norm(row[i])))
-            return orr_diag_set(diag, ORR_E_NUMERIC, "two accelerometers look the same way");
-        axis[i] = orr_vec3_unit(axis[i]);
-    }
-    for (int i = 0; i < 3; i++) {
-        turned->m[i][0] = axis[i].x;
-        turned->m[i][1] = axis[i].y;
-        turned->m[i][2] = axis[i].z;
-    }
-    const orr_mat3 Rt = orr_mat3_transpose(turned);
-    truth->accel = orr_mat3_mul(&truth->accel, &Rt);
-    truth->gyro = orr_mat3_mul(&truth->gyro, &Rt);
-    for (int i = 0; i < 3; i++) truth->inner_m[i] = orr_mat3_apply(turned, truth->inner_m[i]);
-    return ORR_OK;
-}
-
-orr_status orr_calibration_nees(const orr_calibration_result *r, const double *value, const double *truth,
-                                size_t k, double *nees, orr_diag *diag)
-{
-    double *P = malloc(k * k * sizeof *P), *e = malloc(k * sizeof *e);
-    orr_status s =
-        P != NULL && e != NULL ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "no memory for a covariance");
-    if (s == ORR_OK) {
-        // In units of sigma, which are of very different size.
-        for (size_t i = 0; i < k; i++) {
-            e[i] = (value[i] - truth[i]) / r->sigma[i];
-            for (size_t j = 0; j < k; j++)
-                P[i * k + j] = r->covariance[i * r->n + j] / (r->sigma[i] * r->sigma[j]);
-        }
-        if (orr_cholesky_factor(P, k, 1e-14) != ORR_OK || orr_cholesky_solve_lower(P, k, e) != ORR_OK)
-            s = orr_diag_set(diag, ORR_E_NUMERIC, "the covariance of a calibration is not positive");
-    }
-    *nees = 0;
-    for (size_t i = 0; s == ORR_OK && i < k; i++) *nees += e[i] * e[i];
-    free(P);
-    free(e);
-    return s;
 }

@@ -24,13 +24,9 @@ static orr_mat3 order_of(const orr_study_cycle *c)
     return orr_mat3_mul(&R3, &second);
 }
 
-static orr_stand_segment *segments_of(const orr_study_profile *p)
+static const orr_study_profile *profile_of(const orr_study_calibration *s, size_t cycle)
 {
-    orr_stand_segment *out = calloc(p->segments.n + 1, sizeof *out);
-    for (size_t k = 0; out != NULL && k < p->segments.n; k++)
-        out[k] = (orr_stand_segment){(double)p->segments.item[k].for_ns * 1e-9,
-                                     p->segments.item[k].rate_degps * DEG};
-    return out;
+    return s->cycles.item[cycle].has_profile ? &s->cycles.item[cycle].profile : &s->profile;
 }
 
 static orr_status take_cycles(const orr_study_calibration *s, orr_calibration_job *out, orr_diag *diag)
@@ -38,21 +34,25 @@ static orr_status take_cycles(const orr_study_calibration *s, orr_calibration_jo
     const size_t n = s->cycles.n;
     out->cycle = calloc(n, sizeof *out->cycle);
     out->own_cycle = calloc(n, sizeof *out->own_cycle);
-    out->segment = calloc(n, sizeof *out->segment);
+    size_t segments = 0, at = 0;
+    for (size_t k = 0; k < n; k++) segments += profile_of(s, k)->segments.n;
+    out->segment = calloc(segments + 1, sizeof *out->segment);
     if (out->cycle == NULL || out->own_cycle == NULL || out->segment == NULL)
         return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu cycles", n);
     out->n_cycles = n;
     for (size_t k = 0; k < n; k++) {
         const orr_study_cycle *c = &s->cycles.item[k];
-        const orr_study_profile *p = c->has_profile ? &c->profile : &s->profile;
-        if ((out->segment[k] = segments_of(p)) == NULL)
-            return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a profile");
+        const orr_study_profile *p = profile_of(s, k);
+        orr_stand_segment *segment = out->segment + at;
+        for (size_t i = 0; i < p->segments.n; i++, at++)
+            segment[i] = (orr_stand_segment){(double)p->segments.item[i].for_ns * 1e-9,
+                                             p->segments.item[i].rate_degps * DEG};
         out->cycle[k] = (orr_stand_cycle){.order = order_of(c),
                                           .mounting_rad = three(&c->mounting, DEG),
                                           .start_rad = c->start_deg * DEG,
                                           .outer_m = three(&c->offset, 1.0),
                                           .profile = {.n = p->segments.n,
-                                                      .segment = out->segment[k],
+                                                      .segment = segment,
                                                       .ripple = p->ripple,
                                                       .ripple_per_turn = p->ripple_per_turn}};
         const orr_status status = orr_stand_cycle_check(&out->cycle[k], diag);
@@ -151,7 +151,6 @@ orr_status orr_calibration_open(const orr_study_calibration *study, orr_inputs *
 
 void orr_calibration_job_free(orr_calibration_job *job)
 {
-    for (size_t k = 0; job->segment != NULL && k < job->n_cycles; k++) free(job->segment[k]);
     free(job->segment);
     free(job->cycle);
     free(job->own_cycle);

@@ -10,8 +10,8 @@
 typedef struct orr_calibration_job {
     orr_stand stand;
     size_t n_cycles;
-    orr_stand_cycle *cycle;      // as they are
-    orr_stand_segment **segment; // of each cycle, and that of all last
+    orr_stand_cycle *cycle;     // as they are
+    orr_stand_segment *segment; // of all cycles
     orr_vec3 inner_m[3];
     bool has_errors;
     orr_sensor_errors file;

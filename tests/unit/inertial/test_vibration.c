@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/nan.h"
 #include "inertial/study/vibration.h"
 #include "inertial/study/vibration_broadband.h"
 #include "inertial/study/vibration_motion.h"
@@ -202,7 +203,7 @@ static void refused(void **state)
     assert_int_equal(orr_attitude_method_make("mine", 4, four, 2, &m, &diag), ORR_E_ARG);
     assert_non_null(strstr(diag.text, "need 3"));
     assert_int_equal(orr_attitude_method_make("mine", 9, four, 3, &m, &diag), ORR_E_ARG);
-    const double bad[] = {1, NAN, 2};
+    const double bad[] = {1, ORR_NAN, 2};
     assert_int_equal(orr_attitude_method_make("mine", 4, bad, 3, &m, &diag), ORR_E_ARG);
     for (int k = 0; k < 2; k++) {
         ASSERT_OK(orr_attitude_method_make("mine", 4, k == 0 ? four : all, k == 0 ? 3 : 6, &m, &diag), diag);
