@@ -101,6 +101,7 @@ class Signals(Folder):
             "alignment": [fifo],
             "calibration": [fifo],
             "error-equations": [fifo],
+            "export": [fifo, "--to", "pyins"],
             "vibration": [fifo],
             "allan": [fifo],
             "gravimetry": [fifo],
