@@ -73,7 +73,8 @@ static const double A = 6378137.0, INVERSE_F = 298.257223563, GM = 3986004.418e8
 static quad second_kind(quad u, quad E) { return ((1 + 3 * u * u / (E * E)) * atanq(E / u) - 3 * u / E) / 2; }
 static quad potential(const quad r[3])
 {
-    const quad f = 1 / (quad)INVERSE_F, a = A, b = a * (1 - f), E2 = a * a - b * b, E = sqrtq(E2), w = OMEGA;
+    const quad f = 1 / (quad)INVERSE_F, a = (quad)A, b = a * (1 - f), E2 = a * a - b * b, E = sqrtq(E2),
+               w = (quad)OMEGA;
     const quad d = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - E2;
     const quad u2 = d / 2 * (1 + sqrtq(1 + 4 * E2 * r[2] * r[2] / (d * d))), u = sqrtq(u2), s = r[2] / u;
     return (quad)GM / E * atanq(E / u) +
@@ -112,7 +113,7 @@ static const orr_analytic_plan plan = {
 // amplitude sin(w t + phase) with its derivatives, from derivative `order` on.
 static jet wave(double amplitude, double w, double phase, quad t, int order)
 {
-    const quad W = w, x = W * t + (quad)phase,
+    const quad W = (quad)w, x = W * t + (quad)phase,
                value[4] = {sinq(x), W * cosq(x), -W * W * sinq(x), -W * W * W * cosq(x)};
     return (jet){(quad)amplitude * value[order], (quad)amplitude * value[order + 1],
                  order == 0 ? (quad)amplitude * value[2] : (quad)amplitude * value[3]};
@@ -137,9 +138,9 @@ static void feel(quad t, quad rate[3], quad force[3])
         roll = add(roll, wave(q->amplitude.roll_rad, v, p, t, 0));
     }
     // The local map: the ellipsoid's normal at angles e / (N + h), n / (M + h) from the origin's.
-    const quad f = 1 / (quad)INVERSE_F, e2 = f * (2 - f), lat0 = plan.origin.lat_rad,
-               lon0 = plan.origin.lon_rad, s0 = sinq(lat0), c0 = cosq(lat0), sl = sinq(lon0), cl = cosq(lon0),
-               w2 = 1 - e2 * s0 * s0, N0 = (quad)A / sqrtq(w2), M0 = N0 * (1 - e2) / w2;
+    const quad f = 1 / (quad)INVERSE_F, e2 = f * (2 - f), lat0 = (quad)plan.origin.lat_rad,
+               lon0 = (quad)plan.origin.lon_rad, s0 = sinq(lat0), c0 = cosq(lat0), sl = sinq(lon0),
+               cl = cosq(lon0), w2 = 1 - e2 * s0 * s0, N0 = (quad)A / sqrtq(w2), M0 = N0 * (1 - e2) / w2;
     const jet x = scale(1 / (N0 + 300), e), y = scale(1 / (M0 + 300), n), q2 = add(mul(x, x), mul(y, y)),
               q = root(q2);
     const jet S = divide(sine(q), q), along[3] = {mul(S, x), mul(S, y), cosine(q)};
@@ -147,7 +148,7 @@ static void feel(quad t, quad rate[3], quad force[3])
     jet normal[3];
     for (int i = 0; i < 3; i++)
         normal[i] = add(add(scale(E0[0][i], along[0]), scale(E0[1][i], along[1])), scale(E0[2][i], along[2]));
-    const jet N = scale(A, inverse(root(add(constant(1), scale(-e2, mul(normal[2], normal[2])))))),
+    const jet N = scale((quad)A, inverse(root(add(constant(1), scale(-e2, mul(normal[2], normal[2])))))),
               h = add(u, constant(300));
     const jet r[3] = {mul(add(N, h), normal[0]), mul(add(N, h), normal[1]),
                       mul(add(scale(1 - e2, N), h), normal[2])};
@@ -169,7 +170,7 @@ static void feel(quad t, quad rate[3], quad force[3])
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             W[i][k] = -(B.m[i][0].d * B.m[k][0].v + B.m[i][1].d * B.m[k][1].v + B.m[i][2].d * B.m[k][2].v);
-    const quad own[3] = {W[2][1], W[0][2], W[1][0]}, o = OMEGA, place[3] = {r[0].v, r[1].v, r[2].v};
+    const quad own[3] = {W[2][1], W[0][2], W[1][0]}, o = (quad)OMEGA, place[3] = {r[0].v, r[1].v, r[2].v};
     gravitation(place, G);
     const quad a[3] = {r[0].dd - 2 * o * r[1].d - o * o * r[0].v - G[0],
                        r[1].dd + 2 * o * r[0].d - o * o * r[1].v - G[1], r[2].dd - G[2]};
