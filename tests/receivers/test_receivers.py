@@ -3,6 +3,7 @@
 """GNSS-SDR, cold and unassisted, on what orrery serve and orrery-generator make: where it says it is, when it says so first, and
 whether the ephemerides that it read are those that were sent. test_receivers.py [CASE...]; each prints what was measured beside its bar."""
 import pathlib
+import re
 import sys
 import unittest
 
@@ -131,6 +132,52 @@ class Receivers(program.Folder):
         self.receive({"1G": len(slots)}, [("1G", s) for s in slots])
         self.judge("GLONASS L1OF, 10 Msps, 51 dB-Hz", 45, 4.0)
         self.judge_glonass(start, 6)
+
+    def test_flight(self):
+        """The gravimetry flight of samples/, its delays left out: an aircraft in turbulence, turning on to its next line."""
+        text = pathlib.Path(program.sample("gravimetry-flight.yaml")).read_text()
+        text = re.sub(r"^ionosphere:\n(  .*\n)+", "", text, flags=re.M)
+        text = re.sub(r"^troposphere:.*\n", "", text, flags=re.M)
+        text = re.sub(r"^signals:.*$", 'signals: ["G:L1CA"]', text, flags=re.M)
+        text = text.replace("- ORR0", f"- {program.ROOT}/samples/ORR0")
+        start = "2025-03-21T10:07:00"
+        self.make(text, start, 120, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": 12})
+        self.judge("GPS L1 C/A, gravimetry flight, 2.6 Msps, 51 dB-Hz", 45, 2.5)
+        self.judge_lnav(start, 7)
+
+    def test_update(self):
+        """Across the hour at which satellites change to their next ephemerides."""
+        self.make(self.made('["G:L1CA"]'), "2025-03-21T12:58:54", 140, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": 10})
+        self.judge("GPS L1 C/A, ephemerides change after 66 s", 45, 2.0)
+        self.judge_lnav("2025-03-21T13:00:30", 8)  # those of the end
+
+    def test_week(self):
+        """From Saturday to Sunday: time of week 604800 is 0, the week another; real orbits of CODE."""
+        files = [program.data(f"2024-035/COD0OPSFIN_2024{d}0000_01D_05M_ORB.SP3.gz") for d in ("034", "035")]
+        text = STATIC.format(sp3=", ".join(files), signals='["G:L1CA"]')
+        self.make(text, "2024-02-03T23:58:54", 140, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": 10})
+        unwrapped = [(t + 604800 if t < 302400 else t, *f) for t, *f in self.found]  # the week's end is 604800
+        truth = self.service.truth("2024-02-03T23:59:00", 60)
+        self.found = unwrapped
+        self.assertGreater(unwrapped[-1][0], 604800 + 60)
+        self.judge("GPS L1 C/A, into a new week after 66 s", 45, 2.0, truth)
+
+    def test_health(self):
+        """A satellite that is off is not found; one that is marked unfit is read as such and left out of the position."""
+        start = "2025-03-21T12:00:00"
+        whole = self.made('["G:L1CA"]')
+        self.make(whole + "satellites: {exclude: G05, unhealthy: G07}\n", start, 90, 2600000, 1575420000, "G:L1CA", 51)
+        self.assertNotIn(5, recording.satellites(self.samples, "L1CA"))
+        self.assertIn(7, recording.satellites(self.samples, "L1CA"))
+        self.receive({"1C": 10})
+        self.judge("GPS L1 C/A, G05 off, G07 unfit", 45, 2.5)
+        read = gnss_sdr.ephemerides(self.out, "gps_ephemeris.xml")
+        self.assertNotIn(5, read)
+        self.assertNotEqual(read[7]["SV_health"], 0)
+        self.assertLessEqual(max(f[3] for f in self.found), len(read) - 1)
 
 
 if __name__ == "__main__":
