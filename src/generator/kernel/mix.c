@@ -21,7 +21,8 @@ void orr_gen_rotate(uint64_t carrier_step, orr_gen_rotation *r)
 static inline int16_t times(int16_t a, int16_t b) { return (int16_t)((a * b + 0x4000) >> 15); }
 
 // Chips of one group: of eight samples the phase of the first is truncated to 1/8192 sub-chip and the steps are rounded.
-static void group_chips(const orr_gen_run *run, uint64_t code, const uint16_t steps[8], int16_t *chip)
+static inline void group_chips(const orr_gen_run *run, uint64_t code, const uint16_t steps[8],
+                               int16_t *restrict chip)
 {
     for (size_t k = 0; k < ORR_GEN_GROUP; k += 8) {
         const int8_t *at = run->chips + (code >> ORR_GEN_CODE_BITS);
@@ -31,15 +32,23 @@ static void group_chips(const orr_gen_run *run, uint64_t code, const uint16_t st
     }
 }
 
-static void group_samples(const orr_gen_rotation *r, int16_t p_re, int16_t p_im, bool levels,
-                          const int16_t *restrict chip, int16_t *restrict re, int16_t *restrict im)
+// The carrier of a group: the phasor turned by each rotation.
+static inline void group_carrier(const orr_gen_rotation *r, int16_t p_re, int16_t p_im, int16_t *restrict re,
+                                 int16_t *restrict im)
 {
-    for (size_t k = 0; k < ORR_GEN_GROUP; k++) {
-        const int16_t s_re = (int16_t)(times(p_re, r->re[k]) - times(p_im, r->im[k]));
-        const int16_t s_im = (int16_t)(times(p_re, r->im[k]) + times(p_im, r->re[k]));
-        re[k] = levels ? times((int16_t)(chip[k] * 256), s_re) : (int16_t)(chip[k] * s_re);
-        im[k] = levels ? times((int16_t)(chip[k] * 256), s_im) : (int16_t)(chip[k] * s_im);
-    }
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++)
+        re[k] = (int16_t)(times(p_re, r->re[k]) - times(p_im, r->im[k]));
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++)
+        im[k] = (int16_t)(times(p_re, r->im[k]) + times(p_im, r->re[k]));
+}
+
+// Chips on it; `levels` as in orr_gen_run.
+static inline void group_code(bool levels, const int16_t *restrict chip, int16_t *restrict x)
+{
+    if (levels)
+        for (size_t k = 0; k < ORR_GEN_GROUP; k++) x[k] = times((int16_t)(chip[k] * 256), x[k]);
+    else
+        for (size_t k = 0; k < ORR_GEN_GROUP; k++) x[k] = (int16_t)(chip[k] * x[k]);
 }
 
 void orr_gen_mix_plain(const orr_gen_run *run, int16_t *re, int16_t *im)
@@ -55,7 +64,9 @@ void orr_gen_mix_plain(const orr_gen_run *run, int16_t *re, int16_t *im)
         const size_t at = g * ORR_GEN_GROUP, left = run->n - at;
         const size_t n = left < ORR_GEN_GROUP ? left : ORR_GEN_GROUP;
         group_chips(run, code, steps, chip);
-        group_samples(run->rotation, p_re[g], p_im[g], run->levels, chip, s_re, s_im);
+        group_carrier(run->rotation, p_re[g], p_im[g], s_re, s_im);
+        group_code(run->levels, chip, s_re);
+        group_code(run->levels, chip, s_im);
         for (size_t k = 0; k < n; k++) re[at + k] = (int16_t)(re[at + k] + s_re[k]);
         for (size_t k = 0; k < n; k++) im[at + k] = (int16_t)(im[at + k] + s_im[k]);
         code += ORR_GEN_GROUP * run->code_step;

@@ -13,7 +13,8 @@
 static double quantile(double p)
 {
     const double t = sqrt(-2 * log(p));
-    double x = (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308))) - t;
+    double x =
+        (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308))) - t;
     for (int k = 0; k < 3; k++) {
         const double miss = 0.5 * erfc(-x * 0.70710678118654752440) - p;
         x -= miss / (0.39894228040143267794 * exp(-0.5 * x * x));
@@ -54,59 +55,86 @@ size_t orr_gen_output_size(orr_gen_format format, size_t n)
     }
 }
 
-// Adds the noise of samples first .. first + n - 1; a number gives that of two.
-static void add_noise(const orr_gen_output *out, int64_t first, size_t n, float *re, float *im)
+// Adds the noise of samples first .. first + n - 1; a number gives that of two, of which the first is even.
+static void add_noise(const orr_gen_output *out, int64_t first, size_t n, float *restrict re,
+                      float *restrict im)
 {
     const float scale = (float)(out->sigma / TABLE_SIGMA);
     const int16_t *value = out->noise->value;
-    const uint64_t seed = scatter(out->seed + 1);
-    size_t k = 0;
-    while (k < n) {
-        const uint64_t number = (uint64_t)(first + (int64_t)k), r = scatter(seed + number / 2);
-        const unsigned from = number % 2 == 1;
-        for (unsigned h = from; h < 2 && k < n; h++, k++) {
-            re[k] += scale * (float)value[r >> (32 * h) & 0xffff];
-            im[k] += scale * (float)value[r >> (32 * h + 16) & 0xffff];
-        }
+    const uint64_t seed = scatter(out->seed + 1), pair = (uint64_t)first / 2;
+    float x[BATCH + 2], y[BATCH + 2]; // from the even sample on
+    const size_t odd = (size_t)((uint64_t)first % 2);
+    for (size_t k = 0; k < n + odd; k += 2) {
+        const uint64_t r = scatter(seed + pair + k / 2);
+        x[k] = (float)value[r & 0xffff];
+        y[k] = (float)value[r >> 16 & 0xffff];
+        x[k + 1] = (float)value[r >> 32 & 0xffff];
+        y[k + 1] = (float)value[r >> 48];
     }
+    for (size_t k = 0; k < n; k++) re[k] += scale * x[k + odd];
+    for (size_t k = 0; k < n; k++) im[k] += scale * y[k + odd];
 }
 
+// Rounds what lies between -most and most, and counts what does not.
 static size_t clip(float *x, size_t n, float most)
 {
-    size_t clipped = 0;
+    int32_t clipped = 0;
     for (size_t k = 0; k < n; k++) {
-        clipped += x[k] > most || x[k] < -most;
-        x[k] = x[k] > most ? most : x[k] < -most ? -most : x[k];
-        x[k] = (x[k] + NEAREST) - NEAREST;
+        const float v = x[k], low = v > most ? most : v, within = low < -most ? -most : low;
+        clipped += within != v;
+        x[k] = (within + NEAREST) - NEAREST;
     }
-    return clipped;
+    return (size_t)clipped;
 }
 
-static void put_i8(const float *re, const float *im, size_t n, uint8_t *bytes)
+static void put_i8(const float *restrict re, const float *restrict im, size_t n, uint8_t *bytes)
 {
+    int8_t out[2 * BATCH];
     for (size_t k = 0; k < n; k++) {
-        bytes[2 * k] = (uint8_t)(int8_t)(int32_t)re[k];
-        bytes[2 * k + 1] = (uint8_t)(int8_t)(int32_t)im[k];
+        out[2 * k] = (int8_t)(int32_t)re[k];
+        out[2 * k + 1] = (int8_t)(int32_t)im[k];
     }
+    memcpy(bytes, out, 2 * n);
 }
 
-static void put_i16(const float *re, const float *im, size_t n, uint8_t *bytes)
+static bool little_endian(void)
 {
-    for (size_t k = 0; k < n; k++) {
-        const uint16_t a = (uint16_t)(int16_t)(int32_t)re[k], b = (uint16_t)(int16_t)(int32_t)im[k];
-        bytes[4 * k] = (uint8_t)a, bytes[4 * k + 1] = (uint8_t)(a >> 8);
-        bytes[4 * k + 2] = (uint8_t)b, bytes[4 * k + 3] = (uint8_t)(b >> 8);
-    }
+    const uint16_t one = 1;
+    uint8_t low;
+    memcpy(&low, &one, 1);
+    return low == 1;
 }
 
-static void put_f32(const float *re, const float *im, size_t n, uint8_t *bytes)
+// Puts numbers of `size` bytes in the order of the file.
+static void put_little(const void *numbers, size_t count, size_t size, uint8_t *bytes)
 {
-    for (size_t k = 0; k < n; k++) {
-        uint32_t w[2];
-        memcpy(&w[0], &re[k], 4);
-        memcpy(&w[1], &im[k], 4);
-        for (size_t j = 0; j < 8; j++) bytes[8 * k + j] = (uint8_t)(w[j / 4] >> (8 * (j % 4)));
+    if (little_endian()) {
+        memcpy(bytes, numbers, count * size);
+        return;
     }
+    const uint8_t *from = numbers;
+    for (size_t k = 0; k < count; k++)
+        for (size_t j = 0; j < size; j++) bytes[k * size + j] = from[k * size + size - 1 - j];
+}
+
+static void put_i16(const float *restrict re, const float *restrict im, size_t n, uint8_t *bytes)
+{
+    int16_t out[2 * BATCH];
+    for (size_t k = 0; k < n; k++) {
+        out[2 * k] = (int16_t)(int32_t)re[k];
+        out[2 * k + 1] = (int16_t)(int32_t)im[k];
+    }
+    put_little(out, 2 * n, sizeof out[0], bytes);
+}
+
+static void put_f32(const float *restrict re, const float *restrict im, size_t n, uint8_t *bytes)
+{
+    float out[2 * BATCH];
+    for (size_t k = 0; k < n; k++) {
+        out[2 * k] = re[k];
+        out[2 * k + 1] = im[k];
+    }
+    put_little(out, 2 * n, sizeof out[0], bytes);
 }
 
 static unsigned two_bits(float x) { return (x < 0 ? 1u : 0u) | (fabsf(x) >= 1 ? 2u : 0u); }

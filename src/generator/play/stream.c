@@ -148,10 +148,20 @@ orr_gen_span orr_gen_stream_span(const orr_gen_stream *stream, const orr_gen_blo
     return (orr_gen_span){block, first, (uint32_t)(to - first)};
 }
 
-static void add_group(orr_gen_worker *w, uint32_t n)
+// Adds the group's sum to that of all groups, of which it may be the first, and begins another.
+static void end_group(orr_gen_worker *w, uint32_t n, bool first)
 {
-    for (uint32_t k = 0; k < n; k++) w->sum_re[k] += w->re[k];
-    for (uint32_t k = 0; k < n; k++) w->sum_im[k] += w->im[k];
+    if (first) {
+        for (uint32_t k = 0; k < n; k++) w->sum_re[k] = w->re[k];
+        for (uint32_t k = 0; k < n; k++) w->sum_im[k] = w->im[k];
+    } else {
+        for (uint32_t k = 0; k < n; k++) w->sum_re[k] += w->re[k];
+        for (uint32_t k = 0; k < n; k++) w->sum_im[k] += w->im[k];
+    }
+}
+
+static void begin_group(orr_gen_worker *w, uint32_t n)
+{
     memset(w->re, 0, n * sizeof w->re[0]);
     memset(w->im, 0, n * sizeof w->im[0]);
 }
@@ -176,21 +186,24 @@ void orr_gen_stream_play(const orr_gen_stream *stream, const orr_gen_span *span,
                                  .scratch = &worker->scratch,
                                  .re = worker->re,
                                  .im = worker->im};
-    memset(worker->re, 0, span->n * sizeof worker->re[0]);
-    memset(worker->im, 0, span->n * sizeof worker->im[0]);
-    memset(worker->sum_re, 0, span->n * sizeof worker->sum_re[0]);
-    memset(worker->sum_im, 0, span->n * sizeof worker->sum_im[0]);
     double group = 0;
+    bool first = true;
+    begin_group(worker, span->n);
     for (size_t k = 0; k < span->block->n; k++) {
         const orr_gen_channel *c = &span->block->channel[k];
         if (!hears(stream, c) || stream->source[c->signal][c->number].voice == NULL) continue;
         const double amplitude = amplitude_of(stream, c), most = 1.5 * amplitude + 4;
-        if (group + most > SUM_LARGEST) add_group(worker, span->n), group = 0;
+        if (group + most > SUM_LARGEST) {
+            end_group(worker, span->n, first);
+            begin_group(worker, span->n);
+            first = false;
+            group = 0;
+        }
         orr_gen_voice_play(stream->source[c->signal][c->number].voice, c, amplitude, &piece);
         group += most;
         worker->channels++;
     }
-    add_group(worker, span->n);
+    end_group(worker, span->n, first);
     worker->clipped +=
         orr_gen_output_write(&stream->output, worker->sum_re, worker->sum_im, span->first, span->n, bytes);
 }

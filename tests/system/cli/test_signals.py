@@ -108,6 +108,7 @@ class Signals(Folder):
             "track": ["--telemetry", fifo, "-o", out],
             "delays": [fifo, "-o", out],
             "check": [fifo],
+            "iq": [fifo, "-o", out],
             "simulate": [fifo, "-o", out],
             "serve": [fifo],
             "delays": [fifo, "-o", out],
