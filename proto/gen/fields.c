@@ -114,6 +114,20 @@ static const orr_field_word words_stamp_clock[] = {
     {3, "REALTIME", "realtime", false},
 };
 
+static const orr_field_word words_motion_state[] = {
+    {0, "SCENARIO", "scenario", false},
+    {1, "SYNCHRONOUS", "synchronous", false},
+    {2, "INTERPOLATED", "interpolated", false},
+    {3, "EXTRAPOLATED", "extrapolated", false},
+    {4, "JOINING", "joining", false},
+    {5, "SNAPPED", "snapped", false},
+};
+
+static const orr_field_word words_motion_point[] = {
+    {0, "BODY", "body", false},
+    {1, "ANTENNA", "antenna", false},
+};
+
 static const orr_field_word words_channel_flags[] = {
     {UINT64_C(1), "UNHEALTHY", "unhealthy", false},
     {UINT64_C(2), "ECLIPSE", "eclipse", false},
@@ -148,6 +162,15 @@ static const orr_field_word words_nav_notes[] = {
     {UINT64_C(32), "NOMINAL_CHANNEL", "nominal channel", false},
     {UINT64_C(64), "CLOCK_JUMP", "clock jump", false},
 };
+
+static const orr_field fields_motion_spread[] = {
+    {.name = "min", .unit = "ns", .doc = "least", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_spread, min), .in_text = true, .text_name = "min", .text_factor = 1.0, .in_table = true, .head = "min", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "max", .unit = "ns", .doc = "greatest", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_spread, max), .in_text = true, .text_name = "max", .text_factor = 1.0, .in_table = true, .head = "max", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "last", .unit = "ns", .doc = "last", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_spread, last), .in_text = true, .text_name = "last", .text_factor = 1.0, .in_table = true, .head = "last", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "p50", .unit = "ns", .doc = "median, to 9 %", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_spread, p50), .in_text = true, .text_name = "p50", .text_factor = 1.0, .in_table = true, .head = "p50", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "p99", .unit = "ns", .doc = "99th percentile, to 9 %", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_spread, p99), .in_text = true, .text_name = "p99", .text_factor = 1.0, .in_table = true, .head = "p99", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_motion_spread = {"motion_spread", fields_motion_spread, 5, sizeof(orr_msg_motion_spread), false, false};
 
 static const orr_field fields_sat_id[] = {
     {.name = "system", .unit = "", .doc = "letter: G R E C J I S L; any other is NOT_SERVED", .kind = ORR_FIELD_U8, .show = ORR_SHOW_CHAR, .offset = offsetof(orr_msg_sat_id, system), .in_text = true, .text_name = "system", .text_factor = 1.0, .in_table = true, .head = "system", .table_unit = "", .table_factor = 1.0, .digits = -1},
@@ -715,10 +738,12 @@ static const orr_field fields_channels[] = {
     {.name = "error_m", .unit = "m", .doc = "greatest error of cubics against the antenna's motion that was found in these 10 s; above channel.error_m where even 1 ms does not hold it", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, error_m), .in_text = true, .text_name = "error_m", .text_factor = 1.0, .in_table = false, .head = "error", .table_unit = "m", .table_factor = 1.0, .digits = 4},
     {.name = "pos_m", .unit = "m", .doc = "antenna reference point at the block's begin (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_PLACE, .length = 3, .stem = "pos_", .suffix = "_m", .offset = offsetof(orr_msg_channels, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "pos", .table_unit = "m", .table_factor = 1.0, .digits = 4},
     {.name = "vel_mps", .unit = "m/s", .doc = "its velocity (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "vel_", .suffix = "_mps", .offset = offsetof(orr_msg_channels, vel_mps), .in_text = true, .text_name = "vel_mps", .text_factor = 1.0, .in_table = false, .head = "vel", .table_unit = "m/s", .table_factor = 1.0, .digits = 5},
+    {.name = "motion", .unit = "", .doc = "where this motion comes from", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_channels, motion), .word = words_motion_state, .n_words = sizeof words_motion_state / sizeof words_motion_state[0], .in_text = true, .text_name = "motion", .text_factor = 1.0, .in_table = true, .head = "motion", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "motion_age", .unit = "ns", .doc = "live: the block's begin less the tag of the sample that it rests on; 0 otherwise", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, motion_age), .in_text = true, .text_name = "motion_age", .text_factor = 1.0, .in_table = false, .head = "motion age", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "channels", .unit = "", .doc = "those that the antenna sees at the block's begin, by satellite and signal", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, channels), .limit = 4096, .record = &record_sat_channel, .next = next_sat_channel, .in_text = true, .text_name = "channels", .text_factor = 1.0, .in_table = true, .head = "channels", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "terms", .unit = "", .doc = "of each channel, in the same order; empty unless asked for", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channels, terms), .limit = 4096, .record = &record_channel_terms, .next = next_channel_terms, .in_text = true, .text_name = "terms", .text_factor = 1.0, .in_table = false, .head = "terms", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_channels = {"channels", fields_channels, 9, sizeof(orr_msg_channels), false, false};
+static const orr_record record_channels = {"channels", fields_channels, 11, sizeof(orr_msg_channels), false, false};
 
 static orr_wire_status encode_channels(const void *m, orr_wire_writer *w)
 {
@@ -1001,6 +1026,73 @@ static orr_wire_status decode_pace(const uint8_t *payload, size_t size, void *m)
     return orr_msg_pace_decode(payload, size, (orr_msg_pace *)m);
 }
 
+static const orr_field fields_motion[] = {
+    {.name = "t", .unit = "ns", .doc = "tag: instant of the scenario at which it holds; later than that of the sample before", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_motion, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "order", .unit = "", .doc = "highest derivative of the position that is given: 0 position, 1 velocity, 2 acceleration, 3 jerk", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion, order), .in_text = true, .text_name = "order", .text_factor = 1.0, .in_table = true, .head = "order", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "angular_order", .unit = "", .doc = "likewise: 0 no attitude (the body stands level, its front to North), 1 attitude, 2 rate, 3 acceleration, 4 jerk", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion, angular_order), .in_text = true, .text_name = "angular_order", .text_factor = 1.0, .in_table = true, .head = "angular order", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "point", .unit = "", .doc = "of which point", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_motion, point), .word = words_motion_point, .n_words = sizeof words_motion_point / sizeof words_motion_point[0], .in_text = true, .text_name = "point", .text_factor = 1.0, .in_table = true, .head = "point", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "snap", .unit = "", .doc = "1: jump there at the next block instead of joining", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion, snap), .in_text = true, .text_name = "snap", .text_factor = 1.0, .in_table = true, .head = "snap", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "pos_m", .unit = "m", .doc = "position (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "pos_", .suffix = "_m", .offset = offsetof(orr_msg_motion, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "pos", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "vel_mps", .unit = "m/s", .doc = "velocity relative to the Earth (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "vel_", .suffix = "_mps", .offset = offsetof(orr_msg_motion, vel_mps), .in_text = true, .text_name = "vel_mps", .text_factor = 1.0, .in_table = true, .head = "vel", .table_unit = "m/s", .table_factor = 1.0, .digits = 5},
+    {.name = "acc_mps2", .unit = "m/s2", .doc = "second derivative of the position (ecef)", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "acc_", .suffix = "_mps2", .offset = offsetof(orr_msg_motion, acc_mps2), .in_text = true, .text_name = "acc_mps2", .text_factor = 1.0, .in_table = true, .head = "acc", .table_unit = "m/s2", .table_factor = 1.0, .digits = 6},
+    {.name = "jerk_mps3", .unit = "m/s3", .doc = "third", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "jerk_mps3_", .suffix = "", .offset = offsetof(orr_msg_motion, jerk_mps3), .in_text = true, .text_name = "jerk_mps3", .text_factor = 1.0, .in_table = true, .head = "jerk mps3", .table_unit = "m/s3", .table_factor = 1.0, .digits = -1},
+    {.name = "attitude", .unit = "", .doc = "quaternion w x y z of body from ecef: v_body = conj(q) v_ecef q; body is right, forward, up", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 4, .stem = "attitude_", .suffix = "", .offset = offsetof(orr_msg_motion, attitude), .in_text = true, .text_name = "attitude", .text_factor = 1.0, .in_table = true, .head = "attitude", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "rate_radps", .unit = "rad/s", .doc = "rate of the body relative to ecef, body axes", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "rate_", .suffix = "_radps", .offset = offsetof(orr_msg_motion, rate_radps), .in_text = true, .text_name = "rate_radps", .text_factor = 1.0, .in_table = true, .head = "rate", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "rate2_radps2", .unit = "rad/s2", .doc = "its derivative", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "rate2_radps2_", .suffix = "", .offset = offsetof(orr_msg_motion, rate2_radps2), .in_text = true, .text_name = "rate2_radps2", .text_factor = 1.0, .in_table = true, .head = "rate2 radps2", .table_unit = "rad/s2", .table_factor = 1.0, .digits = -1},
+    {.name = "rate3_radps3", .unit = "rad/s3", .doc = "and that one's", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "rate3_radps3_", .suffix = "", .offset = offsetof(orr_msg_motion, rate3_radps3), .in_text = true, .text_name = "rate3_radps3", .text_factor = 1.0, .in_table = true, .head = "rate3 radps3", .table_unit = "rad/s3", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_motion = {"motion", fields_motion, 13, sizeof(orr_msg_motion), false, false};
+
+static orr_wire_status encode_motion(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_motion_encode((const orr_msg_motion *)m, w);
+}
+static orr_wire_status decode_motion(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_motion_decode(payload, size, (orr_msg_motion *)m);
+}
+
+static const orr_field fields_get_motion_stats[] = {
+    {.name = "reset", .unit = "", .doc = "1: counts begin anew afterwards", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_get_motion_stats, reset), .in_text = true, .text_name = "reset", .text_factor = 1.0, .in_table = true, .head = "reset", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_get_motion_stats = {"get_motion_stats", fields_get_motion_stats, 1, sizeof(orr_msg_get_motion_stats), false, false};
+
+static orr_wire_status encode_get_motion_stats(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_get_motion_stats_encode((const orr_msg_get_motion_stats *)m, w);
+}
+static orr_wire_status decode_get_motion_stats(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_get_motion_stats_decode(payload, size, (orr_msg_get_motion_stats *)m);
+}
+
+static const orr_field fields_motion_stats[] = {
+    {.name = "received", .unit = "", .doc = "samples that came", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, received), .in_text = true, .text_name = "received", .text_factor = 1.0, .in_table = true, .head = "received", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "used", .unit = "", .doc = "of them on which a block rests", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, used), .in_text = true, .text_name = "used", .text_factor = 1.0, .in_table = true, .head = "used", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "late", .unit = "", .doc = "that came after a block for their instant was made", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, late), .in_text = true, .text_name = "late", .text_factor = 1.0, .in_table = true, .head = "late", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "early", .unit = "", .doc = "that came before any block needed them", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, early), .in_text = true, .text_name = "early", .text_factor = 1.0, .in_table = true, .head = "early", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "dropped", .unit = "", .doc = "that could not be used: tags that go back or lie far ahead, numbers that are none, jumps that were not asked for", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, dropped), .in_text = true, .text_name = "dropped", .text_factor = 1.0, .in_table = true, .head = "dropped", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "overtaken", .unit = "", .doc = "on which no block came to rest before the next", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, overtaken), .in_text = true, .text_name = "overtaken", .text_factor = 1.0, .in_table = true, .head = "overtaken", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "blocks", .unit = "", .doc = "blocks made along live motion", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, blocks), .in_text = true, .text_name = "blocks", .text_factor = 1.0, .in_table = true, .head = "blocks", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "extrapolated", .unit = "", .doc = "of them beyond the last sample", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, extrapolated), .in_text = true, .text_name = "extrapolated", .text_factor = 1.0, .in_table = true, .head = "extrapolated", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "joined", .unit = "", .doc = "on the way back", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, joined), .in_text = true, .text_name = "joined", .text_factor = 1.0, .in_table = true, .head = "joined", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "snapped", .unit = "", .doc = "with a jump", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, snapped), .in_text = true, .text_name = "snapped", .text_factor = 1.0, .in_table = true, .head = "snapped", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "lateness", .unit = "", .doc = "scenario's instant at arrival less the tag", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, lateness), .record = &record_motion_spread, .in_text = true, .text_name = "lateness", .text_factor = 1.0, .in_table = true, .head = "lateness", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "margin", .unit = "", .doc = "tag less the end of what had been made at arrival", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, margin), .record = &record_motion_spread, .in_text = true, .text_name = "margin", .text_factor = 1.0, .in_table = true, .head = "margin", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "buffered", .unit = "", .doc = "samples that wait for their instant", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_stats, buffered), .in_text = true, .text_name = "buffered", .text_factor = 1.0, .in_table = true, .head = "buffered", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "worst", .unit = "", .doc = "worst state of a block since this was asked last", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_motion_stats, worst), .word = words_motion_state, .n_words = sizeof words_motion_state / sizeof words_motion_state[0], .in_text = true, .text_name = "worst", .text_factor = 1.0, .in_table = true, .head = "worst", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_motion_stats = {"motion_stats", fields_motion_stats, 14, sizeof(orr_msg_motion_stats), false, false};
+
+static orr_wire_status encode_motion_stats(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_motion_stats_encode((const orr_msg_motion_stats *)m, w);
+}
+static orr_wire_status decode_motion_stats(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_motion_stats_decode(payload, size, (orr_msg_motion_stats *)m);
+}
+
 static const orr_message_info messages[] = {
     {"HELLO", ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, true, &record_hello, encode_hello, decode_hello},
     {"CAPS", ORR_MSG_TYPE_CAPS, 0, false, &record_caps, encode_caps, decode_caps},
@@ -1032,6 +1124,9 @@ static const orr_message_info messages[] = {
     {"TIME", ORR_MSG_TYPE_TIME, 0, false, &record_time, encode_time, decode_time},
     {"RADIO_TIME", ORR_MSG_TYPE_RADIO_TIME, ORR_MSG_TYPE_PACE, true, &record_radio_time, encode_radio_time, decode_radio_time},
     {"PACE", ORR_MSG_TYPE_PACE, 0, false, &record_pace, encode_pace, decode_pace},
+    {"MOTION", ORR_MSG_TYPE_MOTION, 0, true, &record_motion, encode_motion, decode_motion},
+    {"GET_MOTION_STATS", ORR_MSG_TYPE_GET_MOTION_STATS, ORR_MSG_TYPE_MOTION_STATS, true, &record_get_motion_stats, encode_get_motion_stats, decode_get_motion_stats},
+    {"MOTION_STATS", ORR_MSG_TYPE_MOTION_STATS, 0, false, &record_motion_stats, encode_motion_stats, decode_motion_stats},
 };
 
 const orr_message_info *orr_message_of(uint16_t type)

@@ -62,6 +62,9 @@ enum { // message types
     ORR_MSG_TYPE_TIME = 28,
     ORR_MSG_TYPE_RADIO_TIME = 29,
     ORR_MSG_TYPE_PACE = 30,
+    ORR_MSG_TYPE_MOTION = 31,
+    ORR_MSG_TYPE_GET_MOTION_STATS = 32,
+    ORR_MSG_TYPE_MOTION_STATS = 33,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -175,6 +178,20 @@ enum { // stamp_clock (u8): Which clock of the server's host a stamp was read fr
     ORR_MSG_STAMP_CLOCK_REALTIME = 3, // CLOCK_REALTIME, Unix time
 };
 
+enum { // motion_state (u8): Where an antenna's motion of a block comes from.
+    ORR_MSG_MOTION_STATE_SCENARIO = 0, // the scenario's own trajectory or place
+    ORR_MSG_MOTION_STATE_SYNCHRONOUS = 1, // live: the sample of the block's begin was there
+    ORR_MSG_MOTION_STATE_INTERPOLATED = 2, // live: between two samples
+    ORR_MSG_MOTION_STATE_EXTRAPOLATED = 3, // live: beyond the last sample
+    ORR_MSG_MOTION_STATE_JOINING = 4, // live: on the way from what was predicted to what is known now
+    ORR_MSG_MOTION_STATE_SNAPPED = 5, // live: jumps here, as the sample asked
+};
+
+enum { // motion_point (u8): The point whose motion is told.
+    ORR_MSG_MOTION_POINT_BODY = 0, // the body's own point; antennas ride on it by their lever arms
+    ORR_MSG_MOTION_POINT_ANTENNA = 1, // the antennas' reference point itself: lever arms are left out
+};
+
 // channel_flags (u32): What should be known of a channel.
 #define ORR_MSG_CHANNEL_FLAGS_UNHEALTHY ((uint32_t)(UINT64_C(1) << 0)) // the scenario marks the satellite as not to be used
 #define ORR_MSG_CHANNEL_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 1)) // the satellite is in the umbra or penumbra of the Earth
@@ -223,6 +240,8 @@ const char *orr_msg_control_action_name(uint8_t value);
 const char *orr_msg_clock_reference_name(uint8_t value);
 const char *orr_msg_clock_state_name(uint8_t value);
 const char *orr_msg_stamp_clock_name(uint8_t value);
+const char *orr_msg_motion_state_name(uint8_t value);
+const char *orr_msg_motion_point_name(uint8_t value);
 const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
@@ -231,7 +250,18 @@ const char *orr_msg_nav_notes_name(unsigned bit);
 bool orr_msg_error_code_closes(uint16_t value);
 
 // Bytes of the largest payload of all messages.
-#define ORR_MSG_LARGEST 966755u
+#define ORR_MSG_LARGEST 966764u
+
+// Least, greatest, last, median and 99th percentile of a time, over the samples that were counted; 0 without any.
+typedef struct orr_msg_motion_spread {
+    int64_t min; // [ns] least
+    int64_t max; // [ns] greatest
+    int64_t last; // [ns] last
+    int64_t p50; // [ns] median, to 9 %
+    int64_t p99; // [ns] 99th percentile, to 9 %
+} orr_msg_motion_spread;
+#define ORR_MSG_MOTION_SPREAD_SIZE 40u
+#define ORR_MSG_MOTION_SPREAD_LARGEST 40u
 
 // A satellite as IGS files name it.
 typedef struct orr_msg_sat_id {
@@ -891,10 +921,12 @@ typedef struct orr_msg_channels {
     double error_m; // greatest error of cubics against the antenna's motion that was found in these 10 s; above channel.error_m where even 1 ms does not hold it
     double pos_m[3]; // antenna reference point at the block's begin (ecef)
     double vel_mps[3]; // [m/s] its velocity (ecef)
+    uint8_t motion; // where this motion comes from
+    int64_t motion_age; // [ns] live: the block's begin less the tag of the sample that it rests on; 0 otherwise
     orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite and signal
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 966755u
+#define ORR_MSG_CHANNELS_LARGEST 966764u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);
@@ -1109,8 +1141,63 @@ typedef struct orr_msg_pace {
 orr_wire_status orr_msg_pace_encode(const orr_msg_pace *m, orr_wire_writer *w);
 orr_wire_status orr_msg_pace_decode(const uint8_t *payload, size_t size, orr_msg_pace *m);
 
+// A sample of the live motion of the body that antennas ride on. Wants a clock that is armed or runs, and a server that takes motion (serve --motion); answered by an ERROR where it cannot be used.
+typedef struct orr_msg_motion {
+    int64_t t; // [ns] tag: instant of the scenario at which it holds; later than that of the sample before
+    uint8_t order; // highest derivative of the position that is given: 0 position, 1 velocity, 2 acceleration, 3 jerk
+    uint8_t angular_order; // likewise: 0 no attitude (the body stands level, its front to North), 1 attitude, 2 rate, 3 acceleration, 4 jerk
+    uint8_t point; // of which point
+    uint8_t snap; // 1: jump there at the next block instead of joining
+    double pos_m[3]; // position (ecef)
+    double vel_mps[3]; // [m/s] velocity relative to the Earth (ecef)
+    double acc_mps2[3]; // [m/s2] second derivative of the position (ecef)
+    double jerk_mps3[3]; // [m/s3] third
+    double attitude[4]; // quaternion w x y z of body from ecef: v_body = conj(q) v_ecef q; body is right, forward, up
+    double rate_radps[3]; // [rad/s] rate of the body relative to ecef, body axes
+    double rate2_radps2[3]; // [rad/s2] its derivative
+    double rate3_radps3[3]; // [rad/s3] and that one's
+} orr_msg_motion;
+#define ORR_MSG_MOTION_SIZE 212u
+#define ORR_MSG_MOTION_LARGEST 212u
+
+orr_wire_status orr_msg_motion_encode(const orr_msg_motion *m, orr_wire_writer *w);
+orr_wire_status orr_msg_motion_decode(const uint8_t *payload, size_t size, orr_msg_motion *m);
+
+// Asks what became of the samples of motion, and lays down the worst state.
+typedef struct orr_msg_get_motion_stats {
+    uint8_t reset; // 1: counts begin anew afterwards
+} orr_msg_get_motion_stats;
+#define ORR_MSG_GET_MOTION_STATS_SIZE 1u
+#define ORR_MSG_GET_MOTION_STATS_LARGEST 1u
+
+orr_wire_status orr_msg_get_motion_stats_encode(const orr_msg_get_motion_stats *m, orr_wire_writer *w);
+orr_wire_status orr_msg_get_motion_stats_decode(const uint8_t *payload, size_t size, orr_msg_get_motion_stats *m);
+
+// What became of the samples of motion since the counts began.
+typedef struct orr_msg_motion_stats {
+    uint64_t received; // samples that came
+    uint64_t used; // of them on which a block rests
+    uint64_t late; // that came after a block for their instant was made
+    uint64_t early; // that came before any block needed them
+    uint64_t dropped; // that could not be used: tags that go back or lie far ahead, numbers that are none, jumps that were not asked for
+    uint64_t overtaken; // on which no block came to rest before the next
+    uint64_t blocks; // blocks made along live motion
+    uint64_t extrapolated; // of them beyond the last sample
+    uint64_t joined; // on the way back
+    uint64_t snapped; // with a jump
+    orr_msg_motion_spread lateness; // scenario's instant at arrival less the tag
+    orr_msg_motion_spread margin; // tag less the end of what had been made at arrival
+    uint16_t buffered; // samples that wait for their instant
+    uint8_t worst; // worst state of a block since this was asked last
+} orr_msg_motion_stats;
+#define ORR_MSG_MOTION_STATS_SIZE 163u
+#define ORR_MSG_MOTION_STATS_LARGEST 163u
+
+orr_wire_status orr_msg_motion_stats_encode(const orr_msg_motion_stats *m, orr_wire_writer *w);
+orr_wire_status orr_msg_motion_stats_decode(const uint8_t *payload, size_t size, orr_msg_motion_stats *m);
+
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace) X(motion) X(get_motion_stats) X(motion_stats)
 
 // Room for any of them.
 typedef union orr_msg_any {
@@ -1144,6 +1231,9 @@ typedef union orr_msg_any {
     orr_msg_time time;
     orr_msg_radio_time radio_time;
     orr_msg_pace pace;
+    orr_msg_motion motion;
+    orr_msg_get_motion_stats get_motion_stats;
+    orr_msg_motion_stats motion_stats;
 } orr_msg_any;
 
 #ifdef __cplusplus

@@ -101,6 +101,18 @@ enums.stamp_clock = {
   [2] = "TAI",
   [3] = "REALTIME",
 }
+enums.motion_state = {
+  [0] = "SCENARIO",
+  [1] = "SYNCHRONOUS",
+  [2] = "INTERPOLATED",
+  [3] = "EXTRAPOLATED",
+  [4] = "JOINING",
+  [5] = "SNAPPED",
+}
+enums.motion_point = {
+  [0] = "BODY",
+  [1] = "ANTENNA",
+}
 bitsets.channel_flags = {
   {name = "UNHEALTHY", bit = 0},
   {name = "ECLIPSE", bit = 1},
@@ -132,6 +144,13 @@ bitsets.nav_notes = {
   {name = "NOMINAL_CHANNEL", bit = 5},
   {name = "CLOCK_JUMP", bit = 6},
 }
+records.motion_spread = {size = 40, smallest = 40, fields = {
+    {name = "min", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "max", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "last", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "p50", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "p99", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+}}
 records.sat_id = {size = 2, smallest = 2, satellite = true, fields = {
     {name = "system", kind = "scalar", scalar = "u8", show = "char"},
     {name = "number", kind = "scalar", scalar = "u8"},
@@ -421,6 +440,8 @@ records.channels = {fields = {
     {name = "error_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "pos_m", kind = "array", scalar = "f64", length = 3, show = "place", unit = "m"},
     {name = "vel_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
+    {name = "motion", kind = "scalar", scalar = "u8", enum = "motion_state"},
+    {name = "motion_age", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
     {name = "channels", kind = "list", record = "sat_channel", limit = 4096},
     {name = "terms", kind = "list", record = "channel_terms", limit = 4096},
 }}
@@ -531,6 +552,40 @@ records.pace = {size = 48, smallest = 48, fields = {
     {name = "made", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "until_air", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
 }}
+records.motion = {size = 212, smallest = 212, fields = {
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "order", kind = "scalar", scalar = "u8"},
+    {name = "angular_order", kind = "scalar", scalar = "u8"},
+    {name = "point", kind = "scalar", scalar = "u8", enum = "motion_point"},
+    {name = "snap", kind = "scalar", scalar = "u8"},
+    {name = "pos_m", kind = "array", scalar = "f64", length = 3, unit = "m"},
+    {name = "vel_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
+    {name = "acc_mps2", kind = "array", scalar = "f64", length = 3, unit = "m/s2"},
+    {name = "jerk_mps3", kind = "array", scalar = "f64", length = 3, unit = "m/s3"},
+    {name = "attitude", kind = "array", scalar = "f64", length = 4},
+    {name = "rate_radps", kind = "array", scalar = "f64", length = 3, unit = "rad/s"},
+    {name = "rate2_radps2", kind = "array", scalar = "f64", length = 3, unit = "rad/s2"},
+    {name = "rate3_radps3", kind = "array", scalar = "f64", length = 3, unit = "rad/s3"},
+}}
+records.get_motion_stats = {size = 1, smallest = 1, fields = {
+    {name = "reset", kind = "scalar", scalar = "u8"},
+}}
+records.motion_stats = {size = 163, smallest = 163, fields = {
+    {name = "received", kind = "scalar", scalar = "u64"},
+    {name = "used", kind = "scalar", scalar = "u64"},
+    {name = "late", kind = "scalar", scalar = "u64"},
+    {name = "early", kind = "scalar", scalar = "u64"},
+    {name = "dropped", kind = "scalar", scalar = "u64"},
+    {name = "overtaken", kind = "scalar", scalar = "u64"},
+    {name = "blocks", kind = "scalar", scalar = "u64"},
+    {name = "extrapolated", kind = "scalar", scalar = "u64"},
+    {name = "joined", kind = "scalar", scalar = "u64"},
+    {name = "snapped", kind = "scalar", scalar = "u64"},
+    {name = "lateness", kind = "struct", record = "motion_spread"},
+    {name = "margin", kind = "struct", record = "motion_spread"},
+    {name = "buffered", kind = "scalar", scalar = "u16"},
+    {name = "worst", kind = "scalar", scalar = "u8", enum = "motion_state"},
+}}
 local messages = {
   [1] = {name = "HELLO", record = "hello", from = "client", answer = "CAPS"},
   [2] = {name = "CAPS", record = "caps", from = "server"},
@@ -562,6 +617,9 @@ local messages = {
   [28] = {name = "TIME", record = "time", from = "server"},
   [29] = {name = "RADIO_TIME", record = "radio_time", from = "client", answer = "PACE"},
   [30] = {name = "PACE", record = "pace", from = "server"},
+  [31] = {name = "MOTION", record = "motion", from = "client"},
+  [32] = {name = "GET_MOTION_STATS", record = "get_motion_stats", from = "client", answer = "MOTION_STATS"},
+  [33] = {name = "MOTION_STATS", record = "motion_stats", from = "server"},
 }
 local message_names = {}
 for number, message in pairs(messages) do message_names[number] = message.name end

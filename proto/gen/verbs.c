@@ -167,6 +167,29 @@ orr_wire_status orr_client_radio_time(orr_client *c, const orr_msg_radio_time *r
     return s == ORR_WIRE_OK ? orr_msg_pace_decode(f.payload, f.size, answer) : s;
 }
 
+orr_wire_status orr_client_motion(orr_client *c, const orr_msg_motion *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    uint32_t awaited = c->awaited;
+    orr_client_begin(c, ORR_MSG_TYPE_MOTION, &w, &start);
+    orr_msg_motion_encode(request, &w);
+    c->awaited = awaited;
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_motion_stats *request, orr_msg_motion_stats *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_GET_MOTION_STATS, &w, &start);
+    orr_msg_get_motion_stats_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_MOTION_STATS, &f);
+    return s == ORR_WIRE_OK ? orr_msg_motion_stats_decode(f.payload, f.size, answer) : s;
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)
 {
     orr_frame f;

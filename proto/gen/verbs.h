@@ -46,6 +46,10 @@ orr_wire_status orr_client_control(orr_client *c, const orr_msg_control *request
 orr_wire_status orr_client_get_time(orr_client *c, const orr_msg_get_time *request, orr_msg_time *answer);
 // A generator tells its elapsed time, 1 to 1000 times a second; the scenario's clock follows it.
 orr_wire_status orr_client_radio_time(orr_client *c, const orr_msg_radio_time *request, orr_msg_pace *answer);
+// A sample of the live motion of the body that antennas ride on. Wants a clock that is armed or runs, and a server that takes motion (serve --motion); answered by an ERROR where it cannot be used.
+orr_wire_status orr_client_motion(orr_client *c, const orr_msg_motion *request);
+// Asks what became of the samples of motion, and lays down the worst state.
+orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_motion_stats *request, orr_msg_motion_stats *answer);
 
 // Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);

@@ -797,6 +797,9 @@ const char *orr_msg_type_name(uint16_t type)
     case 28: return "TIME";
     case 29: return "RADIO_TIME";
     case 30: return "PACE";
+    case 31: return "MOTION";
+    case 32: return "GET_MOTION_STATS";
+    case 33: return "MOTION_STATS";
     default: return NULL;
     }
 }
@@ -972,6 +975,28 @@ const char *orr_msg_stamp_clock_name(uint8_t value)
     }
 }
 
+const char *orr_msg_motion_state_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "SCENARIO";
+    case 1: return "SYNCHRONOUS";
+    case 2: return "INTERPOLATED";
+    case 3: return "EXTRAPOLATED";
+    case 4: return "JOINING";
+    case 5: return "SNAPPED";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_motion_point_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "BODY";
+    case 1: return "ANTENNA";
+    default: return NULL;
+    }
+}
+
 bool orr_msg_error_code_closes(uint16_t value)
 {
     return value == 1 || value == 2 || value == 3 || value == 4 || value == 10 || value == 11 || value == 12;
@@ -1026,6 +1051,24 @@ const char *orr_msg_nav_notes_name(unsigned bit)
     case 6: return "CLOCK_JUMP";
     default: return NULL;
     }
+}
+
+static inline void store_motion_spread(uint8_t *p, const orr_msg_motion_spread *m)
+{
+    orr_wire_store_i64(p + 0, m->min);
+    orr_wire_store_i64(p + 8, m->max);
+    orr_wire_store_i64(p + 16, m->last);
+    orr_wire_store_i64(p + 24, m->p50);
+    orr_wire_store_i64(p + 32, m->p99);
+}
+
+static inline void load_motion_spread(const uint8_t *p, orr_msg_motion_spread *m)
+{
+    m->min = orr_wire_load_i64(p + 0);
+    m->max = orr_wire_load_i64(p + 8);
+    m->last = orr_wire_load_i64(p + 16);
+    m->p50 = orr_wire_load_i64(p + 24);
+    m->p99 = orr_wire_load_i64(p + 32);
 }
 
 static inline void store_sat_id(uint8_t *p, const orr_msg_sat_id *m)
@@ -3335,7 +3378,7 @@ bool orr_msg_channel_terms_at(const orr_msg_channel_terms_list *list, uint16_t i
 static void put_channels(orr_wire_writer *w, const orr_msg_channels *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 91);
+    p = orr_wire_room(w, 100);
     if (p == NULL) return;
     store_epoch(p + 0, &m->epoch);
     orr_wire_store_u16(p + 17, m->antenna);
@@ -3348,6 +3391,8 @@ static void put_channels(orr_wire_writer *w, const orr_msg_channels *m)
     orr_wire_store_f64(p + 67, m->vel_mps[0]);
     orr_wire_store_f64(p + 75, m->vel_mps[1]);
     orr_wire_store_f64(p + 83, m->vel_mps[2]);
+    orr_wire_store_u8(p + 91, m->motion);
+    orr_wire_store_i64(p + 92, m->motion_age);
     put_sat_channel_list(w, &m->channels, 4096);
     put_channel_terms_list(w, &m->terms, 4096);
 }
@@ -3355,7 +3400,7 @@ static void put_channels(orr_wire_writer *w, const orr_msg_channels *m)
 static void get_channels(orr_wire_reader *r, orr_msg_channels *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 91);
+    p = orr_wire_take(r, 100);
     if (p == NULL) return;
     load_epoch(p + 0, &m->epoch);
     m->antenna = orr_wire_load_u16(p + 17);
@@ -3368,6 +3413,8 @@ static void get_channels(orr_wire_reader *r, orr_msg_channels *m)
     m->vel_mps[0] = orr_wire_load_f64(p + 67);
     m->vel_mps[1] = orr_wire_load_f64(p + 75);
     m->vel_mps[2] = orr_wire_load_f64(p + 83);
+    m->motion = orr_wire_load_u8(p + 91);
+    m->motion_age = orr_wire_load_i64(p + 92);
     get_sat_channel_list(r, &m->channels, 4096);
     get_channel_terms_list(r, &m->terms, 4096);
 }
@@ -3994,6 +4041,180 @@ orr_wire_status orr_msg_pace_decode(const uint8_t *payload, size_t size, orr_msg
     return r.status;
 }
 
+static void put_motion(orr_wire_writer *w, const orr_msg_motion *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 212);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u8(p + 8, m->order);
+    orr_wire_store_u8(p + 9, m->angular_order);
+    orr_wire_store_u8(p + 10, m->point);
+    orr_wire_store_u8(p + 11, m->snap);
+    orr_wire_store_f64(p + 12, m->pos_m[0]);
+    orr_wire_store_f64(p + 20, m->pos_m[1]);
+    orr_wire_store_f64(p + 28, m->pos_m[2]);
+    orr_wire_store_f64(p + 36, m->vel_mps[0]);
+    orr_wire_store_f64(p + 44, m->vel_mps[1]);
+    orr_wire_store_f64(p + 52, m->vel_mps[2]);
+    orr_wire_store_f64(p + 60, m->acc_mps2[0]);
+    orr_wire_store_f64(p + 68, m->acc_mps2[1]);
+    orr_wire_store_f64(p + 76, m->acc_mps2[2]);
+    orr_wire_store_f64(p + 84, m->jerk_mps3[0]);
+    orr_wire_store_f64(p + 92, m->jerk_mps3[1]);
+    orr_wire_store_f64(p + 100, m->jerk_mps3[2]);
+    orr_wire_store_f64(p + 108, m->attitude[0]);
+    orr_wire_store_f64(p + 116, m->attitude[1]);
+    orr_wire_store_f64(p + 124, m->attitude[2]);
+    orr_wire_store_f64(p + 132, m->attitude[3]);
+    orr_wire_store_f64(p + 140, m->rate_radps[0]);
+    orr_wire_store_f64(p + 148, m->rate_radps[1]);
+    orr_wire_store_f64(p + 156, m->rate_radps[2]);
+    orr_wire_store_f64(p + 164, m->rate2_radps2[0]);
+    orr_wire_store_f64(p + 172, m->rate2_radps2[1]);
+    orr_wire_store_f64(p + 180, m->rate2_radps2[2]);
+    orr_wire_store_f64(p + 188, m->rate3_radps3[0]);
+    orr_wire_store_f64(p + 196, m->rate3_radps3[1]);
+    orr_wire_store_f64(p + 204, m->rate3_radps3[2]);
+}
+
+static void get_motion(orr_wire_reader *r, orr_msg_motion *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 212);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->order = orr_wire_load_u8(p + 8);
+    m->angular_order = orr_wire_load_u8(p + 9);
+    m->point = orr_wire_load_u8(p + 10);
+    m->snap = orr_wire_load_u8(p + 11);
+    m->pos_m[0] = orr_wire_load_f64(p + 12);
+    m->pos_m[1] = orr_wire_load_f64(p + 20);
+    m->pos_m[2] = orr_wire_load_f64(p + 28);
+    m->vel_mps[0] = orr_wire_load_f64(p + 36);
+    m->vel_mps[1] = orr_wire_load_f64(p + 44);
+    m->vel_mps[2] = orr_wire_load_f64(p + 52);
+    m->acc_mps2[0] = orr_wire_load_f64(p + 60);
+    m->acc_mps2[1] = orr_wire_load_f64(p + 68);
+    m->acc_mps2[2] = orr_wire_load_f64(p + 76);
+    m->jerk_mps3[0] = orr_wire_load_f64(p + 84);
+    m->jerk_mps3[1] = orr_wire_load_f64(p + 92);
+    m->jerk_mps3[2] = orr_wire_load_f64(p + 100);
+    m->attitude[0] = orr_wire_load_f64(p + 108);
+    m->attitude[1] = orr_wire_load_f64(p + 116);
+    m->attitude[2] = orr_wire_load_f64(p + 124);
+    m->attitude[3] = orr_wire_load_f64(p + 132);
+    m->rate_radps[0] = orr_wire_load_f64(p + 140);
+    m->rate_radps[1] = orr_wire_load_f64(p + 148);
+    m->rate_radps[2] = orr_wire_load_f64(p + 156);
+    m->rate2_radps2[0] = orr_wire_load_f64(p + 164);
+    m->rate2_radps2[1] = orr_wire_load_f64(p + 172);
+    m->rate2_radps2[2] = orr_wire_load_f64(p + 180);
+    m->rate3_radps3[0] = orr_wire_load_f64(p + 188);
+    m->rate3_radps3[1] = orr_wire_load_f64(p + 196);
+    m->rate3_radps3[2] = orr_wire_load_f64(p + 204);
+}
+
+orr_wire_status orr_msg_motion_encode(const orr_msg_motion *m, orr_wire_writer *w)
+{
+    put_motion(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_motion_decode(const uint8_t *payload, size_t size, orr_msg_motion *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_motion(&r, m);
+    return r.status;
+}
+
+static void put_get_motion_stats(orr_wire_writer *w, const orr_msg_get_motion_stats *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 1);
+    if (p == NULL) return;
+    orr_wire_store_u8(p + 0, m->reset);
+}
+
+static void get_get_motion_stats(orr_wire_reader *r, orr_msg_get_motion_stats *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 1);
+    if (p == NULL) return;
+    m->reset = orr_wire_load_u8(p + 0);
+}
+
+orr_wire_status orr_msg_get_motion_stats_encode(const orr_msg_get_motion_stats *m, orr_wire_writer *w)
+{
+    put_get_motion_stats(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_get_motion_stats_decode(const uint8_t *payload, size_t size, orr_msg_get_motion_stats *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_get_motion_stats(&r, m);
+    return r.status;
+}
+
+static void put_motion_stats(orr_wire_writer *w, const orr_msg_motion_stats *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 163);
+    if (p == NULL) return;
+    orr_wire_store_u64(p + 0, m->received);
+    orr_wire_store_u64(p + 8, m->used);
+    orr_wire_store_u64(p + 16, m->late);
+    orr_wire_store_u64(p + 24, m->early);
+    orr_wire_store_u64(p + 32, m->dropped);
+    orr_wire_store_u64(p + 40, m->overtaken);
+    orr_wire_store_u64(p + 48, m->blocks);
+    orr_wire_store_u64(p + 56, m->extrapolated);
+    orr_wire_store_u64(p + 64, m->joined);
+    orr_wire_store_u64(p + 72, m->snapped);
+    store_motion_spread(p + 80, &m->lateness);
+    store_motion_spread(p + 120, &m->margin);
+    orr_wire_store_u16(p + 160, m->buffered);
+    orr_wire_store_u8(p + 162, m->worst);
+}
+
+static void get_motion_stats(orr_wire_reader *r, orr_msg_motion_stats *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 163);
+    if (p == NULL) return;
+    m->received = orr_wire_load_u64(p + 0);
+    m->used = orr_wire_load_u64(p + 8);
+    m->late = orr_wire_load_u64(p + 16);
+    m->early = orr_wire_load_u64(p + 24);
+    m->dropped = orr_wire_load_u64(p + 32);
+    m->overtaken = orr_wire_load_u64(p + 40);
+    m->blocks = orr_wire_load_u64(p + 48);
+    m->extrapolated = orr_wire_load_u64(p + 56);
+    m->joined = orr_wire_load_u64(p + 64);
+    m->snapped = orr_wire_load_u64(p + 72);
+    load_motion_spread(p + 80, &m->lateness);
+    load_motion_spread(p + 120, &m->margin);
+    m->buffered = orr_wire_load_u16(p + 160);
+    m->worst = orr_wire_load_u8(p + 162);
+}
+
+orr_wire_status orr_msg_motion_stats_encode(const orr_msg_motion_stats *m, orr_wire_writer *w)
+{
+    put_motion_stats(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_motion_stats_decode(const uint8_t *payload, size_t size, orr_msg_motion_stats *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_motion_stats(&r, m);
+    return r.status;
+}
+
 void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity)
 {
     memset(c, 0, sizeof *c);
@@ -4257,6 +4478,29 @@ orr_wire_status orr_client_radio_time(orr_client *c, const orr_msg_radio_time *r
     orr_wire_status s = orr_client_send(c, &w, start);
     if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_PACE, &f);
     return s == ORR_WIRE_OK ? orr_msg_pace_decode(f.payload, f.size, answer) : s;
+}
+
+orr_wire_status orr_client_motion(orr_client *c, const orr_msg_motion *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    uint32_t awaited = c->awaited;
+    orr_client_begin(c, ORR_MSG_TYPE_MOTION, &w, &start);
+    orr_msg_motion_encode(request, &w);
+    c->awaited = awaited;
+    return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_motion_stats *request, orr_msg_motion_stats *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_GET_MOTION_STATS, &w, &start);
+    orr_msg_get_motion_stats_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_MOTION_STATS, &f);
+    return s == ORR_WIRE_OK ? orr_msg_motion_stats_decode(f.payload, f.size, answer) : s;
 }
 
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)

@@ -133,6 +133,14 @@ class Client(Verbs):
         """Tells the generator's elapsed time, and what a clock of the server's host showed then."""
         return self._ask(messages.RadioTime(elapsed_ns, stamp_ns, choice(messages.StampClock, clock)), messages.Pace)
 
+    def motion(self, sample: messages.Motion) -> None:
+        """Sends a sample of the live motion. What the server refuses of it is counted (motion_stats), not raised."""
+        self._send(sample)
+
+    def motion_stats(self, reset: bool = False) -> messages.MotionStats:
+        """What became of the samples of motion."""
+        return self._ask(messages.GetMotionStats(int(reset)), messages.MotionStats)
+
     def _series(self, request: Request, reply: Type[A], count: int) -> Iterator[A]:
         if count < 0:
             raise ValueError(f"a series of {count} epochs")

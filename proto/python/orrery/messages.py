@@ -170,6 +170,24 @@ class StampClock(WireEnum):
     REALTIME = 3  # CLOCK_REALTIME, Unix time
 
 
+class MotionState(WireEnum):
+    """Where an antenna's motion of a block comes from."""
+
+    SCENARIO = 0  # the scenario's own trajectory or place
+    SYNCHRONOUS = 1  # live: the sample of the block's begin was there
+    INTERPOLATED = 2  # live: between two samples
+    EXTRAPOLATED = 3  # live: beyond the last sample
+    JOINING = 4  # live: on the way from what was predicted to what is known now
+    SNAPPED = 5  # live: jumps here, as the sample asked
+
+
+class MotionPoint(WireEnum):
+    """The point whose motion is told."""
+
+    BODY = 0  # the body's own point; antennas ride on it by their lever arms
+    ANTENNA = 1  # the antennas' reference point itself: lever arms are left out
+
+
 class ChannelFlags(enum.IntFlag):
     """What should be known of a channel."""
 
@@ -211,6 +229,32 @@ class NavNotes(enum.IntFlag):
     NO_DELAY = 16  # the scenario's biases do not have the satellite: a group delay of zero is sent
     NOMINAL_CHANNEL = 32  # GLONASS: the frequency channel is the nominal one of the slot
     CLOCK_JUMP = 64  # the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class MotionSpread(Record):
+    """Least, greatest, last, median and 99th percentile of a time, over the samples that were counted; 0 without any.
+
+    min [ns]: least
+    max [ns]: greatest
+    last [ns]: last
+    p50 [ns]: median, to 9 %
+    p99 [ns]: 99th percentile, to 9 %
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("min", "scalar", scalar="i64"),
+        Field("max", "scalar", scalar="i64"),
+        Field("last", "scalar", scalar="i64"),
+        Field("p50", "scalar", scalar="i64"),
+        Field("p99", "scalar", scalar="i64"),
+    )
+
+    min: int = 0
+    max: int = 0
+    last: int = 0
+    p50: int = 0
+    p99: int = 0
 
 
 @dataclasses.dataclass(eq=False, slots=True)
@@ -1411,6 +1455,8 @@ class Channels(Record):
     where even 1 ms does not hold it
     pos_m [m]: antenna reference point at the block's begin (ecef)
     vel_mps [m/s]: its velocity (ecef)
+    motion: where this motion comes from
+    motion_age [ns]: live: the block's begin less the tag of the sample that it rests on; 0 otherwise
     channels: those that the antenna sees at the block's begin, by satellite and signal
     terms: of each channel, in the same order; empty unless asked for
     """
@@ -1424,6 +1470,8 @@ class Channels(Record):
         Field("error_m", "scalar", scalar="f64"),
         Field("pos_m", "array", scalar="f64", length=3),
         Field("vel_mps", "array", scalar="f64", length=3),
+        Field("motion", "scalar", scalar="u8", enum=MotionState),
+        Field("motion_age", "scalar", scalar="i64"),
         Field("channels", "list", record=SatChannel, limit=4096),
         Field("terms", "list", record=ChannelTerms, limit=4096),
     )
@@ -1435,6 +1483,8 @@ class Channels(Record):
     error_m: float = 0.0
     pos_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
     vel_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    motion: MotionState = MotionState(0)
+    motion_age: int = 0
     channels: list[SatChannel] = dataclasses.field(default_factory=list)
     terms: list[ChannelTerms] = dataclasses.field(default_factory=list)
 
@@ -1943,6 +1993,128 @@ class Pace(Record):
     until_air: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
+class Motion(Record):
+    """A sample of the live motion of the body that antennas ride on. Wants a clock that is armed or runs, and a server that
+    takes motion (serve --motion); answered by an ERROR where it cannot be used.
+
+    t [ns]: tag: instant of the scenario at which it holds; later than that of the sample before
+    order: highest derivative of the position that is given: 0 position, 1 velocity, 2 acceleration, 3 jerk
+    angular_order: likewise: 0 no attitude (the body stands level, its front to North), 1 attitude, 2 rate, 3 acceleration, 4
+    jerk
+    point: of which point
+    snap: 1: jump there at the next block instead of joining
+    pos_m [m]: position (ecef)
+    vel_mps [m/s]: velocity relative to the Earth (ecef)
+    acc_mps2 [m/s2]: second derivative of the position (ecef)
+    jerk_mps3 [m/s3]: third
+    attitude: quaternion w x y z of body from ecef: v_body = conj(q) v_ecef q; body is right, forward, up
+    rate_radps [rad/s]: rate of the body relative to ecef, body axes
+    rate2_radps2 [rad/s2]: its derivative
+    rate3_radps3 [rad/s3]: and that one's
+    """
+
+    TYPE: ClassVar[int] = 31
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("t", "scalar", scalar="i64"),
+        Field("order", "scalar", scalar="u8"),
+        Field("angular_order", "scalar", scalar="u8"),
+        Field("point", "scalar", scalar="u8", enum=MotionPoint),
+        Field("snap", "scalar", scalar="u8"),
+        Field("pos_m", "array", scalar="f64", length=3),
+        Field("vel_mps", "array", scalar="f64", length=3),
+        Field("acc_mps2", "array", scalar="f64", length=3),
+        Field("jerk_mps3", "array", scalar="f64", length=3),
+        Field("attitude", "array", scalar="f64", length=4),
+        Field("rate_radps", "array", scalar="f64", length=3),
+        Field("rate2_radps2", "array", scalar="f64", length=3),
+        Field("rate3_radps3", "array", scalar="f64", length=3),
+    )
+
+    t: int = 0
+    order: int = 0
+    angular_order: int = 0
+    point: MotionPoint = MotionPoint(0)
+    snap: int = 0
+    pos_m: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    vel_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    acc_mps2: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    jerk_mps3: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    attitude: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 4)
+    rate_radps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    rate2_radps2: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+    rate3_radps3: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class GetMotionStats(Record):
+    """Asks what became of the samples of motion, and lays down the worst state.
+
+    reset: 1: counts begin anew afterwards
+    """
+
+    TYPE: ClassVar[int] = 32
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("reset", "scalar", scalar="u8"),
+    )
+
+    reset: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class MotionStats(Record):
+    """What became of the samples of motion since the counts began.
+
+    received: samples that came
+    used: of them on which a block rests
+    late: that came after a block for their instant was made
+    early: that came before any block needed them
+    dropped: that could not be used: tags that go back or lie far ahead, numbers that are none, jumps that were not asked for
+    overtaken: on which no block came to rest before the next
+    blocks: blocks made along live motion
+    extrapolated: of them beyond the last sample
+    joined: on the way back
+    snapped: with a jump
+    lateness: scenario's instant at arrival less the tag
+    margin: tag less the end of what had been made at arrival
+    buffered: samples that wait for their instant
+    worst: worst state of a block since this was asked last
+    """
+
+    TYPE: ClassVar[int] = 33
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("received", "scalar", scalar="u64"),
+        Field("used", "scalar", scalar="u64"),
+        Field("late", "scalar", scalar="u64"),
+        Field("early", "scalar", scalar="u64"),
+        Field("dropped", "scalar", scalar="u64"),
+        Field("overtaken", "scalar", scalar="u64"),
+        Field("blocks", "scalar", scalar="u64"),
+        Field("extrapolated", "scalar", scalar="u64"),
+        Field("joined", "scalar", scalar="u64"),
+        Field("snapped", "scalar", scalar="u64"),
+        Field("lateness", "struct", record=MotionSpread),
+        Field("margin", "struct", record=MotionSpread),
+        Field("buffered", "scalar", scalar="u16"),
+        Field("worst", "scalar", scalar="u8", enum=MotionState),
+    )
+
+    received: int = 0
+    used: int = 0
+    late: int = 0
+    early: int = 0
+    dropped: int = 0
+    overtaken: int = 0
+    blocks: int = 0
+    extrapolated: int = 0
+    joined: int = 0
+    snapped: int = 0
+    lateness: MotionSpread = dataclasses.field(default_factory=MotionSpread)
+    margin: MotionSpread = dataclasses.field(default_factory=MotionSpread)
+    buffered: int = 0
+    worst: MotionState = MotionState(0)
+
+
 MESSAGES: dict[int, Type[Record]] = {
     1: Hello,
     2: Caps,
@@ -1974,4 +2146,7 @@ MESSAGES: dict[int, Type[Record]] = {
     28: Time,
     29: RadioTime,
     30: Pace,
+    31: Motion,
+    32: GetMotionStats,
+    33: MotionStats,
 }

@@ -36,6 +36,7 @@ typedef struct serving {
     orr_engine *engine;
     orr_answers *answers, *maker; // of requests and of streams: each thread has a room of its own
     orr_streams *streams;
+    orr_vehicle *vehicle; // NULL: no motion is taken
     orr_serve_log talk;
     orr_log log;
 } serving;
@@ -123,12 +124,19 @@ static orr_status check_kind(const char *path, orr_diag *diag)
 static orr_status open_streams(serving *v, orr_diag *diag)
 {
     orr_status s = orr_answers_open(v->engine, &v->maker, diag);
+    if (s == ORR_OK && orr_cli_given(v->c, "motion")) {
+        const orr_vehicle_options live = {.join_s = orr_cli_real(v->c, "join", 65) / 1000,
+                                          .length_ns = orr_cli_int(v->c, "motion-block", 5) * 1000000};
+        s = orr_vehicle_open(&live, &v->vehicle, diag);
+        if (s == ORR_OK) s = orr_answers_ride(v->maker, v->vehicle, diag);
+    }
     if (s != ORR_OK) return s;
     const orr_streams_options o = {.maker = orr_answers_server(v->maker),
                                    .wake = orr_service_wake,
                                    .wake_user = v->service,
                                    .begin = begin_of(v),
                                    .leap = v->c->leap,
+                                   .vehicle = v->vehicle,
                                    .priority = (int)orr_cli_int(v->c, "priority", 0),
                                    .processor = (int)orr_cli_int(v->c, "processor", -1),
                                    .lock_memory = orr_cli_given(v->c, "lock-memory")};
@@ -185,6 +193,7 @@ static int run(orr_cli *c)
     orr_service_close(v.service);
     orr_streams_close(v.streams);
     orr_answers_close(v.maker);
+    orr_vehicle_close(v.vehicle);
     orr_answers_close(v.answers);
     orr_engine_close(v.engine);
     orr_scenario_free(&v.scenario);
@@ -222,6 +231,26 @@ static const orr_option options[] = {
     {.name = "read-only",
      .kind = ORR_OPT_FLAG,
      .help = "Clients may read; what controls the clock or sends motion is refused."},
+    {.name = "motion",
+     .kind = ORR_OPT_FLAG,
+     .help = "Take live motion (MOTION): the antennas that ride on the scenario's body follow it, in "
+             "streams, from its first "
+             "sample on."},
+    {.name = "join",
+     .kind = ORR_OPT_REAL,
+     .applies = "motion",
+     .value = "MS",
+     .min = 0,
+     .max = 10000,
+     .help = "How long it takes to go over from what was predicted to what is known, in ms; 65 by default, "
+             "0: jump."},
+    {.name = "motion-block",
+     .kind = ORR_OPT_INT,
+     .applies = "motion",
+     .value = "MS",
+     .min = 1,
+     .max = 100,
+     .help = "Length of blocks along live motion in ms, a whole part of a second; 5 by default."},
     {.name = "priority",
      .kind = ORR_OPT_INT,
      .value = "P",

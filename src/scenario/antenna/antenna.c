@@ -97,28 +97,36 @@ orr_antenna_state orr_antenna_carried(const orr_antenna_state *state, double s)
     return x;
 }
 
+void orr_antenna_ride(const orr_antenna *a, const orr_motion *m, bool arm, orr_antenna_state *out)
+{
+    const orr_mat3 body = orr_mat3_from_quat(m->q_be);
+    const orr_vec3 arm_m = arm ? a->arm_m : (orr_vec3){0, 0, 0};
+    *out = (orr_antenna_state){
+        .r_m = orr_vec3_add(m->r_m, orr_mat3_apply_t(&body, arm_m)),
+        .v_mps = orr_vec3_add(m->v_mps, orr_mat3_apply_t(&body, orr_vec3_cross(m->w_radps, arm_m))),
+        .axes = body,
+        .w_radps = orr_mat3_apply_t(&body, m->w_radps)};
+    set_place(out);
+    const orr_vec3 v = orr_mat3_apply(&out->enu, out->v_mps);
+    const double r = orr_vec3_norm(out->r_m);
+    out->enu_radps =
+        orr_mat3_apply_t(&out->enu, (orr_vec3){-v.y / r, v.x / r, v.x / r * tan(out->place.lat_rad)});
+}
+
 orr_answer orr_antenna_at(const orr_antenna *a, orr_time t, orr_antenna_state *out)
 {
     if (a->motion == NULL) {
         *out = a->fixed;
         return ORR_ANSWER_OK;
     }
+    if (a->line != NULL) {
+        *out = orr_antenna_carried(&a->line->at, orr_time_diff_s(t, a->line->t));
+        return ORR_ANSWER_OK;
+    }
     orr_motion m;
     const orr_answer answer = orr_source_motion_at(a->motion, a->unit, t, &m);
-    if (answer != ORR_ANSWER_OK) return answer;
-    const orr_mat3 body = orr_mat3_from_quat(m.q_be);
-    const orr_vec3 arm = orr_mat3_apply_t(&body, a->arm_m);
-    *out = (orr_antenna_state){
-        .r_m = orr_vec3_add(m.r_m, arm),
-        .v_mps = orr_vec3_add(m.v_mps, orr_mat3_apply_t(&body, orr_vec3_cross(m.w_radps, a->arm_m))),
-        .axes = body,
-        .w_radps = orr_mat3_apply_t(&body, m.w_radps)};
-    set_place(out);
-    const orr_vec3 v = orr_mat3_apply(&out->enu, out->v_mps);
-    const double r = orr_vec3_norm(out->r_m);
-    out->enu_radps =
-        orr_mat3_apply_t(&out->enu, (orr_vec3){-v.y / r, v.x / r, v.x / r * tan(out->place.lat_rad)});
-    return ORR_ANSWER_OK;
+    if (answer == ORR_ANSWER_OK) orr_antenna_ride(a, &m, true, out);
+    return answer;
 }
 
 // Carrier of an ANTEX frequency code, Hz; 0 where nothing sends there.

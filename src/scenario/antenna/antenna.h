@@ -27,7 +27,9 @@ typedef struct orr_antenna {
     const orr_antex_frequency *centre[ORR_MAX_SIGNALS]; // of each of orr_signals; NULL: none
     const orr_source_motion *motion;                    // NULL: fixed
     size_t unit;
-    orr_vec3 arm_m;          // on the body, from the unit: right, forward, up
+    orr_vec3 arm_m; // on the body, from the unit: right, forward, up
+    // Of a live body: the straight line that slow terms are computed along, instead of the scenario's motion; NULL: none.
+    const struct orr_antenna_line *line;
     orr_antenna_state fixed; // of a fixed antenna
 } orr_antenna;
 
@@ -47,6 +49,14 @@ orr_status orr_antenna_open(const orr_scenario *s, size_t k, const orr_source_mo
                             const orr_vec3 *station, const orr_antex *antex, orr_antenna *out,
                             orr_warnings *warnings, orr_diag *diag);
 
+// A straight line on which an antenna goes.
+typedef struct orr_antenna_line {
+    orr_time t;
+    orr_antenna_state at; // then; its axes do not turn
+} orr_antenna_line;
+
+// An antenna that rides on a body, which moves as m says; without arm: m is that of the antenna's reference point.
+void orr_antenna_ride(const orr_antenna *a, const orr_motion *m, bool arm, orr_antenna_state *out);
 // Where an antenna stands that is carried along from `state`, at its velocity and with its axes: place and enu.
 orr_antenna_state orr_antenna_carried(const orr_antenna_state *state, double s);
 

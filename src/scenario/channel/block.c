@@ -60,26 +60,16 @@ static void begin_at(const orr_channels *c, size_t antenna, orr_channel_work *wo
     w->end = was;
 }
 
-orr_answer orr_blocks_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
-                         uint64_t signals, orr_blocks *out, orr_block *block, size_t *n)
+void blocks_between(const orr_channels *c, size_t antenna, orr_channel_work *work, const blocks_ends *e,
+                    uint64_t signals, orr_block *block, size_t *n)
 {
-    *n = 0;
-    *out = (orr_blocks){.t0 = t};
-    if (antenna >= orr_channels_antennas(c)) return ORR_ANSWER_NOT_SERVED;
-    if (!orr_span_holds(c->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
-    length_at(c, antenna, t, out);
-    const orr_time t1 = orr_time_add(out->t0, out->length_ns);
-    if (!orr_span_holds(c->span, out->t0) || !orr_span_holds(c->span, t1)) return ORR_ANSWER_OUTSIDE_SPAN;
-    orr_antenna_state at0, at1;
-    orr_answer answer = orr_antenna_at(&c->antenna[antenna], out->t0, &at0);
-    if (answer == ORR_ANSWER_OK) answer = orr_antenna_at(&c->antenna[antenna], t1, &at1);
-    if (answer != ORR_ANSWER_OK) return answer;
     channel_list *begin = &work->antenna[antenna].begin, *end = &work->antenna[antenna].end;
-    begin_at(c, antenna, work, out->t0, &at0, signals);
+    *n = 0;
+    begin_at(c, antenna, work, e->t0, &e->at0, signals);
     memset(work->also, 0, c->n_sats * sizeof *work->also);
     for (size_t k = 0; k < begin->n; k++) work->also[begin->place[k]] = begin->seen[k];
-    channels_evaluate(c, antenna, work, t1, &at1, signals, work->also, end);
-    const double T = (double)out->length_ns / 1e9;
+    channels_evaluate(c, antenna, work, e->t1, &e->at1, signals, work->also, end);
+    const double T = orr_time_diff_s(e->t1, e->t0);
     for (size_t k = 0, j = 0; k < begin->n; k++) { // both lists ascend, the second may lack some
         const orr_channel *from = &begin->channel[k];
         while (j < end->n && (end->channel[j].sat < from->sat ||
@@ -89,5 +79,20 @@ orr_answer orr_blocks_at(const orr_channels *c, size_t antenna, orr_channel_work
         if (end->channel[j].sat == from->sat && end->channel[j].signal == from->signal)
             join(from, &end->channel[j], T, &block[(*n)++]);
     }
-    return ORR_ANSWER_OK;
+}
+
+orr_answer orr_blocks_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
+                         uint64_t signals, orr_blocks *out, orr_block *block, size_t *n)
+{
+    *n = 0;
+    *out = (orr_blocks){.t0 = t};
+    if (antenna >= orr_channels_antennas(c)) return ORR_ANSWER_NOT_SERVED;
+    if (!orr_span_holds(c->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
+    length_at(c, antenna, t, out);
+    blocks_ends e = {.t0 = out->t0, .t1 = orr_time_add(out->t0, out->length_ns)};
+    if (!orr_span_holds(c->span, e.t0) || !orr_span_holds(c->span, e.t1)) return ORR_ANSWER_OUTSIDE_SPAN;
+    orr_answer answer = orr_antenna_at(&c->antenna[antenna], e.t0, &e.at0);
+    if (answer == ORR_ANSWER_OK) answer = orr_antenna_at(&c->antenna[antenna], e.t1, &e.at1);
+    if (answer == ORR_ANSWER_OK) blocks_between(c, antenna, work, &e, signals, block, n);
+    return answer;
 }

@@ -8,6 +8,7 @@
 
 #include "orbit/spacecraft/attitude_laws.h"
 #include "orbit/spacecraft/signal_delay.h"
+#include "src/scenario/channel/block.h"
 #include "src/scenario/channel/channel.h"
 #include "src/scenario/channel/satellite_cell.h"
 #include "src/scenario/channel/sun_track.h"
@@ -125,5 +126,21 @@ struct orr_channel_work {
 //   list        channels, by satellite and signal; room for orr_channels_max
 void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
                        const orr_antenna_state *at, uint64_t signals, const bool *also, channel_list *list);
+
+// Both ends of a block, and the antenna there.
+typedef struct blocks_ends {
+    orr_time t0, t1;
+    orr_antenna_state at0, at1;
+} blocks_ends;
+// The blocks between two instants: the begin is the end of those before where they follow each other.
+// Given:
+//   c, antenna  channels, and which antenna
+//   work        workspace
+//   e           the ends
+//   signals     those that are wanted
+// Returned:
+//   block, n    as orr_blocks_at
+void blocks_between(const orr_channels *c, size_t antenna, orr_channel_work *work, const blocks_ends *e,
+                    uint64_t signals, orr_block *block, size_t *n);
 
 #endif

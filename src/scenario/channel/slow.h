@@ -76,6 +76,7 @@ void slow_of_satellite(const orr_channels *c, size_t antenna, const orr_channel_
 
 // [n] cells without content, and [n] nodes: for a workspace; free with free. NULL: out of memory.
 struct slow_cell *slow_cells_open(size_t n);
+void slow_cells_forget(struct slow_cell *cell, size_t n); // leaves them without content
 struct slow_node *slow_nodes_open(size_t n);
 
 #endif

@@ -46,10 +46,18 @@ typedef struct slow_cell {
 slow_cell *slow_cells_open(size_t n)
 {
     slow_cell *cell = calloc(n, sizeof *cell);
-    for (size_t k = 0; cell != NULL && k < n; k++) cell[k].asked = ORR_TIME_NONE;
-    for (size_t k = 0; cell != NULL && k < n; k++)
-        for (int j = 0; j < KEPT; j++) cell[k].kept[j] = ORR_TIME_NONE;
+    if (cell != NULL) slow_cells_forget(cell, n);
     return cell;
+}
+
+void slow_cells_forget(slow_cell *cell, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        cell[k].from = cell[k].to = 0;
+        cell[k].curves = false;
+        cell[k].asked = ORR_TIME_NONE;
+        for (int j = 0; j < KEPT; j++) cell[k].kept[j] = ORR_TIME_NONE;
+    }
 }
 
 slow_node *slow_nodes_open(size_t n) { return calloc(n, sizeof(slow_node)); }

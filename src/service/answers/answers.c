@@ -126,6 +126,11 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
     return ORR_OK;
 }
 
+orr_status orr_answers_ride(orr_answers *a, orr_vehicle *vehicle, orr_diag *diag)
+{
+    return orr_answers_channels_ride(orr_engine_channels(a->engine), vehicle, &a->channels, diag);
+}
+
 const orr_server *orr_answers_server(const orr_answers *a) { return &a->server; }
 void orr_answers_close(orr_answers *a)
 {

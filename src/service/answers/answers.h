@@ -6,6 +6,7 @@
 
 #include "proto/server.h"
 #include "src/scenario/engine/engine.h"
+#include "src/service/live/vehicle.h"
 
 typedef struct orr_answers orr_answers;
 
@@ -14,6 +15,8 @@ typedef struct orr_answers orr_answers;
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag);
 // The handler table, borrowed.
 const orr_server *orr_answers_server(const orr_answers *a);
+// From here on antennas that ride on a body go along a live one; as orr_answers_channels_ride. The vehicle must outlive it.
+orr_status orr_answers_ride(orr_answers *a, orr_vehicle *vehicle, orr_diag *diag);
 // Frees it; NULL may be closed.
 void orr_answers_close(orr_answers *a);
 

@@ -39,6 +39,7 @@ orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels
 void orr_answers_channels_close(orr_answers_channels_room *room)
 {
     orr_channel_work_close(room->work);
+    orr_live_channels_close(room->live);
     free(room->block);
     free(room->channel);
     free(room->terms);
@@ -180,6 +181,61 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .wind_up_m = t[ORR_TERM_WIND_UP]};
 }
 
+orr_status orr_answers_channels_ride(const orr_channels *c, orr_vehicle *vehicle,
+                                     orr_answers_channels_room *room, orr_diag *diag)
+{
+    bool rides = false;
+    for (size_t k = 0; k < orr_channels_antennas(c); k++)
+        rides = rides || orr_channels_antenna(c, k)->motion != NULL;
+    if (!rides)
+        return orr_diag_set(
+            diag, ORR_E_NODATA,
+            "live motion needs an antenna that rides on the scenario's body (trajectory, signals)");
+    room->vehicle = vehicle;
+    return orr_live_channels_open(c, &room->live, diag);
+}
+
+// What one frame is filled from.
+typedef struct blocks_there {
+    orr_blocks blocks;
+    orr_antenna_state at;
+    size_t n;
+} blocks_there;
+
+// The block along live motion; false where there is none of this antenna yet.
+static bool live_blocks(orr_answers_channels_room *room, size_t antenna, uint64_t signals,
+                        orr_msg_channels *m, blocks_there *out)
+{
+    orr_vehicle_block b;
+    if (room->live == NULL || !orr_live_channels_rides(room->live, antenna)) return false;
+    const int64_t length_ns = orr_vehicle_length_ns(room->vehicle);
+    const orr_time t0 = m->epoch.t - orr_floor_mod(m->epoch.t, length_ns);
+    if (!orr_vehicle_block_at(room->vehicle, t0, t0 + length_ns, &b)) return false;
+    const orr_live_motion motion = {.t0 = t0,
+                                    .t1 = t0 + length_ns,
+                                    .begin = b.begin,
+                                    .end = b.end,
+                                    .arm = !b.antenna,
+                                    .breaks = b.state == ORR_MSG_MOTION_STATE_SNAPPED};
+    m->epoch.answer =
+        (uint8_t)orr_live_blocks(room->live, antenna, &motion, signals, &out->at, room->block, &out->n);
+    out->blocks = (orr_blocks){.t0 = t0, .length_ns = length_ns};
+    m->motion = b.state;
+    m->motion_age = b.age_ns;
+    return true;
+}
+
+// The block of the scenario's own motion.
+static void own_blocks(const orr_channels *c, orr_answers_channels_room *room, size_t antenna,
+                       uint64_t signals, orr_msg_channels *m, blocks_there *out)
+{
+    orr_answer answer =
+        orr_blocks_at(c, antenna, room->work, m->epoch.t, signals, &out->blocks, room->block, &out->n);
+    if (answer == ORR_ANSWER_OK)
+        answer = orr_antenna_at(orr_channels_antenna(c, antenna), out->blocks.t0, &out->at);
+    m->epoch.answer = (uint8_t)answer;
+}
+
 uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr_server_part *part,
                               orr_wire_writer *w, orr_server_refusal *why)
 {
@@ -189,33 +245,29 @@ uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr
     const orr_channels *c = orr_engine_channels(a->engine);
     orr_msg_channels m = {.epoch = orr_answers_epoch(&poll->epochs, part->index), .antenna = poll->antenna};
     bool known;
-    size_t n;
-    orr_blocks blocks;
-    orr_antenna_state at;
-    orr_answer answer = orr_blocks_at(c, poll->antenna, room->work, m.epoch.t, wanted(c, poll, &known),
-                                      &blocks, room->block, &n);
-    if (answer == ORR_ANSWER_OK)
-        answer = orr_antenna_at(orr_channels_antenna(c, poll->antenna), blocks.t0, &at);
-    m.epoch.answer = (uint8_t)answer;
-    if (answer != ORR_ANSWER_OK) {
+    blocks_there x = {.n = 0};
+    const uint64_t signals = wanted(c, poll, &known);
+    if (!live_blocks(room, poll->antenna, signals, &m, &x))
+        own_blocks(c, room, poll->antenna, signals, &m, &x);
+    if (m.epoch.answer != ORR_MSG_ANSWER_OK) {
         const orr_vec3 none = {ORR_NAN, ORR_NAN, ORR_NAN};
         m.block = ORR_TIME_NONE;
         m.error_m = ORR_NAN;
         orr_answers_put(m.pos_m, none);
         orr_answers_put(m.vel_mps, none);
     } else {
-        m.block = blocks.t0;
-        m.length = blocks.length_ns;
-        m.error_m = blocks.error_m;
-        orr_answers_put(m.pos_m, at.r_m);
-        orr_answers_put(m.vel_mps, at.v_mps);
-        for (size_t k = 0; k < n; k++) {
+        m.block = x.blocks.t0;
+        m.length = x.blocks.length_ns;
+        m.error_m = x.blocks.error_m;
+        orr_answers_put(m.pos_m, x.at.r_m);
+        orr_answers_put(m.vel_mps, x.at.v_mps);
+        for (size_t k = 0; k < x.n; k++) {
             fill(&room->block[k], &room->channel[k]);
             if (poll->terms != 0) fill_terms(&room->block[k].at, &room->terms[k]);
         }
-        m.channels.count = (uint16_t)n;
+        m.channels.count = (uint16_t)x.n;
         m.channels.item = room->channel;
-        m.terms.count = poll->terms != 0 ? (uint16_t)n : 0;
+        m.terms.count = poll->terms != 0 ? (uint16_t)x.n : 0;
         m.terms.item = room->terms;
     }
     orr_msg_channels_encode(&m, w);

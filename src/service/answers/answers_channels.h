@@ -4,11 +4,14 @@
 #define ORR_SERVICE_ANSWERS_CHANNELS_H
 
 #include "proto/server.h"
-#include "src/scenario/channel/block.h"
+#include "src/scenario/channel/live.h"
+#include "src/service/live/vehicle.h"
 
 // Room for one epoch of channels and for the lists of CAPS.
 typedef struct orr_answers_channels_room {
     orr_channel_work *work;
+    orr_live_channels *live; // NULL: antennas move as the scenario says
+    orr_vehicle *vehicle;    // and the body, borrowed
     orr_block *block;
     orr_msg_sat_channel *channel;
     orr_msg_channel_terms *terms;
@@ -20,6 +23,10 @@ typedef struct orr_answers_channels_room {
 // Errors: ORR_E_LIMIT (more channels than a message lists), ORR_E_MEMORY. Free with orr_answers_channels_close.
 orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels_room *out, orr_diag *diag);
 void orr_answers_channels_close(orr_answers_channels_room *room); // leaves *room empty
+// From here on antennas that ride on a body go along a live one, where there are samples of it. Errors: ORR_E_NODATA (no
+// antenna rides), ORR_E_MEMORY.
+orr_status orr_answers_channels_ride(const orr_channels *c, orr_vehicle *vehicle,
+                                     orr_answers_channels_room *room, orr_diag *diag);
 // Fills antennas, signals and transmitters of CAPS; nothing where c is NULL.
 void orr_answers_channels_caps(const orr_channels *c, orr_answers_channels_room *room, orr_msg_caps *caps);
 

@@ -198,6 +198,26 @@ uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time
     return code;
 }
 
+uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_refusal *why)
+{
+    if (s->options.vehicle == NULL) {
+        snprintf(why->sentence, sizeof why->sentence, "MOTION: this server takes no motion (serve --motion)");
+        return ORR_MSG_ERROR_CODE_NOT_SERVED;
+    }
+    const orr_host h = host_of(s);
+    pthread_mutex_lock(&s->lock);
+    const orr_time now =
+        s->pace.clock.state == ORR_CLOCK_STOPPED ? ORR_TIME_NONE : orr_clock_at(&s->pace.clock, h.mono_ns);
+    pthread_mutex_unlock(&s->lock);
+    return orr_vehicle_take(s->options.vehicle, m, now, ORR_TIME_NONE, why);
+}
+
+bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told)
+{
+    if (s->options.vehicle != NULL) orr_vehicle_stats(s->options.vehicle, reset, told);
+    return s->options.vehicle != NULL;
+}
+
 void orr_streams_time(orr_streams *s, orr_msg_time *told)
 {
     const orr_host h = host_of(s);

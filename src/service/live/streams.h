@@ -9,6 +9,7 @@
 #include "proto/server.h"
 #include "src/service/live/blocks.h"
 #include "src/service/live/pace.h"
+#include "src/service/live/vehicle.h"
 
 enum {
     ORR_STREAM_QUEUE = 512,           // blocks that wait to be sent, at most
@@ -33,6 +34,7 @@ typedef struct orr_streams_options {
     void *host_user;
     orr_time begin;             // where the scenario's clock stands at first
     const orr_leap_table *leap; // NULL: the one built in
+    orr_vehicle *vehicle;       // that the maker's antennas ride on, borrowed; NULL: no motion is taken
     int priority;               // SCHED_FIFO of the thread; 0: an ordinary one
     int processor;              // that it runs on; negative: any
     bool lock_memory;           // all pages of the process stay in memory
@@ -63,6 +65,10 @@ uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_t
 //   why   the sentence of a refusal
 uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time made, orr_msg_pace *told,
                            orr_server_refusal *why);
+// MOTION: 0 or an ORR_MSG_ERROR_CODE. Blocks that are due are made with it.
+uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_refusal *why);
+// GET_MOTION_STATS; false where no motion is taken.
+bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told);
 // What TIME says.
 void orr_streams_time(orr_streams *s, orr_msg_time *told);
 

@@ -23,6 +23,12 @@ static bool put_error(orr_wire_writer *out, const orr_frame *f, uint16_t code, c
     return put_frame(out, ORR_MSG_TYPE_ERROR, f->sequence, data, w.size);
 }
 
+static bool put_not_permitted(orr_wire_writer *out, const orr_frame *f)
+{
+    return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_PERMITTED,
+                     "clients of this server may read, not control (serve --read-only)");
+}
+
 static size_t place_of(const orr_lanes *l, uint32_t id)
 {
     size_t k = 0;
@@ -110,9 +116,7 @@ static bool take_time(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
         orr_msg_time_encode(&told, &w);
         return put_frame(out, answer, f->sequence, data, w.size);
     }
-    if (l->read_only)
-        return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_PERMITTED,
-                         "clients of this server may read, not control (serve --read-only)");
+    if (l->read_only) return put_not_permitted(out, f);
     if (f->type == ORR_MSG_TYPE_CONTROL) {
         orr_msg_control m;
         decoded = orr_msg_control_decode(f->payload, f->size, &m);
@@ -133,16 +137,49 @@ static bool take_time(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
     return put_frame(out, answer, f->sequence, data, w.size);
 }
 
+static bool take_motion(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    orr_server_refusal why = {""};
+    orr_msg_motion m;
+    if (l->read_only) return put_not_permitted(out, f);
+    const orr_wire_status decoded = orr_msg_motion_decode(f->payload, f->size, &m);
+    if (decoded != ORR_WIRE_OK)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
+    const uint16_t code = orr_streams_motion(l->streams, &m, &why);
+    return code == 0 || put_error(out, f, code, why.sentence);
+}
+
+static bool take_stats(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    uint8_t data[512];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    orr_msg_get_motion_stats m;
+    orr_msg_motion_stats told;
+    const orr_wire_status decoded = orr_msg_get_motion_stats_decode(f->payload, f->size, &m);
+    if (decoded != ORR_WIRE_OK)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
+    if (m.reset != 0 && l->read_only) return put_not_permitted(out, f);
+    if (!orr_streams_motion_stats(l->streams, m.reset != 0, &told))
+        return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_SERVED,
+                         "this server takes no motion (serve --motion)");
+    orr_msg_motion_stats_encode(&told, &w);
+    return put_frame(out, ORR_MSG_TYPE_MOTION_STATS, f->sequence, data, w.size);
+}
+
 bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
 {
     // Room for whatever is to be said at once, so that nothing is done twice.
-    if (out->capacity - out->size < ORR_FRAME_OVERHEAD + ORR_SERVER_SENTENCE + 64) return false;
+    if (out->capacity - out->size < ORR_FRAME_OVERHEAD + 512) return false;
     switch (f->type) {
     case ORR_MSG_TYPE_SUBSCRIBE:
         return subscribe(l, f, out);
     case ORR_MSG_TYPE_CREDIT:
     case ORR_MSG_TYPE_UNSUBSCRIBE:
         return take_credit(l, f, out);
+    case ORR_MSG_TYPE_MOTION:
+        return take_motion(l, f, out);
+    case ORR_MSG_TYPE_GET_MOTION_STATS:
+        return take_stats(l, f, out);
     default:
         return take_time(l, f, out);
     }
