@@ -207,7 +207,7 @@ class Client(Verbs):
                 return got
             if got.sequence in self._inbox:
                 self._inbox[got.sequence].append(got)
-            elif not 0 < got.sequence < self._sequence:
+            elif not 0 < got.sequence <= self._sequence:
                 raise self._broken(f"an answer to request {got.sequence}, which was never sent")
 
     def _read_frame(self) -> frame.Frame:

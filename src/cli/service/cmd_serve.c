@@ -11,6 +11,7 @@
 #include "src/cli/service/serve_log.h"
 #include "src/make/products.h"
 #include "src/service/answers/answers.h"
+#include "src/service/live/motion_log.h"
 #include "src/service/serve/service.h"
 
 // NetCDF by its first bytes: HDF5 (NetCDF-4) or classic. A scenario is text.
@@ -37,6 +38,7 @@ typedef struct serving {
     orr_answers *answers, *maker; // of requests and of streams: each thread has a room of its own
     orr_streams *streams;
     orr_vehicle *vehicle; // NULL: no motion is taken
+    orr_motion_log *log_out, *log_in;
     orr_serve_log talk;
     orr_log log;
 } serving;
@@ -120,16 +122,27 @@ static orr_status check_kind(const char *path, orr_diag *diag)
                        orr_kind_name(kind));
 }
 
+// The body that antennas ride on: its motion from clients, or from a recording.
+static orr_status open_vehicle(serving *v, orr_diag *diag)
+{
+    const char *out = orr_cli_text(v->c, "motion-log", NULL), *in = orr_cli_text(v->c, "motion-replay", NULL);
+    orr_vehicle_options live = {.join_s = orr_cli_real(v->c, "join", 65) / 1000,
+                                .length_ns = orr_cli_int(v->c, "motion-block", 5) * 1000000};
+    orr_status s = ORR_OK;
+    if (out != NULL) s = orr_motion_log_create(out, &v->log_out, diag);
+    if (s == ORR_OK && in != NULL) s = orr_motion_log_open(in, &v->log_in, diag);
+    if (out != NULL) live.record = orr_motion_log_write, live.record_user = v->log_out;
+    if (in != NULL) live.replay = orr_motion_log_read, live.replay_user = v->log_in;
+    if (s == ORR_OK) s = orr_vehicle_open(&live, &v->vehicle, diag);
+    return s == ORR_OK ? orr_answers_ride(v->maker, v->vehicle, diag) : s;
+}
+
 // Streams, made by a thread of their own, and the scenario's clock.
 static orr_status open_streams(serving *v, orr_diag *diag)
 {
     orr_status s = orr_answers_open(v->engine, &v->maker, diag);
-    if (s == ORR_OK && orr_cli_given(v->c, "motion")) {
-        const orr_vehicle_options live = {.join_s = orr_cli_real(v->c, "join", 65) / 1000,
-                                          .length_ns = orr_cli_int(v->c, "motion-block", 5) * 1000000};
-        s = orr_vehicle_open(&live, &v->vehicle, diag);
-        if (s == ORR_OK) s = orr_answers_ride(v->maker, v->vehicle, diag);
-    }
+    if (s == ORR_OK && (orr_cli_given(v->c, "motion") || orr_cli_given(v->c, "motion-replay")))
+        s = open_vehicle(v, diag);
     if (s != ORR_OK) return s;
     const orr_streams_options o = {.maker = orr_answers_server(v->maker),
                                    .wake = orr_service_wake,
@@ -194,6 +207,12 @@ static int run(orr_cli *c)
     orr_streams_close(v.streams);
     orr_answers_close(v.maker);
     orr_vehicle_close(v.vehicle);
+    if (s == ORR_OK && v.log_in != NULL && orr_motion_log_fault(v.log_in) != NULL)
+        s = orr_diag_at(&diag, ORR_E_FORMAT, orr_cli_text(c, "motion-replay", ""), 0, 0, "%s",
+                        orr_motion_log_fault(v.log_in));
+    (void)orr_motion_log_close(v.log_in, NULL);
+    const orr_status written = orr_motion_log_close(v.log_out, s == ORR_OK ? &diag : NULL);
+    if (s == ORR_OK) s = written;
     orr_answers_close(v.answers);
     orr_engine_close(v.engine);
     orr_scenario_free(&v.scenario);
@@ -236,9 +255,20 @@ static const orr_option options[] = {
      .help = "Take live motion (MOTION): the antennas that ride on the scenario's body follow it, in "
              "streams, from its first "
              "sample on."},
+    {.name = "motion-log",
+     .kind = ORR_OPT_TEXT,
+     .applies = "motion",
+     .value = "FILE",
+     .writes = true,
+     .help = "Write the samples to a file, each with the instant from which blocks rest on it."},
+    {.name = "motion-replay",
+     .kind = ORR_OPT_TEXT,
+     .applies = "!motion",
+     .value = "FILE",
+     .help = "Take the samples from such a file: streams give the same blocks again, bit for bit."},
     {.name = "join",
      .kind = ORR_OPT_REAL,
-     .applies = "motion",
+     .applies = "motion|motion-replay",
      .value = "MS",
      .min = 0,
      .max = 10000,
@@ -246,7 +276,7 @@ static const orr_option options[] = {
              "0: jump."},
     {.name = "motion-block",
      .kind = ORR_OPT_INT,
-     .applies = "motion",
+     .applies = "motion|motion-replay",
      .value = "MS",
      .min = 1,
      .max = 100,

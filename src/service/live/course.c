@@ -208,9 +208,13 @@ orr_course_state orr_course_block(orr_course *k, orr_time t0, orr_time t1, int64
     size_t place;
     *used = false;
     *age_ns = 0;
+    const orr_time before = k->made;
+    if (before == ORR_TIME_NONE || t1 > before)
+        k->made = t1; // without samples too: none that comes now changes it
     if (k->n == 0) return ORR_COURSE_NONE;
-    if (k->made == ORR_TIME_NONE || t0 >= k->made) {
+    if (before == ORR_TIME_NONE || t0 >= before) {
         const orr_course_sample *b = choose(k, t0, &a, &place);
+        if (b->from > t0) return ORR_COURSE_NONE;
         const orr_course_piece *last = piece_of(k, t0);
         if (last == NULL || last->b.t != b->t) {
             begin_piece(k, t0, b, a);
@@ -218,7 +222,6 @@ orr_course_state orr_course_block(orr_course *k, orr_time t0, orr_time t1, int64
             k->sample[(k->first + place) % ORR_COURSE_SAMPLES].used = true;
         }
     }
-    if (k->made == ORR_TIME_NONE || t1 > k->made) k->made = t1;
     const orr_course_piece *p = piece_of(k, t0);
     if (p == NULL) return ORR_COURSE_NONE;
     *age_ns = orr_time_sub_ns(t0, p->b.t);

@@ -209,7 +209,7 @@ uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_
     const orr_time now =
         s->pace.clock.state == ORR_CLOCK_STOPPED ? ORR_TIME_NONE : orr_clock_at(&s->pace.clock, h.mono_ns);
     pthread_mutex_unlock(&s->lock);
-    return orr_vehicle_take(s->options.vehicle, m, now, ORR_TIME_NONE, why);
+    return orr_vehicle_take(s->options.vehicle, m, now, why);
 }
 
 bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told)

@@ -25,7 +25,10 @@ struct orr_vehicle {
     pthread_mutex_t lock;
     orr_msg_motion_stats stats;
     orr_spread lateness, margin;
-    orr_course track;
+    bool has_next; // of a recording
+    orr_msg_motion next;
+    orr_time next_from;
+    orr_course course;
 };
 
 orr_status orr_vehicle_open(const orr_vehicle_options *options, orr_vehicle **out, orr_diag *diag)
@@ -40,7 +43,7 @@ orr_status orr_vehicle_open(const orr_vehicle_options *options, orr_vehicle **ou
     if (v == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     v->options = *options;
     pthread_mutex_init(&v->lock, NULL);
-    orr_course_init(&v->track, options->join_s);
+    orr_course_init(&v->course, options->join_s);
     *out = v;
     return ORR_OK;
 }
@@ -108,7 +111,7 @@ static orr_course_sample sample_of(const orr_msg_motion *m)
 // What is wrong with it among the others.
 static const char *misfit_of(const orr_vehicle *v, const orr_msg_motion *m, orr_time now)
 {
-    const orr_course *k = &v->track;
+    const orr_course *k = &v->course;
     if (now == ORR_TIME_NONE) return "MOTION: nothing is armed (CONTROL)";
     if (orr_time_sub_ns(m->t, now) > FAR_AHEAD_NS)
         return "MOTION: its tag lies more than a minute ahead of the scenario's clock";
@@ -123,13 +126,12 @@ static const char *misfit_of(const orr_vehicle *v, const orr_msg_motion *m, orr_
     return NULL;
 }
 
-static uint16_t take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_time from,
-                     orr_server_refusal *why)
+static uint16_t take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_server_refusal *why)
 {
     orr_msg_motion_stats *c = &v->stats;
     bool overtaken;
     c->received++;
-    const char *bad = fault_of(m);
+    const char *bad = v->options.replay != NULL ? "MOTION: a recording is replayed" : fault_of(m);
     if (bad == NULL) bad = misfit_of(v, m, now);
     if (bad != NULL) {
         c->dropped++;
@@ -137,10 +139,10 @@ static uint16_t take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_
         return ORR_MSG_ERROR_CODE_BAD_REQUEST;
     }
     const orr_course_sample s = sample_of(m);
-    const orr_time made = v->track.made;
-    orr_course_add(&v->track, &s, &overtaken);
-    orr_course_sample *kept = &v->track.sample[(v->track.first + v->track.n - 1) % ORR_COURSE_SAMPLES];
-    if (from != ORR_TIME_NONE) kept->from = from;
+    const orr_time made = v->course.made;
+    orr_course_add(&v->course, &s, &overtaken);
+    const orr_course_sample *kept =
+        &v->course.sample[(v->course.first + v->course.n - 1) % ORR_COURSE_SAMPLES];
     if (overtaken) c->overtaken++;
     orr_spread_add(&v->lateness, orr_time_sub_ns(now, m->t));
     if (made != ORR_TIME_NONE) orr_spread_add(&v->margin, orr_time_sub_ns(m->t, made));
@@ -152,13 +154,31 @@ static uint16_t take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_
     return 0;
 }
 
-uint16_t orr_vehicle_take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_time from,
-                          orr_server_refusal *why)
+uint16_t orr_vehicle_take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_server_refusal *why)
 {
     pthread_mutex_lock(&v->lock);
-    const uint16_t code = take(v, m, now, from, why);
+    const uint16_t code = take(v, m, now, why);
     pthread_mutex_unlock(&v->lock);
     return code;
+}
+
+// Samples of the recording that blocks at t rest on.
+static void replay_to(orr_vehicle *v, orr_time t)
+{
+    bool overtaken;
+    while (v->options.replay != NULL) {
+        if (!v->has_next && !v->options.replay(v->options.replay_user, &v->next, &v->next_from)) {
+            v->options.replay = NULL;
+            return;
+        }
+        v->has_next = true;
+        if (v->next_from > t) return;
+        v->has_next = false;
+        const orr_course_sample s = sample_of(&v->next);
+        v->stats.received++;
+        orr_course_add(&v->course, &s, &overtaken);
+        v->course.sample[(v->course.first + v->course.n - 1) % ORR_COURSE_SAMPLES].from = v->next_from;
+    }
 }
 
 bool orr_vehicle_block_at(orr_vehicle *v, orr_time t0, orr_time t1, orr_vehicle_block *out)
@@ -166,10 +186,11 @@ bool orr_vehicle_block_at(orr_vehicle *v, orr_time t0, orr_time t1, orr_vehicle_
     bool used, same;
     orr_msg_motion_stats *c = &v->stats;
     pthread_mutex_lock(&v->lock);
-    out->state = (uint8_t)orr_course_block(&v->track, t0, t1, &out->age_ns, &used);
+    replay_to(v, t0);
+    out->state = (uint8_t)orr_course_block(&v->course, t0, t1, &out->age_ns, &used);
     const bool there = out->state != ORR_COURSE_NONE &&
-                       orr_course_at(&v->track, t0, false, &out->begin, &out->antenna) &&
-                       orr_course_at(&v->track, t1, true, &out->end, &same);
+                       orr_course_at(&v->course, t0, false, &out->begin, &out->antenna) &&
+                       orr_course_at(&v->course, t1, true, &out->end, &same);
     if (used) c->used++;
     if (there) {
         c->blocks++;
@@ -188,7 +209,7 @@ void orr_vehicle_stats(orr_vehicle *v, bool reset, orr_msg_motion_stats *out)
     *out = v->stats;
     out->lateness = orr_spread_told(&v->lateness);
     out->margin = orr_spread_told(&v->margin);
-    const size_t waiting = orr_course_waiting(&v->track);
+    const size_t waiting = orr_course_waiting(&v->course);
     out->buffered = (uint16_t)waiting;
     v->stats.worst = ORR_MSG_MOTION_STATE_SCENARIO;
     if (reset) {

@@ -16,6 +16,9 @@ typedef struct orr_vehicle_options {
     // Gets each sample as it was taken, for a recording; under the lock. May be NULL.
     void (*record)(void *user, const orr_msg_motion *m, orr_time from);
     void *record_user;
+    // A recording to take the samples from, instead of connections: the next of it, with `from` as it was recorded. May be NULL.
+    bool (*replay)(void *user, orr_msg_motion *m, orr_time *from);
+    void *replay_user;
 } orr_vehicle_options;
 
 // Errors: ORR_E_ARG (a length that is not 1 to 100 ms, a join of more than 10 s), ORR_E_MEMORY. Free with orr_vehicle_close.
@@ -24,16 +27,9 @@ void orr_vehicle_close(orr_vehicle *v); // NULL is allowed
 // Length of its blocks.
 int64_t orr_vehicle_length_ns(const orr_vehicle *v);
 
-// Takes a sample. Returns 0, or an ORR_MSG_ERROR_CODE and the sentence; counted in any case.
-// Given:
-//   v     the vehicle
-//   m     the sample
-//   now   the scenario's instant; ORR_TIME_NONE: its clock stands at its begin, and nothing is armed
-//   from  of a recording: no block before rests on it; ORR_TIME_NONE: as blocks are now
-// Returned:
-//   why   the sentence of a refusal
-uint16_t orr_vehicle_take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_time from,
-                          orr_server_refusal *why);
+// Takes a sample at an instant of the scenario; ORR_TIME_NONE: its clock stands at its begin, and nothing is armed. Returns 0, or an
+// ORR_MSG_ERROR_CODE and the sentence; counted in any case.
+uint16_t orr_vehicle_take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_server_refusal *why);
 // Motion at both ends of a block that is being made.
 typedef struct orr_vehicle_block {
     orr_motion begin, end;

@@ -59,7 +59,7 @@ class Live(unittest.TestCase):
 
     def serve(self, *args):
         daemon = Daemon(WORK / "motion.yaml", "--from", "2025-03-21T10:02:00", "--start", "command", *args)
-        self.addCleanup(lambda: self.assertEqual(daemon.stop(), 0))
+        self.addCleanup(lambda: self.assertEqual(daemon.stop(), 0, daemon.lines))
         client = orrery.Client(daemon.urls[0])
         self.addCleanup(client.close)
         return client
@@ -114,7 +114,7 @@ class Live(unittest.TestCase):
         self.assertEqual(m.received - m.dropped, m.late + m.early)
         self.assertEqual(m.dropped, 1)
         self.assertGreaterEqual(m.blocks, 300)
-        self.assertGreater(m.used, 100)
+        self.assertGreater(m.used, 10)
         self.assertLess(abs(m.lateness.p50), NS / 2)
         self.assertGreaterEqual(m.worst, STATE.EXTRAPOLATED)
         self.assertEqual(fixed.unsubscribe().reason, messages.EndReason.UNSUBSCRIBED)
@@ -150,6 +150,26 @@ class Live(unittest.TestCase):
         with self.assertRaises(orrery.Refused) as got:
             reader._ask(messages.Motion(), messages.Pong)
         self.assertEqual(got.exception.code, messages.ErrorCode.NOT_PERMITTED)
+
+    def test_a_recording_gives_the_same_bytes(self):
+        log = WORK / "motion.log"
+        client = self.serve("--motion", "--motion-log", str(log))
+        client.control("start")
+        body = Body(client.truth(client.time().t))
+        stream = client.subscribe(messages.PollChannels(antenna=0, terms=1), None, 0, lead_s=0.02, credit=10000)
+        blocks, payloads = [], []
+        for k in range(200):
+            if k > 20 and k % 3 and k % 17:
+                client.motion(body.sample(client.time().t - 10 * (k % 4) * 10**6))
+            blocks.append(stream.next())
+            payloads.append(stream.payload)
+        self.assertIn(STATE.JOINING, {b.motion for b in blocks})
+        stream.unsubscribe()
+        self.doCleanups()
+        again = self.serve("--motion-replay", str(log))
+        stream = again.subscribe(messages.PollChannels(antenna=0, terms=1), blocks[0].t, 0, pacing="free", count=200)
+        same = [stream.payload == p for p in payloads if stream.next() is not None]
+        self.assertEqual(same, [True] * 200)
 
     def test_time_passes(self):
         """Samples stop: blocks go on, extrapolated, and say how old what they rest on is."""

@@ -166,7 +166,7 @@ static void states(void **state)
     orr_course *k = course(0.065);
     orr_motion a, b, c;
     bool overtaken;
-    assert_int_equal(block(k, T0, T0 + 5 * MS, &a, &b), ORR_COURSE_NONE);
+    assert_int_equal(block(k, T0 - 5 * MS, T0, &a, &b), ORR_COURSE_NONE);
     for (int n = 0; n < 100; n++) { // all at once: a second ahead
         const orr_course_sample s = truth(T0 + n * 10 * MS, 2, 2);
         orr_course_add(k, &s, &overtaken);
