@@ -6,6 +6,7 @@
 #include "inertial/sense/sensors.h"
 #include "inertial/study/self_alignment.h"
 #include "src/cli/frame/json.h"
+#include "src/cli/study/alignment.h"
 #include "src/cli/study/study.h"
 #include "src/config/study_alignment.h"
 
@@ -171,7 +172,8 @@ static int run(orr_cli *c)
     bool go;
     int status = orr_cli_study_open(c, &orr_study_alignment_schema, &study, &inputs, &go);
     if (!go) return status;
-    status = make(c, &study, &inputs);
+    status = study.kind == ORR_ALIGNMENT_TRANSFER ? orr_cli_transfer(c, &study, &inputs)
+                                                  : make(c, &study, &inputs);
     orr_schema_free(&orr_study_alignment_schema, &study);
     orr_inputs_free(&inputs);
     return status;
@@ -186,10 +188,16 @@ const orr_command orr_cmd_alignment = {
     .operands = "STUDY.yaml",
     .min_operands = 0,
     .max_operands = 1,
-    .about = "Self-alignment at rest by gravity and the Earth's rate, over many draws of sensor errors, "
-             "compared with its "
-             "closed forms: heading by dw_E / (u cos lat), tilts by df / g.",
-    .example = "orrery alignment samples/studies/self-alignment.yaml --plot alignment.svg -o alignment.csv",
+    .about =
+        "Transfer alignment of a second unit by the first one's velocity on a moving base, with errors of "
+        "both and a bending "
+        "arm, by a Kalman filter: what is left against what the filter says, over many draws. Heading is "
+        "seen in manoeuvres "
+        "alone.\n\nSelf-alignment at rest by gravity and the Earth's rate, over many draws of sensor errors, "
+        "compared with its "
+        "closed forms: heading by dw_E / (u cos lat), tilts by df / g.",
+    .example = "orrery alignment samples/studies/self-alignment.yaml --plot alignment.svg -o alignment.csv\n"
+               "orrery alignment samples/studies/transfer-alignment.yaml --plot transfer.svg -o transfer.nc",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -45,6 +45,28 @@ class Studies(Folder):
         self.assertEqual(first, run("alignment", study, "-o", "-").stdout)
         self.assertEqual(len(first.splitlines()), 4)
 
+    def test_transfer_alignment(self):
+        weave = ("trajectory: {kind: analytic, duration: 60, lat: 45, lon: 20, body: {follow_course: yes}, motions: [{kind: straight, east: 80}%s]}\n"
+                 "units: [{name: reserve, right: 1, heading: 20}]\nimu: {rate: 10}\n")
+        self.write("weave.yaml", weave % ", {kind: sine, north: 150, period: 30}")
+        self.write("straight.yaml", weave % "")
+        self.write("reserve.yaml", "gyro: {bias_sigma: 1, white: 0.1}\naccelerometer: {bias_sigma: 500, white: 50}\n")
+        text = "kind: transfer\nscenario: {}.yaml\nerrors: reserve.yaml\nseeds: 4\ntransfer: {{first_errors: errors.yaml, interval: 1}}\n"
+        told = {name: run_json("alignment", self.write(f"{name}-study.yaml", text.format(name)), "--format", "json", "-o", self.path(f"{name}.nc"))
+                for name in ("weave", "straight")}
+        self.assertTrue(told["weave"]["heading_observed"])
+        self.assertLess(told["weave"]["heading_sigma_left"], 0.1)
+        self.assertFalse(told["straight"]["heading_observed"])
+        self.assertIn("NOT OBSERVED", run("alignment", self.path("straight-study.yaml")).stdout)
+        head = subprocess.run(["ncdump", "-h", self.path("weave.nc")], capture_output=True, text=True, check=True).stdout
+        for word in ("second_measured_dtheta_rad_x(second)", "first_heading_deg(first)", "track_attitude_sigma_arcmin_up"):
+            self.assertIn(word, head)
+        for change, sentence in (("interval: 1", "interval: 0.3"), "a multiple of 5"), (("interval: 1", "unit: 2"), "there is no unit 2"), \
+                (("interval: 1", "velocity_noise: -1"), "velocity_noise"), (("interval: 1", "mounting: [1, 2]"), "three are wanted"), \
+                (("interval: 1", "mounting: [1, 2, -1]"), "cannot be negative"), (("kind: transfer", "kind: self"), "transfer"):
+            bad = self.write("bad.yaml", text.format("weave").replace(*change))
+            self.assertIn(sentence, run("alignment", bad, status=1).stderr)
+
     def test_error_equations(self):
         text = ("manoeuvres: [{name: rest, scenario: rest.yaml}, {scenario: circle.yaml, duration: 200}]\nerrors: errors.yaml\n"
                 "initial: {attitude: [10, 10, 60]}\nsizes: [1, 2000]\nsteps: [2, 20]\nmethods: [euler, runge-kutta]\n{}\n")
