@@ -19,6 +19,8 @@ static inline bool orr_time_is_near(orr_time t) { return t > -ORR_TIME_FAR && t 
 #define ORR_TIME_FIRST_YEAR 1960
 #define ORR_TIME_LAST_YEAR 2250
 #define ORR_NS_PER_S INT64_C(1000000000)
+#define ORR_BDT_BEHIND_GPS_NS (14 * ORR_NS_PER_S)
+#define ORR_BDT_WEEK_0 1356 // GPS week of BDT's week 0
 #define ORR_S_PER_WEEK 604800
 
 typedef enum orr_scale {

@@ -14,7 +14,6 @@
 #include "ingest/rinex/rinex_nav_private.h"
 
 #define WEEK_NS (INT64_C(604800) * ORR_NS_PER_S)
-#define BDT_MINUS_GPS_NS (14 * ORR_NS_PER_S)
 
 bool orr_nav_fault(nav_fault *f, int64_t line, int column, const char *fmt, ...)
 {
@@ -116,7 +115,7 @@ bool orr_nav_epoch(const nav_lines *r, size_t line, bool v2, orr_scale scale, or
 // Nanoseconds since a week of the system began.
 int64_t orr_nav_ns_of_week(orr_time t, char system)
 {
-    int64_t ns = (t - (system == 'C' ? BDT_MINUS_GPS_NS : 0)) % WEEK_NS;
+    int64_t ns = (t - (system == 'C' ? ORR_BDT_BEHIND_GPS_NS : 0)) % WEEK_NS;
     return ns < 0 ? ns + WEEK_NS : ns;
 }
 

@@ -7,15 +7,12 @@
 #include "core/nan.h"
 #include "ingest/rinex/rinex_nav_private.h"
 
-#define BDT_MINUS_GPS_NS (14 * ORR_NS_PER_S)
-#define BDT_WEEK0 1356 // GPS week of BDT's week 0
-
 static int32_t week_of(orr_time t, char system)
 {
     int32_t week = 0;
     int64_t ns = 0;
-    orr_time_week(t - (system == 'C' ? BDT_MINUS_GPS_NS : 0), &week, &ns);
-    return system == 'C' ? week - BDT_WEEK0 : week;
+    orr_time_week(t - (system == 'C' ? ORR_BDT_BEHIND_GPS_NS : 0), &week, &ns);
+    return system == 'C' ? week - ORR_BDT_WEEK_0 : week;
 }
 
 // Whole numbers written as reals; `missing` where blank or out of range.

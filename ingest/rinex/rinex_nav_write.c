@@ -9,9 +9,6 @@
 #include "core/outfile.h"
 #include "ingest/rinex/rinex_nav_private.h"
 
-#define BDT_MINUS_GPS_NS (14 * ORR_NS_PER_S)
-#define BDT_WEEK0 1356
-
 static void put_header(FILE *f, const char *label, const char *fmt, ...) ORR_PRINTF(3, 4);
 static void put_header(FILE *f, const char *label, const char *fmt, ...)
 {
@@ -63,8 +60,8 @@ static double word_or_blank(uint32_t v) { return v == 0xffffffffu ? ORR_NAN : v;
 static double transmission_sow(const orr_nav_eph *e, int32_t week, char system)
 {
     if (e->transmission == ORR_TIME_NONE) return 0.9999e9;
-    int64_t shift = system == 'C' ? BDT_MINUS_GPS_NS : 0;
-    int32_t gps_week = system == 'C' ? week + BDT_WEEK0 : week;
+    int64_t shift = system == 'C' ? ORR_BDT_BEHIND_GPS_NS : 0;
+    int32_t gps_week = system == 'C' ? week + ORR_BDT_WEEK_0 : week;
     return orr_time_diff_s(e->transmission - shift, orr_time_from_week(gps_week, 0));
 }
 
@@ -74,8 +71,8 @@ static void put_kepler(FILE *f, const orr_leap_table *leap, const orr_nav_eph *e
     char system = orr_sat_system(e->sat);
     int32_t week = 0;
     int64_t ns = 0;
-    orr_time_week(e->toe - (system == 'C' ? BDT_MINUS_GPS_NS : 0), &week, &ns);
-    if (system == 'C') week -= BDT_WEEK0;
+    orr_time_week(e->toe - (system == 'C' ? ORR_BDT_BEHIND_GPS_NS : 0), &week, &ns);
+    if (system == 'C') week -= ORR_BDT_WEEK_0;
     double blank = ORR_NAN, tow = transmission_sow(e, week, system);
     put_first_line(f, leap, e, e->af0_s, e->af1_sps, e->af2_sps2);
     put_orbit_line(f, number_or_blank(e->iode), k->crs_m, k->delta_n_radps, k->m0_rad);
@@ -184,8 +181,8 @@ static void put_sto(FILE *f, const orr_nav *nav, size_t i)
     int64_t ns = 0;
     bool beidou = s->code[0] == 'B';
     if (s->t_ref != ORR_TIME_NONE) {
-        orr_time_week(s->t_ref - (beidou ? BDT_MINUS_GPS_NS : 0), &week, &ns);
-        if (beidou) week -= BDT_WEEK0;
+        orr_time_week(s->t_ref - (beidou ? ORR_BDT_BEHIND_GPS_NS : 0), &week, &ns);
+        if (beidou) week -= ORR_BDT_WEEK_0;
     }
     static const char *const utc[] = {"UTC(NIST)", "UTC(USNO)",       "UTC(SU)",
                                       "UTC(BIPM)", "UTC(Europe Lab)", "UTC(CRL)"};

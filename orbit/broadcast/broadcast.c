@@ -8,21 +8,12 @@
 
 #define DAY_S 86400.0
 
-// Constants of the systems' own documents: a receiver must use these and no better ones.
-typedef struct constants {
-    double gm, earth_rate;
-} constants;
-
-static constants constants_of(char system)
+void orr_broadcast_constants(char system, double *gm, double *earth_rate)
 {
-    switch (system) {
-    case 'E':
-        return (constants){ORR_GALILEO_GM, ORR_GALILEO_EARTH_RATE_RADPS};
-    case 'C':
-        return (constants){ORR_BEIDOU_GM, ORR_BEIDOU_EARTH_RATE_RADPS};
-    default:
-        return (constants){ORR_GPS_GM, ORR_GPS_EARTH_RATE_RADPS};
-    }
+    *gm = system == 'E' ? ORR_GALILEO_GM : system == 'C' ? ORR_BEIDOU_GM : ORR_GPS_GM;
+    *earth_rate = system == 'E'   ? ORR_GALILEO_EARTH_RATE_RADPS
+                  : system == 'C' ? ORR_BEIDOU_EARTH_RATE_RADPS
+                                  : ORR_GPS_EARTH_RATE_RADPS;
 }
 
 // BeiDou's geostationary satellites (D2) have their elements in a plane tilted by -5 deg, so that i is not
@@ -64,11 +55,12 @@ static void turn3(orr_jet angle, orr_jet *x, orr_jet *y) // passive rotation abo
 static orr_status eval_kepler(const orr_nav_eph *eph, double tk, orr_broadcast_state *out)
 {
     const orr_nav_kepler *k = &eph->kepler;
-    const constants c = constants_of(orr_sat_system(eph->sat));
+    double gm, earth_rate;
+    orr_broadcast_constants(orr_sat_system(eph->sat), &gm, &earth_rate);
     const double a0 = k->sqrt_a_sqrtm * k->sqrt_a_sqrtm;
     if (!(a0 > 6.4e6 && a0 < 1e9) || !(k->e >= 0 && k->e < 0.9)) return ORR_E_NUMERIC;
     const orr_jet a = orr_jet_make(a0 + k->a_dot_mps * tk, k->a_dot_mps, 0);
-    const double n0 = sqrt(c.gm / (a0 * a0 * a0));
+    const double n0 = sqrt(gm / (a0 * a0 * a0));
     const double n = n0 + k->delta_n_radps + 0.5 * k->delta_n_dot_radps2 * tk;
     const double n_slope = 0.5 * k->delta_n_dot_radps2;
     const orr_jet m = orr_jet_make(k->m0_rad + n * tk, n + n_slope * tk, 2 * n_slope);
@@ -83,9 +75,9 @@ static orr_status eval_kepler(const orr_nav_eph *eph, double tk, orr_broadcast_s
                                   harmonic(k->cic_rad, k->cis_rad, twice));
     const orr_jet xp = orr_jet_mul(r, orr_jet_cos(u)), yp = orr_jet_mul(r, orr_jet_sin(u));
     const bool geo = is_beidou_geo(eph);
-    const double node_rate = k->omega_dot_radps - (geo ? 0 : c.earth_rate);
+    const double node_rate = k->omega_dot_radps - (geo ? 0 : earth_rate);
     const orr_jet node =
-        orr_jet_make(k->omega0_rad + node_rate * tk - c.earth_rate * k->toe_sow_s, node_rate, 0);
+        orr_jet_make(k->omega0_rad + node_rate * tk - earth_rate * k->toe_sow_s, node_rate, 0);
 
     const orr_jet ypc = orr_jet_mul(yp, orr_jet_cos(i));
     orr_jet x = orr_jet_sub(orr_jet_mul(xp, orr_jet_cos(node)), orr_jet_mul(ypc, orr_jet_sin(node)));
@@ -96,13 +88,13 @@ static orr_status eval_kepler(const orr_nav_eph *eph, double tk, orr_broadcast_s
         const orr_jet y1 = orr_jet_add(orr_jet_scale(cs, y), orr_jet_scale(sn, z));
         z = orr_jet_sub(orr_jet_scale(cs, z), orr_jet_scale(sn, y));
         y = y1;
-        turn3(orr_jet_make(c.earth_rate * tk, c.earth_rate, 0), &x, &y);
+        turn3(orr_jet_make(earth_rate * tk, earth_rate, 0), &x, &y);
     }
     out->pos_m = orr_vec3_make(x.v, y.v, z.v);
     out->vel_mps = orr_vec3_make(x.d, y.d, z.d);
     out->acc_mps2 = orr_vec3_make(x.dd, y.dd, z.dd);
     // F e sqrt(A) sin E, F = -2 sqrt(mu)/c^2
-    out->relativity_s = -2 * sqrt(c.gm) / (ORR_LIGHT_MPS * ORR_LIGHT_MPS) * k->e * k->sqrt_a_sqrtm * sin(E.v);
+    out->relativity_s = -2 * sqrt(gm) / (ORR_LIGHT_MPS * ORR_LIGHT_MPS) * k->e * k->sqrt_a_sqrtm * sin(E.v);
     return ORR_OK;
 }
 

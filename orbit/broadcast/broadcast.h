@@ -24,6 +24,10 @@ typedef struct orr_broadcast_state {
                          // clock parameters hold it
 } orr_broadcast_state;
 
+// The constants that a system's own document prescribes: its gravitational parameter (m^3/s^2) and the Earth's rate
+// (rad/s). A receiver must use these and no better ones.
+void orr_broadcast_constants(char system, double *gm, double *earth_rate_radps);
+
 // State by one record at t (GPS scale, satellite time). GLONASS and SBAS are integrated or extrapolated over
 // |t - toe|. ORR_E_RANGE further than a day from toe (no message means that), ORR_E_NUMERIC for elements that
 // are no orbit. Sources: IS-GPS-200N table 20-IV and 30-II, Galileo OS SIS ICD 2.1 5.1.1,

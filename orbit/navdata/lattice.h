@@ -7,7 +7,7 @@
 
 #include "core/status.h"
 
-#define ORR_LATTICE_MAX 15
+#define ORR_LATTICE_MAX 17
 
 // Finds the integers z that minimise |R z - y|^2.
 // Given:

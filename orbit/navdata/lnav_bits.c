@@ -209,7 +209,7 @@ static void put_page(draft *d, uint32_t sv_id)
     put(d, 63, 6, sv_id);
 }
 
-orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], const orr_lnav_utc *utc,
+orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], const orr_nav_utc *utc,
                                   const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag)
 {
     static const int alpha_power[4] = {-30, -27, -24, -24}, beta_power[4] = {11, 14, 16, 16};
@@ -217,6 +217,9 @@ orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], c
     static const char *const name[8] = {"alpha0", "alpha1", "alpha2", "alpha3",
                                         "beta0",  "beta1",  "beta2",  "beta3"};
     draft d = {.diag = diag};
+    int32_t week;
+    int64_t ns;
+    orr_time_week(utc->reference, &week, &ns);
     put_page(&d, 56);
     for (int k = 0; k < 4; k++) {
         put(&d, place[k], 8, quantised(&d, name[k], alpha[k], ldexp(1, alpha_power[k]), 8, true));
@@ -224,8 +227,8 @@ orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], c
     }
     put(&d, 151, 24, quantised(&d, "A1", utc->a1_sps, ldexp(1, -50), 24, true));
     put_split(&d, 181, 24, 211, 8, quantised(&d, "A0", utc->a0_s, ldexp(1, -30), 32, true));
-    put(&d, 219, 8, quantised(&d, "tot", utc->tot_s, 4096, 8, false));
-    put(&d, 227, 8, (uint32_t)utc->week & 0xff);
+    put(&d, 219, 8, quantised(&d, "tot", (double)(ns / ORR_NS_PER_S), 4096, 8, false));
+    put(&d, 227, 8, (uint32_t)week & 0xff);
     put(&d, 241, 8, quantised(&d, "leap seconds", utc->leap_s, 1, 8, true));
     put(&d, 249, 8, (uint32_t)utc->week_lsf & 0xff);
     put(&d, 257, 8, quantised(&d, "day of the leap second", utc->day, 1, 8, false));
@@ -233,8 +236,8 @@ orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], c
     return seal(&d, 4, how, out);
 }
 
-orr_status orr_lnav_encode_almanac(const orr_lnav_almanac *a, const orr_lnav_how *how, int *subframe,
-                                   int *page, orr_lnav_subframe *out, orr_diag *diag)
+orr_status orr_lnav_encode_almanac(const orr_almanac *a, const orr_lnav_how *how, int *subframe, int *page,
+                                   orr_lnav_subframe *out, orr_diag *diag)
 {
     static const int page4[8] = {2, 3, 4, 5, 7, 8, 9, 10};
     draft d = {.diag = diag};
@@ -270,8 +273,9 @@ orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_ho
     return seal(&d, subframe, how, out);
 }
 
-orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t health[32],
-                                  const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag)
+orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t config[32],
+                                  const uint8_t health[32], const orr_lnav_how *how, orr_lnav_subframe *out,
+                                  orr_diag *diag)
 {
     draft d = {.diag = diag};
     if (number == 5) { // health of 1-24: four a word, words 4 to 9
@@ -286,7 +290,7 @@ orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, cons
     int bit = 69; // A-S flag and configuration of 32 satellites, four bits each: 4 in word 3, 6 in words 4-7,
                   // 4 in word 8
     for (int k = 0; k < 32; k++) {
-        put(&d, bit, 4, 1); // A-S off, configuration of block II and later
+        put(&d, bit, 4, config[k]);
         bit += 4;
         if ((bit - 1) % 30 >= 24) bit += 30 - (bit - 1) % 30;
     }

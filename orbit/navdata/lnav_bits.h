@@ -6,6 +6,8 @@
 #define ORR_ORBIT_NAVDATA_LNAV_BITS_H
 
 #include "ingest/rinex/rinex_nav.h"
+#include "orbit/navdata/almanac_kepler.h"
+#include "orbit/navdata/nav_utc.h"
 
 typedef struct orr_lnav_subframe {
     uint32_t word[10];
@@ -34,34 +36,19 @@ typedef struct orr_lnav_how {
 orr_status orr_lnav_encode_ephemeris(const orr_nav_eph *eph, int number, const orr_lnav_how *how,
                                      orr_lnav_subframe *out, orr_diag *diag);
 
-// UTC parameters of subframe 4 page 18 (20.3.3.5.1.6).
-typedef struct orr_lnav_utc {
-    double a0_s, a1_sps;
-    uint32_t tot_s;                     // seconds of week, multiple of 4096
-    int32_t week, week_lsf;             // full weeks; sent modulo 256
-    int32_t leap_s, leap_future_s, day; // GPS - UTC now and after, day 1..7 at whose end it changes
-} orr_lnav_utc;
 // Makes subframe 4 page 18: ionosphere and UTC.
 // Given:
 //   alpha, beta  Klobuchar's coefficients: s, s/semicircle, ...
-//   utc          UTC parameters and leap seconds
+//   utc          UTC parameters and leap seconds; its reference is a multiple of 4096 s of the week
 //   how          TLM and HOW
 // Returned:
 //   out          the subframe with its parity
 //   diag         why it failed; may be NULL
 // Errors: ORR_E_RANGE with the field's name, for example "beta1", when a value does not fit.
 // Reference: IS-GPS-200N 20.3.3.5.1.6 and 20.3.3.5.1.7.
-orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], const orr_lnav_utc *utc,
+orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], const orr_nav_utc *utc,
                                   const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
 
-// Almanac of one satellite (table 20-VI): reduced-precision elements at toa.
-typedef struct orr_lnav_almanac {
-    int number; // 1..32
-    double e, toa_s, i_offset_rad /* from 0.30 semicircles */, omega_dot_radps, sqrt_a_sqrtm, omega0_rad,
-        omega_rad, m0_rad;
-    double af0_s, af1_sps;
-    uint32_t health; // 8 bits
-} orr_lnav_almanac;
 // Makes the almanac page of one satellite: subframe 5 pages 1 to 24 for satellites 1 to 24, subframe 4 pages 2 to 5 and 7
 // to 10 for 25 to 32.
 // Given:
@@ -74,7 +61,7 @@ typedef struct orr_lnav_almanac {
 //   diag      why it failed; may be NULL
 // Errors: ORR_E_RANGE with the field's name, ORR_E_ARG for another satellite.
 // Reference: IS-GPS-200N 20.3.3.5.1.2.
-orr_status orr_lnav_encode_almanac(const orr_lnav_almanac *almanac, const orr_lnav_how *how, int *subframe,
+orr_status orr_lnav_encode_almanac(const orr_almanac *almanac, const orr_lnav_how *how, int *subframe,
                                    int *page, orr_lnav_subframe *out, orr_diag *diag);
 // Makes a page of subframe 4 or 5 without content: alternating ones and zeros after its identity.
 // Given:
@@ -94,14 +81,16 @@ orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_ho
 //   number  subframe, 4 or 5
 //   toa_s   reference time of the almanac, seconds of week
 //   week    its full week
+//   config  [32] configurations of satellites 1 to 32 (20.3.3.5.1.4), A-S flag in the highest of four bits; of number 4 alone
 //   health  [32] health words of satellites 1 to 32
 //   how     TLM and HOW
 // Returned:
 //   out     the subframe with its parity
 //   diag    why it failed; may be NULL
 // Reference: IS-GPS-200N 20.3.3.5.1.3 and 20.3.3.5.1.4.
-orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t health[32],
-                                  const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
+orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, const uint8_t config[32],
+                                  const uint8_t health[32], const orr_lnav_how *how, orr_lnav_subframe *out,
+                                  orr_diag *diag);
 
 // Checks all ten words (the first follows a word ending in 00). Returns the number of words that fail.
 int orr_lnav_check(const orr_lnav_subframe *s);

@@ -68,18 +68,6 @@ size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_r
     return mid;
 }
 
-orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag)
-{
-    const double top = ldexp(1.0, f->kind == ORR_FIELD_UNSIGNED ? f->bits : f->bits - 1);
-    if (f->kind == ORR_FIELD_ANGLE) whole -= 2 * top * floor(whole / (2 * top) + 0.5);
-    const double least = f->kind == ORR_FIELD_UNSIGNED ? 0 : f->kind == ORR_FIELD_MAGNITUDE ? 1 - top : -top;
-    if (!(whole < top && whole >= least))
-        return orr_diag_set(diag, ORR_E_RANGE, "%s = %.10g does not fit its %d bits", f->name, whole * f->lsb,
-                            f->bits);
-    *value = orr_navfit_lsbs(whole, f->lsb);
-    return ORR_OK;
-}
-
 orr_status orr_navfit_judge(const orr_nav_eph *e, const orr_navfit_window *w, double *rms_m, double *max_m)
 {
     double sum = 0, largest = 0;

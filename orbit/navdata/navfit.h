@@ -27,26 +27,26 @@ typedef struct orr_navfit_report {
 // positions in the window, ORR_E_RANGE with the field's name if a parameter does not fit its field,
 // ORR_E_NUMERIC where the positions are no such orbit.
 
-// Fits the fifteen Kepler parameters of LNAV (GPS, QZSS) to a precise orbit and quantises them.
+// Fits the Kepler parameters of a message to a precise orbit and quantises them.
 // Given:
-//   sat             GPS or QZSS satellite
-//   toe             reference time, a multiple of 16 s of the week
+//   sat, message    satellite, and one of the messages with Kepler elements that its system sends
+//   toe             reference time, a multiple of the message's step in the system's own week: 16 s (LNAV), 60 s (I/NAV,
+//                   F/NAV), 8 s (D1, D2), 300 s (CNAV and its kin)
 //   from, to        window of the positions, 1800 to 21600 s long
-//   fit_interval_h  what subframe 2 will promise, h; the window may be another
 //   source, user    positions, as above
 // Returned:
-//   eph             kepler (quantised), toe, toc, week, fit_interval_h, kind and message; the caller sets clock, issue and
-//                   health
+//   eph             kepler (quantised), toe, toc, week, kind and message; the caller sets clock, delays, issue and health, which
+//                   are unknown (NAN, -1) so far
 //   report          quantised model against the source
 //   diag            why it failed; may be NULL
 // Notes: least squares over the window, then, of all values that the message can send, those that together fit best
 // (integer least squares, orbit/navdata/lattice.h). What a short window does not determine stays near its usual value with
 // weights of millimetres: rates near those caused by the Earth's flattening, harmonics near zero. A rate or harmonic whose
 // best value its field cannot hold is kept at the field's end and the rest fitted again.
-// Reference: IS-GPS-200N tables 20-III and 20-IV.
-orr_status orr_navfit_lnav(orr_sat sat, orr_time toe, orr_time from, orr_time to, double fit_interval_h,
-                           orr_navfit_source source, void *user, orr_nav_eph *eph, orr_navfit_report *report,
-                           orr_diag *diag);
+// Reference: the tables named in kepler_lattice.c.
+orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe, orr_time from, orr_time to,
+                             orr_navfit_source source, void *user, orr_nav_eph *eph,
+                             orr_navfit_report *report, orr_diag *diag);
 
 // Fits position, velocity and acceleration of a GLONASS record at tb to a precise orbit and quantises them.
 // Given:
@@ -69,7 +69,8 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time 
 //   sat       satellite
 //   t0        reference time, within the window or outside
 //   from, to  window of the clock values
-//   eph       its kind decides on the fields: LNAV's or GLONASS'
+//   shift_s   added to them: from the clock of the product's signals to that of the message's
+//   eph       its message decides on the fields
 // Returned:
 //   eph       af0 and af1 (af2 = 0)
 //   rms_s     residual, s; may be NULL
@@ -79,7 +80,7 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time 
 // Notes: GLONASS' parameters contain the periodic relativity, as its message defines. A rate beyond its field stands at
 // the field's end.
 orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
-                            orr_nav_eph *eph, double *rms_s, orr_diag *diag);
+                            double shift_s, orr_nav_eph *eph, double *rms_s, orr_diag *diag);
 
 // The product's satellite as a source: its centre of mass plus a constant offset in body axes of nominal
 // attitude (zero, or the antenna's; X, Y, Z in metres).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/astro.h"
 #include "orbit/broadcast/broadcast.h"
+#include "orbit/navdata/kepler_lattice.h"
 #include "orbit/navdata/navfit_private.h"
 
 orr_status orr_navfit_clock_line(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
@@ -42,24 +43,20 @@ double orr_navfit_line_rms(const orr_navfit_line *line, double value, double slo
 }
 
 orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
-                            orr_nav_eph *eph, double *rms_s, orr_diag *diag)
+                            double shift_s, orr_nav_eph *eph, double *rms_s, orr_diag *diag)
 {
-    static const orr_navfit_field lnav[2] = {{"af0", P2(31), 22, ORR_FIELD_SIGNED},
-                                             {"af1", P2(43), 16, ORR_FIELD_SIGNED}},
-                                  glonass[2] = {{"-tau_n", P2(30), 22, ORR_FIELD_MAGNITUDE},
-                                                {"gamma_n", P2(40), 11, ORR_FIELD_MAGNITUDE}};
-    const bool is_glonass = eph->kind == ORR_NAV_GLONASS;
-    const orr_navfit_field *af0 = is_glonass ? &glonass[0] : &lnav[0], *af1 = af0 + 1;
+    static const orr_navfit_field glonass[2] = {ORR_MAGNITUDE("-tau_n", P2(30), 22),
+                                                ORR_MAGNITUDE("gamma_n", P2(40), 11)};
+    const orr_kepler_lattice *lattice = orr_kepler_lattice_of(sat, eph->message);
+    const orr_navfit_field *field = lattice != NULL ? lattice->clock : glonass;
     orr_navfit_line line;
-    orr_status s = orr_navfit_clock_line(e, sat, t0, from, to, is_glonass, &line, diag);
+    orr_status s = orr_navfit_clock_line(e, sat, t0, from, to, lattice == NULL, &line, diag);
     if (s != ORR_OK) return s;
-    const double end = ldexp(1.0, af1->bits - 1) - 1; // a reset within the window asks for any rate
-    s = orr_navfit_to_field(af1, fmax(-end, fmin(end, round(line.slope / af1->lsb))), &eph->af1_sps, diag);
-    if (s != ORR_OK) return s;
-    const double value = line.mean - eph->af1_sps * line.mean_dt_s;
-    s = orr_navfit_to_field(af0, round(value / af0->lsb), &eph->af0_s, diag);
+    eph->af1_sps = orr_navfit_clamped(&field[1], line.slope); // a reset within the window asks for any rate
+    const double value = line.mean + shift_s - eph->af1_sps * line.mean_dt_s;
+    s = orr_navfit_to_field(&field[0], orr_navfit_whole(&field[0], value), &eph->af0_s, diag);
     if (s != ORR_OK) return s;
     eph->af2_sps2 = 0;
-    if (rms_s != NULL) *rms_s = orr_navfit_line_rms(&line, eph->af0_s, eph->af1_sps);
+    if (rms_s != NULL) *rms_s = orr_navfit_line_rms(&line, eph->af0_s - shift_s, eph->af1_sps);
     return ORR_OK;
 }

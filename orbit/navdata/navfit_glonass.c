@@ -26,11 +26,9 @@
 
 // GLONASS ICD 5.1, table 4.5: 27, 24 and 5 bits.
 static const orr_navfit_field table[N] = {
-    {"x", POS_LSB, 27, ORR_FIELD_MAGNITUDE},  {"y", POS_LSB, 27, ORR_FIELD_MAGNITUDE},
-    {"z", POS_LSB, 27, ORR_FIELD_MAGNITUDE},  {"vx", VEL_LSB, 24, ORR_FIELD_MAGNITUDE},
-    {"vy", VEL_LSB, 24, ORR_FIELD_MAGNITUDE}, {"vz", VEL_LSB, 24, ORR_FIELD_MAGNITUDE},
-    {"ax", ACC_LSB, 5, ORR_FIELD_MAGNITUDE},  {"ay", ACC_LSB, 5, ORR_FIELD_MAGNITUDE},
-    {"az", ACC_LSB, 5, ORR_FIELD_MAGNITUDE},
+    ORR_MAGNITUDE("x", POS_LSB, 27),  ORR_MAGNITUDE("y", POS_LSB, 27),  ORR_MAGNITUDE("z", POS_LSB, 27),
+    ORR_MAGNITUDE("vx", VEL_LSB, 24), ORR_MAGNITUDE("vy", VEL_LSB, 24), ORR_MAGNITUDE("vz", VEL_LSB, 24),
+    ORR_MAGNITUDE("ax", ACC_LSB, 5),  ORR_MAGNITUDE("ay", ACC_LSB, 5),  ORR_MAGNITUDE("az", ACC_LSB, 5),
 };
 
 static void to_array(const orr_nav_glonass *g, double p[N])

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the fits of LNAV, GLONASS and the almanac share: the window of positions, where they start from, and
+// What the fits of Kepler elements, of GLONASS and of almanacs share: the window of positions, where they start from, and
 // the two steps of each: linear least squares, and the nearest point of the lattice.
 #ifndef ORR_ORBIT_NAVDATA_NAVFIT_PRIVATE_H
 #define ORR_ORBIT_NAVDATA_NAVFIT_PRIVATE_H
 
+#include "orbit/navdata/field.h"
 #include "orbit/navdata/lattice.h"
 #include "orbit/navdata/navfit.h"
 
@@ -47,23 +48,6 @@ orr_status orr_navfit_gather(orr_time from, orr_time to, double step_s, orr_navf
 // Returns the index of the position.
 size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_rate, orr_vec3 *r,
                          orr_vec3 *v);
-
-#define P2(n) (1.0 / (double)(UINT64_C(1) << (n))) // 2^-n, the LSBs of interface documents
-#define SEMICIRCLE ORR_PI
-
-// So many LSBs. Zero has no sign: the -0 that a rounded -0.3 is would be shown as "-0".
-static inline double orr_navfit_lsbs(double whole, double lsb) { return whole * lsb + 0.0; }
-
-// A field as the interface documents define it.
-typedef struct orr_navfit_field {
-    const char *name;
-    double lsb;
-    int bits;
-    // Two's complement, none, two's complement of what may turn over, sign and magnitude (GLONASS).
-    enum { ORR_FIELD_SIGNED, ORR_FIELD_UNSIGNED, ORR_FIELD_ANGLE, ORR_FIELD_MAGNITUDE } kind;
-} orr_navfit_field;
-// The nearest value of the field to `whole` LSBs (a whole number); ORR_E_RANGE with the name if it is none.
-orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag);
 
 // The product's clock over a window as a line about t0.
 #define ORR_NAVFIT_CLOCKS 25

@@ -1,42 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a satellite sends within the 30 s that hold an instant, bit by bit: five LNAV subframes, or a GLONASS
-// frame of fifteen strings. A generator that asks every 30 s has the whole stream.
+// What a satellite sends on one signal within the frame of a message that holds an instant, as bits or as the symbols that a
+// modulator takes. A generator that asks again at the frame's end has the whole stream.
 #ifndef ORR_ORBIT_NAVDATA_NAVFRAME_H
 #define ORR_ORBIT_NAVDATA_NAVFRAME_H
 
 #include "orbit/navdata/navset.h"
 
 #define ORR_NAVFRAME_PIECES 15
-#define ORR_NAVFRAME_BYTES 38
+#define ORR_NAVFRAME_BYTES 226
 
-// A subframe (300 bits, 6 s) or a string (85 bits, sent in relative code within 1.7 s of its 2 s; the time
-// mark of 0.3 s after it is the generator's).
+// A subframe, string, page or message. Its k-th bit begins at t + k length / bits. GLONASS' strings as bits last 1.7 s of
+// their 2 s; the time mark of 0.3 s after them is the generator's, or among the symbols.
 typedef struct orr_navframe_piece {
     orr_time t;     // begin of its first bit
-    uint8_t number; // subframe 1-5, string 1-15
-    uint8_t page;   // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe
-    uint16_t bits;  // 300 or 85
+    int64_t length; // ns, to the end of its last
+    uint8_t number; // LNAV: subframe 1-5; GLONASS: string 1-15; I/NAV: word type; F/NAV: page type
+    uint8_t
+        page; // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe; Galileo:
+              // sub-frame 1-24 (I/NAV) or 1-12 (F/NAV) of the frame
+    uint16_t bits;                    // or symbols
     uint8_t data[ORR_NAVFRAME_BYTES]; // first bit in time is the highest of data[0]; what is left of the last
                                       // byte is 0
 } orr_navframe_piece;
 
 typedef struct orr_navframe {
     orr_sat sat;
-    uint8_t message; // orr_nav_message: LNAV or FDMA
+    const orr_nav_stream *stream;
+    bool coded; // symbols
     orr_time from, to;
-    uint8_t n; // pieces: 5 or 15
+    uint8_t n; // pieces
     orr_navframe_piece piece[ORR_NAVFRAME_PIECES];
 } orr_navframe;
 
-// The message bits that a satellite sends in the 30 s around an instant.
+// What a satellite sends in the frame around an instant.
 // Given:
-//   set   broadcast data
-//   sat   satellite
-//   t     instant; frames begin at multiples of 30 s of GPS time (LNAV) or of UTC (GLONASS)
+//   set     broadcast data
+//   sat     satellite
+//   stream  which message on which signal; NULL: the satellite's first (orr_navset_streams)
+//   t       instant. Frames begin at multiples of 30 s of GPS time (LNAV; I/NAV on E5b, on E1 a second later) or of UTC
+//           (GLONASS), or of 50 s (F/NAV)
+//   coded   symbols as they are modulated: with error correction, interleaving and synchronisation; GLONASS' with relative
+//           code, meander and time mark. LNAV is the same either way: parity is part of its bits. Secondary codes are the
+//           generator's. Without it bits, with the checks that belong to them (parity, CRC) and tails
 // Returned:
-//   out   the pieces of the frame that holds t; ephemeris and clock are those on the air at the frame's begin
-//   diag  why it failed; may be NULL
+//   out     the pieces of the frame that holds t; ephemeris and clock are those on the air at the frame's begin
+//   diag    why it failed; may be NULL
 // Errors: ORR_E_NODATA where the satellite has no set, ORR_E_RANGE if a value does not fit its field.
-orr_status orr_navframe_at(const orr_navset *set, orr_sat sat, orr_time t, orr_navframe *out, orr_diag *diag);
+orr_status orr_navframe_at(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, orr_time t,
+                           bool coded, orr_navframe *out, orr_diag *diag);
 
 #endif

@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "orbit/navdata/lnav_bits.h"
 #include "orbit/navdata/navset_private.h"
+#include "orbit/navdata/system_week.h"
 
 #define MOST_WEEKS 1024 // of ten bits: a longer set would send one week for another
 
@@ -15,7 +16,6 @@ orr_navset_options orr_navset_defaults(void) { return (orr_navset_options){.wind
 typedef struct work {
     const orr_ephemeris *e;
     const orr_navset_options *o;
-    navset_schedule gps, glonass;
     size_t n;
     navset_satellite *sat;
 } work;
@@ -23,28 +23,60 @@ typedef struct work {
 static void fit_one(void *user, size_t i)
 {
     work *w = user;
-    navset_satellite *sat = &w->sat[i];
-    navset_fit_satellite(w->e, w->o, orr_sat_system(sat->sat) == 'R' ? &w->glonass : &w->gps, sat);
+    navset_fit_satellite(w->e, w->o, &w->sat[i]);
 }
 
-static bool wanted(const orr_navset_options *o, orr_sat sat)
+// The messages of a satellite that are wanted; numbers that a message cannot name have none.
+static uint32_t wanted(const orr_navset_options *o, orr_sat sat)
 {
-    char system = orr_sat_system(sat);
-    if (system == 'G' ? orr_sat_number(sat) > 32 : system != 'R') return false;
-    return o->sats == NULL || orr_sat_set_has(o->sats, sat);
+    const char system = orr_sat_system(sat);
+    if (o->sats != NULL && !orr_sat_set_has(o->sats, sat)) return 0;
+    if ((system == 'G' && orr_sat_number(sat) > 32) || (system == 'E' && orr_sat_number(sat) > 36)) return 0;
+    uint32_t messages = orr_nav_streams_of(system);
+    if (system == 'C') messages &= ~(UINT32_C(1) << (orr_nav_beidou_geo(sat) ? ORR_NAV_D1 : ORR_NAV_D2));
+    return o->messages != 0 ? messages & o->messages : messages;
+}
+
+static void begin_series(navset_satellite *s, orr_sat sat, uint32_t messages)
+{
+    size_t n;
+    const orr_nav_stream *stream = orr_nav_streams(&n);
+    s->sat = sat;
+    for (size_t k = 0; k < n && s->n < NAVSET_SERIES; k++) {
+        const uint32_t bit = UINT32_C(1) << stream[k].message;
+        if (stream[k].system != orr_sat_system(sat) || (messages & bit) == 0) continue;
+        s->series[s->n++].message = stream[k].message;
+        messages &= ~bit;
+    }
 }
 
 static void say_what_is_missing(const navset_satellite *s, orr_warnings *warnings)
 {
     char name[ORR_SAT_TEXT];
     orr_sat_text(s->sat, name);
-    if (s->no_clock > 0)
-        orr_warnings_add(warnings, NULL, 0, 0,
-                         "%s: the product has no clock for %zu of its sets; they are left out", name,
-                         s->no_clock);
-    if (s->not_fitted > 0)
-        orr_warnings_add(warnings, NULL, 0, 0, "%s: %zu of its sets are left out: %s", name, s->not_fitted,
-                         s->why);
+    for (size_t k = 0; k < s->n; k++) {
+        const navset_series *x = &s->series[k];
+        const char *message = s->n > 1 ? orr_nav_message_name(x->message) : "", *of = s->n > 1 ? " " : "";
+        if (x->no_clock > 0)
+            orr_warnings_add(warnings, NULL, 0, 0,
+                             "%s: the product has no clock for %zu of its%s%s sets; they are left out", name,
+                             x->no_clock, of, message);
+        if (x->not_fitted > 0)
+            orr_warnings_add(warnings, NULL, 0, 0, "%s: %zu of its%s%s sets are left out: %s", name,
+                             x->not_fitted, of, message, x->why);
+    }
+}
+
+static size_t count_sets(const navset_satellite *s)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < s->n; k++) n += s->series[k].n;
+    return n;
+}
+
+static void free_series(navset_satellite *s)
+{
+    for (size_t k = 0; k < s->n; k++) free(s->series[k].item);
 }
 
 // Moves satellites that have sets into the result; the others' memory is freed.
@@ -57,15 +89,16 @@ static orr_status collect(work *w, orr_navset *set, orr_warnings *warnings, orr_
     for (size_t i = 0; i < w->n; i++) {
         if (s == ORR_OK) s = w->sat[i].status;
         if (s == ORR_OK) say_what_is_missing(&w->sat[i], warnings);
-        if (s == ORR_OK && w->sat[i].n > 0) {
+        if (s == ORR_OK && count_sets(&w->sat[i]) > 0) {
             set->sat[set->n_sats] = w->sat[i].sat;
             set->sets[set->n_sats++] = w->sat[i];
         } else
-            free(w->sat[i].item);
+            free_series(&w->sat[i]);
     }
     if (s == ORR_OK && set->n_sats == 0)
         return orr_diag_set(diag, ORR_E_NODATA,
-                            "no GPS or GLONASS satellite of the product has an orbit and a clock to fit");
+                            "no satellite of the product that sends one of the messages has an orbit and a "
+                            "clock to fit");
     return s;
 }
 
@@ -73,16 +106,14 @@ static orr_status fit_all(work *w)
 {
     const orr_sat *list;
     size_t n = orr_ephemeris_satellites(w->e, &list);
-    orr_time from, to;
-    orr_ephemeris_span(w->e, &from, &to);
-    orr_status s = navset_schedule_gps(from, to, w->o->window_s, &w->gps);
-    if (s == ORR_OK) s = navset_schedule_glonass(from, to, w->o->leap, &w->glonass);
     w->sat = calloc(n + 1, sizeof *w->sat);
-    if (w->sat == NULL) s = ORR_E_MEMORY;
-    for (size_t i = 0; i < n && s == ORR_OK; i++)
-        if (wanted(w->o, list[i])) w->sat[w->n++].sat = list[i];
-    if (s == ORR_OK) orr_parallel_each(w->n, w->o->jobs, fit_one, w);
-    return s;
+    if (w->sat == NULL) return ORR_E_MEMORY;
+    for (size_t i = 0; i < n; i++) {
+        const uint32_t messages = wanted(w->o, list[i]);
+        if (messages != 0) begin_series(&w->sat[w->n++], list[i], messages);
+    }
+    orr_parallel_each(w->n, w->o->jobs, fit_one, w);
+    return ORR_OK;
 }
 
 // GPS' own coefficients, the first that page 18 can send, from a header or a record.
@@ -91,7 +122,7 @@ static void take_klobuchar(orr_navset *set, const orr_nav *nav, orr_warnings *wa
     orr_diag why = {0};
     for (size_t i = 0; nav != NULL && i < nav->n_iono && !set->has_klobuchar; i++) {
         const orr_nav_iono *k = &nav->iono[i];
-        const orr_lnav_utc utc = {0};
+        const orr_nav_utc utc = {0};
         const orr_lnav_how how = {0};
         orr_lnav_subframe page;
         if (k->kind != ORR_NAV_KLOBUCHAR || k->system != 'G') continue;
@@ -122,15 +153,13 @@ orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o,
     orr_navset *set = calloc(1, sizeof *set);
     orr_status s = set == NULL ? ORR_E_MEMORY : fit_all(&w);
     if (s == ORR_OK) {
-        orr_ephemeris_span(e, &set->from, &set->to);
         set->leap = o->leap != NULL ? o->leap : orr_leap_builtin();
+        orr_ephemeris_span(e, &set->from, &set->to);
         take_klobuchar(set, o->nav, warnings);
         s = collect(&w, set, warnings, diag);
         if (s == ORR_OK) s = navset_fit_days(e, o, set);
     }
     free(w.sat);
-    free(w.gps.slot);
-    free(w.glonass.slot);
     if (s == ORR_OK)
         *out = set;
     else
@@ -143,7 +172,7 @@ orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o,
 void orr_navset_free(orr_navset *set)
 {
     if (set == NULL) return;
-    for (size_t i = 0; i < set->n_sats; i++) free(set->sets[i].item);
+    for (size_t i = 0; i < set->n_sats; i++) free_series(&set->sets[i]);
     free(set->day);
     free(set->sets);
     free(set->sat);

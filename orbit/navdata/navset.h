@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The broadcast data of a whole orbit product: for every GPS and GLONASS satellite the fitted sets, when each
-// of them is transmitted, with which issue number and health; almanacs; and what the systems send beside.
-// Built once (7 ms of one core a satellite and day of orbits, 0.4 s for all of GPS and GLONASS), then asked
-// at any instant as a pure function.
+// The broadcast data of a whole orbit product: for every satellite and message the fitted sets, when each of them is
+// transmitted, with which issue number and health; almanacs; and what the systems send beside. Built once, then asked at any
+// instant as a pure function.
 #ifndef ORR_ORBIT_NAVDATA_NAVSET_H
 #define ORR_ORBIT_NAVDATA_NAVSET_H
 
@@ -10,11 +9,13 @@
 #include "ingest/tables/antex.h"
 #include "ingest/tables/bias.h"
 #include "orbit/ephemeris/ephemeris.h"
+#include "orbit/navdata/nav_stream.h"
 #include "orbit/navdata/navfit.h"
 
 typedef struct orr_navset_options {
-    double window_s;          // LNAV: 7200 or 14400
-    const orr_sat_set *sats;  // NULL: all of GPS and GLONASS
+    double window_s;          // LNAV of GPS, I/NAV and F/NAV: 7200 or 14400
+    uint32_t messages;        // bits 1 << orr_nav_message; 0: all that orr_nav_streams tells
+    const orr_sat_set *sats;  // NULL: all that send one of them
     const orr_antex *antex;   // antennas' phase centres; NULL: the centre of mass, as STATES gives it
     const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: all zero
     const orr_nav *nav;       // GLONASS channels, Klobuchar; NULL: channels of the nominal plan, no Klobuchar
@@ -58,25 +59,28 @@ typedef struct orr_navset orr_navset;
 //   diag      why it failed; may be NULL
 // Errors: ORR_E_ARG (window), ORR_E_NODATA (nothing could be fitted), ORR_E_LIMIT (a product longer than the 1024 weeks that
 // LNAV counts), ORR_E_INTERRUPTED, ORR_E_MEMORY.
-// Notes: LNAV has toe at every even hour of GPS time, window toe +- window_s/2, and is transmitted for two hours from the
-// window's begin on. GLONASS has tb at 15 and 45 minutes of each hour of UTC, window +- 15 min.
-// Reference: IS-GPS-200N 20.3.4.4 (issue numbers).
+// Notes: when sets of which message are transmitted, and which window each of them describes, stands in
+// navset_schedule.c. Satellites with e above 0.1 (E14, E18) get windows as long as a set is on the air.
 orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
                             orr_warnings *warnings, orr_diag *diag);
 // Frees a set; NULL is none.
 void orr_navset_free(orr_navset *set);
 
 size_t orr_navset_satellites(const orr_navset *set, const orr_sat **list); // ascending
-size_t orr_navset_items(const orr_navset *set, orr_sat sat,
-                        const orr_navset_item **list); // ascending in from
-// The set on the air at t; NULL if there is none.
-const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_time t);
+#define ORR_NAVSET_STREAMS 8                                               // of one satellite, at most
+// The streams of a satellite that there are sets for, in the order of orr_nav_streams; the first is its legacy message.
+size_t orr_navset_streams(const orr_navset *set, orr_sat sat, const orr_nav_stream *list[ORR_NAVSET_STREAMS]);
+// The sets of a satellite's message, ascending in from. ORR_NAV_NONE: of its first.
+size_t orr_navset_items(const orr_navset *set, orr_sat sat, orr_nav_message message,
+                        const orr_navset_item **list);
+// The set of it on the air at t; NULL if there is none.
+const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_nav_message message, orr_time t);
 
 // Klobuchar's coefficients as page 18 sends them (s, s/semicircle, ...); false where none were given that fit
 // their eight bits (the build has warned of it): then zeros.
 bool orr_navset_klobuchar(const orr_navset *set, double alpha[4], double beta[4]);
-// All sets as a navigation file that orr_nav_write can write: satellite by satellite, with Klobuchar and the
-// leap seconds. program, run_by and date are the caller's to fill. Free with orr_nav_free.
+// All sets as a navigation file that orr_nav_write can write: satellite by satellite, with the ionosphere's coefficients, UTC
+// and the leap seconds. program, run_by and date are the caller's to fill. Free with orr_nav_free.
 orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *diag);
 
 #endif

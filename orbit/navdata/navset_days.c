@@ -1,40 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The almanacs of each day of the product.
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/parallel.h"
 #include "orbit/navdata/almanac_glonass.h"
-#include "orbit/navdata/almanac_lnav.h"
+#include "orbit/navdata/almanac_kepler.h"
+#include "orbit/navdata/gps_configuration.h"
 #include "orbit/navdata/navset_private.h"
+#include "orbit/navdata/system_week.h"
 
 #define DAY_NS (ORR_S_PER_DAY * ORR_NS_PER_S)
 #define CLOCK_NS (7200 * ORR_NS_PER_S)
-#define TOA_STEP_S 4096
-#define NOT_THERE 63   // all ones: "more than one thing is wrong" (IS-GPS-200N table 20-VIII)
-#define DATA_BAD 0xe0u // the three bits that an almanac has beside: all data are bad (table 20-VII)
+#define DATA_BAD                                                                                             \
+    0xe0u // the three bits that a GPS almanac has beside: all data are bad (IS-GPS-200N table 20-VII)
+#define LNAV_OUT 0x1cu
 
-// Six bits of health: that of the sets on the air on the day, healthy if one of them is.
+// Health of the sets on the air on the day: good if one of them is.
 static uint8_t health_of(const orr_navset *set, orr_sat sat, const navset_day *day)
 {
     const orr_navset_item *item;
-    size_t n = orr_navset_items(set, sat, &item);
-    uint8_t health = NOT_THERE;
+    size_t n = orr_navset_items(set, sat, ORR_NAV_NONE, &item);
+    uint8_t health = NAVSET_NOT_THERE;
     for (size_t k = 0; k < n; k++)
-        if (item[k].to > day->from && item[k].from < day->to && health != 0)
-            health = (uint8_t)(item[k].eph.health & 63);
+        if (item[k].to > day->from && item[k].from < day->to && health != NAVSET_GOOD)
+            health = item[k].eph.health == 0 ? NAVSET_GOOD : NAVSET_OUT;
     return health;
 }
 
-static void begin_day(const orr_navset *set, int64_t number, navset_day *day)
+// The toa nearest to noon.
+static void begin_almanacs(const orr_navset *set, const navset_day *day, char system, navset_almanacs *a)
 {
-    int64_t ns;
+    const orr_sat first = orr_sat_make(system, 1);
+    const int64_t step = orr_almanac_toa_step_s(orr_almanac_lattice_of(first)) * ORR_NS_PER_S;
+    const int64_t ns = orr_nav_seconds_of_week(first, day->noon, &a->week);
+    const int64_t toa = (ns + step / 2) / step * step;
+    a->toa = day->noon + (toa - ns);
+    a->toa_s = (uint32_t)(toa / ORR_NS_PER_S);
+    for (int k = 1; k < 64; k++) a->health[k] = health_of(set, orr_sat_make(system, k), day);
+}
+
+static void begin_day(const orr_navset *set, const orr_navset_options *o, int64_t number, navset_day *day)
+{
     day->from = number * DAY_NS;
     day->to = day->from + DAY_NS;
     day->noon = day->from + DAY_NS / 2;
-    orr_time_week(day->noon, &day->week, &ns);
-    day->toa_s = (uint32_t)((ns / ORR_NS_PER_S + TOA_STEP_S / 2) / TOA_STEP_S * TOA_STEP_S);
-    for (int k = 0; k < 32; k++) day->lnav_health[k] = health_of(set, orr_sat_make('G', k + 1), day);
+    begin_almanacs(set, day, 'G', &day->gps);
+    begin_almanacs(set, day, 'E', &day->galileo);
+    begin_almanacs(set, day, 'C', &day->beidou);
+    for (int k = 0; k < 32; k++)
+        day->gps_configuration[k] = orr_gps_configuration(o->antex, orr_sat_make('G', k + 1), day->noon);
+}
+
+static navset_almanacs *almanacs_of(navset_day *day, orr_sat sat)
+{
+    const char system = orr_sat_system(sat);
+    if (orr_almanac_lattice_of(sat) == NULL) return NULL;
+    return system == 'G' ? &day->gps : system == 'E' ? &day->galileo : &day->beidou;
 }
 
 typedef struct work {
@@ -53,21 +77,21 @@ static void window_about(const orr_navset *set, orr_time t, int64_t length, orr_
     if (*to > set->to) *to = set->to;
 }
 
-static bool lnav_almanac(const work *w, navset_day *day, orr_sat sat, orr_lnav_almanac *a)
+static bool kepler_almanac(const work *w, const navset_day *day, const navset_almanacs *of, orr_sat sat,
+                           orr_almanac *a)
 {
     orr_navfit_product source = {.ephemeris = w->e, .sat = sat};
     orr_navfit_report report;
-    orr_time from, to, toa = orr_time_from_week(day->week, day->toa_s * ORR_NS_PER_S);
+    orr_time from, to;
     window_about(w->set, day->noon, DAY_NS, &from, &to);
-    if (orr_almanac_lnav_fit(sat, toa, from, to, orr_navfit_from_product, &source, a, &report, NULL) !=
-        ORR_OK)
+    if (orr_almanac_fit(sat, of->toa, from, to, orr_navfit_from_product, &source, a, &report, NULL) != ORR_OK)
         return false;
-    window_about(w->set, toa, CLOCK_NS, &from,
+    window_about(w->set, of->toa, CLOCK_NS, &from,
                  &to); // short: a reset elsewhere on the day is none of its business
-    orr_status s = orr_almanac_lnav_clock(w->e, sat, toa, from, to, a, NULL, NULL);
+    orr_status s = orr_almanac_clock(w->e, sat, of->toa, from, to, a, NULL, NULL);
     if (s != ORR_OK && !(s == ORR_E_NODATA && w->o->zero_clocks)) return false;
-    const uint8_t health = day->lnav_health[orr_sat_number(sat) - 1];
-    a->health = health == 0 ? 0 : DATA_BAD | (health & 31u);
+    const bool good = of->health[orr_sat_number(sat)] == NAVSET_GOOD;
+    a->health = good ? 0 : orr_sat_system(sat) == 'G' ? DATA_BAD | LNAV_OUT : 1;
     return true;
 }
 
@@ -79,8 +103,8 @@ static bool glonass_almanac(const work *w, navset_day *day, orr_sat sat, orr_glo
     if (orr_glonass_almanac_fit(sat, day->noon, w->o->leap, orr_navfit_from_product, &source, a, &report,
                                 NULL) != ORR_OK)
         return false;
-    const orr_navset_item *item = orr_navset_at(w->set, sat, day->noon), *list;
-    const size_t n = orr_navset_items(w->set, sat, &list);
+    const orr_navset_item *item = orr_navset_at(w->set, sat, ORR_NAV_FDMA, day->noon), *list;
+    const size_t n = orr_navset_items(w->set, sat, ORR_NAV_FDMA, &list);
     for (size_t k = 0; item == NULL && k < n; k++)
         if (list[k].to > day->from && list[k].from < day->to) item = &list[k];
     if (item == NULL || !orr_glonass_channel(w->o->nav, sat, day->noon, &a->channel, &nominal)) return false;
@@ -95,12 +119,13 @@ static void fit_one(void *user, size_t i)
     const work *w = user;
     navset_day *day = &w->set->day[i / w->set->n_sats];
     const orr_sat sat = w->set->sat[i % w->set->n_sats];
-    const size_t k = (size_t)orr_sat_number(sat) - 1;
+    const size_t k = (size_t)orr_sat_number(sat);
+    navset_almanacs *of = almanacs_of(day, sat);
     if (w->o->cancel != NULL && *w->o->cancel) return;
-    if (orr_sat_system(sat) == 'G')
-        day->has_lnav[k] = lnav_almanac(w, day, sat, &day->lnav[k]);
-    else if (k < 24)
-        day->has_glonass[k] = glonass_almanac(w, day, sat, &day->glonass[k]);
+    if (of != NULL)
+        of->has[k] = kepler_almanac(w, day, of, sat, &of->sat[k]);
+    else if (orr_sat_system(sat) == 'R' && k <= 24)
+        day->has_glonass[k - 1] = glonass_almanac(w, day, sat, &day->glonass[k - 1]);
 }
 
 static size_t count(const bool *has, size_t n)
@@ -111,42 +136,61 @@ static size_t count(const bool *has, size_t n)
 }
 
 // A day of which too little is there to fit sends the almanacs of the nearest day that has some, as real
-// satellites send those of days before.
-static void borrow(orr_navset *set, navset_day *day)
+// satellites send those of days before. The set of a system is found by its place in navset_day.
+static void borrow_kepler(orr_navset *set, navset_day *day, size_t place)
 {
-    const navset_day *lnav = NULL, *glonass = NULL;
+    navset_almanacs *own = (navset_almanacs *)((char *)day + place);
+    const navset_almanacs *best = NULL;
+    int64_t best_age = 0;
+    for (size_t k = 0; k < set->n_days && !own->fitted; k++) {
+        const navset_almanacs *of = (const navset_almanacs *)((const char *)&set->day[k] + place);
+        const int64_t age = llabs(set->day[k].from - day->from);
+        if (of->fitted && (best == NULL || age < best_age)) best = of, best_age = age;
+    }
+    if (best == NULL) return;
+    own->toa = best->toa, own->toa_s = best->toa_s, own->week = best->week;
+    memcpy(own->has, best->has, sizeof own->has);
+    memcpy(own->sat, best->sat, sizeof own->sat);
+}
+
+static void borrow_glonass(orr_navset *set, navset_day *day)
+{
+    const navset_day *best = NULL;
     for (size_t k = 0; k < set->n_days; k++) {
         const navset_day *d = &set->day[k];
-        if (d->fitted_lnav && (lnav == NULL || llabs(d->from - day->from) < llabs(lnav->from - day->from)))
-            lnav = d;
-        if (d->fitted_glonass &&
-            (glonass == NULL || llabs(d->from - day->from) < llabs(glonass->from - day->from)))
-            glonass = d;
+        if (d->fitted_glonass && (best == NULL || llabs(d->from - day->from) < llabs(best->from - day->from)))
+            best = d;
     }
-    if (lnav != NULL && !day->fitted_lnav) {
-        day->toa_s = lnav->toa_s, day->week = lnav->week;
-        for (int k = 0; k < 32; k++) day->has_lnav[k] = lnav->has_lnav[k], day->lnav[k] = lnav->lnav[k];
-    }
-    if (glonass != NULL && !day->fitted_glonass)
-        for (int k = 0; k < 24; k++)
-            day->has_glonass[k] = glonass->has_glonass[k], day->glonass[k] = glonass->glonass[k];
-    day->glonass_day = glonass != NULL && !day->fitted_glonass ? glonass->noon : day->noon;
+    day->glonass_day = best != NULL && !day->fitted_glonass ? best->noon : day->noon;
+    if (best == NULL || day->fitted_glonass) return;
+    for (int k = 0; k < 24; k++)
+        day->has_glonass[k] = best->has_glonass[k], day->glonass[k] = best->glonass[k];
 }
+
+static const size_t places[] = {offsetof(navset_day, gps), offsetof(navset_day, galileo),
+                                offsetof(navset_day, beidou)};
+enum { N_PLACES = sizeof places / sizeof *places };
 
 orr_status navset_fit_days(const orr_ephemeris *e, const orr_navset_options *o, orr_navset *set)
 {
     const int64_t first = set->from / DAY_NS, last = (set->to - 1) / DAY_NS;
     set->day = calloc((size_t)(last - first + 1), sizeof *set->day);
     if (set->day == NULL) return ORR_E_MEMORY;
-    for (int64_t k = first; k <= last; k++) begin_day(set, k, &set->day[set->n_days++]);
+    for (int64_t k = first; k <= last; k++) begin_day(set, o, k, &set->day[set->n_days++]);
     work w = {.e = e, .o = o, .set = set};
     orr_parallel_each(set->n_days * set->n_sats, o->jobs, fit_one, &w);
     if (o->cancel != NULL && *o->cancel) return ORR_E_INTERRUPTED;
     for (size_t k = 0; k < set->n_days; k++) {
-        set->day[k].fitted_lnav = count(set->day[k].has_lnav, 32) > 0;
+        for (size_t i = 0; i < N_PLACES; i++) {
+            navset_almanacs *of = (navset_almanacs *)((char *)&set->day[k] + places[i]);
+            of->fitted = count(of->has, 64) > 0;
+        }
         set->day[k].fitted_glonass = count(set->day[k].has_glonass, 24) > 0;
     }
-    for (size_t k = 0; k < set->n_days; k++) borrow(set, &set->day[k]);
+    for (size_t k = 0; k < set->n_days; k++) {
+        for (size_t i = 0; i < N_PLACES; i++) borrow_kepler(set, &set->day[k], places[i]);
+        borrow_glonass(set, &set->day[k]);
+    }
     return ORR_OK;
 }
 

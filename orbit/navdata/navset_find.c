@@ -15,19 +15,44 @@ static int by_sat(const void *key, const void *member)
     return (int)*(const orr_sat *)key - (int)*(const orr_sat *)member;
 }
 
-size_t orr_navset_items(const orr_navset *set, orr_sat sat, const orr_navset_item **list)
+static const navset_satellite *find(const orr_navset *set, orr_sat sat)
 {
     const orr_sat *found = bsearch(&sat, set->sat, set->n_sats, sizeof *set->sat, by_sat);
-    if (found == NULL) return 0;
-    const navset_satellite *s = &set->sets[found - set->sat];
+    return found != NULL ? &set->sets[found - set->sat] : NULL;
+}
+
+static const navset_series *find_series(const navset_satellite *s, uint8_t message)
+{
+    for (size_t k = 0; s != NULL && k < s->n; k++)
+        if (s->series[k].n > 0 && (message == ORR_NAV_NONE || s->series[k].message == message))
+            return &s->series[k];
+    return NULL;
+}
+
+size_t orr_navset_streams(const orr_navset *set, orr_sat sat, const orr_nav_stream *list[ORR_NAVSET_STREAMS])
+{
+    const navset_satellite *s = find(set, sat);
+    size_t n, found = 0;
+    const orr_nav_stream *all = orr_nav_streams(&n);
+    for (size_t k = 0; s != NULL && k < n && found < ORR_NAVSET_STREAMS; k++)
+        if (all[k].system == orr_sat_system(sat) && find_series(s, all[k].message) != NULL)
+            list[found++] = &all[k];
+    return found;
+}
+
+size_t orr_navset_items(const orr_navset *set, orr_sat sat, orr_nav_message message,
+                        const orr_navset_item **list)
+{
+    const navset_series *s = find_series(find(set, sat), (uint8_t)message);
+    if (s == NULL) return 0;
     *list = s->item;
     return s->n;
 }
 
-const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_time t)
+const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_nav_message message, orr_time t)
 {
     const orr_navset_item *list;
-    size_t low = 0, high = orr_navset_items(set, sat, &list);
+    size_t low = 0, high = orr_navset_items(set, sat, message, &list);
     while (low < high) { // the first that begins after t
         size_t mid = low + (high - low) / 2;
         if (list[mid].from <= t)

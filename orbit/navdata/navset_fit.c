@@ -6,10 +6,11 @@
 #include <string.h>
 
 #include "core/astro.h"
+#include "orbit/force/kepler.h"
+#include "orbit/navdata/kepler_lattice.h"
 #include "orbit/navdata/navfit_private.h"
 #include "orbit/navdata/navset_private.h"
 #include "orbit/spacecraft/attitude.h"
-#include "orbit/spacecraft/signal_delay.h"
 
 #define LEAST_WINDOW 3 // a third of the window has to have an orbit
 // Caesium clocks stay within 2 ns of a line for four hours; a reset is microseconds.
@@ -18,7 +19,7 @@
 // "Bad data, satellite temporarily out" (IS-GPS-200N 20.3.3.3.1.4 and table 20-VIII).
 #define LNAV_OUT 0x3cu
 // The user range accuracy that every set is given, m: LNAV's index 0, GLONASS' F_T = 1.
-#define LNAV_ACCURACY_M 2.0
+#define ACCURACY_M 2.0
 #define GLONASS_F_T 1
 // What the fit interval flag 0 stands for.
 #define LNAV_FIT_INTERVAL_H 4
@@ -116,7 +117,7 @@ static orr_status from_arc(void *user, orr_time t, orr_vec3 *pos_m)
     return s.valid_from == a->from ? orr_navfit_from_product(&a->product, t, pos_m) : ORR_E_NODATA;
 }
 
-static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o, orr_sat sat,
+static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o, orr_sat sat, uint8_t message,
                             const navset_slot *slot, orr_time arc_from, orr_time from, orr_time to,
                             orr_navset_item *item, orr_diag *diag)
 {
@@ -124,22 +125,70 @@ static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o,
     if (o->antex != NULL &&
         orr_antenna_offset_of_sat(o->antex, sat, slot->reference, source.product.offset_m) != ORR_OK)
         item->notes |= ORR_NAVSET_NO_ANTENNA;
-    if (orr_sat_system(sat) == 'R')
+    if (message == ORR_NAV_FDMA)
         return orr_navfit_glonass(sat, slot->reference, from, to, from_arc, &source, &item->eph,
                                   &item->report, diag);
-    return orr_navfit_lnav(sat, slot->reference, from, to, LNAV_FIT_INTERVAL_H, from_arc, &source, &item->eph,
-                           &item->report, diag);
+    return orr_navfit_kepler(sat, message, slot->reference, from, to, from_arc, &source, &item->eph,
+                             &item->report, diag);
 }
 
-static void fill_lnav(orr_nav_eph *eph, const navset_slot *slot, bool out)
+// The set of another message of the same lattice and rhythm has the same orbit (F/NAV that of I/NAV).
+static const orr_navset_item *twin_of(const navset_satellite *sat, const navset_series *series,
+                                      const navset_slot *slot, orr_time from)
 {
-    eph->iodc = slot->iodc;
-    eph->iode = slot->iodc & 0xff;
-    eph->health = out ? LNAV_OUT : 0;
-    eph->accuracy_m = LNAV_ACCURACY_M;
-    eph->data_sources = 1; // P code on L2
-    eph->l2p_flag = 0;
-    eph->delay = (orr_nav_delays){.tgd_s = 0};
+    const orr_kepler_lattice *l = orr_kepler_lattice_of(sat->sat, series->message);
+    for (const navset_series *s = sat->series; l != NULL && s < series; s++) {
+        if (orr_kepler_lattice_of(sat->sat, s->message) != l) continue;
+        for (size_t k = 0; k < s->n; k++)
+            if (s->item[k].eph.toe == slot->reference && s->item[k].from == from) return &s->item[k];
+    }
+    return NULL;
+}
+
+static void take_orbit(const orr_navset_item *twin, uint8_t message, orr_navset_item *item)
+{
+    item->eph = twin->eph;
+    item->eph.message = message;
+    item->eph.af2_sps2 = 0;
+    item->report = twin->report;
+    item->notes |= twin->notes & ORR_NAVSET_NO_ANTENNA;
+}
+
+// BeiDou's age of data, 0 to 24 of a set's first hours: it changes with every set, as receivers expect.
+static int32_t age_of(int64_t n) { return (int32_t)orr_floor_mod(n, 24) + 1; }
+
+// Galileo's data sources as RINEX 3.05 writes them: I/NAV of E1-B and E5b-I with the clock of E5b/E1; F/NAV of E5a-I with that
+// of E5a/E1.
+enum { SOURCE_INAV = 1u << 0 | 1u << 2 | 1u << 9, SOURCE_FNAV = 1u << 1 | 1u << 8 };
+enum { GALILEO_OUT = 1u << 1 | 1u << 4 | 1u << 7 }; // status 1, out of service, of E1-B, E5a and E5b
+
+static void fill_kepler(orr_nav_eph *eph, const navset_slot *slot, bool out)
+{
+    const int64_t n = slot->number;
+    eph->accuracy_m = ACCURACY_M;
+    eph->health = out;
+    switch (eph->message) {
+    case ORR_NAV_INAV:
+    case ORR_NAV_FNAV:
+        eph->iode = (int32_t)orr_floor_mod(n, 1024);
+        eph->data_sources = eph->message == ORR_NAV_INAV ? SOURCE_INAV : SOURCE_FNAV;
+        eph->health = out ? GALILEO_OUT : 0;
+        return;
+    case ORR_NAV_D1:
+    case ORR_NAV_D2:
+        eph->iode = eph->iodc = age_of(n);
+        return;
+    default: // IODC = IODE, 0 to 239, as a fit interval of four hours demands (IS-GPS-200N table 20-XII). IODC's upper two
+        // bits stay 0, though the message may count with them: receivers that compare all ten bits with IODE keep no
+        // set in which they differ (gnss-sdr 0.0.17). No value returns within 10 days; 20.3.3.3.1.5 and 20.3.4.4 ask
+        // for 7 days of IODC and 6 hours of IODE.
+        eph->iode = eph->iodc = (int32_t)orr_floor_mod(n, 240);
+        eph->health = out ? LNAV_OUT : 0;
+        eph->fit_interval_h = LNAV_FIT_INTERVAL_H;
+        eph->data_sources = 1; // P code on L2
+        eph->l2p_flag = 0;
+        return;
+    }
 }
 
 // RINEX 3.05, table A10: M (bits 7-8) GLONASS-M, P2 (bit 4) odd t_b, P1 (bits 2-3) 30 minutes; health flags:
@@ -166,40 +215,23 @@ static void fill_glonass(orr_nav_eph *eph, const navset_slot *slot, const orr_le
     g->health_flags = HEALTH_TOLD | (out ? HEALTH_L : HEALTH_ALMANAC);
 }
 
-static bool round_to(const orr_navfit_field *f, double value, double *out)
+// What the set stands for is its window, and while it is sent; whether that is sent as unhealthy.
+static bool judge_healthy(const orr_ephemeris *e, orr_sat sat, orr_time arc_from, orr_time arc_to,
+                          orr_time from, orr_time to, orr_navset_item *item)
 {
-    return orr_navfit_to_field(f, round(value / f->lsb), out, NULL) == ORR_OK;
-}
-
-// Group delays, and for GLONASS the clock of L1, which its message is of.
-static void add_delays(const orr_bias_set *bias, orr_navset_item *item)
-{
-    // TGD's field could hold one value more, at its negative end.
-    static const orr_navfit_field field_tgd = {"TGD", P2(31), 8, ORR_FIELD_MAGNITUDE},
-                                  field_tau = {"-tau_n", P2(30), 22, ORR_FIELD_MAGNITUDE},
-                                  field_delta_tau = {"delta tau_n", P2(30), 5, ORR_FIELD_MAGNITUDE};
-    orr_nav_eph *eph = &item->eph;
-    double tgd, shift, delta_tau, af0;
-    bool fits;
-    if (bias == NULL) return;
-    if (orr_sat_system(eph->sat) == 'R') {
-        fits = orr_signal_glonass(bias, eph->sat, eph->toe, &shift, &delta_tau) == ORR_OK &&
-               round_to(&field_delta_tau, delta_tau, &delta_tau) &&
-               round_to(&field_tau, eph->af0_s + shift, &af0);
-        if (fits) {
-            eph->af0_s = af0;
-            eph->glonass.delta_tau_s = delta_tau;
-        }
-    } else {
-        fits = orr_signal_tgd(bias, eph->sat, eph->toe, &tgd) == ORR_OK && round_to(&field_tgd, tgd, &tgd);
-        if (fits) eph->delay.tgd_s = tgd;
-    }
-    if (!fits) item->notes |= ORR_NAVSET_NO_DELAY;
+    const bool parted = item->from < arc_from || item->to > arc_to + 1; // another arc is on the air too
+    if (from > item->from) from = item->from;
+    if (to < item->to) to = item->to;
+    const bool has_clock = (item->notes & ORR_NAVSET_NO_CLOCK) == 0;
+    if (has_clock && (item->clock_rms_s > CLOCK_LIMIT_S || clock_jumps(e, sat, from, to)))
+        item->notes |= ORR_NAVSET_CLOCK_JUMP;
+    if (parted || has_manoeuvre(e, sat, from, to)) item->notes |= ORR_NAVSET_MANOEUVRE;
+    return (item->notes & (ORR_NAVSET_MANOEUVRE | ORR_NAVSET_CLOCK_JUMP)) == 0;
 }
 
 // The set of one slot; ORR_E_NODATA where there is nothing to send.
 static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, const navset_slot *slot,
-                           int channel, navset_satellite *sat, orr_diag *diag)
+                           int channel, navset_satellite *sat, navset_series *series, orr_diag *diag)
 {
     orr_navset_item item = {.from = slot->from, .to = slot->to, .clock_rms_s = (double)NAN};
     orr_time arc_from, arc_to, from, to, begin, end;
@@ -210,55 +242,53 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
     if (!has_orbit(e, sat->sat, item.from)) item.from = arc_from;
     if (!has_orbit(e, sat->sat, item.to - 1)) item.to = arc_to + 1;
     if (!fit_window(slot, arc_from, arc_to, &from, &to)) {
-        sat->not_fitted++;
+        series->not_fitted++;
         orr_diag_set(diag, ORR_E_NODATA, "the orbit is shorter than a third of the window");
         return ORR_E_NODATA;
     }
     if (from != slot->window_from || to != slot->window_to) item.notes |= ORR_NAVSET_SHIFTED;
-    orr_status s = fit_orbit(e, o, sat->sat, slot, arc_from, from, to, &item, diag);
+    const orr_navset_item *twin = twin_of(sat, series, slot, item.from);
+    orr_status s = ORR_OK;
+    if (twin != NULL)
+        take_orbit(twin, series->message, &item);
+    else
+        s = fit_orbit(e, o, sat->sat, series->message, slot, arc_from, from, to, &item, diag);
     if (s != ORR_OK) {
-        sat->not_fitted++;
+        series->not_fitted++;
         return s;
     }
-    s = orr_navfit_clock(e, sat->sat, slot->reference, from, to, &item.eph, &item.clock_rms_s, diag);
+    const double shift = navset_delays(o->bias, &item);
+    s = orr_navfit_clock(e, sat->sat, slot->reference, from, to, shift, &item.eph, &item.clock_rms_s, diag);
     if (s == ORR_E_RANGE) {
-        sat->not_fitted++;
+        series->not_fitted++;
         return s;
     }
     if (s != ORR_OK) {
         *diag = (orr_diag){0};
         if (!o->zero_clocks) {
-            sat->no_clock++;
+            series->no_clock++;
             return ORR_E_NODATA;
         }
         item.eph.af0_s = item.eph.af1_sps = item.eph.af2_sps2 = 0;
         item.clock_rms_s = (double)NAN;
         item.notes |= ORR_NAVSET_NO_CLOCK;
     }
-    const bool parted = item.from < arc_from || item.to > arc_to + 1; // another arc is on the air too
-    if (from > item.from) from = item.from; // what the set stands for: its window, and while it is sent
-    if (to < item.to) to = item.to;
-    const bool has_clock = (item.notes & ORR_NAVSET_NO_CLOCK) == 0;
-    if (has_clock && (item.clock_rms_s > CLOCK_LIMIT_S || clock_jumps(e, sat->sat, from, to)))
-        item.notes |= ORR_NAVSET_CLOCK_JUMP;
-    if (parted || has_manoeuvre(e, sat->sat, from, to)) item.notes |= ORR_NAVSET_MANOEUVRE;
-    const bool out = (item.notes & (ORR_NAVSET_MANOEUVRE | ORR_NAVSET_CLOCK_JUMP)) != 0;
+    const bool out = !judge_healthy(e, sat->sat, arc_from, arc_to, from, to, &item);
     item.eph.transmission = item.from;
-    if (orr_sat_system(sat->sat) == 'R')
+    if (series->message == ORR_NAV_FDMA)
         fill_glonass(&item.eph, slot, o->leap, channel, out);
     else
-        fill_lnav(&item.eph, slot, out);
-    add_delays(o->bias, &item);
-    sat->item[sat->n++] = item;
+        fill_kepler(&item.eph, slot, out);
+    series->item[series->n++] = item;
     return ORR_OK;
 }
 
-void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o,
-                          const navset_schedule *schedule, navset_satellite *out)
+static void fit_series(const orr_ephemeris *e, const orr_navset_options *o, const navset_schedule *schedule,
+                       navset_satellite *sat, navset_series *series)
 {
-    out->item = calloc(schedule->n + 1, sizeof *out->item);
-    if (out->item == NULL) {
-        out->status = ORR_E_MEMORY;
+    series->item = calloc(schedule->n + 1, sizeof *series->item);
+    if (series->item == NULL) {
+        sat->status = ORR_E_MEMORY;
         return;
     }
     for (size_t k = 0; k < schedule->n; k++) {
@@ -266,20 +296,49 @@ void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o,
         int channel = 0;
         bool nominal = false;
         if (o->cancel != NULL && *o->cancel) {
-            out->status = ORR_E_INTERRUPTED;
+            sat->status = ORR_E_INTERRUPTED;
             return;
         }
-        if (orr_sat_system(out->sat) == 'R' &&
-            !orr_glonass_channel(o->nav, out->sat, schedule->slot[k].reference, &channel, &nominal)) {
-            out->not_fitted++;
-            snprintf(out->why, sizeof out->why,
+        if (series->message == ORR_NAV_FDMA &&
+            !orr_glonass_channel(o->nav, sat->sat, schedule->slot[k].reference, &channel, &nominal)) {
+            series->not_fitted++;
+            snprintf(series->why, sizeof series->why,
                      "its frequency channel is not known (a navigation file tells it)");
             continue;
         }
-        orr_status s = fit_slot(e, o, &schedule->slot[k], channel, out, &diag);
+        orr_status s = fit_slot(e, o, &schedule->slot[k], channel, sat, series, &diag);
         if (s == ORR_OK) {
-            if (nominal) out->item[out->n - 1].notes |= ORR_NAVSET_NOMINAL_CHANNEL;
+            if (nominal) series->item[series->n - 1].notes |= ORR_NAVSET_NOMINAL_CHANNEL;
         } else if (diag.text[0] != '\0')
-            snprintf(out->why, sizeof out->why, "%.159s", diag.text);
+            snprintf(series->why, sizeof series->why, "%.159s", diag.text);
+    }
+}
+
+// E14 and E18, in orbits that missed their height: a window of two hours leaves 0.17 m there, one of one hour 0.009.
+#define ECCENTRIC 0.1
+static bool is_eccentric(const orr_ephemeris *e, orr_sat sat, orr_time from, orr_time to)
+{
+    for (int k = 1; k < 8; k++) {
+        orr_sat_state s;
+        orr_kepler el;
+        if (orr_ephemeris_eval(e, sat, from + (to - from) / 8 * k, &s) != ORR_OK) continue;
+        return orr_kepler_from_state(s.pos_m, orr_velocity_inertial(s.pos_m, s.vel_mps), ORR_GPS_GM, &el) ==
+                   ORR_OK &&
+               el.e > ECCENTRIC;
+    }
+    return false;
+}
+
+void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o, navset_satellite *out)
+{
+    orr_time from, to;
+    orr_ephemeris_span(e, &from, &to);
+    const bool brief = is_eccentric(e, out->sat, from, to);
+    for (size_t k = 0; k < out->n && out->status == ORR_OK; k++) {
+        navset_schedule schedule;
+        out->status = navset_schedule_of(out->sat, out->series[k].message, from, to, o, brief, &schedule);
+        if (out->status != ORR_OK) return;
+        fit_series(e, o, &schedule, out, &out->series[k]);
+        free(schedule.slot);
     }
 }

@@ -3,6 +3,7 @@
 #ifndef ORR_ORBIT_NAVDATA_NAVSET_PRIVATE_H
 #define ORR_ORBIT_NAVDATA_NAVSET_PRIVATE_H
 
+#include "orbit/navdata/almanac_kepler.h"
 #include "orbit/navdata/glonass_bits.h"
 #include "orbit/navdata/glonass_channel.h"
 #include "orbit/navdata/lnav_bits.h"
@@ -13,7 +14,7 @@ typedef struct navset_slot {
     orr_time from, to;  // on the air at from <= t < to
     orr_time reference; // toe, tb
     orr_time window_from, window_to;
-    int32_t iodc; // ORR_NAV_NO_IOD for GLONASS
+    int64_t number; // of the slot since 1980
 } navset_slot;
 
 typedef struct navset_schedule {
@@ -21,35 +22,59 @@ typedef struct navset_schedule {
     navset_slot *slot; // ascending
 } navset_schedule;
 
-// The slots that touch [from, to]. Free the slots with free().
-orr_status navset_schedule_gps(orr_time from, orr_time to, double window_s, navset_schedule *out);
-orr_status navset_schedule_glonass(orr_time from, orr_time to, const orr_leap_table *leap,
-                                   navset_schedule *out);
+// The slots of a satellite's message that touch [from, to]; with `brief` windows as long as a set is on the air. Free the slots
+// with free().
+orr_status navset_schedule_of(orr_sat sat, orr_nav_message message, orr_time from, orr_time to,
+                              const orr_navset_options *o, bool brief, navset_schedule *out);
 
-// What became of one satellite.
-typedef struct navset_satellite {
-    orr_sat sat;
+    // The sets of one message.
+    typedef struct navset_series {
+    uint8_t message;
     size_t n;
     orr_navset_item *item;
     size_t no_clock, not_fitted; // slots left out
+    char why[160];               // the last slot that was not fitted
+} navset_series;
+
+// What became of one satellite.
+#define NAVSET_SERIES 6
+typedef struct navset_satellite {
+    orr_sat sat;
+    size_t n;
+    navset_series series[NAVSET_SERIES]; // with sets or without
     orr_status status;
-    char why[160]; // the last slot that was not fitted
 } navset_satellite;
 
-// Fits every slot in which the satellite has an orbit.
-void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o,
-                          const navset_schedule *schedule, navset_satellite *out);
+// Fits every slot of every message in which the satellite has an orbit.
+void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o, navset_satellite *out);
+
+// Group delays of a set from biases, on its message's lattice, into item->eph and its notes.
+// Given:
+//   bias     biases; NULL: all delays are zero
+//   item     sat, message and toe are there
+// Returned: what has to be added to the product's clock for the message's, s.
+double navset_delays(const orr_bias_set *bias, orr_navset_item *item);
+
+// Almanacs of one system on one day of GPS time.
+typedef struct navset_almanacs {
+    bool fitted; // or borrowed from another day
+    orr_time toa;
+    uint32_t toa_s; // of the system's own week, and that
+    int32_t week;
+    bool has[64];
+    orr_almanac sat[64];
+    uint8_t health[64]; // of the sets that are sent on that day: 0 good, 1 out, 2 not there
+} navset_almanacs;
+enum { NAVSET_GOOD, NAVSET_OUT, NAVSET_NOT_THERE };
 
 // Almanacs of one day of GPS time: what is sent on it.
 typedef struct navset_day {
     orr_time from, to, noon;
-    bool fitted_lnav, fitted_glonass; // or borrowed from another day
-    uint32_t toa_s;                   // LNAV: seconds of the week, a multiple of 4096
-    int32_t week;                     // of toa
-    orr_time glonass_day;             // any instant of the almanac's day in Moscow
-    bool has_lnav[32], has_glonass[24];
-    uint8_t lnav_health[32]; // six bits; 63 for what is not there
-    orr_lnav_almanac lnav[32];
+    navset_almanacs gps, galileo, beidou;
+    uint8_t gps_configuration[32];
+    bool fitted_glonass;  // or borrowed
+    orr_time glonass_day; // any instant of the almanac's day in Moscow
+    bool has_glonass[24];
     orr_glonass_almanac glonass[24];
 } navset_day;
 
@@ -61,12 +86,13 @@ struct orr_navset {
     size_t n_sats;
     orr_sat *sat;           // those with sets, ascending
     navset_satellite *sets; // in that order
-    orr_time from, to;
     const orr_leap_table *leap;
+    orr_time from, to;
     size_t n_days;
     navset_day *day;
     bool has_klobuchar;
     double alpha[4], beta[4];
+    double nequick[3]; // a_i0..2 of NeQuick-G; zeros: not known
 };
 
 #endif

@@ -26,7 +26,8 @@ static char system_of(const orr_navset *set)
 orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *diag)
 {
     size_t n = 0;
-    for (size_t i = 0; i < set->n_sats; i++) n += set->sets[i].n;
+    for (size_t i = 0; i < set->n_sats; i++)
+        for (size_t k = 0; k < set->sets[i].n; k++) n += set->sets[i].series[k].n;
     *out = (orr_nav){.version = 3.05,
                      .system = system_of(set),
                      .leap = set->leap,
@@ -40,7 +41,10 @@ orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *dia
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu records", n);
     }
     for (size_t i = 0; i < set->n_sats; i++)
-        for (size_t k = 0; k < set->sets[i].n; k++) out->eph[out->n_eph++] = set->sets[i].item[k].eph;
+        for (size_t k = 0; k < set->sets[i].n; k++) {
+            const navset_series *x = &set->sets[i].series[k];
+            for (size_t j = 0; j < x->n; j++) out->eph[out->n_eph++] = x->item[j].eph;
+        }
     if (!set->has_klobuchar) return ORR_OK;
     orr_nav_iono *iono = &out->iono[out->n_iono++];
     *iono = (orr_nav_iono){.kind = ORR_NAV_KLOBUCHAR,

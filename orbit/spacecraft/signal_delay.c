@@ -65,6 +65,18 @@ orr_status orr_signal_delay_osb(const orr_bias_set *bias, orr_sat sat, const cha
     return ORR_OK;
 }
 
+orr_status orr_signal_delay_of(const orr_bias_set *bias, orr_sat sat, const orr_signal *s, orr_time t,
+                               double *delay_s)
+{
+    char code[3] = {s->observation[0], s->observation[1], '\0'};
+    for (const char *attribute = s->observation[1] == 'X' ? "XQLPCISD" : &s->observation[1];
+         *attribute != '\0'; attribute++) {
+        code[1] = *attribute;
+        if (orr_signal_delay_osb(bias, sat, code, t, delay_s) == ORR_OK) return ORR_OK;
+    }
+    return ORR_E_NODATA;
+}
+
 orr_status orr_signal_tgd(const orr_bias_set *bias, orr_sat sat, orr_time t, double *tgd_s)
 {
     const char system = orr_sat_system(sat);

@@ -13,6 +13,7 @@
 #ifndef ORR_ORBIT_SPACECRAFT_SIGNAL_DELAY_H
 #define ORR_ORBIT_SPACECRAFT_SIGNAL_DELAY_H
 
+#include "core/signal.h"
 #include "ingest/tables/bias.h"
 #include "orbit/broadcast/broadcast.h"
 
@@ -29,6 +30,18 @@
 // length.
 orr_status orr_signal_delay_osb(const orr_bias_set *bias, orr_sat sat, const char *signal, orr_time t,
                                 double *delay_s);
+
+// The same of a signal with all its components: files name them together ("1X") or one of them.
+// Given:
+//   bias     biases
+//   sat      satellite
+//   s        signal of its system
+//   t        instant, as above
+// Returned:
+//   delay_s  delay against the clock's pair, s
+// Errors: ORR_E_NODATA.
+orr_status orr_signal_delay_of(const orr_bias_set *bias, orr_sat sat, const orr_signal *s, orr_time t,
+                               double *delay_s);
 
 // From a broadcast record. Its clock may be that of other signals than the product's: Galileo I/NAV's is of
 // E1/E5b, BeiDou's of B3I, GLONASS' of L1; the record's own delays bridge the two. ORR_E_NODATA where it does

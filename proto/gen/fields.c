@@ -32,7 +32,21 @@ static const orr_field_word words_answer[] = {
 static const orr_field_word words_nav_message[] = {
     {0, "NONE", "none", false},
     {1, "LNAV", "lnav", false},
-    {2, "FDMA", "fdma", false},
+    {2, "CNAV", "cnav", false},
+    {3, "CNV1", "cnv1", false},
+    {4, "CNV2", "cnv2", false},
+    {5, "CNV3", "cnv3", false},
+    {6, "INAV", "inav", false},
+    {7, "FNAV", "fnav", false},
+    {8, "D1", "d1", false},
+    {9, "D2", "d2", false},
+    {10, "FDMA", "fdma", false},
+    {11, "SBAS", "sbas", false},
+};
+
+static const orr_field_word words_nav_form[] = {
+    {0, "BITS", "bits", false},
+    {1, "SYMBOLS", "symbols", false},
 };
 
 static const orr_field_word words_elements_frame[] = {
@@ -153,6 +167,20 @@ static const orr_field_word words_state_flags[] = {
     {UINT64_C(128), "SHADOW_NOISE", "shadow noise", false},
 };
 
+static const orr_field_word words_nav_messages[] = {
+    {UINT64_C(2), "LNAV", "lnav", false},
+    {UINT64_C(4), "CNAV", "cnav", false},
+    {UINT64_C(8), "CNV1", "cnv1", false},
+    {UINT64_C(16), "CNV2", "cnv2", false},
+    {UINT64_C(32), "CNV3", "cnv3", false},
+    {UINT64_C(64), "INAV", "inav", false},
+    {UINT64_C(128), "FNAV", "fnav", false},
+    {UINT64_C(256), "D1", "d1", false},
+    {UINT64_C(512), "D2", "d2", false},
+    {UINT64_C(1024), "FDMA", "fdma", false},
+    {UINT64_C(2048), "SBAS", "sbas", false},
+};
+
 static const orr_field_word words_nav_notes[] = {
     {UINT64_C(1), "MANOEUVRE", "manoeuvre", false},
     {UINT64_C(2), "SHIFTED", "shifted", false},
@@ -257,32 +285,35 @@ static const orr_record record_sat_elements = {"sat_elements", fields_sat_elemen
 
 static const orr_field fields_nav_page[] = {
     {.name = "t", .unit = "ns", .doc = "begin of its first bit", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_nav_page, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
-    {.name = "number", .unit = "", .doc = "subframe 1-5, string 1-15", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, number), .in_text = true, .text_name = "number", .text_factor = 1.0, .in_table = true, .head = "number", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "page", .unit = "", .doc = "LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, page), .in_text = true, .text_name = "page", .text_factor = 1.0, .in_table = true, .head = "page", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "bits", .unit = "", .doc = "300 or 85", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, bits), .in_text = true, .text_name = "bits", .text_factor = 1.0, .in_table = true, .head = "bits", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "data", .unit = "", .doc = "the first bit in time is the highest of the first byte; what is left of the last is 0", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, data), .limit = 38, .in_text = true, .text_name = "hex", .text_factor = 1.0, .in_table = true, .head = "data", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "length", .unit = "ns", .doc = "from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, length), .in_text = true, .text_name = "length", .text_factor = 1.0, .in_table = false, .head = "length", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "number", .unit = "", .doc = "LNAV, D1, D2: subframe 1-5; GLONASS: string 1-15; INAV: word type; FNAV: page type; others: message type", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, number), .in_text = true, .text_name = "number", .text_factor = 1.0, .in_table = true, .head = "number", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "page", .unit = "", .doc = "LNAV, D1, D2: page of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame 1-24, 1-12 of the frame", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, page), .in_text = true, .text_name = "page", .text_factor = 1.0, .in_table = true, .head = "page", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "bits", .unit = "", .doc = "how many bits or symbols", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, bits), .in_text = true, .text_name = "bits", .text_factor = 1.0, .in_table = true, .head = "bits", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "data", .unit = "", .doc = "the first in time is the highest bit of the first byte; what is left of the last is 0", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_nav_page, data), .limit = 226, .in_text = true, .text_name = "hex", .text_factor = 1.0, .in_table = true, .head = "data", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_nav_page = {"nav_page", fields_nav_page, 5, sizeof(orr_msg_nav_page), false, false};
+static const orr_record record_nav_page = {"nav_page", fields_nav_page, 6, sizeof(orr_msg_nav_page), false, false};
 
-static const orr_field fields_lnav_set[] = {
-    {.name = "sqrt_a_sqrtm", .unit = "sqrt(m)", .doc = "root of the semi-major axis", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, sqrt_a_sqrtm), .in_text = true, .text_name = "sqrt_a_sqrtm", .text_factor = 1.0, .in_table = true, .head = "sqrt a sqrtm", .table_unit = "sqrt(m)", .table_factor = 1.0, .digits = -1},
-    {.name = "e", .unit = "", .doc = "eccentricity", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, e), .in_text = true, .text_name = "e", .text_factor = 1.0, .in_table = true, .head = "e", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "m0_rad", .unit = "rad", .doc = "mean anomaly at toe", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, m0_rad), .in_text = true, .text_name = "m0_rad", .text_factor = 1.0, .in_table = true, .head = "m0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "i0_rad", .unit = "rad", .doc = "inclination at toe", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, i0_rad), .in_text = true, .text_name = "i0_rad", .text_factor = 1.0, .in_table = true, .head = "i0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "omega0_rad", .unit = "rad", .doc = "longitude of the node at the week's begin", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, omega0_rad), .in_text = true, .text_name = "omega0_rad", .text_factor = 1.0, .in_table = true, .head = "omega0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "omega_rad", .unit = "rad", .doc = "argument of perigee", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, omega_rad), .in_text = true, .text_name = "omega_rad", .text_factor = 1.0, .in_table = true, .head = "omega", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "delta_n_radps", .unit = "rad/s", .doc = "mean motion difference", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, delta_n_radps), .in_text = true, .text_name = "delta_n_radps", .text_factor = 1.0, .in_table = true, .head = "delta n", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
-    {.name = "idot_radps", .unit = "rad/s", .doc = "rate of the inclination", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, idot_radps), .in_text = true, .text_name = "idot_radps", .text_factor = 1.0, .in_table = true, .head = "idot", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
-    {.name = "omega_dot_radps", .unit = "rad/s", .doc = "rate of the node", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, omega_dot_radps), .in_text = true, .text_name = "omega_dot_radps", .text_factor = 1.0, .in_table = true, .head = "omega dot", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
-    {.name = "cuc_rad", .unit = "rad", .doc = "cosine term of the argument of latitude", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cuc_rad), .in_text = true, .text_name = "cuc_rad", .text_factor = 1.0, .in_table = true, .head = "cuc", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "cus_rad", .unit = "rad", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cus_rad), .in_text = true, .text_name = "cus_rad", .text_factor = 1.0, .in_table = true, .head = "cus", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "crc_m", .unit = "m", .doc = "cosine term of the radius", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, crc_m), .in_text = true, .text_name = "crc_m", .text_factor = 1.0, .in_table = true, .head = "crc", .table_unit = "m", .table_factor = 1.0, .digits = 4},
-    {.name = "crs_m", .unit = "m", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, crs_m), .in_text = true, .text_name = "crs_m", .text_factor = 1.0, .in_table = true, .head = "crs", .table_unit = "m", .table_factor = 1.0, .digits = 4},
-    {.name = "cic_rad", .unit = "rad", .doc = "cosine term of the inclination", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cic_rad), .in_text = true, .text_name = "cic_rad", .text_factor = 1.0, .in_table = true, .head = "cic", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "cis_rad", .unit = "rad", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, cis_rad), .in_text = true, .text_name = "cis_rad", .text_factor = 1.0, .in_table = true, .head = "cis", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
-    {.name = "tgd_s", .unit = "s", .doc = "group delay differential", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_lnav_set, tgd_s), .in_text = true, .text_name = "tgd_s", .text_factor = 1.0, .in_table = true, .head = "tgd", .table_unit = "s", .table_factor = 1.0, .digits = -1},
+static const orr_field fields_kepler_set[] = {
+    {.name = "sqrt_a_sqrtm", .unit = "sqrt(m)", .doc = "root of the semi-major axis", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, sqrt_a_sqrtm), .in_text = true, .text_name = "sqrt_a_sqrtm", .text_factor = 1.0, .in_table = true, .head = "sqrt a sqrtm", .table_unit = "sqrt(m)", .table_factor = 1.0, .digits = -1},
+    {.name = "e", .unit = "", .doc = "eccentricity", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, e), .in_text = true, .text_name = "e", .text_factor = 1.0, .in_table = true, .head = "e", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "m0_rad", .unit = "rad", .doc = "mean anomaly at toe", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, m0_rad), .in_text = true, .text_name = "m0_rad", .text_factor = 1.0, .in_table = true, .head = "m0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "i0_rad", .unit = "rad", .doc = "inclination at toe", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, i0_rad), .in_text = true, .text_name = "i0_rad", .text_factor = 1.0, .in_table = true, .head = "i0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "omega0_rad", .unit = "rad", .doc = "longitude of the node at the week's begin", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, omega0_rad), .in_text = true, .text_name = "omega0_rad", .text_factor = 1.0, .in_table = true, .head = "omega0", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "omega_rad", .unit = "rad", .doc = "argument of perigee", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, omega_rad), .in_text = true, .text_name = "omega_rad", .text_factor = 1.0, .in_table = true, .head = "omega", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "delta_n_radps", .unit = "rad/s", .doc = "mean motion difference", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, delta_n_radps), .in_text = true, .text_name = "delta_n_radps", .text_factor = 1.0, .in_table = true, .head = "delta n", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "idot_radps", .unit = "rad/s", .doc = "rate of the inclination", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, idot_radps), .in_text = true, .text_name = "idot_radps", .text_factor = 1.0, .in_table = true, .head = "idot", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "omega_dot_radps", .unit = "rad/s", .doc = "rate of the node", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, omega_dot_radps), .in_text = true, .text_name = "omega_dot_radps", .text_factor = 1.0, .in_table = true, .head = "omega dot", .table_unit = "rad/s", .table_factor = 1.0, .digits = -1},
+    {.name = "cuc_rad", .unit = "rad", .doc = "cosine term of the argument of latitude", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, cuc_rad), .in_text = true, .text_name = "cuc_rad", .text_factor = 1.0, .in_table = true, .head = "cuc", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "cus_rad", .unit = "rad", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, cus_rad), .in_text = true, .text_name = "cus_rad", .text_factor = 1.0, .in_table = true, .head = "cus", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "crc_m", .unit = "m", .doc = "cosine term of the radius", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, crc_m), .in_text = true, .text_name = "crc_m", .text_factor = 1.0, .in_table = true, .head = "crc", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "crs_m", .unit = "m", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, crs_m), .in_text = true, .text_name = "crs_m", .text_factor = 1.0, .in_table = true, .head = "crs", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "cic_rad", .unit = "rad", .doc = "cosine term of the inclination", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, cic_rad), .in_text = true, .text_name = "cic_rad", .text_factor = 1.0, .in_table = true, .head = "cic", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "cis_rad", .unit = "rad", .doc = "its sine term", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, cis_rad), .in_text = true, .text_name = "cis_rad", .text_factor = 1.0, .in_table = true, .head = "cis", .table_unit = "rad", .table_factor = 1.0, .digits = -1},
+    {.name = "a_dot_mps", .unit = "m/s", .doc = "rate of the semi-major axis; 0 in messages without it", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, a_dot_mps), .in_text = true, .text_name = "a_dot_mps", .text_factor = 1.0, .in_table = true, .head = "a dot", .table_unit = "m/s", .table_factor = 1.0, .digits = 5},
+    {.name = "delta_n_dot_radps2", .unit = "rad/s2", .doc = "rate of the mean motion difference; 0 likewise", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, delta_n_dot_radps2), .in_text = true, .text_name = "delta_n_dot_radps2", .text_factor = 1.0, .in_table = true, .head = "delta n dot radps2", .table_unit = "rad/s2", .table_factor = 1.0, .digits = -1},
+    {.name = "tgd_s", .unit = "s", .doc = "group delay of the first signal of the message's system behind its clock: TGD of LNAV and CNAV, BGD(E1,E5b) of INAV, BGD(E1,E5a) of FNAV, TGD1 of D1 and D2, TGD of the B1C pilot of CNV1 and CNV2, TGD of B2b of CNV3", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_kepler_set, tgd_s), .in_text = true, .text_name = "tgd_s", .text_factor = 1.0, .in_table = true, .head = "tgd", .table_unit = "s", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_lnav_set = {"lnav_set", fields_lnav_set, 16, sizeof(orr_msg_lnav_set), false, false};
+static const orr_record record_kepler_set = {"kepler_set", fields_kepler_set, 18, sizeof(orr_msg_kepler_set), false, false};
 
 static const orr_field fields_glonass_set[] = {
     {.name = "pos_m", .unit = "m", .doc = "position at toe (t_b), PZ-90", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "", .suffix = "_m", .offset = offsetof(orr_msg_glonass_set, pos_m), .in_text = true, .text_name = "pos_m", .text_factor = 1.0, .in_table = true, .head = "", .table_unit = "m", .table_factor = 1.0, .digits = 4},
@@ -294,9 +325,9 @@ static const orr_field fields_glonass_set[] = {
 };
 static const orr_record record_glonass_set = {"glonass_set", fields_glonass_set, 6, sizeof(orr_msg_glonass_set), false, false};
 
-static bool next_lnav_set(const void *list, orr_wire_iter *it, void *out)
+static bool next_kepler_set(const void *list, orr_wire_iter *it, void *out)
 {
-    return orr_msg_lnav_set_next((const orr_msg_lnav_set_list *)list, it, (orr_msg_lnav_set *)out);
+    return orr_msg_kepler_set_next((const orr_msg_kepler_set_list *)list, it, (orr_msg_kepler_set *)out);
 }
 
 static bool next_glonass_set(const void *list, orr_wire_iter *it, void *out)
@@ -312,17 +343,19 @@ static bool next_nav_page(const void *list, orr_wire_iter *it, void *out)
 static const orr_field fields_sat_navdata[] = {
     {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "answer", .unit = "", .doc = "OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not fit its field)", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ANSWER, .offset = offsetof(orr_msg_sat_navdata, answer), .word = words_answer, .n_words = sizeof words_answer / sizeof words_answer[0], .in_text = true, .text_name = "answer", .text_factor = 1.0, .in_table = true, .head = "answer", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "message", .unit = "", .doc = "LNAV or FDMA; NONE unless answer is OK", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_sat_navdata, message), .word = words_nav_message, .n_words = sizeof words_nav_message / sizeof words_nav_message[0], .in_text = true, .text_name = "message", .text_factor = 1.0, .in_table = true, .head = "message", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "message", .unit = "", .doc = "NONE where the satellite has none of those asked for", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_sat_navdata, message), .word = words_nav_message, .n_words = sizeof words_nav_message / sizeof words_nav_message[0], .in_text = true, .text_name = "message", .text_factor = 1.0, .in_table = true, .head = "message", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "form", .unit = "", .doc = "of the pages, as asked", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_sat_navdata, form), .word = words_nav_form, .n_words = sizeof words_nav_form / sizeof words_nav_form[0], .in_text = true, .text_name = "form", .text_factor = 1.0, .in_table = false, .head = "form", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "signals", .unit = "", .doc = "names of the signals that carry it, as in CAPS, divided by blanks: L1OF L2OF", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, signals), .limit = 16, .in_text = true, .text_name = "signals", .text_factor = 1.0, .in_table = true, .head = "signals", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "notes", .unit = "", .doc = "0 unless answer is OK", .kind = ORR_FIELD_U32, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_sat_navdata, notes), .word = words_nav_notes, .n_words = sizeof words_nav_notes / sizeof words_nav_notes[0], .in_text = true, .text_name = "notes", .text_factor = 1.0, .in_table = true, .head = "notes", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "set_from", .unit = "ns", .doc = "the set is sent from then on", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, set_from), .in_text = true, .text_name = "set_from", .text_factor = 1.0, .in_table = false, .head = "set from", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "set_to", .unit = "ns", .doc = "and before then", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, set_to), .in_text = true, .text_name = "set_to", .text_factor = 1.0, .in_table = false, .head = "set to", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "toe", .unit = "ns", .doc = "reference of the orbit", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, toe), .in_text = true, .text_name = "toe", .text_factor = 1.0, .in_table = true, .head = "toe", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "toc", .unit = "ns", .doc = "reference of the clock", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, toc), .in_text = true, .text_name = "toc", .text_factor = 1.0, .in_table = false, .head = "toc", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
-    {.name = "week", .unit = "", .doc = "GPS week of toe; -1 for GLONASS", .kind = ORR_FIELD_I32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, week), .in_text = true, .text_name = "week", .text_factor = 1.0, .in_table = false, .head = "week", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "iode", .unit = "", .doc = "issue of the orbit; -1 for GLONASS", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, iode), .in_text = true, .text_name = "iode", .text_factor = 1.0, .in_table = true, .head = "iode", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "iodc", .unit = "", .doc = "issue of the clock; -1 for GLONASS", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, iodc), .in_text = true, .text_name = "iodc", .text_factor = 1.0, .in_table = false, .head = "iodc", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "health", .unit = "", .doc = "LNAV: six bits, 0 is good; GLONASS: 1 for unfit", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, health), .in_text = true, .text_name = "health", .text_factor = 1.0, .in_table = true, .head = "health", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "accuracy_m", .unit = "m", .doc = "LNAV: user range accuracy that is sent; NAN for GLONASS", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, accuracy_m), .in_text = true, .text_name = "accuracy_m", .text_factor = 1.0, .in_table = false, .head = "accuracy", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "week", .unit = "", .doc = "week of toe: GPS', of BeiDou its own; -1 for GLONASS", .kind = ORR_FIELD_I32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, week), .in_text = true, .text_name = "week", .text_factor = 1.0, .in_table = false, .head = "week", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "iode", .unit = "", .doc = "issue of the orbit: IODE, IODnav, AODE; -1 for GLONASS", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, iode), .in_text = true, .text_name = "iode", .text_factor = 1.0, .in_table = true, .head = "iode", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "iodc", .unit = "", .doc = "issue of the clock: IODC, AODC; -1 where the message has none of its own", .kind = ORR_FIELD_I16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, iodc), .in_text = true, .text_name = "iodc", .text_factor = 1.0, .in_table = false, .head = "iodc", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "health", .unit = "", .doc = "0 is good; LNAV: six bits; INAV, FNAV: the bits of RINEX 3.05; others: 1 for unfit", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, health), .in_text = true, .text_name = "health", .text_factor = 1.0, .in_table = true, .head = "health", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "accuracy_m", .unit = "m", .doc = "user range or signal in space accuracy that is sent; NAN for GLONASS", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, accuracy_m), .in_text = true, .text_name = "accuracy_m", .text_factor = 1.0, .in_table = false, .head = "accuracy", .table_unit = "m", .table_factor = 1.0, .digits = 4},
     {.name = "fit_rms_m", .unit = "m", .doc = "3-D RMS of the rounded set against the orbit, over its window", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, fit_rms_m), .in_text = true, .text_name = "fit_rms_m", .text_factor = 1.0, .in_table = true, .head = "fit rms", .table_unit = "m", .table_factor = 1.0, .digits = 3},
     {.name = "fit_max_m", .unit = "m", .doc = "largest of these distances", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, fit_max_m), .in_text = true, .text_name = "fit_max_m", .text_factor = 1.0, .in_table = true, .head = "fit max", .table_unit = "m", .table_factor = 1.0, .digits = 3},
     {.name = "clock_rms_s", .unit = "s", .doc = "the same of the clock; NAN with NO_CLOCK", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, clock_rms_s), .in_text = true, .text_name = "clock_rms_s", .text_factor = 1.0, .in_table = true, .head = "clock rms", .table_unit = "ns", .table_factor = 1000000000.0, .digits = 3},
@@ -331,11 +364,11 @@ static const orr_field fields_sat_navdata[] = {
     {.name = "af2_sps2", .unit = "s/s2", .doc = "its second coefficient; 0 for GLONASS", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, af2_sps2), .in_text = true, .text_name = "af2_sps2", .text_factor = 1.0, .in_table = false, .head = "af2 sps2", .table_unit = "s/s2", .table_factor = 1.0, .digits = -1},
     {.name = "frame_from", .unit = "ns", .doc = "begin of the frame of the message that holds the epoch", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, frame_from), .in_text = true, .text_name = "frame_from", .text_factor = 1.0, .in_table = false, .head = "frame from", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "frame_to", .unit = "ns", .doc = "its end: the next frame's begin", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_sat_navdata, frame_to), .in_text = true, .text_name = "frame_to", .text_factor = 1.0, .in_table = false, .head = "frame to", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
-    {.name = "kepler", .unit = "", .doc = "of LNAV: one", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, kepler), .limit = 1, .record = &record_lnav_set, .next = next_lnav_set, .in_text = true, .text_name = "kepler", .text_factor = 1.0, .in_table = false, .head = "kepler", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "kepler", .unit = "", .doc = "of messages with Kepler elements: one", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, kepler), .limit = 1, .record = &record_kepler_set, .next = next_kepler_set, .in_text = true, .text_name = "kepler", .text_factor = 1.0, .in_table = false, .head = "kepler", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "glonass", .unit = "", .doc = "of FDMA: one", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, glonass), .limit = 1, .record = &record_glonass_set, .next = next_glonass_set, .in_text = true, .text_name = "glonass", .text_factor = 1.0, .in_table = false, .head = "glonass", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "pages", .unit = "", .doc = "all of the frame: five subframes, or fifteen strings", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, pages), .limit = 15, .record = &record_nav_page, .next = next_nav_page, .in_text = true, .text_name = "pages", .text_factor = 1.0, .in_table = false, .head = "pages", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "pages", .unit = "", .doc = "all of the frame", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_navdata, pages), .limit = 15, .record = &record_nav_page, .next = next_nav_page, .in_text = true, .text_name = "pages", .text_factor = 1.0, .in_table = false, .head = "pages", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_sat_navdata = {"sat_navdata", fields_sat_navdata, 24, sizeof(orr_msg_sat_navdata), false, false};
+static const orr_record record_sat_navdata = {"sat_navdata", fields_sat_navdata, 26, sizeof(orr_msg_sat_navdata), false, false};
 
 static const orr_field fields_sat_delay[] = {
     {.name = "sat", .unit = "", .doc = "which satellite", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_sat_delay, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
@@ -622,8 +655,10 @@ static orr_wire_status decode_elements(const uint8_t *payload, size_t size, void
 static const orr_field fields_poll_navdata[] = {
     {.name = "epochs", .unit = "", .doc = "when", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_navdata, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "satellites", .unit = "", .doc = "which, in the order of the answer; empty for all", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_navdata, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "kinds", .unit = "", .doc = "which messages; 0: of each satellite its first, LNAV, FDMA, INAV on E1, D1 or D2", .kind = ORR_FIELD_U32, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_poll_navdata, kinds), .word = words_nav_messages, .n_words = sizeof words_nav_messages / sizeof words_nav_messages[0], .in_text = true, .text_name = "kinds", .text_factor = 1.0, .in_table = true, .head = "kinds", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "form", .unit = "", .doc = "pages as bits or as symbols", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_poll_navdata, form), .word = words_nav_form, .n_words = sizeof words_nav_form / sizeof words_nav_form[0], .in_text = true, .text_name = "form", .text_factor = 1.0, .in_table = true, .head = "form", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_poll_navdata = {"poll_navdata", fields_poll_navdata, 2, sizeof(orr_msg_poll_navdata), false, false};
+static const orr_record record_poll_navdata = {"poll_navdata", fields_poll_navdata, 4, sizeof(orr_msg_poll_navdata), false, false};
 
 static orr_wire_status encode_poll_navdata(const void *m, orr_wire_writer *w)
 {
@@ -641,7 +676,7 @@ static bool next_sat_navdata(const void *list, orr_wire_iter *it, void *out)
 
 static const orr_field fields_navdata[] = {
     {.name = "epoch", .unit = "", .doc = "OK, or OUTSIDE_SPAN with no satellites", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_navdata, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "satellites", .unit = "", .doc = "those asked for, in that order; for all, those of CAPS", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_navdata, satellites), .limit = 800, .record = &record_sat_navdata, .next = next_sat_navdata, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "satellites", .unit = "", .doc = "those asked for, in that order, each with its messages; for all, those of CAPS", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_navdata, satellites), .limit = 800, .record = &record_sat_navdata, .next = next_sat_navdata, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
 static const orr_record record_navdata = {"navdata", fields_navdata, 2, sizeof(orr_msg_navdata), false, false};
 

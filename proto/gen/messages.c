@@ -82,7 +82,25 @@ const char *orr_msg_nav_message_name(uint8_t value)
     switch (value) {
     case 0: return "NONE";
     case 1: return "LNAV";
-    case 2: return "FDMA";
+    case 2: return "CNAV";
+    case 3: return "CNV1";
+    case 4: return "CNV2";
+    case 5: return "CNV3";
+    case 6: return "INAV";
+    case 7: return "FNAV";
+    case 8: return "D1";
+    case 9: return "D2";
+    case 10: return "FDMA";
+    case 11: return "SBAS";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_nav_form_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "BITS";
+    case 1: return "SYMBOLS";
     default: return NULL;
     }
 }
@@ -274,6 +292,24 @@ const char *orr_msg_state_flags_name(unsigned bit)
     case 5: return "GAP";
     case 6: return "JOINT";
     case 7: return "SHADOW_NOISE";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_nav_messages_name(unsigned bit)
+{
+    switch (bit) {
+    case 1: return "LNAV";
+    case 2: return "CNAV";
+    case 3: return "CNV1";
+    case 4: return "CNV2";
+    case 5: return "CNV3";
+    case 6: return "INAV";
+    case 7: return "FNAV";
+    case 8: return "D1";
+    case 9: return "D2";
+    case 10: return "FDMA";
+    case 11: return "SBAS";
     default: return NULL;
     }
 }
@@ -505,28 +541,30 @@ static inline void load_sat_elements(const uint8_t *p, orr_msg_sat_elements *m)
 static void put_nav_page(orr_wire_writer *w, const orr_msg_nav_page *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 12);
+    p = orr_wire_room(w, 20);
     if (p == NULL) return;
     orr_wire_store_i64(p + 0, m->t);
-    orr_wire_store_u8(p + 8, m->number);
-    orr_wire_store_u8(p + 9, m->page);
-    orr_wire_store_u16(p + 10, m->bits);
-    orr_wire_put_bytes(w, m->data, 38);
+    orr_wire_store_i64(p + 8, m->length);
+    orr_wire_store_u8(p + 16, m->number);
+    orr_wire_store_u8(p + 17, m->page);
+    orr_wire_store_u16(p + 18, m->bits);
+    orr_wire_put_bytes(w, m->data, 226);
 }
 
 static void get_nav_page(orr_wire_reader *r, orr_msg_nav_page *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 12);
+    p = orr_wire_take(r, 20);
     if (p == NULL) return;
     m->t = orr_wire_load_i64(p + 0);
-    m->number = orr_wire_load_u8(p + 8);
-    m->page = orr_wire_load_u8(p + 9);
-    m->bits = orr_wire_load_u16(p + 10);
-    m->data = orr_wire_get_bytes(r, 38);
+    m->length = orr_wire_load_i64(p + 8);
+    m->number = orr_wire_load_u8(p + 16);
+    m->page = orr_wire_load_u8(p + 17);
+    m->bits = orr_wire_load_u16(p + 18);
+    m->data = orr_wire_get_bytes(r, 226);
 }
 
-static inline void store_lnav_set(uint8_t *p, const orr_msg_lnav_set *m)
+static inline void store_kepler_set(uint8_t *p, const orr_msg_kepler_set *m)
 {
     orr_wire_store_f64(p + 0, m->sqrt_a_sqrtm);
     orr_wire_store_f64(p + 8, m->e);
@@ -543,10 +581,12 @@ static inline void store_lnav_set(uint8_t *p, const orr_msg_lnav_set *m)
     orr_wire_store_f64(p + 96, m->crs_m);
     orr_wire_store_f64(p + 104, m->cic_rad);
     orr_wire_store_f64(p + 112, m->cis_rad);
-    orr_wire_store_f64(p + 120, m->tgd_s);
+    orr_wire_store_f64(p + 120, m->a_dot_mps);
+    orr_wire_store_f64(p + 128, m->delta_n_dot_radps2);
+    orr_wire_store_f64(p + 136, m->tgd_s);
 }
 
-static inline void load_lnav_set(const uint8_t *p, orr_msg_lnav_set *m)
+static inline void load_kepler_set(const uint8_t *p, orr_msg_kepler_set *m)
 {
     m->sqrt_a_sqrtm = orr_wire_load_f64(p + 0);
     m->e = orr_wire_load_f64(p + 8);
@@ -563,7 +603,9 @@ static inline void load_lnav_set(const uint8_t *p, orr_msg_lnav_set *m)
     m->crs_m = orr_wire_load_f64(p + 96);
     m->cic_rad = orr_wire_load_f64(p + 104);
     m->cis_rad = orr_wire_load_f64(p + 112);
-    m->tgd_s = orr_wire_load_f64(p + 120);
+    m->a_dot_mps = orr_wire_load_f64(p + 120);
+    m->delta_n_dot_radps2 = orr_wire_load_f64(p + 128);
+    m->tgd_s = orr_wire_load_f64(p + 136);
 }
 
 static inline void store_glonass_set(uint8_t *p, const orr_msg_glonass_set *m)
@@ -598,35 +640,35 @@ static inline void load_glonass_set(const uint8_t *p, orr_msg_glonass_set *m)
     m->reserved = orr_wire_load_u8(p + 81);
 }
 
-static void put_lnav_set_records(orr_wire_writer *w, const orr_msg_lnav_set_list *list)
+static void put_kepler_set_records(orr_wire_writer *w, const orr_msg_kepler_set_list *list)
 {
     if (list->item == NULL) {
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
     }
-    uint8_t *p = orr_wire_room(w, 128 * (size_t)list->count);
+    uint8_t *p = orr_wire_room(w, 144 * (size_t)list->count);
     if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_lnav_set(p + 128 * (size_t)i, &list->item[i]);
+    for (uint16_t i = 0; i < list->count; i++) store_kepler_set(p + 144 * (size_t)i, &list->item[i]);
 }
 
-orr_wire_status orr_msg_lnav_set_records_encode(const orr_msg_lnav_set_list *piece, orr_wire_writer *w)
+orr_wire_status orr_msg_kepler_set_records_encode(const orr_msg_kepler_set_list *piece, orr_wire_writer *w)
 {
-    put_lnav_set_records(w, piece);
+    put_kepler_set_records(w, piece);
     return w->status;
 }
 
-static void put_lnav_set_list(orr_wire_writer *w, const orr_msg_lnav_set_list *list, uint16_t max)
+static void put_kepler_set_list(orr_wire_writer *w, const orr_msg_kepler_set_list *list, uint16_t max)
 {
     if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
     if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
-    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 128 : list->wire.stride);
-    put_lnav_set_records(w, list);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 144 : list->wire.stride);
+    put_kepler_set_records(w, list);
 }
 
-static void get_lnav_set_list(orr_wire_reader *r, orr_msg_lnav_set_list *list, uint16_t max)
+static void get_kepler_set_list(orr_wire_reader *r, orr_msg_kepler_set_list *list, uint16_t max)
 {
     const uint8_t *p = orr_wire_take(r, 4);
     if (p == NULL) return;
@@ -636,7 +678,7 @@ static void get_lnav_set_list(orr_wire_reader *r, orr_msg_lnav_set_list *list, u
         return;
     }
     uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
-    if (count > 0 && stride < 128) {
+    if (count > 0 && stride < 144) {
         r->status = ORR_WIRE_SHORT;
         return;
     }
@@ -648,12 +690,12 @@ static void get_lnav_set_list(orr_wire_reader *r, orr_msg_lnav_set_list *list, u
     list->count = count;
 }
 
-bool orr_msg_lnav_set_next(const orr_msg_lnav_set_list *list, orr_wire_iter *it, orr_msg_lnav_set *out)
+bool orr_msg_kepler_set_next(const orr_msg_kepler_set_list *list, orr_wire_iter *it, orr_msg_kepler_set *out)
 {
-    return orr_msg_lnav_set_at(list, it->index, out) ? (it->index++, true) : false;
+    return orr_msg_kepler_set_at(list, it->index, out) ? (it->index++, true) : false;
 }
 
-bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_msg_lnav_set *out)
+bool orr_msg_kepler_set_at(const orr_msg_kepler_set_list *list, uint16_t index, orr_msg_kepler_set *out)
 {
     if (index >= list->count) return false;
     if (list->item != NULL) {
@@ -662,7 +704,7 @@ bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_
     }
     size_t stride = list->wire.stride;
     const uint8_t *p = list->wire.data + index * stride;
-    load_lnav_set(p, out);
+    load_kepler_set(p, out);
     return true;
 }
 
@@ -817,30 +859,34 @@ bool orr_msg_nav_page_next(const orr_msg_nav_page_list *list, orr_wire_iter *it,
 static void put_sat_navdata(orr_wire_writer *w, const orr_msg_sat_navdata *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 124);
+    p = orr_wire_room(w, 5);
     if (p == NULL) return;
     store_sat_id(p + 0, &m->sat);
     orr_wire_store_u8(p + 2, m->answer);
     orr_wire_store_u8(p + 3, m->message);
-    orr_wire_store_u32(p + 4, m->notes);
-    orr_wire_store_i64(p + 8, m->set_from);
-    orr_wire_store_i64(p + 16, m->set_to);
-    orr_wire_store_i64(p + 24, m->toe);
-    orr_wire_store_i64(p + 32, m->toc);
-    orr_wire_store_i32(p + 40, m->week);
-    orr_wire_store_i16(p + 44, m->iode);
-    orr_wire_store_i16(p + 46, m->iodc);
-    orr_wire_store_u32(p + 48, m->health);
-    orr_wire_store_f64(p + 52, m->accuracy_m);
-    orr_wire_store_f64(p + 60, m->fit_rms_m);
-    orr_wire_store_f64(p + 68, m->fit_max_m);
-    orr_wire_store_f64(p + 76, m->clock_rms_s);
-    orr_wire_store_f64(p + 84, m->af0_s);
-    orr_wire_store_f64(p + 92, m->af1_sps);
-    orr_wire_store_f64(p + 100, m->af2_sps2);
-    orr_wire_store_i64(p + 108, m->frame_from);
-    orr_wire_store_i64(p + 116, m->frame_to);
-    put_lnav_set_list(w, &m->kepler, 1);
+    orr_wire_store_u8(p + 4, m->form);
+    orr_wire_put_bytes(w, m->signals, 16);
+    p = orr_wire_room(w, 120);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->notes);
+    orr_wire_store_i64(p + 4, m->set_from);
+    orr_wire_store_i64(p + 12, m->set_to);
+    orr_wire_store_i64(p + 20, m->toe);
+    orr_wire_store_i64(p + 28, m->toc);
+    orr_wire_store_i32(p + 36, m->week);
+    orr_wire_store_i16(p + 40, m->iode);
+    orr_wire_store_i16(p + 42, m->iodc);
+    orr_wire_store_u32(p + 44, m->health);
+    orr_wire_store_f64(p + 48, m->accuracy_m);
+    orr_wire_store_f64(p + 56, m->fit_rms_m);
+    orr_wire_store_f64(p + 64, m->fit_max_m);
+    orr_wire_store_f64(p + 72, m->clock_rms_s);
+    orr_wire_store_f64(p + 80, m->af0_s);
+    orr_wire_store_f64(p + 88, m->af1_sps);
+    orr_wire_store_f64(p + 96, m->af2_sps2);
+    orr_wire_store_i64(p + 104, m->frame_from);
+    orr_wire_store_i64(p + 112, m->frame_to);
+    put_kepler_set_list(w, &m->kepler, 1);
     put_glonass_set_list(w, &m->glonass, 1);
     put_nav_page_list(w, &m->pages, 15);
 }
@@ -848,30 +894,34 @@ static void put_sat_navdata(orr_wire_writer *w, const orr_msg_sat_navdata *m)
 static void get_sat_navdata(orr_wire_reader *r, orr_msg_sat_navdata *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 124);
+    p = orr_wire_take(r, 5);
     if (p == NULL) return;
     load_sat_id(p + 0, &m->sat);
     m->answer = orr_wire_load_u8(p + 2);
     m->message = orr_wire_load_u8(p + 3);
-    m->notes = orr_wire_load_u32(p + 4);
-    m->set_from = orr_wire_load_i64(p + 8);
-    m->set_to = orr_wire_load_i64(p + 16);
-    m->toe = orr_wire_load_i64(p + 24);
-    m->toc = orr_wire_load_i64(p + 32);
-    m->week = orr_wire_load_i32(p + 40);
-    m->iode = orr_wire_load_i16(p + 44);
-    m->iodc = orr_wire_load_i16(p + 46);
-    m->health = orr_wire_load_u32(p + 48);
-    m->accuracy_m = orr_wire_load_f64(p + 52);
-    m->fit_rms_m = orr_wire_load_f64(p + 60);
-    m->fit_max_m = orr_wire_load_f64(p + 68);
-    m->clock_rms_s = orr_wire_load_f64(p + 76);
-    m->af0_s = orr_wire_load_f64(p + 84);
-    m->af1_sps = orr_wire_load_f64(p + 92);
-    m->af2_sps2 = orr_wire_load_f64(p + 100);
-    m->frame_from = orr_wire_load_i64(p + 108);
-    m->frame_to = orr_wire_load_i64(p + 116);
-    get_lnav_set_list(r, &m->kepler, 1);
+    m->form = orr_wire_load_u8(p + 4);
+    m->signals = orr_wire_get_bytes(r, 16);
+    p = orr_wire_take(r, 120);
+    if (p == NULL) return;
+    m->notes = orr_wire_load_u32(p + 0);
+    m->set_from = orr_wire_load_i64(p + 4);
+    m->set_to = orr_wire_load_i64(p + 12);
+    m->toe = orr_wire_load_i64(p + 20);
+    m->toc = orr_wire_load_i64(p + 28);
+    m->week = orr_wire_load_i32(p + 36);
+    m->iode = orr_wire_load_i16(p + 40);
+    m->iodc = orr_wire_load_i16(p + 42);
+    m->health = orr_wire_load_u32(p + 44);
+    m->accuracy_m = orr_wire_load_f64(p + 48);
+    m->fit_rms_m = orr_wire_load_f64(p + 56);
+    m->fit_max_m = orr_wire_load_f64(p + 64);
+    m->clock_rms_s = orr_wire_load_f64(p + 72);
+    m->af0_s = orr_wire_load_f64(p + 80);
+    m->af1_sps = orr_wire_load_f64(p + 88);
+    m->af2_sps2 = orr_wire_load_f64(p + 96);
+    m->frame_from = orr_wire_load_i64(p + 104);
+    m->frame_to = orr_wire_load_i64(p + 112);
+    get_kepler_set_list(r, &m->kepler, 1);
     get_glonass_set_list(r, &m->glonass, 1);
     get_nav_page_list(r, &m->pages, 15);
 }
@@ -2033,6 +2083,10 @@ static void put_poll_navdata(orr_wire_writer *w, const orr_msg_poll_navdata *m)
     if (p == NULL) return;
     store_epochs(p + 0, &m->epochs);
     put_sat_id_list(w, &m->satellites, 800);
+    p = orr_wire_room(w, 5);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->kinds);
+    orr_wire_store_u8(p + 4, m->form);
 }
 
 static void get_poll_navdata(orr_wire_reader *r, orr_msg_poll_navdata *m)
@@ -2042,6 +2096,10 @@ static void get_poll_navdata(orr_wire_reader *r, orr_msg_poll_navdata *m)
     if (p == NULL) return;
     load_epochs(p + 0, &m->epochs);
     get_sat_id_list(r, &m->satellites, 800);
+    p = orr_wire_take(r, 5);
+    if (p == NULL) return;
+    m->kinds = orr_wire_load_u32(p + 0);
+    m->form = orr_wire_load_u8(p + 4);
 }
 
 orr_wire_status orr_msg_poll_navdata_encode(const orr_msg_poll_navdata *m, orr_wire_writer *w)

@@ -20,11 +20,12 @@ extern "C" {
 #define ORR_MSG_MAJOR 1u
 #define ORR_MSG_MINOR 0u
 #define ORR_MSG_PORT 15754u
-#define ORR_MSG_MAX_PAYLOAD 1048576u
+#define ORR_MSG_MAX_PAYLOAD 4194304u
 #define ORR_MSG_MAX_CARRIERS 4u // carriers one POLL_DELAYS may name
 #define ORR_MSG_MAX_SATELLITES 800u // satellites in one list (eight systems of 99 and a little)
+#define ORR_MSG_MAX_STREAMS 800u // messages of satellites in one list
 #define ORR_MSG_MAX_EPOCHS 86400u // epochs one POLL may ask for (a day at 1 Hz)
-#define ORR_MSG_MAX_PAGES 15u // subframes or strings in one frame of a navigation message
+#define ORR_MSG_MAX_PAGES 15u // subframes, strings or pages in one frame of a navigation message
 #define ORR_MSG_MAX_UNITS 64u // inertial units in one list
 #define ORR_MSG_MAX_CHANNELS 4096u // channels of one antenna in one list
 #define ORR_MSG_MAX_ANTENNAS 16u // antennas in one list
@@ -93,10 +94,24 @@ enum { // answer (u8): Whether there are numbers, and if not, why not.
     ORR_MSG_ANSWER_NO_VALUE = 5, // the ionosphere has a hole where the ray pierces it, or the arc is too short for the method
 };
 
-enum { // nav_message (u8): A navigation message.
+enum { // nav_message (u8): A navigation message, by the names of RINEX 4.
     ORR_MSG_NAV_MESSAGE_NONE = 0, // none
-    ORR_MSG_NAV_MESSAGE_LNAV = 1, // GPS legacy navigation message: IS-GPS-200, subframes of 300 bits in 6 s
-    ORR_MSG_NAV_MESSAGE_FDMA = 2, // GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
+    ORR_MSG_NAV_MESSAGE_LNAV = 1, // GPS, QZSS: IS-GPS-200, subframes of 300 bits in 6 s; NavIC: IRNSS SIS ICD, subframes of 292 bits
+    ORR_MSG_NAV_MESSAGE_CNAV = 2, // GPS, QZSS on L2C and L5: messages of 300 bits
+    ORR_MSG_NAV_MESSAGE_CNV1 = 3, // BeiDou B-CNAV1 on B1C
+    ORR_MSG_NAV_MESSAGE_CNV2 = 4, // GPS, QZSS: CNAV-2 on L1C; BeiDou: B-CNAV2 on B2a
+    ORR_MSG_NAV_MESSAGE_CNV3 = 5, // BeiDou B-CNAV3 on B2b
+    ORR_MSG_NAV_MESSAGE_INAV = 6, // Galileo I/NAV on E1 and E5b: OS SIS ICD, pages of 240 bits in 2 s
+    ORR_MSG_NAV_MESSAGE_FNAV = 7, // Galileo F/NAV on E5a: pages of 244 bits in 10 s
+    ORR_MSG_NAV_MESSAGE_D1 = 8, // BeiDou D1: BDS-SIS-ICD-B1I, subframes of 300 bits in 6 s
+    ORR_MSG_NAV_MESSAGE_D2 = 9, // BeiDou D2 of geostationary satellites: subframes of 300 bits in 0.6 s
+    ORR_MSG_NAV_MESSAGE_FDMA = 10, // GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
+    ORR_MSG_NAV_MESSAGE_SBAS = 11, // SBAS: RTCA DO-229, messages of 250 bits in 1 s
+};
+
+enum { // nav_form (u8): In which form pages of navigation messages are given.
+    ORR_MSG_NAV_FORM_BITS = 0, // the message's bits with the checks that belong to it (parity, CRC) and tails
+    ORR_MSG_NAV_FORM_SYMBOLS = 1, // what a modulator takes: error correction, interleaving and synchronisation are done; of GLONASS relative code, meander and time mark. Secondary codes are the generator's
 };
 
 enum { // elements_frame (u8): Axes that Kepler elements refer to.
@@ -214,6 +229,19 @@ enum { // motion_point (u8): The point whose motion is told.
 #define ORR_MSG_STATE_FLAGS_JOINT ((uint32_t)(UINT64_C(1) << 6)) // between the orbits of two input files that do not meet
 #define ORR_MSG_STATE_FLAGS_SHADOW_NOISE ((uint32_t)(UINT64_C(1) << 7)) // the input's orbits are noisier near the Earth's shadow; sigma is less sure
 
+// nav_messages (u32): Several navigation messages.
+#define ORR_MSG_NAV_MESSAGES_LNAV ((uint32_t)(UINT64_C(1) << 1)) // nav_message LNAV
+#define ORR_MSG_NAV_MESSAGES_CNAV ((uint32_t)(UINT64_C(1) << 2)) // nav_message CNAV
+#define ORR_MSG_NAV_MESSAGES_CNV1 ((uint32_t)(UINT64_C(1) << 3)) // nav_message CNV1
+#define ORR_MSG_NAV_MESSAGES_CNV2 ((uint32_t)(UINT64_C(1) << 4)) // nav_message CNV2
+#define ORR_MSG_NAV_MESSAGES_CNV3 ((uint32_t)(UINT64_C(1) << 5)) // nav_message CNV3
+#define ORR_MSG_NAV_MESSAGES_INAV ((uint32_t)(UINT64_C(1) << 6)) // nav_message INAV
+#define ORR_MSG_NAV_MESSAGES_FNAV ((uint32_t)(UINT64_C(1) << 7)) // nav_message FNAV
+#define ORR_MSG_NAV_MESSAGES_D1 ((uint32_t)(UINT64_C(1) << 8)) // nav_message D1
+#define ORR_MSG_NAV_MESSAGES_D2 ((uint32_t)(UINT64_C(1) << 9)) // nav_message D2
+#define ORR_MSG_NAV_MESSAGES_FDMA ((uint32_t)(UINT64_C(1) << 10)) // nav_message FDMA
+#define ORR_MSG_NAV_MESSAGES_SBAS ((uint32_t)(UINT64_C(1) << 11)) // nav_message SBAS
+
 // nav_notes (u32): What should be known of a broadcast set.
 #define ORR_MSG_NAV_NOTES_MANOEUVRE ((uint32_t)(UINT64_C(1) << 0)) // a manoeuvre within the window, or files that do not meet: marked unhealthy
 #define ORR_MSG_NAV_NOTES_SHIFTED ((uint32_t)(UINT64_C(1) << 1)) // the orbit begins or ends within the window: fitted to the nearest full one
@@ -228,6 +256,7 @@ const char *orr_msg_type_name(uint16_t type);
 const char *orr_msg_error_code_name(uint16_t value);
 const char *orr_msg_answer_name(uint8_t value);
 const char *orr_msg_nav_message_name(uint8_t value);
+const char *orr_msg_nav_form_name(uint8_t value);
 const char *orr_msg_elements_frame_name(uint8_t value);
 const char *orr_msg_elements_method_name(uint8_t value);
 const char *orr_msg_orbit_point_name(uint8_t value);
@@ -245,12 +274,13 @@ const char *orr_msg_motion_point_name(uint8_t value);
 const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
+const char *orr_msg_nav_messages_name(unsigned bit);
 const char *orr_msg_nav_notes_name(unsigned bit);
 // Whether the connection closes after it.
 bool orr_msg_error_code_closes(uint16_t value);
 
 // Bytes of the largest payload of all messages.
-#define ORR_MSG_LARGEST 966764u
+#define ORR_MSG_LARGEST 3304819u
 
 // Least, greatest, last, median and 99th percentile of a time, over the samples that were counted; 0 without any.
 typedef struct orr_msg_motion_spread {
@@ -427,15 +457,16 @@ bool orr_msg_sat_elements_next(const orr_msg_sat_elements_list *list, orr_wire_i
 orr_wire_status orr_msg_sat_elements_records_encode(const orr_msg_sat_elements_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t index, orr_msg_sat_elements *out);   // false beyond the end
 
-// A subframe or string as it is sent, bit by bit.
+// A subframe, string, page or message as it is sent. Its k-th bit or symbol begins at t + k length / bits.
 typedef struct orr_msg_nav_page {
     int64_t t; // [ns] begin of its first bit
-    uint8_t number; // subframe 1-5, string 1-15
-    uint8_t page; // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe
-    uint16_t bits; // 300 or 85
-    orr_wire_bytes data; // the first bit in time is the highest of the first byte; what is left of the last is 0
+    int64_t length; // [ns] from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them
+    uint8_t number; // LNAV, D1, D2: subframe 1-5; GLONASS: string 1-15; INAV: word type; FNAV: page type; others: message type
+    uint8_t page; // LNAV, D1, D2: page of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame 1-24, 1-12 of the frame
+    uint16_t bits; // how many bits or symbols
+    orr_wire_bytes data; // the first in time is the highest bit of the first byte; what is left of the last is 0
 } orr_msg_nav_page;
-#define ORR_MSG_NAV_PAGE_LARGEST 52u
+#define ORR_MSG_NAV_PAGE_LARGEST 248u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_nav_page_next.
@@ -449,8 +480,8 @@ bool orr_msg_nav_page_next(const orr_msg_nav_page_list *list, orr_wire_iter *it,
 // of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
 orr_wire_status orr_msg_nav_page_records_encode(const orr_msg_nav_page_list *piece, orr_wire_writer *w);
 
-// What subframes 1 to 3 hold beside clock and issue, on the message's lattice (IS-GPS-200N tables 20-I and 20-III).
-typedef struct orr_msg_lnav_set {
+// Kepler elements of a message, on its lattice (the names are those of IS-GPS-200N tables 20-III and 30-I).
+typedef struct orr_msg_kepler_set {
     double sqrt_a_sqrtm; // [sqrt(m)] root of the semi-major axis
     double e; // eccentricity
     double m0_rad; // mean anomaly at toe
@@ -466,23 +497,25 @@ typedef struct orr_msg_lnav_set {
     double crs_m; // its sine term
     double cic_rad; // cosine term of the inclination
     double cis_rad; // its sine term
-    double tgd_s; // group delay differential
-} orr_msg_lnav_set;
-#define ORR_MSG_LNAV_SET_SIZE 128u
-#define ORR_MSG_LNAV_SET_LARGEST 128u
+    double a_dot_mps; // [m/s] rate of the semi-major axis; 0 in messages without it
+    double delta_n_dot_radps2; // [rad/s2] rate of the mean motion difference; 0 likewise
+    double tgd_s; // group delay of the first signal of the message's system behind its clock: TGD of LNAV and CNAV, BGD(E1,E5b) of INAV, BGD(E1,E5a) of FNAV, TGD1 of D1 and D2, TGD of the B1C pilot of CNV1 and CNV2, TGD of B2b of CNV3
+} orr_msg_kepler_set;
+#define ORR_MSG_KEPLER_SET_SIZE 144u
+#define ORR_MSG_KEPLER_SET_LARGEST 144u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
-// either kind with orr_msg_lnav_set_next or orr_msg_lnav_set_at.
-typedef struct orr_msg_lnav_set_list {
+// either kind with orr_msg_kepler_set_next or orr_msg_kepler_set_at.
+typedef struct orr_msg_kepler_set_list {
     uint16_t count;
-    const orr_msg_lnav_set *item;
+    const orr_msg_kepler_set *item;
     orr_wire_records wire;
-} orr_msg_lnav_set_list;
-bool orr_msg_lnav_set_next(const orr_msg_lnav_set_list *list, orr_wire_iter *it, orr_msg_lnav_set *out); // false at the end
+} orr_msg_kepler_set_list;
+bool orr_msg_kepler_set_next(const orr_msg_kepler_set_list *list, orr_wire_iter *it, orr_msg_kepler_set *out); // false at the end
 // Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
-// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_LNAV_SET_SIZE), then these.
-orr_wire_status orr_msg_lnav_set_records_encode(const orr_msg_lnav_set_list *piece, orr_wire_writer *w);
-bool orr_msg_lnav_set_at(const orr_msg_lnav_set_list *list, uint16_t index, orr_msg_lnav_set *out);   // false beyond the end
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_KEPLER_SET_SIZE), then these.
+orr_wire_status orr_msg_kepler_set_records_encode(const orr_msg_kepler_set_list *piece, orr_wire_writer *w);
+bool orr_msg_kepler_set_at(const orr_msg_kepler_set_list *list, uint16_t index, orr_msg_kepler_set *out);   // false beyond the end
 
 // What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
 typedef struct orr_msg_glonass_set {
@@ -509,21 +542,23 @@ bool orr_msg_glonass_set_next(const orr_msg_glonass_set_list *list, orr_wire_ite
 orr_wire_status orr_msg_glonass_set_records_encode(const orr_msg_glonass_set_list *piece, orr_wire_writer *w);
 bool orr_msg_glonass_set_at(const orr_msg_glonass_set_list *list, uint16_t index, orr_msg_glonass_set *out);   // false beyond the end
 
-// What one satellite sends. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
+// One message that a satellite sends, on signals that carry the same bits. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
 typedef struct orr_msg_sat_navdata {
     orr_msg_sat_id sat; // which satellite
     uint8_t answer; // OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not fit its field)
-    uint8_t message; // LNAV or FDMA; NONE unless answer is OK
+    uint8_t message; // NONE where the satellite has none of those asked for
+    uint8_t form; // of the pages, as asked
+    orr_wire_bytes signals; // names of the signals that carry it, as in CAPS, divided by blanks: L1OF L2OF
     uint32_t notes; // 0 unless answer is OK
     int64_t set_from; // [ns] the set is sent from then on
     int64_t set_to; // [ns] and before then
     int64_t toe; // [ns] reference of the orbit
     int64_t toc; // [ns] reference of the clock
-    int32_t week; // GPS week of toe; -1 for GLONASS
-    int16_t iode; // issue of the orbit; -1 for GLONASS
-    int16_t iodc; // issue of the clock; -1 for GLONASS
-    uint32_t health; // LNAV: six bits, 0 is good; GLONASS: 1 for unfit
-    double accuracy_m; // LNAV: user range accuracy that is sent; NAN for GLONASS
+    int32_t week; // week of toe: GPS', of BeiDou its own; -1 for GLONASS
+    int16_t iode; // issue of the orbit: IODE, IODnav, AODE; -1 for GLONASS
+    int16_t iodc; // issue of the clock: IODC, AODC; -1 where the message has none of its own
+    uint32_t health; // 0 is good; LNAV: six bits; INAV, FNAV: the bits of RINEX 3.05; others: 1 for unfit
+    double accuracy_m; // user range or signal in space accuracy that is sent; NAN for GLONASS
     double fit_rms_m; // 3-D RMS of the rounded set against the orbit, over its window
     double fit_max_m; // largest of these distances
     double clock_rms_s; // the same of the clock; NAN with NO_CLOCK
@@ -532,11 +567,11 @@ typedef struct orr_msg_sat_navdata {
     double af2_sps2; // [s/s2] its second coefficient; 0 for GLONASS
     int64_t frame_from; // [ns] begin of the frame of the message that holds the epoch
     int64_t frame_to; // [ns] its end: the next frame's begin
-    orr_msg_lnav_set_list kepler; // of LNAV: one
+    orr_msg_kepler_set_list kepler; // of messages with Kepler elements: one
     orr_msg_glonass_set_list glonass; // of FDMA: one
-    orr_msg_nav_page_list pages; // all of the frame: five subframes, or fifteen strings
+    orr_msg_nav_page_list pages; // all of the frame
 } orr_msg_sat_navdata;
-#define ORR_MSG_SAT_NAVDATA_LARGEST 1154u
+#define ORR_MSG_SAT_NAVDATA_LARGEST 4129u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_sat_navdata_next.
@@ -836,12 +871,14 @@ typedef struct orr_msg_elements {
 orr_wire_status orr_msg_elements_encode(const orr_msg_elements *m, orr_wire_writer *w);
 orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr_msg_elements *m);
 
-// Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+// Asks for the broadcast data. Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
 typedef struct orr_msg_poll_navdata {
     orr_msg_epochs epochs; // when
     orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
+    uint32_t kinds; // which messages; 0: of each satellite its first, LNAV, FDMA, INAV on E1, D1 or D2
+    uint8_t form; // pages as bits or as symbols
 } orr_msg_poll_navdata;
-#define ORR_MSG_POLL_NAVDATA_LARGEST 1624u
+#define ORR_MSG_POLL_NAVDATA_LARGEST 1629u
 
 orr_wire_status orr_msg_poll_navdata_encode(const orr_msg_poll_navdata *m, orr_wire_writer *w);
 orr_wire_status orr_msg_poll_navdata_decode(const uint8_t *payload, size_t size, orr_msg_poll_navdata *m);
@@ -849,9 +886,9 @@ orr_wire_status orr_msg_poll_navdata_decode(const uint8_t *payload, size_t size,
 // Broadcast data at one epoch.
 typedef struct orr_msg_navdata {
     orr_msg_epoch epoch; // OK, or OUTSIDE_SPAN with no satellites
-    orr_msg_sat_navdata_list satellites; // those asked for, in that order; for all, those of CAPS
+    orr_msg_sat_navdata_list satellites; // those asked for, in that order, each with its messages; for all, those of CAPS
 } orr_msg_navdata;
-#define ORR_MSG_NAVDATA_LARGEST 924819u
+#define ORR_MSG_NAVDATA_LARGEST 3304819u
 
 orr_wire_status orr_msg_navdata_encode(const orr_msg_navdata *m, orr_wire_writer *w);
 orr_wire_status orr_msg_navdata_decode(const uint8_t *payload, size_t size, orr_msg_navdata *m);

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Generated from proto/spec/messages.yaml and proto/spec/dissector.lua by proto/spec/generate.py: change those, not this.
 -- Wireshark dissector of Orrery, protocol 1.0, TCP port 15754.
-local PROTOCOL, MAGIC, MAJOR, PORT, MAX_PAYLOAD = "Orrery", "ORRY", 1, 15754, 1048576
+local PROTOCOL, MAGIC, MAJOR, PORT, MAX_PAYLOAD = "Orrery", "ORRY", 1, 15754, 4194304
 local orrery = Proto("orrery", "Orrery satellite states")
 
 local enums, bitsets, records = {}, {}, {}
@@ -32,7 +32,20 @@ enums.answer = {
 enums.nav_message = {
   [0] = "NONE",
   [1] = "LNAV",
-  [2] = "FDMA",
+  [2] = "CNAV",
+  [3] = "CNV1",
+  [4] = "CNV2",
+  [5] = "CNV3",
+  [6] = "INAV",
+  [7] = "FNAV",
+  [8] = "D1",
+  [9] = "D2",
+  [10] = "FDMA",
+  [11] = "SBAS",
+}
+enums.nav_form = {
+  [0] = "BITS",
+  [1] = "SYMBOLS",
 }
 enums.elements_frame = {
   [0] = "DATE",
@@ -135,6 +148,19 @@ bitsets.state_flags = {
   {name = "JOINT", bit = 6},
   {name = "SHADOW_NOISE", bit = 7},
 }
+bitsets.nav_messages = {
+  {name = "LNAV", bit = 1},
+  {name = "CNAV", bit = 2},
+  {name = "CNV1", bit = 3},
+  {name = "CNV2", bit = 4},
+  {name = "CNV3", bit = 5},
+  {name = "INAV", bit = 6},
+  {name = "FNAV", bit = 7},
+  {name = "D1", bit = 8},
+  {name = "D2", bit = 9},
+  {name = "FDMA", bit = 10},
+  {name = "SBAS", bit = 11},
+}
 bitsets.nav_notes = {
   {name = "MANOEUVRE", bit = 0},
   {name = "SHIFTED", bit = 1},
@@ -218,12 +244,13 @@ records.sat_elements = {size = 64, smallest = 64, fields = {
 }}
 records.nav_page = {fields = {
     {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "length", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
     {name = "number", kind = "scalar", scalar = "u8"},
     {name = "page", kind = "scalar", scalar = "u8"},
     {name = "bits", kind = "scalar", scalar = "u16"},
-    {name = "data", kind = "bytes", limit = 38},
+    {name = "data", kind = "bytes", limit = 226},
 }}
-records.lnav_set = {size = 128, smallest = 128, fields = {
+records.kepler_set = {size = 144, smallest = 144, fields = {
     {name = "sqrt_a_sqrtm", kind = "scalar", scalar = "f64", unit = "sqrt(m)"},
     {name = "e", kind = "scalar", scalar = "f64"},
     {name = "m0_rad", kind = "scalar", scalar = "f64", unit = "rad"},
@@ -239,6 +266,8 @@ records.lnav_set = {size = 128, smallest = 128, fields = {
     {name = "crs_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "cic_rad", kind = "scalar", scalar = "f64", unit = "rad"},
     {name = "cis_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "a_dot_mps", kind = "scalar", scalar = "f64", unit = "m/s"},
+    {name = "delta_n_dot_radps2", kind = "scalar", scalar = "f64", unit = "rad/s2"},
     {name = "tgd_s", kind = "scalar", scalar = "f64", unit = "s"},
 }}
 records.glonass_set = {size = 82, smallest = 82, fields = {
@@ -253,6 +282,8 @@ records.sat_navdata = {fields = {
     {name = "sat", kind = "struct", record = "sat_id"},
     {name = "answer", kind = "scalar", scalar = "u8", enum = "answer"},
     {name = "message", kind = "scalar", scalar = "u8", enum = "nav_message"},
+    {name = "form", kind = "scalar", scalar = "u8", enum = "nav_form"},
+    {name = "signals", kind = "string", limit = 16},
     {name = "notes", kind = "scalar", scalar = "u32", bits = "nav_notes"},
     {name = "set_from", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "set_to", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
@@ -271,7 +302,7 @@ records.sat_navdata = {fields = {
     {name = "af2_sps2", kind = "scalar", scalar = "f64", unit = "s/s2"},
     {name = "frame_from", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "frame_to", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
-    {name = "kepler", kind = "list", record = "lnav_set", limit = 1},
+    {name = "kepler", kind = "list", record = "kepler_set", limit = 1},
     {name = "glonass", kind = "list", record = "glonass_set", limit = 1},
     {name = "pages", kind = "list", record = "nav_page", limit = 15},
 }}
@@ -409,6 +440,8 @@ records.elements = {fields = {
 records.poll_navdata = {fields = {
     {name = "epochs", kind = "struct", record = "epochs"},
     {name = "satellites", kind = "list", record = "sat_id", limit = 800},
+    {name = "kinds", kind = "scalar", scalar = "u32", bits = "nav_messages"},
+    {name = "form", kind = "scalar", scalar = "u8", enum = "nav_form"},
 }}
 records.navdata = {fields = {
     {name = "epoch", kind = "struct", record = "epoch"},

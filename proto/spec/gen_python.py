@@ -145,6 +145,9 @@ class Python:
         if t.kind == "scalar" and t.named in self.spec.enums:
             kind = f"messages.{class_name(t.named)}"
             return f"{name}: Union[{kind}, str] = {kind}(0)", f"choice({kind}, {name})"
+        if t.kind == "scalar" and t.named in self.spec.bits:
+            kind = f"messages.{class_name(t.named)}"
+            return f"{name}: {kind} = {kind}(0)", name
         if t.kind == "scalar":
             return f"{name}: {self.element(field)} = {'0.0' if t.scalar[0] == 'f' else '0'}", name
         raise NotImplementedError(f"a request with {name}: {t.text} has no Python method yet")

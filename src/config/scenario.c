@@ -29,7 +29,7 @@ static const orr_key rows[] = {
     TEXT_ROW(orr_scenario, "title", title, NULL, "what this scenario is, in a line; clients are told"),
     MAP_ROW(orr_scenario, "orbit", orbit, &orr_section_orbit, NULL, "where the satellites are"),
     MAP_ROW(orr_scenario, "navdata", navdata, &orr_section_navdata, of_orbit,
-            "broadcast data that are fitted to the orbits of GPS and GLONASS"),
+            "broadcast data that are fitted to the orbits"),
     MAP_ROW(orr_scenario, "ionosphere", iono, &orr_section_ionosphere, of_orbit,
             "ionospheric delays to the satellites"),
     MAP_ROW(orr_scenario, "receiver", receiver, &orr_section_receiver, of_ionosphere,

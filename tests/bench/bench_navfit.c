@@ -32,8 +32,8 @@ static void fits(void *arg)
         orr_time from = orr_time_add_s(j->t[i], -j->window_s / 2), to = orr_time_add_s(from, j->window_s);
         j->product.sat = j->sat[i];
         orr_status s = j->system == 'G'
-                           ? orr_navfit_lnav(j->sat[i], j->t[i], from, to, 4, orr_navfit_from_product,
-                                             &j->product, &j->eph[i], &r, &d)
+                           ? orr_navfit_kepler(j->sat[i], ORR_NAV_LNAV, j->t[i], from, to,
+                                               orr_navfit_from_product, &j->product, &j->eph[i], &r, &d)
                            : orr_navfit_glonass(j->sat[i], j->t[i], from, to, orr_navfit_from_product,
                                                 &j->product, &j->eph[i], &r, &d);
         if (s != ORR_OK) {

@@ -15,12 +15,12 @@ from ._version import __version__
 from .client import Client, ProtocolError, Refused
 from .codec import CodecError
 from .gpstime import from_datetime, from_text, time_tag, to_datetime, to_text, to_utc
-from .messages import (Answer, DelayFlags, ElementsFrame, ElementsMethod, ErrorCode, NavMessage, NavNotes, OrbitPoint, ReceiverSource,
-                       SatId, StateFlags, TecOrigin)
+from .messages import (Answer, DelayFlags, ElementsFrame, ElementsMethod, ErrorCode, NavForm, NavMessage, NavMessages,
+                       NavNotes, OrbitPoint, ReceiverSource, SatId, StateFlags, TecOrigin)
 from .reconnect import ReconnectingClient
 from .satellite import sat_id, sat_name
 from .stream import Stream
 
-__all__ = ["Answer", "Client", "CodecError", "DelayFlags", "ElementsFrame", "ElementsMethod", "ErrorCode", "NavMessage", "NavNotes",
-           "OrbitPoint", "ProtocolError", "ReceiverSource", "ReconnectingClient", "Refused", "SatId", "StateFlags", "Stream", "TecOrigin",
+__all__ = ["Answer", "Client", "CodecError", "DelayFlags", "ElementsFrame", "ElementsMethod", "ErrorCode", "NavForm", "NavMessage",
+           "NavMessages", "NavNotes", "OrbitPoint", "ProtocolError", "ReceiverSource", "ReconnectingClient", "Refused", "SatId", "StateFlags", "Stream", "TecOrigin",
            "__version__", "from_datetime", "from_text", "sat_id", "sat_name", "time_tag", "to_datetime", "to_text", "to_utc"]

@@ -12,11 +12,12 @@ MAGIC = b'ORRY'
 MAJOR = 1
 MINOR = 0
 PORT = 15754
-MAX_PAYLOAD = 1048576
+MAX_PAYLOAD = 4194304
 MAX_CARRIERS = 4  # carriers one POLL_DELAYS may name
 MAX_SATELLITES = 800  # satellites in one list (eight systems of 99 and a little)
+MAX_STREAMS = 800  # messages of satellites in one list
 MAX_EPOCHS = 86400  # epochs one POLL may ask for (a day at 1 Hz)
-MAX_PAGES = 15  # subframes or strings in one frame of a navigation message
+MAX_PAGES = 15  # subframes, strings or pages in one frame of a navigation message
 MAX_UNITS = 64  # inertial units in one list
 MAX_CHANNELS = 4096  # channels of one antenna in one list
 MAX_ANTENNAS = 16  # antennas in one list
@@ -60,11 +61,27 @@ class Answer(WireEnum):
 
 
 class NavMessage(WireEnum):
-    """A navigation message."""
+    """A navigation message, by the names of RINEX 4."""
 
     NONE = 0  # none
-    LNAV = 1  # GPS legacy navigation message: IS-GPS-200, subframes of 300 bits in 6 s
-    FDMA = 2  # GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
+    LNAV = 1  # GPS, QZSS: IS-GPS-200, subframes of 300 bits in 6 s; NavIC: IRNSS SIS ICD, subframes of 292 bits
+    CNAV = 2  # GPS, QZSS on L2C and L5: messages of 300 bits
+    CNV1 = 3  # BeiDou B-CNAV1 on B1C
+    CNV2 = 4  # GPS, QZSS: CNAV-2 on L1C; BeiDou: B-CNAV2 on B2a
+    CNV3 = 5  # BeiDou B-CNAV3 on B2b
+    INAV = 6  # Galileo I/NAV on E1 and E5b: OS SIS ICD, pages of 240 bits in 2 s
+    FNAV = 7  # Galileo F/NAV on E5a: pages of 244 bits in 10 s
+    D1 = 8  # BeiDou D1: BDS-SIS-ICD-B1I, subframes of 300 bits in 6 s
+    D2 = 9  # BeiDou D2 of geostationary satellites: subframes of 300 bits in 0.6 s
+    FDMA = 10  # GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
+    SBAS = 11  # SBAS: RTCA DO-229, messages of 250 bits in 1 s
+
+
+class NavForm(WireEnum):
+    """In which form pages of navigation messages are given."""
+
+    BITS = 0  # the message's bits with the checks that belong to it (parity, CRC) and tails
+    SYMBOLS = 1  # what a modulator takes: error correction, interleaving and synchronisation are done; of GLONASS relative code, meander and time mark. Secondary codes are the generator's
 
 
 class ElementsFrame(WireEnum):
@@ -217,6 +234,22 @@ class StateFlags(enum.IntFlag):
     GAP = 32  # between input nodes further apart than twice the usual
     JOINT = 64  # between the orbits of two input files that do not meet
     SHADOW_NOISE = 128  # the input's orbits are noisier near the Earth's shadow; sigma is less sure
+
+
+class NavMessages(enum.IntFlag):
+    """Several navigation messages."""
+
+    LNAV = 2  # nav_message LNAV
+    CNAV = 4  # nav_message CNAV
+    CNV1 = 8  # nav_message CNV1
+    CNV2 = 16  # nav_message CNV2
+    CNV3 = 32  # nav_message CNV3
+    INAV = 64  # nav_message INAV
+    FNAV = 128  # nav_message FNAV
+    D1 = 256  # nav_message D1
+    D2 = 512  # nav_message D2
+    FDMA = 1024  # nav_message FDMA
+    SBAS = 2048  # nav_message SBAS
 
 
 class NavNotes(enum.IntFlag):
@@ -502,24 +535,28 @@ class SatElements(Record):
 
 @dataclasses.dataclass(eq=False, slots=True)
 class NavPage(Record):
-    """A subframe or string as it is sent, bit by bit.
+    """A subframe, string, page or message as it is sent. Its k-th bit or symbol begins at t + k length / bits.
 
     t [ns]: begin of its first bit
-    number: subframe 1-5, string 1-15
-    page: LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe
-    bits: 300 or 85
-    data: the first bit in time is the highest of the first byte; what is left of the last is 0
+    length [ns]: from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them
+    number: LNAV, D1, D2: subframe 1-5; GLONASS: string 1-15; INAV: word type; FNAV: page type; others: message type
+    page: LNAV, D1, D2: page of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame
+    1-24, 1-12 of the frame
+    bits: how many bits or symbols
+    data: the first in time is the highest bit of the first byte; what is left of the last is 0
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("t", "scalar", scalar="i64"),
+        Field("length", "scalar", scalar="i64"),
         Field("number", "scalar", scalar="u8"),
         Field("page", "scalar", scalar="u8"),
         Field("bits", "scalar", scalar="u16"),
-        Field("data", "bytes", limit=38),
+        Field("data", "bytes", limit=226),
     )
 
     t: int = 0
+    length: int = 0
     number: int = 0
     page: int = 0
     bits: int = 0
@@ -527,8 +564,8 @@ class NavPage(Record):
 
 
 @dataclasses.dataclass(eq=False, slots=True)
-class LnavSet(Record):
-    """What subframes 1 to 3 hold beside clock and issue, on the message's lattice (IS-GPS-200N tables 20-I and 20-III).
+class KeplerSet(Record):
+    """Kepler elements of a message, on its lattice (the names are those of IS-GPS-200N tables 20-III and 30-I).
 
     sqrt_a_sqrtm [sqrt(m)]: root of the semi-major axis
     e: eccentricity
@@ -545,7 +582,10 @@ class LnavSet(Record):
     crs_m [m]: its sine term
     cic_rad [rad]: cosine term of the inclination
     cis_rad [rad]: its sine term
-    tgd_s [s]: group delay differential
+    a_dot_mps [m/s]: rate of the semi-major axis; 0 in messages without it
+    delta_n_dot_radps2 [rad/s2]: rate of the mean motion difference; 0 likewise
+    tgd_s [s]: group delay of the first signal of the message's system behind its clock: TGD of LNAV and CNAV, BGD(E1,E5b) of
+    INAV, BGD(E1,E5a) of FNAV, TGD1 of D1 and D2, TGD of the B1C pilot of CNV1 and CNV2, TGD of B2b of CNV3
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
@@ -564,6 +604,8 @@ class LnavSet(Record):
         Field("crs_m", "scalar", scalar="f64"),
         Field("cic_rad", "scalar", scalar="f64"),
         Field("cis_rad", "scalar", scalar="f64"),
+        Field("a_dot_mps", "scalar", scalar="f64"),
+        Field("delta_n_dot_radps2", "scalar", scalar="f64"),
         Field("tgd_s", "scalar", scalar="f64"),
     )
 
@@ -582,6 +624,8 @@ class LnavSet(Record):
     crs_m: float = 0.0
     cic_rad: float = 0.0
     cis_rad: float = 0.0
+    a_dot_mps: float = 0.0
+    delta_n_dot_radps2: float = 0.0
     tgd_s: float = 0.0
 
 
@@ -616,22 +660,25 @@ class GlonassSet(Record):
 
 @dataclasses.dataclass(eq=False, slots=True)
 class SatNavdata(Record):
-    """What one satellite sends. Numbers are NAN, times no instant, issues -1 and lists empty unless answer is OK.
+    """One message that a satellite sends, on signals that carry the same bits. Numbers are NAN, times no instant, issues -1
+    and lists empty unless answer is OK.
 
     sat: which satellite
     answer: OK, NO_ARC (it sends nothing then), NOT_SERVED (no such data could be made of it), or NO_VALUE (a value does not
     fit its field)
-    message: LNAV or FDMA; NONE unless answer is OK
+    message: NONE where the satellite has none of those asked for
+    form: of the pages, as asked
+    signals: names of the signals that carry it, as in CAPS, divided by blanks: L1OF L2OF
     notes: 0 unless answer is OK
     set_from [ns]: the set is sent from then on
     set_to [ns]: and before then
     toe [ns]: reference of the orbit
     toc [ns]: reference of the clock
-    week: GPS week of toe; -1 for GLONASS
-    iode: issue of the orbit; -1 for GLONASS
-    iodc: issue of the clock; -1 for GLONASS
-    health: LNAV: six bits, 0 is good; GLONASS: 1 for unfit
-    accuracy_m [m]: LNAV: user range accuracy that is sent; NAN for GLONASS
+    week: week of toe: GPS', of BeiDou its own; -1 for GLONASS
+    iode: issue of the orbit: IODE, IODnav, AODE; -1 for GLONASS
+    iodc: issue of the clock: IODC, AODC; -1 where the message has none of its own
+    health: 0 is good; LNAV: six bits; INAV, FNAV: the bits of RINEX 3.05; others: 1 for unfit
+    accuracy_m [m]: user range or signal in space accuracy that is sent; NAN for GLONASS
     fit_rms_m [m]: 3-D RMS of the rounded set against the orbit, over its window
     fit_max_m [m]: largest of these distances
     clock_rms_s [s]: the same of the clock; NAN with NO_CLOCK
@@ -640,15 +687,17 @@ class SatNavdata(Record):
     af2_sps2 [s/s2]: its second coefficient; 0 for GLONASS
     frame_from [ns]: begin of the frame of the message that holds the epoch
     frame_to [ns]: its end: the next frame's begin
-    kepler: of LNAV: one
+    kepler: of messages with Kepler elements: one
     glonass: of FDMA: one
-    pages: all of the frame: five subframes, or fifteen strings
+    pages: all of the frame
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("sat", "struct", record=SatId),
         Field("answer", "scalar", scalar="u8", enum=Answer),
         Field("message", "scalar", scalar="u8", enum=NavMessage),
+        Field("form", "scalar", scalar="u8", enum=NavForm),
+        Field("signals", "string", limit=16),
         Field("notes", "scalar", scalar="u32", enum=NavNotes),
         Field("set_from", "scalar", scalar="i64"),
         Field("set_to", "scalar", scalar="i64"),
@@ -667,7 +716,7 @@ class SatNavdata(Record):
         Field("af2_sps2", "scalar", scalar="f64"),
         Field("frame_from", "scalar", scalar="i64"),
         Field("frame_to", "scalar", scalar="i64"),
-        Field("kepler", "list", record=LnavSet, limit=1),
+        Field("kepler", "list", record=KeplerSet, limit=1),
         Field("glonass", "list", record=GlonassSet, limit=1),
         Field("pages", "list", record=NavPage, limit=15),
     )
@@ -675,6 +724,8 @@ class SatNavdata(Record):
     sat: SatId = dataclasses.field(default_factory=SatId)
     answer: Answer = Answer(0)
     message: NavMessage = NavMessage(0)
+    form: NavForm = NavForm(0)
+    signals: str = ""
     notes: NavNotes = NavNotes(0)
     set_from: int = 0
     set_to: int = 0
@@ -693,7 +744,7 @@ class SatNavdata(Record):
     af2_sps2: float = 0.0
     frame_from: int = 0
     frame_to: int = 0
-    kepler: list[LnavSet] = dataclasses.field(default_factory=list)
+    kepler: list[KeplerSet] = dataclasses.field(default_factory=list)
     glonass: list[GlonassSet] = dataclasses.field(default_factory=list)
     pages: list[NavPage] = dataclasses.field(default_factory=list)
 
@@ -1252,20 +1303,27 @@ class Elements(Record):
 
 @dataclasses.dataclass(eq=False, slots=True)
 class PollNavdata(Record):
-    """Asks for the broadcast data; every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+    """Asks for the broadcast data. Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The
+    same POLL_NAVDATA gets the same bytes, always.
 
     epochs: when
     satellites: which, in the order of the answer; empty for all
+    kinds: which messages; 0: of each satellite its first, LNAV, FDMA, INAV on E1, D1 or D2
+    form: pages as bits or as symbols
     """
 
     TYPE: ClassVar[int] = 10
     LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("epochs", "struct", record=Epochs),
         Field("satellites", "list", record=SatId, limit=800),
+        Field("kinds", "scalar", scalar="u32", enum=NavMessages),
+        Field("form", "scalar", scalar="u8", enum=NavForm),
     )
 
     epochs: Epochs = dataclasses.field(default_factory=Epochs)
     satellites: list[SatId] = dataclasses.field(default_factory=list)
+    kinds: NavMessages = NavMessages(0)
+    form: NavForm = NavForm(0)
 
     @property
     def t(self) -> int:
@@ -1288,7 +1346,7 @@ class Navdata(Record):
     """Broadcast data at one epoch.
 
     epoch: OK, or OUTSIDE_SPAN with no satellites
-    satellites: those asked for, in that order; for all, those of CAPS
+    satellites: those asked for, in that order, each with its messages; for all, those of CAPS
     """
 
     TYPE: ClassVar[int] = 11

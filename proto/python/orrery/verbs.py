@@ -53,20 +53,26 @@ class Verbs(Asking):
                             method=choice(messages.ElementsMethod, method), satellites=[sat_id(s) for s in satellites]),
                             messages.Elements)
 
-    def poll_navdata(self, t: Time, step_s: float = 0.0, count: int = 1,
-                     satellites: Iterable[Satellite] = ()) -> Iterator[messages.Navdata]:
-        """Yields the Navdata of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for the broadcast data;
-        every 30 s are all bits that are sent. The same POLL_NAVDATA gets the same bytes, always.
+    def poll_navdata(self, t: Time, step_s: float = 0.0, count: int = 1, satellites: Iterable[Satellite] = (),
+                     kinds: messages.NavMessages = messages.NavMessages(0),
+                     form: Union[messages.NavForm, str] = messages.NavForm(0)) -> Iterator[messages.Navdata]:
+        """Yields the Navdata of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for the broadcast data.
+        Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the
+        same bytes, always.
 
         satellites: which, in the order of the answer; empty for all
+        kinds: which messages; 0: of each satellite its first, LNAV, FDMA, INAV on E1, D1 or D2
+        form: pages as bits or as symbols
         """
         return self._series(messages.PollNavdata(messages.Epochs(time_tag(t), step_ns(step_s), 1),
-                            satellites=[sat_id(s) for s in satellites]), messages.Navdata, count)
+                            satellites=[sat_id(s) for s in satellites], kinds=kinds, form=choice(messages.NavForm, form)),
+                            messages.Navdata, count)
 
-    def navdata(self, t: Time, satellites: Iterable[Satellite] = ()) -> messages.Navdata:
+    def navdata(self, t: Time, satellites: Iterable[Satellite] = (), kinds: messages.NavMessages = messages.NavMessages(0),
+                form: Union[messages.NavForm, str] = messages.NavForm(0)) -> messages.Navdata:
         """The Navdata of one epoch; poll_navdata says more."""
-        return self._single(messages.PollNavdata(messages.Epochs(time_tag(t), 0, 1), satellites=[sat_id(s) for s in satellites]),
-                            messages.Navdata)
+        return self._single(messages.PollNavdata(messages.Epochs(time_tag(t), 0, 1), satellites=[sat_id(s) for s in satellites],
+                            kinds=kinds, form=choice(messages.NavForm, form)), messages.Navdata)
 
     def poll_delays(self, t: Time, step_s: float = 0.0, count: int = 1, receiver_m: Optional[Iterable[float]] = None,
                     carriers_hz: Iterable[float] = (), satellites: Iterable[Satellite] = ()) -> Iterator[messages.Delays]:

@@ -31,12 +31,15 @@ static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_di
     plan.nav = nav;
     plan.antex = orr_cli_text(c, "antex", NULL);
     plan.bias = orr_cli_text(c, "bias", NULL);
-    plan.options.jobs = (int)orr_cli_int(c, "jobs", plan.options.jobs);
     plan.options.leap = w->inputs.leap = c->leap;
+    plan.options.jobs = (int)orr_cli_int(c, "jobs", plan.options.jobs);
     plan.options.sats = orr_cli_sats(c, "sat");
     plan.options.zero_clocks = orr_cli_given(c, "zero-clocks");
     plan.options.window_s = strcmp(orr_cli_text(c, "window", "2h"), "4h") == 0 ? 14400 : 7200;
-    orr_status s = orr_inputs_note(&w->inputs, c->operand[0], diag);
+    const char *messages = orr_cli_text(c, "message", NULL);
+    orr_status s = ORR_OK;
+    if (messages != NULL) s = orr_nav_messages_parse(messages, &plan.options.messages, diag);
+    if (s == ORR_OK) s = orr_inputs_note(&w->inputs, c->operand[0], diag);
     if (s == ORR_OK) s = orr_product_load(c->operand[0], &w->product, diag);
     if (s == ORR_OK) s = orr_navset_make(w->product, &plan, &w->set, &w->inputs, warnings, diag);
     free(nav);
@@ -45,26 +48,32 @@ static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_di
 
 static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
 {
-    const char *rinex = orr_cli_text(c, "output", NULL), *bits = orr_cli_text(c, "bits", NULL);
+    const char *rinex = orr_cli_text(c, "output", NULL), *bits = orr_cli_text(c, "bits", NULL),
+               *symbols = orr_cli_text(c, "symbols", NULL);
     orr_status s = ORR_OK;
     if (rinex != NULL) s = navfit_write_rinex(w->set, &w->inputs, rinex, diag);
-    if (s != ORR_OK || bits == NULL) return s;
     orr_time from, to;
-    size_t n = 0;
     orr_ephemeris_span(w->product, &from, &to);
     from = orr_cli_time(c, "from", from);
     to = orr_cli_time(c, "to", to);
-    s = navfit_write_bits(w->set, from, to, bits, &n, diag);
-    if (s == ORR_OK) orr_cli_say(c, "%s: %zu subframes and strings", bits, n);
+    for (int coded = 0; coded < 2 && s == ORR_OK; coded++) {
+        const char *path = coded ? symbols : bits;
+        size_t n = 0;
+        if (path == NULL) continue;
+        s = navfit_write_bits(w->set, coded != 0, from, to, path, &n, diag);
+        if (s == ORR_OK) orr_cli_say(c, "%s: %zu subframes, strings and pages", path, n);
+    }
     return s;
 }
 
 static int run(orr_cli *c)
 {
-    const char *rinex = orr_cli_text(c, "output", ""), *bits = orr_cli_text(c, "bits", "");
+    const char *rinex = orr_cli_text(c, "output", ""), *bits = orr_cli_text(c, "bits", ""),
+               *symbols = orr_cli_text(c, "symbols", "");
     const bool json = orr_cli_says(c, "format", "json");
-    if ((strcmp(rinex, "-") == 0) + (strcmp(bits, "-") == 0) + json > 1)
-        return orr_cli_usage(c, "only one of --output, --bits and --format json can go to standard output");
+    if ((strcmp(rinex, "-") == 0) + (strcmp(bits, "-") == 0) + (strcmp(symbols, "-") == 0) + json > 1)
+        return orr_cli_usage(
+            c, "only one of --output, --bits, --symbols and --format json can go to standard output");
     if (orr_cli_given(c, "from") && orr_cli_given(c, "to") &&
         orr_cli_time(c, "to", 0) <= orr_cli_time(c, "from", 0))
         return orr_cli_usage(c, "--to is not after --from");
@@ -92,18 +101,31 @@ static const orr_option options[] = {
      .name = "bits",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "Write what the satellites transmit, bit by bit, as CSV: t_gps (of the first bit), sat, message "
-             "(LNAV or FDMA), number (of the subframe or string), page (of subframes 4 and 5; GLONASS: frame "
-             "of the superframe), bits, hex (first bit highest)."},
-    ORR_OPTION_FROM(.applies = "bits",
+     .help =
+         "Write what the satellites transmit, bit by bit, as CSV: t_gps (of the first bit), sat, message, "
+         "signals (that carry it), number (of the subframe, string, word or page type), page (of subframes 4 "
+         "and 5; GLONASS: frame of the superframe; Galileo: sub-frame of the frame), length_s, bits, hex "
+         "(first bit highest)."},
+    {.writes = true,
+     .name = "symbols",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "The same as the symbols that a modulator takes: error correction, interleaving and "
+             "synchronisation are done. Secondary codes are the generator's."},
+    ORR_OPTION_FROM(.applies = "bits|symbols",
                     .help = "First instant of the bits; the product's beginning by default."),
-    ORR_OPTION_TO(.applies = "bits", .help = "End of the bits; the product's end by default."),
+    ORR_OPTION_TO(.applies = "bits|symbols", .help = "End of the bits; the product's end by default."),
+    {.name = "message",
+     .kind = ORR_OPT_TEXT,
+     .value = "LIST",
+     .help = "Messages to make, e.g. LNAV,INAV; all that satellites send by default."},
     {.name = "window",
      .kind = ORR_OPT_CHOICE,
      .value = "2h|4h",
-     .help = "How much of the orbit an LNAV set describes. 2h (default) fits closest; 4h is how long a "
-             "receiver may use one set. New sets come every two hours either way."},
-    ORR_OPTION_SATS_AS(.help = "Satellites, e.g. G05,R; all of GPS and GLONASS by default."),
+     .help = "How much of the orbit a set of GPS LNAV, I/NAV or F/NAV describes. 2h (default) fits closest; "
+             "4h is "
+             "how long a receiver may use one set. New sets come as often either way."},
+    ORR_OPTION_SATS_AS(.help = "Satellites, e.g. G05,R,E; all by default."),
     ORR_OPTION_ANTEX(
             .help = "ANTEX file: describe the antennas' phase centres (ionosphere-free). Without it the sets "
                     "describe the centres of mass, as 'orrery states' and the service do."),
@@ -129,17 +151,15 @@ const orr_command orr_cmd_navfit = {
     .operands = "PRODUCT",
     .min_operands = 1,
     .max_operands = 1,
-    .about = "Fits LNAV's Kepler parameters (GPS) and GLONASS' states to the precise orbit, rounds them as "
-             "they are transmitted, and "
-             "tells how far the rounded sets are from the orbit. A generator that modulates these data sends "
-             "what agrees with "
-             "its ranges.\n\n"
-             "LNAV sets have toe at every even hour and are sent for two hours from toe less half a window "
-             "on. GLONASS sets have "
-             "t_b at 15 and 45 minutes of every hour of UTC and are sent for that half hour. Where the orbit "
-             "begins or ends "
-             "within a window the set is fitted to the nearest full one (shifted). Around a manoeuvre sets "
-             "are unhealthy.",
+    .about =
+        "Fits what navigation messages send of orbits and clocks to the precise orbit, rounds it as it is "
+        "transmitted, and tells how far the rounded sets are from the orbit. A generator that modulates "
+        "these data sends what agrees with its ranges.\n\n"
+        "LNAV sets have toe at every even hour and are sent for two hours from toe less half a window "
+        "on. GLONASS sets have t_b at 15 and 45 minutes of every hour of UTC and are sent for that half "
+        "hour. Galileo's have toe at half past every hour and are sent for that hour. Where the orbit "
+        "begins or ends within a window the set is fitted to the nearest full one (shifted). Around a "
+        "manoeuvre sets are unhealthy.",
     .example =
         "orrery navfit day.nc -o day.rnx\n"
         "orrery navfit day.nc --bits bits.csv --from 2024-02-04T12:00 --to 2024-02-04T12:12:30 --sat G05,R07",

@@ -33,7 +33,7 @@ static void add(tally *t, orr_sat sat, const orr_navset_item *item)
     t->worst = sat;
 }
 
-static tally tally_system(const orr_navset *set, char system)
+static tally tally_message(const orr_navset *set, char system, orr_nav_message message)
 {
     tally t = {0};
     const orr_sat *sat;
@@ -41,31 +41,54 @@ static tally tally_system(const orr_navset *set, char system)
     for (size_t i = 0; i < n; i++) {
         const orr_navset_item *item;
         if (orr_sat_system(sat[i]) != system) continue;
-        t.sats++;
-        size_t sets = orr_navset_items(set, sat[i], &item);
+        size_t sets = orr_navset_items(set, sat[i], message, &item);
+        t.sats += sets > 0;
         for (size_t k = 0; k < sets; k++) add(&t, sat[i], &item[k]);
     }
     return t;
 }
 
+// The next message of a system after *k streams; NONE behind the last.
+static orr_nav_message next_message(char system, size_t *k)
+{
+    size_t n;
+    const orr_nav_stream *stream = orr_nav_streams(&n);
+    for (; *k < n; ++*k) {
+        if (stream[*k].system != system) continue;
+        if (*k > 0 && stream[*k - 1].system == system && stream[*k - 1].message == stream[*k].message)
+            continue;
+        return stream[(*k)++].message;
+    }
+    return ORR_NAV_NONE;
+}
+
 static double root_mean(double sum, size_t n) { return n > 0 ? sqrt(sum / (double)n) : ORR_NAN; }
+
+static void say_message(const orr_cli *c, char system, orr_nav_message message, const tally *t)
+{
+    char worst[ORR_SAT_TEXT], clock[16] = "-"; // of clocks of zero there is nothing to tell
+    if (t->clocks > 0) snprintf(clock, sizeof clock, "%.2f", 1e9 * root_mean(t->clock_s2, t->clocks));
+    orr_cli_say(c, "%-8s %-7s %5zu %6zu %8.3f %16.3f %12.3f (%s) %9s %8zu %10zu", orr_system_name(system),
+                orr_nav_message_name(message), t->sats, t->sets, root_mean(t->sum_m2, t->sets),
+                root_mean(t->fit_m2, t->sets), t->worst_m, orr_sat_text(t->worst, worst), clock, t->shifted,
+                t->unhealthy);
+}
 
 void navfit_say(const orr_cli *c, const orr_navset *set)
 {
     size_t nominal = 0, no_antenna = 0, no_delay = 0;
-    orr_cli_say(c, "%-8s %5s %6s %8s %16s %18s %9s %8s %10s", "system", "sats", "sets", "RMS m",
-                "before rounding", "worst m", "clock ns", "shifted", "unhealthy");
-    for (const char *system = "GR"; *system != '\0'; system++) {
-        char worst[ORR_SAT_TEXT], clock[16] = "-"; // of clocks of zero there is nothing to tell
-        tally t = tally_system(set, *system);
-        if (t.sats == 0) continue;
-        if (t.clocks > 0) snprintf(clock, sizeof clock, "%.2f", 1e9 * root_mean(t.clock_s2, t.clocks));
-        orr_cli_say(c, "%-8s %5zu %6zu %8.3f %16.3f %12.3f (%s) %9s %8zu %10zu", orr_system_name(*system),
-                    t.sats, t.sets, root_mean(t.sum_m2, t.sets), root_mean(t.fit_m2, t.sets), t.worst_m,
-                    orr_sat_text(t.worst, worst), clock, t.shifted, t.unhealthy);
-        nominal += t.nominal;
-        no_antenna += t.no_antenna;
-        no_delay += t.no_delay;
+    orr_cli_say(c, "%-8s %-7s %5s %6s %8s %16s %18s %9s %8s %10s", "system", "message", "sats", "sets",
+                "RMS m", "before rounding", "worst m", "clock ns", "shifted", "unhealthy");
+    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
+        orr_nav_message message;
+        for (size_t k = 0; (message = next_message(*system, &k)) != ORR_NAV_NONE;) {
+            const tally t = tally_message(set, *system, message);
+            if (t.sats == 0) continue;
+            say_message(c, *system, message, &t);
+            nominal += t.nominal;
+            no_antenna += t.no_antenna;
+            no_delay += t.no_delay;
+        }
     }
     if (nominal > 0)
         orr_cli_say(c, "%zu GLONASS sets have the nominal channel of their slot; --nav tells the true ones",
@@ -77,7 +100,7 @@ void navfit_say(const orr_cli *c, const orr_navset *set)
                     no_delay);
 }
 
-static json_t *json_system(const tally *t)
+static json_t *json_message(const tally *t)
 {
     char worst[ORR_SAT_TEXT];
     return json_pack("{s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "satellites", orr_json_count(t->sats),
@@ -105,30 +128,44 @@ static json_t *json_notes(uint32_t notes)
 
 static json_t *json_set(orr_sat sat, const orr_navset_item *item)
 {
+    const char *message = orr_nav_message_name((orr_nav_message)item->eph.message);
     char name[ORR_SAT_TEXT], toe[ORR_TIME_TEXT], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
-    json_t *o = json_pack("{s:s, s:s, s:s, s:s, s:f, s:f, s:o, s:i, s:o}", "sat", orr_sat_text(sat, name),
-                          "toe", orr_time_text(item->eph.toe, toe), "from", orr_time_text(item->from, from),
-                          "to", orr_time_text(item->to, to), "rms_m", item->report.rms_m, "max_m",
+    json_t *o = json_pack("{s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:o, s:i, s:o}", "sat",
+                          orr_sat_text(sat, name), "message", message, "toe",
+                          orr_time_text(item->eph.toe, toe), "from", orr_time_text(item->from, from), "to",
+                          orr_time_text(item->to, to), "rms_m", item->report.rms_m, "max_m",
                           item->report.max_m, "clock_rms_ns", orr_json_number(1e9 * item->clock_rms_s),
                           "health", (int)item->eph.health, "notes", json_notes(item->notes));
     if (item->eph.iodc >= 0) json_object_set_new(o, "iodc", json_integer(item->eph.iodc));
+    if (item->eph.iode >= 0) json_object_set_new(o, "iode", json_integer(item->eph.iode));
     return o;
 }
 
 int navfit_print_json(const orr_cli *c, const orr_navset *set, const orr_inputs *inputs)
 {
     json_t *root = json_object(), *systems = json_object(), *sets = json_array();
-    for (const char *system = "GR"; *system != '\0'; system++) {
+    for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
         const char key[2] = {*system, '\0'};
-        tally t = tally_system(set, *system);
-        if (t.sats > 0) json_object_set_new(systems, key, json_system(&t));
+        json_t *messages = json_object();
+        orr_nav_message message;
+        for (size_t k = 0; (message = next_message(*system, &k)) != ORR_NAV_NONE;) {
+            const tally t = tally_message(set, *system, message);
+            if (t.sats > 0) json_object_set_new(messages, orr_nav_message_name(message), json_message(&t));
+        }
+        if (json_object_size(messages) > 0)
+            json_object_set_new(systems, key, messages);
+        else
+            json_decref(messages);
     }
     const orr_sat *sat;
     size_t n = orr_navset_satellites(set, &sat);
     for (size_t i = 0; i < n; i++) {
-        const orr_navset_item *item;
-        size_t m = orr_navset_items(set, sat[i], &item);
-        for (size_t k = 0; k < m; k++) json_array_append_new(sets, json_set(sat[i], &item[k]));
+        orr_nav_message message;
+        for (size_t k = 0; (message = next_message(orr_sat_system(sat[i]), &k)) != ORR_NAV_NONE;) {
+            const orr_navset_item *item;
+            const size_t m = orr_navset_items(set, sat[i], message, &item);
+            for (size_t j = 0; j < m; j++) json_array_append_new(sets, json_set(sat[i], &item[j]));
+        }
     }
     json_object_set_new(root, "systems", systems);
     json_object_set_new(root, "sets", sets);

@@ -47,53 +47,72 @@ orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, c
 static void print_piece(FILE *f, const orr_navframe *frame, const orr_navframe_piece *p)
 {
     char time[ORR_TIME_TEXT], sat[ORR_SAT_TEXT];
-    fprintf(f, "%s,%s,%s,%u,%u,%u,", orr_time_text(p->t, time), orr_sat_text(frame->sat, sat),
-            orr_nav_message_name((orr_nav_message)frame->message), p->number, p->page, p->bits);
+    fprintf(f, "%s,%s,%s,%s,%u,%u,%g,%u,", orr_time_text(p->t, time), orr_sat_text(frame->sat, sat),
+            orr_nav_message_name((orr_nav_message)frame->stream->message), frame->stream->signals, p->number,
+            p->page, (double)p->length * 1e-9, p->bits);
     for (int k = 0; k < (p->bits + 7) / 8; k++) fprintf(f, "%02x", p->data[k]);
     fputc('\n', f);
 }
 
-// The frame of one satellite that holds t, as far as it lies within [from, to). Returns where the next one
-// begins.
-static orr_status print_frame(FILE *f, const orr_navset *set, orr_sat sat, orr_time *t, orr_time from,
+// A stream, and where its next frame begins.
+typedef struct sender {
+    orr_sat sat;
+    const orr_nav_stream *stream;
+    orr_time next;
+} sender;
+
+static sender *senders_of(const orr_navset *set, orr_time from, size_t *n)
+{
+    const orr_sat *sat;
+    const orr_nav_stream *list[ORR_NAVSET_STREAMS];
+    const size_t n_sats = orr_navset_satellites(set, &sat);
+    sender *all = malloc((n_sats * ORR_NAVSET_STREAMS + 1) * sizeof *all);
+    *n = 0;
+    for (size_t i = 0; all != NULL && i < n_sats; i++) {
+        const size_t m = orr_navset_streams(set, sat[i], list);
+        for (size_t k = 0; k < m; k++) all[(*n)++] = (sender){sat[i], list[k], from};
+    }
+    return all;
+}
+
+// The frame of one stream that holds s->next, as far as it lies within [from, to).
+static orr_status print_frame(FILE *f, const orr_navset *set, sender *s, bool coded, orr_time from,
                               orr_time to, size_t *n_pieces, orr_diag *diag)
 {
     orr_navframe frame;
-    orr_status s = orr_navframe_at(set, sat, *t, &frame, diag);
-    if (s == ORR_E_NODATA) {
-        *t += 30 * ORR_NS_PER_S;
+    const orr_status status = orr_navframe_at(set, s->sat, s->stream, s->next, coded, &frame, diag);
+    if (status == ORR_E_NODATA) {
+        s->next += ORR_NS_PER_S; // a set may begin at any second
         return ORR_OK;
     }
-    if (s != ORR_OK) return s;
+    if (status != ORR_OK) return status;
     for (int k = 0; k < frame.n; k++) {
         if (frame.piece[k].t < from || frame.piece[k].t >= to) continue;
         print_piece(f, &frame, &frame.piece[k]);
         ++*n_pieces;
     }
-    *t = frame.to;
+    s->next = frame.to;
     return ORR_OK;
 }
 
-orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, const char *path,
+orr_status navfit_write_bits(const orr_navset *set, bool coded, orr_time from, orr_time to, const char *path,
                              size_t *n_pieces, orr_diag *diag)
 {
-    const orr_sat *sat;
     const int64_t block = 30 * ORR_NS_PER_S;
-    size_t n = orr_navset_satellites(set, &sat);
-    orr_time *next = malloc((n + 1) * sizeof *next);
-    if (next == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    for (size_t i = 0; i < n; i++) next[i] = from;
+    size_t n;
+    sender *all = senders_of(set, from, &n);
+    if (all == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
-    if (s == ORR_OK) fputs("t_gps,sat,message,number,page,bits,hex\n", out.stream);
+    if (s == ORR_OK) fputs("t_gps,sat,message,signals,number,page,length_s,bits,hex\n", out.stream);
     *n_pieces = 0;
     for (orr_time t = from; t < to && s == ORR_OK; t += block) {
         for (size_t i = 0; i < n && s == ORR_OK; i++)
-            while (next[i] < t + block && next[i] < to && s == ORR_OK)
-                s = print_frame(out.stream, set, sat[i], &next[i], from, to, n_pieces, diag);
+            while (all[i].next < t + block && all[i].next < to && s == ORR_OK)
+                s = print_frame(out.stream, set, &all[i], coded, from, to, n_pieces, diag);
         if (s != ORR_OK) orr_outfile_abort(&out);
     }
-    free(next);
+    free(all);
     if (s != ORR_OK) return s;
     if (*n_pieces > 0) return orr_outfile_commit(&out, diag);
     orr_outfile_abort(&out);

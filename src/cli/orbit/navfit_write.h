@@ -13,13 +13,14 @@ orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, c
 // Writes the bit streams as CSV.
 // Given:
 //   set       the broadcast data
+//   coded     symbols, not bits
 //   from, to  the span, [from, to)
 //   path      where to; without a piece there is no file
 // Returned:
-//   n_pieces  how many subframes and strings were written
+//   n_pieces  how many subframes, strings and pages were written
 //   diag      why it failed; may be NULL
 // Errors: ORR_E_NODATA (nothing is sent then), ORR_E_IO, ORR_E_MEMORY.
-orr_status navfit_write_bits(const orr_navset *set, orr_time from, orr_time to, const char *path,
+orr_status navfit_write_bits(const orr_navset *set, bool coded, orr_time from, orr_time to, const char *path,
                              size_t *n_pieces, orr_diag *diag);
 
 // The report as a table on stderr.

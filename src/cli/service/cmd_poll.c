@@ -237,7 +237,7 @@ const orr_command orr_cmd_poll = {
         "satellites and inertial readings (--imu) are of one flight.\n\n"
         "With --elements: Kepler elements; as CSV in the columns of `orrery elements`, and what was "
         "answered.\n\n"
-        "With --navdata: what GPS and GLONASS satellites broadcast, fitted to the orbits that are served "
+        "With --navdata: what satellites broadcast, fitted to the orbits that are served "
         "(as `orrery navfit` does): the sets, whole as CSV and JSON, or with --pages the bits as CSV. "
         "Asked "
         "every 30 s it is all that they send.",

@@ -3,6 +3,7 @@
 
 #include "core/earth.h"
 #include "core/nan.h"
+#include "ingest/rinex/rinex_nav.h"
 
 static int ask_delays(const orr_cli *c, orr_poll_request *out)
 {
@@ -32,7 +33,12 @@ static int ask_elements(const orr_cli *c, orr_poll_request *out)
 
 static int ask_navdata(const orr_cli *c, orr_poll_request *out)
 {
+    orr_diag diag = {0};
+    const char *list = orr_cli_text(c, "message", NULL);
     out->pages = orr_cli_given(c, "pages");
+    out->m.poll_navdata.form = orr_cli_given(c, "symbols") ? ORR_MSG_NAV_FORM_SYMBOLS : ORR_MSG_NAV_FORM_BITS;
+    if (list != NULL && orr_nav_messages_parse(list, &out->m.poll_navdata.kinds, &diag) != ORR_OK)
+        return orr_cli_usage(c, "--message: %s", diag.text);
     return ORR_EXIT_OK;
 }
 

@@ -57,8 +57,18 @@
         {.name = "pages",                                                                                    \
          .kind = ORR_OPT_FLAG,                                                                               \
          .applies = "navdata,!format=json",                                                                  \
-         .help = "The subframes and strings that hold each epoch, as `orrery navfit --bits` writes them; "   \
+         .help = "The subframes, strings and pages of the frame that holds each epoch, as `orrery navfit "   \
+                 "--bits` writes them; "                                                                     \
                  "JSON has them with the sets."},                                                            \
+        {.name = "message",                                                                                  \
+         .kind = ORR_OPT_TEXT,                                                                               \
+         .applies = "navdata",                                                                               \
+         .value = "LIST",                                                                                    \
+         .help = "Navigation messages, e.g. INAV,FNAV or LNAV; the first of each satellite by default."},    \
+        {.name = "symbols",                                                                                  \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "navdata",                                                                               \
+         .help = "Pages as the symbols that a modulator takes, instead of bits."},                           \
         {.name = "imu",                                                                                      \
          .kind = ORR_OPT_FLAG,                                                                               \
          .applies = "!channels,!delays,!elements,!navdata,!truth",                                           \

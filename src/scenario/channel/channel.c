@@ -136,19 +136,10 @@ static void set_delays(const orr_channels *c, const channel_satellite *sat, orr_
     if (out->cell == cell) return;
     out->cell = cell;
     for (size_t j = 0; c->has_bias && j < sat->n_sent; j++) {
-        const char *observation = all[sat->sent[j].signal].observation;
-        char code[3] = {observation[0], observation[1], '\0'};
-        out->delay_m[j] = 0;
-        out->unknown[j] = true;
-        // Files name either the components together (X) or one of them.
-        const char *attribute = observation[1] == 'X' ? "XQLPCISD" : &observation[1];
-        for (; *attribute != '\0' && out->unknown[j]; attribute++) {
-            double delay_s;
-            code[1] = *attribute;
-            if (orr_signal_delay_osb(&c->bias, sat->sat, code, cell, &delay_s) != ORR_OK) continue;
-            out->delay_m[j] = ORR_LIGHT_MPS * delay_s;
-            out->unknown[j] = false;
-        }
+        double delay_s;
+        out->unknown[j] =
+            orr_signal_delay_of(&c->bias, sat->sat, &all[sat->sent[j].signal], cell, &delay_s) != ORR_OK;
+        out->delay_m[j] = out->unknown[j] ? 0 : ORR_LIGHT_MPS * delay_s;
     }
 }
 

@@ -164,10 +164,16 @@ bool orr_engine_navdata_phase_centres(const orr_engine *e)
     return orr_source_navdata_phase_centres(e->navdata);
 }
 
-orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
-                              const orr_navset_item **set, orr_navframe *frame, orr_answer *answer)
+size_t orr_engine_navdata_streams(const orr_engine *e, orr_sat sat, uint32_t messages,
+                                  const orr_nav_stream *list[ORR_NAVSET_STREAMS])
 {
-    return orr_source_navdata_evaluate(e->navdata, t, sats, n, set, frame, answer);
+    return orr_source_navdata_streams(e->navdata, sat, messages, list);
+}
+
+orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, orr_sat sat, const orr_nav_stream *stream,
+                              bool coded, const orr_navset_item **set, orr_navframe *frame)
+{
+    return orr_source_navdata_evaluate(e->navdata, t, sat, stream, coded, set, frame);
 }
 
 bool orr_engine_has_ionosphere(const orr_engine *e) { return e->iono != NULL; }

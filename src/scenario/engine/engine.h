@@ -93,20 +93,29 @@ orr_answer orr_engine_elements(const orr_engine *e, const orr_elements_axes *axe
 const char *orr_engine_no_navdata(const orr_engine *e);
 // Whether they describe the antennas' phase centres (navdata.antex); else the centres of mass, as states do.
 bool orr_engine_navdata_phase_centres(const orr_engine *e);
-// What satellites send at an instant.
+// The streams of a satellite (its messages, signal by signal) that are asked for.
+// Given:
+//   e         the engine
+//   sat       satellite
+//   messages  bits 1 << orr_nav_message; 0: its first alone
+// Returned:
+//   list      the streams; their number is returned, 0 where the satellite sends none of them
+size_t orr_engine_navdata_streams(const orr_engine *e, orr_sat sat, uint32_t messages,
+                                  const orr_nav_stream *list[ORR_NAVSET_STREAMS]);
+// What a satellite sends at an instant.
 // Given:
 //   e       the engine
 //   t       the instant
-//   sats    [n] which; NULL: all
-//   n       how many
+//   sat     satellite
+//   stream  one of orr_engine_navdata_streams; NULL: it has none
+//   coded   symbols as they are modulated, not bits
 // Returned:
-//   set     [n] the sets on the air, borrowed; NULL where answer[i] is not OK
-//   frame   [n] the frames of their messages that hold t; not set where answer[i] is not OK
-//   answer  [n] of each satellite: NOT_SERVED for systems without such data and satellites that could not be
-//           fitted, NO_ARC where the satellite sends nothing then
-// Returns an answer as orr_engine_states does.
-orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
-                              const orr_navset_item **set, orr_navframe *frame, orr_answer *answer);
+//   set     the set on the air, borrowed; NULL unless the answer is OK
+//   frame   the frame of its message that holds t; not set unless the answer is OK
+// Returns OUTSIDE_SPAN, NOT_SERVED for satellites without such data or that could not be fitted, NO_ARC where the satellite
+// sends nothing then, NO_VALUE where a value does not fit its field.
+orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, orr_sat sat, const orr_nav_stream *stream,
+                              bool coded, const orr_navset_item **set, orr_navframe *frame);
 
 // Whether the scenario has an ionosphere.
 bool orr_engine_has_ionosphere(const orr_engine *e);

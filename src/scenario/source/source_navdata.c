@@ -96,22 +96,29 @@ bool orr_source_navdata_phase_centres(const orr_source_navdata *v)
     return v != NULL && v->set != NULL && v->phase_centres;
 }
 
-orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, const orr_sat *sats, size_t n,
-                                       const orr_navset_item **set, orr_navframe *frame, orr_answer *answer)
+size_t orr_source_navdata_streams(const orr_source_navdata *v, orr_sat sat, uint32_t messages,
+                                  const orr_nav_stream *list[ORR_NAVSET_STREAMS])
+{
+    if (v == NULL || v->set == NULL) return 0;
+    size_t n = orr_navset_streams(v->set, sat, list), kept = 0;
+    if (messages == 0) return n < 1 ? n : 1;
+    for (size_t k = 0; k < n; k++)
+        if ((messages >> list[k]->message & 1u) != 0) list[kept++] = list[k];
+    return kept;
+}
+
+orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, orr_sat sat,
+                                       const orr_nav_stream *stream, bool coded, const orr_navset_item **set,
+                                       orr_navframe *frame)
 {
     orr_span span;
+    *set = NULL;
     if (!orr_source_navdata_span(v, &span)) return ORR_ANSWER_NOT_SERVED;
     if (!orr_span_holds(span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
-    if (sats == NULL) orr_source_orbit_satellites(v->orbits, &sats);
-    for (size_t i = 0; i < n; i++) {
-        const orr_navset_item *list;
-        set[i] = NULL;
-        answer[i] = ORR_ANSWER_NOT_SERVED;
-        if (orr_navset_items(v->set, sats[i], &list) == 0) continue;
-        const orr_navset_item *item = orr_navset_at(v->set, sats[i], t);
-        orr_status s = item == NULL ? ORR_E_NODATA : orr_navframe_at(v->set, sats[i], t, &frame[i], NULL);
-        if (s == ORR_OK) set[i] = item;
-        answer[i] = s == ORR_OK ? ORR_ANSWER_OK : s == ORR_E_NODATA ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NO_VALUE;
-    }
-    return ORR_ANSWER_OK;
+    if (stream == NULL) return ORR_ANSWER_NOT_SERVED;
+    const orr_navset_item *item = orr_navset_at(v->set, sat, stream->message, t);
+    const orr_status s =
+        item == NULL ? ORR_E_NODATA : orr_navframe_at(v->set, sat, stream, t, coded, frame, NULL);
+    if (s == ORR_OK) *set = item;
+    return s == ORR_OK ? ORR_ANSWER_OK : s == ORR_E_NODATA ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NO_VALUE;
 }

@@ -35,17 +35,21 @@ const orr_navset *orr_source_navdata_set(const orr_source_navdata *v);
 // Whether the data describe the antennas' phase centres; else the centres of mass.
 bool orr_source_navdata_phase_centres(const orr_source_navdata *v);
 
-// What satellites send at an instant, as orr_engine_navdata.
+// The streams of a satellite whose messages are asked for, as orr_engine_navdata_streams.
+size_t orr_source_navdata_streams(const orr_source_navdata *v, orr_sat sat, uint32_t messages,
+                                  const orr_nav_stream *list[ORR_NAVSET_STREAMS]);
+// What a satellite sends at an instant, as orr_engine_navdata.
 // Given:
 //   v       the source
 //   t       the instant
-//   sats    [n] which; NULL: all
-//   n       how many
+//   sat     satellite
+//   stream  one of its streams; NULL: it has none
+//   coded   symbols, not bits
 // Returned:
-//   set     [n] the sets on the air, borrowed
-//   frame   [n] the frames of their messages that hold t
-//   answer  [n] of each satellite
-orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, const orr_sat *sats, size_t n,
-                                       const orr_navset_item **set, orr_navframe *frame, orr_answer *answer);
+//   set     the set on the air, borrowed
+//   frame   the frame of its message that holds t
+orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, orr_sat sat,
+                                       const orr_nav_stream *stream, bool coded, const orr_navset_item **set,
+                                       orr_navframe *frame);
 
 #endif

@@ -10,7 +10,7 @@
 #include "fuzz/nc_mock.h"
 #include "orbit/elements/elements.h"
 #include "orbit/ephemeris/ephemeris.h"
-#include "orbit/navdata/navset.h"
+#include "orbit/navdata/navframe.h"
 #include "orbit/smooth/smoother.h"
 #include "unit/orbit/made_orbit.h"
 #include "unit/orbit/made_sp3.h"
@@ -210,13 +210,21 @@ static void broadcast(const orr_ephemeris *e, orr_time from, orr_time to, unsign
     const orr_sat *list;
     const size_t n = orr_navset_satellites(set, &list);
     for (size_t i = 0; i < n; i++) {
-        const orr_navset_item *item;
-        const size_t m = orr_navset_items(set, list[i], &item);
-        for (size_t k = 0; k < m; k++) {
-            if (item[k].from >= item[k].to || (k > 0 && item[k].from < item[k - 1].from)) abort();
-            if (!isfinite(item[k].report.rms_m) || !isfinite(item[k].eph.af0_s)) abort();
+        const orr_nav_stream *stream[ORR_NAVSET_STREAMS];
+        const size_t m = orr_navset_streams(set, list[i], stream);
+        if (m == 0) abort();
+        for (size_t j = 0; j < m; j++) {
+            static orr_navframe frame;
+            const orr_navset_item *item;
+            const orr_nav_message message = (orr_nav_message)stream[j]->message;
+            const size_t sets = orr_navset_items(set, list[i], message, &item);
+            for (size_t k = 0; k < sets; k++) {
+                if (item[k].from >= item[k].to || (k > 0 && item[k].from < item[k - 1].from)) abort();
+                if (!isfinite(item[k].report.rms_m) || !isfinite(item[k].eph.af0_s)) abort();
+            }
+            (void)orr_navset_at(set, list[i], message, from + (to - from) / 2);
+            (void)orr_navframe_at(set, list[i], stream[j], from + (to - from) / 2, j % 2 != 0, &frame, NULL);
         }
-        (void)orr_navset_at(set, list[i], from + (to - from) / 2);
     }
     if (orr_navset_records(set, &nav, &diag) != ORR_OK) abort();
     orr_nav_free(&nav);

@@ -2,7 +2,8 @@
 // GPS almanacs fitted to precise orbits: a week of 2011 from one of its days, and products of a few hours.
 #include "testing.h"
 
-#include "orbit/navdata/almanac_lnav.h"
+#include "almanac_receiver.h"
+#include "orbit/navdata/almanac_kepler.h"
 #include "real_orbit.h"
 
 static const char *const week[] = {"2011-week1651/COD16510.EPH_R.gz", "2011-week1651/COD16511.EPH_R.gz",
@@ -27,7 +28,7 @@ static orr_ephemeris *product(const char *const *names, size_t n)
     return e;
 }
 
-static double distance_rms(const orr_lnav_almanac *a, orr_time toa, orr_navfit_product *p, orr_time from,
+static double distance_rms(const orr_almanac *a, orr_time toa, orr_navfit_product *p, orr_time from,
                            orr_time to)
 {
     double sum = 0;
@@ -35,7 +36,7 @@ static double distance_rms(const orr_lnav_almanac *a, orr_time toa, orr_navfit_p
     for (orr_time t = from; t <= to; t += 900 * ORR_NS_PER_S) {
         orr_vec3 truth, pos;
         if (orr_navfit_from_product(p, t, &truth) != ORR_OK) continue;
-        assert_int_equal(orr_almanac_lnav_eval(a, toa, t, &pos, NULL), ORR_OK);
+        assert_int_equal(almanac_receive(a, toa, t, &pos, NULL), ORR_OK);
         orr_vec3 d = orr_vec3_sub(pos, truth);
         sum += orr_vec3_dot(d, d);
         n++;
@@ -55,11 +56,11 @@ static void add(const orr_ephemeris *e, orr_sat sat, orr_time from, double lengt
     const orr_time hour = 3600 * ORR_NS_PER_S, toa = from + INT64_C(11) * 4096 * ORR_NS_PER_S;
     const orr_time half = (orr_time)(length_h / 2 * (double)hour), noon = from + 12 * hour;
     orr_navfit_product p = {.ephemeris = e, .sat = sat};
-    orr_lnav_almanac a;
+    orr_almanac a;
     orr_navfit_report r;
     orr_diag d = {0};
-    ASSERT_OK(
-        orr_almanac_lnav_fit(sat, toa, noon - half, noon + half, orr_navfit_from_product, &p, &a, &r, &d), d);
+    ASSERT_OK(orr_almanac_fit(sat, toa, noon - half, noon + half, orr_navfit_from_product, &p, &a, &r, &d),
+              d);
     double day = distance_rms(&a, toa, &p, from, from + 24 * hour);
     double next = distance_rms(&a, toa, &p, from + 24 * hour, from + 48 * hour);
     double last = distance_rms(&a, toa, &p, from + 144 * hour, from + 168 * hour);
@@ -126,10 +127,10 @@ static void clocks_of_a_day(void **state)
     orr_time toa = from - ns + (ns / (4096 * ORR_NS_PER_S) + 11) * 4096 * ORR_NS_PER_S;
     for (size_t i = 0; i < n; i++) {
         if (orr_sat_system(list[i]) != 'G') continue;
-        orr_lnav_almanac a = {0};
+        orr_almanac a = {0};
         double rms = 0;
         orr_diag d = {0};
-        ASSERT_OK(orr_almanac_lnav_clock(e, list[i], toa, from, to, &a, &rms, &d), d);
+        ASSERT_OK(orr_almanac_clock(e, list[i], toa, from, to, &a, &rms, &d), d);
         ASSERT_NEAR(rms, 0, 0.6e-6);
         sum += rms * rms;
         clocks++;

@@ -54,8 +54,8 @@ static void windows_of_a_day_meet_their_bars(void **state)
                 orr_time t = orr_time_add_s(from, t_s), w0 = orr_time_add_s(t, -kind[k].window_s / 2),
                          w1 = orr_time_add_s(t, kind[k].window_s / 2);
                 if (kind[k].system == 'G')
-                    ASSERT_OK(orr_navfit_lnav(list[i], t, w0, w1, kind[k].window_s / 3600,
-                                              orr_navfit_from_product, &p, &eph, &r, &d),
+                    ASSERT_OK(orr_navfit_kepler(list[i], ORR_NAV_LNAV, t, w0, w1, orr_navfit_from_product, &p,
+                                                &eph, &r, &d),
                               d);
                 else
                     ASSERT_OK(
@@ -65,7 +65,7 @@ static void windows_of_a_day_meet_their_bars(void **state)
                 if (r.rms_m > worst) worst = r.rms_m;
                 windows++;
                 double rms_s = 0;
-                if (orr_navfit_clock(e, list[i], t, w0, w1, &eph, &rms_s, &d) == ORR_OK) {
+                if (orr_navfit_clock(e, list[i], t, w0, w1, 0, &eph, &rms_s, &d) == ORR_OK) {
                     clock += rms_s * rms_s;
                     clocks++;
                 }
@@ -103,8 +103,8 @@ static void windows_may_lie_to_one_side(void **state)
         char system = orr_sat_system(list[i]);
         size_t k = system == 'R';
         if (system == 'G')
-            ASSERT_OK(orr_navfit_lnav(list[i], from, from, orr_time_add_s(from, 7200), 4,
-                                      orr_navfit_from_product, &p, &eph, &r, &d),
+            ASSERT_OK(orr_navfit_kepler(list[i], ORR_NAV_LNAV, from, from, orr_time_add_s(from, 7200),
+                                        orr_navfit_from_product, &p, &eph, &r, &d),
                       d);
         else if (system == 'R')
             ASSERT_OK(orr_navfit_glonass(list[i], orr_time_add_s(from, -900), from,
@@ -116,8 +116,8 @@ static void windows_may_lie_to_one_side(void **state)
         sum[k] += r.rms_m * r.rms_m, windows[k]++;
         if (r.max_m > worst[k]) worst[k] = r.max_m;
         double rms_s = 0;
-        ASSERT_OK(orr_navfit_clock(e, list[i], eph.toe, from, orr_time_add_s(from, 1800), &eph, &rms_s, &d),
-                  d);
+        ASSERT_OK(
+            orr_navfit_clock(e, list[i], eph.toe, from, orr_time_add_s(from, 1800), 0, &eph, &rms_s, &d), d);
         ASSERT_NEAR(rms_s, 0, 5e-9); // the LSB of GLONASS' tau is 0.9 ns
     }
     for (size_t k = 0; k < 2; k++) {
@@ -162,8 +162,8 @@ static pool fit_all(const orr_ephemeris *e, char system, double window_s)
             orr_diag d = {0};
             orr_status s = system == 'R' ? orr_navfit_glonass(list[i], t, t - half, t + half,
                                                               orr_navfit_from_product, &source, &eph, &r, &d)
-                                         : orr_navfit_lnav(list[i], t, t - half, t + half, 4,
-                                                           orr_navfit_from_product, &source, &eph, &r, &d);
+                                         : orr_navfit_kepler(list[i], ORR_NAV_LNAV, t, t - half, t + half,
+                                                             orr_navfit_from_product, &source, &eph, &r, &d);
             if (s == ORR_E_NODATA) { // before its arc, after it, in a gap that was not bridged
                 p.without++;
                 continue;
@@ -264,8 +264,9 @@ static void sets_outlive_their_windows(void **state)
                 orr_time t = orr_time_add_s(from, t_s), w0 = orr_time_add_s(t, -kind[k].half_s),
                          w1 = orr_time_add_s(t, kind[k].half_s), late = orr_time_add_s(w1, kind[k].beyond_s);
                 if (kind[k].system == 'G')
-                    ASSERT_OK(
-                        orr_navfit_lnav(list[i], t, w0, w1, 4, orr_navfit_from_product, &p, &eph, &r, &d), d);
+                    ASSERT_OK(orr_navfit_kepler(list[i], ORR_NAV_LNAV, t, w0, w1, orr_navfit_from_product, &p,
+                                                &eph, &r, &d),
+                              d);
                 else
                     ASSERT_OK(
                         orr_navfit_glonass(list[i], t, w0, w1, orr_navfit_from_product, &p, &eph, &r, &d), d);

@@ -143,7 +143,7 @@ class Dissector(unittest.TestCase):
             "valid_to: no instant (-9223372036854775808 ns)", "Orrery ERROR, sequence 3", "code: UNKNOWN_TYPE (5)",
             "sentence: unknown message type 999", "Orrery POLL_ELEMENTS", "satellites 1: R07", "Orrery ELEMENTS, sequence 4",
             "method: MEAN (2)", "flags: 0x00000011 (CLOCK_VALID, ECLIPSE)", "answer: NO_VALUE (5)", "Orrery NAVDATA, sequence 5",
-            "satellites 1: R07", "message: FDMA (2)", "notes: 0x00000020 (NOMINAL_CHANNEL)", "channel: 5", "bits: 85",
+            "satellites 1: R07", "message: FDMA (10)", "notes: 0x00000020 (NOMINAL_CHANNEL)", "channel: 5", "bits: 85",
             "08bbb8c857800ed33ec0a8", "satellites 2: E11, NOT_SERVED"])
         self.assertNotIn("(Error/", text)
 
@@ -181,8 +181,8 @@ class Dissector(unittest.TestCase):
         damaged[18] ^= 1
         cases = (
             (bytes(damaged), "(Error/Checksum): checksum does not match"),
-            (reframe(ping, size=0xFFFFFFFF), f"{MALFORMED}: a payload of 4294967295 bytes, at most 1048576 are allowed"),
-            (reframe(ping, size=1048577), f"{MALFORMED}: a payload of 1048577 bytes"),
+            (reframe(ping, size=0xFFFFFFFF), f"{MALFORMED}: a payload of 4294967295 bytes, at most 4194304 are allowed"),
+            (reframe(ping, size=4194305), f"{MALFORMED}: a payload of 4194305 bytes"),
             (reframe(ping, major=2), "(Error/Protocol): major version 2: this dissector knows 1"),
             (reframe(ping, type=999), "(Warning/Undecoded): unknown message type"),
             (b"GET / HTTP/1.1\r\n\r\n", f"{MALFORMED}: bytes that are no frame of this protocol"),

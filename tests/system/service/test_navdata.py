@@ -84,7 +84,34 @@ class OnTheWire:
             raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
 
     def sent(self, t):
-        return [s for s in self.client.navdata(t).satellites if s.answer == orrery.Answer.OK]
+        """Legacy messages of GPS and GLONASS; system.orbit.messages decodes the others."""
+        return [s for s in self.client.navdata(t).satellites
+                if s.answer == orrery.Answer.OK and s.message in (orrery.NavMessage.LNAV, orrery.NavMessage.FDMA)]
+
+    def test_all_messages_as_symbols(self):
+        """What POLL_NAVDATA gives of all messages is what `orrery navfit --symbols` writes."""
+        at, n = self.noon + 12 * NS, 3
+        path = WORK / f"{type(self).__name__}-symbols.csv"
+        done = program("navfit", "-q", self.path, "--symbols", path, "--from", orrery.to_text(at - 50 * NS), "--to", orrery.to_text(at + 50 * (n + 1) * NS))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with path.open(encoding="ascii") as f:
+            direct = {(r["t_gps"], r["sat"], r["message"], r["signals"]): r for r in csv.DictReader(x for x in f if x[0] != "#")}
+        seen = set()
+        for m in self.client.poll_navdata(at, 30, n, kinds=0xffffffff, form=orrery.NavForm.SYMBOLS):
+            for s in m.satellites:
+                self.assertEqual(s.form, orrery.NavForm.SYMBOLS)
+                message = orrery.NavMessage(s.message).name
+                seen.add((message, s.signals))
+                for p in s.pages:
+                    row = direct[orrery.to_text(p.t), orrery.sat_name(s.sat), message, s.signals]
+                    self.assertEqual((p.data.hex(), p.bits, p.number, p.page), (row["hex"], int(row["bits"]), int(row["number"]), int(row["page"])))
+                    self.assertEqual(p.length / NS, float(row["length_s"]))
+        self.assertLessEqual({("LNAV", "L1CA"), ("FDMA", "L1OF L2OF"), ("INAV", "E1"), ("INAV", "E5b"), ("FNAV", "E5a")}, seen)
+        galileo = next(s.sat for s in m.satellites if chr(s.sat.system) == "E")
+        one, = self.client.navdata(at, [galileo], kinds=orrery.NavMessages.FNAV).satellites
+        self.assertEqual((one.message, len(one.pages)), (orrery.NavMessage.FNAV, 5))
+        with self.assertRaisesRegex(orrery.Refused, "form"):
+            self.client._ask(messages.PollNavdata(messages.Epochs(at, 0, 1), [], 0, 7), messages.Navdata)
 
     def test_bits_say_what_the_set_says(self):
         for s in self.sent(self.noon + 5 * NS):
@@ -133,7 +160,9 @@ class OnTheWire:
         for m in self.client.poll_navdata(self.noon + 17 * NS, 30, 40):
             for s in m.satellites:
                 for p in s.pages:
-                    length = 6 * NS if s.message == orrery.NavMessage.LNAV else 2 * NS
+                    if s.message == orrery.NavMessage.FDMA:
+                        self.assertEqual(p.length, 17 * NS // 10)
+                    length = 2 * NS if s.message == orrery.NavMessage.FDMA else p.length
                     name = orrery.sat_name(s.sat)
                     if name in last:
                         self.assertEqual(p.t, last[name] + length)
@@ -200,7 +229,7 @@ class Made(OnTheWire, unittest.TestCase):
         cls.serve(product())
 
     def test_never_a_number_where_there_is_none(self):
-        m = self.client.navdata(self.noon, ["E01", "G31", "R01"])
+        m = self.client.navdata(self.noon, ["C01", "G31", "R01"])
         self.assertEqual([s.answer for s in m.satellites], [orrery.Answer.NOT_SERVED, orrery.Answer.NOT_SERVED, orrery.Answer.OK])
         for s in m.satellites[:2]:
             self.assertTrue(all(map(no_value, (s.accuracy_m, s.fit_rms_m, s.fit_max_m, s.clock_rms_s, s.af0_s, s.af1_sps, s.af2_sps2))))
@@ -209,7 +238,7 @@ class Made(OnTheWire, unittest.TestCase):
             self.assertEqual((s.week, s.iode, s.iodc), (-1, -1, -1))
         m = self.client.navdata(self.end + 1)
         self.assertEqual((m.answer, m.satellites), (orrery.Answer.OUTSIDE_SPAN, []))
-        self.assertEqual(program("poll", self.url, "--navdata", "--sat", "E01").returncode, 1)
+        self.assertEqual(program("poll", self.url, "--navdata", "--sat", "C01").returncode, 1)
         self.assertEqual(program("poll", self.url, "--pages").returncode, 2)
         with self.assertRaisesRegex(orrery.Refused, "step is 0"):
             self.client._ask(messages.PollNavdata(messages.Epochs(0, 0, 2), []), messages.Navdata)
@@ -245,7 +274,8 @@ class Scenarios(unittest.TestCase):
         self.refused("navdata.window", self.served("none.yaml", "orbit: {product: day.nc}\nnavdata: {window: none}\n"))
         done = program("orbit", "-o", WORK / "galileo.nc", "--sat", "E", ROOT / "samples/ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.refused("no GPS or GLONASS", Daemon(WORK / "galileo.nc"))
+        with Daemon(WORK / "galileo.nc") as d, orrery.Client(d.urls[0]) as client:
+            self.assertEqual({s.message for s in client.navdata(client.span[0]).satellites}, {orrery.NavMessage.INAV})
 
     def test_scenarios_that_are_none(self):
         for text, words in (("navdata: {window: 3h}", "none of 2h, 4h, none"), ("navdata: {window: none, zero_clocks: yes}", "has no effect with navdata.window none"),

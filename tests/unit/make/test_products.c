@@ -83,8 +83,8 @@ static void test_navset_of_files_and_of_a_scenario(void **state)
     assert_memory_equal(sats, others, n * sizeof *sats);
     for (size_t i = 0; i < n; i++) {
         const orr_navset_item *a, *b;
-        const size_t n_items = orr_navset_items(set[0], sats[i], &a);
-        assert_int_equal(orr_navset_items(set[1], sats[i], &b), n_items);
+        const size_t n_items = orr_navset_items(set[0], sats[i], ORR_NAV_NONE, &a);
+        assert_int_equal(orr_navset_items(set[1], sats[i], ORR_NAV_NONE, &b), n_items);
         for (size_t j = 0; j < n_items; j++) {
             assert_int_equal(a[j].from, b[j].from);
             assert_memory_equal(&a[j].eph.kepler, &b[j].eph.kepler, sizeof a[j].eph.kepler);

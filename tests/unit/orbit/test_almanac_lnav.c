@@ -3,9 +3,11 @@
 // and what is refused.
 #include "testing.h"
 
+#include "almanac_receiver.h"
 #include "made_orbit.h"
 #include "orbit/broadcast/broadcast.h"
-#include "orbit/navdata/almanac_lnav.h"
+#include "orbit/navdata/almanac_kepler.h"
+#include "orbit/navdata/lnav_bits.h"
 
 #define HOUR (3600 * ORR_NS_PER_S)
 #define J2 1.0826e-3
@@ -64,15 +66,15 @@ static void what_is_left_is_what_the_model_lacks(void **state)
                                  0.5 * (q->crc_m * q->crc_m + a * a * q->cus_rad * q->cus_rad));
         orr_time toa = the_toa(), half = k % 2 == 0 ? 12 * HOUR : HOUR;
         s.from = toa - half, s.to = toa + half;
-        orr_lnav_almanac al;
+        orr_almanac al;
         orr_navfit_report r;
         orr_diag d = {0};
-        ASSERT_OK(orr_almanac_lnav_fit(s.eph.sat, toa, s.from, s.to, span_source, &s, &al, &r, &d), d);
+        ASSERT_OK(orr_almanac_fit(s.eph.sat, toa, s.from, s.to, span_source, &s, &al, &r, &d), d);
         double sum = 0;
         for (int h = -12; h <= 12; h++) { // over the day, whatever the window was
             orr_vec3 pos;
             orr_broadcast_state st;
-            assert_int_equal(orr_almanac_lnav_eval(&al, toa, toa + h * HOUR, &pos, NULL), ORR_OK);
+            assert_int_equal(almanac_receive(&al, toa, toa + h * HOUR, &pos, NULL), ORR_OK);
             assert_int_equal(orr_broadcast_eval(&s.eph, toa + h * HOUR, &st), ORR_OK);
             orr_vec3 diff = orr_vec3_sub(pos, st.pos_m);
             sum += orr_vec3_dot(diff, diff);
@@ -92,10 +94,10 @@ static void round_orbits_have_almanacs(void **state)
         span s = {.eph = flattened(2e-7 * (k % 8) + 1e-9 * k, 0.3 * k)};
         orr_time toa = the_toa();
         s.from = toa - 12 * HOUR, s.to = toa + 12 * HOUR;
-        orr_lnav_almanac al;
+        orr_almanac al;
         orr_navfit_report r;
         orr_diag d = {0};
-        ASSERT_OK(orr_almanac_lnav_fit(s.eph.sat, toa, s.from, s.to, span_source, &s, &al, &r, &d), d);
+        ASSERT_OK(orr_almanac_fit(s.eph.sat, toa, s.from, s.to, span_source, &s, &al, &r, &d), d);
         assert_true(al.e >= 0);
         ASSERT_NEAR(r.rms_m, 570, 30); // as above
     }
@@ -148,13 +150,13 @@ static void bits_say_what_was_fitted(void **state)
     (void)state;
     for (int k = 0; k < 40; k++) {
         span s = {.eph = flattened(0.001 * k * 0.7, 0.37 * k), .from = INT64_MIN, .to = INT64_MAX};
-        orr_lnav_almanac al;
+        orr_almanac al;
         orr_navfit_report r;
         orr_diag d = {0};
         orr_time toa = the_toa();
-        ASSERT_OK(orr_almanac_lnav_fit(s.eph.sat, toa, toa - 12 * HOUR, toa + 12 * HOUR, span_source, &s, &al,
-                                       &r, &d),
-                  d);
+        ASSERT_OK(
+            orr_almanac_fit(s.eph.sat, toa, toa - 12 * HOUR, toa + 12 * HOUR, span_source, &s, &al, &r, &d),
+            d);
         al.af0_s = ldexp(100 - 17 * k, -20), al.af1_sps = ldexp(5 * k - 90, -38);
         orr_lnav_how how = {.tow_count = 100};
         orr_lnav_subframe bits;
@@ -166,9 +168,9 @@ static void bits_say_what_was_fitted(void **state)
             int32_t week;
             int64_t ns;
             orr_time_week(t, &week, &ns);
-            double want[3], clock, want_clock;
+            double want[3], clock = 0, want_clock;
             orr_vec3 pos;
-            assert_int_equal(orr_almanac_lnav_eval(&al, toa, t, &pos, &clock), ORR_OK);
+            assert_int_equal(almanac_receive(&al, toa, t, &pos, &clock), ORR_OK);
             receive(&bits, (double)ns * 1e-9, want, &want_clock);
             // pi of 13 digits times thousands of LSBs, and rounding: micrometres.
             ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(pos, (orr_vec3){want[0], want[1], want[2]})), 0, 1e-4);
@@ -182,11 +184,11 @@ static void little_data_and_odd_orbits_are_told(void **state)
     (void)state;
     orr_time toa = the_toa();
     span s = {.eph = flattened(0.01, 1), .from = toa, .to = toa + 7080 * ORR_NS_PER_S};
-    orr_lnav_almanac al;
+    orr_almanac al;
     orr_navfit_report r;
     orr_diag d = {0};
     const orr_time from = toa - 12 * HOUR, to = toa + 12 * HOUR;
-#define FIT(sat, toa, from, to) orr_almanac_lnav_fit(sat, toa, from, to, span_source, &s, &al, &r, &d)
+#define FIT(sat, toa, from, to) orr_almanac_fit(sat, toa, from, to, span_source, &s, &al, &r, &d)
     s.to = toa + 90 * 60 * ORR_NS_PER_S;
     assert_int_equal(FIT(s.eph.sat, toa, from, to), ORR_E_NODATA);
     s.to = toa + 2 * HOUR; // two hours of the day, anywhere in it
@@ -206,7 +208,7 @@ static void little_data_and_odd_orbits_are_told(void **state)
 #undef FIT
     al.sqrt_a_sqrtm = 0;
     orr_vec3 pos;
-    assert_int_equal(orr_almanac_lnav_eval(&al, toa, toa, &pos, NULL), ORR_E_NUMERIC);
+    assert_int_equal(almanac_receive(&al, toa, toa, &pos, NULL), ORR_E_NUMERIC);
 }
 
 static void clocks_are_lines(void **state)
@@ -223,11 +225,11 @@ static void clocks_are_lines(void **state)
     orr_time toa = orr_time_from_week(week, ns / (4096 * ORR_NS_PER_S) * 4096 * ORR_NS_PER_S);
     static const int hours[] = {2, 24};
     for (int k = 0; k < 2; k++) {
-        orr_lnav_almanac al = {.number = 1};
+        orr_almanac al = {.number = 1};
         double rms = -1;
-        ASSERT_OK(orr_almanac_lnav_clock(e, m.sat, toa, made_midnight, made_midnight + hours[k] * HOUR, &al,
-                                         &rms, &d),
-                  d);
+        ASSERT_OK(
+            orr_almanac_clock(e, m.sat, toa, made_midnight, made_midnight + hours[k] * HOUR, &al, &rms, &d),
+            d);
         ASSERT_NEAR(al.af1_sps, 2e-11, ldexp(0.51, -38));
         ASSERT_NEAR(rms, 0, 0.52 * ldexp(1, -20) + 1e-7); // half an LSB, and af1's over half a day
         double lsb = ldexp(1, -20);
@@ -235,10 +237,10 @@ static void clocks_are_lines(void **state)
         double at_window = al.af0_s + al.af1_sps * orr_time_diff_s(made_midnight + hours[k] * HOUR / 2, toa);
         ASSERT_NEAR(at_window, made_clock(&m, 1800.0 * hours[k]), 0.51 * lsb);
     }
-    orr_lnav_almanac al = {.number = 1};
-    assert_int_equal(orr_almanac_lnav_clock(e, orr_sat_make('G', 31), toa, made_midnight,
-                                            made_midnight + HOUR, &al, NULL, &d),
-                     ORR_E_NODATA);
+    orr_almanac al = {.number = 1};
+    assert_int_equal(
+        orr_almanac_clock(e, orr_sat_make('G', 31), toa, made_midnight, made_midnight + HOUR, &al, NULL, &d),
+        ORR_E_NODATA);
     orr_ephemeris_free(e);
     made_solution_free(&sol);
 }

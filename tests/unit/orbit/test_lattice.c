@@ -98,7 +98,7 @@ static void what_spans_no_lattice_is_refused(void **state)
     assert_int_equal(orr_lattice_closest(2, singular, y, 10, z), ORR_E_NUMERIC);
     assert_int_equal(orr_lattice_closest(2, nan, y, 10, z), ORR_E_NUMERIC);
     assert_int_equal(orr_lattice_closest(0, singular, y, 10, z), ORR_E_ARG);
-    assert_int_equal(orr_lattice_closest(16, singular, y, 10, z), ORR_E_ARG);
+    assert_int_equal(orr_lattice_closest(ORR_LATTICE_MAX + 1, singular, y, 10, z), ORR_E_ARG);
 }
 
 int main(void)

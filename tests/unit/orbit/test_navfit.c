@@ -8,7 +8,7 @@
 #include "made_orbit.h"
 #include "made_sp3.h"
 #include "orbit/broadcast/broadcast.h"
-#include "orbit/navdata/lnav_model.h"
+#include "orbit/navdata/kepler_model.h"
 #include "orbit/navdata/navfit.h"
 #include "orbit/spacecraft/attitude.h"
 
@@ -37,6 +37,8 @@ static orr_nav_eph lnav_record(double a_m, double e, double i_deg)
     return n;
 }
 
+static const orr_kepler_axes gps_axes = {ORR_GPS_GM, ORR_GPS_EARTH_RATE_RADPS, ORR_GPS_EARTH_RATE_RADPS};
+
 static void the_model_is_what_receivers_compute(void **state)
 {
     (void)state;
@@ -46,7 +48,7 @@ static void the_model_is_what_receivers_compute(void **state)
             orr_nav_eph n = lnav_record(26.56e6, e[k], 55);
             orr_broadcast_state s;
             assert_int_equal(orr_broadcast_eval(&n, orr_time_add_s(n.toe, tk), &s), ORR_OK);
-            orr_vec3 pos = orr_lnav_position(&n.kepler, tk, NULL);
+            orr_vec3 pos = orr_kepler_position(&gps_axes, &n.kepler, tk, NULL);
             ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(pos, s.pos_m)), 0, 1e-6); // rounding of 3e7 m
         }
 }
@@ -54,26 +56,28 @@ static void the_model_is_what_receivers_compute(void **state)
 // The parameters as the derivatives name them, and back.
 static void set(orr_nav_kepler *k, size_t j, double by)
 {
-    double *plain[ORR_LNAV_N] = {[ORR_LNAV_SQRT_A] = &k->sqrt_a_sqrtm,
-                                 [ORR_LNAV_I0] = &k->i0_rad,
-                                 [ORR_LNAV_OMEGA0] = &k->omega0_rad,
-                                 [ORR_LNAV_OMEGA_DOT] = &k->omega_dot_radps,
-                                 [ORR_LNAV_DELTA_N] = &k->delta_n_radps,
-                                 [ORR_LNAV_IDOT] = &k->idot_radps,
-                                 [ORR_LNAV_CRC] = &k->crc_m,
-                                 [ORR_LNAV_CRS] = &k->crs_m,
-                                 [ORR_LNAV_CUC] = &k->cuc_rad,
-                                 [ORR_LNAV_CUS] = &k->cus_rad,
-                                 [ORR_LNAV_CIC] = &k->cic_rad,
-                                 [ORR_LNAV_CIS] = &k->cis_rad};
+    double *plain[ORR_KEPLER_N] = {[ORR_KEPLER_SQRT_A] = &k->sqrt_a_sqrtm,
+                                   [ORR_KEPLER_I0] = &k->i0_rad,
+                                   [ORR_KEPLER_OMEGA0] = &k->omega0_rad,
+                                   [ORR_KEPLER_OMEGA_DOT] = &k->omega_dot_radps,
+                                   [ORR_KEPLER_DELTA_N] = &k->delta_n_radps,
+                                   [ORR_KEPLER_IDOT] = &k->idot_radps,
+                                   [ORR_KEPLER_CRC] = &k->crc_m,
+                                   [ORR_KEPLER_CRS] = &k->crs_m,
+                                   [ORR_KEPLER_CUC] = &k->cuc_rad,
+                                   [ORR_KEPLER_CUS] = &k->cus_rad,
+                                   [ORR_KEPLER_CIC] = &k->cic_rad,
+                                   [ORR_KEPLER_CIS] = &k->cis_rad,
+                                   [ORR_KEPLER_A_DOT] = &k->a_dot_mps,
+                                   [ORR_KEPLER_N_DOT] = &k->delta_n_dot_radps2};
     if (plain[j] != NULL) {
         *plain[j] += by;
         return;
     }
     double ex = k->e * cos(k->omega_rad), ey = k->e * sin(k->omega_rad), lambda = k->omega_rad + k->m0_rad;
-    if (j == ORR_LNAV_EX) ex += by;
-    if (j == ORR_LNAV_EY) ey += by;
-    if (j == ORR_LNAV_LAMBDA) lambda += by;
+    if (j == ORR_KEPLER_EX) ex += by;
+    if (j == ORR_KEPLER_EY) ey += by;
+    if (j == ORR_KEPLER_LAMBDA) lambda += by;
     k->e = hypot(ex, ey), k->omega_rad = atan2(ey, ex), k->m0_rad = lambda - k->omega_rad;
 }
 
@@ -81,23 +85,24 @@ static void derivatives_are_those_of_the_model(void **state)
 {
     (void)state;
     static const double e[] = {0, 1e-5, 0.01, 0.3};
-    static const double step[ORR_LNAV_N] = {
-        [ORR_LNAV_SQRT_A] = 1e-2,    [ORR_LNAV_EX] = 1e-6,      [ORR_LNAV_EY] = 1e-6,
-        [ORR_LNAV_LAMBDA] = 1e-6,    [ORR_LNAV_I0] = 1e-6,      [ORR_LNAV_OMEGA0] = 1e-6,
-        [ORR_LNAV_OMEGA_DOT] = 1e-9, [ORR_LNAV_DELTA_N] = 1e-9, [ORR_LNAV_IDOT] = 1e-9,
-        [ORR_LNAV_CRC] = 10,         [ORR_LNAV_CRS] = 10,       [ORR_LNAV_CUC] = 1e-6,
-        [ORR_LNAV_CUS] = 1e-6,       [ORR_LNAV_CIC] = 1e-6,     [ORR_LNAV_CIS] = 1e-6};
+    static const double step[ORR_KEPLER_N] = {
+        [ORR_KEPLER_SQRT_A] = 1e-2,    [ORR_KEPLER_EX] = 1e-6,      [ORR_KEPLER_EY] = 1e-6,
+        [ORR_KEPLER_LAMBDA] = 1e-6,    [ORR_KEPLER_I0] = 1e-6,      [ORR_KEPLER_OMEGA0] = 1e-6,
+        [ORR_KEPLER_OMEGA_DOT] = 1e-9, [ORR_KEPLER_DELTA_N] = 1e-9, [ORR_KEPLER_IDOT] = 1e-9,
+        [ORR_KEPLER_CRC] = 10,         [ORR_KEPLER_CRS] = 10,       [ORR_KEPLER_CUC] = 1e-6,
+        [ORR_KEPLER_CUS] = 1e-6,       [ORR_KEPLER_CIC] = 1e-6,     [ORR_KEPLER_CIS] = 1e-6,
+        [ORR_KEPLER_A_DOT] = 1e-3,     [ORR_KEPLER_N_DOT] = 1e-13};
     for (size_t k = 0; k < 4; k++)
         for (double tk = -7100; tk <= 7200; tk += 1300) {
             orr_nav_kepler q = lnav_record(26.56e6, e[k], 55).kepler;
-            orr_vec3 d[ORR_LNAV_N];
-            orr_lnav_position(&q, tk, d);
-            for (size_t j = 0; j < ORR_LNAV_N; j++) {
+            orr_vec3 d[ORR_KEPLER_N];
+            orr_kepler_position(&gps_axes, &q, tk, d);
+            for (size_t j = 0; j < ORR_KEPLER_N; j++) {
                 orr_nav_kepler plus = q, minus = q;
                 set(&plus, j, step[j]), set(&minus, j, -step[j]);
-                orr_vec3 numeric =
-                    orr_vec3_scale(1 / (2 * step[j]), orr_vec3_sub(orr_lnav_position(&plus, tk, NULL),
-                                                                   orr_lnav_position(&minus, tk, NULL)));
+                orr_vec3 numeric = orr_vec3_scale(
+                    1 / (2 * step[j]), orr_vec3_sub(orr_kepler_position(&gps_axes, &plus, tk, NULL),
+                                                    orr_kepler_position(&gps_axes, &minus, tk, NULL)));
                 // Steps move the satellite by tens of metres: rounding is 1e-9 of that, curvature 1e-6 at
                 // most.
                 double scale = orr_vec3_norm(d[j]) + 1 / step[j];
@@ -128,8 +133,8 @@ static void fit_record(from_record *r, double toe_s, double from_s, double to_s,
     orr_navfit_report rep;
     orr_diag d = {0};
     orr_time t = r->eph.toe;
-    ASSERT_OK(orr_navfit_lnav(r->eph.sat, orr_time_add_s(t, toe_s), orr_time_add_s(t, from_s),
-                              orr_time_add_s(t, to_s), 4, record_source, r, &out, &rep, &d),
+    ASSERT_OK(orr_navfit_kepler(r->eph.sat, ORR_NAV_LNAV, orr_time_add_s(t, toe_s), orr_time_add_s(t, from_s),
+                                orr_time_add_s(t, to_s), record_source, r, &out, &rep, &d),
               d);
     ASSERT_NEAR(rep.fit_rms_m, 0, bar_m);
     // the lattice: a centimetre is seldom reached over two hours
@@ -182,8 +187,9 @@ static void the_week_may_end_within_the_window(void **state)
     orr_nav_eph out;
     orr_navfit_report rep;
     orr_diag d = {0};
-    ASSERT_OK(orr_navfit_lnav(r.eph.sat, orr_time_add_s(r.eph.toe, -16), orr_time_add_s(r.eph.toe, -HOUR),
-                              orr_time_add_s(r.eph.toe, HOUR), 4, record_source, &r, &out, &rep, &d),
+    ASSERT_OK(orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, orr_time_add_s(r.eph.toe, -16),
+                                orr_time_add_s(r.eph.toe, -HOUR), orr_time_add_s(r.eph.toe, HOUR),
+                                record_source, &r, &out, &rep, &d),
               d);
     assert_int_equal(out.week, 2300);
     ASSERT_NEAR(out.kepler.toe_sow_s, 604784, 0);
@@ -201,8 +207,8 @@ static void gaps_are_left_out(void **state)
     orr_nav_eph out;
     orr_navfit_report rep;
     orr_diag d = {0};
-    assert_int_equal(orr_navfit_lnav(r.eph.sat, r.eph.toe, orr_time_add_s(r.eph.toe, -HOUR),
-                                     orr_time_add_s(r.eph.toe, HOUR), 4, record_source, &r, &out, &rep, &d),
+    assert_int_equal(orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, r.eph.toe, orr_time_add_s(r.eph.toe, -HOUR),
+                                       orr_time_add_s(r.eph.toe, HOUR), record_source, &r, &out, &rep, &d),
                      ORR_E_NODATA);
 }
 
@@ -215,26 +221,29 @@ static void what_cannot_be_sent_is_named(void **state)
     orr_navfit_report rep;
     orr_diag d = {0};
     orr_time t = r.eph.toe, from = orr_time_add_s(t, -HOUR), to = orr_time_add_s(t, HOUR);
-    assert_int_equal(orr_navfit_lnav(r.eph.sat, t, from, to, 4, record_source, &r, &out, &rep, &d),
-                     ORR_E_RANGE);
+    assert_int_equal(
+        orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, t, from, to, record_source, &r, &out, &rep, &d),
+        ORR_E_RANGE);
     assert_non_null(strstr(d.text, "sqrt(A)"));
     r.eph = lnav_record(40e6, 0.52, 55); // e has 32 bits of 2^-33: below 0.5
-    assert_int_equal(orr_navfit_lnav(r.eph.sat, t, from, to, 4, record_source, &r, &out, &rep, &d),
-                     ORR_E_RANGE);
+    assert_int_equal(
+        orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, t, from, to, record_source, &r, &out, &rep, &d),
+        ORR_E_RANGE);
     assert_non_null(strstr(d.text, "e = 0.5"));
     // Windows and instants.
     r.eph = lnav_record(26.56e6, 0.01, 55);
-    assert_int_equal(
-        orr_navfit_lnav(r.eph.sat, orr_time_add_s(t, 8), from, to, 4, record_source, &r, &out, &rep, &d),
-        ORR_E_ARG);
-    assert_int_equal(
-        orr_navfit_lnav(r.eph.sat, t, from, orr_time_add_s(from, 1700), 4, record_source, &r, &out, &rep, &d),
-        ORR_E_ARG);
-    assert_int_equal(
-        orr_navfit_lnav(r.eph.sat, orr_time_add_s(to, 7216), from, to, 4, record_source, &r, &out, &rep, &d),
-        ORR_E_ARG);
-    assert_int_equal(orr_navfit_lnav(orr_sat_make('E', 1), t, from, to, 4, record_source, &r, &out, &rep, &d),
+    assert_int_equal(orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, orr_time_add_s(t, 8), from, to, record_source,
+                                       &r, &out, &rep, &d),
                      ORR_E_ARG);
+    assert_int_equal(orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, t, from, orr_time_add_s(from, 1700),
+                                       record_source, &r, &out, &rep, &d),
+                     ORR_E_ARG);
+    assert_int_equal(orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, orr_time_add_s(to, 7216), from, to,
+                                       record_source, &r, &out, &rep, &d),
+                     ORR_E_ARG);
+    assert_int_equal(
+        orr_navfit_kepler(orr_sat_make('E', 1), ORR_NAV_LNAV, t, from, to, record_source, &r, &out, &rep, &d),
+        ORR_E_ARG);
     assert_int_equal(orr_navfit_glonass(r.eph.sat, t, from, to, record_source, &r, &out, &rep, &d),
                      ORR_E_ARG);
 }
@@ -308,8 +317,8 @@ static void round_orbits_keep_a_positive_e(void **state)
         orr_nav_eph out;
         orr_navfit_report rep;
         orr_diag d = {0};
-        ASSERT_OK(orr_navfit_lnav(r.eph.sat, r.eph.toe, orr_time_add_s(r.eph.toe, -HOUR),
-                                  orr_time_add_s(r.eph.toe, HOUR), 4, record_source, &r, &out, &rep, &d),
+        ASSERT_OK(orr_navfit_kepler(r.eph.sat, ORR_NAV_LNAV, r.eph.toe, orr_time_add_s(r.eph.toe, -HOUR),
+                                    orr_time_add_s(r.eph.toe, HOUR), record_source, &r, &out, &rep, &d),
                   d);
         assert_true(out.kepler.e >= 0 && out.kepler.e < 1e-6);
         assert_true(fabs(out.kepler.omega_rad) <= ORR_PI && fabs(out.kepler.m0_rad) <= ORR_PI);
@@ -319,9 +328,9 @@ static void round_orbits_keep_a_positive_e(void **state)
         orr_nav_kepler b = *a;
         b.e = -a->e, b.omega_rad += ORR_PI, b.m0_rad -= ORR_PI;
         for (double tk = -HOUR; tk <= HOUR; tk += HOUR / 2)
-            ASSERT_NEAR(
-                orr_vec3_norm(orr_vec3_sub(orr_lnav_position(a, tk, NULL), orr_lnav_position(&b, tk, NULL))),
-                0, 1e-6);
+            ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(orr_kepler_position(&gps_axes, a, tk, NULL),
+                                                   orr_kepler_position(&gps_axes, &b, tk, NULL))),
+                        0, 1e-6);
     }
 }
 
@@ -366,9 +375,9 @@ static void forced_orbits_are_followed(void **state)
             orr_nav_eph out;
             orr_navfit_report rep;
             orr_diag d = {0};
-            ASSERT_OK(orr_navfit_lnav(truth.sat, orr_time_add_s(sky.t0, t), orr_time_add_s(sky.t0, t - HOUR),
-                                      orr_time_add_s(sky.t0, t + HOUR), 4, truth_source, NULL, &out, &rep,
-                                      &d),
+            ASSERT_OK(orr_navfit_kepler(truth.sat, ORR_NAV_LNAV, orr_time_add_s(sky.t0, t),
+                                        orr_time_add_s(sky.t0, t - HOUR), orr_time_add_s(sky.t0, t + HOUR),
+                                        truth_source, NULL, &out, &rep, &d),
                       d);
             sum += rep.rms_m * rep.rms_m;
             if (rep.max_m > worst) worst = rep.max_m;

@@ -18,7 +18,7 @@ static orr_time when(const char *text)
     return t;
 }
 
-enum { N_GPS = 3, N_GLONASS = 3, N_SATS = 7 }; // and a Galileo satellite, which these messages are not for
+enum { N_GPS = 3, N_GLONASS = 3, N_SATS = 7 }; // and a Galileo satellite
 
 typedef struct spoil {
     double push_s;  // a burn of G01 so long after the begin; negative for none
@@ -100,10 +100,13 @@ static void issues_do_not_repeat_for_weeks(void **state)
     (void)state;
     navset_schedule s;
     orr_time from = when("2024-02-01T00:00:00");
-    assert_int_equal(navset_schedule_gps(from, from + 79 * 86400 * ORR_NS_PER_S, 7200, &s), ORR_OK);
+    const orr_navset_options o = orr_navset_defaults();
+    assert_int_equal(navset_schedule_of(orr_sat_make('G', 1), ORR_NAV_LNAV, from,
+                                        from + 79 * 86400 * ORR_NS_PER_S, &o, false, &s),
+                     ORR_OK);
     orr_time last[240] = {0};
     for (size_t k = 0; k < s.n; k++) {
-        const int32_t issue = s.slot[k].iodc;
+        const int32_t issue = (int32_t)(s.slot[k].number % 240);
         assert_in_range(issue, 0, 239); // what IODE's eight bits hold: receivers compare all of IODC with it
         if (last[issue] != 0) assert_true(s.slot[k].from - last[issue] >= 7 * 86400 * ORR_NS_PER_S);
         last[issue] = s.slot[k].to;
@@ -119,7 +122,8 @@ static void glonass_half_hours_are_those_of_utc(void **state)
     (void)state;
     navset_schedule s;
     orr_time from = when("2016-12-31T20:00:00"), to = when("2017-01-01T03:00:00");
-    assert_int_equal(navset_schedule_glonass(from, to, NULL, &s), ORR_OK);
+    const orr_navset_options o = orr_navset_defaults();
+    assert_int_equal(navset_schedule_of(orr_sat_make('R', 1), ORR_NAV_FDMA, from, to, &o, false, &s), ORR_OK);
     size_t longer = 0;
     for (size_t k = 0; k < s.n; k++) {
         orr_civil c;
@@ -146,18 +150,18 @@ static void every_instant_has_one_set(void **state)
     orr_ephemeris_span(e, &from, &to);
     const orr_sat *sat;
     size_t n = orr_navset_satellites(set, &sat);
-    assert_int_equal(n, N_GPS + N_GLONASS);
+    assert_int_equal(n, N_SATS);
     for (size_t i = 0; i < n; i++) {
         for (orr_time t = from; t <= to; t += 37 * ORR_NS_PER_S) {
-            const orr_navset_item *item = orr_navset_at(set, sat[i], t);
+            const orr_navset_item *item = orr_navset_at(set, sat[i], ORR_NAV_NONE, t);
             assert_non_null(item);
             assert_true(item->from <= t && t < item->to);
         }
-        assert_non_null(orr_navset_at(set, sat[i], to));
-        assert_null(orr_navset_at(set, sat[i], to + 1));
-        assert_null(orr_navset_at(set, sat[i], from - 1));
+        assert_non_null(orr_navset_at(set, sat[i], ORR_NAV_NONE, to));
+        assert_null(orr_navset_at(set, sat[i], ORR_NAV_NONE, to + 1));
+        assert_null(orr_navset_at(set, sat[i], ORR_NAV_NONE, from - 1));
         const orr_navset_item *list;
-        size_t sets = orr_navset_items(set, sat[i], &list);
+        size_t sets = orr_navset_items(set, sat[i], ORR_NAV_NONE, &list);
         assert_true((list[0].notes & ORR_NAVSET_SHIFTED) != 0); // begins within its window
         for (size_t k = 0; k < sets; k++) {
             assert_int_equal(list[k].eph.health, 0);
@@ -181,7 +185,7 @@ static void a_manoeuvre_makes_its_sets_unhealthy(void **state)
     orr_navset *set = build(e, &o);
     const orr_navset_item *item;
     const orr_sat pushed = orr_sat_parse("G01");
-    size_t out = 0, n = orr_navset_items(set, pushed, &item);
+    size_t out = 0, n = orr_navset_items(set, pushed, ORR_NAV_NONE, &item);
     const orr_time burn = orr_time_add_s(when("2024-02-04T00:00:00"), 12900);
     for (size_t k = 0; k < n; k++) {
         const bool touched =
@@ -193,7 +197,7 @@ static void a_manoeuvre_makes_its_sets_unhealthy(void **state)
     }
     assert_in_range(
         out, 1, 2); // the burn is known to a quarter of an hour, which may touch the window before or after
-    n = orr_navset_items(set, orr_sat_parse("G02"), &item);
+    n = orr_navset_items(set, orr_sat_parse("G02"), ORR_NAV_NONE, &item);
     for (size_t k = 0; k < n; k++) assert_int_equal(item[k].eph.health, 0);
     orr_navset_free(set);
     orr_ephemeris_free(e);
@@ -210,13 +214,13 @@ static void without_a_clock_nothing_is_sent_unless_asked(void **state)
     orr_navset *set = NULL;
     orr_warnings w = {0};
     ASSERT_OK(orr_navset_build(e, &o, &set, &w, &d), d);
-    assert_null(orr_navset_at(set, first, noon));
+    assert_null(orr_navset_at(set, first, ORR_NAV_NONE, noon));
     assert_true(w.count > 0);
     orr_warnings_free(&w);
     orr_navset_free(set);
     o.zero_clocks = true;
     set = build(e, &o);
-    const orr_navset_item *item = orr_navset_at(set, first, noon);
+    const orr_navset_item *item = orr_navset_at(set, first, ORR_NAV_NONE, noon);
     assert_non_null(item);
     assert_true((item->notes & ORR_NAVSET_NO_CLOCK) && item->eph.af0_s == 0 && isnan(item->clock_rms_s));
     orr_navset_free(set);
@@ -257,13 +261,13 @@ static void sets_stay_in_their_slots(void **state)
     o.window_s = 14400; // slots begin at even hours
     orr_navset *set = build(e, &o);
     const orr_navset_item *item;
-    size_t n = orr_navset_items(set, orr_sat_parse("G02"), &item);
+    size_t n = orr_navset_items(set, orr_sat_parse("G02"), ORR_NAV_NONE, &item);
     assert_true(n > 0 && item[0].from == seam);
     for (size_t k = 0; k < n; k++) {
         assert_true(item[k].from < item[k].to && item[k].to - item[k].from <= 7200 * ORR_NS_PER_S);
         if (k > 0) assert_true(item[k].from == item[k - 1].to);
     }
-    n = orr_navset_items(set, orr_sat_parse("G03"), &item);
+    n = orr_navset_items(set, orr_sat_parse("G03"), ORR_NAV_NONE, &item);
     assert_true(n > 0 && item[n - 1].to == seam + 1); // the orbit's last instant belongs to it
     for (size_t k = 1; k < n; k++) assert_true(item[k].from == item[k - 1].to);
     orr_navset_free(set);
@@ -282,15 +286,16 @@ static void clocks_that_do_not_fit_are_left_out(void **state)
     orr_diag d = {0};
     orr_warnings w = {0};
     ASSERT_OK(orr_navset_build(e, &o, &set, &w, &d), d);
-    assert_null(orr_navset_at(set, orr_sat_parse("G01"), t));
-    assert_null(orr_navset_at(set, orr_sat_parse("R01"), t));
+    assert_null(orr_navset_at(set, orr_sat_parse("G01"), ORR_NAV_NONE, t));
+    assert_null(orr_navset_at(set, orr_sat_parse("R01"), ORR_NAV_NONE, t));
     assert_int_equal(w.count, 2);
     assert_true(strstr(w.item[0].text, "G01") != NULL && strstr(w.item[0].text, "af0") != NULL);
     assert_true(strstr(w.item[1].text, "R01") != NULL && strstr(w.item[1].text, "tau_n") != NULL);
     const orr_sat *sat;
     const size_t n = orr_navset_satellites(set, &sat);
-    assert_int_equal(n, N_GPS + N_GLONASS - 2);
-    for (size_t i = 0; i < n; i++) ASSERT_OK(orr_navframe_at(set, sat[i], t, &(orr_navframe){0}, &d), d);
+    assert_int_equal(n, N_SATS - 2);
+    for (size_t i = 0; i < n; i++)
+        ASSERT_OK(orr_navframe_at(set, sat[i], NULL, t, false, &(orr_navframe){0}, &d), d);
     orr_warnings_free(&w);
     orr_navset_free(set);
     orr_ephemeris_free(e);
@@ -308,7 +313,7 @@ static void files_that_do_not_meet_make_their_set_unhealthy(void **state)
     for (int k = 0; k < 4; k++) {
         const orr_sat sat = orr_sat_parse((const char *[]){"G01", "G02", "R01", "R02"}[k]);
         const orr_navset_item *item;
-        const size_t n = orr_navset_items(set, sat, &item);
+        const size_t n = orr_navset_items(set, sat, ORR_NAV_NONE, &item);
         assert_true(n >= 4);
         for (size_t i = 0; i < n; i++) {
             const bool parted = k % 2 == 1 && item[i].from < joint && joint < item[i].to;
@@ -335,13 +340,13 @@ static void a_reset_makes_its_sets_unhealthy(void **state)
     for (int k = 0; k < 2; k++) {
         const orr_sat sat = orr_sat_parse(k == 0 ? "G01" : "R01");
         const orr_navset_item *item;
-        const size_t n = orr_navset_items(set, sat, &item);
+        const size_t n = orr_navset_items(set, sat, ORR_NAV_NONE, &item);
         assert_true(n >= 4);
         size_t out = 0;
         for (size_t i = 0; i < n; i++) {
             orr_navframe f;
             orr_diag d = {0};
-            ASSERT_OK(orr_navframe_at(set, sat, item[i].from, &f, &d), d);
+            ASSERT_OK(orr_navframe_at(set, sat, NULL, item[i].from, false, &f, &d), d);
             const bool held = item[i].from <= reset && reset < item[i].to;
             if (held) assert_true(item[i].eph.health != 0 && (item[i].notes & ORR_NAVSET_CLOCK_JUMP));
             if (item[i].eph.health == 0) ASSERT_NEAR(item[i].clock_rms_s, 0, 1e-9); // made clocks are lines
@@ -389,7 +394,7 @@ static void receivers_have_the_leap_seconds_of_their_day(void **state)
             orr_time_from_week(week, ns - ns % (750 * ORR_NS_PER_S) + (750 + 17 * 30) * ORR_NS_PER_S);
         orr_navframe f;
         orr_diag d = {0};
-        ASSERT_OK(orr_navframe_at(set, set->sat[0], t, &f, &d), d);
+        ASSERT_OK(orr_navframe_at(set, set->sat[0], NULL, t, false, &f, &d), d);
         const orr_navframe_piece *page = &f.piece[3];
         assert_int_equal(page->page, 18);
         assert_int_equal(received(page, 241, 8), day[i].now);
@@ -428,9 +433,9 @@ static void the_table_of_the_run_is_that_of_the_messages(void **state)
     orr_navframe f;
     orr_diag d = {0};
     ASSERT_OK(orr_navframe_at(
-                  set, set->sat[0],
+                  set, set->sat[0], NULL,
                   orr_time_from_week(week, ns - ns % (750 * ORR_NS_PER_S) + (750 + 17 * 30) * ORR_NS_PER_S),
-                  &f, &d),
+                  false, &f, &d),
               d);
     assert_int_equal(f.piece[3].page, 18);
     assert_int_equal(received(&f.piece[3], 241, 8), 18);
@@ -439,9 +444,9 @@ static void the_table_of_the_run_is_that_of_the_messages(void **state)
     orr_time last;
     ASSERT_OK(orr_time_parse("2026-12-31T23:59:60Z", &table, &last, &d), d);
     const orr_sat sat = orr_sat_parse("R01");
-    ASSERT_OK(orr_navframe_at(set, sat, last, &f, &d), d);
+    ASSERT_OK(orr_navframe_at(set, sat, NULL, last, false, &f, &d), d);
     assert_true(f.to - f.from == 31 * ORR_NS_PER_S && f.to == last + ORR_NS_PER_S);
-    assert_true(orr_navset_at(set, sat, last)->to == last + ORR_NS_PER_S);
+    assert_true(orr_navset_at(set, sat, ORR_NAV_NONE, last)->to == last + ORR_NS_PER_S);
     int n4, nt, before;
     ASSERT_OK(orr_glonass_calendar(last, &table, &n4, &before, &d), d);
     ASSERT_OK(orr_glonass_calendar(last + ORR_NS_PER_S, &table, &n4, &nt, &d), d);
@@ -458,12 +463,46 @@ static void the_table_of_the_run_is_that_of_the_messages(void **state)
 
 static void same_frame(const orr_navframe *a, const orr_navframe *b)
 {
-    assert_true(a->from == b->from && a->to == b->to && a->n == b->n && a->message == b->message);
+    assert_true(a->from == b->from && a->to == b->to && a->n == b->n && a->stream == b->stream);
     for (int k = 0; k < a->n; k++) {
         assert_true(a->piece[k].t == b->piece[k].t && a->piece[k].number == b->piece[k].number &&
                     a->piece[k].page == b->piece[k].page && a->piece[k].bits == b->piece[k].bits);
         assert_memory_equal(a->piece[k].data, b->piece[k].data, ORR_NAVFRAME_BYTES);
     }
+}
+
+static void check_frames(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, bool coded,
+                         orr_time from, orr_time to)
+{
+    static orr_navframe frame, again;
+    orr_diag d = {0};
+    size_t frames = 0, long_ones = 0;
+    for (orr_time t = from; t <= to; t = frame.to, frames++) {
+        const orr_time expected = t;
+        ASSERT_OK(orr_navframe_at(set, sat, stream, t, coded, &frame, &d), d);
+        if (frames > 0) assert_int_equal(frame.from, expected);
+        assert_true(frame.from <= t && t < frame.to);
+        const int64_t length = (frame.to - frame.from) / ORR_NS_PER_S;
+        long_ones += length == 31;
+        assert_int_equal(length, stream->message == ORR_NAV_FNAV ? 50 : length == 31 ? 31 : 30);
+        if (frame.to - 1 <= to) {
+            ASSERT_OK(orr_navframe_at(set, sat, stream, frame.to - 1, coded, &again, &d), d);
+            same_frame(&frame, &again);
+        }
+        orr_time next = frame.from;
+        for (int k = 0; k < frame.n; k++) {
+            const orr_navframe_piece *p = &frame.piece[k];
+            assert_int_equal(p->t, next);
+            next += p->length;
+            if (stream->message == ORR_NAV_FDMA && !coded) next += 3 * ORR_NS_PER_S / 10; // the time mark
+            if (stream->message == ORR_NAV_LNAV || stream->message == ORR_NAV_FDMA)
+                assert_int_equal(p->number, k + 1);
+        }
+        if (length != 31) assert_int_equal(next, frame.to);
+    }
+    assert_int_equal(long_ones, stream->message == ORR_NAV_FDMA ? 1 : 0);
+    assert_int_equal(orr_navframe_at(set, sat, stream, to + 120 * ORR_NS_PER_S, coded, &frame, &d),
+                     ORR_E_NODATA);
 }
 
 // Frame after frame without a seam, the same from its first to its last nanosecond; GLONASS' frame with
@@ -477,29 +516,17 @@ static void frames_follow_one_another(void **state)
     orr_time from, to;
     orr_ephemeris_span(e, &from, &to);
     const orr_sat *sat;
-    size_t n = orr_navset_satellites(set, &sat);
+    size_t n = orr_navset_satellites(set, &sat), streams = 0;
     for (size_t i = 0; i < n; i++) {
-        orr_navframe frame, again;
-        orr_diag d = {0};
-        size_t frames = 0, long_ones = 0;
-        for (orr_time t = from; t <= to; t = frame.to, frames++) {
-            const orr_time expected = t;
-            ASSERT_OK(orr_navframe_at(set, sat[i], t, &frame, &d), d);
-            if (frames > 0) assert_int_equal(frame.from, expected);
-            assert_true(frame.from <= t && t < frame.to);
-            long_ones += frame.to - frame.from == 31 * ORR_NS_PER_S;
-            assert_true(frame.to - frame.from == 30 * ORR_NS_PER_S ||
-                        frame.to - frame.from == 31 * ORR_NS_PER_S);
-            if (frame.to - 1 <= to) {
-                ASSERT_OK(orr_navframe_at(set, sat[i], frame.to - 1, &again, &d), d);
-                same_frame(&frame, &again);
-            }
-            for (int k = 0; k < frame.n; k++) assert_int_equal(frame.piece[k].number, k + 1);
+        const orr_nav_stream *list[ORR_NAVSET_STREAMS];
+        const size_t m = orr_navset_streams(set, sat[i], list);
+        for (size_t k = 0; k < m; k++, streams++) {
+            check_frames(set, sat[i], list[k], false, from, to);
+            check_frames(set, sat[i], list[k], true, from, to);
         }
-        assert_int_equal(long_ones, orr_sat_system(sat[i]) == 'R' ? 1 : 0);
-        assert_int_equal(orr_navframe_at(set, sat[i], to + 60 * ORR_NS_PER_S, &frame, &d), ORR_E_NODATA);
     }
-    assert_int_equal(orr_navframe_at(set, orr_sat_parse("E14"), from, &(orr_navframe){0}, NULL),
+    assert_int_equal(streams, N_GPS + N_GLONASS + 3);
+    assert_int_equal(orr_navframe_at(set, orr_sat_parse("E15"), NULL, from, false, &(orr_navframe){0}, NULL),
                      ORR_E_NODATA);
     orr_navset_free(set);
     orr_ephemeris_free(e);
@@ -519,7 +546,7 @@ static void the_week_is_that_of_the_frame(void **state)
             const orr_time t = orr_time_from_week(2300, 0) + k * 30 * ORR_NS_PER_S;
             orr_navframe f;
             orr_diag d = {0};
-            ASSERT_OK(orr_navframe_at(set, set->sat[0], t, &f, &d), d);
+            ASSERT_OK(orr_navframe_at(set, set->sat[0], NULL, t, false, &f, &d), d);
             assert_int_equal(received(&f.piece[0], 61, 10), (k < 0 ? 2299 : 2300) % 1024);
         }
         orr_navset_free(set);
@@ -538,7 +565,7 @@ static void pages_count_from_the_begin_of_the_week(void **state)
     for (int k = -30; k < 60; k++) {
         orr_navframe f;
         orr_diag d = {0};
-        ASSERT_OK(orr_navframe_at(set, set->sat[0], week + k * 30 * ORR_NS_PER_S, &f, &d), d);
+        ASSERT_OK(orr_navframe_at(set, set->sat[0], NULL, week + k * 30 * ORR_NS_PER_S, false, &f, &d), d);
         // 20160 frames a week leave 10 over a multiple of 25: the last page of a week is 10.
         assert_int_equal(f.piece[3].page, k >= 0 ? k % 25 + 1 : (20160 + k) % 25 + 1);
         assert_int_equal(f.piece[0].page, 0);
@@ -561,7 +588,7 @@ static void coefficients_that_do_not_fit_are_not_sent(void **state)
     orr_navframe want, got;
     orr_diag d = {0};
     double alpha[4], beta[4];
-    ASSERT_OK(orr_navframe_at(none, none->sat[0], t, &want, &d), d);
+    ASSERT_OK(orr_navframe_at(none, none->sat[0], NULL, t, false, &want, &d), d);
     for (int k = 0; k < 8; k++) {
         for (int how = 0; how < 4; how++) { // too large, not known, the largest, the smallest
             orr_nav_iono both[2] = {{.kind = ORR_NAV_KLOBUCHAR, .system = 'G'}};
@@ -581,7 +608,7 @@ static void coefficients_that_do_not_fit_are_not_sent(void **state)
                 assert_true(value == (sent ? both[fits ? 0 : 1].coefficient[k] : 0));
                 assert_int_equal(w.count, fits ? 0 : 1);
                 if (!fits) assert_non_null(strstr(w.item[0].text, name[k]));
-                ASSERT_OK(orr_navframe_at(set, set->sat[0], t, &got, &d), d);
+                ASSERT_OK(orr_navframe_at(set, set->sat[0], NULL, t, false, &got, &d), d);
                 assert_int_equal(got.piece[3].page, 18);
                 if (!sent) same_frame(&got, &want);
                 orr_navset_free(set);

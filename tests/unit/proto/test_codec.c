@@ -174,7 +174,7 @@ static void golden_navdata(void **state)
     static const uint8_t bits[11] = {0x08, 0xbb, 0xb8, 0xc8, 0x57, 0x80, 0x0e, 0xd3, 0x3e, 0xc0, 0xa8};
     const int64_t none = INT64_MIN, t = INT64_C(1391040900000000000), s_ns = 1000000000;
     const double nan_ = (double)NAN;
-    const orr_msg_nav_page page = {t - 12 * s_ns, 1, 2, 85, {bits, sizeof bits}};
+    const orr_msg_nav_page page = {t - 12 * s_ns, 17 * s_ns / 10, 1, 2, 85, {bits, sizeof bits}};
     const orr_msg_glonass_set g = {.pos_m = {15180980.46875, -15362846.6796875, 13572087.890625},
                                    .vel_mps = {1565.1702880859375, -1001.896858215332, -2898.8704681396484},
                                    .acc_mps2 = {0, -1e3 * 0x1p-30, -4e3 * 0x1p-30},
@@ -182,6 +182,7 @@ static void golden_navdata(void **state)
                                    .channel = 5};
     const orr_msg_sat_navdata sats[2] = {{.sat = {'R', 7},
                                           .message = ORR_MSG_NAV_MESSAGE_FDMA,
+                                          .signals = {(const uint8_t *)"L1OF L2OF", 9},
                                           .notes = ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL,
                                           .set_from = t - 882 * s_ns,
                                           .set_to = t + 918 * s_ns,
@@ -224,13 +225,13 @@ static void golden_navdata(void **state)
     ASSERT_FRAME(navdata, 11, 5, orr_msg_navdata_encode, &d); // what was decoded can be sent on as it is
     orr_msg_sat_navdata s;
     orr_msg_glonass_set glonass;
-    orr_msg_lnav_set lnav;
+    orr_msg_kepler_set lnav;
     orr_msg_nav_page p;
     orr_wire_iter it = {0, 0}, in = {0, 0};
     assert_true(orr_msg_sat_navdata_next(&d.satellites, &it, &s));
-    assert_true(s.message == 2 && s.notes == 32 && s.toe == t + 18 * s_ns && s.week == -1 && s.iodc == -1);
+    assert_true(s.message == 10 && s.notes == 32 && s.toe == t + 18 * s_ns && s.week == -1 && s.iodc == -1);
     assert_true(isnan(s.accuracy_m) && s.fit_max_m == 0.5 && s.af0_s == -0x1p-30 && s.frame_to == s.toe);
-    assert_true(s.kepler.count == 0 && !orr_msg_lnav_set_at(&s.kepler, 0, &lnav));
+    assert_true(s.kepler.count == 0 && !orr_msg_kepler_set_at(&s.kepler, 0, &lnav));
     assert_true(orr_msg_glonass_set_at(&s.glonass, 0, &glonass));
     assert_true(glonass.pos_m[1] == g.pos_m[1] && glonass.acc_mps2[2] == g.acc_mps2[2]);
     assert_true(glonass.delta_tau_s == 0x1p-29 && glonass.channel == 5);

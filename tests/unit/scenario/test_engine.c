@@ -111,33 +111,41 @@ static void navdata_are_those_of_the_navset(void **state)
     assert_null(orr_engine_no_navdata(e));
     const orr_sat *sat;
     size_t n = orr_engine_satellites(e, &sat), sent = 0;
-    const orr_navset_item *item[6];
-    orr_answer answer[6];
+    const orr_navset_item *item;
     for (double t_s = 1; t_s < 12 * 3600; t_s += 997.3) {
-        static orr_navframe frame[6], want;
-        memset(frame, 0, sizeof frame);
-        assert_int_equal(orr_engine_navdata(e, at(t_s), NULL, n, item, frame, answer), ORR_ANSWER_OK);
+        static orr_navframe frame, want;
         for (size_t i = 0; i < n; i++) {
-            const orr_navset_item *list; // none of Galileo, nor of orbits without J2 by GLONASS' model
-            if (orr_navset_items(set, sat[i], &list) == 0) {
-                assert_true(orr_sat_system(sat[i]) != 'G');
-                assert_true(answer[i] == ORR_ANSWER_NOT_SERVED && item[i] == NULL);
+            const orr_nav_stream *streams[ORR_NAVSET_STREAMS];
+            const size_t m = orr_engine_navdata_streams(e, sat[i], UINT32_MAX, streams);
+            const orr_navset_item *list; // none of orbits without J2 by GLONASS' model
+            if (orr_navset_items(set, sat[i], ORR_NAV_NONE, &list) == 0) {
+                assert_true(orr_sat_system(sat[i]) == 'R' && m == 0);
+                assert_int_equal(orr_engine_navdata(e, at(t_s), sat[i], NULL, false, &item, &frame),
+                                 ORR_ANSWER_NOT_SERVED);
+                assert_null(item);
                 continue;
             }
-            const orr_navset_item *there = orr_navset_at(set, sat[i], at(t_s));
-            assert_int_equal(answer[i], there != NULL ? ORR_ANSWER_OK : ORR_ANSWER_NO_ARC);
-            if (there == NULL) continue;
-            memset(&want, 0, sizeof want);
-            ASSERT_OK(orr_navframe_at(set, sat[i], at(t_s), &want, &diag), diag);
-            assert_true(want.n == frame[i].n && want.from == frame[i].from);
-            for (size_t k = 0; k < want.n; k++)
-                assert_memory_equal(want.piece[k].data, frame[i].piece[k].data, ORR_NAVFRAME_BYTES);
-            assert_true(item[i]->from == there->from && item[i]->eph.toe == there->eph.toe);
-            sent++;
+            assert_int_equal(m, orr_sat_system(sat[i]) == 'E' ? 3 : 1);
+            const orr_nav_stream *first[ORR_NAVSET_STREAMS];
+            assert_int_equal(orr_engine_navdata_streams(e, sat[i], 0, first), 1);
+            assert_ptr_equal(first[0], streams[0]);
+            for (size_t k = 0; k < m; k++) {
+                const orr_navset_item *there =
+                    orr_navset_at(set, sat[i], (orr_nav_message)streams[k]->message, at(t_s));
+                memset(&frame, 0, sizeof frame);
+                assert_int_equal(orr_engine_navdata(e, at(t_s), sat[i], streams[k], k == 1, &item, &frame),
+                                 there != NULL ? ORR_ANSWER_OK : ORR_ANSWER_NO_ARC);
+                if (there == NULL) continue;
+                ASSERT_OK(orr_navframe_at(set, sat[i], streams[k], at(t_s), k == 1, &want, &diag), diag);
+                assert_memory_equal(&frame, &want, sizeof want);
+                assert_true(item->from == there->from && item->eph.toe == there->eph.toe);
+                sent++;
+            }
         }
     }
     assert_true(sent > 80);
-    assert_int_equal(orr_engine_navdata(e, at(43201), NULL, n, item, NULL, answer), ORR_ANSWER_OUTSIDE_SPAN);
+    assert_int_equal(orr_engine_navdata(e, at(43201), sat[0], NULL, false, &item, NULL),
+                     ORR_ANSWER_OUTSIDE_SPAN);
     orr_navset_free(set);
     orr_ephemeris_free(p);
     orr_engine_close(e);
@@ -148,9 +156,9 @@ static void what_is_not_there_is_told(void **state)
     (void)state;
     orr_engine *e;
     orr_diag diag = {0};
-    write_product(6, 6, 'E');
+    write_product(6, 6, 'R'); // orbits without J2 are none by GLONASS' model
     ASSERT_OK(open_product(NULL, ORR_NAVDATA_2H, &e, &diag), diag); // the rest of it is served
-    assert_non_null(strstr(orr_engine_no_navdata(e), "GPS or GLONASS"));
+    assert_non_null(strstr(orr_engine_no_navdata(e), "sends one of the messages"));
     orr_engine_close(e);
     write_product(6, 6, 0);
     ASSERT_OK(open_product(NULL, ORR_NAVDATA_NONE, &e, &diag), diag);
@@ -272,7 +280,7 @@ static void a_trajectory_without_satellites(void **state)
                      ORR_ANSWER_NOT_SERVED);
     assert_int_equal(orr_engine_elements(e, &axes, &g1, 1, &k, &flags, &answer), ORR_ANSWER_NOT_SERVED);
     assert_non_null(strstr(orr_engine_no_navdata(e), "no satellites"));
-    assert_int_equal(orr_engine_navdata(e, start, &g1, 1, &item, &frame, &answer), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_navdata(e, start, g1, NULL, false, &item, &frame), ORR_ANSWER_NOT_SERVED);
     assert_int_equal(orr_engine_delays(e, start, (orr_vec3){6.4e6, 0, 0}, &g1, 1, &delay, &answer),
                      ORR_ANSWER_NOT_SERVED);
 

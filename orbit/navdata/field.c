@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/navdata/field.h"
+
+static double top_of(const orr_navfit_field *f)
+{
+    return ldexp(1.0, f->kind == ORR_FIELD_UNSIGNED ? f->bits : f->bits - 1);
+}
+
+static double least_of(const orr_navfit_field *f)
+{
+    return f->kind == ORR_FIELD_UNSIGNED ? 0 : f->kind == ORR_FIELD_MAGNITUDE ? 1 - top_of(f) : -top_of(f);
+}
+
+orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *value, orr_diag *diag)
+{
+    const double top = top_of(f);
+    if (f->kind == ORR_FIELD_ANGLE) whole -= 2 * top * floor(whole / (2 * top) + 0.5);
+    if (!(whole < top && whole >= least_of(f)))
+        return orr_diag_set(diag, ORR_E_RANGE, "%s = %.10g does not fit its %d bits", f->name,
+                            f->base + whole * f->lsb, f->bits);
+    *value = f->base + orr_navfit_lsbs(whole, f->lsb);
+    return ORR_OK;
+}
+
+double orr_navfit_clamped(const orr_navfit_field *f, double value)
+{
+    const double whole = fmax(least_of(f), fmin(top_of(f) - 1, orr_navfit_whole(f, value)));
+    return f->base + orr_navfit_lsbs(whole, f->lsb);
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/navdata/nav_stream.h"
+
+#include <string.h>
+
+static const orr_nav_stream streams[] = {
+    {'G', ORR_NAV_LNAV, "L1CA"}, {'R', ORR_NAV_FDMA, "L1OF L2OF"}, {'E', ORR_NAV_INAV, "E1"},
+    {'E', ORR_NAV_INAV, "E5b"},  {'E', ORR_NAV_FNAV, "E5a"},
+};
+
+const orr_nav_stream *orr_nav_streams(size_t *n)
+{
+    *n = sizeof streams / sizeof *streams;
+    return streams;
+}
+
+uint32_t orr_nav_streams_of(char system)
+{
+    uint32_t bits = 0;
+    for (size_t k = 0; k < sizeof streams / sizeof *streams; k++)
+        if (streams[k].system == system) bits |= UINT32_C(1) << streams[k].message;
+    return bits;
+}
+
+static bool carries(const orr_nav_stream *s, const char *signal)
+{
+    const size_t n = strlen(signal);
+    for (const char *at = s->signals; (at = strstr(at, signal)) != NULL; at += n)
+        if ((at == s->signals || at[-1] == ' ') && (at[n] == '\0' || at[n] == ' ')) return true;
+    return false;
+}
+
+const orr_nav_stream *orr_nav_stream_find(char system, const char *signal)
+{
+    if (signal[0] == '\0') return NULL;
+    for (size_t k = 0; k < sizeof streams / sizeof *streams; k++)
+        if (streams[k].system == system && carries(&streams[k], signal)) return &streams[k];
+    return NULL;
+}

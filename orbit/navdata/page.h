@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A page of a navigation message while it is written, bit after bit, and the codes that protect it: CRC-24Q, BCH(15,11), the
+// convolutional code of constraint length 7, block interleaving. Private to the room.
+#ifndef ORR_ORBIT_NAVDATA_PAGE_H
+#define ORR_ORBIT_NAVDATA_PAGE_H
+
+#include "orbit/navdata/field.h"
+
+#define ORR_PAGE_BITS 2048
+typedef struct orr_page {
+    size_t n;                   // bits so far
+    orr_status status;          // of the first field that failed; nothing is written then that matters
+    orr_diag *diag;             // its sentence; may be NULL
+    uint8_t bit[ORR_PAGE_BITS]; // 0 or 1, first in time first
+} orr_page;
+
+// Begins an empty page.
+void orr_page_begin(orr_page *p, orr_diag *diag);
+// Appends the lowest n bits of a value, the highest of them first; n up to 64.
+void orr_page_put(orr_page *p, int n, uint64_t value);
+// Appends n zeros.
+void orr_page_zeros(orr_page *p, int n);
+// A value as the bits of its field, right-aligned; 0, and p->status, where it does not fit.
+uint64_t orr_page_code(orr_page *p, const orr_navfit_field *f, double value);
+// Appends a value by its field.
+void orr_page_value(orr_page *p, const orr_navfit_field *f, double value);
+// Appends the bits [from, from + n) of another page.
+void orr_page_copy(orr_page *p, const orr_page *other, size_t from, size_t n);
+// Appends CRC-24Q over the bits from `from` on (IS-GPS-200N 30.3.5.1).
+void orr_page_crc24q(orr_page *p, size_t from);
+// Appends the symbols of the bits [from, n) of `in` by the code G1 = 171, G2 = 133 (octal), G1 first.
+// Given:
+//   in, from       the bits
+//   invert_second  Galileo inverts the output of G2
+//   state          [1] the six bits before, the last of them lowest
+// Returned: p, state (the last six).
+void orr_page_convolve(orr_page *p, const orr_page *in, size_t from, bool invert_second, unsigned *state);
+// Rearranges the last rows * columns symbols: written column by column (rows to a column), read row by row.
+void orr_page_interleave(orr_page *p, size_t rows, size_t columns);
+// The four parity bits of eleven bits by BCH(15,11,1), generator x^4 + x + 1 (BDS-SIS-ICD-B1I 3.0, 5.1.3).
+unsigned orr_page_bch15(unsigned eleven);
+// The bits as bytes, the first highest; what is left of the last byte is 0.
+void orr_page_pack(const orr_page *p, uint8_t *bytes);
+
+#endif

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a receiver does with the symbols of newer navigation messages: Galileo I/NAV and F/NAV (OS SIS ICD 2.1). Written from the
+documents, knows nothing of the program's encoders."""
+import math
+
+from navdata import bits_of, half_week
+
+PI = 3.1415926535898
+GALILEO_GM, GALILEO_RATE = 3.986004418e14, 7.2921151467e-5
+
+
+def crc24q(text):
+    """The remainder of the division by G(X) = (1 + X) P(X), bit by bit."""
+    p = sum(1 << k for k in (23, 17, 13, 12, 11, 9, 8, 7, 5, 3, 0))
+    g = p ^ (p << 1)
+    value = int(text, 2) << 24
+    while value.bit_length() > 24:
+        value ^= g << (value.bit_length() - 25)
+    return value
+
+
+def viterbi_free(symbols, inverted, state=0):
+    """The bits of an error-free run of symbols of the code 171, 133 (K = 7): the first symbol of each pair holds the new bit
+    itself, the second has to be what the code makes of it. -> (bits, the last six as a number)."""
+    bits = []
+    for first, second in zip(symbols[::2], symbols[1::2]):
+        old = [state >> k & 1 for k in range(6)]  # old[0] is the bit before
+        bit = first ^ old[0] ^ old[1] ^ old[2] ^ old[5]
+        if second ^ inverted != bit ^ old[1] ^ old[2] ^ old[4] ^ old[5]:
+            raise ValueError("the symbols are none of the code's")
+        bits.append(bit)
+        state = (state << 1 | bit) & 63
+    return "".join(map(str, bits)), state
+
+
+def deinterleaved(text, rows, columns):
+    """Received row by row, taken out column by column."""
+    return [int(text[r * columns + c]) for c in range(columns) for r in range(rows)]
+
+
+def fields(text, table):
+    """Consecutive fields: (name, bits, scale, signed); scale None leaves them as they are."""
+    out, at = {}, 0
+    for name, n, scale, signed in table:
+        value = int(text[at:at + n], 2)
+        at += n
+        if signed and value >> (n - 1):
+            value -= 1 << n
+        if name:
+            out[name] = value if scale is None else value * scale
+    if at != len(text):
+        raise AssertionError(f"{at} bits in the table, {len(text)} in the message")
+    return out
+
+
+def semi(power):
+    return PI * 2.0**-power
+
+
+# --- Galileo ---
+
+INAV = {
+    0: [("type", 6, None, 0), ("time", 2, None, 0), ("", 88, None, 0), ("wn", 12, None, 0), ("tow", 20, None, 0)],
+    1: [("type", 6, None, 0), ("iod", 10, None, 0), ("toe", 14, 60, 0), ("m0", 32, semi(31), 1), ("e", 32, 2.0**-33, 0),
+        ("sqrt_a", 32, 2.0**-19, 0), ("", 2, None, 0)],
+    2: [("type", 6, None, 0), ("iod", 10, None, 0), ("omega0", 32, semi(31), 1), ("i0", 32, semi(31), 1), ("omega", 32, semi(31), 1),
+        ("idot", 14, semi(43), 1), ("", 2, None, 0)],
+    3: [("type", 6, None, 0), ("iod", 10, None, 0), ("omega_dot", 24, semi(43), 1), ("delta_n", 16, semi(43), 1), ("cuc", 16, 2.0**-29, 1),
+        ("cus", 16, 2.0**-29, 1), ("crc", 16, 2.0**-5, 1), ("crs", 16, 2.0**-5, 1), ("sisa", 8, None, 0)],
+    4: [("type", 6, None, 0), ("iod", 10, None, 0), ("svid", 6, None, 0), ("cic", 16, 2.0**-29, 1), ("cis", 16, 2.0**-29, 1),
+        ("toc", 14, 60, 0), ("af0", 31, 2.0**-34, 1), ("af1", 21, 2.0**-46, 1), ("af2", 6, 2.0**-59, 1), ("", 2, None, 0)],
+    5: [("type", 6, None, 0), ("ai0", 11, 0.25, 0), ("ai1", 11, 2.0**-8, 1), ("ai2", 14, 2.0**-15, 1), ("flags", 5, None, 0),
+        ("bgd_5a", 10, 2.0**-32, 1), ("bgd_5b", 10, 2.0**-32, 1), ("hs_5b", 2, None, 0), ("hs_1", 2, None, 0), ("dvs_5b", 1, None, 0),
+        ("dvs_1", 1, None, 0), ("wn", 12, None, 0), ("tow", 20, None, 0), ("", 23, None, 0)],
+    6: [("type", 6, None, 0), ("a0", 32, 2.0**-30, 1), ("a1", 24, 2.0**-50, 1), ("leap", 8, None, 1), ("tot", 8, 3600, 0), ("wnot", 8, None, 0),
+        ("wnlsf", 8, None, 0), ("dn", 3, None, 0), ("leap_future", 8, None, 1), ("tow", 20, None, 0), ("", 3, None, 0)],
+    16: [("type", 6, None, 0), ("a", 5, 2.0**8, 1), ("ex", 13, 2.0**-22, 1), ("ey", 13, 2.0**-22, 1), ("i0", 17, semi(22), 1),
+         ("omega0", 23, semi(22), 1), ("lambda0", 23, semi(22), 1), ("af0", 22, 2.0**-26, 1), ("af1", 6, 2.0**-35, 1)],
+}
+
+
+def almanac_fields(k, last=9):
+    return [(f"{name}{k}", n, scale, signed) for name, n, scale, signed in (
+        ("sqrt_a", 13, 2.0**-9, 1), ("e", 11, 2.0**-16, 0), ("omega", 16, semi(15), 1), ("i", 11, semi(14), 1), ("omega0", 16, semi(15), 1),
+        ("omega_dot", 11, semi(33), 1), ("m0", 16, semi(15), 1), ("af0", 16, 2.0**-19, 1), ("af1", 13, 2.0**-38, 1))][:last]
+
+
+HEAD = [("type", 6, None, 0), ("ioda", 4, None, 0)]
+DATED = [*HEAD, ("wna", 2, None, 0), ("t0a", 10, 600, 0)]
+HEALTH = ("hs_5b", 2, None, 0), ("hs_1", 2, None, 0)
+INAV[7] = [*DATED, ("sat1", 6, None, 0), *almanac_fields(1, 7), ("", 6, None, 0)]
+INAV[8] = [*HEAD, *almanac_fields(1)[7:], *HEALTH, ("sat2", 6, None, 0), *almanac_fields(2, 6), ("", 1, None, 0)]
+INAV[9] = [*DATED, *almanac_fields(2)[6:], *HEALTH, ("sat3", 6, None, 0), *almanac_fields(3, 4)]
+INAV[10] = [*HEAD, *almanac_fields(3)[4:], *HEALTH, ("a0g", 16, 2.0**-35, 1), ("a1g", 12, 2.0**-51, 1), ("t0g", 8, 3600, 0), ("wn0g", 6, None, 0)]
+
+TIME = [("wn", 12, None, 0), ("tow", 20, None, 0)]
+FNAV = {
+    1: [("type", 6, None, 0), ("svid", 6, None, 0), ("iod", 10, None, 0), ("toc", 14, 60, 0), ("af0", 31, 2.0**-34, 1), ("af1", 21, 2.0**-46, 1),
+        ("af2", 6, 2.0**-59, 1), ("sisa", 8, None, 0), ("ai0", 11, 0.25, 0), ("ai1", 11, 2.0**-8, 1), ("ai2", 14, 2.0**-15, 1),
+        ("flags", 5, None, 0), ("bgd_5a", 10, 2.0**-32, 1), ("hs_5a", 2, None, 0), *TIME, ("dvs_5a", 1, None, 0), ("", 26, None, 0)],
+    2: [("type", 6, None, 0), ("iod", 10, None, 0), ("m0", 32, semi(31), 1), ("omega_dot", 24, semi(43), 1), ("e", 32, 2.0**-33, 0),
+        ("sqrt_a", 32, 2.0**-19, 0), ("omega0", 32, semi(31), 1), ("idot", 14, semi(43), 1), *TIME],
+    3: [("type", 6, None, 0), ("iod", 10, None, 0), ("i0", 32, semi(31), 1), ("omega", 32, semi(31), 1), ("delta_n", 16, semi(43), 1),
+        ("cuc", 16, 2.0**-29, 1), ("cus", 16, 2.0**-29, 1), ("crc", 16, 2.0**-5, 1), ("crs", 16, 2.0**-5, 1), ("toe", 14, 60, 0), *TIME,
+        ("", 8, None, 0)],
+    4: [("type", 6, None, 0), ("iod", 10, None, 0), ("cic", 16, 2.0**-29, 1), ("cis", 16, 2.0**-29, 1), ("a0", 32, 2.0**-30, 1),
+        ("a1", 24, 2.0**-50, 1), ("leap", 8, None, 1), ("tot", 8, 3600, 0), ("wnot", 8, None, 0), ("wnlsf", 8, None, 0), ("dn", 3, None, 0),
+        ("leap_future", 8, None, 1), ("t0g", 8, 3600, 0), ("a0g", 16, 2.0**-35, 1), ("a1g", 12, 2.0**-51, 1), ("wn0g", 6, None, 0),
+        ("tow", 20, None, 0), ("", 5, None, 0)],
+    5: [*DATED, ("sat1", 6, None, 0), *almanac_fields(1), ("hs1", 2, None, 0), ("sat2", 6, None, 0), *almanac_fields(2, 4), ("omega0_high", 4, None, 0)],
+    6: [*HEAD, ("omega0_low", 12, None, 0), *almanac_fields(2)[5:], ("hs2", 2, None, 0), ("sat3", 6, None, 0), *almanac_fields(3), ("hs3", 2, None, 0),
+        ("", 3, None, 0)],
+}
+
+
+def inav_page(data, e1):
+    """500 symbols of a page -> (the word's 128 bits, SSP); raises ValueError where anything does not hold."""
+    text = bits_of(data, 500)
+    parts = []
+    for k in range(2):
+        part = text[250 * k:250 * k + 250]
+        if part[:10] != "0101100000":
+            raise ValueError("no synchronisation")
+        bits, state = viterbi_free(deinterleaved(part[10:], 8, 30), 1)
+        if state != 0:
+            raise ValueError("no tail")
+        parts.append(bits)
+    even, odd = parts
+    if even[:2] != "00" or odd[:2] != "10":
+        raise ValueError("no nominal page, even then odd")
+    if crc24q(even[:114] + odd[:82]) != int(odd[82:106], 2):
+        raise ValueError("CRC")
+    # After coding, the last 16 symbols of the odd part (before interleaving) are one of three patterns (table 38).
+    last = "".join(map(str, deinterleaved(text[260:], 8, 30)[-16:]))
+    patterns = {"1110100100100101": 1, "0110110001001110": 2, "1101000000111110": 3}
+    if e1 != (last in patterns):
+        raise ValueError("secondary synchronisation pattern")
+    return even[2:114] + odd[2:18], patterns.get(last)
+
+
+def fnav_page(data):
+    """500 symbols of a page -> its 214 bits."""
+    text = bits_of(data, 500)
+    if text[:12] != "101101110000":
+        raise ValueError("no synchronisation")
+    bits, state = viterbi_free(deinterleaved(text[12:], 8, 61), 1)
+    if state != 0 or crc24q(bits[:214]) != int(bits[214:238], 2):
+        raise ValueError("CRC or tail")
+    return bits[:214]
+
+
+def gf256():
+    """Powers and logarithms of the field of x^8 + x^4 + x^3 + x^2 + 1."""
+    power, log, value = [], {}, 1
+    for k in range(255):
+        power.append(value)
+        log[value] = k
+        value <<= 1
+        if value & 256:
+            value ^= 0x11D
+    return power, log
+
+
+def reed_solomon_holds(words):
+    """Words 1-4 and 17-20 (128 bits each, by number): the code's polynomial has its 60 zeros (5.1.12)."""
+    one = words[1]
+    information = one[:6] + one[14:16] + one[6:14] + one[16:] + "".join(words[k][16:] for k in (2, 3, 4))
+    parity = "".join(words[k][6:14] + words[k][16:] for k in (17, 18, 19, 20))
+    octets = [int(parity[k:k + 8], 2) for k in range(0, 480, 8)] + [int(information[k:k + 8], 2) for k in range(0, 464, 8)]
+    power, log = gf256()
+    for root in range(1, 61):
+        total = 0
+        for k, octet in enumerate(octets):  # coefficient of x^k
+            if octet:
+                total ^= power[(log[octet] + root * k) % 255]
+        if total:
+            return False
+    return all(words[k][14:16] == one[14:16] for k in (17, 18, 19, 20))
+
+
+def kepler_position(eph, t, gm, rate):
+    """ecef position at t (seconds of the system's week, or the same far from it) by the documents' common algorithm."""
+    tk = half_week(t - eph["toe"])
+    a0 = eph["a"] if "a" in eph else eph["sqrt_a"]**2
+    a = a0 + eph.get("a_dot", 0.0) * tk
+    n = math.sqrt(gm / a0**3) + eph.get("delta_n", 0.0) + 0.5 * eph.get("n_dot", 0.0) * tk
+    m = eph["m0"] + n * tk
+    anomaly = m
+    for _ in range(40):
+        anomaly += (m - anomaly + eph["e"] * math.sin(anomaly)) / (1 - eph["e"] * math.cos(anomaly))
+    nu = math.atan2(math.sqrt(1 - eph["e"]**2) * math.sin(anomaly), math.cos(anomaly) - eph["e"])
+    phi = nu + eph["omega"]
+    c2, s2 = math.cos(2 * phi), math.sin(2 * phi)
+    u = phi + eph.get("cus", 0.0) * s2 + eph.get("cuc", 0.0) * c2
+    r = a * (1 - eph["e"] * math.cos(anomaly)) + eph.get("crs", 0.0) * s2 + eph.get("crc", 0.0) * c2
+    i = eph["i0"] + eph.get("idot", 0.0) * tk + eph.get("cis", 0.0) * s2 + eph.get("cic", 0.0) * c2
+    tilted = eph.get("geo", False)
+    node = eph["omega0"] + (eph["omega_dot"] - (0 if tilted else rate)) * tk - rate * eph["toe"]
+    x, y = r * math.cos(u), r * math.sin(u)
+    p = (x * math.cos(node) - y * math.cos(i) * math.sin(node), x * math.sin(node) + y * math.cos(i) * math.cos(node), y * math.sin(i))
+    if not tilted:
+        return p
+    c, s = math.cos(math.radians(-5)), math.sin(math.radians(-5))
+    p = (p[0], c * p[1] + s * p[2], -s * p[1] + c * p[2])
+    c, s = math.cos(rate * tk), math.sin(rate * tk)
+    return (c * p[0] + s * p[1], -s * p[0] + c * p[1], p[2])
+
+
+def clock_of(eph, t):
+    dt = half_week(t - eph["toc"])
+    return eph["af0"] + eph["af1"] * dt + eph["af2"] * dt * dt

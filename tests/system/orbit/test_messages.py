@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Navigation messages beyond LNAV and GLONASS' strings: a receiver that is written from the documents alone (tests/system/messages.py)
+takes the symbols, finds the bits that `--bits` writes, in them the fields of the RINEX file to the last digit, and the orbit within
+what the report claims."""
+import collections
+import csv
+import math
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import messages  # noqa: E402
+from program import Folder, data, run, run_json  # noqa: E402
+from test_navfit import seconds, states, text_of  # noqa: E402
+
+WEEK = 604800
+GALILEO = ("af0", "af1", "af2", "iod", "crs", "delta_n", "m0", "cuc", "e", "cus", "sqrt_a", "toe", "cic", "omega0", "cis", "i0", "crc", "omega",
+           "omega_dot", "idot")
+
+
+def pages(path):
+    """(sat, message, signals) -> pages, ascending in time."""
+    streams = collections.defaultdict(list)
+    with open(path, encoding="ascii", newline="") as f:
+        for row in csv.DictReader(line for line in f if not line.startswith("#")):
+            row["t"], row["number"], row["bits"] = seconds(row["t_gps"]), int(row["number"]), int(row["bits"])
+            row["length"] = float(row["length_s"])
+            streams[row["sat"], row["message"], row["signals"]].append(row)
+    return streams
+
+
+def rinex_records(path):
+    """sat -> records of RINEX 3: the epoch's text and the numbers in the file's order."""
+    text = pathlib.Path(path).read_text(encoding="ascii").split("END OF HEADER")[1].splitlines()[1:]
+    records, current = collections.defaultdict(list), None
+    for line in text:
+        if line[0] != " ":
+            current = [line[4:23], [float(line[k:k + 19]) for k in range(23, 80, 19)]]
+            records[line[:3]].append(current)
+        else:
+            current[1] += [float(line[k:k + 19]) if line[k:k + 19].strip() else None for k in range(4, len(line), 19)]
+    return records
+
+
+class RealDay(Folder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.product, cls.rinex = cls.path("day.nc"), cls.path("day.rnx")
+        run("orbit", "-q", "-o", cls.product, "--nodes", "900", "--sat", "G05,E11,E14,E31",
+            data("2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"))
+        cls.from_s = seconds("2024-02-04T11:58:00")
+        cls.to_s = cls.from_s + 800  # a whole frame of Galileo, and an update at 12:00
+        run("navfit", "-q", cls.product, "-o", cls.rinex, "--bits", cls.path("bits.csv"), "--symbols", cls.path("symbols.csv"), "--bias",
+            data("2024-035/COD0OPSFIN_20240350000_01D_01D_OSB.BIA.gz"), "--from", text_of(cls.from_s), "--to", text_of(cls.to_s))
+        cls.bits, cls.symbols = pages(cls.path("bits.csv")), pages(cls.path("symbols.csv"))
+        cls.records = rinex_records(cls.rinex)
+        cls.claims = collections.defaultdict(list)
+        for s in run_json("navfit", cls.product, "--format", "json")["sets"]:
+            cls.claims[s["sat"], s["message"]].append(s)
+        cls.truth = states(cls.product, "G,E", cls.from_s, cls.to_s, 60)
+
+    def check_rhythm(self, key, length, count):
+        """Pages follow each other without a seam, as symbols as well as bits."""
+        for stream in (self.bits[key], self.symbols[key]):
+            self.assertGreater(len(stream), count)
+            for a, b in zip(stream, stream[1:]):
+                self.assertEqual((a["length"], b["t"]), (length, a["t"] + length))
+        self.assertEqual([p["t"] for p in self.bits[key]], [p["t"] for p in self.symbols[key]])
+
+    def check_orbit(self, key, eph, t, gm, rate):
+        """Where a receiver believes the satellite to be at t: within what the report claims of the set on the air."""
+        claim = next(s for s in self.claims[key[:2]] if seconds(s["from"]) <= t < seconds(s["to"]))
+        error = math.dist(messages.kepler_position(eph, t, gm, rate), self.truth[key[0], t][0])
+        self.assertLess(error, 1.1 * claim["max_m"] + 0.002, (key, t))
+        return error
+
+    def check_record(self, sat, names, eph, t, extra):
+        """The fields of the record of RINEX whose reference time is the set's, to its thirteen digits."""
+        for epoch, numbers in self.records[sat]:
+            record = dict(zip(names, numbers))
+            when = seconds("{}-{}-{}T{}:{}:{}".format(*epoch.split())) % WEEK
+            if when != eph["toc"] or record["iod"] != eph["iod"] or numbers[20] != extra["sources"]:
+                continue
+            for name in names:
+                self.assertAlmostEqual(record[name], eph[name], delta=2e-12 * abs(eph[name]), msg=(sat, t, name))
+            self.assertEqual(numbers[24], extra["health"])
+            for told, sent in zip(numbers[25:27], extra["bgd"]):
+                self.assertAlmostEqual(told, sent, delta=2e-12 * abs(sent))
+            return
+        self.fail(f"no record for {sat} at {t}")
+
+    def galileo_keys(self, message, signals):
+        keys = [k for k in self.symbols if k[1:] == (message, signals)]
+        self.assertEqual({k[0] for k in keys}, {"E11", "E14", "E31"})
+        return [k for k in keys if k[0] != "E31"]
+
+    def check_inav(self, key, e1):
+        self.check_rhythm(key, 2.0, 390)
+        words, whole, seen, ssp_seen = {}, {}, collections.Counter(), set()
+        issue, issues, errors, sets = None, [], 0, 0
+        for page, bits in zip(self.symbols[key], self.bits[key]):
+            self.assertEqual((page["bits"], bits["bits"]), (500, 240))
+            word, ssp = messages.inav_page(page["hex"], e1)
+            plain = messages.bits_of(bits["hex"], 240)
+            self.assertEqual(word, plain[2:114] + plain[122:138])
+            if e1:  # odd parts begin at even seconds: 2, 4, 6 s after a multiple of 6 with the patterns 1, 2, 3
+                self.assertEqual(ssp, (page["t"] + 1) % 6 // 2 or 3)
+                ssp_seen.add(ssp)
+            kind = int(word[:6], 2)
+            self.assertEqual(kind, page["number"])
+            seen[kind] += 1
+            if kind in messages.INAV:
+                f = messages.fields(word, messages.INAV[kind])
+                if "tow" in f:
+                    self.assertEqual(f["tow"], page["t"] % WEEK)
+                if "wn" in f:
+                    self.assertEqual(f["wn"], page["t"] // WEEK - 1024)
+                if 1 <= kind <= 4 and f["iod"] != issue:
+                    issue, words = f["iod"], {}
+                    issues.append(issue)
+                words[kind] = f
+            whole[kind] = word
+            if e1 and all(k in whole for k in (1, 2, 3, 4, 17, 18, 19, 20)) and len({whole[k][6:16] for k in (1, 2, 3, 4)}) == 1 and kind == 20:
+                self.assertTrue(messages.reed_solomon_holds(whole))
+                errors += 1
+            t = page["t"] - page["t"] % 60
+            if kind == 5 and all(k in words for k in (1, 2, 3, 4)) and t > self.from_s + 60:
+                eph = {**words[1], **words[2], **words[3], **words[4], **f}
+                self.check_orbit(key, eph, t, messages.GALILEO_GM, messages.GALILEO_RATE)
+                self.check_record(key[0], GALILEO, eph, t, {"sources": 517, "health": 0, "bgd": (eph["bgd_5a"], eph["bgd_5b"])})
+                self.assertEqual((f["hs_1"], f["hs_5b"], f["dvs_1"], f["dvs_5b"], words[4]["svid"]), (0, 0, 0, 0, int(key[0][1:])))
+                sets += 1
+        self.assertEqual(len(issues), 2)  # one update, and no word of the old set after the first of the new
+        self.assertGreater(sets, 10)
+        self.assertEqual(ssp_seen, {1, 2, 3} if e1 else set())
+        self.assertEqual(errors > 5, e1)
+        return seen, words
+
+    def test_inav_on_e1(self):
+        for key in self.galileo_keys("INAV", "E1"):
+            seen, words = self.check_inav(key, True)
+            self.assertEqual(set(seen), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 16, 17, 18, 19, 20})
+            self.assertEqual((words[6]["leap"], words[6]["leap_future"], words[6]["wnlsf"], words[6]["dn"]), (18, 18, (1929 - 1024) % 256, 7))
+            self.assertEqual((words[6]["a0"], words[10]["a0g"], words[10]["a1g"]), (0, 0, 0))
+
+    def test_inav_on_e5b(self):
+        for key in self.galileo_keys("INAV", "E5b"):
+            seen, _ = self.check_inav(key, False)
+            self.assertEqual(set(seen), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
+
+    def test_reduced_elements(self):
+        """Word 16 alone, a minute after its reference: the LSBs of a (256 m) and of the angles (0.7 us of a semicircle, 22 m)."""
+        worst = 0.0
+        for key in self.galileo_keys("INAV", "E1"):
+            if key[0] == "E14":  # 1600 km below the nominal height that a is sent against
+                continue
+            for page in self.symbols[key]:
+                if page["number"] != 16 or page["t"] < self.from_s + 60 or page["t"] > self.to_s - 120:
+                    continue
+                f = messages.fields(messages.inav_page(page["hex"], True)[0], messages.INAV[16])
+                t0r = page["t"] // 30 * 30 + 1
+                omega = math.atan2(f["ey"], f["ex"])
+                eph = {"a": 29600000.0 + f["a"], "e": math.hypot(f["ex"], f["ey"]), "omega": omega, "m0": f["lambda0"] - omega,
+                       "i0": math.radians(56) + f["i0"], "omega0": f["omega0"], "omega_dot": 0.0, "toe": t0r % WEEK}
+                t = page["t"] // 60 * 60 + 60
+                true, clock = self.truth[key[0], t]
+                worst = max(worst, math.dist(messages.kepler_position(eph, t, messages.GALILEO_GM, messages.GALILEO_RATE), true))
+                self.assertLess(abs(f["af0"] - clock), 6e-8)  # 15 ns are the LSB; the clock is of E5b/E1, the truth of E5a/E1
+        print(f"reduced elements: {worst:.0f} m at most")
+        self.assertLess(worst, 400)
+
+    def test_inav_almanac(self):
+        key, told = next(k for k in self.symbols if k[1:] == ("INAV", "E1")), {}
+        words = {}
+        for page in self.symbols[key]:
+            if 7 <= page["number"] <= 10:
+                words.update(messages.fields(messages.inav_page(page["hex"], True)[0], messages.INAV[page["number"]]))
+            if page["number"] == 10:
+                for k in "123":
+                    if words.get(f"sat{k}"):
+                        told[words[f"sat{k}"]] = {**{n: words[n + k] for n in ("sqrt_a", "e", "omega", "i", "omega0", "omega_dot", "m0", "af0", "af1")},
+                                                  "t0a": words["t0a"]}
+        self.check_almanac(told)
+
+    def check_almanac(self, told):
+        self.assertEqual(set(told), {11, 31})  # E14's sqrt(A) is beyond the field
+        for sat, a in told.items():
+            eph = {**a, "sqrt_a": a["sqrt_a"] + math.sqrt(29600000.0), "i0": a["i"] + math.radians(56), "toe": a["t0a"]}
+            t = self.from_s + 60
+            true, clock = self.truth[f"E{sat}", t]
+            error = math.dist(messages.kepler_position(eph, t, messages.GALILEO_GM, messages.GALILEO_RATE), true)
+            print(f"almanac of E{sat}: {error:.0f} m")
+            self.assertLess(error, 5000)
+            self.assertLess(abs(a["af0"] + a["af1"] * messages.half_week(t - a["t0a"]) - clock), 4e-6)  # the LSB is 1.9 us
+
+    def test_fnav(self):
+        for key in self.galileo_keys("FNAV", "E5a"):
+            self.check_rhythm(key, 10.0, 75)
+            f, sets = {}, 0
+            for page, bits in zip(self.symbols[key], self.bits[key]):
+                self.assertEqual((page["bits"], bits["bits"]), (500, 244))
+                word = messages.fnav_page(page["hex"])
+                self.assertEqual(word, messages.bits_of(bits["hex"], 214))
+                kind = int(word[:6], 2)
+                self.assertEqual(kind, page["number"])
+                own = messages.fields(word, messages.FNAV[kind])
+                if "tow" in own:
+                    self.assertEqual(own["tow"], page["t"] % WEEK)
+                if kind == 1:
+                    f = {}
+                f.update(own)
+                if kind == 4 and "m0" in f and "toe" in f:
+                    t = page["t"] - page["t"] % 60
+                    if t > self.from_s + 60:
+                        self.check_orbit(key, f, t, messages.GALILEO_GM, messages.GALILEO_RATE)
+                        self.check_record(key[0], GALILEO, f, t, {"sources": 258, "health": 0, "bgd": (f["bgd_5a"], self.bgd_5b(key[0]))})
+                        self.assertEqual((f["leap"], f["leap_future"], f["dn"], f["a0g"]), (18, 18, 7, 0))
+                        sets += 1
+            self.assertGreater(sets, 12)
+
+    def bgd_5b(self, sat):
+        return self.records[sat][0][1][26]
+
+
+del Folder  # a base class is no test
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
