@@ -27,8 +27,8 @@ typedef struct navset_schedule {
 orr_status navset_schedule_of(orr_sat sat, orr_nav_message message, orr_time from, orr_time to,
                               const orr_navset_options *o, bool brief, navset_schedule *out);
 
-    // The sets of one message.
-    typedef struct navset_series {
+// The sets of one message.
+typedef struct navset_series {
     uint8_t message;
     size_t n;
     orr_navset_item *item;
