@@ -19,7 +19,7 @@ enum { SATELLITES = 40, RUNS = 15 };
 // little. gps-sdr-sim, which is measured beside, tells its own in the same way.
 static double processor_seconds(void (*work)(void *arg), void *arg)
 {
-    double best = INFINITY;
+    double best = HUGE_VAL;
     long calls = 1;
     for (int run = 0; run < RUNS;) {
         struct timespec a, b;
