@@ -8,6 +8,7 @@
 #define CELL_NS 10000000000 // lengths are one in each 10 s of scenario time (docs/channels.md)
 #define AHEAD_NS 1000000000 // asked for at once
 #define MOST 512            // blocks of them
+#define CREDIT 64           // blocks on the way
 
 struct orr_gen_blocks {
     orr_gen_link *link;
@@ -15,9 +16,13 @@ struct orr_gen_blocks {
     uint16_t antenna, n_signals;
     uint16_t wanted[ORR_MSG_MAX_SIGNALS];
     uint8_t place[ORR_MSG_MAX_SIGNALS]; // of a signal's number in CAPS
-    size_t n;                           // blocks held
+    uint32_t stream;                    // its number; 0: there is none
+    bool polls;                         // the service knows no streams
+    bool ended, bad;                    // the stream has; a frame of it could not be kept
+    char end[201];                      // and why
+    size_t n, handed;                   // blocks held, of which those were handed out last
     orr_gen_block block[MOST];
-    int64_t length_ns; // of the last cell
+    int64_t length_ns; // of the last blocks
 };
 
 bool orr_gen_blocks_open(orr_gen_link *link, const orr_gen_service *service, uint16_t antenna,
@@ -73,6 +78,96 @@ static bool keep(orr_gen_blocks *b, const orr_msg_channels *m, orr_gen_block *ou
     return true;
 }
 
+// --- A stream: the service makes blocks as fast as there is credit ---
+
+// Frames of the stream, also those that come while navigation data are asked for.
+static void take(void *user, const orr_frame *f)
+{
+    orr_gen_blocks *b = user;
+    if (b->stream == 0 || f->sequence != b->stream) return;
+    if (f->type == ORR_MSG_TYPE_CHANNELS) {
+        orr_msg_channels m;
+        orr_gen_fault fault;
+        if (orr_msg_channels_decode(f->payload, f->size, &m) != ORR_WIRE_OK || b->n == MOST ||
+            m.epoch.answer != ORR_MSG_ANSWER_OK || !keep(b, &m, &b->block[b->n], &fault))
+            b->bad = true;
+        else
+            b->n++;
+    } else if (f->type == ORR_MSG_TYPE_STREAM_END) {
+        orr_msg_stream_end end;
+        b->ended = true;
+        if (orr_msg_stream_end_decode(f->payload, f->size, &end) == ORR_WIRE_OK)
+            orr_wire_text_copy(end.sentence, b->end, sizeof b->end);
+    } else
+        b->bad = true; // a gap, which a stream at no clock's pace has none of
+}
+
+static orr_wire_status subscribe(orr_gen_blocks *b, int64_t t)
+{
+    orr_client *c = orr_gen_link_client(b->link);
+    uint8_t payload[ORR_MSG_POLL_CHANNELS_LARGEST];
+    orr_wire_writer w = {.data = payload, .capacity = sizeof payload};
+    const orr_msg_poll_channels poll = {
+        .epochs = {t, 0, 0}, .antenna = b->antenna, .signals = {.count = b->n_signals, .item = b->wanted}};
+    orr_wire_status ws = orr_msg_poll_channels_encode(&poll, &w);
+    if (ws != ORR_WIRE_OK) return ws;
+    const orr_msg_subscribe request = {.request = ORR_MSG_TYPE_POLL_CHANNELS,
+                                       .pacing = ORR_MSG_PACING_FREE,
+                                       .credit = CREDIT,
+                                       .poll = {payload, (uint16_t)w.size}};
+    orr_msg_subscribed answer;
+    c->stream = take;
+    c->stream_user = b;
+    b->stream = 0;
+    b->ended = b->bad = false;
+    b->n = b->handed = 0;
+    ws = orr_client_subscribe(c, &request, &answer);
+    if (ws == ORR_WIRE_OK) b->stream = c->sequence;
+    return ws;
+}
+
+// Lets as many blocks come as were used up.
+static orr_wire_status give_credit(orr_gen_blocks *b, size_t blocks)
+{
+    const orr_msg_credit credit = {.stream = b->stream, .blocks = (uint32_t)blocks};
+    return blocks == 0 || b->ended ? ORR_WIRE_OK : orr_client_credit(orr_gen_link_client(b->link), &credit);
+}
+
+// Forgets what was handed out; the room of its channels is used again.
+static size_t forget(orr_gen_blocks *b)
+{
+    const size_t used = b->handed;
+    for (size_t k = used; k < b->n; k++) {
+        const orr_gen_block kept = b->block[k];
+        b->block[k] = b->block[k - used];
+        b->block[k - used] = kept;
+    }
+    b->n -= used;
+    b->handed = 0;
+    return used;
+}
+
+static bool enough(const orr_gen_blocks *b)
+{
+    if (b->n == 0) return false;
+    const orr_gen_block *last = &b->block[b->n - 1];
+    return b->n >= CREDIT || last->begin_ns + last->length_ns - b->block[0].begin_ns >= AHEAD_NS;
+}
+
+static orr_wire_status listen_to_stream(orr_gen_blocks *b, int64_t t)
+{
+    const size_t used = forget(b);
+    orr_wire_status ws = b->stream != 0 && !b->bad ? give_credit(b, used) : subscribe(b, t);
+    while (ws == ORR_WIRE_OK && !enough(b) && !b->ended && !b->bad) {
+        orr_frame f;
+        ws = orr_client_next(orr_gen_link_client(b->link), &f);
+        if (ws == ORR_WIRE_OK) take(b, &f);
+    }
+    return ws;
+}
+
+// --- Questions, where the service knows no streams ---
+
 // Asks for `count` blocks from the one that holds t on, a step apart; those that are the same again are left out.
 static orr_wire_status ask(orr_gen_blocks *b, int64_t t, int64_t step, uint32_t count, bool *outside,
                            orr_gen_fault *fault)
@@ -95,32 +190,50 @@ static orr_wire_status ask(orr_gen_blocks *b, int64_t t, int64_t step, uint32_t 
     return ws;
 }
 
-// What is held from t on: by the length of the last blocks up to the cell's end, so that mostly one question does.
+// By the length of the last blocks up to the cell's end, so that mostly one question does.
+static orr_wire_status ask_from(orr_gen_blocks *b, int64_t t, orr_gen_fault *fault)
+{
+    const int64_t cell = t - ((t % CELL_NS) + CELL_NS) % CELL_NS + CELL_NS;
+    const int64_t until = t + AHEAD_NS < cell ? t + AHEAD_NS : cell;
+    const int64_t step = b->length_ns > 0 ? b->length_ns : AHEAD_NS;
+    int64_t count = (until - t + step - 1) / step;
+    bool outside = false;
+    b->n = b->handed = 0;
+    const orr_wire_status ws = ask(b, t, step, (uint32_t)(count > MOST ? MOST : count), &outside, fault);
+    if (ws == ORR_WIRE_OK && outside) b->ended = true;
+    return ws;
+}
+
+// Blocks that are held from t on; false where there are none.
 static bool refill(orr_gen_blocks *b, int64_t t, orr_gen_fault *fault)
 {
     for (;;) {
-        const int64_t cell = t - ((t % CELL_NS) + CELL_NS) % CELL_NS + CELL_NS;
-        const int64_t until = t + AHEAD_NS < cell ? t + AHEAD_NS : cell;
-        const int64_t step = b->length_ns > 0 ? b->length_ns : AHEAD_NS;
-        int64_t count = (until - t + step - 1) / step;
-        if (count > MOST) count = MOST;
-        bool outside = false;
-        b->n = 0;
-        const orr_wire_status ws = ask(b, t, step, (uint32_t)count, &outside, fault);
-        if (ws != ORR_WIRE_OK) {
-            if (ws == ORR_WIRE_SPACE) return false;
-            if (!orr_gen_link_again(b->link, ws, "POLL_CHANNELS", fault)) return false;
+        fault->text[0] = '\0';
+        orr_client *c = orr_gen_link_client(b->link);
+        const orr_wire_status ws = b->polls ? ask_from(b, t, fault) : listen_to_stream(b, t);
+        if (ws == ORR_WIRE_REFUSED && !b->polls &&
+            (c->error_code == ORR_MSG_ERROR_CODE_UNKNOWN_TYPE ||
+             c->error_code == ORR_MSG_ERROR_CODE_NOT_SERVED)) {
+            b->polls = true;
             continue;
         }
+        if (fault->text[0] != '\0') return false;
+        if (ws != ORR_WIRE_OK) {
+            b->stream = 0;
+            if (!orr_gen_link_again(b->link, ws, b->polls ? "POLL_CHANNELS" : "SUBSCRIBE", fault))
+                return false;
+            continue;
+        }
+        if (b->bad) return orr_gen_fail(fault, "a block of the stream cannot be read");
         if (b->n == 0)
-            return orr_gen_fail(fault,
-                                "the service has no channels at this instant: outside the scenario's span");
-        // Blocks that do not join: the length is another in this cell. What is held up to the first gap is good.
+            return orr_gen_fail(fault, "the service has no channels at this instant%s%s",
+                                b->end[0] != '\0' ? ": " : "", b->end);
+        // Blocks that do not join, where questions were asked by another length: what is held up to the first gap is good.
         size_t good = 1;
         while (good < b->n &&
                b->block[good].begin_ns == b->block[good - 1].begin_ns + b->block[good - 1].length_ns)
             good++;
-        b->n = good;
+        b->handed = good;
         b->length_ns = b->block[0].length_ns;
         return true;
     }
@@ -132,7 +245,7 @@ bool orr_gen_blocks_from(orr_gen_blocks *blocks, int64_t t_ns, const orr_gen_blo
     orr_gen_blocks *b = blocks;
     if (!refill(b, t_ns, fault)) return false;
     *block = b->block;
-    *n = b->n;
+    *n = b->handed;
     if (t_ns >= b->block[0].begin_ns && t_ns < b->block[0].begin_ns + b->block[0].length_ns) return true;
     return orr_gen_fail(fault,
                         "the service answers with a block that does not hold the instant that was asked for");

@@ -5,11 +5,16 @@
 #include <string.h>
 
 #define NS_PER_S 1000000000
-#define FRAME_NS (30 * (int64_t)NS_PER_S)
+#define FRAME_NS (30 * (int64_t)NS_PER_S) // where nobody says how long frames are
+#define EVERY_MESSAGE                                                                                        \
+    (ORR_MSG_NAV_MESSAGES_LNAV | ORR_MSG_NAV_MESSAGES_CNAV | ORR_MSG_NAV_MESSAGES_CNV1 |                     \
+     ORR_MSG_NAV_MESSAGES_CNV2 | ORR_MSG_NAV_MESSAGES_CNV3 | ORR_MSG_NAV_MESSAGES_INAV |                     \
+     ORR_MSG_NAV_MESSAGES_FNAV | ORR_MSG_NAV_MESSAGES_D1 | ORR_MSG_NAV_MESSAGES_D2 |                         \
+     ORR_MSG_NAV_MESSAGES_FDMA | ORR_MSG_NAV_MESSAGES_SBAS)
 #define KEPT_NS (60 * (int64_t)NS_PER_S)
-#define PAGES 256  // of a message, held at once
-#define BYTES 256  // of a page's symbols
-#define MESSAGES 8 // of a satellite
+#define PAGES 256   // of a message, held at once
+#define BYTES 256   // of a page's symbols
+#define MESSAGES 12 // of a satellite
 
 typedef struct page {
     int64_t t_ns, length_ns; // the k-th of n symbols begins at t + k length / n
@@ -17,9 +22,10 @@ typedef struct page {
     uint8_t symbol[BYTES]; // as on the wire, the first the highest bit
 } page;
 
-// One message of a satellite, which one or more signals carry.
+// One message of a satellite, which one or more signals carry with the same bits.
 typedef struct message {
     uint8_t kind;
+    char names[17];   // of those signals, as NAVDATA has them
     uint64_t signals; // places in service->signal, a bit each
     size_t n;
     int64_t begin_ns[PAGES]; // in order
@@ -67,28 +73,6 @@ void orr_gen_navigation_close(orr_gen_navigation *navigation)
 
 static int bit(const uint8_t *data, size_t k) { return data[k / 8] >> (7 - k % 8) & 1; }
 
-static void put(page *p, size_t k, int symbol)
-{
-    if (symbol) p->symbol[k / 8] |= (uint8_t)(0x80 >> k % 8);
-}
-
-// GLONASS ICD 5.1, 3.3.2.2 and figure 3.3: the bits in relative code, each with a meander of 10 ms on it (1 as 10, 0 as 01),
-// then the time mark, a shortened pseudo-random sequence of 30 symbols.
-static void glonass_symbols(const orr_msg_nav_page *p, page *out)
-{
-    static const char mark[] = "111110001101110101000010010110";
-    int relative = 0;
-    const size_t bits = p->bits;
-    for (size_t k = 0; k < bits; k++) {
-        relative ^= bit(p->data.data, k);
-        put(out, 2 * k, relative);
-        put(out, 2 * k + 1, !relative);
-    }
-    for (size_t k = 0; k < 30; k++) put(out, 2 * bits + k, mark[k] == '1');
-    out->n = (uint16_t)(2 * bits + 30);
-    out->length_ns = out->n * (int64_t)NS_PER_S / 100;
-}
-
 // How many pages begin at or before an instant.
 static size_t begun(const message *m, int64_t t_ns)
 {
@@ -130,33 +114,29 @@ static page *place(message *m, int64_t t_ns)
     return p;
 }
 
-static bool keep_page(const orr_msg_nav_page *p, uint8_t kind, page *out, orr_gen_fault *fault)
+static bool keep_page(const orr_msg_nav_page *p, page *out, orr_gen_fault *fault)
 {
-    const bool glonass = kind == ORR_MSG_NAV_MESSAGE_FDMA;
-    if (p->data.size > BYTES || (size_t)p->data.size * 8 < p->bits || (glonass && p->bits > 1000))
-        return orr_gen_fail(fault, "NAVDATA: a page of %u bits does not fit", p->bits);
-    memset(out->symbol, 0, sizeof out->symbol);
-    out->t_ns = p->t;
-    if (glonass) {
-        glonass_symbols(p, out);
-        return true;
-    }
+    if (p->data.size > BYTES || (size_t)p->data.size * 8 < p->bits || p->bits == 0 || p->length <= 0)
+        return orr_gen_fail(fault, "NAVDATA: a page of %u symbols in %zu bytes does not fit", p->bits,
+                            (size_t)p->data.size);
     memcpy(out->symbol, p->data.data, p->data.size);
+    out->t_ns = p->t;
     out->n = p->bits;
-    out->length_ns = p->bits * (int64_t)NS_PER_S / 50;
+    out->length_ns = p->length;
     return true;
 }
 
-// Which signals of CAPS carry a message.
-static uint64_t carriers(const orr_gen_service *s, char system, uint8_t kind)
+// Places in service->signal of signals that are named, divided by blanks.
+static uint64_t carriers(const orr_gen_service *s, char system, orr_wire_bytes names)
 {
     uint64_t mask = 0;
     for (size_t k = 0; k < s->n_signals; k++) {
-        const char *name = s->signal[k].name;
-        if (s->signal[k].system != system) continue;
-        if (kind == ORR_MSG_NAV_MESSAGE_LNAV && strcmp(name, "L1CA") == 0) mask |= (uint64_t)1 << k;
-        if (kind == ORR_MSG_NAV_MESSAGE_FDMA && (strcmp(name, "L1OF") == 0 || strcmp(name, "L2OF") == 0))
-            mask |= (uint64_t)1 << k;
+        const size_t length = strlen(s->signal[k].name);
+        for (size_t at = 0; s->signal[k].system == system && at + length <= names.size; at++)
+            if (memcmp(names.data + at, s->signal[k].name, length) == 0 &&
+                (at == 0 || names.data[at - 1] == ' ') &&
+                (at + length == names.size || names.data[at + length] == ' '))
+                mask |= (uint64_t)1 << k;
     }
     return mask;
 }
@@ -168,20 +148,25 @@ static bool keep(orr_gen_navigation *v, const orr_msg_sat_navdata *d, int64_t fo
     if (d->sat.system >= 128 || d->sat.number >= 100) return true;
     satellite *s = &v->sat[d->sat.system][d->sat.number];
     size_t m = 0;
-    while (m < MESSAGES && s->message[m] != NULL && s->message[m]->kind != d->message) m++;
+    char names[17];
+    orr_wire_text_copy(d->signals, names, sizeof names);
+    while (m < MESSAGES && s->message[m] != NULL &&
+           (s->message[m]->kind != d->message || strcmp(s->message[m]->names, names) != 0))
+        m++;
     if (m == MESSAGES) return true;
     if (s->message[m] == NULL) {
         s->message[m] = calloc(1, sizeof **s->message);
         if (s->message[m] == NULL) return orr_gen_fail(fault, "out of memory");
         s->message[m]->kind = d->message;
-        s->message[m]->signals = carriers(v->service, (char)d->sat.system, d->message);
+        memcpy(s->message[m]->names, names, sizeof names);
+        s->message[m]->signals = carriers(v->service, (char)d->sat.system, d->signals);
     }
     orr_msg_nav_page p;
     orr_wire_iter it = {0};
     while (orr_msg_nav_page_next(&d->pages, &it, &p)) {
         page *out = place(s->message[m], p.t);
         if (out == NULL) return orr_gen_fail(fault, "out of memory");
-        if (!keep_page(&p, d->message, out, fault)) return false;
+        if (!keep_page(&p, out, fault)) return false;
     }
     while (s->message[m]->n > 0 &&
            s->message[m]->begin_ns[0] + s->message[m]->page[0]->length_ns < forget_before_ns)
@@ -195,10 +180,10 @@ bool orr_gen_navigation_cover(orr_gen_navigation *navigation, int64_t from_ns, i
     orr_gen_navigation *v = navigation;
     if (!v->service->has_navdata) return true;
     if (v->until_ns < from_ns - FRAME_NS) v->until_ns = from_ns - FRAME_NS;
-    while (v->until_ns <
-           to_ns + FRAME_NS) { // frames begin at multiples of 30 s of GPS or UTC: 15 s apart, each is met
+    while (v->until_ns < to_ns) {
         orr_client *c = orr_gen_link_client(v->link);
-        const orr_msg_poll_navdata poll = {.epochs = {v->until_ns, 0, 1}};
+        const orr_msg_poll_navdata poll = {
+            .epochs = {v->until_ns, 0, 1}, .kinds = EVERY_MESSAGE, .form = ORR_MSG_NAV_FORM_SYMBOLS};
         orr_msg_navdata m;
         orr_wire_status ws = orr_client_poll_navdata(c, &poll);
         if (ws == ORR_WIRE_OK) ws = orr_client_navdata(c, &m);
@@ -206,11 +191,16 @@ bool orr_gen_navigation_cover(orr_gen_navigation *navigation, int64_t from_ns, i
             if (!orr_gen_link_again(v->link, ws, "POLL_NAVDATA", fault)) return false;
             continue;
         }
+        // Frames are of many lengths: the next question is where the first of these ends.
+        int64_t next = v->until_ns + FRAME_NS;
         orr_msg_sat_navdata d;
         orr_wire_iter it = {0};
-        while (orr_msg_sat_navdata_next(&m.satellites, &it, &d))
+        while (orr_msg_sat_navdata_next(&m.satellites, &it, &d)) {
             if (!keep(v, &d, from_ns - KEPT_NS, fault)) return false;
-        v->until_ns += FRAME_NS / 2;
+            if (d.answer == ORR_MSG_ANSWER_OK && d.frame_to > v->until_ns && d.frame_to < next)
+                next = d.frame_to;
+        }
+        v->until_ns = next;
     }
     return true;
 }
