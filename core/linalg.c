@@ -45,13 +45,55 @@ orr_status orr_cholesky_invert(double *l, size_t n)
     return status_of(gsl_linalg_cholesky_invert(&m.matrix));
 }
 
-orr_status orr_band_solve(double *a, size_t n, size_t band, double *x, size_t columns)
+orr_status orr_symmetric_solve(double *a, size_t stride, size_t n, double *b, size_t columns)
 {
+    double scale[ORR_SYMMETRIC_MOST];
+    if (n > ORR_SYMMETRIC_MOST) return ORR_E_ARG;
     if (n == 0 || columns == 0) return ORR_OK;
-    gsl_matrix_view m = gsl_matrix_view_array(a, n, band + 1), v = gsl_matrix_view_array(x, n, columns);
+    for (size_t i = 0; i < n; i++) {
+        if (!(a[i * stride + i] > 0)) return ORR_E_NUMERIC;
+        scale[i] = 1 / sqrt(a[i * stride + i]);
+    }
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j <= i; j++) a[i * stride + j] *= scale[i] * scale[j];
+        for (size_t c = 0; c < columns; c++) b[i * columns + c] *= scale[i];
+    }
+    gsl_matrix_view m = gsl_matrix_view_array_with_tda(a, n, n, stride);
+    gsl_matrix_view x = gsl_matrix_view_array(b, n, columns);
+    if (gsl_linalg_cholesky_decomp1(&m.matrix) != GSL_SUCCESS) return ORR_E_NUMERIC;
+    for (size_t i = 0; i < n; i++)
+        if (!(a[i * stride + i] * a[i * stride + i] > 1e-14)) return ORR_E_NUMERIC;
+    gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1, &m.matrix, &x.matrix);
+    gsl_blas_dtrsm(CblasLeft, CblasLower, CblasTrans, CblasNonUnit, 1, &m.matrix, &x.matrix);
+    for (size_t i = 0; i < n; i++)
+        for (size_t c = 0; c < columns; c++) b[i * columns + c] *= scale[i];
+    return ORR_OK;
+}
+
+orr_status orr_band_factor(double *a, size_t n, size_t band)
+{
+    if (n == 0) return ORR_OK;
+    gsl_matrix_view m = gsl_matrix_view_array(a, n, band + 1);
     if (gsl_linalg_cholesky_band_decomp(&m.matrix) != GSL_SUCCESS) return ORR_E_NUMERIC;
     for (size_t i = 0; i < n; i++)
         if (!(a[i * (band + 1)] > 0)) return ORR_E_NUMERIC;
+    return ORR_OK;
+}
+
+orr_status orr_band_factored(const double *factor, size_t n, size_t band, double *x)
+{
+    if (n == 0) return ORR_OK;
+    gsl_matrix_const_view m = gsl_matrix_const_view_array(factor, n, band + 1);
+    gsl_vector_view v = gsl_vector_view_array(x, n);
+    return status_of(gsl_linalg_cholesky_band_svx(&m.matrix, &v.vector));
+}
+
+orr_status orr_band_solve(double *a, size_t n, size_t band, double *x, size_t columns)
+{
+    if (n == 0 || columns == 0) return ORR_OK;
+    const orr_status s = orr_band_factor(a, n, band);
+    if (s != ORR_OK) return s;
+    gsl_matrix_view m = gsl_matrix_view_array(a, n, band + 1), v = gsl_matrix_view_array(x, n, columns);
     return status_of(gsl_linalg_cholesky_band_svxm(&m.matrix, &v.matrix));
 }
 

@@ -20,8 +20,24 @@ orr_status orr_cholesky_solve_lower(const double *l, size_t n, double *x);
 // (L L')^-1 in place of L, both triangles.
 orr_status orr_cholesky_invert(double *l, size_t n);
 
-// The same for a band matrix, by one call: x of a x = b for `columns` right sides. ORR_E_NUMERIC where a is not
-// positive definite.
+#define ORR_SYMMETRIC_MOST 64
+// A small system whose unknowns may be of quite different sizes, by one call: x of a x = b for `columns` right sides, with
+// the diagonal of a scaled to ones first.
+//   Given:    a        lower triangle of a symmetric matrix, overwritten
+//             stride   doubles from row to row of a
+//             n        rows, ORR_SYMMETRIC_MOST at most
+//             b        [n][columns], the right sides
+//   Returned: b        the solutions
+//   Notes:    ORR_E_NUMERIC where a is not positive definite, or so nearly not that less than 1e-14 of a diagonal element is
+//             left; ORR_E_ARG where n is too large.
+orr_status orr_symmetric_solve(double *a, size_t stride, size_t n, double *b, size_t columns);
+
+// Factor of a band matrix in place, for orr_band_factored: a[n][band + 1], a[i][d] the element of row i + d and column i, 0
+// beyond the last row; band below n. ORR_E_NUMERIC where a is not positive definite.
+orr_status orr_band_factor(double *a, size_t n, size_t band);
+// x of a x = b by it; x[n] holds b before.
+orr_status orr_band_factored(const double *factor, size_t n, size_t band, double *x);
+// Both by one call: x of a x = b for `columns` right sides. ORR_E_NUMERIC where a is not positive definite.
 //   Given:    a        [n][band + 1], a[i][d] the element of row i + d and column i, 0 beyond the last row; it
 //                      is overwritten
 //             n, band  rows, and diagonals below the main one (fewer than n)

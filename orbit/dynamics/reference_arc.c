@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/linalg.h"
 #include "core/robust.h"
 #include "orbit/dynamics/variational.h"
 
@@ -146,7 +147,7 @@ static bool shoot(const orr_arc_room *room, const orr_reference_arc *arc, size_t
             }
             for (int k = 0; k < 3; k++) x[p] += z[k][3 + p] * m[k];
         }
-        if (!orr_solve_symmetric(A, 3, 3, x, 1)) return false;
+        if (orr_symmetric_solve(A, 3, 3, x, 1) != ORR_OK) return false;
         orr_vec3 dv = {x[0], x[1], x[2]};
         const double size = orr_vec3_norm(dv);
         if (size > SHOOT_MAX_MPS) dv = orr_vec3_scale(SHOOT_MAX_MPS / size, dv);
@@ -189,43 +190,6 @@ bool orr_arc_start(orr_arc_room *room, orr_reference_arc *arc)
         return true;
     }
     return false;
-}
-
-bool orr_solve_symmetric(double *A, size_t stride, size_t n, double *b, size_t columns)
-{
-    double scale[64];
-    if (n > 64) return false;
-    for (size_t i = 0; i < n; i++) {
-        if (!(A[i * stride + i] > 0)) return false;
-        scale[i] = 1 / sqrt(A[i * stride + i]);
-    }
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j <= i; j++) {
-            double sum = A[i * stride + j] * scale[i] * scale[j];
-            for (size_t k = 0; k < j; k++) sum -= A[i * stride + k] * A[j * stride + k];
-            if (j < i) {
-                A[i * stride + j] = sum / A[j * stride + j];
-            } else {
-                if (!(sum > 1e-14)) return false;
-                A[i * stride + i] = sqrt(sum);
-            }
-        }
-    }
-    for (size_t i = 0; i < n; i++)
-        for (size_t c = 0; c < columns; c++) {
-            double sum = b[i * columns + c] * scale[i];
-            for (size_t k = 0; k < i; k++) sum -= A[i * stride + k] * b[k * columns + c];
-            b[i * columns + c] = sum / A[i * stride + i];
-        }
-    for (size_t i = n; i-- > 0;)
-        for (size_t c = 0; c < columns; c++) {
-            double sum = b[i * columns + c];
-            for (size_t k = i + 1; k < n; k++) sum -= A[k * stride + i] * b[k * columns + c];
-            b[i * columns + c] = sum / A[i * stride + i];
-        }
-    for (size_t i = 0; i < n; i++)
-        for (size_t c = 0; c < columns; c++) b[i * columns + c] *= scale[i];
-    return true;
 }
 
 // Rows of one node: coordinates by state, ECOM and knots; what was measured less what was computed.
@@ -299,7 +263,7 @@ static bool leave_out(const orr_arc_room *room, const orr_reference_arc *arc, co
         A[ORR_ARC_STATE + c][ORR_ARC_STATE + c] += 1 / (s * s);
     }
     for (int i = 0; i < N; i++) b[i][i] = 1, b[i][N] = e->r[i];
-    if (!orr_solve_symmetric(&A[0][0], N, N, &b[0][0], N + 1)) return false;
+    if (orr_symmetric_solve(&A[0][0], N, N, &b[0][0], N + 1) != ORR_OK) return false;
     for (size_t i = 0; i < arc->n; i++) {
         double by[3][N], v[3];
         orr_mat3 s;

@@ -54,16 +54,4 @@ bool orr_arc_start(orr_arc_room *room, orr_reference_arc *arc);
 // Integrates the arc and fills the equations; ORR_E_NUMERIC if the orbit leaves sense.
 orr_status orr_arc_equations_make(orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *out);
 
-// Solves A x = b in place by Cholesky's method, with A's diagonal scaled away.
-// Given:
-//   A        symmetric positive definite, row-major; the lower half is read and overwritten
-//   stride   doubles from row to row
-//   n        unknowns, 64 at most
-//   b        right sides, [n][columns]
-//   columns  number of them
-// Returned:
-//   b        solutions
-//   value    false if A is not positive definite
-bool orr_solve_symmetric(double *A, size_t stride, size_t n, double *b, size_t columns);
-
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/linalg.h"
 #include "core/parallel.h"
 #include "core/robust.h"
 #include "orbit/dynamics/reference_arc.h"
@@ -50,12 +51,14 @@ typedef struct work {
     size_t most_nodes;
     bool first;
     orr_status *status; // per arc
-    double *band;       // [3 n][BAND]: lower band of the rotation's normal equations
+    double *band;       // [unknowns][diagonals]: the rotation's normal equations (core/linalg.h)
     double *right;
     double *sort;
 } work;
 
 static size_t unknowns(const work *w) { return ORR_KNOT_VALUES * w->knots.n; }
+// Of the band, the main one among them.
+static size_t diagonals(const work *w) { return unknowns(w) < BAND ? unknowns(w) : BAND; }
 
 // --- one pass over the arcs, by threads ---
 
@@ -68,7 +71,7 @@ static bool reduce(const orr_arc_equations *e, share *s)
         memcpy(b[i], &e->N[i][ORR_ARC_STATE], ORR_KNOT_LOCAL * sizeof b[i][0]);
         b[i][ORR_KNOT_LOCAL] = e->r[i];
     }
-    if (!orr_solve_symmetric(&N[0][0], ORR_ARC_STATE, ORR_ARC_STATE, &b[0][0], ORR_KNOT_LOCAL + 1))
+    if (orr_symmetric_solve(&N[0][0], ORR_ARC_STATE, ORR_ARC_STATE, &b[0][0], ORR_KNOT_LOCAL + 1) != ORR_OK)
         return false;
     s->vv = e->ll;
     s->n = e->n;
@@ -155,7 +158,7 @@ static double median_rms(const work *w)
 
 static void add(work *w, size_t i, size_t j, double value)
 {
-    if (j <= i && i - j < BAND) w->band[i * BAND + (i - j)] += value;
+    if (j <= i && i - j < diagonals(w)) w->band[j * diagonals(w) + (i - j)] += value;
 }
 
 // Prior on sum of c[k] times the value of kind j at knots first + k being nought (in what it is now plus the
@@ -218,7 +221,7 @@ static bool global_index(const work *w, size_t window, int a, size_t *index)
 static void assemble(work *w)
 {
     const double middle = median_rms(w);
-    memset(w->band, 0, unknowns(w) * BAND * sizeof *w->band);
+    memset(w->band, 0, unknowns(w) * diagonals(w) * sizeof *w->band);
     memset(w->right, 0, unknowns(w) * sizeof *w->right);
     for (size_t n = 0; n < w->p->n_arcs; n++) {
         const share *s = &w->share[n];
@@ -234,38 +237,6 @@ static void assemble(work *w)
         }
     }
     add_priors(w);
-}
-
-// Cholesky's factor in the band's place.
-static bool factor(work *w)
-{
-    const size_t n = unknowns(w);
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = i >= BAND ? i - BAND + 1 : 0; j <= i; j++) {
-            double sum = w->band[i * BAND + (i - j)];
-            for (size_t k = i >= BAND ? i - BAND + 1 : 0; k < j; k++)
-                if (j - k < BAND) sum -= w->band[i * BAND + (i - k)] * w->band[j * BAND + (j - k)];
-            if (j < i) {
-                w->band[i * BAND + (i - j)] = sum / w->band[j * BAND];
-            } else {
-                if (!(sum > 0)) return false;
-                w->band[i * BAND] = sqrt(sum);
-            }
-        }
-    return true;
-}
-
-static void solve(const work *w, double *x)
-{
-    const size_t n = unknowns(w);
-    for (size_t i = 0; i < n; i++) {
-        for (size_t k = i >= BAND ? i - BAND + 1 : 0; k < i; k++) x[i] -= w->band[i * BAND + (i - k)] * x[k];
-        x[i] /= w->band[i * BAND];
-    }
-    for (size_t i = n; i-- > 0;) {
-        for (size_t k = i + 1; k < n && k - i < BAND; k++) x[i] -= w->band[k * BAND + (k - i)] * x[k];
-        x[i] /= w->band[i * BAND];
-    }
 }
 
 static void local_change(const work *w, size_t window, const double *change, double local[ORR_KNOT_LOCAL])
@@ -359,7 +330,7 @@ static void tell_sigma(work *w, orr_reference_fit *out, double *x)
         }
         double *right = w->right; // done with
         memcpy(right, x, n * sizeof *x);
-        solve(w, x);
+        orr_band_factored(w->band, n, diagonals(w) - 1, x);
         for (size_t i = 0; i < n; i++) variance[kind] += right[i] * x[i];
     }
     out->pole_sigma_rad = sqrt(fmax(variance[0], variance[1])) * ORR_RAD_PER_DEG / 3.6e6;
@@ -368,14 +339,14 @@ static void tell_sigma(work *w, orr_reference_fit *out, double *x)
     if (w->knots.polynomial) {
         const size_t rate = ORR_KNOT_VALUES + 2;
         x[rate] = 1;
-        solve(w, x);
+        orr_band_factored(w->band, n, diagonals(w) - 1, x);
         out->lod_sigma_s = 1e-3 * sqrt(fmax(x[rate], 0));
         return;
     }
     const size_t a = ORR_KNOT_VALUES * window + 2, b = a + ORR_KNOT_VALUES;
     x[a] = -1 / h;
     x[b] = 1 / h;
-    solve(w, x);
+    orr_band_factored(w->band, n, diagonals(w) - 1, x);
     out->lod_sigma_s = 1e-3 * sqrt(fmax((x[b] - x[a]) / h, 0));
 }
 
@@ -401,9 +372,9 @@ static orr_status iterate(work *w, orr_reference_fit *out, double *change)
             out->estimated = satellites(w) >= (w->p->forecast ? 1 : LEAST_SATELLITES);
             for (size_t i = 0; i < w->p->n_arcs; i++) w->share[i].rms_m = rms_of(&w->share[i], NULL, 0);
             assemble(w);
-            if (out->estimated && factor(w)) {
+            if (out->estimated && orr_band_factor(w->band, unknowns(w), diagonals(w) - 1) == ORR_OK) {
                 memcpy(change, w->right, unknowns(w) * sizeof *change);
-                solve(w, change);
+                orr_band_factored(w->band, unknowns(w), diagonals(w) - 1, change);
                 for (size_t i = 0; i < unknowns(w); i++)
                     w->knots.value[i / ORR_KNOT_VALUES][i % ORR_KNOT_VALUES] += change[i];
                 by = change;
@@ -467,7 +438,7 @@ orr_status orr_reference_fit_run(const orr_reference_problem *problem, orr_refer
     w.share = calloc(problem->n_arcs + 1, sizeof *w.share);
     w.status = calloc(problem->n_arcs + 1, sizeof *w.status);
     w.sort = malloc((problem->n_arcs + 1) * sizeof *w.sort);
-    w.band = malloc(n * BAND * sizeof *w.band);
+    w.band = malloc(n * diagonals(&w) * sizeof *w.band);
     w.right = malloc(n * sizeof *w.right);
     double *change = malloc(n * sizeof *change);
     if (w.knots.value == NULL || w.series.mjd_utc == NULL || w.series.value == NULL || w.share == NULL ||

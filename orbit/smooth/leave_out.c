@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "orbit/dynamics/reference_arc.h"
+#include "core/linalg.h"
 
 #define UNTOLD 1e-6 // of a node's variance: so little is left of it where the node alone tells its orbit
 
@@ -44,7 +44,7 @@ orr_status orr_fresh_start_at(const orr_instant *at, int nx, orr_fresh_start *ou
     memcpy(P, at->predicted.P, sizeof P);
     memset(X, 0, sizeof X);
     for (int i = 0; i < 6; i++) X[i][i] = 1;
-    if (!orr_solve_symmetric(&P[0][0], ORR_NX, n, &X[0][0], 6)) return ORR_E_NUMERIC;
+    if (orr_symmetric_solve(&P[0][0], ORR_NX, n, &X[0][0], 6) != ORR_OK) return ORR_E_NUMERIC;
     for (int a = 0; a < 6; a++) {
         double y[ORR_NX];
         for (size_t i = 0; i < n; i++) {
@@ -57,7 +57,7 @@ orr_status orr_fresh_start_at(const orr_instant *at, int nx, orr_fresh_start *ou
         }
         d[a] = at->u[a];
     }
-    if (!orr_solve_symmetric(&N[0][0], 6, 6, d, 1)) return ORR_E_NUMERIC;
+    if (orr_symmetric_solve(&N[0][0], 6, 6, d, 1) != ORR_OK) return ORR_E_NUMERIC;
     for (int i = 0; i < 6; i++) out->gain += d[i] * at->u[i];
     out->r_m = (orr_vec3){d[0], d[1], d[2]};
     out->v_mps = (orr_vec3){d[3], d[4], d[5]};

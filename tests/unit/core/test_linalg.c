@@ -71,6 +71,35 @@ static void what_is_not_definite_is_said(void **state)
     assert_int_equal(orr_cholesky_factor(again, 2, 1e-6), ORR_E_NUMERIC);
 }
 
+// Metres beside micrometres: a definite matrix whose unknowns are scaled by powers of ten, within a larger one.
+static void unknowns_of_different_sizes_are_solved(void **state)
+{
+    (void)state;
+    enum { STRIDE = 70, COLUMNS = 4 };
+    double a[MOST * MOST], wide[MOST * STRIDE], x[MOST * COLUMNS], b[MOST * COLUMNS], size[MOST];
+    for (size_t n = 1; n <= MOST; n++) {
+        make_definite(n, 7, a);
+        for (size_t i = 0; i < n; i++) size[i] = pow(10, 24 * orr_rng_uniform(8, n, i) - 12);
+        for (size_t i = 0; i < n * COLUMNS; i++) {
+            x[i] = orr_rng_normal(9, n, i) / size[i / COLUMNS];
+            b[i] = 0;
+        }
+        for (size_t i = 0; i < n; i++)
+            for (size_t j = 0; j < n; j++) {
+                wide[i * STRIDE + j] = j <= i ? a[i * n + j] * size[i] * size[j] : (double)NAN;
+                for (size_t c = 0; c < COLUMNS; c++)
+                    b[i * COLUMNS + c] += a[i * n + j] * size[i] * size[j] * x[j * COLUMNS + c];
+            }
+        assert_int_equal(orr_symmetric_solve(wide, STRIDE, n, b, COLUMNS), ORR_OK);
+        for (size_t i = 0; i < n * COLUMNS; i++)
+            ASSERT_NEAR((b[i] - x[i]) * size[i / COLUMNS], 0, 1e-12); // condition 5, values of one
+    }
+    double indefinite[4] = {1, 2, 2, 1}, weak[4] = {1, 1, 1, 1 + 1e-15}, y[2] = {1, 1};
+    assert_int_equal(orr_symmetric_solve(indefinite, 2, 2, y, 1), ORR_E_NUMERIC);
+    assert_int_equal(orr_symmetric_solve(weak, 2, 2, y, 1), ORR_E_NUMERIC);
+    assert_int_equal(orr_symmetric_solve(wide, STRIDE, ORR_SYMMETRIC_MOST + 1, b, 1), ORR_E_ARG);
+}
+
 // Random bands below a dominant diagonal.
 static void band_systems_are_solved(void **state)
 {
@@ -89,6 +118,14 @@ static void band_systems_are_solved(void **state)
                     b[(j + d) * COLUMNS + c] += a[j * w + d] * x[j * COLUMNS + c];
                     if (d > 0) b[j * COLUMNS + c] += a[j * w + d] * x[(j + d) * COLUMNS + c];
                 }
+        double factor[N * 6], one[N];
+        memcpy(factor, a, N * w * sizeof *a);
+        assert_int_equal(orr_band_factor(factor, N, band), ORR_OK);
+        for (int again = 0; again < 2; again++) { // a factor serves any number of right sides
+            for (size_t i = 0; i < N; i++) one[i] = b[i * COLUMNS + (size_t)again];
+            assert_int_equal(orr_band_factored(factor, N, band, one), ORR_OK);
+            for (size_t i = 0; i < N; i++) ASSERT_NEAR(one[i], x[i * COLUMNS + (size_t)again], 1e-12);
+        }
         assert_int_equal(orr_band_solve(a, N, band, b, COLUMNS), ORR_OK);
         // Diagonally dominant by a factor of two: a condition below 3.
         for (size_t i = 0; i < N * COLUMNS; i++) ASSERT_NEAR(b[i], x[i], 1e-14 * (1 + fabs(x[i])) * 10);
@@ -135,6 +172,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(definite_systems_are_solved),
         cmocka_unit_test(what_is_not_definite_is_said),
+        cmocka_unit_test(unknowns_of_different_sizes_are_solved),
         cmocka_unit_test(band_systems_are_solved),
         cmocka_unit_test(least_squares_leave_a_normal_residual),
     };
