@@ -208,8 +208,8 @@ static orr_status predict(const orr_orbit_plan *plan, const work *w, const orr_e
     return orr_predict(&out->solution, w->input, w->n_sp3, &o, log, cancel, &out->prediction, warnings, diag);
 }
 
-orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
-                          orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
+orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
+                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
 {
     *out = (orr_orbit_made){0};
     if (plan->n_sp3 > ORR_ORBIT_MAX_FILES || plan->n_erp > ORR_ORBIT_MAX_FILES ||
@@ -235,17 +235,23 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
                              diag);
     }
     if (s == ORR_OK && plan->predict) s = predict(plan, &w, &eop, log, cancel, out, warnings, diag);
-    const double smoothed_s = now_s();
-    if (s == ORR_OK) {
+    if (s == ORR_OK)
         ORR_LOG(log, ORR_LOG_INFO, "smoothed %zu nodes of %zu satellites, residual RMS %.2f mm",
                 out->report.nodes_used, out->solution.n_sats, 1e3 * out->report.residual_rms_m);
-        s = orr_ephemeris_build(&out->solution, &out->ephemeris, diag);
-    }
     out->read_s = read_s - begin_s;
-    out->smooth_s = smoothed_s - read_s;
-    out->fit_s = now_s() - smoothed_s;
+    out->smooth_s = now_s() - read_s;
     orr_erp_series_free(&eop);
     work_free(&w);
+    return s;
+}
+
+orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
+                          orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
+{
+    orr_status s = orr_orbit_solve(plan, log, cancel, out, warnings, diag);
+    const double solved_s = now_s();
+    if (s == ORR_OK) s = orr_ephemeris_build(&out->solution, &out->ephemeris, diag);
+    out->fit_s = now_s() - solved_s;
     return s;
 }
 

@@ -42,9 +42,6 @@ typedef struct orr_orbit_made {
     double read_s, smooth_s, fit_s; // wall clock
 } orr_orbit_made;
 
-// Reads every input once, smooths jointly, fits. `cancel` (may be NULL) ends the smoothing with ORR_E_INTERRUPTED.
-// Errors: those of the readers (file, line, column), of the smoother and of the fit; ORR_E_LIMIT for more than
-// ORR_ORBIT_MAX_FILES files of a kind. Free with orr_orbit_made_free whatever it returned.
 #define ORR_ORBIT_MAX_FILES 400
 // Reads every input once, smooths jointly, fits.
 // Given:
@@ -58,6 +55,18 @@ typedef struct orr_orbit_made {
 // Errors: those of the readers, of the smoother and of the fit; ORR_E_LIMIT for more than ORR_ORBIT_MAX_FILES files of a kind.
 orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag);
+// The same without the product: out->ephemeris is NULL.
+// Given:
+//   plan      files and options
+//   log       progress; may be NULL
+//   cancel    as of orr_orbit_make
+// Returned:
+//   out       solution and report; free with orr_orbit_made_free whatever this returned
+//   warnings  of readers and smoother; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: those of orr_orbit_make but of the fit.
+orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
+                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag);
 // Frees all that was made; it is zero then.
 void orr_orbit_made_free(orr_orbit_made *m);
 

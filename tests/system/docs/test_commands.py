@@ -89,7 +89,7 @@ class Documentation(Folder):
         helps = {}
         for page in PAGES:
             for code in spans(page.read_text(encoding="utf-8")):
-                for name, rest in re.findall(r"(?:^|[\s(])orrery (\w+)((?:(?!\borrery )[^;&|#])*)", code):
+                for name, rest in re.findall(r"(?:^|[\s(])orrery ([a-z][a-z-]*)((?:(?!\borrery )[^;&|#])*)", code):
                     if name not in helps:
                         done = subprocess.run([ORRERY, "help", name], capture_output=True, text=True, check=False)
                         helps[name] = done.stdout if done.returncode == 0 else None

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A folder of input files, looked through once: which precise orbits are there of which day. Files are told by their first
+// lines, whatever their names.
+#ifndef ORR_ARCHIVE_INPUTS_INDEX_H
+#define ORR_ARCHIVE_INPUTS_INDEX_H
+
+#include "core/sha256.h"
+#include "core/status.h"
+#include "core/time.h"
+
+typedef struct orr_archive_input {
+    int32_t mjd; // the day that it begins in
+    char *path;
+    char sha256[ORR_SHA256_HEX]; // empty until orr_archive_index_hash
+} orr_archive_input;
+
+typedef struct orr_archive_index {
+    orr_archive_input *item; // ascending in day, then in path
+    size_t n;
+    size_t n_other; // files of other kinds, or with days of prediction in them
+} orr_archive_index;
+
+// Looks through a folder and all below it for SP3 files of one day (up to 30 h: some have both midnights).
+// Given:
+//   folder    where
+//   name      shell pattern that base names have to match; NULL: all
+//   leap      for files dated in UTC; NULL: built-in
+// Returned:
+//   out       the files; free with orr_archive_index_free whatever this returned
+//   warnings  files that cannot be read
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_IO (the folder cannot be read), ORR_E_MEMORY.
+orr_status orr_archive_index_make(const char *folder, const char *name, const orr_leap_table *leap,
+                                  orr_archive_index *out, orr_warnings *warnings, orr_diag *diag);
+// Frees all; it is empty then.
+void orr_archive_index_free(orr_archive_index *x);
+
+// The day's file. ORR_E_NODATA where there is none; ORR_E_ARG where there are several, which are named.
+//   Given:    x           the index
+//             mjd         the day
+//   Returned: input       the file, borrowed from x; NULL on failure
+//             diag        the sentence
+orr_status orr_archive_index_find(const orr_archive_index *x, int32_t mjd, const orr_archive_input **input,
+                                  orr_diag *diag);
+// Hashes the files of days first to last.
+//   Given:    x           the index
+//             first, last modified Julian days
+//   Returned: x           with sha256 filled
+//             diag        ORR_E_IO
+orr_status orr_archive_index_hash(orr_archive_index *x, int32_t first, int32_t last, orr_diag *diag);
+
+#endif

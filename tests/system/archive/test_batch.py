@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An archive of days: the same bytes however it came to be (threads, chunks, kills), nothing half, nothing lost, days that join."""
+import gzip
+import hashlib
+import json
+import os
+import pathlib
+import random
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from program import ORRERY, Folder, run, run_json, sample  # noqa: E402
+
+DAYS = ("079", "080", "081")
+KILLS = int(os.environ.get("ORRERY_KILLS", "10"))
+
+
+FEW = ("G01", "G02", "G03", "E01", "E02", "R01")  # of the samples' satellites: what is tested here are days, not orbits
+
+
+def thin(source, target):
+    """A day's SP3 file with few satellites."""
+    lines = gzip.decompress(pathlib.Path(source).read_bytes()).decode().splitlines()
+    plus = [i for i, line in enumerate(lines) if line.startswith("+ ")]
+    sats = [line[k:k + 3] for i in plus for line in (lines[i],) for k in range(9, 60, 3)]
+    keep = [s for s in sats if s in FEW]
+    assert len(keep) >= 5, sats
+    names = "".join(keep).ljust(51, " ").replace("   ", "  0")
+    for i in plus:
+        lines[i] = "+" + (f"{len(keep):5d}" if i == plus[0] else " " * 5) + "   " + (names if i == plus[0] else "  0" * 17)
+    out = [line for line in lines if not line.startswith(("P", "V")) or line[1:4] in keep]
+    pathlib.Path(target).write_bytes(gzip.compress("\n".join(out).encode() + b"\n", mtime=0))
+
+
+def content(archive):
+    """Hashes of everything in the days of an archive."""
+    root = pathlib.Path(archive)
+    return {str(p.relative_to(root)): hashlib.sha256(p.read_bytes()).hexdigest()
+            for p in sorted(root.glob("2*/**/*")) if p.is_file()}
+
+
+class Batch(Folder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.inputs = cls.path("inputs")
+        (pathlib.Path(cls.inputs) / "deeper").mkdir(parents=True)
+        for k, day in enumerate(DAYS):
+            thin(sample(f"ORR0TSTFIN_2025{day}0000_01D_15M_ORB.SP3.gz"),
+                 pathlib.Path(cls.inputs) / ("deeper" if k == 1 else ".") / f"day{k}.anything")
+        (pathlib.Path(cls.inputs) / "README").write_text("no orbits\n", encoding="utf-8")
+        cls.whole = cls.path("whole")
+        run("batch", "-q", "--archive", cls.whole, "--inputs", cls.inputs, "-j", 1)
+        cls.bytes = content(cls.whole)
+
+    def batch(self, archive, *more, **kwargs):
+        return run("batch", "--archive", archive, "--inputs", self.inputs, *more, **kwargs)
+
+    def test_days_are_there_and_again_nothing_is_made(self):
+        self.assertEqual(sorted(self.bytes), [f"2025/{d}/{f}" for d in DAYS for f in ("day.json", "orbit.nc")])
+        told = json.loads(self.batch(self.whole, "-q", "--format", "json").stdout)
+        self.assertEqual((told["made"], told["fresh"], told["failed"]), (0, 3, 0))
+        self.assertEqual(content(self.whole), self.bytes)
+        record = json.loads((pathlib.Path(self.whole) / "2025/080/day.json").read_text(encoding="utf-8"))
+        self.assertEqual([f["name"] for f in record["inputs"]], ["day0.anything", "day1.anything", "day2.anything"])
+        product = pathlib.Path(self.whole) / "2025/080/orbit.nc"
+        self.assertEqual(record["products"], [{"name": "orbit.nc", "sha256": hashlib.sha256(product.read_bytes()).hexdigest(),
+                                               "bytes": product.stat().st_size}])
+
+    def test_any_number_of_jobs_and_chunks(self):
+        for jobs in (2, 5):
+            other = self.path(f"jobs{jobs}")
+            self.batch(other, "-q", "-j", jobs)
+            self.assertEqual(content(other), self.bytes, jobs)
+        plan, other = self.path("plan.txt"), self.path("chunks")
+        self.batch(other, "-q", "--plan", plan, "--chunks", 2)
+        self.assertFalse(pathlib.Path(other).exists())  # a plan makes nothing
+        tasks = [subprocess.Popen([ORRERY, "batch", "-q", "--archive", other, "--inputs", self.inputs, "--chunk", f"{plan}:{n}"])
+                 for n in (2, 1, 1)]
+        self.assertEqual([t.wait(60) for t in tasks], [0, 0, 0])
+        self.assertEqual(content(other), self.bytes)
+        self.assertIn("has 2 chunks", self.batch(other, "--chunk", f"{plan}:3", status=1).stderr)
+        text = pathlib.Path(plan).read_text(encoding="utf-8")
+        pathlib.Path(plan).write_text(text.replace("by orrery ", "by orrery 0.0."), encoding="utf-8")
+        self.assertIn("plan of another program", self.batch(other, "--chunk", f"{plan}:1", status=1).stderr)
+
+    def test_killed_at_any_moment(self):
+        """kill -9 of the batch at random moments: the next one goes on, and in the end there is what an undisturbed one makes."""
+        other = pathlib.Path(self.path("killed"))
+        luck = random.Random(3)
+        killed = 0
+        while killed < KILLS:
+            task = subprocess.Popen([ORRERY, "batch", "-q", "--archive", other, "--inputs", self.inputs, "-j", "2"])
+            try:
+                task.wait(luck.uniform(0.0, 0.4))
+            except subprocess.TimeoutExpired:
+                task.kill()
+                task.wait(10)
+                killed += 1
+                for name, digest in content(other).items():
+                    if ".part-" not in name:
+                        self.assertEqual(digest, self.bytes[name])
+            else:
+                killed += 1  # it was done before: from the begin
+                shutil.rmtree(other)
+        self.batch(other, "-q")
+        self.assertEqual(content(other), self.bytes)
+        self.assertEqual(sorted(p.name for p in (other / "2025").iterdir()), list(DAYS))
+
+    def test_interrupted(self):
+        other = self.path("interrupted")
+        task = subprocess.Popen([ORRERY, "batch", "--archive", other, "--inputs", self.inputs, "-j", "1"],
+                                stderr=subprocess.PIPE, text=True)
+        line = task.stderr.readline()
+        task.send_signal(signal.SIGINT)
+        told = line + task.communicate(timeout=10)[1]
+        self.assertEqual(task.returncode, -signal.SIGINT, told)
+        self.assertIn("interrupted: ", told)
+        for name, digest in content(other).items():
+            self.assertEqual(digest, self.bytes[name])
+        self.batch(other, "-q")
+        self.assertEqual(content(other), self.bytes)
+
+    def test_days_that_fail(self):
+        """A missing day, a day twice, a file cut short: the others are made, and what failed is told."""
+        inputs = pathlib.Path(self.path("gappy"))
+        inputs.mkdir()
+        thin(sample("ORR0TSTFIN_20250790000_01D_15M_ORB.SP3.gz"), inputs / "a.SP3.gz")
+        thin(sample("ORR0TSTFIN_20250810000_01D_15M_ORB.SP3.gz"), inputs / "c.SP3.gz")
+        other = self.path("gappy-archive")
+        done = run("batch", "--archive", other, "--inputs", inputs, status=1)
+        self.assertIn("2025-080: not made: there is no SP3 file of 2025-080", done.stderr)
+        self.assertIn("2 days made, 0 were there, 1 not made", done.stderr)
+        self.assertEqual(run_json("archive", "stats", other, "--format", "json")["without_a_neighbour"], 2)
+        thin(sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"), inputs / "b15.SP3.gz")
+        thin(sample("ORR0TSTFIN_20250800000_01D_05M_ORB.SP3.gz"), inputs / "b05.SP3.gz")
+        done = run("batch", "--archive", other, "--inputs", inputs, status=1)
+        self.assertIn("several SP3 files are of 2025-080: b05.SP3.gz and b15.SP3.gz", done.stderr)
+        (inputs / "b05.SP3.gz").unlink()
+        self.assertIn("3 days made", run("batch", "--archive", other, "--inputs", inputs).stderr)  # neighbours have come
+        cut = inputs / "b15.SP3.gz"
+        cut.write_bytes(cut.read_bytes()[:4000])
+        done = run("batch", "--archive", other, "--inputs", inputs, status=1)
+        self.assertIn("b15.SP3.gz", done.stderr)
+        self.assertEqual(run_json("archive", "stats", other, "--format", "json")["days"], 3)  # what was made before stays
+
+    def test_damage_is_found(self):
+        other = self.path("damaged")
+        shutil.copytree(self.whole, other)
+        product = pathlib.Path(other) / "2025/080/orbit.nc"
+        product.write_bytes(product.read_bytes()[:-7])
+        self.assertIn("080/orbit.nc", run("archive", "verify", other, status=1).stdout)
+        (pathlib.Path(other) / "2025/081/day.json").write_text("{", encoding="utf-8")
+        self.assertIn("081/day.json", run("archive", "verify", other, status=1).stdout)
+        self.assertEqual([d["state"] for d in run_json("archive", "ls", other, "--format", "json")], ["ok", "ok", "format error"])
+        run("batch", "-q", "--archive", other, "--inputs", self.inputs, "--again")
+        self.assertEqual(content(other), self.bytes)
+        leftover = pathlib.Path(other) / f"2025/.part-080-{os.uname().nodename.replace('-', '_')}-999999999"
+        leftover.mkdir()
+        (leftover / "orbit.nc").write_bytes(b"half")
+        (pathlib.Path(other) / "notes.txt").write_text("mine", encoding="utf-8")
+        told = run("archive", "gc", other).stdout
+        self.assertIn("left by a batch that ended; removed", told)
+        self.assertIn("notes.txt: is nothing that an archive has", told)
+        self.assertFalse(leftover.exists())
+
+    def test_report_and_catalogue(self):
+        other = self.path("reported")
+        shutil.copytree(self.whole, other)
+        told = run_json("batch", "--archive", other, "--report", "--format", "json")
+        joints = [d["joint_max_mm"] for d in told["days"]]
+        self.assertIsNone(joints[0])
+        self.assertLess(max(joints[1:]), 0.01)  # both take it from one solution; Chebyshev segments are fitted to 0.1 mm and better
+        catalogue = pathlib.Path(other) / "catalogue.sqlite"
+        with sqlite3.connect(catalogue) as db:
+            self.assertEqual(db.execute("SELECT day, state FROM day ORDER BY day").fetchall(),
+                             [(f"2025-{d}", "ok") for d in DAYS])
+            db.execute("PRAGMA user_version=77")
+        again = run("batch", "--archive", other, "--report", "--format", "json")
+        self.assertIn("made anew", again.stderr)
+        self.assertEqual(json.loads(again.stdout), told)
+        catalogue.write_bytes(b"no database at all" * 100)
+        self.assertEqual(json.loads(run("batch", "--archive", other, "--report", "--format", "json").stdout), told)
+        catalogue.unlink()
+        self.assertEqual(run_json("batch", "--archive", other, "--report", "--format", "json"), told)
+
+    def test_two_batches_on_one_archive(self):
+        other = self.path("two")
+        first = subprocess.Popen([ORRERY, "batch", "--archive", other, "--inputs", self.inputs, "-j", "1"],
+                                 stderr=subprocess.PIPE, text=True)
+        self.assertIn("made", first.stderr.readline())
+        second = run("batch", "--archive", other, "--inputs", self.inputs, status=1)
+        self.assertIn(f"another batch (process {first.pid}) works on this archive", second.stderr)
+        first.communicate(timeout=60)
+        self.assertEqual(first.returncode, 0)
+        self.assertEqual(content(other), self.bytes)
+
+    def test_wrong_use(self):
+        for args, words in ((("--archive", "x"), "--inputs DIR is needed"),
+                            (("--archive", "x", "--inputs", self.inputs, "--from", "2026-01-01"), "no file from the first day on"),
+                            (("--archive", "x", "--inputs", self.inputs, "--chunk", "7"), "FILE:N")):
+            self.assertIn(words, run("batch", *args, status=2, cwd=self.folder).stderr)
+        self.assertIn("cannot be read", run("batch", "--archive", self.path("x"), "--inputs", self.path("none"), status=1).stderr)
+        self.assertIn("none of ls", run("archive", "list", self.whole, status=2).stderr)
+        self.assertIn("cannot be read", run("archive", "ls", self.path("none"), status=1).stderr)
+
+
+if __name__ == "__main__":
+    import unittest
+    unittest.main(argv=[__file__])
