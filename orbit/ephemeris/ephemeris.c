@@ -184,11 +184,32 @@ static double clock_rate_of_nodes(const eph_sat *s)
     return step > 0 ? 1.0 / (double)step : 0.0;
 }
 
+// Whether nodes i and i + 1 are two files' clocks of one instant that differ by no more than such clocks do: days of one centre
+// by 0.1 to 0.5 ns. A satellite has one clock, and its signal does not step at midnight.
+static bool files_meet(const eph_sat *s, size_t i)
+{
+    const double most_s = 30e-9; // what is more is looked at as a jump (clock_judge.h)
+    return i + 1 < s->n_clocks && s->clock[i].t == s->clock[i + 1].t &&
+           (s->clock[i + 1].flags & ORR_EPH_CLOCK_EVENT) == 0 &&
+           fabs(s->clock[i + 1].clock_s - s->clock[i].clock_s) <= most_s;
+}
+
+// Clock and variance of node i: where two files meet the mean of both, which is off either by half of what they differ.
+static double node_clock_s(const eph_sat *s, size_t i, float *sigma2_s2)
+{
+    const orr_clock_node *c = &s->clock[i];
+    const orr_clock_node *other = files_meet(s, i) ? c + 1 : i > 0 && files_meet(s, i - 1) ? c - 1 : c;
+    const double half = (other->clock_s - c->clock_s) / 2;
+    *sigma2_s2 = c->sigma_s * c->sigma_s + (float)(half * half);
+    return c->clock_s + half;
+}
+
 // At a node with a way on both sides the rate is the mean of both; each way bends towards it.
 static void bend(eph_sat *s)
 {
     for (size_t i = 1; i < s->n_clocks; i++) {
         eph_clock *a = &s->rate[i - 1], *b = &s->rate[i];
+        if (i > 1 && files_meet(s, i - 1)) a--; // the way to the first of both nodes
         if (a->flags == 0 || b->flags == 0) continue;
         const double half_step = 0.5 * (b->way.rate_sps - a->way.rate_sps);
         a->way.bend_last_sps = half_step;
@@ -198,22 +219,24 @@ static void bend(eph_sat *s)
 
 // Ways between clock nodes. None where nodes are too far apart, nor where SP3's event flag says that the
 // clock jumped between the epoch before and the flagged one (SP3-d, column 75), nor between two nodes at one
-// instant: there files join with different clocks.
+// instant, where files join.
 static void make_rates(const orr_ephemeris *e, eph_sat *s)
 {
     int64_t max_ns = e->clock_max_gap_s < 9e8 ? (int64_t)(e->clock_max_gap_s * 1e9) : INT64_MAX;
     s->rate = &e->rate[s->clock - e->clock];
     for (size_t i = 0; i < s->n_clocks; i++) {
         const orr_clock_node *c = &s->clock[i];
-        s->rate[i] = (eph_clock){.t = c->t, .way.clock_s = c->clock_s};
+        float s2, next_s2;
+        const double clock_s = node_clock_s(s, i, &s2);
+        s->rate[i] = (eph_clock){.t = c->t, .way.clock_s = clock_s};
         if (i + 1 == s->n_clocks || (c[1].flags & ORR_EPH_CLOCK_EVENT) != 0) continue;
         int64_t step_ns = c[1].t - c[0].t;
         if (step_ns <= 0 || step_ns > max_ns) continue;
         s->rate[i].way.length_s = (double)step_ns * 1e-9;
-        s->rate[i].way.rate_sps = (c[1].clock_s - c[0].clock_s) / s->rate[i].way.length_s;
+        s->rate[i].way.rate_sps = (node_clock_s(s, i + 1, &next_s2) - clock_s) / s->rate[i].way.length_s;
         s->rate[i].per_ns = 1 / (double)step_ns;
-        s->rate[i].sigma2_s2 = c[0].sigma_s * c[0].sigma_s;
-        s->rate[i].next_s2 = c[1].sigma_s * c[1].sigma_s;
+        s->rate[i].sigma2_s2 = s2;
+        s->rate[i].next_s2 = next_s2;
         s->rate[i].flags = ORR_EPH_CLOCK_VALID | ((c[0].flags | c[1].flags) & EPH_CLOCK_FLAGS);
     }
     bend(s);

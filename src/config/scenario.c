@@ -93,6 +93,13 @@ static const char *check(const void *map, char why[ORR_SCHEMA_WHY])
                      k + 1, (long long)a->unit, units);
             blame = "antennas";
         }
+        for (size_t j = 0; blame == NULL && j < k; j++)
+            if (a->name != NULL && s->antennas.item[j].name != NULL &&
+                strcmp(a->name, s->antennas.item[j].name) == 0) {
+                snprintf(why, ORR_SCHEMA_WHY, "antennas %zu and %zu are both called '%s'", j + 1, k + 1,
+                         a->name);
+                blame = "antennas";
+            }
     }
     return blame;
 }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/signal.h"
 #include "src/config/rows_private.h"
@@ -75,11 +76,33 @@ static const orr_key antenna_rows[] = {
     ANTENNA_REAL("up", up_m, moving, "lever arm, up"),
 };
 
+// No ground lies as low: the shore of the Dead Sea is 410 m below the ellipsoid, the geoid 107 m at most.
+#define LOWEST_GROUND_M (-500.0)
+
 static const char *check_antenna(const void *map, char why[ORR_SCHEMA_WHY])
 {
-    const orr_real_list *p = &((const orr_scenario_antenna *)map)->position;
-    if (p->n == 0 || (fabs(p->item[0]) <= 90 && fabs(p->item[1]) <= 360)) return NULL;
-    snprintf(why, ORR_SCHEMA_WHY, "latitude %g, longitude %g is no place", p->item[0], p->item[1]);
+    const orr_scenario_antenna *a = map;
+    const orr_real_list *p = &a->position;
+    if (a->name != NULL) { // files are called by it
+        const size_t n = strlen(a->name);
+        if (n == 0 || n > ORR_ANTENNA_NAME || a->name[0] == '.' ||
+            strcspn(a->name, "/\\\"*?<>| ,\t\n") != n) {
+            snprintf(why, ORR_SCHEMA_WHY,
+                     "'%s' is no name for files: 1 to %d characters, none of / \\ \" * ? < > | , or space, "
+                     "no dot in "
+                     "front",
+                     a->name, ORR_ANTENNA_NAME);
+            return "name";
+        }
+    }
+    if (p->n == 0) return NULL;
+    if (!(fabs(p->item[0]) <= 90 && fabs(p->item[1]) <= 360)) {
+        snprintf(why, ORR_SCHEMA_WHY, "latitude %g, longitude %g is no place", p->item[0], p->item[1]);
+        return "position";
+    }
+    if (p->item[2] + a->height_m >= LOWEST_GROUND_M) return NULL;
+    snprintf(why, ORR_SCHEMA_WHY, "a height of %g m above the ellipsoid is below ground",
+             p->item[2] + a->height_m);
     return "position";
 }
 const orr_schema orr_section_antenna = {.key = antenna_rows,

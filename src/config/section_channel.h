@@ -27,6 +27,7 @@ typedef struct orr_scenario_troposphere {
 } orr_scenario_troposphere;
 
 #define ORR_MAX_ANTENNAS 16
+#define ORR_ANTENNA_NAME 59 // characters of a name at most: RINEX has 60 for a marker
 typedef struct orr_scenario_antenna {
     char *name, *type; // type and radome as ANTEX files have them; NULL: phase centre at the reference point
     orr_real_list

@@ -123,6 +123,55 @@ static orr_status open_antennas(const orr_scenario *s, const orr_source_motion *
     return status;
 }
 
+static bool names_any(const orr_sat_set *set)
+{
+    uint64_t any = 0;
+    for (int k = 0; k < ORR_N_SYSTEMS; k++) any |= set->bit[k][0] | set->bit[k][1];
+    return any != 0;
+}
+
+// Satellites that a key of `satellites` names, where the orbits have none of them: it has no effect then.
+static void warn_of_unknown(const char *key, const orr_sat_set *set, const orr_source_orbit *orbits,
+                            orr_warnings *warnings)
+{
+    const orr_sat *list;
+    const size_t n = orr_source_orbit_satellites(orbits, &list);
+    for (size_t k = 0; k < n; k++)
+        if (orr_sat_set_has(set, list[k])) return;
+    if (names_any(set))
+        orr_warnings_add(warnings, "", 0, 0, "satellites.%s: the orbits have none of these satellites", key);
+}
+
+static void warn_of_satellites(const orr_scenario_satellites *o, const orr_source_orbit *orbits,
+                               orr_warnings *warnings)
+{
+    warn_of_unknown("use", &o->use, orbits, warnings);
+    warn_of_unknown("exclude", &o->exclude, orbits, warnings);
+    warn_of_unknown("unhealthy", &o->unhealthy, orbits, warnings);
+    for (size_t k = 0; k < o->power.n; k++)
+        warn_of_unknown("power", &o->power.item[k].sats, orbits, warnings);
+}
+
+// What the scenario's parts cover, when they have no time in common.
+static orr_status nothing_common(const orr_source_orbit *orbits, const orr_source_iono *iono,
+                                 const orr_source_motion *motion, orr_diag *diag)
+{
+    char text[400] = "";
+    orr_span span;
+    const char *const names[] = {"orbits", "ionosphere", "trajectory"};
+    for (int k = 0; k < 3; k++) {
+        char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+        if (!(k == 0   ? orr_source_orbit_span(orbits, &span)
+              : k == 1 ? orr_source_iono_span(iono, &span)
+                       : orr_source_motion_span(motion, &span)))
+            continue;
+        const size_t used = strlen(text);
+        snprintf(text + used, sizeof text - used, "%s%s %s to %s", used > 0 ? ", " : "", names[k],
+                 orr_time_text(span.from, from), orr_time_text(span.to, to));
+    }
+    return orr_diag_set(diag, ORR_E_NODATA, "the scenario's parts have no time in common: %s", text);
+}
+
 static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, orr_channels *c,
                           const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
@@ -181,10 +230,9 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
         if (i.from > c->span.from) c->span.from = i.from;
         if (i.to < c->span.to) c->span.to = i.to;
     }
-    orr_status status = c->span.from < c->span.to
-                            ? prepare(s, motion, c, cancel, warnings, diag)
-                            : orr_diag_set(diag, ORR_E_NODATA,
-                                           "orbits, ionosphere and trajectory do not cover a common time");
+    orr_status status = c->span.from < c->span.to ? prepare(s, motion, c, cancel, warnings, diag)
+                                                  : nothing_common(orbits, iono, motion, diag);
+    if (status == ORR_OK) warn_of_satellites(&s->satellites, orbits, warnings);
     if (status != ORR_OK)
         orr_channels_close(c);
     else

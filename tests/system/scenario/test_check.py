@@ -47,6 +47,14 @@ class Check(Folder):
         self.refused("signals: [G]\nantennas: [{name: A}]\n", "antennas", "no trajectory")
         self.refused("signals: [G]\nantennas: [{position: [52, 17]}]\n", "scenario.yaml:5", "position")
         self.refused("signals: [G]\nantennas: [{position: [152, 17, 0]}]\n", "no place")
+        self.refused("signals: [G]\nantennas: [{position: [52, 17, -900]}]\n", "scenario.yaml:5", "below ground")
+        self.refused("signals: [G]\nantennas: [{name: a/b, position: [52, 17, 0]}]\n", "scenario.yaml:5", "no name for files")
+        self.refused("signals: [G]\nantennas: [{name: A, position: [52, 17, 0]}, {name: A, position: [51, 17, 0]}]\n",
+                     "both called 'A'")
+        self.refused("signals: [G]\nantennas: [{up: 1}]\ntrajectory: {kind: survey, start: 2024-03-21T10:00:00, duration: 600, "
+                     "lat: 52, lon: 17, height: 500}\n", "no time in common", "2024-03-21T10:00:00", "2025-03-2")
+        self.assertIn("none of these satellites",
+                      run("check", self.scenario("signals: [G]\nsatellites: {unhealthy: G40}\n" + FIXED)).stderr)
         self.refused("signals: [G]\nantennas: [{position: [52, 17, 0], type: X}]\n", "ANTEX")
         self.refused("signals: [G]\nmask: {elevation: 90}\n" + FIXED, "no antenna ever sees")
         self.refused("signals: [G]\nmask: {body: 5}\n" + FIXED, "nothing moves")
