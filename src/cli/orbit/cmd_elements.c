@@ -8,6 +8,7 @@
 
 #include "core/ncfile.h"
 #include "core/outfile.h"
+#include "src/archive/store.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/elements_rows.h"
@@ -177,7 +178,33 @@ static orr_status to_nc(const orr_cli *c, const orr_elements_plan *plan, const c
     return s;
 }
 
-static int run(orr_cli *c)
+// Products of an archive's days from --from to --to, ascending; to be freed one by one.
+static orr_status days_of_archive(const orr_cli *c, char ***path, size_t *n, orr_diag *diag)
+{
+    const char *archive = orr_cli_text(c, "archive", NULL);
+    const int32_t first =
+                      orr_cli_given(c, "from") ? orr_archive_day_of(orr_cli_time(c, "from", 0)) : INT32_MIN,
+                  last = orr_cli_given(c, "to") ? orr_archive_day_of(orr_cli_time(c, "to", 0)) : INT32_MAX;
+    int32_t *day = NULL;
+    size_t n_days = 0;
+    orr_status s = orr_archive_days(archive, &day, &n_days, diag);
+    *path = calloc(n_days + 1, sizeof **path);
+    if (s == ORR_OK && *path == NULL) s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    for (size_t i = 0; s == ORR_OK && i < n_days; i++) {
+        char text[ORR_ARCHIVE_PATH];
+        if (day[i] < first || day[i] > last) continue;
+        (*path)[*n] = strdup(orr_archive_path(archive, day[i], "orbit.nc", text));
+        if ((*path)[*n] == NULL)
+            s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+        else
+            ++*n;
+    }
+    if (s == ORR_OK && *n == 0) s = orr_diag_at(diag, ORR_E_NODATA, archive, 0, 0, "has no day of the span");
+    free(day);
+    return s;
+}
+
+static int run_of(orr_cli *c, const char *const *product, size_t n_products)
 {
     orr_diag diag = {0};
     orr_warnings warnings = {0};
@@ -186,8 +213,8 @@ static int run(orr_cli *c)
     if (nc && strcmp(path, "-") == 0) return orr_cli_usage(c, "--format nc needs a file: -o FILE");
     if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     const orr_elements_plan plan = {
-        .product = (const char *const *)c->operand,
-        .n_products = (size_t)c->n_operands,
+        .product = product,
+        .n_products = n_products,
         .leap = c->leap,
         .erp = orr_cli_text(c, "erp", NULL),
         .frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),
@@ -210,7 +237,27 @@ static int run(orr_cli *c)
     return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
 }
 
+static int run(orr_cli *c)
+{
+    if (orr_cli_given(c, "archive") == (c->n_operands > 0))
+        return orr_cli_usage(c, "products, or --archive: one of them is needed");
+    if (c->n_operands > 0) return run_of(c, (const char *const *)c->operand, (size_t)c->n_operands);
+    char **path = NULL;
+    size_t n = 0;
+    orr_diag diag = {0};
+    const orr_status s = days_of_archive(c, &path, &n, &diag);
+    const int status = s == ORR_OK ? run_of(c, (const char *const *)path, n) : orr_cli_fail(c, &diag);
+    for (size_t i = 0; i < n; i++) free(path[i]);
+    free(path);
+    return status;
+}
+
 static const orr_option options[] = {
+    {.name = "archive",
+     .kind = ORR_OPT_TEXT,
+     .value = "DIR",
+     .help = "Instead of products: all days of an archive (orrery batch) from --from to --to, one at a time "
+             "in memory."},
     ORR_OPTION_SATS,
     {.name = "method",
      .fallback = "state",
@@ -244,7 +291,7 @@ const orr_command orr_cmd_elements = {
     .group = "Orbits",
     .summary = "print Kepler elements as functions of time",
     .operands = "PRODUCT...",
-    .min_operands = 1,
+    .min_operands = 0, // of --archive
     .max_operands = -1,
     .about = "Reads products of `orrery orbit`, one after the other in time, and tells a, e, i, the node, "
              "perigee, "
@@ -254,7 +301,9 @@ const orr_command orr_cmd_elements = {
              "Instants at which the method lacks data (an end of the arc, a manoeuvre) have no row; days "
              "smoothed jointly have no ends between them.",
     .example = "orrery elements day.nc --sat G05 --step 300\norrery elements week*.nc --sat R07 --method "
-               "mean --step 3600 -o r07.csv",
+               "mean --step 3600 -o r07.csv\n"
+               "orrery elements --archive archive --sat R07 --from 2020-01-01 --to 2020-12-31 --step 3600 -o "
+               "r07.csv",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -189,6 +189,21 @@ class Batch(Folder):
         catalogue.unlink()
         self.assertEqual(run_json("batch", "--archive", other, "--report", "--format", "json"), told)
 
+    def test_elements_of_an_archive(self):
+        """Rows of all days, one after the other, as of the products by name; the orbit goes on over midnight."""
+        products = [f"{self.whole}/2025/{d}/orbit.nc" for d in DAYS]
+        how = ("--sat", "G01", "--step", "900", "--frame", "j2000")
+        rows = run("elements", "--archive", self.whole, *how).stdout
+        self.assertEqual(rows, run("elements", *products, *how).stdout)
+        self.assertEqual(len(rows.splitlines()), 1 + 3 * 96 + 1)
+        part = run("elements", "--archive", self.whole, *how, "--from", "2025-03-21T12:00", "--to", "2025-03-22T12:00").stdout
+        self.assertEqual(part.splitlines()[1:], [r for r in rows.splitlines() if "2025-03-21T12" <= r[:13] <= "2025-03-22T11"
+                                                 or r.startswith("2025-03-22T12:00:00")])
+        incl = [float(r.split(",")[4]) for r in rows.splitlines()[1:]]
+        self.assertLess(max(abs(b - a) for a, b in zip(incl, incl[1:])), 4e-4)  # degrees: 2 n 900 s of J2's 3/8 J2 (R/a)^2 sin 2i = 1.3e-3
+        self.assertIn("one of them is needed", run("elements", *how, status=2).stderr)
+        self.assertIn("has no day of the span", run("elements", "--archive", self.whole, "--from", "2026-01-01", status=1).stderr)
+
     def test_two_batches_on_one_archive(self):
         other = self.path("two")
         first = subprocess.Popen([ORRERY, "batch", "--archive", other, "--inputs", self.inputs, "-j", "1"],
