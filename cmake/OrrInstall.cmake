@@ -5,7 +5,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-install(TARGETS orrery RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS orrery orrery-generator RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 # --- Manual pages and completion, from the command table ---
 set(tables "${PROJECT_SOURCE_DIR}/src/cli/commands.def")
