@@ -119,7 +119,7 @@ int main(int argc, char **argv)
         if (m.block == INT64_MIN ||
             t >= m.block + m.length) // the next block: its values and rates go on from this one's
             if (!get_block(&c, t, signal.signal, argv[4][0], (unsigned)atoi(argv[5]), &m, &x)) return 1;
-        const double in_block_s = 1e-9 * (double)(t - m.block);
+        const double in_block_s = (double)(t - m.block) / 1e9;
         double chips, fraction;
         int64_t period, cycles;
         code_phase(&x, &signal, in_block_s, &chips, &period);
