@@ -39,6 +39,10 @@ orr_status orr_ephemeris_save(const orr_ephemeris *e, const char *path, const ch
 // Reads such a file; every count and index is checked. Errors: ORR_E_KIND (no orbit product), ORR_E_UNSUPPORTED (of another version), ORR_E_FORMAT, ORR_E_NODATA, ORR_E_IO, ORR_E_MEMORY. Free
 // with orr_ephemeris_free.
 orr_status orr_ephemeris_load(const char *path, orr_ephemeris **out, orr_diag *diag);
+// Two products of different satellites as one: frame, rotation and what else is of a whole product is a's. Both stay as they
+// are. Errors: ORR_E_FORMAT (a satellite is in both), ORR_E_LIMIT, ORR_E_MEMORY.
+orr_status orr_ephemeris_join(const orr_ephemeris *a, const orr_ephemeris *b, orr_ephemeris **out,
+                              orr_diag *diag);
 // Frees a product; NULL is allowed.
 void orr_ephemeris_free(orr_ephemeris *e);
 

@@ -149,7 +149,7 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
     e->options[sizeof e->options - 1] = e->frame[sizeof e->frame - 1] = '\0';
 }
 
-static orr_status copy_clock_events(const orr_clock_events *from, orr_clock_events *to)
+orr_status eph_copy_clock_events(const orr_clock_events *from, orr_clock_events *to)
 {
     if (from->n == 0) return ORR_OK;
     to->item = malloc(from->n * sizeof *to->item);
@@ -295,7 +295,7 @@ orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out,
     if (st == ORR_OK) st = eph_alloc(&counts, &e, diag);
     if (st == ORR_OK) {
         copy(s, fit, e);
-        st = copy_clock_events(&s->clock_events, &e->clock_events);
+        st = eph_copy_clock_events(&s->clock_events, &e->clock_events);
         e->rotation = s->rotation;
         const orr_status copied = orr_eop_series_copy(&s->rotation.series, &e->rotation.series);
         if (st == ORR_OK) st = copied;

@@ -109,6 +109,8 @@ orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag 
 // Derives everything that is not in the file from what is: spans, flags of segments, slots, span of time.
 // Satellites' and arcs' own fields, counts and indices must be set and consistent.
 orr_status eph_finish(orr_ephemeris *e, orr_diag *diag);
+// A copy of events of clocks. ORR_E_MEMORY.
+orr_status eph_copy_clock_events(const orr_clock_events *from, orr_clock_events *to);
 bool eph_machine_is_wide(void);
 static inline size_t eph_block(int degree) { return (size_t)(degree + 1) * EPH_LANES; } // doubles a segment
 

@@ -70,9 +70,11 @@ static const char *check(const void *map, char why[ORR_SCHEMA_WHY])
     const orr_scenario *s = map;
     const size_t units = s->motion.units.n;
     // A flight alone is a scenario too: inertial readings without satellites.
-    if (s->orbit.product == NULL && s->orbit.sp3.n == 0 && s->motion.trajectory.kind == ORR_MOTION_NONE) {
+    if (s->orbit.product == NULL && s->orbit.sp3.n == 0 && s->orbit.nav.n == 0 &&
+        s->motion.trajectory.kind == ORR_MOTION_NONE) {
         snprintf(why, ORR_SCHEMA_WHY,
-                 "no orbits and no trajectory: name an orbit.product or orbit.sp3, or a trajectory.kind");
+                 "no orbits and no trajectory: name an orbit.product, orbit.sp3 or orbit.nav, or a "
+                 "trajectory.kind");
         return "";
     }
     if (s->receiver.unit > (int64_t)units) {

@@ -38,7 +38,8 @@ static const char *title_of(const orr_scenario *s)
 {
     if (s->title != NULL) return s->title;
     if (s->orbit.product != NULL) return base_name(s->orbit.product);
-    return s->orbit.sp3.n > 0 ? base_name(s->orbit.sp3.item[0]) : "";
+    if (s->orbit.sp3.n > 0) return base_name(s->orbit.sp3.item[0]);
+    return s->orbit.nav.n > 0 ? base_name(s->orbit.nav.item[0]) : "";
 }
 
 static void choose_receiver(const orr_scenario *s, orr_engine *e)

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "orbit/ephemeris/broadcast_orbits.h"
+#include "src/make/inputs.h"
 #include "src/make/orbit.h"
 #include "src/make/products.h"
 
@@ -27,19 +29,77 @@ orr_status orr_source_orbit_of_ephemeris(orr_ephemeris *eph, orr_source_orbit **
     return ORR_OK;
 }
 
+// What the records of navigation files and longitudes tell of satellites that *e does not have; NULL: of all.
+static orr_status others(const orr_scenario *s, const orr_nav *nav, const orr_ephemeris *e,
+                         orr_ephemeris **out, orr_warnings *warnings, orr_diag *diag)
+{
+    const size_t n = s->orbit.geo.n;
+    orr_sat_set has = {0};
+    const orr_sat *list;
+    orr_time from = ORR_TIME_NONE, to = ORR_TIME_NONE;
+    if (e != NULL) orr_ephemeris_span(e, &from, &to);
+    for (size_t i = 0, k = e != NULL ? orr_ephemeris_satellites(e, &list) : 0; i < k; i++)
+        orr_sat_set_add(&has, list[i]);
+    orr_geostationary *geo = calloc(n + 1, sizeof *geo);
+    if (geo == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    orr_status status = ORR_OK;
+    for (size_t i = 0; i < n && status == ORR_OK; i++) {
+        const orr_scenario_geo *g = &s->orbit.geo.item[i];
+        geo[i] = (orr_geostationary){orr_sat_parse(g->sat), g->longitude_deg * ORR_RAD_PER_DEG};
+        if (orr_sat_set_has(&has, geo[i].sat))
+            status = orr_diag_set(diag, ORR_E_ARG,
+                                  "orbit.geo: the orbits have %s already; leave it out of geo", g->sat);
+    }
+    if (status == ORR_OK) status = orr_broadcast_orbits(nav, &has, geo, n, from, to, out, warnings, diag);
+    free(geo);
+    return status;
+}
+
+static orr_status complete(const orr_scenario *s, const orr_log *log, orr_ephemeris **e,
+                           orr_warnings *warnings, orr_diag *diag)
+{
+    orr_inputs inputs = {.leap = s->leap};
+    orr_nav nav = {0};
+    orr_ephemeris *more = NULL, *both = NULL;
+    const orr_sat *list;
+    orr_status status = orr_inputs_read_navs(&inputs, (const char *const *)s->orbit.nav.item, s->orbit.nav.n,
+                                             &nav, warnings, diag);
+    if (status == ORR_OK) status = others(s, s->orbit.nav.n > 0 ? &nav : NULL, *e, &more, warnings, diag);
+    if (status == ORR_OK && more == NULL && *e == NULL)
+        status = orr_diag_set(diag, ORR_E_NODATA, "orbit.nav: no record of a satellite tells an orbit");
+    if (status == ORR_OK && more != NULL) {
+        ORR_LOG(log, ORR_LOG_INFO, "orbits of %zu satellites from broadcast records and longitudes",
+                orr_ephemeris_satellites(more, &list));
+        if (*e != NULL) status = orr_ephemeris_join(*e, more, &both, diag);
+    }
+    if (status == ORR_OK && both != NULL) {
+        orr_ephemeris_free(*e);
+        *e = both;
+    } else if (status == ORR_OK && *e == NULL) {
+        *e = more;
+        more = NULL;
+    }
+    orr_ephemeris_free(more);
+    orr_nav_free(&nav);
+    orr_inputs_free(&inputs);
+    return status;
+}
+
 orr_status orr_source_orbit_open(const orr_scenario *s, const orr_log *log, const volatile int *cancel,
                                  orr_warnings *warnings, orr_source_orbit **out, orr_diag *diag)
 {
     *out = NULL;
     orr_orbit_made made = {0};
-    orr_status status;
+    orr_status status = ORR_OK;
     if (s->orbit.product != NULL) {
         status = orr_product_load(s->orbit.product, &made.ephemeris, diag);
     } else if (s->orbit.sp3.n > 0) {
         const orr_orbit_plan plan = orr_orbit_plan_of(s);
         status = orr_orbit_make(&plan, log, cancel, &made, warnings, diag);
-    } else
+    } else if (s->orbit.nav.n == 0)
         return ORR_OK;
+    if (status == ORR_OK && (s->orbit.nav.n > 0 || s->orbit.geo.n > 0))
+        status = complete(s, log, &made.ephemeris, warnings, diag);
     if (status == ORR_OK) {
         status = orr_source_orbit_of_ephemeris(made.ephemeris, out, diag);
         made.ephemeris = NULL; // taken over

@@ -10,7 +10,7 @@
 
 typedef struct orr_source_orbit orr_source_orbit;
 
-// Loads the product, or reads and smooths the SP3 files.
+// Loads the product, or reads and smooths the SP3 files; satellites that these do not have come from orbit.nav and orbit.geo.
 // Given:
 //   s         the scenario
 //   log       progress; may be NULL
