@@ -12,6 +12,7 @@
 #define PER_SEGMENT 15 // a quarter of an hour; the product takes less where an orbit needs it
 #define CLOCK_S 300.0
 #define UNKNOWN_SIGMA_M 3.0
+#define GEO_SIGMA_M 1e-3           // exact by decree; files write sigmas as powers, which cannot be 0
 #define GEOSTATIONARY_M 42164170.0 // radius on which a sidereal day is a revolution
 
 // Records of one satellite, one for every time of ephemeris, ascending.
@@ -173,7 +174,7 @@ static orr_status of_longitude(const orr_geostationary *g, orr_time from, orr_ti
         .pos_m = {GEOSTATIONARY_M * cos(g->lon_rad), GEOSTATIONARY_M * sin(g->lon_rad), 0}};
     for (size_t i = 0; i < a.n && status == ORR_OK; i++) {
         const orr_time t = orr_time_add_s(a.t0, (double)i * SAMPLE_S);
-        a.sample[i] = sample_of(&b, 0);
+        a.sample[i] = sample_of(&b, GEO_SIGMA_M);
         if (has_clock(&a, i, t)) status = add_clock(s, t, 0, diag);
     }
     if (status == ORR_OK) return add_arc(s, &a, diag);

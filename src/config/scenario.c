@@ -118,8 +118,11 @@ const orr_schema *orr_scenario_schema(void) { return &schema; }
 static orr_status of_tree(const orr_schema *table, const orr_yaml *y, const char *folder,
                           const orr_leap_table *leap, orr_scenario *out, orr_diag *diag)
 {
-    const orr_status s = orr_schema_read(table, y, folder, leap, out, diag);
+    orr_status s = orr_schema_read(table, y, folder, leap, out, diag);
     out->leap = leap;
+    if (s != ORR_OK || y->root == NULL) return s;
+    s = orr_marks_of(y, &out->marks, diag);
+    if (s != ORR_OK) orr_scenario_free(out);
     return s;
 }
 
@@ -199,4 +202,8 @@ orr_status orr_scenario_of_telemetry(const char *const *file, const char *const 
     return ORR_OK;
 }
 
-void orr_scenario_free(orr_scenario *s) { orr_schema_free(&schema, s); }
+void orr_scenario_free(orr_scenario *s)
+{
+    orr_marks_free(&s->marks);
+    orr_schema_free(&schema, s);
+}

@@ -4,6 +4,7 @@
 #ifndef ORR_CONFIG_SCENARIO_H
 #define ORR_CONFIG_SCENARIO_H
 
+#include "src/config/marks.h"
 #include "src/config/section_channel.h"
 #include "src/config/section_gravity.h"
 #include "src/config/section_imu.h"
@@ -41,6 +42,7 @@ typedef struct orr_scenario {
     orr_scenario_mask mask;
     orr_scenario_channel channel;
     orr_scenario_serve serve;
+    orr_marks marks;            // where in the file its keys stand
     const orr_leap_table *leap; // that its times were read by and its run goes by; borrowed; NULL: built-in
 } orr_scenario;
 

@@ -88,7 +88,7 @@ static void print_flags(uint32_t flags)
 }
 
 // Thirteen instants over the span.
-static int print_views(orr_cli *cli, const orr_channels *c)
+static int print_views(orr_cli *cli, const orr_channels *c, const orr_marks *marks)
 {
     orr_channel *list = calloc(orr_channels_max(c), sizeof *list);
     uint32_t flags = 0;
@@ -126,7 +126,10 @@ static int print_views(orr_cli *cli, const orr_channels *c)
     free(list);
     orr_channel_work_close(work);
     print_flags(flags);
-    return nothing ? orr_cli_failf(cli, "no antenna ever sees a satellite (mask, satellites)") : ORR_EXIT_OK;
+    if (!nothing) return ORR_EXIT_OK;
+    (void)orr_marks_blame(marks, ORR_E_NODATA, "mask",
+                          "no antenna ever sees a satellite (mask, satellites, the antennas' places)", &diag);
+    return orr_cli_fail(cli, &diag);
 }
 
 static int run(orr_cli *c)
@@ -141,17 +144,20 @@ static int run(orr_cli *c)
     status = orr_engine_open(&s, c->log, NULL, &warnings, &e, &diag);
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
-    orr_scenario_free(&s);
-    if (status != ORR_OK) return orr_cli_fail(c, &diag);
+    if (status != ORR_OK) {
+        orr_scenario_free(&s);
+        return orr_cli_fail(c, &diag);
+    }
     printf("%s: %s\n", path, orr_engine_title(e)[0] != '\0' ? orr_engine_title(e) : "no title");
     print_parts(e);
     int code = ORR_EXIT_OK;
     const orr_channels *channels = orr_engine_channels(e);
     if (channels != NULL) {
         print_signals(channels);
-        code = print_views(c, channels);
+        code = print_views(c, channels, &s.marks);
     }
     orr_engine_close(e);
+    orr_scenario_free(&s);
     return code;
 }
 

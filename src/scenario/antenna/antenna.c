@@ -25,18 +25,21 @@ static orr_vec3 ecef_of(const double *position)
         (orr_geodetic){position[0] * ORR_RAD_PER_DEG, position[1] * ORR_RAD_PER_DEG, position[2]});
 }
 
-static orr_status find_type(const orr_antex *antex, size_t k, orr_antenna *a, orr_warnings *warnings,
-                            orr_diag *diag)
+static orr_status find_type(const orr_marks *marks, const orr_antex *antex, size_t k, orr_antenna *a,
+                            orr_warnings *warnings, orr_diag *diag)
 {
-    if (antex == NULL)
-        return orr_diag_set(diag, ORR_E_NODATA,
-                            "antennas[%zu].type: '%s' needs an ANTEX file (channel.antex or navdata.antex)",
-                            k, a->type);
+    char path[40], why[160];
+    snprintf(path, sizeof path, "antennas[%zu].type", k);
+    if (antex == NULL) {
+        snprintf(why, sizeof why, "'%.60s' needs an ANTEX file (channel.antex or navdata.antex)", a->type);
+        return orr_marks_blame(marks, ORR_E_NODATA, path, why, diag);
+    }
     bool radome_ignored = false;
     a->antex = orr_antex_find_receiver(antex, a->type, &radome_ignored);
-    if (a->antex == NULL)
-        return orr_diag_set(diag, ORR_E_NODATA, "antennas[%zu].type: the ANTEX file has no antenna '%s'", k,
-                            a->type);
+    if (a->antex == NULL) {
+        snprintf(why, sizeof why, "the ANTEX file has no antenna '%.60s'", a->type);
+        return orr_marks_blame(marks, ORR_E_NODATA, path, why, diag);
+    }
     if (radome_ignored)
         orr_warnings_add(warnings, "", 0, 0, "antennas[%zu].type: ANTEX has '%s' without this radome only", k,
                          a->type);
@@ -56,9 +59,10 @@ static orr_status of_receiver(const orr_scenario *s, const orr_source_motion *mo
     } else if (station != NULL) {
         stand_at(*station, &out->fixed);
     } else {
-        return orr_diag_set(diag, ORR_E_NODATA,
-                            "signals are sent, but nothing receives them: the scenario has no antennas, "
-                            "receiver.position or trajectory");
+        return orr_marks_blame(&s->marks, ORR_E_NODATA, "signals",
+                               "they are sent, but nothing receives them: the scenario has no antennas, "
+                               "receiver.position or trajectory",
+                               diag);
     }
     return ORR_OK;
 }
@@ -86,7 +90,7 @@ orr_status orr_antenna_open(const orr_scenario *s, size_t k, const orr_source_mo
     }
     if (a->type == NULL) return ORR_OK;
     snprintf(out->type, sizeof out->type, "%s", a->type);
-    return find_type(antex, k, out, warnings, diag);
+    return find_type(&s->marks, antex, k, out, warnings, diag);
 }
 
 orr_antenna_state orr_antenna_carried(const orr_antenna_state *state, double s)

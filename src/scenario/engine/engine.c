@@ -72,14 +72,15 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
     (void)orr_source_orbit_span(e->orbits, &span);
     if (status == ORR_OK) status = orr_source_motion_open(s, span.from, warnings, &e->motion, diag);
     if (status == ORR_OK && e->orbits == NULL && e->motion == NULL)
-        status =
-            orr_diag_set(diag, ORR_E_NODATA,
-                         "the scenario has neither satellites (orbit.product, orbit.sp3) nor a trajectory");
+        status = orr_diag_set(
+            diag, ORR_E_NODATA,
+            "the scenario has neither satellites (orbit.product, orbit.sp3, orbit.nav) nor a trajectory");
     if (status == ORR_OK)
         status = orr_channels_open(s, e->orbits, e->iono, e->motion, cancel, warnings, &e->channels, diag);
     if (status == ORR_OK) {
         choose_receiver(s, e);
     } else {
+        orr_marks_locate(&s->marks, diag);
         orr_engine_close(e);
         *out = NULL;
     }

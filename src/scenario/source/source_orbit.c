@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scenario/source/source_orbit.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "orbit/ephemeris/broadcast_orbits.h"
@@ -46,9 +47,12 @@ static orr_status others(const orr_scenario *s, const orr_nav *nav, const orr_ep
     for (size_t i = 0; i < n && status == ORR_OK; i++) {
         const orr_scenario_geo *g = &s->orbit.geo.item[i];
         geo[i] = (orr_geostationary){orr_sat_parse(g->sat), g->longitude_deg * ORR_RAD_PER_DEG};
-        if (orr_sat_set_has(&has, geo[i].sat))
-            status = orr_diag_set(diag, ORR_E_ARG,
-                                  "orbit.geo: the orbits have %s already; leave it out of geo", g->sat);
+        if (orr_sat_set_has(&has, geo[i].sat)) {
+            char path[40];
+            snprintf(path, sizeof path, "orbit.geo[%zu].sat", i);
+            status = orr_marks_blame(&s->marks, ORR_E_ARG, path,
+                                     "the orbits have it already: leave it out of geo", diag);
+        }
     }
     if (status == ORR_OK) status = orr_broadcast_orbits(nav, &has, geo, n, from, to, out, warnings, diag);
     free(geo);
@@ -66,7 +70,7 @@ static orr_status complete(const orr_scenario *s, const orr_log *log, orr_epheme
                                              &nav, warnings, diag);
     if (status == ORR_OK) status = others(s, s->orbit.nav.n > 0 ? &nav : NULL, *e, &more, warnings, diag);
     if (status == ORR_OK && more == NULL && *e == NULL)
-        status = orr_diag_set(diag, ORR_E_NODATA, "orbit.nav: no record of a satellite tells an orbit");
+        status = orr_marks_blame(&s->marks, ORR_E_NODATA, "orbit.nav", "no record tells an orbit", diag);
     if (status == ORR_OK && more != NULL) {
         ORR_LOG(log, ORR_LOG_INFO, "orbits of %zu satellites from broadcast records and longitudes",
                 orr_ephemeris_satellites(more, &list));

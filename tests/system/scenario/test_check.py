@@ -66,6 +66,52 @@ class Check(Folder):
                      options=("-o", self.path("run"), "--from", "2025-03-20T00:00:00"))
         self.refused("", "no signals", command="simulate", options=("-o", self.path("run")))
 
+    def test_errors_name_line_and_key(self):
+        """What the engine finds is told where the scenario says it: file, line, column, key."""
+        day = "scenario.yaml:"
+        self.refused("signals: [C]\n" + FIXED, day + "4:10: signals: none of the scenario's satellites")
+        self.refused("signals: [G]\n", day + "4:10: signals: they are sent, but nothing receives them")
+        self.refused("signals: [G]\nantennas:\n  - {name: B, position: [52, 17, 0]}\n  - {position: [52, 17, 0], type: X}\n",
+                     day + "7:35: antennas[1].type: 'X' needs an ANTEX file")
+        self.refused("signals: [G]\nmask: {elevation: 90}\n" + FIXED, day + "5:7: mask: no antenna ever sees")
+        self.refused("signals: [G]\nantennas: [{position: [52, 17, -900]}]\n", day + "5:13: antennas[0].position: a height of -900 m")
+        self.refused("signals: [G]\nchannel: {antex: nowhere.atx}\n" + FIXED, day + "5:18: channel.antex: ", "nowhere.atx: cannot open")
+        self.refused("trajectory: {kind: analytic, start: 2024-01-01, duration: 60, lat: 50, lon: 20}\nsignals: [G]\n",
+                     day + "4:13: trajectory: it reaches from 2024-01-01T00:00:00", "no common time")
+        self.refused("ionosphere: {field: maps.inx}\n", day + "4:21: ionosphere.field: ", "maps.inx: cannot open")
+
+    def nav(self, name, text):
+        path = pathlib.Path(self.path(name))
+        path.write_text(text, encoding="ascii")
+        return path
+
+    def test_orbits_of_records_and_of_a_longitude(self):
+        """NavIC by RINEX records and SBAS by a longitude beside a product of others: served, or else told with its line."""
+        sbas = f"{'     3.05           N: GNSS NAV DATA    S: SBAS':<60}RINEX VERSION / TYPE\n{'':<60}END OF HEADER\n"
+        for minute in range(0, 1440, 2):
+            sbas += f"S28 2025 03 21 {minute // 60:02d} {minute % 60:02d} 00" + "".join(f"{x:19.12E}" for x in (0, 0, minute * 60 + 432000)) + "\n"
+            for row in ((5098.0, 0, 0, 0), (41854.8, 0, 0, 0), (0, 0, 0, 1)):
+                sbas += "    " + "".join(f"{x:19.12E}" for x in row) + "\n"
+        records = self.nav("sbas.rnx", sbas)
+        path = pathlib.Path(self.path("scenario.yaml"))
+        whole = (f"orbit:\n  product: {self.orbit}\n  nav: [{records}]\n  geo:\n    - {{sat: S23, longitude: 5}}\nnavdata: {{window: none}}\n"
+                 "signals: [G, S]\n" + FIXED)
+        path.write_text(whole, encoding="ascii")
+        out = run("check", path).stdout
+        self.assertIn("S:L1CA", out)
+        run("simulate", path, "-q", "-o", self.path("geo"), "--from", "2025-03-21T12:00", "--to", "2025-03-21T12:00:01")
+        rows = list(csv.DictReader(pathlib.Path(self.path("geo/A-channels.csv")).read_text(encoding="ascii").splitlines()))
+        seen = {r["sat"] for r in rows}
+        self.assertLessEqual({"S23", "S28", "G01"} & seen, seen)
+        self.assertIn("S23", seen)  # at 5 E over a station at 17 E
+        for text, words in ((whole.replace("sat: S23", "sat: G23"), "scenario.yaml:5:8: orbit.geo[0].sat: 'G23' is no SBAS satellite"),
+                            (whole.replace("longitude: 5", "longitude: 500"), "scenario.yaml:5:29: orbit.geo[0].longitude: 500 is outside"),
+                            (whole.replace(f"[{records}]", "[no.rnx]"), "scenario.yaml:3:9: orbit.nav[0]: "),
+                            (whole.replace(f"  product: {self.orbit}\n  nav: [{records}]\n", ""), "scenario.yaml:2:"),
+                            (whole.replace(f"[{records}]", f"[{self.orbit}]"), "day.nc")):
+            path.write_text(text, encoding="ascii")
+            self.assertIn(words, run("check", path, status=1).stderr)
+
     def test_the_table_of_channels_sums_up(self):
         path = self.scenario("signals: [G, R]\ntroposphere: {model: stanag4294}\n" + FIXED)
         run("simulate", path, "-o", self.path("sum"), "--from", "2025-03-21T03:00:00", "--to", "2025-03-21T03:01:00",
