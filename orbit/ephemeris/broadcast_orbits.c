@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "core/array.h"
+#include "core/nan.h"
 #include "orbit/broadcast/broadcast.h"
 
 #define SAMPLE_S 60.0
@@ -89,7 +90,7 @@ static orr_orbit_sample sample_of(const orr_broadcast_state *s, double sigma_m)
                               .acc_mps2 = s->acc_mps2,
                               .sigma_m = (float)sigma_m,
                               .sigma_rtn_m = {axis, axis, axis},
-                              .sigma_mps = NAN};
+                              .sigma_mps = (float)ORR_NAN};
 }
 
 // Whole segments from the first of a lattice of GPS time at or after `from` on.
@@ -189,7 +190,7 @@ static orr_status track_of(const orr_nav *nav, orr_sat sat, track *k, orr_diag *
     choice.healthy = orr_sat_system(sat) != 'S'; // whose bits forbid a use, not the orbit
     size_t first = 0, count = 0;
     orr_nav_of_sat(nav, sat, &first, &count);
-    *k = (track){.sat = sat, .record = calloc(count + 1, sizeof *k->record)};
+    *k = (track){.sat = sat, .record = calloc(count + 1, sizeof(const orr_nav_eph *))};
     if (k->record == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for records");
     for (size_t i = first; i < first + count; i++) {
         const orr_nav_eph *e = orr_broadcast_select(nav, sat, nav->eph[i].toe, &choice);
@@ -253,7 +254,7 @@ orr_status orr_broadcast_orbits(const orr_nav *nav, const orr_sat_set *except, c
                             "longitudes of geostationary satellites tell no span of time");
     orr_orbit_solution o = {.node_step_s = CLOCK_S, .clock_max_gap_s = 2 * CLOCK_S, .frame = "WGS84"};
     snprintf(o.options, sizeof o.options, "broadcast records, blended from one to the next");
-    const orr_clock_noise unknown = {NAN, NAN, NAN};
+    const orr_clock_noise unknown = {ORR_NAN, ORR_NAN, ORR_NAN};
     orr_status s = ORR_OK;
     for (size_t i = 0; nav != NULL && s == ORR_OK && i < nav->n_eph; i++) {
         const orr_sat sat = nav->eph[i].sat;
