@@ -169,7 +169,7 @@ static orr_status nothing_common(const orr_source_orbit *orbits, const orr_sourc
         snprintf(text + used, sizeof text - used, "%s%s %s to %s", used > 0 ? ", " : "", names[k],
                  orr_time_text(span.from, from), orr_time_text(span.to, to));
     }
-    return orr_diag_set(diag, ORR_E_NODATA, "the scenario's parts have no time in common: %s", text);
+    return orr_diag_set(diag, ORR_E_NODATA, "signals: the scenario's parts have no time in common: %s", text);
 }
 
 static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, orr_channels *c,

@@ -77,7 +77,7 @@ class Check(Folder):
         self.refused("signals: [G]\nantennas: [{position: [52, 17, -900]}]\n", day + "5:13: antennas[0].position: a height of -900 m")
         self.refused("signals: [G]\nchannel: {antex: nowhere.atx}\n" + FIXED, day + "5:18: channel.antex: ", "nowhere.atx: cannot open")
         self.refused("trajectory: {kind: analytic, start: 2024-01-01, duration: 60, lat: 50, lon: 20}\nsignals: [G]\n",
-                     day + "4:13: trajectory: it reaches from 2024-01-01T00:00:00", "no common time")
+                     day + "5:10: signals: the scenario's parts have no time in common", "trajectory 2024-01-01T00:00:00")
         self.refused("ionosphere: {field: maps.inx}\n", day + "4:21: ionosphere.field: ", "maps.inx: cannot open")
 
     def nav(self, name, text):
