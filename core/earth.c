@@ -190,3 +190,49 @@ void orr_geoid_free(orr_geoid *g)
     orr_shim_geoid_free(g->shim);
     free(g);
 }
+
+struct orr_magnetic {
+    void *shim;
+};
+
+orr_status orr_magnetic_open(const char *name, const char *dir, orr_magnetic **out, orr_diag *diag)
+{
+    char why[300] = "";
+    int no_memory = 0;
+    *out = calloc(1, sizeof **out);
+    if (*out == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a magnetic model");
+    (*out)->shim = orr_shim_magnetic_open(name, dir != NULL ? dir : "", why, sizeof why, &no_memory);
+    if ((*out)->shim != NULL) return ORR_OK;
+    free(*out);
+    *out = NULL;
+    return orr_diag_set(diag, no_memory ? ORR_E_MEMORY : ORR_E_IO, "magnetic model %s in %s%s: %s", name,
+                        dir != NULL ? "folder " : "GeographicLib's own folder", dir != NULL ? dir : "", why);
+}
+
+// -grad of a (a/r)^2 (m . r/|r|), a = 6371.2 km: (a/r)^3 (3 (m . u) u - m), ecef axes.
+static orr_vec3 dipole_nt(double year, orr_vec3 r_m)
+{
+    const double t = year - 2020.0, a = 6371.2e3, r = orr_vec3_norm(r_m), k = a / r;
+    const orr_vec3 m = orr_vec3_make(-1450.9 + 7.4 * t, 4652.5 - 25.9 * t, -29404.8 + 5.7 * t),
+                   u = orr_vec3_scale(1.0 / r, r_m);
+    return orr_vec3_scale(k * k * k, orr_vec3_sub(orr_vec3_scale(3.0 * orr_vec3_dot(m, u), u), m));
+}
+
+orr_vec3 orr_magnetic_field_nt(const orr_magnetic *m, double year, orr_geodetic place)
+{
+    if (m == NULL) {
+        const orr_mat3 enu = orr_earth_enu_from_ecef(place.lat_rad, place.lon_rad);
+        return orr_mat3_apply(&enu, dipole_nt(year, orr_earth_to_ecef(place)));
+    }
+    double b[3];
+    orr_shim_magnetic_field(m->shim, year, place.lat_rad * ORR_DEG_PER_RAD, place.lon_rad * ORR_DEG_PER_RAD,
+                            place.height_m, b);
+    return orr_vec3_make(b[0], b[1], b[2]);
+}
+
+void orr_magnetic_free(orr_magnetic *m)
+{
+    if (m == NULL) return;
+    orr_shim_magnetic_free(m->shim);
+    free(m);
+}

@@ -13,6 +13,7 @@
 #include <GeographicLib/Geodesic.hpp>
 #include <GeographicLib/Geoid.hpp>
 #include <GeographicLib/GravityModel.hpp>
+#include <GeographicLib/MagneticModel.hpp>
 #include <GeographicLib/NormalGravity.hpp>
 
 namespace
@@ -153,3 +154,36 @@ extern "C" double orr_shim_geoid_height(const void *geoid, double lat_deg, doubl
 }
 
 extern "C" void orr_shim_geoid_free(void *geoid) { delete static_cast<GeographicLib::Geoid *>(geoid); }
+
+extern "C" void *orr_shim_magnetic_open(const char *name, const char *dir, char *text, size_t n,
+                                        int *no_memory)
+{
+    *no_memory = 0;
+    try {
+        return new GeographicLib::MagneticModel(name, dir);
+    } catch (const std::bad_alloc &) {
+        *no_memory = 1;
+        std::snprintf(text, n, "no memory for it");
+    } catch (const std::exception &e) {
+        std::snprintf(text, n, "%s", e.what());
+    } catch (...) {
+        std::snprintf(text, n, "GeographicLib gave no reason");
+    }
+    return nullptr;
+}
+
+extern "C" void orr_shim_magnetic_field(const void *model, double year, double lat_deg, double lon_deg,
+                                        double height_m, double enu_nt[3])
+{
+    try {
+        (*static_cast<const GeographicLib::MagneticModel *>(model))(year, lat_deg, lon_deg, height_m,
+                                                                    enu_nt[0], enu_nt[1], enu_nt[2]);
+    } catch (...) {
+        clear(enu_nt);
+    }
+}
+
+extern "C" void orr_shim_magnetic_free(void *model)
+{
+    delete static_cast<GeographicLib::MagneticModel *>(model);
+}

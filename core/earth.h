@@ -90,4 +90,16 @@ const char *orr_geoid_name(const orr_geoid *g); // "egm96-5"
 // NULL is allowed.
 void orr_geoid_free(orr_geoid *g);
 
+// The Earth's magnetic field: a model of GeographicLib's, or the dipole of the International Geomagnetic Reference Field.
+typedef struct orr_magnetic orr_magnetic;
+// Opens a model (name.wmm + coefficients in folder `dir`; NULL: where GeographicLib keeps its own, GEOGRAPHICLIB_MAGNETIC_PATH).
+// Errors: ORR_E_IO with the library's reason, ORR_E_MEMORY.
+orr_status orr_magnetic_open(const char *name, const char *dir, orr_magnetic **out, orr_diag *diag);
+// The field at a place, nT, East, North, Up; NAN where the model has none. With m NULL it is the dipole: g10, g11, h11 of IGRF-13 at 2020.0 and
+// their rates of change. The dipole is some 10 % off in strength and 10 degrees in direction.
+//   Reference: Alken et al. 2021, Earth, Planets and Space 73, 49, table 2.
+orr_vec3 orr_magnetic_field_nt(const orr_magnetic *m, double year, orr_geodetic place);
+// NULL is allowed.
+void orr_magnetic_free(orr_magnetic *m);
+
 #endif

@@ -64,6 +64,23 @@ void *orr_shim_geoid_open(const char *name, const char *dir, char *text, size_t 
 double orr_shim_geoid_height(const void *geoid, double lat_deg, double lon_deg);
 // Closes it.
 void orr_shim_geoid_free(void *geoid);
+// Opens a magnetic model of GeographicLib's.
+//   Given:    name      of the model, "wmm2020"
+//             dir       its folder; "": GeographicLib's own
+//             n         bytes of text
+//   Returned: text      why there is none
+//             no_memory whether that was memory
+//             NULL if there is none; free with orr_shim_magnetic_free
+void *orr_shim_magnetic_open(const char *name, const char *dir, char *text, size_t n, int *no_memory);
+// The field of a model.
+//   Given:    model                       the model
+//             year                        with its fraction
+//             lat_deg, lon_deg, height_m  the place
+//   Returned: enu_nt                      East, North, up, nT; NAN where there is none
+void orr_shim_magnetic_field(const void *model, double year, double lat_deg, double lon_deg, double height_m,
+                             double enu_nt[3]);
+// Closes it; NULL is allowed.
+void orr_shim_magnetic_free(void *model);
 
 #ifdef __cplusplus
 }

@@ -99,6 +99,7 @@ class Signals(Folder):
             "imu": [fifo, "-o", out],
             "nulltest": [fifo],
             "alignment": [fifo],
+            "aiding": [fifo],
             "calibration": [fifo],
             "error-equations": [fifo],
             "export": [fifo, "--to", "pyins"],

@@ -67,6 +67,29 @@ class Studies(Folder):
             bad = self.write("bad.yaml", text.format("weave").replace(*change))
             self.assertIn(sentence, run("alignment", bad, status=1).stderr)
 
+    def test_aiding(self):
+        text = ("scenario: circle.yaml\nrate: 5\nbarometer: {white: 0.5}\nmagnetometer: {hard_iron: [100, 0, 0]}\nodometer: {scale: 1000}\n"
+                "antennas: {baseline: [0, 2, 0], across: 0.01}\nreceiver: {range: 1, rate: 0.05}\n")
+        study = self.write("aiding.yaml", text)
+        told = run_json("aiding", study, "--format", "json", "-o", self.path("aiding.csv"), "--plot", self.path("aiding.svg"))
+        self.assertAlmostEqual(told["barometric height"]["rms"], 0.5, delta=0.05)
+        self.assertAlmostEqual(told["field, right"]["rms"], 100, delta=1e-6)
+        self.assertAlmostEqual(told["odometer"]["rms"], 0.04443, delta=1e-4)  # 2 pi 3000 m in 300 s, of which North is the part of root 2
+        self.assertAlmostEqual(told["two-antenna heading"]["rms"], 0.2865, delta=0.02)
+        rows = [{k: float(v) for k, v in row.items()} for row in self.rows("aiding.csv")]
+        self.assertEqual(len(rows), 1501)
+        normalised = sum(r["gnss_error_up_m"] ** 2 / r["gnss_cov_m2_uu"] for r in rows) / len(rows)
+        self.assertAlmostEqual(normalised, 1, delta=0.12)  # three of sqrt(2 / 1501)
+        alone = run("aiding", self.write("baro.yaml", "scenario: rest.yaml\nbarometer: {bias: 2}\n"), "-o", "-").stdout.splitlines()
+        self.assertEqual(alone[0], "t_s,baro_height_m,true_height_m,baro_pressure_hpa")
+        self.assertTrue(alone[1].startswith("0,2,"))
+        for change, sentence in (("{white: 0.5}", "{white: -0.5}"), "white"), (("{white: 0.5}", "{sigma: 1, time: 0}"), "time"), \
+                (("[0, 2, 0]", "[0, 0, 2]"), "tell no heading"), (("[0, 2, 0]", "[2, 0]"), "three are wanted"), \
+                (("hard_iron: [100, 0, 0]", "model: nowhere2020"), "nowhere2020"), (("rate: 5\n", "unit: 3\n"), "there is no unit 3"), \
+                (("{range: 1,", "{orbit: rest.yaml, range: 1,"), "rest.yaml"):
+            self.assertIn(sentence, run("aiding", self.write("bad.yaml", text.replace(*change)), status=1).stderr)
+        self.assertIn("none of barometer", run("aiding", self.write("bad.yaml", "scenario: rest.yaml\n"), status=1).stderr)
+
     def test_error_equations(self):
         text = ("manoeuvres: [{name: rest, scenario: rest.yaml}, {scenario: circle.yaml, duration: 200}]\nerrors: errors.yaml\n"
                 "initial: {attitude: [10, 10, 60]}\nsizes: [1, 2000]\nsteps: [2, 20]\nmethods: [euler, runge-kutta]\n{}\n")
