@@ -65,14 +65,36 @@ orr_status orr_signal_delay_osb(const orr_bias_set *bias, orr_sat sat, const cha
     return ORR_OK;
 }
 
+// RINEX attributes under which a file may have a signal: files name either the components together (X) or one of them.
+static const char *attributes(const orr_signal *s)
+{
+    return s->observation[1] == 'X' ? "XQLPCISD" : &s->observation[1];
+}
+
 orr_status orr_signal_delay_of(const orr_bias_set *bias, orr_sat sat, const orr_signal *s, orr_time t,
                                double *delay_s)
 {
     char code[3] = {s->observation[0], s->observation[1], '\0'};
-    for (const char *attribute = s->observation[1] == 'X' ? "XQLPCISD" : &s->observation[1];
-         *attribute != '\0'; attribute++) {
+    for (const char *attribute = attributes(s); *attribute != '\0'; attribute++) {
         code[1] = *attribute;
         if (orr_signal_delay_osb(bias, sat, code, t, delay_s) == ORR_OK) return ORR_OK;
+    }
+    return ORR_E_NODATA;
+}
+
+orr_status orr_signal_phase_of(const orr_bias_set *bias, orr_sat sat, const orr_signal *s, orr_time t,
+                               double *delay_s)
+{
+    double first, absolute, phase;
+    char obs[4] = {'L', s->observation[0], s->observation[1], '\0'};
+    t = held_to_span(bias, t);
+    const signal_pair *p = find_pair(bias, sat, t, &first);
+    if (p == NULL || orr_bias_osb(bias, sat, p->obs1, t, &absolute) != ORR_OK) return ORR_E_NODATA;
+    for (const char *attribute = attributes(s); *attribute != '\0'; attribute++) {
+        obs[2] = *attribute;
+        if (orr_bias_osb(bias, sat, obs, t, &phase) != ORR_OK) continue;
+        *delay_s = phase - (absolute - first); // the pair's combination is taken away, as from codes
+        return ORR_OK;
     }
     return ORR_E_NODATA;
 }

@@ -43,6 +43,20 @@ orr_status orr_signal_delay_osb(const orr_bias_set *bias, orr_sat sat, const cha
 orr_status orr_signal_delay_of(const orr_bias_set *bias, orr_sat sat, const orr_signal *s, orr_time t,
                                double *delay_s);
 
+// Phase bias of a signal from a bias file, of the satellite's part of the carrier, against the same pair of code signals: to be
+// subtracted from the satellite's clock for a user of the carrier, so that a receiver that takes the file's biases off finds
+// whole cycles where its maker did.
+// Given:
+//   bias     biases
+//   sat      satellite
+//   s        signal; of several components any one's bias is taken
+//   t        instant, as orr_signal_delay_osb
+// Returned:
+//   delay_s  bias, s
+// Errors: ORR_E_NODATA where the file has no phase bias of it in seconds, or does not connect it with the clock's pair.
+orr_status orr_signal_phase_of(const orr_bias_set *bias, orr_sat sat, const orr_signal *s, orr_time t,
+                               double *delay_s);
+
 // From a broadcast record. Its clock may be that of other signals than the product's: Galileo I/NAV's is of
 // E1/E5b, BeiDou's of B3I, GLONASS' of L1; the record's own delays bridge the two. ORR_E_NODATA where it does
 // not tell.

@@ -361,7 +361,7 @@ records.sat_channel = {size = 124, smallest = 124, fields = {
     {name = "transmit_fraction_ns", kind = "scalar", scalar = "f64", unit = "ns"},
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
 }}
-records.channel_terms = {size = 112, smallest = 112, fields = {
+records.channel_terms = {size = 120, smallest = 120, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -376,6 +376,7 @@ records.channel_terms = {size = 112, smallest = 112, fields = {
     {name = "emission_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "emission_ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "wind_up_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "phase_bias_m", kind = "scalar", scalar = "f64", unit = "m"},
 }}
 records.hello = {fields = {
     {name = "major_min", kind = "scalar", scalar = "u8"},

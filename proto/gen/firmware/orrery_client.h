@@ -986,7 +986,7 @@ bool orr_msg_sat_channel_next(const orr_msg_sat_channel_list *list, orr_wire_ite
 orr_wire_status orr_msg_sat_channel_records_encode(const orr_msg_sat_channel_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_channel_at(const orr_msg_sat_channel_list *list, uint16_t index, orr_msg_sat_channel *out);   // false beyond the end
 
-// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up joins and group_delay does not.
+// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up and phase_bias join and group_delay does not.
 typedef struct orr_msg_channel_terms {
     double distance_m; // antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     double sagnac_m; // rotation of the Earth during the flight
@@ -1002,9 +1002,10 @@ typedef struct orr_msg_channel_terms {
     double emission_m; // the satellite's motion while the signal is delayed, without the ionosphere's part
     double emission_ionosphere_m; // the ionosphere's part
     double wind_up_m; // turns of satellite and antenna, times the wavelength: of the carrier alone
+    double phase_bias_m; // the carrier's bias against the clock's pair of signals: of the carrier alone
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 112u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 112u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 120u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 120u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1230,7 +1231,7 @@ typedef struct orr_msg_channels {
     orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite and signal
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 966764u
+#define ORR_MSG_CHANNELS_LARGEST 999532u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

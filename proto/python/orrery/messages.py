@@ -946,7 +946,7 @@ class SatChannel(Record):
 @dataclasses.dataclass(eq=False, slots=True)
 class ChannelTerms(Record):
     """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the
-    other sign, wind_up joins and group_delay does not.
+    other sign, wind_up and phase_bias join and group_delay does not.
 
     distance_m [m]: antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     sagnac_m [m]: rotation of the Earth during the flight
@@ -962,6 +962,7 @@ class ChannelTerms(Record):
     emission_m [m]: the satellite's motion while the signal is delayed, without the ionosphere's part
     emission_ionosphere_m [m]: the ionosphere's part
     wind_up_m [m]: turns of satellite and antenna, times the wavelength: of the carrier alone
+    phase_bias_m [m]: the carrier's bias against the clock's pair of signals: of the carrier alone
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
@@ -979,6 +980,7 @@ class ChannelTerms(Record):
         Field("emission_m", "scalar", scalar="f64"),
         Field("emission_ionosphere_m", "scalar", scalar="f64"),
         Field("wind_up_m", "scalar", scalar="f64"),
+        Field("phase_bias_m", "scalar", scalar="f64"),
     )
 
     distance_m: float = 0.0
@@ -995,6 +997,7 @@ class ChannelTerms(Record):
     emission_m: float = 0.0
     emission_ionosphere_m: float = 0.0
     wind_up_m: float = 0.0
+    phase_bias_m: float = 0.0
 
 
 @dataclasses.dataclass(eq=False, slots=True)

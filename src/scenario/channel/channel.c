@@ -99,6 +99,8 @@ static void set_signal(const orr_antenna *a, const ray *r, size_t j, double dela
     memcpy(rate, r->rate_mps, sizeof r->rate_mps);
     x[ORR_TERM_GROUP_DELAY] = delay_m;
     rate[ORR_TERM_GROUP_DELAY] = 0;
+    x[ORR_TERM_PHASE_BIAS] = sent->phase_bias_m;
+    rate[ORR_TERM_PHASE_BIAS] = 0;
     x[ORR_TERM_SATELLITE_ANTENNA] = v[slow_of(j, SLOW_SATELLITE_ANTENNA)];
     rate[ORR_TERM_SATELLITE_ANTENNA] = slope[slow_of(j, SLOW_SATELLITE_ANTENNA)];
     if (a->motion == NULL) {

@@ -18,6 +18,7 @@
 typedef struct channel_sent {
     uint16_t signal; // place in orr_signals
     double carrier_hz;
+    double phase_bias_m; // 0 where no file tells it
     int64_t start; // the integer of its carrier: up to 8191 cycles, the same for all antennas and for ever
 } channel_sent;
 

@@ -55,6 +55,14 @@ static bool is_orbit_normal(const orr_ephemeris *e, orr_sat sat)
     return false;
 }
 
+// Of the scenario's begin, and kept: a carrier does not step when a file's next day begins.
+static double phase_bias_m(const orr_channels *c, orr_sat sat, const orr_signal *s)
+{
+    double delay_s;
+    if (!c->has_bias || orr_signal_phase_of(&c->bias, sat, s, c->span.from, &delay_s) != ORR_OK) return 0;
+    return ORR_LIGHT_MPS * delay_s;
+}
+
 static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr_channels *c, orr_diag *diag)
 {
     const orr_sat *list;
@@ -86,6 +94,7 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
                 x->sent[x->n_sent++] =
                     (channel_sent){.signal = (uint16_t)j,
                                    .carrier_hz = orr_signal_carrier_hz(&signal[j], x->frequency_channel),
+                                   .phase_bias_m = phase_bias_m(c, x->sat, &signal[j]),
                                    .start = (int64_t)(orr_rng_u64(0, x->sat, j) & 8191)};
             }
         c->max_channels += x->n_sent;

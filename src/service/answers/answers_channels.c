@@ -178,7 +178,8 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .ionosphere_m = t[ORR_TERM_IONOSPHERE],
                                  .emission_m = t[ORR_TERM_EMISSION],
                                  .emission_ionosphere_m = t[ORR_TERM_EMISSION_IONOSPHERE],
-                                 .wind_up_m = t[ORR_TERM_WIND_UP]};
+                                 .wind_up_m = t[ORR_TERM_WIND_UP],
+                                 .phase_bias_m = t[ORR_TERM_PHASE_BIAS]};
 }
 
 orr_status orr_answers_channels_ride(const orr_channels *c, orr_vehicle *vehicle,
