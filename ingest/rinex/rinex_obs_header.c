@@ -6,25 +6,9 @@
 
 #include "ingest/rinex/rinex_obs_private.h"
 
-static void warn(const obs_context *c, int column, const char *what)
-{
-    orr_warnings_add(c->warnings, c->name, c->line, column, "%s", what);
-}
-
-static orr_status refuse(const obs_context *c, int column, const char *what)
-{
-    return orr_diag_at(c->diag, ORR_E_FORMAT, c->name, c->line, column, "%s", what);
-}
-
 static void text(orr_view line, int col, int width, char *out, size_t n)
 {
     orr_view_copy(orr_view_trim(orr_view_cols(line, col, width)), out, n);
-}
-
-static int system_index(char c)
-{
-    const char *at = c != '\0' ? strchr(ORR_SYSTEMS, c) : NULL;
-    return at == NULL || c == 'L' ? -1 : (int)(at - ORR_SYSTEMS);
 }
 
 orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *first, const obs_context *c)
@@ -38,7 +22,7 @@ orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *
     if (s == 'T')
         return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
                            "Transit (NNSS) observations are not read");
-    if (s != 'M' && system_index(s) < 0)
+    if (s != 'M' && orr_obs_system_index(s) < 0)
         return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
                            "'%c' is no satellite system that is read", s);
     h->system = s;
@@ -71,152 +55,22 @@ static bool three(orr_view line, const obs_context *c, double out[3])
     for (int i = 0; i < 3; i++) {
         out[i] = 0; // blank is zero here, as Fortran reads it
         if (orr_field_real(line, 1 + 14 * i, 14, &out[i]) == ORR_FIELD_BAD) {
-            warn(c, 1 + 14 * i, "not a number: the header line is left out");
+            orr_obs_header_warn(c, 1 + 14 * i, "not a number: the header line is left out");
             return false;
         }
     }
     return true;
 }
 
-static bool code_text(orr_view line, int col, int width, char out[4])
-{
-    orr_view v = orr_view_trim(orr_view_cols(line, col, width));
-    memset(out, 0, 4);
-    if (v.n < 2 || v.n > 3) return false;
-    for (size_t i = 0; i < v.n; i++) {
-        if (v.p[i] <= ' ' || v.p[i] > '~') return false;
-        out[i] = v.p[i];
-    }
-    return true;
-}
-
-static orr_status types_v3(orr_rinex_obs_header *h, obs_header_state *st, orr_view line, const obs_context *c)
-{
-    char system = orr_view_char(line, 1);
-    if (system != ' ') {
-        int n = 0;
-        if (st->open_want > 0) return refuse(c, 1, "the list of types before this one is not complete");
-        st->open_system = system_index(system);
-        if (orr_field_int_in(line, 4, 3, 0, ORR_OBS_MAX_CODES, &n) != ORR_FIELD_OK)
-            return refuse(c, 4, "the number of observation types is not usable (limit 128)");
-        if (st->open_system < 0)
-            warn(c, 1, "observation types of a system that is not read: its satellites are left out");
-        else
-            orr_obs_codes_clear(&h->codes[st->open_system]); // an event may give a new list
-        st->open_want = (size_t)n;
-    } else if (st->open_want == 0) {
-        return refuse(c, 1, "a continuation line of observation types without a line to continue");
-    }
-    for (int i = 0; i < 13 && st->open_want > 0; i++) {
-        char code[4];
-        if (!code_text(line, 8 + 4 * i, 3, code))
-            return refuse(c, 8 + 4 * i, "an observation type is missing or not readable");
-        st->open_want--;
-        if (st->open_system < 0) continue;
-        orr_status s = orr_obs_codes_add(&h->codes[st->open_system], code, code, c->diag);
-        if (s != ORR_OK) return s;
-    }
-    st->seen |= OBS_SEEN_TYPES;
-    return ORR_OK;
-}
-
-static orr_status types_v2(obs_header_state *st, orr_view line, const obs_context *c)
-{
-    if (!orr_view_is_blank(orr_view_cols(line, 1, 6))) {
-        int n = 0;
-        if (orr_field_int_in(line, 1, 6, 1, ORR_OBS_MAX_CODES, &n) != ORR_FIELD_OK)
-            return refuse(c, 1, "the number of observation types is not usable (limit 128)");
-        st->v2_want = (size_t)n;
-        st->v2_n = 0;
-    }
-    for (int i = 0; i < 9 && st->v2_n < st->v2_want; i++) {
-        if (!code_text(line, 7 + 6 * i, 6, st->v2_type[st->v2_n]))
-            return refuse(c, 7 + 6 * i, "an observation type is missing or not readable");
-        st->v2_n++;
-    }
-    st->seen |= OBS_SEEN_TYPES;
-    return ORR_OK;
-}
-
-// "   100     2    C1    P1": factor and types that it was multiplied into (RINEX 2.20); no types: all. A line without a
-// factor goes on with the types of the one before.
-static orr_status scale_factor_v2(obs_header_state *st, orr_view line, const obs_context *c)
-{
-    int n = 0;
-    if (!orr_view_is_blank(orr_view_cols(line, 1, 6))) {
-        if (orr_field_int_in(line, 1, 6, 1, 999999, &st->v2_scale_now) != ORR_FIELD_OK)
-            return refuse(c, 1, "the scale factor is not a number");
-        if (orr_field_int_in(line, 7, 6, 0, ORR_OBS_MAX_CODES, &n) == ORR_FIELD_BAD)
-            return refuse(c, 7, "the number of scaled types is not a number");
-        st->v2_scale_want = (size_t)n;
-        if (n == 0) st->v2_scale_all = st->v2_scale_now;
-    }
-    for (int i = 0; i < 8 && st->v2_scale_want > 0; i++, st->v2_scale_want--) {
-        char type[4];
-        if (i > 0 && orr_view_is_blank(orr_view_cols(line, 13 + 6 * i, 48 - 6 * i)))
-            break; // the rest on the next line
-        if (st->v2_n_scaled == ORR_OBS_MAX_CODES || !code_text(line, 13 + 6 * i, 6, type))
-            return refuse(c, 13 + 6 * i, "a scaled observation type is missing or not readable");
-        memcpy(st->v2_scale[st->v2_n_scaled].type, type, sizeof type);
-        st->v2_scale[st->v2_n_scaled].factor = st->v2_scale_now;
-        st->v2_scale[st->v2_n_scaled].column = 13 + 6 * i;
-        st->v2_scale[st->v2_n_scaled++].line = c->line;
-    }
-    return ORR_OK;
-}
-
-// The factors of the file's types, when all lines are read.
-static orr_status scales_of_v2(const obs_header_state *st, double scale[ORR_OBS_MAX_CODES],
-                               const obs_context *c)
-{
-    for (size_t i = 0; i < st->v2_n; i++) scale[i] = st->v2_scale_all > 0 ? st->v2_scale_all : 1;
-    for (size_t k = 0; k < st->v2_n_scaled; k++) {
-        bool found = false;
-        for (size_t i = 0; i < st->v2_n; i++)
-            if (strcmp(st->v2_type[i], st->v2_scale[k].type) == 0)
-                scale[i] = st->v2_scale[k].factor, found = true;
-        if (!found)
-            return orr_diag_at(c->diag, ORR_E_FORMAT, c->name, st->v2_scale[k].line, st->v2_scale[k].column,
-                               "a scaled observation type that the file does not have");
-    }
-    return ORR_OK;
-}
-
-static orr_status scale_factor(orr_rinex_obs_header *h, orr_view line, const obs_context *c)
-{
-    int system = system_index(orr_view_char(line, 1)), factor = 1, n = 0;
-    if (system < 0) return warn(c, 1, "a scale factor of a system that is not read"), ORR_OK;
-    if (orr_field_int_in(line, 3, 4, 1, 9999, &factor) != ORR_FIELD_OK)
-        return refuse(c, 3, "the scale factor is not a number");
-    if (orr_field_int_in(line, 9, 2, 0, 99, &n) == ORR_FIELD_BAD)
-        return refuse(c, 9, "the number of scaled types is not a number");
-    orr_obs_codes *codes = &h->codes[system];
-    if (n == 0)
-        for (size_t j = 0; j < codes->n; j++) codes->scale[j] = factor;
-    for (int i = 0; i < n && i < 12; i++) {
-        char code[4];
-        size_t found = 0;
-        bool readable = code_text(line, 12 + 4 * i, 3, code);
-        for (size_t j = 0; readable && j < codes->n; j++) {
-            if (strcmp(codes->code[j], code) != 0) continue;
-            codes->scale[j] = factor;
-            found++;
-        }
-        if (found == 0)
-            return refuse(c, 12 + 4 * i, "a scaled observation type that the system does not have");
-    }
-    if (n > 12) warn(c, 9, "only the first 12 types of a scale factor line are read");
-    return ORR_OK;
-}
-
 static void phase_shift(orr_rinex_obs_header *h, orr_view line, const obs_context *c)
 {
-    int system = system_index(orr_view_char(line, 1));
+    int system = orr_obs_system_index(orr_view_char(line, 1));
     char code[4];
     double shift = 0;
-    if (system < 0 || !code_text(line, 3, 3, code)) return; // continuation, or a system without known shifts
+    if (system < 0 || !orr_obs_code_text(line, 3, 3, code))
+        return; // continuation, or a system without known shifts
     if (orr_field_real(line, 7, 8, &shift) == ORR_FIELD_BAD) {
-        warn(c, 7, "the phase shift is not a number");
+        orr_obs_header_warn(c, 7, "the phase shift is not a number");
         return;
     }
     int n_sats = 0;
@@ -236,7 +90,7 @@ static void glonass_slots(orr_rinex_obs_header *h, orr_view line, const obs_cont
         orr_sat sat = id.n == 3 ? orr_sat_parse3(id.p, 'R') : ORR_SAT_NONE;
         if (sat == ORR_SAT_NONE || orr_sat_system(sat) != 'R' ||
             orr_field_int_in(line, 9 + 7 * i, 2, -7, 13, &k) != ORR_FIELD_OK) {
-            warn(c, 5 + 7 * i, "a GLONASS slot and frequency channel that are not readable");
+            orr_obs_header_warn(c, 5 + 7 * i, "a GLONASS slot and frequency channel that are not readable");
             continue;
         }
         h->glonass_channel[orr_sat_number(sat)] = (int8_t)k;
@@ -247,9 +101,9 @@ static void glonass_bias(orr_rinex_obs_header *h, orr_view line, const obs_conte
 {
     h->has_glonass_bias = true;
     for (int i = 0; i < 4; i++) {
-        if (!code_text(line, 2 + 13 * i, 3, h->glonass_bias[i].code)) continue;
+        if (!orr_obs_code_text(line, 2 + 13 * i, 3, h->glonass_bias[i].code)) continue;
         if (orr_field_real(line, 6 + 13 * i, 8, &h->glonass_bias[i].bias_m) == ORR_FIELD_BAD)
-            warn(c, 6 + 13 * i, "the GLONASS bias is not a number");
+            orr_obs_header_warn(c, 6 + 13 * i, "the GLONASS bias is not a number");
     }
 }
 
@@ -259,7 +113,7 @@ static void wavelength(orr_rinex_obs_header *h, orr_view line, const obs_context
     if (orr_field_int_in(line, 1, 6, 0, 2, &l1) == ORR_FIELD_BAD ||
         orr_field_int_in(line, 7, 6, 0, 2, &l2) == ORR_FIELD_BAD ||
         orr_field_int_in(line, 13, 6, 0, 99, &n) == ORR_FIELD_BAD) {
-        warn(c, 1, "the wavelength factors are not readable");
+        orr_obs_header_warn(c, 1, "the wavelength factors are not readable");
         return;
     }
     if (n == 0) {
@@ -270,7 +124,7 @@ static void wavelength(orr_rinex_obs_header *h, orr_view line, const obs_context
         orr_view id = orr_view_cols(line, 22 + 6 * i, 3);
         orr_sat sat = id.n == 3 ? orr_sat_parse3(id.p, h->system == 'M' ? 'G' : h->system) : ORR_SAT_NONE;
         if (sat == ORR_SAT_NONE) {
-            warn(c, 22 + 6 * i, "a satellite of the wavelength factors is not readable");
+            orr_obs_header_warn(c, 22 + 6 * i, "a satellite of the wavelength factors is not readable");
             continue;
         }
         h->sat_wavelength[orr_sat_system_index(sat)][orr_sat_number(sat)] = (orr_obs_wavelength){l1, l2};
@@ -295,7 +149,7 @@ static orr_status header_time(orr_rinex_obs_header *h, orr_view line, bool is_fi
     for (int i = 0; i < 5; i++)
         good = good && orr_field_int_in(line, 1 + 6 * i, 6, 0, 9999, field[i]) == ORR_FIELD_OK;
     if (good) good = orr_rinex_time(&d, h->scale, c->leap, &t) == ORR_OK;
-    if (!good) warn(c, 1, "the time is not readable: the header line is left out");
+    if (!good) orr_obs_header_warn(c, 1, "the time is not readable: the header line is left out");
     *(is_first ? &h->first : &h->last) = good ? t : ORR_TIME_NONE;
     if (is_first) h->first = good ? t : ORR_TIME_NONE;
     return ORR_OK;
@@ -403,19 +257,19 @@ static void numbers(orr_rinex_obs_header *h, label_id id, orr_view line, const o
         break;
     case L_INTERVAL:
         if (orr_field_real(line, 1, 10, &h->interval_s) == ORR_FIELD_BAD)
-            warn(c, 1, "the interval is not a number");
+            orr_obs_header_warn(c, 1, "the interval is not a number");
         break;
     case L_CLOCK:
-        if (orr_field_int(line, 1, 6, &n) == ORR_FIELD_BAD) warn(c, 1, "not a number");
+        if (orr_field_int(line, 1, 6, &n) == ORR_FIELD_BAD) orr_obs_header_warn(c, 1, "not a number");
         h->clock_applied = n == 1;
         break;
     case L_LEAP:
         h->has_leap = orr_field_int_in(line, 1, 6, -99, 999, &h->leap_s) == ORR_FIELD_OK;
-        if (!h->has_leap) warn(c, 1, "the leap seconds are not a number");
+        if (!h->has_leap) orr_obs_header_warn(c, 1, "the leap seconds are not a number");
         break;
     default:
         if (orr_field_int_in(line, 1, 6, 0, 9999, &h->declared_sats) == ORR_FIELD_BAD)
-            warn(c, 1, "not a number");
+            orr_obs_header_warn(c, 1, "not a number");
         break;
     }
 }
@@ -478,21 +332,24 @@ orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, or
         st->ended = true;
         return ORR_OK;
     case L_TYPES2:
-        if (h->version >= 3) return refuse(c, 61, "observation types of RINEX 2 in a file of RINEX 3 or 4");
-        return types_v2(st, line, c);
+        if (h->version >= 3)
+            return orr_obs_header_refuse(c, 61, "observation types of RINEX 2 in a file of RINEX 3 or 4");
+        return orr_obs_types_v2(st, line, c);
     case L_TYPES3:
-        if (h->version < 3) return refuse(c, 61, "observation types of RINEX 3 in a file of RINEX 2");
-        return types_v3(h, st, line, c);
+        if (h->version < 3)
+            return orr_obs_header_refuse(c, 61, "observation types of RINEX 3 in a file of RINEX 2");
+        return orr_obs_types_v3(h, st, line, c);
     case L_FIRST:
         st->seen |= OBS_SEEN_FIRST;
         return header_time(h, line, true, c);
     case L_LAST:
         return header_time(h, line, false, c);
     case L_SCALE:
-        return scale_factor(h, line, c);
+        return orr_obs_scale_factor(h, line, c);
     case L_SCALE2:
-        if (h->version >= 3) return refuse(c, 61, "scale factors of RINEX 2 in a file of RINEX 3 or 4");
-        return scale_factor_v2(st, line, c);
+        if (h->version >= 3)
+            return orr_obs_header_refuse(c, 61, "scale factors of RINEX 2 in a file of RINEX 3 or 4");
+        return orr_obs_scale_factor_v2(st, line, c);
     case L_SHIFT:
         phase_shift(h, line, c);
         return ORR_OK;
@@ -527,11 +384,12 @@ orr_status orr_obs_header_line(orr_rinex_obs_header *h, obs_header_state *st, or
 orr_status orr_obs_header_check(orr_rinex_obs_header *h, obs_header_state *st, const obs_context *c)
 {
     if (st->open_want > 0 || st->v2_n < st->v2_want)
-        return refuse(c, 0, "the header names fewer observation types than it announces");
-    if (!(st->seen & OBS_SEEN_TYPES)) return refuse(c, 0, "the header names no observation types");
+        return orr_obs_header_refuse(c, 0, "the header names fewer observation types than it announces");
+    if (!(st->seen & OBS_SEEN_TYPES))
+        return orr_obs_header_refuse(c, 0, "the header names no observation types");
     if (h->version >= 3) return ORR_OK;
     double scale[ORR_OBS_MAX_CODES];
-    orr_status status = scales_of_v2(st, scale, c);
+    orr_status status = orr_obs_scales_of_v2(st, scale, c);
     if (status != ORR_OK) return status;
     for (size_t s = 0; s < ORR_N_SYSTEMS; s++) {
         char system = ORR_SYSTEMS[s];

@@ -80,6 +80,28 @@ orr_status orr_obs_header_check(orr_rinex_obs_header *h, obs_header_state *st, c
 // First line of the file (already parsed) into h.
 orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *first, const obs_context *c);
 
+// What several header lines share: a complaint, a refusal, the place of a system's letter among ORR_SYSTEMS (-1: none), an
+// observation code within columns (false where it is none).
+void orr_obs_header_warn(const obs_context *c, int column, const char *what);
+// A refusal of the header at a column of the line: ORR_E_FORMAT.
+orr_status orr_obs_header_refuse(const obs_context *c, int column, const char *what);
+// -1 for letters that are no system.
+int orr_obs_system_index(char c);
+// Two or three characters, without blanks.
+bool orr_obs_code_text(orr_view line, int col, int width, char out[4]);
+// Lists of types (SYS / # / OBS TYPES; # / TYPES OF OBSERV) and scale factors (SYS / SCALE FACTOR; OBS SCALE FACTOR of 2.20).
+orr_status orr_obs_types_v3(orr_rinex_obs_header *h, obs_header_state *st, orr_view line,
+                            const obs_context *c);
+// Of RINEX 2, for all systems.
+orr_status orr_obs_types_v2(obs_header_state *st, orr_view line, const obs_context *c);
+// Of 2.20.
+orr_status orr_obs_scale_factor_v2(obs_header_state *st, orr_view line, const obs_context *c);
+// The factors of all types of 2.20, after the header.
+orr_status orr_obs_scales_of_v2(const obs_header_state *st, double scale[ORR_OBS_MAX_CODES],
+                                const obs_context *c);
+// Of 3 and later.
+orr_status orr_obs_scale_factor(orr_rinex_obs_header *h, orr_view line, const obs_context *c);
+
 // Appends a code; ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status orr_obs_codes_add(orr_obs_codes *codes, const char *code, const char *original, orr_diag *diag);
 // Frees a list of codes and leaves it empty.

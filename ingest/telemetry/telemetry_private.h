@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside of the telemetry reader. telemetry.c opens a log; telemetry_table.c reads tables, with
-// telemetry_columns.c (what the columns are) and telemetry_clock.c (two clocks in one log);
+// telemetry_columns.c (what the columns are), telemetry_row.c (one row) and telemetry_clock.c (two clocks in one log);
 // telemetry_nmea.c reads sentences, with telemetry_sessions.c (their dates). Below them: telemetry_values.c
 // (fields) and telemetry_rows.c (what is kept).
 #ifndef ORR_INGEST_TELEMETRY_TELEMETRY_PRIVATE_H
@@ -96,6 +96,8 @@ bool telemetry_field(orr_view *rest, char separator, orr_view *field);
 // A number, with a decimal comma too. BAD where it is no finite number.
 orr_field telemetry_number(orr_view field, double *x);
 bool telemetry_is_nan(orr_view field);
+// Whether a number is whole but for the rounding of its unit.
+bool telemetry_is_whole(double x);
 
 // A date and time of day as text. With a date *at is the instant and *of_day_s NAN; a time of day alone
 // ("10:00:18.5") is *of_day_s, in seconds, and *at ORR_TIME_NONE. A zone may follow: Z, UTC, GPS, another scale,
@@ -111,6 +113,38 @@ bool telemetry_time_text(orr_view field, orr_scale usual, const orr_leap_table *
 bool telemetry_date_text(orr_view field, int32_t *mjd);
 // Instant of so many seconds since 1970-01-01 UTC, times `scale`.
 orr_time telemetry_unix_time(double x, double scale, const orr_leap_table *leap);
+
+// --- one row of a table ---
+
+typedef struct telemetry_row {
+    bool has[Q_COUNT];
+    double value[Q_COUNT];
+    orr_time at;     // an instant that the row tells as text or in seconds since 1970; ORR_TIME_NONE
+    double of_day_s; // a time of day as text; NAN
+    int32_t mjd;     // of Q_DATE
+    char why[64];    // where a sentence of its own is needed
+} telemetry_row;
+
+// Reads a row's fields.
+//   Given:    table         its columns
+//             separator     what divides them
+//             leap          table of leap seconds; NULL: built-in
+//             line          the row
+//   Returned: r             the fields
+//             (value)       NULL, or why the row is to be left out
+const char *telemetry_row_read(const telemetry_table *table, char separator, const orr_leap_table *leap,
+                               orr_view line, telemetry_row *r);
+// Autopilots write 1e-7 deg and mm as whole numbers: where no unit is told and the numbers cannot be degrees, the columns
+// and this row are made that. False where the row has no place to judge by.
+bool telemetry_row_units(telemetry_table *table, telemetry_reader *reader, telemetry_row *r);
+// The row's place; NULL, or why there is none that can be used.
+const char *telemetry_row_place(telemetry_row *r, orr_geodetic *at, bool *place, bool *above_sea);
+// Angles of the quaternion that turns body axes (forward, right, down) into North, East, Down.
+//   Given:    r             the row
+//             enu           the quaternion turns forward, left, up into East, North, Up
+//   Returned: heading, pitch, roll   rad
+//             (value)       false where it has not unit length
+bool telemetry_row_turned(const telemetry_row *r, bool enu, double *heading, double *pitch, double *roll);
 
 // --- clocks ---
 

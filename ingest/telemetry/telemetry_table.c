@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of numbers: rows to places, angles and their times.
+// Tables of numbers: what a table is, rows to places and angles on one clock or two.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,16 +16,6 @@
 #define LAST_WEEK 3800.0
 #define LAST_TIME_S 4e9
 #define FAR_TIME "its time is out of all bounds"
-#define NO_NUMBER "a field is no finite number"
-
-typedef struct row {
-    bool has[Q_COUNT];
-    double value[Q_COUNT];
-    orr_time at;     // an instant that the row tells as text or in seconds since 1970; ORR_TIME_NONE
-    double of_day_s; // a time of day as text; NAN
-    int32_t mjd;     // of Q_DATE
-    char why[64];
-} row;
 
 typedef struct table_reader {
     telemetry_reader *r;
@@ -119,168 +109,6 @@ static bool zero_of_comment(orr_view comment, const orr_leap_table *leap, orr_ti
     return false;
 }
 
-// --- one row ---
-
-// Text or number of a column of time; NULL, or why the row is to be left out.
-static const char *read_time(const telemetry_column *c, orr_view field, const orr_leap_table *leap, row *r)
-{
-    double x;
-    bool number = telemetry_number(field, &x) == ORR_FIELD_OK;
-    if (c->form == FORM_UNIX || (c->quantity == Q_INSTANT && c->form == FORM_OPEN && number)) {
-        if (!number) return field.n == 0 || telemetry_is_nan(field) ? NULL : NO_NUMBER;
-        if (x > 0.0) r->at = telemetry_unix_time(x, c->scale, leap); // 0: not known yet
-        return NULL;
-    }
-    if (number && (c->form == FORM_NUMBER || c->form == FORM_OPEN)) {
-        r->value[c->quantity] = x * c->scale;
-        r->has[c->quantity] = true;
-        return NULL;
-    }
-    if (c->form == FORM_NUMBER) return NO_NUMBER;
-    orr_time at;
-    double of_day_s;
-    if (!telemetry_time_text(field, c->form == FORM_TEXT_GPS ? ORR_SCALE_GPS : ORR_SCALE_UTC, leap, &at,
-                             &of_day_s)) {
-        // A word in a column of numbers is no time at all.
-        bool digit = field.n > 0 && field.p[0] >= '0' && field.p[0] <= '9';
-        return c->form == FORM_OPEN && !digit ? NO_NUMBER : "its time is no ISO 8601 date and time";
-    }
-    if (at != ORR_TIME_NONE) r->at = at;
-    if (!isnan(of_day_s)) r->of_day_s = of_day_s;
-    return NULL;
-}
-
-static bool is_optional(telemetry_quantity q)
-{
-    return q == Q_WEEK || q == Q_TOW || q == Q_GEOID || (q >= Q_HEADING && q <= Q_QZ);
-}
-static bool is_place(telemetry_quantity q) { return q >= Q_LAT && q <= Q_Z; }
-
-// Reads a row's fields; NULL, or why the row is to be left out.
-static const char *read_row(const table_reader *t, orr_view line, row *r)
-{
-    memset(r, 0, sizeof *r);
-    r->at = ORR_TIME_NONE;
-    r->of_day_s = ORR_NAN;
-    orr_view rest = line, field;
-    size_t n = 0, blank_places = 0;
-    for (; n < t->table.n && telemetry_field(&rest, t->separator, &field); n++) {
-        const telemetry_column *c = &t->table.column[n];
-        if (c->quantity == Q_SKIP) continue;
-        if (c->quantity == Q_TIME || c->quantity == Q_INSTANT) {
-            const char *why = read_time(c, field, t->r->leap, r);
-            if (why != NULL) return why;
-            continue;
-        }
-        if (c->quantity == Q_DATE) {
-            r->has[Q_DATE] = telemetry_date_text(field, &r->mjd);
-            if (!r->has[Q_DATE]) return "its date is none (2024-08-15 would be one)";
-            continue;
-        }
-        double x;
-        orr_field f = telemetry_number(field, &x);
-        if (f != ORR_FIELD_OK) {
-            bool absent = f == ORR_FIELD_BLANK || telemetry_is_nan(field);
-            if (absent && is_optional(c->quantity)) continue;
-            if (f == ORR_FIELD_BLANK && is_place(c->quantity)) {
-                blank_places++;
-                continue;
-            }
-            return NO_NUMBER;
-        }
-        r->value[c->quantity] = c->quantity == Q_FIX ? x : x * c->scale;
-        r->has[c->quantity] = true;
-        if (c->quantity == Q_FIX && x < c->scale) return "it has no position fix";
-    }
-    if (n < t->table.n) return "it has too few fields";
-    if (t->table.header && t->separator != ' ')
-        while (telemetry_field(&rest, t->separator, &field))
-            if (field.n > 0)
-                return "it has more fields than the header has names (decimal commas need another character, "
-                       "or quotes, "
-                       "between fields)";
-    bool angles = r->has[Q_HEADING] || r->has[Q_PITCH] || r->has[Q_ROLL] || r->has[Q_QW];
-    return blank_places > 0 && !angles ? NO_NUMBER : NULL;
-}
-
-// But for the rounding of its unit.
-static bool is_whole(double x) { return fabs(x - nearbyint(x)) < 1e-5; }
-
-// Autopilots write 1e-7 deg and mm as whole numbers: where no unit is told and the numbers cannot be degrees, they
-// are that.
-static void guess_units(table_reader *t, row *r)
-{
-    telemetry_table *table = &t->table;
-    if (t->scaled || !r->has[Q_LAT] || !r->has[Q_LON]) return;
-    telemetry_column *lat = &table->column[table->where[Q_LAT]], *lon = &table->column[table->where[Q_LON]];
-    double lat_deg = r->value[Q_LAT] * ORR_DEG_PER_RAD, lon_deg = r->value[Q_LON] * ORR_DEG_PER_RAD;
-    t->scaled = true;
-    if (!lat->assumed || !lon->assumed || !(fabs(lat_deg) <= 9e8 && fabs(lon_deg) <= 3.6e9) ||
-        !(fabs(lat_deg) > 1e4 || fabs(lon_deg) > 1e4) || !is_whole(lat_deg) || !is_whole(lon_deg))
-        return;
-    bool mm = false;
-    lat->scale *= 1e-7;
-    lon->scale *= 1e-7;
-    r->value[Q_LAT] *= 1e-7;
-    r->value[Q_LON] *= 1e-7;
-    for (int q = Q_HEIGHT; q <= Q_HEIGHT_SEA; q++) {
-        if (table->where[q] < 0 || !table->column[table->where[q]].assumed || !r->has[q] ||
-            !is_whole(r->value[q]))
-            continue;
-        table->column[table->where[q]].scale = 1e-3;
-        r->value[q] *= 1e-3;
-        mm = true;
-    }
-    orr_warnings_add(
-        t->r->notes, orr_input_name(t->r->in), orr_input_line_number(t->r->in), 0,
-        "latitude and longitude name no unit and cannot be degrees: they are taken as 1e-7 deg%s",
-        mm ? ", and heights as mm" : "");
-}
-
-// Angles of the quaternion that turns body axes (forward, right, down) into North, East, Down; false where it is none.
-static bool turn_angles(const row *r, bool enu, double *heading, double *pitch, double *roll)
-{
-    double w = r->value[Q_QW], x = r->value[Q_QX], y = r->value[Q_QY], z = r->value[Q_QZ];
-    double n2 = w * w + x * x + y * y + z * z;
-    if (!(fabs(n2 - 1.0) < 0.05)) return false;
-    *heading = atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);
-    *pitch = asin(fmax(-1.0, fmin(1.0, 2.0 * (w * y - z * x) / n2)));
-    *roll = atan2(2.0 * (w * x + y * z), w * w - x * x - y * y + z * z);
-    if (enu) { // from East counter-clockwise, nose down positive
-        *heading = 0.5 * ORR_PI - *heading;
-        *pitch = -*pitch;
-    }
-    if (*heading < 0.0) *heading += 2.0 * ORR_PI;
-    return true;
-}
-
-// The row's place; NULL, or why there is none that can be used.
-static const char *place_of(row *r, orr_geodetic *at, bool *place, bool *above_sea)
-{
-    bool height = r->has[Q_HEIGHT] || r->has[Q_HEIGHT_SEA];
-    *place = r->has[Q_LAT] && r->has[Q_LON] && height;
-    *above_sea = !r->has[Q_HEIGHT] && !r->has[Q_GEOID];
-    *at = (orr_geodetic){r->value[Q_LAT], r->value[Q_LON],
-                         r->has[Q_HEIGHT] ? r->value[Q_HEIGHT] : r->value[Q_HEIGHT_SEA] + r->value[Q_GEOID]};
-    if (r->has[Q_X] && r->has[Q_Y] && r->has[Q_Z]) {
-        orr_vec3 x = {r->value[Q_X], r->value[Q_Y], r->value[Q_Z]};
-        double n = orr_vec3_norm(x);
-        *place = true;
-        *above_sea = false;
-        if (!(n > 6.2e6 && n < 1e8)) return "its place is not near the Earth's surface";
-        *at = orr_earth_from_ecef(x);
-    } else if (*place) {
-        if (!(fabs(at->lat_rad) <= 0.5 * ORR_PI + 1e-12)) {
-            snprintf(r->why, sizeof r->why, "latitude %.6g deg is past a pole",
-                     at->lat_rad * ORR_DEG_PER_RAD);
-            return r->why;
-        }
-        if (!(fabs(at->lon_rad) <= 4.0 * ORR_PI) || !(fabs(at->height_m) < 1e7))
-            return "its longitude or height is out of all bounds";
-    }
-    return NULL;
-}
-
 static void say_again(table_reader *t, double period_s)
 {
     orr_warnings_add(t->r->notes, orr_input_name(t->r->in), orr_input_line_number(t->r->in), 0,
@@ -290,7 +118,7 @@ static void say_again(table_reader *t, double period_s)
 
 // The row's GPS time after the first one's, NAN where it tells none, and the time of the log's own clock, likewise.
 // NULL, or why the row is to be left out.
-static const char *times_of(table_reader *t, const row *r, double *gps_s, double *host_s)
+static const char *times_of(table_reader *t, const telemetry_row *r, double *gps_s, double *host_s)
 {
     const int *where = t->table.where;
     orr_time at = r->at;
@@ -357,14 +185,14 @@ static orr_status keep_place(table_reader *t, double host_s, double gps_s, orr_g
     return s == ORR_OK && above_sea ? telemetry_mark_above_sea(t->r, diag) : s;
 }
 
-static orr_status take_row(table_reader *t, row *r, orr_diag *diag)
+static orr_status take_row(table_reader *t, telemetry_row *r, orr_diag *diag)
 {
     double gps_s, host_s;
     orr_geodetic at;
     bool place, above_sea;
-    guess_units(t, r);
+    if (!t->scaled) t->scaled = telemetry_row_units(&t->table, t->r, r);
     const char *why = times_of(t, r, &gps_s, &host_s);
-    if (why == NULL) why = place_of(r, &at, &place, &above_sea);
+    if (why == NULL) why = telemetry_row_place(r, &at, &place, &above_sea);
     if (why != NULL) {
         telemetry_drop(t->r, why);
         return ORR_OK;
@@ -381,7 +209,7 @@ static orr_status take_row(table_reader *t, row *r, orr_diag *diag)
     bool turned = r->has[Q_QW] && r->has[Q_QX] && r->has[Q_QY] && r->has[Q_QZ];
     bool angles = r->has[Q_HEADING] || r->has[Q_PITCH] || r->has[Q_ROLL];
     if (s == ORR_OK && !angles && turned) {
-        angles = turn_angles(r, t->table.enu, &h, &p, &q);
+        angles = telemetry_row_turned(r, t->table.enu, &h, &p, &q);
         if (!angles) telemetry_drop(t->r, "its quaternion has not unit length");
     }
     return s == ORR_OK && angles
@@ -439,7 +267,7 @@ static orr_status guess_clock(table_reader *t, orr_diag *diag)
     bool whole = true;
     for (size_t k = 1; k < n; k++) {
         double d = out->position_t_s[k] - out->position_t_s[k - 1];
-        whole = whole && is_whole(out->position_t_s[k]);
+        whole = whole && telemetry_is_whole(out->position_t_s[k]);
         if (!(d > 0.0)) continue;
         orr_vec3 a = orr_earth_to_ecef(out->position[k - 1]), b = orr_earth_to_ecef(out->position[k]);
         step[kept] = d;
@@ -518,9 +346,9 @@ static orr_status read_lines(table_reader *t, bool declared, orr_diag *diag)
             if (header || s != ORR_OK)
                 continue; // a header above columns that were declared otherwise is passed over
         }
-        row fields;
+        telemetry_row fields;
         r->out->rows++;
-        const char *why = read_row(t, v, &fields);
+        const char *why = telemetry_row_read(&t->table, t->separator, r->leap, v, &fields);
         if (why != NULL)
             telemetry_drop(r, why);
         else

@@ -81,6 +81,8 @@ bool telemetry_is_nan(orr_view field)
     return field.n <= 4 && (strcmp(word, "nan") == 0 || strcmp(word, "-nan") == 0);
 }
 
+bool telemetry_is_whole(double x) { return fabs(x - nearbyint(x)) < 1e-5; }
+
 static bool digits(const char *p, size_t n)
 {
     for (size_t k = 0; k < n; k++)
