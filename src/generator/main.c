@@ -145,8 +145,9 @@ static bool choose_signals(generator *g, const orr_gen_stream_options *o, orr_ge
         }
         plan->signals |= (uint64_t)1 << k;
         lacks = orr_gen_stream_lacks(&g->service, k, plan->rate_hz, plan->centre_hz, true);
+        if (lacks == NULL) continue;
         snprintf(text, sizeof text, "%s %s: what is beyond them folds back", name, lacks);
-        if (lacks != NULL) say(g, text);
+        say(g, text);
     }
     if (plan->signals == 0)
         return orr_gen_fail(fault, "no signal that is served fits into %.6g Msps about %.6f MHz",

@@ -125,7 +125,7 @@ static void fill_channels(playing *p, char system, size_t n)
 static double pieces(const orr_gen_signal_info *signal, size_t n, uint32_t rate, bool noise)
 {
     playing *p = calloc(1, sizeof *p);
-    orr_gen_fault fault;
+    orr_gen_fault fault = {{0}};
     if (p == NULL) abort();
     p->service.n_signals = 1;
     p->service.signal[0] = *signal;

@@ -29,6 +29,8 @@ LNAV = [("M_0", "m0_rad", PI * 2**-31), ("delta_n", "delta_n_radps", PI * 2**-43
         ("Cuc", "cuc_rad", 2**-29), ("Cus", "cus_rad", 2**-29), ("Crc", "crc_m", 2**-5), ("Crs", "crs_m", 2**-5),
         ("Cic", "cic_rad", 2**-29), ("Cis", "cis_rad", 2**-29), ("TGD", "tgd_s", 2**-31)]
 CLOCK = [("af0", "af0_s", 2**-31), ("af1", "af1_sps", 2**-43), ("af2", "af2_sps2", 2**-55)]
+# Those of I/NAV have the same LSB (Galileo OS SIS ICD 2.1 tables 65, 67), without TGD.
+INAV = [row for row in LNAV if row[0] != "TGD"]
 # And of a GLONASS one (ICD 5.1 table 4.5), GNSS-SDR's in kilometres.
 FDMA = [("d_%sn", "pos_m", 2**-11), ("d_V%sn", "vel_mps", 2**-20), ("d_A%sn", "acc_mps2", 2**-30)]
 FDMA_CLOCK = [("d_tau_n", "af0_s", -1, 2**-30), ("d_gamma_n", "af1_sps", 1, 2**-40)]
@@ -84,6 +86,23 @@ class Receivers(program.Folder):
         self.assertGreaterEqual(len(read), least)
         self.assertLess(worst, 0.01)  # printed decimals
 
+    def judge_inav(self, at, least):
+        """Likewise of I/NAV; GNSS-SDR names fields as it does GPS'."""
+        read = {k: e for k, e in gnss_sdr.ephemerides(self.out, "gal_ephemeris.xml").items() if k > 0}
+        sent = self.service.navdata(at, "E")
+        worst = 0.0
+        for number, e in read.items():
+            s = sent[number]
+            for theirs, ours, lsb in INAV:
+                worst = max(worst, abs(e[theirs] - s["kepler"][ours]) / lsb)
+            for theirs, ours, lsb in (("af0", "af0_s", 2**-34), ("af1", "af1_sps", 2**-46), ("af2", "af2_sps2", 2**-59)):
+                worst = max(worst, abs(e[theirs] - s[ours]) / lsb)
+            self.assertEqual(e["toe"], recording.gps_s(s["toe"]) % 604800)
+            self.assertEqual(e["IOD_nav"], s["iode"])
+        print(f"  I/NAV of {len(read)} satellites read back: largest difference {worst:.3f} LSB (bar 0)")
+        self.assertGreaterEqual(len(read), least)
+        self.assertLess(worst, 0.01)
+
     def judge_glonass(self, at, least):
         """Likewise of GLONASS."""
         read = gnss_sdr.ephemerides(self.out, "glo_gnav_ephemeris.xml")
@@ -132,6 +151,23 @@ class Receivers(program.Folder):
         self.receive({"1G": len(slots)}, [("1G", s) for s in slots])
         self.judge("GLONASS L1OF, 10 Msps, 51 dB-Hz", 45, 4.0)
         self.judge_glonass(start, 6)
+
+    def test_galileo(self):
+        """Galileo E1, I/NAV on B, tracked on C: 44 dB-Hz a component."""
+        start = "2025-03-21T12:00:01"  # a frame of I/NAV begins
+        self.make(self.made('["E:E1"]'), start, 120, 5000000, 1575420000, "E:E1", 47)
+        self.receive({"1B": 10})
+        self.judge("Galileo E1, 5 Msps, 44 dB-Hz a component", 45, 0.8)
+        self.judge_inav(start, 6)
+
+    def test_both(self):
+        """GPS L1 C/A and Galileo E1 in one file."""
+        start = "2025-03-21T12:00:01"
+        self.make(self.made('["G:L1CA", "E:E1"]'), start, 100, 5000000, 1575420000, "G:L1CA,E:E1", 50)
+        self.receive({"1C": 10, "1B": 10})
+        self.judge("GPS L1 C/A and Galileo E1, 5 Msps, 50 dB-Hz", 45, 0.6)
+        self.judge_lnav(start, 7)
+        self.judge_inav(start, 5)
 
     def test_flight(self):
         """The gravimetry flight of samples/, its delays left out: an aircraft in turbulence, turning on to its next line."""

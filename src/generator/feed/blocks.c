@@ -87,7 +87,7 @@ static void take(void *user, const orr_frame *f)
     if (b->stream == 0 || f->sequence != b->stream) return;
     if (f->type == ORR_MSG_TYPE_CHANNELS) {
         orr_msg_channels m;
-        orr_gen_fault fault;
+        orr_gen_fault fault = {{0}};
         if (orr_msg_channels_decode(f->payload, f->size, &m) != ORR_WIRE_OK || b->n == MOST ||
             m.epoch.answer != ORR_MSG_ANSWER_OK || !keep(b, &m, &b->block[b->n], &fault))
             b->bad = true;

@@ -10,8 +10,8 @@
 
 // Samples that share one phasor, times a table of rotations.
 #define ORR_GEN_GROUP 32
-// Sub-chips that must be readable behind the last one played.
-#define ORR_GEN_CHIPS_BEYOND 16
+// Sub-chips that must be readable behind the last one played: those of the rest of a group, and of a load of eight.
+#define ORR_GEN_CHIPS_BEYOND 40
 // Sub-chips in a sample: at most 7/8, so that eight samples see no more than eight.
 #define ORR_GEN_CHIPS_IN_SAMPLE 0.875
 

@@ -48,8 +48,8 @@ static void vectors(void **state)
     while (fgets(line, sizeof line, f) != NULL) {
         if (line[0] == '#' || line[0] == 'b') continue;
         char *at = line;
-        orr_gen_cubics c;
-        orr_gen_tuning t;
+        orr_gen_cubics c = {0};
+        orr_gen_tuning t = {0};
         orr_gen_oscillator o;
         c.block_ns = field_i(&at);
         for (int k = 0; k < 4; k++) c.code_m[k] = field_d(&at);
