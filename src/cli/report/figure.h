@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A figure: commands of this program, and how their table is drawn.
+#ifndef ORR_CLI_REPORT_FIGURE_H
+#define ORR_CLI_REPORT_FIGURE_H
+
+#include "src/cli/frame/cli.h"
+
+typedef enum figure_needs { FIGURE_NEEDS_NOTHING, FIGURE_NEEDS_DATA, FIGURE_NEEDS_ARCHIVE } figure_needs;
+
+typedef struct figure_plot {
+    const char *csv, *x, *y, *line; // file and columns; `line` NULL: one line
+    const char *x_label, *y_label;
+    double from, to; // of x; both 0: all
+    bool log_x, log_y;
+    double factor; // of y
+} figure_plot;
+
+typedef struct figure {
+    const char *name;
+    figure_needs needs;
+    const char *title, *text, *steps; // figures.def
+    figure_plot plot;
+} figure;
+
+extern const figure figures[];
+extern const size_t n_figures;
+
+// Where things are: absolute paths.
+typedef struct figure_places {
+    const char *out, *samples, *data, *archive; // data and archive NULL where they were not given
+} figure_places;
+
+// Runs one step of a figure in the output folder; what it prints stands in NAME.txt, its messages in NAME.log.
+// Given:
+//   f       the figure
+//   step    its command as figures.def has it
+//   p       the folders
+// Returned:
+//   diag    the last message of a step that failed
+// Errors: ORR_E_IO (no process), ORR_E_NODATA (the step failed).
+orr_status figure_run_step(const figure *f, const char *step, const figure_places *p, orr_diag *diag);
+// The command as a reader types it in the checkout's root, into out[n].
+void figure_step_text(const char *step, char *out, size_t n);
+// Draws NAME.svg from its table. ORR_E_IO, ORR_E_FORMAT (a column is missing), ORR_E_NODATA, ORR_E_MEMORY.
+orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag);
+
+#endif

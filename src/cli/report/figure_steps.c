@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "src/cli/report/figure.h"
+
+#define NOTHING FIGURE_NEEDS_NOTHING
+#define DATA FIGURE_NEEDS_DATA
+#define ARCHIVE FIGURE_NEEDS_ARCHIVE
+#define FIGURE(name, needs, title, text, steps, ...) {name, needs, title, text, steps, __VA_ARGS__},
+const figure figures[] = {
+#include "src/cli/report/figures.def"
+};
+const size_t n_figures = sizeof figures / sizeof figures[0];
+
+#define MOST_WORDS 32
+#define WORD 1200
+
+// A word of a step as it is passed on.
+static void put_word(const char *word, size_t n, const figure_places *p, char out[WORD])
+{
+    if (word[0] == '@')
+        snprintf(out, WORD, "%s/%.*s", p->samples, (int)n - 1, word + 1);
+    else if (word[0] == '#')
+        snprintf(out, WORD, "%s/%.*s", p->data != NULL ? p->data : "", (int)n - 1, word + 1);
+    else if (n == 1 && word[0] == '*')
+        snprintf(out, WORD, "%s", p->archive != NULL ? p->archive : "");
+    else
+        snprintf(out, WORD, "%.*s", (int)n, word);
+}
+
+static size_t split(const char *step, const figure_places *p, char (*word)[WORD])
+{
+    size_t n = 0;
+    while (*step != '\0' && n < MOST_WORDS) {
+        const size_t length = strcspn(step, " ");
+        if (length > 0) put_word(step, length, p, word[n++]);
+        step += length + (step[length] == ' ');
+    }
+    return n;
+}
+
+// In the child: output and messages to files of the folder, then the program itself.
+static _Noreturn void become(const figure *f, char (*word)[WORD], size_t n, const figure_places *p)
+{
+    char name[64];
+    char *argument[MOST_WORDS + 2] = {(char[]){"orrery"}};
+    for (size_t i = 0; i < n; i++) argument[i + 1] = word[i];
+    if (chdir(p->out) != 0) _exit(126);
+    snprintf(name, sizeof name, "%s.txt", f->name);
+    const int out = open(name, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    snprintf(name, sizeof name, "%s.log", f->name);
+    const int log = open(name, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (out < 0 || log < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0) _exit(126);
+    execv("/proc/self/exe", argument);
+    _exit(127);
+}
+
+// The last line of the log.
+static void last_message(const figure *f, const figure_places *p, char *line, size_t n)
+{
+    char path[WORD], text[512];
+    line[0] = '\0';
+    snprintf(path, sizeof path, "%s/%s.log", p->out, f->name);
+    FILE *log = fopen(path, "r");
+    if (log == NULL) return;
+    while (fgets(text, sizeof text, log) != NULL) snprintf(line, n, "%.*s", (int)strcspn(text, "\n"), text);
+    fclose(log);
+}
+
+orr_status figure_run_step(const figure *f, const char *step, const figure_places *p, orr_diag *diag)
+{
+    char(*word)[WORD] = calloc(MOST_WORDS, sizeof *word);
+    if (word == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a command");
+    const size_t n = split(step, p, word);
+    const pid_t pid = fork();
+    if (pid == 0) become(f, word, n, p);
+    free(word);
+    if (pid < 0) return orr_diag_set(diag, ORR_E_IO, "no further process: %s", strerror(errno));
+    int status = 0;
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return ORR_OK;
+    char why[400];
+    last_message(f, p, why, sizeof why);
+    return orr_diag_set(diag, ORR_E_NODATA, "%s", why[0] != '\0' ? why : "the command could not be run");
+}
+
+void figure_step_text(const char *step, char *out, size_t n)
+{
+    const figure_places typed = {".", "samples", "$D", "ARCHIVE"};
+    size_t at = (size_t)snprintf(out, n, "orrery");
+    while (*step != '\0' && at < n) {
+        char word[WORD];
+        const size_t length = strcspn(step, " ");
+        put_word(step, length, &typed, word);
+        at += (size_t)snprintf(out + at, n - at, " %s", word);
+        step += length + (step[length] == ' ');
+    }
+}

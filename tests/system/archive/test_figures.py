@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The figures and their page: tables, drawings and commands belong together, and what cannot be made is said."""
+import html.parser
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from program import ROOT, Folder, run, sample  # noqa: E402
+
+
+class Page(html.parser.HTMLParser):
+    def __init__(self, text):
+        super().__init__()
+        self.links, self.ids, self.outside = [], [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        attrs = dict(attrs)
+        if "id" in attrs:
+            self.ids.append(attrs["id"])
+        if tag == "a":
+            self.links.append(attrs["href"])
+        if tag in ("script", "link", "img", "iframe"):
+            self.outside.append(tag)
+
+
+class Figures(Folder):
+    def make(self, name, *args, status=0):
+        folder = pathlib.Path(self.path(name))
+        told = run("figures", "-o", folder, "--samples", ROOT / "samples", *args, status=status)
+        return folder, told
+
+    def test_figures_and_page(self):
+        folder, _ = self.make("some", "--only", "fig3", "--only", "fig4", "--only", "fig8")
+        text = (folder / "report.html").read_text(encoding="utf-8")
+        page = Page(text)
+        self.assertEqual(page.outside, [])  # one file, which needs no other
+        self.assertEqual(page.ids, ["fig3", "fig4", "fig8"])
+        for link in page.links:
+            self.assertTrue(link[1:] in page.ids if link.startswith("#") else (folder / link).is_file(), link)
+        self.assertIn("Not made: is made of an archive: --archive DIR", text)
+        self.assertIn("orrery track samples/survey.yaml --transfer 90,0 -o fig4.csv", text)
+        for name in ("fig3", "fig4"):
+            svg = (folder / f"{name}.svg").read_text(encoding="utf-8")
+            xml.etree.ElementTree.fromstring(svg)
+            self.assertIn("latitude, deg", svg)
+            rows = (folder / f"{name}.csv").read_text(encoding="utf-8").splitlines()
+            self.assertGreater(len(rows), 1000)
+        # The line is the table: its points are as many as the table's, or every k-th of them.
+        points = len(re.findall(r"[ML]\d", re.search(r'class="line"[^>]*d="([^"]*)"', svg).group(1)))
+        self.assertIn(points, [-(-(len(rows) - 1) // k) for k in range(1, 9)])
+        again, _ = self.make("some", "--only", "fig3", "--only", "fig4", "--only", "fig8")  # over what is there
+        self.assertEqual((again / "report.html").read_text(encoding="utf-8"), text)
+
+    def test_archive_of_days(self):
+        archive = self.path("archive")
+        inputs = pathlib.Path(self.path("inputs"))
+        inputs.mkdir()
+        for day in ("079", "080"):
+            name = f"ORR0TSTFIN_2025{day}0000_01D_15M_ORB.SP3.gz"
+            (inputs / name).symlink_to(sample(name))
+        run("batch", "-q", "--archive", archive, "--inputs", inputs)
+        folder, _ = self.make("by-archive", "--only", "fig8", "--archive", archive)
+        self.assertTrue((folder / "fig8.svg").is_file())
+
+    def test_what_cannot_be_made(self):
+        empty = pathlib.Path(self.path("empty"))
+        empty.mkdir()
+        told = run("figures", "-o", self.path("none"), "--samples", empty, "--only", "fig3", status=1).stderr
+        self.assertIn("survey.yaml", told)
+        self.assertIn("1 figures could not be made", told)
+        self.assertIn("survey.yaml", (pathlib.Path(self.path("none")) / "report.html").read_text(encoding="utf-8"))
+        self.assertIn("there is no figure 'fig99'", run("figures", "-o", self.path("x"), "--only", "fig99", status=2).stderr)
+        self.assertIn("--samples DIR", run("figures", "-o", self.path("x"), cwd=empty, status=1).stderr)
+
+
+if __name__ == "__main__":
+    import unittest
+    unittest.main(argv=[__file__])
