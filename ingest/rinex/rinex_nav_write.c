@@ -193,6 +193,16 @@ static void put_sto(FILE *f, const orr_nav *nav, size_t i)
                (long long)(ns / ORR_NS_PER_S), (int)week, s->sbas_id, id);
 }
 
+// What is to come, or came last, stays blank where it is not known.
+static void put_leap(FILE *f, const orr_nav *nav)
+{
+    char event[40] = "";
+    if (nav->leap_week > 0)
+        snprintf(event, sizeof event, "%6d%6d%6d", nav->leap_future_s, nav->leap_week, nav->leap_day);
+    put_header(f, "LEAP SECONDS", "%6d%-18s%3s", nav->leap_s, event,
+               nav->leap_scale == ORR_SCALE_BDT ? "BDS" : "GPS");
+}
+
 static void put_whole_header(FILE *f, const orr_nav *nav)
 {
     char system[] = "M: Mixed";
@@ -206,9 +216,7 @@ static void put_whole_header(FILE *f, const orr_nav *nav)
     for (size_t i = 0; i < nav->n_iono; i++)
         if (iono_wanted(nav, i)) put_iono(f, &nav->iono[i]);
     for (size_t i = 0; i < nav->n_sto; i++) put_sto(f, nav, i);
-    if (nav->has_leap)
-        put_header(f, "LEAP SECONDS", "%6d%6d%6d%6d%3s", nav->leap_s, nav->leap_future_s, nav->leap_week,
-                   nav->leap_day, nav->leap_scale == ORR_SCALE_BDT ? "BDS" : "GPS");
+    if (nav->has_leap) put_leap(f, nav);
     put_header(f, "END OF HEADER", "%s", "");
 }
 

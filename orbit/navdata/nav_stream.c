@@ -4,8 +4,10 @@
 #include <string.h>
 
 static const orr_nav_stream streams[] = {
-    {'G', ORR_NAV_LNAV, "L1CA"}, {'R', ORR_NAV_FDMA, "L1OF L2OF"}, {'E', ORR_NAV_INAV, "E1"},
-    {'E', ORR_NAV_INAV, "E5b"},  {'E', ORR_NAV_FNAV, "E5a"},
+    {'G', ORR_NAV_LNAV, "L1CA"},      {'G', ORR_NAV_CNAV, "L2C"},   {'G', ORR_NAV_CNAV, "L5"},
+    {'R', ORR_NAV_FDMA, "L1OF L2OF"}, {'E', ORR_NAV_INAV, "E1"},    {'E', ORR_NAV_INAV, "E5b"},
+    {'E', ORR_NAV_FNAV, "E5a"},       {'C', ORR_NAV_D1, "B1I B3I"}, {'J', ORR_NAV_CNAV, "L2C"},
+    {'J', ORR_NAV_CNAV, "L5"},
 };
 
 const orr_nav_stream *orr_nav_streams(size_t *n)

@@ -279,7 +279,9 @@ orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe,
     if (s == ORR_OK) s = begin(sat, (uint8_t)message, toe, q.l, &e, diag);
     if (s != ORR_OK) return s;
     orr_navfit_window w, tilted;
-    s = orr_navfit_gather(from, to, 300, source, user, &w, diag);
+    // A model with rates errs most at the ends of its window: it is judged by the whole window only where instants are close.
+    const double step_s = q.l->n > ORR_KEPLER_A_DOT ? fmax(100, orr_time_diff_s(to, from) / 120) : 300;
+    s = orr_navfit_gather(from, to, step_s, source, user, &w, diag);
     if (s != ORR_OK) return s;
     q.n = q.l->n;
     q.axes = orr_kepler_axes_of(sat, (uint8_t)message);

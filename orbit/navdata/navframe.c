@@ -16,6 +16,10 @@ static navframe_make *maker_of(uint8_t message)
         return navframe_inav;
     case ORR_NAV_FNAV:
         return navframe_fnav;
+    case ORR_NAV_D1:
+        return navframe_d1;
+    case ORR_NAV_CNAV:
+        return navframe_cnav;
     default:
         return NULL;
     }

@@ -31,7 +31,9 @@ static uint32_t wanted(const orr_navset_options *o, orr_sat sat)
 {
     const char system = orr_sat_system(sat);
     if (o->sats != NULL && !orr_sat_set_has(o->sats, sat)) return 0;
-    if ((system == 'G' && orr_sat_number(sat) > 32) || (system == 'E' && orr_sat_number(sat) > 36)) return 0;
+    if (((system == 'G' || system == 'J') && orr_sat_number(sat) > 32) ||
+        (system == 'E' && orr_sat_number(sat) > 36))
+        return 0;
     uint32_t messages = orr_nav_streams_of(system);
     if (system == 'C') messages &= ~(UINT32_C(1) << (orr_nav_beidou_geo(sat) ? ORR_NAV_D1 : ORR_NAV_D2));
     return o->messages != 0 ? messages & o->messages : messages;

@@ -10,6 +10,7 @@
 #include "orbit/navdata/kepler_lattice.h"
 #include "orbit/navdata/navfit_private.h"
 #include "orbit/navdata/navset_private.h"
+#include "orbit/navdata/system_week.h"
 #include "orbit/spacecraft/attitude.h"
 
 #define LEAST_WINDOW 3 // a third of the window has to have an orbit
@@ -177,6 +178,11 @@ static void fill_kepler(orr_nav_eph *eph, const navset_slot *slot, bool out)
     case ORR_NAV_D1:
     case ORR_NAV_D2:
         eph->iode = eph->iodc = age_of(n);
+        return;
+    case ORR_NAV_CNAV: // toe and top tell sets apart; URA_ED 0 is below 2.4 m
+        eph->kepler.top_sow_s = (double)(orr_nav_seconds_of_week(eph->sat, slot->from, NULL) / ORR_NS_PER_S);
+        eph->ura_ed = eph->ura_ned[0] = eph->ura_ned[1] = eph->ura_ned[2] = 0;
+        eph->health = out ? 7 : 0;
         return;
     default: // IODC = IODE, 0 to 239, as a fit interval of four hours demands (IS-GPS-200N table 20-XII). IODC's upper two
         // bits stay 0, though the message may count with them: receivers that compare all ten bits with IODE keep no

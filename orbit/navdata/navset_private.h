@@ -92,7 +92,8 @@ struct orr_navset {
     navset_day *day;
     bool has_klobuchar;
     double alpha[4], beta[4];
-    double nequick[3]; // a_i0..2 of NeQuick-G; zeros: not known
+    double beidou_alpha[4], beidou_beta[4]; // of BeiDou's own Klobuchar model; zeros: not known
+    double nequick[3];                      // a_i0..2 of NeQuick-G; zeros: not known
 };
 
 #endif

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sets as the records of a navigation file.
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "orbit/navdata/navset_private.h"
+
+enum { OFFSETS = 6 };
 
 bool orr_navset_klobuchar(const orr_navset *set, double alpha[4], double beta[4])
 {
@@ -23,20 +27,60 @@ static char system_of(const orr_navset *set)
     return system;
 }
 
+static bool has_system(const orr_navset *set, char system)
+{
+    for (size_t i = 0; i < set->n_sats; i++)
+        if (orr_sat_system(set->sat[i]) == system) return true;
+    return false;
+}
+
+// The offsets that messages send: all systems' time is the product's, and UTC without a fraction.
+static void add_offsets(const orr_navset *set, const orr_nav_utc *utc, orr_nav *out)
+{
+    static const struct {
+        char system;
+        const char *code;
+    } offset[] = {{'G', "GPUT"}, {'R', "GLUT"}, {'E', "GAUT"}, {'C', "BDUT"}, {'J', "QZUT"}, {'E', "GAGP"}};
+    for (size_t k = 0; k < OFFSETS; k++) {
+        if (!has_system(set, offset[k].system)) continue;
+        orr_nav_sto *s = &out->sto[out->n_sto++];
+        *s = (orr_nav_sto){.t_ref = utc->reference, .transmission = ORR_TIME_NONE};
+        snprintf(s->code, sizeof s->code, "%s", offset[k].code);
+    }
+}
+
+static void add_iono(orr_nav *out, uint8_t kind, char system, const double *first, size_t n,
+                     const double *second)
+{
+    bool any = false;
+    for (size_t k = 0; k < n; k++) any = any || fabs(first[k]) > 0;
+    if (!any) return; // zeros are sent, which say nothing
+    orr_nav_iono *iono = &out->iono[out->n_iono++];
+    *iono = (orr_nav_iono){
+        .kind = kind, .system = system, .time_mark = ' ', .t = ORR_TIME_NONE, .iod = ORR_NAV_NO_IOD};
+    memcpy(iono->coefficient, first, n * sizeof *first);
+    if (second != NULL) memcpy(iono->coefficient + n, second, n * sizeof *second);
+}
+
 orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *diag)
 {
     size_t n = 0;
     for (size_t i = 0; i < set->n_sats; i++)
         for (size_t k = 0; k < set->sets[i].n; k++) n += set->sets[i].series[k].n;
+    const orr_nav_utc utc = orr_nav_utc_at(set->from, set->day[0].gps.toa, set->leap);
     *out = (orr_nav){.version = 3.05,
                      .system = system_of(set),
                      .leap = set->leap,
                      .has_leap = true,
-                     .leap_s = orr_leap_tai_minus_utc(set->from, set->leap) - 19,
+                     .leap_s = utc.leap_s,
+                     .leap_future_s = utc.leap_future_s,
+                     .leap_week = utc.week_lsf,
+                     .leap_day = utc.day,
                      .leap_scale = ORR_SCALE_GPS};
     out->eph = calloc(n + 1, sizeof *out->eph);
-    out->iono = calloc(1, sizeof *out->iono);
-    if (out->eph == NULL || out->iono == NULL) {
+    out->iono = calloc(3, sizeof *out->iono);
+    out->sto = calloc(OFFSETS, sizeof *out->sto);
+    if (out->eph == NULL || out->iono == NULL || out->sto == NULL) {
         orr_nav_free(out);
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu records", n);
     }
@@ -45,14 +89,9 @@ orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *dia
             const navset_series *x = &set->sets[i].series[k];
             for (size_t j = 0; j < x->n; j++) out->eph[out->n_eph++] = x->item[j].eph;
         }
-    if (!set->has_klobuchar) return ORR_OK;
-    orr_nav_iono *iono = &out->iono[out->n_iono++];
-    *iono = (orr_nav_iono){.kind = ORR_NAV_KLOBUCHAR,
-                           .system = 'G',
-                           .time_mark = ' ',
-                           .t = ORR_TIME_NONE,
-                           .iod = ORR_NAV_NO_IOD};
-    memcpy(iono->coefficient, set->alpha, sizeof set->alpha);
-    memcpy(iono->coefficient + 4, set->beta, sizeof set->beta);
+    add_offsets(set, &utc, out);
+    add_iono(out, ORR_NAV_KLOBUCHAR, 'G', set->alpha, 4, set->beta);
+    add_iono(out, ORR_NAV_NEQUICK_G, 'E', set->nequick, 3, NULL);
+    add_iono(out, ORR_NAV_KLOBUCHAR, 'C', set->beidou_alpha, 4, set->beidou_beta);
     return ORR_OK;
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a receiver does with the symbols of newer navigation messages: Galileo I/NAV and F/NAV (OS SIS ICD 2.1). Written from the
-documents, knows nothing of the program's encoders."""
+"""What a receiver does with the symbols of newer navigation messages: Galileo I/NAV and F/NAV (OS SIS ICD 2.1), BeiDou D1
+(BDS-SIS-ICD-B1I 3.0), CNAV (IS-GPS-200N, section 30). Written from the documents, knows nothing of the program's encoders."""
 import math
 
 from navdata import bits_of, half_week
@@ -176,6 +176,79 @@ def reed_solomon_holds(words):
         if total:
             return False
     return all(words[k][14:16] == one[14:16] for k in (17, 18, 19, 20))
+
+
+# --- BeiDou D1 ---
+
+BEIDOU_GM, BEIDOU_RATE = 3.986004418e14, 7.2921150e-5
+D1_HEAD = [("pre", 11, None, 0), ("", 4, None, 0), ("fraid", 3, None, 0), ("sow", 20, None, 0)]
+D1 = {
+    1: [*D1_HEAD, ("health", 1, None, 0), ("aodc", 5, None, 0), ("urai", 4, None, 0), ("wn", 13, None, 0), ("toc", 17, 8, 0), ("tgd1", 10, 1e-10, 1),
+        ("tgd2", 10, 1e-10, 1), *[(f"alpha{k}", 8, 2.0**p, 1) for k, p in enumerate((-30, -27, -24, -24))],
+        *[(f"beta{k}", 8, 2.0**p, 1) for k, p in enumerate((11, 14, 16, 16))], ("af2", 11, 2.0**-66, 1), ("af0", 24, 2.0**-33, 1),
+        ("af1", 22, 2.0**-50, 1), ("iod", 5, None, 0)],
+    2: [*D1_HEAD, ("delta_n", 16, semi(43), 1), ("cuc", 18, 2.0**-31, 1), ("m0", 32, semi(31), 1), ("e", 32, 2.0**-33, 0), ("cus", 18, 2.0**-31, 1),
+        ("crc", 18, 2.0**-6, 1), ("crs", 18, 2.0**-6, 1), ("sqrt_a", 32, 2.0**-19, 0), ("toe_high", 2, None, 0)],
+    3: [*D1_HEAD, ("toe_low", 15, None, 0), ("i0", 32, semi(31), 1), ("cic", 18, 2.0**-31, 1), ("omega_dot", 24, semi(43), 1), ("cis", 18, 2.0**-31, 1),
+        ("idot", 14, semi(43), 1), ("omega0", 32, semi(31), 1), ("omega", 32, semi(31), 1), ("", 1, None, 0)],
+    "almanac": [*D1_HEAD, ("", 1, None, 0), ("page", 7, None, 0), ("sqrt_a", 24, 2.0**-11, 0), ("af1", 11, 2.0**-38, 1), ("af0", 11, 2.0**-20, 1),
+                ("omega0", 24, semi(23), 1), ("e", 17, 2.0**-21, 0), ("i", 16, semi(19), 1), ("toa", 8, 4096, 0), ("omega_dot", 17, semi(38), 1),
+                ("omega", 24, semi(23), 1), ("m0", 24, semi(23), 1), ("am_id", 2, None, 0)],
+    "utc": [*D1_HEAD, ("", 1, None, 0), ("page", 7, None, 0), ("leap", 8, None, 1), ("leap_future", 8, None, 1), ("wnlsf", 8, None, 0),
+            ("a0", 32, 2.0**-30, 1), ("a1", 24, 2.0**-50, 1), ("dn", 8, None, 0), ("", 90, None, 0)],
+}
+
+
+def bch_holds(bits):
+    """Fifteen bits as a polynomial are a multiple of x^4 + x + 1."""
+    value = int("".join(bits), 2)
+    while value.bit_length() > 4:
+        value ^= 0b10011 << (value.bit_length() - 5)
+    return value == 0
+
+
+def d1_subframe(data):
+    """300 bits as sent -> 224 bits of information; raises ValueError where a block does not hold."""
+    text = bits_of(data, 300)
+    if text[:11] != "11100010010":
+        raise ValueError("no preamble")
+    if not bch_holds(text[15:30]):
+        raise ValueError("word 1")
+    out = text[:26]
+    for w in range(1, 10):
+        word = text[30 * w:30 * w + 30]
+        halves = word[::2], word[1::2]
+        if not all(map(bch_holds, halves)):
+            raise ValueError(f"word {w + 1}")
+        out += halves[0][:11] + halves[1][:11]
+    return out
+
+
+# --- CNAV ---
+
+CNAV_HEAD = [("pre", 8, None, 0), ("prn", 6, None, 0), ("type", 6, None, 0), ("tow", 17, 6, 0), ("alert", 1, None, 0)]
+CNAV_CLOCK = [*CNAV_HEAD, ("top", 11, 300, 0), ("ned0", 5, None, 1), ("ned1", 3, None, 0), ("ned2", 3, None, 0), ("toc", 11, 300, 0),
+              ("af0", 26, 2.0**-35, 1), ("af1", 20, 2.0**-48, 1), ("af2", 10, 2.0**-60, 1)]
+CNAV = {
+    10: [*CNAV_HEAD, ("wn", 13, None, 0), ("health", 3, None, 0), ("top", 11, 300, 0), ("ed", 5, None, 1), ("toe", 11, 300, 0),
+         ("delta_a", 26, 2.0**-9, 1), ("a_dot", 25, 2.0**-21, 1), ("delta_n", 17, semi(44), 1), ("n_dot", 23, semi(57), 1), ("m0", 33, semi(32), 1),
+         ("e", 33, 2.0**-34, 0), ("omega", 33, semi(32), 1), ("", 5, None, 0)],
+    11: [*CNAV_HEAD, ("toe", 11, 300, 0), ("omega0", 33, semi(32), 1), ("i0", 33, semi(32), 1), ("delta_omega_dot", 17, semi(44), 1),
+         ("idot", 15, semi(44), 1), ("cis", 16, 2.0**-30, 1), ("cic", 16, 2.0**-30, 1), ("crs", 24, 2.0**-8, 1), ("crc", 24, 2.0**-8, 1),
+         ("cus", 21, 2.0**-30, 1), ("cuc", 21, 2.0**-30, 1), ("", 7, None, 0)],
+    30: [*CNAV_CLOCK, ("tgd", 13, 2.0**-35, 1), ("isc_l1ca", 13, 2.0**-35, 1), ("isc_l2c", 13, 2.0**-35, 1), ("isc_l5i", 13, 2.0**-35, 1),
+         ("isc_l5q", 13, 2.0**-35, 1), *[(f"alpha{k}", 8, 2.0**p, 1) for k, p in enumerate((-30, -27, -24, -24))],
+         *[(f"beta{k}", 8, 2.0**p, 1) for k, p in enumerate((11, 14, 16, 16))], ("wnop", 8, None, 0), ("", 12, None, 0)],
+    33: [*CNAV_CLOCK, ("a0", 16, 2.0**-35, 1), ("a1", 13, 2.0**-51, 1), ("a2", 7, 2.0**-68, 1), ("leap", 8, None, 1), ("tot", 16, 16, 0),
+         ("wnot", 13, None, 0), ("wnlsf", 13, None, 0), ("dn", 4, None, 0), ("leap_future", 8, None, 1), ("", 51, None, 0)],
+    35: [*CNAV_CLOCK, ("t", 16, 16, 0), ("wn", 13, None, 0), ("gnss", 3, None, 0), ("a0", 16, 2.0**-35, 1), ("a1", 13, 2.0**-51, 1),
+         ("a2", 7, 2.0**-68, 1), ("", 81, None, 0)],
+}
+
+
+def cnav_elements(ten, eleven, a_reference):
+    """The sum of both messages as elements (table 30-II)."""
+    return {**ten, **eleven, "a": a_reference + ten["delta_a"], "omega_dot": -2.6e-9 * PI + eleven["delta_omega_dot"]}
 
 
 def kepler_position(eph, t, gm, rate):

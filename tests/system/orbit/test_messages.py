@@ -224,6 +224,121 @@ class RealDay(Folder):
         return self.records[sat][0][1][26]
 
 
+class AllSystems(RealDay):
+    """BeiDou D1 and CNAV on a product of all systems."""
+
+    @classmethod
+    def setUpClass(cls):
+        super(RealDay, cls).setUpClass()
+        cls.product, cls.rinex = cls.path("all.nc"), cls.path("all.rnx")
+        run("orbit", "-q", "-o", cls.product, "--sat", "G05,G12,C06,C19,C30,J02", data("2020-177/Sta21114.sp3.gz"))
+        cls.from_s = seconds("2020-06-25T12:20:00")
+        cls.to_s = cls.from_s + 1200
+        run("navfit", "-q", cls.product, "-o", cls.rinex, "--bits", cls.path("bits.csv"), "--symbols", cls.path("symbols.csv"), "--from",
+            text_of(cls.from_s), "--to", text_of(cls.to_s))
+        cls.bits, cls.symbols = pages(cls.path("bits.csv")), pages(cls.path("symbols.csv"))
+        cls.records = rinex_records(cls.rinex)
+        cls.claims = collections.defaultdict(list)
+        for s in run_json("navfit", cls.product, "--format", "json")["sets"]:
+            cls.claims[s["sat"], s["message"]].append(s)
+        cls.truth = states(cls.product, "G,C,J", cls.from_s, cls.to_s, 60)
+
+    test_inav_on_e1 = test_inav_on_e5b = test_reduced_elements = test_inav_almanac = test_fnav = None
+
+    def check_clock(self, key, eph, t, shift=0.0):
+        true = self.truth[key[0], t][1]
+        if true is not None:
+            self.assertLess(abs(messages.clock_of(eph, t + shift) - true), 3e-9, (key, t))  # without biases the product's clock
+
+    def test_d1(self):
+        keys = [k for k in self.symbols if k[1] == "D1"]
+        self.assertEqual({k[0] for k in keys}, {"C06", "C19", "C30"})
+        for key in keys:
+            self.check_rhythm(key, 6.0, 190)
+            self.assertEqual([p["hex"] for p in self.bits[key]], [p["hex"] for p in self.symbols[key]])
+            f, issues, told, utc, sets = {}, [], {}, {}, 0
+            for page in self.bits[key]:
+                word = messages.d1_subframe(page["hex"])
+                kind, t = int(word[15:18], 2), page["t"]
+                self.assertEqual((kind, int(word[18:38], 2)), (page["number"], (t - 14) % WEEK))
+                if kind == 1:
+                    f = {}
+                if kind <= 3:
+                    f.update(messages.fields(word, messages.D1[kind]))
+                elif kind == 5 and int(page["page"]) == 10:
+                    utc = messages.fields(word, messages.D1["utc"])
+                elif kind == 4 or int(page["page"]) <= 6:
+                    a = messages.fields(word, messages.D1["almanac"])
+                    self.assertEqual(a["page"], int(page["page"]))
+                    if a["sqrt_a"]:
+                        told[a["page"] + (24 if kind == 5 else 0)] = a
+                if kind != 3 or "aodc" not in f:
+                    continue
+                f["toe"] = 8 * (f["toe_high"] << 15 | f["toe_low"])
+                self.assertEqual((f["wn"], f["health"], f["urai"]), ((t - 14) // WEEK - 1356, 0, 0))
+                if not issues or issues[-1] != (f["aodc"], f["iod"], f["toe"]):
+                    issues.append((f["aodc"], f["iod"], f["toe"]))
+                t -= t % 60
+                if self.from_s < t:
+                    claim = next(s for s in self.claims[key[:2]] if seconds(s["from"]) <= page["t"] < seconds(s["to"]))
+                    error = math.dist(messages.kepler_position(f, t - 14, messages.BEIDOU_GM, messages.BEIDOU_RATE), self.truth[key[0], t][0])
+                    self.assertLess(error, 1.1 * claim["max_m"] + 0.002)
+                    self.check_clock(key, f, t, -14)
+                    sets += 1
+            self.assertGreater(sets, 30)
+            self.assertEqual(len(issues), 2)  # hourly: AODC and AODE change with toe
+            self.assertTrue(all(a != b for a, b in zip(*issues)))
+            self.assertEqual((utc["leap"], utc["leap_future"], utc["wnlsf"], utc["dn"], utc["a0"]), (4, 4, (1929 - 1356) % 256, 6, 0))
+            self.assertEqual(set(told), {6, 19, 30})
+            for sat, a in told.items():
+                eph = {**a, "i0": a["i"] + 0.3 * messages.PI, "toe": a["toa"]}
+                t = self.from_s + 60
+                error = math.dist(messages.kepler_position(eph, t - 14, messages.BEIDOU_GM, messages.BEIDOU_RATE), self.truth[f"C{sat:02d}", t][0])
+                self.assertLess(error, 6000, sat)
+
+    def test_cnav(self):
+        keys = [k for k in self.symbols if k[1] == "CNAV"]
+        self.assertEqual({(k[0], k[2]) for k in keys}, {(s, b) for s in ("G05", "G12", "J02") for b in ("L2C", "L5")})
+        for key in keys:
+            length = 12.0 if key[2] == "L2C" else 6.0
+            self.check_rhythm(key, length, 1180 / length)
+            seen, state, f, sets, tops = collections.Counter(), None, {}, 0, set()
+            for page, plain in zip(self.symbols[key], self.bits[key]):
+                text = messages.bits_of(page["hex"], 600)
+                direct = messages.bits_of(plain["hex"], 300)
+                if state is None:  # the first six bits need those of the message before
+                    state = int(direct[-6:], 2)
+                else:
+                    bits, state = messages.viterbi_free([int(b) for b in text], 0, state)
+                    self.assertEqual(bits, direct)
+                self.assertEqual(messages.crc24q(direct[:276]), int(direct[276:], 2))
+                kind = int(direct[14:20], 2)
+                own = messages.fields(direct[:276], messages.CNAV[kind])
+                self.assertEqual((own["pre"], own["prn"], kind), (0x8B, int(key[0][1:]), page["number"]))
+                self.assertEqual(own["tow"], (page["t"] + length) % WEEK)
+                seen[kind] += 1
+                if kind == 10:
+                    f = {}
+                f[kind] = own
+                if kind != 30 or 10 not in f:
+                    continue
+                self.assertEqual(f[10]["top"], own["top"])
+                self.assertEqual(f[10]["toe"], f[11]["toe"])
+                self.assertEqual((f[10]["wn"], f[10]["health"]), (page["t"] // WEEK, 0))
+                tops.add(own["top"])
+                eph = messages.cnav_elements(f[10], f[11], 26559710.0 if key[0][0] == "G" else 42164200.0)
+                t = page["t"] - page["t"] % 60
+                if t > self.from_s:
+                    claim = next(s for s in self.claims[key[:2]] if seconds(s["from"]) <= page["t"] < seconds(s["to"]))
+                    error = math.dist(messages.kepler_position(eph, t, 3.986005e14, messages.GALILEO_RATE), self.truth[key[0], t][0])
+                    self.assertLess(error, 1.1 * claim["max_m"] + 0.002, (key, t))
+                    self.check_clock(key, own, t)
+                    sets += 1
+            self.assertEqual(set(seen), {10, 11, 30, 33, 35})
+            self.assertGreater(sets, 20)
+            self.assertEqual(len(tops), 2 if key[0][0] == "J" else 1)
+
+
 del Folder  # a base class is no test
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orbit/navdata/beidou_bits.h"
+
+#include "orbit/navdata/kepler_lattice.h"
+#include "orbit/navdata/system_week.h"
+
+#define PREAMBLE 0x712 // 11100010010
+#define BDT_LEAP_S 14  // GPS time - UTC when BDT began
+#define INFORMATION 224
+
+static const orr_navfit_field tgd = ORR_SIGNED("TGD", 1e-10, 10), a0 = ORR_SIGNED("A0UTC", P2(30), 32),
+                              a1 = ORR_SIGNED("A1UTC", P2(50), 24),
+                              alpha[4] = {ORR_SIGNED("alpha0", P2(30), 8), ORR_SIGNED("alpha1", P2(27), 8),
+                                          ORR_SIGNED("alpha2", P2(24), 8), ORR_SIGNED("alpha3", P2(24), 8)},
+                              beta[4] = {ORR_SIGNED("beta0", 0x1p11, 8), ORR_SIGNED("beta1", 0x1p14, 8),
+                                         ORR_SIGNED("beta2", 0x1p16, 8), ORR_SIGNED("beta3", 0x1p16, 8)};
+
+static void put_elements(const orr_nav_eph *e, const uint8_t *list, size_t n, orr_page *p)
+{
+    const orr_nav_kepler *k = &e->kepler;
+    const double value[] = {k->sqrt_a_sqrtm, k->e,          k->omega_rad,       k->m0_rad,
+                            k->i0_rad,       k->omega0_rad, k->omega_dot_radps, k->delta_n_radps,
+                            k->idot_radps,   k->crc_m,      k->crs_m,           k->cuc_rad,
+                            k->cus_rad,      k->cic_rad,    k->cis_rad};
+    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
+    for (size_t i = 0; i < n; i++) orr_page_value(p, &l->element[list[i]], value[list[i]]);
+}
+
+// Upper bounds of the URA indices (5.2.4.5).
+static int ura_index(double accuracy_m)
+{
+    static const double bound[] = {2.4, 3.4, 4.85, 6.85, 9.65, 13.65, 24,  48,
+                                   96,  192, 384,  768,  1536, 3072,  6144};
+    int k = 0;
+    while (k < 15 && !(accuracy_m <= bound[k])) k++;
+    return k;
+}
+
+static void subframe_1(const orr_d1_subframe *d, orr_page *p)
+{
+    const orr_nav_eph *e = d->eph;
+    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
+    int32_t week;
+    orr_nav_seconds_of_week(e->sat, d->t, &week);
+    orr_page_put(p, 1, e->health != 0);
+    orr_page_put(p, 5, (uint64_t)e->iodc);
+    orr_page_put(p, 4, (uint64_t)ura_index(e->accuracy_m));
+    orr_page_put(p, 13, (uint64_t)week);
+    orr_page_value(p, &l->toc, (double)(orr_nav_seconds_of_week(e->sat, e->toc, NULL) / ORR_NS_PER_S));
+    orr_page_value(p, &tgd, e->delay.tgd_s);
+    orr_page_value(p, &tgd, e->delay.tgd2_s);
+    for (int k = 0; k < 4; k++) orr_page_value(p, &alpha[k], d->alpha[k]);
+    for (int k = 0; k < 4; k++) orr_page_value(p, &beta[k], d->beta[k]);
+    orr_page_value(p, &l->clock[2], e->af2_sps2);
+    orr_page_value(p, &l->clock[0], e->af0_s);
+    orr_page_value(p, &l->clock[1], e->af1_sps);
+    orr_page_put(p, 5, (uint64_t)e->iode);
+}
+
+// toe is divided over subframes 2 (two bits) and 3 (fifteen).
+static uint64_t toe_of(const orr_nav_eph *e, orr_page *p)
+{
+    return orr_page_code(p, &orr_kepler_lattice_of(e->sat, e->message)->toe, e->kepler.toe_sow_s);
+}
+
+static void subframe_2(const orr_d1_subframe *d, orr_page *p)
+{
+    static const uint8_t list[] = {ORR_KEPLER_DELTA_N, ORR_KEPLER_CUC, ORR_KEPLER_LAMBDA, ORR_KEPLER_EX,
+                                   ORR_KEPLER_CUS,     ORR_KEPLER_CRC, ORR_KEPLER_CRS,    ORR_KEPLER_SQRT_A};
+    put_elements(d->eph, list, sizeof list, p);
+    orr_page_put(p, 2, toe_of(d->eph, p) >> 15);
+}
+
+static void subframe_3(const orr_d1_subframe *d, orr_page *p)
+{
+    static const uint8_t list[] = {ORR_KEPLER_I0,   ORR_KEPLER_CIC,    ORR_KEPLER_OMEGA_DOT, ORR_KEPLER_CIS,
+                                   ORR_KEPLER_IDOT, ORR_KEPLER_OMEGA0, ORR_KEPLER_EY};
+    orr_page_put(p, 15, toe_of(d->eph, p));
+    put_elements(d->eph, list, sizeof list, p);
+    orr_page_zeros(p, 1);
+}
+
+static void put_almanac(const orr_d1_subframe *d, orr_page *p)
+{
+    static const orr_almanac_part first[] = {ORR_ALMANAC_SQRT_A, ORR_ALMANAC_AF1, ORR_ALMANAC_AF0,
+                                             ORR_ALMANAC_OMEGA0, ORR_ALMANAC_E,   ORR_ALMANAC_DELTA_I},
+                                  last[] = {ORR_ALMANAC_OMEGA_DOT, ORR_ALMANAC_OMEGA, ORR_ALMANAC_M0};
+    const orr_almanac *a = d->almanac;
+    const orr_almanac_lattice *l = orr_almanac_lattice_of(d->eph->sat);
+    const double value[] = {a->sqrt_a_sqrtm, a->e,          a->omega_rad,       a->m0_rad,
+                            a->i_offset_rad, a->omega0_rad, a->omega_dot_radps, a->af0_s,
+                            a->af1_sps};
+    for (size_t k = 0; k < 6; k++) orr_page_value(p, orr_almanac_field(l, first[k]), value[first[k]]);
+    orr_page_put(p, 8, d->toa_s / 4096);
+    for (size_t k = 0; k < 3; k++) orr_page_value(p, orr_almanac_field(l, last[k]), value[last[k]]);
+    orr_page_put(p, 2, a->number > 30 ? 3 : 0); // AmID: pages 11 to 23 hold satellites 31 to 43
+}
+
+// Pages 7 to 10 of subframe 5.
+static void put_tables(const orr_d1_subframe *d, int page, orr_page *p)
+{
+    const orr_nav_utc *u = &d->utc;
+    switch (page) {
+    case 7:
+        for (int k = 1; k <= 19; k++) orr_page_put(p, 9, d->health[k] != 0 ? 0x1ff : 0);
+        break;
+    case 8:
+        for (int k = 20; k <= 30; k++) orr_page_put(p, 9, d->health[k] != 0 ? 0x1ff : 0);
+        orr_page_put(p, 8, (uint64_t)d->almanac_week);
+        orr_page_put(p, 8, d->toa_s / 4096);
+        break;
+    case 10:
+        orr_page_put(p, 8, (uint64_t)(u->leap_s - BDT_LEAP_S));
+        orr_page_put(p, 8, (uint64_t)(u->leap_future_s - BDT_LEAP_S));
+        orr_page_put(p, 8, (uint64_t)(u->week_lsf - ORR_BDT_WEEK_0));
+        orr_page_value(p, &a0, u->a0_s);
+        orr_page_value(p, &a1, u->a1_sps);
+        orr_page_put(p, 8, (uint64_t)(u->day - 1)); // 0 is Sunday
+        break;
+    default: // 9: offsets to other systems, all zero
+        break;
+    }
+}
+
+static void paged(const orr_d1_subframe *d, int subframe, int page, orr_page *p)
+{
+    orr_page_zeros(p, 1);
+    orr_page_put(p, 7, (uint64_t)page);
+    if (d->almanac != NULL)
+        put_almanac(d, p);
+    else if (subframe == 5)
+        put_tables(d, page, p);
+}
+
+// 224 bits of information as ten words: the first 15 bits of word 1 bare, then blocks of eleven with four of parity, two blocks of
+// a word bit by bit in turn (5.1.3).
+static void protect(const orr_page *in, orr_page *p)
+{
+    orr_page_copy(p, in, 0, 15);
+    unsigned block = 0;
+    for (size_t k = 15; k < 26; k++) block = block << 1 | in->bit[k];
+    orr_page_put(p, 15, block << 4 | orr_page_bch15(block));
+    for (size_t at = 26; at < INFORMATION; at += 22) {
+        unsigned half[2] = {0, 0};
+        for (size_t k = 0; k < 22; k++) half[k / 11] = half[k / 11] << 1 | in->bit[at + k];
+        for (int h = 0; h < 2; h++) half[h] = half[h] << 4 | orr_page_bch15(half[h]);
+        for (int k = 14; k >= 0; k--) {
+            orr_page_put(p, 1, half[0] >> k & 1u);
+            orr_page_put(p, 1, half[1] >> k & 1u);
+        }
+    }
+}
+
+void orr_d1_subframe_bits(const orr_d1_subframe *d, int subframe, int page, orr_page *p)
+{
+    orr_page in;
+    orr_page_begin(&in, p->diag);
+    orr_page_put(&in, 11, PREAMBLE);
+    orr_page_zeros(&in, 4);
+    orr_page_put(&in, 3, (uint64_t)subframe);
+    orr_page_put(&in, 20, (uint64_t)(orr_nav_seconds_of_week(d->eph->sat, d->t, NULL) / ORR_NS_PER_S));
+    if (subframe == 1)
+        subframe_1(d, &in);
+    else if (subframe == 2)
+        subframe_2(d, &in);
+    else if (subframe == 3)
+        subframe_3(d, &in);
+    else
+        paged(d, subframe, page, &in);
+    orr_page_zeros(&in, (int)(INFORMATION - in.n));
+    orr_page_begin(p, p->diag);
+    p->status = in.status;
+    protect(&in, p);
+}

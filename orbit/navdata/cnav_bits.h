@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CNAV of GPS and QZSS (L2C, L5) as bits: messages of 300 bits with CRC (IS-GPS-200N 30.3.3, IS-GPS-705J 20.3.3; IS-QZSS-PNT-005
+// 4.3). Pure functions.
+#ifndef ORR_ORBIT_NAVDATA_CNAV_BITS_H
+#define ORR_ORBIT_NAVDATA_CNAV_BITS_H
+
+#include "ingest/rinex/rinex_nav.h"
+#include "orbit/navdata/nav_utc.h"
+#include "orbit/navdata/page.h"
+
+// What a message tells besides the satellite's own set.
+typedef struct orr_cnav_message {
+    const orr_nav_eph *eph;
+    orr_time next; // begin of the next message: TOW count
+    double alpha[4], beta[4];
+    orr_nav_utc utc;
+} orr_cnav_message;
+
+// Makes a message.
+// Given:
+//   c     what it tells
+//   type  10 and 11 (ephemeris), 30 (clock, group delays, ionosphere), 33 (clock, UTC), 35 (clock, offset to Galileo: none)
+// Returned:
+//   p     its 300 bits; status ORR_E_RANGE where a value does not fit, with a sentence
+void orr_cnav_message_bits(const orr_cnav_message *c, int type, orr_page *p);
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A frame of D1: five subframes in 30 s, 24 of them a superframe that begins with the week of BDT (BDS-SIS-ICD-B1I 3.0, 5.2.1).
+#include <string.h>
+
+#include "orbit/navdata/beidou_bits.h"
+#include "orbit/navdata/navframe_private.h"
+#include "orbit/navdata/system_week.h"
+
+#define FRAME_NS (30 * ORR_NS_PER_S)
+#define SUBFRAME_NS (6 * ORR_NS_PER_S)
+#define PAGES 24
+
+// Which satellite's almanac a page holds: 1 to 24 in subframe 4, 25 to 30 in pages 1 to 6 of subframe 5, 31 to 43 in its pages
+// 11 to 23; 0 for none.
+static int almanac_of(int subframe, int page)
+{
+    if (subframe == 4) return page;
+    return page <= 6 ? 24 + page : page >= 11 && page <= 23 ? 20 + page : 0;
+}
+
+orr_status navframe_d1(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, orr_time t,
+                       bool coded, orr_navframe *out, orr_diag *diag)
+{
+    (void)coded; // BCH and interleaving are part of the bits; the secondary code is the generator's
+    const int64_t ns = orr_nav_seconds_of_week(sat, t, NULL);
+    const orr_time from = t - ns % FRAME_NS;
+    const orr_navset_item *item = navframe_item(set, sat, stream, from, t);
+    if (item == NULL) return ORR_E_NODATA;
+    const navset_day *day = navset_day_at(set, from);
+    const navset_almanacs *a = &day->beidou;
+    const int page = (int)(ns / FRAME_NS % PAGES) + 1;
+    orr_d1_subframe d = {.eph = &item->eph,
+                         .utc = orr_nav_utc_at(from, day->noon, set->leap),
+                         .toa_s = a->toa_s,
+                         .almanac_week = a->week,
+                         .health = a->health};
+    memcpy(d.alpha, set->beidou_alpha, sizeof d.alpha);
+    memcpy(d.beta, set->beidou_beta, sizeof d.beta);
+    out->from = from, out->to = from + FRAME_NS;
+    out->n = 5;
+    for (int k = 1; k <= 5; k++) {
+        orr_navframe_piece *p = &out->piece[k - 1];
+        orr_page bits;
+        bits.diag = diag;
+        d.t = from + (k - 1) * SUBFRAME_NS;
+        const int number = k > 3 ? almanac_of(k, page) : 0;
+        d.almanac = a->has[number] ? &a->sat[number] : NULL;
+        orr_d1_subframe_bits(&d, k, page, &bits);
+        if (bits.status != ORR_OK) return bits.status;
+        *p = (orr_navframe_piece){
+            .t = d.t, .length = SUBFRAME_NS, .number = (uint8_t)k, .page = (uint8_t)(k > 3 ? page : 0)};
+        navframe_take(&bits, p);
+    }
+    return ORR_OK;
+}

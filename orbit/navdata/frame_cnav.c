@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CNAV in fours: ephemeris (10, 11), clock with group delays and ionosphere (30), and by turns UTC (33) and the offset to Galileo
+// (35). On L2C a message takes 12 s, on L5 6 s.
+#include <string.h>
+
+#include "orbit/navdata/cnav_bits.h"
+#include "orbit/navdata/navframe_private.h"
+
+#define MESSAGES 4
+
+typedef struct sender {
+    const orr_navset *set;
+    orr_sat sat;
+    const orr_nav_stream *stream;
+    int64_t length; // of a message
+} sender;
+
+// The n-th message since 1980 by the set of its four; the type is returned, 0 where there is no set.
+static int message_of(const sender *s, const orr_navset_item *item, int64_t n, orr_page *page)
+{
+    const int64_t four = orr_floor_div(n, MESSAGES), place = orr_floor_mod(n, MESSAGES);
+    const int type = place == 0                    ? 10
+                     : place == 1                  ? 11
+                     : place == 2                  ? 30
+                     : orr_floor_mod(four, 2) == 0 ? 33
+                                                   : 35;
+    const orr_time t = n * s->length;
+    const navset_day *day = navset_day_at(s->set, t);
+    orr_cnav_message c = {
+        .eph = &item->eph,
+        .next = t + s->length,
+        .utc =
+            orr_nav_utc_at(t, orr_floor_div(day->noon, 16 * ORR_NS_PER_S) * 16 * ORR_NS_PER_S, s->set->leap)};
+    memcpy(c.alpha, s->set->alpha, sizeof c.alpha);
+    memcpy(c.beta, s->set->beta, sizeof c.beta);
+    orr_cnav_message_bits(&c, type, page);
+    return type;
+}
+
+orr_status navframe_cnav(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, orr_time t,
+                         bool coded, orr_navframe *out, orr_diag *diag)
+{
+    const sender s = {.set = set,
+                      .sat = sat,
+                      .stream = stream,
+                      .length = (strcmp(stream->signals, "L2C") == 0 ? 12 : 6) * ORR_NS_PER_S};
+    const int64_t all = MESSAGES * s.length, first = orr_floor_div(t, all) * MESSAGES;
+    const orr_time from = first * s.length;
+    const orr_navset_item *item = navframe_item(set, sat, stream, from, t),
+                          *before = navframe_item(set, sat, stream, from - all, from - 1);
+    if (item == NULL) return ORR_E_NODATA;
+    out->from = from, out->to = from + all;
+    out->n = MESSAGES;
+    unsigned state = 0; // the encoder runs on from message to message (IS-GPS-200N 3.3.3.1.1)
+    orr_page page;
+    if (coded && before != NULL) {
+        page.diag = diag;
+        message_of(&s, before, first - 1, &page);
+        for (size_t k = page.n - 6; k < page.n; k++) state = state << 1 | page.bit[k];
+    }
+    for (int k = 0; k < MESSAGES; k++) {
+        orr_navframe_piece *p = &out->piece[k];
+        page.diag = diag;
+        const int type = message_of(&s, item, first + k, &page);
+        if (page.status != ORR_OK) return page.status;
+        *p = (orr_navframe_piece){.t = from + k * s.length, .length = s.length, .number = (uint8_t)type};
+        if (coded) {
+            orr_page symbols;
+            orr_page_begin(&symbols, diag);
+            orr_page_convolve(&symbols, &page, 0, false, &state);
+            navframe_take(&symbols, p);
+        } else
+            navframe_take(&page, p);
+    }
+    return ORR_OK;
+}
