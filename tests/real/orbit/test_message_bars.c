@@ -36,7 +36,7 @@ typedef struct bar {
     double window_s;
     bool geo, eccentric; // of these satellites alone, or of all others
     double bar_m;        // of a satellite
-    double held_m; // where one satellite of a day misses the bar : what is held; 0: the bar
+    double held_m;       // where one satellite of a day misses the bar: what is held; 0: the bar
 } bar;
 
 static const bar bars[] = {
