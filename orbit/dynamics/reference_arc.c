@@ -25,6 +25,10 @@
 #define MOST_WRONG 3     // one node in so many
 #define LEAST_SHARE 1e-3 // of a node's variance that is left where the node alone tells its orbit
 #define REJECT_FLOOR_M 0.05
+// Among few nodes two or three neighbours that are off alike hold one another: they are set aside together where that leaves
+// so little of the sum of squares that setting aside the worst ones leaves.
+#define FEW 60
+#define BLOCK 0.1
 #define PRIOR_POLE_MAS 300.0 // while an arc is judged by itself
 #define PRIOR_UT1_MS 2.0
 
@@ -250,8 +254,9 @@ static void accumulate(const orr_arc_room *room, const orr_reference_arc *arc, o
 }
 
 // The arc's own solution, its share of the rotation free within what is usual, and each node against the orbit through
-// all others: room->length, and room->square, the normalised square of that.
-static bool leave_out(const orr_arc_room *room, const orr_reference_arc *arc, const orr_arc_equations *e)
+// all others: room->length, and room->square, the normalised square of that. left: the sum of squares that is left.
+static bool leave_out(const orr_arc_room *room, const orr_reference_arc *arc, const orr_arc_equations *e,
+                      double *left)
 {
     enum { N = ORR_ARC_UNKNOWNS };
     const double unit = 1 / (ORR_ARC_SIGMA_M * ORR_ARC_SIGMA_M);
@@ -264,6 +269,8 @@ static bool leave_out(const orr_arc_room *room, const orr_reference_arc *arc, co
     }
     for (int i = 0; i < N; i++) b[i][i] = 1, b[i][N] = e->r[i];
     if (orr_symmetric_solve(&A[0][0], N, N, &b[0][0], N + 1) != ORR_OK) return false;
+    *left = e->ll;
+    for (int i = 0; i < N; i++) *left -= e->r[i] * b[i][N];
     for (size_t i = 0; i < arc->n; i++) {
         double by[3][N], v[3];
         orr_mat3 s;
@@ -305,25 +312,60 @@ static double usual(const orr_arc_room *room, size_t n, size_t *worst)
     return used > 0 ? orr_upper_median(room->sort, used) : 0;
 }
 
-// Nodes that are wrong have no weight: the worst goes first, as long as one is far from what is usual, or all are
-// (an error among few nodes makes the others look as bad); then those come back that agree with the rest.
-static void weigh(const orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *e)
+// The worst goes first, as long as one is far from what is usual, or all are (an error among few nodes makes the others
+// look as bad). Returns how many went; middle is what is usual then.
+static size_t drop_worst(const orr_arc_room *room, const orr_reference_arc *arc, orr_arc_equations *e,
+                         double *middle, double *left)
 {
     size_t worst, n_wrong = 0;
     for (size_t i = 0; i < arc->n; i++) room->weight[i] = 1;
     accumulate(room, arc, e);
-    arc->rejected = 0;
-    if (!leave_out(room, arc, e)) return;
-    double middle = usual(room, arc->n, &worst);
+    if (!leave_out(room, arc, e, left)) return 0;
+    *middle = usual(room, arc->n, &worst);
     while (n_wrong < arc->n / MOST_WRONG && room->length[worst] > REJECT_FLOOR_M &&
-           (room->square[worst] > SUSPICIOUS * SUSPICIOUS * middle || middle > NOISY_M * NOISY_M)) {
+           (room->square[worst] > SUSPICIOUS * SUSPICIOUS * *middle || *middle > NOISY_M * NOISY_M)) {
         room->weight[worst] = 0;
         n_wrong++;
         accumulate(room, arc, e);
-        if (!leave_out(room, arc, e)) return;
-        middle = usual(room, arc->n, &worst);
+        if (!leave_out(room, arc, e, left)) break;
+        *middle = usual(room, arc->n, &worst);
     }
-    if (n_wrong == 0) return;
+    return n_wrong;
+}
+
+// Two or three neighbours alone, if they explain far more than what went before.
+static void drop_block(const orr_arc_room *room, const orr_reference_arc *arc, orr_arc_equations *e,
+                       double *middle, double left)
+{
+    double least = BLOCK * left;
+    size_t from = 0, length = 0, worst;
+    double *before = malloc((arc->n + 1) * sizeof *before);
+    if (before == NULL) return; // as it was
+    memcpy(before, room->weight, arc->n * sizeof *before);
+    for (size_t n = 2; n <= 3; n++)
+        for (size_t first = 0; first + n <= arc->n; first++) {
+            for (size_t i = 0; i < arc->n; i++) room->weight[i] = i < first || i >= first + n ? 1 : 0;
+            accumulate(room, arc, e);
+            double now;
+            if (!leave_out(room, arc, e, &now) || !(now < least)) continue;
+            least = BLOCK * now;
+            from = first;
+            length = n;
+        }
+    for (size_t i = 0; i < arc->n && length > 0; i++) before[i] = i < from || i >= from + length ? 1 : 0;
+    memcpy(room->weight, before, arc->n * sizeof *before);
+    free(before);
+    accumulate(room, arc, e);
+    if (leave_out(room, arc, e, &left)) *middle = usual(room, arc->n, &worst);
+}
+
+// Nodes that are wrong have no weight; then those come back that agree with the rest.
+static void weigh(const orr_arc_room *room, orr_reference_arc *arc, orr_arc_equations *e)
+{
+    double middle = 0, left = 0;
+    arc->rejected = 0;
+    if (drop_worst(room, arc, e, &middle, &left) == 0) return;
+    if (arc->n <= FEW) drop_block(room, arc, e, &middle, left);
     bool back = false;
     for (size_t i = 0; i < arc->n; i++) {
         if (room->weight[i] > 0) continue;

@@ -299,8 +299,10 @@ static size_t count_wrong(const work *w, size_t a, size_t b)
 static orr_status set_aside(const work *w, size_t a, size_t b, size_t g, size_t worst)
 {
     w->verdict[worst].rejected = true;
+    // Nodes without which nothing tells the orbit are not to be set aside.
     orr_status s = fit(w, a, b);
-    double least = BLOCK * sum_of_squares(w, a, b);
+    double least = s == ORR_OK ? BLOCK * sum_of_squares(w, a, b) : HUGE_VAL;
+    if (s == ORR_E_NUMERIC) s = ORR_OK;
     size_t from = 0, length = 0;
     w->verdict[worst].rejected = false;
     for (size_t n = 2; n <= 3 && s == ORR_OK; n++)
@@ -308,7 +310,8 @@ static orr_status set_aside(const work *w, size_t a, size_t b, size_t g, size_t 
             if (count_wrong(w, first, first + n) > 0) continue;
             mark(w, first, first + n, true);
             s = fit(w, a, b);
-            const double chi2 = sum_of_squares(w, a, b);
+            const double chi2 = s == ORR_OK ? sum_of_squares(w, a, b) : HUGE_VAL;
+            if (s == ORR_E_NUMERIC) s = ORR_OK;
             mark(w, first, first + n, false);
             if (!(chi2 < least)) continue;
             least = BLOCK * chi2;
