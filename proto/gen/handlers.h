@@ -26,7 +26,7 @@ typedef struct orr_msg_handlers {
     uint16_t (*begin_poll_channels)(void *user, const orr_msg_poll_channels *request, orr_server_refusal *why);
     uint16_t (*poll_channels)(void *user, const orr_msg_poll_channels *request, orr_server_part *part, orr_wire_writer *w,
                                     orr_server_refusal *why);
-    // POLL_IMU, answered by IMU. Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+    // POLL_IMU, answered by IMU. Asks for inertial increments over intervals, ideal ones or, where the scenario has imu.errors, what sensors with errors measure. The same POLL_IMU gets the same bytes, always.
     uint16_t (*begin_poll_imu)(void *user, const orr_msg_poll_imu *request, orr_server_refusal *why);
     uint16_t (*poll_imu)(void *user, const orr_msg_poll_imu *request, orr_server_part *part, orr_wire_writer *w,
                                orr_server_refusal *why);

@@ -28,7 +28,7 @@ orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays 
 // Asks for the blocks of an antenna's channels that hold the epochs. The same POLL_CHANNELS gets the same bytes, always.
 // Then call orr_client_channels request->epochs.count times.
 orr_wire_status orr_client_poll_channels(orr_client *c, const orr_msg_poll_channels *request);
-// Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+// Asks for inertial increments over intervals, ideal ones or, where the scenario has imu.errors, what sensors with errors measure. The same POLL_IMU gets the same bytes, always.
 // Then call orr_client_imu request->epochs.count times.
 orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *request);
 // Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.

@@ -6,6 +6,9 @@
 static const orr_condition of_1[] = {{.key = "approach", .words = "1"}, {0}};
 static const orr_condition of_2[] = {{.key = "approach", .words = "2"}, {0}};
 
+static const orr_condition of_errors[] = {{.key = "errors"}, {0}};
+
+static const orr_choice served[] = {ORR_IMU_SERVED(ORR_CHOICE_WORD){0}};
 static const orr_choice approaches[] = {ORR_IMU_APPROACHES(ORR_CHOICE_WORD){0}};
 static const orr_choice frames[] = {ORR_IMU_FRAMES(ORR_CHOICE_WORD){0}};
 static const orr_choice projections[] = {ORR_IMU_PROJECTIONS(ORR_CHOICE_WORD){0}};
@@ -24,6 +27,10 @@ static const orr_key rows[] = {
                "how rate and force are integrated over a step"),
     INT_ROW(orr_scenario_imu, "order", order, 0, 1000, "0", of_2,
             "nodes (1 to 5) or rectangles a step; 0: as many as the rate asks for"),
+    FILE_ROW(orr_scenario_imu, "errors", errors, of_2,
+             "errors of the sensors (samples/sensors); unit k draws with the file's seed + k"),
+    CHOICE_ROW(orr_scenario_imu, "served", served, served, "measured", of_errors,
+               "what the service answers; files of readings have both"),
 };
 
 static const char *check(const void *map, char why[ORR_SCHEMA_WHY])

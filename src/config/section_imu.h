@@ -22,6 +22,11 @@
     X(ORR_IMU_GAUSS, "gauss", "Gauss-Legendre nodes")                                                        \
     X(ORR_IMU_RIEMANN, "riemann", "rectangles")
 
+#define ORR_IMU_SERVED(X)                                                                                    \
+    X(ORR_IMU_SERVE_MEASURED, "measured", "what the sensors measure, with their errors")                     \
+    X(ORR_IMU_SERVE_IDEAL, "ideal", "without errors")
+
+typedef enum orr_imu_served_word { ORR_IMU_SERVED(ORR_CHOICE_VALUE) } orr_imu_served_word;
 typedef enum orr_imu_approach_word { ORR_IMU_APPROACHES(ORR_CHOICE_VALUE) } orr_imu_approach_word;
 typedef enum orr_imu_frame_word { ORR_IMU_FRAMES(ORR_CHOICE_VALUE) } orr_imu_frame_word;
 typedef enum orr_imu_projection_word { ORR_IMU_PROJECTIONS(ORR_CHOICE_VALUE) } orr_imu_projection_word;
@@ -32,6 +37,8 @@ typedef struct orr_scenario_imu {
     double rate_hz;
     int approach, frame, projection, loop, quadrature; // the enums above
     int64_t order;                                     // 0: as many as the rate asks for
+    char *errors;                                      // file of the sensors' errors; NULL: none
+    int served;                                        // orr_imu_served_word; of use with errors
 } orr_scenario_imu;
 
 extern const orr_schema orr_section_imu;

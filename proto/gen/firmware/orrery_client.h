@@ -1236,7 +1236,7 @@ typedef struct orr_msg_channels {
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);
 
-// Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+// Asks for inertial increments over intervals, ideal ones or, where the scenario has imu.errors, what sensors with errors measure. The same POLL_IMU gets the same bytes, always.
 typedef struct orr_msg_poll_imu {
     orr_msg_epochs epochs; // begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)
     uint16_t unit; // which inertial unit of the scenario; 0 is the trajectory's own point
@@ -1636,7 +1636,7 @@ orr_wire_status orr_client_poll_delays(orr_client *c, const orr_msg_poll_delays 
 // Asks for the blocks of an antenna's channels that hold the epochs. The same POLL_CHANNELS gets the same bytes, always.
 // Then call orr_client_channels request->epochs.count times.
 orr_wire_status orr_client_poll_channels(orr_client *c, const orr_msg_poll_channels *request);
-// Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+// Asks for inertial increments over intervals, ideal ones or, where the scenario has imu.errors, what sensors with errors measure. The same POLL_IMU gets the same bytes, always.
 // Then call orr_client_imu request->epochs.count times.
 orr_wire_status orr_client_poll_imu(orr_client *c, const orr_msg_poll_imu *request);
 // Asks for the true motion of an inertial unit. The same POLL_TRUTH gets the same bytes, always.

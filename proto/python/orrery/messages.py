@@ -1572,7 +1572,8 @@ class Channels(Record):
 
 @dataclasses.dataclass(eq=False, slots=True)
 class PollImu(Record):
-    """Asks for ideal inertial increments over intervals. The same POLL_IMU gets the same bytes, always.
+    """Asks for inertial increments over intervals, ideal ones or, where the scenario has imu.errors, what sensors with errors
+    measure. The same POLL_IMU gets the same bytes, always.
 
     epochs: begins of the intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz)
     unit: which inertial unit of the scenario; 0 is the trajectory's own point

@@ -113,8 +113,9 @@ class Verbs(Asking):
 
     def poll_imu(self, t: Time, step_s: float = 0.0, count: int = 1, unit: int = 0) -> Iterator[messages.Imu]:
         """Yields the Imu of `count` epochs from t on, step_s apart (rounded to a nanosecond). t, step_s, count: begins of the
-        intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz). Asks for ideal inertial increments over
-        intervals. The same POLL_IMU gets the same bytes, always.
+        intervals, which are step long (0 to 1 h; 0: that of CAPS imu_rate_hz). Asks for inertial increments over intervals,
+        ideal ones or, where the scenario has imu.errors, what sensors with errors measure. The same POLL_IMU gets the same
+        bytes, always.
 
         unit: which inertial unit of the scenario; 0 is the trajectory's own point
         """

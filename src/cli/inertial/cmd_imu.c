@@ -66,11 +66,11 @@ static int generate(orr_cli *c, const orr_scenario *sc, orr_inputs *inputs, cons
     orr_readings r = {0};
     orr_sensor_errors file = {0};
     orr_imu_errors errors;
-    const char *of = orr_cli_text(c, "errors", NULL);
+    const char *of = orr_cli_text(c, "errors", sc->motion.imu.errors);
     orr_status s = ORR_OK;
     if (of != NULL) {
         s = orr_errors_open(inputs, of, &file, &errors, &diag);
-        errors.seed = (uint64_t)orr_cli_int(c, "error-seed", s == ORR_OK ? file.seed : 0);
+        errors.seed = (uint64_t)orr_cli_int(c, "error-seed", s == ORR_OK ? file.seed : 0) + p.unit;
         p.errors = &errors;
         p.errors_title = file.title != NULL ? file.title : of;
     }
@@ -168,15 +168,15 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "Errors of the sensors (YAML, as in samples/sensors/): what they measure is written beside the "
-             "ideal "
-             "readings."},
+             "ideal readings. Default: imu.errors of the scenario."},
     {.name = "error-seed",
      .applies = "errors",
      .kind = ORR_OPT_INT,
      .value = "N",
      .min = 0,
      .max = 9e15,
-     .help = "Seed of everything random in them. Default: that of the file."},
+     .help = "Seed of everything random in them, to which the number of the unit is added. Default: that of "
+             "the file."},
     {.name = "truth-rate",
      .kind = ORR_OPT_REAL,
      .value = "HZ",

@@ -6,6 +6,7 @@
 
 #include "inertial/gravimetry/gravimetry.h"
 #include "inertial/sense/sensors.h"
+#include "src/make/error_series.h"
 
 // A trajectory's ends are whole nanoseconds only when rounded: an instant counts as inside when it is
 // nearer than one.
@@ -13,6 +14,8 @@ static const double END_S = 1e-9;
 
 struct orr_source_motion {
     orr_moving moving;
+    bool measured; // readings have errors
+    orr_error_series errors[ORR_MOTION_MAX_UNITS];
     struct {
         char name[64];
         orr_vec3 arm_m;
@@ -28,6 +31,20 @@ static void keep_mounting(const orr_scenario_unit *u, orr_source_motion *m, size
     m->unit[k].turn = (orr_angles){u->heading_deg * deg, u->pitch_deg * deg, u->roll_deg * deg};
 }
 
+// Errors of all units, where the scenario serves readings with such.
+static orr_status open_errors(const orr_scenario_imu *imu, orr_source_motion *m, orr_diag *diag)
+{
+    if (imu->errors == NULL || imu->served == ORR_IMU_SERVE_IDEAL) return ORR_OK;
+    orr_sensor_errors file;
+    orr_imu_errors errors;
+    orr_status s = orr_errors_open(&m->moving.inputs, imu->errors, &file, &errors, diag);
+    for (size_t k = 0; k < m->moving.n_units && s == ORR_OK; k++)
+        s = orr_error_series_make(&m->moving, k, &errors, &m->errors[k], diag);
+    orr_sensor_errors_free(&file);
+    m->measured = s == ORR_OK;
+    return s;
+}
+
 orr_status orr_source_motion_open(const orr_scenario *s, orr_time fallback_start, orr_warnings *warnings,
                                   orr_source_motion **out, orr_diag *diag)
 {
@@ -40,6 +57,11 @@ orr_status orr_source_motion_open(const orr_scenario *s, orr_time fallback_start
         free(m);
         return status;
     }
+    status = open_errors(&s->motion.imu, m, diag);
+    if (status != ORR_OK) {
+        orr_source_motion_close(m);
+        return status;
+    }
     for (size_t k = 1; k < m->moving.n_units; k++) keep_mounting(&s->motion.units.item[k - 1], m, k);
     *out = m;
     return ORR_OK;
@@ -48,6 +70,7 @@ orr_status orr_source_motion_open(const orr_scenario *s, orr_time fallback_start
 void orr_source_motion_close(orr_source_motion *m)
 {
     if (m == NULL) return;
+    for (size_t k = 0; k < ORR_MOTION_MAX_UNITS; k++) orr_error_series_free(&m->errors[k]);
     orr_moving_free(&m->moving);
     free(m);
 }
@@ -118,8 +141,11 @@ orr_answer orr_source_motion_imu_begin(const orr_source_motion *m, size_t unit, 
 
 bool orr_source_motion_imu_add(const orr_source_motion *m, size_t unit, orr_sensors_sum *sum, long pieces)
 {
-    return orr_sensors_sum_add(orr_moving_unit(&m->moving, unit), m->moving.gravity,
-                               m->moving.mode.quadrature, m->moving.mode.order, sum, pieces);
+    const bool done = orr_sensors_sum_add(orr_moving_unit(&m->moving, unit), m->moving.gravity,
+                                          m->moving.mode.quadrature, m->moving.mode.order, sum, pieces);
+    if (done && m->measured)
+        orr_error_series_add(&m->errors[unit], sum->from_s, sum->to_s, &sum->dtheta_rad, &sum->dv_mps);
+    return done;
 }
 
 orr_answer orr_source_motion_truth(const orr_source_motion *m, size_t unit, orr_time t, orr_truth *out)

@@ -136,6 +136,32 @@ class Flight(unittest.TestCase):
         self.assertEqual(caps.imu_rate_hz, RATE_HZ)
         self.assertEqual([(u.unit, u.name, u.lever_m) for u in caps.units], [(0, "", [0, 0, 0]), (1, "second", [0.5, -2, 1.2])])
 
+    def test_sensors_with_errors(self):
+        """imu.errors: the service answers what the file of readings has as measured, over whole steps and over parts of them; `served: ideal`
+        leaves it as it was."""
+        (WORK / "sensors.yaml").write_text("gyro: {bias: 10, white: 0.1}\naccelerometer: {bias_sigma: 1000, white: 50}\n", encoding="utf-8")
+        measured = SCENARIO.replace("{rate: 100}", "{rate: 100, errors: sensors.yaml}")
+        (WORK / "measured.yaml").write_text(measured, encoding="utf-8")
+        (WORK / "ideal.yaml").write_text(measured.replace("sensors.yaml}", "sensors.yaml, served: ideal}"), encoding="utf-8")
+        for unit in (0, 1):
+            rows = list(csv.DictReader(program("imu", WORK / "measured.yaml", "--unit", str(unit), "--duration", "60", "-o", "-").stdout.splitlines()))
+            with Daemon(WORK / "measured.yaml") as d, orrery.Client(d.urls[0]) as c:
+                got = list(c.poll_imu(self.start + 10 * NS, 0.01, 50, unit=unit))
+                half = [list(c.poll_imu(self.start + 10 * NS, 0.005, 2, unit=unit)), list(c.poll_imu(self.start + 10 * NS, 0.5, 1, unit=unit))[0]]
+            for k, m in enumerate(got):
+                for i, axis in enumerate("xyz"):
+                    self.assertAlmostEqual(m.dtheta_rad[i], float(rows[1001 + k][f"measured_dtheta_{axis}_rad"]), delta=2e-11)
+                    self.assertAlmostEqual(m.dv_mps[i], float(rows[1001 + k][f"measured_dv_{axis}_mps"]), delta=2e-9)
+            self.assertGreater(abs(got[0].dv_mps[0] - float(rows[1001]["dv_x_mps"])), 1e-6)
+            for i in range(3):
+                self.assertAlmostEqual(sum(h.dv_mps[i] for h in half[0]), got[0].dv_mps[i], delta=1e-13)
+                # Two nodes a piece of 0.01 s, or of 0.5 s between knots: the quadrature is another, the errors are the same.
+                self.assertAlmostEqual(sum(m.dv_mps[i] for m in got), half[1].dv_mps[i], delta=2e-9)
+        with Daemon(WORK / "ideal.yaml") as d, orrery.Client(d.urls[0]) as c:
+            self.assertEqual(next(c.poll_imu(self.start + NS)).encode(), next(self.client.poll_imu(self.start + NS)).encode())
+        (WORK / "bad.yaml").write_text(measured.replace("sensors.yaml", "nowhere.yaml"), encoding="utf-8")
+        self.assertIn("nowhere.yaml", program("serve", WORK / "bad.yaml").stderr)
+
     def test_outside_the_flight_there_are_no_numbers(self):
         for message in (next(self.client.poll_truth(self.start - 10 * NS)), next(self.client.poll_imu(self.start - 10 * NS))):
             self.assertNotEqual(message.answer, 0)
