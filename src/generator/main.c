@@ -298,6 +298,9 @@ static void summary(generator *g, const track *t, orr_gen_written w)
     int n = snprintf(text, sizeof text, "%s: %llu samples (%.3f s), %zu channels", t->data,
                      (unsigned long long)samples,
                      (double)samples / orr_gen_stream_plan_of(t->stream)->rate_hz, heard);
+    if (orr_gen_stream_mute(t->stream) > 0)
+        n += snprintf(text + n, sizeof text - (size_t)n, ", %zu without a code",
+                      orr_gen_stream_mute(t->stream));
     if (t->clipped > 0)
         n += snprintf(text + n, sizeof text - (size_t)n, ", %llu values clipped",
                       (unsigned long long)t->clipped);

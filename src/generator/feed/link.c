@@ -21,7 +21,6 @@ struct orr_gen_link {
     double patience_s;
     void (*log)(void *user, const char *text);
     void *user;
-    unsigned losses;
     uint8_t buffer[ORR_FRAME_OVERHEAD + ORR_MSG_LARGEST];
 };
 
@@ -120,26 +119,10 @@ static void wait_s(double s)
     nanosleep(&t, NULL);
 }
 
-// A service that is being restarted refuses connections for a while; a URL that is none is refused at once.
-static bool connect_patiently(orr_gen_link *l, orr_gen_fault *fault)
-{
-    const double until = now_s() + l->patience_s;
-    for (double pause = 0.05;; pause = pause < 0.5 ? 2 * pause : 1.0) {
-        if (connect_once(l, fault)) return true;
-        if (now_s() + pause > until ||
-            (strncmp(l->url, "unix:", 5) != 0 && strncmp(l->url, "tcp://", 6) != 0))
-            return false;
-        wait_s(pause);
-    }
-}
-
 static void keep_caps(const orr_msg_caps *caps, orr_gen_service *s)
 {
     memset(s, 0, sizeof *s);
     orr_wire_text_copy(caps->title, s->title, sizeof s->title);
-    orr_wire_text_copy(caps->name, s->server, sizeof s->server);
-    orr_wire_text_copy(caps->version, s->version, sizeof s->version);
-    orr_wire_text_copy(caps->frame, s->frame, sizeof s->frame);
     s->leap = caps->leap;
     orr_wire_iter it = {0};
     orr_msg_signal signal;
@@ -147,7 +130,6 @@ static void keep_caps(const orr_msg_caps *caps, orr_gen_service *s)
         orr_gen_signal_info *i = &s->signal[s->n_signals++];
         *i = (orr_gen_signal_info){.number = signal.signal, .system = (char)signal.system};
         orr_wire_text_copy(signal.name, i->name, sizeof i->name);
-        orr_wire_text_copy(signal.modulation, i->modulation, sizeof i->modulation);
         i->carrier_hz = signal.carrier_hz;
         i->channel_hz = signal.channel_hz;
         i->chips_per_s = signal.chips_per_s;
@@ -164,14 +146,31 @@ static void keep_caps(const orr_msg_caps *caps, orr_gen_service *s)
     }
 }
 
-static bool hello(orr_gen_link *l, orr_gen_service *service, orr_gen_fault *fault)
+// Whether it is worth while to try again is said too: not where the service answers and refuses.
+static bool hello(orr_gen_link *l, orr_gen_service *service, bool *again, orr_gen_fault *fault)
 {
     orr_msg_caps caps;
     const orr_wire_status ws = orr_client_open(&l->client, "orrery-generator", ORR_VERSION, &caps);
+    *again = ws == ORR_WIRE_IO || ws == ORR_WIRE_CLOSED;
+    if (ws == ORR_WIRE_OK && service != NULL) keep_caps(&caps, service);
+    if (ws == ORR_WIRE_OK) return true;
+    close(l->fd);
+    l->fd = -1;
     if (ws == ORR_WIRE_REFUSED) return orr_gen_fail(fault, "%s refuses: %s", l->url, l->client.sentence);
-    if (ws != ORR_WIRE_OK) return orr_gen_fail(fault, "%s: HELLO: %s", l->url, orr_wire_status_text(ws));
-    if (service != NULL) keep_caps(&caps, service);
-    return true;
+    return orr_gen_fail(fault, "%s: HELLO: %s", l->url, orr_wire_status_text(ws));
+}
+
+// A service that is being restarted refuses connections for a while, and one that is getting ready takes them and answers
+// later; a URL that is none is refused at once.
+static bool reach(orr_gen_link *l, orr_gen_service *service, orr_gen_fault *fault)
+{
+    const double until = now_s() + l->patience_s;
+    for (double pause = 0.05;; pause = pause < 0.5 ? 2 * pause : 1.0) {
+        bool again = strncmp(l->url, "unix:", 5) == 0 || strncmp(l->url, "tcp://", 6) == 0;
+        if (connect_once(l, fault) && hello(l, service, &again, fault)) return true;
+        if (!again || now_s() + pause > until) return false;
+        wait_s(pause);
+    }
 }
 
 bool orr_gen_link_open(const char *url, double patience_s, void (*log)(void *user, const char *text),
@@ -182,7 +181,7 @@ bool orr_gen_link_open(const char *url, double patience_s, void (*log)(void *use
     if (l == NULL) return orr_gen_fail(fault, "out of memory");
     *l = (orr_gen_link){.fd = -1, .patience_s = patience_s, .log = log, .user = user};
     snprintf(l->url, sizeof l->url, "%s", url);
-    if (!connect_patiently(l, fault) || !hello(l, service, fault)) {
+    if (!reach(l, service, fault)) {
         orr_gen_link_close(l);
         return false;
     }
@@ -198,8 +197,6 @@ void orr_gen_link_close(orr_gen_link *link)
 }
 
 orr_client *orr_gen_link_client(orr_gen_link *link) { return &link->client; }
-
-unsigned orr_gen_link_losses(const orr_gen_link *link) { return link->losses; }
 
 static void tell(const orr_gen_link *l, const char *text)
 {
@@ -219,13 +216,12 @@ bool orr_gen_link_again(orr_gen_link *link, orr_wire_status status, const char *
     close(l->fd);
     l->fd = -1;
     tell(l, "the service has gone; waiting for it to come back");
-    if (!connect_patiently(l, fault) || !hello(l, NULL, fault)) {
+    if (!reach(l, NULL, fault)) {
         char why[sizeof fault->text];
         memcpy(why, fault->text, sizeof why);
         return orr_gen_fail(fault, "the service has gone and did not come back within %g s: %.450s",
                             l->patience_s, why);
     }
-    l->losses++;
     tell(l, "the service is back");
     return true;
 }

@@ -12,13 +12,13 @@
 // A signal as CAPS names it.
 typedef struct orr_gen_signal_info {
     uint16_t number;
-    char system, name[17], modulation[33];
+    char system, name[17];
     double carrier_hz, channel_hz, chips_per_s;
 } orr_gen_signal_info;
 
 // What of CAPS the generator uses, kept.
 typedef struct orr_gen_service {
-    char title[129], server[65], version[33], frame[65];
+    char title[129];
     orr_msg_leap_seconds leap;
     size_t n_signals, n_antennas;
     orr_gen_signal_info signal[ORR_MSG_MAX_SIGNALS];
@@ -52,8 +52,5 @@ orr_client *orr_gen_link_client(orr_gen_link *link);
 // false with a sentence where the service refuses, answers another protocol, or does not come back within the patience.
 // `doing` names the question.
 bool orr_gen_link_again(orr_gen_link *link, orr_wire_status status, const char *doing, orr_gen_fault *fault);
-
-// How often the connection was made again.
-unsigned orr_gen_link_losses(const orr_gen_link *link);
 
 #endif

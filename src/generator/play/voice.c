@@ -72,11 +72,10 @@ orr_gen_played orr_gen_played_of(const orr_gen_signal_info *info)
     orr_gen_played p = {0};
     const signal *s = find(info);
     if (s == NULL) return p;
-    p = (orr_gen_played){true, s->chips_per_s, UINT32_MAX, s->shape == CBOC ? 12 * s->chips_per_s : 0};
+    p = (orr_gen_played){true, s->chips_per_s, UINT32_MAX};
     for (size_t k = 0; s->component[k].power > 0; k++) {
         const uint32_t sub = s->component[k].sub * s->chips_per_s;
         if (sub < p.sub_least) p.sub_least = sub;
-        if (sub > p.sub_most) p.sub_most = sub;
     }
     return p;
 }

@@ -14,7 +14,6 @@ typedef struct orr_gen_played {
     bool known;           // whether it is among those of signals.def
     uint32_t chips_per_s; // of the ranging code
     uint32_t sub_least;   // sub-chips a second without which it cannot be played
-    uint32_t sub_most;    // of the whole signal
 } orr_gen_played;
 
 // Whether and how a signal can be played.
