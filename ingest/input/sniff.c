@@ -237,6 +237,15 @@ bool orr_sp3_is_unversioned(orr_view line)
            orr_field_int_in(line, 33, 7, 1, 9999999, &number) == ORR_FIELD_OK;
 }
 
+// The label of RINEX outside its columns: no table of numbers, whatever its lines look like. Its reader says what is wrong.
+static orr_kind displaced_rinex(orr_view line)
+{
+    char text[200];
+    orr_view_copy(line, text, sizeof text);
+    if (strstr(text, "RINEX VERSION / TYPE") == NULL) return ORR_KIND_UNKNOWN;
+    return strstr(text, "OBS") != NULL ? ORR_KIND_RINEX_OBS : ORR_KIND_RINEX_NAV;
+}
+
 static bool sniff_first_line(orr_view line, orr_sniffed *s)
 {
     if (line.n >= 3 && line.p[0] == '#' && line.p[1] >= 'a' && line.p[1] <= 'z' &&
@@ -299,6 +308,8 @@ orr_sniffed orr_sniff(orr_view head)
                 return s;
             }
         }
+        if (first && s.kind == ORR_KIND_UNKNOWN) s.kind = displaced_rinex(line);
+        if (s.kind != ORR_KIND_UNKNOWN) return s;
         first = false;
         if (sniff_words(line, &s)) return s;
         if (is_nmea(line)) nmea++;

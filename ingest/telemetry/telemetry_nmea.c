@@ -41,20 +41,43 @@ static bool sentence(orr_view line, const char **at, orr_view *body)
     return false;
 }
 
-bool telemetry_is_nmea(orr_view head)
+// A sentence that ends with its line and has no checksum, which the standard allows for most.
+static bool bare_sentence(orr_view line, const char **at, orr_view *body)
+{
+    const char *end = line.p + line.n, *dollar = memchr(*at, '$', (size_t)(end - *at));
+    if (dollar == NULL || end - dollar < 8 || dollar[6] != ',' ||
+        memchr(dollar, '*', (size_t)(end - dollar)) != NULL)
+        return false;
+    for (int k = 1; k < 6; k++)
+        if (!(dollar[k] >= 'A' && dollar[k] <= 'Z')) return false;
+    *body = (orr_view){dollar + 1, (size_t)(end - dollar - 1)};
+    *at = end;
+    return true;
+}
+
+// What the first lines are of: sentences with checksums (any is enough), or none of these and bare ones for the most part.
+typedef enum head_kind { HEAD_OTHER, HEAD_CHECKED, HEAD_BARE } head_kind;
+
+static head_kind kind_of(orr_view head)
 {
     orr_cursor c;
     orr_view line, body;
+    int lines = 0, bare = 0;
     orr_cursor_init(&c, "", head.p, head.n);
-    for (int k = 0; k < HEAD_LINES && orr_cursor_next(&c, &line);) {
+    while (lines < HEAD_LINES && orr_cursor_next(&c, &line)) {
         orr_view t = orr_view_trim(line);
         if (t.n == 0) continue;
-        if (k++ == 0 && (t.p[0] == '$' || t.p[0] == '!') && memchr(t.p, '*', t.n) != NULL) return true;
+        if (lines++ == 0 && (t.p[0] == '$' || t.p[0] == '!') && memchr(t.p, '*', t.n) != NULL)
+            return HEAD_CHECKED;
         const char *at = line.p;
-        if (sentence(line, &at, &body) && body.n >= 6 && body.p[5] == ',') return true;
+        if (sentence(line, &at, &body) && body.n >= 6 && body.p[5] == ',') return HEAD_CHECKED;
+        at = line.p;
+        bare += bare_sentence(line, &at, &body);
     }
-    return false;
+    return bare >= 2 && bare > lines / 2 ? HEAD_BARE : HEAD_OTHER;
 }
+
+bool telemetry_is_nmea(orr_view head) { return kind_of(head) != HEAD_OTHER; }
 
 // hhmmss.ss to seconds of the day; the 60th second is 86400 and more.
 static bool time_of_day(orr_view f, double *s)
@@ -212,11 +235,16 @@ orr_status telemetry_read_nmea(telemetry_reader *r, orr_diag *diag)
     seen st = {0};
     orr_view line, body;
     orr_status s = ORR_OK;
+    bool (*const next)(orr_view, const char **, orr_view *) =
+        kind_of(orr_input_head(r->in)) == HEAD_BARE ? bare_sentence : sentence;
+    if (next == bare_sentence)
+        orr_warnings_add(r->notes, orr_input_name(r->in), 1, 0,
+                         "its sentences have no checksums: they are taken as they are");
     while (s == ORR_OK && orr_input_line(r->in, &line)) {
         if (orr_view_is_blank(line)) continue;
         r->out->rows++;
         const char *at = line.p;
-        if (!sentence(line, &at, &body)) {
+        if (!next(line, &at, &body)) {
             telemetry_drop(r, orr_input_line_number(r->in) == 1 && memchr(line.p, '$', line.n) == NULL
                                   ? "the log begins inside a sentence"
                                   : "its checksum is wrong or missing");
@@ -227,7 +255,7 @@ orr_status telemetry_read_nmea(telemetry_reader *r, orr_diag *diag)
             size_t n = 0;
             while (n < MAX_FIELDS && orr_view_split(&rest, ',', &f[n])) n++;
             if (n > 0 && f[0].n == 5) s = take(r, f, n, &st, diag);
-        } while (s == ORR_OK && sentence(line, &at, &body));
+        } while (s == ORR_OK && next(line, &at, &body));
     }
     if (s == ORR_OK) s = orr_input_status(r->in, diag);
     if (s == ORR_OK) s = telemetry_dates(&st.log, r, diag);

@@ -201,6 +201,20 @@ static double passed_since(const session *before, const session *q)
     return TELEMETRY_DAY_S * (q->mjd - before->mjd) + q->begin_s - before->end_s;
 }
 
+static bool has_places(const nmea_log *log, const session *q)
+{
+    for (size_t k = q->from; k < q->to; k++)
+        if (log->event[k].place) return true;
+    return false;
+}
+
+// Whether two sessions are one flight that the log tells twice, its places in one block and its dates in another: they share
+// their times of day, and one of them has no places.
+static bool one_flight(const nmea_log *log, const session *a, const session *b)
+{
+    return a->begin_s <= b->end_s && b->begin_s <= a->end_s && !(has_places(log, a) && has_places(log, b));
+}
+
 // Sessions without a date follow the one before, or precede the one behind, as soon as their times of day let them.
 static void date_the_others(sessions *s, telemetry_reader *r, const nmea_log *log)
 {
@@ -211,12 +225,12 @@ static void date_the_others(sessions *s, telemetry_reader *r, const nmea_log *lo
         session *q = &s->item[i];
         if (q->dated || (!any && i == 0)) continue;
         q->mjd = s->item[i - 1].mjd;
-        while (passed_since(&s->item[i - 1], q) < 0.0) q->mjd++;
+        while (passed_since(&s->item[i - 1], q) < 0.0 && !one_flight(log, &s->item[i - 1], q)) q->mjd++;
     }
     for (size_t i = first; any && i-- > 0;) {
         session *q = &s->item[i];
         q->mjd = s->item[i + 1].mjd;
-        while (passed_since(q, &s->item[i + 1]) < 0.0) q->mjd--;
+        while (passed_since(q, &s->item[i + 1]) < 0.0 && !one_flight(log, q, &s->item[i + 1])) q->mjd--;
     }
     for (size_t i = 0; any && i < s->n; i++) {
         session *q = &s->item[i];

@@ -334,6 +334,8 @@ static orr_status read_lines(table_reader *t, bool declared, orr_diag *diag)
             declared = declared || tell_columns;
             continue;
         }
+        if (!begun && v.n == 5 && memcmp(v.p, "sep=", 4) == 0)
+            continue; // a spreadsheet's note of its separator
         if (!begun) {
             begun = true;
             t->separator = telemetry_separator(v);

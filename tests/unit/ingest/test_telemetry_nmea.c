@@ -304,9 +304,53 @@ static void heights_above_sea_level(void **state)
     remove(folder);
 }
 
+// Sentences without checksums, as long as none in the log has one; a log whose places stand before its dates.
+static void kinds_of_logs(void **state)
+{
+    (void)state;
+    char bare[4000] = "", blocks[8000] = "";
+    for (int k = 0; k < 10; k++) {
+        snprintf(bare + strlen(bare), sizeof bare - strlen(bare),
+                 "$GPRMC,1000%02d.00,A,5200.0000,N,01300.0%03d,E,1.0,90.0,150824,,,A\r\n"
+                 "$GPGGA,1000%02d.00,5200.0000,N,01300.0%03d,E,1,09,1.0,100.0,M,40.0,M,,\r\n",
+                 k, k, k, k);
+    }
+    orr_telemetry t;
+    orr_diag d = {0};
+    orr_warnings w = {0};
+    ASSERT_OK(orr_telemetry_read_bytes("bare", bare, strlen(bare), NULL, NULL, &t, &w, &d), d);
+    assert_int_equal(t.n_position, 10);
+    assert_int_equal(t.unreadable, 0);
+    assert_true(t.absolute && t.t0 == orr_time_from_week(2327, INT64_C(381618000000000)));
+    assert_non_null(strstr(w.item[0].text, "no checksums"));
+    ASSERT_NEAR(t.position[0].height_m, 140, 1e-9);
+    orr_telemetry_free(&t);
+    orr_warnings_free(&w);
+    // One flight, places first: the dates behind are of the same day, not of the next one.
+    for (int pass = 0; pass < 2; pass++)
+        for (int k = 0; k < 10; k++) {
+            char body[100];
+            unsigned sum = 0;
+            if (pass == 0)
+                snprintf(body, sizeof body,
+                         "GPGGA,1000%02d.00,5200.0000,N,01300.0%03d,E,1,09,1.0,100.0,M,40.0,M,,", k, k);
+            else
+                snprintf(body, sizeof body,
+                         "GPRMC,1000%02d.00,A,5200.0000,N,01300.0%03d,E,1.0,90.0,150824,,,A", k, k);
+            for (const char *p = body; *p != '\0'; p++) sum ^= (unsigned char)*p;
+            snprintf(blocks + strlen(blocks), sizeof blocks - strlen(blocks), "$%s*%02X\r\n", body, sum);
+        }
+    ASSERT_OK(orr_telemetry_read_bytes("blocks", blocks, strlen(blocks), NULL, NULL, &t, NULL, &d), d);
+    assert_int_equal(t.n_position, 10);
+    assert_true(orr_time_add_s(t.t0, t.position_t_s[0]) ==
+                orr_time_from_week(2327, INT64_C(381618000000000)));
+    orr_telemetry_free(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(kinds_of_logs),
         cmocka_unit_test(dates_of_valid_sentences_alone),
         cmocka_unit_test(contradictions_are_told),
         cmocka_unit_test(sessions_have_their_own_dates),

@@ -21,6 +21,15 @@ static bool told(const orr_warnings *w, const char *words)
     return false;
 }
 
+// A spreadsheet's first line, which names the separator.
+static void a_note_of_the_separator(void **state)
+{
+    (void)state;
+    orr_telemetry t = read("sep=;\ntime;lat;lon;alt\n1;52;13;100\n2;52;13;100\n", NULL, NULL);
+    assert_int_equal(t.n_position, 2);
+    orr_telemetry_free(&t);
+}
+
 // One instant in the ways it is written, under any name of a time.
 static void instants_as_text(void **state)
 {
@@ -353,6 +362,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instants_as_text),
+        cmocka_unit_test(a_note_of_the_separator),
         cmocka_unit_test(seconds_that_start_again),
         cmocka_unit_test(decimal_commas),
         cmocka_unit_test(units_of_autopilots),
