@@ -11,6 +11,7 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
 #include "src/cli/frame/options.h"
+#include "src/cli/frame/plot.h"
 
 enum { CHANNELS = 6 };
 
@@ -86,6 +87,46 @@ static orr_status write_csv(const char *path, const result *r, orr_diag *diag)
             fprintf(f.stream, isnan(p->hadamard) ? "\n" : "%.9g\n", p->hadamard);
         }
     return orr_outfile_commit(&f, diag);
+}
+
+// Gyros in deg/h, accelerometers in ug, with the 95 % intervals.
+static orr_status draw(const char *path, const result *r, orr_diag *diag)
+{
+    enum { ROWS = 4 };
+    static const double scale[2] = {ORR_DEG_PER_RAD * 3600.0, 1e6 / 9.80665};
+    static const char *const label[CHANNELS] = {"gyro x, deg/h",       "gyro y, deg/h",
+                                                "gyro z, deg/h",       "accelerometer x, ug",
+                                                "accelerometer y, ug", "accelerometer z, ug"};
+    double(*v)[ROWS][ORR_ALLAN_MAX_POINTS] = calloc(CHANNELS, sizeof *v);
+    if (v == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    orr_plot_line line[CHANNELS];
+    for (int c = 0; c < CHANNELS; c++) {
+        for (size_t k = 0; k < r->curve[c].n; k++) {
+            const orr_allan_point *p = &r->curve[c].point[k];
+            v[c][0][k] = p->tau_s;
+            v[c][1][k] = p->deviation * scale[c / 3];
+            v[c][2][k] = p->low * scale[c / 3];
+            v[c][3][k] = p->high * scale[c / 3];
+        }
+        line[c] = (orr_plot_line){.label = label[c],
+                                  .x = v[c][0],
+                                  .y = v[c][1],
+                                  .low = v[c][2],
+                                  .high = v[c][3],
+                                  .n = r->curve[c].n,
+                                  .colour = c,
+                                  .dashed = c >= 3};
+    }
+    const orr_plot plot = {.title = "Overlapping Allan deviation, with 95 % intervals",
+                           .x_label = "averaging time, s",
+                           .y_label = "gyros: deg/h, accelerometers: ug",
+                           .log_x = true,
+                           .log_y = true,
+                           .line = line,
+                           .n = CHANNELS};
+    const orr_status s = orr_plot_write(path, &plot, diag);
+    free(v);
+    return s;
 }
 
 static void print_table(const result *r)
@@ -169,6 +210,8 @@ static int run(orr_cli *c)
     s = r != NULL ? analyse(&f.imu, errors, r, &diag) : orr_diag_set(&diag, ORR_E_MEMORY, "no memory");
     int status = ORR_EXIT_OK;
     if (s == ORR_OK && path != NULL) s = write_csv(path, r, &diag);
+    const char *figure = orr_cli_text(c, "plot", NULL);
+    if (s == ORR_OK && figure != NULL) s = draw(figure, r, &diag);
     if (s == ORR_OK && json)
         status = print_json(c, r);
     else if (s == ORR_OK && !csv_only)
@@ -192,6 +235,11 @@ static const orr_option options[] = {
      .help = "The curves: deviation, its 95 % interval and the Hadamard deviation by averaging time, in "
              "rad/s and m/s2; - "
              "for standard output, instead of the table."},
+    {.writes = true,
+     .name = "plot",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Draw the deviations with their intervals (SVG)."},
     {.name = "gravity-folder",
      .kind = ORR_OPT_TEXT,
      .value = "DIR",
@@ -213,7 +261,7 @@ const orr_command orr_cmd_allan = {
              "a Gauss-Markov process is told apart from a floor. Averaging times up to a 200th of the run "
              "are fitted.",
     .example = "orrery imu samples/still.yaml --errors samples/sensors/tactical.yaml -o imu.nc\n"
-               "orrery allan imu.nc --csv allan.csv",
+               "orrery allan imu.nc --csv allan.csv --plot allan.svg",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,
