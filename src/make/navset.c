@@ -85,10 +85,12 @@ static orr_status read_navs(const orr_navset_plan *plan, files *f, orr_navset_op
         return orr_diag_set(diag, ORR_E_LIMIT, "%zu navigation files; at most %d are read", plan->n_nav,
                             MAX_FILES);
     bool has_field = false;
-    orr_status s = orr_inputs_read_navs(inputs, plan->nav, plan->n_nav, &f->named, warnings, diag);
+    orr_status s = plan->nav_read != NULL
+                       ? ORR_OK
+                       : orr_inputs_read_navs(inputs, plan->nav, plan->n_nav, &f->named, warnings, diag);
     if (s == ORR_OK) s = read_field(plan->field, inputs, &f->field, &has_field, diag);
     if (s != ORR_OK) return s;
-    f->shown = plan->n_nav > 0 ? f->named : f->field;
+    f->shown = plan->nav_read != NULL ? *plan->nav_read : plan->n_nav > 0 ? f->named : f->field;
     if (has_field && !has_klobuchar(&f->shown)) {
         f->shown.iono = f->field.iono;
         f->shown.n_iono = f->field.n_iono;
@@ -102,14 +104,19 @@ static orr_status read_all(const orr_ephemeris *e, const orr_navset_plan *plan, 
 {
     orr_bytes text;
     orr_status s = ORR_OK;
-    if (plan->antex != NULL) {
+    if (plan->antex_read != NULL) {
+        o->antex = plan->antex_read;
+    } else if (plan->antex != NULL) {
         s = orr_inputs_read(inputs, plan->antex, ORR_KIND_BIT(ORR_KIND_ANTEX), &text, diag);
         if (s == ORR_OK) s = orr_antex_parse(plan->antex, text.text, text.n, NULL, &f->antex, warnings, diag);
         orr_bytes_free(&text);
-        if (s == ORR_OK) orr_frames_check_antex(&f->antex, plan->antex, orr_ephemeris_frame(e), warnings);
         o->antex = &f->antex;
     }
-    if (s == ORR_OK && plan->bias != NULL) {
+    if (s == ORR_OK && o->antex != NULL)
+        orr_frames_check_antex(o->antex, plan->antex, orr_ephemeris_frame(e), warnings);
+    if (plan->bias_read != NULL) {
+        o->bias = plan->bias_read;
+    } else if (s == ORR_OK && plan->bias != NULL) {
         s = orr_inputs_read(inputs, plan->bias,
                             ORR_KIND_BIT(ORR_KIND_BIAS_SINEX) | ORR_KIND_BIT(ORR_KIND_DCB), &text, diag);
         if (s == ORR_OK) s = orr_bias_parse(plan->bias, text.text, text.n, NULL, &f->bias, warnings, diag);

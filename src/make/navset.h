@@ -12,6 +12,10 @@ typedef struct orr_navset_plan {
     const char *antex, *bias; // NULL: none
     const char *const *nav;   // navigation files for GLONASS' channels and Klobuchar's coefficients
     size_t n_nav;
+    // The same where they have been read already (of the paths above, which are then told alone); NULL: not yet.
+    const orr_antex *antex_read;
+    const orr_bias_set *bias_read;
+    const orr_nav *nav_read;
     const char *
         field; // of an ionosphere: where it is a navigation file, it stands in for what `nav` lacks; NULL: none
     orr_navset_options options; // antex, bias and nav are set by orr_navset_make

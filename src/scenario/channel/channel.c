@@ -137,10 +137,10 @@ static void set_delays(const orr_channels *c, const channel_satellite *sat, orr_
     const orr_time cell = lattice_cell(t);
     if (out->cell == cell) return;
     out->cell = cell;
-    for (size_t j = 0; c->has_bias && j < sat->n_sent; j++) {
+    for (size_t j = 0; c->bias != NULL && j < sat->n_sent; j++) {
         double delay_s;
         out->unknown[j] =
-            orr_signal_delay_of(&c->bias, sat->sat, &all[sat->sent[j].signal], cell, &delay_s) != ORR_OK;
+            orr_signal_delay_of(c->bias, sat->sat, &all[sat->sent[j].signal], cell, &delay_s) != ORR_OK;
         out->delay_m[j] = out->unknown[j] ? 0 : ORR_LIGHT_MPS * delay_s;
     }
 }

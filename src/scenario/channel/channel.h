@@ -8,6 +8,7 @@
 #include "src/scenario/antenna/antenna.h"
 #include "src/scenario/source/source_iono.h"
 #include "src/scenario/source/source_orbit.h"
+#include "src/scenario/source/source_tables.h"
 
 typedef enum orr_term {
 #define ORR_TERM(NAME, name, code, carrier, meaning) ORR_TERM_##NAME,
@@ -59,16 +60,17 @@ typedef struct orr_channels orr_channels;
 //   orbits    satellites, borrowed; NULL: none
 //   iono      delays, borrowed; NULL: none
 //   motion    what moves, borrowed; NULL: nothing
+//   tables    antennas, biases and records, borrowed
 //   cancel    ends it; may be NULL
 // Returned:
 //   warnings  what was left out or taken from a neighbour, and why
 //   out       the channels; free with orr_channels_close
 //   diag      why it failed
-// Errors: those of the readers and of orr_antenna_open; ORR_E_NODATA (none of the satellites sends one of the signals).
+// Errors: those of orr_antenna_open; ORR_E_NODATA (none of the satellites sends one of the signals).
 orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbits,
                              const orr_source_iono *iono, const orr_source_motion *motion,
-                             const volatile int *cancel, orr_warnings *warnings, orr_channels **out,
-                             orr_diag *diag);
+                             const orr_source_tables *tables, const volatile int *cancel,
+                             orr_warnings *warnings, orr_channels **out, orr_diag *diag);
 void orr_channels_close(orr_channels *c); // NULL is allowed
 
 // How many antennas there are; 0 for NULL.

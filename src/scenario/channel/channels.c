@@ -38,7 +38,7 @@ bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *
         const channel_satellite *x = &c->satellite[i];
         if (!x->sends || k-- > 0) continue;
         const orr_antex_antenna *a =
-            c->has_antex ? orr_antex_find_sat(&c->antex, x->sat, c->span.from) : NULL;
+            c->antex != NULL ? orr_antex_find_sat(c->antex, x->sat, c->span.from) : NULL;
         *out = (orr_transmitter){.sat = x->sat,
                                  .frequency_channel = x->frequency_channel,
                                  .unhealthy = (x->flags & ORR_CHANNEL_UNHEALTHY) != 0,

@@ -52,10 +52,8 @@ struct orr_channels {
     bool has_troposphere;
     orr_scenario_channel options; // antex and bias are not kept
     orr_scenario_mask mask;       // its horizon is owned
-    orr_antex antex;
-    bool has_antex;
-    orr_bias_set bias;
-    bool has_bias;
+    const orr_antex *antex;       // NULL: none
+    const orr_bias_set *bias;     // NULL: none
     size_t n_antennas;
     orr_antenna antenna[ORR_MAX_ANTENNAS];
     orr_windup windup[ORR_MAX_ANTENNAS];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Channels prepared: files read, satellites and antennas looked up, turns counted.
+// Channels prepared: satellites and antennas looked up, turns counted.
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,28 +7,11 @@
 #include "core/rng.h"
 #include "orbit/navdata/glonass_channel.h"
 #include "orbit/spacecraft/orbit_class.h"
-#include "src/make/inputs.h"
 #include "src/scenario/channel/block.h"
 #include "src/scenario/channel/channels_private.h"
 
 // Light is on its way for 0.15 s at most, and rates are taken from so far on both sides.
 static const int64_t MARGIN_NS = ORR_NS_PER_S / 5;
-
-static orr_status read_files(const orr_scenario *s, orr_channels *c, orr_warnings *warnings, orr_diag *diag)
-{
-    const char *antex = s->navdata.antex != NULL ? s->navdata.antex : s->channel.antex;
-    const char *bias = s->navdata.bias != NULL ? s->navdata.bias : s->channel.bias;
-    orr_status status = ORR_OK;
-    if (antex != NULL) {
-        status = orr_antex_read(antex, NULL, &c->antex, warnings, diag);
-        c->has_antex = status == ORR_OK;
-    }
-    if (status == ORR_OK && bias != NULL) {
-        status = orr_bias_read(bias, NULL, &c->bias, warnings, diag);
-        c->has_bias = status == ORR_OK;
-    }
-    return status;
-}
 
 static orr_status keep_horizon(const orr_scenario *s, orr_channels *c, orr_diag *diag)
 {
@@ -59,7 +42,7 @@ static bool is_orbit_normal(const orr_ephemeris *e, orr_sat sat)
 static double phase_bias_m(const orr_channels *c, orr_sat sat, const orr_signal *s)
 {
     double delay_s;
-    if (!c->has_bias || orr_signal_phase_of(&c->bias, sat, s, c->span.from, &delay_s) != ORR_OK) return 0;
+    if (c->bias == NULL || orr_signal_phase_of(c->bias, sat, s, c->span.from, &delay_s) != ORR_OK) return 0;
     return ORR_LIGHT_MPS * delay_s;
 }
 
@@ -83,7 +66,7 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
             if (orr_sat_set_has(&o->power.item[j].sats, x->sat)) x->power_db += o->power.item[j].db;
         x->orbit_normal = is_orbit_normal(e, x->sat);
         x->law =
-            orr_attitude_law_of(c->has_antex ? orr_antex_find_sat(&c->antex, x->sat, c->span.from) : NULL);
+            orr_attitude_law_of(c->antex != NULL ? orr_antex_find_sat(c->antex, x->sat, c->span.from) : NULL);
         if (orr_sat_system(x->sat) == 'R' &&
             !orr_glonass_channel(nav, x->sat, c->span.from, &x->frequency_channel, &nominal))
             x->sends = false; // nobody knows its carriers
@@ -122,11 +105,10 @@ static orr_status open_antennas(const orr_scenario *s, const orr_source_motion *
     orr_status status = ORR_OK;
     const size_t n = s->antennas.n > 0 ? s->antennas.n : 1;
     for (size_t k = 0; status == ORR_OK && k < n; k++) {
-        status = orr_antenna_open(s, k, motion, last_resort, c->has_antex ? &c->antex : NULL, &c->antenna[k],
-                                  warnings, diag);
+        status = orr_antenna_open(s, k, motion, last_resort, c->antex, &c->antenna[k], warnings, diag);
         if (status == ORR_OK && c->options.windup)
-            status = orr_windup_open(c->orbits, &c->antenna[k], c->has_antex ? &c->antex : NULL, c->span,
-                                     &c->sun, cancel, &c->windup[k], diag);
+            status = orr_windup_open(c->orbits, &c->antenna[k], c->antex, c->span, &c->sun, cancel,
+                                     &c->windup[k], diag);
         if (status == ORR_OK) c->n_antennas = k + 1;
     }
     return status;
@@ -181,20 +163,12 @@ static orr_status nothing_common(const orr_source_orbit *orbits, const orr_sourc
     return orr_diag_set(diag, ORR_E_NODATA, "signals: the scenario's parts have no time in common: %s", text);
 }
 
-static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, orr_channels *c,
-                          const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
+static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, const orr_nav *nav,
+                          orr_channels *c, const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
-    orr_nav nav = {.n_eph = 0};
-    orr_inputs inputs = {.leap = s->leap};
     orr_status status = parse_signals(s, c, diag);
-    if (status == ORR_OK) status = read_files(s, c, warnings, diag);
     if (status == ORR_OK) status = keep_horizon(s, c, diag);
-    if (status == ORR_OK)
-        status = orr_inputs_read_navs(&inputs, (const char *const *)s->navdata.nav.item, s->navdata.nav.n,
-                                      &nav, NULL, diag);
-    if (status == ORR_OK) status = list_satellites(s, &nav, c, diag);
-    orr_nav_free(&nav);
-    orr_inputs_free(&inputs);
+    if (status == ORR_OK) status = list_satellites(s, nav, c, diag);
     if (status == ORR_OK)
         status = orr_sun_track_open(c->span.from, c->span.to,
                                     orr_ephemeris_eop(orr_source_orbit_ephemeris(c->orbits)), &c->sun, diag);
@@ -215,8 +189,8 @@ static bool only_moving(const orr_scenario *s)
 
 orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbits,
                              const orr_source_iono *iono, const orr_source_motion *motion,
-                             const volatile int *cancel, orr_warnings *warnings, orr_channels **out,
-                             orr_diag *diag)
+                             const orr_source_tables *tables, const volatile int *cancel,
+                             orr_warnings *warnings, orr_channels **out, orr_diag *diag)
 {
     *out = NULL;
     if (s->signals.n == 0) return ORR_OK;
@@ -224,10 +198,12 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     if (c == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     c->orbits = orbits;
     c->iono = iono;
+    c->antex = tables->has_antex ? &tables->antex : NULL;
+    c->bias = tables->has_bias ? &tables->bias : NULL;
     c->troposphere = s->troposphere;
     c->has_troposphere = s->has_troposphere && s->troposphere.model != ORR_TROPOSPHERE_NONE;
     c->options = s->channel;
-    c->options.antex = c->options.bias = NULL;
+    c->options.antex = c->options.bias = NULL; // of the scenario, which may go
     (void)orr_source_orbit_span(orbits, &c->span);
     c->span.from = orr_time_add(c->span.from, MARGIN_NS);
     orr_span i;
@@ -239,8 +215,9 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
         if (i.from > c->span.from) c->span.from = i.from;
         if (i.to < c->span.to) c->span.to = i.to;
     }
-    orr_status status = c->span.from < c->span.to ? prepare(s, motion, c, cancel, warnings, diag)
-                                                  : nothing_common(orbits, iono, motion, diag);
+    orr_status status = c->span.from < c->span.to
+                            ? prepare(s, motion, &tables->nav, c, cancel, warnings, diag)
+                            : nothing_common(orbits, iono, motion, diag);
     if (status == ORR_OK) warn_of_satellites(&s->satellites, orbits, warnings);
     if (status != ORR_OK)
         orr_channels_close(c);
@@ -257,7 +234,5 @@ void orr_channels_close(orr_channels *c)
     free(c->cell);
     free(c->satellite);
     free(c->mask.horizon.item);
-    if (c->has_bias) orr_bias_free(&c->bias);
-    if (c->has_antex) orr_antex_free(&c->antex);
     free(c);
 }

@@ -136,8 +136,8 @@ static void trace(const moment *m, ray *r, slow_values *out)
     if (c->options.windup && r->has_attitude)
         out->v[SLOW_TURNS] =
             orr_windup_still(&c->windup[m->antenna], r->place, m->t, m->at, l->sat_m, &r->attitude.body);
-    if (c->has_antex) {
-        r->antex = orr_antex_find_sat(&c->antex, r->sat->sat, m->t);
+    if (c->antex != NULL) {
+        r->antex = orr_antex_find_sat(c->antex, r->sat->sat, m->t);
         if (r->antex == NULL) out->flags |= ORR_CHANNEL_NO_ANTENNA;
     }
     set_signals(m, r, out);

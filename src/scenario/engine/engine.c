@@ -11,6 +11,7 @@ struct orr_engine {
     char title[128];
     const orr_leap_table *leap;
     orr_source_orbit *orbits; // NULL: none; the same of all sources
+    orr_source_tables tables;
     orr_source_navdata *navdata;
     orr_source_iono *iono;
     orr_source_motion *motion;
@@ -66,8 +67,9 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
     e->leap = s->leap != NULL ? s->leap : orr_leap_builtin();
     orr_span span = {.from = orr_moving_fallback_start()};
     status = orr_source_orbit_open(s, log, cancel, warnings, &e->orbits, diag);
+    if (status == ORR_OK && e->orbits != NULL) status = orr_source_tables_open(s, warnings, &e->tables, diag);
     if (status == ORR_OK)
-        status = orr_source_navdata_open(s, e->orbits, log, cancel, warnings, &e->navdata, diag);
+        status = orr_source_navdata_open(s, e->orbits, &e->tables, log, cancel, warnings, &e->navdata, diag);
     if (status == ORR_OK) status = orr_source_iono_open(s, e->orbits, warnings, &e->iono, diag);
     (void)orr_source_orbit_span(e->orbits, &span);
     if (status == ORR_OK) status = orr_source_motion_open(s, span.from, warnings, &e->motion, diag);
@@ -76,7 +78,8 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
             diag, ORR_E_NODATA,
             "the scenario has neither satellites (orbit.product, orbit.sp3, orbit.nav) nor a trajectory");
     if (status == ORR_OK)
-        status = orr_channels_open(s, e->orbits, e->iono, e->motion, cancel, warnings, &e->channels, diag);
+        status = orr_channels_open(s, e->orbits, e->iono, e->motion, &e->tables, cancel, warnings,
+                                   &e->channels, diag);
     if (status == ORR_OK) {
         choose_receiver(s, e);
     } else {
@@ -94,6 +97,7 @@ void orr_engine_close(orr_engine *e)
     orr_source_motion_close(e->motion);
     orr_source_iono_close(e->iono);
     orr_source_navdata_close(e->navdata);
+    orr_source_tables_close(&e->tables);
     orr_source_orbit_close(e->orbits);
     free(e);
 }

@@ -24,8 +24,8 @@ static void pass_on(const orr_warnings *own, orr_warnings *warnings)
     if (warnings != NULL) warnings->count += own->count - own->kept;
 }
 
-static orr_status make(orr_source_navdata *v, const orr_scenario *s, const orr_log *log,
-                       const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
+static orr_status make(orr_source_navdata *v, const orr_scenario *s, const orr_source_tables *tables,
+                       const orr_log *log, const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
     orr_navset_plan plan;
     if (!orr_navset_plan_of(s, &plan)) {
@@ -33,6 +33,9 @@ static orr_status make(orr_source_navdata *v, const orr_scenario *s, const orr_l
         return ORR_OK;
     }
     plan.options.cancel = cancel;
+    if (plan.antex != NULL) plan.antex_read = &tables->antex;
+    if (plan.bias != NULL) plan.bias_read = &tables->bias;
+    if (plan.n_nav > 0) plan.nav_read = &tables->nav;
     orr_diag inner = {0};
     orr_warnings own = {0};
     orr_status status =
@@ -52,7 +55,8 @@ static orr_status make(orr_source_navdata *v, const orr_scenario *s, const orr_l
     return status;
 }
 
-orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits, const orr_log *log,
+orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits,
+                                   const orr_source_tables *tables, const orr_log *log,
                                    const volatile int *cancel, orr_warnings *warnings,
                                    orr_source_navdata **out, orr_diag *diag)
 {
@@ -62,7 +66,7 @@ orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit
     if (v == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     v->orbits = orbits;
     v->phase_centres = s->navdata.antex != NULL;
-    orr_status status = make(v, s, log, cancel, warnings, diag);
+    orr_status status = make(v, s, tables, log, cancel, warnings, diag);
     if (status != ORR_OK) {
         orr_source_navdata_close(v);
         return status;

@@ -5,6 +5,7 @@
 
 #include "orbit/navdata/navframe.h"
 #include "src/scenario/source/source_orbit.h"
+#include "src/scenario/source/source_tables.h"
 
 typedef struct orr_source_navdata orr_source_navdata;
 
@@ -12,6 +13,7 @@ typedef struct orr_source_navdata orr_source_navdata;
 // Given:
 //   s         the scenario
 //   orbits    borrowed; they have to outlive the source
+//   tables    antennas, biases and records that were read
 //   log       progress; may be NULL
 //   cancel    ends the fit with ORR_E_INTERRUPTED once it is not 0; may be NULL
 // Returned:
@@ -20,7 +22,8 @@ typedef struct orr_source_navdata orr_source_navdata;
 //             tells why; NULL without orbits. Free with orr_source_navdata_close
 //   diag      why it failed; may be NULL
 // Errors: those of the readers, ORR_E_INTERRUPTED, ORR_E_MEMORY.
-orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits, const orr_log *log,
+orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit *orbits,
+                                   const orr_source_tables *tables, const orr_log *log,
                                    const volatile int *cancel, orr_warnings *warnings,
                                    orr_source_navdata **out, orr_diag *diag);
 // Frees it; NULL may be closed.
