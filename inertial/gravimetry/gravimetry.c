@@ -18,32 +18,6 @@ void orr_gravimetry_result_free(orr_gravimetry_result *r)
     memset(r, 0, sizeof *r);
 }
 
-// out[n]: Gaussian of sigma_samples over x[n], renormalised where it reaches past the ends. Not in place.
-static void gaussian_filter(const double *x, size_t n, double sigma_samples, double *out)
-{
-    // Far tails weigh nothing, and there are as many weights as distances: e^(-d^2/2) by a two-term
-    // recurrence.
-    size_t half = (size_t)ceil(4.0 * sigma_samples);
-    if (half >= n) half = n - 1;
-    double step = exp(-0.5 / (sigma_samples * sigma_samples));
-    for (size_t i = 0; i < n; i++) {
-        double sum = x[i], weight = 1.0, w = 1.0, ratio = step;
-        for (size_t d = 1; d <= half; d++) {
-            w *= ratio; // w_d / w_d-1 = step^(2 d - 1)
-            ratio *= step * step;
-            if (d <= i) {
-                sum += w * x[i - d];
-                weight += w;
-            }
-            if (i + d < n) {
-                sum += w * x[i + d];
-                weight += w;
-            }
-        }
-        out[i] = sum / weight;
-    }
-}
-
 // Where the unit is and how it moves and stands, at edges of the readings: the truth, or a receiver's track.
 typedef struct reference {
     const orr_imu *imu;
@@ -142,16 +116,32 @@ static double recovered_mgal(reference *ref, size_t from, size_t to, double step
     return -missing.z / step_s / ORR_MPS2_PER_MGAL;
 }
 
-static orr_status recover(reference *ref, const orr_gravimetry *truth, double sigma_s,
+// What is left of the filtered difference, inside and at the ends.
+static void judge(orr_gravimetry_result *out, size_t margin)
+{
+    double sum = 0, edge = 0;
+    for (size_t k = 0; k < out->n; k++) {
+        const double e = out->recovered_filtered_mgal[k] - out->true_filtered_mgal[k];
+        const bool inside = k >= margin && k + margin < out->n;
+        *(inside ? &sum : &edge) += e * e;
+        if (inside) out->filtered_max_mgal = fmax(out->filtered_max_mgal, fabs(e));
+    }
+    out->filtered_rms_mgal = sqrt(sum / (double)(out->n - 2 * margin));
+    out->edge_rms_mgal = margin > 0 ? sqrt(edge / (double)(2 * margin)) : 0.0;
+}
+
+static orr_status recover(reference *ref, const orr_gravimetry *truth, const orr_gravity_filter *filter,
                           orr_gravimetry_result *out, orr_diag *diag)
 {
     const orr_imu *imu = ref->imu;
     const double step_s = (double)truth->every / imu->rate_hz;
     const size_t n = ref->last > ref->first ? ref->last - ref->first : 0;
-    if (!(sigma_s > 0.0) || (double)n * step_s < 8.0 * sigma_s)
+    out->edge_s = orr_gravity_filter_edge_s(filter);
+    const double least_s = 2.0 * out->edge_s + 2.0 * step_s;
+    if (!(filter->length_s > 0.0) || (double)n * step_s < least_s)
         return orr_diag_set(diag, ORR_E_ARG,
-                            "a filter of %g s needs a run of at least %g s; this one has %g s", sigma_s,
-                            8.0 * sigma_s, (double)n * step_s);
+                            "a filter of %g s needs a run of at least %g s; this one has %g s",
+                            filter->length_s, least_s, (double)n * step_s);
     double **column[5] = {&out->t_s, &out->recovered_mgal, &out->true_mgal, &out->recovered_filtered_mgal,
                           &out->true_filtered_mgal};
     for (int k = 0; k < 5; k++)
@@ -171,21 +161,17 @@ static orr_status recover(reference *ref, const orr_gravimetry *truth, double si
         sum += e * e;
     }
     out->raw_rms_mgal = sqrt(sum / (double)n);
-    gaussian_filter(out->recovered_mgal, n, sigma_s / step_s, out->recovered_filtered_mgal);
-    gaussian_filter(out->true_mgal, n, sigma_s / step_s, out->true_filtered_mgal);
-    size_t margin = (size_t)(3.0 * sigma_s / step_s), used = 0;
-    sum = 0.0;
-    for (size_t k = margin; k + margin < n; k++, used++) {
-        double e = out->recovered_filtered_mgal[k] - out->true_filtered_mgal[k];
-        sum += e * e;
-        out->filtered_max_mgal = fmax(out->filtered_max_mgal, fabs(e));
-    }
-    out->filtered_rms_mgal = sqrt(sum / (double)used);
-    return ORR_OK;
+    orr_status s =
+        orr_gravity_filter_apply(filter, out->recovered_mgal, n, step_s, out->recovered_filtered_mgal, diag);
+    if (s == ORR_OK)
+        s = orr_gravity_filter_apply(filter, out->true_mgal, n, step_s, out->true_filtered_mgal, diag);
+    if (s == ORR_OK) judge(out, (size_t)(out->edge_s / step_s));
+    if (s != ORR_OK) orr_gravimetry_result_free(out);
+    return s;
 }
 
 orr_status orr_gravimetry_recover(const orr_imu *imu, const orr_gravimetry *truth,
-                                  const orr_gravimetry_track *track, double sigma_s,
+                                  const orr_gravimetry_track *track, const orr_gravity_filter *filter,
                                   orr_gravimetry_result *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
@@ -200,7 +186,7 @@ orr_status orr_gravimetry_recover(const orr_imu *imu, const orr_gravimetry *trut
                             truth->every, imu->truth_every);
     reference ref = {.imu = imu, .track = track, .first = 0, .last = truth->n - 1};
     orr_status s = track != NULL ? lay_track(imu, truth, &ref, diag) : ORR_OK;
-    if (s == ORR_OK) s = recover(&ref, truth, sigma_s, out, diag);
+    if (s == ORR_OK) s = recover(&ref, truth, filter, out, diag);
     orr_uspline_free(&ref.place);
     return s;
 }

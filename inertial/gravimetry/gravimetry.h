@@ -3,17 +3,19 @@
 #ifndef ORR_INERTIAL_GRAVIMETRY_GRAVIMETRY_H
 #define ORR_INERTIAL_GRAVIMETRY_GRAVIMETRY_H
 
+#include "inertial/gravimetry/gravity_filter.h"
 #include "inertial/nav/navigator.h"
 #include "inertial/readings/gravimetry_truth.h"
 
 // Recovery: from each truth edge to the next the readings are integrated on normal gravity alone, starting on
-// the true motion; the vertical velocity that is then missing is the mean disturbance of that time. Filtered
-// series are both run through a Gaussian of standard deviation sigma_s, cut at 4 sigma; the r.m.s. of the
-// filtered difference leaves 3 sigma at both ends out.
+// the true motion; the vertical velocity that is then missing is the mean disturbance of that time. Both
+// series are run through the filter; the r.m.s. of the filtered difference leaves the filter's ends out, which have one of
+// their own.
 typedef struct orr_gravimetry_result {
     size_t n, first; // values, and the span of the truth that the first is of
     double *t_s, *recovered_mgal, *true_mgal, *recovered_filtered_mgal, *true_filtered_mgal;
     double raw_rms_mgal, filtered_rms_mgal, filtered_max_mgal;
+    double edge_s, edge_rms_mgal; // of the filter's ends, that long each
 } orr_gravimetry_result;
 
 // A track that a satellite receiver has found: places of its antenna, which take the place of the true motion. Attitude then
@@ -29,13 +31,13 @@ typedef struct orr_gravimetry_track {
 //   Given:    imu           physical readings (approach 2) with truth at every instant that `truth` has
 //             truth         true disturbance on the edges of imu, every truth->every samples
 //             track         motion by a receiver; NULL: the true motion
-//             sigma_s       standard deviation of the Gaussian, s; the run is at least 8 of them long
+//             filter        of both series; the run is longer than its two ends
 //   Returned: out           truth->n - 1 values, one a span between two instants of the truth, at its middle
-//   Notes:    ORR_E_ARG (sigma, run shorter than 8 sigma, truth of gravity where the motion has none, a track
-//             that does not cover 8 sigma of the run),
+//   Notes:    ORR_E_ARG (filter, a run shorter than it, truth of gravity where the motion has none, a track
+//             that does not cover as much of the run),
 //             ORR_E_UNSUPPORTED (readings of approach 1 are no physical force), ORR_E_MEMORY.
 orr_status orr_gravimetry_recover(const orr_imu *imu, const orr_gravimetry *truth,
-                                  const orr_gravimetry_track *track, double sigma_s,
+                                  const orr_gravimetry_track *track, const orr_gravity_filter *filter,
                                   orr_gravimetry_result *out, orr_diag *diag);
 // Frees the series; an empty result is allowed.
 void orr_gravimetry_result_free(orr_gravimetry_result *r);

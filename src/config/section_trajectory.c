@@ -223,6 +223,15 @@ static const orr_key transfer_rows[] = {
 };
 static const orr_schema transfer_table = ORR_SCHEMA(transfer_rows, orr_scenario_transfer);
 
+static const orr_key wave_rows[] = {
+    NEEDED_REAL_ROW(orr_scenario_wave, "amplitude", amplitude_m, 0, 10000, "m", NULL, "of the height"),
+    NEEDED_REAL_ROW(orr_scenario_wave, "wavelength", wavelength_m, 1, 1e6, "m", NULL, "from crest to crest"),
+    REAL_ROW(orr_scenario_wave, "azimuth", azimuth_deg, -360, 360, "deg", "0", NULL,
+             "direction across the crests, clockwise from North"),
+    REAL_ROW(orr_scenario_wave, "phase", phase_deg, -360, 360, "deg", "0", NULL, "at the begin of the plan"),
+};
+static const orr_schema wave_table = ORR_SCHEMA(wave_rows, orr_scenario_wave);
+
 // --- the section ---
 #define ROW_REAL(n, m, lo, hi, u, dflt, of, h) REAL_ROW(orr_scenario_trajectory, n, m, lo, hi, u, dflt, of, h)
 static const orr_condition of_random[] = {
@@ -284,6 +293,8 @@ static const orr_key rows[] = {
             "random velocity of the air"),
     MAP_ROW(orr_scenario_trajectory, "oscillation", oscillation, &oscillation_table, of_plan,
             "random oscillation of the attitude"),
+    MAPS_ROW(orr_scenario_trajectory, "drape", drape, &wave_table, 16, of_plan,
+             "waves of the terrain, which heights and pitch of the plan follow"),
     INT_ROW(orr_scenario_trajectory, "seed", seed, 0, 9e15, "1", of_random, "of turbulence and oscillation"),
     {.name = "telemetry",
      .kind = ORR_KEY_MAP,

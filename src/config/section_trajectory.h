@@ -70,6 +70,10 @@ typedef struct orr_scenario_phase {
     orr_scenario_survey survey;
 } orr_scenario_phase;
 
+typedef struct orr_scenario_wave {
+    double amplitude_m, wavelength_m, azimuth_deg, phase_deg;
+} orr_scenario_wave;
+
 typedef struct orr_scenario_log {
     char *file, *columns;
 } orr_scenario_log;
@@ -119,6 +123,10 @@ typedef struct orr_scenario_trajectory {
     struct orr_scenario_oscillation {
         orr_scenario_spectrum heading, pitch, roll;
     } oscillation;
+    struct {
+        size_t n;
+        orr_scenario_wave *item;
+    } drape;
     int64_t seed;
     struct {
         size_t n;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "inertial/motion/analytic.h"
+#include "inertial/motion/drape.h"
 #include "inertial/motion/flight_plan.h"
 #include "inertial/motion/polar.h"
 #include "ingest/tables/gravity_file.h"
@@ -74,6 +75,23 @@ static orr_phase phase_of(const orr_scenario_phase *q)
                        .survey = survey_of(&q->survey, (orr_geodetic){0, 0, 0})};
 }
 
+// Lays the flight over the terrain's waves.
+static orr_status drape(const orr_scenario_trajectory *m, orr_geodetic origin, orr_trajectory *tr,
+                        orr_diag *diag)
+{
+    orr_drape_wave wave[ORR_DRAPE_MAX_WAVES];
+    for (size_t k = 0; k < m->drape.n; k++) {
+        const orr_scenario_wave *w = &m->drape.item[k];
+        wave[k] = (orr_drape_wave){w->amplitude_m, w->wavelength_m, w->azimuth_deg * DEG, w->phase_deg * DEG};
+    }
+    orr_trajectory laid;
+    const orr_status s = orr_trajectory_drape(tr, origin, wave, m->drape.n, m->knots_s, &laid, NULL, diag);
+    if (s != ORR_OK) return s;
+    orr_trajectory_free(tr);
+    *tr = laid;
+    return ORR_OK;
+}
+
 static orr_status make_plan(const orr_scenario_trajectory *m, orr_time start, orr_warnings *warnings,
                             orr_trajectory *out, orr_diag *diag)
 {
@@ -117,6 +135,7 @@ static orr_status make_plan(const orr_scenario_trajectory *m, orr_time start, or
     }
     orr_flight_summary plan;
     orr_status s = orr_trajectory_flight_plan(start, &p, out, &plan, diag);
+    if (s == ORR_OK && m->drape.n > 0) s = drape(m, start_at, out, diag);
     free(w);
     free(phase);
     if (s == ORR_OK && p.duration_s > plan.duration_s + 1e-6)

@@ -67,10 +67,33 @@ static bool parse_arm(const char *text, orr_vec3 *out)
     return fabs(v[0]) <= 1000 && fabs(v[1]) <= 1000 && fabs(v[2]) <= 1000;
 }
 
+static orr_gravity_filter filter_of(const orr_cli *c)
+{
+    orr_gravity_filter f = {.kind = ORR_GRAVITY_GAUSSIAN, .model_mgal = 20, .place_m = 0.02};
+    double usual_s = 10;
+    if (orr_cli_says(c, "filter-kind", "fir")) f.kind = ORR_GRAVITY_FIR, usual_s = 100;
+    if (orr_cli_says(c, "filter-kind", "kalman")) f.kind = ORR_GRAVITY_KALMAN, usual_s = 60;
+    f.length_s = (double)orr_cli_duration_ns(c, "filter", (int64_t)(usual_s * ORR_NS_PER_S)) * 1e-9;
+    f.model_mgal = orr_cli_real(c, "model", f.model_mgal);
+    f.place_m = orr_cli_real(c, "height-sigma", f.place_m);
+    return f;
+}
+
+// Readings with errors in the place of the ideal ones.
+static void take_measured(orr_imu *imu)
+{
+    orr_vec3 *g = imu->dtheta_rad, *a = imu->dv_mps;
+    imu->dtheta_rad = imu->measured_dtheta_rad;
+    imu->dv_mps = imu->measured_dv_mps;
+    imu->measured_dtheta_rad = g;
+    imu->measured_dv_mps = a;
+}
+
 static int run(orr_cli *c)
 {
     orr_diag diag = {0};
     orr_imu_file f;
+    const bool measured = orr_cli_says(c, "of", "measured");
     int status = ORR_EXIT_OK;
     const char *path = orr_cli_text(c, "csv", NULL);
     const bool csv_only = path != NULL && strcmp(path, "-") == 0, json = orr_cli_says(c, "format", "json");
@@ -83,7 +106,13 @@ static int run(orr_cli *c)
         orr_imu_file_free(&f);
         return orr_cli_failf(c, "%s holds no true gravity to compare with", c->operand[0]);
     }
-    double sigma_s = (double)orr_cli_duration_ns(c, "filter", 10 * ORR_NS_PER_S) * 1e-9;
+    const orr_gravity_filter filter = filter_of(c);
+    if (measured && f.imu.measured_dtheta_rad == NULL) {
+        orr_imu_file_free(&f);
+        return orr_cli_failf(c, "%s has no readings with errors ('orrery imu --errors' makes them)",
+                             c->operand[0]);
+    }
+    if (measured) take_measured(&f.imu);
     orr_gravimetry_track track = {.n = 0};
     const bool tracked = orr_cli_given(c, "track");
     if (!parse_arm(orr_cli_text(c, "arm", "0,0,0"), &track.arm_m)) {
@@ -98,7 +127,7 @@ static int run(orr_cli *c)
     }
     r = (orr_gravimetry_result){.n = 0};
     if (s == ORR_OK)
-        s = orr_gravimetry_recover(&f.imu, &f.gravimetry, tracked ? &track : NULL, sigma_s, &r, &diag);
+        s = orr_gravimetry_recover(&f.imu, &f.gravimetry, tracked ? &track : NULL, &filter, &r, &diag);
     free((void *)(uintptr_t)track.t_s);
     free((void *)(uintptr_t)track.r_m);
     if (s == ORR_OK) {
@@ -109,19 +138,22 @@ static int run(orr_cli *c)
             high = r.true_mgal[k] > high ? r.true_mgal[k] : high;
         }
         if (s == ORR_OK && json) {
-            json_t *j =
-                json_pack("{s:o, s:o, s:{s:o, s:o}, s:{s:o, s:o, s:o}, s:o}", "duration_s",
-                          orr_json_number(r.t_s[r.n - 1] - r.t_s[0]), "filter_s", orr_json_number(sigma_s),
-                          "true", "min_mgal", orr_json_number(low), "max_mgal", orr_json_number(high),
-                          "difference", "raw_rms_mgal", orr_json_number(r.raw_rms_mgal), "filtered_rms_mgal",
-                          orr_json_number(r.filtered_rms_mgal), "filtered_max_mgal",
-                          orr_json_number(r.filtered_max_mgal), "values", orr_json_count(r.n));
+            json_t *j = json_pack(
+                "{s:o, s:o, s:{s:o, s:o}, s:{s:o, s:o, s:o, s:o, s:o}, s:o}", "duration_s",
+                orr_json_number(r.t_s[r.n - 1] - r.t_s[0]), "filter_s", orr_json_number(filter.length_s),
+                "true", "min_mgal", orr_json_number(low), "max_mgal", orr_json_number(high), "difference",
+                "raw_rms_mgal", orr_json_number(r.raw_rms_mgal), "filtered_rms_mgal",
+                orr_json_number(r.filtered_rms_mgal), "filtered_max_mgal",
+                orr_json_number(r.filtered_max_mgal), "edge_s", orr_json_number(r.edge_s), "edge_rms_mgal",
+                orr_json_number(r.edge_rms_mgal), "values", orr_json_count(r.n));
             status = orr_json_print(c, j, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
         } else if (s == ORR_OK && !csv_only) {
             printf("true disturbance      %.3f to %.3f mGal\n", low, high);
             printf("recovered, unfiltered %.3g mGal r.m.s. off\n", r.raw_rms_mgal);
-            printf("after Gaussian %g s   %.3g mGal r.m.s. off, %.3g mGal at most\n", sigma_s,
-                   r.filtered_rms_mgal, r.filtered_max_mgal);
+            printf("after %s %g s   %.3g mGal r.m.s. off, %.3g mGal at most\n",
+                   orr_cli_text(c, "filter-kind", "Gaussian"), filter.length_s, r.filtered_rms_mgal,
+                   r.filtered_max_mgal);
+            printf("its ends, %g s each   %.3g mGal r.m.s. off\n", r.edge_s, r.edge_rms_mgal);
         }
         orr_gravimetry_result_free(&r);
     }
@@ -133,7 +165,33 @@ static const orr_option options[] = {
     {.name = "filter",
      .kind = ORR_OPT_DURATION,
      .value = "S",
-     .help = "Standard deviation of the Gaussian filter. Default 10 s."},
+     .help = "Standard deviation of the Gaussian (10 s by default), period that the FIR passes half of (100 "
+             "s), or "
+             "correlation time of gravity in the smoother's model (60 s)."},
+    {.name = "filter-kind",
+     .kind = ORR_OPT_CHOICE,
+     .value = "gaussian|fir|kalman",
+     .fallback = "gaussian",
+     .help = "Gaussian (default), finite impulse response, or Kalman smoother with a model of gravity."},
+    {.name = "model",
+     .kind = ORR_OPT_REAL,
+     .value = "MGAL",
+     .applies = "filter-kind=kalman",
+     .min = 1e-3,
+     .max = 1e4,
+     .help = "Standard deviation of gravity along the line in the model. Default 20 mGal."},
+    {.name = "height-sigma",
+     .kind = ORR_OPT_REAL,
+     .value = "M",
+     .applies = "filter-kind=kalman",
+     .min = 1e-6,
+     .max = 100,
+     .help = "Standard deviation of heights a sample. Default 0.02 m."},
+    {.name = "of",
+     .kind = ORR_OPT_CHOICE,
+     .value = "ideal|measured",
+     .fallback = "ideal",
+     .help = "Ideal readings (default), or those with the errors of sensors."},
     {.name = "track",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",

@@ -101,6 +101,7 @@ class Signals(Folder):
             "alignment": [fifo],
             "aiding": [fifo],
             "calibration": [fifo],
+            "crossovers": [fifo],
             "error-equations": [fifo],
             "export": [fifo, "--to", "pyins"],
             "vibration": [fifo],
