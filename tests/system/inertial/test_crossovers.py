@@ -13,7 +13,7 @@ trajectory:
   lat: 56
   lon: 40
   height: 1500
-  survey: {azimuth: 0, length: 3000, spacing: 1500, lines: 2, tie_lines: 2, tie_spacing: 2000}
+  survey: {azimuth: 0, length: 3000, spacing: 1500, lines: 2, tie_lines: 2, tie_spacing: 1000}
   lead: 1000
   speed: 65
   bank: 35
