@@ -101,7 +101,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
              (orr_navigator){.kind = ORR_NAVIGATOR_ONE_STEP, .frame = f.imu.mode.frame, .project_mid = true});
     orr_gravimetry_result r;
     if (f.gravimetry.n > 0) {
-        if (orr_gravimetry_recover(&f.imu, &f.gravimetry, NULL, 0.4, &r, &diag) == ORR_OK)
+        const orr_gravity_filter filter = {.kind = (orr_gravity_filter_kind)(data[0] / 20 % 3),
+                                           .length_s = 0.4,
+                                           .model_mgal = 20,
+                                           .place_m = 0.02};
+        if (orr_gravimetry_recover(&f.imu, &f.gravimetry, NULL, &filter, &r, &diag) == ORR_OK)
             orr_gravimetry_result_free(&r);
         else if (diag.text[0] == '\0')
             abort();

@@ -186,7 +186,8 @@ static void gravimetry_returns_the_profile(void **state)
     assert_int_equal(f.imu.truth_every, 5);
     assert_memory_equal(f.imu.dv_mps, imu.dv_mps, imu.n * sizeof *imu.dv_mps);
     orr_gravimetry_result r;
-    ASSERT_OK(orr_gravimetry_recover(&f.imu, &f.gravimetry, NULL, 10.0, &r, &diag), diag);
+    const orr_gravity_filter filter = {.length_s = 10.0};
+    ASSERT_OK(orr_gravimetry_recover(&f.imu, &f.gravimetry, NULL, &filter, &r, &diag), diag);
     double max = 0;
     for (size_t k = 0; k < r.n; k++) max = fmax(max, r.true_mgal[k]);
     assert_true(max > 40); // there was something to find

@@ -287,7 +287,8 @@ static void one_gravity_for_generator_and_navigator(void **state)
     ASSERT_OK(orr_null_test(&f.imu, &nav, NULL, NULL, &n, &diag), diag);
     assert_true(n.max_3d_m > 1.0); // and normal gravity is another field
     orr_gravimetry_result r;
-    ASSERT_OK(orr_gravimetry_recover(&f.imu, &f.gravimetry, NULL, 10.0, &r, &diag), diag);
+    const orr_gravity_filter filter = {.length_s = 10.0};
+    ASSERT_OK(orr_gravimetry_recover(&f.imu, &f.gravimetry, NULL, &filter, &r, &diag), diag);
     assert_true(fabs(r.true_mgal[0]) > 1);
     // Recovered over 0.1 s; what pulls sideways, in a vertical that turns by 4e-6 in half that time, stays.
     ASSERT_NEAR(r.filtered_rms_mgal, 0, 1e-2);
