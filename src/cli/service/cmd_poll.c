@@ -6,10 +6,10 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/service/message_show.h"
-#include "src/cli/service/message_text.h"
 #include "src/cli/service/poll_ask.h"
 #include "src/cli/service/poll_pages.h"
 #include "src/service/net/dial.h"
+#include "src/service/text/message_text.h"
 
 typedef struct poll_job {
     orr_cli *c;

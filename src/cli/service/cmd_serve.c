@@ -13,6 +13,7 @@
 #include "src/service/answers/answers.h"
 #include "src/service/live/motion_log.h"
 #include "src/service/serve/service.h"
+#include "src/service/text/text_server.h"
 
 // NetCDF by its first bytes: HDF5 (NetCDF-4) or classic. A scenario is text.
 static orr_status is_product(const char *path, bool *yes, orr_diag *diag)
@@ -39,6 +40,8 @@ typedef struct serving {
     orr_streams *streams;
     orr_vehicle *vehicle; // NULL: no motion is taken
     orr_motion_log *log_out, *log_in;
+    orr_answers *reader; // of the text twin's thread
+    orr_text_server *text;
     orr_serve_log talk;
     orr_log log;
 } serving;
@@ -80,6 +83,9 @@ static void say_ready(void *user)
     for (size_t i = 0; (url = orr_service_url(v->service, i)) != NULL && at + strlen(url) + 200 < sizeof text;
          i++)
         at += (size_t)snprintf(text + at, sizeof text - at, " %s", url);
+    if (v->text != NULL)
+        at +=
+            (size_t)snprintf(text + at, sizeof text - at, " and as text on %s", orr_text_server_url(v->text));
     size_t n = orr_engine_satellites(v->engine, &sats), units = orr_engine_units(v->engine);
     if (n > 0)
         at += (size_t)snprintf(text + at, sizeof text - at, " (%zu satellites, ", n);
@@ -163,6 +169,20 @@ static orr_status open_streams(serving *v, orr_diag *diag)
     return s == ORR_OK ? start_clock(v, at, diag) : s;
 }
 
+// The text twin, by a thread and answers of its own.
+static orr_status open_text(serving *v, orr_diag *diag)
+{
+    const char *url = orr_cli_text(v->c, "text", NULL);
+    if (url == NULL) return ORR_OK;
+    const orr_status s = orr_answers_open(v->engine, &v->reader, diag);
+    if (s != ORR_OK) return s;
+    const orr_asked asked = {.server = orr_answers_server(v->reader),
+                             .streams = v->streams,
+                             .leap = v->c->leap,
+                             .read_only = orr_cli_given(v->c, "read-only")};
+    return orr_text_server_open(url, &asked, &v->text, diag);
+}
+
 static orr_status prepare(serving *v, const char *path, orr_diag *diag)
 {
     bool product = false;
@@ -183,6 +203,7 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     if (s == ORR_OK) s = orr_answers_open(v->engine, &v->answers, diag);
     if (s == ORR_OK) orr_service_provide(v->service, orr_answers_server(v->answers));
     if (s == ORR_OK) s = open_streams(v, diag);
+    if (s == ORR_OK) s = open_text(v, diag);
     return s;
 }
 
@@ -202,6 +223,8 @@ static int run(orr_cli *c)
     bool asked_wrongly = s == ORR_E_ARG && v.service == NULL && v.url != NULL; // --listen, or serve.listen
     if (s == ORR_OK) s = orr_service_run(v.service, say_ready, &v, &diag);
     if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, "stopped");
+    orr_text_server_close(v.text);
+    orr_answers_close(v.reader);
     orr_streams_halt(v.streams);
     orr_service_close(v.service);
     orr_streams_close(v.streams);
@@ -229,6 +252,11 @@ static const orr_option options[] = {
      .repeated = true,
      .help = "Listen at tcp://HOST:PORT (host *: every address; port 0: any free one) or unix:PATH. By "
              "default where the scenario says, else tcp://127.0.0.1:15754."},
+    {.name = "text",
+     .kind = ORR_OPT_TEXT,
+     .value = "URL",
+     .help = "Serve the same as text too: SCPI and JSON lines, at tcp://127.0.0.1:PORT or unix:PATH "
+             "(docs/live.md)."},
     {.name = "max-clients",
      .kind = ORR_OPT_INT,
      .value = "N",

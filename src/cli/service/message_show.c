@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/service/message_show.h"
 
-#include "src/cli/service/message_text.h"
+#include "src/service/text/message_text.h"
 
 void orr_message_show(const orr_message_info *info, const void *m, orr_show_format format, const char *frame,
                       bool *headed)
 {
     if (format == ORR_AS_JSON)
-        orr_message_json(info->record, m);
+        (void)orr_message_json(info->record, m, stdout);
     else if (format == ORR_AS_CSV)
-        orr_message_csv(info->record, m, headed);
+        orr_message_csv(info->record, m, headed, stdout);
     else
         orr_message_table(info->record, m, frame);
 }

@@ -12,6 +12,9 @@ typedef enum orr_show_format {
     ORR_AS_CSV,
 } orr_show_format;
 
+// A message as a table on stdout; `frame` is what positions refer to.
+void orr_message_table(const orr_record *r, const void *m, const char *frame);
+
 // Prints a message to stdout.
 // Given:
 //   info    kind of the message

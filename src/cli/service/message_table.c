@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "core/earth.h"
-#include "src/cli/service/message_text.h"
+#include "src/cli/service/message_show.h"
+#include "src/service/text/message_text.h"
 
 #define MAX_COLUMNS 64
 

@@ -4,18 +4,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/cli/service/message_text.h"
+#include "src/service/text/message_text.h"
 
 // Prints the columns of a record: their names, or its cells, blank where m is NULL. Lists are no columns but one
 // that has at most one member.
 typedef struct csv_row {
     bool names;
     const char *between;
+    FILE *out;
 } csv_row;
 
 static void put(csv_row *row, const char *text)
 {
-    printf("%s%s", row->between, text);
+    fprintf(row->out, "%s%s", row->between, text);
     row->between = ",";
 }
 
@@ -31,22 +32,22 @@ static void put_number(csv_row *row, const orr_field *f, const void *at, uint16_
 // A text in quotes, so that a comma in it is none.
 static void put_text(csv_row *row, const orr_wire_bytes *b)
 {
-    fputs(row->between, stdout);
+    fputs(row->between, row->out);
     row->between = ",";
     if (b == NULL) return;
-    putchar('"');
+    putc('"', row->out);
     for (uint16_t i = 0; i < b->size; i++) {
-        if (b->data[i] == '"') putchar('"');
-        putchar(b->data[i] < ' ' ? ' ' : b->data[i]);
+        if (b->data[i] == '"') putc('"', row->out);
+        putc(b->data[i] < ' ' ? ' ' : b->data[i], row->out);
     }
-    putchar('"');
+    putc('"', row->out);
 }
 
 static void put_hex(csv_row *row, const orr_wire_bytes *b)
 {
-    fputs(row->between, stdout);
+    fputs(row->between, row->out);
     row->between = ",";
-    for (uint16_t i = 0; b != NULL && i < b->size; i++) printf("%02x", b->data[i]);
+    for (uint16_t i = 0; b != NULL && i < b->size; i++) fprintf(row->out, "%02x", b->data[i]);
 }
 
 static void put_fields(csv_row *row, const orr_record *r, const void *m);
@@ -118,26 +119,33 @@ static void put_time(csv_row *row, const orr_record *r, const void *m)
     }
 }
 
-static void put_row(bool names, const orr_record *r, const void *m, const orr_record *of, const void *one)
+static void put_row(bool names, const orr_record *r, const void *m, const orr_record *of, const void *one,
+                    FILE *out)
 {
-    csv_row row = {names, ""};
+    csv_row row = {names, "", out};
     if (of != NULL) put_time(&row, r, m);
     put_fields(&row, of != NULL ? of : r, of != NULL ? one : m);
-    putchar('\n');
+    putc('\n', out);
 }
 
-void orr_message_csv(const orr_record *r, const void *m, bool *headed)
+void orr_message_values(const orr_record *r, const void *m, FILE *out)
+{
+    csv_row row = {false, "", out};
+    put_fields(&row, r, m);
+}
+
+void orr_message_csv(const orr_record *r, const void *m, bool *headed, FILE *out)
 {
     const orr_field *rows = orr_message_rows(r);
-    if (!*headed) put_row(true, r, NULL, rows != NULL ? rows->record : NULL, NULL);
+    if (!*headed) put_row(true, r, NULL, rows != NULL ? rows->record : NULL, NULL, out);
     *headed = true;
     if (rows == NULL) {
-        put_row(false, r, m, NULL, NULL);
+        put_row(false, r, m, NULL, NULL, out);
         return;
     }
     void *one = orr_message_room(rows->record);
     orr_wire_iter it = {0};
     while (one != NULL && rows->next(orr_message_member(rows, m), &it, one))
-        put_row(false, r, m, rows->record, one);
+        put_row(false, r, m, rows->record, one, out);
     free(one);
 }

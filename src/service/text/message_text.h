@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the three forms of a message as text share: its answer, its rows, its values that are words.
-#ifndef ORR_CLI_SERVICE_MESSAGE_TEXT_H
-#define ORR_CLI_SERVICE_MESSAGE_TEXT_H
+// What the forms of a message as text share: its answer, its rows, its values that are words.
+#ifndef ORR_SERVICE_TEXT_MESSAGE_TEXT_H
+#define ORR_SERVICE_TEXT_MESSAGE_TEXT_H
+
+#include <stdio.h>
 
 #include "proto/fields.h"
 
@@ -20,18 +22,18 @@ static inline const void *orr_message_member(const orr_field *f, const void *m)
 const char *orr_message_name(const orr_field *f);
 // The list of records that the rows of a table are; NULL where a message has none.
 const orr_field *orr_message_rows(const orr_record *r);
-// Room for one record of a list; NULL (and a sentence on stderr) without memory. Free it.
+// Room for one record of a list; NULL without memory. Free it.
 void *orr_message_room(const orr_record *r);
 // An enum's value, a bit set's names, a satellite, an instant, a letter or an integer as text; `words`: as for
 // people, otherwise as the specification names it.
 char *orr_message_text(const orr_field *f, const void *at, bool words, char cell[ORR_MESSAGE_CELL]);
 // "x" of the first of three, "1" of the first of any other number.
 const char *orr_message_axis(const orr_field *f, uint16_t k, char buf[8]);
-// A message as one JSON object on a line of stdout.
-void orr_message_json(const orr_record *r, const void *m);
-// A message as CSV on stdout, a row for each record of its list; *headed: whether the names of columns have been printed.
-void orr_message_csv(const orr_record *r, const void *m, bool *headed);
-// A message as a table on stdout; `frame` is what positions refer to.
-void orr_message_table(const orr_record *r, const void *m, const char *frame);
+// A message as one JSON object on a line of out; false where that failed.
+bool orr_message_json(const orr_record *r, const void *m, FILE *out);
+// A message as CSV on out, a row for each record of its list; *headed: whether the names of columns have been printed.
+void orr_message_csv(const orr_record *r, const void *m, bool *headed, FILE *out);
+// The values of one record, divided by commas, as CSV has them; lists are left out but those with one member.
+void orr_message_values(const orr_record *r, const void *m, FILE *out);
 
 #endif

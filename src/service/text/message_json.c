@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <stdlib.h>
 
-#include "src/cli/frame/json.h"
-#include "src/cli/service/message_text.h"
+#include "src/service/text/json_value.h"
+#include "src/service/text/message_text.h"
 
 static bool is_floating(orr_field_kind kind) { return kind == ORR_FIELD_F32 || kind == ORR_FIELD_F64; }
 
@@ -74,7 +74,7 @@ static void add_list(json_t *j, const orr_field *f, const void *list, const orr_
     json_t *a = json_array();
     orr_wire_iter it = {0};
     if (f->record == NULL) {
-        double v; // lists of scalars hold doubles so far; smaller kinds fit into its room
+        double v; // smaller kinds fit into its room
         while (f->next(list, &it, &v)) json_array_append_new(a, orr_json_number(orr_field_number(f, &v, 0)));
     } else {
         void *one = orr_message_room(f->record);
@@ -131,7 +131,11 @@ static void add_fields(json_t *j, const orr_record *r, const void *m, const orr_
     }
 }
 
-void orr_message_json(const orr_record *r, const void *m)
+bool orr_message_json(const orr_record *r, const void *m, FILE *out)
 {
-    (void)orr_json_put(json_of_record(r, m, r, m), JSON_COMPACT | JSON_REAL_PRECISION(17));
+    json_t *j = json_of_record(r, m, r, m);
+    const bool done = j != NULL && json_dumpf(j, out, JSON_COMPACT | JSON_REAL_PRECISION(17)) == 0;
+    if (done) putc('\n', out);
+    json_decref(j);
+    return done;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/cli/service/message_text.h"
+#include "src/service/text/message_text.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -31,12 +31,7 @@ const orr_field *orr_message_rows(const orr_record *r)
     return NULL;
 }
 
-void *orr_message_room(const orr_record *r)
-{
-    void *room = malloc(r->size);
-    if (room == NULL) fputs("out of memory\n", stderr);
-    return room;
-}
+void *orr_message_room(const orr_record *r) { return malloc(r->size); }
 
 uint64_t orr_message_numbers(const orr_record *r, const void *m)
 {

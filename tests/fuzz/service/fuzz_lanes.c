@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Payloads of the messages that belong to a connection (streams, clock, motion), each behind its type and length: whatever they say,
+// what is answered are whole frames, and all streams can be closed.
+#include <stdlib.h>
+
+#include "src/service/serve/lanes.h"
+#include "unit/proto/fake.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void must(bool holds)
+{
+    if (!holds) abort();
+}
+
+static void host(void *user, orr_host *h)
+{
+    const int64_t now = *(const int64_t *)user;
+    *h = (orr_host){now, now, INT64_C(1700000000000000000) + now, INT64_C(1700000037000000000) + now};
+}
+
+static void check_frames(const uint8_t *data, size_t n)
+{
+    for (size_t at = 0, used; at < n; at += used) {
+        orr_frame f;
+        must(orr_frame_parse(data + at, n - at, ORR_MSG_MAX_PAYLOAD, &f, &used) == ORR_WIRE_OK);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static uint8_t room[64 << 10];
+    int64_t now_ns = 1000;
+    fake f = {.n_sats = 3};
+    const orr_server server = fake_server(&f);
+    orr_vehicle *vehicle = NULL;
+    orr_streams *streams = NULL;
+    const orr_vehicle_options live = {.join_s = 0.065, .length_ns = 5000000};
+    if (orr_vehicle_open(&live, &vehicle, NULL) != ORR_OK) return 0;
+    const orr_streams_options o = {
+        .maker = &server, .host = host, .host_user = &now_ns, .vehicle = vehicle, .processor = -1};
+    if (orr_streams_open(&o, &streams, NULL) != ORR_OK) {
+        orr_vehicle_close(vehicle);
+        return 0;
+    }
+    orr_lanes lanes = {.streams = streams, .judge = &server, .owner = &lanes};
+    uint32_t sequence = 0;
+    for (size_t at = 0; at + 3 <= size;) {
+        size_t n = data[at + 1];
+        const uint8_t *payload = data + at + 2;
+        orr_wire_writer out = {room, 0, sizeof room, ORR_WIRE_OK};
+        if (n > size - at - 2) n = size - at - 2;
+        const orr_frame frame = {1, 0, (uint16_t)(20 + data[at] % 14), ++sequence, payload, (uint32_t)n};
+        if (orr_msg_is_lane(frame.type)) must(orr_lanes_take(&lanes, &frame, &out));
+        for (int k = 0; k < 8; k++) (void)orr_streams_turn(streams, now_ns);
+        (void)orr_lanes_fill(&lanes, &out);
+        check_frames(room, out.size);
+        orr_vehicle_block b;
+        (void)orr_vehicle_block_at(vehicle, now_ns / 5000000 * 5000000, now_ns / 5000000 * 5000000 + 5000000,
+                                   &b);
+        now_ns += (int64_t)data[at] << 17;
+        at += 2 + n;
+    }
+    orr_lanes_close(&lanes);
+    orr_streams_close(streams);
+    orr_vehicle_close(vehicle);
+    return 0;
+}

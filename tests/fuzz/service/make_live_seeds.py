@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the seeds of fuzz_lanes and fuzz_text_lines into tests/fuzz/corpus."""
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "proto/python"))
+from orrery import messages as m  # noqa: E402
+
+CORPUS = ROOT / "tests/fuzz/corpus"
+NONE = -2**63
+
+
+def piece(message):
+    data = message.encode()
+    return bytes([message.TYPE - 20, len(data)]) + data
+
+
+def poll(t, step, count):
+    return m.Poll(m.Epochs(t, step, count)).encode()
+
+
+def motion(t, **more):
+    kind = {"t": t, "order": 2, "pos_m": [3e6, 2e6, 5.2e6], "vel_mps": [10.0, 5, 1]}
+    kind.update(more)
+    return m.Motion(**kind)
+
+
+LANES = {
+    "free": [m.Subscribe(6, 0, 0, 20, 0, poll(0, 10**6, 30)), m.Credit(1, 20), m.Unsubscribe(1)],
+    "clock": [m.Control(4, 0, 0, NONE, NONE, 0), m.Subscribe(6, 1, 0, 1000, 10**7, poll(NONE, 10**6, 0)), m.GetTime(), m.Control(5, 0, 0, NONE, NONE, 0),
+              m.Control(6, 0, 0, NONE, NONE, 0)],
+    "radio": [m.RadioTime(10**9, 0, 0), m.RadioTime(1002 * 10**6, 0, 0), m.Control(2, 1, 0, 5 * 10**9, NONE, 0), m.Control(3, 1, 0, NONE, NONE, 0),
+              m.Control(4, 1, 0, NONE, NONE, 10**7), m.RadioTime(1004 * 10**6, 0, 0)],
+    "motion": [m.Control(4, 0, 0, NONE, NONE, 0), motion(0), motion(10**7), motion(2 * 10**7, snap=1, pos_m=[3e6, 2e6, 5.3e6]), m.GetMotionStats(1),
+               motion(3 * 10**7, angular_order=4, attitude=[1.0, 0, 0, 0]), motion(4 * 10**7, pos_m=[float("nan"), 0, 0])],
+}
+LINES = {
+    "scpi": b"\x06*IDN?;*CLS\n:SYST:ERR?;ERR:NEXT?\nSAT:STAT? G05,'2025-03-21';LIST?\nSCEN:ARM;STAR;:TIME?\n*ESE 255;*SRE #H10\n",
+    "json": b'\x7f{"request": "POLL", "t": "2025-03-21", "step": 1000000, "count": 3, "satellites": ["G05", "E11"]}\n'
+            b'{"request": "CONTROL", "action": "START"}\n{"request": "MOTION", "pos_m": [1, 2, 3], "order": 2}\n',
+}
+
+
+def main():
+    for name, messages in LANES.items():
+        (CORPUS / "lanes").mkdir(parents=True, exist_ok=True)
+        (CORPUS / "lanes" / name).write_bytes(b"".join(piece(x) for x in messages))
+    for name, data in LINES.items():
+        (CORPUS / "text_lines").mkdir(parents=True, exist_ok=True)
+        (CORPUS / "text_lines" / name).write_bytes(data)
+
+
+if __name__ == "__main__":
+    main()
