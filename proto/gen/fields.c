@@ -84,6 +84,7 @@ static const orr_field_word words_tec_origin[] = {
 static const orr_field_word words_pacing[] = {
     {0, "FREE", "as fast as they are taken", false},
     {1, "CLOCK", "by the scenario clock", false},
+    {2, "MOTION", "by motion", false},
 };
 
 static const orr_field_word words_gap_reason[] = {
@@ -870,7 +871,7 @@ static const orr_field fields_subscribe[] = {
     {.name = "pacing", .unit = "", .doc = "when blocks are made", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_subscribe, pacing), .word = words_pacing, .n_words = sizeof words_pacing / sizeof words_pacing[0], .in_text = true, .text_name = "pacing", .text_factor = 1.0, .in_table = true, .head = "pacing", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "credit", .unit = "", .doc = "how many blocks may be sent before there is more credit (CREDIT)", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, credit), .in_text = true, .text_name = "credit", .text_factor = 1.0, .in_table = true, .head = "credit", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "lead", .unit = "ns", .doc = "with CLOCK: how long before its instant a block is made, 0 to 60 s", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, lead), .in_text = true, .text_name = "lead", .text_factor = 1.0, .in_table = true, .head = "lead", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "lead", .unit = "ns", .doc = "with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, lead), .in_text = true, .text_name = "lead", .text_factor = 1.0, .in_table = true, .head = "lead", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "poll", .unit = "", .doc = "payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, poll), .limit = 16384, .in_text = true, .text_name = "poll", .text_factor = 1.0, .in_table = true, .head = "poll", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
 static const orr_record record_subscribe = {"subscribe", fields_subscribe, 6, sizeof(orr_msg_subscribe), false, false};

@@ -77,6 +77,7 @@ enums.tec_origin = {
 enums.pacing = {
   [0] = "FREE",
   [1] = "CLOCK",
+  [2] = "MOTION",
 }
 enums.gap_reason = {
   [1] = "CREDIT",

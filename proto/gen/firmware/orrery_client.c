@@ -923,6 +923,7 @@ const char *orr_msg_pacing_name(uint8_t value)
     switch (value) {
     case 0: return "FREE";
     case 1: return "CLOCK";
+    case 2: return "MOTION";
     default: return NULL;
     }
 }

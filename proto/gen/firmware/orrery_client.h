@@ -416,6 +416,7 @@ enum { // tec_origin (u8): What a delay came from.
 enum { // pacing (u8): When the blocks of a stream are made.
     ORR_MSG_PACING_FREE = 0, // as fast as there is credit and they are taken
     ORR_MSG_PACING_CLOCK = 1, // each so long before the scenario clock shows its instant as `lead` says
+    ORR_MSG_PACING_MOTION = 2, // as soon as a sample of live motion reaches its begin, and at the latest as with CLOCK
 };
 
 enum { // gap_reason (u8): Why blocks of a stream were left out.
@@ -1301,7 +1302,7 @@ typedef struct orr_msg_subscribe {
     uint8_t pacing; // when blocks are made
     uint8_t reserved; // 0
     uint32_t credit; // how many blocks may be sent before there is more credit (CREDIT)
-    int64_t lead; // [ns] with CLOCK: how long before its instant a block is made, 0 to 60 s
+    int64_t lead; // [ns] with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
 } orr_msg_subscribe;
 #define ORR_MSG_SUBSCRIBE_LARGEST 16402u

@@ -131,6 +131,7 @@ class Pacing(WireEnum):
 
     FREE = 0  # as fast as there is credit and they are taken
     CLOCK = 1  # each so long before the scenario clock shows its instant as `lead` says
+    MOTION = 2  # as soon as a sample of live motion reaches its begin, and at the latest as with CLOCK
 
 
 class GapReason(WireEnum):
@@ -1768,7 +1769,7 @@ class Subscribe(Record):
     pacing: when blocks are made
     reserved: 0
     credit: how many blocks may be sent before there is more credit (CREDIT)
-    lead [ns]: with CLOCK: how long before its instant a block is made, 0 to 60 s
+    lead [ns]: with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     poll: payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s
     (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
     """

@@ -55,6 +55,13 @@ static bool has_ended(orr_stream *x)
     return x->ended;
 }
 
+// Whether a stream that goes by motion has a sample for its next block already.
+static bool has_moved_to(const orr_streams *s, const orr_stream *x)
+{
+    return x->pacing == ORR_MSG_PACING_MOTION && s->options.vehicle != NULL &&
+           orr_vehicle_reach(s->options.vehicle) >= x->next;
+}
+
 // A stream that follows the clock.
 static need look_paced(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *when_ns)
 {
@@ -63,7 +70,7 @@ static need look_paced(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *w
         if (has_ended(x)) return NEED_ENDING;
         const int64_t air_ns = orr_clock_when(&s->pace.clock, x->next);
         *when_ns = orr_time_add(air_ns, -x->lead_ns);
-        if (now_ns < *when_ns) return NEED_LATER;
+        if (now_ns < *when_ns && !has_moved_to(s, x)) return NEED_LATER;
         if (x->credit == 0) { // what passes meanwhile is told when there is credit
             x->dry = true;
             return NEED_NOTHING;
@@ -87,7 +94,7 @@ static need look_paced(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *w
 static need look(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *when_ns)
 {
     if (x->ended || x->closed) return NEED_NOTHING;
-    if (x->pacing == ORR_MSG_PACING_CLOCK) return look_paced(s, x, now_ns, when_ns);
+    if (x->pacing != ORR_MSG_PACING_FREE) return look_paced(s, x, now_ns, when_ns);
     if (has_ended(x)) return NEED_ENDING;
     *when_ns = INT64_MAX; // behind all that follow the clock
     return x->credit > 0 && has_room(x) ? NEED_NOW : NEED_NOTHING;

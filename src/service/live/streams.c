@@ -209,7 +209,12 @@ uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_
     const orr_time now =
         s->pace.clock.state == ORR_CLOCK_STOPPED ? ORR_TIME_NONE : orr_clock_at(&s->pace.clock, h.mono_ns);
     pthread_mutex_unlock(&s->lock);
-    return orr_vehicle_take(s->options.vehicle, m, now, why);
+    const uint16_t code = orr_vehicle_take(s->options.vehicle, m, now, why);
+    if (code != 0) return code;
+    pthread_mutex_lock(&s->lock);
+    changed(s);
+    pthread_mutex_unlock(&s->lock);
+    return 0;
 }
 
 bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told)
@@ -263,8 +268,8 @@ static uint16_t read_request(const orr_server *judge, const orr_msg_subscribe *m
             "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU and POLL_TRUTH can be streamed, nothing else");
     if (orr_msg_handled(judge->handlers, m->request) == 0)
         return wrong(why, ORR_MSG_ERROR_CODE_NOT_SERVED, "this server does not answer that request");
-    if (m->pacing > ORR_MSG_PACING_CLOCK)
-        return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "pacing is FREE or CLOCK");
+    if (m->pacing > ORR_MSG_PACING_MOTION)
+        return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "pacing is FREE, CLOCK or MOTION");
     if (m->lead < 0 || m->lead > LONGEST_LEAD_NS)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "lead is 0 to 60 s");
     if (orr_msg_request_decode(m->request, x->poll, x->poll_size, &x->request) != ORR_WIRE_OK)
@@ -281,7 +286,7 @@ static uint16_t find_first(orr_streams *s, orr_stream *x, orr_msg_span span, orr
     orr_time t = x->epochs->t;
     if (t == ORR_TIME_NONE) {
         t = span.first;
-        if (x->pacing == ORR_MSG_PACING_CLOCK) {
+        if (x->pacing != ORR_MSG_PACING_FREE) {
             orr_msg_time now;
             orr_streams_time(s, &now);
             t = orr_time_add(now.t, x->lead_ns);

@@ -162,6 +162,16 @@ uint16_t orr_vehicle_take(orr_vehicle *v, const orr_msg_motion *m, orr_time now,
     return code;
 }
 
+orr_time orr_vehicle_reach(orr_vehicle *v)
+{
+    const orr_course *k = &v->course;
+    pthread_mutex_lock(&v->lock);
+    const orr_time t =
+        k->n > 0 ? k->sample[(k->first + k->n - 1) % ORR_COURSE_SAMPLES].t : ORR_TIME_NONE;
+    pthread_mutex_unlock(&v->lock);
+    return t;
+}
+
 // Samples of the recording that blocks at t rest on.
 static void replay_to(orr_vehicle *v, orr_time t)
 {

@@ -30,6 +30,8 @@ int64_t orr_vehicle_length_ns(const orr_vehicle *v);
 // Takes a sample at an instant of the scenario; ORR_TIME_NONE: its clock stands at its begin, and nothing is armed. Returns 0, or an
 // ORR_MSG_ERROR_CODE and the sentence; counted in any case.
 uint16_t orr_vehicle_take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_server_refusal *why);
+// Tag of the last sample that was taken; ORR_TIME_NONE: none was.
+orr_time orr_vehicle_reach(orr_vehicle *v);
 // Motion at both ends of a block that is being made.
 typedef struct orr_vehicle_block {
     orr_motion begin, end;
