@@ -78,7 +78,7 @@ static void start(live *l)
     static const char text[] =
         "orbit: {sp3: ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz}\nnavdata: {window: none}\n"
         "ionosphere: {field: ionosphere.ION}\ntroposphere: {model: saastamoinen}\n"
-        "signals: [\"G:L1CA\", \"R:L1OF\", \"E:E1\"]\nmask: {elevation: 0}\n"
+        "signals: [\"G:L1CA\", \"G:L5\", \"R:L1OF\", \"E:E1\"]\nmask: {elevation: 0}\n"
         "trajectory: {kind: analytic, start: 2025-03-21T10:00:00, duration: 7200, lat: 56, lon: 40, height: "
         "150}\n"
         "antennas: [{name: A, up: 1}]\n";

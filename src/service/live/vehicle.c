@@ -166,8 +166,7 @@ orr_time orr_vehicle_reach(orr_vehicle *v)
 {
     const orr_course *k = &v->course;
     pthread_mutex_lock(&v->lock);
-    const orr_time t =
-        k->n > 0 ? k->sample[(k->first + k->n - 1) % ORR_COURSE_SAMPLES].t : ORR_TIME_NONE;
+    const orr_time t = k->n > 0 ? k->sample[(k->first + k->n - 1) % ORR_COURSE_SAMPLES].t : ORR_TIME_NONE;
     pthread_mutex_unlock(&v->lock);
     return t;
 }

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// orrery record: a stream of a service into a log, frame by frame as it comes.
+#include <stdio.h>
+
+#include "core/outfile.h"
+#include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
+#include "src/cli/service/poll_ask.h"
+#include "src/cli/service/record_log.h"
+#include "src/service/net/dial.h"
+
+enum { CREDIT = 256 };
+
+typedef struct record_job {
+    orr_cli *c;
+    orr_dial *d;
+    FILE *out;
+    uint64_t blocks, left_out;
+    bool failed; // to write
+} record_job;
+
+static void keep(record_job *j, const uint8_t *data, size_t n)
+{
+    if (fwrite(data, 1, n, j->out) != n) j->failed = true;
+}
+
+// SUBSCRIBE, as it is sent and into the log.
+static orr_wire_status subscribe(record_job *j, const orr_poll_request *r)
+{
+    static uint8_t payload[16384];
+    orr_msg_any request = r->m;
+    orr_msg_epochs *epochs =
+        (orr_msg_epochs *)(void *)((char *)&request + orr_record_field(r->info->record, "epochs")->offset);
+    const bool blocks = r->info->type == ORR_MSG_TYPE_POLL_CHANNELS;
+    *epochs = (orr_msg_epochs){orr_cli_time(j->c, "from", ORR_TIME_NONE),
+                               orr_cli_duration_ns(j->c, "step", blocks ? 0 : ORR_NS_PER_S),
+                               (uint32_t)orr_cli_int(j->c, "count", 0)};
+    orr_wire_writer w = {payload, 0, sizeof payload, ORR_WIRE_OK};
+    r->info->encode(&request, &w);
+    const orr_msg_subscribe m = {.request = r->info->type,
+                                 .pacing =
+                                     orr_cli_given(j->c, "free") ? ORR_MSG_PACING_FREE : ORR_MSG_PACING_CLOCK,
+                                 .credit = CREDIT,
+                                 .lead = orr_cli_duration_ns(j->c, "lead", 0),
+                                 .poll = {payload, (uint16_t)w.size}};
+    orr_wire_writer frame;
+    size_t start;
+    orr_frame f;
+    orr_client_begin(&j->d->client, ORR_MSG_TYPE_SUBSCRIBE, &frame, &start);
+    orr_msg_subscribe_encode(&m, &frame);
+    const orr_wire_status s = orr_client_send(&j->d->client, &frame, start);
+    if (s != ORR_WIRE_OK) return s;
+    keep(j, frame.data, frame.size);
+    return orr_client_answer(&j->d->client, ORR_MSG_TYPE_SUBSCRIBED, &f);
+}
+
+// Frames until the stream ends.
+static orr_wire_status listen_to(record_job *j, uint32_t stream)
+{
+    orr_frame f;
+    for (uint32_t spent = 0;;) {
+        const orr_wire_status s = orr_client_next(&j->d->client, &f);
+        if (s != ORR_WIRE_OK) return s;
+        if (f.sequence != stream) continue;
+        keep(j, f.payload - ORR_FRAME_HEADER, f.size + ORR_FRAME_OVERHEAD);
+        if (f.type == ORR_MSG_TYPE_STREAM_END) return ORR_WIRE_OK;
+        if (f.type == ORR_MSG_TYPE_GAP) {
+            orr_msg_gap g;
+            if (orr_msg_gap_decode(f.payload, f.size, &g) == ORR_WIRE_OK) j->left_out += g.blocks;
+            continue;
+        }
+        j->blocks++;
+        if (2 * ++spent < CREDIT) continue;
+        const orr_msg_credit more = {stream, spent};
+        const orr_wire_status sent = orr_client_credit(&j->d->client, &more);
+        if (sent != ORR_WIRE_OK) return sent;
+        spent = 0;
+    }
+}
+
+static orr_status record(record_job *j, const orr_poll_request *r, orr_diag *diag)
+{
+    orr_msg_caps caps;
+    keep(j, (const uint8_t *)ORR_RECORD_MAGIC, 8);
+    orr_wire_status s = orr_client_open(&j->d->client, "orrery record", ORR_VERSION, &caps);
+    if (s == ORR_WIRE_OK) s = subscribe(j, r);
+    if (s == ORR_WIRE_OK) s = listen_to(j, j->d->client.awaited);
+    return s == ORR_WIRE_OK ? ORR_OK : orr_dial_status(j->d, s, "SUBSCRIBE", diag);
+}
+
+static int run(orr_cli *c)
+{
+    record_job j = {.c = c};
+    orr_poll_request r = {.pages = false};
+    orr_diag diag = {0};
+    orr_outfile out = {.stream = NULL};
+    const int asked = orr_poll_ask(c, &r);
+    if (asked != ORR_EXIT_OK) return asked;
+    if (!orr_cli_given(c, "count")) return orr_cli_usage(c, "--count is wanted: how many blocks to record");
+    orr_status s = orr_dial_open(
+        c->operand[0], (double)orr_cli_duration_ns(c, "timeout", 30 * ORR_NS_PER_S) * 1e-9, &j.d, &diag);
+    if (s == ORR_E_ARG) return orr_cli_usage(c, "%s", diag.text);
+    if (s == ORR_OK) s = orr_outfile_open(orr_cli_text(c, "output", "orrery.log"), &out, &diag);
+    if (s != ORR_OK) {
+        orr_dial_close(j.d);
+        return orr_cli_fail(c, &diag);
+    }
+    j.out = out.stream;
+    s = record(&j, &r, &diag);
+    if (s == ORR_OK && j.failed) s = orr_diag_set(&diag, ORR_E_IO, "the log could not be written");
+    if (s == ORR_OK)
+        s = orr_outfile_commit(&out, &diag);
+    else
+        orr_outfile_abort(&out);
+    orr_dial_close(j.d);
+    if (s != ORR_OK) return orr_cli_fail(c, &diag);
+    orr_cli_say(c, "%llu blocks, %llu left out", (unsigned long long)j.blocks,
+                (unsigned long long)j.left_out);
+    return ORR_EXIT_OK;
+}
+
+static const orr_option options[] = {
+    {.name = "output",
+     .letter = 'o',
+     .kind = ORR_OPT_TEXT,
+     .value = "LOG",
+     .writes = true,
+     .help = "Where to write it; orrery.log by default."},
+    {.name = "from",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "First instant; by default the next one of the scenario's clock, with --free the first that is "
+             "served."},
+    ORR_OPTION_STEP(.help =
+                        "Time from one block to the next; 1 s by default, with --channels every block once."),
+    {.name = "count",
+     .letter = 'n',
+     .kind = ORR_OPT_INT,
+     .value = "N",
+     .min = 1,
+     .max = 4e9,
+     .help = "How many blocks."},
+    {.name = "lead",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "How long before its instant on the scenario's clock a block is made; 0 by default."},
+    {.name = "free", .kind = ORR_OPT_FLAG, .applies = "!lead", .help = "As fast as the blocks are taken."},
+    ORR_POLL_OPTIONS,
+    {.name = "timeout",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .help = "Give up when the server is silent for so long; 30 s by default."},
+};
+
+const orr_command orr_cmd_record = {
+    .name = "record",
+    .group = "Service",
+    .summary = "write a stream of a service into a log",
+    .operands = "URL",
+    .min_operands = 1,
+    .max_operands = 1,
+    .about = "Subscribes to channels, states, broadcast data, readings or truth, and writes the frames as "
+             "they come. "
+             "`orrery replay` shows them, gives them out again bit for bit, or compares them with what a "
+             "service answers.",
+    .example = "orrery record tcp://127.0.0.1:15754 -o flight.log --channels --count 6000 --lead 0.02",
+    .n_options = sizeof options / sizeof options[0],
+    .option = options,
+    .run = run,
+};
