@@ -11,6 +11,7 @@
 #include "src/cli/service/serve_log.h"
 #include "src/make/products.h"
 #include "src/service/answers/answers.h"
+#include "src/service/dialect/motion_port.h"
 #include "src/service/live/motion_log.h"
 #include "src/service/serve/service.h"
 #include "src/service/text/text_server.h"
@@ -42,6 +43,7 @@ typedef struct serving {
     orr_motion_log *log_out, *log_in;
     orr_answers *reader; // of the text twin's thread
     orr_text_server *text;
+    orr_motion_port *port;
     orr_serve_log talk;
     orr_log log;
 } serving;
@@ -83,6 +85,9 @@ static void say_ready(void *user)
     for (size_t i = 0; (url = orr_service_url(v->service, i)) != NULL && at + strlen(url) + 200 < sizeof text;
          i++)
         at += (size_t)snprintf(text + at, sizeof text - at, " %s", url);
+    if (v->port != NULL)
+        at += (size_t)snprintf(text + at, sizeof text - at, " with motion by UDP on 127.0.0.1:%u",
+                               (unsigned)orr_motion_port_number(v->port));
     if (v->text != NULL)
         at +=
             (size_t)snprintf(text + at, sizeof text - at, " and as text on %s", orr_text_server_url(v->text));
@@ -204,6 +209,9 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     if (s == ORR_OK) orr_service_provide(v->service, orr_answers_server(v->answers));
     if (s == ORR_OK) s = open_streams(v, diag);
     if (s == ORR_OK) s = open_text(v, diag);
+    if (s == ORR_OK && orr_cli_given(v->c, "motion-udp"))
+        s = orr_motion_port_open((uint16_t)orr_cli_int(v->c, "motion-udp", 0),
+                                 orr_dialect_of(orr_cli_text(v->c, "dialect", "orrery")), v->streams, &v->port, diag);
     return s;
 }
 
@@ -223,6 +231,7 @@ static int run(orr_cli *c)
     bool asked_wrongly = s == ORR_E_ARG && v.service == NULL && v.url != NULL; // --listen, or serve.listen
     if (s == ORR_OK) s = orr_service_run(v.service, say_ready, &v, &diag);
     if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, "stopped");
+    orr_motion_port_close(v.port);
     orr_text_server_close(v.text);
     orr_answers_close(v.reader);
     orr_streams_halt(v.streams);
@@ -294,6 +303,19 @@ static const orr_option options[] = {
      .applies = "!motion",
      .value = "FILE",
      .help = "Take the samples from such a file: streams give the same blocks again, bit for bit."},
+    {.name = "motion-udp",
+     .kind = ORR_OPT_INT,
+     .applies = "motion",
+     .value = "PORT",
+     .min = 0,
+     .max = 65535,
+     .help = "Take motion by datagrams too, on this port of 127.0.0.1 (0: any free one)."},
+    {.name = "dialect",
+     .kind = ORR_OPT_CHOICE,
+     .applies = "motion-udp",
+     .value = ORR_DIALECTS,
+     .help = "How datagrams tell it: Orrery's frames (default), Skydel's hardware in the loop, lines of seconds, x, y, z and "
+             "derivatives, or NMEA 0183 (docs/live.md)."},
     {.name = "join",
      .kind = ORR_OPT_REAL,
      .applies = "motion|motion-replay",

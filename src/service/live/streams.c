@@ -223,6 +223,14 @@ bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *
     return s->options.vehicle != NULL;
 }
 
+orr_time orr_streams_begin(orr_streams *s)
+{
+    pthread_mutex_lock(&s->lock);
+    const orr_time begin = s->pace.begin;
+    pthread_mutex_unlock(&s->lock);
+    return begin;
+}
+
 void orr_streams_time(orr_streams *s, orr_msg_time *told)
 {
     const orr_host h = host_of(s);

@@ -69,6 +69,8 @@ uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time
 uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_refusal *why);
 // GET_MOTION_STATS; false where no motion is taken.
 bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told);
+// Where the scenario's clock begins (LOAD, `begin`).
+orr_time orr_streams_begin(orr_streams *s);
 // What TIME says.
 void orr_streams_time(orr_streams *s, orr_msg_time *told);
 

@@ -3,7 +3,10 @@
 """Live motion over the wire: antennas follow it, blocks join, every block says where its motion comes from, and every sample is
 accounted for."""
 import math
+import re
 import shutil
+import socket
+import struct
 import sys
 import time
 import unittest
@@ -170,6 +173,39 @@ class Live(unittest.TestCase):
         stream = again.subscribe(messages.PollChannels(antenna=0, terms=1), blocks[0].t, 0, pacing="free", count=200)
         same = [stream.payload == p for p in payloads if stream.next() is not None]
         self.assertEqual(same, [True] * 200)
+
+    def test_skydel_datagrams(self):
+        """A laboratory's own client: hello, then positions with derivatives by its clock of milliseconds; it hears where the vehicle is."""
+        daemon = Daemon(WORK / "motion.yaml", "--from", "2025-03-21T10:02:00", "--start", "command", "--motion", "--motion-udp", "0",
+                        "--dialect", "skydel")
+        self.addCleanup(lambda: self.assertEqual(daemon.stop(), 0))
+        port = int(re.search(r"127\.0\.0\.1:(\d+) \(", next(x for x in daemon.lines if "by UDP" in x)).group(1))
+        client = orrery.Client(daemon.urls[0])
+        self.addCleanup(client.close)
+        begin = client.time().t
+        body = Body(client.truth(begin))
+        client.control("start")
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+            sock.settimeout(20)
+            sock.connect(("127.0.0.1", port))
+            sock.send(b"\x01")
+            stream = client.subscribe(messages.PollChannels(antenna=0), None, 0, lead_s=0.01, credit=1000)
+            for _ in range(50):
+                t = client.time().t
+                p = body.at(t)
+                sock.send(struct.pack("<BBd", 7, 2, (t - begin) / 1e6) + struct.pack("<12d", *p[0], *p[1], *p[2], *p[3]) + struct.pack("<I", 0))
+                told = struct.unpack("<BQ9d", sock.recv(200))
+                self.assertEqual((told[0], told[2:5]), (3, tuple(p[0])))
+                block = stream.next()
+            sock.send(b"\x63nonsense")
+            while block.motion == STATE.SCENARIO:
+                block = stream.next()
+            self.assertAlmostEqual(math.dist(block.pos_m, body.at(block.block)[0]), 1, delta=2e-3)
+        end = time.monotonic() + 10
+        while client.motion_stats().dropped == 0 and time.monotonic() < end:
+            time.sleep(0.01)
+        m = client.motion_stats()
+        self.assertEqual((m.received, m.dropped), (51, 1))
 
     def test_time_passes(self):
         """Samples stop: blocks go on, extrapolated, and say how old what they rest on is."""
