@@ -211,7 +211,8 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     if (s == ORR_OK) s = open_text(v, diag);
     if (s == ORR_OK && orr_cli_given(v->c, "motion-udp"))
         s = orr_motion_port_open((uint16_t)orr_cli_int(v->c, "motion-udp", 0),
-                                 orr_dialect_of(orr_cli_text(v->c, "dialect", "orrery")), v->streams, &v->port, diag);
+                                 orr_dialect_of(orr_cli_text(v->c, "dialect", "orrery")), v->streams,
+                                 &v->port, diag);
     return s;
 }
 
@@ -314,7 +315,8 @@ static const orr_option options[] = {
      .kind = ORR_OPT_CHOICE,
      .applies = "motion-udp",
      .value = ORR_DIALECTS,
-     .help = "How datagrams tell it: Orrery's frames (default), Skydel's hardware in the loop, lines of seconds, x, y, z and "
+     .help = "How datagrams tell it: Orrery's frames (default), Skydel's hardware in the loop, lines of "
+             "seconds, x, y, z and "
              "derivatives, or NMEA 0183 (docs/live.md)."},
     {.name = "join",
      .kind = ORR_OPT_REAL,

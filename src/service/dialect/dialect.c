@@ -8,7 +8,8 @@
 
 const orr_dialect *orr_dialect_of(const char *name)
 {
-    static const orr_dialect *const all[] = {&orr_dialect_frames, &orr_dialect_skydel, &orr_dialect_lines, &orr_dialect_nmea};
+    static const orr_dialect *const all[] = {&orr_dialect_frames, &orr_dialect_skydel, &orr_dialect_lines,
+                                             &orr_dialect_nmea};
     for (size_t k = 0; k < sizeof all / sizeof all[0]; k++)
         if (strcmp(all[k]->name, name) == 0) return all[k];
     return NULL;
@@ -39,13 +40,15 @@ void orr_dialect_turn(double angle[4][3], int order, orr_msg_motion *m)
     const double h = 1e-3;
     const orr_geodetic place = orr_earth_from_ecef((orr_vec3){m->pos_m[0], m->pos_m[1], m->pos_m[2]});
     const orr_mat3 enu = orr_earth_enu_from_ecef(place.lat_rad, place.lon_rad),
-                   own = orr_body_from_enu((orr_angles){angle[0][0], angle[0][1], angle[0][2]}), body = orr_mat3_mul(&own, &enu);
+                   own = orr_body_from_enu((orr_angles){angle[0][0], angle[0][1], angle[0][2]}),
+                   body = orr_mat3_mul(&own, &enu);
     const orr_quat q = orr_quat_from_mat3(&body);
     const orr_vec3 w = rate_at(angle, 0), before = rate_at(angle, -h), after = rate_at(angle, h);
     const double attitude[4] = {q.w, q.x, q.y, q.z};
     memcpy(m->attitude, attitude, sizeof attitude);
     put(m->rate_radps, w);
     put(m->rate2_radps2, orr_vec3_scale(0.5 / h, orr_vec3_sub(after, before)));
-    put(m->rate3_radps3, orr_vec3_scale(1 / h / h, orr_vec3_sub(orr_vec3_add(after, before), orr_vec3_scale(2, w))));
+    put(m->rate3_radps3,
+        orr_vec3_scale(1 / h / h, orr_vec3_sub(orr_vec3_add(after, before), orr_vec3_scale(2, w))));
     m->angular_order = (uint8_t)(1 + order);
 }

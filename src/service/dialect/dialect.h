@@ -30,8 +30,8 @@ typedef enum orr_dialect_result {
 typedef struct orr_dialect {
     const char *name, *words; // of an option, and what it is
     // Given: s, data, n. Returned: the sample in *m; a reply of *n_reply bytes (at most ORR_DIALECT_REPLY).
-    orr_dialect_result (*take)(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m, uint8_t *reply,
-                               size_t *n_reply);
+    orr_dialect_result (*take)(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m,
+                               uint8_t *reply, size_t *n_reply);
 } orr_dialect;
 
 extern const orr_dialect orr_dialect_frames, orr_dialect_skydel, orr_dialect_lines, orr_dialect_nmea;

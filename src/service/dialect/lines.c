@@ -7,8 +7,8 @@
 
 #include "src/service/dialect/dialect.h"
 
-static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m, uint8_t *reply,
-                               size_t *n_reply)
+static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m,
+                               uint8_t *reply, size_t *n_reply)
 {
     char text[ORR_DIALECT_DATAGRAM + 1];
     double v[13];
@@ -36,4 +36,5 @@ static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t
     return ORR_DIALECT_SAMPLE;
 }
 
-const orr_dialect orr_dialect_lines = {.name = "lines", .words = "lines of seconds, x, y, z and derivatives", .take = take};
+const orr_dialect orr_dialect_lines = {
+    .name = "lines", .words = "lines of seconds, x, y, z and derivatives", .take = take};

@@ -36,9 +36,11 @@ static void take_one(orr_motion_port *p)
     p->state.now = now.t;
     p->state.begin = orr_streams_begin(p->streams);
     const orr_dialect_result result = p->dialect->take(&p->state, data, (size_t)n, &m, reply, &n_reply);
-    if (result == ORR_DIALECT_WRONG) m = (orr_msg_motion){.order = 255}; // counted as dropped: a datagram that is none
+    if (result == ORR_DIALECT_WRONG)
+        m = (orr_msg_motion){.order = 255}; // counted as dropped: a datagram that is none
     if (result != ORR_DIALECT_NOTHING) (void)orr_streams_motion(p->streams, &m, &why);
-    if (n_reply > 0 && sendto(p->fd, reply, n_reply, MSG_NOSIGNAL, (struct sockaddr *)&from, n_from) < 0) return; // who asked is gone
+    if (n_reply > 0 && sendto(p->fd, reply, n_reply, MSG_NOSIGNAL, (struct sockaddr *)&from, n_from) < 0)
+        return; // who asked is gone
 }
 
 static void *run(void *user)
@@ -52,8 +54,8 @@ static void *run(void *user)
     }
 }
 
-orr_status orr_motion_port_open(uint16_t port, const orr_dialect *dialect, orr_streams *streams, orr_motion_port **out,
-                                orr_diag *diag)
+orr_status orr_motion_port_open(uint16_t port, const orr_dialect *dialect, orr_streams *streams,
+                                orr_motion_port **out, orr_diag *diag)
 {
     orr_motion_port *p = calloc(1, sizeof *p);
     if (p == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
@@ -65,11 +67,12 @@ orr_status orr_motion_port_open(uint16_t port, const orr_dialect *dialect, orr_s
     at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     p->fd = socket(AF_INET, SOCK_DGRAM, 0);
     orr_status s = ORR_OK;
-    if (p->fd < 0 || bind(p->fd, (struct sockaddr *)&at, sizeof at) != 0 || getsockname(p->fd, (struct sockaddr *)&at, &n) != 0 ||
-        pipe(p->stop) != 0)
+    if (p->fd < 0 || bind(p->fd, (struct sockaddr *)&at, sizeof at) != 0 ||
+        getsockname(p->fd, (struct sockaddr *)&at, &n) != 0 || pipe(p->stop) != 0)
         s = orr_diag_set(diag, ORR_E_IO, "UDP port %u for motion: %s", (unsigned)port, strerror(errno));
     p->number = ntohs(at.sin_port);
-    if (s == ORR_OK && pthread_create(&p->thread, NULL, run, p) != 0) s = orr_diag_set(diag, ORR_E_IO, "no thread for motion");
+    if (s == ORR_OK && pthread_create(&p->thread, NULL, run, p) != 0)
+        s = orr_diag_set(diag, ORR_E_IO, "no thread for motion");
     p->has_thread = s == ORR_OK;
     if (s != ORR_OK) {
         orr_motion_port_close(p);

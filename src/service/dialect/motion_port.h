@@ -18,8 +18,8 @@ typedef struct orr_motion_port orr_motion_port;
 //   out      the port; close with orr_motion_port_close
 //   diag     why it failed
 // Errors: ORR_E_IO, ORR_E_MEMORY.
-orr_status orr_motion_port_open(uint16_t port, const orr_dialect *dialect, orr_streams *streams, orr_motion_port **out,
-                                orr_diag *diag);
+orr_status orr_motion_port_open(uint16_t port, const orr_dialect *dialect, orr_streams *streams,
+                                orr_motion_port **out, orr_diag *diag);
 // The port as bound.
 uint16_t orr_motion_port_number(const orr_motion_port *p);
 void orr_motion_port_close(orr_motion_port *p); // NULL is allowed

@@ -42,8 +42,8 @@ static double angle_of(const char *text, const char *side)
     return side[0] == 'S' || side[0] == 'W' ? -rad : rad;
 }
 
-static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m, uint8_t *reply,
-                               size_t *n_reply)
+static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m,
+                               uint8_t *reply, size_t *n_reply)
 {
     char text[ORR_DIALECT_DATAGRAM + 1], *f[FIELDS];
     (void)reply;
@@ -62,11 +62,15 @@ static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t
     }
     if (strcmp(f[0] + 3, "GGA") != 0 || count < 12) return ORR_DIALECT_NOTHING;
     const orr_geodetic g = {angle_of(f[2], f[3]), angle_of(f[4], f[5]), atof(f[9]) + atof(f[11])};
-    if (!isfinite(g.lat_rad) || !isfinite(g.lon_rad) || fabs(g.lat_rad) > ORR_PI / 2) return ORR_DIALECT_WRONG;
+    if (!isfinite(g.lat_rad) || !isfinite(g.lon_rad) || fabs(g.lat_rad) > ORR_PI / 2)
+        return ORR_DIALECT_WRONG;
     const orr_mat3 enu = orr_earth_enu_from_ecef(g.lat_rad, g.lon_rad);
-    const orr_vec3 r = orr_earth_to_ecef(g), v = orr_mat3_apply_t(&enu, (orr_vec3){s->last.vel_mps[0], s->last.vel_mps[1], 0});
-    *m = (orr_msg_motion){.t = s->now, .order = s->last.order, .pos_m = {r.x, r.y, r.z}, .vel_mps = {v.x, v.y, v.z}};
+    const orr_vec3 r = orr_earth_to_ecef(g),
+                   v = orr_mat3_apply_t(&enu, (orr_vec3){s->last.vel_mps[0], s->last.vel_mps[1], 0});
+    *m = (orr_msg_motion){
+        .t = s->now, .order = s->last.order, .pos_m = {r.x, r.y, r.z}, .vel_mps = {v.x, v.y, v.z}};
     return ORR_DIALECT_SAMPLE;
 }
 
-const orr_dialect orr_dialect_nmea = {.name = "nmea", .words = "NMEA 0183 sentences GGA and RMC", .take = take};
+const orr_dialect orr_dialect_nmea = {
+    .name = "nmea", .words = "NMEA 0183 sentences GGA and RMC", .take = take};

@@ -21,20 +21,23 @@ static void take_three(orr_wire_reader *r, double to[3])
 }
 
 // What Skydel tells a client that has greeted: where its vehicle is.
-static size_t tell(orr_dialect_state *s, const orr_msg_motion *m, double ms, const double angle[3], uint8_t *reply)
+static size_t tell(orr_dialect_state *s, const orr_msg_motion *m, double ms, const double angle[3],
+                   uint8_t *reply)
 {
     const orr_geodetic place = orr_earth_from_ecef((orr_vec3){m->pos_m[0], m->pos_m[1], m->pos_m[2]});
     const orr_mat3 enu = orr_earth_enu_from_ecef(place.lat_rad, place.lon_rad);
     const orr_vec3 v = orr_mat3_apply(&enu, (orr_vec3){m->vel_mps[0], m->vel_mps[1], m->vel_mps[2]});
     const double heading = atan2(v.x, v.y);
-    const double told[] = {m->pos_m[0], m->pos_m[1], m->pos_m[2], angle[0], angle[1], angle[2], orr_vec3_norm(v), heading, s->travelled_m};
+    const double told[] = {m->pos_m[0], m->pos_m[1],      m->pos_m[2], angle[0],      angle[1],
+                           angle[2],    orr_vec3_norm(v), heading,     s->travelled_m};
     reply[0] = VEHICLE;
     orr_wire_store_u64(reply + 1, ms > 0 ? (uint64_t)ms : 0);
     for (int k = 0; k < 9; k++) orr_wire_store_f64(reply + 9 + 8 * k, told[k]);
     return 9 + 8 * 9;
 }
 
-static orr_dialect_result take_motion(orr_dialect_state *s, orr_wire_reader *r, uint8_t what, orr_msg_motion *m, double *ms, double angle[4][3])
+static orr_dialect_result take_motion(orr_dialect_state *s, orr_wire_reader *r, uint8_t what,
+                                      orr_msg_motion *m, double *ms, double angle[4][3])
 {
     int order = 0;
     const bool turns = what == ECEF_NED || what == ECEF_NED_DYNAMICS;
@@ -51,7 +54,8 @@ static orr_dialect_result take_motion(orr_dialect_state *s, orr_wire_reader *r, 
         if (turns) take_three(r, angle[k]);
     }
     const uint8_t *name = orr_wire_take(r, 4);
-    if (name == NULL || orr_wire_load_u32(name) != r->size - r->at || !(fabs(*ms) < 1e12)) return ORR_DIALECT_WRONG;
+    if (name == NULL || orr_wire_load_u32(name) != r->size - r->at || !(fabs(*ms) < 1e12))
+        return ORR_DIALECT_WRONG;
     if (orr_wire_load_u32(name) > 0) return ORR_DIALECT_NOTHING; // of another vehicle
     m->order = (uint8_t)order;
     m->t = orr_time_add(s->begin, llround(*ms * 1e6));
@@ -59,8 +63,8 @@ static orr_dialect_result take_motion(orr_dialect_state *s, orr_wire_reader *r, 
     return ORR_DIALECT_SAMPLE;
 }
 
-static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m, uint8_t *reply,
-                               size_t *n_reply)
+static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m,
+                               uint8_t *reply, size_t *n_reply)
 {
     orr_wire_reader r = {data, n, 0, ORR_WIRE_OK};
     double ms, angle[4][3] = {{0}};
@@ -86,10 +90,12 @@ static orr_dialect_result take(orr_dialect_state *s, const uint8_t *data, size_t
     const orr_dialect_result result = take_motion(s, &r, *what, m, &ms, angle);
     if (result != ORR_DIALECT_SAMPLE) return result;
     if (s->last.t != 0)
-        s->travelled_m += hypot(hypot(m->pos_m[0] - s->last.pos_m[0], m->pos_m[1] - s->last.pos_m[1]), m->pos_m[2] - s->last.pos_m[2]);
+        s->travelled_m += hypot(hypot(m->pos_m[0] - s->last.pos_m[0], m->pos_m[1] - s->last.pos_m[1]),
+                                m->pos_m[2] - s->last.pos_m[2]);
     s->last = *m;
     if (s->greeted) *n_reply = tell(s, m, ms, angle[0], reply);
     return ORR_DIALECT_SAMPLE;
 }
 
-const orr_dialect orr_dialect_skydel = {.name = "skydel", .words = "Skydel's hardware-in-the-loop datagrams", .take = take};
+const orr_dialect orr_dialect_skydel = {
+    .name = "skydel", .words = "Skydel's hardware-in-the-loop datagrams", .take = take};

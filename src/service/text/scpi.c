@@ -83,6 +83,10 @@ static bool match_word(const char **pattern, const char **header)
     while (isalnum((unsigned char)h[n]) || h[n] == '*') n++;
     *pattern += n_long;
     *header += n;
+    if (p[n_long] == '#') {
+        (*pattern)++;
+        while (n > 0 && isdigit((unsigned char)h[n - 1])) n--;
+    }
     return (n == n_short || n == n_long) && strncasecmp(p, h, n) == 0;
 }
 
@@ -91,7 +95,7 @@ static bool match_from(const char *p, const char *h)
     for (;;) {
         if (*p == '[') { // optional: with it, or without
             const char *close = strchr(p, ']');
-            char with[96];
+            char with[128];
             if (close == NULL || strlen(p) >= sizeof with) return false;
             snprintf(with, sizeof with, "%.*s%s", (int)(close - p - 1), p + 1, close + 1);
             return match_from(with, h) || match_from(close + 1, h);
@@ -109,6 +113,13 @@ static bool match_from(const char *p, const char *h)
 bool orr_scpi_matches(const char *pattern, const char *header)
 {
     if (*header == ':') header++;
+    if (*pattern == '[' && pattern[1] != ':') { // "[SOURce#:]BB": the first word is optional
+        const char *close = strchr(pattern, ']');
+        char with[128];
+        if (close == NULL || strlen(pattern) >= sizeof with) return false;
+        snprintf(with, sizeof with, "%.*s%s", (int)(close - pattern - 1), pattern + 1, close + 1);
+        return match_from(with, header) || match_from(close + 1, header);
+    }
     return match_from(pattern, header);
 }
 
@@ -326,8 +337,9 @@ static const orr_scpi_command *find(const orr_scpi *s, const char *header)
 {
     for (size_t k = 0; k < sizeof common / sizeof common[0]; k++)
         if (orr_scpi_matches(common[k].header, header)) return &common[k];
-    for (size_t k = 0; k < s->n_commands; k++)
-        if (orr_scpi_matches(s->command[k].header, header)) return &s->command[k];
+    for (size_t t = 0; t < ORR_SCPI_TABLES; t++)
+        for (size_t k = 0; k < s->table[t].n; k++)
+            if (orr_scpi_matches(s->table[t].command[k].header, header)) return &s->table[t].command[k];
     return NULL;
 }
 

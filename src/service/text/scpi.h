@@ -23,7 +23,7 @@ enum {
     ORR_SCPI_OVERFLOW = -350,
     ORR_SCPI_OVERRUN = -363,
 };
-enum { ORR_SCPI_QUEUE = 16, ORR_SCPI_PARAMETERS = 16, ORR_SCPI_SENTENCE = 256 };
+enum { ORR_SCPI_QUEUE = 16, ORR_SCPI_PARAMETERS = 32, ORR_SCPI_TABLES = 4, ORR_SCPI_SENTENCE = 256 };
 
 // A pair of status registers below the status byte.
 typedef struct orr_scpi_register {
@@ -34,15 +34,18 @@ typedef struct orr_scpi orr_scpi;
 // Does what a header says with its parameters (texts without quotes), and writes what a query answers to out, without a line's end.
 // 0, or an error's number, whose detail it may leave in s->detail.
 typedef struct orr_scpi_command {
-    const char *header; // as documents write it: "SATellite:STATe?", "SYSTem:ERRor[:NEXT]?"
+    const char *
+        header; // as documents write it: "SATellite:STATe?", "SYSTem:ERRor[:NEXT]?"; # stands for a number or none
     size_t least, most; // parameters
     int (*run)(orr_scpi *s, char *const *parameter, size_t n, FILE *out);
     bool controls; // needs permission
 } orr_scpi_command;
 
 struct orr_scpi {
-    const orr_scpi_command *command; // the owner's, behind the common ones
-    size_t n_commands;
+    struct { // the owner's, behind the common ones
+        const orr_scpi_command *command;
+        size_t n;
+    } table[ORR_SCPI_TABLES];
     void *user;
     const char *identity; // of *IDN?
     bool read_only;

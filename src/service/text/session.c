@@ -7,8 +7,9 @@
 
 #include "src/service/text/json_line.h"
 #include "src/service/text/message_text.h"
+#include "src/service/text/scpi_dialects.h"
 
-static const orr_asked *asked_of(const orr_scpi *s) { return ((const orr_text_session *)s->user)->asked; }
+static const orr_asked *asked_of(const orr_scpi *s) { return orr_text_asked(s); }
 
 // What a refusal is in SCPI, with its sentence.
 static int refused(orr_scpi *s, uint16_t code, const orr_server_refusal *why)
@@ -265,8 +266,9 @@ static const orr_scpi_command commands[] = {
 bool orr_text_session_open(orr_text_session *s, const orr_asked *asked)
 {
     *s = (orr_text_session){.asked = asked,
-                            .scpi = {.command = commands,
-                                     .n_commands = sizeof commands / sizeof commands[0],
+                            .scpi = {.table = {{commands, sizeof commands / sizeof commands[0]},
+                                               {orr_scpi_gsg, orr_scpi_n_gsg},
+                                               {orr_scpi_rs, orr_scpi_n_rs}},
                                      .identity = "Orrery,GNSS simulator,0," ORR_VERSION,
                                      .read_only = asked->read_only}};
     s->line = malloc(ORR_TEXT_LINE + 1);
@@ -300,7 +302,8 @@ static void take_line(orr_text_session *s, FILE *out)
         return;
     }
     look_at_status(s);
-    s->scpi.user = s; // the session may have been moved since it was opened
+    s->common = (orr_text_common){.asked = s->asked, .gsg = s->common.gsg};
+    s->scpi.user = &s->common; // the session may have been moved since it was opened
     orr_scpi_line(&s->scpi, s->line, out);
 }
 

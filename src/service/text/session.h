@@ -5,12 +5,14 @@
 
 #include "src/service/text/ask.h"
 #include "src/service/text/scpi.h"
+#include "src/service/text/scpi_dialects.h"
 
 enum { ORR_TEXT_LINE = 64 << 10 }; // longest line; a longer one is -363 and passed over
 
 typedef struct orr_text_session {
     const orr_asked *asked;
     orr_scpi scpi;
+    orr_text_common common; // behind scpi's tables
     char *line;
     size_t n;
     bool overrun; // the present line is too long

@@ -21,7 +21,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         size_t n_reply = 0;
         orr_msg_motion m = {.order = 0};
         orr_server_refusal why;
-        if (d->take(&s, data + 1, size - 1, &m, reply, &n_reply) == ORR_DIALECT_SAMPLE) (void)orr_vehicle_take(v, &m, s.now, &why);
+        if (d->take(&s, data + 1, size - 1, &m, reply, &n_reply) == ORR_DIALECT_SAMPLE)
+            (void)orr_vehicle_take(v, &m, s.now, &why);
         if (n_reply > ORR_DIALECT_REPLY) abort();
         s.greeted = true;
         s.now += 10000000;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The text twin: SCPI and JSON lines over its own port, by netcat, by PyVISA and by bare sockets, against the binary protocol."""
 import json
+import math
 import re
 import shutil
 import socket
@@ -138,6 +139,34 @@ class Text(unittest.TestCase):
             wire.write(line)
             self.assertEqual(wire.error(), -203)
         self.assertEqual(json.loads(wire.query('{"request": "CONTROL", "action": "START"}'))["error"], "NOT_PERMITTED")
+        self.assertEqual(daemon.stop(), 0)
+
+    def test_other_instruments_words(self):
+        daemon, port = self.serve()
+        wire, client = self.wire(port), orrery.Client(daemon.urls[0])
+        lat, lon, e2 = math.radians(56), math.radians(40), 6.69437999014e-3
+        n = 6378137 / math.sqrt(1 - e2 * math.sin(lat)**2)
+        p = [(n + 1500) * math.cos(lat) * math.cos(lon), (n + 1500) * math.cos(lat) * math.sin(lon), (n * (1 - e2) + 1500) * math.sin(lat)]
+        wire.write("SOUR1:BB:GNSS:RT:REC:V1:HILP:MODE:A 0.1,%r,%r,%r" % tuple(p))
+        self.assertEqual(wire.error(), -222)  # nothing is armed
+        wire.write("SCEN:STAR")
+        wire.write("SOUR1:BB:GNSS:RT:REC:V1:HILP:MODE:A 0.1,%r,%r,%r,1,0,0,0,1,0" % tuple(p))
+        wire.write(":BB:GNSS:RT:RECeiver:HILPosition:MODE:B 0.2,56,40,1500,1,2,3,0,0,0,0,0,0,0.1,0.2,0.3")
+        wire.write("SOUR:SCEN:ENUVEL IMM,1,0,0")
+        wire.write("SOURce:SCENario:PRYattitude IMMediate,1,2,3")
+        wire.write("SOUR:SCEN:ECEFPOS 0.9,%r,%r,%r" % tuple(p))
+        self.assertEqual(wire.error(), 0)
+        self.assertEqual(wire.query("SOUR1:BB:GNSS:RT:REC:V1:HILP:LAT:STAT?").split(",")[5], "4")
+        self.assertEqual(client.motion_stats().received, 4)
+        self.assertEqual(client.motion_stats().dropped, 1)
+        self.assertGreater(float(wire.query("SOUR1:BB:GNSS:RT:HWT?")), 0)
+        float(wire.query("SOURce1:BB:GNSS:RECeiver:V1:HIL:SLATency?"))
+        for line, number in (("BB:GNSS:RT:REC:HILP:MODE:A 1,2,3,4,5", -109), ("BB:GNSS:RT:REC:HILP:MODE:A 1,2,3,x", -224),
+                             ("SOUR:SCEN:ECEFPOS 1,2,3", -109), ("SOUR:SCEN:ECEFPOS LATER,1,2,3", -224),
+                             ("SOUR:SCEN:ECEFPOS 3,0,0,0", -222)):
+            wire.write(line)
+            self.assertEqual(wire.error(), number, line)
+        client.close()
         self.assertEqual(daemon.stop(), 0)
 
     def test_json_lines(self):

@@ -8,8 +8,8 @@
 
 static const orr_time BEGIN = 1000 * ORR_NS_PER_S;
 
-static orr_dialect_result take(const orr_dialect *d, orr_dialect_state *s, const uint8_t *data, size_t n, orr_msg_motion *m,
-                               size_t *n_reply)
+static orr_dialect_result take(const orr_dialect *d, orr_dialect_state *s, const uint8_t *data, size_t n,
+                               orr_msg_motion *m, size_t *n_reply)
 {
     static uint8_t reply[ORR_DIALECT_REPLY];
     return d->take(s, data, n, m, reply, n_reply);
@@ -39,7 +39,8 @@ static void skydel_places(void **state)
     assert_memory_equal(m.pos_m, v, 24);
     assert_memory_equal(m.vel_mps, v + 3, 24);
     assert_memory_equal(m.acc_mps2, v + 6, 24);
-    for (size_t k = 0; k < n; k++) assert_int_equal(take(&orr_dialect_skydel, &s, b, k, &m, &n_reply), ORR_DIALECT_WRONG);
+    for (size_t k = 0; k < n; k++)
+        assert_int_equal(take(&orr_dialect_skydel, &s, b, k, &m, &n_reply), ORR_DIALECT_WRONG);
     assert_int_equal(take(&orr_dialect_skydel, &s, b, n + 1, &m, &n_reply), ORR_DIALECT_WRONG);
     b[1] = 3;
     assert_int_equal(take(&orr_dialect_skydel, &s, b, n, &m, &n_reply), ORR_DIALECT_WRONG);
@@ -91,7 +92,8 @@ static void skydel_turns(void **state)
     ASSERT_NEAR((m[2].rate_radps[0] - m[0].rate_radps[0]) / (2 * h), m[1].rate2_radps2[0], 1e-5);
 }
 
-static orr_dialect_result text(const orr_dialect *d, orr_dialect_state *s, const char *line, orr_msg_motion *m)
+static orr_dialect_result text(const orr_dialect *d, orr_dialect_state *s, const char *line,
+                               orr_msg_motion *m)
 {
     size_t n_reply;
     return take(d, s, (const uint8_t *)line, strlen(line), m, &n_reply);
@@ -107,7 +109,8 @@ static void lines(void **state)
     assert_int_equal(text(&orr_dialect_lines, &s, "2 1 2 3 4 5 6 7 8 9 10 11 12", &m), ORR_DIALECT_SAMPLE);
     assert_true(m.order == 3 && m.jerk_mps3[0] == 10);
     assert_int_equal(text(&orr_dialect_lines, &s, "# a remark", &m), ORR_DIALECT_NOTHING);
-    static const char *const bad[] = {"1,2,3", "1,2,3,x", "1,2,3,4,5", "nan,1,2,3", "1,2,3,4,5,6,7,8,9,10,11,12,13,14"};
+    static const char *const bad[] = {"1,2,3", "1,2,3,x", "1,2,3,4,5", "nan,1,2,3",
+                                      "1,2,3,4,5,6,7,8,9,10,11,12,13,14"};
     for (int k = 0; k < 5; k++) assert_int_equal(text(&orr_dialect_lines, &s, bad[k], &m), ORR_DIALECT_WRONG);
 }
 
@@ -116,15 +119,22 @@ static void nmea(void **state)
     (void)state;
     orr_dialect_state s = {.begin = BEGIN, .now = BEGIN + 7};
     orr_msg_motion m;
-    assert_int_equal(text(&orr_dialect_nmea, &s, "$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A", &m), ORR_DIALECT_NOTHING);
-    assert_int_equal(text(&orr_dialect_nmea, &s, "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n", &m), ORR_DIALECT_SAMPLE);
+    assert_int_equal(text(&orr_dialect_nmea, &s,
+                          "$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A", &m),
+                     ORR_DIALECT_NOTHING);
+    assert_int_equal(text(&orr_dialect_nmea, &s,
+                          "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n", &m),
+                     ORR_DIALECT_SAMPLE);
     const orr_geodetic g = orr_earth_from_ecef((orr_vec3){m.pos_m[0], m.pos_m[1], m.pos_m[2]});
     ASSERT_NEAR(g.lat_rad * ORR_DEG_PER_RAD, 48 + 7.038 / 60, 1e-9);
     ASSERT_NEAR(g.lon_rad * ORR_DEG_PER_RAD, 11 + 31.0 / 60, 1e-9);
     ASSERT_NEAR(g.height_m, 545.4 + 46.9, 1e-6);
-    ASSERT_NEAR(sqrt(m.vel_mps[0] * m.vel_mps[0] + m.vel_mps[1] * m.vel_mps[1] + m.vel_mps[2] * m.vel_mps[2]), 22.4 * 1852 / 3600, 1e-9);
+    ASSERT_NEAR(sqrt(m.vel_mps[0] * m.vel_mps[0] + m.vel_mps[1] * m.vel_mps[1] + m.vel_mps[2] * m.vel_mps[2]),
+                22.4 * 1852 / 3600, 1e-9);
     assert_true(m.t == BEGIN + 7 && m.order == 1);
-    assert_int_equal(text(&orr_dialect_nmea, &s, "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*48", &m), ORR_DIALECT_WRONG);
+    assert_int_equal(
+        text(&orr_dialect_nmea, &s, "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*48", &m),
+        ORR_DIALECT_WRONG);
     assert_int_equal(text(&orr_dialect_nmea, &s, "hello", &m), ORR_DIALECT_WRONG);
 }
 

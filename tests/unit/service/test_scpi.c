@@ -33,7 +33,7 @@ static int acted;
 static orr_scpi instrument(void)
 {
     acted = 0;
-    return (orr_scpi){.command = commands, .n_commands = 3, .user = &acted, .identity = "A,B,0,1"};
+    return (orr_scpi){.table = {{commands, 3}}, .user = &acted, .identity = "A,B,0,1"};
 }
 
 static const char *say(orr_scpi *s, const char *line)
@@ -60,6 +60,11 @@ static void headers(void **state)
     assert_true(orr_scpi_matches("SYSTem:ERRor[:NEXT]?", "SYST:ERROR:NEXT?"));
     assert_false(orr_scpi_matches("SYSTem:ERRor[:NEXT]?", "SYST:ERR:NEX?"));
     assert_true(orr_scpi_matches("*IDN?", "*idn?"));
+    static const char *const numbered[] = {"BB:REC:LAT?", "SOUR1:BB:RECEIVER2:LAT?",
+                                           ":source:bb:rec:latency?", "SOURCE12:BB:REC:LAT?"};
+    for (int k = 0; k < 4; k++) assert_true(orr_scpi_matches("[SOURce#:]BB:RECeiver#:LATency?", numbered[k]));
+    assert_false(orr_scpi_matches("[SOURce#:]BB:RECeiver#:LATency?", "SOURX:BB:REC:LAT?"));
+    assert_false(orr_scpi_matches("[SOURce#:]BB:RECeiver#:LATency?", "SOUR1:BB:REC:LAT2?"));
 }
 
 static void lines(void **state)
