@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Streams by real clients over loopback: every block is the poll's bytes, requests go on beside them, credit and the clock are kept, and
 a client that takes nothing harms nobody."""
+import pathlib
+import re
 import shutil
 import socket
+import subprocess
 import sys
 import time
 import unittest
 
-from daemon import ROOT, WORK, Daemon, product  # first: it sets the path
+from daemon import FIRMWARE, ROOT, WORK, Daemon, product  # first: it sets the path
 
 import orrery
 from orrery import frame, messages
@@ -202,6 +205,15 @@ class Streams(unittest.TestCase):
         stream = client.subscribe(messages.PollTruth(unit=0), last - NS, 0.5, pacing="free", credit=10)
         self.assertEqual([b.t for b in stream], [last - NS, last - NS // 2, last])
         self.assertEqual(stream.end.reason, messages.EndReason.OUTSIDE_SPAN)
+
+    def test_the_generators_loop_of_the_samples(self):
+        with Daemon(WORK / "streams.yaml", "--from", "2025-03-21T10:01:00") as daemon:
+            loop = subprocess.run([str(pathlib.Path(FIRMWARE).with_name("live_loop")), daemon.urls[0].rsplit(":", 1)[1], "60"],
+                                  capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(loop.returncode, 0)
+        blocks, joints = re.fullmatch(r"(\d+) blocks, joints within (\S+) m\n", loop.stdout).groups()
+        self.assertEqual(blocks, "60")
+        self.assertLess(float(joints), 4e-9)
 
     def test_what_cannot_be_asked_is_refused(self):
         client = self.connect()
