@@ -31,23 +31,31 @@ int main(int argc, char **argv)
     orr_client_init(&c, (orr_client_io){&fd, take, give}, buffer, sizeof buffer);
     uint8_t poll[64];
     orr_wire_writer w = {poll, 0, sizeof poll, ORR_WIRE_OK};
-    const orr_msg_poll_channels every_block = {.epochs = {INT64_MIN, 0, (uint32_t)atoi(argv[2])}}; // from now on, step 0
+    const orr_msg_poll_channels every_block = {
+        .epochs = {INT64_MIN, 0, (uint32_t)atoi(argv[2])}}; // from now on, step 0
     orr_msg_poll_channels_encode(&every_block, &w);
-    const orr_msg_subscribe asked = {.request = ORR_MSG_TYPE_POLL_CHANNELS, .pacing = ORR_MSG_PACING_CLOCK, .credit = 100,
-                                     .lead = 20000000, .poll = {poll, (uint16_t)w.size}};
+    const orr_msg_subscribe asked = {.request = ORR_MSG_TYPE_POLL_CHANNELS,
+                                     .pacing = ORR_MSG_PACING_CLOCK,
+                                     .credit = 100,
+                                     .lead = 20000000,
+                                     .poll = {poll, (uint16_t)w.size}};
     orr_msg_subscribed told;
     if (orr_client_subscribe(&c, &asked, &told) != ORR_WIRE_OK) return 1;
     const uint32_t stream = c.sequence;
-    double end_m = NAN, worst_m = 0; // of the first channel: where the block before ended, and how far the next began from there
+    double end_m = NAN,
+           worst_m =
+               0; // of the first channel: where the block before ended, and how far the next began from there
     orr_msg_sat_id last = {0, 0};
     unsigned long blocks = 0;
     orr_frame f;
     while (orr_client_next(&c, &f) == ORR_WIRE_OK && f.type != ORR_MSG_TYPE_STREAM_END) {
         orr_msg_channels m;
         orr_msg_sat_channel x;
-        if (f.type != ORR_MSG_TYPE_CHANNELS || orr_msg_channels_decode(f.payload, f.size, &m) != ORR_WIRE_OK) continue;
+        if (f.type != ORR_MSG_TYPE_CHANNELS || orr_msg_channels_decode(f.payload, f.size, &m) != ORR_WIRE_OK)
+            continue;
         if (orr_msg_sat_channel_at(&m.channels, 0, &x)) {
-            if (x.sat.system == last.system && x.sat.number == last.number) worst_m = fmax(worst_m, fabs(x.code[0] - end_m));
+            if (x.sat.system == last.system && x.sat.number == last.number)
+                worst_m = fmax(worst_m, fabs(x.code[0] - end_m));
             end_m = code_m(&x, (double)m.length * 1e-9);
             last = x.sat;
         }
