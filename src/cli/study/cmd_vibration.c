@@ -5,8 +5,11 @@
 #include <string.h>
 
 #include "core/nan.h"
+#include "inertial/readings/imu_file.h"
+#include "inertial/sense/sensors.h"
 #include "inertial/study/vibration.h"
 #include "inertial/study/vibration_broadband.h"
+#include "inertial/study/vibration_motion.h"
 #include "src/cli/frame/json.h"
 #include "src/cli/study/study.h"
 #include "src/config/study_vibration.h"
@@ -326,6 +329,40 @@ static orr_status draw(const orr_cli *c, const char *title, const job *j, orr_di
     return s;
 }
 
+// Readings of the body at rest that vibrates at --ratio, with the Earth's rate and gravity (section 5.1), as a file.
+static orr_status write_readings(const orr_cli *c, const char *title, const job *j, const orr_inputs *inputs,
+                                 orr_diag *diag)
+{
+    const orr_study_vibration *s = j->study;
+    const orr_study_place *p = &s->rest;
+    const char *path = orr_cli_text(c, "readings", NULL);
+    if (path == NULL) return ORR_OK;
+    if (!s->has_rest)
+        return orr_diag_set(diag, ORR_E_ARG, "--readings wants a place: the study has no 'rest'");
+    const orr_vibration_study study = study_of(s, s->products.item[0]);
+    const double f = orr_cli_real(c, "ratio", 0.1) * s->readings_hz;
+    const orr_vibration v = {.frequency_hz = f, .amplitude_rad = sqrt(study.product_hz / f)};
+    const orr_geodetic place = {study.lat_rad, p->lon_deg * ORR_RAD_PER_DEG, p->height_m};
+    orr_trajectory tr;
+    orr_imu imu = {0};
+    orr_status status = orr_trajectory_vibrating(orr_moving_fallback_start(), 0, study.duration_s, place,
+                                                 study.attitude, &v, &tr, diag);
+    if (status != ORR_OK) return status;
+    const orr_imu_request want = {
+        .duration_s = study.duration_s,
+        .rate_hz = s->readings_hz,
+        .mode = {.approach = 2, .quadrature = ORR_QUADRATURE_GAUSS, .order = ORR_IMU_MAX_ORDER}};
+    orr_nc_input *from = orr_inputs_provenance(inputs);
+    const orr_imu_labels labels = {
+        .title = title, .history = c->call, .input = from, .n_inputs = from != NULL ? inputs->n : 0};
+    status = orr_imu_generate(&tr, &want, &imu, diag);
+    if (status == ORR_OK) status = orr_imu_write(path, &imu, NULL, NULL, &labels, diag);
+    free(from);
+    orr_imu_free(&imu);
+    orr_trajectory_free(&tr);
+    return status;
+}
+
 static int make(orr_cli *c, const orr_study_vibration *study, orr_inputs *inputs)
 {
     orr_diag diag = {0};
@@ -352,6 +389,7 @@ static int make(orr_cli *c, const orr_study_vibration *study, orr_inputs *inputs
     const orr_study_table out = {"vibration", column, COLUMNS, j->n, j->table};
     if (s == ORR_OK) s = orr_study_write(c, title, inputs, &out, 1, &diag);
     if (s == ORR_OK) s = draw(c, title, j, &diag);
+    if (s == ORR_OK) s = write_readings(c, title, j, inputs, &diag);
     const int status = s == ORR_OK ? report(c, j) : orr_cli_fail(c, &diag);
     free(j->ratio);
     free(j->table);
@@ -377,6 +415,19 @@ static const orr_option options[] = {
     {.name = "sweep",
      .kind = ORR_OPT_FLAG,
      .help = "Print every ratio of the sweep; without, some two dozen of them."},
+    {.writes = true,
+     .name = "readings",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Write the readings of the body at rest under the first f_v beta^2, with truth, as `orrery imu` "
+             "does."},
+    {.name = "ratio",
+     .kind = ORR_OPT_REAL,
+     .value = "R",
+     .applies = "readings",
+     .min = 1e-4,
+     .max = 2,
+     .help = "Their f_v / f_m. Default 0.1."},
     {.name = "axes",
      .kind = ORR_OPT_CHOICE,
      .value = "log|linear",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`orrery vibration`: the source's figures through the program, in its several forms, and files that it refuses."""
 import csv
+import math
 import pathlib
 import sys
 import unittest
@@ -50,6 +51,17 @@ rest: {lat: 60}
             for a, b in zip(errors["2-step", product], errors["same", product]):
                 self.assertAlmostEqual(a, b, 12)
         self.assertIn("half: its coefficients sum to 0.75", run("vibration", study).stdout)
+
+    def test_readings(self):
+        study = self.study("rest.yaml", "rest: {lat: 56, height: 150, heading: 30}\nproducts: 1e-4\nduration: 5\nratios: {low: 0.1, high: 0.2, points: 2}\n")
+        run("vibration", study, "--readings", self.path("v-imu.nc"), "--ratio", 0.05)
+        told = run_json("nulltest", self.path("v-imu.nc"), "--format", "json")
+        self.assertLess(told["position"]["max_3d_m"], 1e-4)
+        # A one-step navigator loses what the study says of one step: 1 - sin(x)/x of the drift, x = 2 pi 0.05.
+        told = run_json("nulltest", self.path("v-imu.nc"), "--navigator", "one-step", "--format", "json")
+        x = 2 * math.pi * 0.05
+        self.assertLess(abs(told["attitude"]["max_rad"] / (math.pi * 1e-4 * 5 * (1 - math.sin(x) / x)) - 1), 0.05)
+        self.assertIn("rest", run("vibration", self.study("no.yaml", "ratios: {points: 2}\n"), "--readings", self.path("x.nc"), status=1).stderr)
 
     def test_sample(self):
         told = run_json("vibration", sample("studies/vibration.yaml"), "--format", "json")
