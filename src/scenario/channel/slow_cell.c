@@ -238,7 +238,7 @@ static double metres_of(size_t i)
 static bool holds(const orr_channels *c, size_t antenna, const slow_cell *cell, size_t n,
                   const slow_node *middle, double T)
 {
-    slow_now x;
+    slow_now x = {.ok = false};
     const bool moving = c->antenna[antenna].motion != NULL;
     const double allowed = moving ? c->options.error_m / 10 : OFF_M;
     evaluate(cell, n, T / 2, middle->r_m, middle->v_mps, moving, &x);

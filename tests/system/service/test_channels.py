@@ -111,6 +111,14 @@ class Channels(unittest.TestCase):
             self.assertAlmostEqual(x.satellite_clock_m, -C * state.clock_s, delta=1e-7)
             self.assertEqual(bool(c.flags & messages.ChannelFlags.UNHEALTHY), str(c.sat) == "G03")
 
+    def test_contents_between_nodes_are_those_of_delays(self):
+        # 100 s is a node of the lattice, these instants are not: a tenth of channel.error_m beside the moving antenna.
+        for seconds in (101, 103, 107.3, 115.9):
+            m = self.client.channels(self.start + round(seconds * NS), 0, terms=1)
+            delays = {str(d.sat): d for d in self.client.delays(m.block, receiver_m=m.pos_m).satellites}
+            for c, x in zip(m.channels, m.terms):
+                self.assertAlmostEqual(x.ionosphere_m, 40.3e16 * delays[str(c.sat)].stec_tecu / c.carrier_hz**2, delta=1.5e-6)
+
     def test_the_same_question_gets_the_same_answer(self):
         t = self.start + 77 * NS
         first = self.client.channels(t, 0, terms=1).encode()
