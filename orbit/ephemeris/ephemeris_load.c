@@ -6,35 +6,12 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "core/ncfile.h"
-#include "orbit/ephemeris/ephemeris_private.h"
+#include "orbit/ephemeris/ephemeris_load_private.h"
 
 enum { DEFLATE_MOST = 1032 }; // the most that a byte of deflate can stand for (RFC 1951: 258 bytes in 2 bits)
 
-// Of the Earth's rotation: years 1755 to 2237, ten times the pole's circle, more than the leap seconds of a century.
-#define EPH_MOST_MJD 138000.0
-#define EPH_MOST_POLE_RAD 5e-5
-#define EPH_MOST_UT1_S 1e3
-
-typedef struct file {
-    orr_nc_reader r;
-    orr_diag *diag;
-    size_t max_bytes; // that the file can hold, inflated
-    size_t n_coefficients;
-} file;
-
-static orr_status wrong(const file *f, const char *what)
-{
-    return orr_diag_at(f->diag, ORR_E_FORMAT, f->r.path, 0, 0, "%s", what);
-}
-
-static orr_status read_column(const file *f, const char *name, orr_nc_type type, size_t n, void **out)
-{
-    return orr_nc_alloc_var(&f->r, name, type, 1, &n, out, f->diag);
-}
-
 // Lengths of the dimensions into the counts. What a product has none of has no dimension.
-static orr_status read_dimensions(file *f, orr_ephemeris *c)
+static orr_status read_dimensions(eph_file *f, orr_ephemeris *c)
 {
     const struct {
         const char *name, *var; // the variable by which its presence is known
@@ -53,13 +30,13 @@ static orr_status read_dimensions(file *f, orr_ephemeris *c)
         orr_status s = orr_nc_get_dim(&f->r, dims[i].name, dims[i].max, dims[i].n, f->diag);
         if (s != ORR_OK) return s;
     }
-    if (f->n_coefficients < 2 || c->n_sats < 1 || c->n_arcs < 1) return wrong(f, "holds no orbit");
+    if (f->n_coefficients < 2 || c->n_sats < 1 || c->n_arcs < 1) return eph_wrong(f, "holds no orbit");
     if (c->n_segments > f->max_bytes / (f->n_coefficients * 3 * sizeof(double)))
-        return wrong(f, "claims more segments than its bytes can hold");
+        return eph_wrong(f, "claims more segments than its bytes can hold");
     return ORR_OK;
 }
 
-static orr_status read_satellites(const file *f, orr_ephemeris *e)
+static orr_status read_satellites(const eph_file *f, orr_ephemeris *e)
 {
     char *names = NULL;
     size_t shape[2] = {e->n_sats, 3};
@@ -67,16 +44,16 @@ static orr_status read_satellites(const file *f, orr_ephemeris *e)
     for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++) {
         e->sat_id[i] = orr_sat_parse3(&names[3 * i], 0);
         if (e->sat_id[i] == ORR_SAT_NONE || (i > 0 && e->sat_id[i] <= e->sat_id[i - 1]))
-            s = wrong(f, "satellite names are not ascending names of satellites");
+            s = eph_wrong(f, "satellite names are not ascending names of satellites");
     }
     free(names);
     return s;
 }
 
 // Counts, one a satellite (or arc), that must add up to a dimension's length.
-static orr_status read_counts(const file *f, const char *name, size_t n, size_t total, int32_t **out)
+static orr_status read_counts(const eph_file *f, const char *name, size_t n, size_t total, int32_t **out)
 {
-    orr_status s = read_column(f, name, ORR_NC_INT32, n, (void **)out);
+    orr_status s = eph_read_column(f, name, ORR_NC_INT32, n, (void **)out);
     if (s != ORR_OK) return s;
     size_t left = total;
     for (size_t i = 0; i < n; i++) {
@@ -93,7 +70,7 @@ static orr_status read_counts(const file *f, const char *name, size_t n, size_t 
                        name, total);
 }
 
-static orr_status read_satellite_counts(const file *f, orr_ephemeris *e)
+static orr_status read_satellite_counts(const eph_file *f, orr_ephemeris *e)
 {
     static const char *const name[4] = {"arc_count", "clock_count", "node_count", "event_count"};
     const size_t total[4] = {e->n_arcs, e->n_clocks, e->n_nodes, e->n_events};
@@ -115,40 +92,40 @@ static orr_status read_satellite_counts(const file *f, orr_ephemeris *e)
     for (int k = 0; k < 4; k++) free(count[k]);
     if (s != ORR_OK || !orr_nc_has_var(&f->r, "node_noise")) return s; // of an earlier program
     double *noise = NULL;
-    s = read_column(f, "node_noise", ORR_NC_DOUBLE, e->n_sats, (void **)&noise);
+    s = eph_read_column(f, "node_noise", ORR_NC_DOUBLE, e->n_sats, (void **)&noise);
     for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++) {
         if (!(noise[i] >= 0 && noise[i] < 1e12))
-            s = wrong(f, "the noise of a satellite's nodes is no number");
+            s = eph_wrong(f, "the noise of a satellite's nodes is no number");
         e->sat[i].node_noise_m = noise[i];
     }
     free(noise);
     return s;
 }
 
-static orr_status check_arc(const file *f, eph_arc *a, int64_t samples)
+static orr_status check_arc(const eph_file *f, eph_arc *a, int64_t samples)
 {
     int64_t n = (int64_t)a->n_segments;
     if (a->t0 < -EPH_TIME_LIMIT || a->t0 > EPH_TIME_LIMIT || a->segment_ns < 1 || n < 1 ||
         n > EPH_TIME_LIMIT / a->segment_ns || a->t0 > EPH_TIME_LIMIT - n * a->segment_ns)
-        return wrong(f, "an arc's start, segment length or number of segments is impossible");
+        return eph_wrong(f, "an arc's start, segment length or number of segments is impossible");
     if ((samples - 1) % n != 0 || (samples - 1) / n < 1 || (samples - 1) / n > EPH_MAX_SAMPLES_PER_SEGMENT ||
         a->segment_ns % ((samples - 1) / n) != 0)
-        return wrong(f, "an arc's samples do not fill its segments");
+        return eph_wrong(f, "an arc's samples do not fill its segments");
     if (a->degree < 1 || (size_t)a->degree >= f->n_coefficients)
-        return wrong(f, "an arc's degree is impossible");
+        return eph_wrong(f, "an arc's degree is impossible");
     a->samples_per_segment = (size_t)((samples - 1) / n);
     a->t1 = a->t0 + n * a->segment_ns;
     return ORR_OK;
 }
 
-static orr_status read_arcs(const file *f, orr_ephemeris *e)
+static orr_status read_arcs(const eph_file *f, orr_ephemeris *e)
 {
     int64_t *start = NULL, *length = NULL;
     uint8_t *degree = NULL;
     int32_t *segments = NULL, *samples = NULL;
-    orr_status s = read_column(f, "arc_start", ORR_NC_INT64, e->n_arcs, (void **)&start);
-    if (s == ORR_OK) s = read_column(f, "segment_length", ORR_NC_INT64, e->n_arcs, (void **)&length);
-    if (s == ORR_OK) s = read_column(f, "degree", ORR_NC_UINT8, e->n_arcs, (void **)&degree);
+    orr_status s = eph_read_column(f, "arc_start", ORR_NC_INT64, e->n_arcs, (void **)&start);
+    if (s == ORR_OK) s = eph_read_column(f, "segment_length", ORR_NC_INT64, e->n_arcs, (void **)&length);
+    if (s == ORR_OK) s = eph_read_column(f, "degree", ORR_NC_UINT8, e->n_arcs, (void **)&degree);
     if (s == ORR_OK) s = read_counts(f, "segment_count", e->n_arcs, e->n_segments, &segments);
     if (s == ORR_OK) s = read_counts(f, "sample_count", e->n_arcs, e->n_samples, &samples);
     size_t segment = 0, sample = 0, coef = 0;
@@ -168,7 +145,8 @@ static orr_status read_arcs(const file *f, orr_ephemeris *e)
     }
     for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++)
         for (size_t k = 1; k < e->sat[i].n_arcs && s == ORR_OK; k++)
-            if (e->sat[i].arc[k].t0 < e->sat[i].arc[k - 1].t1) s = wrong(f, "arcs of a satellite overlap");
+            if (e->sat[i].arc[k].t0 < e->sat[i].arc[k - 1].t1)
+                s = eph_wrong(f, "arcs of a satellite overlap");
     free(start);
     free(length);
     free(degree);
@@ -177,7 +155,7 @@ static orr_status read_arcs(const file *f, orr_ephemeris *e)
     return s;
 }
 
-static orr_status read_coefficients(const file *f, orr_ephemeris *e)
+static orr_status read_coefficients(const eph_file *f, orr_ephemeris *e)
 {
     double *c = NULL;
     size_t shape[3] = {e->n_segments, f->n_coefficients, 3};
@@ -190,7 +168,7 @@ static orr_status read_coefficients(const file *f, orr_ephemeris *e)
                 const double *from = &c[((a->first_segment + g) * f->n_coefficients + j) * 3];
                 if (!(fabs(from[0]) < 1e12 && fabs(from[1]) < 1e12 &&
                       fabs(from[2]) < 1e12)) // no place in the Earth's realm
-                    s = wrong(f, "a coefficient is no number or impossibly large");
+                    s = eph_wrong(f, "a coefficient is no number or impossibly large");
                 memcpy(&e->coef[a->first_coef + g * eph_block(a->degree) + j * EPH_LANES], from,
                        3 * sizeof *from);
             }
@@ -202,7 +180,7 @@ static orr_status read_coefficients(const file *f, orr_ephemeris *e)
 
 // Columns of sigmas: `width` of each sample into sigma[][at ..]. Products of earlier programs have position_sigma alone; the
 // others are not known then.
-static orr_status read_sigma(const file *f, const char *name, size_t width, size_t at, orr_ephemeris *e)
+static orr_status read_sigma(const eph_file *f, const char *name, size_t width, size_t at, orr_ephemeris *e)
 {
     const size_t shape[2] = {e->n_samples, width};
     float *column = NULL;
@@ -214,132 +192,26 @@ static orr_status read_sigma(const file *f, const char *name, size_t width, size
     orr_status s =
         orr_nc_alloc_var(&f->r, name, ORR_NC_FLOAT, width > 1 ? 2 : 1, shape, (void **)&column, f->diag);
     for (size_t i = 0; i < e->n_samples * width && s == ORR_OK; i++) {
-        if (!(column[i] >= 0) || isinf(column[i])) s = wrong(f, "a sigma is negative or no number");
+        if (!(column[i] >= 0) || isinf(column[i])) s = eph_wrong(f, "a sigma is negative or no number");
         e->sigma[i / width][at + i % width] = column[i];
     }
     free(column);
     return s;
 }
 
-static orr_status read_samples(const file *f, orr_ephemeris *e)
+static orr_status read_samples(const eph_file *f, orr_ephemeris *e)
 {
     uint16_t *flags = NULL;
     orr_status s = read_sigma(f, "position_sigma", 1, 0, e);
     if (s == ORR_OK) s = read_sigma(f, "position_sigma_axes", 3, 1, e);
     if (s == ORR_OK) s = read_sigma(f, "velocity_sigma", 1, 4, e);
-    if (s == ORR_OK) s = read_column(f, "sample_flags", ORR_NC_UINT16, e->n_samples, (void **)&flags);
+    if (s == ORR_OK) s = eph_read_column(f, "sample_flags", ORR_NC_UINT16, e->n_samples, (void **)&flags);
     for (size_t i = 0; i < e->n_samples && s == ORR_OK; i++) e->sample_flags[i] = flags[i] & EPH_STATE_FLAGS;
     free(flags);
     return s;
 }
 
-static orr_status read_clocks(const file *f, orr_ephemeris *e)
-{
-    int64_t *t = NULL;
-    double *bias = NULL;
-    uint16_t *flags = NULL;
-    size_t n = e->n_clocks;
-    if (n == 0) return ORR_OK;
-    orr_status s = read_column(f, "clock_time", ORR_NC_INT64, n, (void **)&t);
-    if (s == ORR_OK) s = read_column(f, "clock_bias", ORR_NC_DOUBLE, n, (void **)&bias);
-    if (s == ORR_OK) s = read_column(f, "clock_flags", ORR_NC_UINT16, n, (void **)&flags);
-    for (size_t i = 0; i < n && s == ORR_OK; i++) {
-        e->clock[i] = (orr_clock_node){.t = t[i], .clock_s = bias[i], .flags = flags[i] & EPH_CLOCK_FLAGS};
-        if (t[i] < -EPH_TIME_LIMIT || t[i] > EPH_TIME_LIMIT || !(fabs(bias[i]) < EPH_MAX_CLOCK_S))
-            s = wrong(f, "a clock node is impossible");
-    }
-    // Where two files meet, both have a clock for the instant: left and right of a jump.
-    for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++)
-        for (size_t k = 1; k < e->sat[i].n_clocks && s == ORR_OK; k++)
-            if (e->sat[i].clock[k].t < e->sat[i].clock[k - 1].t)
-                s = wrong(f, "clock nodes do not ascend in time");
-    free(t);
-    free(bias);
-    free(flags);
-    return s;
-}
-
-// What a product of an earlier program does not have: of its clocks no sigma is known.
-static orr_status read_clock_noise(const file *f, orr_ephemeris *e)
-{
-    for (size_t i = 0; i < e->n_sats; i++)
-        e->sat[i].clock_noise = (orr_clock_noise){(double)NAN, (double)NAN, (double)NAN};
-    if (e->n_clocks == 0 || !orr_nc_has_var(&f->r, "clock_white_noise")) return ORR_OK;
-    double *white = NULL, *walk = NULL, *frequency = NULL;
-    float *sigma = NULL;
-    orr_status s = read_column(f, "clock_white_noise", ORR_NC_DOUBLE, e->n_sats, (void **)&white);
-    if (s == ORR_OK) s = read_column(f, "clock_walk_noise", ORR_NC_DOUBLE, e->n_sats, (void **)&walk);
-    if (s == ORR_OK)
-        s = read_column(f, "clock_frequency_noise", ORR_NC_DOUBLE, e->n_sats, (void **)&frequency);
-    if (s == ORR_OK) s = read_column(f, "clock_sigma", ORR_NC_FLOAT, e->n_clocks, (void **)&sigma);
-    for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++) {
-        e->sat[i].clock_noise = (orr_clock_noise){white[i], walk[i], frequency[i]};
-        const double *const of[3] = {&white[i], &walk[i], &frequency[i]};
-        for (int k = 0; k < 3; k++)
-            if (*of[k] < 0 || *of[k] > EPH_MAX_CLOCK_S * EPH_MAX_CLOCK_S)
-                s = wrong(f, "the noise of a clock is none");
-    }
-    for (size_t i = 0; i < e->n_clocks && s == ORR_OK; i++) {
-        e->clock[i].sigma_s = sigma[i];
-        if (!(sigma[i] >= 0 && sigma[i] <= (float)EPH_MAX_CLOCK_S))
-            s = wrong(f, "the sigma of a clock is none");
-    }
-    free(white);
-    free(walk);
-    free(frequency);
-    free(sigma);
-    return s;
-}
-
-// "G05", or letters of systems.
-static bool read_event_of(const char *name, orr_clock_event *v)
-{
-    char who[ORR_N_SYSTEMS + 2] = "";
-    memcpy(who, name, ORR_N_SYSTEMS + 1);
-    v->sat = v->kind != ORR_CLOCK_EVENT_REFERENCE ? orr_sat_parse3(who, 0) : ORR_SAT_NONE;
-    if (v->kind != ORR_CLOCK_EVENT_REFERENCE) return v->sat != ORR_SAT_NONE;
-    const size_t n = strlen(who);
-    memcpy(v->systems, who, n <= ORR_N_SYSTEMS ? n : 0);
-    return n > 0 && n <= ORR_N_SYSTEMS && strspn(who, ORR_SYSTEMS) == n;
-}
-
-static orr_status read_clock_events(const file *f, orr_clock_events *events)
-{
-    size_t n = 0, shape[2] = {0, ORR_N_SYSTEMS + 1};
-    if (!orr_nc_has_var(&f->r, "clock_event_kind")) return ORR_OK;
-    uint8_t *kind = NULL;
-    int64_t *t0 = NULL, *t1 = NULL;
-    double *value = NULL;
-    char *names = NULL;
-    orr_status s = orr_nc_get_dim(&f->r, "clock_event", f->max_bytes / 8, &n, f->diag);
-    shape[0] = n;
-    if (s == ORR_OK) s = read_column(f, "clock_event_kind", ORR_NC_UINT8, n, (void **)&kind);
-    if (s == ORR_OK) s = read_column(f, "clock_event_start", ORR_NC_INT64, n, (void **)&t0);
-    if (s == ORR_OK) s = read_column(f, "clock_event_end", ORR_NC_INT64, n, (void **)&t1);
-    if (s == ORR_OK) s = read_column(f, "clock_event_value", ORR_NC_DOUBLE, n, (void **)&value);
-    if (s == ORR_OK)
-        s = orr_nc_alloc_var(&f->r, "clock_event_of", ORR_NC_CHAR, 2, shape, (void **)&names, f->diag);
-    if (s == ORR_OK && (events->item = calloc(n + 1, sizeof *events->item)) == NULL)
-        s = orr_diag_set(f->diag, ORR_E_MEMORY, "no memory for the events of clocks");
-    for (size_t i = 0; i < n && s == ORR_OK; i++) {
-        orr_clock_event *v = &events->item[i];
-        *v = (orr_clock_event){
-            .kind = (orr_clock_event_kind)kind[i], .t0 = t0[i], .t1 = t1[i], .value_s = value[i]};
-        if (kind[i] < ORR_CLOCK_EVENT_WRONG || kind[i] > ORR_CLOCK_EVENT_REFERENCE ||
-            t0[i] < -EPH_TIME_LIMIT || t1[i] > EPH_TIME_LIMIT || t1[i] < t0[i] ||
-            !(fabs(value[i]) < EPH_MAX_CLOCK_S) || !read_event_of(&names[i * (ORR_N_SYSTEMS + 1)], v))
-            s = wrong(f, "an event of a clock is impossible");
-    }
-    if (s == ORR_OK) events->n = n;
-    free(kind);
-    free(t0);
-    free(t1);
-    free(value);
-    free(names);
-    return s;
-}
-
-static orr_status read_nodes(const file *f, orr_ephemeris *e)
+static orr_status read_nodes(const eph_file *f, orr_ephemeris *e)
 {
     int64_t *t = NULL;
     double *residual = NULL;
@@ -347,21 +219,21 @@ static orr_status read_nodes(const file *f, orr_ephemeris *e)
     uint8_t *used = NULL;
     size_t n = e->n_nodes, shape[2] = {n, 3};
     if (n == 0) return ORR_OK;
-    orr_status s = read_column(f, "node_time", ORR_NC_INT64, n, (void **)&t);
+    orr_status s = eph_read_column(f, "node_time", ORR_NC_INT64, n, (void **)&t);
     if (s == ORR_OK)
         s = orr_nc_alloc_var(&f->r, "node_residual", ORR_NC_DOUBLE, 2, shape, (void **)&residual, f->diag);
-    if (s == ORR_OK) s = read_column(f, "node_source", ORR_NC_UINT16, n, (void **)&source);
-    if (s == ORR_OK) s = read_column(f, "node_used", ORR_NC_UINT8, n, (void **)&used);
+    if (s == ORR_OK) s = eph_read_column(f, "node_source", ORR_NC_UINT16, n, (void **)&source);
+    if (s == ORR_OK) s = eph_read_column(f, "node_used", ORR_NC_UINT8, n, (void **)&used);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         const double *d = &residual[3 * i];
         e->node[i] = (orr_orbit_node){t[i], {d[0], d[1], d[2]}, source[i], used[i] != 0};
         if (t[i] < -EPH_TIME_LIMIT || t[i] > EPH_TIME_LIMIT || source[i] >= e->n_sources)
-            s = wrong(f, "an input node has an impossible time or source");
+            s = eph_wrong(f, "an input node has an impossible time or source");
     }
     for (size_t i = 0; i < e->n_sats && s == ORR_OK; i++)
         for (size_t k = 1; k < e->sat[i].n_nodes && s == ORR_OK; k++)
             if (e->sat[i].node[k].t < e->sat[i].node[k - 1].t)
-                s = wrong(f, "input nodes do not ascend in time");
+                s = eph_wrong(f, "input nodes do not ascend in time");
     free(t);
     free(residual);
     free(source);
@@ -369,22 +241,22 @@ static orr_status read_nodes(const file *f, orr_ephemeris *e)
     return s;
 }
 
-static orr_status read_events(const file *f, orr_ephemeris *e)
+static orr_status read_events(const eph_file *f, orr_ephemeris *e)
 {
     uint8_t *kind = NULL;
     int64_t *t0 = NULL, *t1 = NULL;
     double *value = NULL;
     size_t n = e->n_events;
     if (n == 0) return ORR_OK;
-    orr_status s = read_column(f, "event_kind", ORR_NC_UINT8, n, (void **)&kind);
-    if (s == ORR_OK) s = read_column(f, "event_start", ORR_NC_INT64, n, (void **)&t0);
-    if (s == ORR_OK) s = read_column(f, "event_end", ORR_NC_INT64, n, (void **)&t1);
-    if (s == ORR_OK) s = read_column(f, "event_value", ORR_NC_DOUBLE, n, (void **)&value);
+    orr_status s = eph_read_column(f, "event_kind", ORR_NC_UINT8, n, (void **)&kind);
+    if (s == ORR_OK) s = eph_read_column(f, "event_start", ORR_NC_INT64, n, (void **)&t0);
+    if (s == ORR_OK) s = eph_read_column(f, "event_end", ORR_NC_INT64, n, (void **)&t1);
+    if (s == ORR_OK) s = eph_read_column(f, "event_value", ORR_NC_DOUBLE, n, (void **)&value);
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         e->event[i] = (orr_orbit_event){(orr_event_kind)kind[i], t0[i], t1[i], value[i]};
         if (kind[i] < ORR_EVENT_MANOEUVRE || kind[i] > ORR_EVENT_NOON_STEP || t0[i] < -EPH_TIME_LIMIT ||
             t1[i] > EPH_TIME_LIMIT || t0[i] > t1[i])
-            s = wrong(f, "an event has an unknown kind or impossible times");
+            s = eph_wrong(f, "an event has an unknown kind or impossible times");
     }
     free(kind);
     free(t0);
@@ -393,7 +265,7 @@ static orr_status read_events(const file *f, orr_ephemeris *e)
     return s;
 }
 
-static orr_status read_sources(const file *f, orr_ephemeris *e)
+static orr_status read_sources(const eph_file *f, orr_ephemeris *e)
 {
     enum { NAME = sizeof e->source[0].name, SUM = sizeof e->source[0].sha256 };
     char *names = NULL, *sums = NULL;
@@ -412,63 +284,15 @@ static orr_status read_sources(const file *f, orr_ephemeris *e)
     return s;
 }
 
-static orr_status read_rotation_text(const file *f, orr_earth_rotation *r)
-{
-    char source[32] = "";
-    orr_status s = orr_nc_get_att_text(&f->r, NULL, "earth_rotation_source", source, sizeof source, f->diag);
-    if (s == ORR_E_NODATA) return ORR_OK; // of an earlier program
-    for (int k = ORR_ROTATION_SECULAR; k <= ORR_ROTATION_ESTIMATED && s == ORR_OK; k++)
-        if (strcmp(source, orr_rotation_source_name((orr_rotation_source)k)) == 0)
-            r->source = (orr_rotation_source)k;
-    if (s != ORR_OK || r->source != ORR_ROTATION_ESTIMATED) return s;
-    double pole = 0;
-    s = orr_nc_get_att_double(&f->r, NULL, "earth_rotation_pole_sigma_arcsec", &pole, f->diag);
-    if (s == ORR_OK)
-        s = orr_nc_get_att_double(&f->r, NULL, "earth_rotation_lod_sigma_s", &r->lod_sigma_s, f->diag);
-    r->pole_sigma_rad = pole * ORR_RAD_PER_DEG / 3600;
-    if (s == ORR_E_NODATA || (s == ORR_OK && !(pole >= 0 && r->lod_sigma_s >= 0)))
-        s = wrong(f, "the sigma of the Earth's rotation is missing or no number");
-    return s;
-}
-
-// The Earth's rotation, which products of earlier programs do not have.
-static orr_status read_rotation(const file *f, orr_earth_rotation *r)
-{
-    size_t n = 0;
-    double *x = NULL, *y = NULL, *ut1 = NULL;
-    orr_status s = read_rotation_text(f, r);
-    if (s != ORR_OK || !orr_nc_has_var(&f->r, "earth_rotation_mjd")) return s;
-    s = orr_nc_get_dim(&f->r, "earth_rotation", f->max_bytes / 8, &n, f->diag);
-    if (s == ORR_OK) s = read_column(f, "earth_rotation_mjd", ORR_NC_DOUBLE, n, (void **)&r->series.mjd_utc);
-    if (s == ORR_OK) s = read_column(f, "pole_x", ORR_NC_DOUBLE, n, (void **)&x);
-    if (s == ORR_OK) s = read_column(f, "pole_y", ORR_NC_DOUBLE, n, (void **)&y);
-    if (s == ORR_OK) s = read_column(f, "ut1_minus_utc", ORR_NC_DOUBLE, n, (void **)&ut1);
-    if (s == ORR_OK && (r->series.value = calloc(n + 1, sizeof *r->series.value)) == NULL)
-        s = orr_diag_set(f->diag, ORR_E_MEMORY, "no memory for the Earth's rotation");
-    for (size_t i = 0; i < n && s == ORR_OK; i++) {
-        const double mjd = r->series.mjd_utc[i];
-        r->series.value[i] = (orr_eop){.xp_rad = x[i], .yp_rad = y[i], .ut1_utc_s = ut1[i]};
-        if (!(fabs(mjd) < EPH_MOST_MJD) || !(fabs(x[i]) < EPH_MOST_POLE_RAD) ||
-            !(fabs(y[i]) < EPH_MOST_POLE_RAD) || !(fabs(ut1[i]) < EPH_MOST_UT1_S) ||
-            (i > 0 && !(mjd > r->series.mjd_utc[i - 1])))
-            s = wrong(f, "the Earth's rotation is impossible, or its times do not ascend");
-    }
-    if (s == ORR_OK) r->series.n = n;
-    free(x);
-    free(y);
-    free(ut1);
-    return s;
-}
-
 // Text that may be missing or longer than what is kept of it; neither matters to the orbit.
-static orr_status read_text(const file *f, const char *name, char *buf, size_t n)
+static orr_status read_text(const eph_file *f, const char *name, char *buf, size_t n)
 {
     orr_status s = orr_nc_get_att_text(&f->r, NULL, name, buf, n, f->diag);
     if (s == ORR_E_NODATA) buf[0] = '\0';
     return s == ORR_E_NODATA ? ORR_OK : s;
 }
 
-static orr_status read_number(const file *f, const char *name, double *v)
+static orr_status read_number(const eph_file *f, const char *name, double *v)
 {
     orr_status s = orr_nc_get_att_double(&f->r, NULL, name, v, f->diag);
     if (s == ORR_OK && isfinite(*v) && *v >= 0) return ORR_OK;
@@ -477,7 +301,7 @@ static orr_status read_number(const file *f, const char *name, double *v)
                        "attribute \"%s\" is missing or no sensible number", name);
 }
 
-static orr_status check_kind(const file *f)
+static orr_status check_kind(const eph_file *f)
 {
     char product[64];
     int64_t version = 0;
@@ -493,7 +317,7 @@ static orr_status check_kind(const file *f)
     return ORR_OK;
 }
 
-static orr_status read_header(const file *f, orr_ephemeris *e)
+static orr_status read_header(const eph_file *f, orr_ephemeris *e)
 {
     orr_status s = read_text(f, "options", e->options, sizeof e->options);
     if (s == ORR_OK) s = read_text(f, "reference_frame", e->frame, sizeof e->frame);
@@ -504,7 +328,7 @@ static orr_status read_header(const file *f, orr_ephemeris *e)
     return s;
 }
 
-static orr_status read_all(file *f, orr_ephemeris **out)
+static orr_status read_all(eph_file *f, orr_ephemeris **out)
 {
     orr_ephemeris counts = {0}, *e = NULL;
     orr_status s = check_kind(f);
@@ -519,12 +343,10 @@ static orr_status read_all(file *f, orr_ephemeris **out)
     if (s == ORR_OK) s = read_coefficients(f, e);
     if (s == ORR_OK) s = read_samples(f, e);
     if (s == ORR_OK) s = read_sources(f, e);
-    if (s == ORR_OK) s = read_clocks(f, e);
-    if (s == ORR_OK) s = read_clock_noise(f, e);
-    if (s == ORR_OK) s = read_clock_events(f, &e->clock_events);
+    if (s == ORR_OK) s = eph_load_clocks(f, e);
     if (s == ORR_OK) s = read_nodes(f, e);
     if (s == ORR_OK) s = read_events(f, e);
-    if (s == ORR_OK) s = read_rotation(f, &e->rotation);
+    if (s == ORR_OK) s = eph_load_rotation(f, &e->rotation);
     if (s == ORR_OK) s = eph_finish(e, f->diag);
     if (s != ORR_OK) {
         orr_ephemeris_free(e);
@@ -536,7 +358,7 @@ static orr_status read_all(file *f, orr_ephemeris **out)
 
 orr_status orr_ephemeris_load(const char *path, orr_ephemeris **out, orr_diag *diag)
 {
-    file f = {.diag = diag};
+    eph_file f = {.diag = diag};
     *out = NULL;
     orr_status s = orr_nc_open(path, &f.r, diag);
     if (s != ORR_OK) return s;
