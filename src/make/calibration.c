@@ -88,7 +88,8 @@ static orr_status take_sensors(const orr_study_calibration *s, orr_inputs *input
                                orr_diag *diag)
 {
     orr_calibration_truth *t = &out->truth;
-    for (size_t k = 0; k < s->arms.n; k++) (&out->inner_m[k / 3].x)[k % 3] = s->arms.item[k];
+    for (size_t k = 0; k + 2 < s->arms.n; k += 3)
+        out->inner_m[k / 3] = orr_vec3_make(s->arms.item[k], s->arms.item[k + 1], s->arms.item[k + 2]);
     t->accel = t->gyro = orr_mat3_identity();
     if (s->errors != NULL) {
         const orr_status status = orr_errors_open(inputs, s->errors, &out->file, &out->errors, diag);
