@@ -26,6 +26,7 @@ antennas:
   - {name: ROVE, position: [52.30, 17.10, 130]}
 mask: {elevation: 10}
 """
+THREE = ANTENNAS.replace("mask:", "  - {name: NEAR, position: [52.285, 17.08, 126]}\nmask:")
 
 
 class Simulation(Folder):
@@ -88,7 +89,7 @@ class Simulation(Folder):
     def carriers(self):
         """Phases: PPP holds wind-up and every carrier's continuity, RTK that ambiguities are integers."""
         folder = self.simulate("carriers", f"signals: ['G:L1P', 'G:L2P']\nionosphere: {{field: {self.field}}}\n"
-                               "troposphere: {model: saastamoinen, mapping: niell}\nchannel: {shapiro: no}" + ANTENNAS,
+                               "troposphere: {model: saastamoinen, mapping: niell}\nchannel: {shapiro: no}" + THREE,
                                "--step", "10s", "--no-imu")
         settled = [r for r in self.solve(folder, PPP) if r[0] >= 1800]
         self.judge("PPP, kinematic, after 30 min", settled, 0.03, 0.05)
@@ -97,6 +98,10 @@ class Simulation(Folder):
         rows = self.solve(folder, RTK, "ROVE", "BASE")
         self.assertTrue(all(r[2] == 1 for r in rows[1:]), "every epoch is fixed")
         self.judge("RTK, 3 km, ionosphere and troposphere differing", rows[1:], 0.02, 0.04)
+        for base in ("BASE", "ROVE"):  # a third antenna, 1 and 2 km from the others
+            rows = self.solve(folder, RTK, "NEAR", base)
+            self.assertTrue(all(r[2] == 1 for r in rows[1:]), "every epoch is fixed")
+            self.judge(f"RTK, third antenna from {base}", rows[1:], 0.02, 0.04)
 
 
 class Made(Simulation):
