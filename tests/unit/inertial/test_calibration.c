@@ -102,7 +102,7 @@ static double null_test(const orr_stand *stand, const orr_stand_cycle *cycle)
     orr_imu imu;
     orr_diag diag = {0};
     orr_null_report report;
-    ASSERT_OK(orr_stand_readings(stand, cycle, NULL, 0, 100, &imu, &diag), diag);
+    ASSERT_OK(orr_stand_readings(stand, cycle, NULL, 0, 50, &imu, &diag), diag);
     const orr_navigator nav = {.kind = ORR_NAVIGATOR_REFERENCE, .samples = 5};
     ASSERT_OK(orr_null_test(&imu, &nav, NULL, NULL, &report, &diag), diag);
     assert_true(report.duration_s > 599);
@@ -216,7 +216,7 @@ static void to_rounding(void **state)
         orr_diag diag = {0};
         orr_calibration_truth truth = sensors;
         if (arms == 0) memset(truth.inner_m, 0, sizeof truth.inner_m);
-        set_up(&b, 0, truth.inner_m, 20);
+        set_up(&b, 0, truth.inner_m, 10);
         b.plan.arms = arms > 0;
         b.plan.offsets_known = arms == 2;
         know_along(&b, &truth);
@@ -256,13 +256,13 @@ static void from_noise(void **state)
     for (int arms = 0; arms < 2; arms++) {
         bench b;
         orr_diag diag = {0};
-        set_up(&b, 0, sensors.inner_m, 10);
+        set_up(&b, 0, sensors.inner_m, 5);
         b.plan.arms = arms > 0;
         orr_calibration_truth truth = sensors;
         if (arms == 0) {
             memset(truth.inner_m, 0, sizeof truth.inner_m);
             tear_down(&b);
-            set_up(&b, 0, truth.inner_m, 10);
+            set_up(&b, 0, truth.inner_m, 5);
         }
         know_along(&b, &truth);
         orr_calibration_data clean, noisy;
