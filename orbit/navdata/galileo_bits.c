@@ -309,11 +309,11 @@ static void word_10(const orr_galileo_page *g, orr_page *p)
 
 // Words 17 to 20 (5.1.12): Reed-Solomon parity of words 1 to 4, in each 15 octets: one octet, two bits of IODnav, the other
 // fourteen octets. The information is all of word 1 and what follows IODnav in words 2 to 4.
-enum { RS_INFORMATION = 58, RS_PARITY = 60 };
+enum { RS_INFORMATION = 58 };
 static void put_reed_solomon(const orr_galileo_page *g, int type, orr_page *p)
 {
     orr_page word, all;
-    uint8_t information[RS_INFORMATION], parity[RS_PARITY];
+    uint8_t information[RS_INFORMATION], parity[ORR_REED_SOLOMON_PARITY];
     orr_page_begin(&all, NULL);
     for (int w = 1; w <= 4; w++) {
         orr_inav_word(g, w, &word);
@@ -330,7 +330,7 @@ static void put_reed_solomon(const orr_galileo_page *g, int type, orr_page *p)
         orr_page_copy(&all, &word, 16, 112);
     }
     orr_page_pack(&all, information);
-    orr_reed_solomon(information, RS_INFORMATION, parity, RS_PARITY);
+    orr_reed_solomon(information, RS_INFORMATION, parity);
     const uint8_t *own = parity + (type - 17) * 15;
     orr_page_put(p, 8, own[0]);
     orr_page_put(p, 2, (uint64_t)g->eph->iode & 3);

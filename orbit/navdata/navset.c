@@ -140,6 +140,40 @@ static void take_klobuchar(orr_navset *set, const orr_nav *nav, orr_warnings *wa
                          why.text, set->has_klobuchar ? "those of another record are" : "zeros are");
 }
 
+static bool holds(const double *value, const orr_navfit_field *field, size_t n)
+{
+    double sent;
+    for (size_t k = 0; k < n; k++)
+        if (orr_navfit_to_field(&field[k], orr_navfit_whole(&field[k], value[k]), &sent, NULL) != ORR_OK)
+            return false;
+    return true;
+}
+
+// Galileo's three coefficients and BeiDou's eight, the first that their messages can send.
+static void take_others(orr_navset *set, const orr_nav *nav)
+{
+    static const orr_navfit_field ai[3] = {ORR_UNSIGNED("ai0", P2(2), 11), ORR_SIGNED("ai1", P2(8), 11),
+                                           ORR_SIGNED("ai2", P2(15), 14)},
+                                  eight[8] = {
+                                      ORR_SIGNED("alpha0", P2(30), 8), ORR_SIGNED("alpha1", P2(27), 8),
+                                      ORR_SIGNED("alpha2", P2(24), 8), ORR_SIGNED("alpha3", P2(24), 8),
+                                      ORR_SIGNED("beta0", 0x1p11, 8),  ORR_SIGNED("beta1", 0x1p14, 8),
+                                      ORR_SIGNED("beta2", 0x1p16, 8),  ORR_SIGNED("beta3", 0x1p16, 8)};
+    bool galileo = false, beidou = false;
+    for (size_t i = 0; nav != NULL && i < nav->n_iono; i++) {
+        const orr_nav_iono *k = &nav->iono[i];
+        if (!galileo && k->kind == ORR_NAV_NEQUICK_G && holds(k->coefficient, ai, 3)) {
+            memcpy(set->nequick, k->coefficient, sizeof set->nequick);
+            galileo = true;
+        }
+        if (!beidou && k->kind == ORR_NAV_KLOBUCHAR && k->system == 'C' && holds(k->coefficient, eight, 8)) {
+            memcpy(set->beidou_alpha, k->coefficient, sizeof set->beidou_alpha);
+            memcpy(set->beidou_beta, k->coefficient + 4, sizeof set->beidou_beta);
+            beidou = true;
+        }
+    }
+}
+
 orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o, orr_navset **out,
                             orr_warnings *warnings, orr_diag *diag)
 {
@@ -158,6 +192,7 @@ orr_status orr_navset_build(const orr_ephemeris *e, const orr_navset_options *o,
         set->leap = o->leap != NULL ? o->leap : orr_leap_builtin();
         orr_ephemeris_span(e, &set->from, &set->to);
         take_klobuchar(set, o->nav, warnings);
+        take_others(set, o->nav);
         s = collect(&w, set, warnings, diag);
         if (s == ORR_OK) s = navset_fit_days(e, o, set);
     }

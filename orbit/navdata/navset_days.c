@@ -128,6 +128,8 @@ static void fit_one(void *user, size_t i)
         day->has_glonass[k - 1] = glonass_almanac(w, day, sat, &day->glonass[k - 1]);
 }
 
+enum { GLONASS_PLACE = offsetof(navset_day, has_glonass) };
+
 static size_t count(const bool *has, size_t n)
 {
     size_t sum = 0;
@@ -135,36 +137,51 @@ static size_t count(const bool *has, size_t n)
     return sum;
 }
 
-// A day of which too little is there to fit sends the almanacs of the nearest day that has some, as real
-// satellites send those of days before. The set of a system is found by its place in navset_day.
-static void borrow_kepler(orr_navset *set, navset_day *day, size_t place)
+static navset_almanacs *almanacs_at(navset_day *day, size_t place)
 {
-    navset_almanacs *own = (navset_almanacs *)((char *)day + place);
-    const navset_almanacs *best = NULL;
-    int64_t best_age = 0;
-    for (size_t k = 0; k < set->n_days && !own->fitted; k++) {
-        const navset_almanacs *of = (const navset_almanacs *)((const char *)&set->day[k] + place);
-        const int64_t age = llabs(set->day[k].from - day->from);
-        if (of->fitted && (best == NULL || age < best_age)) best = of, best_age = age;
-    }
-    if (best == NULL) return;
-    own->toa = best->toa, own->toa_s = best->toa_s, own->week = best->week;
-    memcpy(own->has, best->has, sizeof own->has);
-    memcpy(own->sat, best->sat, sizeof own->sat);
+    return (navset_almanacs *)((char *)day + place);
 }
 
-static void borrow_glonass(orr_navset *set, navset_day *day)
+static bool has_fitted(const orr_navset *set, size_t day, size_t place)
 {
-    const navset_day *best = NULL;
+    return place == GLONASS_PLACE ? set->day[day].fitted_glonass : almanacs_at(&set->day[day], place)->fitted;
+}
+
+static void take_kepler(navset_almanacs *own, const navset_almanacs *from)
+{
+    own->toa = from->toa, own->toa_s = from->toa_s, own->week = from->week;
+    memcpy(own->has, from->has, sizeof own->has);
+    memcpy(own->sat, from->sat, sizeof own->sat);
+}
+
+static void take_glonass(navset_day *own, const navset_day *from)
+{
+    own->glonass_day = from->noon;
+    memcpy(own->has_glonass, from->has_glonass, sizeof own->has_glonass);
+    memcpy(own->glonass, from->glonass, sizeof own->glonass);
+}
+
+// Days of which too little is there to fit send the almanacs of the nearest day that has some, the earlier of two as near, as real
+// satellites send those of days before. The set of a system is found by its place in navset_day.
+static void borrow(orr_navset *set, size_t place)
+{
+    size_t before = set->n_days, after = 0; // the last fitted day so far, the first that comes
     for (size_t k = 0; k < set->n_days; k++) {
-        const navset_day *d = &set->day[k];
-        if (d->fitted_glonass && (best == NULL || llabs(d->from - day->from) < llabs(best->from - day->from)))
-            best = d;
+        if (place == GLONASS_PLACE) set->day[k].glonass_day = set->day[k].noon;
+        if (has_fitted(set, k, place)) {
+            before = k;
+            continue;
+        }
+        if (after <= k) after = k + 1;
+        while (after < set->n_days && !has_fitted(set, after, place)) after++;
+        const bool has_before = before < set->n_days, has_after = after < set->n_days;
+        if (!has_before && !has_after) continue;
+        const size_t from = has_before && (!has_after || k - before <= after - k) ? before : after;
+        if (place == GLONASS_PLACE)
+            take_glonass(&set->day[k], &set->day[from]);
+        else
+            take_kepler(almanacs_at(&set->day[k], place), almanacs_at(&set->day[from], place));
     }
-    day->glonass_day = best != NULL && !day->fitted_glonass ? best->noon : day->noon;
-    if (best == NULL || day->fitted_glonass) return;
-    for (int k = 0; k < 24; k++)
-        day->has_glonass[k] = best->has_glonass[k], day->glonass[k] = best->glonass[k];
 }
 
 static const size_t places[] = {offsetof(navset_day, gps), offsetof(navset_day, galileo),
@@ -182,15 +199,13 @@ orr_status navset_fit_days(const orr_ephemeris *e, const orr_navset_options *o, 
     if (o->cancel != NULL && *o->cancel) return ORR_E_INTERRUPTED;
     for (size_t k = 0; k < set->n_days; k++) {
         for (size_t i = 0; i < N_PLACES; i++) {
-            navset_almanacs *of = (navset_almanacs *)((char *)&set->day[k] + places[i]);
+            navset_almanacs *of = almanacs_at(&set->day[k], places[i]);
             of->fitted = count(of->has, 64) > 0;
         }
         set->day[k].fitted_glonass = count(set->day[k].has_glonass, 24) > 0;
     }
-    for (size_t k = 0; k < set->n_days; k++) {
-        for (size_t i = 0; i < N_PLACES; i++) borrow_kepler(set, &set->day[k], places[i]);
-        borrow_glonass(set, &set->day[k]);
-    }
+    for (size_t i = 0; i < N_PLACES; i++) borrow(set, places[i]);
+    borrow(set, GLONASS_PLACE);
     return ORR_OK;
 }
 

@@ -6,14 +6,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define ORR_REED_SOLOMON_PARITY 60
 // Parity of a shortened RS(255, 195): GF(256) by x^8 + x^4 + x^3 + x^2 + 1, zeros of the generator alpha^1 .. alpha^60.
 // Given:
 //   information  [n] octets; octet k is the coefficient of x^(60 + k)
 //   n            at most 195
-//   most         60
 // Returned:
 //   parity       [60] octets; octet k is the coefficient of x^k
 // Reference: Galileo OS SIS ICD 2.1, 5.1.12 and annex D.
-void orr_reed_solomon(const uint8_t *information, size_t n, uint8_t *parity, size_t most);
+void orr_reed_solomon(const uint8_t *information, size_t n, uint8_t parity[ORR_REED_SOLOMON_PARITY]);
 
 #endif

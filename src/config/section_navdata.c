@@ -18,7 +18,7 @@ static const orr_key rows[] = {
     FILES_ROW(orr_scenario_navdata, "nav", nav, fitted,
               "RINEX navigation files to take GLONASS' frequency channels and Klobuchar's coefficients "
               "from; without them the nominal channels, and the coefficients of ionosphere.field if it has "
-              "them"),
+              "them or can be fitted to it"),
     BOOL_ROW(orr_scenario_navdata, "zero_clocks", zero_clocks, "no", fitted,
              "send a clock of zero for satellites whose clock the orbits do not know; they are left out "
              "otherwise"),

@@ -2,6 +2,8 @@
 #include "src/make/navset.h"
 
 #include "core/parallel.h"
+#include "iono/field/tec_files.h"
+#include "src/make/broadcast_iono.h"
 #include "src/make/frames.h"
 
 enum { MAX_FILES = 400 };
@@ -22,6 +24,7 @@ bool orr_navset_plan_of(const orr_scenario *s, orr_navset_plan *out)
     out->nav = (const char *const *)n->nav.item;
     out->n_nav = n->nav.n;
     out->field = s->iono.field;
+    out->nequick = s->iono.nequick;
     out->options.leap = s->leap;
     out->options.window_s = n->window == ORR_NAVDATA_4H ? 14400 : 7200;
     out->options.zero_clocks = n->zero_clocks;
@@ -33,7 +36,8 @@ typedef struct files {
     orr_antex antex;
     orr_bias_set bias;
     orr_nav named, field;
-    orr_nav shown; // borrows from the two
+    orr_nav_iono fitted[ORR_BROADCAST_IONO_MODELS];
+    orr_nav shown; // borrows from these
 } files;
 
 static void files_free(files *f)
@@ -76,10 +80,34 @@ static orr_status read_field(const char *path, orr_inputs *inputs, orr_nav *out,
     return s;
 }
 
+// What satellites say of a field of TEC.
+static orr_status fit_field(const orr_navset_plan *plan, const orr_ephemeris *e, files *f, orr_diag *diag)
+{
+    orr_tec_options options = orr_tec_default_options();
+    orr_tec_field *field = NULL;
+    orr_nequick *tables = NULL;
+    orr_time from, to;
+    size_t n = 0;
+    options.leap = plan->options.leap;
+    orr_ephemeris_span(e, &from, &to);
+    orr_status s = orr_tec_field_open(plan->field, &options, &field, NULL, diag);
+    if (s == ORR_OK && plan->nequick != NULL) s = orr_nequick_load(plan->nequick, &tables, diag);
+    if (s == ORR_OK) {
+        orr_diag none = {0};
+        s = orr_broadcast_iono_fit(field, from, to, tables, options.leap, f->fitted, &n, &none);
+        if (s == ORR_E_NODATA) s = ORR_OK; // another day's field: nothing is said of it
+        if (s != ORR_OK && diag != NULL) *diag = none;
+    }
+    orr_nequick_free(tables);
+    orr_tec_field_free(field);
+    if (n > 0) f->shown.iono = f->fitted, f->shown.n_iono = n;
+    return s;
+}
+
 // Ephemerides (GLONASS' channels) of the files that are named for it, or else of the ionosphere's; likewise GPS'
 // Klobuchar.
-static orr_status read_navs(const orr_navset_plan *plan, files *f, orr_navset_options *o, orr_inputs *inputs,
-                            orr_warnings *warnings, orr_diag *diag)
+static orr_status read_navs(const orr_ephemeris *e, const orr_navset_plan *plan, files *f,
+                            orr_navset_options *o, orr_inputs *inputs, orr_warnings *warnings, orr_diag *diag)
 {
     if (plan->n_nav > MAX_FILES)
         return orr_diag_set(diag, ORR_E_LIMIT, "%zu navigation files; at most %d are read", plan->n_nav,
@@ -95,8 +123,9 @@ static orr_status read_navs(const orr_navset_plan *plan, files *f, orr_navset_op
         f->shown.iono = f->field.iono;
         f->shown.n_iono = f->field.n_iono;
     }
-    if (plan->n_nav > 0 || has_field) o->nav = &f->shown;
-    return ORR_OK;
+    if (plan->field != NULL && !has_field && !has_klobuchar(&f->shown)) s = fit_field(plan, e, f, diag);
+    if (plan->n_nav > 0 || has_field || f->shown.n_iono > 0) o->nav = &f->shown;
+    return s;
 }
 
 static orr_status read_all(const orr_ephemeris *e, const orr_navset_plan *plan, files *f,
@@ -123,7 +152,7 @@ static orr_status read_all(const orr_ephemeris *e, const orr_navset_plan *plan, 
         orr_bytes_free(&text);
         o->bias = &f->bias;
     }
-    return s == ORR_OK ? read_navs(plan, f, o, inputs, warnings, diag) : s;
+    return s == ORR_OK ? read_navs(e, plan, f, o, inputs, warnings, diag) : s;
 }
 
 orr_status orr_navset_make(const orr_ephemeris *e, const orr_navset_plan *plan, orr_navset **out,

@@ -17,7 +17,9 @@ typedef struct orr_navset_plan {
     const orr_bias_set *bias_read;
     const orr_nav *nav_read;
     const char *
-        field; // of an ionosphere: where it is a navigation file, it stands in for what `nav` lacks; NULL: none
+        field; // of an ionosphere: where it is a navigation file, it stands in for what `nav` lacks; else, where `nav` has no
+               // Klobuchar of GPS, coefficients are fitted to it; NULL: none
+    const char *nequick;        // folder of NeQuick-G's tables, to fit its coefficients; NULL: none are
     orr_navset_options options; // antex, bias and nav are set by orr_navset_make
 } orr_navset_plan;
 

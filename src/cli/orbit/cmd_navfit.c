@@ -31,6 +31,8 @@ static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_di
     plan.nav = nav;
     plan.antex = orr_cli_text(c, "antex", NULL);
     plan.bias = orr_cli_text(c, "bias", NULL);
+    plan.field = orr_cli_text(c, "field", NULL);
+    plan.nequick = orr_cli_text(c, "nequick", NULL);
     plan.options.leap = w->inputs.leap = c->leap;
     plan.options.jobs = (int)orr_cli_int(c, "jobs", plan.options.jobs);
     plan.options.sats = orr_cli_sats(c, "sat");
@@ -133,6 +135,19 @@ static const orr_option options[] = {
     ORR_OPTION_NAV(.repeated = true, .help = "RINEX navigation file with GLONASS' frequency channels and "
                                              "Klobuchar's coefficients. Without "
                                              "it the nominal channels and coefficients of zero are sent."),
+    {.name = "field",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "TEC field (IONEX, .ION or a navigation file): fit the coefficients of GPS' and BeiDou's "
+             "Klobuchar models to it "
+             "where --nav has none."},
+    {.name = "nequick",
+     .kind = ORR_OPT_TEXT,
+     .applies = "field",
+     .value = "DIR",
+     .help = "NeQuick-G's tables (ccir11.asc to ccir22.asc, modip.asc): fit its coefficients to the field "
+             "too. Without them "
+             "they are sent as zero."},
     {.name = "zero-clocks",
      .kind = ORR_OPT_FLAG,
      .help = "Send a clock of zero for satellites whose clock the product does not know. Without it they are "
