@@ -131,6 +131,11 @@ static const orr_key satellite_rows[] = {
              "satellites that send; all of the orbits by default"),
     SATS_ROW("exclude", exclude, 0, "satellites that are switched off"),
     SATS_ROW("unhealthy", unhealthy, 0, "satellites that send and are marked as not to be used"),
+    FILE_ROW(
+        orr_scenario_satellites, "metadata", metadata, NULL,
+        "IGS satellite metadata (igs_satellite_metadata.snx): transmit power against the mean of the system, "
+        "space "
+        "vehicles and blocks where ANTEX lacks them, GLONASS' channels where no navigation file tells them"),
     MAPS_ROW(orr_scenario_satellites, "power", power, &power_table, 100, NULL,
              "more or less power than nominal"),
 };

@@ -49,6 +49,7 @@ typedef struct orr_scenario_power {
 typedef struct orr_scenario_satellites {
     orr_sat_set use, exclude, unhealthy;
     bool has_use;
+    char *metadata; // IGS satellite metadata file
     struct {
         size_t n;
         orr_scenario_power *item;

@@ -167,6 +167,27 @@ C04_20 = """# EOP (IERS) 20 C04 TIME SERIES  consistent with ITRF 2020
 2019   3   4   0  58546.00    0.055555    0.366666  -0.0876543    0.000111   -0.000222    0.001230   -0.002340   0.0009876    0.000033    0.000044   0.0000055    0.000077    0.000088    0.000099    0.000091   0.0000066
 2019   3   4  12  58546.50    0.055666    0.366777  -0.0881111    0.000111   -0.000222    0.001230   -0.002340   0.0009876    0.000033    0.000044   0.0000055    0.000077    0.000088    0.000099    0.000091   0.0000066
 """
+METADATA = """%=SNX 2.02 XXX 24:001:00000 XXX 00:000:00000 00:000:00000 P 00000 0
++SATELLITE/IDENTIFIER
+*SVN_ COSPAR ID SatCat Block__________ Comment
+ G063 2011-036A  37753 GPS-IIF         made
+ R730 2009-070A  36111 GLO-M           made
+-SATELLITE/IDENTIFIER
++SATELLITE/PRN
+*SVN_ Valid_From____ Valid_To______ PRN Comment
+ G035 1993:243:00000 2011:196:00000 G01
+ G063 2011:197:00000 0000:000:00000 G01 made
+ R730 2009:348:00000 0000:000:00000 R01
+-SATELLITE/PRN
++SATELLITE/FREQUENCY_CHANNEL
+ R730 2009:348:00000 0000:000:00000   1
+-SATELLITE/FREQUENCY_CHANNEL
++SATELLITE/TX_POWER
+*SVN_ Valid_From____ Valid_To______ P[W] Comment
+ G063 2011:197:00000 0000:000:00000  240 made
+-SATELLITE/TX_POWER
+%ENDSNX
+"""
 
 
 def main():
@@ -177,6 +198,7 @@ def main():
         "erp/finals": FINALS, "erp/c04_14": C04_14, "erp/c04_20": C04_20,
         "clk/v300": clk("3.00"), "clk/v200": clk("2.00"), "clk/v304": clk("3.04"),
         "antex/plain": antex(0.0), "antex/azimuths": antex(90.0), "bias/sinex": BIAS, "bias/dcb": DCB, "sinex/station": SINEX,
+        "satellite_metadata/igs": METADATA,
     }
     for name, text in seeds.items():
         path = HERE / name

@@ -86,7 +86,7 @@ typedef struct orr_transmitter {
     orr_sat sat;
     int frequency_channel; // GLONASS; 0 for others
     bool unhealthy;
-    const char *svn, *block; // as ANTEX names them, borrowed; "" without ANTEX
+    const char *svn, *block; // as ANTEX or satellites.metadata names them, borrowed; "" without
 } orr_transmitter;
 // The k-th of them, in the orbits' order; false where there are not so many.
 bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *out);

@@ -44,6 +44,12 @@ bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *
                                  .unhealthy = (x->flags & ORR_CHANNEL_UNHEALTHY) != 0,
                                  .svn = a != NULL ? a->svn : "",
                                  .block = a != NULL ? a->type : ""};
+        const char *svn = a == NULL ? orr_satellite_metadata_svn(&c->metadata, x->sat, c->span.from) : NULL;
+        if (svn == NULL) return true;
+        const orr_metadata_line *id =
+            orr_satellite_metadata_at(&c->metadata, ORR_METADATA_IDENTIFIER, svn, c->span.from);
+        out->svn = svn;
+        if (id != NULL) out->block = id->block;
         return true;
     }
     return false;

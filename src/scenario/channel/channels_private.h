@@ -4,6 +4,7 @@
 #ifndef ORR_SCENARIO_CHANNEL_CHANNELS_PRIVATE_H
 #define ORR_SCENARIO_CHANNEL_CHANNELS_PRIVATE_H
 
+#include "ingest/tables/satellite_metadata.h"
 #include <stdatomic.h>
 
 #include "orbit/spacecraft/attitude_laws.h"
@@ -50,10 +51,11 @@ struct orr_channels {
     const orr_source_iono *iono;
     orr_scenario_troposphere troposphere;
     bool has_troposphere;
-    orr_scenario_channel options; // antex and bias are not kept
-    orr_scenario_mask mask;       // its horizon is owned
-    const orr_antex *antex;       // NULL: none
-    const orr_bias_set *bias;     // NULL: none
+    orr_scenario_channel options;    // antex and bias are not kept
+    orr_scenario_mask mask;          // its horizon is owned
+    const orr_antex *antex;          // NULL: none
+    const orr_bias_set *bias;        // NULL: none
+    orr_satellite_metadata metadata; // empty where the scenario names none
     size_t n_antennas;
     orr_antenna antenna[ORR_MAX_ANTENNAS];
     orr_windup windup[ORR_MAX_ANTENNAS];

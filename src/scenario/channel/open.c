@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Channels prepared: satellites and antennas looked up, turns counted.
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,52 @@
 
 // Light is on its way for 0.15 s at most, and rates are taken from so far on both sides.
 static const int64_t MARGIN_NS = ORR_NS_PER_S / 5;
+
+// What a satellite transmits in all, W; 0 where no file tells it.
+static double transmits_w(const orr_channels *c, orr_sat sat)
+{
+    const char *svn = orr_satellite_metadata_svn(&c->metadata, sat, c->span.from);
+    const orr_metadata_line *x =
+        svn != NULL ? orr_satellite_metadata_at(&c->metadata, ORR_METADATA_POWER, svn, c->span.from) : NULL;
+    return x != NULL ? x->value : 0;
+}
+
+// The signals' nominal powers are those of a system's mean satellite: the others have more or less by what they transmit.
+static void share_powers(orr_channels *c, orr_warnings *warnings)
+{
+    for (const char *system = ORR_SYSTEMS; *system != '\0' && c->metadata.n > 0; system++) {
+        double sum = 0;
+        size_t told = 0, silent = 0;
+        for (size_t k = 0; k < c->n_sats; k++) {
+            const channel_satellite *x = &c->satellite[k];
+            if (orr_sat_system(x->sat) != *system || !x->sends) continue;
+            const double w = transmits_w(c, x->sat);
+            sum += w;
+            *(w > 0 ? &told : &silent) += 1;
+        }
+        for (size_t k = 0; k < c->n_sats && told > 0; k++) {
+            channel_satellite *x = &c->satellite[k];
+            const double w = orr_sat_system(x->sat) == *system ? transmits_w(c, x->sat) : 0;
+            if (w > 0) x->power_db += 10 * log10(w * (double)told / sum);
+        }
+        if (told > 0 && silent > 0)
+            orr_warnings_add(
+                warnings, NULL, 0, 0,
+                "satellites.metadata tells no transmit power of %zu satellites of %c: theirs is nominal",
+                silent, *system);
+    }
+}
+
+// The channel of a satellite whose navigation files tell none.
+static bool listed_channel(const orr_channels *c, orr_sat sat, int *channel)
+{
+    const char *svn = orr_satellite_metadata_svn(&c->metadata, sat, c->span.from);
+    const orr_metadata_line *x =
+        svn != NULL ? orr_satellite_metadata_at(&c->metadata, ORR_METADATA_CHANNEL, svn, c->span.from) : NULL;
+    if (x == NULL || !(fabs(x->value) <= 13)) return false;
+    *channel = (int)x->value;
+    return true;
+}
 
 static orr_status keep_horizon(const orr_scenario *s, orr_channels *c, orr_diag *diag)
 {
@@ -67,9 +114,14 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
         x->orbit_normal = is_orbit_normal(e, x->sat);
         x->law =
             orr_attitude_law_of(c->antex != NULL ? orr_antex_find_sat(c->antex, x->sat, c->span.from) : NULL);
-        if (orr_sat_system(x->sat) == 'R' &&
-            !orr_glonass_channel(nav, x->sat, c->span.from, &x->frequency_channel, &nominal))
-            x->sends = false; // nobody knows its carriers
+        if (orr_sat_system(x->sat) == 'R') {
+            const bool known =
+                orr_glonass_channel(nav, x->sat, c->span.from, &x->frequency_channel, &nominal);
+            if ((!known || nominal) && listed_channel(c, x->sat, &x->frequency_channel))
+                nominal = false;
+            else if (!known)
+                x->sends = false; // nobody knows its carriers
+        }
         if (nominal) x->flags |= ORR_CHANNEL_NOMINAL_FREQUENCY;
         for (size_t j = 0; x->sends && j < n_signals; j++)
             if ((c->signals >> j & 1) != 0 && signal[j].system == orr_sat_system(x->sat)) {
@@ -168,7 +220,10 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
 {
     orr_status status = parse_signals(s, c, diag);
     if (status == ORR_OK) status = keep_horizon(s, c, diag);
+    if (status == ORR_OK && s->satellites.metadata != NULL)
+        status = orr_satellite_metadata_read(s->satellites.metadata, NULL, &c->metadata, warnings, diag);
     if (status == ORR_OK) status = list_satellites(s, nav, c, diag);
+    if (status == ORR_OK) share_powers(c, warnings);
     if (status == ORR_OK)
         status = orr_sun_track_open(c->span.from, c->span.to,
                                     orr_ephemeris_eop(orr_source_orbit_ephemeris(c->orbits)), &c->sun, diag);
@@ -234,5 +289,6 @@ void orr_channels_close(orr_channels *c)
     free(c->cell);
     free(c->satellite);
     free(c->mask.horizon.item);
+    orr_satellite_metadata_free(&c->metadata);
     free(c);
 }

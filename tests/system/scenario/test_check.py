@@ -112,6 +112,33 @@ class Check(Folder):
             path.write_text(text, encoding="ascii")
             self.assertIn(words, run("check", path, status=1).stderr)
 
+    def test_powers_of_the_satellite_metadata(self):
+        """Twice the transmit power is 3.01 dB more; the mean of a system keeps the signal's nominal power."""
+        head = "+SATELLITE/PRN\n G063 2011:197:00000 0000:000:00000 G01\n G061 2004:311:00000 0000:000:00000 G02\n-SATELLITE/PRN\n+SATELLITE/TX_POWER\n"
+        meta = self.nav("meta.snx", "%=SNX 2.02\n" + head + " G063 2011:197:00000 0000:000:00000 200\n G061 2004:311:00000 0000:000:00000 100\n"
+                        "-SATELLITE/TX_POWER\n%ENDSNX\n")
+        base = "signals: ['G:L1CA']\nmask: {elevation: -10}\n"
+        powers = []
+        for satellites in ("satellites: {use: 'G01-G09'}\n", f"satellites: {{use: 'G01-G09', metadata: {meta}}}\n"):
+            power = {}
+            for hour in (2, 8, 14, 20):
+                path = self.scenario(base + satellites + FIXED)
+                out = self.path("power")
+                done = run("simulate", path, "-o", out, "--from", f"2025-03-21T{hour:02d}:00", "--to", f"2025-03-21T{hour:02d}:00:01", "--force")
+                for row in csv.DictReader(pathlib.Path(out, "A-channels.csv").read_text(encoding="ascii").splitlines()):
+                    power[row["t_gps"], row["sat"]] = float(row["power_dbw"])
+            powers.append(power)
+        self.assertIn("satellites.metadata tells no transmit power of", done.stderr)
+        change = {}
+        for key, value in powers[0].items():
+            change.setdefault(key[1], set()).add(round(powers[1][key] - value, 2))
+        self.assertEqual(change.pop("G01"), {1.25})  # 200 W against the mean of 150 W
+        self.assertEqual(change.pop("G02"), {-1.76})
+        self.assertEqual(set().union(*change.values()), {0.0})
+        self.refused("signals: [G]\nsatellites: {metadata: none.snx}\n" + FIXED, "scenario.yaml:5:24: satellites.metadata: ", "none.snx")
+        other = sample("ORR0TSTFIN_20250800000_01D_05M_ORB.SP3.gz")
+        self.refused(f"signals: [G]\nsatellites: {{metadata: {other}}}\n" + FIXED, "scenario.yaml:5:24: satellites.metadata")
+
     def test_the_table_of_channels_sums_up(self):
         path = self.scenario("signals: [G, R]\ntroposphere: {model: stanag4294}\n" + FIXED)
         run("simulate", path, "-o", self.path("sum"), "--from", "2025-03-21T03:00:00", "--to", "2025-03-21T03:01:00",
