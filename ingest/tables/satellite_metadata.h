@@ -31,8 +31,12 @@ typedef struct orr_satellite_metadata {
     orr_metadata_line *line; // in the file's order
 } orr_satellite_metadata;
 
-// Reads such a file. ORR_E_KIND (none of these blocks), those of orr_records_load and orr_records_verdict, ORR_E_LIMIT. Lines
-// that cannot be read are told and left out. Free with orr_satellite_metadata_free. limits may be NULL.
+// Reads such a file. Lines that cannot be read are told and left out.
+//   Given:    path          of the file
+//             limits        NULL: the defaults
+//   Returned: out           the lines; free with orr_satellite_metadata_free
+//             warnings      may be NULL
+//             diag          ORR_E_KIND (none of these blocks), those of orr_records_load and orr_records_verdict, ORR_E_LIMIT
 orr_status orr_satellite_metadata_read(const char *path, const orr_read_limits *limits,
                                        orr_satellite_metadata *out, orr_warnings *warnings, orr_diag *diag);
 // The same from bytes in memory.
@@ -48,7 +52,7 @@ orr_status orr_satellite_metadata_parse(const char *name, const char *text, size
 // Frees the lines; zeroed ones may be freed.
 void orr_satellite_metadata_free(orr_satellite_metadata *m);
 
-// The line of a kind that holds at t for a vehicle; NULL where there is none.
+// The line of a kind that holds at t for a vehicle (svn: "G063"); NULL where there is none.
 const orr_metadata_line *orr_satellite_metadata_at(const orr_satellite_metadata *m, orr_metadata_kind kind,
                                                    const char *svn, orr_time t);
 // The vehicle that sends as a satellite at t: "G063", borrowed; NULL where the file does not tell.
