@@ -12,6 +12,8 @@ uint64_t orr_rng_u64(uint64_t seed, uint64_t stream, uint64_t k);
 double orr_rng_uniform(uint64_t seed, uint64_t stream, uint64_t k);
 // Normal with mean 0 and variance 1 (Box and Muller 1958).
 double orr_rng_normal(uint64_t seed, uint64_t stream, uint64_t k);
+// The k-th four numbers of a stream, 32 random bits each; others than orr_rng_u64's.
+void orr_rng_u32(uint64_t seed, uint64_t stream, uint64_t k, uint32_t out[4]);
 #define ORR_RNG_BLOCK 16
 // A block of them, independent, for long series: each has 32 bits, so that none is beyond 6.7.
 //   Given:    seed, stream, k   which block

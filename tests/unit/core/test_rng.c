@@ -53,6 +53,17 @@ static void expect_normal(double (*draw)(uint64_t k))
     }
 }
 
+// Known answers of Philox 4x32-10 (Random123's kat_vectors): counter and key of zeros, and of ones.
+static void philox_of_32_bits_has_its_known_answers(void **state)
+{
+    (void)state;
+    uint32_t r[4];
+    orr_rng_u32(0, 0, 0, r);
+    assert_true(r[0] == 0x6627e8d5 && r[1] == 0xe169c58d && r[2] == 0xbc57ac4c && r[3] == 0x9b00dbd8);
+    orr_rng_u32(UINT64_MAX, UINT64_MAX, UINT64_MAX, r);
+    assert_true(r[0] == 0x408f276d && r[1] == 0x41c83b0e && r[2] == 0xa20bc7c6 && r[3] == 0x6d5451fd);
+}
+
 static double one(uint64_t k) { return orr_rng_normal(12, 5, k); }
 static double of_a_block(uint64_t k)
 {
@@ -110,6 +121,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(known_answers),
         cmocka_unit_test(uniform_numbers_are_uniform),
+        cmocka_unit_test(philox_of_32_bits_has_its_known_answers),
         cmocka_unit_test(normal_numbers_are_normal),
         cmocka_unit_test(streams_seeds_and_counters_are_unrelated),
     };
