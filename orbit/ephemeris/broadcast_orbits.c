@@ -9,9 +9,11 @@
 #include "core/nan.h"
 #include "orbit/broadcast/broadcast.h"
 
-#define SAMPLE_S 60.0
+#define SAMPLE_S 60
+#define SAMPLE_NS (INT64_C(1000000000) * SAMPLE_S)
 #define PER_SEGMENT 15 // a quarter of an hour; the product takes less where an orbit needs it
-#define CLOCK_S 300.0
+#define CLOCK_S 300
+#define CLOCK_NS (INT64_C(1000000000) * CLOCK_S)
 #define UNKNOWN_SIGMA_M 3.0
 #define GEO_SIGMA_M 1e-3           // exact by decree; files write sigmas as powers, which cannot be 0
 #define GEOSTATIONARY_M 42164170.0 // radius on which a sidereal day is a revolution
@@ -96,7 +98,7 @@ static orr_orbit_sample sample_of(const orr_broadcast_state *s, double sigma_m)
 // Whole segments from the first of a lattice of GPS time at or after `from` on.
 static orr_status arc_init(orr_time from, orr_time to, orr_orbit_arc *a, orr_diag *diag)
 {
-    const int64_t step = (int64_t)(SAMPLE_S * 1e9);
+    const int64_t step = SAMPLE_NS;
     const orr_time t0 = -orr_floor_div(-from, step) * step;
     const int64_t segments = to > t0 ? (to - t0) / (step * PER_SEGMENT) : 0;
     *a = (orr_orbit_arc){.t0 = t0, .step_s = SAMPLE_S, .samples_per_segment = PER_SEGMENT};
@@ -124,7 +126,7 @@ static orr_status add_clock(orr_orbit_sat *s, orr_time t, double clock_s, orr_di
 // Clocks at the arc's samples that lie on their own lattice, and at its ends.
 static bool has_clock(const orr_orbit_arc *a, size_t i, orr_time t)
 {
-    return i == 0 || i + 1 == a->n || t % (int64_t)(CLOCK_S * 1e9) == 0;
+    return i == 0 || i + 1 == a->n || t % CLOCK_NS == 0;
 }
 
 // Records first..last, each joined to the next, as an arc within [from, to].

@@ -15,7 +15,7 @@
 #define CLOCK(power0, bits0, power1, bits1, power2, bits2)                                                   \
     {                                                                                                        \
         ORR_SIGNED("af0", P2(power0), bits0), ORR_SIGNED("af1", P2(power1), bits1),                          \
-            ORR_SIGNED("af2", 0x1p-##power2, bits2)                                                          \
+            ORR_SIGNED("af2", P2(30) * P2((power2)-30), bits2)                                               \
     }
 #define TIMES(step_s, bits) .toe = ORR_UNSIGNED("toe", step_s, bits), .toc = ORR_UNSIGNED("toc", step_s, bits)
 
