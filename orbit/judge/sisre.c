@@ -217,6 +217,7 @@ orr_status orr_sisre_run(const orr_nav *nav, const orr_sp3 *truth, const orr_sis
     for (int k = 0; k < ORR_N_SYSTEMS; k++)
         sums[k] = (orr_sisre_sum){.system = ORR_SYSTEMS[k], .orbit = ORR_ORBIT_CLASSES};
     for (size_t e = 0; e < truth->n_epochs; e++) {
+        // By the secular pole: 3e-5 rad of attitude are 0.1 mm of an antenna.
         const orr_vec3 sun = orr_attitude_sun(truth->epoch[e], NULL);
         size_t first = *n;
         for (size_t i = 0; i < truth->n_sats; i++) {

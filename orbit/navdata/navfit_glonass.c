@@ -105,7 +105,8 @@ static orr_status solve(problem *q, const orr_nav_glonass *g, double *x)
     return orr_least_squares(q->A, q->rows, N, q->b, tau, x);
 }
 
-// Tide of Sun and Moon at r, ecef axes: what the message calls the lunisolar acceleration.
+// Tide of Sun and Moon at r, ecef axes: what the message calls the lunisolar acceleration. The secular pole and UT1 by the leap
+// seconds (3e-5 rad) are enough: 5e-6 m/s^2 turned by that are 2e-10 m/s^2, and the message's last bit is 9e-7 m/s^2.
 static orr_vec3 lunisolar(orr_time t, orr_vec3 r)
 {
     orr_mat3 R;
