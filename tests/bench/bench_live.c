@@ -197,7 +197,7 @@ static int echo_pair(echo *e, pthread_t *thread)
 {
     orr_url u, bound;
     orr_diag diag = {0};
-    int listener, fd;
+    int listener = -1, fd = -1;
     must(orr_url_parse("tcp://127.0.0.1:0", &u, &diag) == ORR_OK &&
              orr_url_listen(&u, 1, &listener, &bound, &diag) == ORR_OK &&
              orr_url_connect(&bound, 10, &fd, &diag) == ORR_OK,
