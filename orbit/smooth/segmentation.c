@@ -40,7 +40,7 @@
 #define FAR_M 0.10
 #define MAX_SCALE_M 1.0 // a coordinate: what is noisier than that is no orbit that one could judge nodes by
 #define JUMP_M 5.0      // files further apart at their joint each keep their own orbit
-#define JUMP_TOLD_M 0.5
+#define JUMP_TOLD_M 0.1
 #define JUMP_MPS 0.01
 #define MEET_PART 0.05 // of the way that a push moves a satellite over a node step: how well its orbits meet
 #define MEET_M 0.02
