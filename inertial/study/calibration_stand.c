@@ -198,7 +198,7 @@ orr_stand_increment orr_stand_integrate(const orr_stand *stand, const orr_stand_
         const double end = begin + g->duration_s, to = k + 1 < p->n && end < to_s ? end : to_s;
         const double fastest = fmax(fabs(rate), fabs(g->rate_radps)) * (1 + fabs(p->ripple));
         const double bend = fastest * (to - at) * (1 + (fabs(p->ripple) > 0 ? p->ripple_per_turn : 0));
-        const size_t pieces = 1 + (size_t)(bend / 0.4);
+        const size_t pieces = 1 + (size_t)(bend / 0.2);
         const double h = (to - at) / (double)pieces;
         for (size_t i = 0; i < pieces; i++)
             for (int j = 0; j < 5; j++) {

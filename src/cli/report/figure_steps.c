@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,8 +48,11 @@ static size_t split(const char *step, const figure_places *p, char (*word)[WORD]
 }
 
 // In the child: output and messages to files of the folder, then the program itself.
-static _Noreturn void become(const figure *f, char (*word)[WORD], size_t n, const figure_places *p)
+static _Noreturn void become(const figure *f, char (*word)[WORD], size_t n, const figure_places *p,
+                             pid_t parent)
 {
+    prctl(PR_SET_PDEATHSIG, SIGTERM); // it ends with us
+    if (getppid() != parent) _exit(126);
     char name[64];
     char *argument[MOST_WORDS + 2] = {(char[]){"orrery"}};
     for (size_t i = 0; i < n; i++) argument[i + 1] = word[i];
@@ -78,8 +83,8 @@ orr_status figure_run_step(const figure *f, const char *step, const figure_place
     char(*word)[WORD] = calloc(MOST_WORDS, sizeof *word);
     if (word == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for a command");
     const size_t n = split(step, p, word);
-    const pid_t pid = fork();
-    if (pid == 0) become(f, word, n, p);
+    const pid_t parent = getpid(), pid = fork();
+    if (pid == 0) become(f, word, n, p, parent);
     free(word);
     if (pid < 0) return orr_diag_set(diag, ORR_E_IO, "no further process: %s", strerror(errno));
     int status = 0;

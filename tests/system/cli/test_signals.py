@@ -37,6 +37,9 @@ def writer_of(fifo):
         return None
 
 
+CALLERS = ("poll", "watch", "record")  # they call a service, and read nothing
+
+
 class Signals(Folder):
     took = []  # seconds from a signal to the end, command, signal
 
@@ -47,6 +50,13 @@ class Signals(Folder):
         run("orbit", "-q", "-o", cls.product, sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
         cls.fifo = cls.path("fifo")
         os.mkfifo(cls.fifo)
+        # An archive whose record, a folder of samples whose scenario, are what nobody writes.
+        day = pathlib.Path(cls.path("archive")) / "2025/080"
+        day.mkdir(parents=True)
+        (day / "day.json").symlink_to(cls.fifo)
+        (day.parent.parent / "survey.yaml").symlink_to(cls.fifo)
+        (day.parent.parent / "day.sp3.gz").symlink_to(sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
+        pathlib.Path(cls.path("figures")).mkdir()
         cls.silent = socket.create_server(("127.0.0.1", 0))
         cls.silent_url = f"tcp://127.0.0.1:{cls.silent.getsockname()[1]}"
 
@@ -113,9 +123,10 @@ class Signals(Folder):
             "iq": [fifo, "-o", out],
             "simulate": [fifo, "-o", out],
             "serve": [fifo],
-            "delays": [fifo, "-o", out],
-            "check": [fifo],
-            "simulate": [fifo, "-o", out],
+            "batch": ["--archive", self.path("archive"), "--inputs", self.path("archive"), "--erp", fifo],
+            "archive": ["verify", self.path("archive")],
+            "figures": ["-o", self.path("figures"), "--samples", self.path("archive"), "--only", "fig3"],
+            "replay": [fifo],
             "inspect": [fifo],
             "convert": [fifo, "-o", out],
             "fetch": ["2024-02-04", "--archives", fifo, "--cache", self.path("cache")],
@@ -125,7 +136,7 @@ class Signals(Folder):
         names = [line.split()[0] for line in run("--help").stdout.splitlines()
                  if line.startswith("  ") and not line.startswith("   ")]
         cases = self.cases()
-        self.assertEqual(set(names) - {"help", "poll"}, set(cases))
+        self.assertEqual(set(names) - {"help", *CALLERS}, set(cases))
         for name, args in cases.items():
             for number in (signal.SIGINT, signal.SIGTERM):
                 with self.subTest(command=name, signal=number):
@@ -141,7 +152,9 @@ class Signals(Folder):
 
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(signal=number):
-                self.end(["poll", self.silent_url], accepted, number)
+                for command in CALLERS:
+                    more = ["-o", self.path("out"), "--count", "5"] if command == "record" else []
+                    self.end([command, self.silent_url, *more], accepted, number)
 
     def test_in_the_middle_of_writing(self):
         """Temporary outputs are there, and gone afterwards."""
