@@ -8,6 +8,7 @@
 
 #include "core/ncfile.h"
 #include "core/ncseal.h"
+#include "core/path.h"
 
 static const nc_type NC_TYPE[] = {
     [ORR_NC_DOUBLE] = NC_DOUBLE, [ORR_NC_INT64] = NC_INT64, [ORR_NC_INT32] = NC_INT,
@@ -142,9 +143,7 @@ static char *join(const orr_nc_input *input, size_t n, bool names)
     char *text = malloc(size), *p = text;
     if (text == NULL) return NULL;
     for (size_t i = 0; i < n; i++) {
-        const char *s = names ? input[i].path : input[i].sha256;
-        const char *slash = names ? strrchr(s, '/') : NULL;
-        if (slash != NULL) s = slash + 1;
+        const char *s = names ? orr_base_name(input[i].path) : input[i].sha256;
         if (i > 0) *p++ = '\n';
         size_t len = strlen(s);
         memcpy(p, s, len);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/outfile.h"
+#include "core/path.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -79,7 +80,7 @@ static void sweep(const char *path)
 {
     char *folder = folder_of(path);
     DIR *d = folder != NULL ? opendir(folder) : NULL;
-    const char *slash = strrchr(path, '/'), *base = slash != NULL ? slash + 1 : path;
+    const char *base = orr_base_name(path);
     for (const struct dirent *e; d != NULL && (e = readdir(d)) != NULL;) {
         long pid;
         if (!is_temporary(e->d_name, base, &pid) || kill((pid_t)pid, 0) == 0 || errno != ESRCH) continue;

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "core/monotonic.h"
 #include "ingest/fetch/fetch_private.h"
 
 #define MAX_MIRROR_LINES 10000
@@ -52,13 +52,6 @@ orr_fetch_options orr_fetch_default_options(const char *cache_dir)
                                .stall_s = 30,
                                .connect_s = 15,
                                .max_bytes = (size_t)2 << 30};
-}
-
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static void finish(fetcher *f, job *j, orr_status s, const char *reason)
@@ -178,7 +171,7 @@ static void begin(fetcher *f, job *j)
     orr_status s = fetch_cache_path(f->o->cache_dir, c, true, j->path, sizeof j->path, &d);
     if (s == ORR_OK && same_file_is_active(f, j)) { // a weekly file wanted for several days
         j->cache_looked_at = false;
-        j->not_before = now_s() + 0.05;
+        j->not_before = orr_monotonic_s() + 0.05;
         return;
     }
     if (s == ORR_OK) s = fetch_transfer_start(&j->transfer, f->o, c, j->path, &d);
@@ -187,7 +180,7 @@ static void begin(fetcher *f, job *j)
             ORR_LOG(f->o->log, ORR_LOG_INFO, "%s: another program is fetching it; waiting", c->name);
         j->waits = true;
         j->cache_looked_at = false;
-        j->not_before = now_s() + 0.1;
+        j->not_before = orr_monotonic_s() + 0.1;
         return;
     }
     if (s == ORR_OK && curl_multi_add_handle(f->multi, j->transfer.easy) != CURLM_OK) {
@@ -204,7 +197,7 @@ static void begin(fetcher *f, job *j)
                 (long long)j->transfer.resumed_from);
     j->attempt++;
     j->received_then = 0;
-    j->moved_at = now_s();
+    j->moved_at = orr_monotonic_s();
     j->state = JOB_ACTIVE;
     f->active++;
 }
@@ -225,7 +218,7 @@ static void again(fetcher *f, job *j, const char *why, bool connect_failed)
     char where[192];
     ORR_LOG(f->o->log, ORR_LOG_WARN, "%s: %s; attempt %d of %d in %.1f s", place_text(c, where), why,
             j->attempt + 1, f->o->attempts, wait);
-    j->not_before = now_s() + wait;
+    j->not_before = orr_monotonic_s() + wait;
 }
 
 // All bytes came: read the file; only then it gets its name.
@@ -335,7 +328,7 @@ static void cancel(fetcher *f)
 static bool end_stalled(fetcher *f)
 {
     bool any = false;
-    double now = now_s();
+    double now = orr_monotonic_s();
     for (size_t i = 0; i < f->n; i++) {
         job *j = &f->job[i];
         if (j->state != JOB_ACTIVE) continue;
@@ -365,7 +358,7 @@ static void run(fetcher *f)
             cancel(f);
             return;
         }
-        double now = now_s();
+        double now = orr_monotonic_s();
         bool changed = false;
         for (size_t i = 0; i < f->n && f->active < (size_t)f->o->parallel; i++) {
             job *j = &f->job[i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "iono/field/tec_files.h"
 #include "core/nan.h"
+#include "core/path.h"
 #include "ingest/input/input.h"
 #include "ingest/input/sniff.h"
 
@@ -8,12 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
 
 // Step of n equally spaced values; NAN when they are not.
 static double regular_step(const double *v, size_t n)
@@ -256,7 +251,7 @@ orr_status orr_tec_field_parse(const char *path, const char *text, size_t n, con
                                orr_tec_field **out, orr_warnings *warnings, orr_diag *diag)
 {
     *out = NULL;
-    const char *name = base_name(path);
+    const char *name = orr_base_name(path);
     orr_ionex maps;
     orr_read_limits limits = orr_read_default_limits();
     limits.leap = options != NULL ? options->leap : NULL;

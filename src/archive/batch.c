@@ -10,9 +10,9 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "core/monotonic.h"
 #include "src/archive/store.h"
 
 #define RUN 8 // consecutive days that a process makes: neighbours share what is smoothed about a midnight
@@ -42,13 +42,6 @@ typedef struct run {
     pid_t parent;
 } run;
 
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void finish(run *r, size_t i, orr_batch_outcome outcome)
 {
     orr_batch_day *day = &r->report->day[i];
@@ -72,13 +65,13 @@ static _Noreturn void work(const run *r, size_t first, size_t end, int to)
     orr_archive_record *record = malloc(sizeof *record);
     for (size_t i = first; record != NULL && i < end; i++) {
         told t = {0};
-        const double begin_s = now_s();
+        const double begin_s = orr_monotonic_s();
         const int32_t mjd = r->report->day[i].mjd;
         t.status = orr_archive_day_plan(&r->b->settings, r->index, mjd, record, &t.failure);
         if (t.status == ORR_OK)
             t.status = orr_archive_day_make(&r->b->settings, r->index, &last, record, &t.failure);
         t.failure.status = t.status;
-        t.seconds = now_s() - begin_s;
+        t.seconds = orr_monotonic_s() - begin_s;
         if (write(to, &t, sizeof t) != (ssize_t)sizeof t) _exit(1); // within a pipe's room: all or nothing
     }
     _exit(record != NULL ? 0 : 1);

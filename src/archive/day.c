@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "core/path.h"
 #include "orbit/ephemeris/ephemeris.h"
 #include "orbit/smooth/solution_cut.h"
 #include "orbit/smooth/solution_join.h"
@@ -17,17 +18,11 @@
 #define FAR_NS (INT64_C(20) * 86400 * ORR_NS_PER_S) // beyond any file of a neighbouring day
 #define WINDOW_NS (INT64_C(3600) * WINDOW_H * ORR_NS_PER_S)
 
-static const char *base(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
 static void take_input(orr_archive_record *r, const char *path, const char *sha256)
 {
     orr_archive_file *f = &r->input[r->n_inputs++];
     *f = (orr_archive_file){.bytes = -1};
-    snprintf(f->name, sizeof f->name, "%s", base(path));
+    snprintf(f->name, sizeof f->name, "%s", orr_base_name(path));
     snprintf(f->sha256, sizeof f->sha256, "%s", sha256);
 }
 
@@ -95,7 +90,7 @@ static orr_status note_product(orr_archive_record *r, const char *folder, const 
 static void note_warnings(orr_archive_record *r, const orr_warnings *w)
 {
     for (size_t i = 0; i < w->kept && r->n_notes < ORR_ARCHIVE_MAX_NOTES; i++)
-        snprintf(r->note[r->n_notes++], sizeof r->note[0], "%.80s%s%.160s", base(w->item[i].file),
+        snprintf(r->note[r->n_notes++], sizeof r->note[0], "%.80s%s%.160s", orr_base_name(w->item[i].file),
                  w->item[i].file[0] != '\0' ? ": " : "", w->item[i].text);
 }
 

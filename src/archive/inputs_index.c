@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 
 #include "core/array.h"
+#include "core/path.h"
 #include "ingest/input/input.h"
 #include "ingest/input/sniff.h"
 #include "src/archive/store.h"
@@ -113,12 +114,6 @@ void orr_archive_index_free(orr_archive_index *x)
     *x = (orr_archive_index){0};
 }
 
-static const char *base(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
 orr_status orr_archive_index_find(const orr_archive_index *x, int32_t mjd, const orr_archive_input **input,
                                   orr_diag *diag)
 {
@@ -138,7 +133,8 @@ orr_status orr_archive_index_find(const orr_archive_index *x, int32_t mjd, const
         return orr_diag_set(
             diag, ORR_E_ARG,
             "several SP3 files are of %s: %.100s and %.100s; choose by --name, e.g. --name 'COD*'",
-            orr_archive_day_text(mjd, day), base(x->item[low].path), base(x->item[low + 1].path));
+            orr_archive_day_text(mjd, day), orr_base_name(x->item[low].path),
+            orr_base_name(x->item[low + 1].path));
     *input = &x->item[low];
     return ORR_OK;
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/path.h"
 #include "core/sha256.h"
 
 void orr_inputs_free(orr_inputs *list)
@@ -39,9 +40,8 @@ static orr_orbit_source *append(orr_inputs *list, const char *path)
     if (item == NULL) return NULL;
     list->item = item;
     item += list->n++;
-    const char *slash = strrchr(path, '/');
     *item = (orr_orbit_source){0};
-    snprintf(item->name, sizeof item->name, "%s", slash != NULL ? slash + 1 : path);
+    snprintf(item->name, sizeof item->name, "%s", orr_base_name(path));
     return item;
 }
 

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
+#include "core/monotonic.h"
 #include "core/parallel.h"
 #include "ingest/rinex/clk.h"
 #include "ingest/tables/erp.h"
@@ -186,13 +186,6 @@ static orr_status read_all(const orr_orbit_plan *plan, const orr_log *log, work 
     return s;
 }
 
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static orr_status predict(const orr_orbit_plan *plan, const work *w, const orr_eop_series *eop,
                           const orr_log *log, const volatile int *cancel, orr_orbit_made *out,
                           orr_warnings *warnings, orr_diag *diag)
@@ -218,9 +211,9 @@ orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const
                             ORR_ORBIT_MAX_FILES);
     work w = {0};
     orr_eop_series eop = {0};
-    const double begin_s = now_s();
+    const double begin_s = orr_monotonic_s();
     orr_status s = read_all(plan, log, &w, &eop, warnings, diag);
-    const double read_s = now_s();
+    const double read_s = orr_monotonic_s();
     if (s == ORR_OK) {
         orr_smoother_options options = plan->smoother;
         options.observed_only = plan->predict;
@@ -239,7 +232,7 @@ orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const
         ORR_LOG(log, ORR_LOG_INFO, "smoothed %zu nodes of %zu satellites, residual RMS %.2f mm",
                 out->report.nodes_used, out->solution.n_sats, 1e3 * out->report.residual_rms_m);
     out->read_s = read_s - begin_s;
-    out->smooth_s = now_s() - read_s;
+    out->smooth_s = orr_monotonic_s() - read_s;
     orr_erp_series_free(&eop);
     work_free(&w);
     return s;
@@ -249,9 +242,9 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
 {
     orr_status s = orr_orbit_solve(plan, log, cancel, out, warnings, diag);
-    const double solved_s = now_s();
+    const double solved_s = orr_monotonic_s();
     if (s == ORR_OK) s = orr_ephemeris_build(&out->solution, &out->ephemeris, diag);
-    out->fit_s = now_s() - solved_s;
+    out->fit_s = orr_monotonic_s() - solved_s;
     return s;
 }
 

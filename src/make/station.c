@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/path.h"
 #include "ingest/input/sniff.h"
 #include "ingest/rinex/rinex_obs.h"
 #include "ingest/tables/sinex.h"
@@ -77,9 +78,8 @@ static orr_status read_biases(orr_station *s, orr_warnings *warnings, orr_diag *
 static orr_status site_of_sinex(orr_station *s, orr_diag *diag)
 {
     const orr_station_plan *p = s->plan;
-    const char *slash = strrchr(p->observations, '/');
     char code[5];
-    snprintf(code, sizeof code, "%.4s", slash != NULL ? slash + 1 : p->observations);
+    snprintf(code, sizeof code, "%.4s", orr_base_name(p->observations));
     const char *name = p->code != NULL ? p->code : code;
     orr_bytes text;
     orr_sinex x;

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "core/monotonic.h"
 #include "core/parallel.h"
 #include "src/archive/batch.h"
 #include "src/archive/catalogue.h"
@@ -85,13 +85,6 @@ typedef struct talk {
     double begin_s;
 } talk;
 
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static bool stop(void *user) { return orr_cli_interrupted(((talk *)user)->c); }
 
 // On a terminal one line that is redrawn, failures above it; elsewhere a line a day.
@@ -104,7 +97,7 @@ static void done(void *user, const orr_batch_day *d, size_t n_done, size_t n_day
         fprintf(stderr, "%s%s: not made: %s\n", t->terminal ? "\r\033[K" : "", day,
                 orr_diag_format(&d->failure, why, sizeof why));
     if (t->c->quiet) return;
-    const double taken_s = now_s() - t->begin_s, rate = taken_s > 0 ? (double)n_done / taken_s : 0;
+    const double taken_s = orr_monotonic_s() - t->begin_s, rate = taken_s > 0 ? (double)n_done / taken_s : 0;
     if (t->terminal)
         fprintf(stderr, "\r\033[K%zu of %zu days, %.1f a second, %.0f s left", n_done, n_days, rate,
                 rate > 0 ? (double)(n_days - n_done) / rate : 0);
@@ -170,7 +163,7 @@ static int run_batch(orr_cli *c, const orr_batch *b, orr_archive_index *x, bool 
     if (s == ORR_OK && alone) s = orr_archive_lock(b->settings.archive, &lock, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     s = orr_archive_strays(b->settings.archive, true, NULL, NULL, &diag);
-    talk t = {.c = c, .terminal = isatty(STDERR_FILENO) != 0, .begin_s = now_s()};
+    talk t = {.c = c, .terminal = isatty(STDERR_FILENO) != 0, .begin_s = orr_monotonic_s()};
     orr_batch mine = *b;
     mine.done = done;
     mine.stop = stop;
@@ -180,7 +173,7 @@ static int run_batch(orr_cli *c, const orr_batch *b, orr_archive_index *x, bool 
     int status = ORR_EXIT_FAILED;
     if (s == ORR_E_INTERRUPTED && t.terminal) fputc('\n', stderr);
     if (s == ORR_OK)
-        status = say_end(c, &report, now_s() - t.begin_s);
+        status = say_end(c, &report, orr_monotonic_s() - t.begin_s);
     else
         status = orr_cli_fail(c, &diag);
     orr_batch_report_free(&report);

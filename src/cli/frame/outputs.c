@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/ncfile.h"
+#include "core/path.h"
 #include "src/cli/frame/frame.h"
 
 enum { HEAD = 4096 };
@@ -60,17 +61,11 @@ static bool same_file(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-static const char *name_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
 // The folder of a path: whether a file can be made there.
 static int look_at_folder(const orr_cli *c, output *o)
 {
     char folder[4096] = ".";
-    const size_t n = (size_t)(name_of(o->path) - o->path);
+    const size_t n = (size_t)(orr_base_name(o->path) - o->path);
     if (n >= sizeof folder) return orr_cli_failf(c, "%s: the name is too long", o->path);
     if (n > 0) snprintf(folder, sizeof folder, "%.*s", (int)n, o->path);
     if (stat(folder, &o->folder) != 0 || (!o->exists && access(folder, W_OK) != 0))
@@ -140,7 +135,7 @@ int orr_cli_outputs_check(const orr_cli *c)
         for (int k = 0; k < n && status == ORR_EXIT_OK; k++)
             if ((out->exists && list[k].exists && same_file(&out->st, &list[k].st)) ||
                 (same_file(&out->folder, &list[k].folder) &&
-                 strcmp(name_of(path), name_of(list[k].path)) == 0))
+                 strcmp(orr_base_name(path), orr_base_name(list[k].path)) == 0))
                 status =
                     orr_cli_usage(c, "--%s and --%s are one file, %s", list[k].option->name, o->name, path);
         if (status == ORR_EXIT_OK) status = check_inputs(c, out);

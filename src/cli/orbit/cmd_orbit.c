@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/monotonic.h"
 #include "ingest/fetch/fetch.h"
 #include "orbit/force/gravity_field.h"
 #include "src/cli/frame/cli.h"
@@ -288,13 +289,6 @@ static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, or
     return plan_prediction(c, l, plan, diag);
 }
 
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static int run(orr_cli *c)
 {
     lists l = {0};
@@ -314,14 +308,14 @@ static int run(orr_cli *c)
                              (int)orr_cli_int(c, "gravity", 0), ORR_GRAVITY_MAX_DEGREE);
     orr_status s = make_plan(c, &l, &plan, &diag);
     if (s == ORR_OK) s = orr_orbit_make(&plan, c->log, NULL, &made, &warnings, &diag);
-    const double made_s = now_s();
+    const double made_s = orr_monotonic_s();
     if (s == ORR_OK) s = orr_ephemeris_save(made.ephemeris, orr_cli_text(c, "output", NULL), c->call, &diag);
     const char *erp_out = orr_cli_text(c, "erp-out", NULL);
     if (s == ORR_OK && erp_out != NULL) s = orr_rotation_file_write(made.ephemeris, c->leap, erp_out, &diag);
     orr_cli_warnings(c, &warnings);
     int status = ORR_EXIT_OK;
     if (s == ORR_OK) {
-        const orbit_seconds seconds = {made.read_s, made.smooth_s, made.fit_s, now_s() - made_s};
+        const orbit_seconds seconds = {made.read_s, made.smooth_s, made.fit_s, orr_monotonic_s() - made_s};
         status = orbit_summary_print(c, &made.solution, &made.report, made.ephemeris,
                                      plan.predict ? &made.prediction : NULL, &seconds);
     } else

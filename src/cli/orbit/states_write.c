@@ -9,6 +9,7 @@
 #include "core/astro.h"
 #include "core/fixed.h"
 #include "core/outfile.h"
+#include "core/path.h"
 #include "ingest/sp3/sp3.h"
 
 enum { POS_DECIMALS = 6, VEL_DECIMALS = 9, CLOCK_DECIMALS = 15, ROW = 1024 };
@@ -174,10 +175,8 @@ static orr_status sp3_header(const orr_products *p, const states_request *q, orr
     sp3->interval_s = (double)q->step_ns * 1e-9;
     sp3->pos_vel_base = 1.25;
     sp3->clock_base = 1.025;
-    const char *slash = strrchr(q->product, '/');
     snprintf(text[0], sizeof text[0], "STATES OF AN ORBIT PRODUCT, NOT AN ANALYSIS CENTRE'S ORBIT");
-    snprintf(text[1], sizeof text[1], "MADE BY ORRERY %s FROM %.40s", ORR_VERSION,
-             slash != NULL ? slash + 1 : q->product);
+    snprintf(text[1], sizeof text[1], "MADE BY ORRERY %s FROM %.40s", ORR_VERSION, orr_base_name(q->product));
     snprintf(text[2], sizeof text[2], "CLOCKS WITHOUT PERIODIC RELATIVITY");
     sp3->comment = calloc(3, sizeof *sp3->comment);
     for (size_t i = 0; i < 3 && sp3->comment != NULL; i++) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/earth.h"
+#include "core/path.h"
 
 struct orr_engine {
     char title[128];
@@ -29,18 +30,12 @@ static orr_status make_engine(const char *title, orr_engine **out, orr_diag *dia
     return ORR_OK;
 }
 
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
 static const char *title_of(const orr_scenario *s)
 {
     if (s->title != NULL) return s->title;
-    if (s->orbit.product != NULL) return base_name(s->orbit.product);
-    if (s->orbit.sp3.n > 0) return base_name(s->orbit.sp3.item[0]);
-    return s->orbit.nav.n > 0 ? base_name(s->orbit.nav.item[0]) : "";
+    if (s->orbit.product != NULL) return orr_base_name(s->orbit.product);
+    if (s->orbit.sp3.n > 0) return orr_base_name(s->orbit.sp3.item[0]);
+    return s->orbit.nav.n > 0 ? orr_base_name(s->orbit.nav.item[0]) : "";
 }
 
 static void choose_receiver(const orr_scenario *s, orr_engine *e)
