@@ -45,6 +45,15 @@ void orr_imu_free(orr_imu *m)
 
 #define MAX_SAMPLES 50000000u
 
+void orr_imu_swap_measured(orr_imu *m)
+{
+    orr_vec3 *g = m->dtheta_rad, *a = m->dv_mps;
+    m->dtheta_rad = m->measured_dtheta_rad;
+    m->dv_mps = m->measured_dv_mps;
+    m->measured_dtheta_rad = g;
+    m->measured_dv_mps = a;
+}
+
 orr_status orr_imu_allocate(orr_imu *m, size_t n, size_t truth_every, bool instantaneous, bool carried,
                             orr_diag *diag)
 {

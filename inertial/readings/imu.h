@@ -61,6 +61,8 @@ void orr_imu_free(orr_imu *m);
 //   Notes:    ORR_E_LIMIT, ORR_E_ARG, ORR_E_MEMORY.
 orr_status orr_imu_allocate(orr_imu *m, size_t n, size_t truth_every, bool instantaneous, bool carried,
                             orr_diag *diag);
+// Readings with errors in the place of the ideal ones, and the other way: its own inverse.
+void orr_imu_swap_measured(orr_imu *m);
 // Time of edge j after t0, s.
 static inline double orr_imu_edge_s(const orr_imu *m, size_t j)
 {

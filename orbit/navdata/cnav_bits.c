@@ -33,25 +33,9 @@ static void put_head(const orr_cnav_message *c, int type, orr_page *p)
 
 static void put_elements(const orr_nav_eph *e, const uint8_t *list, size_t n, orr_page *p)
 {
-    const orr_nav_kepler *k = &e->kepler;
-    const double value[] = {k->sqrt_a_sqrtm * k->sqrt_a_sqrtm,
-                            k->e,
-                            k->omega_rad,
-                            k->m0_rad,
-                            k->i0_rad,
-                            k->omega0_rad,
-                            k->omega_dot_radps,
-                            k->delta_n_radps,
-                            k->idot_radps,
-                            k->crc_m,
-                            k->crs_m,
-                            k->cuc_rad,
-                            k->cus_rad,
-                            k->cic_rad,
-                            k->cis_rad,
-                            k->a_dot_mps,
-                            k->delta_n_dot_radps2};
     const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
+    double value[ORR_KEPLER_N];
+    orr_kepler_lattice_values(l, &e->kepler, value);
     for (size_t i = 0; i < n; i++) orr_page_value(p, &l->element[list[i]], value[list[i]]);
 }
 

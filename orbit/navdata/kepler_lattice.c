@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/kepler_lattice.h"
 
+#include <string.h>
+
 #define REVOLVING(sqrt_lsb_power)                                                                            \
     ORR_UNSIGNED("sqrt(A)", P2(sqrt_lsb_power), 32), ORR_UNSIGNED("e", P2(33), 32),                          \
         ORR_ANGLE("omega", 31, 32), ORR_ANGLE("M0", 31, 32), ORR_ANGLE("i0", 31, 32),                        \
@@ -116,4 +118,28 @@ const orr_kepler_lattice *orr_kepler_lattice_of(orr_sat sat, uint8_t message)
     default:
         return NULL;
     }
+}
+
+void orr_kepler_lattice_values(const orr_kepler_lattice *l, const orr_nav_kepler *k,
+                               double value[ORR_KEPLER_N])
+{
+    const double a = k->sqrt_a_sqrtm * k->sqrt_a_sqrtm;
+    const double all[ORR_KEPLER_N] = {l->sends_a ? a : k->sqrt_a_sqrtm,
+                                      k->e,
+                                      k->omega_rad,
+                                      k->m0_rad,
+                                      k->i0_rad,
+                                      k->omega0_rad,
+                                      k->omega_dot_radps,
+                                      k->delta_n_radps,
+                                      k->idot_radps,
+                                      k->crc_m,
+                                      k->crs_m,
+                                      k->cuc_rad,
+                                      k->cus_rad,
+                                      k->cic_rad,
+                                      k->cis_rad,
+                                      k->a_dot_mps,
+                                      k->delta_n_dot_radps2};
+    memcpy(value, all, sizeof all);
 }

@@ -17,6 +17,9 @@ typedef struct orr_kepler_lattice {
     orr_navfit_field toe, toc; // seconds of the system's own week
 } orr_kepler_lattice;
 
+// A record's elements as the lattice sends them: in its order, with a or its root in the first place.
+void orr_kepler_lattice_values(const orr_kepler_lattice *l, const orr_nav_kepler *k,
+                               double value[ORR_KEPLER_N]);
 // The lattice of a message of a satellite (BeiDou's reference of a is another for MEO); NULL for what sends no elements.
 const orr_kepler_lattice *orr_kepler_lattice_of(orr_sat sat, uint8_t message);
 

@@ -33,30 +33,6 @@ static const struct {
 #define A_PER_ROOT 1e4 // about 2 sqrt(a): the reach of a where a is sent
 enum { E = ORR_KEPLER_EX, OMEGA = ORR_KEPLER_EY, M0 = ORR_KEPLER_LAMBDA };
 
-// Of e, omega and M0 what is sent; of a what is sent, or else its root.
-static void to_array(const orr_kepler_lattice *l, const orr_nav_kepler *k, double p[N])
-{
-    const double a = k->sqrt_a_sqrtm * k->sqrt_a_sqrtm;
-    const double all[N] = {l->sends_a ? a : k->sqrt_a_sqrtm,
-                           k->e,
-                           k->omega_rad,
-                           k->m0_rad,
-                           k->i0_rad,
-                           k->omega0_rad,
-                           k->omega_dot_radps,
-                           k->delta_n_radps,
-                           k->idot_radps,
-                           k->crc_m,
-                           k->crs_m,
-                           k->cuc_rad,
-                           k->cus_rad,
-                           k->cic_rad,
-                           k->cis_rad,
-                           k->a_dot_mps,
-                           k->delta_n_dot_radps2};
-    memcpy(p, all, sizeof all);
-}
-
 static void from_array(const orr_kepler_lattice *l, const double p[N], orr_nav_kepler *k)
 {
     k->sqrt_a_sqrtm = l->sends_a ? sqrt(p[ORR_KEPLER_SQRT_A]) : p[ORR_KEPLER_SQRT_A];
@@ -143,7 +119,7 @@ static orr_status gauss_newton(problem *q, orr_nav_eph *e)
     double moved = HUGE_VAL;
     for (int it = 0; it < ITERATIONS && moved > CONVERGED_M; it++) {
         double x[N], p[N], sum = 0;
-        to_array(q->l, k, p);
+        orr_kepler_lattice_values(q->l, k, p);
         linearise(q, e, false);
         for (size_t j = 0; j < q->n; j++)
             if (guide[j].usual > 0) (void)pull(q, j, q->weight_m[j], guide[j].usual, q->target[j] - p[j]);
@@ -177,7 +153,7 @@ static bool hold_in_fields(problem *q, const orr_nav_kepler *k)
 {
     bool any = false;
     double p[N];
-    to_array(q->l, k, p);
+    orr_kepler_lattice_values(q->l, k, p);
     for (size_t j = 0; j < q->n; j++) {
         const double top = 0.95 * field_end(q, j), off = p[j] - q->l->element[j].base;
         if (!(guide[j].usual > 0) || fabs(off) <= top || q->weight_m[j] > PULL_M) continue;
@@ -192,7 +168,7 @@ static bool hold_in_fields(problem *q, const orr_nav_kepler *k)
 static orr_status to_lattice(problem *q, orr_nav_eph *e, orr_diag *diag)
 {
     double fitted[N], p[N], whole[N], R[N * N], z[N];
-    to_array(q->l, &e->kepler, fitted);
+    orr_kepler_lattice_values(q->l, &e->kepler, fitted);
     for (size_t j = 0; j < q->n; j++) {
         whole[j] = orr_navfit_whole(&q->l->element[j], fitted[j]);
         p[j] = q->l->element[j].base + whole[j] * lsb(q, j);
@@ -293,7 +269,7 @@ orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe,
         q.w = &tilted;
     }
     s = first_guess(&q, &e);
-    to_array(q.l, &e.kepler, q.target);
+    orr_kepler_lattice_values(q.l, &e.kepler, q.target);
     for (size_t j = 0; j < q.n; j++) q.weight_m[j] = PULL_M;
     do {
         if (s == ORR_OK) s = gauss_newton(&q, &e);

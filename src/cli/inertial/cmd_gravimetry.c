@@ -79,16 +79,6 @@ static orr_gravity_filter filter_of(const orr_cli *c)
     return f;
 }
 
-// Readings with errors in the place of the ideal ones.
-static void take_measured(orr_imu *imu)
-{
-    orr_vec3 *g = imu->dtheta_rad, *a = imu->dv_mps;
-    imu->dtheta_rad = imu->measured_dtheta_rad;
-    imu->dv_mps = imu->measured_dv_mps;
-    imu->measured_dtheta_rad = g;
-    imu->measured_dv_mps = a;
-}
-
 static int run(orr_cli *c)
 {
     orr_diag diag = {0};
@@ -112,7 +102,7 @@ static int run(orr_cli *c)
         return orr_cli_failf(c, "%s has no readings with errors ('orrery imu --errors' makes them)",
                              c->operand[0]);
     }
-    if (measured) take_measured(&f.imu);
+    if (measured) orr_imu_swap_measured(&f.imu);
     orr_gravimetry_track track = {.n = 0};
     const bool tracked = orr_cli_given(c, "track");
     if (!parse_arm(orr_cli_text(c, "arm", "0,0,0"), &track.arm_m)) {

@@ -24,11 +24,6 @@ enum {
     D_RESIDUAL = D_WHITENESS + V,
     D_COLUMNS = D_RESIDUAL + V
 };
-#define ENU(name, unit, help)                                                                                \
-    {name "_east", unit, help ", East", NULL}, {name "_north", unit, help ", North", NULL},                  \
-    {                                                                                                        \
-        name "_up", unit, help ", up", NULL                                                                  \
-    }
 #define XYZ(name, unit, help)                                                                                \
     {name "_x", unit, help ", right", NULL}, {name "_y", unit, help ", forward", NULL},                      \
     {                                                                                                        \
@@ -37,8 +32,8 @@ enum {
 static const orr_study_column draw_columns[D_COLUMNS] = {
     {"seed", NULL, "of the draw", NULL},
     {"nees", NULL, "normalised squared error of attitude and velocity at the end, chi-square of 6", NULL},
-    ENU("attitude_arcmin", "arcmin", "error left, turn about"),
-    ENU("velocity_mps", "m/s", "error left"),
+    ORR_STUDY_COLUMNS_ENU("attitude_arcmin", "arcmin", "error left, turn about"),
+    ORR_STUDY_COLUMNS_ENU("velocity_mps", "m/s", "error left"),
     XYZ("correlation", NULL, "of the residuals over one interval, first unit's axes"),
     XYZ("residual_rms", NULL, "of the residuals in their standard deviations, first unit's axes"),
 };
@@ -54,10 +49,10 @@ enum {
 };
 static const orr_study_column track_columns[T_COLUMNS] = {
     {"t_s", "s", "after the trajectory's begin", NULL},
-    ENU("attitude_arcmin", "arcmin", "error, turn about"),
-    ENU("attitude_sigma_arcmin", "arcmin", "its standard deviation by the filter"),
-    ENU("velocity_mps", "m/s", "error"),
-    ENU("velocity_sigma_mps", "m/s", "its standard deviation by the filter"),
+    ORR_STUDY_COLUMNS_ENU("attitude_arcmin", "arcmin", "error, turn about"),
+    ORR_STUDY_COLUMNS_ENU("attitude_sigma_arcmin", "arcmin", "its standard deviation by the filter"),
+    ORR_STUDY_COLUMNS_ENU("velocity_mps", "m/s", "error"),
+    ORR_STUDY_COLUMNS_ENU("velocity_sigma_mps", "m/s", "its standard deviation by the filter"),
     XYZ("residual", NULL, "of the measurement, in its standard deviations, first unit's axes"),
 };
 
@@ -71,11 +66,16 @@ enum {
     U_COLUMNS = U_SPEED + V
 };
 static const orr_study_column unit_columns[U_COLUMNS] = {
-    {"t_s", "s", "end of the reading's step", NULL}, XYZ("measured_dtheta_rad", "rad", "increment"),
-    XYZ("measured_dv_mps", "m/s", "increment"),      {"heading_deg", "deg", "truth at t_s", NULL},
-    {"pitch_deg", "deg", "truth at t_s", NULL},      {"roll_deg", "deg", "truth at t_s", NULL},
-    {"lat_deg", "deg", "truth at t_s", NULL},        {"lon_deg", "deg", "truth at t_s", NULL},
-    {"height_m", "m", "truth at t_s", NULL},         ENU("velocity_mps", "m/s", "truth at t_s"),
+    {"t_s", "s", "end of the reading's step", NULL},
+    XYZ("measured_dtheta_rad", "rad", "increment"),
+    XYZ("measured_dv_mps", "m/s", "increment"),
+    {"heading_deg", "deg", "truth at t_s", NULL},
+    {"pitch_deg", "deg", "truth at t_s", NULL},
+    {"roll_deg", "deg", "truth at t_s", NULL},
+    {"lat_deg", "deg", "truth at t_s", NULL},
+    {"lon_deg", "deg", "truth at t_s", NULL},
+    {"height_m", "m", "truth at t_s", NULL},
+    ORR_STUDY_COLUMNS_ENU("velocity_mps", "m/s", "truth at t_s"),
 };
 
 typedef struct work {

@@ -128,15 +128,6 @@ static orr_quat misaligned(const work *w, uint64_t seed)
     return orr_quat_mul(orr_quat_from_rotvec(turn), imu->start_q_bi);
 }
 
-static void swap_readings(orr_imu *imu)
-{
-    orr_vec3 *g = imu->dtheta_rad, *a = imu->dv_mps;
-    imu->dtheta_rad = imu->measured_dtheta_rad;
-    imu->dv_mps = imu->measured_dv_mps;
-    imu->measured_dtheta_rad = g;
-    imu->measured_dv_mps = a;
-}
-
 // Errors along lines against the truth, about their mean over all; with what levelling takes off.
 static double line_error(const work *w, bool levelled)
 {
@@ -165,10 +156,10 @@ static orr_status survey(work *w, uint64_t seed, double *row, orr_diag *diag)
     make_track(w, seed);
     const orr_gravimetry_track track = {.n = w->n_track, .t_s = w->track_s, .r_m = w->track_m};
     imu->start_q_bi = misaligned(w, seed);
-    swap_readings(imu);
+    orr_imu_swap_measured(imu);
     orr_gravimetry_result_free(&w->last);
     s = orr_gravimetry_recover(imu, &w->readings.truth, &track, &w->filter, &w->last, diag);
-    swap_readings(imu);
+    orr_imu_swap_measured(imu);
     imu->start_q_bi = start;
     if (s != ORR_OK) return s;
     const orr_study_lines *q = &w->study->lines;

@@ -55,11 +55,6 @@ enum {
     S_LINEAR_ATTITUDE = S_LINEAR_VELOCITY + V,
     S_COLUMNS = S_LINEAR_ATTITUDE + V
 };
-#define ENU(name, unit, help)                                                                                \
-    {name "_east", unit, help ", East", NULL}, {name "_north", unit, help ", North", NULL},                  \
-    {                                                                                                        \
-        name "_up", unit, help ", up", NULL                                                                  \
-    }
 #define EACH(name, unit, help)                                                                               \
     {"phi_" name, unit, help ", phi", NULL}, {"psi_" name, unit, help ", psi", NULL},                        \
     {                                                                                                        \
@@ -67,17 +62,19 @@ enum {
     }
 static const orr_study_column series_columns[S_COLUMNS] = {
     {"t_s", "s", "after the begin", NULL},
-    ENU("position_m", "m", "navigated less true position"),
-    ENU("relative_velocity_mps", "m/s", "error of the velocity relative to the Earth, as a vector"),
-    ENU("absolute_velocity_mps", "m/s", "error of the absolute velocity, as a vector"),
-    ENU("attitude_arcsec", "arcsec", "error of the body's attitude against the geographic axes, phi"),
+    ORR_STUDY_COLUMNS_ENU("position_m", "m", "navigated less true position"),
+    ORR_STUDY_COLUMNS_ENU("relative_velocity_mps", "m/s",
+                          "error of the velocity relative to the Earth, as a vector"),
+    ORR_STUDY_COLUMNS_ENU("absolute_velocity_mps", "m/s", "error of the absolute velocity, as a vector"),
+    ORR_STUDY_COLUMNS_ENU("attitude_arcsec", "arcsec",
+                          "error of the body's attitude against the geographic axes, phi"),
     {"vertical_arcsec_east", "arcsec", "error of the vertical, turn about East", NULL},
     {"vertical_arcsec_north", "arcsec", "error of the vertical, turn about North", NULL},
     {"heading_arcsec", "arcsec", "error of the heading, clockwise", NULL},
-    ENU("dynamic_position_m", "m", "dynamic part of the position error"),
-    ENU("kinematic_position_m", "m", "kinematic part of the position error"),
-    ENU("dynamic_velocity_mps", "m/s", "dynamic part of the absolute velocity error"),
-    ENU("kinematic_velocity_mps", "m/s", "kinematic part of the absolute velocity error"),
+    ORR_STUDY_COLUMNS_ENU("dynamic_position_m", "m", "dynamic part of the position error"),
+    ORR_STUDY_COLUMNS_ENU("kinematic_position_m", "m", "kinematic part of the position error"),
+    ORR_STUDY_COLUMNS_ENU("dynamic_velocity_mps", "m/s", "dynamic part of the absolute velocity error"),
+    ORR_STUDY_COLUMNS_ENU("kinematic_velocity_mps", "m/s", "kinematic part of the absolute velocity error"),
     EACH("position_deviation_m", "m", "equations less direct difference, in their own quantities"),
     EACH("velocity_deviation_mps", "m/s", "equations less direct difference, in their own quantities"),
     EACH("attitude_deviation_arcsec", "arcsec", "equations less direct difference, in their own quantities"),

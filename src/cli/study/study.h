@@ -40,6 +40,13 @@ typedef struct orr_study_column {
     const char *const *word; // values are indices into these words, which end with NULL; NULL: numbers
 } orr_study_column;
 
+// Three columns of a vector in East, North, up.
+#define ORR_STUDY_COLUMNS_ENU(name, unit, help)                                                              \
+    {name "_east", unit, help ", East", NULL}, {name "_north", unit, help ", North", NULL},                  \
+    {                                                                                                        \
+        name "_up", unit, help ", up", NULL                                                                  \
+    }
+
 typedef struct orr_study_table {
     const char
         *name; // of the NetCDF dimension; with several tables the prefix of variables: "track_heading_arcsec"
