@@ -21,6 +21,24 @@ namespace
 const double nothing = std::numeric_limits<double>::quiet_NaN();
 
 void clear(double v[3]) { v[0] = v[1] = v[2] = nothing; }
+
+// What `make` makes; nullptr, with the reason in text[n], where it throws.
+template <typename Make>
+void *made(Make make, const char *without_memory, char *text, size_t n, int *no_memory)
+{
+    *no_memory = 0;
+    try {
+        return make();
+    } catch (const std::bad_alloc &) {
+        *no_memory = 1;
+        std::snprintf(text, n, "%s", without_memory);
+    } catch (const std::exception &e) {
+        std::snprintf(text, n, "%s", e.what());
+    } catch (...) {
+        std::snprintf(text, n, "GeographicLib gave no reason");
+    }
+    return nullptr;
+}
 } // namespace
 
 extern "C" void orr_shim_forward(double lat_deg, double lon_deg, double height_m, double r_m[3])
@@ -84,18 +102,8 @@ extern "C" void orr_shim_geodesic_direct(double lat1_deg, double lon1_deg, doubl
 extern "C" void *orr_shim_gravity_open(const char *name, const char *dir, int degree, char *text, size_t n,
                                        int *no_memory)
 {
-    *no_memory = 0;
-    try {
-        return new GeographicLib::GravityModel(name, dir, degree, degree);
-    } catch (const std::bad_alloc &) {
-        *no_memory = 1;
-        std::snprintf(text, n, "no memory for its coefficients");
-    } catch (const std::exception &e) {
-        std::snprintf(text, n, "%s", e.what());
-    } catch (...) {
-        std::snprintf(text, n, "GeographicLib gave no reason");
-    }
-    return nullptr;
+    return made([=] { return new GeographicLib::GravityModel(name, dir, degree, degree); },
+                "no memory for its coefficients", text, n, no_memory);
 }
 
 extern "C" void orr_shim_gravity(const void *model, const double r_m[3], double g_mps2[3])
@@ -130,18 +138,7 @@ extern "C" void orr_shim_gravity_free(void *model)
 
 extern "C" void *orr_shim_geoid_open(const char *name, const char *dir, char *text, size_t n, int *no_memory)
 {
-    *no_memory = 0;
-    try {
-        return new GeographicLib::Geoid(name, dir);
-    } catch (const std::bad_alloc &) {
-        *no_memory = 1;
-        std::snprintf(text, n, "no memory for it");
-    } catch (const std::exception &e) {
-        std::snprintf(text, n, "%s", e.what());
-    } catch (...) {
-        std::snprintf(text, n, "GeographicLib gave no reason");
-    }
-    return nullptr;
+    return made([=] { return new GeographicLib::Geoid(name, dir); }, "no memory for it", text, n, no_memory);
 }
 
 extern "C" double orr_shim_geoid_height(const void *geoid, double lat_deg, double lon_deg)
@@ -158,18 +155,8 @@ extern "C" void orr_shim_geoid_free(void *geoid) { delete static_cast<Geographic
 extern "C" void *orr_shim_magnetic_open(const char *name, const char *dir, char *text, size_t n,
                                         int *no_memory)
 {
-    *no_memory = 0;
-    try {
-        return new GeographicLib::MagneticModel(name, dir);
-    } catch (const std::bad_alloc &) {
-        *no_memory = 1;
-        std::snprintf(text, n, "no memory for it");
-    } catch (const std::exception &e) {
-        std::snprintf(text, n, "%s", e.what());
-    } catch (...) {
-        std::snprintf(text, n, "GeographicLib gave no reason");
-    }
-    return nullptr;
+    return made([=] { return new GeographicLib::MagneticModel(name, dir); }, "no memory for it", text, n,
+                no_memory);
 }
 
 extern "C" void orr_shim_magnetic_field(const void *model, double year, double lat_deg, double lon_deg,

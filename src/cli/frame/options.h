@@ -22,6 +22,12 @@
     ORR_OPTION_OUTPUT_AS(                                                                                    \
             .help = "Write to FILE instead of standard output; the file appears whole or not at all.")
 
+// The folder of a command that writes several files.
+#define ORR_OPTION_FOLDER(...)                                                                               \
+    {                                                                                                        \
+        .name = "output", .letter = 'o', .kind = ORR_OPT_TEXT, .value = "DIR", .required = true, __VA_ARGS__ \
+    }
+
 // The form of what is printed, `words` divided by '|'; orr_cli_says(c, "format", word).
 #define ORR_OPTION_FORMAT_AS(words, usual, ...)                                                              \
     {                                                                                                        \

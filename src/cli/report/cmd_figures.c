@@ -9,15 +9,11 @@
 
 #include "core/outfile.h"
 #include "src/cli/frame/cli.h"
+#include "src/cli/frame/options.h"
 #include "src/cli/report/figure.h"
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "DIR",
-     .required = true,
-     .help = "Folder of the figures, their tables and report.html; made if there is none."},
+    ORR_OPTION_FOLDER(.help = "Folder of the figures, their tables and report.html; made if there is none."),
     {.name = "samples",
      .kind = ORR_OPT_TEXT,
      .value = "DIR",

@@ -132,13 +132,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "DIR",
-     .required = true,
-     .fills = true,
-     .help = "Folder of the files; made if it is not there."},
+    ORR_OPTION_FOLDER(.fills = true, .help = "Folder of the files; made if it is not there."),
     ORR_OPTION_FROM(.help = "First epoch; the first whole step that the scenario has by default."),
     ORR_OPTION_TO(.help = "Last epoch; the end of the scenario by default."),
     ORR_OPTION_STEP(.applies = "!rate", .help = "From one epoch to the next; 1 s by default."),

@@ -199,14 +199,10 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    {.name = "output",
-     .letter = 'o',
-     .kind = ORR_OPT_TEXT,
-     .value = "DIR",
-     .required = true,
-     .help = "Folder of the recording, which is named as the scenario: .sigmf-data and .sigmf-meta; made if "
-             "it is not "
-             "there."},
+    ORR_OPTION_FOLDER(.help = "Folder of the recording, which is named as the scenario: .sigmf-data and "
+                              ".sigmf-meta; made if "
+                              "it is not "
+                              "there."),
     {.name = "seconds", .kind = ORR_OPT_TEXT, .value = "S", .help = "How long; 60 by default."},
     {.name = "rate", .kind = ORR_OPT_TEXT, .value = "HZ", .help = "Samples a second, e.g. 5M, the default."},
     {.name = "centre",
