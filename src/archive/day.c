@@ -42,8 +42,8 @@ static orr_status files_of(const orr_archive_index *index, int32_t mjd, const or
     return s;
 }
 
-orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_archive_index *index,
-                                int32_t mjd, orr_archive_record *r, orr_diag *diag)
+orr_status orr_archive_day_plan(const orr_archive_index *index, int32_t mjd, orr_archive_record *r,
+                                orr_diag *diag)
 {
     const orr_archive_input *file[3];
     *r = (orr_archive_record){.mjd = mjd};
@@ -56,16 +56,9 @@ orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_
     r->after = file[2] != NULL;
     for (int k = 0; k < 3; k++)
         if (file[k] != NULL) take_input(r, file[k]->path, file[k]->sha256);
-    if (settings->n_erp > ORR_ARCHIVE_MAX_INPUTS - 3)
-        return orr_diag_set(diag, ORR_E_LIMIT, "at most %d files of Earth rotation parameters are used",
-                            ORR_ARCHIVE_MAX_INPUTS - 3);
-    for (size_t i = 0; i < settings->n_erp && s == ORR_OK; i++) {
-        char sha256[ORR_SHA256_HEX];
-        s = orr_sha256_file(settings->erp[i], sha256, diag);
-        if (s == ORR_OK) take_input(r, settings->erp[i], sha256);
-    }
+    for (size_t i = 0; i < index->n_erp; i++) take_input(r, index->erp[i].path, index->erp[i].sha256);
     orr_archive_key(r->program, r->options, r->input, r->n_inputs, r->key);
-    return s;
+    return ORR_OK;
 }
 
 bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_archive_record *planned)
@@ -102,19 +95,21 @@ void orr_archive_midnight_free(orr_archive_midnight *m)
 }
 
 // Smooths the hours about the midnight that day mjd begins with, of one or two files.
-static orr_status smooth_midnight(const orr_archive_settings *settings, const char *const *sp3, size_t n_sp3,
-                                  int32_t mjd, orr_orbit_solution *out, orr_warnings *warnings,
-                                  orr_diag *diag)
+static orr_status smooth_midnight(const orr_archive_settings *settings, const orr_archive_index *index,
+                                  const char *const *sp3, size_t n_sp3, int32_t mjd, orr_orbit_solution *out,
+                                  orr_warnings *warnings, orr_diag *diag)
 {
     const orr_time midnight = orr_archive_day_begin(mjd);
     const orr_interval outside[2] = {{midnight - FAR_NS, midnight - WINDOW_NS},
                                      {midnight + WINDOW_NS + 1, midnight + FAR_NS}};
+    const char *erp[ORR_ARCHIVE_MAX_ERP];
     orr_orbit_plan plan = orr_orbit_plan_default();
     orr_orbit_made made = {0};
     plan.sp3 = sp3;
     plan.n_sp3 = n_sp3;
-    plan.erp = settings->erp;
-    plan.n_erp = settings->n_erp;
+    for (size_t i = 0; i < index->n_erp; i++) erp[i] = index->erp[i].path;
+    plan.erp = erp;
+    plan.n_erp = index->n_erp;
     plan.leap = settings->leap;
     plan.smoother.jobs = 1;
     plan.smoother.exclude = outside;
@@ -129,27 +124,29 @@ static orr_status smooth_midnight(const orr_archive_settings *settings, const ch
 // The solution about a day's begin or end: together with the neighbour there, or without it where it cannot be used; it is
 // `there` for the next day if the neighbour is in it.
 //   Given:    settings    of the batch
+//             index       input files
 //             own, other  files of the day and of its neighbour; other may be NULL
 //             mjd         the day that begins with the midnight
 //   Returned: out         the solution; free with orr_archive_midnight_free
 //             diag        why there is none
-static orr_status about_midnight(const orr_archive_settings *settings, const orr_archive_input *own,
-                                 const orr_archive_input *other, int32_t mjd, orr_archive_midnight *out,
-                                 orr_diag *diag)
+static orr_status about_midnight(const orr_archive_settings *settings, const orr_archive_index *index,
+                                 const orr_archive_input *own, const orr_archive_input *other, int32_t mjd,
+                                 orr_archive_midnight *out, orr_diag *diag)
 {
     orr_diag why = {0};
     *out = (orr_archive_midnight){.mjd = mjd};
     if (other != NULL) { // in the order of days, so that both days read the same
         const bool first = other->mjd < own->mjd;
         const char *sp3[2] = {first ? other->path : own->path, first ? own->path : other->path};
-        out->there = smooth_midnight(settings, sp3, 2, mjd, &out->solution, &out->warnings, &why) == ORR_OK;
+        out->there =
+            smooth_midnight(settings, index, sp3, 2, mjd, &out->solution, &out->warnings, &why) == ORR_OK;
         if (out->there) return ORR_OK;
         orr_archive_midnight_free(out);
         out->mjd = mjd;
         orr_warnings_add(&out->warnings, other->path, 0, 0, "is left aside: %.200s", why.text);
     }
     const char *alone[1] = {own->path};
-    return smooth_midnight(settings, alone, 1, mjd, &out->solution, &out->warnings, diag);
+    return smooth_midnight(settings, index, alone, 1, mjd, &out->solution, &out->warnings, diag);
 }
 
 // The day's solution: from that about its begin to that about its end.
@@ -165,8 +162,8 @@ static orr_status solve_day(const orr_archive_settings *settings, const orr_arch
         before = *last;
         *last = (orr_archive_midnight){0};
     } else if (s == ORR_OK)
-        s = about_midnight(settings, file[1], file[0], r->mjd, &before, diag);
-    if (s == ORR_OK) s = about_midnight(settings, file[1], file[2], r->mjd + 1, &after, diag);
+        s = about_midnight(settings, index, file[1], file[0], r->mjd, &before, diag);
+    if (s == ORR_OK) s = about_midnight(settings, index, file[1], file[2], r->mjd + 1, &after, diag);
     if (s == ORR_OK)
         s = orr_orbit_solution_join(&before.solution, &after.solution, begin + (end - begin) / 2, OVER_S, out,
                                     diag);

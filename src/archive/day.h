@@ -10,8 +10,6 @@
 
 typedef struct orr_archive_settings {
     const char *archive; // the folder
-    const char *const *erp;
-    size_t n_erp; // files of Earth rotation parameters for all days; 0: the orbits tell
     const orr_leap_table *leap;
 } orr_archive_settings;
 
@@ -26,16 +24,12 @@ typedef struct orr_archive_midnight {
 void orr_archive_midnight_free(orr_archive_midnight *m);
 
 // What a day is to be made from: everything of the record but its products, quality and notes.
-// Given:
-//   settings  of the batch
-//   index     input files, hashed for the day and its neighbours
-//   mjd       the day
-// Returned:
-//   r         inputs, options and key
-//   diag      why it cannot be made
-// Errors: those of orr_archive_index_find, of orr_sha256_file.
-orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_archive_index *index,
-                                int32_t mjd, orr_archive_record *r, orr_diag *diag);
+//   Given:    index       input files, hashed for the day and its neighbours
+//             mjd         the day
+//   Returned: r           inputs, options and key
+//             diag        errors of orr_archive_index_find
+orr_status orr_archive_day_plan(const orr_archive_index *index, int32_t mjd, orr_archive_record *r,
+                                orr_diag *diag);
 // Whether the archive has the day, made from the same by the same.
 bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_archive_record *planned);
 

@@ -107,8 +107,25 @@ orr_status orr_archive_index_make(const char *folder, const char *name, const or
     return ORR_OK;
 }
 
+orr_status orr_archive_index_add_erp(orr_archive_index *x, const char *path, orr_diag *diag)
+{
+    if (x->n_erp == ORR_ARCHIVE_MAX_ERP)
+        return orr_diag_set(diag, ORR_E_LIMIT, "at most %d files of Earth rotation parameters are used",
+                            ORR_ARCHIVE_MAX_ERP);
+    char *copy = strdup(path);
+    if (copy == NULL || !ORR_ARRAY_GROW(x->erp, x->n_erp)) {
+        free(copy);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the name of %s", path);
+    }
+    orr_archive_input *item = &x->erp[x->n_erp++];
+    *item = (orr_archive_input){.path = copy};
+    return orr_sha256_file(path, item->sha256, diag);
+}
+
 void orr_archive_index_free(orr_archive_index *x)
 {
+    for (size_t i = 0; i < x->n_erp; i++) free(x->erp[i].path);
+    free(x->erp);
     for (size_t i = 0; i < x->n; i++) free(x->item[i].path);
     free(x->item);
     *x = (orr_archive_index){0};

@@ -8,6 +8,8 @@
 #include "core/status.h"
 #include "core/time.h"
 
+#define ORR_ARCHIVE_MAX_ERP 13 // beside the files of a day and its neighbours
+
 typedef struct orr_archive_input {
     int32_t mjd; // the day that it begins in
     char *path;
@@ -17,6 +19,8 @@ typedef struct orr_archive_input {
 typedef struct orr_archive_index {
     orr_archive_input *item; // ascending in day, then in path
     size_t n;
+    orr_archive_input *erp; // [n_erp] Earth rotation parameters for all days, hashed; their mjd means nothing
+    size_t n_erp;
     size_t n_other; // files of other kinds, or with days of prediction in them
 } orr_archive_index;
 
@@ -32,6 +36,8 @@ typedef struct orr_archive_index {
 // Errors: ORR_E_IO (the folder cannot be read), ORR_E_MEMORY.
 orr_status orr_archive_index_make(const char *folder, const char *name, const orr_leap_table *leap,
                                   orr_archive_index *out, orr_warnings *warnings, orr_diag *diag);
+// Adds a file of Earth rotation parameters. ORR_E_LIMIT (more than ORR_ARCHIVE_MAX_ERP), ORR_E_IO, ORR_E_MEMORY.
+orr_status orr_archive_index_add_erp(orr_archive_index *x, const char *path, orr_diag *diag);
 // Frees all; it is empty then.
 void orr_archive_index_free(orr_archive_index *x);
 

@@ -8,10 +8,11 @@
 #include "core/sha256.h"
 #include "core/status.h"
 #include "orbit/smooth/solution.h"
+#include "src/archive/inputs_index.h"
 
 #define ORR_ARCHIVE_RECORD "day.json"
 #define ORR_ARCHIVE_SCHEMA 1
-#define ORR_ARCHIVE_MAX_INPUTS 16
+#define ORR_ARCHIVE_MAX_INPUTS (3 + ORR_ARCHIVE_MAX_ERP)
 #define ORR_ARCHIVE_MAX_PRODUCTS 8
 #define ORR_ARCHIVE_MAX_NOTES 32
 

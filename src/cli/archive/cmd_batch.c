@@ -190,10 +190,10 @@ static int run_inputs(orr_cli *c)
     orr_batch b = {.settings = {.archive = orr_cli_text(c, "archive", NULL), .leap = c->leap},
                    .jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores()),
                    .again = orr_cli_given(c, "again")};
-    const char **erp = orr_cli_texts(c, "erp", &b.settings.n_erp);
-    b.settings.erp = erp;
     orr_status s = orr_archive_index_make(orr_cli_text(c, "inputs", NULL), orr_cli_text(c, "name", NULL),
                                           c->leap, &x, &warnings, &diag);
+    for (size_t i = 0; s == ORR_OK && i < orr_cli_count(c, "erp"); i++)
+        s = orr_archive_index_add_erp(&x, orr_cli_text_at(c, "erp", i), &diag);
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     const bool chunk = orr_cli_given(c, "chunk");
@@ -205,7 +205,6 @@ static int run_inputs(orr_cli *c)
     else if (status == ORR_EXIT_OK)
         status = run_batch(c, &b, &x, !chunk);
     orr_archive_index_free(&x);
-    free(erp);
     return status;
 }
 
