@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/outfile.h"
 #include "core/path.h"
+#include "core/process.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,7 +83,7 @@ static void sweep(const char *path)
     const char *base = orr_base_name(path);
     for (const struct dirent *e; d != NULL && (e = readdir(d)) != NULL;) {
         long pid;
-        if (!is_temporary(e->d_name, base, &pid) || kill((pid_t)pid, 0) == 0 || errno != ESRCH) continue;
+        if (!is_temporary(e->d_name, base, &pid) || orr_process_lives(pid)) continue;
         const int fd = openat(dirfd(d), e->d_name, O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
         if (fd < 0) continue;
         if (flock(fd, LOCK_EX | LOCK_NB) == 0) (void)unlinkat(dirfd(d), e->d_name, 0);

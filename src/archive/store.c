@@ -5,17 +5,19 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "core/array.h"
+#include "core/process.h"
 
 #define STAGING ".part-" // .part-DDD-HOST-PID, in the year's folder
 #define HOST_TEXT 64
+#define ENDING_MS 2000 // that processes of a killed batch may take to end
 
 int32_t orr_archive_day_of(orr_time t)
 {
@@ -84,14 +86,20 @@ orr_status orr_archive_lock(const char *archive, int *lock, orr_diag *diag)
     snprintf(path, sizeof path, "%s/.lock", archive);
     *lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (*lock < 0) return system_failed(path, "cannot be opened", diag);
-    if (flock(*lock, LOCK_EX | LOCK_NB) != 0) {
-        const ssize_t n = read(*lock, holder, sizeof holder - 1);
-        holder[n > 0 ? (size_t)n : 0] = '\0';
+    bool held = flock(*lock, LOCK_EX | LOCK_NB) != 0;
+    const ssize_t told = held ? pread(*lock, holder, sizeof holder - 1, 0) : 0;
+    holder[told > 0 ? (size_t)told : 0] = '\0';
+    // A batch that was killed leaves the lock to its days' processes, which end with it.
+    for (int k = 0; held && k < ENDING_MS / 20 && told > 0 && !orr_process_lives(atol(holder)); k++) {
+        nanosleep(&(struct timespec){.tv_nsec = 20 * 1000000}, NULL);
+        held = flock(*lock, LOCK_EX | LOCK_NB) != 0;
+    }
+    if (held) {
         close(*lock);
         *lock = -1;
         return orr_diag_at(diag, ORR_E_LIMIT, archive, 0, 0,
                            "another batch (process %.*s) works on this archive: wait for it, or stop it",
-                           (int)strcspn(holder, "\n"), n > 0 ? holder : "unknown");
+                           (int)strcspn(holder, "\n"), told > 0 ? holder : "unknown");
     }
     const int n = snprintf(holder, sizeof holder, "%ld\n", (long)getpid());
     if (ftruncate(*lock, 0) != 0 || pwrite(*lock, holder, (size_t)n, 0) != n)
@@ -189,7 +197,7 @@ static bool is_leftover(const char *name)
     host_name(host);
     if (sscanf(name, STAGING "%3d-%63[^-]-%ld", &doy, its_host, &pid) != 3 || strcmp(host, its_host) != 0)
         return false;
-    return kill((pid_t)pid, 0) != 0 && errno == ESRCH;
+    return !orr_process_lives(pid);
 }
 
 static bool is_number(const char *name, size_t digits)
