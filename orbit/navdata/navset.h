@@ -13,10 +13,12 @@
 #include "orbit/navdata/navfit.h"
 
 typedef struct orr_navset_options {
-    double window_s;          // LNAV of GPS, I/NAV and F/NAV: 7200 or 14400
-    uint32_t messages;        // bits 1 << orr_nav_message; 0: all that orr_nav_streams tells
-    const orr_sat_set *sats;  // NULL: all that send one of them
-    const orr_antex *antex;   // antennas' phase centres; NULL: the centre of mass, as STATES gives it
+    double window_s;         // LNAV of GPS, I/NAV and F/NAV: 7200 or 14400
+    uint32_t messages;       // bits 1 << orr_nav_message; 0: all that orr_nav_streams tells
+    const orr_sat_set *sats; // NULL: all that send one of them
+    const orr_sat_set
+        *unhealthy;         // satellites whose sets are sent as unhealthy, whatever they are like; NULL: none
+    const orr_antex *antex; // antennas' phase centres; NULL: the centre of mass, as STATES gives it
     const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: all zero
     const orr_nav *nav;       // GLONASS channels, Klobuchar; NULL: channels of the nominal plan, no Klobuchar
     const orr_leap_table

@@ -279,7 +279,8 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         item.clock_rms_s = (double)NAN;
         item.notes |= ORR_NAVSET_NO_CLOCK;
     }
-    const bool out = !judge_healthy(e, sat->sat, arc_from, arc_to, from, to, &item);
+    const bool marked = o->unhealthy != NULL && orr_sat_set_has(o->unhealthy, sat->sat);
+    const bool out = !judge_healthy(e, sat->sat, arc_from, arc_to, from, to, &item) || marked;
     item.eph.transmission = item.from;
     if (series->message == ORR_NAV_FDMA)
         fill_glonass(&item.eph, slot, o->leap, channel, out);

@@ -130,7 +130,9 @@ static const orr_key satellite_rows[] = {
     SATS_ROW("use", use, offsetof(orr_scenario_satellites, has_use),
              "satellites that send; all of the orbits by default"),
     SATS_ROW("exclude", exclude, 0, "satellites that are switched off"),
-    SATS_ROW("unhealthy", unhealthy, 0, "satellites that send and are marked as not to be used"),
+    SATS_ROW("unhealthy", unhealthy, 0,
+             "satellites that send and are marked as not to be used: in their channels, and by the health of "
+             "their broadcast data and almanacs"),
     FILE_ROW(
         orr_scenario_satellites, "metadata", metadata, NULL,
         "IGS satellite metadata (igs_satellite_metadata.snx): transmit power against the mean of the system, "

@@ -16,6 +16,8 @@ typedef enum orr_troposphere_model { ORR_TROPOSPHERES(ORR_CHOICE_VALUE) } orr_tr
 
 #define ORR_TROPO_MAPPINGS(X)                                                                                \
     X(ORR_TROPO_MAPPING_NIELL, "niell", "Niell (1996), apart for the hydrostatic and the wet delay")         \
+    X(ORR_TROPO_MAPPING_GMF, "gmf",                                                                          \
+      "Global Mapping Function (Boehm et al. 2006), by place and season, as the IERS Conventions have it")   \
     X(ORR_TROPO_MAPPING_OWN, "own",                                                                          \
       "what receivers use with the model: 1/sin(elevation) with saastamoinen, Black and Eisner with do229, " \
       "Chao with stanag4294")

@@ -26,6 +26,7 @@ bool orr_navset_plan_of(const orr_scenario *s, orr_navset_plan *out)
     out->field = s->iono.field;
     out->nequick = s->iono.nequick;
     out->options.leap = s->leap;
+    out->options.unhealthy = &s->satellites.unhealthy;
     out->options.window_s = n->window == ORR_NAVDATA_4H ? 14400 : 7200;
     out->options.zero_clocks = n->zero_clocks;
     return n->window != ORR_NAVDATA_NONE;

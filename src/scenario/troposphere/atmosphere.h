@@ -51,5 +51,13 @@ double orr_mapping_fraction(const orr_mapping_fractions *m, double el_rad);
 //             wet          of the wet one
 void orr_mapping_niell_at(double lat_rad, double height_m, orr_time t, orr_mapping_fractions *hydrostatic,
                           orr_mapping_fractions *wet);
+// The Global Mapping Function: Boehm, Niell, Tregoning and Schuh (2006), Geophys. Res. Lett. 33, L07304, as the IERS Conventions
+// (2010, 9.2) recommend it: harmonics of degree 9 of the place, with a season.
+//   Given:    place        latitude, longitude and height above sea level
+//             t            instant: both have a season
+//   Returned: hydrostatic  of the hydrostatic zenith delay
+//             wet          of the wet one
+void orr_mapping_gmf_at(orr_geodetic place, orr_time t, orr_mapping_fractions *hydrostatic,
+                        orr_mapping_fractions *wet);
 
 #endif

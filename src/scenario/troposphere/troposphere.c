@@ -30,6 +30,7 @@ orr_troposphere_site orr_troposphere_at(const orr_scenario_troposphere *s, orr_g
     out.zenith = zenith(s, place, t);
     if (s->mapping == ORR_TROPO_MAPPING_NIELL)
         orr_mapping_niell_at(place.lat_rad, place.height_m, t, &out.hydrostatic, &out.wet);
+    if (s->mapping == ORR_TROPO_MAPPING_GMF) orr_mapping_gmf_at(place, t, &out.hydrostatic, &out.wet);
     return out;
 }
 

@@ -203,6 +203,43 @@ static void a_manoeuvre_makes_its_sets_unhealthy(void **state)
     orr_ephemeris_free(e);
 }
 
+// Whom the caller marks is unhealthy in all his sets, and in the others' almanacs; nobody else is, and nothing else changes.
+static void marked_satellites_are_unhealthy_and_no_others(void **state)
+{
+    (void)state;
+    orr_ephemeris *e = product("2024-02-04T00:00:00", 5, (spoil){.push_s = -1});
+    orr_sat_set marked = {0};
+    const orr_sat bad = orr_sat_parse("G02");
+    orr_sat_set_add(&marked, bad);
+    orr_navset_options o = orr_navset_defaults();
+    orr_navset *plain = build(e, &o);
+    o.unhealthy = &marked;
+    orr_navset *set = build(e, &o);
+    const orr_sat *sat;
+    const size_t n = orr_navset_satellites(set, &sat);
+    size_t seen = 0;
+    for (size_t i = 0; i < n; i++) {
+        const orr_nav_stream *stream[ORR_NAVSET_STREAMS];
+        const size_t streams = orr_navset_streams(set, sat[i], stream);
+        for (size_t k = 0; k < streams; k++) {
+            const orr_navset_item *a, *b;
+            const orr_nav_message message = (orr_nav_message)stream[k]->message;
+            const size_t sets = orr_navset_items(set, sat[i], message, &a);
+            assert_int_equal(sets, orr_navset_items(plain, sat[i], message, &b));
+            for (size_t j = 0; j < sets; j++) {
+                assert_int_equal(b[j].eph.health, 0);
+                assert_true((a[j].eph.health != 0) == (sat[i] == bad));
+                assert_true(a[j].eph.toe == b[j].eph.toe && a[j].notes == b[j].notes);
+                seen += sat[i] == bad;
+            }
+        }
+    }
+    assert_true(seen > 4);
+    orr_navset_free(set);
+    orr_navset_free(plain);
+    orr_ephemeris_free(e);
+}
+
 static void without_a_clock_nothing_is_sent_unless_asked(void **state)
 {
     (void)state;
@@ -633,6 +670,7 @@ int main(void)
         cmocka_unit_test(glonass_half_hours_are_those_of_utc),
         cmocka_unit_test(every_instant_has_one_set),
         cmocka_unit_test(a_manoeuvre_makes_its_sets_unhealthy),
+        cmocka_unit_test(marked_satellites_are_unhealthy_and_no_others),
         cmocka_unit_test(without_a_clock_nothing_is_sent_unless_asked),
         cmocka_unit_test(more_weeks_than_are_counted_are_refused),
         cmocka_unit_test(sets_stay_in_their_slots),

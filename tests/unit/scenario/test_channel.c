@@ -8,7 +8,6 @@
 #include "src/scenario/channel/power.h"
 #include "src/scenario/channel/slow.h"
 #include "src/scenario/engine/engine.h"
-#include "src/scenario/troposphere/troposphere.h"
 #include "testing.h"
 #include "unit/orbit/made_orbit.h"
 
@@ -452,92 +451,6 @@ static void blocks_do_not_remember(void **state)
     }
 }
 
-// --- Troposphere ---
-static void tropospheres_of_the_models(void **state)
-{
-    (void)state;
-    const double lat45 = 45 * ORR_RAD_PER_DEG;
-    // Saastamoinen: 2.2768 mm a hPa at 45 deg and sea level.
-    const orr_weather sea = orr_weather_standard(0, 0.5);
-    ASSERT_NEAR(sea.pressure_hpa, 1013.25, 1e-9);
-    ASSERT_NEAR(orr_zenith_saastamoinen(sea, lat45, 0).hydrostatic_m, 2.2768e-3 * 1013.25, 1e-9);
-    // DO-229 without season, at the pole-ward end of the table: its own constants.
-    const orr_zenith_delay d = orr_zenith_do229(lat45, 0, made_midnight);
-    ASSERT_NEAR(d.hydrostatic_m + d.wet_m, 2.4, 0.12);
-    // STANAG 4294: the integral of its refractivity, by Simpson's rule in steps of 10 m.
-    for (double h0 = 0; h0 < 12000; h0 += 1500) {
-        const double ns = 324.8, dn = -7.32 * exp(0.005577 * ns), c = log((ns + dn) / 105) / 8;
-        double sum = 0;
-        for (double h = h0; h < 120000; h += 10)
-            for (int k = 0; k < 3; k++) {
-                const double x = (h + 5 * k) / 1e3;
-                const double n = x < 1   ? ns + dn * x
-                                 : x < 9 ? (ns + dn) * exp(-c * (x - 1))
-                                         : 105 * exp(-0.1424 * (x - 9));
-                sum += (k == 1 ? 4 : 1) * n * 1e-6 * 10 / 6;
-            }
-        ASSERT_NEAR(orr_zenith_stanag4294(h0).hydrostatic_m, sum,
-                    1e-5); // what is above 120 km: 2e-10 of it
-    }
-}
-
-// Niell's factors at 100 m.
-static void niell(double el_rad, double lat_rad, orr_time t, double *dry, double *wet)
-{
-    orr_mapping_fractions d, w;
-    orr_mapping_niell_at(lat_rad, 100, t, &d, &w);
-    *dry = orr_mapping_fraction(&d, el_rad);
-    *wet = orr_mapping_fraction(&w, el_rad);
-}
-
-static orr_zenith_delay slant(const orr_scenario_troposphere *s, orr_geodetic place, double el_rad)
-{
-    const orr_troposphere_site site = orr_troposphere_at(s, place, made_midnight);
-    return orr_troposphere_slant(&site, el_rad);
-}
-
-static void mappings_are_one_above_and_grow(void **state)
-{
-    (void)state;
-    double dry, wet, last = 0.99;
-    const double zenith = ORR_PI / 2, lat = 52 * ORR_RAD_PER_DEG;
-    niell(zenith, lat, made_midnight, &dry, &wet);
-    ASSERT_NEAR(dry, 1, 1e-12);
-    ASSERT_NEAR(wet, 1, 1e-12);
-    ASSERT_NEAR(orr_mapping_black_eisner(zenith), 1, 1e-5); // 1.001/sqrt(1.002001)
-    ASSERT_NEAR(orr_mapping_cosecant(zenith), 1, 1e-15);
-    for (double el = 90; el >= 3; el -= 1) {
-        niell(el * ORR_RAD_PER_DEG, lat, made_midnight, &dry, &wet);
-        assert_true(dry > last);
-        assert_true(wet >= dry - 1e-12 || el > 15); // water lies lower: closer to 1/sin
-        assert_true(dry <= 1 / sin(el * ORR_RAD_PER_DEG) + 1e-12);
-        last = dry;
-    }
-    // North and south have opposite seasons, half a year apart.
-    double south, same;
-    const orr_time half = orr_time_add_s(made_midnight, 182.625 * 86400);
-    niell(0.1, -lat, half, &south, &wet);
-    niell(0.1, lat, made_midnight, &same, &wet);
-    ASSERT_NEAR(south, same, 2e-4); // the calendar's day of year is not 365.25 long
-}
-
-static void the_troposphere_thins_with_height(void **state)
-{
-    (void)state;
-    for (int model = ORR_TROPOSPHERE_SAASTAMOINEN; model <= ORR_TROPOSPHERE_STANAG4294; model++) {
-        const orr_scenario_troposphere s = {
-            .model = model, .mapping = ORR_TROPO_MAPPING_NIELL, .humidity = 0.7};
-        double last = 100;
-        for (double h = 0; h <= 9000; h += 1000) {
-            const orr_zenith_delay d = slant(&s, (orr_geodetic){0.9, 0.3, h}, 30 * ORR_RAD_PER_DEG);
-            assert_true(d.hydrostatic_m + d.wet_m < last && d.hydrostatic_m > 0);
-            last = d.hydrostatic_m + d.wet_m;
-        }
-        const orr_zenith_delay up = slant(&s, (orr_geodetic){0.9, 0.3, 150e3}, 0.5);
-        ASSERT_NEAR(up.hydrostatic_m + up.wet_m, 0, 0);
-    }
-}
-
 // --- Power ---
 static void power_is_the_documents_at_five_degrees(void **state)
 {
@@ -599,9 +512,6 @@ int main(void)
         cmocka_unit_test_teardown(blocks_hold_the_motion, tear_down),
         cmocka_unit_test_teardown(fixed_antennas_have_long_blocks, tear_down),
         cmocka_unit_test_teardown(blocks_do_not_remember, tear_down),
-        cmocka_unit_test(tropospheres_of_the_models),
-        cmocka_unit_test(mappings_are_one_above_and_grow),
-        cmocka_unit_test(the_troposphere_thins_with_height),
         cmocka_unit_test(power_is_the_documents_at_five_degrees),
         cmocka_unit_test_teardown(satellites_and_masks, tear_down),
     };

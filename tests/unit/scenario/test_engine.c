@@ -337,6 +337,40 @@ static void parts_tell_their_spans(void **state)
     unlink(PRODUCT);
 }
 
+// satellites.unhealthy is what the broadcast data say of these satellites; what they say of others stays.
+static void unhealthy_satellites_say_so(void **state)
+{
+    (void)state;
+    write_product(4, 6, 0);
+    orr_engine *plain, *e;
+    open_text("orbit: {product: engine.nc}\n", &plain);
+    open_text("orbit: {product: engine.nc}\nsatellites: {unhealthy: E01}\nsignals: [G]\n"
+              "antennas: [{name: A, position: [50, 10, 100]}]\n",
+              &e);
+    const orr_sat *sat;
+    const size_t n = orr_engine_satellites(e, &sat);
+    size_t changed = 0;
+    for (size_t i = 0; i < n; i++) {
+        const orr_nav_stream *stream[ORR_NAVSET_STREAMS];
+        const orr_navset_item *item, *was;
+        static orr_navframe frame;
+        const size_t m = orr_engine_navdata_streams(e, sat[i], UINT32_MAX, stream);
+        for (size_t k = 0; k < m; k++) {
+            assert_int_equal(orr_engine_navdata(e, at(19000), sat[i], stream[k], false, &item, &frame),
+                             ORR_ANSWER_OK);
+            assert_int_equal(orr_engine_navdata(plain, at(19000), sat[i], stream[k], false, &was, &frame),
+                             ORR_ANSWER_OK);
+            const bool marked = sat[i] == orr_sat_make('E', 1);
+            assert_true(marked ? item->eph.health != 0 : item->eph.health == was->eph.health);
+            changed += item->eph.health != was->eph.health;
+        }
+    }
+    assert_int_equal(changed, 3); // I/NAV on E1 and E5b, F/NAV
+    orr_engine_close(plain);
+    orr_engine_close(e);
+    unlink(PRODUCT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -346,6 +380,7 @@ int main(void)
         cmocka_unit_test(the_receiver_is_on_the_trajectory),
         cmocka_unit_test(a_trajectory_without_satellites),
         cmocka_unit_test(parts_tell_their_spans),
+        cmocka_unit_test(unhealthy_satellites_say_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
