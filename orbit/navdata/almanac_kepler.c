@@ -29,9 +29,20 @@ struct orr_almanac_lattice {
     char system;
     int most; // numbers of satellites: 1 to so many
     int toa_step_s;
-    double i_reference; // of BeiDou's geostationary satellites 0
+    double i_reference;
     orr_navfit_field field[N], af0, af1;
 };
+
+// IS-QZSS-PNT-005, 4.1.2.6: as GPS', but e is sent as what it has above that of the inclined orbits.
+#define QZSS_FIELDS(e_reference)                                                                             \
+    {ORR_UNSIGNED("sqrt(A)", P2(11), 24),                                                                    \
+     {"e", P2(21), 16, ORR_FIELD_UNSIGNED, e_reference},                                                     \
+     ORR_ANGLE("omega", 23, 24),                                                                             \
+     ORR_ANGLE("M0", 23, 24),                                                                                \
+     ORR_SIGNED("delta i", SEMICIRCLE * P2(19), 16),                                                         \
+     ORR_ANGLE("OMEGA0", 23, 24),                                                                            \
+     ORR_SIGNED("OMEGADOT", SEMICIRCLE * P2(38), 16)},                                                       \
+        ORR_SIGNED("af0", P2(20), 11), ORR_SIGNED("af1", P2(38), 11)
 
 // IS-GPS-200N table 20-VI; Galileo OS SIS ICD 2.1, table 85; BDS-SIS-ICD-B1I 3.0, table 5-14.
 static const orr_almanac_lattice lattices[] = {
@@ -66,10 +77,20 @@ static const orr_almanac_lattice lattices[] = {
       ORR_SIGNED("OMEGADOT", SEMICIRCLE *P2(38), 17)},
      ORR_SIGNED("a0", P2(20), 11),
      ORR_SIGNED("a1", P2(38), 11)},
+    {'J', 10, 4096, 0.25 * ORR_PI, QZSS_FIELDS(0.06)},
 };
+// Those of geostationary satellites, which differ from references of zero.
+static const orr_almanac_lattice qzss_geo = {'J', 10, 4096, 0, QZSS_FIELDS(0)};
+
+// J07, J08 and J09 (IS-QZSS-PNT-005, table 3.2.1-1).
+static bool is_qzss_geo(orr_sat sat)
+{
+    return orr_sat_system(sat) == 'J' && orr_sat_number(sat) >= 7 && orr_sat_number(sat) <= 9;
+}
 
 const orr_almanac_lattice *orr_almanac_lattice_of(orr_sat sat)
 {
+    if (is_qzss_geo(sat)) return &qzss_geo;
     for (size_t k = 0; k < sizeof lattices / sizeof *lattices; k++)
         if (lattices[k].system == orr_sat_system(sat) && orr_sat_number(sat) <= lattices[k].most)
             return &lattices[k];
@@ -240,9 +261,10 @@ static orr_status to_lattice(problem *q, orr_nav_kepler *k, orr_diag *diag)
     memcpy(R, q->A, sizeof R);
     s = orr_lattice_closest(N, R, q->b, SEARCH_NODES, z);
     for (size_t j = 0; j < N; j++) whole[j] += z[j];
-    if (s == ORR_OK && whole[E] < 0) { // the same ellipse from its other end
+    if (s == ORR_OK &&
+        q->l->field[E].base + whole[E] * q->l->field[E].lsb < 0) { // the same ellipse from its other end
         const double half_turn = round(ORR_PI / q->l->field[OMEGA].lsb);
-        whole[E] = -whole[E];
+        whole[E] = -whole[E]; // references of e are far from zero, or zero
         whole[OMEGA] += half_turn, whole[M0] -= half_turn;
     }
     for (size_t j = 0; j < N && s == ORR_OK; j++)
@@ -269,7 +291,7 @@ static orr_status check(orr_sat sat, orr_time toa, orr_time from, orr_time to, d
     const orr_almanac_lattice *l = orr_almanac_lattice_of(sat);
     if (l == NULL)
         return orr_diag_set(diag, ORR_E_ARG,
-                            "almanacs are of GPS 1 to 32, Galileo 1 to 36 and BeiDou 1 to 63");
+                            "almanacs are of GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63 and QZSS 1 to 10");
     const int64_t ns = orr_nav_seconds_of_week(sat, toa, NULL);
     *toa_s = (double)(ns / ORR_NS_PER_S);
     double length_s = orr_time_diff_s(to, from);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Almanacs of Kepler elements: the rough orbit and clock that every satellite sends of all others of its system, fitted to a
-// precise orbit (IS-GPS-200N 20.3.3.5.1.2 and table 20-VI; Galileo OS SIS ICD 2.1, 5.1.10; BDS-SIS-ICD-B1I 3.0, 5.2.4.15).
+// precise orbit (IS-GPS-200N 20.3.3.5.1.2 and table 20-VI; Galileo OS SIS ICD 2.1, 5.1.10; BDS-SIS-ICD-B1I 3.0, 5.2.4.15; IS-QZSS-PNT-005,
+// 4.1.2.6).
 #ifndef ORR_ORBIT_NAVDATA_ALMANAC_KEPLER_H
 #define ORR_ORBIT_NAVDATA_ALMANAC_KEPLER_H
 
@@ -11,7 +12,8 @@
 typedef struct orr_almanac {
     int number;
     double e, toa_s,
-        i_offset_rad; // from the message's reference: 0.30 semicircles, of Galileo 56 deg, of D2's satellites 0
+        i_offset_rad; // from the message's reference: 0.30 semicircles, of Galileo 56 deg, of QZSS 0.25 semicircles,
+                      // of geostationary satellites 0
     double omega_dot_radps, sqrt_a_sqrtm, omega0_rad, omega_rad, m0_rad;
     double af0_s, af1_sps;
     uint32_t health; // the system's own bits
@@ -40,7 +42,7 @@ int orr_almanac_toa_step_s(const orr_almanac_lattice *l);
 
 // Fits the seven orbital parameters of an almanac (e, i, OMEGADOT, sqrt(A), OMEGA0, omega, M0) to a precise orbit.
 // Given:
-//   sat       GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63
+//   sat       GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63, QZSS 1 to 10
 //   toa       reference time, a multiple of the message's step (4096 s, Galileo 600 s) of its week, at most half a week
 //             outside the window
 //   from, to  window of the positions, 2 to 26 h, usually a day about toa; about two hours of it must be known

@@ -164,7 +164,7 @@ static void fill_orbit_1(draft *d, const orr_nav_eph *e) // subframe 2
     put(d, 211, 16, quantised(d, "Cus", k->cus_rad, ldexp(1, -29), 16, true));
     put_split(d, 227, 8, 241, 24, quantised(d, "sqrt(A)", k->sqrt_a_sqrtm, ldexp(1, -19), 32, false));
     put(d, 271, 16, quantised(d, "toe", k->toe_sow_s, 16, 16, false));
-    put(d, 287, 1, e->fit_interval_h > 4);
+    put(d, 287, 1, e->fit_interval_h > (orr_sat_system(e->sat) == 'J' ? 2 : 4));
     put(d, 288, 5, 0x1f); // AODO 31: no navigation message correction table
 }
 
@@ -203,9 +203,9 @@ orr_status orr_lnav_encode_ephemeris(const orr_nav_eph *eph, int number, const o
     return seal(&d, number, how, out);
 }
 
-static void put_page(draft *d, uint32_t sv_id)
+static void put_page(draft *d, uint32_t sv_id, const orr_lnav_how *how)
 {
-    put(d, 61, 2, 1); // data ID of the present structure
+    put(d, 61, 2, how->qzss ? 3 : 1); // data ID of the present structure
     put(d, 63, 6, sv_id);
 }
 
@@ -220,7 +220,7 @@ orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], c
     int32_t week;
     int64_t ns;
     orr_time_week(utc->reference, &week, &ns);
-    put_page(&d, 56);
+    put_page(&d, 56, how);
     for (int k = 0; k < 4; k++) {
         put(&d, place[k], 8, quantised(&d, name[k], alpha[k], ldexp(1, alpha_power[k]), 8, true));
         put(&d, place[4 + k], 8, quantised(&d, name[4 + k], beta[k], ldexp(1, beta_power[k]), 8, true));
@@ -241,12 +241,14 @@ orr_status orr_lnav_encode_almanac(const orr_almanac *a, const orr_lnav_how *how
 {
     static const int page4[8] = {2, 3, 4, 5, 7, 8, 9, 10};
     draft d = {.diag = diag};
-    if (a->number < 1 || a->number > 32)
-        return orr_diag_set(diag, ORR_E_ARG, "LNAV almanacs are of satellites 1 to 32");
+    if (a->number < 1 || a->number > (how->qzss ? 10 : 32))
+        return orr_diag_set(diag, ORR_E_ARG, "LNAV almanacs are of satellites 1 to 32, of QZSS 1 to 10");
+    const orr_almanac_lattice *l = orr_almanac_lattice_of(orr_sat_make(how->qzss ? 'J' : 'G', a->number));
+    const double e_reference = orr_almanac_field(l, ORR_ALMANAC_E)->base;
     *subframe = a->number <= 24 ? 5 : 4;
     *page = a->number <= 24 ? a->number : page4[a->number - 25];
-    put_page(&d, (uint32_t)a->number);
-    put(&d, 69, 16, quantised(&d, "e", a->e, ldexp(1, -21), 16, false));
+    put_page(&d, (uint32_t)a->number, how);
+    put(&d, 69, 16, quantised(&d, "e", a->e - e_reference, ldexp(1, -21), 16, false));
     put(&d, 91, 8, quantised(&d, "toa", a->toa_s, 4096, 8, false));
     put(&d, 99, 16, quantised(&d, "delta i", a->i_offset_rad, SEMICIRCLE * ldexp(1, -19), 16, true));
     put(&d, 121, 16, quantised(&d, "OMEGADOT", a->omega_dot_radps, SEMICIRCLE * ldexp(1, -38), 16, true));
@@ -269,7 +271,7 @@ orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_ho
     if (subframe != 4 && subframe != 5)
         return orr_diag_set(diag, ORR_E_ARG, "subframe %d has no pages", subframe);
     for (int k = 69; k <= 300; k++) d.bit[k] = (uint8_t)(k % 2);
-    put_page(&d, sv_id);
+    put_page(&d, sv_id, how);
     return seal(&d, subframe, how, out);
 }
 
@@ -279,14 +281,14 @@ orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, cons
 {
     draft d = {.diag = diag};
     if (number == 5) { // health of 1-24: four a word, words 4 to 9
-        put_page(&d, 51);
+        put_page(&d, 51, how);
         put(&d, 69, 8, quantised(&d, "toa", toa_s, 4096, 8, false));
         put(&d, 77, 8, (uint32_t)week & 0xff);
         for (int k = 0; k < 24; k++) put(&d, 91 + 30 * (k / 4) + 6 * (k % 4), 6, health[k] & 0x3f);
         return seal(&d, 5, how, out);
     }
     if (number != 4) return orr_diag_set(diag, ORR_E_ARG, "page 25 is of subframe 4 or 5");
-    put_page(&d, 63);
+    put_page(&d, 63, how);
     int bit = 69; // A-S flag and configuration of 32 satellites, four bits each: 4 in word 3, 6 in words 4-7,
                   // 4 in word 8
     for (int k = 0; k < 32; k++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GPS LNAV as bits: subframes 1 to 3 of an ephemeris, subframe 4 page 18 (ionosphere and UTC), almanac pages,
-// parity (IS-GPS-200N, 20.3). Pure functions; a subframe is ten words of 30 bits, right-aligned, first bit in
+// LNAV of GPS and QZSS as bits: subframes 1 to 3 of an ephemeris, subframe 4 page 18 (ionosphere and UTC), almanac pages,
+// parity (IS-GPS-200N, 20.3; IS-QZSS-PNT-005, 4.1). Pure functions; a subframe is ten words of 30 bits, right-aligned, first bit in
 // time the highest.
 #ifndef ORR_ORBIT_NAVDATA_LNAV_BITS_H
 #define ORR_ORBIT_NAVDATA_LNAV_BITS_H
@@ -20,6 +20,7 @@ typedef struct orr_lnav_how {
     bool alert, anti_spoof;
     uint32_t tlm_message; // 14 bits
     int32_t week;         // of subframe 1: the full week it is sent in
+    bool qzss;            // pages have QZSS' data ID, and almanacs differ from references of its own
 } orr_lnav_how;
 
 // Makes subframe 1, 2 or 3 of a Kepler record.
@@ -31,7 +32,7 @@ typedef struct orr_lnav_how {
 //   out     the subframe with its parity
 //   diag    why it failed; may be NULL
 // Errors: ORR_E_RANGE with the field's name when a value does not fit; ORR_E_ARG for another number or kind of record.
-// Notes: the URA index follows from accuracy_m; the fit interval flag is 1 above 4 h.
+// Notes: the URA index follows from accuracy_m; the fit interval flag is 1 above 4 h, of QZSS above 2 h.
 // Reference: IS-GPS-200N 20.3.3.3 and 20.3.3.4.
 orr_status orr_lnav_encode_ephemeris(const orr_nav_eph *eph, int number, const orr_lnav_how *how,
                                      orr_lnav_subframe *out, orr_diag *diag);
@@ -50,9 +51,9 @@ orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], c
                                   const orr_lnav_how *how, orr_lnav_subframe *out, orr_diag *diag);
 
 // Makes the almanac page of one satellite: subframe 5 pages 1 to 24 for satellites 1 to 24, subframe 4 pages 2 to 5 and 7
-// to 10 for 25 to 32.
+// to 10 for 25 to 32. QZSS' data ID and the number together are the PRN (193 and on).
 // Given:
-//   almanac   orbit, clock and health
+//   almanac   orbit, clock and health; of QZSS 1 to 10
 //   how       TLM and HOW
 // Returned:
 //   subframe  4 or 5
@@ -60,7 +61,7 @@ orr_status orr_lnav_encode_page18(const double alpha[4], const double beta[4], c
 //   out       the subframe with its parity
 //   diag      why it failed; may be NULL
 // Errors: ORR_E_RANGE with the field's name, ORR_E_ARG for another satellite.
-// Reference: IS-GPS-200N 20.3.3.5.1.2.
+// Reference: IS-GPS-200N 20.3.3.5.1.2; IS-QZSS-PNT-005 4.1.2.6.
 orr_status orr_lnav_encode_almanac(const orr_almanac *almanac, const orr_lnav_how *how, int *subframe,
                                    int *page, orr_lnav_subframe *out, orr_diag *diag);
 // Makes a page of subframe 4 or 5 without content: alternating ones and zeros after its identity.
@@ -82,7 +83,7 @@ orr_status orr_lnav_encode_spare(int subframe, uint32_t sv_id, const orr_lnav_ho
 //   toa_s   reference time of the almanac, seconds of week
 //   week    its full week
 //   config  [32] configurations of satellites 1 to 32 (20.3.3.5.1.4), A-S flag in the highest of four bits; of number 4 alone
-//   health  [32] health words of satellites 1 to 32
+//   health  [32] health words of satellites 1 to 32 (QZSS: of 1 to 10, whose page is of subframe 5 alone)
 //   how     TLM and HOW
 // Returned:
 //   out     the subframe with its parity

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/nav_stream.h"
 
-#include <string.h>
-
 static const orr_nav_stream streams[] = {
     {'G', ORR_NAV_LNAV, "L1CA"},      {'G', ORR_NAV_CNAV, "L2C"},   {'G', ORR_NAV_CNAV, "L5"},
     {'R', ORR_NAV_FDMA, "L1OF L2OF"}, {'E', ORR_NAV_INAV, "E1"},    {'E', ORR_NAV_INAV, "E5b"},
-    {'E', ORR_NAV_FNAV, "E5a"},       {'C', ORR_NAV_D1, "B1I B3I"}, {'J', ORR_NAV_CNAV, "L2C"},
-    {'J', ORR_NAV_CNAV, "L5"},
+    {'E', ORR_NAV_FNAV, "E5a"},       {'C', ORR_NAV_D1, "B1I B3I"}, {'C', ORR_NAV_D2, "B1I B3I"},
+    {'J', ORR_NAV_LNAV, "L1CA"},      {'J', ORR_NAV_CNAV, "L2C"},   {'J', ORR_NAV_CNAV, "L5"},
 };
 
 const orr_nav_stream *orr_nav_streams(size_t *n)
@@ -22,20 +20,4 @@ uint32_t orr_nav_streams_of(char system)
     for (size_t k = 0; k < sizeof streams / sizeof *streams; k++)
         if (streams[k].system == system) bits |= UINT32_C(1) << streams[k].message;
     return bits;
-}
-
-static bool carries(const orr_nav_stream *s, const char *signal)
-{
-    const size_t n = strlen(signal);
-    for (const char *at = s->signals; (at = strstr(at, signal)) != NULL; at += n)
-        if ((at == s->signals || at[-1] == ' ') && (at[n] == '\0' || at[n] == ' ')) return true;
-    return false;
-}
-
-const orr_nav_stream *orr_nav_stream_find(char system, const char *signal)
-{
-    if (signal[0] == '\0') return NULL;
-    for (size_t k = 0; k < sizeof streams / sizeof *streams; k++)
-        if (streams[k].system == system && carries(&streams[k], signal)) return &streams[k];
-    return NULL;
 }

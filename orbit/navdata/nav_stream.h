@@ -16,7 +16,5 @@ typedef struct orr_nav_stream {
 const orr_nav_stream *orr_nav_streams(size_t *n);
 // Messages that a system's streams send, bit 1 << orr_nav_message each.
 uint32_t orr_nav_streams_of(char system);
-// The stream of a system on the signal of that name; NULL where it carries none.
-const orr_nav_stream *orr_nav_stream_find(char system, const char *signal);
 
 #endif

@@ -18,6 +18,8 @@ static navframe_make *maker_of(uint8_t message)
         return navframe_fnav;
     case ORR_NAV_D1:
         return navframe_d1;
+    case ORR_NAV_D2:
+        return navframe_d2;
     case ORR_NAV_CNAV:
         return navframe_cnav;
     default:

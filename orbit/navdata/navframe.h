@@ -9,16 +9,17 @@
 #define ORR_NAVFRAME_PIECES 15
 #define ORR_NAVFRAME_BYTES 226
 
-// A subframe, string, page or message. Its k-th bit begins at t + k length / bits. GLONASS' strings as bits last 1.7 s of
+// A subframe, string, page or message; of D2 a frame of five subframes. Its k-th bit begins at t + k length / bits. GLONASS' strings as bits last 1.7 s of
 // their 2 s; the time mark of 0.3 s after them is the generator's, or among the symbols.
 typedef struct orr_navframe_piece {
     orr_time t;     // begin of its first bit
     int64_t length; // ns, to the end of its last
-    uint8_t number; // LNAV: subframe 1-5; GLONASS: string 1-15; I/NAV: word type; F/NAV: page type;
-                    // CNAV: message type
     uint8_t
-        page; // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe; Galileo:
-              // sub-frame 1-24 (I/NAV) or 1-12 (F/NAV) of the frame
+        number; // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; I/NAV: word type;
+                // F/NAV: page type; CNAV: message type
+    uint8_t
+        page; // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise (D1: 1-24; D2: page 1-120 of subframe 5); GLONASS: frame
+    // 1-5 of the superframe; Galileo: sub-frame 1-24 (I/NAV) or 1-12 (F/NAV) of the frame
     uint16_t bits;                    // or symbols
     uint8_t data[ORR_NAVFRAME_BYTES]; // first bit in time is the highest of data[0]; what is left of the last
                                       // byte is 0
@@ -39,7 +40,7 @@ typedef struct orr_navframe {
 //   sat     satellite
 //   stream  which message on which signal; NULL: the satellite's first (orr_navset_streams)
 //   t       instant. Frames begin at multiples of 30 s of GPS time (LNAV; I/NAV on E5b, on E1 a second later) or of UTC
-//           (GLONASS) or of BDT (D1), of 50 s (F/NAV), of 48 s (CNAV on L2C) and 24 s (on L5)
+//           (GLONASS) or of BDT (D1, D2), of 50 s (F/NAV), of 48 s (CNAV on L2C) and 24 s (on L5)
 //   coded   symbols as they are modulated: with error correction, interleaving and synchronisation; GLONASS' with relative
 //           code, meander and time mark. LNAV is the same either way: parity is part of its bits. Secondary codes are the
 //           generator's. Without it bits, with the checks that belong to them (parity, CRC) and tails

@@ -16,6 +16,7 @@ void navframe_take(const orr_page *page, orr_navframe_piece *piece);
 // Fills from, to and the pieces of the frame that holds t; as orr_navframe_at.
 typedef orr_status navframe_make(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, orr_time t,
                                  bool coded, orr_navframe *out, orr_diag *diag);
-navframe_make navframe_lnav, navframe_glonass, navframe_inav, navframe_fnav, navframe_d1, navframe_cnav;
+navframe_make navframe_lnav, navframe_glonass, navframe_inav, navframe_fnav, navframe_d1, navframe_d2,
+    navframe_cnav;
 
 #endif

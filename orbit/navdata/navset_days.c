@@ -17,6 +17,7 @@
 #define DATA_BAD                                                                                             \
     0xe0u // the three bits that a GPS almanac has beside: all data are bad (IS-GPS-200N table 20-VII)
 #define LNAV_OUT 0x1cu
+#define QZSS_OUT 0x1fu // every signal is unhealthy
 
 // Health of the sets on the air on the day: good if one of them is.
 static uint8_t health_of(const orr_navset *set, orr_sat sat, const navset_day *day)
@@ -50,15 +51,24 @@ static void begin_day(const orr_navset *set, const orr_navset_options *o, int64_
     begin_almanacs(set, day, 'G', &day->gps);
     begin_almanacs(set, day, 'E', &day->galileo);
     begin_almanacs(set, day, 'C', &day->beidou);
+    begin_almanacs(set, day, 'J', &day->qzss);
     for (int k = 0; k < 32; k++)
         day->gps_configuration[k] = orr_gps_configuration(o->antex, orr_sat_make('G', k + 1), day->noon);
 }
 
 static navset_almanacs *almanacs_of(navset_day *day, orr_sat sat)
 {
-    const char system = orr_sat_system(sat);
     if (orr_almanac_lattice_of(sat) == NULL) return NULL;
-    return system == 'G' ? &day->gps : system == 'E' ? &day->galileo : &day->beidou;
+    switch (orr_sat_system(sat)) {
+    case 'G':
+        return &day->gps;
+    case 'E':
+        return &day->galileo;
+    case 'J':
+        return &day->qzss;
+    default:
+        return &day->beidou;
+    }
 }
 
 typedef struct work {
@@ -91,7 +101,8 @@ static bool kepler_almanac(const work *w, const navset_day *day, const navset_al
     orr_status s = orr_almanac_clock(w->e, sat, of->toa, from, to, a, NULL, NULL);
     if (s != ORR_OK && !(s == ORR_E_NODATA && w->o->zero_clocks)) return false;
     const bool good = of->health[orr_sat_number(sat)] == NAVSET_GOOD;
-    a->health = good ? 0 : orr_sat_system(sat) == 'G' ? DATA_BAD | LNAV_OUT : 1;
+    const char system = orr_sat_system(sat);
+    a->health = good ? 0 : system == 'G' ? DATA_BAD | LNAV_OUT : system == 'J' ? QZSS_OUT : 1;
     return true;
 }
 
@@ -185,7 +196,7 @@ static void borrow(orr_navset *set, size_t place)
 }
 
 static const size_t places[] = {offsetof(navset_day, gps), offsetof(navset_day, galileo),
-                                offsetof(navset_day, beidou)};
+                                offsetof(navset_day, beidou), offsetof(navset_day, qzss)};
 enum { N_PLACES = sizeof places / sizeof *places };
 
 orr_status navset_fit_days(const orr_ephemeris *e, const orr_navset_options *o, orr_navset *set)

@@ -24,6 +24,9 @@
 #define GLONASS_F_T 1
 // What the fit interval flag 0 stands for.
 #define LNAV_FIT_INTERVAL_H 4
+#define QZSS_FIT_INTERVAL_H 2
+// All of QZSS' six bits of health.
+#define QZSS_OUT 0x3fu
 
 // The arc that serves a slot: that of the instant nearest to the slot's middle where there is an orbit.
 static bool find_arc(const orr_ephemeris *e, orr_sat sat, const navset_slot *slot, orr_time *from,
@@ -193,6 +196,11 @@ static void fill_kepler(orr_nav_eph *eph, const navset_slot *slot, bool out)
         eph->fit_interval_h = LNAV_FIT_INTERVAL_H;
         eph->data_sources = 1; // P code on L2
         eph->l2p_flag = 0;
+        if (orr_sat_system(eph->sat) != 'J') return;
+        eph->health = out ? QZSS_OUT : 0;
+        eph->fit_interval_h = QZSS_FIT_INTERVAL_H;
+        eph->data_sources = 2; // L2C, and no P code (IS-QZSS-PNT-005, 4.1.2.3)
+        eph->l2p_flag = 1;
         return;
     }
 }

@@ -70,7 +70,7 @@ enum { NAVSET_GOOD, NAVSET_OUT, NAVSET_NOT_THERE };
 // Almanacs of one day of GPS time: what is sent on it.
 typedef struct navset_day {
     orr_time from, to, noon;
-    navset_almanacs gps, galileo, beidou;
+    navset_almanacs gps, galileo, beidou, qzss;
     uint8_t gps_configuration[32];
     bool fitted_glonass;  // or borrowed
     orr_time glonass_day; // any instant of the almanac's day in Moscow

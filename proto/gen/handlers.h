@@ -14,7 +14,7 @@ typedef struct orr_msg_handlers {
     uint16_t (*begin_poll_elements)(void *user, const orr_msg_poll_elements *request, orr_server_refusal *why);
     uint16_t (*poll_elements)(void *user, const orr_msg_poll_elements *request, orr_server_part *part, orr_wire_writer *w,
                                     orr_server_refusal *why);
-    // POLL_NAVDATA, answered by NAVDATA. Asks for the broadcast data. Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
+    // POLL_NAVDATA, answered by NAVDATA. Asks for the broadcast data. Frames of LNAV, FDMA, D1 and D2 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
     uint16_t (*begin_poll_navdata)(void *user, const orr_msg_poll_navdata *request, orr_server_refusal *why);
     uint16_t (*poll_navdata)(void *user, const orr_msg_poll_navdata *request, orr_server_part *part, orr_wire_writer *w,
                                    orr_server_refusal *why);

@@ -19,7 +19,7 @@ orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *request);
 // Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
 // Then call orr_client_elements request->epochs.count times.
 orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *request);
-// Asks for the broadcast data. Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
+// Asks for the broadcast data. Frames of LNAV, FDMA, D1 and D2 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
 // Then call orr_client_navdata request->epochs.count times.
 orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *request);
 // Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.

@@ -209,7 +209,10 @@ def bch_holds(bits):
 
 def d1_subframe(data):
     """300 bits as sent -> 224 bits of information; raises ValueError where a block does not hold."""
-    text = bits_of(data, 300)
+    return bch_subframe(bits_of(data, 300))
+
+
+def bch_subframe(text):
     if text[:11] != "11100010010":
         raise ValueError("no preamble")
     if not bch_holds(text[15:30]):
@@ -221,6 +224,38 @@ def d1_subframe(data):
         if not all(map(bch_holds, halves)):
             raise ValueError(f"word {w + 1}")
         out += halves[0][:11] + halves[1][:11]
+    return out
+
+
+# Where D2's pages of subframe 1 hold a field: (page, first bit of information counted from 0, bits), highest part first (figures 5-21 ff.).
+D2 = {
+    "health": ([(1, 42, 1)], None, 0), "aodc": ([(1, 43, 5)], None, 0), "urai": ([(1, 48, 4)], None, 0), "wn": ([(1, 52, 13)], None, 0),
+    "toc": ([(1, 65, 17)], 8, 0), "tgd1": ([(1, 82, 10)], 1e-10, 1), "tgd2": ([(1, 92, 10)], 1e-10, 1),
+    **{f"alpha{k}": ([(2, 42 + 8 * k, 8)], 2.0**p, 1) for k, p in enumerate((-30, -27, -24, -24))},
+    **{f"beta{k}": ([(2, 74 + 8 * k, 8)], 2.0**p, 1) for k, p in enumerate((11, 14, 16, 16))},
+    "af0": ([(3, 80, 24)], 2.0**-33, 1), "af1": ([(3, 104, 4), (4, 42, 18)], 2.0**-50, 1), "af2": ([(4, 60, 11)], 2.0**-66, 1),
+    "iod": ([(4, 71, 5)], None, 0), "delta_n": ([(4, 76, 16)], semi(43), 1), "cuc": ([(4, 92, 14), (5, 42, 4)], 2.0**-31, 1),
+    "m0": ([(5, 46, 32)], semi(31), 1), "cus": ([(5, 78, 18)], 2.0**-31, 1), "e": ([(5, 96, 10), (6, 42, 22)], 2.0**-33, 0),
+    "sqrt_a": ([(6, 64, 32)], 2.0**-19, 0), "cic": ([(6, 96, 10), (7, 42, 8)], 2.0**-31, 1), "cis": ([(7, 50, 18)], 2.0**-31, 1),
+    "toe": ([(7, 68, 17)], 8, 0), "i0": ([(7, 85, 21), (8, 42, 11)], semi(31), 1), "crc": ([(8, 53, 18)], 2.0**-6, 1),
+    "crs": ([(8, 71, 18)], 2.0**-6, 1), "omega_dot": ([(8, 89, 19), (9, 42, 5)], semi(43), 1), "omega0": ([(9, 47, 32)], semi(31), 1),
+    "omega": ([(9, 79, 27), (10, 42, 5)], semi(31), 1), "idot": ([(10, 47, 14)], semi(43), 1),
+}
+
+
+def d2_frame(data):
+    """1500 bits as sent -> the information of five subframes; raises ValueError where a block does not hold."""
+    text = bits_of(data, 1500)
+    return [bch_subframe(text[k:k + 300]) for k in range(0, 1500, 300)]
+
+
+def d2_set(pages):
+    """The ten pages of subframe 1, by number -> the record, with the mark that its axes are tilted."""
+    out = {"geo": True}
+    for name, (places, scale, signed) in D2.items():
+        bits = "".join(pages[page][first:first + n] for page, first, n in places)
+        value = int(bits, 2) - (1 << len(bits) if signed and bits[0] == "1" else 0)
+        out[name] = value if scale is None else value * scale
     return out
 
 

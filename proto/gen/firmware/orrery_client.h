@@ -371,7 +371,7 @@ enum { // nav_message (u8): A navigation message, by the names of RINEX 4.
     ORR_MSG_NAV_MESSAGE_INAV = 6, // Galileo I/NAV on E1 and E5b: OS SIS ICD, pages of 240 bits in 2 s
     ORR_MSG_NAV_MESSAGE_FNAV = 7, // Galileo F/NAV on E5a: pages of 244 bits in 10 s
     ORR_MSG_NAV_MESSAGE_D1 = 8, // BeiDou D1: BDS-SIS-ICD-B1I, subframes of 300 bits in 6 s
-    ORR_MSG_NAV_MESSAGE_D2 = 9, // BeiDou D2 of geostationary satellites: subframes of 300 bits in 0.6 s
+    ORR_MSG_NAV_MESSAGE_D2 = 9, // BeiDou D2 of geostationary satellites: frames of 1500 bits in 3 s, five subframes of 300
     ORR_MSG_NAV_MESSAGE_FDMA = 10, // GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
     ORR_MSG_NAV_MESSAGE_SBAS = 11, // SBAS: RTCA DO-229, messages of 250 bits in 1 s
 };
@@ -729,8 +729,8 @@ bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t ind
 typedef struct orr_msg_nav_page {
     int64_t t; // [ns] begin of its first bit
     int64_t length; // [ns] from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them
-    uint8_t number; // LNAV, D1, D2: subframe 1-5; GLONASS: string 1-15; INAV: word type; FNAV: page type; others: message type
-    uint8_t page; // LNAV, D1, D2: page of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame 1-24, 1-12 of the frame
+    uint8_t number; // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type; others: message type
+    uint8_t page; // LNAV, D1: page of subframes 4 and 5, 0 otherwise; D2: page 1-120 of subframe 5; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame 1-24, 1-12 of the frame
     uint16_t bits; // how many bits or symbols
     orr_wire_bytes data; // the first in time is the highest bit of the first byte; what is left of the last is 0
 } orr_msg_nav_page;
@@ -1140,7 +1140,7 @@ typedef struct orr_msg_elements {
 orr_wire_status orr_msg_elements_encode(const orr_msg_elements *m, orr_wire_writer *w);
 orr_wire_status orr_msg_elements_decode(const uint8_t *payload, size_t size, orr_msg_elements *m);
 
-// Asks for the broadcast data. Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
+// Asks for the broadcast data. Frames of LNAV, FDMA, D1 and D2 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
 typedef struct orr_msg_poll_navdata {
     orr_msg_epochs epochs; // when
     orr_msg_sat_id_list satellites; // which, in the order of the answer; empty for all
@@ -1628,7 +1628,7 @@ orr_wire_status orr_client_poll(orr_client *c, const orr_msg_poll *request);
 // Asks for Kepler elements. The same POLL_ELEMENTS gets the same bytes, always.
 // Then call orr_client_elements request->epochs.count times.
 orr_wire_status orr_client_poll_elements(orr_client *c, const orr_msg_poll_elements *request);
-// Asks for the broadcast data. Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
+// Asks for the broadcast data. Frames of LNAV, FDMA, D1 and D2 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the same bytes, always.
 // Then call orr_client_navdata request->epochs.count times.
 orr_wire_status orr_client_poll_navdata(orr_client *c, const orr_msg_poll_navdata *request);
 // Asks for ionospheric delays. The same POLL_DELAYS gets the same bytes, always.

@@ -72,7 +72,7 @@ class NavMessage(WireEnum):
     INAV = 6  # Galileo I/NAV on E1 and E5b: OS SIS ICD, pages of 240 bits in 2 s
     FNAV = 7  # Galileo F/NAV on E5a: pages of 244 bits in 10 s
     D1 = 8  # BeiDou D1: BDS-SIS-ICD-B1I, subframes of 300 bits in 6 s
-    D2 = 9  # BeiDou D2 of geostationary satellites: subframes of 300 bits in 0.6 s
+    D2 = 9  # BeiDou D2 of geostationary satellites: frames of 1500 bits in 3 s, five subframes of 300
     FDMA = 10  # GLONASS L1 and L2: ICD edition 5.1, strings of 85 bits in 2 s
     SBAS = 11  # SBAS: RTCA DO-229, messages of 250 bits in 1 s
 
@@ -540,9 +540,10 @@ class NavPage(Record):
 
     t [ns]: begin of its first bit
     length [ns]: from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them
-    number: LNAV, D1, D2: subframe 1-5; GLONASS: string 1-15; INAV: word type; FNAV: page type; others: message type
-    page: LNAV, D1, D2: page of subframes 4 and 5, 0 otherwise; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame
-    1-24, 1-12 of the frame
+    number: LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type;
+    others: message type
+    page: LNAV, D1: page of subframes 4 and 5, 0 otherwise; D2: page 1-120 of subframe 5; GLONASS: frame 1-5 of the superframe;
+    INAV, FNAV: sub-frame 1-24, 1-12 of the frame
     bits: how many bits or symbols
     data: the first in time is the highest bit of the first byte; what is left of the last is 0
     """
@@ -1307,8 +1308,8 @@ class Elements(Record):
 
 @dataclasses.dataclass(eq=False, slots=True)
 class PollNavdata(Record):
-    """Asks for the broadcast data. Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The
-    same POLL_NAVDATA gets the same bytes, always.
+    """Asks for the broadcast data. Frames of LNAV, FDMA, D1 and D2 last 30 s; who asks again at frame_to has all that is sent.
+    The same POLL_NAVDATA gets the same bytes, always.
 
     epochs: when
     satellites: which, in the order of the answer; empty for all

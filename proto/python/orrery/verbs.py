@@ -57,8 +57,8 @@ class Verbs(Asking):
                      kinds: messages.NavMessages = messages.NavMessages(0),
                      form: Union[messages.NavForm, str] = messages.NavForm(0)) -> Iterator[messages.Navdata]:
         """Yields the Navdata of `count` epochs from t on, step_s apart (rounded to a nanosecond). Asks for the broadcast data.
-        Frames of LNAV, FDMA and D1 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets the
-        same bytes, always.
+        Frames of LNAV, FDMA, D1 and D2 last 30 s; who asks again at frame_to has all that is sent. The same POLL_NAVDATA gets
+        the same bytes, always.
 
         satellites: which, in the order of the answer; empty for all
         kinds: which messages; 0: of each satellite its first, LNAV, FDMA, INAV on E1, D1 or D2

@@ -11,6 +11,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import messages  # noqa: E402
+import navdata  # noqa: E402
 from program import Folder, data, run, run_json  # noqa: E402
 from test_navfit import seconds, states, text_of  # noqa: E402
 
@@ -225,13 +226,13 @@ class RealDay(Folder):
 
 
 class AllSystems(RealDay):
-    """BeiDou D1 and CNAV on a product of all systems."""
+    """BeiDou D1 and D2, QZSS' LNAV and CNAV on a product of all systems."""
 
     @classmethod
     def setUpClass(cls):
         super(RealDay, cls).setUpClass()
         cls.product, cls.rinex = cls.path("all.nc"), cls.path("all.rnx")
-        run("orbit", "-q", "-o", cls.product, "--sat", "G05,G12,C06,C19,C30,J02", data("2020-177/Sta21114.sp3.gz"))
+        run("orbit", "-q", "-o", cls.product, "--sat", "G05,G12,C01,C06,C19,C30,J02,J07", data("2020-177/Sta21114.sp3.gz"))
         cls.from_s = seconds("2020-06-25T12:20:00")
         cls.to_s = cls.from_s + 1200
         run("navfit", "-q", cls.product, "-o", cls.rinex, "--bits", cls.path("bits.csv"), "--symbols", cls.path("symbols.csv"), "--from",
@@ -289,16 +290,124 @@ class AllSystems(RealDay):
             self.assertEqual(len(issues), 2)  # hourly: AODC and AODE change with toe
             self.assertTrue(all(a != b for a, b in zip(*issues)))
             self.assertEqual((utc["leap"], utc["leap_future"], utc["wnlsf"], utc["dn"], utc["a0"]), (4, 4, (1929 - 1356) % 256, 6, 0))
-            self.assertEqual(set(told), {6, 19, 30})
-            for sat, a in told.items():
-                eph = {**a, "i0": a["i"] + 0.3 * messages.PI, "toe": a["toa"]}
+            self.check_beidou_almanac(told)
+
+    def check_beidou_almanac(self, told):
+        """i of geostationary satellites is counted from 0."""
+        self.assertEqual(set(told), {1, 6, 19, 30})
+        for sat, a in told.items():
+            eph = {**a, "i0": a["i"] + (0.3 * messages.PI if sat > 5 else 0), "toe": a["toa"]}
+            t = self.from_s + 60
+            error = math.dist(messages.kepler_position(eph, t - 14, messages.BEIDOU_GM, messages.BEIDOU_RATE), self.truth[f"C{sat:02d}", t][0])
+            self.assertLess(error, 6000, sat)
+
+    def test_d2(self):
+        """A frame of 1500 bits every 3 s; ten of them hold a set, a hundred and twenty all pages of subframe 5."""
+        key = ("C01", "D2", "B1I B3I")
+        self.assertEqual([k for k in self.symbols if k[1] == "D2"], [key])
+        self.assertNotIn(("C01", "D1", "B1I B3I"), self.symbols)
+        self.check_rhythm(key, 3.0, 390)
+        self.assertEqual([p["hex"] for p in self.bits[key]], [p["hex"] for p in self.symbols[key]])
+        one, told, issues, sets, seen, utc, health = {}, {}, [], 0, set(), None, None
+        for page in self.bits[key]:
+            frame, t = messages.d2_frame(page["hex"]), page["t"]
+            self.assertEqual([int(word[15:18], 2) for word in frame], [1, 2, 3, 4, 5])
+            self.assertEqual({int(word[18:38], 2) for word in frame}, {(t - 14) % WEEK})  # of subframe 1 in all of them
+            number, five = int(frame[0][38:42], 2), int(frame[4][39:46], 2)
+            self.assertEqual((number, five), (page["number"], int(page["page"])))
+            self.assertEqual((number, five), ((t - 14) % WEEK // 3 % 10 + 1, (t - 14) % WEEK // 3 % 120 + 1))
+            self.assertEqual(int(frame[1][39:43], 2), (five - 1) % 6 + 1)
+            self.assertEqual(int("0" + frame[1][43:] + frame[2][38:] + frame[3][38:], 2), 0)  # no corrections
+            seen.add(five)
+            if five <= 13 or 61 <= five <= 73:
+                self.assertEqual(frame[4][46:46 + 169], "1" * 169)
+            elif 37 <= five <= 60 or 95 <= five <= 100 or 103 <= five <= 115:
+                a = messages.fields(frame[4], messages.D1["almanac"])
+                if a["sqrt_a"]:
+                    told[five - (36 if five <= 60 else 70 if five <= 100 else 72)] = a
+            elif five == 102:
+                utc = messages.fields(frame[4], messages.D1["utc"])
+            elif five == 35:
+                health = [frame[4][46 + 9 * k:55 + 9 * k] for k in range(19)]
+            if number == 1:
+                one = {}
+            one[number] = frame[0]
+            if len(one) != 10:
+                continue
+            f = messages.d2_set(one)
+            one = {}
+            self.assertEqual((f["wn"], f["health"], f["urai"]), ((t - 14) // WEEK - 1356, 0, 0))
+            if not issues or issues[-1] != (f["aodc"], f["iod"], f["toe"]):
+                issues.append((f["aodc"], f["iod"], f["toe"]))
+            t -= t % 60
+            if self.from_s < t:
+                claim = next(s for s in self.claims[key[:2]] if seconds(s["from"]) <= page["t"] < seconds(s["to"]))
+                error = math.dist(messages.kepler_position(f, t - 14, messages.BEIDOU_GM, messages.BEIDOU_RATE), self.truth["C01", t][0])
+                self.assertLess(error, 1.1 * claim["max_m"] + 0.002)
+                self.assertLess(claim["max_m"], 0.05)
+                self.check_clock(key, f, t, -14)
+                sets += 1
+        self.assertEqual(seen, set(range(1, 121)))
+        self.assertGreater(sets, 30)
+        self.assertEqual(len(issues), 2)
+        self.assertTrue(all(a != b for a, b in zip(*issues)))
+        self.assertEqual((utc["leap"], utc["leap_future"], utc["wnlsf"], utc["dn"], utc["a0"]), (4, 4, (1929 - 1356) % 256, 6, 0))
+        self.assertEqual([k + 1 for k, h in enumerate(health) if h == "0" * 9], [1, 6, 19])
+        self.check_beidou_almanac(told)
+
+    def test_qzss_lnav(self):
+        """IS-QZSS-PNT-005 4.1: GPS' words, with the L2C code, no P code, a fit interval of 2 h, and pages of the data ID 3."""
+        keys = [k for k in self.symbols if k[1] == "LNAV" and k[0][0] == "J"]
+        self.assertEqual(keys, [("J02", "LNAV", "L1CA"), ("J07", "LNAV", "L1CA")])
+        for key in keys:
+            self.check_rhythm(key, 6.0, 190)
+            self.assertEqual([p["hex"] for p in self.bits[key]], [p["hex"] for p in self.symbols[key]])
+            frame, told, seen, toes = {}, {}, set(), set()
+            for page in self.bits[key]:
+                sub = navdata.lnav_subframe(page["hex"])
+                number, next_tow = navdata.lnav_how(sub)
+                self.assertEqual((number, next_tow), (page["number"], (page["t"] + 6) % WEEK))
+                self.assertEqual(sub.unsigned((48, 2)), 0)  # alert; QZSS has no anti-spoofing
+                if number == 1:
+                    frame = {}
+                frame[number] = sub
+                if number > 3:
+                    self.assertEqual(sub.unsigned((61, 2)), 3)
+                    seen.add(sub.unsigned((63, 6)))
+                    if sub.unsigned((63, 6)) == 56:
+                        self.assertEqual((sub.signed((241, 8)), sub.signed((271, 8)), sub.unsigned((257, 8))), (18, 18, 7))
+                    elif sub.unsigned((63, 6)) == 51:
+                        self.assertEqual([sub.unsigned((91 + 30 * (k // 4) + 6 * (k % 4), 6)) for k in range(10)],
+                                         [0 if k + 1 in (2, 7) else 63 for k in range(10)])
+                    else:
+                        a = navdata.lnav_almanac(sub)
+                        told[a["number"]] = a
+                if number != 3 or 1 not in frame:
+                    continue
+                eph = navdata.lnav_ephemeris(frame[1], frame[2], frame[3])
+                self.assertEqual((frame[1].unsigned((71, 2)), frame[1].unsigned((91, 1)), eph["fit_flag"], eph["health"], eph["week"]),
+                                 (2, 1, 0, 0, page["t"] // WEEK % 1024))
+                self.assertEqual(frame[2].unsigned((288, 5)), 31)
+                toes.add(eph["toe"])
+                t = page["t"] - page["t"] % 60
+                if t > self.from_s:
+                    claim = next(s for s in self.claims[key[:2]] if seconds(s["from"]) <= page["t"] < seconds(s["to"]))
+                    error = math.dist(navdata.lnav_position(eph, t % WEEK)[0], self.truth[key[0], t][0])
+                    self.assertLess(error, 1.1 * claim["max_m"] + 0.002, (key, t))
+                    self.check_clock(key, eph, t)
+            self.assertEqual(len(toes), 2)  # hourly
+            self.assertEqual(seen, {2, 7, 51, 56})
+            for sat, a in told.items():  # e and i of satellites that are not geostationary are differences
+                geo = sat == 7
+                eph = {**a, "i0": a["i0"] + messages.PI * ((0 if geo else 0.25) - 0.30), "e": a["e"] + (0 if geo else 0.06)}
                 t = self.from_s + 60
-                error = math.dist(messages.kepler_position(eph, t - 14, messages.BEIDOU_GM, messages.BEIDOU_RATE), self.truth[f"C{sat:02d}", t][0])
-                self.assertLess(error, 6000, sat)
+                error = math.dist(navdata.lnav_position(eph, t % WEEK)[0], self.truth[f"J{sat:02d}", t][0])
+                print(f"almanac of J{sat:02d}: {error:.0f} m")
+                self.assertLess(error, 20000, sat)
 
     def test_cnav(self):
         keys = [k for k in self.symbols if k[1] == "CNAV"]
-        self.assertEqual({(k[0], k[2]) for k in keys}, {(s, b) for s in ("G05", "G12", "J02") for b in ("L2C", "L5")})
+        self.assertEqual({(k[0], k[2]) for k in keys}, {(s, b) for s in ("G05", "G12", "J02", "J07") for b in ("L2C", "L5")})
         for key in keys:
             length = 12.0 if key[2] == "L2C" else 6.0
             self.check_rhythm(key, length, 1180 / length)
