@@ -49,7 +49,7 @@ static uint16_t begin_hello(orr_server_conn *c, const orr_frame *f, orr_server_r
     return ORR_MSG_ERROR_CODE_BAD_VERSION;
 }
 
-static uint16_t answer_hello(const orr_server *s, orr_wire_writer *w)
+void orr_server_caps(const orr_server *s, orr_wire_writer *w)
 {
     const orr_msg_span never = {INT64_MIN, INT64_MIN};
     orr_msg_served_request requests[64] = {{ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, never},
@@ -76,7 +76,6 @@ static uint16_t answer_hello(const orr_server *s, orr_wire_writer *w)
     caps.requests.count = n;
     caps.requests.item = requests;
     orr_msg_caps_encode(&caps, w);
-    return 0;
 }
 
 static uint16_t answer_ping(const orr_frame *f, orr_wire_writer *w)
@@ -159,7 +158,7 @@ static uint16_t answer(const orr_server *s, orr_server_conn *c, const orr_frame 
     else if (f->type == ORR_MSG_TYPE_PING)
         code = answer_ping(f, w);
     else
-        code = answer_hello(s, w);
+        orr_server_caps(s, w);
     if (code == 0 && !c->part.more) orr_frame_end(w, start);
     return code;
 }

@@ -107,6 +107,8 @@ typedef struct orr_server_step {
 void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, size_t n,
                     orr_wire_writer *out, orr_server_step *step);
 
+// The payload of CAPS, as HELLO is answered with it.
+void orr_server_caps(const orr_server *s, orr_wire_writer *out);
 // One ERROR frame outside any request (time-outs, too many clients, shutting down): sequence 0.
 void orr_server_error(orr_wire_writer *out, uint16_t code, const char *sentence);
 

@@ -12,6 +12,7 @@
 #include "src/make/products.h"
 #include "src/service/answers/answers.h"
 #include "src/service/dialect/motion_port.h"
+#include "src/service/http/live_page.h"
 #include "src/service/live/motion_log.h"
 #include "src/service/serve/service.h"
 #include "src/service/text/text_server.h"
@@ -43,6 +44,10 @@ typedef struct serving {
     orr_motion_log *log_out, *log_in;
     orr_answers *reader; // of the text twin's thread
     orr_text_server *text;
+    orr_answers *shown; // of the live page's thread
+    orr_live_page *page;
+    orr_http_server *http;
+    orr_journal *journal;
     orr_motion_port *port;
     orr_serve_log talk;
     orr_log log;
@@ -91,6 +96,9 @@ static void say_ready(void *user)
     if (v->text != NULL)
         at +=
             (size_t)snprintf(text + at, sizeof text - at, " and as text on %s", orr_text_server_url(v->text));
+    if (v->http != NULL)
+        at += (size_t)snprintf(text + at, sizeof text - at, " with the live page at %s",
+                               orr_http_server_url(v->http));
     size_t n = orr_engine_satellites(v->engine, &sats), units = orr_engine_units(v->engine);
     if (n > 0)
         at += (size_t)snprintf(text + at, sizeof text - at, " (%zu satellites, ", n);
@@ -114,6 +122,9 @@ static orr_status listen_on(serving *v, orr_diag *diag)
     options.n_urls = n > 0 ? n : listen->n;
     options.read_only = orr_cli_given(v->c, "read-only");
     options.max_clients = (int)orr_cli_int(v->c, "max-clients", options.max_clients);
+    const char *pages = orr_cli_text(v->c, "http", NULL);
+    const orr_status s = pages != NULL ? orr_http_server_listen(pages, &v->http, diag) : ORR_OK;
+    if (s != ORR_OK) return s;
     return orr_service_open(&options, NULL, &v->log, &v->service, diag);
 }
 
@@ -188,6 +199,26 @@ static orr_status open_text(serving *v, orr_diag *diag)
     return orr_text_server_open(url, &asked, &v->text, diag);
 }
 
+// The live page, by a thread and answers of its own.
+static orr_status open_page(serving *v, orr_diag *diag)
+{
+    orr_http_route route[ORR_LIVE_PAGE_ROUTES];
+    if (v->http == NULL) return ORR_OK;
+    orr_status s = orr_answers_open(v->engine, &v->shown, diag);
+    if (s == ORR_OK)
+        s = orr_live_page_open(orr_answers_server(v->shown), v->streams, v->c->leap, v->service, v->journal,
+                               &v->page, route);
+    return s == ORR_OK ? orr_http_server_start(v->http, route, ORR_LIVE_PAGE_ROUTES, diag) : s;
+}
+
+// What the service says goes to stderr, and to the page where there is one.
+static void write_log(void *user, orr_log_level level, const char *line)
+{
+    serving *v = user;
+    orr_serve_log_write(&v->talk, level, line);
+    if (v->journal != NULL) orr_journal_write(v->journal, level, line);
+}
+
 static orr_status prepare(serving *v, const char *path, orr_diag *diag)
 {
     bool product = false;
@@ -209,6 +240,7 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     if (s == ORR_OK) orr_service_provide(v->service, orr_answers_server(v->answers));
     if (s == ORR_OK) s = open_streams(v, diag);
     if (s == ORR_OK) s = open_text(v, diag);
+    if (s == ORR_OK) s = open_page(v, diag);
     if (s == ORR_OK && orr_cli_given(v->c, "motion-udp"))
         s = orr_motion_port_open((uint16_t)orr_cli_int(v->c, "motion-udp", 0),
                                  orr_dialect_of(orr_cli_text(v->c, "dialect", "orrery")), v->streams,
@@ -224,7 +256,8 @@ static int run(orr_cli *c)
     }
     if (c->n_operands != 1) return orr_cli_usage(c, "a scenario or an orbit product is wanted");
     serving v = {.c = c, .talk = {.fd = STDERR_FILENO}};
-    v.log = (orr_log){.level = c->log->level, .write = orr_serve_log_write, .user = &v.talk};
+    v.log = (orr_log){.level = c->log->level, .write = write_log, .user = &v};
+    if (orr_cli_given(c, "http")) v.journal = orr_journal_open();
     signal(SIGPIPE, SIG_IGN); // whoever reads what it says may leave
     signal(SIGHUP, SIG_IGN);  // as later when it serves: a terminal may be closed while it prepares
     orr_diag diag = {0};
@@ -235,6 +268,9 @@ static int run(orr_cli *c)
     orr_motion_port_close(v.port);
     orr_text_server_close(v.text);
     orr_answers_close(v.reader);
+    orr_http_server_close(v.http);
+    orr_live_page_close(v.page);
+    orr_answers_close(v.shown);
     orr_streams_halt(v.streams);
     orr_service_close(v.service);
     orr_streams_close(v.streams);
@@ -249,6 +285,7 @@ static int run(orr_cli *c)
     orr_answers_close(v.answers);
     orr_engine_close(v.engine);
     orr_scenario_free(&v.scenario);
+    orr_journal_close(v.journal);
     free(v.url);
     if (s == ORR_OK) return ORR_EXIT_OK;
     return asked_wrongly ? orr_cli_usage(c, "%s", diag.text) : orr_cli_fail(c, &diag);
@@ -267,6 +304,12 @@ static const orr_option options[] = {
      .value = "URL",
      .help = "Serve the same as text too: SCPI and JSON lines, at tcp://127.0.0.1:PORT or unix:PATH "
              "(docs/live.md)."},
+    {.name = "http",
+     .kind = ORR_OPT_TEXT,
+     .value = "ADDRESS",
+     .help = "Serve the live page at 127.0.0.1:PORT (0: any free one): sky, channels, clients, motion, log. "
+             "Read only, "
+             "on this machine alone (docs/live.md)."},
     {.name = "max-clients",
      .kind = ORR_OPT_INT,
      .value = "N",

@@ -28,6 +28,7 @@ static void tell_gap(orr_stream *x, orr_time last, uint64_t blocks, uint8_t reas
     const orr_msg_gap m = {x->next, last, blocks < UINT32_MAX ? (uint32_t)blocks : UINT32_MAX, reason};
     orr_msg_gap_encode(&m, &w);
     orr_payload *b = orr_payload_new(&x->all->payloads, ORR_MSG_TYPE_GAP, data, w.size);
+    x->gaps++;
     if (b != NULL) streams_push(x, b);
 }
 
@@ -153,6 +154,15 @@ static bool behind_block(const orr_payload *b, orr_time *next)
     return true;
 }
 
+// How long before its instant the present block is made.
+static void note_margin(orr_stream *x)
+{
+    const orr_streams *s = x->all;
+    if (x->pacing == ORR_MSG_PACING_FREE || s->pace.clock.state != ORR_CLOCK_RUNNING) return;
+    x->margin_ns = orr_clock_when(&s->pace.clock, x->next) - streams_now_ns(s);
+    if (x->least_ns == ORR_TIME_NONE || x->margin_ns < x->least_ns) x->least_ns = x->margin_ns;
+}
+
 // Puts a block behind its stream's queue and moves the cursor.
 static void deliver(orr_stream *x, orr_payload *b)
 {
@@ -163,6 +173,8 @@ static void deliver(orr_stream *x, orr_payload *b)
     }
     b->owners++;
     streams_push(x, b);
+    note_margin(x);
+    x->blocks++;
     x->made = x->next;
     x->next = next;
     x->dry = false;

@@ -36,6 +36,11 @@ static orr_host host_of(const orr_streams *s)
     return h;
 }
 
+int64_t streams_now_ns(const orr_streams *s)
+{
+    return s->options.host != NULL ? host_of(s).mono_ns : ns_of(CLOCK_MONOTONIC);
+}
+
 // Whether the host was suspended or its clock set, a few times a second.
 static void compare_clocks(orr_streams *s, int64_t now_ns)
 {
@@ -344,7 +349,7 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
         return wrong(why, ORR_MSG_ERROR_CODE_INTERNAL, "out of memory");
     }
     x->all = s;
-    x->made = ORR_TIME_NONE;
+    x->made = x->margin_ns = x->least_ns = ORR_TIME_NONE;
     x->owner = owner;
     x->poll_size = m->poll.size;
     if (m->poll.size > 0) memcpy(x->poll, m->poll.data, m->poll.size);
@@ -434,5 +439,21 @@ void orr_stream_sent(orr_stream *x, orr_payload *b)
 {
     pthread_mutex_lock(&x->all->lock);
     orr_payload_drop(&x->all->payloads, b);
+    pthread_mutex_unlock(&x->all->lock);
+}
+
+void orr_stream_looked(orr_stream *x, orr_stream_look *out)
+{
+    pthread_mutex_lock(&x->all->lock);
+    *out = (orr_stream_look){.request = x->type,
+                             .pacing = x->pacing,
+                             .lead_ns = x->lead_ns,
+                             .made = x->made,
+                             .blocks = x->blocks,
+                             .gaps = x->gaps,
+                             .credit = x->credit,
+                             .waiting = x->n,
+                             .margin_ns = x->margin_ns,
+                             .least_ns = x->least_ns};
     pthread_mutex_unlock(&x->all->lock);
 }

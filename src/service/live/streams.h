@@ -103,4 +103,20 @@ orr_payload *orr_stream_next(orr_stream *x);
 // Done with what orr_stream_next gave.
 void orr_stream_sent(orr_stream *x, orr_payload *b);
 
+// A stream as who watches the service sees it.
+typedef struct orr_stream_look {
+    uint16_t request; // message type that it repeats
+    uint8_t pacing;   // ORR_MSG_PACING_*
+    int64_t lead_ns;
+    orr_time made;   // instant of the last block; ORR_TIME_NONE: none
+    uint64_t blocks; // made
+    uint64_t gaps;   // stretches of blocks that were left out
+    uint64_t credit; // blocks that it may still send
+    size_t waiting;  // blocks that are not taken
+    int64_t
+        margin_ns; // of the last block: from when it was made until it is on air; ORR_TIME_NONE: it follows no clock
+    int64_t least_ns; // the least of all
+} orr_stream_look;
+void orr_stream_looked(orr_stream *x, orr_stream_look *out);
+
 #endif

@@ -25,6 +25,8 @@ struct orr_stream {
     uint64_t credit;
     orr_time made; // instant of the last block; ORR_TIME_NONE: none
     bool dry;      // it had no credit when a block was due
+    uint64_t blocks, gaps;
+    int64_t margin_ns, least_ns; // as of orr_stream_look
     bool ended, closed, making;
     orr_payload *queue[ORR_STREAM_QUEUE + 2]; // two more for a GAP and the STREAM_END
     size_t head, n, bytes;
@@ -54,6 +56,9 @@ struct orr_streams {
     uint8_t *made_poll;
     size_t made_size;
 };
+
+// CLOCK_MONOTONIC, or what the caller's host shows instead.
+int64_t streams_now_ns(const orr_streams *s);
 
 // All of these under the lock (queue.c). Puts a payload behind a stream's queue and lists the stream; takes the owner's part.
 void streams_push(orr_stream *x, orr_payload *b);

@@ -6,6 +6,7 @@
 // frames of its streams, in a buffer of their own; the two take turns. Input is read all the same, as far as its
 // buffer reaches: what a client says of its streams does not wait behind its requests.
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
@@ -451,6 +452,16 @@ bool orr_conn_is_idle(const orr_conn *c) { return c->counted && at_rest(c); }
 void orr_conn_stream(orr_conn *c)
 {
     if (c->state == CONN_OPEN && flush(c)) settle(c);
+}
+
+void orr_conn_look(const orr_conn *c, int64_t now_ns, orr_client_look *out)
+{
+    *out = (orr_client_look){
+        .requests = c->conn.requests, .quiet_ns = now_ns - c->last_ns, .n_streams = c->lanes.n};
+    memcpy(out->peer, c->peer, sizeof out->peer);
+    snprintf(out->name, sizeof out->name, "%s", c->conn.client);
+    for (size_t k = 0; k < c->lanes.n && k < ORR_CLIENT_STREAMS; k++)
+        orr_stream_looked(c->lanes.stream[k], &out->stream[k]);
 }
 
 int64_t orr_conn_last_ns(const orr_conn *c) { return c->last_ns; }

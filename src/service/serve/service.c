@@ -136,6 +136,7 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
         else
             orr_conn_sweep(c, now);
     }
+    orr_watch_note(s);
     if (s->draining && (s->conns == NULL || now > s->drain_until_ns)) {
         if (s->conns != NULL)
             ORR_LOG(s->log, ORR_LOG_WARN, "%d clients did not take their answers in time", s->n_conns);
@@ -237,6 +238,7 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     s->options = *options;
     s->server = server;
     s->log = log;
+    pthread_mutex_init(&s->watch.lock, NULL);
     s->rate = (orr_log_rate){.burst = 20, .every_ns = 200000000};
     orr_turns_init(&s->turns, ORR_CONN_TURN_NS);
     s->stop_pipe[0] = s->stop_pipe[1] = -1;
@@ -334,6 +336,8 @@ void orr_service_close(orr_service *s)
         if (s->stop_pipe[i] >= 0) close(s->stop_pipe[i]);
     if (s->wake_fd >= 0) close(s->wake_fd);
     orr_turns_free(&s->turns);
+    pthread_mutex_destroy(&s->watch.lock);
+    free(s->watch.row);
     free(s->listener);
     free(s);
 }

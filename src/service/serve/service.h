@@ -8,6 +8,8 @@
 #include "proto/server.h"
 #include "src/service/live/streams.h"
 
+enum { ORR_CLIENT_STREAMS = 8, ORR_CLIENTS_LOOKED = 64 };
+
 typedef struct orr_service_options {
     const char *const *url; // where to listen; none: loopback and the default port
     size_t n_urls;
@@ -50,6 +52,18 @@ const char *orr_service_url(const orr_service *s, size_t i);
 // is under way. A second signal does not wait for that.
 orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user, orr_diag *diag);
 void orr_service_stop(orr_service *s); // from any thread
+// A client as who watches the service sees it.
+typedef struct orr_client_look {
+    char peer[160];
+    char name[100]; // name and version as HELLO told them; empty without
+    uint64_t requests;
+    int64_t quiet_ns; // since the last of them
+    size_t n_streams; // it has; the first of them follow
+    orr_stream_look stream[ORR_CLIENT_STREAMS];
+} orr_client_look;
+// The clients of at most 0.2 s ago, at most `most` of them; returns how many there are. From any one thread. The first call in a
+// while gets none: only who is watched is looked at.
+size_t orr_service_clients(orr_service *s, orr_client_look *out, size_t most);
 // Closes all connections and listening sockets, removes files of Unix sockets, and frees the service; NULL may be closed.
 void orr_service_close(orr_service *s);
 

@@ -4,6 +4,7 @@
 #define ORR_SERVICE_SERVICE_PRIVATE_H
 
 #include <event2/event.h>
+#include <pthread.h>
 
 #include "src/service/live/streams.h"
 #include "src/service/serve/service.h"
@@ -23,6 +24,14 @@ enum {
 
 typedef struct orr_conn orr_conn;
 
+// The clients as they were at the last sweep, for other threads; kept while somebody asks.
+typedef struct orr_watch {
+    pthread_mutex_t lock;
+    int64_t asked_ns; // when somebody did last; 0: nobody has
+    orr_client_look *row;
+    size_t n, all;
+} orr_watch;
+
 struct orr_service {
     orr_service_options options;
     const orr_server *server;
@@ -38,6 +47,7 @@ struct orr_service {
     orr_conn *conns; // all, newest first
     int n_conns;     // of those that are served
     orr_turns turns;
+    orr_watch watch;
     orr_log_rate rate; // of lines that clients cause
     bool done;
     bool draining;
@@ -64,6 +74,10 @@ bool orr_conn_is_idle(const orr_conn *c);
 int64_t orr_conn_last_ns(const orr_conn *c);
 // Who it is, as orr_conn_open was told.
 const char *orr_conn_peer(const orr_conn *c);
+// What a watcher sees of it.
+void orr_conn_look(const orr_conn *c, int64_t now_ns, orr_client_look *out);
+// Notes all clients, if somebody watches (watch.c).
+void orr_watch_note(orr_service *s);
 // Looks at the connection's deadline, closes it if that has passed.
 void orr_conn_sweep(orr_conn *c, int64_t now_ns);
 // No more requests: ends as soon as what is under way has been sent.

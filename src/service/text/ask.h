@@ -15,7 +15,8 @@ typedef struct orr_asked {
     orr_streams *streams;       // NULL: no clock and no motion
     const orr_leap_table *leap; // NULL: the one built in
     bool read_only;
-    uint8_t *room; // ORR_MSG_LARGEST bytes, which answers borrow until the next
+    uint32_t most_epochs; // of one request as text; 0: ORR_JSON_LINE_EPOCHS
+    uint8_t *room;        // ORR_MSG_LARGEST bytes, which answers borrow until the next
 } orr_asked;
 
 // Frame number k of the answer to a request.

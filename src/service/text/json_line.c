@@ -202,14 +202,17 @@ static void answer_object(const orr_asked *a, const json_t *j, FILE *out)
         put_error(out, "UNKNOWN_TYPE", "\"request\" names no message that clients send");
         return;
     }
+    const uint32_t most = a->most_epochs > 0 ? a->most_epochs : ORR_JSON_LINE_EPOCHS;
+    char too_many[64];
+    snprintf(too_many, sizeof too_many, "more than %u epochs in one line", (unsigned)most);
     set_defaults(&x, info->type);
     orr_msg_epochs *e = orr_ask_epochs(info->type, &x.request);
     if (!fill(&x, info->record, &x.request, j, &known))
         put_error(out, "BAD_PAYLOAD", x.wrong);
     else if (known != json_object_size(j))
         put_error(out, "BAD_PAYLOAD", "a member that this request does not have");
-    else if (e != NULL && e->count > ORR_JSON_LINE_EPOCHS)
-        put_error(out, "LIMIT", "more than 10000 epochs in one line");
+    else if (e != NULL && e->count > most)
+        put_error(out, "LIMIT", too_many);
     else
         answer(&x, info->type, e != NULL && e->count > 0 ? e->count : 1, out);
     for (size_t k = 0; k < x.n_lists; k++) free(x.list[k]);
