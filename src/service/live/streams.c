@@ -18,35 +18,12 @@ enum { MOST_POLL = 16384 };
 static const int64_t SHORTEST_NS = 1000000, LONGEST_NS = 60 * ORR_NS_PER_S, LONGEST_IMU_NS = ORR_NS_PER_S,
                      LONGEST_LEAD_NS = 60 * ORR_NS_PER_S;
 
-static int64_t ns_of(clockid_t clock)
-{
-    struct timespec ts;
-    clock_gettime(clock, &ts);
-    return (int64_t)ts.tv_sec * ORR_NS_PER_S + ts.tv_nsec;
-}
-
-static orr_host host_of(const orr_streams *s)
-{
-    orr_host h;
-    if (s->options.host != NULL)
-        s->options.host(s->options.host_user, &h);
-    else
-        h = (orr_host){ns_of(CLOCK_MONOTONIC), ns_of(CLOCK_BOOTTIME), ns_of(CLOCK_REALTIME),
-                       ns_of(CLOCK_TAI)};
-    return h;
-}
-
-int64_t streams_now_ns(const orr_streams *s)
-{
-    return s->options.host != NULL ? host_of(s).mono_ns : ns_of(CLOCK_MONOTONIC);
-}
-
 // Whether the host was suspended or its clock set, a few times a second.
 static void compare_clocks(orr_streams *s, int64_t now_ns)
 {
     static const int64_t every_ns = ORR_NS_PER_S / 5;
     if (s->looked_ns != 0 && now_ns - s->looked_ns < every_ns) return;
-    const orr_host h = host_of(s);
+    const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
     orr_pace_host(&s->pace, &h);
     pthread_mutex_unlock(&s->lock);
@@ -58,12 +35,12 @@ static void *run(void *user)
     orr_streams *s = user;
     prctl(PR_SET_TIMERSLACK, 1UL); // wakes when it asked to, not up to 50 us later
     for (;;) {
-        const int64_t begin_ns = ns_of(CLOCK_MONOTONIC);
+        const int64_t begin_ns = streams_now_ns(s);
         compare_clocks(s, begin_ns);
         const int64_t next_ns = orr_streams_turn(s, begin_ns);
         pthread_mutex_lock(&s->lock);
         const bool stop = s->stop;
-        const int64_t now_ns = ns_of(CLOCK_MONOTONIC);
+        const int64_t now_ns = streams_now_ns(s);
         // What has changed since the turn began has signalled to nobody.
         if (!stop && !s->changed_since && next_ns > now_ns) {
             const int64_t until = next_ns - now_ns > ORR_NS_PER_S ? now_ns + ORR_NS_PER_S : next_ns;
@@ -182,7 +159,7 @@ void orr_streams_close(orr_streams *s)
 uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_time *told,
                              orr_server_refusal *why)
 {
-    const orr_host h = host_of(s);
+    const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
     const uint16_t code = orr_pace_control(&s->pace, &h, m, why);
     orr_pace_time(&s->pace, &h, told);
@@ -194,7 +171,7 @@ uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_t
 uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time made, orr_msg_pace *told,
                            orr_server_refusal *why)
 {
-    const orr_host h = host_of(s);
+    const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
     const uint16_t code = orr_pace_radio(&s->pace, &h, m, why);
     orr_pace_told(&s->pace, &h, made, told);
@@ -209,7 +186,7 @@ uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_
         snprintf(why->sentence, sizeof why->sentence, "MOTION: this server takes no motion (serve --motion)");
         return ORR_MSG_ERROR_CODE_NOT_SERVED;
     }
-    const orr_host h = host_of(s);
+    const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
     const orr_time now =
         s->pace.clock.state == ORR_CLOCK_STOPPED ? ORR_TIME_NONE : orr_clock_at(&s->pace.clock, h.mono_ns);
@@ -238,7 +215,7 @@ orr_time orr_streams_begin(orr_streams *s)
 
 void orr_streams_time(orr_streams *s, orr_msg_time *told)
 {
-    const orr_host h = host_of(s);
+    const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
     orr_pace_time(&s->pace, &h, told);
     pthread_mutex_unlock(&s->lock);

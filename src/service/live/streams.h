@@ -117,6 +117,7 @@ typedef struct orr_stream_look {
         margin_ns; // of the last block: from when it was made until it is on air; ORR_TIME_NONE: it follows no clock
     int64_t least_ns; // the least of all
 } orr_stream_look;
+// How a stream is at this moment; from any thread.
 void orr_stream_looked(orr_stream *x, orr_stream_look *out);
 
 #endif

@@ -57,7 +57,9 @@ struct orr_streams {
     size_t made_size;
 };
 
-// CLOCK_MONOTONIC, or what the caller's host shows instead.
+// What the machine's clocks show, or the caller's host instead (host.c).
+orr_host streams_host(const orr_streams *s);
+// The monotonic one of them alone.
 int64_t streams_now_ns(const orr_streams *s);
 
 // All of these under the lock (queue.c). Puts a payload behind a stream's queue and lists the stream; takes the owner's part.
