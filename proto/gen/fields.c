@@ -151,6 +151,7 @@ static const orr_field_word words_channel_flags[] = {
     {UINT64_C(16), "NO_DELAY", "no delay", false},
     {UINT64_C(32), "ZERO_CLOCK", "zero clock", false},
     {UINT64_C(64), "NOMINAL_CHANNEL", "nominal channel", false},
+    {UINT64_C(128), "FAULT", "fault", false},
 };
 
 static const orr_field_word words_delay_flags[] = {
@@ -452,8 +453,13 @@ static const orr_field fields_channel_terms[] = {
     {.name = "emission_ionosphere_m", .unit = "m", .doc = "the ionosphere's part", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, emission_ionosphere_m), .in_text = true, .text_name = "emission_ionosphere_m", .text_factor = 1.0, .in_table = true, .head = "emission ionosphere", .table_unit = "m", .table_factor = 1.0, .digits = 4},
     {.name = "wind_up_m", .unit = "m", .doc = "turns of satellite and antenna, times the wavelength: of the carrier alone", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, wind_up_m), .in_text = true, .text_name = "wind_up_m", .text_factor = 1.0, .in_table = true, .head = "wind up", .table_unit = "m", .table_factor = 1.0, .digits = 4},
     {.name = "phase_bias_m", .unit = "m", .doc = "the carrier's bias against the clock's pair of signals: of the carrier alone", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, phase_bias_m), .in_text = true, .text_name = "phase_bias_m", .text_factor = 1.0, .in_table = true, .head = "phase bias", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "fault_range_m", .unit = "m", .doc = "faults.range: steps and ramps", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, fault_range_m), .in_text = true, .text_name = "fault_range_m", .text_factor = 1.0, .in_table = true, .head = "fault range", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "fault_noise_m", .unit = "m", .doc = "faults.noise and faults.sine", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, fault_noise_m), .in_text = true, .text_name = "fault_noise_m", .text_factor = 1.0, .in_table = true, .head = "fault noise", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "fault_clock_m", .unit = "m", .doc = "faults.clock: minus c times the clock's error", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, fault_clock_m), .in_text = true, .text_name = "fault_clock_m", .text_factor = 1.0, .in_table = true, .head = "fault clock", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "fault_divergence_m", .unit = "m", .doc = "faults.divergence: of the code alone", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, fault_divergence_m), .in_text = true, .text_name = "fault_divergence_m", .text_factor = 1.0, .in_table = true, .head = "fault divergence", .table_unit = "m", .table_factor = 1.0, .digits = 4},
+    {.name = "fault_orbit_m", .unit = "m", .doc = "faults.orbit: what the displaced satellite adds to the range", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, fault_orbit_m), .in_text = true, .text_name = "fault_orbit_m", .text_factor = 1.0, .in_table = true, .head = "fault orbit", .table_unit = "m", .table_factor = 1.0, .digits = 4},
 };
-static const orr_record record_channel_terms = {"channel_terms", fields_channel_terms, 15, sizeof(orr_msg_channel_terms), false, false};
+static const orr_record record_channel_terms = {"channel_terms", fields_channel_terms, 20, sizeof(orr_msg_channel_terms), false, false};
 
 static const orr_field fields_hello[] = {
     {.name = "major_min", .unit = "", .doc = "lowest major version the client speaks", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, major_min), .in_text = true, .text_name = "major_min", .text_factor = 1.0, .in_table = true, .head = "major min", .table_unit = "", .table_factor = 1.0, .digits = -1},

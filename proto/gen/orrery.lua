@@ -135,6 +135,7 @@ bitsets.channel_flags = {
   {name = "NO_DELAY", bit = 4},
   {name = "ZERO_CLOCK", bit = 5},
   {name = "NOMINAL_CHANNEL", bit = 6},
+  {name = "FAULT", bit = 7},
 }
 bitsets.delay_flags = {
   {name = "CLIPPED", bit = 0},
@@ -362,7 +363,7 @@ records.sat_channel = {size = 124, smallest = 124, fields = {
     {name = "transmit_fraction_ns", kind = "scalar", scalar = "f64", unit = "ns"},
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
 }}
-records.channel_terms = {size = 120, smallest = 120, fields = {
+records.channel_terms = {size = 160, smallest = 160, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -378,6 +379,11 @@ records.channel_terms = {size = 120, smallest = 120, fields = {
     {name = "emission_ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "wind_up_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "phase_bias_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "fault_range_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "fault_noise_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "fault_clock_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "fault_divergence_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "fault_orbit_m", kind = "scalar", scalar = "f64", unit = "m"},
 }}
 records.hello = {fields = {
     {name = "major_min", kind = "scalar", scalar = "u8"},

@@ -6,6 +6,7 @@
 
 #include "src/config/marks.h"
 #include "src/config/section_channel.h"
+#include "src/config/section_faults.h"
 #include "src/config/section_gravity.h"
 #include "src/config/section_imu.h"
 #include "src/config/section_ionosphere.h"
@@ -41,6 +42,7 @@ typedef struct orr_scenario {
     orr_scenario_satellites satellites;
     orr_scenario_mask mask;
     orr_scenario_channel channel;
+    orr_scenario_faults faults;
     orr_scenario_serve serve;
     orr_marks marks;            // where in the file its keys stand
     const orr_leap_table *leap; // that its times were read by and its run goes by; borrowed; NULL: built-in

@@ -483,6 +483,7 @@ enum { // motion_point (u8): The point whose motion is told.
 #define ORR_MSG_CHANNEL_FLAGS_NO_DELAY ((uint32_t)(UINT64_C(1) << 4)) // the scenario's biases do not tell this signal's group delay: zero is taken
 #define ORR_MSG_CHANNEL_FLAGS_ZERO_CLOCK ((uint32_t)(UINT64_C(1) << 5)) // the orbits have no clock of the satellite: zero is taken (channel.clock_holes)
 #define ORR_MSG_CHANNEL_FLAGS_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 6)) // GLONASS: the frequency channel is the nominal one of the slot
+#define ORR_MSG_CHANNEL_FLAGS_FAULT ((uint32_t)(UINT64_C(1) << 7)) // faults of the scenario befall it
 
 // delay_flags (u8): What holds for a delay.
 #define ORR_MSG_DELAY_FLAGS_CLIPPED ((uint8_t)(UINT64_C(1) << 0)) // the content came out negative and is given as 0
@@ -987,7 +988,7 @@ bool orr_msg_sat_channel_next(const orr_msg_sat_channel_list *list, orr_wire_ite
 orr_wire_status orr_msg_sat_channel_records_encode(const orr_msg_sat_channel_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_channel_at(const orr_msg_sat_channel_list *list, uint16_t index, orr_msg_sat_channel *out);   // false beyond the end
 
-// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up and phase_bias join and group_delay does not.
+// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up and phase_bias join, group_delay and fault_divergence do not.
 typedef struct orr_msg_channel_terms {
     double distance_m; // antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     double sagnac_m; // rotation of the Earth during the flight
@@ -1004,9 +1005,14 @@ typedef struct orr_msg_channel_terms {
     double emission_ionosphere_m; // the ionosphere's part
     double wind_up_m; // turns of satellite and antenna, times the wavelength: of the carrier alone
     double phase_bias_m; // the carrier's bias against the clock's pair of signals: of the carrier alone
+    double fault_range_m; // faults.range: steps and ramps
+    double fault_noise_m; // faults.noise and faults.sine
+    double fault_clock_m; // faults.clock: minus c times the clock's error
+    double fault_divergence_m; // faults.divergence: of the code alone
+    double fault_orbit_m; // faults.orbit: what the displaced satellite adds to the range
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 120u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 120u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 160u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 160u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1232,7 +1238,7 @@ typedef struct orr_msg_channels {
     orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite and signal
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 999532u
+#define ORR_MSG_CHANNELS_LARGEST 1163372u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

@@ -216,6 +216,7 @@ class ChannelFlags(enum.IntFlag):
     NO_DELAY = 16  # the scenario's biases do not tell this signal's group delay: zero is taken
     ZERO_CLOCK = 32  # the orbits have no clock of the satellite: zero is taken (channel.clock_holes)
     NOMINAL_CHANNEL = 64  # GLONASS: the frequency channel is the nominal one of the slot
+    FAULT = 128  # faults of the scenario befall it
 
 
 class DelayFlags(enum.IntFlag):
@@ -948,7 +949,7 @@ class SatChannel(Record):
 @dataclasses.dataclass(eq=False, slots=True)
 class ChannelTerms(Record):
     """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the
-    other sign, wind_up and phase_bias join and group_delay does not.
+    other sign, wind_up and phase_bias join, group_delay and fault_divergence do not.
 
     distance_m [m]: antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     sagnac_m [m]: rotation of the Earth during the flight
@@ -965,6 +966,11 @@ class ChannelTerms(Record):
     emission_ionosphere_m [m]: the ionosphere's part
     wind_up_m [m]: turns of satellite and antenna, times the wavelength: of the carrier alone
     phase_bias_m [m]: the carrier's bias against the clock's pair of signals: of the carrier alone
+    fault_range_m [m]: faults.range: steps and ramps
+    fault_noise_m [m]: faults.noise and faults.sine
+    fault_clock_m [m]: faults.clock: minus c times the clock's error
+    fault_divergence_m [m]: faults.divergence: of the code alone
+    fault_orbit_m [m]: faults.orbit: what the displaced satellite adds to the range
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
@@ -983,6 +989,11 @@ class ChannelTerms(Record):
         Field("emission_ionosphere_m", "scalar", scalar="f64"),
         Field("wind_up_m", "scalar", scalar="f64"),
         Field("phase_bias_m", "scalar", scalar="f64"),
+        Field("fault_range_m", "scalar", scalar="f64"),
+        Field("fault_noise_m", "scalar", scalar="f64"),
+        Field("fault_clock_m", "scalar", scalar="f64"),
+        Field("fault_divergence_m", "scalar", scalar="f64"),
+        Field("fault_orbit_m", "scalar", scalar="f64"),
     )
 
     distance_m: float = 0.0
@@ -1000,6 +1011,11 @@ class ChannelTerms(Record):
     emission_ionosphere_m: float = 0.0
     wind_up_m: float = 0.0
     phase_bias_m: float = 0.0
+    fault_range_m: float = 0.0
+    fault_noise_m: float = 0.0
+    fault_clock_m: float = 0.0
+    fault_divergence_m: float = 0.0
+    fault_orbit_m: float = 0.0
 
 
 @dataclasses.dataclass(eq=False, slots=True)

@@ -51,8 +51,8 @@ static void begin_at(const orr_channels *c, size_t antenna, orr_channel_work *wo
                      const orr_antenna_state *at, uint64_t signals)
 {
     channel_antenna_work *w = &work->antenna[antenna];
-    if (w->end.t != t || w->end.signals != signals) {
-        channels_evaluate(c, antenna, work, t, at, signals, NULL, &w->begin);
+    if (w->end.t != t || w->end.signals != signals || orr_faults_change(c->faults, w->end.as_of, t)) {
+        channels_evaluate(c, antenna, work, t, t, at, signals, NULL, &w->begin);
         return;
     }
     const channel_list was = w->begin;
@@ -68,7 +68,7 @@ void blocks_between(const orr_channels *c, size_t antenna, orr_channel_work *wor
     begin_at(c, antenna, work, e->t0, &e->at0, signals);
     memset(work->also, 0, c->n_sats * sizeof *work->also);
     for (size_t k = 0; k < begin->n; k++) work->also[begin->place[k]] = begin->seen[k];
-    channels_evaluate(c, antenna, work, e->t1, &e->at1, signals, work->also, end);
+    channels_evaluate(c, antenna, work, e->t1, e->t0, &e->at1, signals, work->also, end);
     const double T = orr_time_diff_s(e->t1, e->t0);
     for (size_t k = 0, j = 0; k < begin->n; k++) { // both lists ascend, the second may lack some
         const orr_channel *from = &begin->channel[k];

@@ -7,6 +7,7 @@
 
 // Of an antenna on a body, which may shake at any rate: beyond 100 ms nothing is gained. Each divides a cell.
 static const int64_t LENGTHS_NS[] = {1000000, 2000000, 5000000, 10000000, 20000000, 50000000, 100000000};
+enum { N_LENGTHS = sizeof LENGTHS_NS / sizeof *LENGTHS_NS };
 static const int64_t FIXED_NS = ORR_NS_PER_S; // of a fixed antenna
 // Blocks of one length that are tried in a cell: all where there are fewer, otherwise spread over it.
 enum { TRIED = 500 };
@@ -44,18 +45,33 @@ static double worst_m(const orr_antenna *a, orr_time cell, int64_t length_ns)
     return worst;
 }
 
+// Whether effects of the scenario allow blocks of this length in the cell: longer ones they do not allow either.
+static bool allowed(const orr_channels *c, orr_time cell, int64_t length_ns)
+{
+    return orr_faults_allow(c->faults, cell, cell + ORR_BLOCK_CELL_NS, length_ns, c->options.error_m / 10);
+}
+
+// The longest of those allowed that is not above most_ns.
+static int64_t allowed_ns(const orr_channels *c, orr_time cell, int64_t most_ns)
+{
+    if (allowed(c, cell, most_ns)) return most_ns;
+    size_t k = N_LENGTHS - 1;
+    while (k > 0 && !allowed(c, cell, LENGTHS_NS[k])) k--;
+    return LENGTHS_NS[k];
+}
+
 void orr_block_length_of(const orr_channels *c, size_t antenna, orr_time cell, int64_t *length_ns,
                          double *error_m)
 {
     const orr_antenna *a = &c->antenna[antenna];
     if (a->motion == NULL) { // the satellites' motion and the ionosphere's change decide (docs/channels.md)
-        *length_ns = FIXED_NS;
+        *length_ns = allowed_ns(c, cell, FIXED_NS);
         *error_m = 1.3e-10; // T^4/384 of 5e-8 m/s^4, a navigation satellite's at the horizon
         return;
     }
     *length_ns = LENGTHS_NS[0];
     *error_m = worst_m(a, cell, LENGTHS_NS[0]);
-    for (size_t k = 1; k < sizeof LENGTHS_NS / sizeof *LENGTHS_NS; k++) {
+    for (size_t k = 1; k < N_LENGTHS && allowed(c, cell, LENGTHS_NS[k]); k++) {
         const double worst = worst_m(a, cell, LENGTHS_NS[k]);
         if (worst > c->options.error_m / 1.25) return;
         *length_ns = LENGTHS_NS[k];

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "iono/field/pierce.h"
+#include "src/scenario/channel/effects.h"
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/seen.h"
 #include "src/scenario/channel/slow.h"
@@ -196,22 +197,26 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         out->carrier_hz = sent->carrier_hz;
         out->power_dbw = r->slow.v[slow_of(j, SLOW_POWER)];
         set_signal(&c->antenna[antenna], r, j, delays->delay_m[j], out);
+        effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
         set_sums(t, sent->start, out);
     }
 }
 
 void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
-                       const orr_antenna_state *at, uint64_t signals, const bool *also, channel_list *list)
+                       orr_time as_of, const orr_antenna_state *at, uint64_t signals, const bool *also,
+                       channel_list *list)
 {
     channel_antenna_work *w = &work->antenna[antenna];
     size_t n = 0;
     list->t = t;
+    list->as_of = as_of;
     list->signals = signals;
     list->n = 0;
     seen_candidates(c, antenna, work, t, at);
     for (size_t k = 0; k < w->n_candidates; k++) {
         const uint16_t place = w->candidate[k];
         satellite_state x;
+        if (orr_faults_off(c->faults, place, as_of)) continue;
         if (!satellite_at(channels_ephemeris(c), c->satellite[place].sat, work->satellite[place], t, 0, &x))
             continue;
         work->direction[n] = seen_at(c, antenna, at, x.pos_m);
@@ -234,7 +239,7 @@ orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_channel_wo
     const orr_answer answer = orr_antenna_at(&c->antenna[antenna], t, &at);
     if (answer != ORR_ANSWER_OK) return answer;
     channel_list *list = &work->antenna[antenna].begin;
-    channels_evaluate(c, antenna, work, t, &at, signals, NULL, list);
+    channels_evaluate(c, antenna, work, t, t, &at, signals, NULL, list);
     memcpy(out, list->channel, list->n * sizeof *out);
     *n = list->n;
     return ORR_ANSWER_OK;

@@ -32,6 +32,7 @@ enum {                                // orr_channel.flags
     ORR_CHANNEL_NO_DELAY = 1u << 4,   // biases were given and do not tell this signal's delay
     ORR_CHANNEL_ZERO_CLOCK = 1u << 5, // a hole of the clock, by channel.clock_holes
     ORR_CHANNEL_NOMINAL_FREQUENCY = 1u << 6, // GLONASS: the channel is the nominal one of the slot
+    ORR_CHANNEL_FAULT = 1u << 7,             // the scenario's faults befall it
 };
 
 // What arrives of one signal. Rates are derivatives by the instant of reception.

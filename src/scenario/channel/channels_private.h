@@ -14,6 +14,7 @@
 #include "src/scenario/channel/satellite_cell.h"
 #include "src/scenario/channel/sun_track.h"
 #include "src/scenario/channel/windup.h"
+#include "src/scenario/effect/fault.h"
 
 // A signal that a satellite sends.
 typedef struct channel_sent {
@@ -62,6 +63,7 @@ struct orr_channels {
     uint64_t signals;
     size_t n_sats, max_channels;
     channel_satellite *satellite; // as orr_source_orbit_satellites
+    orr_faults *faults;           // NULL: none
     orr_sun_track sun;
     orr_span span;
     size_t n_cells;
@@ -83,7 +85,8 @@ typedef struct channel_delays {
 
 // Channels of an antenna at an instant.
 typedef struct channel_list {
-    orr_time t; // ORR_TIME_NONE: none yet
+    orr_time t;     // ORR_TIME_NONE: none yet
+    orr_time as_of; // whose faults there are
     uint64_t signals;
     size_t n;
     orr_channel *channel;
@@ -120,13 +123,15 @@ struct orr_channel_work {
 //   c, antenna  channels, and which antenna
 //   work        workspace
 //   t           instant of reception, of the span
+//   as_of       instant whose faults there are: t, or the begin of the block that ends at t
 //   at          the antenna then
 //   signals     those that are wanted
 //   also        [n_sats] satellites that are wanted whether they are seen or not; NULL: none
 // Returned:
 //   list        channels, by satellite and signal; room for orr_channels_max
 void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
-                       const orr_antenna_state *at, uint64_t signals, const bool *also, channel_list *list);
+                       orr_time as_of, const orr_antenna_state *at, uint64_t signals, const bool *also,
+                       channel_list *list);
 
 // Both ends of a block, and the antenna there.
 typedef struct blocks_ends {

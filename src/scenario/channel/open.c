@@ -215,6 +215,17 @@ static orr_status nothing_common(const orr_source_orbit *orbits, const orr_sourc
     return orr_diag_set(diag, ORR_E_NODATA, "signals: the scenario's parts have no time in common: %s", text);
 }
 
+static orr_status open_faults(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+{
+    orr_fault_satellite *list = calloc(c->n_sats + 1, sizeof *list);
+    if (list == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    for (size_t k = 0; k < c->n_sats; k++)
+        list[k] = (orr_fault_satellite){c->satellite[k].sat, c->satellite[k].n_sent > 0};
+    const orr_status status = orr_faults_open(s, list, c->n_sats, c->span, &c->faults, diag);
+    free(list);
+    return status;
+}
+
 static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, const orr_nav *nav,
                           orr_channels *c, const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
@@ -223,6 +234,7 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     if (status == ORR_OK && s->satellites.metadata != NULL)
         status = orr_satellite_metadata_read(s->satellites.metadata, NULL, &c->metadata, warnings, diag);
     if (status == ORR_OK) status = list_satellites(s, nav, c, diag);
+    if (status == ORR_OK) status = open_faults(s, c, diag);
     if (status == ORR_OK) share_powers(c, warnings);
     if (status == ORR_OK)
         status = orr_sun_track_open(c->span.from, c->span.to,
@@ -285,6 +297,7 @@ void orr_channels_close(orr_channels *c)
 {
     if (c == NULL) return;
     for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) orr_windup_free(&c->windup[k]);
+    orr_faults_close(c->faults);
     orr_sun_track_free(&c->sun);
     free(c->cell);
     free(c->satellite);

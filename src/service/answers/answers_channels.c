@@ -14,7 +14,8 @@ _Static_assert(ORR_CHANNEL_UNHEALTHY == ORR_MSG_CHANNEL_FLAGS_UNHEALTHY &&
                    ORR_CHANNEL_NO_ANTENNA == ORR_MSG_CHANNEL_FLAGS_NO_ANTENNA &&
                    ORR_CHANNEL_NO_DELAY == ORR_MSG_CHANNEL_FLAGS_NO_DELAY &&
                    ORR_CHANNEL_ZERO_CLOCK == ORR_MSG_CHANNEL_FLAGS_ZERO_CLOCK &&
-                   ORR_CHANNEL_NOMINAL_FREQUENCY == ORR_MSG_CHANNEL_FLAGS_NOMINAL_CHANNEL,
+                   ORR_CHANNEL_NOMINAL_FREQUENCY == ORR_MSG_CHANNEL_FLAGS_NOMINAL_CHANNEL &&
+                   ORR_CHANNEL_FAULT == ORR_MSG_CHANNEL_FLAGS_FAULT,
                "the channels' flags are the wire's");
 _Static_assert(ORR_MAX_ANTENNAS <= ORR_MSG_MAX_ANTENNAS, "all antennas are in CAPS");
 
@@ -179,7 +180,12 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .emission_m = t[ORR_TERM_EMISSION],
                                  .emission_ionosphere_m = t[ORR_TERM_EMISSION_IONOSPHERE],
                                  .wind_up_m = t[ORR_TERM_WIND_UP],
-                                 .phase_bias_m = t[ORR_TERM_PHASE_BIAS]};
+                                 .phase_bias_m = t[ORR_TERM_PHASE_BIAS],
+                                 .fault_range_m = t[ORR_TERM_FAULT_RANGE],
+                                 .fault_noise_m = t[ORR_TERM_FAULT_NOISE],
+                                 .fault_clock_m = t[ORR_TERM_FAULT_CLOCK],
+                                 .fault_divergence_m = t[ORR_TERM_FAULT_DIVERGENCE],
+                                 .fault_orbit_m = t[ORR_TERM_FAULT_ORBIT]};
 }
 
 orr_status orr_answers_channels_ride(const orr_channels *c, orr_vehicle *vehicle,

@@ -10,78 +10,7 @@
 #include "src/scenario/engine/engine.h"
 #include "testing.h"
 #include "unit/orbit/made_orbit.h"
-
-#define PRODUCT ORR_BINARY_DIR "/channels.nc"
-#define IONOSPHERE ORR_BINARY_DIR "/channels.ION"
-enum { ROOM = 200 };
-
-static orr_engine *engine;
-static orr_channel_work *work;
-
-static void open_with(const char *rest)
-{
-    char text[4000];
-    orr_scenario s;
-    orr_diag diag = {0};
-    snprintf(text, sizeof text, "orbit: {product: " PRODUCT "}\nnavdata: {window: none}\n%s", rest);
-    ASSERT_OK(orr_scenario_parse("test", text, strlen(text), NULL, NULL, &s, &diag), diag);
-    ASSERT_OK(orr_engine_open(&s, NULL, NULL, NULL, &engine, &diag), diag);
-    orr_scenario_free(&s);
-    ASSERT_OK(orr_channel_work_open(orr_engine_channels(engine), &work, &diag), diag);
-}
-
-// The sample's ionosphere, a year earlier: the days of the made orbits.
-static void make_ionosphere(void)
-{
-    static const char *const days[][2] = {{"2025 03 20", "2024 02 03"}, {"2025 03 23", "2024 02 06"}};
-    FILE *in = fopen(ORR_SOURCE_DIR "/samples/ionosphere.ION", "r"), *out = fopen(IONOSPHERE, "w");
-    assert_true(in != NULL && out != NULL);
-    char line[200];
-    while (fgets(line, sizeof line, in) != NULL) {
-        for (size_t k = 0; k < sizeof days / sizeof *days; k++) {
-            char *day = strstr(line, days[k][0]);
-            if (day != NULL) memcpy(day, days[k][1], strlen(days[k][1]));
-        }
-        fputs(line, out);
-    }
-    fclose(in);
-    assert_int_equal(fclose(out), 0);
-}
-
-static int set_up(void **state)
-{
-    (void)state;
-    make_ionosphere();
-    orr_diag diag = {0};
-    orr_orbit_solution s = made_solution(9, 6, 900, 6);
-    orr_ephemeris *e = NULL;
-    ASSERT_OK(orr_ephemeris_build(&s, &e, &diag), diag);
-    ASSERT_OK(orr_ephemeris_save(e, PRODUCT, "made for a test", &diag), diag);
-    orr_ephemeris_free(e);
-    made_solution_free(&s);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    orr_channel_work_close(work);
-    work = NULL;
-    orr_engine_close(engine);
-    engine = NULL;
-    return 0;
-}
-
-static orr_time at(double t_s) { return orr_time_add_s(made_midnight, t_s); }
-
-static size_t all_at(orr_time t, size_t antenna, orr_channel *out)
-{
-    size_t n;
-    const orr_channels *c = orr_engine_channels(engine);
-    assert_true(orr_channels_max(c) <= ROOM);
-    assert_int_equal(orr_channels_at(c, antenna, work, t, UINT64_MAX, out, &n), ORR_ANSWER_OK);
-    return n;
-}
+#include "unit/scenario/made_channels.h"
 
 #define EVERYTHING                                                                                           \
     "signals: [G, R, E]\ntroposphere: {model: saastamoinen}\nmask: {elevation: -10}\n"                       \
@@ -194,7 +123,7 @@ static void rates_are_derivatives(void **state)
 static void curves_are_the_terms(void **state)
 {
     (void)state;
-    open_with("ionosphere: {field: " IONOSPHERE "}\nchannel: {shapiro: yes}\n"
+    open_with("ionosphere: {field: " MADE_IONOSPHERE "}\nchannel: {shapiro: yes}\n"
               "signals: [G, R, E]\ntroposphere: {model: saastamoinen}\nmask: {elevation: 2}\n"
               "antennas:\n  - {name: BASE, position: [52, 17, 124]}\n" FLIES);
     const orr_channels *c = orr_engine_channels(engine);

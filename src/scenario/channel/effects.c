@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/channel/effects.h"
+
+#include "core/constants.h"
+
+// What the range grows by when the satellite is displaced along radius, track and normal of its orbit; the displacement turns with
+// the orbit, the Earth's axes below it.
+static double displaced_m(const orr_light *l, orr_vec3 by_m, double *rate_mps)
+{
+    const orr_vec3 radial = orr_vec3_unit(l->sat_m), normal = orr_vec3_cross(l->sat_m, l->sat_v_mps),
+                   cross = orr_vec3_unit(normal), along = orr_vec3_cross(cross, radial);
+    const orr_vec3 a =
+        orr_vec3_axpy(by_m.x, radial, orr_vec3_axpy(by_m.y, along, orr_vec3_scale(by_m.z, cross)));
+    const orr_vec3 turn = orr_vec3_sub(orr_vec3_scale(1 / orr_vec3_dot(l->sat_m, l->sat_m), normal),
+                                       (orr_vec3){0, 0, ORR_EARTH_RATE_RADPS});
+    const orr_vec3 d = orr_vec3_scale(l->range_m, l->u), to = orr_vec3_add(d, a);
+    const orr_vec3 d_rate = orr_vec3_axpy(l->range_rate_mps, l->u, orr_vec3_scale(l->range_m, l->u_rate_ps));
+    const double longer = orr_vec3_norm(to);
+    *rate_mps = orr_vec3_dot(to, orr_vec3_add(d_rate, orr_vec3_cross(turn, a))) / longer - l->range_rate_mps;
+    return (2 * orr_vec3_dot(d, a) + orr_vec3_dot(a, a)) / (longer + l->range_m);
+}
+
+void effects_fault(const orr_channels *c, size_t place, const orr_light *l, orr_time t, orr_time as_of,
+                   orr_channel *out)
+{
+    orr_fault_now x;
+    double *v = out->term_m, *rate = out->rate_mps;
+    orr_faults_at(c->faults, place, out->signal, t, as_of, &x);
+    v[ORR_TERM_FAULT_RANGE] = x.range_m;
+    rate[ORR_TERM_FAULT_RANGE] = x.range_mps;
+    v[ORR_TERM_FAULT_NOISE] = x.noise_m;
+    rate[ORR_TERM_FAULT_NOISE] = x.noise_mps;
+    v[ORR_TERM_FAULT_CLOCK] = x.clock_m;
+    rate[ORR_TERM_FAULT_CLOCK] = x.clock_mps;
+    v[ORR_TERM_FAULT_DIVERGENCE] = x.divergence_m;
+    rate[ORR_TERM_FAULT_DIVERGENCE] = x.divergence_mps;
+    v[ORR_TERM_FAULT_ORBIT] = rate[ORR_TERM_FAULT_ORBIT] = 0;
+    if (!x.any) return;
+    if (orr_vec3_dot(x.orbit_m, x.orbit_m) > 0)
+        v[ORR_TERM_FAULT_ORBIT] = displaced_m(l, x.orbit_m, &rate[ORR_TERM_FAULT_ORBIT]);
+    out->power_dbw += x.power_db;
+    out->flags |= ORR_CHANNEL_FAULT | (x.unhealthy ? ORR_CHANNEL_UNHEALTHY : 0u);
+}
