@@ -13,9 +13,8 @@
 // Returned:
 //   x     deviations from the grid's states at points at[k].grid to at[k + 1].grid - 1, the first one in x[0]
 //   b     working room, as many vectors as x
-void orr_track_between(const orr_track_context *c, const orr_track *t, size_t k, double (*x)[ORR_NX],
-                       double (*b)[ORR_NW]);
-// Steps of the longest interval of instants first..last, at least 1.
-size_t orr_track_longest(const orr_track *t, size_t first, size_t last);
+// Errors: ORR_E_NUMERIC.
+orr_status orr_track_between(const orr_track_context *c, orr_track *t, size_t k, double (*x)[ORR_NX],
+                             double (*b)[ORR_NW]);
 
 #endif

@@ -48,7 +48,7 @@ static void weigh(orr_track_context *c, const orr_node *list, const orr_verdict 
     const orr_noise_factor factor = c->noise.factor;
     for (size_t f = 0; f < n_files; f++) best[f] = -HUGE_VAL;
     for (int i = 0; i < (seek ? 3 : 1); i++) {
-        orr_filter_range(c, list, verdict, t, 0, t->n - 1);
+        orr_filter_sums(c, list, verdict, t, 0, t->n - 1);
         add_up(list, t, n_files, of);
         take_best(c, of, node_step_s, n_files, best);
         c->noise.factor.q *= 0.1;
@@ -135,7 +135,6 @@ void orr_file_evidence_add(orr_track_context *c, const orr_node *list, const orr
     free(n);
     free(of);
     free(best);
-    orr_filter_range(c, list, verdict, t, 0, t->n - 1);
 }
 
 static double capped(double x) { return fmin(fmax(x, -MOST_SAY), MOST_SAY); }

@@ -31,12 +31,12 @@ typedef struct orr_file_noise {
 //   c            context, its noise chosen; c->file is not looked at
 //   list         nodes of the satellite
 //   verdict      of each node
-//   t            the track, filtered with the noise chosen (orr_noise_choose)
+//   t            the track, its sums those of the noise chosen (orr_noise_choose)
 //   node_step_s  usual distance of nodes, s
 //   n_files      input files
 // Returned:
 //   evidence     [n_files], added to
-//   t            filtered as before
+//   t            its sums of squares are of no use any more
 void orr_file_evidence_add(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                            orr_track *t, double node_step_s, size_t n_files, orr_file_evidence *evidence);
 

@@ -3,7 +3,7 @@
 #ifndef ORR_ORBIT_SMOOTH_FILTER_RANGE_H
 #define ORR_ORBIT_SMOOTH_FILTER_RANGE_H
 
-#include "orbit/smooth/track.h"
+#include "orbit/smooth/leave_out.h"
 
 // Where a file begins its orbit may be elsewhere by centimetres: in the filter's units, of which a node's coordinate is
 // worth one millimetre and really a quarter of it.
@@ -31,10 +31,26 @@ typedef struct orr_verdict { // one per node
 //   t            the track, linearised
 //   first, last  instants, both inclusive; the state is diffuse before the first
 // Returned:
-//   t            predicted and filtered states, and with each instant the squares of its innovations
+//   t            filtered states, and with each instant the squares of its innovations
 void orr_filter_range(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                       orr_track *t, size_t first, size_t last);
-// The smoother back over the same range. ORR_E_NUMERIC.
-orr_status orr_smooth_range(const orr_track_context *c, orr_track *t, size_t first, size_t last);
+// The same for the squares alone: states stay as they are.
+// Given:
+//   c, list, verdict, first, last  as of orr_filter_range
+// Returned:
+//   t            with each instant the squares of its innovations
+void orr_filter_sums(const orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
+                     orr_track *t, size_t first, size_t last);
+// The smoother back over a range that was filtered.
+// Given:
+//   c, verdict   as they were when it was filtered
+//   t            filtered states
+//   first, last  the range, both inclusive
+// Returned:
+//   t            smoothed states in the place of the filtered ones, and the adjoint
+//   fresh        [t->n], of the instants after the first: what would go on from there; NULL: not asked for
+// Errors: ORR_E_NUMERIC.
+orr_status orr_smooth_range(const orr_track_context *c, const orr_verdict *verdict, orr_track *t,
+                            size_t first, size_t last, orr_fresh_start *fresh);
 
 #endif

@@ -13,7 +13,7 @@
 #define STEEPEST (2.1875 / 2) // of the weight, over the half length
 
 // The difference of the two orbits one step on, or (F is symplectic) one step back.
-static void carry(const orr_grid_point *g, bool back, double d[6])
+static void carry(const orr_grid_step *g, bool back, double d[6])
 {
     double next[6];
     for (int i = 0; i < 6; i++) {
@@ -59,41 +59,53 @@ void orr_join_step(const orr_instant *at, double step[6])
     }
 }
 
-static void join_at(const orr_track *t, const orr_instant *at, orr_join *out)
+static orr_status join_at(const orr_track_context *c, orr_track *t, const orr_instant *at, orr_join *out)
 {
+    const orr_grid_step *on;
+    orr_status s = ORR_OK;
     double step[6], d[6], rate, bend;
     orr_join_step(at, step);
     const double jump_m = orr_vec3_norm((orr_vec3){step[0], step[1], step[2]});
     const double half_s =
         at->step ? fmin(fmax(jump_m * STEEPEST / LIMIT_MPS, SHORTEST_S), LONGEST_S) : NOON_S;
     memcpy(d, step, sizeof d);
-    for (size_t g = at->grid; g < t->n_grid; g++) { // what is too much of the later orbit
+    for (size_t g = at->grid; g < t->n_grid && s == ORR_OK; g++) { // what is too much of the later orbit
         const double x = (t->grid[g].t_s - at->t_s) / half_s;
         if (x >= 1) break;
         const double w = weigh(x, half_s, &rate, &bend);
         add(d, w - 1, rate, bend, &out[g]);
         out[g].between_files = out[g].between_files || at->step;
-        if (g + 1 < t->n_grid) carry(&t->grid[g], false, d);
+        if (g + 1 == t->n_grid) break;
+        s = orr_track_step(c, t, g, &on);
+        if (s == ORR_OK) carry(on, false, d);
     }
     memcpy(d, step, sizeof d);
-    for (size_t g = at->grid; g-- > 0;) { // what is wanting of it before
-        carry(&t->grid[g], true, d);
+    for (size_t g = at->grid; s == ORR_OK && g-- > 0;) { // what is wanting of it before
+        s = orr_track_step(c, t, g, &on);
+        if (s != ORR_OK) break;
+        carry(on, true, d);
         const double x = (t->grid[g].t_s - at->t_s) / half_s;
         if (x <= -1) break;
         const double w = weigh(x, half_s, &rate, &bend);
         add(d, w, rate, bend, &out[g]);
         out[g].between_files = out[g].between_files || at->step;
     }
+    return s;
 }
 
-orr_status orr_join_files(const orr_track *t, orr_join **out)
+orr_status orr_join_files(const orr_track_context *c, orr_track *t, orr_join **out)
 {
     *out = NULL;
     for (size_t k = 1; k < t->n; k++) {
         if (!t->at[k].step && !t->at[k].pulse) continue;
         if (*out == NULL) *out = calloc(t->n_grid, sizeof **out);
         if (*out == NULL) return ORR_E_MEMORY;
-        join_at(t, &t->at[k], *out);
+        const orr_status s = join_at(c, t, &t->at[k], *out);
+        if (s != ORR_OK) {
+            free(*out);
+            *out = NULL;
+            return s;
+        }
     }
     return ORR_OK;
 }

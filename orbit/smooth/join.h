@@ -17,7 +17,7 @@ void orr_join_step(const orr_instant *at, double step[6]);
 
 // For every point of the track's grid, after filter and smoother. Each orbit goes on beyond the joint as the variational
 // equations tell, and a polynomial with three continuous derivatives weighs one against the other. *out is NULL where
-// there is no joint; else free it. ORR_E_MEMORY.
-orr_status orr_join_files(const orr_track *t, orr_join **out);
+// there is no joint; else free it. ORR_E_MEMORY, ORR_E_NUMERIC.
+orr_status orr_join_files(const orr_track_context *c, orr_track *t, orr_join **out);
 
 #endif

@@ -12,6 +12,49 @@
             call18;                                                                                          \
     } while (0)
 
+static inline void keep_half(const double *full, size_t stride, int n, double *half)
+{
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j <= i; j++) *half++ = full[(size_t)i * stride + (size_t)j];
+}
+
+static inline void recall_half(const double *half, size_t stride, int n, double *full)
+{
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j <= i; j++)
+            full[(size_t)i * stride + (size_t)j] = full[(size_t)j * stride + (size_t)i] = *half++;
+}
+
+void orr_gauss_keep(const orr_gauss *g, int nx, orr_gauss_kept *out)
+{
+    memcpy(out->x, g->x, (size_t)nx * sizeof out->x[0]);
+    FOR_SIZE(nx, keep_half(&g->P[0][0], ORR_NX, ORR_NX_PLAIN, out->P),
+             keep_half(&g->P[0][0], ORR_NX, ORR_NX, out->P));
+}
+
+void orr_gauss_recall(const orr_gauss_kept *g, int nx, orr_gauss *out)
+{
+    memcpy(out->x, g->x, (size_t)nx * sizeof out->x[0]);
+    FOR_SIZE(nx, recall_half(g->P, ORR_NX, ORR_NX_PLAIN, &out->P[0][0]),
+             recall_half(g->P, ORR_NX, ORR_NX, &out->P[0][0]));
+}
+
+void orr_transition_keep(const orr_transition *t, orr_transition_kept *out)
+{
+    memcpy(out->F, t->F, sizeof out->F);
+    keep_half(&t->Q[0][0], ORR_NW, ORR_NW, out->Q);
+    keep_half(&t->S[0][0], ORR_NW, ORR_NW, out->S);
+    out->near_shadow = t->near_shadow;
+}
+
+void orr_transition_recall(const orr_transition_kept *t, orr_transition *out)
+{
+    memcpy(out->F, t->F, sizeof out->F);
+    recall_half(t->Q, ORR_NW, ORR_NW, &out->Q[0][0]);
+    recall_half(t->S, ORR_NW, ORR_NW, &out->S[0][0]);
+    out->near_shadow = t->near_shadow;
+}
+
 void orr_transition_start(orr_transition *t)
 {
     memset(t, 0, sizeof *t);

@@ -30,6 +30,31 @@ typedef struct orr_transition {
     bool near_shadow;         // there is some
 } orr_transition;
 
+// Both as they are kept by the thousand: of what is symmetric the lower half.
+typedef struct orr_gauss_kept {
+    double x[ORR_NX];
+    double P[ORR_NX * (ORR_NX + 1) / 2];
+} orr_gauss_kept;
+typedef struct orr_transition_kept {
+    double F[6][ORR_NX];
+    double Q[ORR_NW * (ORR_NW + 1) / 2], S[ORR_NW * (ORR_NW + 1) / 2];
+    bool near_shadow;
+} orr_transition_kept;
+
+// Keeps the first nx of a state.
+void orr_gauss_keep(const orr_gauss *g, int nx, orr_gauss_kept *out);
+// The state as it was kept.
+void orr_gauss_recall(const orr_gauss_kept *g, int nx, orr_gauss *out);
+// An element of the covariance that was kept.
+static inline double orr_gauss_kept_P(const orr_gauss_kept *g, int i, int j)
+{
+    return i < j ? g->P[j * (j + 1) / 2 + i] : g->P[i * (i + 1) / 2 + j];
+}
+// Keeps a transition.
+void orr_transition_keep(const orr_transition *t, orr_transition_kept *out);
+// The transition as it was kept.
+void orr_transition_recall(const orr_transition_kept *t, orr_transition *out);
+
 // What the noise of a step is multiplied by.
 typedef struct orr_noise_factor {
     double q, shadow; // 1 and 0: as Q is

@@ -20,11 +20,12 @@ static double determinant(const orr_mat3 *s)
 orr_left_out orr_leave_node_out(const orr_track_context *c, const orr_instant *at, const orr_node *node,
                                 bool used)
 {
-    const orr_gauss *g = &at->smoothed;
+    const orr_gauss_kept *g = &at->state;
     const double r = node->sigma_m * node->sigma_m;
     orr_mat3 s;
     for (int j = 0; j < 3; j++)
-        for (int k = 0; k < 3; k++) s.m[j][k] = (j == k ? r : 0) + (used ? -g->P[j][k] : g->P[j][k]);
+        for (int k = 0; k < 3; k++)
+            s.m[j][k] = (j == k ? r : 0) + (used ? -orr_gauss_kept_P(g, j, k) : orr_gauss_kept_P(g, j, k));
     const double least = UNTOLD * r;
     if (!(determinant(&s) > least * least * least)) return (orr_left_out){0};
     const orr_vec3 x = orr_vec3_make(g->x[0], g->x[1], g->x[2]);
@@ -36,30 +37,32 @@ orr_left_out orr_leave_node_out(const orr_track_context *c, const orr_instant *a
 
 // With u = P^-1 (smoothed minus predicted), of covariance N = P^-1 (P - smoothed P) P^-1, a change d of the
 // state at the instant takes 2 d'u - d'N d from the sum of squares.
-orr_status orr_fresh_start_at(const orr_instant *at, int nx, orr_fresh_start *out)
+orr_fresh_start orr_fresh_start_at(const orr_gauss *predicted, const orr_gauss *smoothed,
+                                   const double u[ORR_NX], int nx)
 {
     double P[ORR_NX][ORR_NX], X[ORR_NX][6], N[6][6], d[6];
     const size_t n = (size_t)nx;
-    *out = (orr_fresh_start){0};
-    memcpy(P, at->predicted.P, sizeof P);
+    orr_fresh_start out = {0};
+    memcpy(P, predicted->P, sizeof P);
     memset(X, 0, sizeof X);
     for (int i = 0; i < 6; i++) X[i][i] = 1;
-    if (orr_symmetric_solve(&P[0][0], ORR_NX, n, &X[0][0], 6) != ORR_OK) return ORR_E_NUMERIC;
+    if (orr_symmetric_solve(&P[0][0], ORR_NX, n, &X[0][0], 6) != ORR_OK) return out;
     for (int a = 0; a < 6; a++) {
         double y[ORR_NX];
         for (size_t i = 0; i < n; i++) {
             y[i] = 0;
-            for (size_t k = 0; k < n; k++) y[i] += (at->predicted.P[i][k] - at->smoothed.P[i][k]) * X[k][a];
+            for (size_t k = 0; k < n; k++) y[i] += (predicted->P[i][k] - smoothed->P[i][k]) * X[k][a];
         }
         for (int b = 0; b < 6; b++) {
             N[b][a] = 0;
             for (size_t i = 0; i < n; i++) N[b][a] += X[i][b] * y[i];
         }
-        d[a] = at->u[a];
+        d[a] = u[a];
     }
-    if (orr_symmetric_solve(&N[0][0], 6, 6, d, 1) != ORR_OK) return ORR_E_NUMERIC;
-    for (int i = 0; i < 6; i++) out->gain += d[i] * at->u[i];
-    out->r_m = (orr_vec3){d[0], d[1], d[2]};
-    out->v_mps = (orr_vec3){d[3], d[4], d[5]};
-    return isfinite(out->gain) ? ORR_OK : ORR_E_NUMERIC;
+    if (orr_symmetric_solve(&N[0][0], 6, 6, d, 1) != ORR_OK) return out;
+    for (int i = 0; i < 6; i++) out.gain += d[i] * u[i];
+    out.r_m = (orr_vec3){d[0], d[1], d[2]};
+    out.v_mps = (orr_vec3){d[3], d[4], d[5]};
+    out.told = isfinite(out.gain) != 0;
+    return out;
 }

@@ -21,12 +21,19 @@ orr_left_out orr_leave_node_out(const orr_track_context *c, const orr_instant *a
 // What an instant's position and velocity change by if they may, and how much less the normalised squares of all
 // nodes are then.
 typedef struct orr_fresh_start {
+    bool told; // the orbits before and after it are known
     double gain;
     orr_vec3 r_m, v_mps;
 } orr_fresh_start;
 
-// Of an instant after the range's first one. ORR_E_NUMERIC where it cannot be told: the orbit before it, or
-// after it, is not known.
-orr_status orr_fresh_start_at(const orr_instant *at, int nx, orr_fresh_start *out);
+// Given:
+//   predicted  state of an instant after the range's first one, before its nodes
+//   smoothed   the same, smoothed
+//   u          the smoother's adjoint there
+//   nx         states that are used
+// Returned:
+//   value      told is false where the orbit before the instant, or after it, is not known
+orr_fresh_start orr_fresh_start_at(const orr_gauss *predicted, const orr_gauss *smoothed,
+                                   const double u[ORR_NX], int nx);
 
 #endif

@@ -36,7 +36,7 @@ static evidence add_up(const orr_track *t)
 
 static evidence look(orr_track_context *c, const orr_node *list, const orr_verdict *verdict, orr_track *t)
 {
-    orr_filter_range(c, list, verdict, t, 0, t->n - 1);
+    orr_filter_sums(c, list, verdict, t, 0, t->n - 1);
     return add_up(t);
 }
 

@@ -24,7 +24,7 @@ typedef struct orr_noise_choice {
 //   node_step_s  usual distance of nodes, s
 // Returned:
 //   value        the choice
-//   t            filtered with it
+//   t            its instants' sums of squares are those of the choice; states as before
 orr_noise_choice orr_noise_choose(orr_track_context *c, const orr_node *list, const orr_verdict *verdict,
                                   orr_track *t, bool filtered, double node_step_s);
 

@@ -59,9 +59,10 @@ static variances variances_at(const orr_instant *at, double scale)
     variances v = {{0}, 0};
     for (int a = 0; a < 3; a++) {
         for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) v.rtn[a] += axes.m[i][a] * at->smoothed.P[i][j] * axes.m[j][a];
+            for (int j = 0; j < 3; j++)
+                v.rtn[a] += axes.m[i][a] * orr_gauss_kept_P(&at->state, i, j) * axes.m[j][a];
         v.rtn[a] = fmax(v.rtn[a], 0) * scale * scale;
-        v.velocity += fmax(at->smoothed.P[3 + a][3 + a], 0) * scale * scale;
+        v.velocity += fmax(orr_gauss_kept_P(&at->state, 3 + a, 3 + a), 0) * scale * scale;
     }
     return v;
 }
@@ -109,24 +110,21 @@ static void set_state(const orr_track_context *c, const orr_grid_point *g, const
     if (orr_force_sunlight_fast(r, p.sun_m) < 1) s->flags |= ORR_EPH_ECLIPSE;
 }
 
-orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double node_step_s,
-                            const orr_track *t, const orr_verdict *verdict, double scale, orr_orbit_arc *arc)
+orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double node_step_s, orr_track *t,
+                            const orr_verdict *verdict, double scale, orr_orbit_arc *arc)
 {
     const size_t longest = orr_track_longest(t, 0, t->n - 1);
     double(*x)[ORR_NX] = malloc((longest + 1) * sizeof *x), (*b)[ORR_NW] = malloc(longest * sizeof *b);
     orr_join *join = NULL;
-    if (x == NULL || b == NULL || (c->noise.nx == ORR_NX && orr_join_files(t, &join) != ORR_OK)) {
-        free(x);
-        free(b);
-        return ORR_E_MEMORY;
-    }
+    orr_status status = x != NULL && b != NULL ? ORR_OK : ORR_E_MEMORY;
+    if (status == ORR_OK && c->noise.nx == ORR_NX) status = orr_join_files(c, t, &join);
     between_nodes nodes = {0};
     bool eclipsing = false;
     for (size_t k = 0; k < t->n; k++) eclipsing = eclipsing || t->at[k].next.near_shadow;
     const orr_claim claim = orr_noise_claim(c, node_step_s, eclipsing);
     scale *= claim.times;
     variances after = variances_at(&t->at[0], scale);
-    for (size_t k = 0; k < t->n; k++) {
+    for (size_t k = 0; k < t->n && status == ORR_OK; k++) {
         const orr_instant *at = &t->at[k], *next = k + 1 < t->n ? at + 1 : at;
         const variances before = after;
         after = variances_at(next, scale);
@@ -134,11 +132,11 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
         size_t n = next->grid - at->grid;
         if (n == 0 && next != at) continue; // a file ends and the next one begins
         if (n > 0)
-            orr_track_between(c, t, k, x, b);
+            status = orr_track_between(c, t, k, x, b);
         else
-            memcpy(x[n++], at->smoothed.x, sizeof x[0]);
-        orr_track_use_window(c, at->window, &at->smoothed.x[ORR_PARTIAL_ECOM]);
-        for (size_t j = 0; j < n; j++) {
+            memcpy(x[n++], at->state.x, sizeof x[0]);
+        orr_track_use_window(c, at->window, &at->state.x[ORR_PARTIAL_ECOM]);
+        for (size_t j = 0; j < n && status == ORR_OK; j++) {
             const orr_grid_point *g = &t->grid[at->grid + j];
             if (!g->sample) continue;
             orr_orbit_sample *s = &arc->sample[arc->n++];
@@ -156,5 +154,5 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
     free(x);
     free(b);
     free(join);
-    return ORR_OK;
+    return status;
 }

@@ -15,14 +15,14 @@ uint32_t orr_samples_flags(const orr_track_context *c, double node_step_s, const
 //   c            context; the reference of each window is taken into use as the samples go by
 //   list         nodes of the satellite
 //   node_step_s  usual distance of nodes, s
-//   t            the track
+//   t            the track; of a long one steps are made again
 //   verdict      of each node: rejected ones bound no flags
 //   scale        real to formal sigma
 //   arc          its sample holds t->n_samples, zeroed, of which arc->n are filled
 // Returned:
 //   arc          samples and n
-// Errors: ORR_E_MEMORY.
-orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double node_step_s,
-                            const orr_track *t, const orr_verdict *verdict, double scale, orr_orbit_arc *arc);
+// Errors: ORR_E_MEMORY, ORR_E_NUMERIC.
+orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double node_step_s, orr_track *t,
+                            const orr_verdict *verdict, double scale, orr_orbit_arc *arc);
 
 #endif

@@ -26,11 +26,11 @@ static double real_over_formal(const orr_satellite_work *w, const orr_track *t, 
         for (size_t i = at->first; i < at->first + at->n; i++) {
             const orr_node *node = &w->node[i];
             if (!orr_node_counts(node) || verdict[i].rejected) continue;
-            orr_vec3 x = orr_vec3_make(at->smoothed.x[0], at->smoothed.x[1], at->smoothed.x[2]);
+            orr_vec3 x = orr_vec3_make(at->state.x[0], at->state.x[1], at->state.x[2]);
             orr_vec3 e = orr_vec3_sub(orr_track_measured(w->c, at, node), x);
             double weight = 1.0 / (node->sigma_m * node->sigma_m);
             chi2 += weight * orr_vec3_dot(e, e);
-            for (int j = 0; j < 3; j++) formal2 += 1.0 - weight * at->smoothed.P[j][j];
+            for (int j = 0; j < 3; j++) formal2 += 1.0 - weight * orr_gauss_kept_P(&at->state, j, j);
             any = true;
         }
         instants += any;
@@ -65,7 +65,7 @@ static orr_status tell_file_noise(orr_satellite_work *w, const orr_track *t)
 }
 
 // Samples of the smoothed track as an arc of the solution.
-static orr_status emit_arc(orr_satellite_work *w, const orr_track *t, const orr_verdict *verdict)
+static orr_status emit_arc(orr_satellite_work *w, orr_track *t, const orr_verdict *verdict)
 {
     const size_t first = 0, last = t->n - 1;
     const double scale = w->c->noise.nx == ORR_NX ? w->scale : real_over_formal(w, t, verdict);
@@ -131,10 +131,10 @@ static orr_status settle(orr_satellite_work *w, orr_track *t, const orr_verdict 
         if (w->evidence != NULL)
             orr_file_evidence_add(w->c, w->node, verdict, t, step_s, w->n_files, w->evidence);
         smoothed = smoothed && !orr_noise_ratio_is_sought(step_s);
-    } else if (!smoothed) {
-        orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
     }
-    return smoothed ? ORR_OK : orr_smooth_range(w->c, t, 0, t->n - 1);
+    if (smoothed) return ORR_OK;
+    orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
+    return orr_smooth_range(w->c, verdict, t, 0, t->n - 1, NULL);
 }
 
 // One arc again on a grid of its own, from from_s to to_s, which may reach beyond its nodes list[i0..i1).
@@ -173,7 +173,7 @@ static double distance_from_orbit(const orr_satellite_work *w, const orr_track *
         return 0;
     // The empirical acceleration as it is at the end: 1e-7 m/s^2 are 4 cm in a quarter of an hour.
     const double dt = node->t_s - end->t_s;
-    const orr_vec3 f0 = orr_vec3_make(end->smoothed.x[6], end->smoothed.x[7], end->smoothed.x[8]);
+    const orr_vec3 f0 = orr_vec3_make(end->state.x[6], end->state.x[7], end->state.x[8]);
     const orr_mat3 axes = orr_track_axes(w->c, end->t_s, end->r_m, end->v_mps);
     there.r_m = orr_vec3_axpy(0.5 * dt * dt, orr_mat3_apply(&axes, f0), there.r_m);
     return orr_vec3_norm(orr_track_measured(w->c, &there, node));

@@ -29,12 +29,12 @@ typedef struct orr_satellite_work {
 // Position of the smoothed orbit at an instant, integration axes, m.
 static inline orr_vec3 orr_smoothed_r(const orr_instant *at)
 {
-    return orr_vec3_add(at->r_m, orr_vec3_make(at->smoothed.x[0], at->smoothed.x[1], at->smoothed.x[2]));
+    return orr_vec3_add(at->r_m, orr_vec3_make(at->state.x[0], at->state.x[1], at->state.x[2]));
 }
 // Its velocity, m/s.
 static inline orr_vec3 orr_smoothed_v(const orr_instant *at)
 {
-    return orr_vec3_add(at->v_mps, orr_vec3_make(at->smoothed.x[3], at->smoothed.x[4], at->smoothed.x[5]));
+    return orr_vec3_add(at->v_mps, orr_vec3_make(at->state.x[3], at->state.x[4], at->state.x[5]));
 }
 // An instant of the track.
 static inline orr_time orr_satellite_time(const orr_satellite_work *w, double t_s)

@@ -73,6 +73,7 @@ typedef struct work {
     double *room;
     double wrong2, floor_m;
     fitted *fitted;
+    orr_fresh_start *fresh; // of the track's instants, as find_push asked for them last
 } work;
 
 void orr_segmentation_free(orr_segmentation *s)
@@ -120,16 +121,19 @@ static bool is_fitted(const work *w, const orr_arc_range *arc)
            note_verdicts(w, a, b);
 }
 
-// Filter and smoother with the verdicts as they are; nothing is done twice.
-static orr_status fit(const work *w, size_t a, size_t b)
+// Filter and smoother with the verdicts as they are; nothing is done twice, unless what could begin anew is asked for
+// (fresh).
+static orr_status fit_with(const work *w, size_t a, size_t b, orr_fresh_start *fresh)
 {
     const size_t first = w->g[a].instant, last = w->g[b - 1].instant;
-    if (note_verdicts(w, a, b)) return ORR_OK;
+    if (note_verdicts(w, a, b) && fresh == NULL) return ORR_OK;
     orr_filter_range(w->c, w->list, w->verdict, w->t, first, last);
-    const orr_status s = orr_smooth_range(w->c, w->t, first, last);
+    const orr_status s = orr_smooth_range(w->c, w->verdict, w->t, first, last, fresh);
     if (s != ORR_OK) w->fitted->b = w->fitted->a;
     return s;
 }
+
+static orr_status fit(const work *w, size_t a, size_t b) { return fit_with(w, a, b, NULL); }
 
 typedef struct look {
     double scale2;             // robust: of the used nodes
@@ -189,17 +193,17 @@ static best_push find_push(const work *w, size_t a, size_t b, double scale2)
 {
     best_push best = {0};
     size_t before = a;
+    if (fit_with(w, a, b, w->fresh) != ORR_OK) return best;
     for (size_t g = a + 1; g < b; g++) {
         const orr_instant *at = instant_of(w, g);
-        orr_fresh_start f;
+        const orr_fresh_start *f = &w->fresh[w->g[g].instant];
         if (group_rejected(w, g)) continue;
         const double step_s = at->t_s - instant_of(w, before)->t_s;
         before = g;
-        if (w->verdict[at->first].begins_anew || orr_fresh_start_at(at, w->c->noise.nx, &f) != ORR_OK)
-            continue;
-        const double cost = 3 * w->wrong2 * (meets(&f, step_s) ? PUSH_COST : JUMP_COST);
-        if (f.gain - cost * scale2 > best.gain - best.cost * scale2 || best.g == 0)
-            best = (best_push){g, f.gain, cost};
+        if (w->verdict[at->first].begins_anew || !f->told) continue;
+        const double cost = 3 * w->wrong2 * (meets(f, step_s) ? PUSH_COST : JUMP_COST);
+        if (f->gain - cost * scale2 > best.gain - best.cost * scale2 || best.g == 0)
+            best = (best_push){g, f->gain, cost};
     }
     return best;
 }
@@ -442,16 +446,21 @@ static size_t make_groups(const orr_node *list, const orr_track *t, group *out)
 static void tell_joints(const work *w, size_t a, size_t b)
 {
     const double scale2 = look_at(w, a, b).scale2;
+    bool asked = false; // the filter has admitted joints of rich orbits
+    for (size_t g = a + 1; g < b; g++)
+        asked = asked || (w->g[g].joint && !w->verdict[instant_of(w, g)->first].begins_anew &&
+                          !instant_of(w, g)->step);
+    if (asked && fit_with(w, a, b, w->fresh) != ORR_OK) return;
     for (size_t g = a + 1; g < b; g++) {
         const orr_instant *at = instant_of(w, g);
-        orr_fresh_start f;
+        orr_fresh_start f = w->fresh[w->g[g].instant];
         if (!w->g[g].joint || w->verdict[at->first].begins_anew) continue;
         if (at->step) { // the filter has admitted it: what it was is its variance times u
             const double r = ORR_FILE_STEP_R_M * ORR_FILE_STEP_R_M,
                          v = ORR_FILE_STEP_V_MPS * ORR_FILE_STEP_V_MPS;
             f.r_m = orr_vec3_scale(r, (orr_vec3){at->u[0], at->u[1], at->u[2]});
             f.v_mps = orr_vec3_scale(v, (orr_vec3){at->u[3], at->u[4], at->u[5]});
-        } else if (orr_fresh_start_at(at, w->c->noise.nx, &f) != ORR_OK || f.gain < 3 * w->wrong2 * scale2) {
+        } else if (!f.told || f.gain < 3 * w->wrong2 * scale2) {
             continue;
         }
         const double r_m = orr_vec3_norm(f.r_m);
@@ -501,8 +510,10 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     out->verdict = calloc(n + 1, sizeof *out->verdict);
     out->arc = malloc((n + 1) * sizeof *out->arc);
     w.room = malloc((n + 1) * sizeof *w.room);
+    w.fresh = calloc(t->n + 1, sizeof *w.fresh);
     orr_status s = ORR_E_MEMORY;
-    if (g == NULL || last.verdict == NULL || out->verdict == NULL || out->arc == NULL || w.room == NULL)
+    if (g == NULL || last.verdict == NULL || out->verdict == NULL || out->arc == NULL || w.room == NULL ||
+        w.fresh == NULL)
         goto done;
     const size_t n_groups = make_groups(list, t, g);
     s = n_groups > 0 ? ORR_OK : ORR_E_NODATA;
@@ -520,12 +531,13 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     if (s == ORR_OK && !quiet && out->n_arcs == 1 && is_fitted(&w, &out->arc[0])) goto done;
     for (size_t a = 0; a < out->n_arcs && s == ORR_OK; a++) {
         orr_filter_range(c, list, out->verdict, t, out->arc[a].first, out->arc[a].last);
-        s = orr_smooth_range(c, t, out->arc[a].first, out->arc[a].last);
+        s = orr_smooth_range(c, out->verdict, t, out->arc[a].first, out->arc[a].last, NULL);
     }
 done:
     free(last.verdict);
     free(g);
     free(w.room);
+    free(w.fresh);
     if (s != ORR_OK) orr_segmentation_free(out);
     return s;
 }

@@ -6,7 +6,8 @@
 
 #include "orbit/smooth/file_noise.h"
 
-#define STOP_S 900.0 // between instants without nodes, at most
+#define KEPT_STEPS 2500 // of a grid: four days of 150 s, 2.3 MB
+#define STOP_S 900.0    // between instants without nodes, at most
 #define WIDE_GAP_S 10800.0
 #define OPEN_END 100.0
 #define OPEN_END_OF_REFERENCE 100.0 // three hours of 2010-182 are 3.6 sigma off without, 0.9 with it
@@ -16,6 +17,7 @@ void orr_track_free(orr_track *t)
 {
     free(t->at);
     free(t->grid);
+    free(t->steps.step);
     *t = (orr_track){0};
 }
 
@@ -243,7 +245,8 @@ static void append(double F[6][ORR_NX], double G[6][ORR_NX])
 }
 
 // The step of h that departs from grid point a: (r, v) moves to its end, past the borders of the shadow one by one.
-static orr_status step_on(const orr_track_context *c, orr_grid_point *a, double h, orr_vec3 *r, orr_vec3 *v)
+static orr_status step_on(const orr_track_context *c, const orr_grid_point *a, double h, orr_vec3 *r,
+                          orr_vec3 *v, orr_grid_step *out)
 {
     double border[ORR_INTEGRATE_BORDERS + 1], from = 0;
     size_t n =
@@ -256,9 +259,9 @@ static orr_status step_on(const orr_track_context *c, orr_grid_point *a, double 
         s.r1_m = *r, s.v1_mps = *v;
         double F[6][ORR_NX];
         orr_mat3 middle;
-        linearise(c, &s, &middle, k == 0 ? a->F : F);
-        if (k > 0) append(a->F, F);
-        if (s.t_s <= a->t_s + h / 2) a->axes = middle;
+        linearise(c, &s, &middle, k == 0 ? out->F : F);
+        if (k > 0) append(out->F, F);
+        if (s.t_s <= a->t_s + h / 2) out->axes = middle;
     }
     return ORR_OK;
 }
@@ -358,10 +361,12 @@ static bool smooth_way(const orr_track_context *c, double t_s, double h_s, orr_v
            orr_integrate_borders(c->integrator, t_s, h_s, r, v, border) == 0;
 }
 
-// From instant k to the next one: the grid's states and the transition.
-static orr_status go_on(const orr_track_context *c, orr_track *t, size_t k, orr_vec3 *r, orr_vec3 *v)
+// From instant k to the next one: the grid's states and steps; and the transition (NULL: not again).
+static orr_status go_on(const orr_track_context *c, orr_track *t, size_t k, orr_vec3 *r, orr_vec3 *v,
+                        orr_transition *next)
 {
-    orr_instant *at = &t->at[k];
+    const orr_instant *at = &t->at[k];
+    orr_grid_step *step = t->steps.step + (at->grid - t->steps.first);
     const size_t last = t->at[k + 1].grid;
     const double way_s = t->grid[last].t_s - at->t_s;
     const bool whole = last > at->grid + 1 && smooth_way(c, at->t_s, way_s, *r, *v);
@@ -374,8 +379,8 @@ static orr_status go_on(const orr_track_context *c, orr_track *t, size_t k, orr_
         make_piece(c, at->t_s, &piece);
         *r = piece.r0, *v = piece.v0;
     }
-    orr_transition_start(&at->next);
-    for (size_t g = at->grid; g < last; g++) {
+    if (next != NULL) orr_transition_start(next);
+    for (size_t g = at->grid; g < last; g++, step++) {
         orr_grid_point *a = &t->grid[g];
         const double h = t->grid[g + 1].t_s - a->t_s;
         a->r_m = *r, a->v_mps = *v;
@@ -385,16 +390,69 @@ static orr_status go_on(const orr_track_context *c, orr_track *t, size_t k, orr_
             else
                 piece_at(&piece, (t->grid[g + 1].t_s - at->t_s) / way_s, r, v, NULL);
             const orr_orbit_step s = {a->t_s, h, a->r_m, a->v_mps, *r, *v};
-            linearise(c, &s, &a->axes, a->F);
+            linearise(c, &s, &step->axes, step->F);
         } else {
-            const orr_status s = step_on(c, a, h, r, v);
+            const orr_status s = step_on(c, a, h, r, v, step);
             if (s != ORR_OK) return s;
         }
+        if (next == NULL) continue;
         a->near_shadow = c->noise.nx == ORR_NX && near_shadow(c, a);
-        orr_transition_append(&at->next, a->F, &a->axes, h, at->noise * c->noise.qf_m2ps5, c->noise.qv_m2ps3,
+        orr_transition_append(next, step->F, &step->axes, h, at->noise * c->noise.qf_m2ps5, c->noise.qv_m2ps3,
                               a->near_shadow);
     }
     return ORR_OK;
+}
+
+// Room for the steps: of all the grid, or of one interval of a long one.
+static orr_status room_for_steps(orr_track *t)
+{
+    size_t most = t->n_grid;
+    if (t->steps.step != NULL) return ORR_OK;
+    t->steps.all = most <= KEPT_STEPS;
+    if (!t->steps.all) most = orr_track_longest(t, 0, t->n - 1);
+    t->steps.step = malloc((most + 1) * sizeof *t->steps.step);
+    return t->steps.step != NULL ? ORR_OK : ORR_E_MEMORY;
+}
+
+size_t orr_track_longest(const orr_track *t, size_t first, size_t last)
+{
+    size_t most = 1;
+    for (size_t k = first; k < last; k++)
+        if (t->at[k + 1].grid - t->at[k].grid > most) most = t->at[k + 1].grid - t->at[k].grid;
+    return most;
+}
+
+static orr_status go_on_and_keep(const orr_track_context *c, orr_track *t, size_t k, orr_vec3 *r, orr_vec3 *v)
+{
+    orr_transition next;
+    if (!t->steps.all) t->steps.first = t->at[k].grid;
+    const orr_status s = go_on(c, t, k, r, v, &next);
+    if (s == ORR_OK) orr_transition_keep(&next, &t->at[k].next);
+    t->steps.n = t->at[k + 1].grid - t->steps.first;
+    return s;
+}
+
+orr_status orr_track_step(const orr_track_context *c, orr_track *t, size_t g, const orr_grid_step **out)
+{
+    orr_status s = ORR_OK;
+    if (g < t->steps.first || g >= t->steps.first + t->steps.n) {
+        size_t k = 0, end = t->n - 1; // at[k].grid <= g < at[end].grid
+        while (end - k > 1) {
+            const size_t middle = k + (end - k) / 2;
+            if (t->at[middle].grid <= g)
+                k = middle;
+            else
+                end = middle;
+        }
+        orr_vec3 r = t->at[k].r_m, v = t->at[k].v_mps;
+        orr_track_use_window(c, t->at[k].window, NULL);
+        t->steps.first = t->at[k].grid;
+        s = go_on(c, t, k, &r, &v, NULL);
+        t->steps.n = t->at[k + 1].grid - t->steps.first;
+        orr_integrator_set(c->integrator, c->force, ORR_INTEGRATE_MAX_STEP_S);
+    }
+    *out = &t->steps.step[g - t->steps.first];
+    return s;
 }
 
 orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *reference, orr_track *t)
@@ -402,6 +460,8 @@ orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *
     size_t k0 = 0;
     while (k0 < t->n && reference_at(&t->at[k0], reference) == NULL) k0++;
     if (k0 == t->n) return ORR_E_NODATA;
+    const orr_status ready = room_for_steps(t);
+    if (ready != ORR_OK) return ready;
     const orr_reference *start = reference_at(&t->at[k0], reference);
     orr_vec3 r = start->r_m, v = start->v_mps;
     orr_track_use_window(c, t->at[k0].window, NULL);
@@ -425,7 +485,7 @@ orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *
         t->grid[at->grid].r_m = r, t->grid[at->grid].v_mps = v;
         if (k + 1 == t->n) break;
         orr_track_use_window(c, at->window, NULL);
-        s = go_on(c, t, k, &r, &v);
+        s = go_on_and_keep(c, t, k, &r, &v);
         if (s != ORR_OK) return s;
     }
     orr_integrator_set(c->integrator, c->force, ORR_INTEGRATE_MAX_STEP_S);

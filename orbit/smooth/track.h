@@ -27,9 +27,13 @@ typedef struct orr_grid_point {
     bool sample;      // on the uniform grid that the product takes its samples from
     bool near_shadow; // the step is, or the satellite has just left it
     orr_vec3 r_m, v_mps;
+} orr_grid_point;
+
+// How the step from a point of the grid to the next one answers to small changes.
+typedef struct orr_grid_step {
     orr_mat3 axes;       // f0's to integration axes, at mid-step
     double F[6][ORR_NX]; // partial derivatives of the step
-} orr_grid_point;
+} orr_grid_step;
 
 // An instant at which the filter stops: nodes, both ends, and places between that are not far apart.
 typedef struct orr_instant {
@@ -42,21 +46,28 @@ typedef struct orr_instant {
     bool noon;       // of GPS time
     bool pulse;      // the velocity may have a step, which the file has at noon
     double shadow;   // the noise near the Earth's shadow is so much more over the next step: 0 as elsewhere
-    orr_vec3 r_m, v_mps; // a-priori state from which the next step departs
-    orr_transition next; // to the following instant
+    orr_vec3 r_m, v_mps;      // a-priori state from which the next step departs
+    orr_transition_kept next; // to the following instant
     double noise; // factor of qf over the next step; above 1 in long gaps without Earth-orientation data
     double shift[ORR_NX]; // arriving minus departing a-priori state
     double u[ORR_NX];     // the smoother's, of the step that arrives
     double d2,
         log_det; // normalised squares of the innovations, and half ln det of their covariance; of count nodes
     size_t count;
-    orr_gauss predicted, filtered, smoothed; // of deviations from the departing state
+    orr_gauss_kept state; // of deviations from the departing state: filtered, and smoothed in its place
 } orr_instant;
 
 typedef struct orr_track {
     size_t n, n_grid;
     orr_instant *at;
     orr_grid_point *grid;
+    // Steps of the grid's points. A long track does not keep them: they are made again, interval by interval, for
+    // whoever asks (orr_track_step).
+    struct {
+        orr_grid_step *step; // of the points from `first` on, n of them
+        size_t first, n;
+        bool all;
+    } steps;
     double step_s; // of the samples
     size_t n_samples, samples_per_segment;
 } orr_track;
@@ -119,6 +130,12 @@ void orr_track_free(orr_track *t);
 // restarts at every later one; reference[i] belongs to node list[i]. ORR_E_NUMERIC if it leaves sense,
 // ORR_E_NODATA without any reference.
 orr_status orr_track_linearise(const orr_track_context *c, const orr_reference *reference, orr_track *t);
+
+// Steps of the longest interval of instants first..last, at least 1.
+size_t orr_track_longest(const orr_track *t, size_t first, size_t last);
+// The step that departs from point g of the grid of a linearised track; *out stays good until another interval's step is
+// asked for. The force is then that of its window. Errors: ORR_E_NUMERIC.
+orr_status orr_track_step(const orr_track_context *c, orr_track *t, size_t g, const orr_grid_step **out);
 
 // The window of the reference that an instant lies in.
 size_t orr_track_window(const orr_track_context *c, double t_s);
