@@ -102,13 +102,6 @@ const orr_navfit_field *orr_almanac_field(const orr_almanac_lattice *l, orr_alma
     return part == ORR_ALMANAC_AF0 ? &l->af0 : part == ORR_ALMANAC_AF1 ? &l->af1 : &l->field[part];
 }
 
-int orr_almanac_toa_step_s(const orr_almanac_lattice *l) { return l->toa_step_s; }
-
-static double reference_of(const orr_almanac_lattice *l, orr_sat sat)
-{
-    return orr_nav_beidou_geo(sat) ? 0 : l->i_reference;
-}
-
 enum {
     SQRT_A = ORR_ALMANAC_SQRT_A,
     E = ORR_ALMANAC_E,
@@ -118,6 +111,20 @@ enum {
     OMEGA0 = ORR_ALMANAC_OMEGA0,
     OMEGA_DOT = ORR_ALMANAC_OMEGA_DOT
 };
+
+void orr_almanac_values(const orr_almanac *a, double value[ORR_ALMANAC_PARTS])
+{
+    value[SQRT_A] = a->sqrt_a_sqrtm, value[E] = a->e, value[OMEGA] = a->omega_rad, value[M0] = a->m0_rad;
+    value[DELTA_I] = a->i_offset_rad, value[OMEGA0] = a->omega0_rad, value[OMEGA_DOT] = a->omega_dot_radps;
+    value[ORR_ALMANAC_AF0] = a->af0_s, value[ORR_ALMANAC_AF1] = a->af1_sps;
+}
+
+int orr_almanac_toa_step_s(const orr_almanac_lattice *l) { return l->toa_step_s; }
+
+static double reference_of(const orr_almanac_lattice *l, orr_sat sat)
+{
+    return orr_nav_beidou_geo(sat) ? 0 : l->i_reference;
+}
 
 typedef struct problem {
     const orr_navfit_window *w;

@@ -29,7 +29,10 @@ typedef enum orr_almanac_part { // its parameters, in the order of the fit
     ORR_ALMANAC_OMEGA_DOT,
     ORR_ALMANAC_AF0,
     ORR_ALMANAC_AF1,
+    ORR_ALMANAC_PARTS
 } orr_almanac_part;
+// An almanac's parameters in that order.
+void orr_almanac_values(const orr_almanac *a, double value[ORR_ALMANAC_PARTS]);
 
 // In which fields a system's almanac is sent.
 typedef struct orr_almanac_lattice orr_almanac_lattice;

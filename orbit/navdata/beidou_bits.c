@@ -102,9 +102,8 @@ static void put_almanac(const orr_beidou_subframe *d, orr_page *p)
                                   last[] = {ORR_ALMANAC_OMEGA_DOT, ORR_ALMANAC_OMEGA, ORR_ALMANAC_M0};
     const orr_almanac *a = d->almanac;
     const orr_almanac_lattice *l = orr_almanac_lattice_of(d->eph->sat);
-    const double value[] = {a->sqrt_a_sqrtm, a->e,          a->omega_rad,       a->m0_rad,
-                            a->i_offset_rad, a->omega0_rad, a->omega_dot_radps, a->af0_s,
-                            a->af1_sps};
+    double value[ORR_ALMANAC_PARTS];
+    orr_almanac_values(a, value);
     for (size_t k = 0; k < 6; k++) orr_page_value(p, orr_almanac_field(l, first[k]), value[first[k]]);
     orr_page_put(p, 8, d->toa_s / 4096);
     for (size_t k = 0; k < 3; k++) orr_page_value(p, orr_almanac_field(l, last[k]), value[last[k]]);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/cnav_bits.h"
 
-#include "orbit/navdata/kepler_lattice.h"
-#include "orbit/navdata/system_week.h"
+#include "orbit/navdata/modern_blocks.h"
 
 #define GALILEO 1 // of GNSS-ID in message 35
 
-static const orr_navfit_field isc = ORR_SIGNED("ISC", P2(35), 13), a0 = ORR_SIGNED("A0", P2(35), 16),
-                              a1 = ORR_SIGNED("A1", P2(51), 13),
+static const orr_navfit_field isc = ORR_SIGNED("ISC", P2(35), 13),
                               alpha[4] = {ORR_SIGNED("alpha0", P2(30), 8), ORR_SIGNED("alpha1", P2(27), 8),
                                           ORR_SIGNED("alpha2", P2(24), 8), ORR_SIGNED("alpha3", P2(24), 8)},
                               beta[4] = {ORR_SIGNED("beta0", 0x1p11, 8), ORR_SIGNED("beta1", 0x1p14, 8),
@@ -31,93 +29,66 @@ static void put_head(const orr_cnav_message *c, int type, orr_page *p)
     orr_page_put(p, 1, 0);
 }
 
-static void put_elements(const orr_nav_eph *e, const uint8_t *list, size_t n, orr_page *p)
-{
-    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
-    double value[ORR_KEPLER_N];
-    orr_kepler_lattice_values(l, &e->kepler, value);
-    for (size_t i = 0; i < n; i++) orr_page_value(p, &l->element[list[i]], value[list[i]]);
-}
-
-static void put_toe(const orr_nav_eph *e, orr_page *p)
-{
-    orr_page_value(p, &orr_kepler_lattice_of(e->sat, e->message)->toe, e->kepler.toe_sow_s);
-}
-
-static void put_top(const orr_nav_eph *e, orr_page *p)
-{
-    orr_page_put(p, 11, (uint64_t)(e->kepler.top_sow_s / 300));
-}
-
 static void message_10(const orr_cnav_message *c, orr_page *p)
 {
-    static const uint8_t list[] = {ORR_KEPLER_SQRT_A, ORR_KEPLER_A_DOT, ORR_KEPLER_DELTA_N, ORR_KEPLER_N_DOT,
-                                   ORR_KEPLER_LAMBDA, ORR_KEPLER_EX,    ORR_KEPLER_EY};
     int32_t week;
     seconds_of_week(c->next - 1, &week); // of the message itself, the last before the next one's begin
     orr_page_put(p, 13, (uint64_t)week);
     orr_page_put(p, 3, c->eph->health != 0 ? 7 : 0); // L1, L2, L5
-    put_top(c->eph, p);
+    orr_modern_top(c->eph, p);
     orr_page_put(p, 5, (uint64_t)(int64_t)c->eph->ura_ed);
-    put_toe(c->eph, p);
-    put_elements(c->eph, list, sizeof list, p);
+    orr_modern_toe(c->eph, p);
+    orr_modern_elements_1(c->eph, p);
     orr_page_zeros(p, 1 + 1 + 3); // integrity status, L2C phasing, reserved
 }
 
 static void message_11(const orr_cnav_message *c, orr_page *p)
 {
-    static const uint8_t list[] = {ORR_KEPLER_OMEGA0, ORR_KEPLER_I0,  ORR_KEPLER_OMEGA_DOT, ORR_KEPLER_IDOT,
-                                   ORR_KEPLER_CIS,    ORR_KEPLER_CIC, ORR_KEPLER_CRS,       ORR_KEPLER_CRC,
-                                   ORR_KEPLER_CUS,    ORR_KEPLER_CUC};
-    put_toe(c->eph, p);
-    put_elements(c->eph, list, sizeof list, p);
+    orr_modern_toe(c->eph, p);
+    orr_modern_elements_2(c->eph, p);
     orr_page_zeros(p, 7);
 }
 
 // top, URA_NED, toc, af0, af1, af2: common to the messages from 30 on.
 static void put_clock(const orr_nav_eph *e, orr_page *p)
 {
-    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
-    int32_t week;
-    put_top(e, p);
+    orr_modern_top(e, p);
     orr_page_put(p, 5, (uint64_t)(int64_t)e->ura_ned[0]);
     orr_page_put(p, 3, (uint64_t)e->ura_ned[1]);
     orr_page_put(p, 3, (uint64_t)e->ura_ned[2]);
-    orr_page_value(p, &l->toc, (double)seconds_of_week(e->toc, &week));
-    orr_page_value(p, &l->clock[0], e->af0_s);
-    orr_page_value(p, &l->clock[1], e->af1_sps);
-    orr_page_value(p, &l->clock[2], e->af2_sps2);
+    orr_modern_clock(e, p);
+}
+
+void orr_cnav_put_delay(double delay_s, orr_page *p) { orr_page_value(p, &isc, delay_s); }
+
+void orr_cnav_put_klobuchar(const double a[4], const double b[4], orr_page *p)
+{
+    for (int k = 0; k < 4; k++) orr_page_value(p, &alpha[k], a[k]);
+    for (int k = 0; k < 4; k++) orr_page_value(p, &beta[k], b[k]);
+}
+
+void orr_cnav_put_week_of_prediction(const orr_nav_eph *e, orr_page *p)
+{
+    int32_t week;
+    seconds_of_week(e->transmission, &week);
+    orr_page_put(p, 8, (uint64_t)week);
 }
 
 static void message_30(const orr_cnav_message *c, orr_page *p)
 {
     const orr_nav_delays *d = &c->eph->delay;
     const double delay[] = {d->tgd_s, d->isc_l1ca_s, d->isc_l2c_s, d->isc_l5i5_s, d->isc_l5q5_s};
-    int32_t week;
     put_clock(c->eph, p);
-    for (int k = 0; k < 5; k++) orr_page_value(p, &isc, delay[k]);
-    for (int k = 0; k < 4; k++) orr_page_value(p, &alpha[k], c->alpha[k]);
-    for (int k = 0; k < 4; k++) orr_page_value(p, &beta[k], c->beta[k]);
-    seconds_of_week(c->eph->transmission, &week);
-    orr_page_put(p, 8, (uint64_t)week); // WN_OP, of top
+    for (int k = 0; k < 5; k++) orr_cnav_put_delay(delay[k], p);
+    orr_cnav_put_klobuchar(c->alpha, c->beta, p);
+    orr_cnav_put_week_of_prediction(c->eph, p);
     orr_page_zeros(p, 12);
 }
 
 static void message_33(const orr_cnav_message *c, orr_page *p)
 {
-    const orr_nav_utc *u = &c->utc;
-    int32_t week;
-    const uint64_t tot = seconds_of_week(u->reference, &week);
     put_clock(c->eph, p);
-    orr_page_value(p, &a0, u->a0_s);
-    orr_page_value(p, &a1, u->a1_sps);
-    orr_page_zeros(p, 7); // A2
-    orr_page_put(p, 8, (uint64_t)u->leap_s);
-    orr_page_put(p, 16, tot / 16);
-    orr_page_put(p, 13, (uint64_t)week);
-    orr_page_put(p, 13, (uint64_t)u->week_lsf);
-    orr_page_put(p, 4, (uint64_t)u->day);
-    orr_page_put(p, 8, (uint64_t)u->leap_future_s);
+    orr_modern_utc(&c->utc, c->eph->sat, p);
     orr_page_zeros(p, 51);
 }
 
@@ -129,7 +100,8 @@ static void message_35(const orr_cnav_message *c, orr_page *p)
     orr_page_put(p, 16, t / 16);
     orr_page_put(p, 13, (uint64_t)week);
     orr_page_put(p, 3, GALILEO);
-    orr_page_zeros(p, 16 + 13 + 7 + 81); // A0, A1, A2; reserved
+    orr_modern_no_offset(p);
+    orr_page_zeros(p, 81);
 }
 
 void orr_cnav_message_bits(const orr_cnav_message *c, int type, orr_page *p)

@@ -142,9 +142,8 @@ static void put_almanac(const orr_galileo_page *g, int k, orr_almanac_part part,
         orr_page_zeros(p, f->bits);
         return;
     }
-    const double value[] = {a->sqrt_a_sqrtm, a->e,          a->omega_rad,       a->m0_rad,
-                            a->i_offset_rad, a->omega0_rad, a->omega_dot_radps, a->af0_s,
-                            a->af1_sps};
+    double value[ORR_ALMANAC_PARTS];
+    orr_almanac_values(a, value);
     orr_page_value(p, f, value[part]);
 }
 

@@ -89,7 +89,7 @@ static const orr_kepler_lattice bcnav_high = {.n = 17,
                                               TIMES(300, 11)};
 
 // BeiDou-3's geostationary (C59-C63) and inclined geosynchronous satellites (C38-C40), by the system's table of satellites.
-static bool is_high(orr_sat sat)
+bool orr_kepler_is_high(orr_sat sat)
 {
     const int n = orr_sat_number(sat);
     return n <= 10 || n == 13 || n == 16 || n == 31 || (n >= 38 && n <= 40) || n == 56 || n >= 59;
@@ -111,9 +111,9 @@ const orr_kepler_lattice *orr_kepler_lattice_of(orr_sat sat, uint8_t message)
         return system == 'J' ? &cnav_qzss : &cnav;
     case ORR_NAV_CNV1:
     case ORR_NAV_CNV3:
-        return is_high(sat) ? &bcnav_high : &bcnav;
+        return orr_kepler_is_high(sat) ? &bcnav_high : &bcnav;
     case ORR_NAV_CNV2:
-        if (system == 'C') return is_high(sat) ? &bcnav_high : &bcnav;
+        if (system == 'C') return orr_kepler_is_high(sat) ? &bcnav_high : &bcnav;
         return system == 'J' ? &cnav_qzss : &cnav;
     default:
         return NULL;

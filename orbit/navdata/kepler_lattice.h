@@ -23,4 +23,7 @@ void orr_kepler_lattice_values(const orr_kepler_lattice *l, const orr_nav_kepler
 // The lattice of a message of a satellite (BeiDou's reference of a is another for MEO); NULL for what sends no elements.
 const orr_kepler_lattice *orr_kepler_lattice_of(orr_sat sat, uint8_t message);
 
+// Whether a BeiDou satellite is geostationary or inclined geosynchronous, by the system's table of satellites.
+bool orr_kepler_is_high(orr_sat sat);
+
 #endif

@@ -2,10 +2,12 @@
 #include "orbit/navdata/nav_stream.h"
 
 static const orr_nav_stream streams[] = {
-    {'G', ORR_NAV_LNAV, "L1CA"},      {'G', ORR_NAV_CNAV, "L2C"},   {'G', ORR_NAV_CNAV, "L5"},
-    {'R', ORR_NAV_FDMA, "L1OF L2OF"}, {'E', ORR_NAV_INAV, "E1"},    {'E', ORR_NAV_INAV, "E5b"},
-    {'E', ORR_NAV_FNAV, "E5a"},       {'C', ORR_NAV_D1, "B1I B3I"}, {'C', ORR_NAV_D2, "B1I B3I"},
-    {'J', ORR_NAV_LNAV, "L1CA"},      {'J', ORR_NAV_CNAV, "L2C"},   {'J', ORR_NAV_CNAV, "L5"},
+    {'G', ORR_NAV_LNAV, "L1CA"},  {'G', ORR_NAV_CNAV, "L2C"},       {'G', ORR_NAV_CNAV, "L5"},
+    {'G', ORR_NAV_CNV2, "L1C"},   {'R', ORR_NAV_FDMA, "L1OF L2OF"}, {'E', ORR_NAV_INAV, "E1"},
+    {'E', ORR_NAV_INAV, "E5b"},   {'E', ORR_NAV_FNAV, "E5a"},       {'C', ORR_NAV_D1, "B1I B3I"},
+    {'C', ORR_NAV_D2, "B1I B3I"}, {'C', ORR_NAV_CNV1, "B1C"},       {'C', ORR_NAV_CNV2, "B2a"},
+    {'C', ORR_NAV_CNV3, "B2b"},   {'J', ORR_NAV_LNAV, "L1CA"},      {'J', ORR_NAV_CNAV, "L2C"},
+    {'J', ORR_NAV_CNAV, "L5"},    {'J', ORR_NAV_CNV2, "L1C"},
 };
 
 const orr_nav_stream *orr_nav_streams(size_t *n)

@@ -5,7 +5,7 @@
 
 #include "orbit/navdata/navframe_private.h"
 
-static navframe_make *maker_of(uint8_t message)
+static navframe_make *maker_of(char system, uint8_t message)
 {
     switch (message) {
     case ORR_NAV_LNAV:
@@ -22,6 +22,12 @@ static navframe_make *maker_of(uint8_t message)
         return navframe_d2;
     case ORR_NAV_CNAV:
         return navframe_cnav;
+    case ORR_NAV_CNV1:
+        return navframe_bcnav1;
+    case ORR_NAV_CNV2:
+        return system == 'C' ? navframe_bcnav2 : navframe_cnav2;
+    case ORR_NAV_CNV3:
+        return navframe_bcnav3;
     default:
         return NULL;
     }
@@ -34,7 +40,7 @@ orr_status orr_navframe_at(const orr_navset *set, orr_sat sat, const orr_nav_str
     char name[ORR_SAT_TEXT];
     const orr_nav_stream *list[ORR_NAVSET_STREAMS];
     if (stream == NULL && orr_navset_streams(set, sat, list) > 0) stream = list[0];
-    navframe_make *make = stream != NULL ? maker_of(stream->message) : NULL;
+    navframe_make *make = stream != NULL ? maker_of(stream->system, stream->message) : NULL;
     memset(out, 0, sizeof *out);
     out->sat = sat, out->coded = coded, out->stream = stream;
     const orr_status s = make != NULL ? make(set, sat, stream, t, coded, out, &why) : ORR_E_NODATA;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/parallel.h"
+#include "orbit/navdata/bcnav_bits.h"
 #include "orbit/navdata/lnav_bits.h"
 #include "orbit/navdata/navset_private.h"
 #include "orbit/navdata/system_week.h"
@@ -26,6 +27,9 @@ static void fit_one(void *user, size_t i)
     navset_fit_satellite(w->e, w->o, &w->sat[i]);
 }
 
+// BeiDou-3's satellites in medium and inclined orbits (C19 to C58) send B1C, B2a and B2b with B-CNAV.
+static bool sends_bcnav(orr_sat sat) { return orr_sat_number(sat) >= 19 && !orr_nav_beidou_geo(sat); }
+
 // The messages of a satellite that are wanted; numbers that a message cannot name have none.
 static uint32_t wanted(const orr_navset_options *o, orr_sat sat)
 {
@@ -36,6 +40,9 @@ static uint32_t wanted(const orr_navset_options *o, orr_sat sat)
         return 0;
     uint32_t messages = orr_nav_streams_of(system);
     if (system == 'C') messages &= ~(UINT32_C(1) << (orr_nav_beidou_geo(sat) ? ORR_NAV_D1 : ORR_NAV_D2));
+    if (system == 'C' && !sends_bcnav(sat))
+        messages &=
+            ~(UINT32_C(1) << ORR_NAV_CNV1 | UINT32_C(1) << ORR_NAV_CNV2 | UINT32_C(1) << ORR_NAV_CNV3);
     return o->messages != 0 ? messages & o->messages : messages;
 }
 
@@ -149,7 +156,7 @@ static bool holds(const double *value, const orr_navfit_field *field, size_t n)
     return true;
 }
 
-// Galileo's three coefficients and BeiDou's eight, the first that their messages can send.
+// Galileo's three coefficients, BeiDou's eight and BDGIM's nine, the first that their messages can send.
 static void take_others(orr_navset *set, const orr_nav *nav)
 {
     static const orr_navfit_field ai[3] = {ORR_UNSIGNED("ai0", P2(2), 11), ORR_SIGNED("ai1", P2(8), 11),
@@ -159,7 +166,7 @@ static void take_others(orr_navset *set, const orr_nav *nav)
                                       ORR_SIGNED("alpha2", P2(24), 8), ORR_SIGNED("alpha3", P2(24), 8),
                                       ORR_SIGNED("beta0", 0x1p11, 8),  ORR_SIGNED("beta1", 0x1p14, 8),
                                       ORR_SIGNED("beta2", 0x1p16, 8),  ORR_SIGNED("beta3", 0x1p16, 8)};
-    bool galileo = false, beidou = false;
+    bool galileo = false, beidou = false, bdgim = false;
     for (size_t i = 0; nav != NULL && i < nav->n_iono; i++) {
         const orr_nav_iono *k = &nav->iono[i];
         if (!galileo && k->kind == ORR_NAV_NEQUICK_G && holds(k->coefficient, ai, 3)) {
@@ -170,6 +177,10 @@ static void take_others(orr_navset *set, const orr_nav *nav)
             memcpy(set->beidou_alpha, k->coefficient, sizeof set->beidou_alpha);
             memcpy(set->beidou_beta, k->coefficient + 4, sizeof set->beidou_beta);
             beidou = true;
+        }
+        if (!bdgim && k->kind == ORR_NAV_BDGIM && holds(k->coefficient, orr_bcnav_bdgim, 9)) {
+            memcpy(set->bdgim, k->coefficient, sizeof set->bdgim);
+            bdgim = true;
         }
     }
 }

@@ -43,11 +43,25 @@ static void begin_almanacs(const orr_navset *set, const navset_day *day, char sy
     for (int k = 1; k < 64; k++) a->health[k] = health_of(set, orr_sat_make(system, k), day);
 }
 
-static void begin_day(const orr_navset *set, const orr_navset_options *o, int64_t number, navset_day *day)
+// The Earth's rotation about noon as the product has it. Messages send the reference in units of 16 s, BeiDou 2 s short of it: UT1
+// moves by less than its LSB in that time.
+static orr_modern_rotation rotation_of(const orr_ephemeris *e, const orr_navset *set, orr_time noon)
+{
+    orr_modern_rotation r = {.reference = noon};
+    const orr_eop eop = orr_eop_at(&orr_ephemeris_rotation(e)->series, noon, set->leap, NULL);
+    r.xp_rad = eop.xp_rad, r.xp_rate_radps = eop.xp_rate_radps;
+    r.yp_rad = eop.yp_rad, r.yp_rate_radps = eop.yp_rate_radps;
+    r.ut1_utc_s = eop.ut1_utc_s, r.ut1_rate_spd = -eop.lod_s;
+    return r;
+}
+
+static void begin_day(const orr_ephemeris *e, const orr_navset *set, const orr_navset_options *o,
+                      int64_t number, navset_day *day)
 {
     day->from = number * DAY_NS;
     day->to = day->from + DAY_NS;
     day->noon = day->from + DAY_NS / 2;
+    day->rotation = rotation_of(e, set, day->noon);
     begin_almanacs(set, day, 'G', &day->gps);
     begin_almanacs(set, day, 'E', &day->galileo);
     begin_almanacs(set, day, 'C', &day->beidou);
@@ -204,7 +218,7 @@ orr_status navset_fit_days(const orr_ephemeris *e, const orr_navset_options *o, 
     const int64_t first = set->from / DAY_NS, last = (set->to - 1) / DAY_NS;
     set->day = calloc((size_t)(last - first + 1), sizeof *set->day);
     if (set->day == NULL) return ORR_E_MEMORY;
-    for (int64_t k = first; k <= last; k++) begin_day(set, o, k, &set->day[set->n_days++]);
+    for (int64_t k = first; k <= last; k++) begin_day(e, set, o, k, &set->day[set->n_days++]);
     work w = {.e = e, .o = o, .set = set};
     orr_parallel_each(set->n_days * set->n_sats, o->jobs, fit_one, &w);
     if (o->cancel != NULL && *o->cancel) return ORR_E_INTERRUPTED;

@@ -166,6 +166,21 @@ static int32_t age_of(int64_t n) { return (int32_t)orr_floor_mod(n, 24) + 1; }
 enum { SOURCE_INAV = 1u << 0 | 1u << 2 | 1u << 9, SOURCE_FNAV = 1u << 1 | 1u << 8 };
 enum { GALILEO_OUT = 1u << 1 | 1u << 4 | 1u << 7 }; // status 1, out of service, of E1-B, E5a and E5b
 
+// What prediction and accuracy fields of CNAV and its kin tell: 0 is the index of URA_ED below 2.4 m, and of BeiDou's likewise.
+static void fill_modern(orr_nav_eph *eph, const navset_slot *slot)
+{
+    eph->kepler.top_sow_s = (double)(orr_nav_seconds_of_week(eph->sat, slot->from, NULL) / ORR_NS_PER_S);
+    if (orr_sat_system(eph->sat) != 'C') {
+        eph->ura_ed = eph->ura_ned[0] = eph->ura_ned[1] = eph->ura_ned[2] = 0;
+        return;
+    }
+    eph->sisai_oe = eph->sisai_ocb = eph->sisai_oc1 = eph->sisai_oc2 = eph->sismai = eph->integrity_flags = 0;
+    eph->sat_type = orr_modern_orbit_type(eph->sat);
+}
+
+// Of B-CNAV: IODE is IODC's lower eight bits and 0 to 59, as data no older than 12 hours have it (BDS-SIS-ICD-B1C 1.0, 7.4).
+static int32_t young_issue(int64_t n) { return (int32_t)orr_floor_mod(n, 60); }
+
 static void fill_kepler(orr_nav_eph *eph, const navset_slot *slot, bool out)
 {
     const int64_t n = slot->number;
@@ -182,10 +197,16 @@ static void fill_kepler(orr_nav_eph *eph, const navset_slot *slot, bool out)
     case ORR_NAV_D2:
         eph->iode = eph->iodc = age_of(n);
         return;
-    case ORR_NAV_CNAV: // toe and top tell sets apart; URA_ED 0 is below 2.4 m
-        eph->kepler.top_sow_s = (double)(orr_nav_seconds_of_week(eph->sat, slot->from, NULL) / ORR_NS_PER_S);
-        eph->ura_ed = eph->ura_ned[0] = eph->ura_ned[1] = eph->ura_ned[2] = 0;
+    case ORR_NAV_CNAV: // toe and top tell sets apart
+        fill_modern(eph, slot);
         eph->health = out ? 7 : 0;
+        return;
+    case ORR_NAV_CNV1:
+    case ORR_NAV_CNV2:
+    case ORR_NAV_CNV3:
+        fill_modern(eph, slot);
+        if (orr_sat_system(eph->sat) == 'C' && eph->message != ORR_NAV_CNV3)
+            eph->iode = eph->iodc = young_issue(n);
         return;
     default: // IODC = IODE, 0 to 239, as a fit interval of four hours demands (IS-GPS-200N table 20-XII). IODC's upper two
         // bits stay 0, though the message may count with them: receivers that compare all ten bits with IODE keep no

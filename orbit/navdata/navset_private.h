@@ -7,6 +7,7 @@
 #include "orbit/navdata/glonass_bits.h"
 #include "orbit/navdata/glonass_channel.h"
 #include "orbit/navdata/lnav_bits.h"
+#include "orbit/navdata/modern_blocks.h"
 #include "orbit/navdata/navset.h"
 
 // When a set is transmitted, what it refers to, and which stretch of the orbit it is to describe.
@@ -70,6 +71,7 @@ enum { NAVSET_GOOD, NAVSET_OUT, NAVSET_NOT_THERE };
 // Almanacs of one day of GPS time: what is sent on it.
 typedef struct navset_day {
     orr_time from, to, noon;
+    orr_modern_rotation rotation;
     navset_almanacs gps, galileo, beidou, qzss;
     uint8_t gps_configuration[32];
     bool fitted_glonass;  // or borrowed
@@ -94,6 +96,7 @@ struct orr_navset {
     double alpha[4], beta[4];
     double beidou_alpha[4], beidou_beta[4]; // of BeiDou's own Klobuchar model; zeros: not known
     double nequick[3];                      // a_i0..2 of NeQuick-G; zeros: not known
+    double bdgim[9];                        // alpha_1..9 of BDGIM, TECU; zeros: not known
 };
 
 #endif

@@ -78,7 +78,7 @@ orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *dia
                      .leap_day = utc.day,
                      .leap_scale = ORR_SCALE_GPS};
     out->eph = calloc(n + 1, sizeof *out->eph);
-    out->iono = calloc(3, sizeof *out->iono);
+    out->iono = calloc(4, sizeof *out->iono);
     out->sto = calloc(OFFSETS, sizeof *out->sto);
     if (out->eph == NULL || out->iono == NULL || out->sto == NULL) {
         orr_nav_free(out);
@@ -93,5 +93,6 @@ orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *dia
     add_iono(out, ORR_NAV_KLOBUCHAR, 'G', set->alpha, 4, set->beta);
     add_iono(out, ORR_NAV_NEQUICK_G, 'E', set->nequick, 3, NULL);
     add_iono(out, ORR_NAV_KLOBUCHAR, 'C', set->beidou_alpha, 4, set->beidou_beta);
+    add_iono(out, ORR_NAV_BDGIM, 'C', set->bdgim, 9, NULL);
     return ORR_OK;
 }

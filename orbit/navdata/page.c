@@ -95,6 +95,17 @@ unsigned orr_page_bch15(unsigned eleven)
     return rest;
 }
 
+void orr_page_register(orr_page *p, int k, unsigned value, unsigned polynomial, int n)
+{
+    orr_page_put(p, k, value);
+    for (int done = k; done < n; done++) {
+        const uint8_t *last = &p->bit[p->n - (size_t)k];
+        unsigned next = 0;
+        for (int i = 0; i < k; i++) next ^= (polynomial >> i & 1u) & last[i];
+        orr_page_put(p, 1, next);
+    }
+}
+
 void orr_page_pack(const orr_page *p, uint8_t *bytes)
 {
     memset(bytes, 0, (p->n + 7) / 8);

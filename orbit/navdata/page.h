@@ -39,6 +39,14 @@ void orr_page_convolve(orr_page *p, const orr_page *in, size_t from, bool invert
 void orr_page_interleave(orr_page *p, size_t rows, size_t columns);
 // The four parity bits of eleven bits by BCH(15,11,1), generator x^4 + x + 1 (BDS-SIS-ICD-B1I 3.0, 5.1.3).
 unsigned orr_page_bch15(unsigned eleven);
+// Appends the symbols of a cyclic code that begin with its information, each of the others made by a shift register of those before.
+// Given:
+//   k, value    the information, k bits, the highest of them first
+//   polynomial  of the register; x^j in its bit j
+//   n           symbols
+// Returned: p
+// Reference: IS-GPS-800J 3.2.3.2, BCH(51,8); BDS-SIS-ICD-B1C 1.0, 6.2.2.1, BCH(21,6) and BCH(51,8).
+void orr_page_register(orr_page *p, int k, unsigned value, unsigned polynomial, int n);
 // The bits as bytes, the first highest; what is left of the last byte is 0.
 void orr_page_pack(const orr_page *p, uint8_t *bytes);
 

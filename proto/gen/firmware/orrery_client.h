@@ -365,9 +365,9 @@ enum { // nav_message (u8): A navigation message, by the names of RINEX 4.
     ORR_MSG_NAV_MESSAGE_NONE = 0, // none
     ORR_MSG_NAV_MESSAGE_LNAV = 1, // GPS, QZSS: IS-GPS-200, subframes of 300 bits in 6 s; NavIC: IRNSS SIS ICD, subframes of 292 bits
     ORR_MSG_NAV_MESSAGE_CNAV = 2, // GPS, QZSS on L2C and L5: messages of 300 bits
-    ORR_MSG_NAV_MESSAGE_CNV1 = 3, // BeiDou B-CNAV1 on B1C
-    ORR_MSG_NAV_MESSAGE_CNV2 = 4, // GPS, QZSS: CNAV-2 on L1C; BeiDou: B-CNAV2 on B2a
-    ORR_MSG_NAV_MESSAGE_CNV3 = 5, // BeiDou B-CNAV3 on B2b
+    ORR_MSG_NAV_MESSAGE_CNV1 = 3, // BeiDou B-CNAV1 on B1C: frames of 878 bits in 18 s
+    ORR_MSG_NAV_MESSAGE_CNV2 = 4, // GPS, QZSS: CNAV-2 on L1C, frames of 883 bits in 18 s; BeiDou: B-CNAV2 on B2a, messages of 312 bits in 3 s
+    ORR_MSG_NAV_MESSAGE_CNV3 = 5, // BeiDou B-CNAV3 on B2b: messages of 514 bits in 1 s
     ORR_MSG_NAV_MESSAGE_INAV = 6, // Galileo I/NAV on E1 and E5b: OS SIS ICD, pages of 240 bits in 2 s
     ORR_MSG_NAV_MESSAGE_FNAV = 7, // Galileo F/NAV on E5a: pages of 244 bits in 10 s
     ORR_MSG_NAV_MESSAGE_D1 = 8, // BeiDou D1: BDS-SIS-ICD-B1I, subframes of 300 bits in 6 s

@@ -325,10 +325,11 @@ static void clocks_that_do_not_fit_are_left_out(void **state)
     ASSERT_OK(orr_navset_build(e, &o, &set, &w, &d), d);
     assert_null(orr_navset_at(set, orr_sat_parse("G01"), ORR_NAV_NONE, t));
     assert_null(orr_navset_at(set, orr_sat_parse("R01"), ORR_NAV_NONE, t));
-    assert_int_equal(w.count, 3); // LNAV and CNAV of G01
+    assert_int_equal(w.count, 4); // LNAV, CNAV and CNAV-2 of G01
     assert_true(strstr(w.item[0].text, "G01") != NULL && strstr(w.item[0].text, "af0") != NULL);
     assert_true(strstr(w.item[1].text, "G01") != NULL && strstr(w.item[1].text, "CNAV") != NULL);
-    assert_true(strstr(w.item[2].text, "R01") != NULL && strstr(w.item[2].text, "tau_n") != NULL);
+    assert_true(strstr(w.item[2].text, "G01") != NULL && strstr(w.item[2].text, "CNV2") != NULL);
+    assert_true(strstr(w.item[3].text, "R01") != NULL && strstr(w.item[3].text, "tau_n") != NULL);
     const orr_sat *sat;
     const size_t n = orr_navset_satellites(set, &sat);
     assert_int_equal(n, N_SATS - 2);
@@ -509,6 +510,20 @@ static void same_frame(const orr_navframe *a, const orr_navframe *b)
     }
 }
 
+static int seconds_of(const orr_nav_stream *stream)
+{
+    switch (stream->message) {
+    case ORR_NAV_FNAV:
+        return 50;
+    case ORR_NAV_CNAV:
+        return stream->signals[1] == '2' ? 48 : 24;
+    case ORR_NAV_CNV2:
+        return 18;
+    default:
+        return 30;
+    }
+}
+
 static void check_frames(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, bool coded,
                          orr_time from, orr_time to)
 {
@@ -522,11 +537,7 @@ static void check_frames(const orr_navset *set, orr_sat sat, const orr_nav_strea
         assert_true(frame.from <= t && t < frame.to);
         const int64_t length = (frame.to - frame.from) / ORR_NS_PER_S;
         long_ones += length == 31;
-        const bool cnav = stream->message == ORR_NAV_CNAV;
-        assert_int_equal(length, stream->message == ORR_NAV_FNAV ? 50
-                                 : cnav                          ? (stream->signals[1] == '2' ? 48 : 24)
-                                 : length == 31                  ? 31
-                                                                 : 30);
+        assert_int_equal(length, length == 31 && stream->message == ORR_NAV_FDMA ? 31 : seconds_of(stream));
         if (frame.to - 1 <= to) {
             ASSERT_OK(orr_navframe_at(set, sat, stream, frame.to - 1, coded, &again, &d), d);
             same_frame(&frame, &again);
