@@ -579,7 +579,7 @@ static void frames_follow_one_another(void **state)
             check_frames(set, sat[i], list[k], true, from, from + (to - from) / 8);
         }
     }
-    assert_int_equal(streams, 3 * N_GPS + N_GLONASS + 3);
+    assert_int_equal(streams, 4 * N_GPS + N_GLONASS + 3);
     assert_int_equal(orr_navframe_at(set, orr_sat_parse("E15"), NULL, from, false, &(orr_navframe){0}, NULL),
                      ORR_E_NODATA);
     orr_navset_free(set);
