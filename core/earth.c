@@ -72,21 +72,6 @@ orr_vec3 orr_earth_normal_gravitation(orr_vec3 r_m)
     return (orr_vec3){g[0], g[1], g[2]};
 }
 
-double orr_earth_surface_gravity(double lat_rad)
-{
-    return orr_shim_surface_gravity(lat_rad * ORR_DEG_PER_RAD);
-}
-
-void orr_earth_geodesic_inverse(double lat1_rad, double lon1_rad, double lat2_rad, double lon2_rad,
-                                double *dist_m, double *az1_rad, double *az2_rad)
-{
-    double az1, az2;
-    orr_shim_geodesic_inverse(lat1_rad * ORR_DEG_PER_RAD, lon1_rad * ORR_DEG_PER_RAD,
-                              lat2_rad * ORR_DEG_PER_RAD, lon2_rad * ORR_DEG_PER_RAD, dist_m, &az1, &az2);
-    *az1_rad = az1 * ORR_RAD_PER_DEG;
-    *az2_rad = az2 * ORR_RAD_PER_DEG;
-}
-
 void orr_earth_geodesic_direct(double lat1_rad, double lon1_rad, double az1_rad, double dist_m,
                                double *lat2_rad, double *lon2_rad, double *az2_rad)
 {

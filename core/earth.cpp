@@ -68,26 +68,6 @@ extern "C" void orr_shim_normal_gravitation(const double r_m[3], double g_mps2[3
     }
 }
 
-extern "C" double orr_shim_surface_gravity(double lat_deg)
-{
-    try {
-        return GeographicLib::NormalGravity::WGS84().SurfaceGravity(lat_deg);
-    } catch (...) {
-        return nothing;
-    }
-}
-
-extern "C" void orr_shim_geodesic_inverse(double lat1_deg, double lon1_deg, double lat2_deg, double lon2_deg,
-                                          double *dist_m, double *az1_deg, double *az2_deg)
-{
-    try {
-        GeographicLib::Geodesic::WGS84().Inverse(lat1_deg, lon1_deg, lat2_deg, lon2_deg, *dist_m, *az1_deg,
-                                                 *az2_deg);
-    } catch (...) {
-        *dist_m = *az1_deg = *az2_deg = nothing;
-    }
-}
-
 extern "C" void orr_shim_geodesic_direct(double lat1_deg, double lon1_deg, double az1_deg, double dist_m,
                                          double *lat2_deg, double *lon2_deg, double *az2_deg)
 {

@@ -33,19 +33,8 @@ void orr_earth_look(orr_vec3 site_m, orr_vec3 target_m, double *az_rad, double *
 // Normal gravitation of the WGS 84 ellipsoid WITHOUT the centrifugal part, in ecef axes at an ecef point,
 // m/s^2 (closed form, GeographicLib NormalGravity::V). Gravity = this + u^2 (x, y, 0).
 orr_vec3 orr_earth_normal_gravitation(orr_vec3 r_m);
-// Somigliana's surface normal gravity, m/s^2.
-double orr_earth_surface_gravity(double lat_rad);
 
-// The inverse problem of geodesy: the shortest way between two points on the ellipsoid.
-//   Given:    lat1_rad, lon1_rad   the first point
-//             lat2_rad, lon2_rad   the second point
-//   Returned: dist_m               length of the geodesic
-//             az1_rad, az2_rad     its forward azimuths at the two points, clockwise from North
-//   Notes:    of nearly antipodal points one of the shortest ways is returned.
-//   Reference: Karney 2013, J. Geodesy 87, 43-55.
-void orr_earth_geodesic_inverse(double lat1_rad, double lon1_rad, double lat2_rad, double lon2_rad,
-                                double *dist_m, double *az1_rad, double *az2_rad);
-// The direct problem: where a geodesic of given azimuth and length ends.
+// The direct problem of geodesy: where a geodesic of given azimuth and length ends.
 //   Given:    lat1_rad, lon1_rad   the first point
 //             az1_rad              azimuth at it, clockwise from North
 //             dist_m               length; negative goes backwards

@@ -18,15 +18,6 @@ void orr_shim_forward(double lat_deg, double lon_deg, double height_m, double r_
 void orr_shim_reverse(const double r_m[3], double *lat_deg, double *lon_deg, double *height_m);
 // Normal gravitation of WGS 84 in ecef axes, without the centrifugal part.
 void orr_shim_normal_gravitation(const double r_m[3], double g_mps2[3]);
-// Normal gravity on the ellipsoid, m/s^2.
-double orr_shim_surface_gravity(double lat_deg);
-// The inverse geodesic problem on WGS 84.
-//   Given:    lat1_deg, lon1_deg   the first point
-//             lat2_deg, lon2_deg   the second point
-//   Returned: dist_m               length of the geodesic
-//             az1_deg, az2_deg     forward azimuths at the two points
-void orr_shim_geodesic_inverse(double lat1_deg, double lon1_deg, double lat2_deg, double lon2_deg,
-                               double *dist_m, double *az1_deg, double *az2_deg);
 // The direct geodesic problem on WGS 84.
 //   Given:    lat1_deg, lon1_deg   the first point
 //             az1_deg, dist_m      azimuth there, and length

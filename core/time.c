@@ -230,14 +230,6 @@ orr_time orr_time_from_week(int32_t week, int64_t ns_of_week)
     return beyond(of_units(week, NS_PER_WEEK), ns_of_week);
 }
 
-int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near)
-{
-    int64_t modulus = INT64_C(1) << bits;
-    int64_t centre = orr_floor_div(near, NS_PER_WEEK);
-    int64_t k = orr_floor_div(centre - truncated + modulus / 2, modulus);
-    return (int32_t)(truncated + k * modulus);
-}
-
 orr_time orr_time_add_s(orr_time t, double s)
 {
     // Whole seconds first: the nanoseconds of a year need more bits than a product of doubles keeps exactly.

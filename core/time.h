@@ -89,9 +89,6 @@ orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const 
 void orr_time_week(orr_time t, int32_t *week, int64_t *ns_of_week);
 // The way back; saturates as the sums below.
 orr_time orr_time_from_week(int32_t week, int64_t ns_of_week);
-// The full week nearest to `near` whose low `bits` bits (10 for LNAV, 13 for CNAV/BDS, 12 for Galileo) are
-// `truncated`.
-int32_t orr_week_unroll(int32_t truncated, int bits, orr_time near);
 
 // t + ns nanoseconds. What does not fit is the nearest that does, never ORR_TIME_NONE: an instant of anyone may be
 // at an end of the axis.

@@ -15,18 +15,6 @@
 #define N_COLUMNS 12
 #define SLOW_MPS 0.05 // a body slower than this has the course of its path, not of its velocity
 
-orr_flight_plan orr_flight_plan_default(void)
-{
-    return (orr_flight_plan){.speed_mps = 60.0,
-                             .bank_rad = 20.0 * ORR_RAD_PER_DEG,
-                             .climb_limit_mps = 5.0,
-                             .acceleration_mps2 = 2.0,
-                             .lead_m = 1000.0,
-                             .smoothing_s = 2.5,
-                             .seed = 1,
-                             .knot_step_s = 0.2};
-}
-
 // Adds `harmonics` of a spectrum to x[n], sampled every step_s. A velocity spectrum is integrated once to a
 // displacement.
 static void add_spectrum(const orr_spectrum *s, uint64_t seed, uint64_t stream, bool integrate,

@@ -89,11 +89,6 @@ typedef struct orr_flight_plan {
     double knot_step_s; // of the quintic spline laid through the plan
 } orr_flight_plan;
 
-// Sensible values where a plan says nothing: 60 m/s, 20 deg of bank, 5 m/s of climb, 2.5 s of smoothing,
-// 2 m/s^2
-// along the way, knots of 0.2 s.
-orr_flight_plan orr_flight_plan_default(void);
-
 typedef struct orr_flight_summary {
     double duration_s, length_m, turn_radius_m;
     size_t lines;

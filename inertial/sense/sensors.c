@@ -117,13 +117,6 @@ static void increment(const orr_trajectory *tr, const pull *g, orr_quadrature qu
     *dv_mps = s.dv_mps;
 }
 
-void orr_sensors_increment(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature,
-                           int order, double from_s, double to_s, orr_vec3 *dtheta_rad, orr_vec3 *dv_mps)
-{
-    pull p = {.field = g, .track = NULL};
-    increment(tr, &p, quadrature, order, from_s, to_s, dtheta_rad, dv_mps);
-}
-
 // All increments of a run. Steps of up to 20 m in plain normal gravity, of up to 5 m in one with a
 // profile or map (whose cells are a hundred times that), take the parabola through their edges.
 static void fill_increments(const orr_trajectory *tr, const orr_gravity *g, orr_imu *imu)

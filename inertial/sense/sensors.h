@@ -19,34 +19,26 @@
 void orr_sensors_instant(const orr_trajectory *tr, const orr_gravity *g, double t_s, orr_vec3 *gyro_radps,
                          orr_vec3 *accel_mps2);
 
-// Integrals of both over an interval.
-//   Given:    tr            trajectory
-//             g             gravity; NULL: normal gravity
-//             quadrature    Gauss-Legendre between the trajectory's knots (the interval is cut at each knot
-//                           inside it), or the source's sum over rectangles, each of the value in its middle
-//             order         nodes, 1 to ORR_IMU_MAX_ORDER, or rectangles of the whole interval
-//             from_s, to_s  the interval, s after the trajectory's t0
-//   Returned: dtheta_rad    integral of the rate, body axes, rad
-//             dv_mps        integral of the specific force, body axes, m/s
-//   Reference: Bogdanov 2015, eq. (3), (4), (15).
-void orr_sensors_increment(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature,
-                           int order, double from_s, double to_s, orr_vec3 *dtheta_rad, orr_vec3 *dv_mps);
-
-// The same in pieces, for who must not be away for long: an interval of an hour has thousands. A piece is
-// what lies between two knots, or a rectangle; the parts add up in the same order, to the same bits.
+// Integrals of both over an interval, in pieces, for who must not be away for long: an interval of an hour has
+// thousands. A piece is what lies between two knots, or a rectangle; the parts add up in the same order, to the same bits.
 typedef struct orr_sensors_sum {
     double from_s, to_s, at_s, knot;
     long rectangle;
-    orr_vec3 dtheta_rad, dv_mps; // so far
+    orr_vec3 dtheta_rad,
+        dv_mps; // so far, body axes: integral of the rate, rad, and of the specific force, m/s
 } orr_sensors_sum;
-// A sum over [from_s, to_s] to which nothing has been added.
+// A sum over [from_s, to_s], s after the trajectory's t0, to which nothing has been added.
 orr_sensors_sum orr_sensors_sum_begin(const orr_trajectory *tr, double from_s, double to_s);
 // Adds pieces to a sum.
 //   Given:    tr, g              trajectory and gravity
-//             quadrature, order  as of orr_sensors_increment; the same in each call
+//             quadrature         Gauss-Legendre between the trajectory's knots (the interval is cut at each knot
+//                                inside it), or the source's sum over rectangles, each of the value in its middle
+//             order              nodes, 1 to ORR_IMU_MAX_ORDER, or rectangles of the whole interval
+//                                (both the same in each call)
 //             s                  the sum so far
 //             pieces             how many at most
 //   Returned: s                  the sum with these pieces; true if none is left to add
+//   Reference: Bogdanov 2015, eq. (3), (4), (15).
 bool orr_sensors_sum_add(const orr_trajectory *tr, const orr_gravity *g, orr_quadrature quadrature, int order,
                          orr_sensors_sum *s, long pieces);
 

@@ -45,11 +45,6 @@ double orr_aux_pressure_hpa(double height_m)
 {
     return SEA_HPA * pow(1.0 - LAPSE * EARTH_M * height_m / (EARTH_M + height_m), POWER);
 }
-double orr_aux_pressure_height_m(double hpa)
-{
-    const double geopotential = (1.0 - pow(hpa / SEA_HPA, 1.0 / POWER)) / LAPSE;
-    return EARTH_M * geopotential / (EARTH_M - geopotential);
-}
 
 typedef struct work {
     const orr_aux_plan *plan;

@@ -94,7 +94,5 @@ orr_status orr_auxiliary(const orr_aux_plan *plan, orr_status (*sample)(void *us
 
 // Pressure at a (geometric) height by the standard atmosphere below 11 km, hPa.
 double orr_aux_pressure_hpa(double height_m);
-// The inverse of it.
-double orr_aux_pressure_height_m(double hpa);
 
 #endif

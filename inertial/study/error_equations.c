@@ -5,12 +5,6 @@
 
 #include "inertial/readings/imu.h"
 
-const char *orr_error_model_name(orr_error_model m)
-{
-    static const char *const name[] = {"phi", "psi", "dynamic"};
-    return name[m];
-}
-
 static orr_vec3 add(orr_vec3 a, orr_vec3 b) { return orr_vec3_add(a, b); }
 static orr_vec3 sub(orr_vec3 a, orr_vec3 b) { return orr_vec3_sub(a, b); }
 static orr_vec3 cross(orr_vec3 a, orr_vec3 b) { return orr_vec3_cross(a, b); }

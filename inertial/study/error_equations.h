@@ -25,7 +25,6 @@ typedef enum orr_error_model {
     ORR_ERROR_DYNAMIC,
     ORR_ERROR_MODELS
 } orr_error_model;
-const char *orr_error_model_name(orr_error_model m); // "phi", "psi", "dynamic"
 
 // What the three vectors are depends on the model. phi's position is longitude and latitude in radians, height in metres.
 typedef struct orr_error_state {

@@ -10,12 +10,6 @@
 #define FLOOR_MPS 1e-7
 #define FLOOR_RAD 1e-11
 
-const char *orr_error_method_name(orr_error_method m)
-{
-    static const char *const name[] = {"euler", "midpoint", "runge-kutta"};
-    return name[m];
-}
-
 size_t orr_error_comparisons(const orr_error_flight *f) { return f->imu->n / f->every + 1; }
 
 // --- The linear equations ---

@@ -8,7 +8,6 @@
 #include "inertial/study/error_equations.h"
 
 typedef enum orr_error_method { ORR_ERROR_EULER, ORR_ERROR_MIDPOINT, ORR_ERROR_RUNGE_KUTTA } orr_error_method;
-const char *orr_error_method_name(orr_error_method m); // "euler", "midpoint", "runge-kutta"
 
 // A flight, its readings and what is wrong with them.
 typedef struct orr_error_flight {

@@ -71,13 +71,6 @@ static unsigned checksums(const uint8_t bit[BITS + 1])
     return parity << 7 | sum;
 }
 
-bool orr_glonass_check(const orr_glonass_string *s)
-{
-    uint8_t bit[BITS + 1];
-    for (int k = 0; k < BITS; k++) bit[BITS - k] = (uint8_t)((unsigned)s->data[k / 8] >> (7 - k % 8) & 1u);
-    return checksums(bit) == 0 && (s->data[10] & 7u) == 0;
-}
-
 static orr_status seal(draft *d, int string, orr_glonass_string *out)
 {
     if (d->status != ORR_OK) return d->status;

@@ -95,7 +95,4 @@ typedef struct orr_glonass_utc {
 orr_status orr_glonass_encode_utc(const orr_glonass_utc *utc, int string, bool l_n, orr_glonass_string *out,
                                   orr_diag *diag);
 
-// All checksums C_1..C_7 and C_sigma of table 4.13 are zero. No error of one or two bits passes.
-bool orr_glonass_check(const orr_glonass_string *s);
-
 #endif

@@ -108,19 +108,6 @@ static orr_status seal(draft *d, int number, const orr_lnav_how *how, orr_lnav_s
     return ORR_OK;
 }
 
-int orr_lnav_check(const orr_lnav_subframe *s)
-{
-    int bad = 0;
-    bool d29 = false, d30 = false;
-    for (int w = 0; w < 10; w++) {
-        uint32_t data = s->word[w] >> 6 ^ (d30 ? 0xffffffu : 0);
-        bad += parity_of(data, d29, d30) != s->word[w];
-        d29 = s->word[w] >> 1 & 1u;
-        d30 = s->word[w] & 1u;
-    }
-    return bad;
-}
-
 // Upper bounds of the URA indices (20.3.3.3.1.3).
 static uint32_t ura_index(double accuracy_m)
 {

@@ -93,7 +93,4 @@ orr_status orr_lnav_encode_page25(int number, uint32_t toa_s, int32_t week, cons
                                   const uint8_t health[32], const orr_lnav_how *how, orr_lnav_subframe *out,
                                   orr_diag *diag);
 
-// Checks all ten words (the first follows a word ending in 00). Returns the number of words that fail.
-int orr_lnav_check(const orr_lnav_subframe *s);
-
 #endif

@@ -78,9 +78,6 @@ size_t orr_navset_items(const orr_navset *set, orr_sat sat, orr_nav_message mess
 // The set of it on the air at t; NULL if there is none.
 const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_nav_message message, orr_time t);
 
-// Klobuchar's coefficients as page 18 sends them (s, s/semicircle, ...); false where none were given that fit
-// their eight bits (the build has warned of it): then zeros.
-bool orr_navset_klobuchar(const orr_navset *set, double alpha[4], double beta[4]);
 // All sets as a navigation file that orr_nav_write can write: satellite by satellite, with the ionosphere's coefficients, UTC
 // and the leap seconds. program, run_by and date are the caller's to fill. Free with orr_nav_free.
 orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *diag);

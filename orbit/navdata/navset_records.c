@@ -9,13 +9,6 @@
 
 enum { OFFSETS = 6 };
 
-bool orr_navset_klobuchar(const orr_navset *set, double alpha[4], double beta[4])
-{
-    memcpy(alpha, set->alpha, sizeof set->alpha);
-    memcpy(beta, set->beta, sizeof set->beta);
-    return set->has_klobuchar;
-}
-
 static char system_of(const orr_navset *set)
 {
     char system = '\0';

@@ -195,8 +195,6 @@ static const orr_schema schema = {.key = rows,
                                   .size = sizeof(orr_sensor_errors),
                                   .hint = "docs/inertial.md, section Sensor errors, lists all"};
 
-const orr_schema *orr_sensor_errors_schema(void) { return &schema; }
-
 orr_status orr_sensor_errors_parse(const char *name, const char *text, size_t n, orr_sensor_errors *out,
                                    orr_diag *diag)
 {

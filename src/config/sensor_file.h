@@ -41,8 +41,6 @@ typedef struct orr_sensor_errors {
     orr_error_triad gyro, accelerometer;
 } orr_sensor_errors;
 
-// The root table of such a file, for help.
-const orr_schema *orr_sensor_errors_schema(void);
 // Reads and checks a file's text.
 //   Given:    name          of the file, for sentences
 //             text, n       its bytes

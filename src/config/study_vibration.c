@@ -105,7 +105,7 @@ static const orr_key rows[] = {
      .list = true,
      .offset = offsetof(orr_study_vibration, methods),
      .help = "1-step .. 5-step (coefficients made for coning), polynomial-3 .. polynomial-5, iteration-4, "
-             "iteration-8; "
+             "iteration-8, or all alone; "
              "without this and own: 1-step, 2-step and 4-step"},
     MAPS_ROW(orr_study_vibration, "own", own, &method_table, 20, NULL, "methods by their coefficients"),
     {.name = "rest",

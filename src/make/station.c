@@ -75,6 +75,19 @@ static orr_status read_biases(orr_station *s, orr_warnings *warnings, orr_diag *
     return status;
 }
 
+// The antenna's reference point over a marker; the marker itself where no eccentricity is valid at t.
+static orr_vec3 reference_point(const orr_sinex *x, const char *code, orr_time t, orr_vec3 marker_m)
+{
+    const orr_sinex_eccentricity *e = orr_sinex_find_eccentricity(x, code, t);
+    if (e == NULL) return marker_m;
+    if (!e->local) return orr_vec3_add(marker_m, (orr_vec3){e->offset_m[0], e->offset_m[1], e->offset_m[2]});
+    const orr_geodetic place = orr_earth_from_ecef(marker_m);
+    const orr_mat3 enu = orr_earth_enu_from_ecef(place.lat_rad, place.lon_rad),
+                   back = orr_mat3_transpose(&enu);
+    const orr_vec3 offset = {e->offset_m[2], e->offset_m[1], e->offset_m[0]}; // files say Up, North, East
+    return orr_vec3_add(marker_m, orr_mat3_apply(&back, offset));
+}
+
 static orr_status site_of_sinex(orr_station *s, orr_diag *diag)
 {
     const orr_station_plan *p = s->plan;
@@ -89,12 +102,13 @@ static orr_status site_of_sinex(orr_station *s, orr_diag *diag)
     status = orr_sinex_parse(p->sinex, text.text, text.n, NULL, &x, NULL, diag);
     orr_bytes_free(&text);
     if (status != ORR_OK) return status;
-    status = orr_sinex_position(&x, name, p->phase.from != ORR_TIME_NONE ? p->phase.from : x.from, pos);
+    const orr_time t = p->phase.from != ORR_TIME_NONE ? p->phase.from : x.from;
+    status = orr_sinex_position(&x, name, t, pos);
+    if (status == ORR_OK) s->site_m = reference_point(&x, name, t, (orr_vec3){pos[0], pos[1], pos[2]});
     orr_sinex_free(&x);
     if (status != ORR_OK)
         return orr_diag_set(diag, status, "%s has no coordinates of station %s (--station names another)",
                             p->sinex, name);
-    s->site_m = (orr_vec3){pos[0], pos[1], pos[2]};
     return ORR_OK;
 }
 

@@ -83,7 +83,13 @@ static void write_file(void *arg)
 
 void bench_inertial(bench *b)
 {
-    orr_flight_plan p = orr_flight_plan_default();
+    orr_flight_plan p = {.speed_mps = 60,
+                         .bank_rad = 20 * ORR_RAD_PER_DEG,
+                         .climb_limit_mps = 5,
+                         .acceleration_mps2 = 2,
+                         .lead_m = 1000,
+                         .smoothing_s = 2.5,
+                         .seed = 1};
     p.survey = (orr_survey){
         .start = {0.98, 0.7, 1500}, .length_m = 30e3, .spacing_m = 2e3, .lines = 7, .azimuth_rad = 0.3};
     p.duration_s = 3600;

@@ -11,6 +11,28 @@
 #include "orbit/ephemeris/ephemeris.h"
 #include "src/cli/orbit/orbit_events.h"
 
+// Events of the clocks, by their kinds, where there are any.
+static void tell_clock_events(const orr_ephemeris *e, orr_inspection *r)
+{
+    static const struct {
+        orr_clock_event_kind kind;
+        const char *word;
+    } kinds[] = {{ORR_CLOCK_EVENT_WRONG, "wrong values"},
+                 {ORR_CLOCK_EVENT_JUMP, "jumps"},
+                 {ORR_CLOCK_EVENT_FLAG, "flagged stretches"},
+                 {ORR_CLOCK_EVENT_REFERENCE, "steps or ramps of the reference"}};
+    const orr_clock_event *event;
+    const size_t n = orr_ephemeris_clock_events(e, &event);
+    bool first = true;
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        size_t some = 0;
+        for (size_t i = 0; i < n; i++) some += event[i].kind == kinds[k].kind;
+        if (some == 0) continue;
+        orr_inspect_fact_add(r, first ? "clock events" : "", "%s: %zu", kinds[k].word, some);
+        first = false;
+    }
+}
+
 static orr_status inspect_orbits(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_ephemeris *e = NULL;
@@ -38,6 +60,7 @@ static orr_status inspect_orbits(const char *path, orr_inspection *r, orr_diag *
     orr_inspect_fact_add(r, "nodes", "every %g s", r->interval_s);
     orr_inspect_fact_add(r, "frame", "%s", orr_ephemeris_frame(e));
     orr_inspect_fact_add(r, "events", "%s", orbit_events_summary(&events, text, sizeof text));
+    tell_clock_events(e, r);
     orr_inspect_fact_add(r, "segments", "within %.2g mm and %.2g m/s of what was integrated", pos_m * 1e3,
                          vel_mps);
     orr_inspect_fact_add(r, "options", "%s", orr_ephemeris_options(e));

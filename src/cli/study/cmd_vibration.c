@@ -49,18 +49,32 @@ static double *row_of(const job *j, size_t product, size_t method, size_t ratio)
     return &j->table[((product * j->n_methods + method) * j->n_ratios + ratio) * COLUMNS];
 }
 
+// The built-in methods that the study asks for by name; "all" alone is all of them.
+static size_t names_of_builtin(const orr_study_vibration *s, const char *name[MOST_METHODS])
+{
+    static const char *const usual[] = {"1-step", "2-step", "4-step"};
+    const bool all = s->methods.n == 1 && strcmp(s->methods.item[0], "all") == 0;
+    size_t n = 0;
+    if (s->methods.n + s->own.n == 0)
+        for (; n < 3; n++) name[n] = usual[n];
+    else if (all)
+        for (; n < MOST_METHODS && orr_attitude_method_name(n) != NULL; n++)
+            name[n] = orr_attitude_method_name(n);
+    else
+        for (; n < s->methods.n && n < MOST_METHODS; n++) name[n] = s->methods.item[n];
+    return n;
+}
+
 static orr_status gather_methods(job *j, orr_diag *diag)
 {
     const orr_study_vibration *s = j->study;
-    static const char *const usual[] = {"1-step", "2-step", "4-step"};
-    const bool none = s->methods.n + s->own.n == 0;
-    const size_t n = none ? 3 : s->methods.n;
-    if (n + s->own.n > MOST_METHODS)
-        return orr_diag_set(diag, ORR_E_LIMIT, "%zu methods; at most %d can be", n + s->own.n,
+    const char *name[MOST_METHODS];
+    const size_t n = names_of_builtin(s, name), wanted = s->methods.n > n ? s->methods.n : n;
+    if (wanted + s->own.n > MOST_METHODS)
+        return orr_diag_set(diag, ORR_E_LIMIT, "%zu methods; at most %d can be", wanted + s->own.n,
                             (int)MOST_METHODS);
     for (size_t k = 0; k < n; k++) {
-        const orr_status status = orr_attitude_method_builtin(none ? usual[k] : s->methods.item[k],
-                                                              &j->method[j->n_methods++], diag);
+        const orr_status status = orr_attitude_method_builtin(name[k], &j->method[j->n_methods++], diag);
         if (status != ORR_OK) return status;
     }
     for (size_t k = 0; k < s->own.n; k++) {

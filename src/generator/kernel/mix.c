@@ -80,5 +80,3 @@ orr_gen_mixer *orr_gen_mix_best(void)
 #endif
     return orr_gen_mix_plain;
 }
-
-const char *orr_gen_mix_name(orr_gen_mixer *mixer) { return mixer == orr_gen_mix_plain ? "plain" : "AVX2"; }

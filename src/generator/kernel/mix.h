@@ -50,7 +50,5 @@ orr_gen_mixer orr_gen_mix_avx2;  // as orr_gen_mix_plain where it is not compile
 
 // The fastest of them for this processor.
 orr_gen_mixer *orr_gen_mix_best(void);
-// "AVX2" or "plain".
-const char *orr_gen_mix_name(orr_gen_mixer *mixer);
 
 #endif

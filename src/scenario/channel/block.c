@@ -7,15 +7,6 @@
 #include "src/scenario/channel/channels_private.h"
 #include "src/scenario/channel/hermite.h"
 
-double orr_block_code_m(const orr_block *b, double s) { return cubic_at(b->code, s); }
-
-void orr_block_carrier(const orr_block *b, double s, int64_t *cycles, double *fraction)
-{
-    const double x = cubic_at(b->carrier, s), whole = floor(x);
-    *cycles = b->carrier_cycles + (int64_t)whole;
-    *fraction = x - whole;
-}
-
 static void join(const orr_channel *from, const orr_channel *to, double T, orr_block *out)
 {
     out->at = *from;

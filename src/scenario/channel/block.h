@@ -45,11 +45,6 @@ typedef struct orr_blocks {
 orr_answer orr_blocks_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
                          uint64_t signals, orr_blocks *out, orr_block *block, size_t *n);
 
-// Code of a block s seconds after its begin, m.
-double orr_block_code_m(const orr_block *b, double s);
-// Its carrier then: whole cycles, and the rest in [0, 1).
-void orr_block_carrier(const orr_block *b, double s, int64_t *cycles, double *fraction);
-
 // Length of the blocks of a cell and the error found: by the antenna's motion alone, from the shortest length on, each tried at
 // middles and by their rates, until one errs by more than channel.error_m / 1.25.
 // Given:

@@ -116,7 +116,9 @@ static double geoid_m(double lat_deg, double lon_deg)
                  d = orr_vec3_sub(orr_gravity_gravitation(gravity, at), orr_earth_normal_gravitation(at));
         sum += (k == n ? 1 : k % 2 == 1 ? 4 : 2) * orr_vec3_dot(d, e) / (s * s);
     }
-    return -sum * s0 / n / 3 / orr_earth_surface_gravity(lat_deg * DEG);
+    const double u2 = ORR_EARTH_RATE_RADPS * ORR_EARTH_RATE_RADPS;
+    const orr_vec3 normal = orr_vec3_add(orr_earth_normal_gravitation(r), (orr_vec3){u2 * r.x, u2 * r.y, 0});
+    return -sum * s0 / n / 3 / orr_vec3_norm(normal);
 }
 
 // The geoid's deepest and highest places (Lemoine et al. 1998, NASA/TP-1998-206861: -106.99 m South of

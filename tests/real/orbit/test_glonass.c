@@ -64,7 +64,7 @@ static void records_of_files_come_back(void **state)
             orr_glonass_immediate_of(e, t_k, NULL, &im);
             for (int k = 1; k <= 4; k++) {
                 ASSERT_OK(orr_glonass_encode_immediate(e, &im, k, &s[k], &d), d);
-                assert_true(orr_glonass_check(&s[k]) && glo_sums_are_zero(&s[k]));
+                assert_true(glo_sums_are_zero(&s[k]));
                 assert_int_equal(glo_get(&s[k], 81, 84), k);
             }
             const orr_nav_glonass *g = &e->glonass;

@@ -6,6 +6,8 @@
 #include "src/scenario/engine/engine.h"
 #include "testing.h"
 
+#include "block_at.h"
+
 #define PRODUCT ORR_BINARY_DIR "/real_channels.nc"
 #define SATS "G01-G09,G13,G17,G22,G24,R01-R05,R09"
 enum { ROOM = 300 };
@@ -195,10 +197,10 @@ static worst try_blocks(orr_time from, orr_time to, size_t n_blocks)
                     continue;
                 int64_t cycles;
                 double fraction;
-                orr_block_carrier(&block[k], s, &cycles, &fraction);
+                block_carrier(&block[k], s, &cycles, &fraction);
                 const double off =
                     (double)(cycles - direct[q].carrier_cycles) + (fraction - direct[q].carrier_fraction);
-                here = fmax(here, fabs(orr_block_code_m(&block[k], s) - direct[q].code_m));
+                here = fmax(here, fabs(block_code_m(&block[k], s) - direct[q].code_m));
                 here = fmax(here, fabs(off) * ORR_LIGHT_MPS / direct[q].carrier_hz);
             }
         }

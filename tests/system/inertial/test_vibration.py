@@ -52,6 +52,13 @@ rest: {lat: 60}
                 self.assertAlmostEqual(a, b, 12)
         self.assertIn("half: its coefficients sum to 0.75", run("vibration", study).stdout)
 
+    def test_all_methods(self):
+        told = run_json("vibration", self.study("all.yaml", "ratios: {low: 0.1, high: 0.2, points: 2}\nduration: 0.2\nmethods: all\n"), "--format", "json")
+        self.assertEqual({s["method"] for s in told["sweeps"]},
+                         {f"{n}-step" for n in range(1, 6)} | {f"polynomial-{n}" for n in range(3, 6)} | {"iteration-4", "iteration-8"})
+        mixed = run("vibration", self.study("mixed.yaml", "methods: [all, 1-step]\n"), status=1).stderr
+        self.assertIn('no method "all"', mixed)
+
     def test_readings(self):
         study = self.study("rest.yaml", "rest: {lat: 56, height: 150, heading: 30}\nproducts: 1e-4\nduration: 5\nratios: {low: 0.1, high: 0.2, points: 2}\n")
         run("vibration", study, "--readings", self.path("v-imu.nc"), "--ratio", 0.05)

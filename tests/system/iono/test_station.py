@@ -27,6 +27,7 @@ MAPS = DAY / "COD0OPSFIN_20240350000_01D_01H_GIM.INX.gz"
 SP3 = DAY / "COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"
 BIAS = DAY / "COD0OPSFIN_20240350000_01D_01D_OSB.BIA.gz"
 NAV = DAY / "BRDC00CNE_R_20240350000_01D_GN.rnx.gz"
+SINEX = DAY / "IGS0OPSSNX_20240350000_01D_01D_CRD.SNX.gz"
 PAIR = DATA / "2005-092-pair"
 
 
@@ -76,6 +77,18 @@ class Station(unittest.TestCase):
         self.refused("below the horizon", "tec", MAPS, "--at", "2024-02-04T07:20", "--receiver", "0,0,0", "--el", "-3")
         self.refused("neither an IONEX", "tec", OBS, "--at", "2024-02-04T07:20", "--point", "0,0")
         self.refused("where?", "tec", MAPS, "--at", "2024-02-04T07:20", status=2)
+
+    def test_sinex_puts_the_antenna_over_the_marker(self):
+        """The station is the marker of SOLUTION/ESTIMATE and SITE/ECCENTRICITY above it: 62.2 mm Up for BOR1."""
+        session = WORK / "sinex.nc"
+        self.ok("iono", OBS, "--field", MAPS, "--orbit", NAV, "--sinex", SINEX, "--to", "2024-02-04T00:30", "-q", "-o", session)
+        header = subprocess.run(["ncdump", "-h", session], capture_output=True, text=True, check=True).stdout
+        site = [float(re.search(rf"station_{axis}_m = ([-0-9.]+)", header).group(1)) for axis in "xyz"]
+        marker = (3738358.13315294, 1148174.00879205, 5021815.93384643)
+        up = (math.cos(math.radians(52.277)) * math.cos(math.radians(17.0735)),
+              math.cos(math.radians(52.277)) * math.sin(math.radians(17.0735)), math.sin(math.radians(52.277)))
+        for k in range(3):
+            self.assertAlmostEqual(site[k] - marker[k], 0.0622 * up[k], delta=1e-5)
 
     def test_a_session_from_pipes_is_the_same(self):
         """Each input is read once, so that pipes do as well as files, and their bytes are what is hashed."""

@@ -118,12 +118,14 @@ static void meridian_arc_as_geoconvert(void **state)
     const double lat[] = {0.000001, 10, 45.5, 60.25, 83};
     for (int i = 0; i < 5; i++) {
         char zone[16];
-        double easting, northing, dist, az1, az2;
+        double easting, northing, end_lat, end_lon, az2;
         assert_int_equal(fscanf(f, "%15s %lf %lf", zone, &easting, &northing), 3);
-        orr_earth_geodesic_inverse(0, 3 * DEG, lat[i] * DEG, 3 * DEG, &dist, &az1, &az2);
+        const double dist = northing / 0.9996; // UTM's scale on its central meridian
+        orr_earth_geodesic_direct(0, 3 * DEG, 0, dist, &end_lat, &end_lon, &az2);
         ASSERT_NEAR(easting, 500000, 1e-6);
-        ASSERT_NEAR(0.9996 * dist, northing, 2e-6);
-        ASSERT_NEAR(az1, 0, 1e-12);
+        ASSERT_NEAR(end_lat * ORR_WGS84_A_M, lat[i] * DEG * ORR_WGS84_A_M, 2e-6);
+        ASSERT_NEAR(end_lon, 3 * DEG, 1e-15);
+        ASSERT_NEAR(az2, 0, 1e-12);
         // and the arc is the integral of the meridian radius (Simpson, 2000 panels)
         double sum = 0;
         for (int k = 0; k <= 2000; k++) {
@@ -225,19 +227,19 @@ static void normal_gravity_at_its_published_values(void **state)
 {
     (void)state;
     // NIMA TR8350.2, table 3.4: 9.7803253359 at the equator, 9.8321849378 at the poles
-    ASSERT_NEAR(orr_earth_surface_gravity(0), 9.7803253359, 5e-11);
-    ASSERT_NEAR(orr_earth_surface_gravity(ORR_PI / 2), 9.8321849378, 1e-10);
-    ASSERT_NEAR(orr_earth_surface_gravity(-ORR_PI / 2), 9.8321849378, 1e-10);
+    ASSERT_NEAR(orr_vec3_norm(gravity(orr_earth_to_ecef((orr_geodetic){0}))), 9.7803253359, 5e-11);
+    for (int pole = -1; pole <= 1; pole += 2)
+        ASSERT_NEAR(orr_vec3_norm(gravity(orr_earth_to_ecef((orr_geodetic){pole * ORR_PI / 2, 0, 0}))),
+                    9.8321849378, 1e-10);
     // Somigliana's closed form with its published constant k
     for (int lat = 0; lat <= 90; lat += 5) {
         double s2 = pow(sin(lat * DEG), 2);
         double somigliana = 9.7803253359 * (1 + 0.00193185265241 * s2) / sqrt(1 - ORR_WGS84_E2 * s2);
-        ASSERT_NEAR(orr_earth_surface_gravity(lat * DEG), somigliana, 2e-10);
         // the vector on the ellipsoid: that strength, straight down
         orr_vec3 g = gravity(orr_earth_to_ecef((orr_geodetic){lat * DEG, 0.7, 0}));
         orr_mat3 a = orr_earth_enu_from_ecef(lat * DEG, 0.7);
         orr_vec3 enu = orr_mat3_apply(&a, g);
-        ASSERT_NEAR(enu.z, -orr_earth_surface_gravity(lat * DEG), 1e-13);
+        ASSERT_NEAR(enu.z, -somigliana, 2e-10);
         ASSERT_NEAR(hypot(enu.x, enu.y), 0, 1e-13);
     }
     // far away a point mass with J2
@@ -280,24 +282,26 @@ static void geodesic_of_the_textbook(void **state)
     (void)state;
     // Geoscience Australia's worked line, Flinders Peak to Buninyong, on GRS80: its flattening differs by
     // 1e-11 of WGS 84's
-    double dist, az1, az2, lat, lon;
-    orr_earth_geodesic_inverse(dms(-37, 57, 3.72030), dms(144, 25, 29.52440), dms(-37, 39, 10.15610),
-                               dms(143, 55, 35.38390), &dist, &az1, &az2);
-    ASSERT_NEAR(dist, 54972.271, 6e-4);
-    ASSERT_NEAR(remainder(az1 - dms(306, 52, 5.37), 2 * ORR_PI), 0, 3e-8);
+    double lat, lon, az2;
+    orr_earth_geodesic_direct(dms(-37, 57, 3.72030), dms(144, 25, 29.52440), dms(306, 52, 5.37), 54972.271,
+                              &lat, &lon, &az2);
+    ASSERT_NEAR(lat, dms(-37, 39, 10.15610), 2e-10); // the millimetre of the length, 5e-3" of the azimuth
+    ASSERT_NEAR(lon, dms(143, 55, 35.38390), 2e-10);
     ASSERT_NEAR(remainder(az2 + ORR_PI - dms(127, 10, 25.07), 2 * ORR_PI), 0, 3e-8);
-    orr_earth_geodesic_direct(dms(-37, 57, 3.72030), dms(144, 25, 29.52440), az1, dist, &lat, &lon, &az2);
-    ASSERT_NEAR(lat, dms(-37, 39, 10.15610), 1e-14);
-    ASSERT_NEAR(lon, dms(143, 55, 35.38390), 1e-14);
+    // there and back, and a whole meridian round
     for (uint64_t k = 0; k < 1000; k++) {
-        orr_geodetic a = random_place(k), b = random_place(k + 5000);
-        orr_earth_geodesic_inverse(a.lat_rad, a.lon_rad, b.lat_rad, b.lon_rad, &dist, &az1, &az2);
-        assert_true(dist <= 20003931.5); // half a meridian: no two points are further apart
-        orr_earth_geodesic_direct(a.lat_rad, a.lon_rad, az1, dist, &lat, &lon, &az2);
-        orr_vec3 p = orr_earth_to_ecef((orr_geodetic){lat, lon, 0}),
-                 q = orr_earth_to_ecef((orr_geodetic){b.lat_rad, b.lon_rad, 0});
+        const orr_geodetic a = random_place(k);
+        const double az = 2 * ORR_PI * orr_rng_uniform(8, 0, k), dist = 2e7 * orr_rng_uniform(8, 1, k);
+        double back_lat, back_lon, back_az;
+        orr_earth_geodesic_direct(a.lat_rad, a.lon_rad, az, dist, &lat, &lon, &az2);
+        orr_earth_geodesic_direct(lat, lon, az2, -dist, &back_lat, &back_lon, &back_az);
+        const orr_vec3 p = orr_earth_to_ecef((orr_geodetic){back_lat, back_lon, 0}),
+                       q = orr_earth_to_ecef((orr_geodetic){a.lat_rad, a.lon_rad, 0});
         ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(p, q)), 0, 1e-7);
     }
+    orr_earth_geodesic_direct(0.3, 1.1, 0, 4 * 10001965.7293127, &lat, &lon, &az2);
+    ASSERT_NEAR(lat, 0.3, 1e-13); // the quadrant's own digits: 4e-7 m of 6.4e6 m
+    ASSERT_NEAR(lon, 1.1, 1e-13);
 }
 
 static void gravity_model_of_one_coefficient(void **state)

@@ -371,22 +371,6 @@ static void weeks_and_their_rollovers(void **state)
     }
 }
 
-static void truncated_weeks_unroll_to_the_nearest(void **state)
-{
-    (void)state;
-    const int bits[] = {8, 10, 12, 13};
-    for (uint64_t k = 0; k < 20000; k++) {
-        int b = bits[k % 4];
-        int32_t week = (int32_t)(orr_rng_u64(3, 0, k) % 9000), half = 1 << (b - 1);
-        int32_t off =
-            (int32_t)(orr_rng_u64(3, 1, k) % (uint64_t)(2 * half - 1)) - (half - 1); // up to half - 1 away
-        orr_time near = orr_time_from_week(week + off, 12345);
-        assert_int_equal(orr_week_unroll(week & (2 * half - 1), b, near), week);
-    }
-    assert_int_equal(orr_week_unroll(0, 10, at(1999, 8, 21, 23, 0, 0, ORR_SCALE_GPS)), 1024);
-    assert_int_equal(orr_week_unroll(1023, 10, at(2019, 4, 7, 1, 0, 0, ORR_SCALE_GPS)), 2047);
-}
-
 static void adding_seconds(void **state)
 {
     (void)state;
@@ -437,7 +421,6 @@ static void nothing_overflows_at_the_ends_of_the_axis(void **state)
         }
         assert_non_null(orr_time_text(end[i], text));
         (void)orr_leap_expired(end[i], NULL);
-        (void)orr_week_unroll(1, 13, end[i]);
     }
     assert_int_equal(orr_time_from_week(INT32_MAX, 0), INT64_MAX);
     assert_int_equal(orr_time_from_week(15250, INT64_MAX), INT64_MAX);
@@ -475,7 +458,6 @@ int main(void)
         cmocka_unit_test(the_longer_table_is_chosen),
         cmocka_unit_test(modified_julian_dates),
         cmocka_unit_test(weeks_and_their_rollovers),
-        cmocka_unit_test(truncated_weeks_unroll_to_the_nearest),
         cmocka_unit_test(adding_seconds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -272,7 +272,6 @@ static void mixers_agree(void **state)
         orr_gen_mix_avx2(&run, sum[1][0], sum[1][1]);
         assert_memory_equal(sum[0], sum[1], sizeof sum[0]);
     }
-    print_message("this processor mixes by %s\n", orr_gen_mix_name(orr_gen_mix_best()));
 }
 
 // Chips of every level at a phasor of known size: what is added is amplitude * level / 128, and amplitude * chip.

@@ -45,6 +45,13 @@ static record observe(const orr_aux_plan *plan)
     return r;
 }
 
+// The inverse of the pressure below 11 km with the rounded constants of ISO 2533: geopotential height, then geometric.
+static double standard_height_m(double hpa)
+{
+    const double geopotential = (1 - pow(hpa / 1013.25, 1 / 5.25588)) / 2.25577e-5;
+    return 6356766.0 * geopotential / (6356766.0 - geopotential);
+}
+
 static void without_errors_they_are_the_truth(void **state)
 {
     (void)state;
@@ -71,7 +78,7 @@ static void without_errors_they_are_the_truth(void **state)
         tr.evaluate(tr.self, s->t_s, &m);
         const orr_angles a = orr_motion_angles(&m);
         ASSERT_NEAR(s->height_m, orr_earth_from_ecef(m.r_m).height_m, 1e-9);
-        ASSERT_NEAR(orr_aux_pressure_height_m(s->pressure_hpa), s->height_m, 1e-8);
+        ASSERT_NEAR(standard_height_m(s->pressure_hpa), s->height_m, 1e-8);
         ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(s->field_nt, s->true_field_nt)), 0, 1e-9);
         ASSERT_NEAR(remainder(s->heading_rad - a.heading_rad, 2 * ORR_PI), 0, 1e-12);
         ASSERT_NEAR(s->pitch_rad, a.pitch_rad, 1e-12);

@@ -2,7 +2,7 @@
 // A flight as a sequence of phases, from rest to rest, and what speeds and heights do at the ends of legs.
 #include "testing.h"
 
-#include "inertial/motion/flight_plan.h"
+#include "flights.h"
 #include "inertial/nav/null_test.h"
 #include "inertial/sense/sensors.h"
 
@@ -35,7 +35,7 @@ static const orr_phase sequence[] = {
 
 static orr_flight_plan plan_of(const orr_phase *phase, size_t n)
 {
-    orr_flight_plan p = orr_flight_plan_default();
+    orr_flight_plan p = test_flight_plan();
     p.phase = phase;
     p.n_phases = n;
     p.start = (orr_geodetic){52 * DEG, 13 * DEG, 100};
@@ -167,7 +167,7 @@ static void speeds_change_within_limits(void **state)
     orr_waypoint w[3] = {{{50 * DEG, 20 * DEG, 500}, 120},
                          {{50.2 * DEG, 20 * DEG, 500}, 30},
                          {{50.4 * DEG, 20 * DEG, 500}, 0}};
-    orr_flight_plan p = orr_flight_plan_default();
+    orr_flight_plan p = test_flight_plan();
     p.waypoint = w;
     p.n_waypoints = 3;
     static const double limit[] = {0.5, 2.0, 8.0};
@@ -199,7 +199,7 @@ static void a_climbing_leg_begins_where_it_should(void **state)
     (void)state;
     orr_diag diag = {0};
     orr_waypoint w[2] = {{{50 * DEG, 20 * DEG, 500}, 60}, {{50.1 * DEG, 20 * DEG, 1300}, 0}};
-    orr_flight_plan p = orr_flight_plan_default();
+    orr_flight_plan p = test_flight_plan();
     p.waypoint = w;
     p.n_waypoints = 2;
     orr_trajectory tr;

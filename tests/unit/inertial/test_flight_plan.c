@@ -88,7 +88,7 @@ static void waypoints_climb_and_turn(void **state)
     orr_waypoint w[3] = {{{10 * deg, 20 * deg, 500}, 60},
                          {{10.2 * deg, 20 * deg, 1500}, 80},
                          {{10.2 * deg, 20.2 * deg, 1500}, 0}};
-    orr_flight_plan p = orr_flight_plan_default();
+    orr_flight_plan p = test_flight_plan();
     p.waypoint = w;
     p.n_waypoints = 3;
     orr_trajectory tr;
@@ -123,7 +123,7 @@ static void bad_plans_get_a_sentence(void **state)
     assert_int_equal(orr_trajectory_flight_plan(0, &p, &tr, NULL, &diag), ORR_E_ARG);
     double deg = ORR_RAD_PER_DEG;
     orr_waypoint w[3] = {{{0, 0, 500}, 0}, {{0.001 * deg, 0, 500}, 0}, {{0, 0.001 * deg, 500}, 0}};
-    p = orr_flight_plan_default();
+    p = test_flight_plan();
     p.waypoint = w;
     p.n_waypoints = 3;
     assert_int_equal(orr_trajectory_flight_plan(0, &p, &tr, NULL, &diag), ORR_E_ARG);

@@ -292,20 +292,20 @@ static void whole_runs_agree_with_single_increments(void **state)
     orr_vec3 sum = {0, 0, 0};
     for (size_t j = 0; j < imu.n; j++) {
         orr_vec3 th, dv;
-        orr_sensors_increment(&tr, NULL, ORR_QUADRATURE_GAUSS, 2, orr_imu_edge_s(&imu, j),
-                              orr_imu_edge_s(&imu, j + 1), &th, &dv);
+        test_increment(&tr, NULL, ORR_QUADRATURE_GAUSS, 2, orr_imu_edge_s(&imu, j),
+                       orr_imu_edge_s(&imu, j + 1), &th, &dv);
         ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(dv, imu.dv_mps[j])), 0,
                     2e-15); // rounding of 10 m/s^2 over 10 ms
         sum = orr_vec3_add(sum, dv);
     }
     orr_vec3 th, whole = {0, 0, 0}, part; // increments add up; the source's sum approaches the same
     for (int k = 0; k < 60; k++) {
-        orr_sensors_increment(&tr, NULL, ORR_QUADRATURE_GAUSS, 5, k, k + 1, &th, &part);
+        test_increment(&tr, NULL, ORR_QUADRATURE_GAUSS, 5, k, k + 1, &th, &part);
         whole = orr_vec3_add(whole, part);
     }
     ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(whole, sum)), 0, 1e-9);
-    orr_sensors_increment(&tr, NULL, ORR_QUADRATURE_RIEMANN, 1000, 0, 1, &th, &part);
-    orr_sensors_increment(&tr, NULL, ORR_QUADRATURE_GAUSS, 5, 0, 1, &th, &whole);
+    test_increment(&tr, NULL, ORR_QUADRATURE_RIEMANN, 1000, 0, 1, &th, &part);
+    test_increment(&tr, NULL, ORR_QUADRATURE_GAUSS, 5, 0, 1, &th, &whole);
     ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(whole, part)), 0, 1e-6);
     orr_imu_free(&imu);
     orr_trajectory_free(&tr);

@@ -9,6 +9,8 @@
 #include "src/scenario/channel/slow.h"
 #include "src/scenario/engine/engine.h"
 #include "testing.h"
+
+#include "block_at.h"
 #include "unit/orbit/made_orbit.h"
 #include "unit/scenario/made_channels.h"
 
@@ -282,9 +284,9 @@ static worst try_blocks(size_t antenna, orr_time t, int n_blocks, double error_m
             const double T = (double)last.length_ns / 1e9, *q = before[k].code, *f = before[k].carrier;
             int64_t cycles;
             double fraction;
-            orr_block_carrier(&before[k], T, &cycles, &fraction);
+            block_carrier(&before[k], T, &cycles, &fraction);
             const double joint = (double)(cycles - now[k].carrier_cycles) + (fraction - now[k].carrier[0]);
-            w.code_joint_m = fmax(w.code_joint_m, fabs(orr_block_code_m(&before[k], T) - now[k].code[0]));
+            w.code_joint_m = fmax(w.code_joint_m, fabs(block_code_m(&before[k], T) - now[k].code[0]));
             w.carrier_joint_m = fmax(w.carrier_joint_m, fabs(joint) * ORR_LIGHT_MPS / now[k].at.carrier_hz);
             w.rate_joint_mps =
                 fmax(w.rate_joint_mps, fabs(q[1] + T * (2 * q[2] + T * 3 * q[3]) - now[k].code[1]));
@@ -297,7 +299,7 @@ static worst try_blocks(size_t antenna, orr_time t, int n_blocks, double error_m
             assert_int_equal(orr_channels_at(c, antenna, work, b.t0 + dt, UINT64_MAX, direct, &m),
                              ORR_ANSWER_OK);
             for (size_t k = 0; k < n && m == n; k++)
-                here = fmax(here, fabs(orr_block_code_m(&now[k], (double)dt / 1e9) - direct[k].code_m));
+                here = fmax(here, fabs(block_code_m(&now[k], (double)dt / 1e9) - direct[k].code_m));
         }
         w.error_m = fmax(w.error_m, here);
         w.over += here > error_m;
