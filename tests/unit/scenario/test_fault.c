@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults: against the same scenario without them, by closed forms, statistics and geometry; at blocks' edges; refusals.
+#include "block_at.h"
 #include "core/constants.h"
-#include "src/scenario/channel/block.h"
 #include "testing.h"
 #include "unit/orbit/made_orbit.h"
 #include "unit/scenario/made_channels.h"
@@ -64,7 +64,7 @@ static double in_block(orr_time t, int64_t *length_ns)
     *length_ns = b.length_ns;
     for (size_t k = 0; k < n; k++)
         if (block[k].at.sat == orr_sat_parse("G01") && strcmp(all[block[k].at.signal].name, "L1CA") == 0)
-            return orr_block_code_m(&block[k], orr_time_diff_s(t, b.t0));
+            return block_code_m(&block[k], orr_time_diff_s(t, b.t0));
     return (double)NAN;
 }
 
