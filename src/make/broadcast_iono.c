@@ -7,10 +7,11 @@
 
 #include "core/constants.h"
 #include "core/linalg.h"
+#include "iono/broadcast/bdgim.h"
 #include "iono/broadcast/klobuchar.h"
 
 #define ITERATIONS 12
-enum { LATITUDES = 11, LONGITUDES = 12, HOURS = 12, PLACES = LATITUDES * LONGITUDES * HOURS, MOST = 8 };
+enum { LATITUDES = 11, LONGITUDES = 12, HOURS = 12, PLACES = LATITUDES * LONGITUDES * HOURS, MOST = 9 };
 #define TOP_M 20.2e6 // of NeQuick-G's vertical rays
 
 // Vertical content at a place and an instant.
@@ -54,6 +55,12 @@ static double beidou_tecu(const problem *p, const sample *s, const double *c)
     return tecu_of(orr_klobuchar_beidou_vertical_m(&k, s->t, s->lat_rad, s->lon_rad), 1561.098e6);
 }
 
+static double bdgim_tecu(const problem *p, const sample *s, const double *c)
+{
+    (void)p;
+    return orr_bdgim_vertical_tecu(c, s->t, s->lat_rad, s->lon_rad);
+}
+
 static double nequick_tecu(const problem *p, const sample *s, const double *c)
 {
     const orr_geodetic low = {s->lat_rad, s->lon_rad, 0}, high = {s->lat_rad, s->lon_rad, TOP_M};
@@ -67,6 +74,13 @@ static double nequick_tecu(const problem *p, const sample *s, const double *c)
             {20, 0, -1, 0, 55, 0, -1, 0}, {1, 1, 1, 1, 1, 1, 1, 1}, function                                 \
     }
 static const model gps = KLOBUCHAR(gps_tecu), beidou = KLOBUCHAR(beidou_tecu);
+static const model bdgim = {9,
+                            {0.125, 0.125, 0.125, 0.125, -0.125, 0.125, 0.125, 0.125, 0.125},
+                            {0, -128, 0, 0, 0, -128, -128, -128, -128},
+                            {1023, 127, 255, 255, 255, 127, 127, 127, 127},
+                            {160, 0, 40, 40, 40, 0, 0, 0, 0},
+                            {1, 1, 1, 1, 1, 1, 1, 1, 1},
+                            bdgim_tecu};
 static const model nequick = {
     3,           {0x1p-2, 0x1p-8, 0x1p-15}, {1, -1024, -8192}, {2047, 1023, 8191}, {400, 0, 0}, {4, 16, 64},
     nequick_tecu};
@@ -174,14 +188,16 @@ orr_status orr_broadcast_iono_fit(const orr_tec_field *field, orr_time from, orr
     orr_status s = p->n >= 100 ? ORR_OK : ORR_E_NODATA;
     out[0] = record(ORR_NAV_KLOBUCHAR, 'G');
     out[1] = record(ORR_NAV_KLOBUCHAR, 'C');
-    out[2] = record(ORR_NAV_NEQUICK_G, 'E');
+    out[2] = record(ORR_NAV_BDGIM, 'C');
+    out[3] = record(ORR_NAV_NEQUICK_G, 'E');
     if (s == ORR_OK) s = fit(&gps, p, 1, out[0].coefficient);
     if (s == ORR_OK) s = fit(&beidou, p, 1, out[1].coefficient);
-    if (s == ORR_OK && tables != NULL) s = fit(&nequick, p, 11, out[2].coefficient);
+    if (s == ORR_OK) s = fit(&bdgim, p, 1, out[2].coefficient);
+    if (s == ORR_OK && tables != NULL) s = fit(&nequick, p, 11, out[3].coefficient);
     free(p);
     if (s == ORR_E_NODATA)
         return orr_diag_set(diag, s, "the ionosphere covers nothing of the orbits' middle day");
     if (s != ORR_OK) return orr_diag_set(diag, s, "the ionosphere cannot be fitted by broadcast models");
-    *n = tables != NULL ? 3 : 2;
+    *n = tables != NULL ? 4 : 3;
     return ORR_OK;
 }

@@ -3,6 +3,7 @@
 // hours other than those of the fit.
 #include "testing.h"
 
+#include "iono/broadcast/bdgim.h"
 #include "iono/broadcast/klobuchar.h"
 #include "iono/field/tec_files.h"
 #include "src/make/broadcast_iono.h"
@@ -26,6 +27,7 @@ static double model_tecu(const orr_nav_iono *r, const orr_nequick *tables, orr_t
     const double l1 = 1575.42e6, b1 = 1561.098e6;
     if (r->kind == ORR_NAV_NEQUICK_G)
         return orr_nequick_slant_tecu(tables, r->coefficient, t, NULL, low, high);
+    if (r->kind == ORR_NAV_BDGIM) return orr_bdgim_vertical_tecu(r->coefficient, t, lat, lon);
     return r->system == 'G' ? orr_klobuchar_vertical_m(&k, t, lat, lon) * l1 * l1 / 40.3e16
                             : orr_klobuchar_beidou_vertical_m(&k, t, lat, lon) * b1 * b1 / 40.3e16;
 }
@@ -47,9 +49,9 @@ static void half_of_the_delay_is_left(void **state)
     ASSERT_OK(orr_nequick_load(folder, &tables, &d), d);
     const orr_time from = when("2024-02-04T00:00:00"), to = when("2024-02-05T00:00:00");
     ASSERT_OK(orr_broadcast_iono_fit(field, from, to, tables, NULL, record, &n, &d), d);
-    assert_int_equal(n, 3);
+    assert_int_equal(n, 4);
     static orr_tec_instant at;
-    double sum[3] = {0}, all = 0;
+    double sum[4] = {0}, all = 0;
     for (int h = 1; h < 24; h += 4) {
         const orr_time t = from + (h * 3600 + 1800) * ORR_NS_PER_S;
         ASSERT_OK(orr_tec_field_at(field, t, &at, &d), d);
@@ -67,7 +69,7 @@ static void half_of_the_delay_is_left(void **state)
                 }
             }
     }
-    static const char *const name[] = {"Klobuchar of GPS", "Klobuchar of BeiDou", "NeQuick-G"};
+    static const char *const name[] = {"Klobuchar of GPS", "Klobuchar of BeiDou", "BDGIM", "NeQuick-G"};
     for (size_t k = 0; k < n; k++) {
         print_message("%-20s leaves %.0f %% of the vertical delay (RMS)\n", name[k],
                       100 * sqrt(sum[k] / all));
