@@ -56,7 +56,7 @@ orr_status orr_clk_parse(const char *name, const char *text, size_t n, const orr
                          orr_clk *out, orr_warnings *warnings, orr_diag *diag);
 void orr_clk_free(orr_clk *x); // leaves *x empty
 // Writes the satellites' clocks as RINEX 3.00 (the layout that every reader knows), "-" is stdout. Of x are used: system, scale,
-// program, run_by, date, agency, sat, epoch. Errors: ORR_E_IO.
+// program, run_by, date, agency, sat, epoch; standard deviations above zero are written beside the clocks. Errors: ORR_E_IO.
 orr_status orr_clk_write(const orr_clk *x, const char *path, orr_diag *diag);
 const orr_clk_series *orr_clk_find(const orr_clk *x, orr_sat sat); // NULL if none
 

@@ -53,8 +53,13 @@ orr_status orr_clk_write(const orr_clk *x, const char *path, orr_diag *diag)
             }
             if (low == c->n || c->record[low].t != x->epoch[i] || !isfinite(c->record[low].bias_s)) continue;
             orr_time_to_civil(x->epoch[i], x->scale, x->leap, &t);
-            fprintf(out.stream, "AS %-4s %4d %02d %02d %02d %02d %9.6f %2d   %19.12E\n", c->name, t.year,
-                    t.month, t.day, t.hour, t.minute, t.second + t.ns * 1e-9, 1, c->record[low].bias_s);
+            const double sdev_s = c->record[low].bias_sdev_s;
+            const bool told = isfinite(sdev_s) && sdev_s > 0;
+            fprintf(out.stream, "AS %-4s %4d %02d %02d %02d %02d %9.6f %2d   %19.12E", c->name, t.year,
+                    t.month, t.day, t.hour, t.minute, t.second + t.ns * 1e-9, told ? 2 : 1,
+                    c->record[low].bias_s);
+            if (told) fprintf(out.stream, " %19.12E", sdev_s);
+            fputc('\n', out.stream);
         }
     return orr_outfile_commit(&out, diag);
 }

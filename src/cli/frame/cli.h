@@ -160,7 +160,7 @@ orr_status orr_cli_tree_check(const orr_cli *c, const orr_schema *schema, const 
 // The same of a file in a folder that the command fills, before it is written.
 //   Given:    c             the command
 //             path          of the file
-//             schema, base  the tree whose files it reads, as above
+//             schema, base  the tree whose files it reads, as above; NULL: the operands alone
 //   Returned: diag          ORR_E_ARG where the file is an input, read-only, or not ours without --force; ORR_E_IO
 orr_status orr_cli_file_check(const orr_cli *c, const char *path, const orr_schema *schema, const void *base,
                               orr_diag *diag);

@@ -185,7 +185,7 @@ orr_status orr_cli_file_check(const orr_cli *c, const char *path, const orr_sche
     if (stat(path, &m.st) != 0) return ORR_OK;
     bool free_of = true;
     for (int i = 0; i < c->n_operands; i++) free_of = free_of && apart(&m, c->operand[i]);
-    if (!free_of || !orr_schema_files(schema, base, apart, &m))
+    if (!free_of || (schema != NULL && !orr_schema_files(schema, base, apart, &m)))
         return orr_diag_set(diag, ORR_E_ARG, "%s would overwrite %s, which is read: name another folder",
                             path, m.with);
     const bool force = orr_cli_given(c, "force"), read_only = (m.st.st_mode & 0222) == 0;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery states: a table of satellite states out of an orbit product.
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
@@ -14,13 +17,45 @@ static const orr_option options[] = {
      .kind = ORR_OPT_CHOICE,
      .value = "ecef|inertial",
      .fallback = "ecef",
-     .applies = "format=csv|json",
+     .applies = "format=csv|json|oem|netcdf",
      .help = "The axes. ecef (default): those of the orbits. inertial: of the GCRS (J2000), by the Earth "
              "rotation that "
              "the product holds."},
-    ORR_OPTION_FORMAT("csv|sp3|json", "csv"),
+    ORR_OPTION_FORMAT_AS(
+        "csv|sp3|json|clk|orbex|oem|netcdf", "csv",
+        .help = "csv (default), json; sp3: version d with velocities; clk: RINEX clocks; orbex: "
+                "attitude; oem: the CCSDS' Orbit Ephemeris Message; netcdf, with CF attributes."),
+    {.name = "split",
+     .kind = ORR_OPT_DURATION,
+     .value = "S",
+     .applies = "!at",
+     .help = "A file for each stretch of that length, e.g. 1h, from midnight on: --output is a folder then, "
+             "and the "
+             "names are those of IGS, e.g. ORR0TSTFIN_20250801000_01H_10Z_ORB.SP3."},
     ORR_OPTION_OUTPUT,
 };
+
+// The forms, and how files of them are called.
+static const struct {
+    const char *name, *content, *suffix;
+    orr_status (*write)(const orr_products *p, const states_request *q, states_count *count, orr_diag *diag);
+} formats[] = {
+    {"csv", "ORB", "CSV", NULL},
+    {"json", "ORB", "JSON", NULL},
+    {"sp3", "ORB", "SP3", states_write_sp3},
+    {"clk", "CLK", "CLK", states_write_clk},
+    {"orbex", "ATT", "OBX", states_write_orbex},
+    {"oem", "ORB", "OEM", states_write_oem},
+    {"netcdf", "ORB", "NC", states_write_netcdf},
+};
+enum { FORMATS = sizeof formats / sizeof formats[0], NAME = 1200 };
+
+static size_t format_of(const orr_cli *c)
+{
+    size_t k = 0;
+    while (k + 1 < FORMATS && !orr_cli_says(c, "format", formats[k].name)) k++;
+    return k;
+}
 
 // The request's instants against the products' span: outside of it there is nothing to tell, and a table that
 // silently stops short would be worse than none.
@@ -46,13 +81,81 @@ static bool has_satellites(const orr_cli *c, const orr_products *p, const orr_sa
     return false;
 }
 
+static orr_status write_one(const orr_cli *c, const orr_products *p, const states_request *q,
+                            states_count *count, orr_diag *diag)
+{
+    const size_t k = format_of(c);
+    return formats[k].write != NULL
+               ? formats[k].write(p, q, count, diag)
+               : states_write_table(p, q, orr_cli_says(c, "format", "json"), count, diag);
+}
+
+// A length as IGS' long names have it: 15M, 01H, 10Z (per second), and so on; what is no whole number of any is 00U.
+static void length_text(int64_t ns, char text[16])
+{
+    static const struct {
+        int64_t ns;
+        char letter;
+    } unit[] = {{86400 * ORR_NS_PER_S, 'D'},
+                {3600 * ORR_NS_PER_S, 'H'},
+                {60 * ORR_NS_PER_S, 'M'},
+                {ORR_NS_PER_S, 'S'}};
+    for (size_t k = 0; k < sizeof unit / sizeof unit[0]; k++)
+        if (ns % unit[k].ns == 0 && ns / unit[k].ns < 100) {
+            snprintf(text, 16, "%02d%c", (int)(ns / unit[k].ns), unit[k].letter);
+            return;
+        }
+    if (ns < ORR_NS_PER_S && ORR_NS_PER_S % ns == 0 && ORR_NS_PER_S / ns < 100)
+        snprintf(text, 16, "%02dZ", (int)(ORR_NS_PER_S / ns));
+    else if (ns < ORR_NS_PER_S && ORR_NS_PER_S % (100 * ns) == 0 && ORR_NS_PER_S / ns < 10000)
+        snprintf(text, 16, "%02dC", (int)(ORR_NS_PER_S / ns / 100));
+    else
+        snprintf(text, 16, "00U");
+}
+
+static orr_status write_split(const orr_cli *c, const orr_products *p, const states_request *q,
+                              states_count *count, orr_diag *diag)
+{
+    const int64_t length = orr_cli_duration_ns(c, "split", 0);
+    const size_t k = format_of(c);
+    char name[NAME], whole[16], step[16];
+    if (mkdir(q->path, 0777) != 0 && errno != EEXIST)
+        return orr_diag_at(diag, ORR_E_IO, q->path, 0, 0, "cannot be made: %s", strerror(errno));
+    length_text(length, whole);
+    length_text(q->step_ns, step);
+    size_t n = 0;
+    for (orr_time t = q->from; t <= q->to; n++) {
+        states_request part = *q;
+        orr_civil civil;
+        const orr_time end = t - orr_floor_mod(t, length) + length;
+        part.path = name;
+        part.from = t;
+        part.to = end - 1 < q->to ? end - 1 : q->to;
+        orr_time_to_civil(t - orr_floor_mod(t, length), ORR_SCALE_GPS, NULL, &civil);
+        const int wrote =
+            snprintf(name, sizeof name, "%s/ORR0OPSFIN_%04d%03d%02d%02d_%s_%s_%s.%s", q->path, civil.year,
+                     orr_day_of_year(civil.year, civil.month, civil.day), civil.hour, civil.minute, whole,
+                     step, formats[k].content, formats[k].suffix);
+        if (wrote < 0 || (size_t)wrote >= sizeof name)
+            return orr_diag_set(diag, ORR_E_LIMIT, "%s: the name is too long", q->path);
+        orr_status s = orr_cli_file_check(c, name, NULL, NULL, diag);
+        if (s == ORR_OK) s = write_one(c, p, &part, count, diag);
+        if (s != ORR_OK) return s;
+        t += ((part.to - t) / q->step_ns + 1) * q->step_ns;
+    }
+    orr_cli_say(c, "%s: %zu file%s", q->path, n, n == 1 ? "" : "s");
+    return ORR_OK;
+}
+
 static int write_states(orr_cli *c, const orr_products *p, const states_request *q)
 {
-    const bool json = orr_cli_says(c, "format", "json"), sp3 = orr_cli_says(c, "format", "sp3");
     states_count count = {0};
     orr_diag diag = {0};
-    orr_status s =
-        sp3 ? states_write_sp3(p, q, &count, &diag) : states_write_table(p, q, json, &count, &diag);
+    const bool split = orr_cli_given(c, "split"), file = strcmp(q->path, "-") != 0;
+    if (split && !file) return orr_cli_usage(c, "--split fills a folder: --output DIR");
+    if (orr_cli_says(c, "format", "netcdf") && !file)
+        return orr_cli_usage(c, "NetCDF is not written to standard output: --output FILE");
+    const orr_status s = split ? write_split(c, p, q, &count, &diag) : write_one(c, p, q, &count, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (count.missing > 0)
         orr_cli_say(c, "%zu states; %zu times a satellite had no orbit at an instant and is left out",
@@ -93,7 +196,8 @@ const orr_command orr_cmd_states = {
     .operands = "PRODUCT...",
     .min_operands = 1,
     .max_operands = -1,
-    .about = "Positions, velocities and clocks at evenly spaced instants; of several products, named in any "
+    .about = "Positions, velocities and clocks at evenly spaced instants, or the satellites' attitude; of "
+             "several products, named in any "
              "order, as of one. The CSV columns are t_gps, "
              "sat, x_m, y_m, "
              "z_m, vx_mps, vy_mps, vz_mps, clock_s, flags, sigma_m (of the position, 3-D), clock_sigma_s, "
@@ -113,7 +217,8 @@ const orr_command orr_cmd_states = {
              "input nodes, 64 between the orbits of two files that do not meet, 128 orbits of a file that "
              "are noisier near the Earth's shadow.",
     .example = "orrery states day.nc --from 2024-02-04T12:00 --to 2024-02-04T12:01 --step 0.1 --sat G05,E\n"
-               "orrery states day.nc --step 300 --format sp3 -o day.sp3",
+               "orrery states day.nc --step 300 --format sp3 -o day.sp3\n"
+               "orrery states day.nc --step 0.1 --format sp3 --split 1h -o hours",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

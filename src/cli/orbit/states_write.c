@@ -27,9 +27,8 @@ static void to_inertial(const orr_ephemeris *e, orr_time t, orr_sat_state *state
     }
 }
 
-// The states of the asked satellites at t, into out (room for all), ascending; how many.
-static size_t states_at(const orr_products *p, const states_request *q, orr_time t, orr_sat_state *out,
-                        states_count *count)
+size_t states_at(const orr_products *p, const states_request *q, orr_time t, orr_sat_state *out,
+                 states_count *count)
 {
     const orr_ephemeris *e = orr_products_at(p, t);
     size_t n = 0, asked = 0;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`orrery export`: every format read back by the readers beside the samples, which are written from the formats' own documents."""
 import csv
+import math
 import pathlib
 import subprocess
 import sys
@@ -13,6 +14,14 @@ import read_vectornav  # noqa: E402
 from program import Folder, run, sample  # noqa: E402
 
 WEEK_S = 604800
+
+
+def place_of(lat_deg, lon_deg, height_m):
+    """In the Earth's axes, WGS 84."""
+    lat, lon = math.radians(lat_deg), math.radians(lon_deg)
+    e2 = 0.00669437999014
+    n = 6378137 / math.sqrt(1 - e2 * math.sin(lat) ** 2)
+    return ((n + height_m) * math.cos(lat) * math.cos(lon), (n + height_m) * math.cos(lat) * math.sin(lon), (n * (1 - e2) + height_m) * math.sin(lat))
 
 
 class Export(Folder):
@@ -70,6 +79,31 @@ class Export(Folder):
             for found, true in zip(velocity, (want[4], want[3], -want[5])):
                 self.assertLess(abs(found - true), 6e-8 * max(abs(v) for v in want[3:]))
         self.assertEqual(n, 2000)
+
+    def test_motion_for_simulators(self):
+        """gps-sdr-sim's two forms and Skydel's rows hold the same places; the first is read back as a log."""
+        plan, table = sample("survey.yaml"), {}
+        for form in ("csv", "gps-sdr-sim", "gps-sdr-sim-llh", "skydel"):
+            text = run("track", plan, "--duration", "20", "--rate", "10", "--format", form).stdout.splitlines()
+            table[form] = [[float(x) for x in line.split(",")[:7]] for line in text if not line[0].isalpha()]
+            self.assertEqual(len(table[form]), 201)
+        for at, ecef, llh, sky in zip(*table.values()):
+            self.assertAlmostEqual(at[0], ecef[0], places=6)
+            self.assertAlmostEqual(1e3 * at[0], sky[0], places=6)
+            self.assertEqual(ecef[1:], sky[1:4])
+            for k in range(3):
+                self.assertAlmostEqual(llh[1 + k], at[1 + k], delta=1.1e-4 if k == 2 else 1.1e-10)
+            for k, place in enumerate(place_of(*at[1:4])):
+                self.assertAlmostEqual(place, ecef[1 + k], delta=3e-4)
+            for k in range(3):
+                self.assertAlmostEqual(math.degrees(sky[4 + k]), at[4 + k], delta=1e-6)
+        log = self.path("motion.csv")
+        run("track", plan, "--duration", "20", "--format", "gps-sdr-sim", "-o", log)
+        back = run("track", "--telemetry", log, "--start", "2024-02-04T10:00:00", "--rate", "10").stdout.splitlines()[1:]
+        for line, at in zip(back, table["csv"]):
+            word = [float(x) for x in line.split(",")[:4]]
+            self.assertLess(math.dist(place_of(*word[1:]), place_of(*at[1:4])), 0.02)
+        self.assertIn("ten places a second", run("track", plan, "--format", "gps-sdr-sim", "--rate", "5", status=2).stderr)
 
     def test_truth_and_refusals(self):
         self.export("pyins", "--truth", self.path("truth.csv"))
