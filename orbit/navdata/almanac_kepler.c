@@ -44,7 +44,8 @@ struct orr_almanac_lattice {
      ORR_SIGNED("OMEGADOT", SEMICIRCLE * P2(38), 16)},                                                       \
         ORR_SIGNED("af0", P2(20), 11), ORR_SIGNED("af1", P2(38), 11)
 
-// IS-GPS-200N table 20-VI; Galileo OS SIS ICD 2.1, table 85; BDS-SIS-ICD-B1I 3.0, table 5-14.
+// IS-GPS-200N table 20-VI; Galileo OS SIS ICD 2.1, table 85; BDS-SIS-ICD-B1I 3.0, table 5-14; IRNSS SIS ICD for SPS 1.1,
+// table 20.
 static const orr_almanac_lattice lattices[] = {
     {'G',
      32,
@@ -77,6 +78,15 @@ static const orr_almanac_lattice lattices[] = {
       ORR_SIGNED("OMEGADOT", SEMICIRCLE *P2(38), 17)},
      ORR_SIGNED("a0", P2(20), 11),
      ORR_SIGNED("a1", P2(38), 11)},
+    {'I',
+     14,
+     16,
+     0,
+     {ORR_UNSIGNED("sqrt(A)", P2(11), 24), ORR_UNSIGNED("e", P2(21), 16), ORR_ANGLE("omega", 23, 24),
+      ORR_ANGLE("M0", 23, 24), ORR_ANGLE("i", 23, 24), ORR_ANGLE("OMEGA0", 23, 24),
+      ORR_SIGNED("OMEGADOT", SEMICIRCLE *P2(38), 16)},
+     ORR_SIGNED("af0", P2(20), 11),
+     ORR_SIGNED("af1", P2(38), 11)},
     {'J', 10, 4096, 0.25 * ORR_PI, QZSS_FIELDS(0.06)},
 };
 // Those of geostationary satellites, which differ from references of zero.
@@ -297,8 +307,9 @@ static orr_status check(orr_sat sat, orr_time toa, orr_time from, orr_time to, d
 {
     const orr_almanac_lattice *l = orr_almanac_lattice_of(sat);
     if (l == NULL)
-        return orr_diag_set(diag, ORR_E_ARG,
-                            "almanacs are of GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63 and QZSS 1 to 10");
+        return orr_diag_set(
+            diag, ORR_E_ARG,
+            "almanacs are of GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63, QZSS 1 to 10 and NavIC 1 to 14");
     const int64_t ns = orr_nav_seconds_of_week(sat, toa, NULL);
     *toa_s = (double)(ns / ORR_NS_PER_S);
     double length_s = orr_time_diff_s(to, from);

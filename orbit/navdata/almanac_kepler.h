@@ -13,7 +13,8 @@ typedef struct orr_almanac {
     int number;
     double e, toa_s,
         i_offset_rad; // from the message's reference: 0.30 semicircles, of Galileo 56 deg, of QZSS 0.25 semicircles,
-                      // of geostationary satellites 0
+                      // of geostationary satellites
+                      // and of NavIC 0
     double omega_dot_radps, sqrt_a_sqrtm, omega0_rad, omega_rad, m0_rad;
     double af0_s, af1_sps;
     uint32_t health; // the system's own bits
@@ -45,7 +46,7 @@ int orr_almanac_toa_step_s(const orr_almanac_lattice *l);
 
 // Fits the seven orbital parameters of an almanac (e, i, OMEGADOT, sqrt(A), OMEGA0, omega, M0) to a precise orbit.
 // Given:
-//   sat       GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63, QZSS 1 to 10
+//   sat       GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63, QZSS 1 to 10, NavIC 1 to 14
 //   toa       reference time, a multiple of the message's step (4096 s, Galileo 600 s) of its week, at most half a week
 //             outside the window
 //   from, to  window of the positions, 2 to 26 h, usually a day about toa; about two hours of it must be known

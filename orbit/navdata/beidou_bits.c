@@ -9,32 +9,7 @@
 #define INFORMATION 224
 
 static const orr_navfit_field tgd = ORR_SIGNED("TGD", 1e-10, 10), a0 = ORR_SIGNED("A0UTC", P2(30), 32),
-                              a1 = ORR_SIGNED("A1UTC", P2(50), 24),
-                              alpha[4] = {ORR_SIGNED("alpha0", P2(30), 8), ORR_SIGNED("alpha1", P2(27), 8),
-                                          ORR_SIGNED("alpha2", P2(24), 8), ORR_SIGNED("alpha3", P2(24), 8)},
-                              beta[4] = {ORR_SIGNED("beta0", 0x1p11, 8), ORR_SIGNED("beta1", 0x1p14, 8),
-                                         ORR_SIGNED("beta2", 0x1p16, 8), ORR_SIGNED("beta3", 0x1p16, 8)};
-
-static void put_elements(const orr_nav_eph *e, const uint8_t *list, size_t n, orr_page *p)
-{
-    const orr_nav_kepler *k = &e->kepler;
-    const double value[] = {k->sqrt_a_sqrtm, k->e,          k->omega_rad,       k->m0_rad,
-                            k->i0_rad,       k->omega0_rad, k->omega_dot_radps, k->delta_n_radps,
-                            k->idot_radps,   k->crc_m,      k->crs_m,           k->cuc_rad,
-                            k->cus_rad,      k->cic_rad,    k->cis_rad};
-    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
-    for (size_t i = 0; i < n; i++) orr_page_value(p, &l->element[list[i]], value[list[i]]);
-}
-
-// Upper bounds of the URA indices (5.2.4.5).
-static int ura_index(double accuracy_m)
-{
-    static const double bound[] = {2.4, 3.4, 4.85, 6.85, 9.65, 13.65, 24,  48,
-                                   96,  192, 384,  768,  1536, 3072,  6144};
-    int k = 0;
-    while (k < 15 && !(accuracy_m <= bound[k])) k++;
-    return k;
-}
+                              a1 = ORR_SIGNED("A1UTC", P2(50), 24);
 
 // Health to TGD2, with which D1's subframe 1 and D2's first page begin.
 static void put_clock_head(const orr_beidou_subframe *d, orr_page *p)
@@ -45,17 +20,11 @@ static void put_clock_head(const orr_beidou_subframe *d, orr_page *p)
     orr_nav_seconds_of_week(e->sat, d->t, &week);
     orr_page_put(p, 1, e->health != 0);
     orr_page_put(p, 5, (uint64_t)e->iodc);
-    orr_page_put(p, 4, (uint64_t)ura_index(e->accuracy_m));
+    orr_page_put(p, 4, (uint64_t)orr_nav_ura_index(e->accuracy_m));
     orr_page_put(p, 13, (uint64_t)week);
     orr_page_value(p, &l->toc, (double)(orr_nav_seconds_of_week(e->sat, e->toc, NULL) / ORR_NS_PER_S));
     orr_page_value(p, &tgd, e->delay.tgd_s);
     orr_page_value(p, &tgd, e->delay.tgd2_s);
-}
-
-static void put_klobuchar(const orr_beidou_subframe *d, orr_page *p)
-{
-    for (int k = 0; k < 4; k++) orr_page_value(p, &alpha[k], d->alpha[k]);
-    for (int k = 0; k < 4; k++) orr_page_value(p, &beta[k], d->beta[k]);
 }
 
 static void subframe_1(const orr_beidou_subframe *d, orr_page *p)
@@ -63,7 +32,7 @@ static void subframe_1(const orr_beidou_subframe *d, orr_page *p)
     const orr_nav_eph *e = d->eph;
     const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
     put_clock_head(d, p);
-    put_klobuchar(d, p);
+    orr_page_klobuchar(p, d->alpha, d->beta);
     orr_page_value(p, &l->clock[2], e->af2_sps2);
     orr_page_value(p, &l->clock[0], e->af0_s);
     orr_page_value(p, &l->clock[1], e->af1_sps);
@@ -80,7 +49,7 @@ static void subframe_2(const orr_beidou_subframe *d, orr_page *p)
 {
     static const uint8_t list[] = {ORR_KEPLER_DELTA_N, ORR_KEPLER_CUC, ORR_KEPLER_LAMBDA, ORR_KEPLER_EX,
                                    ORR_KEPLER_CUS,     ORR_KEPLER_CRC, ORR_KEPLER_CRS,    ORR_KEPLER_SQRT_A};
-    put_elements(d->eph, list, sizeof list, p);
+    orr_kepler_put(p, d->eph, list, sizeof list);
     orr_page_put(p, 2, toe_of(d->eph, p) >> 15);
 }
 
@@ -89,7 +58,7 @@ static void subframe_3(const orr_beidou_subframe *d, orr_page *p)
     static const uint8_t list[] = {ORR_KEPLER_I0,   ORR_KEPLER_CIC,    ORR_KEPLER_OMEGA_DOT, ORR_KEPLER_CIS,
                                    ORR_KEPLER_IDOT, ORR_KEPLER_OMEGA0, ORR_KEPLER_EY};
     orr_page_put(p, 15, toe_of(d->eph, p));
-    put_elements(d->eph, list, sizeof list, p);
+    orr_kepler_put(p, d->eph, list, sizeof list);
     orr_page_zeros(p, 1);
 }
 
@@ -225,9 +194,9 @@ static void d2_fields(const orr_beidou_subframe *d, orr_page *p)
     orr_page_value(p, &l->clock[1], e->af1_sps);
     orr_page_value(p, &l->clock[2], e->af2_sps2);
     orr_page_put(p, 5, (uint64_t)e->iode);
-    put_elements(e, first, sizeof first, p);
+    orr_kepler_put(p, e, first, sizeof first);
     orr_page_put(p, 17, toe_of(e, p));
-    put_elements(e, last, sizeof last, p);
+    orr_kepler_put(p, e, last, sizeof last);
 }
 
 static void d2_page(const orr_beidou_subframe *d, int page, orr_page *p)
@@ -237,7 +206,7 @@ static void d2_page(const orr_beidou_subframe *d, int page, orr_page *p)
     if (page == 1) {
         put_clock_head(d, p);
     } else if (page == 2) {
-        put_klobuchar(d, p);
+        orr_page_klobuchar(p, d->alpha, d->beta);
     } else {
         orr_page_begin(&all, p->diag);
         d2_fields(d, &all);

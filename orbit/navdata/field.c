@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/field.h"
 
+const orr_navfit_field orr_nav_klobuchar_fields[8] = {
+    ORR_SIGNED("alpha0", P2(30), 8), ORR_SIGNED("alpha1", P2(27), 8), ORR_SIGNED("alpha2", P2(24), 8),
+    ORR_SIGNED("alpha3", P2(24), 8), ORR_SIGNED("beta0", 0x1p11, 8),  ORR_SIGNED("beta1", 0x1p14, 8),
+    ORR_SIGNED("beta2", 0x1p16, 8),  ORR_SIGNED("beta3", 0x1p16, 8)};
+
 static double top_of(const orr_navfit_field *f)
 {
     return ldexp(1.0, f->kind == ORR_FIELD_UNSIGNED ? f->bits : f->bits - 1);
@@ -26,4 +31,13 @@ double orr_navfit_clamped(const orr_navfit_field *f, double value)
 {
     const double whole = fmax(least_of(f), fmin(top_of(f) - 1, orr_navfit_whole(f, value)));
     return f->base + orr_navfit_lsbs(whole, f->lsb);
+}
+
+int orr_nav_ura_index(double accuracy_m)
+{
+    static const double bound[] = {2.4, 3.4, 4.85, 6.85, 9.65, 13.65, 24,  48,
+                                   96,  192, 384,  768,  1536, 3072,  6144};
+    int k = 0;
+    while (k < 15 && !(accuracy_m <= bound[k])) k++; // NAN is not known
+    return k;
 }

@@ -52,4 +52,11 @@ orr_status orr_navfit_to_field(const orr_navfit_field *f, double whole, double *
 // The nearest value that a field can hold, its ends included.
 double orr_navfit_clamped(const orr_navfit_field *f, double value);
 
+// Klobuchar's coefficients alpha0..3 and beta0..3 (IS-GPS-200N table 20-X).
+extern const orr_navfit_field orr_nav_klobuchar_fields[8];
+
+// The index of an accuracy in metres, as GPS, QZSS, BeiDou and NavIC send it, 0 (2.4 m and below) to 15 (above 6144 m, or not
+// known). (IS-GPS-200N 20.3.3.3.1.3; BDS-SIS-ICD-B1I 3.0, 5.2.4.5; IRNSS SIS ICD 1.1, 6.2.1.4.)
+int orr_nav_ura_index(double accuracy_m);
+
 #endif

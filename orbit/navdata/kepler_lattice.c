@@ -143,3 +143,11 @@ void orr_kepler_lattice_values(const orr_kepler_lattice *l, const orr_nav_kepler
                                       k->delta_n_dot_radps2};
     memcpy(value, all, sizeof all);
 }
+
+void orr_kepler_put(orr_page *p, const orr_nav_eph *e, const uint8_t *list, size_t n)
+{
+    double value[ORR_KEPLER_N];
+    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
+    orr_kepler_lattice_values(l, &e->kepler, value);
+    for (size_t i = 0; i < n; i++) orr_page_value(p, &l->element[list[i]], value[list[i]]);
+}

@@ -7,6 +7,7 @@
 #include "core/sat.h"
 #include "orbit/navdata/field.h"
 #include "orbit/navdata/kepler_model.h"
+#include "orbit/navdata/page.h"
 
 typedef struct orr_kepler_lattice {
     size_t n;     // parameters: 15, or 17 with the rates of a and delta n
@@ -25,5 +26,7 @@ const orr_kepler_lattice *orr_kepler_lattice_of(orr_sat sat, uint8_t message);
 
 // Whether a BeiDou satellite is geostationary or inclined geosynchronous, by the system's table of satellites.
 bool orr_kepler_is_high(orr_sat sat);
+// Appends n elements of a record, list[i] being of ORR_KEPLER_..., to a page by their fields.
+void orr_kepler_put(orr_page *p, const orr_nav_eph *e, const uint8_t *list, size_t n);
 
 #endif

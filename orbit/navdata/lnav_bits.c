@@ -108,17 +108,6 @@ static orr_status seal(draft *d, int number, const orr_lnav_how *how, orr_lnav_s
     return ORR_OK;
 }
 
-// Upper bounds of the URA indices (20.3.3.3.1.3).
-static uint32_t ura_index(double accuracy_m)
-{
-    static const double bound[] = {2.4, 3.4, 4.85, 6.85, 9.65, 13.65, 24,  48,
-                                   96,  192, 384,  768,  1536, 3072,  6144};
-    if (!isfinite(accuracy_m)) return 15; // no accuracy told: use at own risk
-    uint32_t k = 0;
-    while (k < 15 && accuracy_m > bound[k]) k++;
-    return k;
-}
-
 static void fill_clock(draft *d, const orr_nav_eph *e, const orr_lnav_how *how) // figure 20-1, subframe 1
 {
     int32_t week;
@@ -128,7 +117,7 @@ static void fill_clock(draft *d, const orr_nav_eph *e, const orr_lnav_how *how) 
     double tgd = isfinite(e->delay.tgd_s) ? e->delay.tgd_s : 0;
     put(d, 61, 10, (uint32_t)how->week & 0x3ff); // the current one (20.3.3.3.1.1), whatever toe's is
     put(d, 71, 2, e->data_sources & 3u ? e->data_sources & 3u : 1u); // P code on L2 unless told
-    put(d, 73, 4, ura_index(e->accuracy_m));
+    put(d, 73, 4, (uint32_t)orr_nav_ura_index(e->accuracy_m));
     put(d, 77, 6, e->health & 0x3f);
     put_split(d, 83, 2, 211, 8, iodc);
     put(d, 91, 1, e->l2p_flag > 0);

@@ -7,7 +7,8 @@ static const orr_nav_stream streams[] = {
     {'E', ORR_NAV_INAV, "E5b"},   {'E', ORR_NAV_FNAV, "E5a"},       {'C', ORR_NAV_D1, "B1I B3I"},
     {'C', ORR_NAV_D2, "B1I B3I"}, {'C', ORR_NAV_CNV1, "B1C"},       {'C', ORR_NAV_CNV2, "B2a"},
     {'C', ORR_NAV_CNV3, "B2b"},   {'J', ORR_NAV_LNAV, "L1CA"},      {'J', ORR_NAV_CNAV, "L2C"},
-    {'J', ORR_NAV_CNAV, "L5"},    {'J', ORR_NAV_CNV2, "L1C"},
+    {'J', ORR_NAV_CNAV, "L5"},    {'J', ORR_NAV_CNV2, "L1C"},       {'I', ORR_NAV_LNAV, "L5 S"},
+    {'S', ORR_NAV_SBAS, "L1CA"},
 };
 
 const orr_nav_stream *orr_nav_streams(size_t *n)

@@ -19,6 +19,34 @@ orr_status orr_navfit_check_window(orr_time t0, orr_time from, orr_time to, doub
     return ORR_OK;
 }
 
+orr_nav_eph orr_navfit_blank(orr_sat sat, orr_nav_kind kind, uint8_t message, orr_time toe, int32_t week)
+{
+    orr_nav_eph e = {.sat = sat,
+                     .kind = (uint8_t)kind,
+                     .message = message,
+                     .toe = toe,
+                     .toc = toe,
+                     .transmission = ORR_TIME_NONE,
+                     .week = week,
+                     .fit_interval_h = (double)NAN,
+                     .accuracy_m = (double)NAN,
+                     .iode = ORR_NAV_NO_IOD,
+                     .iodc = ORR_NAV_NO_IOD,
+                     .l2p_flag = -1,
+                     .sat_type = -1,
+                     .ura_ed = -128,
+                     .ura_ned = {-128, -128, -128},
+                     .sisai_oe = -128,
+                     .sisai_ocb = -128,
+                     .sisai_oc1 = -128,
+                     .sisai_oc2 = -128,
+                     .sismai = -128,
+                     .integrity_flags = -128};
+    double *delay = (double *)&e.delay;
+    for (size_t k = 0; k < sizeof e.delay / sizeof *delay; k++) delay[k] = (double)NAN;
+    return e;
+}
+
 orr_status orr_navfit_gather(orr_time from, orr_time to, double step_s, orr_navfit_source source, void *user,
                              orr_navfit_window *w, orr_diag *diag)
 {

@@ -63,6 +63,20 @@ orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe,
 orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time to, orr_navfit_source source,
                               void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
 
+// Fits position, velocity and acceleration of an SBAS record at t0 to an orbit and quantises them.
+// Given:
+//   sat           SBAS satellite
+//   t0            reference time, a multiple of 16 s
+//   from, to      window of the positions, 60 to 900 s long
+//   source, user  positions, as above
+// Returned:
+//   eph           state on the lattice of message 9; the caller sets clock, accuracy and health
+//   report        quantised model against the source
+//   diag          why it failed; may be NULL
+// Reference: RTCA DO-229E A.4.4.11.
+orr_status orr_navfit_geo(orr_sat sat, orr_time t0, orr_time from, orr_time to, orr_navfit_source source,
+                          void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
+
 // Fits a clock polynomial to the product's clock and quantises it.
 // Given:
 //   e         orbit product
@@ -77,7 +91,7 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time 
 //   diag      why it failed; may be NULL
 // Errors: ORR_E_NODATA with fewer than two clock values in the window, ORR_E_RANGE with its name if af0 does not fit its
 // field.
-// Notes: GLONASS' parameters contain the periodic relativity, as its message defines. A rate beyond its field stands at
+// Notes: GLONASS' and SBAS' parameters contain the periodic relativity, as their messages define. A rate beyond its field stands at
 // the field's end.
 orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, orr_time from, orr_time to,
                             double shift_s, orr_nav_eph *eph, double *rms_s, orr_diag *diag);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/astro.h"
 #include "orbit/broadcast/broadcast.h"
+#include "orbit/navdata/geo_fields.h"
 #include "orbit/navdata/kepler_lattice.h"
 #include "orbit/navdata/navfit_private.h"
 
@@ -48,7 +49,9 @@ orr_status orr_navfit_clock(const orr_ephemeris *e, orr_sat sat, orr_time t0, or
     static const orr_navfit_field glonass[2] = {ORR_MAGNITUDE("-tau_n", P2(30), 22),
                                                 ORR_MAGNITUDE("gamma_n", P2(40), 11)};
     const orr_kepler_lattice *lattice = orr_kepler_lattice_of(sat, eph->message);
-    const orr_navfit_field *field = lattice != NULL ? lattice->clock : glonass;
+    const orr_navfit_field *field = lattice != NULL                ? lattice->clock
+                                    : eph->message == ORR_NAV_SBAS ? orr_geo_clock
+                                                                   : glonass;
     orr_navfit_line line;
     orr_status s = orr_navfit_clock_line(e, sat, t0, from, to, lattice == NULL, &line, diag);
     if (s != ORR_OK) return s;

@@ -213,29 +213,7 @@ static orr_status begin(orr_sat sat, uint8_t message, orr_time toe, const orr_ke
     const int64_t sow_ns = orr_nav_seconds_of_week(sat, toe, &week);
     if (sow_ns % ((int64_t)l->toe.lsb * ORR_NS_PER_S) != 0)
         return orr_diag_set(diag, ORR_E_ARG, "toe is transmitted in steps of %.0f s of the week", l->toe.lsb);
-    *e = (orr_nav_eph){.sat = sat,
-                       .kind = ORR_NAV_KEPLER,
-                       .message = message,
-                       .toe = toe,
-                       .toc = toe,
-                       .transmission = ORR_TIME_NONE,
-                       .week = week,
-                       .fit_interval_h = (double)NAN,
-                       .accuracy_m = (double)NAN,
-                       .iode = ORR_NAV_NO_IOD,
-                       .iodc = ORR_NAV_NO_IOD,
-                       .l2p_flag = -1,
-                       .sat_type = -1,
-                       .ura_ed = -128,
-                       .ura_ned = {-128, -128, -128},
-                       .sisai_oe = -128,
-                       .sisai_ocb = -128,
-                       .sisai_oc1 = -128,
-                       .sisai_oc2 = -128,
-                       .sismai = -128,
-                       .integrity_flags = -128};
-    double *delay = (double *)&e->delay;
-    for (size_t k = 0; k < sizeof e->delay / sizeof *delay; k++) delay[k] = (double)NAN;
+    *e = orr_navfit_blank(sat, ORR_NAV_KEPLER, message, toe, week);
     e->kepler.toe_sow_s = (double)sow_ns * 1e-9;
     e->kepler.top_sow_s = (double)NAN;
     return ORR_OK;

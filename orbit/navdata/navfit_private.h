@@ -27,6 +27,11 @@ typedef struct orr_navfit_window {
 // Errors: ORR_E_ARG for another length, or for a t0 that is further outside the window than the window is long.
 orr_status orr_navfit_check_window(orr_time t0, orr_time from, orr_time to, double least_s, double most_s,
                                    orr_diag *diag);
+// A record of which nothing is known but this; toc is toe.
+// Given:
+//   sat, kind, message  whose, and what it is
+//   toe, week           reference time, and its week of the system
+orr_nav_eph orr_navfit_blank(orr_sat sat, orr_nav_kind kind, uint8_t message, orr_time toe, int32_t week);
 // Collects the positions of a window.
 // Given:
 //   from, to      window

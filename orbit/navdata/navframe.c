@@ -9,7 +9,7 @@ static navframe_make *maker_of(char system, uint8_t message)
 {
     switch (message) {
     case ORR_NAV_LNAV:
-        return navframe_lnav;
+        return system == 'I' ? navframe_navic : navframe_lnav;
     case ORR_NAV_FDMA:
         return navframe_glonass;
     case ORR_NAV_INAV:
@@ -20,6 +20,8 @@ static navframe_make *maker_of(char system, uint8_t message)
         return navframe_d1;
     case ORR_NAV_D2:
         return navframe_d2;
+    case ORR_NAV_SBAS:
+        return navframe_sbas;
     case ORR_NAV_CNAV:
         return navframe_cnav;
     case ORR_NAV_CNV1:

@@ -14,12 +14,12 @@
 typedef struct orr_navframe_piece {
     orr_time t;     // begin of its first bit
     int64_t length; // ns, to the end of its last
-    uint8_t
-        number; // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; I/NAV: word type;
-                // F/NAV: page type; CNAV, B-CNAV2 and 3: message type; CNAV-2 and B-CNAV1: page of subframe 3
-    uint8_t
-        page; // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise (D1: 1-24; D2: page 1-120 of subframe 5); GLONASS: frame
-    // 1-5 of the superframe; Galileo: sub-frame 1-24 (I/NAV) or 1-12 (F/NAV) of the frame
+    // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; I/NAV: word type; F/NAV: page type; NavIC:
+    // subframe 1-4; CNAV, SBAS, B-CNAV2 and 3: message type; CNAV-2 and B-CNAV1: page of subframe 3.
+    uint8_t number;
+    // LNAV: page 1-25 of subframes 4 and 5, 0 otherwise (D1: 1-24; D2: page 1-120 of subframe 5); GLONASS: frame 1-5 of the
+    // superframe; Galileo: sub-frame 1-24 (I/NAV) or 1-12 (F/NAV) of the frame; NavIC: message of subframes 3 and 4.
+    uint8_t page;
     uint16_t bits;                    // or symbols
     uint8_t data[ORR_NAVFRAME_BYTES]; // first bit in time is the highest of data[0]; what is left of the last
                                       // byte is 0
@@ -40,8 +40,8 @@ typedef struct orr_navframe {
 //   sat     satellite
 //   stream  which message on which signal; NULL: the satellite's first (orr_navset_streams)
 //   t       instant. Frames begin at multiples of 30 s of GPS time (LNAV; I/NAV on E5b, on E1 a second later) or of UTC
-//           (GLONASS) or of BDT (D1, D2), of 50 s (F/NAV), of 48 s (CNAV on L2C) and 24 s (on L5),
-//           of 18 s (CNAV-2, B-CNAV1), 12 s (B-CNAV2) and 15 s (B-CNAV3)
+//           (GLONASS) or of BDT (D1, D2), of 50 s (F/NAV), of 48 s (NavIC; CNAV on L2C) and 24 s (on L5),
+//           of 18 s (CNAV-2, B-CNAV1), 12 s (B-CNAV2) and 15 s (B-CNAV3, SBAS)
 //   coded   symbols as they are modulated: with error correction, interleaving and synchronisation; GLONASS' with relative
 //           code, meander and time mark. LNAV is the same either way: parity is part of its bits. Secondary codes are the
 //           generator's. Without it bits, with the checks that belong to them (parity, CRC) and tails

@@ -30,6 +30,7 @@ void navframe_almanacs(const navset_almanacs *a, int64_t midi_turn, int64_t redu
 typedef orr_status navframe_make(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, orr_time t,
                                  bool coded, orr_navframe *out, orr_diag *diag);
 navframe_make navframe_lnav, navframe_glonass, navframe_inav, navframe_fnav, navframe_d1, navframe_d2,
-    navframe_cnav, navframe_cnav2, navframe_bcnav1, navframe_bcnav2, navframe_bcnav3;
+    navframe_cnav, navframe_cnav2, navframe_bcnav1, navframe_bcnav2, navframe_bcnav3, navframe_navic,
+    navframe_sbas;
 
 #endif

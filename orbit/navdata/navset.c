@@ -36,7 +36,7 @@ static uint32_t wanted(const orr_navset_options *o, orr_sat sat)
     const char system = orr_sat_system(sat);
     if (o->sats != NULL && !orr_sat_set_has(o->sats, sat)) return 0;
     if (((system == 'G' || system == 'J') && orr_sat_number(sat) > 32) ||
-        (system == 'E' && orr_sat_number(sat) > 36))
+        (system == 'E' && orr_sat_number(sat) > 36) || (system == 'I' && orr_sat_number(sat) > 14))
         return 0;
     uint32_t messages = orr_nav_streams_of(system);
     if (system == 'C') messages &= ~(UINT32_C(1) << (orr_nav_beidou_geo(sat) ? ORR_NAV_D1 : ORR_NAV_D2));
@@ -160,12 +160,7 @@ static bool holds(const double *value, const orr_navfit_field *field, size_t n)
 static void take_others(orr_navset *set, const orr_nav *nav)
 {
     static const orr_navfit_field ai[3] = {ORR_UNSIGNED("ai0", P2(2), 11), ORR_SIGNED("ai1", P2(8), 11),
-                                           ORR_SIGNED("ai2", P2(15), 14)},
-                                  eight[8] = {
-                                      ORR_SIGNED("alpha0", P2(30), 8), ORR_SIGNED("alpha1", P2(27), 8),
-                                      ORR_SIGNED("alpha2", P2(24), 8), ORR_SIGNED("alpha3", P2(24), 8),
-                                      ORR_SIGNED("beta0", 0x1p11, 8),  ORR_SIGNED("beta1", 0x1p14, 8),
-                                      ORR_SIGNED("beta2", 0x1p16, 8),  ORR_SIGNED("beta3", 0x1p16, 8)};
+                                           ORR_SIGNED("ai2", P2(15), 14)};
     bool galileo = false, beidou = false, bdgim = false;
     for (size_t i = 0; nav != NULL && i < nav->n_iono; i++) {
         const orr_nav_iono *k = &nav->iono[i];
@@ -173,7 +168,8 @@ static void take_others(orr_navset *set, const orr_nav *nav)
             memcpy(set->nequick, k->coefficient, sizeof set->nequick);
             galileo = true;
         }
-        if (!beidou && k->kind == ORR_NAV_KLOBUCHAR && k->system == 'C' && holds(k->coefficient, eight, 8)) {
+        if (!beidou && k->kind == ORR_NAV_KLOBUCHAR && k->system == 'C' &&
+            holds(k->coefficient, orr_nav_klobuchar_fields, 8)) {
             memcpy(set->beidou_alpha, k->coefficient, sizeof set->beidou_alpha);
             memcpy(set->beidou_beta, k->coefficient + 4, sizeof set->beidou_beta);
             beidou = true;

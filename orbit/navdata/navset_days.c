@@ -66,6 +66,7 @@ static void begin_day(const orr_ephemeris *e, const orr_navset *set, const orr_n
     begin_almanacs(set, day, 'E', &day->galileo);
     begin_almanacs(set, day, 'C', &day->beidou);
     begin_almanacs(set, day, 'J', &day->qzss);
+    begin_almanacs(set, day, 'I', &day->navic);
     for (int k = 0; k < 32; k++)
         day->gps_configuration[k] = orr_gps_configuration(o->antex, orr_sat_make('G', k + 1), day->noon);
 }
@@ -80,6 +81,8 @@ static navset_almanacs *almanacs_of(navset_day *day, orr_sat sat)
         return &day->galileo;
     case 'J':
         return &day->qzss;
+    case 'I':
+        return &day->navic;
     default:
         return &day->beidou;
     }
@@ -210,7 +213,8 @@ static void borrow(orr_navset *set, size_t place)
 }
 
 static const size_t places[] = {offsetof(navset_day, gps), offsetof(navset_day, galileo),
-                                offsetof(navset_day, beidou), offsetof(navset_day, qzss)};
+                                offsetof(navset_day, beidou), offsetof(navset_day, qzss),
+                                offsetof(navset_day, navic)};
 enum { N_PLACES = sizeof places / sizeof *places };
 
 orr_status navset_fit_days(const orr_ephemeris *e, const orr_navset_options *o, orr_navset *set)

@@ -128,6 +128,9 @@ double navset_delays(const orr_bias_set *bias, orr_navset_item *item)
     case 'C':
         shift = beidou(&a, eph);
         break;
+    case 'S': // one signal, whose clock it is
+        eph->delay = (orr_nav_delays){0};
+        break;
     case 'I': // no centre's biases connect L5 with S
         eph->delay.tgd_s = 0;
         a.known = false;

@@ -27,6 +27,9 @@
 #define QZSS_FIT_INTERVAL_H 2
 // All of QZSS' six bits of health.
 #define QZSS_OUT 0x3fu
+#define SBAS_OUT 7u // ranging, precise and basic corrections are off (RTCA DO-229E A.4.4.12)
+// NavIC's flags of L5 and S.
+#define NAVIC_OUT 3u
 
 // The arc that serves a slot: that of the instant nearest to the slot's middle where there is an orbit.
 static bool find_arc(const orr_ephemeris *e, orr_sat sat, const navset_slot *slot, orr_time *from,
@@ -132,6 +135,9 @@ static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o,
     if (message == ORR_NAV_FDMA)
         return orr_navfit_glonass(sat, slot->reference, from, to, from_arc, &source, &item->eph,
                                   &item->report, diag);
+    if (message == ORR_NAV_SBAS)
+        return orr_navfit_geo(sat, slot->reference, from, to, from_arc, &source, &item->eph, &item->report,
+                              diag);
     return orr_navfit_kepler(sat, message, slot->reference, from, to, from_arc, &source, &item->eph,
                              &item->report, diag);
 }
@@ -181,6 +187,33 @@ static void fill_modern(orr_nav_eph *eph, const navset_slot *slot)
 // Of B-CNAV: IODE is IODC's lower eight bits and 0 to 59, as data no older than 12 hours have it (BDS-SIS-ICD-B1C 1.0, 7.4).
 static int32_t young_issue(int64_t n) { return (int32_t)orr_floor_mod(n, 60); }
 
+// GPS, QZSS and NavIC.
+static void fill_lnav(orr_nav_eph *eph, int64_t n, bool out)
+{
+    // IODC = IODE, 0 to 239, as a fit interval of four hours demands (IS-GPS-200N table 20-XII). IODC's upper two bits stay 0,
+    // though the message may count with them: receivers that compare all ten bits with IODE keep no set in which they differ
+    // (gnss-sdr 0.0.17). No value returns within 10 days; 20.3.3.3.1.5 and 20.3.4.4 ask for 7 days of IODC and 6 hours of IODE.
+    eph->iode = eph->iodc = (int32_t)orr_floor_mod(n, 240);
+    switch (orr_sat_system(eph->sat)) {
+    case 'I':
+        eph->iodc = ORR_NAV_NO_IOD;
+        eph->health = out ? NAVIC_OUT : 0;
+        return;
+    case 'J':
+        eph->health = out ? QZSS_OUT : 0;
+        eph->fit_interval_h = QZSS_FIT_INTERVAL_H;
+        eph->data_sources = 2; // L2C, and no P code (IS-QZSS-PNT-005, 4.1.2.3)
+        eph->l2p_flag = 1;
+        return;
+    default:
+        eph->health = out ? LNAV_OUT : 0;
+        eph->fit_interval_h = LNAV_FIT_INTERVAL_H;
+        eph->data_sources = 1; // P code on L2
+        eph->l2p_flag = 0;
+        return;
+    }
+}
+
 static void fill_kepler(orr_nav_eph *eph, const navset_slot *slot, bool out)
 {
     const int64_t n = slot->number;
@@ -208,20 +241,14 @@ static void fill_kepler(orr_nav_eph *eph, const navset_slot *slot, bool out)
         if (orr_sat_system(eph->sat) == 'C' && eph->message != ORR_NAV_CNV3)
             eph->iode = eph->iodc = young_issue(n);
         return;
-    default: // IODC = IODE, 0 to 239, as a fit interval of four hours demands (IS-GPS-200N table 20-XII). IODC's upper two
-        // bits stay 0, though the message may count with them: receivers that compare all ten bits with IODE keep no
-        // set in which they differ (gnss-sdr 0.0.17). No value returns within 10 days; 20.3.3.3.1.5 and 20.3.4.4 ask
-        // for 7 days of IODC and 6 hours of IODE.
-        eph->iode = eph->iodc = (int32_t)orr_floor_mod(n, 240);
-        eph->health = out ? LNAV_OUT : 0;
-        eph->fit_interval_h = LNAV_FIT_INTERVAL_H;
-        eph->data_sources = 1; // P code on L2
-        eph->l2p_flag = 0;
-        if (orr_sat_system(eph->sat) != 'J') return;
-        eph->health = out ? QZSS_OUT : 0;
-        eph->fit_interval_h = QZSS_FIT_INTERVAL_H;
-        eph->data_sources = 2; // L2C, and no P code (IS-QZSS-PNT-005, 4.1.2.3)
-        eph->l2p_flag = 1;
+    case ORR_NAV_SBAS:
+        eph->geo.ura_m = ACCURACY_M;
+        eph->health = out ? SBAS_OUT : 0;
+        return;
+    case ORR_NAV_LNAV:
+        fill_lnav(eph, n, out);
+        return;
+    default:
         return;
     }
 }

@@ -72,7 +72,7 @@ enum { NAVSET_GOOD, NAVSET_OUT, NAVSET_NOT_THERE };
 typedef struct navset_day {
     orr_time from, to, noon;
     orr_modern_rotation rotation;
-    navset_almanacs gps, galileo, beidou, qzss;
+    navset_almanacs gps, galileo, beidou, qzss, navic;
     uint8_t gps_configuration[32];
     bool fitted_glonass;  // or borrowed
     orr_time glonass_day; // any instant of the almanac's day in Moscow

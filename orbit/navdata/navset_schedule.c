@@ -17,7 +17,8 @@ typedef struct rhythm {
 
 // GPS: a new set every two hours, with toe in the middle of its curve fit (IS-GPS-200N 20.3.4.4, 30.3.4.4: CNAV 3 h).
 // Galileo: a receiver expects toe to be past or near; sets change hourly here (on the air from every ten minutes to three hours).
-// BeiDou and QZSS: every hour. NavIC: every two.
+// BeiDou and QZSS: every hour. NavIC: every two. SBAS: every four minutes, of the six that a receiver may use them (DO-229E table A-25),
+// with t0 on a multiple of 16 s.
 static const rhythm rhythms[] = {
     {'G', ORR_NAV_LNAV, 7200, 0, 3600, 3600},    {'G', ORR_NAV_CNAV, 7200, 5400, 5400, 5400},
     {'G', ORR_NAV_CNV2, 7200, 5400, 5400, 5400}, {'J', ORR_NAV_LNAV, 3600, 0, 1800, 3600},
@@ -26,6 +27,7 @@ static const rhythm rhythms[] = {
     {'C', ORR_NAV_D1, 3600, 0, 1800, 3600},      {'C', ORR_NAV_D2, 3600, 0, 1800, 3600},
     {'C', ORR_NAV_CNV1, 3600, 0, 1800, 3600},    {'C', ORR_NAV_CNV2, 3600, 0, 1800, 3600},
     {'C', ORR_NAV_CNV3, 3600, 0, 1800, 3600},    {'I', ORR_NAV_LNAV, 7200, 0, 3600, 3600},
+    {'S', ORR_NAV_SBAS, 240, 0, 120, 150},
 };
 
 static orr_status even_slots(const rhythm *r, int64_t behind, orr_time from, orr_time to,

@@ -44,6 +44,12 @@ void orr_page_value(orr_page *p, const orr_navfit_field *f, double value)
     orr_page_put(p, f->bits, orr_page_code(p, f, value));
 }
 
+void orr_page_klobuchar(orr_page *p, const double alpha[4], const double beta[4])
+{
+    for (int k = 0; k < 4; k++) orr_page_value(p, &orr_nav_klobuchar_fields[k], alpha[k]);
+    for (int k = 0; k < 4; k++) orr_page_value(p, &orr_nav_klobuchar_fields[4 + k], beta[k]);
+}
+
 void orr_page_copy(orr_page *p, const orr_page *other, size_t from, size_t n)
 {
     assert(p->n + n <= ORR_PAGE_BITS && from + n <= other->n);

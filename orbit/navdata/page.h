@@ -24,6 +24,8 @@ void orr_page_zeros(orr_page *p, int n);
 uint64_t orr_page_code(orr_page *p, const orr_navfit_field *f, double value);
 // Appends a value by its field.
 void orr_page_value(orr_page *p, const orr_navfit_field *f, double value);
+// Appends Klobuchar's eight coefficients, eight bits each, as all systems send them.
+void orr_page_klobuchar(orr_page *p, const double alpha[4], const double beta[4]);
 // Appends the bits [from, from + n) of another page.
 void orr_page_copy(orr_page *p, const orr_page *other, size_t from, size_t n);
 // Appends CRC-24Q over the bits from `from` on (IS-GPS-200N 30.3.5.1).

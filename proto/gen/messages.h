@@ -463,8 +463,8 @@ bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t ind
 typedef struct orr_msg_nav_page {
     int64_t t; // [ns] begin of its first bit
     int64_t length; // [ns] from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them
-    uint8_t number; // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type; others: message type
-    uint8_t page; // LNAV, D1: page of subframes 4 and 5, 0 otherwise; D2: page 1-120 of subframe 5; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame 1-24, 1-12 of the frame
+    uint8_t number; // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type; NavIC: subframe 1-4; others: message type
+    uint8_t page; // LNAV, D1: page of subframes 4 and 5, 0 otherwise; D2: page 1-120 of subframe 5; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame 1-24, 1-12 of the frame; NavIC: message of subframes 3 and 4
     uint16_t bits; // how many bits or symbols
     orr_wire_bytes data; // the first in time is the highest bit of the first byte; what is left of the last is 0
 } orr_msg_nav_page;
@@ -519,13 +519,13 @@ bool orr_msg_kepler_set_next(const orr_msg_kepler_set_list *list, orr_wire_iter 
 orr_wire_status orr_msg_kepler_set_records_encode(const orr_msg_kepler_set_list *piece, orr_wire_writer *w);
 bool orr_msg_kepler_set_at(const orr_msg_kepler_set_list *list, uint16_t index, orr_msg_kepler_set *out);   // false beyond the end
 
-// What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
+// What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5); of SBAS what message 9 holds.
 typedef struct orr_msg_glonass_set {
-    double pos_m[3]; // position at toe (t_b), PZ-90
+    double pos_m[3]; // position at toe (t_b), PZ-90; of SBAS at t0, WGS 84
     double vel_mps[3]; // [m/s] velocity at toe
-    double acc_mps2[3]; // [m/s2] acceleration by Sun and Moon
-    double delta_tau_s; // L2 behind L1
-    int8_t channel; // frequency channel -7 to 6
+    double acc_mps2[3]; // [m/s2] acceleration by Sun and Moon; of SBAS all of it
+    double delta_tau_s; // L2 behind L1; of SBAS 0
+    int8_t channel; // frequency channel -7 to 6; of SBAS 0
     uint8_t reserved; // 0
 } orr_msg_glonass_set;
 #define ORR_MSG_GLONASS_SET_SIZE 82u
@@ -570,7 +570,7 @@ typedef struct orr_msg_sat_navdata {
     int64_t frame_from; // [ns] begin of the frame of the message that holds the epoch
     int64_t frame_to; // [ns] its end: the next frame's begin
     orr_msg_kepler_set_list kepler; // of messages with Kepler elements: one
-    orr_msg_glonass_set_list glonass; // of FDMA: one
+    orr_msg_glonass_set_list glonass; // of FDMA and SBAS: one
     orr_msg_nav_page_list pages; // all of the frame
 } orr_msg_sat_navdata;
 #define ORR_MSG_SAT_NAVDATA_LARGEST 4129u

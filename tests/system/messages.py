@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a receiver does with the symbols of newer navigation messages: Galileo I/NAV and F/NAV (OS SIS ICD 2.1), BeiDou D1
-(BDS-SIS-ICD-B1I 3.0), CNAV (IS-GPS-200N, section 30). Written from the documents, knows nothing of the program's encoders."""
+"""What a receiver does with the symbols of newer navigation messages: Galileo I/NAV and F/NAV (OS SIS ICD 2.1), BeiDou D1 and D2
+(BDS-SIS-ICD-B1I 3.0), CNAV (IS-GPS-200N, section 30), NavIC SPS (IRNSS SIS ICD 1.1), SBAS (RTCA DO-229E, appendix A). Written from the documents, knows nothing of the program's encoders."""
 import math
 
 from navdata import bits_of, half_week
@@ -279,6 +279,73 @@ CNAV = {
     35: [*CNAV_CLOCK, ("t", 16, 16, 0), ("wn", 13, None, 0), ("gnss", 3, None, 0), ("a0", 16, 2.0**-35, 1), ("a1", 13, 2.0**-51, 1),
          ("a2", 7, 2.0**-68, 1), ("", 81, None, 0)],
 }
+
+
+# --- NavIC ---
+
+NAVIC_HEAD = [("tlm", 8, None, 0), ("towc", 17, 12, 0), ("alert", 1, None, 0), ("autonav", 1, None, 0), ("id", 2, None, 0), ("", 1, None, 0)]
+NAVIC = {
+    1: [*NAVIC_HEAD, ("wn", 10, None, 0), ("af0", 22, 2.0**-31, 1), ("af1", 16, 2.0**-43, 1), ("af2", 8, 2.0**-55, 1), ("ura", 4, None, 0),
+        ("toc", 16, 16, 0), ("tgd", 8, 2.0**-31, 1), ("delta_n", 22, semi(41), 1), ("iodec", 8, None, 0), ("", 10, None, 0), ("l5", 1, None, 0),
+        ("s", 1, None, 0), ("cuc", 15, 2.0**-28, 1), ("cus", 15, 2.0**-28, 1), ("cic", 15, 2.0**-28, 1), ("cis", 15, 2.0**-28, 1),
+        ("crc", 15, 2.0**-4, 1), ("crs", 15, 2.0**-4, 1), ("idot", 14, semi(43), 1), ("", 2, None, 0)],
+    2: [*NAVIC_HEAD, ("m0", 32, semi(31), 1), ("toe", 16, 16, 0), ("e", 32, 2.0**-33, 0), ("sqrt_a", 32, 2.0**-19, 0), ("omega0", 32, semi(31), 1),
+        ("omega", 32, semi(31), 1), ("omega_dot", 22, semi(41), 1), ("i0", 32, semi(31), 1), ("", 2, None, 0)],
+    "almanac": [*NAVIC_HEAD, ("type", 6, None, 0), ("wna", 10, None, 0), ("e", 16, 2.0**-21, 0), ("toe", 16, 16, 0), ("i0", 24, semi(23), 1),
+                ("omega_dot", 16, semi(38), 1), ("sqrt_a", 24, 2.0**-11, 0), ("omega0", 24, semi(23), 1), ("omega", 24, semi(23), 1),
+                ("m0", 24, semi(23), 1), ("af0", 11, 2.0**-20, 1), ("af1", 11, 2.0**-38, 1), ("number", 6, None, 0), ("isc", 8, 2.0**-31, 1),
+                ("", 6, None, 0), ("prn", 6, None, 0)],
+    "utc": [*NAVIC_HEAD, ("type", 6, None, 0), ("a0", 16, 2.0**-35, 1), ("a1", 13, 2.0**-51, 1), ("a2", 7, 2.0**-68, 1), ("leap", 8, None, 1),
+            ("tot", 16, 16, 0), ("wnot", 10, None, 0), ("wnlsf", 10, None, 0), ("dn", 4, None, 0), ("leap_future", 8, None, 1),
+            ("a0g", 16, 2.0**-35, 1), ("a1g", 13, 2.0**-51, 1), ("a2g", 7, 2.0**-68, 1), ("totg", 16, 16, 0), ("wng", 10, None, 0),
+            ("gnss", 3, None, 0), ("", 63, None, 0), ("prn", 6, None, 0)],
+    "ionosphere": [*NAVIC_HEAD, ("type", 6, None, 0), ("eop", 138, None, 0), *[(f"alpha{k}", 8, 2.0**p, 1) for k, p in enumerate((-30, -27, -24, -24))],
+                   *[(f"beta{k}", 8, 2.0**p, 1) for k, p in enumerate((11, 14, 16, 16))], ("", 18, None, 0), ("prn", 6, None, 0)],
+}
+
+
+def navic_subframe(data):
+    """600 symbols -> the 262 bits ahead of the CRC; raises ValueError where anything does not hold."""
+    text = bits_of(data, 600)
+    if text[:16] != f"{0xEB90:016b}":
+        raise ValueError("no synchronisation")
+    bits, state = viterbi_free(deinterleaved(text[16:], 8, 73), 0)
+    if state != 0 or crc24q(bits[:262]) != int(bits[262:286], 2):
+        raise ValueError("CRC or tail")
+    return bits[:262]
+
+
+# --- SBAS ---
+
+SBAS_HEAD = [("pre", 8, None, 0), ("type", 6, None, 0)]
+SBAS = {
+    1: [*SBAS_HEAD, *[(f"prn{k}", 1, None, 0) for k in range(1, 211)], ("iodp", 2, None, 0)],
+    **{n: [*SBAS_HEAD, ("iodf", 2, None, 0), ("iodp", 2, None, 0), *[(f"prc{k}", 12, 0.125, 1) for k in range(13)],
+           *[(f"udrei{k}", 4, None, 0) for k in range(13)]] for n in (0, 2, 3, 4)},
+    6: [*SBAS_HEAD, *[(f"iodf{k}", 2, None, 0) for k in range(2, 6)], *[(f"udrei{k}", 4, None, 0) for k in range(51)]],
+    7: [*SBAS_HEAD, ("latency", 4, None, 0), ("iodp", 2, None, 0), ("", 2, None, 0), *[(f"ai{k}", 4, None, 0) for k in range(51)]],
+    9: [*SBAS_HEAD, ("", 8, None, 0), ("t0", 13, 16, 0), ("ura", 4, None, 0), ("x", 30, 0.08, 1), ("y", 30, 0.08, 1), ("z", 25, 0.4, 1),
+        ("vx", 17, 0.000625, 1), ("vy", 17, 0.000625, 1), ("vz", 18, 0.004, 1), ("ax", 10, 0.0000125, 1), ("ay", 10, 0.0000125, 1),
+        ("az", 10, 0.0000625, 1), ("af0", 12, 2.0**-31, 1), ("af1", 8, 2.0**-40, 1)],
+    10: [*SBAS_HEAD, ("all", 131, None, 0), ("", 81, None, 0)],
+    17: [*SBAS_HEAD, *[(f"{name}{k}", n, scale, signed) for k in range(3) for name, n, scale, signed in (
+        ("id", 2, None, 0), ("prn", 8, None, 0), ("health", 8, None, 0), ("x", 15, 2600, 1), ("y", 15, 2600, 1), ("z", 9, 26000, 1), ("vx", 3, 10, 1),
+        ("vy", 3, 10, 1), ("vz", 4, 60, 1))], ("t0", 11, 64, 0)],
+    18: [*SBAS_HEAD, ("bands", 4, None, 0), ("band", 4, None, 0), ("iodi", 2, None, 0), ("mask", 201, None, 0), ("", 1, None, 0)],
+    25: [*SBAS_HEAD, *[field for h in "ab" for field in (
+        (f"code{h}", 1, None, 0), *[(f"{name}{h}{k}", n, None, signed) for k in range(2) for name, n, signed in (
+            ("place", 6, 0), ("iod", 8, 0), ("dx", 9, 1), ("dy", 9, 1), ("dz", 9, 1), ("daf0", 10, 1))], (f"iodp{h}", 2, None, 0), ("", 1, None, 0))]],
+    26: [*SBAS_HEAD, ("band", 4, None, 0), ("block", 4, None, 0), *[(f"{name}{k}", n, None, 0) for k in range(15) for name, n in (("delay", 9), ("givei", 4))],
+         ("iodi", 2, None, 0), ("", 7, None, 0)],
+    27: [*SBAS_HEAD, ("iods", 3, None, 0), ("messages", 3, None, 0), ("message", 3, None, 0), ("regions", 3, None, 0), ("priority", 2, None, 0),
+         ("inside", 4, None, 0), ("outside", 4, None, 0), ("", 190, None, 0)],
+}
+
+
+def sbas_position(nine, seconds_of_day):
+    """Message 9's parabola (A.4.4.11)."""
+    dt = (seconds_of_day - nine["t0"] + 43200) % 86400 - 43200
+    return tuple(nine[c] + nine["v" + c] * dt + 0.5 * nine["a" + c] * dt * dt for c in "xyz")
 
 
 def cnav_elements(ten, eleven, a_reference):

@@ -541,10 +541,10 @@ class NavPage(Record):
 
     t [ns]: begin of its first bit
     length [ns]: from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them
-    number: LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type;
-    others: message type
+    number: LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type; NavIC:
+    subframe 1-4; others: message type
     page: LNAV, D1: page of subframes 4 and 5, 0 otherwise; D2: page 1-120 of subframe 5; GLONASS: frame 1-5 of the superframe;
-    INAV, FNAV: sub-frame 1-24, 1-12 of the frame
+    INAV, FNAV: sub-frame 1-24, 1-12 of the frame; NavIC: message of subframes 3 and 4
     bits: how many bits or symbols
     data: the first in time is the highest bit of the first byte; what is left of the last is 0
     """
@@ -634,13 +634,14 @@ class KeplerSet(Record):
 
 @dataclasses.dataclass(eq=False, slots=True)
 class GlonassSet(Record):
-    """What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5).
+    """What strings 1 to 4 hold beside the clock, on the message's lattice (GLONASS ICD 5.1, table 4.5); of SBAS what message 9
+    holds.
 
-    pos_m [m]: position at toe (t_b), PZ-90
+    pos_m [m]: position at toe (t_b), PZ-90; of SBAS at t0, WGS 84
     vel_mps [m/s]: velocity at toe
-    acc_mps2 [m/s2]: acceleration by Sun and Moon
-    delta_tau_s [s]: L2 behind L1
-    channel: frequency channel -7 to 6
+    acc_mps2 [m/s2]: acceleration by Sun and Moon; of SBAS all of it
+    delta_tau_s [s]: L2 behind L1; of SBAS 0
+    channel: frequency channel -7 to 6; of SBAS 0
     reserved: 0
     """
 
@@ -691,7 +692,7 @@ class SatNavdata(Record):
     frame_from [ns]: begin of the frame of the message that holds the epoch
     frame_to [ns]: its end: the next frame's begin
     kepler: of messages with Kepler elements: one
-    glonass: of FDMA: one
+    glonass: of FDMA and SBAS: one
     pages: all of the frame
     """
 

@@ -173,7 +173,7 @@ const orr_command orr_cmd_navfit = {
         "LNAV sets have toe at every even hour and are sent for two hours from toe less half a window "
         "on. GLONASS sets have t_b at 15 and 45 minutes of every hour of UTC and are sent for that half "
         "hour. Galileo's have toe at half past every hour and are sent for that hour, BeiDou's at every hour "
-        "of BDT. Where the orbit "
+        "of BDT, QZSS' of GPS time; NavIC's at every even hour; SBAS' every four minutes. Where the orbit "
         "begins or ends within a window the set is fitted to the nearest full one (shifted). Around a "
         "manoeuvre sets are unhealthy.",
     .example =

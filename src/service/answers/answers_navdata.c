@@ -121,6 +121,14 @@ static void fill_pages(const orr_navframe *f, orr_msg_nav_page *m)
     }
 }
 
+static void fill_geo(const orr_nav_geo *g, orr_msg_glonass_set *m)
+{
+    *m = (orr_msg_glonass_set){0};
+    orr_answers_put(m->pos_m, g->pos_m);
+    orr_answers_put(m->vel_mps, g->vel_mps);
+    orr_answers_put(m->acc_mps2, g->acc_mps2);
+}
+
 // What the lists of one satellite's record point at.
 typedef struct room {
     orr_msg_kepler_set kepler;
@@ -166,7 +174,10 @@ static void fill(orr_msg_sat_id sat, const orr_nav_stream *stream, uint8_t form,
         m->kepler.count = 1;
         m->kepler.item = &r->kepler;
     } else {
-        fill_glonass(&eph->glonass, &r->glonass);
+        if (eph->kind == ORR_NAV_GEO)
+            fill_geo(&eph->geo, &r->glonass);
+        else
+            fill_glonass(&eph->glonass, &r->glonass);
         m->glonass.count = 1;
         m->glonass.item = &r->glonass;
     }
