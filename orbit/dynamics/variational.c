@@ -11,14 +11,6 @@ void orr_orbit_step_middle(const orr_orbit_step *s, orr_vec3 *r, orr_vec3 *v)
                        orr_vec3_scale(1.5 / s->h_s, orr_vec3_sub(s->r1_m, s->r0_m)));
 }
 
-orr_mat3 orr_orbit_axes(orr_vec3 r, orr_vec3 v)
-{
-    const orr_vec3 radial = orr_vec3_unit(r), cross = orr_vec3_unit(orr_vec3_cross(r, v)),
-                   along = orr_vec3_cross(cross, radial);
-    return (orr_mat3){
-        {{radial.x, along.x, cross.x}, {radial.y, along.y, cross.y}, {radial.z, along.z, cross.z}}};
-}
-
 static orr_mat3 plus(double k, const orr_mat3 *b, const orr_mat3 *a)
 {
     const orr_mat3 kb = orr_mat3_scale(k, b);

@@ -6,6 +6,7 @@
 #define ORR_ORBIT_DYNAMICS_VARIATIONAL_H
 
 #include "orbit/force/force.h"
+#include "orbit/force/kepler.h"
 
 enum {                     // columns of the partial derivatives
     ORR_PARTIAL_STATE = 0, // position and velocity at the step's begin
@@ -22,8 +23,6 @@ typedef struct orr_orbit_step {
 
 // Middle of a step by Hermite's cubic: metres off over 450 s of a GNSS satellite.
 void orr_orbit_step_middle(const orr_orbit_step *s, orr_vec3 *r_m, orr_vec3 *v_mps);
-// Radial, along-track and cross-track axes as the columns of a matrix to the axes of r and v.
-orr_mat3 orr_orbit_axes(orr_vec3 r_m, orr_vec3 v_mps);
 
 // Partial derivatives of the state at the step's end by one classical Runge-Kutta step with the gradient (central and
 // flattening) at begin, middle and end: over 150 s of a GNSS satellite they err by 4e-11 of the deviation, and by 1e-8

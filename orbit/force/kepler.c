@@ -25,6 +25,14 @@ double orr_kepler_solve(double m, double e)
     return E;
 }
 
+orr_mat3 orr_orbit_axes(orr_vec3 r, orr_vec3 v)
+{
+    const orr_vec3 radial = orr_vec3_unit(r), cross = orr_vec3_unit(orr_vec3_cross(r, v)),
+                   along = orr_vec3_cross(cross, radial);
+    return (orr_mat3){
+        {{radial.x, along.x, cross.x}, {radial.y, along.y, cross.y}, {radial.z, along.z, cross.z}}};
+}
+
 orr_status orr_kepler_from_state(orr_vec3 r, orr_vec3 v, double gm, orr_kepler *out)
 {
     orr_vec3 h = orr_vec3_cross(r, v);

@@ -13,6 +13,8 @@ typedef struct orr_kepler {
     double a_m, e, i_rad, raan_rad, argp_rad, m_rad, u_rad;
 } orr_kepler;
 
+// Radial, along-track and cross-track axes as the columns of a matrix to the axes of r and v, which do not turn.
+orr_mat3 orr_orbit_axes(orr_vec3 r_m, orr_vec3 v_mps);
 // Osculating elements of (r, v) in any inertial axes; i and raan refer to those axes' equator (see
 // orbit/elements/elements.h for the choice). ORR_E_NUMERIC for rectilinear, parabolic or hyperbolic motion.
 orr_status orr_kepler_from_state(orr_vec3 r_m, orr_vec3 v_mps, double gm, orr_kepler *out);

@@ -77,6 +77,11 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time 
 orr_status orr_navfit_geo(orr_sat sat, orr_time t0, orr_time from, orr_time to, orr_navfit_source source,
                           void *user, orr_nav_eph *eph, orr_navfit_report *report, orr_diag *diag);
 
+// Displaces a fitted GLONASS record at its tb along radius, track and normal of the orbit, the displacement turning with it, and
+// quantises it again. Its acceleration stays: no field of the message could hold an orbit so displaced for long, and over a quarter of
+// an hour the record drifts by 2 % of a radial displacement.
+void orr_navfit_glonass_displace(orr_nav_eph *eph, orr_vec3 displaced_m);
+
 // Fits a clock polynomial to the product's clock and quantises it.
 // Given:
 //   e         orbit product

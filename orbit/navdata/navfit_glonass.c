@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GLONASS' state at tb: Gauss-Newton on the message's own model of motion, then the nearest point of the
 // lattice, whose steps of half a metre are what decides.
+#include <math.h>
 #include <string.h>
 
 #include "core/astro.h"
 #include "core/linalg.h"
 #include "orbit/broadcast/broadcast.h"
 #include "orbit/force/force.h"
+#include "orbit/force/kepler.h"
 #include "orbit/navdata/navfit_private.h"
 
 #define ITERATIONS 10
@@ -213,4 +215,20 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time 
     report->n = w.n;
     *eph = e;
     return ORR_OK;
+}
+
+void orr_navfit_glonass_displace(orr_nav_eph *eph, orr_vec3 displaced_m)
+{
+    const orr_vec3 earth_radps = {0, 0, ORR_EARTH_RATE_RADPS}, r = eph->glonass.pos_m,
+                   v = orr_velocity_inertial(r, eph->glonass.vel_mps);
+    const orr_mat3 axes = orr_orbit_axes(r, v);
+    const orr_vec3 d = orr_mat3_apply(&axes, displaced_m),
+                   orbit_radps = orr_vec3_scale(1 / orr_vec3_dot(r, r), orr_vec3_cross(r, v));
+    eph->glonass.pos_m = orr_vec3_add(r, d);
+    eph->glonass.vel_mps =
+        orr_vec3_add(eph->glonass.vel_mps, orr_vec3_cross(orr_vec3_sub(orbit_radps, earth_radps), d));
+    double p[N];
+    to_array(&eph->glonass, p);
+    for (int j = 0; j < N; j++) p[j] = table[j].lsb * nearbyint(p[j] / table[j].lsb);
+    from_array(p, &eph->glonass);
 }

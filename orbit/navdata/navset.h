@@ -12,6 +12,19 @@
 #include "orbit/navdata/nav_stream.h"
 #include "orbit/navdata/navfit.h"
 
+// What a satellite sends wrong from <= t < to, on purpose.
+typedef enum orr_navset_fault_kind {
+    ORR_NAVSET_FAULT_UNHEALTHY, // its sets mark it as not to be used
+    ORR_NAVSET_FAULT_ORBIT,     // its sets tell of a displaced orbit
+    ORR_NAVSET_FAULT_STALE,     // the set on the air at the begin is sent throughout
+} orr_navset_fault_kind;
+typedef struct orr_navset_fault {
+    orr_navset_fault_kind kind;
+    orr_sat_set sats;
+    orr_time from, to;
+    orr_vec3 displaced_m; // radial, along-track, cross-track
+} orr_navset_fault;
+
 typedef struct orr_navset_options {
     double window_s;         // LNAV of GPS, I/NAV and F/NAV: 7200 or 14400
     uint32_t messages;       // bits 1 << orr_nav_message; 0: all that orr_nav_streams tells
@@ -22,9 +35,11 @@ typedef struct orr_navset_options {
     const orr_bias_set *bias; // group delays and GLONASS' L1 clocks; NULL: all zero
     const orr_nav *nav;       // GLONASS channels, Klobuchar; NULL: channels of the nominal plan, no Klobuchar
     const orr_leap_table
-        *leap;        // that UTC and GLONASS' calendar go by; has to outlive the set; NULL: built-in
-    bool zero_clocks; // satellites without a clock get one of zero; otherwise they are left out
-    int jobs;         // threads
+        *leap; // that UTC and GLONASS' calendar go by; has to outlive the set; NULL: built-in
+    const orr_navset_fault *fault; // [n_faults]
+    size_t n_faults;
+    bool zero_clocks;           // satellites without a clock get one of zero; otherwise they are left out
+    int jobs;                   // threads
     const volatile int *cancel; // may be NULL
 } orr_navset_options;
 orr_navset_options orr_navset_defaults(void); // 2 h, all satellites, nothing else, one thread
@@ -38,6 +53,7 @@ enum {                              // orr_navset_item.notes
     ORR_NAVSET_NO_DELAY = 1u << 4,   // biases were given, but not this satellite's: TGD or delta tau of zero
     ORR_NAVSET_NOMINAL_CHANNEL = 1u << 5, // GLONASS: the channel is the nominal one of the slot
     ORR_NAVSET_CLOCK_JUMP = 1u << 6, // the clock jumps, or is off a line by more than 10 ns RMS: unhealthy
+    ORR_NAVSET_FAULTY = 1u << 7,     // a fault of the options changes it, or how long it is sent
 };
 
 // One set of immediate data.

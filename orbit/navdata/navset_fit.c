@@ -113,6 +113,7 @@ static bool clock_jumps(const orr_ephemeris *e, orr_sat sat, orr_time from, orr_
 typedef struct arc_source {
     orr_navfit_product product;
     orr_time from;
+    orr_vec3 displaced_m; // by a fault: radial, along-track, cross-track
 } arc_source;
 
 static orr_status from_arc(void *user, orr_time t, orr_vec3 *pos_m)
@@ -121,20 +122,29 @@ static orr_status from_arc(void *user, orr_time t, orr_vec3 *pos_m)
     orr_sat_state s;
     const orr_status status = orr_ephemeris_eval(a->product.ephemeris, a->product.sat, t, &s);
     if (status != ORR_OK) return status;
-    return s.valid_from == a->from ? orr_navfit_from_product(&a->product, t, pos_m) : ORR_E_NODATA;
+    if (s.valid_from != a->from) return ORR_E_NODATA;
+    const orr_status there = orr_navfit_from_product(&a->product, t, pos_m);
+    const orr_mat3 axes = orr_orbit_axes(s.pos_m, orr_velocity_inertial(s.pos_m, s.vel_mps));
+    if (there == ORR_OK) *pos_m = orr_vec3_add(*pos_m, orr_mat3_apply(&axes, a->displaced_m));
+    return there;
 }
 
 static orr_status fit_orbit(const orr_ephemeris *e, const orr_navset_options *o, orr_sat sat, uint8_t message,
                             const navset_slot *slot, orr_time arc_from, orr_time from, orr_time to,
                             orr_navset_item *item, orr_diag *diag)
 {
-    arc_source source = {.product = {.ephemeris = e, .sat = sat}, .from = arc_from};
+    arc_source source = {
+        .product = {.ephemeris = e, .sat = sat}, .from = arc_from, .displaced_m = slot->displaced_m};
     if (o->antex != NULL &&
         orr_antenna_offset_of_sat(o->antex, sat, slot->reference, source.product.offset_m) != ORR_OK)
         item->notes |= ORR_NAVSET_NO_ANTENNA;
-    if (message == ORR_NAV_FDMA)
-        return orr_navfit_glonass(sat, slot->reference, from, to, from_arc, &source, &item->eph,
-                                  &item->report, diag);
+    if (message == ORR_NAV_FDMA) {
+        source.displaced_m = (orr_vec3){0, 0, 0};
+        const orr_status s = orr_navfit_glonass(sat, slot->reference, from, to, from_arc, &source, &item->eph,
+                                                &item->report, diag);
+        if (s == ORR_OK) orr_navfit_glonass_displace(&item->eph, slot->displaced_m);
+        return s;
+    }
     if (message == ORR_NAV_SBAS)
         return orr_navfit_geo(sat, slot->reference, from, to, from_arc, &source, &item->eph, &item->report,
                               diag);
@@ -295,7 +305,10 @@ static bool judge_healthy(const orr_ephemeris *e, orr_sat sat, orr_time arc_from
 static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, const navset_slot *slot,
                            int channel, navset_satellite *sat, navset_series *series, orr_diag *diag)
 {
-    orr_navset_item item = {.from = slot->from, .to = slot->to, .clock_rms_s = (double)NAN};
+    orr_navset_item item = {.from = slot->from,
+                            .to = slot->to,
+                            .clock_rms_s = (double)NAN,
+                            .notes = slot->faulty ? ORR_NAVSET_FAULTY : 0u};
     orr_time arc_from, arc_to, from, to, begin, end;
     orr_ephemeris_span(e, &begin, &end);
     if (!find_arc(e, sat->sat, slot, &arc_from, &arc_to)) return ORR_E_NODATA;
@@ -335,7 +348,7 @@ static orr_status fit_slot(const orr_ephemeris *e, const orr_navset_options *o, 
         item.clock_rms_s = (double)NAN;
         item.notes |= ORR_NAVSET_NO_CLOCK;
     }
-    const bool marked = o->unhealthy != NULL && orr_sat_set_has(o->unhealthy, sat->sat);
+    const bool marked = slot->unhealthy || (o->unhealthy != NULL && orr_sat_set_has(o->unhealthy, sat->sat));
     const bool out = !judge_healthy(e, sat->sat, arc_from, arc_to, from, to, &item) || marked;
     item.eph.transmission = item.from;
     if (series->message == ORR_NAV_FDMA)
@@ -400,8 +413,8 @@ void navset_fit_satellite(const orr_ephemeris *e, const orr_navset_options *o, n
     for (size_t k = 0; k < out->n && out->status == ORR_OK; k++) {
         navset_schedule schedule;
         out->status = navset_schedule_of(out->sat, out->series[k].message, from, to, o, brief, &schedule);
-        if (out->status != ORR_OK) return;
-        fit_series(e, o, &schedule, out, &out->series[k]);
+        if (out->status == ORR_OK) out->status = navset_fault_slots(out->sat, o, &schedule);
+        if (out->status == ORR_OK) fit_series(e, o, &schedule, out, &out->series[k]);
         free(schedule.slot);
     }
 }

@@ -15,7 +15,10 @@ typedef struct navset_slot {
     orr_time from, to;  // on the air at from <= t < to
     orr_time reference; // toe, tb
     orr_time window_from, window_to;
-    int64_t number; // of the slot since 1980
+    int64_t number;       // of the slot since 1980
+    bool faulty;          // by a fault: its times, or
+    bool unhealthy;       // that,
+    orr_vec3 displaced_m; // or this
 } navset_slot;
 
 typedef struct navset_schedule {
@@ -27,6 +30,10 @@ typedef struct navset_schedule {
 // with free().
 orr_status navset_schedule_of(orr_sat sat, orr_nav_message message, orr_time from, orr_time to,
                               const orr_navset_options *o, bool brief, navset_schedule *out);
+
+// Applies the faults of a satellite: slots are cut where sets change, drawn on where an old one stays. A changed slot has an issue
+// number of its own, so that receivers take it. ORR_E_MEMORY.
+orr_status navset_fault_slots(orr_sat sat, const orr_navset_options *o, navset_schedule *schedule);
 
 // The sets of one message.
 typedef struct navset_series {

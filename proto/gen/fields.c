@@ -191,6 +191,7 @@ static const orr_field_word words_nav_notes[] = {
     {UINT64_C(16), "NO_DELAY", "no delay", false},
     {UINT64_C(32), "NOMINAL_CHANNEL", "nominal channel", false},
     {UINT64_C(64), "CLOCK_JUMP", "clock jump", false},
+    {UINT64_C(128), "FAULTY", "faulty", false},
 };
 
 static const orr_field fields_motion_spread[] = {

@@ -252,6 +252,7 @@ enum { // motion_point (u8): The point whose motion is told.
 #define ORR_MSG_NAV_NOTES_NO_DELAY ((uint32_t)(UINT64_C(1) << 4)) // the scenario's biases do not have the satellite: a group delay of zero is sent
 #define ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL ((uint32_t)(UINT64_C(1) << 5)) // GLONASS: the frequency channel is the nominal one of the slot
 #define ORR_MSG_NAV_NOTES_CLOCK_JUMP ((uint32_t)(UINT64_C(1) << 6)) // the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
+#define ORR_MSG_NAV_NOTES_FAULTY ((uint32_t)(UINT64_C(1) << 7)) // a fault of the scenario changes it, or how long it is sent
 
 // (I8) Names as in the specification; NULL for a value that it does not know.
 const char *orr_msg_type_name(uint16_t type);

@@ -171,6 +171,7 @@ bitsets.nav_notes = {
   {name = "NO_DELAY", bit = 4},
   {name = "NOMINAL_CHANNEL", bit = 5},
   {name = "CLOCK_JUMP", bit = 6},
+  {name = "FAULTY", bit = 7},
 }
 records.motion_spread = {size = 40, smallest = 40, fields = {
     {name = "min", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/config/section_faults.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "src/config/rows_private.h"
@@ -157,6 +158,42 @@ static const orr_schema orbit_table = {.key = orbit_rows,
 static const orr_key when_rows[] = {WHEN_ROWS(0)};
 static const orr_schema when_table = ORR_SCHEMA(when_rows, orr_fault_when);
 
+static const orr_key bits_rows[] = {
+    WHEN_ROWS(offsetof(orr_fault_bits, when)),
+    TEXT_ROW(orr_fault_bits, "message", message, NULL,
+             "of this message alone: LNAV, CNAV, INAV, FNAV, D1, FDMA"),
+    {.name = "piece",
+     .kind = ORR_KEY_INT,
+     .offset = offsetof(orr_fault_bits, piece),
+     .given = offsetof(orr_fault_bits, has_piece),
+     .min = 0,
+     .max = 63,
+     .help = "of these alone: number of the subframe (LNAV, D1) or string (FDMA), type of the word, page or "
+             "message"},
+    {.name = "bit",
+     .kind = ORR_KEY_REAL,
+     .list = true,
+     .required = true,
+     .offset = offsetof(orr_fault_bits, bit),
+     .min = 1,
+     .max = 1800,
+     .least = 1,
+     .most = 2,
+     .help = "the first and the last that are inverted, from 1 in the order of sending; one alone is both"},
+};
+static const char *check_bits(const void *map, char why[ORR_SCHEMA_WHY])
+{
+    const orr_fault_bits *o = map;
+    const double first = o->bit.item[0], last = o->bit.item[o->bit.n - 1];
+    if (first <= last && !(floor(first) < first) && !(floor(last) < last)) return NULL;
+    snprintf(why, ORR_SCHEMA_WHY, "whole numbers, the first not after the last");
+    return "bit";
+}
+static const orr_schema bits_table = {.key = bits_rows,
+                                      .n = sizeof bits_rows / sizeof bits_rows[0],
+                                      .size = sizeof(orr_fault_bits),
+                                      .check = check_bits};
+
 #define FAULTS_ROW(n, m, table, h) MAPS_ROW(orr_scenario_faults, n, m, table, 1000, NULL, h)
 static const orr_key rows[] = {
     INT_ROW(orr_scenario_faults, "seed", seed, 0, 9e15, "1", NULL, "seed of noise"),
@@ -170,6 +207,11 @@ static const orr_key rows[] = {
     FAULTS_ROW("sine", sine, &sine_table, "sines of the range"),
     FAULTS_ROW("orbit", orbit, &orbit_table, "displaced orbits"),
     FAULTS_ROW("off", off, &when_table, "satellites that send nothing, whatever word was being sent"),
-    FAULTS_ROW("unhealthy", unhealthy, &when_table, "satellites that are marked as not to be used"),
+    FAULTS_ROW("unhealthy", unhealthy, &when_table,
+               "satellites that are marked as not to be used, in channels and, from their next frame on, in "
+               "their messages"),
+    FAULTS_ROW("stale", stale, &when_table,
+               "satellites that go on with the broadcast data of the fault's begin"),
+    FAULTS_ROW("bits", bits, &bits_table, "bits and words of messages that are sent inverted"),
 };
 const orr_schema orr_section_faults = ORR_SCHEMA(rows, orr_scenario_faults);

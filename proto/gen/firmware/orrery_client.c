@@ -1087,6 +1087,7 @@ const char *orr_msg_nav_notes_name(unsigned bit)
     case 4: return "NO_DELAY";
     case 5: return "NOMINAL_CHANNEL";
     case 6: return "CLOCK_JUMP";
+    case 7: return "FAULTY";
     default: return NULL;
     }
 }

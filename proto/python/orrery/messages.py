@@ -264,6 +264,7 @@ class NavNotes(enum.IntFlag):
     NO_DELAY = 16  # the scenario's biases do not have the satellite: a group delay of zero is sent
     NOMINAL_CHANNEL = 32  # GLONASS: the frequency channel is the nominal one of the slot
     CLOCK_JUMP = 64  # the clock jumps, or is off a straight line by more than 10 ns RMS: marked unhealthy
+    FAULTY = 128  # a fault of the scenario changes it, or how long it is sent
 
 
 @dataclasses.dataclass(eq=False, slots=True)

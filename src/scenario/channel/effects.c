@@ -2,15 +2,14 @@
 #include "src/scenario/channel/effects.h"
 
 #include "core/constants.h"
+#include "orbit/force/kepler.h"
 
 // What the range grows by when the satellite is displaced along radius, track and normal of its orbit; the displacement turns with
 // the orbit, the Earth's axes below it.
 static double displaced_m(const orr_light *l, orr_vec3 by_m, double *rate_mps)
 {
-    const orr_vec3 radial = orr_vec3_unit(l->sat_m), normal = orr_vec3_cross(l->sat_m, l->sat_v_mps),
-                   cross = orr_vec3_unit(normal), along = orr_vec3_cross(cross, radial);
-    const orr_vec3 a =
-        orr_vec3_axpy(by_m.x, radial, orr_vec3_axpy(by_m.y, along, orr_vec3_scale(by_m.z, cross)));
+    const orr_mat3 axes = orr_orbit_axes(l->sat_m, l->sat_v_mps);
+    const orr_vec3 a = orr_mat3_apply(&axes, by_m), normal = orr_vec3_cross(l->sat_m, l->sat_v_mps);
     const orr_vec3 turn = orr_vec3_sub(orr_vec3_scale(1 / orr_vec3_dot(l->sat_m, l->sat_m), normal),
                                        (orr_vec3){0, 0, ORR_EARTH_RATE_RADPS});
     const orr_vec3 d = orr_vec3_scale(l->range_m, l->u), to = orr_vec3_add(d, a);

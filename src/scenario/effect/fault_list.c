@@ -136,6 +136,10 @@ orr_status faults_list(const orr_scenario *s, orr_span span, orr_faults *f, orr_
     if (status == ORR_OK) status = add_bare(s, span, FAULT_OFF, o->off.item, o->off.n, f, diag);
     if (status == ORR_OK)
         status = add_bare(s, span, FAULT_UNHEALTHY, o->unhealthy.item, o->unhealthy.n, f, diag);
+    if (status == ORR_OK) status = add_bare(s, span, FAULT_STALE, o->stale.item, o->stale.n, f, diag);
+    for (size_t k = 0; status == ORR_OK && k < o->bits.n; k++)
+        status = add(s, span, &o->bits.item[k].when,
+                     (fault_item){.kind = FAULT_BITS, .index = k, .signals = UINT64_MAX}, false, f, diag);
     return status == ORR_OK ? add_others(s, span, f, diag) : status;
 }
 

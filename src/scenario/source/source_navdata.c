@@ -5,10 +5,12 @@
 #include <stdlib.h>
 
 #include "src/make/navset.h"
+#include "src/scenario/source/navdata_faults.h"
 
 struct orr_source_navdata {
     const orr_source_orbit *orbits;
     orr_navset *set; // NULL: none, and why
+    orr_navdata_bits *bits;
     char none[512];
     bool phase_centres;
 };
@@ -38,8 +40,15 @@ static orr_status make(orr_source_navdata *v, const orr_scenario *s, const orr_s
     if (plan.n_nav > 0) plan.nav_read = &tables->nav;
     orr_diag inner = {0};
     orr_warnings own = {0};
-    orr_status status =
-        orr_navset_make(orr_source_orbit_ephemeris(v->orbits), &plan, &v->set, NULL, &own, &inner);
+    orr_span span = {.from = 0};
+    orr_navset_fault *fault;
+    (void)orr_source_orbit_span(v->orbits, &span);
+    const orr_interval all = {span.from, span.to + 1};
+    orr_status status = orr_navdata_faults_of(s, all, &fault, &plan.options.n_faults, diag);
+    if (status != ORR_OK) return status;
+    plan.options.fault = fault;
+    status = orr_navset_make(orr_source_orbit_ephemeris(v->orbits), &plan, &v->set, NULL, &own, &inner);
+    free(fault);
     pass_on(&own, warnings);
     orr_warnings_free(&own);
     if (status == ORR_E_NODATA) { // no fault of the scenario: the rest of it is served
@@ -48,6 +57,7 @@ static orr_status make(orr_source_navdata *v, const orr_scenario *s, const orr_s
         return ORR_OK;
     }
     if (status != ORR_OK && diag != NULL) *diag = inner;
+    if (status == ORR_OK) status = orr_navdata_bits_open(s, v->set, all, &v->bits, diag);
     const orr_sat *list;
     if (status == ORR_OK)
         ORR_LOG(log, ORR_LOG_INFO, "fitted broadcast data of %zu satellites",
@@ -78,6 +88,7 @@ orr_status orr_source_navdata_open(const orr_scenario *s, const orr_source_orbit
 void orr_source_navdata_close(orr_source_navdata *v)
 {
     if (v == NULL) return;
+    orr_navdata_bits_free(v->bits);
     orr_navset_free(v->set);
     free(v);
 }
@@ -123,6 +134,9 @@ orr_answer orr_source_navdata_evaluate(const orr_source_navdata *v, orr_time t, 
     const orr_navset_item *item = orr_navset_at(v->set, sat, stream->message, t);
     const orr_status s =
         item == NULL ? ORR_E_NODATA : orr_navframe_at(v->set, sat, stream, t, coded, frame, NULL);
-    if (s == ORR_OK) *set = item;
+    if (s == ORR_OK) {
+        orr_navdata_bits_invert(v->bits, frame);
+        *set = item;
+    }
     return s == ORR_OK ? ORR_ANSWER_OK : s == ORR_E_NODATA ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NO_VALUE;
 }

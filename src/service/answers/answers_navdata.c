@@ -12,7 +12,8 @@ _Static_assert((uint32_t)ORR_NAVSET_MANOEUVRE == ORR_MSG_NAV_NOTES_MANOEUVRE &&
                    (uint32_t)ORR_NAVSET_NO_ANTENNA == ORR_MSG_NAV_NOTES_NO_ANTENNA &&
                    (uint32_t)ORR_NAVSET_NO_DELAY == ORR_MSG_NAV_NOTES_NO_DELAY &&
                    (uint32_t)ORR_NAVSET_NOMINAL_CHANNEL == ORR_MSG_NAV_NOTES_NOMINAL_CHANNEL &&
-                   (uint32_t)ORR_NAVSET_CLOCK_JUMP == ORR_MSG_NAV_NOTES_CLOCK_JUMP,
+                   (uint32_t)ORR_NAVSET_CLOCK_JUMP == ORR_MSG_NAV_NOTES_CLOCK_JUMP &&
+                   (uint32_t)ORR_NAVSET_FAULTY == ORR_MSG_NAV_NOTES_FAULTY,
                "the navset's notes are the wire's");
 _Static_assert(ORR_MSG_MAX_PAGES == ORR_NAVFRAME_PIECES, "one list holds a frame");
 #define SAME(name) (int)ORR_MSG_NAV_MESSAGE_##name == (int)ORR_NAV_##name

@@ -4,6 +4,8 @@
 #include "testing.h"
 
 #include "core/nan.h"
+#include "orbit/broadcast/broadcast.h"
+#include "orbit/force/kepler.h"
 #include "orbit/navdata/navframe.h"
 #include "orbit/navdata/navset_private.h"
 #include "orbit/smooth/smoother.h"
@@ -236,6 +238,78 @@ static void marked_satellites_are_unhealthy_and_no_others(void **state)
     }
     assert_true(seen > 4);
     orr_navset_free(set);
+    orr_navset_free(plain);
+    orr_ephemeris_free(e);
+}
+
+// The set of a satellite's first message at so many seconds after the product's begin.
+static orr_navset_item set_at(const orr_navset *set, const char *sat, orr_time t0, double t_s)
+{
+    const orr_navset_item *item =
+        orr_navset_at(set, orr_sat_parse(sat), ORR_NAV_NONE, orr_time_add_s(t0, t_s));
+    if (item == NULL) fail_msg("%s has no set at %g s", sat, t_s);
+    return *item;
+}
+
+static void faults_change_sets_and_no_others(void **state)
+{
+    (void)state;
+    static const char *const sats[] = {"G01", "R01", "E14"}, *const others[] = {"G02", "R02"};
+    const orr_time t0 = when("2024-02-04T00:00:00");
+    orr_ephemeris *e = product("2024-02-04T00:00:00", 6, (spoil){.push_s = -1});
+    orr_navset_fault fault = {
+        .from = orr_time_add_s(t0, 8000), .to = orr_time_add_s(t0, 12000), .displaced_m = {200, -500, 300}};
+    for (size_t k = 0; k < 3; k++) orr_sat_set_add(&fault.sats, orr_sat_parse(sats[k]));
+    orr_navset_options o = orr_navset_defaults();
+    orr_navset *plain = build(e, &o);
+    o.fault = &fault;
+    o.n_faults = 1;
+    for (int kind = 0; kind < 3; kind++) {
+        fault.kind = (orr_navset_fault_kind)kind;
+        orr_navset *set = build(e, &o);
+        for (size_t k = 0; k < 2; k++) {
+            const orr_navset_item a = set_at(plain, others[k], t0, 9000),
+                                  b = set_at(set, others[k], t0, 9000);
+            assert_memory_equal(&a.eph, &b.eph, sizeof a.eph);
+            assert_int_equal(b.notes, a.notes);
+        }
+        for (size_t k = 0; k < 3; k++) {
+            const orr_navset_item before = set_at(set, sats[k], t0, 7999),
+                                  during = set_at(set, sats[k], t0, 8001),
+                                  last = set_at(set, sats[k], t0, 11999),
+                                  after = set_at(set, sats[k], t0, 12001),
+                                  clean = set_at(plain, sats[k], t0, 8001);
+            assert_true((during.notes & ORR_NAVSET_FAULTY) != 0 && (last.notes & ORR_NAVSET_FAULTY) != 0);
+            assert_true((after.notes & ORR_NAVSET_FAULTY) == 0);
+            assert_true((during.eph.health != 0) == (fault.kind == ORR_NAVSET_FAULT_UNHEALTHY));
+            assert_int_equal(after.eph.health, 0);
+            if (fault.kind == ORR_NAVSET_FAULT_STALE) {
+                assert_true(last.eph.toe == before.eph.toe && after.eph.toe > before.eph.toe);
+                continue;
+            }
+            assert_true(during.eph.toe == clean.eph.toe);
+            if (sats[k][0] != 'R') assert_true(during.eph.iode != before.eph.iode);
+            if (fault.kind != ORR_NAVSET_FAULT_ORBIT) continue;
+            for (double t_s = 8100; t_s < 12000; t_s += 300) {
+                const orr_navset_item item = set_at(set, sats[k], t0, t_s),
+                                      true_one = set_at(plain, sats[k], t0, t_s);
+                orr_broadcast_state b, c;
+                orr_sat_state s;
+                const orr_time t = orr_time_add_s(t0, t_s);
+                assert_int_equal(orr_broadcast_eval(&item.eph, t, &b), ORR_OK);
+                assert_int_equal(orr_broadcast_eval(&true_one.eph, t, &c), ORR_OK);
+                assert_int_equal(orr_ephemeris_eval(e, orr_sat_parse(sats[k]), t, &s), ORR_OK);
+                const orr_mat3 axes = orr_orbit_axes(s.pos_m, orr_velocity_inertial(s.pos_m, s.vel_mps));
+                const orr_vec3 rac = orr_mat3_apply_t(&axes, orr_vec3_sub(b.pos_m, c.pos_m));
+                // What a message cannot say of a displacement that turns with the orbit: GLONASS' within 15 minutes of tb.
+                const double within = sats[k][0] == 'R' ? 12 : 6;
+                ASSERT_NEAR(rac.x, 200, within);
+                ASSERT_NEAR(rac.y, -500, within);
+                ASSERT_NEAR(rac.z, 300, within);
+            }
+        }
+        orr_navset_free(set);
+    }
     orr_navset_free(plain);
     orr_ephemeris_free(e);
 }
@@ -701,6 +775,7 @@ int main(void)
         cmocka_unit_test(every_instant_has_one_set),
         cmocka_unit_test(a_manoeuvre_makes_its_sets_unhealthy),
         cmocka_unit_test(marked_satellites_are_unhealthy_and_no_others),
+        cmocka_unit_test(faults_change_sets_and_no_others),
         cmocka_unit_test(without_a_clock_nothing_is_sent_unless_asked),
         cmocka_unit_test(more_weeks_than_are_counted_are_refused),
         cmocka_unit_test(sets_stay_in_their_slots),

@@ -11,7 +11,8 @@ static orr_status try_with(const char *rest, orr_diag *diag)
 {
     char text[4000];
     orr_scenario s;
-    snprintf(text, sizeof text, "orbit: {product: " MADE_PRODUCT "}\nnavdata: {window: none}\n%s", rest);
+    snprintf(text, sizeof text, "orbit: {product: " MADE_PRODUCT "}\n%s%s",
+             strstr(rest, "navdata:") == NULL ? "navdata: {window: none}\n" : "", rest);
     orr_status status = orr_scenario_parse("test", text, strlen(text), NULL, NULL, &s, diag);
     if (status != ORR_OK) return status;
     status = orr_engine_open(&s, NULL, NULL, NULL, &engine, diag);

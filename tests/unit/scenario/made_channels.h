@@ -18,7 +18,7 @@ extern orr_channel_work *work;
 int set_up(void **state);
 // Closes the engine: a test's tear-down.
 int tear_down(void **state);
-// Opens an engine of the made orbits and of `rest`, YAML.
+// Opens an engine of the made orbits and of `rest`, YAML; without broadcast data unless `rest` has navdata.
 void open_with(const char *rest);
 // Fails unless that is refused with a sentence that holds `words`.
 void refused_with(const char *rest, const char *words);
