@@ -49,7 +49,7 @@ static uint16_t begin_hello(orr_server_conn *c, const orr_frame *f, orr_server_r
     return ORR_MSG_ERROR_CODE_BAD_VERSION;
 }
 
-void orr_server_caps(const orr_server *s, orr_wire_writer *w)
+void orr_server_caps(const orr_server *s, uint16_t access, orr_wire_writer *w)
 {
     const orr_msg_span never = {INT64_MIN, INT64_MIN};
     orr_msg_served_request requests[64] = {{ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, never},
@@ -73,6 +73,7 @@ void orr_server_caps(const orr_server *s, orr_wire_writer *w)
     caps.minor = ORR_MSG_MINOR;
     caps.max_request = ORR_MSG_MAX_REQUEST;
     caps.max_epochs = ORR_MSG_MAX_EPOCHS;
+    caps.access = access;
     caps.requests.count = n;
     caps.requests.item = requests;
     orr_msg_caps_encode(&caps, w);
@@ -101,6 +102,10 @@ static uint16_t begin_handled(const orr_server *s, orr_server_conn *c, const orr
                               const orr_msg_any *request, orr_wire_status decoded, orr_server_refusal *why)
 {
     const char *name = orr_msg_type_name(f->type);
+    if ((c->access & ORR_MSG_ACCESS_NO_READING) != 0) {
+        snprintf(why->sentence, sizeof why->sentence, "%s: you have no permission to read", name);
+        return ORR_MSG_ERROR_CODE_NOT_PERMITTED;
+    }
     if (decoded == ORR_WIRE_LIMIT) {
         snprintf(why->sentence, sizeof why->sentence, "%s: more members than a list may have", name);
         return ORR_MSG_ERROR_CODE_LIMIT;
@@ -158,7 +163,7 @@ static uint16_t answer(const orr_server *s, orr_server_conn *c, const orr_frame 
     else if (f->type == ORR_MSG_TYPE_PING)
         code = answer_ping(f, w);
     else
-        orr_server_caps(s, w);
+        orr_server_caps(s, c->access, w);
     if (code == 0 && !c->part.more) orr_frame_end(w, start);
     return code;
 }

@@ -66,6 +66,7 @@ typedef struct orr_server {
 
 // One connection; zero-initialise.
 typedef struct orr_server_conn {
+    uint16_t access; // ORR_MSG_ACCESS bits, of its owner: told in CAPS; NO_READING refuses all that handlers answer
     bool can_grow; // its owner can make the output larger: step.room then asks for that
     // The owner's: whether the time that it gives to one call of orr_server_run has been used. NULL: no
     // limit.
@@ -107,8 +108,8 @@ typedef struct orr_server_step {
 void orr_server_run(const orr_server *s, orr_server_conn *c, const uint8_t *in, size_t n,
                     orr_wire_writer *out, orr_server_step *step);
 
-// The payload of CAPS, as HELLO is answered with it.
-void orr_server_caps(const orr_server *s, orr_wire_writer *out);
+// The payload of CAPS, as HELLO is answered with it; `access` as of orr_server_conn.
+void orr_server_caps(const orr_server *s, uint16_t access, orr_wire_writer *out);
 // One ERROR frame outside any request (time-outs, too many clients, shutting down): sequence 0.
 void orr_server_error(orr_wire_writer *out, uint16_t code, const char *sentence);
 

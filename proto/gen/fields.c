@@ -143,6 +143,13 @@ static const orr_field_word words_motion_point[] = {
     {1, "ANTENNA", "antenna", false},
 };
 
+static const orr_field_word words_access[] = {
+    {UINT64_C(1), "NO_READING", "no reading", false},
+    {UINT64_C(2), "NO_MOTION", "no motion", false},
+    {UINT64_C(4), "NO_CONTROL", "no control", false},
+    {UINT64_C(8), "INSECURE", "insecure", false},
+};
+
 static const orr_field_word words_channel_flags[] = {
     {UINT64_C(1), "UNHEALTHY", "unhealthy", false},
     {UINT64_C(2), "ECLIPSE", "eclipse", false},
@@ -531,8 +538,9 @@ static const orr_field fields_caps[] = {
     {.name = "transmitters", .unit = "", .doc = "satellites that send them", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, transmitters), .limit = 800, .record = &record_transmitter, .next = next_transmitter, .in_text = true, .text_name = "transmitters", .text_factor = 1.0, .in_table = true, .head = "transmitters", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "requests", .unit = "", .doc = "what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, requests), .limit = 64, .record = &record_served_request, .next = next_served_request, .in_text = true, .text_name = "requests", .text_factor = 1.0, .in_table = true, .head = "requests", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "satellites", .unit = "", .doc = "served satellites, in the order in which STATES lists them", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_caps, satellites), .limit = 800, .record = &record_sat_id, .next = next_sat_id, .in_text = true, .text_name = "satellites", .text_factor = 1.0, .in_table = true, .head = "satellites", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "access", .unit = "", .doc = "what this client may not do, and how it came", .kind = ORR_FIELD_U16, .show = ORR_SHOW_BITS, .offset = offsetof(orr_msg_caps, access), .word = words_access, .n_words = sizeof words_access / sizeof words_access[0], .in_text = true, .text_name = "access", .text_factor = 1.0, .in_table = true, .head = "access", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_caps = {"caps", fields_caps, 21, sizeof(orr_msg_caps), false, false};
+static const orr_record record_caps = {"caps", fields_caps, 22, sizeof(orr_msg_caps), false, false};
 
 static orr_wire_status encode_caps(const void *m, orr_wire_writer *w)
 {

@@ -127,6 +127,12 @@ enums.motion_point = {
   [0] = "BODY",
   [1] = "ANTENNA",
 }
+bitsets.access = {
+  {name = "NO_READING", bit = 0},
+  {name = "NO_MOTION", bit = 1},
+  {name = "NO_CONTROL", bit = 2},
+  {name = "INSECURE", bit = 3},
+}
 bitsets.channel_flags = {
   {name = "UNHEALTHY", bit = 0},
   {name = "ECLIPSE", bit = 1},
@@ -414,6 +420,7 @@ records.caps = {fields = {
     {name = "transmitters", kind = "list", record = "transmitter", limit = 800},
     {name = "requests", kind = "list", record = "served_request", limit = 64},
     {name = "satellites", kind = "list", record = "sat_id", limit = 800},
+    {name = "access", kind = "scalar", scalar = "u16", bits = "access"},
 }}
 records.ping = {size = 8, smallest = 8, fields = {
     {name = "token", kind = "scalar", scalar = "u64", show = "hex"},

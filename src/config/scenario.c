@@ -11,9 +11,15 @@ static const orr_key serve_rows[] = {
      .kind = ORR_KEY_TEXT,
      .list = true,
      .offset = offsetof(orr_scenario_serve, listen),
-     .help = "where to listen: tcp://HOST:PORT (host *: every address; port 0: any free one) or unix:PATH. "
-             "'orrery serve --listen' "
-             "overrules it"},
+     .help = "where to listen: tcp://HOST:PORT or tls://HOST:PORT (host *: every address; port 0: any free "
+             "one) or "
+             "unix:PATH. 'orrery serve --listen' overrules it"},
+    FILE_ROW(orr_scenario_serve, "access", access, NULL,
+             "who may come in from other machines: certificates, permissions, limits (docs/security.md); "
+             "'orrery serve --access' overrules it"),
+    BOOL_ROW(
+        orr_scenario_serve, "insecure_listen", insecure_listen, "false", NULL,
+        "listen at addresses that other machines reach without TLS: whoever reaches them may do everything"),
 };
 static const orr_schema serve_table = ORR_SCHEMA(serve_rows, orr_scenario_serve);
 
@@ -146,8 +152,7 @@ orr_status orr_scenario_read(const char *path, const orr_leap_table *leap, orr_s
     orr_yaml y;
     orr_status s = orr_yaml_read(path, &y, diag);
     if (s != ORR_OK) return s;
-    const char *slash = strrchr(path, '/');
-    char *folder = strndup(path, slash == NULL ? 0 : slash == path ? 1 : (size_t)(slash - path));
+    char *folder = orr_yaml_folder(path);
     if (folder == NULL)
         s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     else

@@ -26,6 +26,8 @@ typedef struct orr_scenario_motion {
 
 typedef struct orr_scenario_serve {
     orr_text_list listen; // URLs
+    char *access;         // file of who may come in (src/config/access.h)
+    bool insecure_listen;
 } orr_scenario_serve;
 
 typedef struct orr_scenario {

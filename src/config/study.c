@@ -8,8 +8,7 @@ orr_status orr_study_parse(const orr_schema *schema, const char *name, const cha
                            const orr_leap_table *leap, void *base, orr_diag *diag)
 {
     memset(base, 0, schema->size);
-    const char *slash = strrchr(name, '/');
-    char *folder = strndup(name, slash == NULL ? 0 : slash == name ? 1 : (size_t)(slash - name));
+    char *folder = orr_yaml_folder(name);
     if (folder == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     orr_yaml y;
     orr_status s = orr_yaml_parse(name, text, n, &y, diag);

@@ -270,6 +270,12 @@ orr_status orr_yaml_read(const char *path, orr_yaml *out, orr_diag *diag)
     return s;
 }
 
+char *orr_yaml_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return strndup(path, slash == NULL ? 0 : slash == path ? 1 : (size_t)(slash - path));
+}
+
 void orr_yaml_free(orr_yaml *y)
 {
     while (y->made != NULL) {

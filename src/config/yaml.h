@@ -53,6 +53,9 @@ orr_status orr_yaml_read(const char *path, orr_yaml *out, orr_diag *diag);
 //   diag  why it failed, with line and column; may be NULL
 // Errors: as of orr_yaml_read, without ORR_E_IO.
 orr_status orr_yaml_parse(const char *name, const char *text, size_t n, orr_yaml *out, orr_diag *diag);
+// The folder of a file as its path has it, which paths within the file are relative to: "" where the path has none. To be freed with
+// free(); NULL: out of memory.
+char *orr_yaml_folder(const char *path);
 // Frees the tree.
 void orr_yaml_free(orr_yaml *y);
 

@@ -137,7 +137,7 @@ static orr_dial *dial(const live *l)
 {
     orr_dial *d;
     orr_diag diag = {0};
-    must(orr_dial_open(orr_service_url(l->service, 0), 30, &d, &diag) == ORR_OK, diag.text);
+    must(orr_dial_open(orr_service_url(l->service, 0), NULL, 30, &d, &diag) == ORR_OK, diag.text);
     return d;
 }
 

@@ -188,7 +188,7 @@ static void exchange(bench *b, const workload *w)
     pthread_t service_thread, echo_thread;
     pthread_create(&service_thread, NULL, run_service, service);
     orr_dial *d;
-    must(orr_dial_open(orr_service_url(service, 0), 10, &d, &diag) == ORR_OK, diag.text);
+    must(orr_dial_open(orr_service_url(service, 0), NULL, 10, &d, &diag) == ORR_OK, diag.text);
     orr_time from, to;
     size_t told;
     orr_engine_span(engine, &from, &to);

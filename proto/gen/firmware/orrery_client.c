@@ -1021,6 +1021,17 @@ bool orr_msg_error_code_closes(uint16_t value)
     return value == 1 || value == 2 || value == 3 || value == 4 || value == 10 || value == 11 || value == 12;
 }
 
+const char *orr_msg_access_name(unsigned bit)
+{
+    switch (bit) {
+    case 0: return "NO_READING";
+    case 1: return "NO_MOTION";
+    case 2: return "NO_CONTROL";
+    case 3: return "INSECURE";
+    default: return NULL;
+    }
+}
+
 const char *orr_msg_channel_flags_name(unsigned bit)
 {
     switch (bit) {
@@ -2438,6 +2449,9 @@ static void put_caps(orr_wire_writer *w, const orr_msg_caps *m)
     put_transmitter_list(w, &m->transmitters, 800);
     put_served_request_list(w, &m->requests, 64);
     put_sat_id_list(w, &m->satellites, 800);
+    p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->access);
 }
 
 static void get_caps(orr_wire_reader *r, orr_msg_caps *m)
@@ -2470,6 +2484,9 @@ static void get_caps(orr_wire_reader *r, orr_msg_caps *m)
     get_transmitter_list(r, &m->transmitters, 800);
     get_served_request_list(r, &m->requests, 64);
     get_sat_id_list(r, &m->satellites, 800);
+    p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    m->access = orr_wire_load_u16(p + 0);
 }
 
 orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w)

@@ -349,7 +349,7 @@ enum { // error_code (u16): Why a request was refused or a connection is being c
     ORR_MSG_ERROR_CODE_TIMEOUT = 11, // half a frame, or nothing, for longer than the server waits
     ORR_MSG_ERROR_CODE_CLOSING = 12, // the server is shutting down
     ORR_MSG_ERROR_CODE_INTERNAL = 13, // the server failed; its log says how
-    ORR_MSG_ERROR_CODE_NOT_PERMITTED = 14, // clients of this server may read, not control (serve --read-only)
+    ORR_MSG_ERROR_CODE_NOT_PERMITTED = 14, // the client may not do that (CAPS access): serve --read-only, or the access file gives it no such permission
 };
 
 enum { // answer (u8): Whether there are numbers, and if not, why not.
@@ -475,6 +475,12 @@ enum { // motion_point (u8): The point whose motion is told.
     ORR_MSG_MOTION_POINT_ANTENNA = 1, // the antennas' reference point itself: lever arms are left out
 };
 
+// access (u16): What this client may not do, and how it came.
+#define ORR_MSG_ACCESS_NO_READING ((uint16_t)(UINT64_C(1) << 0)) // no polls and no streams
+#define ORR_MSG_ACCESS_NO_MOTION ((uint16_t)(UINT64_C(1) << 1)) // no MOTION
+#define ORR_MSG_ACCESS_NO_CONTROL ((uint16_t)(UINT64_C(1) << 2)) // no CONTROL and no RADIO_TIME
+#define ORR_MSG_ACCESS_INSECURE ((uint16_t)(UINT64_C(1) << 3)) // the address can be reached from other machines without authentication: anybody may be here
+
 // channel_flags (u32): What should be known of a channel.
 #define ORR_MSG_CHANNEL_FLAGS_UNHEALTHY ((uint32_t)(UINT64_C(1) << 0)) // the scenario marks the satellite as not to be used
 #define ORR_MSG_CHANNEL_FLAGS_ECLIPSE ((uint32_t)(UINT64_C(1) << 1)) // the satellite is in the umbra or penumbra of the Earth
@@ -541,6 +547,7 @@ const char *orr_msg_clock_state_name(uint8_t value);
 const char *orr_msg_stamp_clock_name(uint8_t value);
 const char *orr_msg_motion_state_name(uint8_t value);
 const char *orr_msg_motion_point_name(uint8_t value);
+const char *orr_msg_access_name(unsigned bit);
 const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
 const char *orr_msg_state_flags_name(unsigned bit);
@@ -1066,8 +1073,9 @@ typedef struct orr_msg_caps {
     orr_msg_transmitter_list transmitters; // satellites that send them
     orr_msg_served_request_list requests; // what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
     orr_msg_sat_id_list satellites; // served satellites, in the order in which STATES lists them
+    uint16_t access; // what this client may not do, and how it came
 } orr_msg_caps;
-#define ORR_MSG_CAPS_LARGEST 52162u
+#define ORR_MSG_CAPS_LARGEST 52164u
 
 orr_wire_status orr_msg_caps_encode(const orr_msg_caps *m, orr_wire_writer *w);
 orr_wire_status orr_msg_caps_decode(const uint8_t *payload, size_t size, orr_msg_caps *m);

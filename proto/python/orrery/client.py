@@ -4,7 +4,9 @@ body, and may be left early."""
 from __future__ import annotations
 
 import collections
+import os
 import socket
+import ssl
 from types import TracebackType
 from typing import Deque, Dict, Iterator, Optional, Type, Union
 from urllib.parse import urlsplit
@@ -35,8 +37,21 @@ class Refused(Exception):
         self.code = messages.ErrorCode(code)
 
 
-def connect(url: str, timeout_s: float) -> socket.socket:
-    """A connected socket for tcp://HOST:PORT or unix:PATH."""
+def _secure(sock: socket.socket, host: str, identity: Optional[str]) -> socket.socket:
+    """TLS 1.3 over a connected socket, with certificates of both sides."""
+    identity = identity or os.environ.get("ORRERY_IDENTITY")
+    if not identity:
+        raise ValueError("tls:// wants an identity: NAME.pem, as 'orrery tls init' makes it")
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+    context.minimum_version = ssl.TLSVersion.TLSv1_3
+    context.load_verify_locations(os.path.join(os.path.dirname(identity), "ca.pem"))
+    context.load_cert_chain(identity)
+    return context.wrap_socket(sock, server_hostname=host)
+
+
+def connect(url: str, timeout_s: float, identity: Optional[str] = None) -> socket.socket:
+    """A connected socket for tcp://HOST:PORT, tls://HOST:PORT or unix:PATH. identity: for tls://, a file with the client's certificate and
+    key, with ca.pem beside it; the environment variable ORRERY_IDENTITY by default."""
     if url.startswith("unix:"):
         path = url[5:]
         if path.startswith("///"):
@@ -50,23 +65,28 @@ def connect(url: str, timeout_s: float) -> socket.socket:
             raise
         return sock
     parts = urlsplit(url)
-    if parts.scheme != "tcp":
-        raise ValueError(f"'{url}' is no address: tcp://HOST:PORT or unix:PATH is wanted")
-    sock = socket.create_connection((parts.hostname or "127.0.0.1", parts.port or messages.PORT), timeout_s)
-    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    return sock
+    if parts.scheme not in ("tcp", "tls"):
+        raise ValueError(f"'{url}' is no address: tcp://HOST:PORT, tls://HOST:PORT or unix:PATH is wanted")
+    host = parts.hostname or "127.0.0.1"
+    sock = socket.create_connection((host, parts.port or messages.PORT), timeout_s)
+    try:
+        sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        return _secure(sock, host, identity) if parts.scheme == "tls" else sock
+    except BaseException:
+        sock.close()
+        raise
 
 
 class Client(Verbs):
     """A conversation with a service. Says HELLO on connecting; `caps` is what the server answered. OSError (TimeoutError among them),
     ProtocolError and Refused are what its methods raise; after a timeout and after most refusals it can be asked on."""
 
-    def __init__(self, url: str, name: str = "python", timeout_s: float = 10.0) -> None:
+    def __init__(self, url: str, name: str = "python", timeout_s: float = 10.0, identity: Optional[str] = None) -> None:
         self._sequence = 0
         self._read = bytearray()  # received, and not yet a whole frame
         self._inbox: Dict[int, Deque[frame.Frame]] = {}  # of requests whose answers somebody still waits for
         self._closed = ""  # why it is of no more use
-        self._sock = connect(url, timeout_s)
+        self._sock = connect(url, timeout_s, identity)
         try:
             self.caps = self._ask(messages.Hello(messages.MAJOR, messages.MAJOR, name, __version__), messages.Caps)
         except BaseException:

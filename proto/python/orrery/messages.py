@@ -41,7 +41,7 @@ class ErrorCode(WireEnum):
     TIMEOUT = 11  # half a frame, or nothing, for longer than the server waits
     CLOSING = 12  # the server is shutting down
     INTERNAL = 13  # the server failed; its log says how
-    NOT_PERMITTED = 14  # clients of this server may read, not control (serve --read-only)
+    NOT_PERMITTED = 14  # the client may not do that (CAPS access): serve --read-only, or the access file gives it no such permission
 
     @property
     def closes(self) -> bool:
@@ -204,6 +204,15 @@ class MotionPoint(WireEnum):
 
     BODY = 0  # the body's own point; antennas ride on it by their lever arms
     ANTENNA = 1  # the antennas' reference point itself: lever arms are left out
+
+
+class Access(enum.IntFlag):
+    """What this client may not do, and how it came."""
+
+    NO_READING = 1  # no polls and no streams
+    NO_MOTION = 2  # no MOTION
+    NO_CONTROL = 4  # no CONTROL and no RADIO_TIME
+    INSECURE = 8  # the address can be reached from other machines without authentication: anybody may be here
 
 
 class ChannelFlags(enum.IntFlag):
@@ -1069,6 +1078,7 @@ class Caps(Record):
     transmitters: satellites that send them
     requests: what is answered; anything else is refused with NOT_SERVED or UNKNOWN_TYPE
     satellites: served satellites, in the order in which STATES lists them
+    access: what this client may not do, and how it came
     """
 
     TYPE: ClassVar[int] = 2
@@ -1094,6 +1104,7 @@ class Caps(Record):
         Field("transmitters", "list", record=Transmitter, limit=800),
         Field("requests", "list", record=ServedRequest, limit=64),
         Field("satellites", "list", record=SatId, limit=800),
+        Field("access", "scalar", scalar="u16", enum=Access),
     )
 
     major: int = 0
@@ -1117,6 +1128,7 @@ class Caps(Record):
     transmitters: list[Transmitter] = dataclasses.field(default_factory=list)
     requests: list[ServedRequest] = dataclasses.field(default_factory=list)
     satellites: list[SatId] = dataclasses.field(default_factory=list)
+    access: Access = Access(0)
 
 
 @dataclasses.dataclass(eq=False, slots=True)

@@ -25,10 +25,11 @@ class ReconnectingClient(Verbs):
     to the logger "orrery"."""
 
     def __init__(self, url: str, name: str = "python", timeout_s: float = 10.0, attempts: int = 8, first_delay_s: float = 0.1,
-                 longest_delay_s: float = 5.0, sleep: Callable[[float], object] = time.sleep) -> None:
+                 longest_delay_s: float = 5.0, sleep: Callable[[float], object] = time.sleep,
+                 identity: Optional[str] = None) -> None:
         if attempts < 1:
             raise ValueError("at least one attempt is needed")
-        self.url, self.name, self.timeout_s, self.attempts = url, name, timeout_s, attempts
+        self.url, self.name, self.timeout_s, self.attempts, self.identity = url, name, timeout_s, attempts, identity
         self.first_delay_s, self.longest_delay_s, self._sleep = first_delay_s, longest_delay_s, sleep
         self._client: Optional[Client] = None
         self._caps: Optional[messages.Caps] = None
@@ -97,7 +98,7 @@ class ReconnectingClient(Verbs):
 
     def _connected(self) -> Client:
         if self._client is None:
-            self._client = Client(self.url, self.name, self.timeout_s)
+            self._client = Client(self.url, self.name, self.timeout_s, self.identity)
             LOG.info("%s: connected to %s %s", self.url, self._client.caps.name, self._client.caps.version)
             if self._caps is not None and self._caps != self._client.caps:
                 LOG.warning("%s: it serves something else than before; answers may not go together with earlier ones", self.url)

@@ -115,4 +115,13 @@
         .help = "Number of threads; the machine's cores by default. The result does not depend on it."       \
     }
 
+// The certificate of a client of tls://; orr_cli_text with NULL otherwise.
+#define ORR_OPTION_IDENTITY(...)                                                                             \
+    {                                                                                                        \
+        .name = "identity", .kind = ORR_OPT_TEXT, .value = "FILE",                                           \
+        __VA_ARGS__.help =                                                                                   \
+            "For tls://: certificate and key as 'orrery tls' makes them, with ca.pem beside; that of "       \
+            "the environment variable ORRERY_IDENTITY by default."                                           \
+    }
+
 #endif

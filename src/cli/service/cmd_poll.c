@@ -179,8 +179,9 @@ static int run(orr_cli *c)
     int asked = orr_poll_ask(c, &p.request);
     if (asked != ORR_EXIT_OK) return asked;
     orr_diag diag = {0};
-    orr_status s = orr_dial_open(
-        c->operand[0], (double)orr_cli_duration_ns(c, "timeout", 10 * ORR_NS_PER_S) * 1e-9, &p.d, &diag);
+    orr_status s =
+        orr_dial_open(c->operand[0], orr_cli_text(c, "identity", NULL),
+                      (double)orr_cli_duration_ns(c, "timeout", 10 * ORR_NS_PER_S) * 1e-9, &p.d, &diag);
     if (s == ORR_E_ARG) return orr_cli_usage(c, "%s", diag.text);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     int status = poll_service(&p);
@@ -189,6 +190,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
+    ORR_OPTION_IDENTITY(),
     ORR_OPTION_AT(
             .help =
                 "First epoch, GPS time unless marked otherwise; the begin of the served span by default."),

@@ -97,8 +97,9 @@ static int run(orr_cli *c)
     const int asked = orr_poll_ask(c, &r);
     if (asked != ORR_EXIT_OK) return asked;
     if (!orr_cli_given(c, "count")) return orr_cli_usage(c, "--count is wanted: how many blocks to record");
-    orr_status s = orr_dial_open(
-        c->operand[0], (double)orr_cli_duration_ns(c, "timeout", 30 * ORR_NS_PER_S) * 1e-9, &j.d, &diag);
+    orr_status s =
+        orr_dial_open(c->operand[0], orr_cli_text(c, "identity", NULL),
+                      (double)orr_cli_duration_ns(c, "timeout", 30 * ORR_NS_PER_S) * 1e-9, &j.d, &diag);
     if (s == ORR_E_ARG) return orr_cli_usage(c, "%s", diag.text);
     if (s == ORR_OK) s = orr_outfile_open(orr_cli_text(c, "output", "orrery.log"), &out, &diag);
     if (s != ORR_OK) {
@@ -120,6 +121,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
+    ORR_OPTION_IDENTITY(),
     {.name = "output",
      .letter = 'o',
      .kind = ORR_OPT_TEXT,

@@ -128,7 +128,7 @@ static int run(orr_cli *c)
     orr_diag diag = {0};
     orr_status s = ORR_OK;
     const char *url = orr_cli_text(c, "check", NULL);
-    if (url != NULL) s = orr_dial_open(url, 30, &j.d, &diag);
+    if (url != NULL) s = orr_dial_open(url, orr_cli_text(c, "identity", NULL), 30, &j.d, &diag);
     if (s == ORR_OK) s = replay(&j, &diag);
     orr_dial_close(j.d);
     free(j.data);
@@ -140,6 +140,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
+    ORR_OPTION_IDENTITY(.applies = "check", ),
     ORR_OPTION_FORMAT_AS("table|csv|json", "table",
                          .help = "How blocks are shown, as of `orrery poll`; a table by default."),
     {.name = "raw",

@@ -36,6 +36,7 @@ typedef struct serving {
     orr_cli *c;
     orr_scenario scenario;
     const char **url; // of --listen
+    orr_access *access;
     orr_service *service;
     orr_engine *engine;
     orr_answers *answers, *maker; // of requests and of streams: each thread has a room of its own
@@ -120,10 +121,19 @@ static orr_status listen_on(serving *v, orr_diag *diag)
     for (size_t i = 0; i < n; i++) v->url[i] = orr_cli_text_at(v->c, "listen", i);
     options.url = n > 0 ? v->url : (const char *const *)listen->item;
     options.n_urls = n > 0 ? n : listen->n;
-    options.read_only = orr_cli_given(v->c, "read-only");
-    options.max_clients = (int)orr_cli_int(v->c, "max-clients", options.max_clients);
+    const orr_scenario_serve *serve = &v->scenario.serve;
+    orr_status s =
+        orr_access_open(orr_cli_text(v->c, "access", serve->access),
+                        serve->insecure_listen || orr_cli_given(v->c, "insecure-listen"),
+                        orr_cli_given(v->c, "read-only") ? ORR_MAY_READ : ORR_MAY_ALL, &v->access, diag);
+    if (s != ORR_OK) return s;
+    options.access = v->access;
+    const orr_access_limits limits = orr_access_limits_of(v->access);
+    options.max_clients = (int)orr_cli_int(v->c, "max-clients", limits.clients);
+    options.idle_s = limits.idle_s;
+    options.first_s = limits.first_s;
     const char *pages = orr_cli_text(v->c, "http", NULL);
-    const orr_status s = pages != NULL ? orr_http_server_listen(pages, &v->http, diag) : ORR_OK;
+    if (pages != NULL) s = orr_http_server_listen(pages, &v->http, diag);
     if (s != ORR_OK) return s;
     return orr_service_open(&options, NULL, &v->log, &v->service, diag);
 }
@@ -254,6 +264,10 @@ static int run(orr_cli *c)
         orr_schema_describe(orr_scenario_schema(), stdout);
         return ORR_EXIT_OK;
     }
+    if (orr_cli_given(c, "help-access")) {
+        orr_schema_describe(orr_access_schema(), stdout);
+        return ORR_EXIT_OK;
+    }
     if (c->n_operands != 1) return orr_cli_usage(c, "a scenario or an orbit product is wanted");
     serving v = {.c = c, .talk = {.fd = STDERR_FILENO}};
     v.log = (orr_log){.level = c->log->level, .write = write_log, .user = &v};
@@ -273,6 +287,7 @@ static int run(orr_cli *c)
     orr_answers_close(v.shown);
     orr_streams_halt(v.streams);
     orr_service_close(v.service);
+    orr_access_close(v.access);
     orr_streams_close(v.streams);
     orr_answers_close(v.maker);
     orr_vehicle_close(v.vehicle);
@@ -297,8 +312,18 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "URL",
      .repeated = true,
-     .help = "Listen at tcp://HOST:PORT (host *: every address; port 0: any free one) or unix:PATH. By "
-             "default where the scenario says, else tcp://127.0.0.1:15754."},
+     .help = "Listen at tcp://HOST:PORT or tls://HOST:PORT (host *: every address; port 0: any free one) or "
+             "unix:PATH. By default where the scenario says, else tcp://127.0.0.1:15754."},
+    {.name = "access",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Who may come in from other machines, by which certificates, and what each may do "
+             "(docs/security.md; 'orrery tls init' writes one). By default where the scenario says, else "
+             "nobody."},
+    {.name = "insecure-listen",
+     .kind = ORR_OPT_FLAG,
+     .help = "Listen at addresses that other machines reach without TLS: whoever reaches them may do "
+             "everything."},
     {.name = "text",
      .kind = ORR_OPT_TEXT,
      .value = "URL",
@@ -317,7 +342,7 @@ static const orr_option options[] = {
      .max = 10000,
      .help =
          "Largest number of clients at once. One more takes the place of the one that has been idle longest, "
-         "or is answered BUSY. 256 by default."},
+         "or is answered BUSY. By default as the access file says, else 256."},
     {.name = "from",
      .kind = ORR_OPT_TIME,
      .value = "T",
@@ -393,6 +418,7 @@ static const orr_option options[] = {
      .kind = ORR_OPT_FLAG,
      .help = "Keep the whole process in memory, so that no block waits for a page."},
     {.name = "help-scenario", .kind = ORR_OPT_FLAG, .help = "Print all keys of a scenario file, and end."},
+    {.name = "help-access", .kind = ORR_OPT_FLAG, .help = "Print all keys of an access file, and end."},
 };
 
 const orr_command orr_cmd_serve = {
@@ -407,15 +433,17 @@ const orr_command orr_cmd_serve = {
         "day), then says 'ready on URL' on stderr "
         "and answers "
         "until SIGTERM or SIGINT (status 0; before that line they end it at once, as any program; SIGHUP "
-        "changes nothing). "
+        "reads the access file again). "
         "Polls are answered by their time tag: the same poll gets the same "
         "bytes, from any "
         "client, any number of times.\n\n"
-        "Listens on this machine alone unless told otherwise; there is no authentication. "
-        "docs/protocol.md describes "
+        "Listens on this machine alone unless told otherwise. Other machines come by tls://, with "
+        "certificates "
+        "of both sides (docs/security.md). docs/protocol.md describes "
         "the messages, docs/scenario.md the file.",
     .example = "orrery serve samples/constellation.yaml --listen tcp://127.0.0.1:15754\n"
-               "orrery serve day.nc --listen unix:/tmp/orrery.sock",
+               "orrery serve day.nc --listen unix:/tmp/orrery.sock\n"
+               "orrery serve day.nc --listen 'tls://*:15754' --access lab/access.yaml",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -117,7 +117,7 @@ static int run(orr_cli *c)
     watch_job j = {.c = c, .antenna = (uint16_t)orr_cli_int(c, "antenna", 0), .motion = true};
     const int64_t count = orr_cli_int(c, "count", -1), step_ns = orr_cli_duration_ns(c, "step", ORR_NS_PER_S);
     orr_diag diag = {0};
-    orr_status status = orr_dial_open(c->operand[0], 10, &j.d, &diag);
+    orr_status status = orr_dial_open(c->operand[0], orr_cli_text(c, "identity", NULL), 10, &j.d, &diag);
     if (status == ORR_E_ARG) return orr_cli_usage(c, "%s", diag.text);
     if (status != ORR_OK) return orr_cli_fail(c, &diag);
     orr_wire_status s = learn(&j);
@@ -137,6 +137,7 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
+    ORR_OPTION_IDENTITY(),
     {.name = "antenna",
      .kind = ORR_OPT_INT,
      .value = "K",

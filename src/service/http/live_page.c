@@ -28,7 +28,7 @@ static int page_caps(void *user, orr_http_ask *ask, FILE *out)
     const orr_live_page *p = user;
     orr_msg_caps caps;
     orr_wire_writer w = {p->asked.room, 0, ORR_MSG_LARGEST, ORR_WIRE_OK};
-    orr_server_caps(p->asked.server, &w);
+    orr_server_caps(p->asked.server, 0, &w);
     if (orr_msg_caps_decode(w.data, (uint32_t)w.size, &caps) != ORR_WIRE_OK) return HTTP_FAILED;
     (void)orr_message_json(orr_message_of(ORR_MSG_TYPE_CAPS)->record, &caps, out);
     return HTTP_OK;

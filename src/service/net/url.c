@@ -21,7 +21,8 @@
 
 static orr_status not_a_url(const char *text, orr_diag *diag)
 {
-    return orr_diag_set(diag, ORR_E_ARG, "'%.100s' is no address: tcp://HOST:PORT or unix:PATH is wanted",
+    return orr_diag_set(diag, ORR_E_ARG,
+                        "'%.100s' is no address: tcp://HOST:PORT, tls://HOST:PORT or unix:PATH is wanted",
                         text);
 }
 
@@ -55,7 +56,8 @@ static orr_status parse_tcp(const char *text, const char *rest, orr_url *out, or
 orr_status orr_url_parse(const char *text, orr_url *out, orr_diag *diag)
 {
     memset(out, 0, sizeof *out);
-    if (strncmp(text, "tcp://", 6) == 0) return parse_tcp(text, text + 6, out, diag);
+    out->tls = strncmp(text, "tls://", 6) == 0;
+    if (out->tls || strncmp(text, "tcp://", 6) == 0) return parse_tcp(text, text + 6, out, diag);
     if (strncmp(text, "unix:", 5) != 0 || text[5] == '\0') return not_a_url(text, diag);
     const char *path = text + 5;
     if (strncmp(path, "///", 3) == 0) path += 2; // unix:///run/x is what other programs write
@@ -73,8 +75,8 @@ char *orr_url_text(const orr_url *u, char buf[ORR_URL_TEXT])
     if (u->is_unix)
         snprintf(buf, ORR_URL_TEXT, "unix:%s", u->path);
     else
-        snprintf(buf, ORR_URL_TEXT, "tcp://%s%s%s:%u", v6 ? "[" : "", u->host, v6 ? "]" : "",
-                 (unsigned)u->port);
+        snprintf(buf, ORR_URL_TEXT, "%s://%s%s%s:%u", u->tls ? "tls" : "tcp", v6 ? "[" : "", u->host,
+                 v6 ? "]" : "", (unsigned)u->port);
     return buf;
 }
 
@@ -122,7 +124,9 @@ static orr_status listen_unix(const orr_url *u, int backlog, int *fd, orr_diag *
     struct sockaddr_un a;
     unix_address(u, &a);
     *fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    if (*fd >= 0 && bind(*fd, (struct sockaddr *)&a, sizeof a) == 0 && listen(*fd, backlog) == 0)
+    // Its mode is set before it listens: until then nobody connects.
+    if (*fd >= 0 && bind(*fd, (struct sockaddr *)&a, sizeof a) == 0 && chmod(u->path, 0660) == 0 &&
+        listen(*fd, backlog) == 0)
         return ORR_OK;
     s = complain(u, "cannot listen on", errno, diag);
     if (*fd >= 0) close(*fd);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a service is: tcp://HOST:PORT or unix:PATH, read, written, listened on and connected to.
+// Where a service is: tcp://HOST:PORT, tls://HOST:PORT or unix:PATH, read, written, listened on and connected to.
 #ifndef ORR_SERVICE_URL_H
 #define ORR_SERVICE_URL_H
 
@@ -9,18 +9,19 @@
 
 typedef struct orr_url {
     bool is_unix;
+    bool tls;       // of TCP
     char host[128]; // of TCP; without the brackets of IPv6
     uint16_t port;
     char path[108]; // of Unix: sun_path with its NUL
 } orr_url;
 
 // "tcp://127.0.0.1:4000", "tcp://[::1]:4000", "tcp://localhost" (the default port), "tcp://:0" (loopback, any
-// port), "tcp://*:4000" (to listen on every address of this machine), "unix:/run/orrery.sock". ORR_E_ARG with a sentence otherwise.
+// port), "tcp://*:4000" (to listen on every address of this machine), "unix:/run/orrery.sock". tls:// as tcp://. ORR_E_ARG with a sentence otherwise.
 orr_status orr_url_parse(const char *text, orr_url *out, orr_diag *diag);
 // The URL as text, in buf.
 char *orr_url_text(const orr_url *u, char buf[ORR_URL_TEXT]);
 
-// Opens a non-blocking listening socket. A Unix socket file that nobody listens on is replaced; one in use, and a file
+// Opens a non-blocking listening socket. A Unix socket has mode 0660. A Unix socket file that nobody listens on is replaced; one in use, and a file
 // that is no socket, are refused.
 // Given:
 //   u        where

@@ -9,8 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "src/service/serve/lanes.h"
 #include "src/service/serve/service_private.h"
@@ -33,10 +31,10 @@ typedef struct output {
 struct orr_conn {
     orr_turns_member turn; // first, so that the member is the connection
     orr_service *service;
-    int fd;
+    orr_link *link;
+    orr_guest guest;
     conn_state state;
     bool peer_done; // the peer will send nothing more
-    struct event *on_read, *on_write;
     orr_server_conn conn;
     uint8_t *in;
     size_t in_size, in_capacity;
@@ -51,10 +49,13 @@ struct orr_conn {
     bool yield; // and takes long: others come first
     bool half;  // the input holds the beginning of a frame
     bool joined, counted;
+    orr_allowance requests; // of its own, beside its address's
+    uint64_t charged;       // requests that have been taken from both
+    int64_t held_until_ns;  // it has asked more than it may: until then it waits. 0: it has not
+    bool wants_write;
     int64_t turn_ends_ns;
     int64_t since_ns; // what the deadline counts from
     int64_t last_ns;  // last complete request
-    char peer[160];
     orr_conn *next, *prev;
 };
 
@@ -70,11 +71,10 @@ void orr_conn_close(orr_conn *c)
     if (c->next != NULL) c->next->prev = c->prev;
     if (c->counted) s->n_conns--;
     if (c->joined) orr_turns_leave(&s->turns, &c->turn);
-    ORR_LOG(s->log, ORR_LOG_DEBUG, "%s gone after %llu requests", c->peer,
+    ORR_LOG(s->log, ORR_LOG_DEBUG, "%s gone after %llu requests", c->guest.peer,
             (unsigned long long)c->conn.requests);
-    if (c->on_read != NULL) event_free(c->on_read);
-    if (c->on_write != NULL) event_free(c->on_write);
-    close(c->fd);
+    orr_link_close(c->link);
+    orr_peers_leave(c->guest.account);
     orr_lanes_close(&c->lanes);
     free(c->in);
     free(c->out.data);
@@ -84,7 +84,8 @@ void orr_conn_close(orr_conn *c)
 
 static bool waits(const output *o) { return o->at < o->size; }
 static bool has_answers(const orr_conn *c) { return waits(&c->out); }
-static bool has_output(const orr_conn *c) { return waits(&c->out) || waits(&c->lane); }
+static bool has_frames(const orr_conn *c) { return waits(&c->out) || waits(&c->lane); }
+static bool has_output(const orr_conn *c) { return has_frames(c) || orr_link_unsent(c->link); }
 
 static bool grow(uint8_t **data, size_t *capacity, size_t need)
 {
@@ -99,7 +100,7 @@ static bool grow(uint8_t **data, size_t *capacity, size_t need)
 static int send_some(orr_conn *c, output *o)
 {
     while (waits(o)) {
-        ssize_t n = send(c->fd, o->data + o->at, o->size - o->at, MSG_NOSIGNAL);
+        ssize_t n = orr_link_send(c->link, o->data + o->at, o->size - o->at);
         if (n > 0) {
             o->at += (size_t)n;
             c->since_ns = 0; // progress: the stall is counted anew
@@ -108,7 +109,7 @@ static int send_some(orr_conn *c, output *o)
         } else if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
             return 0;
         } else {
-            ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: %s", c->peer, strerror(errno));
+            ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: %s", c->guest.peer, strerror(errno));
             return -1;
         }
     }
@@ -140,7 +141,7 @@ static bool flush(orr_conn *c)
         // Others come first after a while, however fast the streams are made.
         c->lane_more = fills >= MOST_FILLS && c->lanes.n > 0 && !waits(&c->lane);
         if (c->state == CONN_OPEN && !c->lane_more && !fill_lane(c)) break;
-        if (!has_output(c)) break;
+        if (!has_frames(c)) break;
         if (!waits(&c->lane))
             c->lane_first = false;
         else if (!waits(&c->out))
@@ -178,8 +179,8 @@ static void send_error(const orr_conn *c, uint16_t code, const char *sentence)
     uint8_t frame[ORR_FRAME_OVERHEAD + ORR_SERVER_SENTENCE + 64];
     orr_wire_writer w = {frame, 0, sizeof frame, ORR_WIRE_OK};
     orr_server_error(&w, code, sentence);
-    if (send(c->fd, frame, w.size, MSG_NOSIGNAL) < 0)
-        ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: %s", c->peer, strerror(errno));
+    if (orr_link_send(c->link, frame, w.size) < 0)
+        ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: %s", c->guest.peer, strerror(errno));
 }
 
 // Puts an ERROR behind the output, if there is room, and ends.
@@ -212,9 +213,8 @@ static bool get_buffers(orr_conn *c)
 // Blocks that wait in the kernel grow old there, and hide that nobody takes them.
 static void keep_short(const orr_conn *c)
 {
-    const int bytes = ORR_CONN_KERNEL;
-    if (setsockopt(c->fd, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof bytes) != 0)
-        ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: SO_SNDBUF: %s", c->peer, strerror(errno));
+    if (!orr_link_keep_short(c->link, ORR_CONN_KERNEL))
+        ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s: SO_SNDBUF: %s", c->guest.peer, strerror(errno));
 }
 
 // Takes what the input holds for the connection's streams, wherever it stands among the requests.
@@ -270,7 +270,7 @@ static void answer(orr_conn *c)
     }
     if (step.closing != 0) {
         const char *name = orr_msg_error_code_name(step.closing);
-        orr_service_tell(c->service, "%s%s%s: closing: %s (%s)", c->peer,
+        orr_service_tell(c->service, "%s%s%s: closing: %s (%s)", c->guest.peer,
                          c->conn.client[0] != '\0' ? ", " : "", c->conn.client, step.reason,
                          name != NULL ? name : "?");
         end(c);
@@ -285,7 +285,8 @@ static void answer(orr_conn *c)
 // Nothing is under way: all that was asked is answered and sent.
 static bool at_rest(const orr_conn *c)
 {
-    return c->state == CONN_OPEN && !c->busy && !has_output(c) && c->turn.place == 0 && c->lanes.n == 0;
+    return c->held_until_ns == 0 && c->state == CONN_OPEN && !c->busy && !has_output(c) &&
+           c->turn.place == 0 && c->lanes.n == 0;
 }
 
 static void shut_down(orr_conn *c) { end_with(c, ORR_MSG_ERROR_CODE_CLOSING, "the server is shutting down"); }
@@ -296,9 +297,33 @@ static bool can_read(const orr_conn *c)
     return c->state != CONN_OPEN || c->in_size < c->in_capacity || c->in_capacity < ORR_CONN_IN_MOST;
 }
 
+// Takes what it has asked from what it and its address may ask.
+static void charge(orr_conn *c)
+{
+    const double n = (double)(c->conn.requests - c->charged);
+    c->charged = c->conn.requests;
+    if (!c->guest.limited || n == 0 || c->state != CONN_OPEN) return;
+    const orr_access_limits l = orr_access_limits_of(c->service->access);
+    const int64_t now = orr_service_clock_ns(c->service);
+    int64_t wait = orr_allowance_take(&c->requests, n, l.requests_per_s, l.requests_per_s, now);
+    orr_allowance *of_all = orr_peer_requests(c->guest.account);
+    const int64_t other = of_all != NULL ? orr_allowance_take(of_all, n, l.requests_per_s_per_address,
+                                                              l.requests_per_s_per_address, now)
+                                         : 0;
+    if (other > wait) wait = other;
+    if (wait > 0) c->held_until_ns = now + wait;
+}
+
+static void want(orr_conn *c, bool read, bool write)
+{
+    c->wants_write = write;
+    orr_link_want(c->link, read, write);
+}
+
 // What to wait for next; also closes when all is done. The connection may be gone afterwards.
 static void settle(orr_conn *c)
 {
+    charge(c);
     if (c->peer_done && at_rest(c)) {
         orr_conn_close(c);
         return;
@@ -308,22 +333,16 @@ static void settle(orr_conn *c)
             orr_conn_close(c);
             return;
         }
-        shutdown(c->fd, SHUT_WR);
+        orr_link_finish(c->link);
         c->state = CONN_LINGER;
         c->since_ns = 0;
     }
     bool write = has_output(c) || c->lane_more;
     // With streams its input is read whatever else is under way.
-    bool read = !c->peer_done && (c->lanes.n > 0 ? can_read(c) : !write && !c->busy);
-    if (write)
-        event_add(c->on_write, NULL);
-    else
-        event_del(c->on_write);
-    if (read)
-        event_add(c->on_read, NULL);
-    else
-        event_del(c->on_read);
-    if ((c->busy || c->fresh) && !has_answers(c)) orr_turns_wait(&c->service->turns, &c->turn);
+    const bool held = c->held_until_ns != 0 && c->state == CONN_OPEN;
+    bool read = !c->peer_done && !held && (c->lanes.n > 0 ? can_read(c) : !write && !c->busy);
+    want(c, read, write);
+    if ((c->busy || c->fresh) && !has_answers(c) && !held) orr_turns_wait(&c->service->turns, &c->turn);
 }
 
 // The last answer before a stop has gone out: until the next sweep it would answer what is asked meanwhile.
@@ -352,14 +371,13 @@ void orr_conn_turn(orr_turns_member *m)
     go_on(c);
 }
 
-static void on_read(evutil_socket_t fd, short what, void *user)
+static void on_read(void *user)
 {
-    (void)what;
     orr_conn *c = user;
     uint8_t waste[4096];
     bool open = c->state == CONN_OPEN;
     if (open && c->turn.place > 0 && c->lanes.n == 0) { // it waits for its turn with what it has sent before
-        event_del(c->on_read);
+        want(c, false, c->wants_write);
         return;
     }
     if (open && c->in == NULL && !get_buffers(c)) {
@@ -369,11 +387,11 @@ static void on_read(evutil_socket_t fd, short what, void *user)
     }
     if (open && c->in_size == c->in_capacity &&
         (!can_read(c) || !grow(&c->in, &c->in_capacity, ORR_CONN_IN_MOST))) {
-        event_del(c->on_read); // until requests have been answered
+        want(c, false, c->wants_write); // until requests have been answered
         return;
     }
-    ssize_t n =
-        recv(fd, open ? c->in + c->in_size : waste, open ? c->in_capacity - c->in_size : sizeof waste, 0);
+    ssize_t n = orr_link_recv(c->link, open ? c->in + c->in_size : waste,
+                              open ? c->in_capacity - c->in_size : sizeof waste);
     if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return;
     if (n < 0 || (n == 0 && c->state == CONN_LINGER)) {
         orr_conn_close(c);
@@ -392,47 +410,62 @@ static void on_read(evutil_socket_t fd, short what, void *user)
         go_on(c);
 }
 
-static void on_write(evutil_socket_t fd, short what, void *user)
+// What its client may do, to those who ask.
+static void permit(orr_conn *c)
 {
-    (void)fd;
-    (void)what;
-    go_on(user);
+    c->lanes.may = c->guest.may;
+    c->conn.access = (uint16_t)(((c->guest.may & ORR_MAY_READ) == 0 ? ORR_MSG_ACCESS_NO_READING : 0) |
+                                ((c->guest.may & ORR_MAY_MOTION) == 0 ? ORR_MSG_ACCESS_NO_MOTION : 0) |
+                                ((c->guest.may & ORR_MAY_CONTROL) == 0 ? ORR_MSG_ACCESS_NO_CONTROL : 0) |
+                                (c->guest.insecure ? ORR_MSG_ACCESS_INSECURE : 0));
 }
 
-orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer)
+static void on_write(void *user) { go_on(user); }
+
+orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest)
 {
     orr_conn *c = calloc(1, sizeof *c);
     if (c == NULL) {
-        close(fd);
+        orr_service_tell(s, "out of memory for %s", guest->peer);
+        orr_link_close(link);
+        orr_peers_leave(guest->account);
         return NULL;
     }
     c->service = s;
-    c->fd = fd;
+    c->link = link;
+    c->guest = *guest;
     c->next = s->conns;
     if (s->conns != NULL) s->conns->prev = c;
     s->conns = c;
-    size_t n = strlen(peer) < sizeof c->peer ? strlen(peer) : sizeof c->peer - 1;
-    memcpy(c->peer, peer, n);
     c->conn.can_grow = true;
     c->conn.over = turn_over;
     c->conn.owner = c;
-    c->lanes =
-        (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c, .read_only = s->options.read_only};
-    c->on_read = event_new(s->base, fd, EV_READ | EV_PERSIST, on_read, c);
-    c->on_write = event_new(s->base, fd, EV_WRITE | EV_PERSIST, on_write, c);
+    c->lanes = (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c};
+    permit(c);
+    orr_link_serve(link, c, on_read, on_write);
     c->last_ns = orr_service_clock_ns(s);
     c->joined = orr_turns_join(&s->turns, &c->turn);
-    if (c->on_read == NULL || c->on_write == NULL || !c->joined) {
-        orr_service_tell(s, "out of memory for %s", c->peer);
+    if (!c->joined) {
+        orr_service_tell(s, "out of memory for %s", c->guest.peer);
         orr_conn_close(c);
         return NULL;
     }
     return c;
 }
 
+void orr_conn_readmit(orr_conn *c)
+{
+    if (c->state != CONN_OPEN || c->guest.name[0] == '\0') return;
+    c->guest.may = orr_access_named(c->service->access, c->guest.name);
+    permit(c);
+    if (c->guest.may != ORR_MAY_NOTHING) return;
+    orr_service_tell(c->service, "%s: closing: the access file does not name it any more", c->guest.peer);
+    orr_conn_refuse(c, ORR_MSG_ERROR_CODE_NOT_PERMITTED, "your permissions have been withdrawn");
+}
+
 void orr_conn_serve(orr_conn *c)
 {
-    ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s connected", c->peer);
+    ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s connected", c->guest.peer);
     c->counted = true;
     c->service->n_conns++;
     go_on(c);
@@ -458,18 +491,25 @@ void orr_conn_look(const orr_conn *c, int64_t now_ns, orr_client_look *out)
 {
     *out = (orr_client_look){
         .requests = c->conn.requests, .quiet_ns = now_ns - c->last_ns, .n_streams = c->lanes.n};
-    memcpy(out->peer, c->peer, sizeof out->peer);
+    memcpy(out->peer, c->guest.peer, sizeof out->peer);
     snprintf(out->name, sizeof out->name, "%s", c->conn.client);
     for (size_t k = 0; k < c->lanes.n && k < ORR_CLIENT_STREAMS; k++)
         orr_stream_looked(c->lanes.stream[k], &out->stream[k]);
 }
 
 int64_t orr_conn_last_ns(const orr_conn *c) { return c->last_ns; }
-const char *orr_conn_peer(const orr_conn *c) { return c->peer; }
+const char *orr_conn_peer(const orr_conn *c) { return c->guest.peer; }
 
 void orr_conn_sweep(orr_conn *c, int64_t now_ns)
 {
     const orr_service_options *o = &c->service->options;
+    if (c->held_until_ns != 0) {
+        if (now_ns < c->held_until_ns) return;
+        c->held_until_ns = 0;
+        c->since_ns = 0;
+        settle(c);
+        return;
+    }
     if (c->since_ns == 0) { // something has happened since the last look
         c->since_ns = now_ns;
         return;
@@ -483,7 +523,7 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
     if (c->turn.place > 0) return; // it waits for us
     if (has_output(c) || c->busy) {
         if (waited <= o->stall_s) return;
-        orr_service_tell(c->service, "%s closed: it takes no answers", c->peer);
+        orr_service_tell(c->service, "%s closed: it takes no answers", c->guest.peer);
         orr_conn_close(c); // it would not read an ERROR either
         return;
     }
@@ -495,7 +535,7 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
     else if (c->in_size == 0 && c->conn.requests > 0 && quiet > o->idle_s)
         why = "no request for too long";
     if (why == NULL) return;
-    orr_service_tell(c->service, "%s: closing: %s", c->peer, why);
+    orr_service_tell(c->service, "%s: closing: %s", c->guest.peer, why);
     end_with(c, ORR_MSG_ERROR_CODE_TIMEOUT, why);
     go_on(c);
 }

@@ -23,10 +23,28 @@ static bool put_error(orr_wire_writer *out, const orr_frame *f, uint16_t code, c
     return put_frame(out, ORR_MSG_TYPE_ERROR, f->sequence, data, w.size);
 }
 
-static bool put_not_permitted(orr_wire_writer *out, const orr_frame *f)
+// What a message asks for, as far as its type tells.
+static unsigned needed(uint16_t type)
 {
-    return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_PERMITTED,
-                     "clients of this server may read, not control (serve --read-only)");
+    switch (type) {
+    case ORR_MSG_TYPE_MOTION:
+        return ORR_MAY_MOTION;
+    case ORR_MSG_TYPE_CONTROL:
+    case ORR_MSG_TYPE_RADIO_TIME:
+        return ORR_MAY_CONTROL;
+    case ORR_MSG_TYPE_SUBSCRIBE:
+        return ORR_MAY_READ;
+    default: // what the clock shows, and what becomes of one's own
+        return ORR_MAY_NOTHING;
+    }
+}
+
+static bool put_not_permitted(orr_wire_writer *out, const orr_frame *f, unsigned what)
+{
+    const char *sentence = what == ORR_MAY_READ     ? "you have no permission to read"
+                           : what == ORR_MAY_MOTION ? "you have no permission to send motion"
+                                                    : "you have no permission to control";
+    return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_PERMITTED, sentence);
 }
 
 static size_t place_of(const orr_lanes *l, uint32_t id)
@@ -116,7 +134,6 @@ static bool take_time(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
         orr_msg_time_encode(&told, &w);
         return put_frame(out, answer, f->sequence, data, w.size);
     }
-    if (l->read_only) return put_not_permitted(out, f);
     if (f->type == ORR_MSG_TYPE_CONTROL) {
         orr_msg_control m;
         decoded = orr_msg_control_decode(f->payload, f->size, &m);
@@ -141,7 +158,6 @@ static bool take_motion(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
 {
     orr_server_refusal why = {""};
     orr_msg_motion m;
-    if (l->read_only) return put_not_permitted(out, f);
     const orr_wire_status decoded = orr_msg_motion_decode(f->payload, f->size, &m);
     if (decoded != ORR_WIRE_OK)
         return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
@@ -158,7 +174,7 @@ static bool take_stats(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
     const orr_wire_status decoded = orr_msg_get_motion_stats_decode(f->payload, f->size, &m);
     if (decoded != ORR_WIRE_OK)
         return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
-    if (m.reset != 0 && l->read_only) return put_not_permitted(out, f);
+    if (m.reset != 0 && (l->may & ORR_MAY_MOTION) == 0) return put_not_permitted(out, f, ORR_MAY_MOTION);
     if (!orr_streams_motion_stats(l->streams, m.reset != 0, &told))
         return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_SERVED,
                          "this server takes no motion (serve --motion)");
@@ -170,6 +186,8 @@ bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
 {
     // Room for whatever is to be said at once, so that nothing is done twice.
     if (out->capacity - out->size < ORR_FRAME_OVERHEAD + 512) return false;
+    const unsigned needs = needed(f->type);
+    if ((needs & ~l->may) != 0) return put_not_permitted(out, f, needs);
     switch (f->type) {
     case ORR_MSG_TYPE_SUBSCRIBE:
         return subscribe(l, f, out);

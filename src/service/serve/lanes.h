@@ -3,6 +3,7 @@
 #ifndef ORR_SERVICE_SERVE_LANES_H
 #define ORR_SERVICE_SERVE_LANES_H
 
+#include "src/config/access.h"
 #include "src/service/live/streams.h"
 
 enum { ORR_LANES_MOST = 32, ORR_LANES_ENDED = 64 };
@@ -11,8 +12,8 @@ enum { ORR_LANES_MOST = 32, ORR_LANES_ENDED = 64 };
 typedef struct orr_lanes {
     orr_streams *streams;
     const orr_server *judge;
-    void *owner;    // of the streams: the connection
-    bool read_only; // what controls is refused
+    void *owner;  // of the streams: the connection
+    unsigned may; // orr_may: what else is asked is refused
     orr_stream *stream[ORR_LANES_MOST];
     uint32_t id[ORR_LANES_MOST];
     orr_payload *held[ORR_LANES_MOST]; // taken, and there was no room for it

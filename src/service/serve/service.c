@@ -3,34 +3,17 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/eventfd.h>
-#include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/outfile.h"
-#include "src/service/net/url.h"
 #include "src/service/serve/service_private.h"
 
-enum { MAX_URLS = 16, BACKLOG = 128, SLICE_NS = 500000 };
+enum { BACKLOG = 128, SLICE_NS = 500000 };
 static const double sweep_s = 0.2; // how finely time-outs are kept
-
-struct listener {
-    orr_service *service;
-    int fd;
-    orr_url url;
-    char text[ORR_URL_TEXT];
-    ino_t inode; // of a Unix socket's file: only our own is removed
-    struct event *on_accept;
-    bool paused;
-};
 
 orr_service_options orr_service_defaults(void)
 {
@@ -42,18 +25,6 @@ orr_service_options orr_service_defaults(void)
                                  .stall_s = 30,
                                  .drain_s = 5,
                                  .signals = true};
-}
-
-static void name_peer(const struct listener *l, const struct sockaddr *a, socklen_t n, int fd, char *buf,
-                      size_t size)
-{
-    char host[96], port[8];
-    if (l->url.is_unix)
-        snprintf(buf, size, "client %d on %.100s", fd, l->text);
-    else if (getnameinfo(a, n, host, sizeof host, port, sizeof port, NI_NUMERICHOST | NI_NUMERICSERV) == 0)
-        snprintf(buf, size, "client %s:%s", host, port);
-    else
-        snprintf(buf, size, "client %d", fd);
 }
 
 // As many clients are connected as may be: the one that has been idle longest, and long enough, gives its
@@ -74,54 +45,28 @@ static bool make_room(orr_service *s)
     return true;
 }
 
-static void on_accept(evutil_socket_t fd, short what, void *user)
+// A client has come in, by the door's rules.
+static void on_enter(void *user, orr_link *link, const orr_guest *guest)
 {
-    (void)what;
-    struct listener *l = user;
-    struct sockaddr_storage a;
-    socklen_t n = sizeof a;
-    int client = accept4(fd, (struct sockaddr *)&a, &n, SOCK_NONBLOCK | SOCK_CLOEXEC);
-    if (client < 0) {
-        if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
-            // The connection stays in the queue and the event would fire again at once: look again at the
-            // next sweep.
-            orr_service_tell(l->service, "cannot accept a client: %s", strerror(errno));
-            event_del(l->on_accept);
-            l->paused = true;
-        }
-        return;
-    }
-    int one = 1;
-    if (!l->url.is_unix) setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
-    char peer[160];
-    name_peer(l, (struct sockaddr *)&a, n, client, peer, sizeof peer);
-    bool room = make_room(l->service);
-    orr_conn *c = orr_conn_open(l->service, client, peer);
+    orr_service *s = user;
+    const bool room = make_room(s);
+    orr_conn *c = orr_conn_open(s, link, guest);
     if (c == NULL) return;
-    if (room) {
+    if (room && guest->may != ORR_MAY_NOTHING) {
         orr_conn_serve(c);
         return;
     }
-    orr_service_tell(l->service, "%s refused: %d clients are connected", peer,
-                     l->service->options.max_clients);
+    if (guest->may == ORR_MAY_NOTHING) {
+        orr_service_tell(s, "%s refused: the access file does not name it", guest->peer);
+        orr_conn_refuse(c, ORR_MSG_ERROR_CODE_NOT_PERMITTED,
+                        "this server does not know the name of your certificate");
+        return;
+    }
+    orr_service_tell(s, "%s refused: %d clients are connected", guest->peer, s->options.max_clients);
     orr_conn_refuse(c, ORR_MSG_ERROR_CODE_BUSY, "as many clients are connected as this server allows");
 }
 
-static void stop_listening(orr_service *s)
-{
-    for (size_t i = 0; i < s->n_listeners; i++) {
-        struct listener *l = &s->listener[i];
-        if (l->on_accept != NULL) event_free(l->on_accept);
-        l->on_accept = NULL;
-        if (l->fd < 0) continue;
-        close(l->fd);
-        l->fd = -1;
-        struct stat st;
-        if (l->url.is_unix && lstat(l->url.path, &st) == 0 && S_ISSOCK(st.st_mode) && st.st_ino == l->inode)
-            unlink(l->url.path);
-        if (l->url.is_unix) orr_outfile_forget(l->url.path);
-    }
-}
+static void on_tell(void *user, const char *line) { orr_service_tell(user, "%s", line); }
 
 static void on_sweep(evutil_socket_t fd, short what, void *user)
 {
@@ -143,11 +88,7 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
         s->done = true;
         return;
     }
-    for (size_t i = 0; i < s->n_listeners; i++) {
-        struct listener *l = &s->listener[i];
-        if (l->paused && l->on_accept != NULL) event_add(l->on_accept, NULL);
-        l->paused = false;
-    }
+    orr_door_sweep(s->door, now);
 }
 
 static void sweep_every(orr_service *s, double seconds)
@@ -169,18 +110,32 @@ static void on_stop(evutil_socket_t fd, short what, void *user)
     }
     s->draining = true;
     s->drain_until_ns = orr_service_clock_ns(s) + (int64_t)(s->options.drain_s * 1e9);
-    stop_listening(s);
+    orr_door_shut(s->door);
     ORR_LOG(s->log, ORR_LOG_INFO, "stopping, %d clients connected", s->n_conns);
     sweep_every(s, 0.02);
     on_sweep(-1, 0, s);
+}
+
+void orr_service_readmit(orr_service *s)
+{
+    for (orr_conn *c = s->conns, *next; c != NULL; c = next) {
+        next = orr_conn_next(c);
+        orr_conn_readmit(c);
+    }
 }
 
 static void on_hangup(evutil_socket_t fd, short what, void *user)
 {
     (void)fd;
     (void)what;
-    const orr_service *s = user;
-    ORR_LOG(s->log, ORR_LOG_INFO, "SIGHUP changes nothing");
+    orr_service *s = user;
+    orr_diag diag = {0};
+    if (orr_access_reload(s->access, &diag) != ORR_OK) {
+        ORR_LOG(s->log, ORR_LOG_ERROR, "SIGHUP: %s; what was there before still holds", diag.text);
+        return;
+    }
+    ORR_LOG(s->log, ORR_LOG_INFO, "SIGHUP: the access file has been read again");
+    orr_service_readmit(s);
 }
 
 static void on_wake(evutil_socket_t fd, short what, void *user)
@@ -192,25 +147,15 @@ static void on_wake(evutil_socket_t fd, short what, void *user)
     for (orr_conn *c; s->streams != NULL && (c = orr_streams_ready(s->streams)) != NULL;) orr_conn_stream(c);
 }
 
-static orr_status add_listener(orr_service *s, const char *text, orr_diag *diag)
+static orr_status add_listener(orr_service *s, size_t i, const char *url, orr_diag *diag)
 {
-    struct listener *l = &s->listener[s->n_listeners];
-    l->service = s;
-    orr_url url;
-    orr_status status = orr_url_parse(text, &url, diag);
-    if (status == ORR_OK) status = orr_url_listen(&url, BACKLOG, &l->fd, &l->url, diag);
-    if (status != ORR_OK) return status;
-    s->n_listeners++; // from here on closed by stop_listening
-    struct stat st;
-    if (l->url.is_unix) orr_outfile_remember(l->url.path);
-    if (l->url.is_unix && lstat(l->url.path, &st) == 0) l->inode = st.st_ino;
-    orr_url_text(&l->url, l->text);
-    if (!orr_url_is_local(&l->url))
-        ORR_LOG(s->log, ORR_LOG_WARN, "%s can be reached from other machines, without authentication",
-                l->text);
-    l->on_accept = event_new(s->base, l->fd, EV_READ | EV_PERSIST, on_accept, l);
-    if (l->on_accept == NULL || event_add(l->on_accept, NULL) != 0)
-        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    const orr_status status = orr_door_listen(s->door, url, diag);
+    if (status != ORR_OK || !orr_door_is_insecure(s->door, i)) return status;
+    s->insecure = true;
+    ORR_LOG(s->log, ORR_LOG_WARN,
+            "%s can be reached from other machines without authentication (insecure_listen): whoever reaches "
+            "it may do everything",
+            orr_door_url(s->door, i));
     return ORR_OK;
 }
 
@@ -232,7 +177,6 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     static const char *const fallback[] = {"tcp://"};
     const char *const *url = options->n_urls > 0 ? options->url : fallback;
     size_t n = options->n_urls > 0 ? options->n_urls : 1;
-    if (n > MAX_URLS) return orr_diag_set(diag, ORR_E_LIMIT, "at most %d addresses to listen on", MAX_URLS);
     orr_service *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     s->options = *options;
@@ -243,10 +187,20 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     orr_turns_init(&s->turns, ORR_CONN_TURN_NS);
     s->stop_pipe[0] = s->stop_pipe[1] = -1;
     s->wake_fd = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-    s->listener = calloc(n, sizeof *s->listener);
     s->base = event_base_new();
     orr_status status = ORR_OK;
-    if (s->listener == NULL || s->base == NULL)
+    if (options->access == NULL) status = orr_access_open(NULL, false, ORR_MAY_ALL, &s->own_access, diag);
+    s->access = options->access != NULL ? options->access : s->own_access;
+    if (s->base != NULL && status == ORR_OK)
+        s->door = orr_door_open(&(orr_door_options){.base = s->base,
+                                                    .access = s->access,
+                                                    .backlog = BACKLOG,
+                                                    .user = s,
+                                                    .enter = on_enter,
+                                                    .tell = on_tell});
+    if (status != ORR_OK)
+        ; // told
+    else if (s->door == NULL)
         status = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     else if (s->wake_fd < 0 || pipe(s->stop_pipe) != 0)
         status = orr_diag_set(diag, ORR_E_IO, "no pipe: %s", strerror(errno));
@@ -257,7 +211,7 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
         }
         status = add_events(s, diag);
     }
-    for (size_t i = 0; status == ORR_OK && i < n; i++) status = add_listener(s, url[i], diag);
+    for (size_t i = 0; status == ORR_OK && i < n; i++) status = add_listener(s, i, url[i], diag);
     if (status != ORR_OK) {
         orr_service_close(s);
         return status;
@@ -278,10 +232,7 @@ void orr_service_wake(void *user)
     (void)n;
 }
 
-const char *orr_service_url(const orr_service *s, size_t i)
-{
-    return i < s->n_listeners ? s->listener[i].text : NULL;
-}
+const char *orr_service_url(const orr_service *s, size_t i) { return orr_door_url(s->door, i); }
 
 // From here on signals are the loop's.
 static bool take_signals(orr_service *s)
@@ -327,7 +278,7 @@ void orr_service_close(orr_service *s)
 {
     if (s == NULL) return;
     while (s->conns != NULL) orr_conn_close(s->conns);
-    if (s->listener != NULL) stop_listening(s);
+    orr_door_close(s->door);
     struct event *events[] = {s->on_stop, s->on_wake, s->on_sweep, s->on_int, s->on_term, s->on_hangup};
     for (size_t i = 0; i < sizeof events / sizeof events[0]; i++)
         if (events[i] != NULL) event_free(events[i]);
@@ -338,6 +289,6 @@ void orr_service_close(orr_service *s)
     orr_turns_free(&s->turns);
     pthread_mutex_destroy(&s->watch.lock);
     free(s->watch.row);
-    free(s->listener);
+    orr_access_close(s->own_access);
     free(s);
 }

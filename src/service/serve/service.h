@@ -7,21 +7,22 @@
 #include "core/log.h"
 #include "proto/server.h"
 #include "src/service/live/streams.h"
+#include "src/service/net/access.h"
 
 enum { ORR_CLIENT_STREAMS = 8, ORR_CLIENTS_LOOKED = 64 };
 
 typedef struct orr_service_options {
     const char *const *url; // where to listen; none: loopback and the default port
     size_t n_urls;
-    int max_clients;                 // at once; one more takes the place of the longest idle, or is told BUSY
-    double spare_s;                  // so long a client must have been idle to lose its place to a new one
-    double first_s;                  // a connection that has sent no complete request for so long is closed
-    double idle_s;                   // the same later on; PING keeps a connection
-    double half_frame_s;             // from the first byte of a frame to its last
-    double stall_s;                  // a client that takes nothing of what waits for it
-    double drain_s;                  // after SIGTERM, for answers under way
-    bool read_only;                  // clients may not control the scenario's clock or send motion
-    bool signals;                    // SIGINT and SIGTERM stop it, SIGHUP does nothing
+    int max_clients;     // at once; one more takes the place of the longest idle, or is told BUSY
+    double spare_s;      // so long a client must have been idle to lose its place to a new one
+    double first_s;      // a connection that has sent no complete request for so long is closed
+    double idle_s;       // the same later on; PING keeps a connection
+    double half_frame_s; // from the first byte of a frame to its last
+    double stall_s;      // a client that takes nothing of what waits for it
+    double drain_s;      // after SIGTERM, for answers under way
+    orr_access *access;  // who may do what; it must outlive the service. NULL: this machine alone, everything
+    bool signals;        // SIGINT and SIGTERM stop it, SIGHUP reads the access file again
     int64_t (*clock_ns)(void *user); // monotonic; NULL: the machine's. Tests count work by it
     void *clock_user;
 } orr_service_options;
@@ -64,6 +65,9 @@ typedef struct orr_client_look {
 // The clients of at most 0.2 s ago, at most `most` of them; returns how many there are. From any one thread. The first call in a
 // while gets none: only who is watched is looked at.
 size_t orr_service_clients(orr_service *s, orr_client_look *out, size_t most);
+// The rules of access have been read again: clients that are connected go by them from now on; one that has no permission left is closed,
+// no other. In the service's own thread.
+void orr_service_readmit(orr_service *s);
 // Closes all connections and listening sockets, removes files of Unix sockets, and frees the service; NULL may be closed.
 void orr_service_close(orr_service *s);
 

@@ -2,16 +2,14 @@
 // What service.c and connection.c both need and neither owns: the clock, and a log line that a client has caused.
 #include <stdarg.h>
 #include <stdio.h>
-#include <time.h>
 
+#include "core/monotonic.h"
 #include "src/service/serve/service_private.h"
 
 int64_t orr_service_clock_ns(const orr_service *s)
 {
     if (s->options.clock_ns != NULL) return s->options.clock_ns(s->options.clock_user);
-    struct timespec ts;
-    clock_gettime(CLOCK_MONOTONIC, &ts);
-    return (int64_t)ts.tv_sec * 1000000000 + ts.tv_nsec;
+    return orr_monotonic_ns();
 }
 
 void orr_service_tell(orr_service *s, const char *fmt, ...)

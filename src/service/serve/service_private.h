@@ -7,6 +7,7 @@
 #include <pthread.h>
 
 #include "src/service/live/streams.h"
+#include "src/service/net/door.h"
 #include "src/service/serve/service.h"
 #include "src/service/serve/turns.h"
 
@@ -38,8 +39,9 @@ struct orr_service {
     orr_streams *streams; // NULL: none are served
     const orr_log *log;
     struct event_base *base;
-    struct listener *listener;
-    size_t n_listeners;
+    orr_access *access, *own_access; // the rules; those made here where nobody gave any
+    orr_door *door;
+    bool insecure; // other machines come without authentication
     struct event *on_stop, *on_sweep, *on_int, *on_term, *on_hangup;
     int stop_pipe[2];
     int wake_fd; // an eventfd: streams have something to send
@@ -58,8 +60,10 @@ int64_t orr_service_clock_ns(const orr_service *s); // monotonic
 // A warning that a client has caused, at a limited rate.
 void orr_service_tell(orr_service *s, const char *fmt, ...) ORR_PRINTF(2, 3);
 
-// Takes the accepted socket over; NULL, and it is closed, if this fails. Then it is served or refused.
-orr_conn *orr_conn_open(orr_service *s, int fd, const char *peer);
+// Takes a guest's link over; NULL, and it is closed, if this fails. Then it is served or refused.
+orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest);
+// The rules have changed: what it may do is looked up again; it is ended where that is nothing.
+void orr_conn_readmit(orr_conn *c);
 // Begins to read its requests.
 void orr_conn_serve(orr_conn *c);
 // Tells it why and ends it; it may be gone afterwards.

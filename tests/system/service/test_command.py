@@ -211,7 +211,7 @@ class Stopping(unittest.TestCase):
         self.assertFalse((WORK / "hup.sock").exists())
 
     def test_every_address(self):
-        with Daemon(product(), listen=("tcp://*:0",)) as d:
+        with Daemon(product(), "--insecure-listen", listen=("tcp://*:0",)) as d:
             self.assertRegex(d.urls[0], r"^tcp://\*:[0-9]+$")
             with client_package.Client(d.urls[0].replace("*", "127.0.0.1")) as c:
                 c.ping()
