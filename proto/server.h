@@ -66,7 +66,8 @@ typedef struct orr_server {
 
 // One connection; zero-initialise.
 typedef struct orr_server_conn {
-    uint16_t access; // ORR_MSG_ACCESS bits, of its owner: told in CAPS; NO_READING refuses all that handlers answer
+    uint16_t
+        access; // ORR_MSG_ACCESS bits, of its owner: told in CAPS; NO_READING refuses all that handlers answer
     bool can_grow; // its owner can make the output larger: step.room then asks for that
     // The owner's: whether the time that it gives to one call of orr_server_run has been used. NULL: no
     // limit.
