@@ -37,8 +37,8 @@ static const orr_option options[] = {
 #define STEP 600
 
 typedef struct outcome {
-    bool made;
-    orr_diag why; // where it is not
+    bool made, picture; // picture: NAME.png, by gnuplot
+    orr_diag why;       // where it is not
 } outcome;
 
 static bool wanted(const orr_cli *c, const char *name)
@@ -73,8 +73,9 @@ static void make(const orr_cli *c, size_t at, const figure_places *p, outcome *d
         if (!taken(c, done, at, text)) s = figure_run_step(f, text, p, &o->why);
         step += n + (step[n] == '\n');
     }
-    if (s == ORR_OK) s = figure_draw(f, p->out, &o->why);
+    if (s == ORR_OK && f->plot.csv != NULL) s = figure_draw(f, p->out, &o->why);
     o->made = s == ORR_OK;
+    o->picture = s == ORR_OK && f->plot.csv != NULL && figure_picture(f, p->out);
     orr_cli_say(c, "%s: %s", f->name, o->made ? f->title : o->why.text);
 }
 
@@ -99,6 +100,21 @@ static void put_file(FILE *f, const char *folder, const char *name, const char *
     if (in != NULL) fclose(in);
 }
 
+// Links to the files of a figure's tables.
+static void put_tables(FILE *f, const char *csv)
+{
+    if (csv == NULL) return;
+    fputs(strchr(csv, '|') != NULL ? "The tables:" : "The table:", f);
+    while (*csv != '\0') {
+        const size_t whole = strcspn(csv, "|"), name = strcspn(csv, "=|");
+        const char *file = csv[name] == '=' && name < whole ? csv + name + 1 : csv;
+        const int n = (int)strcspn(file, ":|");
+        fprintf(f, " <a href=\"%.*s\">%.*s</a>", n, file, n, file);
+        csv += whole + (csv[whole] == '|');
+        fputs(*csv != '\0' ? "," : ". ", f);
+    }
+}
+
 static void put_figure(FILE *f, const figure *g, const outcome *o, const char *folder)
 {
     fprintf(f, "<section id=\"%s\">\n<h2>", g->name);
@@ -109,10 +125,11 @@ static void put_figure(FILE *f, const figure *g, const outcome *o, const char *f
     if (o->made) {
         fputs("<figure>", f);
         put_file(f, folder, g->name, ".svg");
-        fprintf(f,
-                "</figure>\n<p>The table: <a href=\"%s\">%s</a>; the figure: <a href=\"%s.svg\">%s.svg</a>. "
-                "Made by</p>\n<pre>",
-                g->plot.csv, g->plot.csv, g->name, g->name);
+        fputs("</figure>\n<p>", f);
+        put_tables(f, g->plot.csv);
+        fprintf(f, "The figure: <a href=\"%s.svg\">%s.svg</a>", g->name, g->name);
+        if (o->picture) fprintf(f, ", <a href=\"%s.png\">%s.png</a>", g->name, g->name);
+        fputs(". Made by</p>\n<pre>", f);
         for (const char *step = g->steps; *step != '\0';) {
             char one[STEP], text[2 * STEP];
             const size_t n = strcspn(step, "\n");

@@ -7,12 +7,23 @@
 
 typedef enum figure_needs { FIGURE_NEEDS_NOTHING, FIGURE_NEEDS_DATA, FIGURE_NEEDS_ARCHIVE } figure_needs;
 
+typedef enum figure_kind {
+    FIGURE_LINES,
+    FIGURE_MARKS, // points alone
+    FIGURE_SKY,   // x azimuth, y elevation, deg
+    FIGURE_MAP,   // x longitude, y latitude; `line` is the column of the value
+} figure_kind;
+
 typedef struct figure_plot {
-    const char *csv, *x, *y, *line; // file and columns; `line` NULL: one line
+    // File and columns; `line` NULL: one line. Several files, a line each, are "name=file|name=file:column"; `y` may name several
+    // columns, "name=a|name=b", a line each. A column is taken as it is, with '-' before it negative, with '+' its size.
+    const char *csv, *x, *y, *line;
     const char *x_label, *y_label;
     double from, to; // of x; both 0: all
     bool log_x, log_y;
     double factor; // of y
+    figure_kind kind;
+    const char *where; // "column=value,...": rows that are drawn; NULL: all
 } figure_plot;
 
 typedef struct figure {
@@ -41,7 +52,10 @@ typedef struct figure_places {
 orr_status figure_run_step(const figure *f, const char *step, const figure_places *p, orr_diag *diag);
 // The command as a reader types it in the checkout's root, into out[n].
 void figure_step_text(const char *step, char *out, size_t n);
-// Draws NAME.svg from its table. ORR_E_IO, ORR_E_FORMAT (a column is missing), ORR_E_NODATA, ORR_E_MEMORY.
+// Draws NAME.svg from its table, and a script of gnuplot, NAME.gp. ORR_E_IO, ORR_E_FORMAT (a column is missing), ORR_E_NODATA, ORR_E_MEMORY.
 orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag);
+
+// Runs gnuplot on NAME.gp for NAME.png; false where there is no gnuplot, or it could not.
+bool figure_picture(const figure *f, const char *folder);
 
 #endif

@@ -96,6 +96,24 @@ orr_status figure_run_step(const figure *f, const char *step, const figure_place
     return orr_diag_set(diag, ORR_E_NODATA, "%s", why[0] != '\0' ? why : "the command could not be run");
 }
 
+bool figure_picture(const figure *f, const char *folder)
+{
+    const pid_t parent = getpid(), pid = fork();
+    if (pid == 0) {
+        char name[64];
+        prctl(PR_SET_PDEATHSIG, SIGTERM);
+        const int log = chdir(folder) == 0 ? open("/dev/null", O_WRONLY) : -1;
+        snprintf(name, sizeof name, "%s.gp", f->name);
+        if (getppid() != parent || log < 0 || dup2(log, STDERR_FILENO) < 0) _exit(126);
+        execlp("gnuplot", "gnuplot", name, (char *)NULL);
+        _exit(127);
+    }
+    int status = -1;
+    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    return pid > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 void figure_step_text(const char *step, char *out, size_t n)
 {
     const figure_places typed = {".", "samples", "$D", "ARCHIVE"};

@@ -4,6 +4,7 @@
 import html.parser
 import pathlib
 import re
+import shutil
 import sys
 import xml.etree.ElementTree
 
@@ -49,11 +50,34 @@ class Figures(Folder):
             self.assertIn("latitude, deg", svg)
             rows = (folder / f"{name}.csv").read_text(encoding="utf-8").splitlines()
             self.assertGreater(len(rows), 1000)
-        # The line is the table: its points are as many as the table's, or every k-th of them.
+        # The line is the table: its points are as many as the table's, less one wherever it crosses the date line.
         points = len(re.findall(r"[ML]\d", re.search(r'class="line"[^>]*d="([^"]*)"', svg).group(1)))
-        self.assertIn(points, [-(-(len(rows) - 1) // k) for k in range(1, 9)])
+        lon = [float(row.split(",")[2]) for row in rows[1:]]
+        self.assertEqual(points, len(lon) - sum(abs(b - a) > 180 for a, b in zip(lon, lon[1:])))
         again, _ = self.make("some", "--only", "fig3", "--only", "fig4", "--only", "fig8")  # over what is there
         self.assertEqual((again / "report.html").read_text(encoding="utf-8"), text)
+
+    def test_kinds(self):
+        """A map, a sky, one channel's terms: what is drawn is in the tables, and gnuplot makes the same figures as pixels."""
+        folder, _ = self.make("kinds", "--only", "tec", "--only", "sky")
+        picture = {}
+        for name in ("tec", "sky"):
+            picture[name] = (folder / f"{name}.svg").read_text(encoding="utf-8")
+            xml.etree.ElementTree.fromstring(picture[name])
+            self.assertIn("gnuplot", (folder / f"{name}.gp").read_text(encoding="utf-8"))
+            if shutil.which("gnuplot"):
+                self.assertEqual((folder / f"{name}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        cells = len(re.findall(r'fill="#[0-9a-f]{6}"/>', picture["tec"]))
+        rows = len((folder / "tec.csv").read_text(encoding="utf-8").splitlines()) - 1
+        self.assertEqual(cells, rows + 64)  # and the scale beside it
+        # Every point of the sky lies within the horizon's ring, at the radius of its elevation.
+        ring = max(float(r) for r in re.findall(r'<circle cx="[\d.]+" cy="[\d.]+" r="([\d.]+)" fill="none"', picture["sky"]))
+        cx, cy = map(float, re.search(r'<circle cx="([\d.]+)" cy="([\d.]+)" r="[\d.]+" fill="none"', picture["sky"]).groups())
+        points = [tuple(map(float, p)) for p in re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", " ".join(re.findall(r'class="line"[^>]*d="(M[^"H]*)"', picture["sky"])))]
+        self.assertGreater(len(points), 300)
+        self.assertLess(max(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for x, y in points), ring + 0.1)
+        lowest = min(float(line.split(",")[3]) for line in (folder / "sky.csv").read_text(encoding="utf-8").splitlines()[1:])
+        self.assertAlmostEqual(max(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for x, y in points), ring * (90 - lowest) / 90, delta=3)
 
     def test_archive_of_days(self):
         archive = self.path("archive")
