@@ -40,6 +40,12 @@ typedef struct orr_nc_writer {
     bool uncompressed;
     orr_outfile file;
     orr_status status; // first failure
+    struct {           // the variable that rows are written to
+        int id, rank;
+        size_t shape[ORR_NC_MAX_RANK];
+        size_t next; // row
+        bool large;
+    } var;
 } orr_nc_writer;
 
 // Whether a file is HDF5 (NetCDF-4), by its first bytes; false where it is no regular file or cannot be read.
@@ -63,6 +69,18 @@ orr_status orr_nc_put_dim(orr_nc_writer *w, const char *name, size_t len, orr_di
 orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
                           const char *const dims[], const void *values, const char *units,
                           const char *long_name, orr_diag *diag);
+// The same without its values, which follow by orr_nc_put_rows.
+//   Given:    w, name, type, rank, dims, units, long_name   as of orr_nc_put_var
+//   Returned: diag        as of orr_nc_put_var
+orr_status orr_nc_define_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
+                             const char *const dims[], const char *units, const char *long_name,
+                             orr_diag *diag);
+// Writes the next rows (along the slowest dimension) of the variable that was defined last.
+//   Given:    w           the writer
+//             n           rows; all are wanted in the end
+//             values      of them, row-major; a scalar is one row
+//   Returned: diag        why they could not be written (ORR_E_IO, ORR_E_ARG for more rows than there are)
+orr_status orr_nc_put_rows(orr_nc_writer *w, size_t n, const void *values, orr_diag *diag);
 // Writes a text attribute.
 //   Given:    w           the writer
 //             var         the variable that it belongs to; NULL: the file

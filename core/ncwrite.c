@@ -70,10 +70,26 @@ orr_status orr_nc_put_dim(orr_nc_writer *w, const char *name, size_t len, orr_di
 
 // Small variables are not worth a chunk index and a deflate stream.
 #define COMPRESS_FROM_VALUES 1024
+// Large ones are cut into chunks that are written as rows come, and are not kept in memory once they are written.
+#define LARGE_BYTES ((size_t)8 << 20)
+#define CHUNK_BYTES ((size_t)1 << 20)
 
-orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
-                          const char *const dims[], const void *values, const char *units,
-                          const char *long_name, orr_diag *diag)
+static int cut_rows(const orr_nc_writer *w, int var, int rank, size_t value_bytes)
+{
+    int storage;
+    size_t chunk[ORR_NC_MAX_RANK], bytes = value_bytes;
+    int rc = nc_inq_var_chunking(w->id, var, &storage, chunk);
+    if (rc != NC_NOERR) return rc;
+    for (int i = 0; i < rank; i++) bytes *= chunk[i];
+    if (storage != NC_CHUNKED || bytes <= CHUNK_BYTES) return NC_NOERR;
+    chunk[0] = chunk[0] * CHUNK_BYTES / bytes;
+    if (chunk[0] < 1) chunk[0] = 1;
+    return nc_def_var_chunking(w->id, var, NC_CHUNKED, chunk);
+}
+
+orr_status orr_nc_define_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
+                             const char *const dims[], const char *units, const char *long_name,
+                             orr_diag *diag)
 {
     if (refused(w, diag)) return w->status;
     if (rank < 0 || rank > ORR_NC_MAX_RANK) {
@@ -81,24 +97,58 @@ orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, 
         return w->status;
     }
     int dim[ORR_NC_MAX_RANK] = {0}, var;
-    size_t count = 1;
+    size_t count = 1, value_bytes;
+    w->var.rank = rank;
+    w->var.next = 0;
     for (int i = 0; i < rank; i++) {
-        size_t len;
         int rc = nc_inq_dimid(w->id, dims[i], &dim[i]);
-        if (rc == NC_NOERR) rc = nc_inq_dimlen(w->id, dim[i], &len);
+        if (rc == NC_NOERR) rc = nc_inq_dimlen(w->id, dim[i], &w->var.shape[i]);
         if (rc != NC_NOERR) return failed(w, rc, "dimension", dims[i], diag);
-        count *= len;
+        count *= w->var.shape[i];
     }
-    int rc = nc_def_var(w->id, name, NC_TYPE[type], rank, dim, &var);
+    int rc = nc_inq_type(w->id, NC_TYPE[type], NULL, &value_bytes);
+    if (rc == NC_NOERR) rc = nc_def_var(w->id, name, NC_TYPE[type], rank, dim, &var);
+    w->var.large = rc == NC_NOERR && rank > 0 && count * value_bytes > LARGE_BYTES;
     // shuffle groups the bytes of equal weight, which makes doubles of one kind compress; level 4 is zlib's
     // knee
     if (rc == NC_NOERR && count >= COMPRESS_FROM_VALUES && !w->uncompressed)
         rc = nc_def_var_deflate(w->id, var, 1, 1, 4);
+    if (rc == NC_NOERR && w->var.large) rc = cut_rows(w, var, rank, value_bytes);
     if (rc == NC_NOERR && units != NULL) rc = nc_put_att_text(w->id, var, "units", strlen(units), units);
     if (rc == NC_NOERR && long_name != NULL)
         rc = nc_put_att_text(w->id, var, "long_name", strlen(long_name), long_name);
-    if (rc == NC_NOERR) rc = nc_put_var(w->id, var, values);
-    return rc == NC_NOERR ? ORR_OK : failed(w, rc, "variable", name, diag);
+    if (rc != NC_NOERR) return failed(w, rc, "variable", name, diag);
+    w->var.id = var;
+    return ORR_OK;
+}
+
+orr_status orr_nc_put_rows(orr_nc_writer *w, size_t n, const void *values, orr_diag *diag)
+{
+    if (refused(w, diag)) return w->status;
+    const size_t rows = w->var.rank > 0 ? w->var.shape[0] : 1;
+    size_t start[ORR_NC_MAX_RANK] = {w->var.next}, count[ORR_NC_MAX_RANK] = {n};
+    if (n > rows - w->var.next) {
+        w->status = orr_diag_set(diag, ORR_E_ARG, "a variable of %zu rows is given more", rows);
+        return w->status;
+    }
+    for (int i = 1; i < w->var.rank; i++) count[i] = w->var.shape[i];
+    int rc = nc_put_vara(w->id, w->var.id, start, count, values);
+    w->var.next += n;
+    // A changed cache is a fresh one: what it held is written.
+    if (rc == NC_NOERR && w->var.large && w->var.next == rows)
+        rc = nc_set_var_chunk_cache(w->id, w->var.id, CHUNK_BYTES, 1, 0.75F);
+    if (rc == NC_NOERR) return ORR_OK;
+    char name[NC_MAX_NAME + 1] = "";
+    (void)nc_inq_varname(w->id, w->var.id, name);
+    return failed(w, rc, "variable", name, diag);
+}
+
+orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
+                          const char *const dims[], const void *values, const char *units,
+                          const char *long_name, orr_diag *diag)
+{
+    const orr_status s = orr_nc_define_var(w, name, type, rank, dims, units, long_name, diag);
+    return s == ORR_OK ? orr_nc_put_rows(w, rank > 0 ? w->var.shape[0] : 1, values, diag) : s;
 }
 
 static int var_id(const orr_nc_writer *w, const char *var, int *id)

@@ -23,28 +23,33 @@ orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag 
     e->n_events = counts->n_events;
     e->n_sources = counts->n_sources;
     bool ok = true;
+    e->backing = counts->backing;
 #define TAKE(member, count) ok &= (e->member = calloc((count) + 1, sizeof *e->member)) != NULL
+#define TAKE_LONG(member, count)                                                                             \
+    ok &= (e->member = e->backing != NULL ? orr_backing_take(e->backing, ((count) + 1) * sizeof *e->member)  \
+                                          : calloc((count) + 1, sizeof *e->member)) != NULL
     TAKE(sat_id, e->n_sats);
     TAKE(sat, e->n_sats);
     TAKE(arc, e->n_arcs);
-    TAKE(meta, e->n_segments);
-    TAKE(sigma, e->n_samples);
-    TAKE(sample_flags, e->n_samples);
-    TAKE(clock, e->n_clocks);
-    TAKE(rate, e->n_clocks);
-    TAKE(node, e->n_nodes);
+    TAKE_LONG(meta, e->n_segments);
+    TAKE_LONG(sigma, e->n_samples);
+    TAKE_LONG(sample_flags, e->n_samples);
+    TAKE_LONG(clock, e->n_clocks);
+    TAKE_LONG(rate, e->n_clocks);
+    TAKE_LONG(node, e->n_nodes);
     TAKE(event, e->n_events);
     TAKE(span, e->n_events);
     TAKE(source, e->n_sources);
 #undef TAKE
+#undef TAKE_LONG
     // Rows of four doubles on cache lines' bounds, so that no load of a vector crosses one.
     size_t bytes = (e->n_coefs * sizeof *e->coef + 63) / 64 * 64 + 64;
-    e->coef = aligned_alloc(64, bytes);
-    if (e->coef != NULL) memset(e->coef, 0, bytes);
+    e->coef = e->backing != NULL ? orr_backing_take(e->backing, bytes) : aligned_alloc(64, bytes);
+    if (e->coef != NULL && e->backing == NULL) memset(e->coef, 0, bytes);
     if (!ok || e->coef == NULL) {
         orr_ephemeris_free(e);
-        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for an orbit product of %zu segments",
-                            counts->n_segments);
+        return orr_diag_set(diag, ORR_E_MEMORY, "no %s for an orbit product of %zu segments",
+                            counts->backing != NULL ? "room on the disk" : "memory", counts->n_segments);
     }
     *out = e;
     return ORR_OK;
@@ -56,13 +61,16 @@ void orr_ephemeris_free(orr_ephemeris *e)
     free(e->sat_id);
     free(e->sat);
     free(e->arc);
-    free(e->coef);
-    free(e->meta);
-    free(e->sigma);
-    free(e->sample_flags);
-    free(e->clock);
-    free(e->rate);
-    free(e->node);
+    if (e->backing == NULL) {
+        free(e->coef);
+        free(e->meta);
+        free(e->sigma);
+        free(e->sample_flags);
+        free(e->clock);
+        free(e->rate);
+        free(e->node);
+    }
+    if (e->owns_backing) orr_backing_free(e->backing);
     free(e->event);
     free(e->span);
     free(e->source);
@@ -267,6 +275,7 @@ orr_status eph_finish(orr_ephemeris *e, orr_diag *diag)
             orr_status st = summarise(e, s, a, diag);
             if (st != ORR_OK) return st;
         }
+        eph_rest(e);
     }
     if (e->from == ORR_TIME_NONE)
         return orr_diag_set(diag, ORR_E_NODATA, "the product holds no orbit at all");

@@ -141,12 +141,6 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
             sample += a->n;
         }
     }
-    if (s->n_sources > 0) memcpy(e->source, s->source, s->n_sources * sizeof *s->source);
-    e->node_step_s = s->node_step_s;
-    e->clock_max_gap_s = s->clock_max_gap_s;
-    memcpy(e->options, s->options, sizeof e->options);
-    memcpy(e->frame, s->frame, sizeof e->frame);
-    e->options[sizeof e->options - 1] = e->frame[sizeof e->frame - 1] = '\0';
 }
 
 orr_status eph_copy_clock_events(const orr_clock_events *from, orr_clock_events *to)
@@ -283,34 +277,49 @@ static orr_status fit_all(const orr_orbit_solution *s, fitted *fit, orr_ephemeri
     return st;
 }
 
-orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out, orr_diag *diag)
+orr_status eph_fit_satellites(const orr_orbit_solution *s, orr_backing *backing, orr_ephemeris **out,
+                              orr_diag *diag)
 {
-    orr_ephemeris counts, *e = NULL;
+    orr_ephemeris counts;
     *out = NULL;
     orr_status st = count(s, &counts, diag);
     if (st != ORR_OK) return st;
+    counts.backing = backing;
     fitted *fit = calloc(counts.n_arcs + 1, sizeof *fit);
     if (fit == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu arcs", counts.n_arcs);
     st = fit_all(s, fit, &counts, diag);
-    if (st == ORR_OK) st = eph_alloc(&counts, &e, diag);
-    if (st == ORR_OK) {
-        copy(s, fit, e);
-        st = eph_copy_clock_events(&s->clock_events, &e->clock_events);
-        e->rotation = s->rotation;
-        const orr_status copied = orr_eop_series_copy(&s->rotation.series, &e->rotation.series);
-        if (st == ORR_OK) st = copied;
-        if (st != ORR_OK)
-            orr_diag_set(diag, st, "no memory for the Earth's rotation and the events of clocks");
-    }
-    if (st == ORR_OK) {
-        st = eph_finish(e, diag);
-    }
+    if (st == ORR_OK) st = eph_alloc(&counts, out, diag);
+    if (st == ORR_OK) copy(s, fit, *out);
     for (size_t i = 0; i < counts.n_arcs; i++) free(fit[i].coef);
     free(fit);
+    return st;
+}
+
+orr_status eph_describe(const orr_orbit_solution *s, orr_ephemeris *e, orr_diag *diag)
+{
+    if (s->n_sources > 0) memcpy(e->source, s->source, s->n_sources * sizeof *s->source);
+    e->node_step_s = s->node_step_s;
+    e->clock_max_gap_s = s->clock_max_gap_s;
+    memcpy(e->options, s->options, sizeof e->options);
+    memcpy(e->frame, s->frame, sizeof e->frame);
+    e->options[sizeof e->options - 1] = e->frame[sizeof e->frame - 1] = '\0';
+    orr_status st = eph_copy_clock_events(&s->clock_events, &e->clock_events);
+    e->rotation = s->rotation;
+    const orr_status copied = orr_eop_series_copy(&s->rotation.series, &e->rotation.series);
+    if (st == ORR_OK) st = copied;
+    return st == ORR_OK
+               ? ORR_OK
+               : orr_diag_set(diag, st, "no memory for the Earth's rotation and the events of clocks");
+}
+
+orr_status orr_ephemeris_build(const orr_orbit_solution *s, orr_ephemeris **out, orr_diag *diag)
+{
+    orr_status st = eph_fit_satellites(s, NULL, out, diag);
+    if (st == ORR_OK) st = eph_describe(s, *out, diag);
+    if (st == ORR_OK) st = eph_finish(*out, diag);
     if (st != ORR_OK) {
-        orr_ephemeris_free(e);
-        return st;
+        orr_ephemeris_free(*out);
+        *out = NULL;
     }
-    *out = e;
-    return ORR_OK;
+    return st;
 }

@@ -5,8 +5,7 @@
 
 #include "orbit/ephemeris/ephemeris_private.h"
 
-// The satellites of one product behind those that *to has already; counts in *to are how far it is filled.
-static void append(const orr_ephemeris *from, orr_ephemeris *to, size_t i)
+void eph_append(const orr_ephemeris *from, orr_ephemeris *to, size_t i)
 {
     const eph_sat *s = &from->sat[i];
     eph_sat *d = &to->sat[to->n_sats];
@@ -66,9 +65,9 @@ orr_status orr_ephemeris_join(const orr_ephemeris *a, const orr_ephemeris *b, or
     e->n_clocks = e->n_nodes = e->n_events = 0;
     for (size_t i = 0, j = 0; i < a->n_sats || j < b->n_sats;)
         if (j == b->n_sats || (i < a->n_sats && a->sat_id[i] < b->sat_id[j]))
-            append(a, e, i++);
+            eph_append(a, e, i++);
         else
-            append(b, e, j++);
+            eph_append(b, e, j++);
     if (a->n_sources > 0) memcpy(e->source, a->source, a->n_sources * sizeof *a->source);
     if (b->n_sources > 0) memcpy(e->source + a->n_sources, b->source, b->n_sources * sizeof *b->source);
     e->node_step_s = a->node_step_s;

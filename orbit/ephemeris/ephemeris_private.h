@@ -4,6 +4,7 @@
 #ifndef ORR_ORBIT_EPHEMERIS_EPHEMERIS_PRIVATE_H
 #define ORR_ORBIT_EPHEMERIS_EPHEMERIS_PRIVATE_H
 
+#include "core/backing.h"
 #include "orbit/clock/clock_between.h"
 #include "orbit/ephemeris/ephemeris.h"
 
@@ -93,6 +94,8 @@ struct orr_ephemeris {
     orr_orbit_event *event;
     eph_span *span;
     orr_orbit_source *source;
+    orr_backing *backing; // of the long arrays; NULL: the heap
+    bool owns_backing;
     orr_clock_events clock_events;
     orr_earth_rotation rotation;
     double node_step_s, clock_max_gap_s;
@@ -104,8 +107,18 @@ struct orr_ephemeris {
     int16_t slot[(ORR_N_SYSTEMS + 1) * 256]; // satellite to index in sat[], -1 for none
 };
 
-// Allocates e with the counts set in *counts (n_sats .. n_sources but n_spans); arrays are zeroed.
+// Allocates e with the counts set in *counts (n_sats .. n_sources but n_spans); arrays are zeroed, and those that are long
+// lie in counts->backing if there is one.
 orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag *diag);
+// Lets go of the memory that a product's backing takes, if it has one.
+static inline void eph_rest(const orr_ephemeris *e) { orr_backing_rest(e->backing); }
+// A solution's satellites fitted, as a product that lacks all that eph_finish and eph_describe put in.
+orr_status eph_fit_satellites(const orr_orbit_solution *s, orr_backing *backing, orr_ephemeris **out,
+                              orr_diag *diag);
+// What is a product's as a whole and not a satellite's, from the solution.
+orr_status eph_describe(const orr_orbit_solution *s, orr_ephemeris *e, orr_diag *diag);
+// Appends satellite i of a product to those that *to has already; counts in *to are how far it is filled.
+void eph_append(const orr_ephemeris *from, orr_ephemeris *to, size_t i);
 // Derives everything that is not in the file from what is: spans, flags of segments, slots, span of time.
 // Satellites' and arcs' own fields, counts and indices must be set and consistent.
 orr_status eph_finish(orr_ephemeris *e, orr_diag *diag);

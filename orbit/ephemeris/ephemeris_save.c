@@ -35,12 +35,19 @@ typedef struct file {
     orr_diag *diag;
 } file;
 
+static void var(file *f, const char *name, orr_nc_type type, const char *dim, const char *units,
+                const char *long_name)
+{
+    const char *dims[1] = {dim};
+    (void)orr_nc_define_var(&f->w, name, type, 1, dims, units, long_name,
+                            f->diag); // w remembers the first failure
+}
+
 static void put(file *f, const char *name, orr_nc_type type, const char *dim, const void *values,
                 const char *units, const char *long_name)
 {
     const char *dims[1] = {dim};
-    (void)orr_nc_put_var(&f->w, name, type, 1, dims, values, units, long_name,
-                         f->diag); // w remembers the first failure
+    (void)orr_nc_put_var(&f->w, name, type, 1, dims, values, units, long_name, f->diag);
 }
 
 static void put_table(file *f, const char *name, orr_nc_type type, const char *dim0, const char *dim1,
@@ -48,6 +55,13 @@ static void put_table(file *f, const char *name, orr_nc_type type, const char *d
 {
     const char *dims[2] = {dim0, dim1};
     (void)orr_nc_put_var(&f->w, name, type, 2, dims, values, units, long_name, f->diag);
+}
+
+static void var_table(file *f, const char *name, orr_nc_type type, const char *dim0, const char *dim1,
+                      const char *units, const char *long_name)
+{
+    const char *dims[2] = {dim0, dim1};
+    (void)orr_nc_define_var(&f->w, name, type, 2, dims, units, long_name, f->diag);
 }
 
 static void text(file *f, const char *var, const char *name, const char *value)
@@ -60,9 +74,8 @@ static void number(file *f, const char *name, double value)
     (void)orr_nc_put_att_double(&f->w, NULL, name, &value, 1, f->diag);
 }
 
-static void time_var(file *f, const char *name, const char *dim, const int64_t *values, const char *long_name)
+static void time_attributes(file *f, const char *name)
 {
-    put(f, name, ORR_NC_INT64, dim, values, TIME_UNITS, long_name);
     text(f, name, "calendar", "standard");
     text(f, name, "comment", "GPS time scale: no leap seconds are counted");
 }
@@ -74,13 +87,6 @@ static void flags_of(file *f, const char *var)
                                     ORR_EPH_SHADOW_NOISE};
     (void)orr_nc_put_att_int64(&f->w, var, "flag_masks", masks, sizeof masks / sizeof masks[0], f->diag);
     text(f, var, "flag_meanings", "predicted manoeuvre clock_event eclipse gap joint shadow_noise");
-}
-
-static void count_var(file *f, const char *name, const char *dim, const char *of, const int32_t *values,
-                      const char *long_name)
-{
-    put(f, name, ORR_NC_INT32, dim, values, "1", long_name);
-    text(f, name, "sample_dimension", of);
 }
 
 static void put_global(file *f, const orr_ephemeris *e, const char *history)
@@ -123,15 +129,33 @@ static void *scratch(file *f, size_t n, size_t bytes)
     return p;
 }
 
-// Columns of a struct array one by one: member of list[i] into a fresh array of `type`, then `use`, then
-// freed.
-#define COLUMN(type, n, expression, use)                                                                     \
+// Columns of a struct array one by one: `define` the variable, then member of list[i] into an array of `type`, so many
+// rows of `width` at a time, written and forgotten.
+enum { ROWS = 1 << 15, SEGMENTS = 1 << 12 };
+#define COLUMN(type, n, width, expression, define)                                                           \
     do {                                                                                                     \
-        type *column = scratch(f, (n), sizeof *column);                                                      \
+        define;                                                                                              \
+        type *column = scratch(f, (n) < ROWS ? (n) : ROWS, (width) * sizeof *column);                        \
         if (column == NULL) return;                                                                          \
-        for (size_t i = 0; i < (n); i++) column[i] = (type)(expression);                                     \
-        use;                                                                                                 \
+        for (size_t from = 0; from < (n); from += ROWS) {                                                    \
+            const size_t rows = (n)-from < ROWS ? (n)-from : ROWS;                                           \
+            for (size_t i = from * (width); i < (from + rows) * (width); i++)                                \
+                column[i - from * (width)] = (type)(expression);                                             \
+            (void)orr_nc_put_rows(&f->w, rows, column, f->diag);                                             \
+            eph_rest(e);                                                                                     \
+        }                                                                                                    \
         free(column);                                                                                        \
+    } while (0)
+
+#define TIMES(n, expression, name, dim, long_name)                                                           \
+    do {                                                                                                     \
+        COLUMN(int64_t, n, 1, expression, var(f, name, ORR_NC_INT64, dim, TIME_UNITS, long_name));           \
+        time_attributes(f, name);                                                                            \
+    } while (0)
+#define COUNTS(n, expression, name, dim, of, long_name)                                                      \
+    do {                                                                                                     \
+        COLUMN(int32_t, n, 1, expression, var(f, name, ORR_NC_INT32, dim, "1", long_name));                  \
+        text(f, name, "sample_dimension", of);                                                               \
     } while (0)
 
 static void put_satellites(file *f, const orr_ephemeris *e)
@@ -145,51 +169,55 @@ static void put_satellites(file *f, const orr_ephemeris *e)
     put_table(f, "satellite_name", ORR_NC_CHAR, "satellite", "name_length", names, NULL,
               "system letter and number as in SP3 and RINEX");
     free(names);
-    COLUMN(int32_t, e->n_sats, e->sat[i].n_arcs,
-           count_var(f, "arc_count", "satellite", "arc", column, "number of arcs of the satellite"));
-    COLUMN(
-        int32_t, e->n_sats, e->sat[i].n_clocks,
-        count_var(f, "clock_count", "satellite", "clock", column, "number of clock nodes of the satellite"));
-    COLUMN(int32_t, e->n_sats, e->sat[i].n_nodes,
-           count_var(f, "node_count", "satellite", "node", column, "number of input nodes of the satellite"));
-    COLUMN(int32_t, e->n_sats, e->sat[i].n_events,
-           count_var(f, "event_count", "satellite", "event", column, "number of events of the satellite"));
-    COLUMN(double, e->n_sats, e->sat[i].node_noise_m,
-           put(f, "node_noise", ORR_NC_DOUBLE, "satellite", column, "m",
+    COUNTS(e->n_sats, e->sat[i].n_arcs, "arc_count", "satellite", "arc", "number of arcs of the satellite");
+    COUNTS(e->n_sats, e->sat[i].n_clocks, "clock_count", "satellite", "clock",
+           "number of clock nodes of the satellite");
+    COUNTS(e->n_sats, e->sat[i].n_nodes, "node_count", "satellite", "node",
+           "number of input nodes of the satellite");
+    COUNTS(e->n_sats, e->sat[i].n_events, "event_count", "satellite", "event",
+           "number of events of the satellite");
+    COLUMN(double, e->n_sats, 1, e->sat[i].node_noise_m,
+           var(f, "node_noise", ORR_NC_DOUBLE, "satellite", "m",
                "standard deviation of a coordinate of the input nodes about the smooth orbit; 0: not known"));
 }
 
 static void put_arcs(file *f, const orr_ephemeris *e)
 {
     const eph_arc *a = e->arc;
-    COLUMN(int64_t, e->n_arcs, a[i].t0, time_var(f, "arc_start", "arc", column, "start of the arc"));
-    COLUMN(int64_t, e->n_arcs, a[i].segment_ns,
-           put(f, "segment_length", ORR_NC_INT64, "arc", column, "nanoseconds",
-               "length of each segment of the arc"));
-    COLUMN(int32_t, e->n_arcs, a[i].n_segments,
-           count_var(f, "segment_count", "arc", "segment", column, "number of segments of the arc"));
-    COLUMN(int32_t, e->n_arcs, a[i].n_segments * a[i].samples_per_segment + 1,
-           count_var(f, "sample_count", "arc", "sample", column,
-                     "number of samples of the arc, equally spaced, its two ends included"));
-    COLUMN(uint8_t, e->n_arcs, a[i].degree,
-           put(f, "degree", ORR_NC_UINT8, "arc", column, "1",
+    TIMES(e->n_arcs, a[i].t0, "arc_start", "arc", "start of the arc");
+    COLUMN(int64_t, e->n_arcs, 1, a[i].segment_ns,
+           var(f, "segment_length", ORR_NC_INT64, "arc", "nanoseconds", "length of each segment of the arc"));
+    COUNTS(e->n_arcs, a[i].n_segments, "segment_count", "arc", "segment", "number of segments of the arc");
+    COUNTS(e->n_arcs, a[i].n_segments * a[i].samples_per_segment + 1, "sample_count", "arc", "sample",
+           "number of samples of the arc, equally spaced, its two ends included");
+    COLUMN(uint8_t, e->n_arcs, 1, a[i].degree,
+           var(f, "degree", ORR_NC_UINT8, "arc", "1",
                "degree of the arc's series; coefficients above it are 0"));
 }
 
+// Row by row of the file's [segment][coefficient][coordinate], arcs one after the other.
 static void put_coefficients(file *f, const orr_ephemeris *e, size_t n_coefficients)
 {
-    double *c = scratch(f, e->n_segments * n_coefficients * 3, sizeof *c);
+    const char *dims[3] = {"segment", "coefficient", "coordinate"};
+    (void)orr_nc_define_var(&f->w, "position_coefficient", ORR_NC_DOUBLE, 3, dims, "m",
+                            "Chebyshev coefficients of the ecef position", f->diag);
+    const size_t row = n_coefficients * 3;
+    double *c = scratch(f, SEGMENTS, row * sizeof *c);
     if (c == NULL) return;
     for (size_t k = 0; k < e->n_arcs; k++) {
         const eph_arc *a = &e->arc[k];
-        for (size_t g = 0; g < a->n_segments; g++)
-            for (size_t j = 0; j <= (size_t)a->degree; j++)
-                memcpy(&c[((a->first_segment + g) * n_coefficients + j) * 3],
-                       &e->coef[a->first_coef + g * eph_block(a->degree) + j * EPH_LANES], 3 * sizeof *c);
+        for (size_t from = 0; from < a->n_segments; from += SEGMENTS) {
+            const size_t n = a->n_segments - from < SEGMENTS ? a->n_segments - from : SEGMENTS;
+            memset(c, 0, n * row * sizeof *c);
+            for (size_t g = 0; g < n; g++)
+                for (size_t j = 0; j <= (size_t)a->degree; j++)
+                    memcpy(&c[g * row + j * 3],
+                           &e->coef[a->first_coef + (from + g) * eph_block(a->degree) + j * EPH_LANES],
+                           3 * sizeof *c);
+            (void)orr_nc_put_rows(&f->w, n, c, f->diag);
+            eph_rest(e);
+        }
     }
-    const char *dims[3] = {"segment", "coefficient", "coordinate"};
-    (void)orr_nc_put_var(&f->w, "position_coefficient", ORR_NC_DOUBLE, 3, dims, c, "m",
-                         "Chebyshev coefficients of the ecef position", f->diag);
     free(c);
     text(f, "position_coefficient", "comment",
          "the coefficient of T_0 is not halved; coordinates are x, y, z");
@@ -197,47 +225,44 @@ static void put_coefficients(file *f, const orr_ephemeris *e, size_t n_coefficie
 
 static void put_samples(file *f, const orr_ephemeris *e)
 {
-    COLUMN(float, e->n_samples, e->sigma[i][0],
-           put(f, "position_sigma", ORR_NC_FLOAT, "sample", column, "m",
+    COLUMN(float, e->n_samples, 1, e->sigma[i][0],
+           var(f, "position_sigma", ORR_NC_FLOAT, "sample", "m",
                "standard deviation of the position, three-dimensional"));
     text(f, "position_sigma", "comment", "relative to the orbit that the input has; linear between samples");
     COLUMN(
-        float, 3 * e->n_samples, e->sigma[i / 3][1 + i % 3],
-        put_table(f, "position_sigma_axes", ORR_NC_FLOAT, "sample", "coordinate", column, "m",
+        float, e->n_samples, 3, e->sigma[i / 3][1 + i % 3],
+        var_table(f, "position_sigma_axes", ORR_NC_FLOAT, "sample", "coordinate", "m",
                   "standard deviation of the position along the radial, along-track and cross-track axes"));
-    COLUMN(float, e->n_samples, e->sigma[i][4],
-           put(f, "velocity_sigma", ORR_NC_FLOAT, "sample", column, "m s-1",
+    COLUMN(float, e->n_samples, 1, e->sigma[i][4],
+           var(f, "velocity_sigma", ORR_NC_FLOAT, "sample", "m s-1",
                "standard deviation of the velocity, three-dimensional"));
-    COLUMN(uint16_t, e->n_samples, e->sample_flags[i],
-           put(f, "sample_flags", ORR_NC_UINT16, "sample", column, NULL,
-               "what holds from this sample to the next"));
+    COLUMN(uint16_t, e->n_samples, 1, e->sample_flags[i],
+           var(f, "sample_flags", ORR_NC_UINT16, "sample", NULL, "what holds from this sample to the next"));
     flags_of(f, "sample_flags");
 }
 
 static void put_clocks(file *f, const orr_ephemeris *e)
 {
     if (e->n_clocks == 0) return;
-    COLUMN(int64_t, e->n_clocks, e->clock[i].t,
-           time_var(f, "clock_time", "clock", column, "time of the clock node"));
-    COLUMN(double, e->n_clocks, e->clock[i].clock_s,
-           put(f, "clock_bias", ORR_NC_DOUBLE, "clock", column, "s",
-               "satellite clock minus the product's time"));
+    TIMES(e->n_clocks, e->clock[i].t, "clock_time", "clock", "time of the clock node");
+    COLUMN(double, e->n_clocks, 1, e->clock[i].clock_s,
+           var(f, "clock_bias", ORR_NC_DOUBLE, "clock", "s", "satellite clock minus the product's time"));
     text(f, "clock_bias", "comment",
          "periodic relativity is not included: subtract 2 r.v / c^2 to get the clock that is seen");
-    COLUMN(uint16_t, e->n_clocks, e->clock[i].flags,
-           put(f, "clock_flags", ORR_NC_UINT16, "clock", column, NULL, "flags of the clock node"));
+    COLUMN(uint16_t, e->n_clocks, 1, e->clock[i].flags,
+           var(f, "clock_flags", ORR_NC_UINT16, "clock", NULL, "flags of the clock node"));
     flags_of(f, "clock_flags");
-    COLUMN(float, e->n_clocks, e->clock[i].sigma_s,
-           put(f, "clock_sigma", ORR_NC_FLOAT, "clock", column, "s",
+    COLUMN(float, e->n_clocks, 1, e->clock[i].sigma_s,
+           var(f, "clock_sigma", ORR_NC_FLOAT, "clock", "s",
                "standard deviation of a predicted clock node; 0 of an observed one"));
-    COLUMN(double, e->n_sats, e->sat[i].clock_noise.white_s2,
-           put(f, "clock_white_noise", ORR_NC_DOUBLE, "satellite", column, "s2",
+    COLUMN(double, e->n_sats, 1, e->sat[i].clock_noise.white_s2,
+           var(f, "clock_white_noise", ORR_NC_DOUBLE, "satellite", "s2",
                "white noise of the satellite's clock"));
-    COLUMN(double, e->n_sats, e->sat[i].clock_noise.wfm_s2ps,
-           put(f, "clock_walk_noise", ORR_NC_DOUBLE, "satellite", column, "s",
+    COLUMN(double, e->n_sats, 1, e->sat[i].clock_noise.wfm_s2ps,
+           var(f, "clock_walk_noise", ORR_NC_DOUBLE, "satellite", "s",
                "random walk of the satellite's clock (white frequency noise), s2 a second"));
-    COLUMN(double, e->n_sats, e->sat[i].clock_noise.rwfm_s2ps3,
-           put(f, "clock_frequency_noise", ORR_NC_DOUBLE, "satellite", column, "s-1",
+    COLUMN(double, e->n_sats, 1, e->sat[i].clock_noise.rwfm_s2ps3,
+           var(f, "clock_frequency_noise", ORR_NC_DOUBLE, "satellite", "s-1",
                "random walk of the clock's frequency, s2 a cubed second"));
 }
 
@@ -248,8 +273,8 @@ static void put_clock_events(file *f, const orr_ephemeris *e)
     const orr_clock_event *v = e->clock_events.item;
     const size_t n = e->clock_events.n;
     if (n == 0) return;
-    COLUMN(uint8_t, n, v[i].kind,
-           put(f, "clock_event_kind", ORR_NC_UINT8, "clock_event", column, NULL, "kind of event of a clock"));
+    COLUMN(uint8_t, n, 1, v[i].kind,
+           var(f, "clock_event_kind", ORR_NC_UINT8, "clock_event", NULL, "kind of event of a clock"));
     (void)orr_nc_put_att_int64(&f->w, "clock_event_kind", "flag_values", kinds,
                                sizeof kinds / sizeof kinds[0], f->diag);
     text(f, "clock_event_kind", "flag_meanings", "wrong_value jump flagged reference");
@@ -263,29 +288,24 @@ static void put_clock_events(file *f, const orr_ephemeris *e)
     put_table(f, "clock_event_of", ORR_NC_CHAR, "clock_event", "clock_event_of_length", names, NULL,
               "the satellite, or the letters of the systems all of whose clocks did it (kind reference)");
     free(names);
-    COLUMN(int64_t, n, v[i].t0,
-           time_var(f, "clock_event_start", "clock_event", column, "start of the event"));
-    COLUMN(int64_t, n, v[i].t1, time_var(f, "clock_event_end", "clock_event", column, "end of the event"));
-    COLUMN(double, n, v[i].value_s,
-           put(f, "clock_event_value", ORR_NC_DOUBLE, "clock_event", column, "s",
+    TIMES(n, v[i].t0, "clock_event_start", "clock_event", "start of the event");
+    TIMES(n, v[i].t1, "clock_event_end", "clock_event", "end of the event");
+    COLUMN(double, n, 1, v[i].value_s,
+           var(f, "clock_event_value", ORR_NC_DOUBLE, "clock_event", "s",
                "how far a wrong value was off, size of a jump, step or ramp"));
 }
 
 static void put_nodes(file *f, const orr_ephemeris *e)
 {
     if (e->n_nodes == 0) return;
-    COLUMN(int64_t, e->n_nodes, e->node[i].t,
-           time_var(f, "node_time", "node", column, "time of the input node"));
-    double *r = scratch(f, e->n_nodes * 3, sizeof *r);
-    if (r == NULL) return;
-    for (size_t i = 0; i < e->n_nodes; i++) memcpy(&r[3 * i], &e->node[i].residual_m, 3 * sizeof *r);
-    put_table(f, "node_residual", ORR_NC_DOUBLE, "node", "coordinate", r, "m",
-              "smoothed orbit minus input, ecef");
-    free(r);
-    COLUMN(uint16_t, e->n_nodes, e->node[i].source,
-           put(f, "node_source", ORR_NC_UINT16, "node", column, "1", "index of the input file, from 0"));
-    COLUMN(uint8_t, e->n_nodes, e->node[i].used != 0,
-           put(f, "node_used", ORR_NC_UINT8, "node", column, "1", "0: rejected or superseded; 1: used"));
+    TIMES(e->n_nodes, e->node[i].t, "node_time", "node", "time of the input node");
+    COLUMN(double, e->n_nodes, 3, (&e->node[i / 3].residual_m.x)[i % 3],
+           var_table(f, "node_residual", ORR_NC_DOUBLE, "node", "coordinate", "m",
+                     "smoothed orbit minus input, ecef"));
+    COLUMN(uint16_t, e->n_nodes, 1, e->node[i].source,
+           var(f, "node_source", ORR_NC_UINT16, "node", "1", "index of the input file, from 0"));
+    COLUMN(uint8_t, e->n_nodes, 1, e->node[i].used != 0,
+           var(f, "node_used", ORR_NC_UINT8, "node", "1", "0: rejected or superseded; 1: used"));
 }
 
 static void put_events(file *f, const orr_ephemeris *e)
@@ -294,18 +314,16 @@ static void put_events(file *f, const orr_ephemeris *e)
                                     ORR_EVENT_OUTLIER,      ORR_EVENT_GAP,      ORR_EVENT_DAY_JUMP,
                                     ORR_EVENT_SHADOW_NOISE, ORR_EVENT_NOON_STEP};
     if (e->n_events == 0) return;
-    COLUMN(uint8_t, e->n_events, e->event[i].kind,
-           put(f, "event_kind", ORR_NC_UINT8, "event", column, NULL, "kind of event"));
+    COLUMN(uint8_t, e->n_events, 1, e->event[i].kind,
+           var(f, "event_kind", ORR_NC_UINT8, "event", NULL, "kind of event"));
     (void)orr_nc_put_att_int64(&f->w, "event_kind", "flag_values", kinds, sizeof kinds / sizeof kinds[0],
                                f->diag);
     text(f, "event_kind", "flag_meanings",
          "manoeuvre umbra penumbra outlier gap day_jump shadow_noise noon_step");
-    COLUMN(int64_t, e->n_events, e->event[i].t0,
-           time_var(f, "event_start", "event", column, "start of the event"));
-    COLUMN(int64_t, e->n_events, e->event[i].t1,
-           time_var(f, "event_end", "event", column, "end of the event"));
-    COLUMN(double, e->n_events, e->event[i].value,
-           put(f, "event_value", ORR_NC_DOUBLE, "event", column, NULL,
+    TIMES(e->n_events, e->event[i].t0, "event_start", "event", "start of the event");
+    TIMES(e->n_events, e->event[i].t1, "event_end", "event", "end of the event");
+    COLUMN(double, e->n_events, 1, e->event[i].value,
+           var(f, "event_value", ORR_NC_DOUBLE, "event", NULL,
                "size of a rejected node's miss or of a jump at a day's joint, m; change of velocity at a "
                "manoeuvre or at noon, m/s; factor of the noise near the Earth's shadow; 0 for other kinds"));
 }
@@ -345,12 +363,12 @@ static void put_rotation(file *f, const orr_ephemeris *e)
     }
     put(f, "earth_rotation_mjd", ORR_NC_DOUBLE, "earth_rotation", eop->mjd_utc,
         "days since 1858-11-17 00:00:00", "time of the Earth's rotation, UTC");
-    COLUMN(double, eop->n, eop->value[i].xp_rad,
-           put(f, "pole_x", ORR_NC_DOUBLE, "earth_rotation", column, "radian", "x coordinate of the pole"));
-    COLUMN(double, eop->n, eop->value[i].yp_rad,
-           put(f, "pole_y", ORR_NC_DOUBLE, "earth_rotation", column, "radian", "y coordinate of the pole"));
-    COLUMN(double, eop->n, eop->value[i].ut1_utc_s,
-           put(f, "ut1_minus_utc", ORR_NC_DOUBLE, "earth_rotation", column, "s", "UT1 minus UTC"));
+    COLUMN(double, eop->n, 1, eop->value[i].xp_rad,
+           var(f, "pole_x", ORR_NC_DOUBLE, "earth_rotation", "radian", "x coordinate of the pole"));
+    COLUMN(double, eop->n, 1, eop->value[i].yp_rad,
+           var(f, "pole_y", ORR_NC_DOUBLE, "earth_rotation", "radian", "y coordinate of the pole"));
+    COLUMN(double, eop->n, 1, eop->value[i].ut1_utc_s,
+           var(f, "ut1_minus_utc", ORR_NC_DOUBLE, "earth_rotation", "s", "UT1 minus UTC"));
 }
 
 static void put_dimensions(file *f, const orr_ephemeris *e, size_t n_coefficients)

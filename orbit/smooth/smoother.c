@@ -136,6 +136,7 @@ typedef struct pool {
     const orr_satellite_reference *reference; // per list of the table, or NULL
     const volatile int *cancel;
     orr_orbit_sat *sat; // per list of the table
+    size_t *arcs;       // of those that were handed over
     orr_satellite_report *report;
     orr_status *status;
     size_t n_files;
@@ -144,6 +145,17 @@ typedef struct pool {
     const bool *again;           // NULL: all
     atomic_size_t next;
 } pool;
+
+// A satellite that is done with goes to whoever takes them one by one; how many arcs it had is counted.
+static void hand_over(pool *p, size_t i)
+{
+    const orr_smoother_options *o = p->options;
+    if (o->stream.done == NULL || p->status[i] != ORR_OK) return;
+    const size_t n_arcs = p->sat[i].n_arcs;
+    p->status[i] = o->stream.done(o->stream.user, &p->sat[i]);
+    orr_satellite_free(&p->sat[i]);
+    p->arcs[i] = n_arcs;
+}
 
 static void *worker(void *arg)
 {
@@ -167,6 +179,7 @@ static void *worker(void *arg)
             p->status[i] = orr_satellite_smooth(&c, p->table, &p->table->list[i], p->n_files,
                                                 p->file == NULL ? &p->evidence[i * p->n_files] : NULL,
                                                 &p->sat[i], &p->report[i]);
+            hand_over(p, i);
         }
     }
     orr_integrator_free(it);
@@ -230,6 +243,7 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
                           orr_warnings *warnings, orr_diag *diag)
 {
     double residual_m2 = 0;
+    size_t satellites = 0;
     few absent = {0}, without_broadcast = {0};
     for (size_t i = 0; i < p->table->n_sats; i++) {
         const orr_satellite_report *r = &p->report[i];
@@ -241,7 +255,8 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
                                                                   : orr_status_name(p->status[i]));
         if (r->note[0] != '\0')
             orr_warnings_add(warnings, NULL, 0, 0, "%s: %s; that stretch is left out", name, r->note);
-        if (p->sat[i].n_arcs == 0) {
+        const size_t n_arcs = p->sat[i].n_arcs + p->arcs[i];
+        if (n_arcs == 0) {
             if (p->table->list[i].n_nodes == 0) {
                 count_in(&absent, name);
             } else if (r->note[0] == '\0')
@@ -254,9 +269,11 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
         report->nodes_used += r->nodes_used;
         report->nodes_rejected += r->nodes_rejected;
         report->manoeuvres += r->manoeuvres;
-        report->arcs += p->sat[i].n_arcs;
+        report->arcs += n_arcs;
+        satellites++;
         if (r->passes > report->passes_max) report->passes_max = r->passes;
         residual_m2 += r->residual_m2;
+        if (p->options->stream.done != NULL) continue;
         out->sat[out->n_sats++] = p->sat[i];
         p->sat[i] = (orr_orbit_sat){0};
     }
@@ -271,7 +288,8 @@ static orr_status collect(pool *p, orr_orbit_solution *out, orr_smoother_report 
             "smoothed from their positions alone",
             without_broadcast.n, without_broadcast.first);
     report->residual_rms_m = report->nodes_used > 0 ? sqrt(residual_m2 / (double)report->nodes_used) : 0;
-    return out->n_sats > 0 ? ORR_OK : orr_diag_set(diag, ORR_E_NODATA, "no satellite could be smoothed");
+    report->satellites = satellites;
+    return satellites > 0 ? ORR_OK : orr_diag_set(diag, ORR_E_NODATA, "no satellite could be smoothed");
 }
 
 static orr_status describe_sources(const orr_smoother_input *input, size_t n, const orr_smoother_options *o,
@@ -294,7 +312,6 @@ static orr_status describe_sources(const orr_smoother_input *input, size_t n, co
     out->to = table->to;
     describe(o, about_reference, out->options, sizeof out->options);
     describe_clocks(o, table->clock_max_gap_s, out->options, sizeof out->options);
-    snprintf(out->frame, sizeof out->frame, "%s", input[0].sp3->coordinates);
     return ORR_OK;
 }
 
@@ -383,6 +400,8 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
         s = orr_frame_check(input[i].sp3, input[i].name, diag);
     if (s == ORR_OK) s = orr_nodes_collect(input, n_inputs, options, &table, warnings, diag);
     if (s != ORR_OK) return s;
+    snprintf(out->frame, sizeof out->frame, "%s", input[0].sp3->coordinates);
+    if (options->stream.read != NULL) options->stream.read(options->stream.user);
     ORR_LOG(log, ORR_LOG_INFO, "%zu satellites, nodes every %g s", table.n_sats, table.step_s);
     if (own.eop != NULL)
         given = orr_given_rotation_of(own.eop, table.from, table.to, given_text, sizeof given_text);
@@ -415,12 +434,13 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     p.sat = calloc(table.n_sats + 1, sizeof *p.sat);
     p.report = calloc(table.n_sats + 1, sizeof *p.report);
     p.status = calloc(table.n_sats + 1, sizeof *p.status);
+    p.arcs = calloc(table.n_sats + 1, sizeof *p.arcs);
     p.n_files = n_inputs;
     p.evidence = calloc(table.n_sats * n_inputs + 1, sizeof *p.evidence);
     orr_file_noise *file = calloc(n_inputs + 1, sizeof *file);
     bool *again = calloc(table.n_sats + 1, sizeof *again);
-    if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL || p.evidence == NULL ||
-                        file == NULL || again == NULL))
+    if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL || p.arcs == NULL ||
+                        p.evidence == NULL || file == NULL || again == NULL))
         s = ORR_E_MEMORY;
     if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, about_reference, out);
     if (s == ORR_OK) s = keep_rotation(options, &reference.fit, about_reference, report, &out->rotation);
@@ -435,6 +455,7 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     free(p.sat);
     free(p.report);
     free(p.status);
+    free(p.arcs);
     free(p.evidence);
     free(file);
     free(again);

@@ -79,6 +79,16 @@ typedef struct orr_smoother_options {
     bool detect;   // outliers and manoeuvres by innovation, wrong clocks (flags are always heeded)
     double grid_s; // longest step of the filter
     int jobs;      // threads; 1 and more. Results do not depend on it
+    // For long spans, of which little is to be in memory at a time; `user` is handed to both.
+    struct {
+        void *user;
+        // The nodes have been taken from the input: its files may be freed. NULL: they stay.
+        void (*read)(void *user);
+        // A satellite is done with, in no order, by several threads at once; a later call with the same satellite
+        // takes the place of an earlier one. It is freed after the call, and the solution has no satellites. NULL: they are in
+        // the solution. What it returns ends the run unless it is ORR_OK.
+        orr_status (*done)(void *user, const orr_orbit_sat *sat);
+    } stream;
 } orr_smoother_options;
 
 // The settings that the measured facts call for: a reference fit, 8x8 + Sun + Moon + all that is known of the
@@ -97,6 +107,7 @@ typedef struct orr_smoother_input {
 
 // What a run did, in numbers, for the summary.
 typedef struct orr_smoother_report {
+    size_t satellites; // smoothed
     size_t nodes_used, nodes_rejected, manoeuvres, arcs;
     int passes_max;
     bool eop_known;     // Earth orientation came from the caller's series for the whole span

@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "ingest/rinex/clk.h"
 #include "ingest/tables/erp.h"
+#include "orbit/ephemeris/ephemeris_parts.h"
 #include "src/make/frames.h"
 #include "src/make/inputs.h"
 
@@ -49,13 +50,19 @@ typedef struct work {
     orr_inputs inputs, also; // provenance: of the SP3 files, of the other kinds
 } work;
 
-static void work_free(work *w)
+static void free_inputs(work *w)
 {
     for (size_t i = 0; i < w->n_sp3; i++) orr_sp3_free(&w->sp3[i]);
+    for (size_t i = 0; i < w->n_clk; i++) orr_clk_free(&w->clk[i]);
+    w->n_sp3 = w->n_clk = 0;
+}
+
+static void work_free(work *w)
+{
+    free_inputs(w);
     free(w->sp3);
     free(w->input);
     orr_nav_free(&w->nav);
-    for (size_t i = 0; i < w->n_clk; i++) orr_clk_free(&w->clk[i]);
     free(w->clk);
     free(w->clk_input);
     orr_inputs_free(&w->inputs);
@@ -201,8 +208,28 @@ static orr_status predict(const orr_orbit_plan *plan, const work *w, const orr_e
     return orr_predict(&out->solution, w->input, w->n_sp3, &o, log, cancel, &out->prediction, warnings, diag);
 }
 
-orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
-                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
+// What a long span is streamed to.
+typedef struct stream {
+    work *w;
+    orr_ephemeris_parts *parts;
+} stream;
+
+static void inputs_are_read(void *user)
+{
+    stream *s = user;
+    free_inputs(s->w);
+}
+
+static orr_status satellite_is_done(void *user, const orr_orbit_sat *sat)
+{
+    stream *s = user;
+    return orr_ephemeris_parts_add(s->parts, sat);
+}
+
+// parts: where satellites go to instead of the solution; NULL: they stay in it.
+static orr_status solve(const orr_orbit_plan *plan, orr_ephemeris_parts *parts, const orr_log *log,
+                        const volatile int *cancel, orr_orbit_made *out, orr_warnings *warnings,
+                        orr_diag *diag)
 {
     *out = (orr_orbit_made){0};
     if (plan->n_sp3 > ORR_ORBIT_MAX_FILES || plan->n_erp > ORR_ORBIT_MAX_FILES ||
@@ -210,6 +237,7 @@ orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const
         return orr_diag_set(diag, ORR_E_LIMIT, "at most %d files of a kind are smoothed at once",
                             ORR_ORBIT_MAX_FILES);
     work w = {0};
+    stream to = {&w, parts};
     orr_eop_series eop = {0};
     const double begin_s = orr_monotonic_s();
     orr_status s = read_all(plan, log, &w, &eop, warnings, diag);
@@ -224,13 +252,18 @@ orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const
         options.n_clk = w.n_clk;
         options.also = w.also.item;
         options.n_also = w.also.n;
+        options.stream.user = &to;
+        if (parts != NULL) {
+            options.stream.read = inputs_are_read;
+            options.stream.done = satellite_is_done;
+        }
         s = orr_smoother_run(w.input, w.n_sp3, &options, log, cancel, &out->solution, &out->report, warnings,
                              diag);
     }
     if (s == ORR_OK && plan->predict) s = predict(plan, &w, &eop, log, cancel, out, warnings, diag);
     if (s == ORR_OK)
         ORR_LOG(log, ORR_LOG_INFO, "smoothed %zu nodes of %zu satellites, residual RMS %.2f mm",
-                out->report.nodes_used, out->solution.n_sats, 1e3 * out->report.residual_rms_m);
+                out->report.nodes_used, out->report.satellites, 1e3 * out->report.residual_rms_m);
     out->read_s = read_s - begin_s;
     out->smooth_s = orr_monotonic_s() - read_s;
     orr_erp_series_free(&eop);
@@ -238,12 +271,26 @@ orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const
     return s;
 }
 
+orr_status orr_orbit_solve(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
+                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
+{
+    return solve(plan, NULL, log, cancel, out, warnings, diag);
+}
+
 orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const volatile int *cancel,
                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
 {
-    orr_status s = orr_orbit_solve(plan, log, cancel, out, warnings, diag);
+    orr_ephemeris_parts *parts = NULL;
+    orr_status s = ORR_OK;
+    *out = (orr_orbit_made){0};
+    if (plan->folder != NULL && !plan->predict) s = orr_ephemeris_parts_begin(plan->folder, &parts, diag);
+    if (s == ORR_OK) s = solve(plan, parts, log, cancel, out, warnings, diag);
     const double solved_s = orr_monotonic_s();
-    if (s == ORR_OK) s = orr_ephemeris_build(&out->solution, &out->ephemeris, diag);
+    if (s != ORR_OK && parts != NULL) orr_ephemeris_parts_error(parts, diag);
+    if (s == ORR_OK)
+        s = parts != NULL ? orr_ephemeris_parts_join(parts, &out->solution, &out->ephemeris, diag)
+                          : orr_ephemeris_build(&out->solution, &out->ephemeris, diag);
+    orr_ephemeris_parts_free(parts);
     out->fit_s = orr_monotonic_s() - solved_s;
     return s;
 }

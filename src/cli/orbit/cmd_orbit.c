@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "core/monotonic.h"
+#include "core/path.h"
 #include "ingest/fetch/fetch.h"
 #include "orbit/force/gravity_field.h"
 #include "src/cli/frame/cli.h"
@@ -227,6 +228,7 @@ typedef struct lists {
     orr_interval *exclude;
     const char *sp3[2]; // in newest
     orr_newest newest;
+    char folder[4096]; // of the output
 } lists;
 
 #define MJD_OF_1970 40587
@@ -281,6 +283,7 @@ static orr_status make_plan(const orr_cli *c, lists *l, orr_orbit_plan *plan, or
     plan->gravity_model = orr_cli_text(c, "gravity-model", NULL);
     plan->gravity_dir = orr_cli_text(c, "gravity-folder", NULL);
     plan->gravity_degree = (int)orr_cli_int(c, "gravity", MODEL_DEGREE);
+    plan->folder = orr_folder_name(orr_cli_text(c, "output", ""), l->folder, sizeof l->folder);
     plan->erp = l->erp;
     plan->nav = l->nav;
     plan->clk = l->clk;

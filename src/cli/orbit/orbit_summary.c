@@ -14,20 +14,25 @@ typedef struct tally {
     double residual2;
 } tally;
 
-static tally tally_system(const orr_orbit_solution *s, char system)
+static tally tally_system(const orr_ephemeris *e, char system)
 {
     tally t = {0};
-    for (size_t i = 0; i < s->n_sats; i++) {
-        const orr_orbit_sat *sat = &s->sat[i];
-        if (orr_sat_system(sat->sat) != system) continue;
+    const orr_sat *sat;
+    const size_t n = orr_ephemeris_satellites(e, &sat);
+    for (size_t i = 0; i < n; i++) {
+        const orr_orbit_node *node;
+        const orr_orbit_event *event;
+        if (orr_sat_system(sat[i]) != system) continue;
         t.sats++;
-        for (size_t k = 0; k < sat->n_nodes; k++) {
-            t.rejected += sat->node[k].used == 0;
-            if (!sat->node[k].used) continue;
+        const size_t n_nodes = orr_ephemeris_nodes(e, sat[i], &node),
+                     n_events = orr_ephemeris_events(e, sat[i], &event);
+        for (size_t k = 0; k < n_nodes; k++) {
+            t.rejected += node[k].used == 0;
+            if (!node[k].used) continue;
             t.used++;
-            t.residual2 += orr_vec3_dot(sat->node[k].residual_m, sat->node[k].residual_m);
+            t.residual2 += orr_vec3_dot(node[k].residual_m, node[k].residual_m);
         }
-        orbit_events_count(sat->event, sat->n_events, &t.events);
+        orbit_events_count(event, n_events, &t.events);
     }
     return t;
 }
@@ -44,19 +49,22 @@ typedef struct joints {
     orr_sat worst;
 } joints;
 
-static joints tally_joints(const orr_orbit_solution *s)
+static joints tally_joints(const orr_ephemeris *e)
 {
     joints j = {0};
     double sum = 0;
-    for (size_t i = 0; i < s->n_sats; i++) {
-        for (size_t k = 0; k < s->sat[i].n_events; k++) {
-            const orr_orbit_event *e = &s->sat[i].event[k];
-            if (e->kind != ORR_EVENT_DAY_JUMP) continue;
+    const orr_sat *sat;
+    const size_t n = orr_ephemeris_satellites(e, &sat);
+    for (size_t i = 0; i < n; i++) {
+        const orr_orbit_event *event;
+        const size_t n_events = orr_ephemeris_events(e, sat[i], &event);
+        for (size_t k = 0; k < n_events; k++) {
+            if (event[k].kind != ORR_EVENT_DAY_JUMP) continue;
             j.n++;
-            sum += e->value * e->value;
-            if (e->value <= j.max_m) continue;
-            j.max_m = e->value;
-            j.worst = s->sat[i].sat;
+            sum += event[k].value * event[k].value;
+            if (event[k].value <= j.max_m) continue;
+            j.max_m = event[k].value;
+            j.worst = sat[i];
         }
     }
     if (j.n > 0) j.rms_m = sqrt(sum / (double)j.n);
@@ -64,20 +72,25 @@ static joints tally_joints(const orr_orbit_solution *s)
 }
 
 // Manoeuvres first, then what was left out, then gaps: as many as a reader will read.
-static void say_events(const orr_cli *c, const orr_orbit_solution *s, const orr_ephemeris *orbit)
+static void say_events(const orr_cli *c, const orr_ephemeris *orbit)
 {
     enum { SHOWN = 12 };
     static const orr_event_kind order[] = {ORR_EVENT_MANOEUVRE, ORR_EVENT_OUTLIER, ORR_EVENT_GAP};
     char text[256];
     size_t told = 0;
+    const orr_sat *sat;
+    const size_t n = orr_ephemeris_satellites(orbit, &sat);
     for (size_t k = 0; k < sizeof order / sizeof order[0]; k++)
-        for (size_t i = 0; i < s->n_sats; i++)
-            for (size_t j = 0; j < s->sat[i].n_events; j++) {
-                const orr_orbit_event *e = &s->sat[i].event[j];
-                if (e->kind != order[k] || !orbit_event_text(s->sat[i].sat, e, orbit, text, sizeof text))
+        for (size_t i = 0; i < n; i++) {
+            const orr_orbit_event *event;
+            const size_t n_events = orr_ephemeris_events(orbit, sat[i], &event);
+            for (size_t j = 0; j < n_events; j++) {
+                if (event[j].kind != order[k] ||
+                    !orbit_event_text(sat[i], &event[j], orbit, text, sizeof text))
                     continue;
                 if (told++ < SHOWN) orr_cli_say(c, "%s", text);
             }
+        }
     if (told > SHOWN) orr_cli_say(c, "and %zu more such events; --format json tells all", told - SHOWN);
 }
 
@@ -92,13 +105,13 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
     orr_cli_say(c, "%-9s %5s %8s %12s %9s %10s %5s %9s", "system", "sats", "nodes", "residual mm", "left out",
                 "manoeuvres", "gaps", "eclipses");
     for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
-        tally t = tally_system(s, *system);
+        tally t = tally_system(e, *system);
         if (t.sats == 0) continue;
         orr_cli_say(c, "%-9s %5zu %8zu %12.3f %9zu %10zu %5zu %9zu", orr_system_name(*system), t.sats, t.used,
                     residual_mm(&t), t.rejected, t.events.manoeuvres, t.events.gaps, t.events.eclipses);
     }
-    say_events(c, s, e);
-    joints j = tally_joints(s);
+    say_events(c, e);
+    joints j = tally_joints(e);
     if (j.n > 0 && j.worst != ORR_SAT_NONE)
         orr_cli_say(
             c, "where files join or overlap they differ by %.1f mm RMS, %.1f mm at most (%s; %zu places)",
@@ -130,11 +143,11 @@ static void say_table(const orr_cli *c, const orr_orbit_solution *s, const orr_s
                 seconds->smooth, seconds->fit, seconds->write);
 }
 
-static json_t *json_systems(const orr_orbit_solution *s)
+static json_t *json_systems(const orr_ephemeris *e)
 {
     json_t *systems = json_object();
     for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
-        tally t = tally_system(s, *system);
+        tally t = tally_system(e, *system);
         if (t.sats == 0) continue;
         const char key[2] = {*system, '\0'};
         json_t *o = json_object();
@@ -151,15 +164,19 @@ static json_t *json_systems(const orr_orbit_solution *s)
 }
 
 // All but eclipses, which are many and follow from the orbit.
-static json_t *json_events(const orr_orbit_solution *s)
+static json_t *json_events(const orr_ephemeris *orbit)
 {
     json_t *all = json_array();
-    for (size_t i = 0; i < s->n_sats; i++)
-        for (size_t k = 0; k < s->sat[i].n_events; k++) {
-            const orr_orbit_event *e = &s->sat[i].event[k];
+    const orr_sat *sat;
+    const size_t n = orr_ephemeris_satellites(orbit, &sat);
+    for (size_t i = 0; i < n; i++) {
+        const orr_orbit_event *event;
+        const size_t n_events = orr_ephemeris_events(orbit, sat[i], &event);
+        for (size_t k = 0; k < n_events; k++) {
+            const orr_orbit_event *e = &event[k];
             if (e->kind == ORR_EVENT_UMBRA || e->kind == ORR_EVENT_PENUMBRA) continue;
             json_t *o = json_object();
-            json_object_set_new(o, "sat", orr_json_sat(s->sat[i].sat));
+            json_object_set_new(o, "sat", orr_json_sat(sat[i]));
             json_object_set_new(o, "kind", json_string(orbit_event_name(e->kind)));
             json_object_set_new(o, "from", orr_json_time(e->t0));
             json_object_set_new(o, "to", orr_json_time(e->t1));
@@ -169,6 +186,7 @@ static json_t *json_events(const orr_orbit_solution *s)
                 json_object_set_new(o, "size_m", orr_json_number(e->value));
             json_array_append_new(all, o);
         }
+    }
     return all;
 }
 
@@ -220,18 +238,18 @@ static int print_json(const orr_cli *c, const orr_orbit_solution *s, const orr_s
                       const orbit_seconds *seconds)
 {
     double pos, vel;
-    joints joint = tally_joints(s);
+    joints joint = tally_joints(e);
     orr_ephemeris_representation(e, &pos, &vel);
     json_t *j = json_object(), *o = json_object(), *jumps = json_object();
     json_object_set_new(j, "from", orr_json_time(s->from));
     json_object_set_new(j, "to", orr_json_time(s->to));
     json_object_set_new(j, "node_step_s", orr_json_number(s->node_step_s));
-    json_object_set_new(j, "systems", json_systems(s));
+    json_object_set_new(j, "systems", json_systems(e));
     json_object_set_new(jumps, "n", orr_json_count(joint.n));
     json_object_set_new(jumps, "rms_mm", orr_json_number(1e3 * joint.rms_m));
     json_object_set_new(jumps, "max_mm", orr_json_number(1e3 * joint.max_m));
     json_object_set_new(j, "day_jumps", jumps);
-    json_object_set_new(j, "events", json_events(s));
+    json_object_set_new(j, "events", json_events(e));
     json_object_set_new(j, "clock_events", json_clock_events(&s->clock_events));
     json_object_set_new(j, "earth_rotation_given", json_boolean(report->eop_known));
     if (report->eop_told) {
