@@ -78,11 +78,10 @@ orr_status orr_nc_put_dim(orr_nc_writer *w, const char *name, size_t len, orr_di
     return ORR_OK;
 }
 
-orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
-                          const char *const dims[], const void *values, const char *units,
-                          const char *long_name, orr_diag *diag)
+orr_status orr_nc_define_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
+                             const char *const dims[], const char *units, const char *long_name,
+                             orr_diag *diag)
 {
-    (void)w;
     (void)units;
     (void)long_name;
     (void)diag;
@@ -97,10 +96,31 @@ orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, 
         v->dim[i] = (int)k;
         v->n *= written.dim[k].len;
     }
-    v->bytes = malloc(v->n * size_of(type) + 1);
+    v->bytes = calloc(v->n + 1, size_of(type));
     if (v->bytes == NULL) abort();
-    memcpy(v->bytes, values, v->n * size_of(type));
+    w->var.next = 0;
     return ORR_OK;
+}
+
+orr_status orr_nc_put_rows(orr_nc_writer *w, size_t n, const void *values, orr_diag *diag)
+{
+    (void)diag;
+    const mock_var *v = &written.var[written.n_vars - 1];
+    const size_t rows = v->rank > 0 ? written.dim[v->dim[0]].len : 1;
+    const size_t row = rows > 0 ? v->n / rows * size_of(v->type) : 0;
+    if (w->var.next + n > rows) abort();
+    memcpy(v->bytes + w->var.next * row, values, n * row);
+    w->var.next += n;
+    return ORR_OK;
+}
+
+orr_status orr_nc_put_var(orr_nc_writer *w, const char *name, orr_nc_type type, int rank,
+                          const char *const dims[], const void *values, const char *units,
+                          const char *long_name, orr_diag *diag)
+{
+    (void)orr_nc_define_var(w, name, type, rank, dims, units, long_name, diag);
+    const mock_var *v = &written.var[written.n_vars - 1];
+    return orr_nc_put_rows(w, v->rank > 0 ? written.dim[v->dim[0]].len : 1, values, diag);
 }
 
 static mock_att *new_att(const char *var, const char *name, char kind)

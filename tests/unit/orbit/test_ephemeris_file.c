@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "orbit/ephemeris/ephemeris_parts.h"
 #include "unit/orbit/made_orbit.h"
 
 static char folder[256];
@@ -414,9 +415,79 @@ static void test_no_half_file(void **state)
     made_solution_free(&s);
 }
 
+static char *whole_file(const char *path, size_t *n)
+{
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    assert_int_equal(fseek(f, 0, SEEK_END), 0);
+    *n = (size_t)ftell(f);
+    rewind(f);
+    char *text = malloc(*n + 1);
+    assert_non_null(text);
+    assert_int_equal(fread(text, 1, *n, f), *n);
+    fclose(f);
+    return text;
+}
+
+// Satellites given one by one, in another order and one of them again, make the product that the solution makes: in memory and
+// to the byte in its file.
+static void test_parts(void **state)
+{
+    (void)state;
+    orr_diag diag = {0};
+    orr_orbit_solution s = made_solution(12, 6, 900, 6), none = s;
+    orr_ephemeris *whole = built(&s), *joined = NULL;
+    orr_ephemeris_parts *p = NULL;
+    ASSERT_OK(orr_ephemeris_parts_begin(folder, &p, &diag), diag);
+    orr_orbit_sat other = s.sat[3]; // of which the first is to be forgotten
+    other.n_nodes = other.n_clocks = 0;
+    assert_int_equal(orr_ephemeris_parts_add(p, &other), ORR_OK);
+    for (size_t i = s.n_sats; i-- > 0;) assert_int_equal(orr_ephemeris_parts_add(p, &s.sat[i]), ORR_OK);
+    none.n_sats = 0;
+    none.sat = NULL;
+    ASSERT_OK(orr_ephemeris_parts_join(p, &none, &joined, &diag), diag);
+    orr_ephemeris_parts_free(p);
+    same_states(whole, joined);
+    char *text[2];
+    size_t n[2];
+    for (int k = 0; k < 2; k++) {
+        const char *path = in_folder("same.nc");
+        ASSERT_OK(orr_ephemeris_save(k == 0 ? whole : joined, path, "made", &diag), diag);
+        text[k] = whole_file(path, &n[k]);
+        unlink(path);
+    }
+    assert_int_equal(n[0], n[1]);
+    assert_memory_equal(text[0], text[1], n[0]);
+    free(text[0]);
+    free(text[1]);
+    orr_ephemeris_free(whole);
+    orr_ephemeris_free(joined);
+    made_solution_free(&s);
+}
+
+// What a satellite is refused for is told in its own words, and again when the whole is asked for.
+static void test_parts_that_are_refused(void **state)
+{
+    (void)state;
+    orr_diag diag = {0};
+    orr_orbit_solution s = made_solution(2, 6, 900, 6);
+    orr_ephemeris *e = NULL;
+    orr_ephemeris_parts *p = NULL;
+    ASSERT_OK(orr_ephemeris_parts_begin(folder, &p, &diag), diag);
+    s.sat[0].arc[0].sample[3].pos_m.y = (double)NAN;
+    assert_int_equal(orr_ephemeris_parts_add(p, &s.sat[0]), ORR_E_NUMERIC);
+    assert_int_equal(orr_ephemeris_parts_add(p, &s.sat[1]), ORR_E_NUMERIC);
+    assert_int_equal(orr_ephemeris_parts_join(p, &s, &e, &diag), ORR_E_NUMERIC);
+    assert_non_null(strstr(diag.text, "no number"));
+    assert_null(e);
+    orr_ephemeris_parts_free(p);
+    made_solution_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_parts),        cmocka_unit_test(test_parts_that_are_refused),
         cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_bare_product),
         cmocka_unit_test(test_truncated),    cmocka_unit_test(test_wrong_kinds),
         cmocka_unit_test(test_lies),         cmocka_unit_test(test_claims),
