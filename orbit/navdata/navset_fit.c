@@ -280,7 +280,6 @@ static void fill_glonass(orr_nav_eph *eph, const navset_slot *slot, const orr_le
     g->freq_channel = channel;
     g->age_days = 0;
     g->frame_time_s = round(((mjd + 3) % 7 + fraction) * 86400); // MJD 4 was a Sunday
-    g->delta_tau_s = 0;
     g->ura = GLONASS_F_T;
     g->has_flags = true;
     g->status_flags = STATUS_M | STATUS_P3 | STATUS_P2 | STATUS_30_MIN;

@@ -105,7 +105,8 @@ static const orr_option options[] = {
      .value = "FILE",
      .help =
          "Write what the satellites transmit, bit by bit, as CSV: t_gps (of the first bit), sat, message, "
-         "signals (that carry it), number (of the subframe, string, word or page type), page (of subframes 4 "
+         "signals (that carry it), number (of the subframe, string, word, message or page type), page (of "
+         "subframes 4 "
          "and 5; GLONASS: frame of the superframe; Galileo: sub-frame of the frame), length_s, bits, hex "
          "(first bit highest)."},
     {.writes = true,
@@ -138,7 +139,8 @@ static const orr_option options[] = {
     {.name = "field",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
-     .help = "TEC field (IONEX, .ION or a navigation file): fit the coefficients of GPS' and BeiDou's "
+     .help = "TEC field (IONEX, .ION or a navigation file): fit the coefficients of BDGIM and of GPS' and "
+             "BeiDou's "
              "Klobuchar models to it "
              "where --nav has none."},
     {.name = "nequick",
