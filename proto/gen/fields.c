@@ -122,6 +122,11 @@ static const orr_field_word words_clock_state[] = {
     {4, "PAUSED", "paused", false},
 };
 
+static const orr_field_word words_readings[] = {
+    {0, "IDEAL", "ideal", false},
+    {1, "MEASURED", "measured", false},
+};
+
 static const orr_field_word words_stamp_clock[] = {
     {0, "ARRIVAL", "arrival", false},
     {1, "MONOTONIC", "monotonic", false},
@@ -825,10 +830,11 @@ static const orr_field fields_imu[] = {
     {.name = "epoch", .unit = "", .doc = "begin of the interval; OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_imu, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "t1", .unit = "ns", .doc = "end of the interval", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_imu, t1), .in_text = true, .text_name = "t1", .text_factor = 1.0, .in_table = true, .head = "t1", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "unit", .unit = "", .doc = "the unit asked for", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_imu, unit), .in_text = true, .text_name = "unit", .text_factor = 1.0, .in_table = true, .head = "unit", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "readings", .unit = "", .doc = "of perfect sensors, or of those with the scenario's errors", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_imu, readings), .word = words_readings, .n_words = sizeof words_readings / sizeof words_readings[0], .in_text = true, .text_name = "readings", .text_factor = 1.0, .in_table = true, .head = "readings", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "dtheta_rad", .unit = "rad", .doc = "integral of the absolute angular rate", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "dtheta_", .suffix = "_rad", .offset = offsetof(orr_msg_imu, dtheta_rad), .in_text = true, .text_name = "dtheta_rad", .text_factor = 1.0, .in_table = true, .head = "dtheta", .table_unit = "rad", .table_factor = 1.0, .digits = 12},
     {.name = "dv_mps", .unit = "m/s", .doc = "integral of the specific force; at rest +g upward", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .length = 3, .stem = "dv_", .suffix = "_mps", .offset = offsetof(orr_msg_imu, dv_mps), .in_text = true, .text_name = "dv_mps", .text_factor = 1.0, .in_table = true, .head = "dv", .table_unit = "m/s", .table_factor = 1.0, .digits = 9},
 };
-static const orr_record record_imu = {"imu", fields_imu, 5, sizeof(orr_msg_imu), false, false};
+static const orr_record record_imu = {"imu", fields_imu, 6, sizeof(orr_msg_imu), false, false};
 
 static orr_wire_status encode_imu(const void *m, orr_wire_writer *w)
 {

@@ -187,6 +187,11 @@ enum { // clock_state (u8): The scenario's clock.
     ORR_MSG_CLOCK_STATE_PAUSED = 4, // it stands where it was stopped
 };
 
+enum { // readings (u8): What inertial readings are.
+    ORR_MSG_READINGS_IDEAL = 0, // those of perfect sensors
+    ORR_MSG_READINGS_MEASURED = 1, // those of sensors with the scenario's errors (imu.errors)
+};
+
 enum { // stamp_clock (u8): Which clock of the server's host a stamp was read from.
     ORR_MSG_STAMP_CLOCK_ARRIVAL = 0, // none: the message's arrival counts
     ORR_MSG_STAMP_CLOCK_MONOTONIC = 1, // CLOCK_MONOTONIC
@@ -277,6 +282,7 @@ const char *orr_msg_end_reason_name(uint8_t value);
 const char *orr_msg_control_action_name(uint8_t value);
 const char *orr_msg_clock_reference_name(uint8_t value);
 const char *orr_msg_clock_state_name(uint8_t value);
+const char *orr_msg_readings_name(uint8_t value);
 const char *orr_msg_stamp_clock_name(uint8_t value);
 const char *orr_msg_motion_state_name(uint8_t value);
 const char *orr_msg_motion_point_name(uint8_t value);
@@ -1001,11 +1007,12 @@ typedef struct orr_msg_imu {
     orr_msg_epoch epoch; // begin of the interval; OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
     int64_t t1; // [ns] end of the interval
     uint16_t unit; // the unit asked for
+    uint8_t readings; // of perfect sensors, or of those with the scenario's errors
     double dtheta_rad[3]; // integral of the absolute angular rate
     double dv_mps[3]; // [m/s] integral of the specific force; at rest +g upward
 } orr_msg_imu;
-#define ORR_MSG_IMU_SIZE 75u
-#define ORR_MSG_IMU_LARGEST 75u
+#define ORR_MSG_IMU_SIZE 76u
+#define ORR_MSG_IMU_LARGEST 76u
 
 orr_wire_status orr_msg_imu_encode(const orr_msg_imu *m, orr_wire_writer *w);
 orr_wire_status orr_msg_imu_decode(const uint8_t *payload, size_t size, orr_msg_imu *m);

@@ -109,6 +109,10 @@ enums.clock_state = {
   [3] = "RUNNING",
   [4] = "PAUSED",
 }
+enums.readings = {
+  [0] = "IDEAL",
+  [1] = "MEASURED",
+}
 enums.stamp_clock = {
   [0] = "ARRIVAL",
   [1] = "MONOTONIC",
@@ -498,10 +502,11 @@ records.poll_imu = {size = 22, smallest = 22, fields = {
     {name = "epochs", kind = "struct", record = "epochs"},
     {name = "unit", kind = "scalar", scalar = "u16"},
 }}
-records.imu = {size = 75, smallest = 75, fields = {
+records.imu = {size = 76, smallest = 76, fields = {
     {name = "epoch", kind = "struct", record = "epoch"},
     {name = "t1", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "unit", kind = "scalar", scalar = "u16"},
+    {name = "readings", kind = "scalar", scalar = "u8", enum = "readings"},
     {name = "dtheta_rad", kind = "array", scalar = "f64", length = 3, unit = "rad"},
     {name = "dv_mps", kind = "array", scalar = "f64", length = 3, unit = "m/s"},
 }}

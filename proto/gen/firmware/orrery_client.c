@@ -983,6 +983,15 @@ const char *orr_msg_clock_state_name(uint8_t value)
     }
 }
 
+const char *orr_msg_readings_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "IDEAL";
+    case 1: return "MEASURED";
+    default: return NULL;
+    }
+}
+
 const char *orr_msg_stamp_clock_name(uint8_t value)
 {
     switch (value) {
@@ -3558,33 +3567,35 @@ orr_wire_status orr_msg_poll_imu_decode(const uint8_t *payload, size_t size, orr
 static void put_imu(orr_wire_writer *w, const orr_msg_imu *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 75);
+    p = orr_wire_room(w, 76);
     if (p == NULL) return;
     store_epoch(p + 0, &m->epoch);
     orr_wire_store_i64(p + 17, m->t1);
     orr_wire_store_u16(p + 25, m->unit);
-    orr_wire_store_f64(p + 27, m->dtheta_rad[0]);
-    orr_wire_store_f64(p + 35, m->dtheta_rad[1]);
-    orr_wire_store_f64(p + 43, m->dtheta_rad[2]);
-    orr_wire_store_f64(p + 51, m->dv_mps[0]);
-    orr_wire_store_f64(p + 59, m->dv_mps[1]);
-    orr_wire_store_f64(p + 67, m->dv_mps[2]);
+    orr_wire_store_u8(p + 27, m->readings);
+    orr_wire_store_f64(p + 28, m->dtheta_rad[0]);
+    orr_wire_store_f64(p + 36, m->dtheta_rad[1]);
+    orr_wire_store_f64(p + 44, m->dtheta_rad[2]);
+    orr_wire_store_f64(p + 52, m->dv_mps[0]);
+    orr_wire_store_f64(p + 60, m->dv_mps[1]);
+    orr_wire_store_f64(p + 68, m->dv_mps[2]);
 }
 
 static void get_imu(orr_wire_reader *r, orr_msg_imu *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 75);
+    p = orr_wire_take(r, 76);
     if (p == NULL) return;
     load_epoch(p + 0, &m->epoch);
     m->t1 = orr_wire_load_i64(p + 17);
     m->unit = orr_wire_load_u16(p + 25);
-    m->dtheta_rad[0] = orr_wire_load_f64(p + 27);
-    m->dtheta_rad[1] = orr_wire_load_f64(p + 35);
-    m->dtheta_rad[2] = orr_wire_load_f64(p + 43);
-    m->dv_mps[0] = orr_wire_load_f64(p + 51);
-    m->dv_mps[1] = orr_wire_load_f64(p + 59);
-    m->dv_mps[2] = orr_wire_load_f64(p + 67);
+    m->readings = orr_wire_load_u8(p + 27);
+    m->dtheta_rad[0] = orr_wire_load_f64(p + 28);
+    m->dtheta_rad[1] = orr_wire_load_f64(p + 36);
+    m->dtheta_rad[2] = orr_wire_load_f64(p + 44);
+    m->dv_mps[0] = orr_wire_load_f64(p + 52);
+    m->dv_mps[1] = orr_wire_load_f64(p + 60);
+    m->dv_mps[2] = orr_wire_load_f64(p + 68);
 }
 
 orr_wire_status orr_msg_imu_encode(const orr_msg_imu *m, orr_wire_writer *w)

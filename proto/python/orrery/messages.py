@@ -179,6 +179,13 @@ class ClockState(WireEnum):
     PAUSED = 4  # it stands where it was stopped
 
 
+class Readings(WireEnum):
+    """What inertial readings are."""
+
+    IDEAL = 0  # those of perfect sensors
+    MEASURED = 1  # those of sensors with the scenario's errors (imu.errors)
+
+
 class StampClock(WireEnum):
     """Which clock of the server's host a stamp was read from."""
 
@@ -1643,6 +1650,7 @@ class Imu(Record):
     epoch: begin of the interval; OK, or OUTSIDE_SPAN of the trajectory; numbers are then NAN
     t1 [ns]: end of the interval
     unit: the unit asked for
+    readings: of perfect sensors, or of those with the scenario's errors
     dtheta_rad [rad]: integral of the absolute angular rate
     dv_mps [m/s]: integral of the specific force; at rest +g upward
     """
@@ -1652,6 +1660,7 @@ class Imu(Record):
         Field("epoch", "struct", record=Epoch),
         Field("t1", "scalar", scalar="i64"),
         Field("unit", "scalar", scalar="u16"),
+        Field("readings", "scalar", scalar="u8", enum=Readings),
         Field("dtheta_rad", "array", scalar="f64", length=3),
         Field("dv_mps", "array", scalar="f64", length=3),
     )
@@ -1659,6 +1668,7 @@ class Imu(Record):
     epoch: Epoch = dataclasses.field(default_factory=Epoch)
     t1: int = 0
     unit: int = 0
+    readings: Readings = Readings(0)
     dtheta_rad: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
     dv_mps: list[float] = dataclasses.field(default_factory=lambda: [0.0] * 3)
 

@@ -223,6 +223,7 @@ bool orr_engine_unit(const orr_engine *e, size_t unit, orr_unit *out)
 
 double orr_engine_imu_rate(const orr_engine *e) { return orr_source_motion_rate_hz(e->motion); }
 bool orr_engine_imu_physical(const orr_engine *e) { return orr_source_motion_physical(e->motion); }
+bool orr_engine_imu_measured(const orr_engine *e) { return orr_source_motion_measured(e->motion); }
 
 orr_answer orr_engine_imu_begin(const orr_engine *e, size_t unit, orr_time t0, orr_time t1,
                                 orr_sensors_sum *sum)

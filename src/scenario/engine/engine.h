@@ -166,6 +166,8 @@ bool orr_engine_unit(const orr_engine *e, size_t unit, orr_unit *out);
 double orr_engine_imu_rate(const orr_engine *e);
 // Whether readings are physical (approach 2): only such exist over any interval.
 bool orr_engine_imu_physical(const orr_engine *e);
+// Whether they have the errors of the scenario's sensors (imu.errors).
+bool orr_engine_imu_measured(const orr_engine *e);
 // Begins increments of a unit over an interval, which orr_engine_imu_add finishes.
 // Given:
 //   e     the engine

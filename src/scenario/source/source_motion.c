@@ -128,6 +128,8 @@ orr_answer orr_source_motion_place(const orr_source_motion *m, size_t unit, orr_
     return answer;
 }
 
+bool orr_source_motion_measured(const orr_source_motion *m) { return m != NULL && m->measured; }
+
 orr_answer orr_source_motion_imu_begin(const orr_source_motion *m, size_t unit, orr_time t0, orr_time t1,
                                        orr_sensors_sum *sum)
 {

@@ -56,6 +56,8 @@ bool orr_source_motion_physical(const orr_source_motion *m);
 orr_answer orr_source_motion_at(const orr_source_motion *m, size_t unit, orr_time t, orr_motion *out);
 // The point of a unit (ecef) at t, with answers as of orr_engine_truth.
 orr_answer orr_source_motion_place(const orr_source_motion *m, size_t unit, orr_time t, orr_vec3 *out);
+// Whether readings have the errors of the scenario's sensors.
+bool orr_source_motion_measured(const orr_source_motion *m);
 // Begins increments of a unit over an interval, as orr_engine_imu_begin.
 // Given:
 //   m     the source

@@ -64,7 +64,9 @@ uint16_t orr_answers_imu(void *user, const orr_msg_poll_imu *poll, orr_server_pa
     const orr_engine *e = orr_answers_engine(user);
     orr_msg_imu m = {.epoch = {begin_of(e, poll, part->index), part->index, poll->epochs.count, 0},
                      .t1 = begin_of(e, poll, part->index + 1),
-                     .unit = poll->unit};
+                     .unit = poll->unit,
+                     .readings =
+                         orr_engine_imu_measured(e) ? ORR_MSG_READINGS_MEASURED : ORR_MSG_READINGS_IDEAL};
     enum { PIECE = 8 }; // some microseconds
     orr_sensors_sum sum;
     _Static_assert(sizeof sum <= sizeof part->kept, "the sum is kept between two pieces of a frame");

@@ -149,6 +149,7 @@ class Flight(unittest.TestCase):
                 got = list(c.poll_imu(self.start + 10 * NS, 0.01, 50, unit=unit))
                 half = [list(c.poll_imu(self.start + 10 * NS, 0.005, 2, unit=unit)), list(c.poll_imu(self.start + 10 * NS, 0.5, 1, unit=unit))[0]]
             for k, m in enumerate(got):
+                self.assertEqual(m.readings, messages.Readings.MEASURED)
                 for i, axis in enumerate("xyz"):
                     self.assertAlmostEqual(m.dtheta_rad[i], float(rows[1001 + k][f"measured_dtheta_{axis}_rad"]), delta=2e-11)
                     self.assertAlmostEqual(m.dv_mps[i], float(rows[1001 + k][f"measured_dv_{axis}_mps"]), delta=2e-9)
@@ -158,7 +159,9 @@ class Flight(unittest.TestCase):
                 # Two nodes a piece of 0.01 s, or of 0.5 s between knots: the quadrature is another, the errors are the same.
                 self.assertAlmostEqual(sum(m.dv_mps[i] for m in got), half[1].dv_mps[i], delta=2e-9)
         with Daemon(WORK / "ideal.yaml") as d, orrery.Client(d.urls[0]) as c:
-            self.assertEqual(next(c.poll_imu(self.start + NS)).encode(), next(self.client.poll_imu(self.start + NS)).encode())
+            ideal = next(c.poll_imu(self.start + NS))
+            self.assertEqual(ideal.encode(), next(self.client.poll_imu(self.start + NS)).encode())
+            self.assertEqual(ideal.readings, messages.Readings.IDEAL)
         (WORK / "bad.yaml").write_text(measured.replace("sensors.yaml", "nowhere.yaml"), encoding="utf-8")
         self.assertIn("nowhere.yaml", program("serve", WORK / "bad.yaml").stderr)
 

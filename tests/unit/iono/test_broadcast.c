@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The models that satellites broadcast, against closed forms and worked values.
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/nan.h"
 #include "iono/broadcast/bdgim.h"
@@ -106,14 +107,26 @@ static void write_numbers(const char *folder, const char *name, int n, const cha
     fclose(f);
 }
 
+static void remove_folder(const char *folder)
+{
+    char path[96];
+    for (int m = 11; m <= 22; m++) {
+        snprintf(path, sizeof path, "%s/ccir%d.asc", folder, m);
+        assert_int_equal(unlink(path), 0);
+    }
+    snprintf(path, sizeof path, "%s/modip.asc", folder);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
 // Tables that are the same everywhere: 4 + 2 Azr/100 MHz and a factor of 3, at modip 0.
 static void nequick_of_made_tables(void **state)
 {
     (void)state;
     orr_diag d = {0};
     orr_nequick *n;
-    const char *const folder = "nequick-made";
-    mkdir(folder, 0777);
+    char folder[] = "/tmp/orrery-nequick-XXXXXX";
+    assert_non_null(mkdtemp(folder));
     assert_int_equal(orr_nequick_load("nowhere", &n, &d), ORR_E_IO);
     write_numbers(folder, "modip.asc", 39 * 39, "0", "");
     for (int m = 11; m <= 22; m++) {
@@ -133,6 +146,7 @@ static void nequick_of_made_tables(void **state)
     write_numbers(folder, "ccir13.asc", 2857, "0", "x");
     assert_int_equal(orr_nequick_load(folder, &n, &d), ORR_E_FORMAT);
     assert_non_null(strstr(d.text, "not a number"));
+    remove_folder(folder);
 
     // The grid of modip: a plane in latitude and longitude is met exactly by the third-order interpolation.
     orr_nequick *made = calloc(1, sizeof *made);
