@@ -360,7 +360,7 @@ records.transmitter = {fields = {
     {name = "svn", kind = "string", limit = 10},
     {name = "block", kind = "string", limit = 20},
 }}
-records.sat_channel = {size = 124, smallest = 124, fields = {
+records.sat_channel = {size = 126, smallest = 126, fields = {
     {name = "sat", kind = "struct", record = "sat_id"},
     {name = "signal", kind = "scalar", scalar = "u16"},
     {name = "flags", kind = "scalar", scalar = "u32", bits = "channel_flags"},
@@ -373,8 +373,9 @@ records.sat_channel = {size = 124, smallest = 124, fields = {
     {name = "transmit", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "transmit_fraction_ns", kind = "scalar", scalar = "f64", unit = "ns"},
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
+    {name = "echo", kind = "scalar", scalar = "u16"},
 }}
-records.channel_terms = {size = 160, smallest = 160, fields = {
+records.channel_terms = {size = 176, smallest = 176, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -390,6 +391,8 @@ records.channel_terms = {size = 160, smallest = 160, fields = {
     {name = "emission_ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "wind_up_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "phase_bias_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "echo_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "echo_phase_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_range_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_noise_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_clock_m", kind = "scalar", scalar = "f64", unit = "m"},

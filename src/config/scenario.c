@@ -68,6 +68,8 @@ static const orr_key rows[] = {
             "which satellites send, and how"),
     MAP_ROW(orr_scenario, "mask", mask, &orr_section_mask, of_signals, "what the antennas see of the sky"),
     MAP_ROW(orr_scenario, "channel", channel, &orr_section_channel, of_signals, "what a channel consists of"),
+    MAP_ROW(orr_scenario, "multipath", multipath, &orr_section_multipath, of_signals,
+            "echoes of the signals, each a channel of its own"),
     MAP_ROW(orr_scenario, "faults", faults, &orr_section_faults, of_signals,
             "what goes wrong at given times"),
     MAP_ROW(orr_scenario, "serve", serve, &serve_table, NULL, "the service"),

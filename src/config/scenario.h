@@ -10,6 +10,7 @@
 #include "src/config/section_gravity.h"
 #include "src/config/section_imu.h"
 #include "src/config/section_ionosphere.h"
+#include "src/config/section_multipath.h"
 #include "src/config/section_navdata.h"
 #include "src/config/section_orbit.h"
 #include "src/config/section_receiver.h"
@@ -44,6 +45,7 @@ typedef struct orr_scenario {
     orr_scenario_satellites satellites;
     orr_scenario_mask mask;
     orr_scenario_channel channel;
+    orr_scenario_multipath multipath;
     orr_scenario_faults faults;
     orr_scenario_serve serve;
     orr_marks marks;            // where in the file its keys stand

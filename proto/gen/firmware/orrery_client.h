@@ -984,10 +984,11 @@ typedef struct orr_msg_sat_channel {
     double carrier[4]; // [cycle/s^k] cubic of the phase range, less carrier_cycles; the Doppler frequency is -carrier[1] at the begin, positive while approaching
     int64_t transmit; // reading of the satellite's clock when the code at the block's begin was sent: whole nanoseconds, the scale's whole seconds against GPS not taken off
     double transmit_fraction_ns; // and the rest, 0 to 1
-    float power_dbw; // [dBW] received by an antenna of 0 dBi
+    float power_dbw; // [dBW] received by an antenna of 0 dBi; of an echo what makes it as much weaker than its signal as the antenna receives it
+    uint16_t echo; // 0: the signal itself; from 1 on an echo of it, which sends the same: the ground, then the reflectors of the scenario
 } orr_msg_sat_channel;
-#define ORR_MSG_SAT_CHANNEL_SIZE 124u
-#define ORR_MSG_SAT_CHANNEL_LARGEST 124u
+#define ORR_MSG_SAT_CHANNEL_SIZE 126u
+#define ORR_MSG_SAT_CHANNEL_LARGEST 126u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_sat_channel_next or orr_msg_sat_channel_at.
@@ -1002,7 +1003,7 @@ bool orr_msg_sat_channel_next(const orr_msg_sat_channel_list *list, orr_wire_ite
 orr_wire_status orr_msg_sat_channel_records_encode(const orr_msg_sat_channel_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_channel_at(const orr_msg_sat_channel_list *list, uint16_t index, orr_msg_sat_channel *out);   // false beyond the end
 
-// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up and phase_bias join, group_delay and fault_divergence do not.
+// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up and phase_bias join, echo_phase joins, group_delay and fault_divergence do not.
 typedef struct orr_msg_channel_terms {
     double distance_m; // antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     double sagnac_m; // rotation of the Earth during the flight
@@ -1019,14 +1020,16 @@ typedef struct orr_msg_channel_terms {
     double emission_ionosphere_m; // the ionosphere's part
     double wind_up_m; // turns of satellite and antenna, times the wavelength: of the carrier alone
     double phase_bias_m; // the carrier's bias against the clock's pair of signals: of the carrier alone
+    double echo_m; // of an echo: how much longer its way is
+    double echo_phase_m; // of an echo: what the reflection retards the carrier by, times the wavelength: of the carrier alone
     double fault_range_m; // faults.range: steps and ramps
     double fault_noise_m; // faults.noise and faults.sine
     double fault_clock_m; // faults.clock: minus c times the clock's error
     double fault_divergence_m; // faults.divergence: of the code alone
     double fault_orbit_m; // faults.orbit: what the displaced satellite adds to the range
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 160u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 160u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 176u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 176u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1250,10 +1253,10 @@ typedef struct orr_msg_channels {
     double vel_mps[3]; // [m/s] its velocity (ecef)
     uint8_t motion; // where this motion comes from
     int64_t motion_age; // [ns] live: the block's begin less the tag of the sample that it rests on; 0 otherwise
-    orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite and signal
+    orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite, signal and echo
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 1163372u
+#define ORR_MSG_CHANNELS_LARGEST 1237100u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

@@ -932,7 +932,9 @@ class SatChannel(Record):
     transmit [ns]: reading of the satellite's clock when the code at the block's begin was sent: whole nanoseconds, the scale's
     whole seconds against GPS not taken off
     transmit_fraction_ns [ns]: and the rest, 0 to 1
-    power_dbw [dBW]: received by an antenna of 0 dBi
+    power_dbw [dBW]: received by an antenna of 0 dBi; of an echo what makes it as much weaker than its signal as the antenna
+    receives it
+    echo: 0: the signal itself; from 1 on an echo of it, which sends the same: the ground, then the reflectors of the scenario
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
@@ -948,6 +950,7 @@ class SatChannel(Record):
         Field("transmit", "scalar", scalar="i64"),
         Field("transmit_fraction_ns", "scalar", scalar="f64"),
         Field("power_dbw", "scalar", scalar="f32"),
+        Field("echo", "scalar", scalar="u16"),
     )
 
     sat: SatId = dataclasses.field(default_factory=SatId)
@@ -962,12 +965,13 @@ class SatChannel(Record):
     transmit: int = 0
     transmit_fraction_ns: float = 0.0
     power_dbw: float = 0.0
+    echo: int = 0
 
 
 @dataclasses.dataclass(eq=False, slots=True)
 class ChannelTerms(Record):
     """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the
-    other sign, wind_up and phase_bias join, group_delay and fault_divergence do not.
+    other sign, wind_up and phase_bias join, echo_phase joins, group_delay and fault_divergence do not.
 
     distance_m [m]: antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     sagnac_m [m]: rotation of the Earth during the flight
@@ -984,6 +988,8 @@ class ChannelTerms(Record):
     emission_ionosphere_m [m]: the ionosphere's part
     wind_up_m [m]: turns of satellite and antenna, times the wavelength: of the carrier alone
     phase_bias_m [m]: the carrier's bias against the clock's pair of signals: of the carrier alone
+    echo_m [m]: of an echo: how much longer its way is
+    echo_phase_m [m]: of an echo: what the reflection retards the carrier by, times the wavelength: of the carrier alone
     fault_range_m [m]: faults.range: steps and ramps
     fault_noise_m [m]: faults.noise and faults.sine
     fault_clock_m [m]: faults.clock: minus c times the clock's error
@@ -1007,6 +1013,8 @@ class ChannelTerms(Record):
         Field("emission_ionosphere_m", "scalar", scalar="f64"),
         Field("wind_up_m", "scalar", scalar="f64"),
         Field("phase_bias_m", "scalar", scalar="f64"),
+        Field("echo_m", "scalar", scalar="f64"),
+        Field("echo_phase_m", "scalar", scalar="f64"),
         Field("fault_range_m", "scalar", scalar="f64"),
         Field("fault_noise_m", "scalar", scalar="f64"),
         Field("fault_clock_m", "scalar", scalar="f64"),
@@ -1029,6 +1037,8 @@ class ChannelTerms(Record):
     emission_ionosphere_m: float = 0.0
     wind_up_m: float = 0.0
     phase_bias_m: float = 0.0
+    echo_m: float = 0.0
+    echo_phase_m: float = 0.0
     fault_range_m: float = 0.0
     fault_noise_m: float = 0.0
     fault_clock_m: float = 0.0
@@ -1557,7 +1567,7 @@ class Channels(Record):
     vel_mps [m/s]: its velocity (ecef)
     motion: where this motion comes from
     motion_age [ns]: live: the block's begin less the tag of the sample that it rests on; 0 otherwise
-    channels: those that the antenna sees at the block's begin, by satellite and signal
+    channels: those that the antenna sees at the block's begin, by satellite, signal and echo
     terms: of each channel, in the same order; empty unless asked for
     """
 

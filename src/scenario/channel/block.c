@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "src/scenario/channel/channels_private.h"
+#include "src/scenario/channel/effects.h"
 #include "src/scenario/channel/hermite.h"
 
 static void join(const orr_channel *from, const orr_channel *to, double T, orr_block *out)
@@ -42,13 +42,20 @@ static void begin_at(const orr_channels *c, size_t antenna, orr_channel_work *wo
                      const orr_antenna_state *at, uint64_t signals)
 {
     channel_antenna_work *w = &work->antenna[antenna];
-    if (w->end.t != t || w->end.signals != signals || orr_faults_change(c->faults, w->end.as_of, t)) {
+    if (w->end.t != t || w->end.signals != signals || effects_change(c, w->end.as_of, t)) {
         channels_evaluate(c, antenna, work, t, t, at, signals, NULL, &w->begin);
         return;
     }
     const channel_list was = w->begin;
     w->begin = w->end;
     w->end = was;
+}
+
+// The order of lists: by satellite, signal and echo.
+static bool comes_before(const orr_channel *a, const orr_channel *b)
+{
+    if (a->sat != b->sat) return a->sat < b->sat;
+    return a->signal != b->signal ? a->signal < b->signal : a->echo < b->echo;
 }
 
 void blocks_between(const orr_channels *c, size_t antenna, orr_channel_work *work, const blocks_ends *e,
@@ -63,12 +70,9 @@ void blocks_between(const orr_channels *c, size_t antenna, orr_channel_work *wor
     const double T = orr_time_diff_s(e->t1, e->t0);
     for (size_t k = 0, j = 0; k < begin->n; k++) { // both lists ascend, the second may lack some
         const orr_channel *from = &begin->channel[k];
-        while (j < end->n && (end->channel[j].sat < from->sat ||
-                              (end->channel[j].sat == from->sat && end->channel[j].signal < from->signal)))
-            j++;
+        while (j < end->n && comes_before(&end->channel[j], from)) j++;
         if (j == end->n || !begin->seen[k]) continue;
-        if (end->channel[j].sat == from->sat && end->channel[j].signal == from->signal)
-            join(from, &end->channel[j], T, &block[(*n)++]);
+        if (!comes_before(from, &end->channel[j])) join(from, &end->channel[j], T, &block[(*n)++]);
     }
 }
 

@@ -37,7 +37,7 @@ typedef struct orr_blocks {
 //   signals   those that are wanted, as orr_channels_signals
 // Returned:
 //   out       begin, length and error
-//   block     [at most orr_channels_max] those that the antenna sees at t0, by satellite and signal
+//   block     [at most orr_channels_max] those that the antenna sees at t0, by satellite, signal and echo
 //   n         how many
 // Answers: as orr_channels_at, at t0 and at the end of the block.
 // Notes: a function of (scenario, t) alone. Blocks lie on multiples of their length. A satellite whose arc ends within the block

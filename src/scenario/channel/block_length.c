@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "src/scenario/channel/block.h"
-#include "src/scenario/channel/channels_private.h"
+#include "src/scenario/channel/effects.h"
 
 // Of an antenna on a body, which may shake at any rate: beyond 100 ms nothing is gained. Each divides a cell.
 static const int64_t LENGTHS_NS[] = {1000000, 2000000, 5000000, 10000000, 20000000, 50000000, 100000000};
@@ -45,18 +45,12 @@ static double worst_m(const orr_antenna *a, orr_time cell, int64_t length_ns)
     return worst;
 }
 
-// Whether effects of the scenario allow blocks of this length in the cell: longer ones they do not allow either.
-static bool allowed(const orr_channels *c, orr_time cell, int64_t length_ns)
-{
-    return orr_faults_allow(c->faults, cell, cell + ORR_BLOCK_CELL_NS, length_ns, c->options.error_m / 10);
-}
-
 // The longest of those allowed that is not above most_ns.
-static int64_t allowed_ns(const orr_channels *c, orr_time cell, int64_t most_ns)
+static int64_t allowed_ns(const orr_channels *c, size_t antenna, orr_time cell, int64_t most_ns)
 {
-    if (allowed(c, cell, most_ns)) return most_ns;
+    if (effects_allow(c, antenna, cell, most_ns)) return most_ns;
     size_t k = N_LENGTHS - 1;
-    while (k > 0 && !allowed(c, cell, LENGTHS_NS[k])) k--;
+    while (k > 0 && !effects_allow(c, antenna, cell, LENGTHS_NS[k])) k--;
     return LENGTHS_NS[k];
 }
 
@@ -65,13 +59,13 @@ void orr_block_length_of(const orr_channels *c, size_t antenna, orr_time cell, i
 {
     const orr_antenna *a = &c->antenna[antenna];
     if (a->motion == NULL) { // the satellites' motion and the ionosphere's change decide (docs/channels.md)
-        *length_ns = allowed_ns(c, cell, FIXED_NS);
+        *length_ns = allowed_ns(c, antenna, cell, FIXED_NS);
         *error_m = 1.3e-10; // T^4/384 of 5e-8 m/s^4, a navigation satellite's at the horizon
         return;
     }
     *length_ns = LENGTHS_NS[0];
     *error_m = worst_m(a, cell, LENGTHS_NS[0]);
-    for (size_t k = 1; k < N_LENGTHS && allowed(c, cell, LENGTHS_NS[k]); k++) {
+    for (size_t k = 1; k < N_LENGTHS && effects_allow(c, antenna, cell, LENGTHS_NS[k]); k++) {
         const double worst = worst_m(a, cell, LENGTHS_NS[k]);
         if (worst > c->options.error_m / 1.25) return;
         *length_ns = LENGTHS_NS[k];

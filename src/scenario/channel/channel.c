@@ -98,6 +98,7 @@ static void set_signal(const orr_antenna *a, const ray *r, size_t j, double dela
     const double *v = r->slow.v, *slope = r->slow.r;
     memcpy(x, r->term_m, sizeof r->term_m);
     memcpy(rate, r->rate_mps, sizeof r->rate_mps);
+    x[ORR_TERM_ECHO] = rate[ORR_TERM_ECHO] = x[ORR_TERM_ECHO_PHASE] = rate[ORR_TERM_ECHO_PHASE] = 0;
     x[ORR_TERM_GROUP_DELAY] = delay_m;
     rate[ORR_TERM_GROUP_DELAY] = 0;
     x[ORR_TERM_PHASE_BIAS] = sent->phase_bias_m;
@@ -178,8 +179,33 @@ static void set_sums(orr_time t, int64_t start, orr_channel *out)
     out->transmit_fraction_ns = whole - flight_ns;
 }
 
-static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t, const ray *r,
-                 uint64_t signals, channel_list *list)
+// Echoes of the last channel of the list, behind it.
+static void add_echoes(const orr_channels *c, const orr_antenna_state *at, orr_time t, const ray *r,
+                       int64_t start, channel_list *list)
+{
+    orr_echo echo[ORR_MAX_ECHOES];
+    const size_t direct = list->n - 1;
+    const orr_channel *x = &list->channel[direct];
+    const orr_echo_ray from = {.t = t,
+                               .as_of = list->as_of,
+                               .sat = x->sat,
+                               .carrier_hz = x->carrier_hz,
+                               .at = at,
+                               .u = r->light.u,
+                               .u_rate_ps = r->light.u_rate_ps};
+    const size_t n = orr_echoes_at(c->echoes, &from, echo);
+    for (size_t k = 0; k < n; k++) {
+        list->place[list->n] = list->place[direct];
+        list->seen[list->n] = list->seen[direct];
+        orr_channel *out = &list->channel[list->n++];
+        *out = *x;
+        effects_echo(&echo[k], out);
+        set_sums(t, start, out);
+    }
+}
+
+static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
+                 const orr_antenna_state *at, const ray *r, uint64_t signals, channel_list *list)
 {
     channel_delays *delays = &work->delays[r->sat - c->satellite];
     set_delays(c, r->sat, t, delays);
@@ -191,6 +217,7 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         orr_channel *out = &list->channel[list->n++];
         out->sat = r->sat->sat;
         out->signal = sent->signal;
+        out->echo = 0;
         out->flags = r->flags | (delays->unknown[j] ? ORR_CHANNEL_NO_DELAY : 0u);
         out->az_rad = r->direction.az_rad;
         out->el_rad = r->direction.el_rad;
@@ -199,6 +226,7 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         set_signal(&c->antenna[antenna], r, j, delays->delay_m[j], out);
         effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
         set_sums(t, sent->start, out);
+        add_echoes(c, at, t, r, sent->start, list);
     }
 }
 
@@ -225,7 +253,8 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
     slow_prepare(c, antenna, work, t, at, work->chosen, n);
     for (size_t k = 0; k < n; k++) {
         ray r = {.sat = &c->satellite[work->chosen[k]], .direction = work->direction[k]};
-        if (trace(c, antenna, work, t, at, work->chosen[k], &r)) fill(c, antenna, work, t, &r, signals, list);
+        if (trace(c, antenna, work, t, at, work->chosen[k], &r))
+            fill(c, antenna, work, t, at, &r, signals, list);
     }
 }
 

@@ -39,6 +39,7 @@ enum {                                // orr_channel.flags
 typedef struct orr_channel {
     orr_sat sat;
     uint16_t signal; // place in orr_signals
+    uint16_t echo;   // 0: the signal itself, else which echo of it
     uint32_t flags;
     double az_rad, el_rad; // of the satellite above the ellipsoid's horizon, geometric
     double term_m[ORR_N_TERMS], rate_mps[ORR_N_TERMS];
@@ -95,8 +96,10 @@ bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *
 orr_span orr_channels_span(const orr_channels *c);
 // The part of it in which an antenna is there: its trajectory's. `from` is after `to` where there is none.
 orr_span orr_channels_antenna_span(const orr_channels *c, size_t antenna);
-// How many channels an antenna can have at once: satellites times their signals.
+// How many channels an antenna can have at once: satellites times their signals, with their echoes.
 size_t orr_channels_max(const orr_channels *c);
+// Spacing between early and late of the correlator that observes a signal, chips (multipath.spacing).
+double orr_channels_spacing(const orr_channels *c, size_t signal);
 
 // What evaluations find and keep for the next: curves of slow terms and of satellites over some seconds. Everything in it is a
 // function of scenario and time, so that an answer never depends on who asked before, of whatever workspace. One thread at a
@@ -106,7 +109,7 @@ typedef struct orr_channel_work orr_channel_work;
 orr_status orr_channel_work_open(const orr_channels *c, orr_channel_work **out, orr_diag *diag);
 void orr_channel_work_close(orr_channel_work *work); // NULL is allowed
 
-// All channels of an antenna at t, by satellite and signal, those that the antenna does not see left out.
+// All channels of an antenna at t, by satellite, signal and echo, those that the antenna does not see left out.
 // Given:
 //   c        channels
 //   antenna  which, from 0

@@ -23,6 +23,12 @@ orr_span orr_channels_antenna_span(const orr_channels *c, size_t antenna)
 
 size_t orr_channels_max(const orr_channels *c) { return c != NULL ? c->max_channels : 0; }
 
+double orr_channels_spacing(const orr_channels *c, size_t signal)
+{
+    if (c->spacing_chips > 0) return c->spacing_chips;
+    return orr_signals(&(size_t){0})[signal].chips_per_s > 5e6 ? 0.1 : 0.5;
+}
+
 bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *channel)
 {
     if (orr_sat_system(sat) != 'R') return false;

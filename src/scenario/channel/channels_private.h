@@ -14,6 +14,7 @@
 #include "src/scenario/channel/satellite_cell.h"
 #include "src/scenario/channel/sun_track.h"
 #include "src/scenario/channel/windup.h"
+#include "src/scenario/effect/echo.h"
 #include "src/scenario/effect/fault.h"
 
 // A signal that a satellite sends.
@@ -64,6 +65,8 @@ struct orr_channels {
     size_t n_sats, max_channels;
     channel_satellite *satellite; // as orr_source_orbit_satellites
     orr_faults *faults;           // NULL: none
+    orr_echoes *echoes;           // NULL: none
+    double spacing_chips;         // 0: by the signal
     orr_sun_track sun;
     orr_span span;
     size_t n_cells;

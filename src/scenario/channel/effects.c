@@ -40,3 +40,27 @@ void effects_fault(const orr_channels *c, size_t place, const orr_light *l, orr_
     out->power_dbw += x.power_db;
     out->flags |= ORR_CHANNEL_FAULT | (x.unhealthy ? ORR_CHANNEL_UNHEALTHY : 0u);
 }
+
+void effects_echo(const orr_echo *echo, orr_channel *out)
+{
+    const double cycle_m = ORR_LIGHT_MPS / out->carrier_hz;
+    out->echo = echo->number;
+    out->term_m[ORR_TERM_ECHO] = echo->delay_m;
+    out->rate_mps[ORR_TERM_ECHO] = echo->delay_mps;
+    out->term_m[ORR_TERM_ECHO_PHASE] = echo->phase_cycles * cycle_m;
+    out->rate_mps[ORR_TERM_ECHO_PHASE] = echo->phase_rate_hz * cycle_m;
+    out->power_dbw += echo->power_db;
+}
+
+bool effects_change(const orr_channels *c, orr_time after, orr_time until)
+{
+    return orr_faults_change(c->faults, after, until) || orr_echoes_change(c->echoes, after, until);
+}
+
+bool effects_allow(const orr_channels *c, size_t antenna, orr_time cell, int64_t length_ns)
+{
+    const orr_time end = cell + ORR_BLOCK_CELL_NS;
+    const double error_m = c->options.error_m / 10;
+    return orr_faults_allow(c->faults, cell, end, length_ns, error_m) &&
+           orr_echoes_allow(c->echoes, &c->antenna[antenna], cell, end, length_ns, error_m);
+}

@@ -19,4 +19,11 @@
 void effects_fault(const orr_channels *c, size_t place, const orr_light *l, orr_time t, orr_time as_of,
                    orr_channel *out);
 
+// Makes a channel that of an echo of it: its terms, power and number; sums are the caller's.
+void effects_echo(const orr_echo *echo, orr_channel *out);
+// Whether effects change in after < t <= until, so that a block that ends at t is not the begin of the next.
+bool effects_change(const orr_channels *c, orr_time after, orr_time until);
+// Whether blocks of this length, on multiples of it, follow the effects of an antenna in the block's cell (orr_faults_allow).
+bool effects_allow(const orr_channels *c, size_t antenna, orr_time cell, int64_t length_ns);
+
 #endif

@@ -132,7 +132,7 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
                                    .phase_bias_m = phase_bias_m(c, x->sat, &signal[j]),
                                    .start = (int64_t)(orr_rng_u64(0, x->sat, j) & 8191)};
             }
-        c->max_channels += x->n_sent;
+        c->max_channels += x->n_sent * (1 + orr_echoes_max(c->echoes));
     }
     if (c->max_channels == 0)
         return orr_diag_set(diag, ORR_E_NODATA,
@@ -233,6 +233,7 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     if (status == ORR_OK) status = keep_horizon(s, c, diag);
     if (status == ORR_OK && s->satellites.metadata != NULL)
         status = orr_satellite_metadata_read(s->satellites.metadata, NULL, &c->metadata, warnings, diag);
+    if (status == ORR_OK) status = orr_echoes_open(s, c->span, &c->echoes, diag);
     if (status == ORR_OK) status = list_satellites(s, nav, c, diag);
     if (status == ORR_OK) status = open_faults(s, c, diag);
     if (status == ORR_OK) share_powers(c, warnings);
@@ -270,6 +271,7 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     c->troposphere = s->troposphere;
     c->has_troposphere = s->has_troposphere && s->troposphere.model != ORR_TROPOSPHERE_NONE;
     c->options = s->channel;
+    c->spacing_chips = s->multipath.spacing_chips;
     c->options.antex = c->options.bias = NULL; // of the scenario, which may go
     (void)orr_source_orbit_span(orbits, &c->span);
     c->span.from = orr_time_add(c->span.from, MARGIN_NS);
@@ -298,6 +300,7 @@ void orr_channels_close(orr_channels *c)
     if (c == NULL) return;
     for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) orr_windup_free(&c->windup[k]);
     orr_faults_close(c->faults);
+    orr_echoes_close(c->echoes);
     orr_sun_track_free(&c->sun);
     free(c->cell);
     free(c->satellite);

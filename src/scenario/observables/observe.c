@@ -9,6 +9,7 @@
 
 #include "core/rng.h"
 #include "ingest/rinex/rinex_obs.h"
+#include "src/scenario/observables/composite.h"
 
 static const char KINDS[] = "CLDS"; // code, phase, Doppler, C/N0 of each signal
 
@@ -77,28 +78,28 @@ static orr_status describe(writer *w, orr_diag *diag)
 }
 
 // Standard deviations of thermal noise: code in metres, phase in cycles.
-static void noise_of(const orr_signal *s, double cn0_dbhz, double *code_m, double *phase_cycles)
+static void noise_of(const orr_signal *s, double spacing, double cn0_dbhz, double *code_m,
+                     double *phase_cycles)
 {
     const double cn0 = pow(10, cn0_dbhz / 10), chip_m = ORR_LIGHT_MPS / s->chips_per_s;
-    const double spacing = s->chips_per_s > 5e6 ? 0.1 : 0.5, delay_hz = 1, phase_hz = 15,
-                 integration_s = 0.02;
+    const double delay_hz = 1, phase_hz = 15, integration_s = 0.02;
     *code_m = chip_m * sqrt(delay_hz * spacing / (2 * cn0) * (1 + 2 / ((2 - spacing) * integration_s * cn0)));
     *phase_cycles = sqrt(phase_hz / cn0 * (1 + 1 / (2 * integration_s * cn0))) / (2 * ORR_PI);
 }
 
-static void put(const writer *w, const orr_channel *x, orr_time t, double *value)
+static void put(const writer *w, const orr_channel *x, const orr_composite *m, orr_time t, double *value)
 {
     const orr_signal *s = &w->signal[x->signal];
-    const double cn0 = x->power_dbw - ORR_OBSERVE_N0_DBWHZ;
+    const double cn0 = x->power_dbw + m->power_db - ORR_OBSERVE_N0_DBWHZ;
     double code = 0, phase = 0;
     if (w->plan->noise) {
         const uint64_t stream = ((uint64_t)w->antenna << 32) | ((uint64_t)x->sat << 8) | x->signal;
-        noise_of(s, cn0, &code, &phase);
+        noise_of(s, orr_channels_spacing(w->c, x->signal), cn0, &code, &phase);
         code *= orr_rng_normal(w->plan->seed, stream, 2 * (uint64_t)t);
         phase *= orr_rng_normal(w->plan->seed, stream, 2 * (uint64_t)t + 1);
     }
-    value[0] = x->code_m + code;
-    value[1] = (double)x->carrier_cycles + (x->carrier_fraction + phase);
+    value[0] = x->code_m + m->code_m + code;
+    value[1] = (double)x->carrier_cycles + (x->carrier_fraction + m->phase_cycles + phase);
     value[2] = -x->carrier_rate_hz;
     value[3] = cn0;
 }
@@ -131,8 +132,11 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
                              .value = w->value,
                              .lli = w->lli,
                              .ssi = w->ssi};
-    for (size_t k = 0; k < n; k++) {
+    for (size_t k = 0; k < n;) {
         const orr_channel *x = &w->channel[k];
+        orr_composite multipath;
+        k = orr_composite_of(w->c, w->channel, n, k, &multipath);
+        count->observations++;
         if (e.n_sats == 0 || w->sat[e.n_sats - 1] != x->sat) {
             for (size_t j = 0; j < w->stride; j++) {
                 w->value[e.n_sats * w->stride + j] = (double)NAN;
@@ -141,12 +145,11 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
             w->sat[e.n_sats++] = x->sat;
         }
         const size_t at = (e.n_sats - 1) * w->stride + w->column[x->signal];
-        put(w, x, t, &w->value[at]);
+        put(w, x, &multipath, t, &w->value[at]);
         for (int kind = 0; kind < 2; kind++) w->ssi[at + (size_t)kind] = strength(w->value[at + 3]);
         if (!was_there(w, x->sat)) w->lli[at + 1] = ORR_OBS_LLI_SLIP;
     }
     count->epochs++;
-    count->observations += n;
     w->n_before = e.n_sats;
     memcpy(w->before, w->sat, e.n_sats * sizeof *w->sat);
     return orr_rinex_obs_write(out, &e, diag);

@@ -3,19 +3,21 @@
 #include <stdlib.h>
 
 #include "core/outfile.h"
+#include "src/scenario/observables/composite.h"
 #include "src/scenario/observables/observe.h"
 
 static void head(FILE *f)
 {
     fputs("t_gps,sat,signal,carrier_hz,flags,az_deg,el_deg,code_m,code_rate_mps,carrier_cycles,carrier_"
           "fraction,"
-          "carrier_rate_hz,transmit_gps_ns,transmit_fraction_ns,power_dbw",
+          "carrier_rate_hz,transmit_gps_ns,transmit_fraction_ns,power_dbw,echo,multipath_code_m,multipath_"
+          "carrier_cycles,multipath_db",
           f);
     for (int k = 0; k < ORR_N_TERMS; k++) fprintf(f, ",%s_m", orr_term_rows[k].name);
     fputc('\n', f);
 }
 
-static void row(FILE *f, const char *t, const orr_channel *x, const orr_signal *s)
+static void row(FILE *f, const char *t, const orr_channel *x, const orr_composite *m, const orr_signal *s)
 {
     char sat[ORR_SAT_TEXT];
     fprintf(f, "%s,%s,%s,%.0f,%u,%.6f,%.6f,%.9f,%.9f,%lld,%.12f,%.9f,%lld,%.9f,%.3f", t,
@@ -23,6 +25,7 @@ static void row(FILE *f, const char *t, const orr_channel *x, const orr_signal *
             x->el_rad * ORR_DEG_PER_RAD, x->code_m, x->code_rate_mps, (long long)x->carrier_cycles,
             x->carrier_fraction, x->carrier_rate_hz, (long long)x->transmit_ns, x->transmit_fraction_ns,
             x->power_dbw);
+    fprintf(f, ",%u,%.9f,%.9f,%.3f", x->echo, m->code_m, m->phase_cycles, m->power_db);
     for (int k = 0; k < ORR_N_TERMS; k++) fprintf(f, ",%.9f", x->term_m[k]);
     fputc('\n', f);
 }
@@ -39,7 +42,11 @@ static orr_status rows(FILE *f, const orr_channels *c, size_t antenna, const orr
         if (orr_channels_at(c, antenna, work, t, UINT64_MAX, list, &n) != ORR_ANSWER_OK)
             return orr_diag_set(diag, ORR_E_RANGE, "the channels do not reach to %s", orr_time_text(t, text));
         orr_time_text(t, text);
-        for (size_t k = 0; k < n; k++) row(f, text, &list[k], &signal[list[k].signal]);
+        for (size_t k = 0; k < n; k++) {
+            orr_composite multipath = {.code_m = 0};
+            if (list[k].echo == 0) (void)orr_composite_of(c, list, n, k, &multipath);
+            row(f, text, &list[k], &multipath, &signal[list[k].signal]);
+        }
         count->epochs++;
         count->observations += n;
     }

@@ -158,7 +158,8 @@ static void fill(const orr_block *b, orr_msg_sat_channel *m)
                                .carrier_cycles = b->carrier_cycles,
                                .transmit = x->transmit_ns,
                                .transmit_fraction_ns = x->transmit_fraction_ns,
-                               .power_dbw = (float)x->power_dbw};
+                               .power_dbw = (float)x->power_dbw,
+                               .echo = x->echo};
     memcpy(m->code, b->code, sizeof m->code);
     memcpy(m->carrier, b->carrier, sizeof m->carrier);
 }
@@ -181,6 +182,8 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .emission_ionosphere_m = t[ORR_TERM_EMISSION_IONOSPHERE],
                                  .wind_up_m = t[ORR_TERM_WIND_UP],
                                  .phase_bias_m = t[ORR_TERM_PHASE_BIAS],
+                                 .echo_m = t[ORR_TERM_ECHO],
+                                 .echo_phase_m = t[ORR_TERM_ECHO_PHASE],
                                  .fault_range_m = t[ORR_TERM_FAULT_RANGE],
                                  .fault_noise_m = t[ORR_TERM_FAULT_NOISE],
                                  .fault_clock_m = t[ORR_TERM_FAULT_CLOCK],
