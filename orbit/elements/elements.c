@@ -88,12 +88,31 @@ static orr_status osculating(const orr_ephemeris *e, orr_sat sat, const orr_elem
     return orr_kepler_from_state(r, v, ORR_EGM96_GM, out);
 }
 
-// A neighbour is asked for within the same arc: across an arc's end there is a manoeuvre or nothing.
-static orr_status neighbour(const orr_ephemeris *e, orr_sat sat, orr_time t, const orr_sat_state *home,
-                            orr_sat_state *out)
+// Whether the arc of another product goes on where this one's ends, at the instant of the joint.
+static bool meets(const orr_ephemeris *e, const orr_ephemeris *other, orr_sat sat, orr_time joint,
+                  orr_sat_state *there)
 {
-    if (t < home->valid_from || t > home->valid_to) return ORR_E_NODATA;
-    return orr_ephemeris_eval(e, sat, t, out);
+    static const double SAME_M = 1e-3, SAME_MPS = 1e-6;
+    orr_sat_state here;
+    if (orr_ephemeris_eval(e, sat, joint, &here) != ORR_OK) return false;
+    if (orr_ephemeris_eval(other, sat, joint, there) != ORR_OK) return false;
+    return orr_vec3_norm(orr_vec3_sub(here.pos_m, there->pos_m)) <= SAME_M &&
+           orr_vec3_norm(orr_vec3_sub(here.vel_mps, there->vel_mps)) <= SAME_MPS;
+}
+
+// A neighbour is asked for within the same arc, or in the product that goes on where it ends: across an arc's end there is a
+// manoeuvre or nothing.
+static orr_status neighbour(const orr_ephemeris *e, orr_sat sat, orr_time t, const orr_sat_state *home,
+                            const orr_elements_axes *a, orr_sat_state *out)
+{
+    if (t >= home->valid_from && t <= home->valid_to) return orr_ephemeris_eval(e, sat, t, out);
+    const bool later = t > home->valid_to;
+    const orr_ephemeris *other = later ? a->o.after : a->o.before;
+    orr_sat_state there;
+    if (other == NULL || !meets(e, other, sat, later ? home->valid_to : home->valid_from, &there))
+        return ORR_E_NODATA;
+    if (t < there.valid_from || t > there.valid_to) return ORR_E_NODATA;
+    return orr_ephemeris_eval(other, sat, t, out);
 }
 
 static orr_status three_positions(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *a,
@@ -103,8 +122,8 @@ static orr_status three_positions(const orr_ephemeris *e, orr_sat sat, const orr
     orr_sat_state s[3];
     orr_vec3 r[3];
     orr_status status = orr_ephemeris_eval(e, sat, a->t, &s[1]);
-    if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(a->t, -spacing), &s[1], &s[0]);
-    if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(a->t, spacing), &s[1], &s[2]);
+    if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(a->t, -spacing), &s[1], a, &s[0]);
+    if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(a->t, spacing), &s[1], a, &s[2]);
     orr_kepler now;
     if (status == ORR_OK) status = osculating(e, sat, a, &now);
     if (status != ORR_OK) return status;
@@ -116,12 +135,12 @@ static orr_status three_positions(const orr_ephemeris *e, orr_sat sat, const orr
 }
 
 // Osculating elements dt_s away from the axes' instant.
-static orr_status osculating_near(const orr_ephemeris *e, orr_sat sat, double dt_s,
+static orr_status osculating_near(const orr_ephemeris *e, orr_sat sat, double dt_s, const orr_sat_state *home,
                                   const orr_elements_axes *a, orr_kepler *out)
 {
     orr_sat_state s;
     orr_time t = orr_time_add_s(a->t, dt_s);
-    orr_status status = orr_ephemeris_eval(e, sat, t, &s);
+    orr_status status = neighbour(e, sat, t, home, a, &s);
     if (status != ORR_OK) return status;
     orr_vec3 r, v;
     double at_s = orr_time_diff_s(t, a->t);
@@ -156,15 +175,15 @@ static orr_status averaged(const orr_ephemeris *e, orr_sat sat, const orr_elemen
     if (status == ORR_OK) status = orr_ephemeris_eval(e, sat, axes->t, &home);
     if (status != ORR_OK) return status;
     const double n = sqrt(ORR_EGM96_GM / pow(centre.a_m, 3)), period = 2 * ORR_PI / n;
-    status = neighbour(e, sat, orr_time_add_s(axes->t, -period / 2), &home, &edge);
-    if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(axes->t, period / 2), &home, &edge);
+    status = neighbour(e, sat, orr_time_add_s(axes->t, -period / 2), &home, axes, &edge);
+    if (status == ORR_OK) status = neighbour(e, sat, orr_time_add_s(axes->t, period / 2), &home, axes, &edge);
     if (status != ORR_OK) return status;
     const double longitude0 = centre.raan_rad + centre.argp_rad + centre.m_rad;
     double a = 0, h = 0, k = 0, p = 0, q = 0, longitude = 0;
     for (int j = 0; j < MEAN_POINTS; j++) {
         double dt = period * ((j + 0.5) / MEAN_POINTS - 0.5);
         orr_kepler el;
-        status = osculating_near(e, sat, dt, axes, &el);
+        status = osculating_near(e, sat, dt, &home, axes, &el);
         if (status != ORR_OK) return status;
         double perigee = el.raan_rad + el.argp_rad;
         a += el.a_m / MEAN_POINTS;

@@ -24,6 +24,9 @@ typedef struct orr_elements_options {
     orr_elements_method method;
     double spacing_s;          // of the three positions; 0: 300 s
     const orr_eop_series *eop; // NULL: IERS' secular pole
+    // Products before and after the one that is asked: a method that needs instants beyond an arc's end takes them from there,
+    // where the two meet (to a millimetre and a micrometre a second). NULL: none.
+    const orr_ephemeris *before, *after;
 } orr_elements_options;
 
 // The Earth's rotation about an instant as a method needs it: the same for every satellite, and the dearer
@@ -41,7 +44,7 @@ typedef struct orr_elements_axes {
 void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_elements_axes *out);
 
 // Elements of a satellite at the axes' instant. Besides the statuses of orr_ephemeris_eval: ORR_E_NODATA also
-// where the method needs instants outside the arc (three positions: t +- spacing; mean: half a revolution to
+// where the method needs instants outside the arc and what meets it (three positions: t +- spacing; mean: half a revolution to
 // each side), ORR_E_NUMERIC where three positions reach over more than half a revolution.
 orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
                            orr_kepler *out);

@@ -86,6 +86,20 @@ static orr_status count(const orr_orbit_solution *s, orr_ephemeris *c, orr_diag 
     return ORR_OK;
 }
 
+// A sigma to 12 significant bits, a part in 4000: the rest is noise of estimates, which a file would keep at seven bits in eight of
+// its size.
+static float to_sigma_bits(float sigma)
+{
+    enum { DROPPED = 12 }; // of the 23 that a float has behind its leading one
+    uint32_t bits;
+    if (!isfinite(sigma)) return sigma;
+    memcpy(&bits, &sigma, sizeof bits);
+    bits = (bits + (1u << (DROPPED - 1))) &
+           ~((1u << DROPPED) - 1); // a carry goes into the exponent, as it should
+    memcpy(&sigma, &bits, sizeof bits);
+    return sigma;
+}
+
 // Copies satellites, fitted arcs, samples' flags and sigmas, clocks, nodes, events.
 static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *e)
 {
@@ -133,8 +147,10 @@ static void copy(const orr_orbit_solution *s, const fitted *fit, orr_ephemeris *
             e->max_vel_error_mps = fmax(e->max_vel_error_mps, f->vel_mps);
             for (size_t j = 0; j < a->n; j++) {
                 const orr_orbit_sample *p = &a->sample[j];
-                const float sigma[EPH_SIGMAS] = {p->sigma_m, p->sigma_rtn_m[0], p->sigma_rtn_m[1],
-                                                 p->sigma_rtn_m[2], p->sigma_mps};
+                const float sigma[EPH_SIGMAS] = {to_sigma_bits(p->sigma_m), to_sigma_bits(p->sigma_rtn_m[0]),
+                                                 to_sigma_bits(p->sigma_rtn_m[1]),
+                                                 to_sigma_bits(p->sigma_rtn_m[2]),
+                                                 to_sigma_bits(p->sigma_mps)};
                 memcpy(e->sigma[sample + j], sigma, sizeof sigma);
                 e->sample_flags[sample + j] = a->sample[j + 1 < a->n ? j : j - 1].flags & EPH_STATE_FLAGS;
             }

@@ -310,10 +310,11 @@ static orr_status check_kind(const eph_file *f)
         return orr_diag_at(f->diag, ORR_E_KIND, f->r.path, 0, 0,
                            "is a NetCDF file, but no orbit product (make one with 'orrery orbit')");
     s = orr_nc_get_att_int64(&f->r, NULL, "product_version", &version, NULL);
-    if (s != ORR_OK || version != EPH_FORMAT_VERSION)
-        return orr_diag_at(f->diag, ORR_E_UNSUPPORTED, f->r.path, 0, 0,
-                           "is an orbit product of version %lld; this program reads version %d",
-                           (long long)version, EPH_FORMAT_VERSION);
+    if (s != ORR_OK || version < 1 || version > EPH_FORMAT_VERSION)
+        return orr_diag_at(
+            f->diag, ORR_E_UNSUPPORTED, f->r.path, 0, 0,
+            "is an orbit product of version %lld%s; this program reads versions 1 to %d", (long long)version,
+            version > EPH_FORMAT_VERSION ? ", which a newer program has made" : "", EPH_FORMAT_VERSION);
     return ORR_OK;
 }
 

@@ -99,19 +99,32 @@ static void warn_of_eop(const orr_eop_series *eop, const product *list, size_t n
     }
 }
 
+static orr_status load(const product *p, orr_inputs *inputs, orr_ephemeris **e, orr_diag *diag)
+{
+    const orr_status s = inputs != NULL ? orr_inputs_note(inputs, p->path, diag) : ORR_OK;
+    return s == ORR_OK ? orr_ephemeris_load(p->path, e, diag) : s;
+}
+
 static orr_status rows_of_all(run *r, product *list, orr_inputs *inputs, orr_warnings *warnings,
                               orr_diag *diag)
 {
     const size_t n = r->plan->n_products;
     orr_status s = put_in_order(r->plan, list, diag);
     if (s == ORR_OK && r->plan->erp != NULL) warn_of_eop(r->options.eop, list, n, warnings);
+    // Beside the product that is at its turn the one before and the one after: methods reach over its ends.
+    orr_ephemeris *e[3] = {NULL, NULL, NULL};
+    if (s == ORR_OK) s = load(&list[0], inputs, &e[2], diag);
     for (size_t k = 0; k < n && s == ORR_OK; k++) {
-        orr_ephemeris *e = NULL;
-        s = inputs != NULL ? orr_inputs_note(inputs, list[k].path, diag) : ORR_OK;
-        if (s == ORR_OK) s = orr_ephemeris_load(list[k].path, &e, diag);
-        if (s == ORR_OK) s = rows_of(r, e, diag);
-        orr_ephemeris_free(e);
+        orr_ephemeris_free(e[0]);
+        e[0] = e[1];
+        e[1] = e[2];
+        e[2] = NULL;
+        if (k + 1 < n) s = load(&list[k + 1], inputs, &e[2], diag);
+        r->options.before = e[0];
+        r->options.after = e[2];
+        if (s == ORR_OK) s = rows_of(r, e[1], diag);
     }
+    for (int k = 0; k < 3; k++) orr_ephemeris_free(e[k]);
     if (s != ORR_OK || r->n_rows > 0) return s;
     char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     return orr_diag_set(

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An archive of days: the same bytes however it came to be (threads, chunks, kills), nothing half, nothing lost, days that join."""
+import csv
 import gzip
 import hashlib
 import json
@@ -223,6 +224,28 @@ class Batch(Folder):
         self.assertIn("cannot be read", run("batch", "--archive", self.path("x"), "--inputs", self.path("none"), status=1).stderr)
         self.assertIn("none of ls", run("archive", "list", self.whole, status=2).stderr)
         self.assertIn("cannot be read", run("archive", "ls", self.path("none"), status=1).stderr)
+
+    def test_mean_elements_across_midnights(self):
+        """The method `mean` goes over midnights, where days meet, and tells what the three days smoothed jointly tell."""
+        def rows(*args):
+            table = csv.DictReader(run("elements", *args, "--sat", "G01", "--method", "mean", "--step", "3600").stdout.splitlines())
+            return {r["t_gps"]: r for r in table}
+
+        joint = self.path("joint.nc")
+        run("orbit", "-q", "-o", joint, *sorted(map(str, pathlib.Path(self.inputs).rglob("*.anything"))))
+        days, whole = rows("--archive", self.whole), rows(joint)
+        self.assertEqual(sorted(days), sorted(whole))
+        for hour in ("2025-03-20T22:00:00", "2025-03-21T00:00:00", "2025-03-21T03:00:00", "2025-03-21T23:00:00"):
+            self.assertIn(hour, days)
+        for t, row in days.items():
+            self.assertAlmostEqual(float(row["a_m"]), float(whole[t]["a_m"]), delta=0.1)
+            self.assertAlmostEqual(float(row["i_deg"]), float(whole[t]["i_deg"]), delta=1e-6)
+            # The Earth's rotation of a day alone begins anew: 10 us of UT1 turn the node by 4e-8 deg a us.
+            self.assertAlmostEqual(float(row["raan_deg"]), float(whole[t]["raan_deg"]), delta=1e-5)
+        gappy = pathlib.Path(self.path("two-days"))
+        shutil.copytree(self.whole, gappy)
+        shutil.rmtree(gappy / "2025/080")
+        self.assertNotIn("2025-03-20T22:00:00", rows("--archive", gappy))  # the day after is missing: nothing to go over to
 
 
 if __name__ == "__main__":
