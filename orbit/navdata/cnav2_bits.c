@@ -59,7 +59,7 @@ static void page_1(const orr_cnav2_frame *c, orr_page *p)
 {
     const orr_nav_delays *d = &c->eph->delay;
     orr_modern_utc(&c->utc, c->eph->sat, p);
-    orr_cnav_put_klobuchar(c->alpha, c->beta, p);
+    orr_page_klobuchar(p, c->alpha, c->beta);
     orr_cnav_put_delay(d->isc_l1ca_s, p);
     orr_cnav_put_delay(d->isc_l2c_s, p);
     orr_cnav_put_delay(d->isc_l5i5_s, p);

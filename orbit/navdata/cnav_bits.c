@@ -5,11 +5,7 @@
 
 #define GALILEO 1 // of GNSS-ID in message 35
 
-static const orr_navfit_field isc = ORR_SIGNED("ISC", P2(35), 13),
-                              alpha[4] = {ORR_SIGNED("alpha0", P2(30), 8), ORR_SIGNED("alpha1", P2(27), 8),
-                                          ORR_SIGNED("alpha2", P2(24), 8), ORR_SIGNED("alpha3", P2(24), 8)},
-                              beta[4] = {ORR_SIGNED("beta0", 0x1p11, 8), ORR_SIGNED("beta1", 0x1p14, 8),
-                                         ORR_SIGNED("beta2", 0x1p16, 8), ORR_SIGNED("beta3", 0x1p16, 8)};
+static const orr_navfit_field isc = ORR_SIGNED("ISC", P2(35), 13);
 
 static uint64_t seconds_of_week(orr_time t, int32_t *week)
 {
@@ -61,12 +57,6 @@ static void put_clock(const orr_nav_eph *e, orr_page *p)
 
 void orr_cnav_put_delay(double delay_s, orr_page *p) { orr_page_value(p, &isc, delay_s); }
 
-void orr_cnav_put_klobuchar(const double a[4], const double b[4], orr_page *p)
-{
-    for (int k = 0; k < 4; k++) orr_page_value(p, &alpha[k], a[k]);
-    for (int k = 0; k < 4; k++) orr_page_value(p, &beta[k], b[k]);
-}
-
 void orr_cnav_put_week_of_prediction(const orr_nav_eph *e, orr_page *p)
 {
     int32_t week;
@@ -80,7 +70,7 @@ static void message_30(const orr_cnav_message *c, orr_page *p)
     const double delay[] = {d->tgd_s, d->isc_l1ca_s, d->isc_l2c_s, d->isc_l5i5_s, d->isc_l5q5_s};
     put_clock(c->eph, p);
     for (int k = 0; k < 5; k++) orr_cnav_put_delay(delay[k], p);
-    orr_cnav_put_klobuchar(c->alpha, c->beta, p);
+    orr_page_klobuchar(p, c->alpha, c->beta);
     orr_cnav_put_week_of_prediction(c->eph, p);
     orr_page_zeros(p, 12);
 }

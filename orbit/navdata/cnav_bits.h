@@ -26,8 +26,6 @@ void orr_cnav_message_bits(const orr_cnav_message *c, int type, orr_page *p);
 
 // Appends TGD or an inter-signal correction.
 void orr_cnav_put_delay(double delay_s, orr_page *p);
-// Appends Klobuchar's eight coefficients.
-void orr_cnav_put_klobuchar(const double alpha[4], const double beta[4], orr_page *p);
 // Appends the week of the time of prediction, modulo 256.
 void orr_cnav_put_week_of_prediction(const orr_nav_eph *e, orr_page *p);
 

@@ -28,19 +28,11 @@ static const orr_navfit_field midi[] = {ORR_UNSIGNED("sqrt(A)", P2(4), 17),
 static const orr_navfit_field delta_a = ORR_SIGNED("delta A", 512, 8), omega0 = ORR_ANGLE("OMEGA0", 6, 7),
                               phi0 = ORR_ANGLE("PHI0", 6, 7);
 
-static void put_elements(const orr_nav_eph *e, const uint8_t *list, size_t n, orr_page *p)
-{
-    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
-    double value[ORR_KEPLER_N];
-    orr_kepler_lattice_values(l, &e->kepler, value);
-    for (size_t i = 0; i < n; i++) orr_page_value(p, &l->element[list[i]], value[list[i]]);
-}
-
 void orr_modern_elements_1(const orr_nav_eph *e, orr_page *p)
 {
     static const uint8_t list[] = {ORR_KEPLER_SQRT_A, ORR_KEPLER_A_DOT, ORR_KEPLER_DELTA_N, ORR_KEPLER_N_DOT,
                                    ORR_KEPLER_LAMBDA, ORR_KEPLER_EX,    ORR_KEPLER_EY};
-    put_elements(e, list, sizeof list, p);
+    orr_kepler_put(p, e, list, sizeof list);
 }
 
 void orr_modern_elements_2(const orr_nav_eph *e, orr_page *p)
@@ -48,7 +40,7 @@ void orr_modern_elements_2(const orr_nav_eph *e, orr_page *p)
     static const uint8_t list[] = {ORR_KEPLER_OMEGA0, ORR_KEPLER_I0,  ORR_KEPLER_OMEGA_DOT, ORR_KEPLER_IDOT,
                                    ORR_KEPLER_CIS,    ORR_KEPLER_CIC, ORR_KEPLER_CRS,       ORR_KEPLER_CRC,
                                    ORR_KEPLER_CUS,    ORR_KEPLER_CUC};
-    put_elements(e, list, sizeof list, p);
+    orr_kepler_put(p, e, list, sizeof list);
 }
 
 void orr_modern_toe(const orr_nav_eph *e, orr_page *p)

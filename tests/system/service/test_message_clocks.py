@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every message on every signal: the clock that its symbols tell, less TGD, BGD or ISC as its document prescribes, is the clock of the
+"""Messages as a receiver decodes them from what the service sends. Every message on every signal: the clock that its symbols tell, less TGD, BGD or ISC as its document prescribes, is the clock of the
 channel that carries it less that signal's group delay, within the LSBs of the fields. Orbits of a real day with clocks that are straight
-lines, and biases of some nanoseconds of every signal, all made here."""
+lines, and biases of some nanoseconds of every signal, all made here. Every field of CNAV-2 and B-CNAV is the set's beside it, to the LSB."""
 import gzip
 import os
 import pathlib
@@ -31,6 +31,7 @@ navdata: {bias: clocks.BIA}
 signals: [G, R, E, C, J]
 receiver: {position: [25, 125, 50]}
 mask: {elevation: 5}
+satellites: {unhealthy: "C38,J07"}
 """
 
 
@@ -191,6 +192,39 @@ class MessageClocks(unittest.TestCase):
             ("E", "INAV", "E1"), ("E", "INAV", "E5b"), ("E", "FNAV", "E1"), ("E", "FNAV", "E5a"), ("R", "FDMA", "L1OF"), ("R", "FDMA", "L2OF"),
             ("C", "D1", "B1I"), ("C", "D1", "B3I"), ("C", "D2", "B1I"), ("C", "D2", "B3I"), ("C", "CNV1", "B1C"), ("C", "CNV1", "B2a"),
             ("C", "CNV2", "B1C"), ("C", "CNV2", "B2a"), ("C", "CNV3", "B2b")})
+
+    def test_fields_of_newer_messages_are_those_of_the_set(self):
+        told = self.client.navdata(WHEN, [], orrery.NavMessages.CNV1 | orrery.NavMessages.CNV2 | orrery.NavMessages.CNV3, orrery.NavForm.SYMBOLS)
+        seen = set()
+        for m in told.satellites:
+            if not m.pages:
+                continue
+            name, system, k = m.message.name, chr(m.sat.system), m.kepler[0]
+            by, first = {p.number: p.data.hex() for p in m.pages}, m.pages[0].data.hex()
+            if system != "C":
+                f = modern.cnav2_elements(modern.cnav2_frame(first)[1], 42164200.0 if system == "J" else 26559710.0)
+            else:
+                f = modern.bcnav_elements({**modern.bcnav1_frame(first)[3], **modern.bcnav1_frame(first)[2]} if name == "CNV1" else
+                                          {**modern.bcnav2_message(by[10])[0], **modern.bcnav2_message(by[11])[0], **modern.bcnav2_message(by[30])[0]}
+                                          if name == "CNV2" else {**modern.bcnav3_message(by[10])[1], **modern.bcnav3_message(by[30])[1]})
+            for field, sent in {"sqrt_a_sqrtm": f["a"] ** 0.5, "e": f["e"], "m0_rad": f["m0"], "i0_rad": f["i0"], "omega0_rad": f["omega0"],
+                                "omega_rad": f["omega"], "delta_n_radps": f["delta_n"], "idot_radps": f["idot"], "omega_dot_radps": f["omega_dot"],
+                                "crc_m": f["crc"], "crs_m": f["crs"], "cuc_rad": f["cuc"], "cus_rad": f["cus"], "cic_rad": f["cic"], "cis_rad": f["cis"],
+                                "a_dot_mps": f["a_dot"], "delta_n_dot_radps2": f["n_dot"]}.items():
+                self.assertAlmostEqual(getattr(k, field), sent, delta=1e-14 * abs(sent), msg=(m.sat, name, field))
+            self.assertEqual((m.af0_s, m.af1_sps, m.af2_sps2), (f["af0"], f["af1"], f["af2"]))
+            behind = BDT if system == "C" else 0
+            self.assertEqual(((m.toe // NS - behind) % WEEK, (m.toc // NS - behind) % WEEK), (f["toe"], f["toc"]))
+            if "iode" in f:
+                self.assertEqual((m.iode, m.iodc), (f["iode"], f["iodc"]))
+            out = str(m.sat) in ("C38", "J07")
+            marks = [f[n] != 0 for n in (("hs", "dif", "b2a", "b1c") if system == "C" else ("health",)) if n in f]
+            self.assertGreater(len(marks), 0)
+            self.assertEqual((m.health != 0, marks), (out, [out] * len(marks)), (m.sat, name))
+            delay = f["tgd"] if system != "C" else f["tgd_b2bi"] if name == "CNV3" else f["tgd_b1cp"]
+            self.assertEqual(k.tgd_s, delay)
+            seen.add((system, name))
+        self.assertEqual(seen, {("G", "CNV2"), ("J", "CNV2"), ("C", "CNV1"), ("C", "CNV2"), ("C", "CNV3")})
 
 
 if __name__ == "__main__":
