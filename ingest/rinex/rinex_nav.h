@@ -37,7 +37,8 @@ typedef enum orr_nav_message {
 const char *orr_nav_message_name(orr_nav_message m); // "LNAV", ...; "" for NONE
 // Messages with ephemerides that satellites of a system send, bit 1 << orr_nav_message each; 0 for no system.
 uint32_t orr_nav_messages_of(char system);
-// Reads a user's list of messages with ephemerides, "CNAV,FNAV" (any case), into such bits. ORR_E_ARG with a sentence.
+// Reads a user's list of messages with ephemerides, "CNAV,FNAV" (any case), into such bits; CNV1 to CNV3 may be called CNAV2, BCNAV1,
+// BCNAV2 and BCNAV3 too. ORR_E_ARG with a sentence.
 orr_status orr_nav_messages_parse(const char *text, uint32_t *out, orr_diag *diag);
 
 // Which member of orr_nav_eph's union holds the orbit.

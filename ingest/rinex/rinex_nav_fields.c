@@ -168,17 +168,34 @@ uint32_t orr_nav_messages_of(char system)
     }
 }
 
+// The message among those of `all` that n characters name, as RINEX 4 or as its own document; ORR_NAV_NONE.
+static int message_called(const char *name, size_t n, uint32_t all)
+{
+    static const struct {
+        const char *name;
+        orr_nav_message message;
+    } others[] = {{"CNAV2", ORR_NAV_CNV2},
+                  {"BCNAV1", ORR_NAV_CNV1},
+                  {"BCNAV2", ORR_NAV_CNV2},
+                  {"BCNAV3", ORR_NAV_CNV3}};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (strlen(others[k].name) == n && strncasecmp(name, others[k].name, n) == 0)
+            return others[k].message;
+    int m = ORR_NAV_N_MESSAGES - 1;
+    while (m > 0 && ((all & BIT(m)) == 0 || strlen(message_names[m]) != n ||
+                     strncasecmp(name, message_names[m], n) != 0))
+        m--;
+    return m;
+}
+
 orr_status orr_nav_messages_parse(const char *text, uint32_t *out, orr_diag *diag)
 {
     uint32_t all = 0, got = 0;
     for (const char *s = ORR_SYSTEMS; *s != '\0'; s++) all |= orr_nav_messages_of(*s);
     for (const char *p = text;;) {
         const size_t n = strcspn(p, ",");
-        int m = ORR_NAV_N_MESSAGES - 1;
-        while (m > 0 && ((all & BIT(m)) == 0 || strlen(message_names[m]) != n ||
-                         strncasecmp(p, message_names[m], n) != 0))
-            m--;
-        if (m == 0)
+        const int m = message_called(p, n, all);
+        if (m == ORR_NAV_NONE)
             return orr_diag_set(
                 diag, ORR_E_ARG,
                 "\"%.*s\" is no message with ephemerides (LNAV, CNAV, CNV1, CNV2, CNV3, INAV, FNAV, D1, "

@@ -121,7 +121,9 @@ static const orr_option options[] = {
     {.name = "message",
      .kind = ORR_OPT_TEXT,
      .value = "LIST",
-     .help = "Messages to make, e.g. LNAV,INAV; all that satellites send by default."},
+     .help = "Messages to make, e.g. LNAV,INAV,CNAV2,BCNAV1; all that satellites send by default. CNAV-2 and "
+             "B-CNAV2 "
+             "are both CNV2, as in RINEX 4."},
     {.name = "window",
      .kind = ORR_OPT_CHOICE,
      .value = "2h|4h",

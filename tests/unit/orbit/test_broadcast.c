@@ -245,6 +245,10 @@ static void other_messages_stand_in(void **state)
     ASSERT_OK(orr_nav_messages_parse("cnav,INAV", &c.messages, &d), d);
     assert_ptr_equal(orr_broadcast_select(&nav, e[0].sat, e[1].toe, &c), &e[1]);
     assert_null(orr_broadcast_select(&nav, e[3].sat, toe, &c)); // Galileo has I/NAV, this file has none
+    uint32_t named, same;
+    ASSERT_OK(orr_nav_messages_parse("BCNAV1,bcnav3,CNAV2", &named, &d), d);
+    ASSERT_OK(orr_nav_messages_parse("CNV1,CNV3,CNV2", &same, &d), d);
+    assert_int_equal(named, same);
     assert_int_equal(orr_nav_messages_parse("CNAV,XNAV", &c.messages, &d), ORR_E_ARG);
     assert_non_null(strstr(d.text, "XNAV"));
     assert_int_equal(orr_nav_messages_parse("", &c.messages, &d), ORR_E_ARG);
