@@ -477,7 +477,7 @@ bool orr_msg_sat_elements_at(const orr_msg_sat_elements_list *list, uint16_t ind
 typedef struct orr_msg_nav_page {
     int64_t t; // [ns] begin of its first bit
     int64_t length; // [ns] from there to the end of its last; 1.7 s for GLONASS' bits, whose time mark is not among them
-    uint8_t number; // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type; NavIC: subframe 1-4; others: message type
+    uint8_t number; // LNAV, D1: subframe 1-5; D2: page 1-10 of subframe 1; GLONASS: string 1-15; INAV: word type; FNAV: page type; NavIC: subframe 1-4; CNV1, and CNV2 of GPS and QZSS: page of subframe 3; others: message type
     uint8_t page; // LNAV, D1: page of subframes 4 and 5, 0 otherwise; D2: page 1-120 of subframe 5; GLONASS: frame 1-5 of the superframe; INAV, FNAV: sub-frame 1-24, 1-12 of the frame; NavIC: message of subframes 3 and 4
     uint16_t bits; // how many bits or symbols
     orr_wire_bytes data; // the first in time is the highest bit of the first byte; what is left of the last is 0

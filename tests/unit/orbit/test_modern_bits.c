@@ -288,6 +288,50 @@ static void bcnav3_message_30(void **state)
     assert_same(&made, 28, &r.page, 486 - 24);
 }
 
+// The last frame of a week counts up to the next one's begin (CNAV-2) or from its own (B-CNAV), in the week that it is sent in.
+static void a_week_ends(void **state)
+{
+    (void)state;
+    orr_nav_eph gps = record("G05", ORR_NAV_CNV2), c1 = record("C19", ORR_NAV_CNV1),
+                c2 = record("C19", ORR_NAV_CNV2);
+    gps.kepler.sqrt_a_sqrtm = sqrt(26559710.0);
+    c1.kepler.sqrt_a_sqrtm = c2.kepler.sqrt_a_sqrtm = sqrt(27906100.0);
+    gps.transmission = orr_time_from_week(2299, 0);
+    for (int after = 0; after < 2; after++) { // GPS week 2299 ends with BDT week 943
+        reader r = {.at = 0};
+        const orr_time seam = orr_time_from_week(2300, 0);
+        const orr_cnav2_frame c = {.eph = &gps, .t = seam + (after - 1) * 18 * SECOND};
+        r.page.diag = NULL;
+        orr_cnav2_frame_bits(&c, ORR_CNAV2_OFFSET_AND_ROTATION, false, &r.page);
+        assert_int_equal(r.page.status, ORR_OK);
+        assert_int_equal(u(&r, 9, 1), after);
+        assert_int_equal(u(&r, 13, 1), 2299 + after);
+        assert_int_equal(u(&r, 8, 1), after ? 0 : 83);
+        orr_bcnav_message b = {
+            .eph = &c1, .t = bdt(944, 0) + (after - 1) * 18 * SECOND, .utc.reference = bdt(943, 0)};
+        r = (reader){.at = 0};
+        r.page.diag = NULL;
+        orr_bcnav1_frame_bits(&b, ORR_BCNAV1_MIDI_ALMANAC, false, &r.page);
+        assert_int_equal(r.page.status, ORR_OK);
+        assert_int_equal(u(&r, 6, 1), 19);
+        assert_int_equal(u(&r, 8, 1), after ? 0 : 199);
+        assert_int_equal(u(&r, 13, 1), 943 + after);
+        assert_int_equal(u(&r, 8, 1), after ? 0 : 167);
+        b.eph = &c2, b.t = bdt(944, 0) + (after - 1) * 3 * SECOND;
+        r = (reader){.at = 24 + 6 + 6};
+        r.page.diag = NULL;
+        orr_bcnav2_message_bits(&b, ORR_BCNAV_EPHEMERIS_1, false, &r.page);
+        assert_int_equal(u(&r, 18, 3), after ? 0 : ORR_S_PER_WEEK - 3);
+        assert_int_equal(u(&r, 13, 1), 943 + after);
+        b.t = bdt(944, 0) + (after - 1) * SECOND;
+        r = (reader){.at = 28 + 6};
+        r.page.diag = NULL;
+        orr_bcnav3_message_bits(&b, ORR_BCNAV_CLOCK_AND_IONOSPHERE, false, &r.page);
+        assert_int_equal(u(&r, 20, 1), after ? 0 : ORR_S_PER_WEEK - 1);
+        assert_int_equal(u(&r, 13, 1), 943 + after);
+    }
+}
+
 // A value that its field cannot hold is told, and nothing is wrapped.
 static void values_beyond_fields(void **state)
 {
@@ -325,10 +369,10 @@ static void values_beyond_fields(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cnav2_subframe_2),     cmocka_unit_test(cnav2_midi_almanac),
-        cmocka_unit_test(bcnav1_subframe_2),    cmocka_unit_test(bcnav1_page_1),
-        cmocka_unit_test(bcnav2_message_10),    cmocka_unit_test(bcnav3_message_30),
-        cmocka_unit_test(values_beyond_fields),
+        cmocka_unit_test(cnav2_subframe_2),  cmocka_unit_test(cnav2_midi_almanac),
+        cmocka_unit_test(bcnav1_subframe_2), cmocka_unit_test(bcnav1_page_1),
+        cmocka_unit_test(bcnav2_message_10), cmocka_unit_test(bcnav3_message_30),
+        cmocka_unit_test(a_week_ends),       cmocka_unit_test(values_beyond_fields),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
