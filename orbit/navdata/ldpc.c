@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/ldpc.h"
 
-#include <assert.h>
-#include <string.h>
-
-#define ORDER 63 // of the multiplicative group
 #define PRIMITIVE 0x43u
 
 static const uint16_t cnav2_subframe2[] = {
@@ -66,11 +62,14 @@ unsigned orr_ldpc_product(unsigned a, unsigned b)
     return sum;
 }
 
-// Of an element that is not zero: its power 62.
+// Of an element that is not zero: its power 62 = 2 + 4 + 8 + 16 + 32, since its power 63 is 1.
 static unsigned inverse_of(unsigned a)
 {
     unsigned out = 1;
-    for (int k = 0; k < ORDER - 1; k++) out = orr_ldpc_product(out, a);
+    for (int k = 0; k < 5; k++) {
+        a = orr_ldpc_product(a, a);
+        out = orr_ldpc_product(out, a);
+    }
     return out;
 }
 
