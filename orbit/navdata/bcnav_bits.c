@@ -68,7 +68,7 @@ static void put_bdgim(const orr_bcnav_message *b, orr_page *p)
 
 static void put_rotation(const orr_bcnav_message *b, orr_page *p)
 {
-    orr_modern_pole_and_ut1(&b->rotation, b->utc.leap_s, b->eph->sat, p);
+    orr_modern_pole_and_ut1(&b->rotation, b->eph->sat, p);
 }
 
 static void put_offset(const orr_bcnav_message *b, orr_page *p)

@@ -75,7 +75,7 @@ static void page_2(const orr_cnav2_frame *c, orr_page *p)
     orr_page_put(p, 16, (uint64_t)(ns / ORR_NS_PER_S / 16));
     orr_page_put(p, 13, (uint64_t)week);
     orr_modern_no_offset(p);
-    orr_modern_pole_and_ut1(&c->rotation, c->utc.leap_s, c->eph->sat, p);
+    orr_modern_pole_and_ut1(&c->rotation, c->eph->sat, p);
 }
 
 static void page_3(const orr_cnav2_frame *c, orr_page *p)

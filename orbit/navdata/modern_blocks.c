@@ -90,14 +90,14 @@ void orr_modern_utc(const orr_nav_utc *u, orr_sat sat, orr_page *p)
 
 void orr_modern_no_offset(orr_page *p) { orr_page_zeros(p, 16 + 13 + 7); }
 
-void orr_modern_pole_and_ut1(const orr_modern_rotation *r, int leap_s, orr_sat sat, orr_page *p)
+void orr_modern_pole_and_ut1(const orr_modern_rotation *r, orr_sat sat, orr_page *p)
 {
     orr_page_put(p, 16, (uint64_t)(orr_nav_seconds_of_week(sat, r->reference, NULL) / ORR_NS_PER_S / 16));
     orr_page_value(p, &pole, r->xp_rad);
     orr_page_value(p, &pole_rate, r->xp_rate_radps);
     orr_page_value(p, &pole, r->yp_rad);
     orr_page_value(p, &pole_rate, r->yp_rate_radps);
-    orr_page_value(p, &ut1, r->ut1_utc_s - (orr_sat_system(sat) == 'C' ? 0 : leap_s));
+    orr_page_value(p, &ut1, r->ut1_utc_s);
     orr_page_value(p, &ut1_rate, r->ut1_rate_spd);
 }
 

@@ -41,8 +41,9 @@ void orr_modern_top(const orr_nav_eph *e, orr_page *p);
 void orr_modern_utc(const orr_nav_utc *u, orr_sat sat, orr_page *p);
 // Appends A0, A1 and A2 of an offset to another system: all zero.
 void orr_modern_no_offset(orr_page *p);
-// Appends pole and UT1: UT1 less GPS time for GPS and QZSS, less UTC for BeiDou.
-void orr_modern_pole_and_ut1(const orr_modern_rotation *r, int leap_s, orr_sat sat, orr_page *p);
+// Appends pole and UT1 less UTC: so BeiDou's documents have it, and so GPS' satellites sent it in March 2023 (-0.019 s), though
+// IS-GPS-800J speaks of GPS time.
+void orr_modern_pole_and_ut1(const orr_modern_rotation *r, orr_sat sat, orr_page *p);
 // Appends a midi almanac with the week and toa it is of; zeros, as for no satellite, where there is none or one that does not fit.
 void orr_modern_midi(const orr_modern_almanacs *a, char system, orr_page *p);
 // Appends a reduced almanac, likewise.
