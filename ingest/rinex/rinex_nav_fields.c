@@ -169,7 +169,7 @@ uint32_t orr_nav_messages_of(char system)
 }
 
 // The message among those of `all` that n characters name, as RINEX 4 or as its own document; ORR_NAV_NONE.
-static int message_called(const char *name, size_t n, uint32_t all)
+static orr_nav_message message_called(const char *name, size_t n, uint32_t all)
 {
     static const struct {
         const char *name;
@@ -185,7 +185,7 @@ static int message_called(const char *name, size_t n, uint32_t all)
     while (m > 0 && ((all & BIT(m)) == 0 || strlen(message_names[m]) != n ||
                      strncasecmp(name, message_names[m], n) != 0))
         m--;
-    return m;
+    return (orr_nav_message)m;
 }
 
 orr_status orr_nav_messages_parse(const char *text, uint32_t *out, orr_diag *diag)
@@ -194,7 +194,7 @@ orr_status orr_nav_messages_parse(const char *text, uint32_t *out, orr_diag *dia
     for (const char *s = ORR_SYSTEMS; *s != '\0'; s++) all |= orr_nav_messages_of(*s);
     for (const char *p = text;;) {
         const size_t n = strcspn(p, ",");
-        const int m = message_called(p, n, all);
+        const orr_nav_message m = message_called(p, n, all);
         if (m == ORR_NAV_NONE)
             return orr_diag_set(
                 diag, ORR_E_ARG,
