@@ -19,16 +19,17 @@ NS = 10**9
 C = 299792458.0
 WEEK = 604800
 BDT = 14
-SATS = ("G05", "R17", "E05", "C01", "C06", "C19", "C38", "J02", "J07")
+SATS = ("G05", "R17", "E05", "C01", "C06", "C19", "C38", "J02", "J07", "I01")
 SP3 = pathlib.Path(os.environ.get("ORRERY_DATA") or ROOT / "../shared/data") / "2020-177/Sta21114.sp3.gz"
 WHEN = "2020-06-25T12:25:10"
 SIGNALS = {"G": ("1C", "1W", "2W", "2X", "5X", "1X"), "R": ("1C", "2C", "1P", "2P"), "E": ("1X", "5X", "7X", "1C", "5Q"),
-           "C": ("2I", "6I", "7I", "1X", "5X", "7D"), "J": ("1C", "2L", "2X", "5X", "1X")}
+           "C": ("2I", "6I", "7I", "1X", "5X", "7D"), "J": ("1C", "2L", "2X", "5X", "1X"),
+           "I": ()}  # no file of a centre connects L5 with S: zero is sent, and zero is the delay of channels
 F1, F5, F7 = 1575.42e6, 1176.45e6, 1207.14e6
 SCENARIO = """
 orbit: {product: clocks.nc}
 navdata: {bias: clocks.BIA}
-signals: [G, R, E, C, J]
+signals: [G, R, E, C, J, I]
 receiver: {position: [25, 125, 50]}
 mask: {elevation: 5}
 satellites: {unhealthy: "C38,J07"}
@@ -43,6 +44,7 @@ def made_sp3():
             if line[0] == "*":
                 hour, minute = int(line[14:16]), int(line[17:19])
                 second = (hour * 60 + minute) * 60 - 43200
+            line = line.replace("C08", "I01")  # no centre has precise orbits of NavIC
             if line[0] == "P":
                 k = sum(map(ord, line[1:4]))
                 line = f"{line[:46]}{(-1) ** k * (10 + 7 * (k % 30)) + (k % 7 - 3) * 2e-6 * second:14.6f}\n"
@@ -79,7 +81,12 @@ def answers_of(m, t):
     data = [p.data.hex() for p in m.pages]
     by = {p.number: p.data.hex() for p in m.pages}
     week_s = t - (BDT if system == "C" else 0)
-    if name == "LNAV":
+    if name == "LNAV" and system == "I":
+        f = receiver.fields(receiver.navic_subframe(by[1]), receiver.NAVIC[1])
+        clock, bound = polynomial(f, week_s, 2**-31, 2**-43)
+        for signal in ("L5", "S"):
+            yield (signal, clock - f["tgd"], bound, False)
+    elif name == "LNAV":
         f = legacy.lnav_ephemeris(*[legacy.lnav_subframe(by[k]) for k in (1, 2, 3)])
         clock, bound = polynomial(f, week_s, 2**-31, 2**-43)
         yield ("L1P" if system == "G" else "L1CA", clock - f["tgd"], bound + lsbs((2**-31, 1)), False)
@@ -191,7 +198,7 @@ class MessageClocks(unittest.TestCase):
             ("J", "LNAV", "L1CA"), *[("J", "CNAV", s) for s in ("L1CA", "L2C", "L5")], ("J", "CNV2", "L1C"),
             ("E", "INAV", "E1"), ("E", "INAV", "E5b"), ("E", "FNAV", "E1"), ("E", "FNAV", "E5a"), ("R", "FDMA", "L1OF"), ("R", "FDMA", "L2OF"),
             ("C", "D1", "B1I"), ("C", "D1", "B3I"), ("C", "D2", "B1I"), ("C", "D2", "B3I"), ("C", "CNV1", "B1C"), ("C", "CNV1", "B2a"),
-            ("C", "CNV2", "B1C"), ("C", "CNV2", "B2a"), ("C", "CNV3", "B2b")})
+            ("C", "CNV2", "B1C"), ("C", "CNV2", "B2a"), ("C", "CNV3", "B2b"), ("I", "LNAV", "L5"), ("I", "LNAV", "S")})
 
     def test_fields_of_newer_messages_are_those_of_the_set(self):
         told = self.client.navdata(WHEN, [], orrery.NavMessages.CNV1 | orrery.NavMessages.CNV2 | orrery.NavMessages.CNV3, orrery.NavForm.SYMBOLS)
