@@ -67,7 +67,7 @@ static _Noreturn void work(const run *r, size_t first, size_t end, int to)
         told t = {0};
         const double begin_s = orr_monotonic_s();
         const int32_t mjd = r->report->day[i].mjd;
-        t.status = orr_archive_day_plan(r->index, mjd, record, &t.failure);
+        t.status = orr_archive_day_plan(&r->b->settings, r->index, mjd, record, &t.failure);
         if (t.status == ORR_OK)
             t.status = orr_archive_day_make(&r->b->settings, r->index, &last, record, &t.failure);
         t.failure.status = t.status;
@@ -183,7 +183,7 @@ static orr_status sort_out(run *r, orr_archive_index *index, bool *stale, orr_di
         }
         s = orr_archive_index_hash(index, day->mjd - 1, day->mjd + 1, diag);
         if (s != ORR_OK) break;
-        if (orr_archive_day_plan(r->index, day->mjd, record, &day->failure) != ORR_OK)
+        if (orr_archive_day_plan(&r->b->settings, r->index, day->mjd, record, &day->failure) != ORR_OK)
             finish(r, i, ORR_BATCH_FAILED);
         else if (!r->b->again && orr_archive_day_is_fresh(&r->b->settings, record))
             finish(r, i, ORR_BATCH_FRESH);

@@ -3,7 +3,6 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "core/path.h"
 #include "orbit/ephemeris/ephemeris.h"
@@ -20,10 +19,7 @@
 
 static void take_input(orr_archive_record *r, const char *path, const char *sha256)
 {
-    orr_archive_file *f = &r->input[r->n_inputs++];
-    *f = (orr_archive_file){.bytes = -1};
-    snprintf(f->name, sizeof f->name, "%s", orr_base_name(path));
-    snprintf(f->sha256, sizeof f->sha256, "%s", sha256);
+    orr_archive_take_file(&r->input[r->n_inputs++], path, sha256);
 }
 
 // The files of a day and of those beside it, where they are; the day's own must be.
@@ -42,8 +38,8 @@ static orr_status files_of(const orr_archive_index *index, int32_t mjd, const or
     return s;
 }
 
-orr_status orr_archive_day_plan(const orr_archive_index *index, int32_t mjd, orr_archive_record *r,
-                                orr_diag *diag)
+orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_archive_index *index,
+                                int32_t mjd, orr_archive_record *r, orr_diag *diag)
 {
     const orr_archive_input *file[3];
     *r = (orr_archive_record){.mjd = mjd};
@@ -57,6 +53,7 @@ orr_status orr_archive_day_plan(const orr_archive_index *index, int32_t mjd, orr
     for (int k = 0; k < 3; k++)
         if (file[k] != NULL) take_input(r, file[k]->path, file[k]->sha256);
     for (size_t i = 0; i < index->n_erp; i++) take_input(r, index->erp[i].path, index->erp[i].sha256);
+    orr_archive_extras_plan(&settings->extras, index, r);
     orr_archive_key(r->program, r->options, r->input, r->n_inputs, r->key);
     return ORR_OK;
 }
@@ -67,17 +64,6 @@ bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_ar
     orr_archive_record there;
     orr_archive_path(settings->archive, planned->mjd, NULL, folder);
     return orr_archive_record_read(folder, &there, NULL) == ORR_OK && strcmp(there.key, planned->key) == 0;
-}
-
-static orr_status note_product(orr_archive_record *r, const char *folder, const char *name, orr_diag *diag)
-{
-    char path[ORR_ARCHIVE_PATH];
-    struct stat st;
-    orr_archive_file *f = &r->product[r->n_products++];
-    snprintf(path, sizeof path, "%.900s/%s", folder, name);
-    snprintf(f->name, sizeof f->name, "%s", name);
-    f->bytes = stat(path, &st) == 0 ? (int64_t)st.st_size : -1;
-    return orr_sha256_file(path, f->sha256, diag);
 }
 
 static void note_warnings(orr_archive_record *r, const orr_warnings *w)
@@ -197,8 +183,9 @@ orr_status orr_archive_day_make(const orr_archive_settings *settings, const orr_
     }
     if (s == ORR_OK) {
         orr_archive_judge(&solution, r);
-        s = note_product(r, staging, ORBIT, diag);
+        s = orr_archive_note_product(r, staging, ORBIT, diag);
     }
+    if (s == ORR_OK) s = orr_archive_extras_make(&settings->extras, index, settings->leap, staging, r, diag);
     if (s == ORR_OK) s = orr_archive_record_write(r, staging, diag);
     if (s == ORR_OK) s = orr_archive_commit(settings->archive, r->mjd, staging, diag);
     if (s != ORR_OK && staging[0] != '\0') orr_archive_remove(staging);

@@ -5,12 +5,13 @@
 #ifndef ORR_ARCHIVE_DAY_H
 #define ORR_ARCHIVE_DAY_H
 
-#include "src/archive/inputs_index.h"
+#include "src/archive/extras.h"
 #include "src/archive/record.h"
 
 typedef struct orr_archive_settings {
     const char *archive; // the folder
     const orr_leap_table *leap;
+    orr_archive_extras extras; // beside the orbit
 } orr_archive_settings;
 
 // The solution about the midnight that ended the day made last, for the next one. Zero at first.
@@ -24,12 +25,13 @@ typedef struct orr_archive_midnight {
 void orr_archive_midnight_free(orr_archive_midnight *m);
 
 // What a day is to be made from: everything of the record but its products, quality and notes.
-//   Given:    index       input files, hashed for the day and its neighbours
+//   Given:    settings    of the batch
+//             index       input files, hashed for the day and its neighbours
 //             mjd         the day
 //   Returned: r           inputs, options and key
 //             diag        errors of orr_archive_index_find
-orr_status orr_archive_day_plan(const orr_archive_index *index, int32_t mjd, orr_archive_record *r,
-                                orr_diag *diag);
+orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_archive_index *index,
+                                int32_t mjd, orr_archive_record *r, orr_diag *diag);
 // Whether the archive has the day, made from the same by the same.
 bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_archive_record *planned);
 

@@ -14,11 +14,22 @@ typedef struct orr_archive_input {
     int32_t mjd; // the day that it begins in
     char *path;
     char sha256[ORR_SHA256_HEX]; // empty until orr_archive_index_hash
+    size_t station;              // of observations: which of the wanted stations
 } orr_archive_input;
+
+// What else days are made from, if it is wanted.
+typedef struct orr_archive_wants {
+    const char *maps; // pattern of the names of TEC fields (IONEX, .ION); NULL: none are wanted
+    const char *const
+        *station; // [n_stations] first letters of the markers of observations that are wanted, upper case
+    size_t n_stations;
+} orr_archive_wants;
 
 typedef struct orr_archive_index {
     orr_archive_input *item; // ascending in day, then in path
     size_t n;
+    orr_archive_input *map, *obs; // likewise TEC fields, and observations of the wanted stations
+    size_t n_maps, n_obs;
     orr_archive_input *erp; // [n_erp] Earth rotation parameters for all days, hashed; their mjd means nothing
     size_t n_erp;
     size_t n_other; // files of other kinds, or with days of prediction in them
@@ -27,15 +38,17 @@ typedef struct orr_archive_index {
 // Looks through a folder and all below it for SP3 files of one day (up to 30 h: some have both midnights).
 // Given:
 //   folder    where
-//   name      shell pattern that base names have to match; NULL: all
+//   name      shell pattern that base names of SP3 files have to match; NULL: all
+//   wants     what else is looked for; NULL: nothing
 //   leap      for files dated in UTC; NULL: built-in
 // Returned:
 //   out       the files; free with orr_archive_index_free whatever this returned
 //   warnings  files that cannot be read
 //   diag      why it failed; may be NULL
 // Errors: ORR_E_IO (the folder cannot be read), ORR_E_MEMORY.
-orr_status orr_archive_index_make(const char *folder, const char *name, const orr_leap_table *leap,
-                                  orr_archive_index *out, orr_warnings *warnings, orr_diag *diag);
+orr_status orr_archive_index_make(const char *folder, const char *name, const orr_archive_wants *wants,
+                                  const orr_leap_table *leap, orr_archive_index *out, orr_warnings *warnings,
+                                  orr_diag *diag);
 // Adds a file of Earth rotation parameters. ORR_E_LIMIT (more than ORR_ARCHIVE_MAX_ERP), ORR_E_IO, ORR_E_MEMORY.
 orr_status orr_archive_index_add_erp(orr_archive_index *x, const char *path, orr_diag *diag);
 // Frees all; it is empty then.
@@ -48,6 +61,15 @@ void orr_archive_index_free(orr_archive_index *x);
 //             diag        the sentence
 orr_status orr_archive_index_find(const orr_archive_index *x, int32_t mjd, const orr_archive_input **input,
                                   orr_diag *diag);
+// The day's TEC field; errors as above.
+//   Given:    x           the index
+//             mjd         the day
+//   Returned: map         the file, borrowed from x; NULL on failure
+//             diag        the sentence
+orr_status orr_archive_index_find_map(const orr_archive_index *x, int32_t mjd, const orr_archive_input **map,
+                                      orr_diag *diag);
+// The day's observations of a station; NULL where there are none. Of several files the first by name is taken.
+const orr_archive_input *orr_archive_index_find_obs(const orr_archive_index *x, int32_t mjd, size_t station);
 // Hashes the files of days first to last.
 //   Given:    x           the index
 //             first, last modified Julian days

@@ -7,9 +7,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/nan.h"
 #include "core/outfile.h"
+#include "core/path.h"
 #include "core/robust.h"
 #include "src/archive/store.h"
 
@@ -21,6 +23,25 @@ void orr_archive_key(const char *program, const char *options, const orr_archive
     for (size_t i = 0; i < n && at < sizeof text - 400; i++)
         at += (size_t)snprintf(text + at, sizeof text - at, "%.255s %.64s\n", input[i].name, input[i].sha256);
     if (orr_sha256_bytes(text, at, key, NULL) != ORR_OK) key[0] = '\0';
+}
+
+void orr_archive_take_file(orr_archive_file *f, const char *path, const char *sha256)
+{
+    *f = (orr_archive_file){.bytes = -1};
+    snprintf(f->name, sizeof f->name, "%s", orr_base_name(path));
+    snprintf(f->sha256, sizeof f->sha256, "%s", sha256);
+}
+
+orr_status orr_archive_note_product(orr_archive_record *r, const char *folder, const char *name,
+                                    orr_diag *diag)
+{
+    char path[ORR_ARCHIVE_PATH];
+    struct stat st;
+    orr_archive_file *f = &r->product[r->n_products++];
+    snprintf(path, sizeof path, "%.900s/%s", folder, name);
+    snprintf(f->name, sizeof f->name, "%s", name);
+    f->bytes = stat(path, &st) == 0 ? (int64_t)st.st_size : -1;
+    return orr_sha256_file(path, f->sha256, diag);
 }
 
 // --- Quality ---
@@ -126,6 +147,17 @@ static json_t *quality(const orr_archive_record *r)
     return list;
 }
 
+static json_t *stations(const orr_archive_record *r)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < r->n_stations; i++)
+        json_array_append_new(list, json_pack("{s:s, s:I, s:I, s:o}", "station", r->station[i].name, "arcs",
+                                              (json_int_t)r->station[i].arcs, "samples",
+                                              (json_int_t)r->station[i].samples, "dstec_tecu",
+                                              number(r->station[i].dstec_tecu, 1e-4)));
+    return list;
+}
+
 orr_status orr_archive_record_write(const orr_archive_record *r, const char *folder, orr_diag *diag)
 {
     char path[ORR_ARCHIVE_PATH], day[ORR_ARCHIVE_DAY_TEXT];
@@ -138,6 +170,7 @@ orr_status orr_archive_record_write(const orr_archive_record *r, const char *fol
                           r->after, "inputs", files(r->input, r->n_inputs), "products",
                           files(r->product, r->n_products), "quality", quality(r), "notes", notes);
     orr_outfile f;
+    if (j != NULL && r->n_stations > 0) json_object_set_new(j, "stations", stations(r));
     if (j == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the record of %s", folder);
     orr_status s = orr_outfile_open(path, &f, diag);
     if (s == ORR_OK) {
@@ -209,6 +242,21 @@ static void take_quality(const json_t *j, orr_archive_record *r)
     }
 }
 
+static void take_stations(const json_t *j, orr_archive_record *r)
+{
+    const json_t *list = json_object_get(j, "stations");
+    r->n_stations = json_array_size(list);
+    if (r->n_stations > ORR_ARCHIVE_MAX_STATIONS) r->n_stations = ORR_ARCHIVE_MAX_STATIONS;
+    for (size_t i = 0; i < r->n_stations; i++) {
+        const json_t *one = json_array_get(list, i);
+        orr_archive_station *st = &r->station[i];
+        take_text(one, "station", st->name, sizeof st->name);
+        st->arcs = take_count(one, "arcs");
+        st->samples = take_count(one, "samples");
+        st->dstec_tecu = take_number(one, "dstec_tecu");
+    }
+}
+
 orr_status orr_archive_record_read(const char *folder, orr_archive_record *r, orr_diag *diag)
 {
     char path[ORR_ARCHIVE_PATH];
@@ -244,6 +292,7 @@ orr_status orr_archive_record_read(const char *folder, orr_archive_record *r, or
         r->n_inputs = take_files(j, "inputs", r->input, ORR_ARCHIVE_MAX_INPUTS);
         r->n_products = take_files(j, "products", r->product, ORR_ARCHIVE_MAX_PRODUCTS);
         take_quality(j, r);
+        take_stations(j, r);
         const json_t *notes = json_object_get(j, "notes");
         for (size_t i = 0; i < json_array_size(notes) && i < ORR_ARCHIVE_MAX_NOTES; i++) {
             const char *note = json_string_value(json_array_get(notes, i));

@@ -12,8 +12,9 @@
 
 #define ORR_ARCHIVE_RECORD "day.json"
 #define ORR_ARCHIVE_SCHEMA 1
-#define ORR_ARCHIVE_MAX_INPUTS (3 + ORR_ARCHIVE_MAX_ERP)
-#define ORR_ARCHIVE_MAX_PRODUCTS 8
+#define ORR_ARCHIVE_MAX_STATIONS 16
+#define ORR_ARCHIVE_MAX_INPUTS (4 + ORR_ARCHIVE_MAX_ERP + ORR_ARCHIVE_MAX_STATIONS)
+#define ORR_ARCHIVE_MAX_PRODUCTS (3 + ORR_ARCHIVE_MAX_STATIONS)
 #define ORR_ARCHIVE_MAX_NOTES 32
 
 typedef struct orr_archive_file {
@@ -30,6 +31,14 @@ typedef struct orr_archive_quality {
     double sigma_mm;    // median of the product's 3-D sigma
 } orr_archive_quality;
 
+// Of the session of one station.
+typedef struct orr_archive_station {
+    char name[8];
+    size_t arcs, samples;
+    double
+        dstec_tecu; // RMS of the field's slant TEC within arcs, against their phases, with the session's correction; NAN without
+} orr_archive_station;
+
 typedef struct orr_archive_record {
     int32_t mjd;
     char program[64];         // "orrery 0.1.0"
@@ -39,7 +48,9 @@ typedef struct orr_archive_record {
     size_t n_inputs, n_products, n_quality, n_notes;
     orr_archive_file input[ORR_ARCHIVE_MAX_INPUTS], product[ORR_ARCHIVE_MAX_PRODUCTS];
     orr_archive_quality quality[ORR_N_SYSTEMS + 1]; // all first, then systems in the order of satellites
-    char note[ORR_ARCHIVE_MAX_NOTES][256];          // warnings of the making
+    size_t n_stations;
+    orr_archive_station station[ORR_ARCHIVE_MAX_STATIONS];
+    char note[ORR_ARCHIVE_MAX_NOTES][256]; // warnings of the making
 } orr_archive_record;
 
 // The key of a day.
@@ -52,6 +63,18 @@ typedef struct orr_archive_record {
 //   key       SHA-256 of all of these
 void orr_archive_key(const char *program, const char *options, const orr_archive_file *input, size_t n,
                      char key[ORR_SHA256_HEX]);
+
+// A file that a day is made from, by its base name.
+//   Given:    path, sha256     of the file
+//   Returned: f                as the record has it
+void orr_archive_take_file(orr_archive_file *f, const char *path, const char *sha256);
+// A product that stands in the day's folder, with its size and hash.
+//   Given:    folder      the day's
+//             name        of the file in it
+//   Returned: r           with it
+//             diag        ORR_E_IO
+orr_status orr_archive_note_product(orr_archive_record *r, const char *folder, const char *name,
+                                    orr_diag *diag);
 
 // How good a day is, from its solution, into r->quality.
 void orr_archive_judge(const orr_orbit_solution *s, orr_archive_record *r);

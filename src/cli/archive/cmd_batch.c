@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery batch: an archive of days from a folder of files.
+#include <ctype.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,6 +41,23 @@ static const orr_option options[] = {
     ORR_OPTION_ERP(.repeated = true, .applies = "inputs",
                    .help = "File of Earth rotation parameters for all days; without one the orbits "
                            "themselves tell them."),
+    {.name = "navdata",
+     .applies = "inputs",
+     .kind = ORR_OPT_FLAG,
+     .help = "Also fit broadcast data to each day: broadcast.rnx."},
+    {.name = "tec",
+     .applies = "inputs",
+     .kind = ORR_OPT_TEXT,
+     .value = "PATTERN",
+     .help = "Also make each day's TEC field, field.ION, of the maps (IONEX, .ION) whose names match, e.g. "
+             "'COD*GIM*'."},
+    {.name = "stations",
+     .applies = "tec",
+     .kind = ORR_OPT_TEXT,
+     .value = "LIST",
+     .help = "Also fuse the phases of these stations with it, by their observations among the inputs, e.g. "
+             "BOR1,WTZR: "
+             "session-BOR1.nc."},
     {.name = "jobs",
      .applies = "inputs",
      .letter = 'j',
@@ -182,16 +200,46 @@ static int run_batch(orr_cli *c, const orr_batch *b, orr_archive_index *x, bool 
     return status;
 }
 
+// Names that commas divide, in upper case, into text and list; how many, 0 where one is no name or there are too many.
+static size_t read_stations(const char *names, char *text, size_t size, const char **list)
+{
+    size_t n = 0;
+    if (strlen(names) >= size) return 0;
+    for (char *at = text; *names != '\0'; names++) {
+        if (at == text || at[-1] == '\0') {
+            if (n == ORR_ARCHIVE_MAX_STATIONS) return 0;
+            list[n++] = at;
+        }
+        if (*names == ',' && (at == text || at[-1] == '\0')) return 0;
+        if (*names != ',' && !isalnum((unsigned char)*names)) return 0;
+        *at++ = *names == ',' ? '\0' : (char)toupper((unsigned char)*names);
+        *at = '\0';
+    }
+    return n;
+}
+
 static int run_inputs(orr_cli *c)
 {
+    char text[ORR_ARCHIVE_MAX_STATIONS * 10] = "";
+    const char *station[ORR_ARCHIVE_MAX_STATIONS];
+    const char *names = orr_cli_text(c, "stations", NULL);
+    const size_t n_stations = names != NULL ? read_stations(names, text, sizeof text, station) : 0;
+    if (names != NULL && n_stations == 0)
+        return orr_cli_usage(c, "--stations \"%s\" is no list of at most %d names that commas divide", names,
+                             ORR_ARCHIVE_MAX_STATIONS);
     orr_archive_index x = {0};
     orr_warnings warnings = {0};
     orr_diag diag = {0};
-    orr_batch b = {.settings = {.archive = orr_cli_text(c, "archive", NULL), .leap = c->leap},
+    orr_batch b = {.settings = {.archive = orr_cli_text(c, "archive", NULL),
+                                .leap = c->leap,
+                                .extras = {.navdata = orr_cli_given(c, "navdata"),
+                                           .wants = {.maps = orr_cli_text(c, "tec", NULL),
+                                                     .station = station,
+                                                     .n_stations = n_stations}}},
                    .jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores()),
                    .again = orr_cli_given(c, "again")};
     orr_status s = orr_archive_index_make(orr_cli_text(c, "inputs", NULL), orr_cli_text(c, "name", NULL),
-                                          c->leap, &x, &warnings, &diag);
+                                          &b.settings.extras.wants, c->leap, &x, &warnings, &diag);
     for (size_t i = 0; s == ORR_OK && i < orr_cli_count(c, "erp"); i++)
         s = orr_archive_index_add_erp(&x, orr_cli_text_at(c, "erp", i), &diag);
     orr_cli_warnings(c, &warnings);

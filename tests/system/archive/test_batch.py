@@ -247,6 +247,40 @@ class Batch(Folder):
         shutil.rmtree(gappy / "2025/080")
         self.assertNotIn("2025-03-20T22:00:00", rows("--archive", gappy))  # the day after is missing: nothing to go over to
 
+    def test_beside_the_orbits(self):
+        """Broadcast data, the TEC field and a station's session: the same bytes by any number of jobs; what is missing is noted, and
+        what is wanted decides what is stale."""
+        inputs = pathlib.Path(self.path("with-more"))
+        shutil.copytree(self.inputs, inputs)
+        shutil.copy(sample("ionosphere.ION"), inputs)
+        scene = pathlib.Path(self.path("scene.yaml"))
+        scene.write_text(f"orbit: {{sp3: [{sample('ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz')}]}}\n"
+                         f"ionosphere: {{field: {sample('ionosphere.ION')}}}\nsignals: [G:L1CA, G:L5, E:E1, E:E5a]\n"
+                         "antennas: [{name: BASE, position: [52, 17, 100]}]\nmask: {elevation: 5}\n", encoding="utf-8")
+        made = self.path("made")
+        run("simulate", scene, "-q", "-o", made, "--no-imu", "--step", "120s", "--from", "2025-03-21T09:00:00", "--to", "2025-03-21T12:00:00")
+        shutil.copy(pathlib.Path(made) / "BASE.rnx", inputs)
+        one = ("--inputs", inputs, "--from", "2025-03-21", "--to", "2025-03-21")
+        ask = (*one, "--navdata", "--tec", "*.ION", "--stations", "base,NONE")
+        archives = []
+        for jobs in (1, 3):
+            archives.append(pathlib.Path(self.path(f"more{jobs}")))
+            run("batch", "-q", "--archive", archives[-1], *ask, "-j", jobs)
+        self.assertEqual(content(archives[0]), content(archives[1]))
+        day = archives[0] / "2025/080"
+        record = json.loads((day / "day.json").read_text(encoding="utf-8"))
+        self.assertEqual([p["name"] for p in record["products"]], ["orbit.nc", "broadcast.rnx", "field.ION", "session-BASE.nc"])
+        self.assertIn("session-NONE.nc: not made: there are no observations of the day", record["notes"])
+        self.assertEqual([st["station"] for st in record["stations"]], ["BASE"])
+        self.assertGreater(record["stations"][0]["samples"], 100)
+        run("archive", "verify", archives[0])
+        # An independent judge: the broadcast data against the SP3 file that the orbit was made of.
+        told = json.loads(run("sisre", day / "broadcast.rnx", sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"), "--format", "json").stdout)
+        self.assertTrue(told)
+        self.assertIn("0 days made", run("batch", "--archive", archives[0], *ask).stderr)
+        self.assertIn("1 days made", run("batch", "--archive", archives[0], *one).stderr)
+        self.assertIn("is no list", run("batch", "--archive", archives[0], *one, "--tec", "*", "--stations", "A,,B", status=2).stderr)
+
 
 if __name__ == "__main__":
     import unittest
