@@ -304,6 +304,58 @@ static void geodesic_of_the_textbook(void **state)
     ASSERT_NEAR(lon, 1.1, 1e-13);
 }
 
+// A model in GeographicLib's file format ("Magnetic models" of its documentation) whose only terms are IGRF-13's dipole and
+// its rates: axes, units and years are those of the built-in closed form.
+static void write_dipole_model(const char *dir)
+{
+    FILE *f = test_model_file(dir, "dipole", ".wmm");
+    fputs(
+        "WMMF-1\nName dipole\nPublisher test\nReleaseDate 2020-01-01\nRadius 6371200\nType linear\nEpoch "
+        "2020\n"
+        "DeltaEpoch 5\nMinTime 2020\nMaxTime 2025\nMinHeight -1000\nMaxHeight 850000\nNormalization schmidt\n"
+        "ID ORRTESTM\n",
+        f);
+    fclose(f);
+    f = test_model_file(dir, "dipole", ".wmm.cof");
+    fwrite("ORRTESTM", 1, 8, f);
+    const double g10[2] = {-29404.8, 5.7}, g11[2] = {-1450.9, 7.4}, h11[2] = {4652.5, -25.9};
+    for (int k = 0; k < 2; k++) { // field, rates
+        const int32_t size[2] = {1, 1};
+        const double c[4] = {0, g10[k], g11[k], h11[k]}; // cosines of orders 0 and 1, sine of order 1
+        fwrite(size, sizeof size, 1, f);
+        fwrite(c, sizeof c, 1, f);
+    }
+    fclose(f);
+}
+
+static void magnetic_model_of_a_dipole(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/orrery-magnetic-XXXXXX", path[64];
+    assert_non_null(mkdtemp(dir));
+    write_dipole_model(dir);
+    orr_magnetic *m;
+    orr_diag d = {0};
+    ASSERT_OK(orr_magnetic_open("dipole", dir, &m, &d), d);
+    for (uint64_t k = 0; k < 200; k++) {
+        orr_geodetic place = random_place(k);
+        place.height_m = 8e5 * orr_rng_uniform(9, 0, k);
+        const double year = 2020 + 5 * orr_rng_uniform(9, 1, k);
+        const orr_vec3 got = orr_magnetic_field_nt(m, year, place),
+                       want = orr_magnetic_field_nt(NULL, year, place);
+        ASSERT_NEAR(orr_vec3_norm(orr_vec3_sub(got, want)), 0, 1e-9); // rounding of 6e4 nT
+    }
+    orr_magnetic_free(m);
+    assert_int_equal(orr_magnetic_open("absent", dir, &m, &d), ORR_E_IO);
+    assert_null(m);
+    assert_non_null(strstr(d.text, "absent"));
+    for (int k = 0; k < 2; k++) {
+        snprintf(path, sizeof path, "%s/dipole.wmm%s", dir, k == 0 ? "" : ".cof");
+        assert_int_equal(unlink(path), 0);
+    }
+    assert_int_equal(rmdir(dir), 0);
+}
+
 static void gravity_model_of_one_coefficient(void **state)
 {
     (void)state;
@@ -369,6 +421,7 @@ int main(void)
         cmocka_unit_test(normal_gravity_at_its_published_values),
         cmocka_unit_test(normal_gravitation_is_a_potential_field),
         cmocka_unit_test(geodesic_of_the_textbook),
+        cmocka_unit_test(magnetic_model_of_a_dipole),
         cmocka_unit_test(gravity_model_of_one_coefficient),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
