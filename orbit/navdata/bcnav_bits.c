@@ -81,15 +81,6 @@ static void put_offset(const orr_bcnav_message *b, orr_page *p)
     orr_modern_no_offset(p);
 }
 
-static void put_reduced(const orr_bcnav_message *b, int n, bool with_reference, orr_page *p)
-{
-    if (with_reference) {
-        orr_page_put(p, 13, (uint64_t)b->almanacs.week);
-        orr_page_put(p, 8, b->almanacs.toa_s / 4096);
-    }
-    for (int k = 0; k < n; k++) orr_modern_reduced(b->almanacs.reduced[k], 'C', p);
-}
-
 // Zeros up to so many bits since `begin`, then CRC.
 static void finish(size_t begin, size_t bits, orr_page *p)
 {
@@ -135,7 +126,7 @@ static void subframe_3(const orr_bcnav_message *b, int page, orr_page *p)
         break;
     case ORR_BCNAV1_REDUCED_ALMANACS:
         put_accuracy_oc(e, p);
-        put_reduced(b, 4, true, p);
+        orr_modern_reduced(&b->almanacs, 4, ORR_MODERN_BCNAV, p);
         break;
     case ORR_BCNAV1_ROTATION_AND_OFFSET:
         put_accuracy_oe(e, p);
@@ -144,7 +135,7 @@ static void subframe_3(const orr_bcnav_message *b, int page, orr_page *p)
         break;
     default:
         put_accuracy_oc(e, p);
-        orr_modern_midi(&b->almanacs, 'C', p);
+        orr_modern_midi(&b->almanacs, ORR_MODERN_BCNAV, p);
         break;
     }
     finish(begin, SUBFRAME3, p);
@@ -212,16 +203,16 @@ static void message2_clock(const orr_bcnav_message *b, int type, orr_page *p)
         put_delay(e->delay.tgd_b1cp_s, p);
         break;
     case ORR_BCNAV_CLOCK_AND_REDUCED_ALMANACS:
-        put_reduced(b, 3, true, p);
+        orr_modern_reduced(&b->almanacs, 3, ORR_MODERN_BCNAV, p);
         break;
     case ORR_BCNAV_CLOCK_AND_ROTATION:
         put_rotation(b, p);
         break;
     case ORR_BCNAV_CLOCK_AND_OFFSET: // the reduced almanac's reference comes behind the issue
         put_offset(b, p);
-        put_reduced(b, 1, false, p);
+        orr_modern_reduced_one(b->almanacs.reduced[0], ORR_MODERN_BCNAV, p);
         put_issue_of_clock(e, p);
-        put_reduced(b, 0, true, p);
+        orr_modern_reference(&b->almanacs, p);
         break;
     default:
         orr_modern_utc(&b->utc, e->sat, p);
@@ -250,7 +241,7 @@ static void message2(const orr_bcnav_message *b, int type, orr_page *p)
     else if (type == ORR_BCNAV_MIDI_ALMANAC) {
         put_accuracy_oe(e, p);
         put_accuracy_oc(e, p);
-        orr_modern_midi(&b->almanacs, 'C', p);
+        orr_modern_midi(&b->almanacs, ORR_MODERN_BCNAV, p);
     } else
         message2_clock(b, type, p);
     finish(begin, MESSAGE2, p);
@@ -307,8 +298,8 @@ static void message3(const orr_bcnav_message *b, int type, orr_page *p)
         break;
     default:
         put_offset(b, p);
-        orr_modern_midi(&b->almanacs, 'C', p);
-        put_reduced(b, 5, true, p);
+        orr_modern_midi(&b->almanacs, ORR_MODERN_BCNAV, p);
+        orr_modern_reduced(&b->almanacs, 5, ORR_MODERN_BCNAV, p);
         break;
     }
     finish(begin, MESSAGE3, p);

@@ -78,13 +78,6 @@ static void page_2(const orr_cnav2_frame *c, orr_page *p)
     orr_modern_pole_and_ut1(&c->rotation, c->eph->sat, p);
 }
 
-static void page_3(const orr_cnav2_frame *c, orr_page *p)
-{
-    orr_page_put(p, 13, (uint64_t)c->almanacs.week);
-    orr_page_put(p, 8, c->almanacs.toa_s / 4096);
-    for (int k = 0; k < 6; k++) orr_modern_reduced(c->almanacs.reduced[k], 'G', p);
-}
-
 static void subframe_3(const orr_cnav2_frame *c, int page, orr_page *p)
 {
     const size_t begin = p->n;
@@ -99,10 +92,10 @@ static void subframe_3(const orr_cnav2_frame *c, int page, orr_page *p)
         page_2(c, p);
         break;
     case ORR_CNAV2_REDUCED_ALMANAC:
-        page_3(c, p);
+        orr_modern_reduced(&c->almanacs, ORR_CNAV2_REDUCED_ALMANACS, ORR_MODERN_CNAV2, p);
         break;
     default:
-        orr_modern_midi(&c->almanacs, 'G', p);
+        orr_modern_midi(&c->almanacs, ORR_MODERN_CNAV2, p);
         break;
     }
     orr_page_zeros(p, (int)(begin + SUBFRAME3 - 24 - p->n));

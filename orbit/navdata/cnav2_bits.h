@@ -7,7 +7,8 @@
 #include "orbit/navdata/modern_blocks.h"
 
 #define ORR_CNAV2_FRAME_S 18
-enum { // pages of subframe 3
+#define ORR_CNAV2_REDUCED_ALMANACS 6 // of page 3
+enum {                               // pages of subframe 3
     ORR_CNAV2_UTC_AND_IONOSPHERE = 1,
     ORR_CNAV2_OFFSET_AND_ROTATION = 2,
     ORR_CNAV2_REDUCED_ALMANAC = 3,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/navdata/cnav_bits.h"
 
-#include "orbit/navdata/modern_blocks.h"
-
 #define GALILEO 1 // of GNSS-ID in message 35
 
 static const orr_navfit_field isc = ORR_SIGNED("ISC", P2(35), 13);
@@ -110,6 +108,18 @@ void orr_cnav_message_bits(const orr_cnav_message *c, int type, orr_page *p)
         break;
     case 33:
         message_33(c, p);
+        break;
+    case 12:
+        orr_modern_reduced(&c->almanacs, ORR_CNAV_REDUCED_ALMANACS, ORR_MODERN_CNAV, p);
+        break;
+    case 32:
+        put_clock(c->eph, p);
+        orr_modern_pole_and_ut1(&c->rotation, c->eph->sat, p);
+        orr_page_zeros(p, 11);
+        break;
+    case 37:
+        put_clock(c->eph, p);
+        orr_modern_midi(&c->almanacs, ORR_MODERN_CNAV, p);
         break;
     default:
         message_35(c, p);

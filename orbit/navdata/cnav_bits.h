@@ -4,9 +4,7 @@
 #ifndef ORR_ORBIT_NAVDATA_CNAV_BITS_H
 #define ORR_ORBIT_NAVDATA_CNAV_BITS_H
 
-#include "ingest/rinex/rinex_nav.h"
-#include "orbit/navdata/nav_utc.h"
-#include "orbit/navdata/page.h"
+#include "orbit/navdata/modern_blocks.h"
 
 // What a message tells besides the satellite's own set.
 typedef struct orr_cnav_message {
@@ -14,12 +12,16 @@ typedef struct orr_cnav_message {
     orr_time next; // begin of the next message: TOW count
     double alpha[4], beta[4];
     orr_nav_utc utc;
+    orr_modern_rotation rotation;
+    orr_modern_almanacs almanacs;
 } orr_cnav_message;
+#define ORR_CNAV_REDUCED_ALMANACS 7 // of message 12
 
 // Makes a message.
 // Given:
 //   c     what it tells
-//   type  10 and 11 (ephemeris), 30 (clock, group delays, ionosphere), 33 (clock, UTC), 35 (clock, offset to Galileo: none)
+//   type  10 and 11 (ephemeris), 12 (reduced almanacs), 30 (clock, group delays, ionosphere), 32 (clock, Earth's rotation), 33 (clock,
+//         UTC), 35 (clock, offset to Galileo: none), 37 (clock, midi almanac)
 // Returned:
 //   p     its 300 bits; status ORR_E_RANGE where a value does not fit, with a sentence
 void orr_cnav_message_bits(const orr_cnav_message *c, int type, orr_page *p);

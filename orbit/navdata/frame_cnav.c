@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CNAV in fours: ephemeris (10, 11), clock with group delays and ionosphere (30), and by turns UTC (33) and the offset to Galileo
-// (35). On L2C a message takes 12 s, on L5 6 s.
+// CNAV in fours: ephemeris (10, 11), clock with group delays and ionosphere (30), and by turns UTC (33), the offset to Galileo (35), midi
+// (37) and reduced almanacs (12), the Earth's rotation (32), none of them rarer than IS-GPS-200N table 30-XII allows. On L2C a message
+// takes 12 s, on L5 6 s.
 #include <string.h>
 
 #include "orbit/navdata/cnav_bits.h"
 #include "orbit/navdata/navframe_private.h"
 
 #define MESSAGES 4
+#define TURN 12 // fours until the fourth message comes round
+
+static const uint8_t fourth[TURN] = {33, 37, 35, 12, 37, 12, 33, 37, 35, 12, 32, 12};
+// Of QZSS, whose almanacs are in LNAV alone.
+static const uint8_t fourth_alone[TURN] = {33, 35, 32, 33, 35, 32, 33, 35, 32, 33, 35, 32};
+
+// How many messages of a type GPS has sent as the fourth of a four before this one.
+static int64_t sent_before(int type, int64_t four)
+{
+    const int64_t turn = orr_floor_mod(four, TURN);
+    int64_t in_turn = 0, in_all = 0;
+    for (int64_t k = 0; k < TURN; k++) {
+        if (fourth[k] != type) continue;
+        in_all++;
+        if (k < turn) in_turn++;
+    }
+    return orr_floor_div(four, TURN) * in_all + in_turn;
+}
 
 typedef struct sender {
     const orr_navset *set;
@@ -19,18 +38,20 @@ typedef struct sender {
 static int message_of(const sender *s, const orr_navset_item *item, int64_t n, orr_page *page)
 {
     const int64_t four = orr_floor_div(n, MESSAGES), place = orr_floor_mod(n, MESSAGES);
-    const int type = place == 0                    ? 10
-                     : place == 1                  ? 11
-                     : place == 2                  ? 30
-                     : orr_floor_mod(four, 2) == 0 ? 33
-                                                   : 35;
     const orr_time t = n * s->length;
     const navset_day *day = navset_day_at(s->set, t);
+    const bool gps = orr_sat_system(s->sat) == 'G' && navset_almanacs_known(&day->gps) > 0;
+    const int last = (gps ? fourth : fourth_alone)[orr_floor_mod(four, TURN)];
+    const int type = place < 2 ? 10 + (int)place : place == 2 ? 30 : last;
     orr_cnav_message c = {
         .eph = &item->eph,
         .next = t + s->length,
         .utc =
-            orr_nav_utc_at(t, orr_floor_div(day->noon, 16 * ORR_NS_PER_S) * 16 * ORR_NS_PER_S, s->set->leap)};
+            orr_nav_utc_at(t, orr_floor_div(day->noon, 16 * ORR_NS_PER_S) * 16 * ORR_NS_PER_S, s->set->leap),
+        .rotation = day->rotation};
+    if (gps)
+        navframe_almanacs(&day->gps, sent_before(37, four), sent_before(12, four), ORR_CNAV_REDUCED_ALMANACS,
+                          &c.almanacs);
     memcpy(c.alpha, s->set->alpha, sizeof c.alpha);
     memcpy(c.beta, s->set->beta, sizeof c.beta);
     orr_cnav_message_bits(&c, type, page);

@@ -29,7 +29,7 @@ orr_status navframe_cnav2(const orr_navset *set, orr_sat sat, const orr_nav_stre
                          .t = from,
                          .utc = orr_nav_utc_at(from, day->noon, set->leap),
                          .rotation = day->rotation};
-    if (gps) navframe_almanacs(&day->gps, n / 2, n / 8, 6, &c.almanacs);
+    if (gps) navframe_almanacs(&day->gps, n / 2, n / 8, ORR_CNAV2_REDUCED_ALMANACS, &c.almanacs);
     memcpy(c.alpha, set->alpha, sizeof c.alpha);
     memcpy(c.beta, set->beta, sizeof c.beta);
     orr_page bits;

@@ -107,22 +107,19 @@ int orr_modern_orbit_type(orr_sat sat)
     return orr_kepler_is_high(sat) ? 2 : 3;
 }
 
-// The satellite that an almanac is of, first in every one: GPS its number, BeiDou with the type of its orbit.
-static void put_whose(const orr_almanac *a, char system, orr_page *p)
+// The satellite that an almanac is of, first in every one.
+static void put_whose(const orr_almanac *a, orr_modern_form form, orr_page *p)
 {
-    if (system != 'C') {
-        orr_page_put(p, 8, (uint64_t)a->number);
-        return;
-    }
-    orr_page_put(p, 6, (uint64_t)a->number);
-    orr_page_put(p, 2, (uint64_t)orr_modern_orbit_type(orr_sat_make('C', a->number)));
+    orr_page_put(p, form == ORR_MODERN_CNAV2 ? 8 : 6, (uint64_t)a->number);
+    if (form == ORR_MODERN_BCNAV)
+        orr_page_put(p, 2, (uint64_t)orr_modern_orbit_type(orr_sat_make('C', a->number)));
 }
 
 // Health of an almanac: GPS of L1, L2 and L5; BeiDou of clock, B1C and B2a, five bits reserved.
-static void put_health(const orr_almanac *a, char system, orr_page *p)
+static void put_health(const orr_almanac *a, orr_modern_form form, orr_page *p)
 {
     orr_page_put(p, 3, a->health != 0 ? 7 : 0);
-    if (system == 'C') orr_page_zeros(p, 5);
+    if (form == ORR_MODERN_BCNAV) orr_page_zeros(p, 5);
 }
 
 // Appends an almanac that was written into a page of its own; as many zeros if there is none, or it does not fit.
@@ -134,51 +131,62 @@ static void take(const orr_page *own, bool any, size_t bits, orr_page *p)
         orr_page_zeros(p, (int)bits);
 }
 
-static void put_reference(const orr_modern_almanacs *a, orr_page *p)
+void orr_modern_reference(const orr_modern_almanacs *a, orr_page *p)
 {
     orr_page_put(p, 13, (uint64_t)a->week);
     orr_page_put(p, 8, a->toa_s / 4096);
 }
 
-void orr_modern_midi(const orr_modern_almanacs *a, char system, orr_page *p)
+void orr_modern_midi(const orr_modern_almanacs *a, orr_modern_form form, orr_page *p)
 {
+    static const size_t bits[] = {
+        [ORR_MODERN_CNAV] = 128, [ORR_MODERN_CNAV2] = 130, [ORR_MODERN_BCNAV] = 156};
     static const uint8_t gps[] = {ORR_ALMANAC_E,      ORR_ALMANAC_DELTA_I, ORR_ALMANAC_OMEGA_DOT,
                                   ORR_ALMANAC_SQRT_A, ORR_ALMANAC_OMEGA0,  ORR_ALMANAC_OMEGA,
                                   ORR_ALMANAC_M0,     ORR_ALMANAC_AF0,     ORR_ALMANAC_AF1},
                          beidou[] = {ORR_ALMANAC_E,      ORR_ALMANAC_DELTA_I,   ORR_ALMANAC_SQRT_A,
                                      ORR_ALMANAC_OMEGA0, ORR_ALMANAC_OMEGA_DOT, ORR_ALMANAC_OMEGA,
                                      ORR_ALMANAC_M0,     ORR_ALMANAC_AF0,       ORR_ALMANAC_AF1};
-    const uint8_t *order = system == 'C' ? beidou : gps;
+    const bool is_beidou = form == ORR_MODERN_BCNAV;
+    const uint8_t *order = is_beidou ? beidou : gps;
     orr_page own;
     orr_page_begin(&own, NULL);
-    if (system != 'C') put_reference(a, p);
+    if (!is_beidou) orr_modern_reference(a, p);
     if (a->midi != NULL) {
         double value[ORR_ALMANAC_PARTS];
         orr_almanac_values(a->midi, value);
-        put_whose(a->midi, system, &own);
-        if (system == 'C')
-            put_reference(a, &own);
+        put_whose(a->midi, form, &own);
+        if (is_beidou)
+            orr_modern_reference(a, &own);
         else
-            put_health(a->midi, system, &own);
+            put_health(a->midi, form, &own);
         for (size_t k = 0; k < ORR_ALMANAC_PARTS; k++) orr_page_value(&own, &midi[order[k]], value[order[k]]);
-        if (system == 'C') put_health(a->midi, system, &own);
+        if (is_beidou) put_health(a->midi, form, &own);
     }
-    take(&own, a->midi != NULL, system == 'C' ? 156 : 130, p);
+    take(&own, a->midi != NULL, bits[form], p);
 }
 
-void orr_modern_reduced(const orr_almanac *a, char system, orr_page *p)
+void orr_modern_reduced_one(const orr_almanac *a, orr_modern_form form, orr_page *p)
 {
+    static const size_t bits[] = {[ORR_MODERN_CNAV] = 31, [ORR_MODERN_CNAV2] = 33, [ORR_MODERN_BCNAV] = 38};
+    const bool is_beidou = form == ORR_MODERN_BCNAV;
     orr_page own;
     orr_page_begin(&own, NULL);
     if (a != NULL) {
-        const orr_kepler_lattice *l = orr_kepler_lattice_of(orr_sat_make(system, a->number),
-                                                            system == 'C' ? ORR_NAV_CNV1 : ORR_NAV_CNV2);
-        put_whose(a, system, &own);
+        const orr_kepler_lattice *l = orr_kepler_lattice_of(orr_sat_make(is_beidou ? 'C' : 'G', a->number),
+                                                            is_beidou ? ORR_NAV_CNV1 : ORR_NAV_CNV2);
+        put_whose(a, form, &own);
         orr_page_value(&own, &delta_a,
                        a->sqrt_a_sqrtm * a->sqrt_a_sqrtm - l->element[ORR_KEPLER_SQRT_A].base);
         orr_page_value(&own, &omega0, a->omega0_rad);
         orr_page_value(&own, &phi0, a->m0_rad + a->omega_rad);
-        put_health(a, system, &own);
+        put_health(a, form, &own);
     }
-    take(&own, a != NULL, system == 'C' ? 38 : 33, p);
+    take(&own, a != NULL, bits[form], p);
+}
+
+void orr_modern_reduced(const orr_modern_almanacs *a, size_t n, orr_modern_form form, orr_page *p)
+{
+    orr_modern_reference(a, p);
+    for (size_t k = 0; k < n; k++) orr_modern_reduced_one(a->reduced[k], form, p);
 }

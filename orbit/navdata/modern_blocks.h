@@ -17,7 +17,7 @@ typedef struct orr_modern_rotation {
 } orr_modern_rotation;
 
 // Almanacs that one message tells: their common reference, and whose.
-#define ORR_MODERN_REDUCED 6
+#define ORR_MODERN_REDUCED 7
 typedef struct orr_modern_almanacs {
     uint32_t toa_s; // of the system's week, and that
     int32_t week;
@@ -44,10 +44,16 @@ void orr_modern_no_offset(orr_page *p);
 // Appends pole and UT1 less UTC: so BeiDou's documents have it, and so GPS' satellites sent it in March 2023 (-0.019 s), though
 // IS-GPS-800J speaks of GPS time.
 void orr_modern_pole_and_ut1(const orr_modern_rotation *r, orr_sat sat, orr_page *p);
+// How a message counts satellites: in six bits, in eight, in six with the type of the orbit.
+typedef enum orr_modern_form { ORR_MODERN_CNAV, ORR_MODERN_CNAV2, ORR_MODERN_BCNAV } orr_modern_form;
 // Appends a midi almanac with the week and toa it is of; zeros, as for no satellite, where there is none or one that does not fit.
-void orr_modern_midi(const orr_modern_almanacs *a, char system, orr_page *p);
-// Appends a reduced almanac, likewise.
-void orr_modern_reduced(const orr_almanac *a, char system, orr_page *p);
+void orr_modern_midi(const orr_modern_almanacs *a, orr_modern_form form, orr_page *p);
+// Appends the week and toa of the first n reduced almanacs, and those, likewise.
+void orr_modern_reduced(const orr_modern_almanacs *a, size_t n, orr_modern_form form, orr_page *p);
+// Appends that week and toa.
+void orr_modern_reference(const orr_modern_almanacs *a, orr_page *p);
+// Appends one reduced almanac; zeros where it is NULL or does not fit.
+void orr_modern_reduced_one(const orr_almanac *a, orr_modern_form form, orr_page *p);
 // 1 geostationary, 2 inclined geosynchronous, 3 medium orbit: BeiDou's SatType.
 int orr_modern_orbit_type(orr_sat sat);
 

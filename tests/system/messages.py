@@ -278,6 +278,13 @@ CNAV = {
          ("wnot", 13, None, 0), ("wnlsf", 13, None, 0), ("dn", 4, None, 0), ("leap_future", 8, None, 1), ("", 51, None, 0)],
     35: [*CNAV_CLOCK, ("t", 16, 16, 0), ("wn", 13, None, 0), ("gnss", 3, None, 0), ("a0", 16, 2.0**-35, 1), ("a1", 13, 2.0**-51, 1),
          ("a2", 7, 2.0**-68, 1), ("", 81, None, 0)],
+    12: [*CNAV_HEAD, ("wna", 13, None, 0), ("toa", 8, 4096, 0), *[field for k in range(7) for field in (
+        (f"prn{k}", 6, None, 0), (f"delta_a{k}", 8, 512, 1), (f"omega0{k}", 7, semi(6), 1), (f"phi0{k}", 7, semi(6), 1), (f"health{k}", 3, None, 0))]],
+    32: [*CNAV_CLOCK, ("t_eop", 16, 16, 0), ("xp", 21, 2.0**-20, 1), ("xp_rate", 15, 2.0**-21, 1), ("yp", 21, 2.0**-20, 1),
+         ("yp_rate", 15, 2.0**-21, 1), ("ut1", 31, 2.0**-24, 1), ("ut1_rate", 19, 2.0**-25, 1), ("", 11, None, 0)],
+    37: [*CNAV_CLOCK, ("wna", 13, None, 0), ("toa", 8, 4096, 0), ("sat", 6, None, 0), ("l1l2l5", 3, None, 0), ("e", 11, 2.0**-16, 0),
+         ("i", 11, semi(14), 1), ("alm_omega_dot", 11, semi(33), 1), ("sqrt_a", 17, 2.0**-4, 0), ("omega0", 16, semi(15), 1),
+         ("omega", 16, semi(15), 1), ("m0", 16, semi(15), 1), ("alm_af0", 11, 2.0**-20, 1), ("alm_af1", 10, 2.0**-37, 1)],
 }
 
 

@@ -405,13 +405,23 @@ class AllSystems(RealDay):
                 print(f"almanac of J{sat:02d}: {error:.0f} m")
                 self.assertLess(error, 20000, sat)
 
+    def check_midi(self, own):
+        """Where the satellite of a midi almanac is: to some kilometres, as its LSBs allow."""
+        t = self.from_s + 60
+        eph = {**{n: own[n] for n in ("e", "sqrt_a", "omega0", "omega", "m0")}, "i0": own["i"] + 0.3 * messages.PI, "omega_dot": own["alm_omega_dot"],
+               "toe": own["toa"]}
+        true, clock = self.truth[f"G{own['sat']:02d}", t]
+        self.assertLess(math.dist(messages.kepler_position(eph, t, 3.986005e14, messages.GALILEO_RATE), true), 12000)
+        self.assertLess(abs(own["alm_af0"] + own["alm_af1"] * messages.half_week(t - own["toa"]) - clock), 2e-6)
+        self.assertEqual(own["l1l2l5"], 0)
+
     def test_cnav(self):
         keys = [k for k in self.symbols if k[1] == "CNAV"]
         self.assertEqual({(k[0], k[2]) for k in keys}, {(s, b) for s in ("G05", "G12", "J02", "J07") for b in ("L2C", "L5")})
         for key in keys:
             length = 12.0 if key[2] == "L2C" else 6.0
             self.check_rhythm(key, length, 1180 / length)
-            seen, state, f, sets, tops = collections.Counter(), None, {}, 0, set()
+            seen, state, f, sets, tops, told = collections.Counter(), None, {}, 0, set(), {12: set(), 37: set()}
             for page, plain in zip(self.symbols[key], self.bits[key]):
                 text = messages.bits_of(page["hex"], 600)
                 direct = messages.bits_of(plain["hex"], 300)
@@ -429,6 +439,14 @@ class AllSystems(RealDay):
                 if kind == 10:
                     f = {}
                 f[kind] = own
+                if kind == 12:
+                    told[12] |= {own[f"prn{k}"] for k in range(7)} - {0}
+                elif kind == 37:
+                    told[37].add(own["sat"])
+                    self.check_midi(own)
+                elif kind == 32:  # the secular pole, and UT1 to 0.4 s
+                    self.assertLess(max(abs(own["xp"] - 0.139), abs(own["yp"] - 0.437)), 0.1)
+                    self.assertLess(abs(own["ut1"] + 0.2346), 0.5)
                 if kind != 30 or 10 not in f:
                     continue
                 self.assertEqual(f[10]["top"], own["top"])
@@ -443,7 +461,9 @@ class AllSystems(RealDay):
                     self.assertLess(error, 1.1 * claim["max_m"] + 0.002, (key, t))
                     self.check_clock(key, own, t)
                     sets += 1
-            self.assertEqual(set(seen), {10, 11, 30, 33, 35})
+            gps = key[0][0] == "G"
+            self.assertEqual(set(seen), {10, 11, 30, 32, 33, 35} | ({12, 37} if gps else set()))
+            self.assertEqual(told, {12: {5, 12} if gps else set(), 37: {5, 12} if gps else set()})
             self.assertGreater(sets, 20)
             self.assertEqual(len(tops), 2 if key[0][0] == "J" else 1)
 

@@ -32,14 +32,14 @@
 
 // Messages 11, 30 and 31 of C30 in 2018, when BeiDou-3 was on trial, as published with the tests of a branch of GNSS-SDR
 // (beidou_cnav2_navigation_message_test.cc).
-#define RECEIVED_BCNAV2_11 \
-    "78b84bc2ffde6342afc4e4bfe00ecf15da6c00a0004ffcea6403cc0c03135fd7af0a8599bbd97cd8b23b3ffc3da94c0b" \
+#define RECEIVED_BCNAV2_11                                                                                   \
+    "78b84bc2ffde6342afc4e4bfe00ecf15da6c00a0004ffcea6403cc0c03135fd7af0a8599bbd97cd8b23b3ffc3da94c0b"       \
     "108fce189501555df156375e714229475414dce8bf8ae978"
-#define RECEIVED_BCNAV2_30 \
-    "79e84bceffea63957cc7f4ac6000a6fae7eb8aa264a283000080a0803000000000e47c42a07b18baf04f3a5b30b0fd22" \
+#define RECEIVED_BCNAV2_30                                                                                   \
+    "79e84bceffea63957cc7f4ac6000a6fae7eb8aa264a283000080a0803000000000e47c42a07b18baf04f3a5b30b0fd22"       \
     "aaa74ee8fa38f93ef55e2a7541e8b57aeaa86c5ceded6626"
-#define RECEIVED_BCNAV2_31 \
-    "79f84bbeffea63957cc7f4ac6000a68a14cc5476207001efb3714009beb96500002943ff7a342bd99d2cf2ea5b0b9b97" \
+#define RECEIVED_BCNAV2_31                                                                                   \
+    "79f84bbeffea63957cc7f4ac6000a68a14cc5476207001efb3714009beb96500002943ff7a342bd99d2cf2ea5b0b9b97"       \
     "3c16a6c6831a3d7c98ad98068769793df387fb0675d0faf3"
 
 // The bits of such a codeword.
