@@ -27,6 +27,7 @@ typedef struct orr_fetch_options {
     double connect_s;
     size_t max_bytes;              // of one file as transferred
     const char *netrc;             // NULL: ~/.netrc
+    const char *ca_file;           // certificates (PEM) that vouch for servers; NULL: those of the system
     const orr_log *log;            // WARN: each fallback and each new attempt; INFO: each file
     bool (*cancelled)(void *user); // may be NULL
     void (*progress)(void *user, const orr_fetch_progress *p); // may be NULL

@@ -50,6 +50,7 @@ static CURLcode set_up(fetch_transfer *t, const orr_fetch_options *o, const orr_
     curl_easy_setopt(e, CURLOPT_USERAGENT, "orrery/" ORR_VERSION);
     if (t->resumed_from > 0) curl_easy_setopt(e, CURLOPT_RESUME_FROM_LARGE, (curl_off_t)t->resumed_from);
     if (r == CURLE_OK) r = curl_easy_setopt(e, CURLOPT_PROTOCOLS_STR, "https,http,ftp,ftps,file");
+    if (r == CURLE_OK && o->ca_file != NULL) r = curl_easy_setopt(e, CURLOPT_CAINFO, o->ca_file);
     // A login is sent over plain http only where the table itself says so.
     t->https_only = c->login && strncmp(c->url, "http:", 5) != 0;
     if (r == CURLE_OK)
@@ -159,6 +160,14 @@ fetch_outcome fetch_transfer_end(fetch_transfer *t, CURLcode code, char *why, si
     case CURLE_LOGIN_DENIED:
     case CURLE_REMOTE_ACCESS_DENIED:
         return snprintf(why, n, "refused: %s", detail), FETCH_REFUSED;
+    case CURLE_PEER_FAILED_VERIFICATION:
+    case CURLE_SSL_CACERT_BADFILE:
+        return snprintf(
+                   why, n,
+                   "%s; where the server is to be trusted, name a file of certificates that vouch for it "
+                   "(--ca-file, CURL_CA_BUNDLE)",
+                   detail),
+               FETCH_REFUSED;
     case CURLE_TOO_MANY_REDIRECTS:
         return snprintf(why, n, "redirected in circles"), FETCH_NOT_THERE;
     case CURLE_UNSUPPORTED_PROTOCOL:

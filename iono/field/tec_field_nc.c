@@ -203,7 +203,7 @@ static orr_status get_epochs(const orr_nc_reader *r, orr_tec_field *f, orr_diag 
             (f->t1[k] != ORR_TIME_NONE && !orr_time_is_near(f->t1[k])))
             return orr_diag_set(diag, ORR_E_FORMAT,
                                 "%s: the epochs of its TEC field do not ascend, or are no times", r->path);
-        f->sun_east[k] = orr_mean_sun_lon(f->t[k], NULL);
+        f->sun_east[k] = orr_mean_sun_lon(f->t[k], f->options.leap);
         f->sun[k] = orr_geomagnetic_lon_of_equator(&f->geomagnetic, f->sun_east[k]);
     }
     return ORR_OK;
@@ -283,7 +283,8 @@ static orr_status get_broadcast(const orr_nc_reader *r, orr_tec_field *f, orr_di
     return s == ORR_OK && f->algorithm == ORR_TEC_NEQUICK ? get_nequick(r, f, diag) : s;
 }
 
-orr_status orr_tec_field_get(const orr_nc_reader *r, orr_tec_field **out, orr_diag *diag)
+orr_status orr_tec_field_get(const orr_nc_reader *r, const orr_leap_table *leap, orr_tec_field **out,
+                             orr_diag *diag)
 {
     *out = NULL;
     settings x = {0};
@@ -297,6 +298,7 @@ orr_status orr_tec_field_get(const orr_nc_reader *r, orr_tec_field **out, orr_di
     f->options.temporal = (orr_tec_temporal)x.temporal;
     f->options.mapping = (orr_mapping_kind)x.mapping;
     f->options.rotation = x.rotation;
+    f->options.leap = leap;
     f->options.pole_lat_deg = x.pole_lat;
     f->options.pole_lon_deg = x.pole_lon;
     f->mapping = orr_mapping_published(f->options.mapping);

@@ -76,8 +76,9 @@ void orr_session_free(orr_session *s);
 // Errors: those of core/ncfile.h.
 orr_status orr_session_save(const orr_session *s, const char *path, const char *history,
                             const orr_nc_input *input, size_t n_inputs, orr_diag *diag);
-// ORR_E_KIND when the file is no session.
-orr_status orr_session_load(const char *path, orr_session *out, orr_diag *diag);
+// Reads it back, its field to go by a table of leap seconds (NULL: built-in; it has to outlive the session); free with
+// orr_session_free. ORR_E_KIND when the file is no session.
+orr_status orr_session_load(const char *path, const orr_leap_table *leap, orr_session *out, orr_diag *diag);
 
 // Where a delay came from. The wire uses the same numbers.
 typedef enum orr_tec_origin {

@@ -300,7 +300,7 @@ static orr_status get_correction(const orr_nc_reader *r, orr_session *s, orr_dia
     return ORR_OK;
 }
 
-orr_status orr_session_load(const char *path, orr_session *out, orr_diag *diag)
+orr_status orr_session_load(const char *path, const orr_leap_table *leap, orr_session *out, orr_diag *diag)
 {
     *out = (orr_session){0};
     orr_nc_reader r;
@@ -311,7 +311,7 @@ orr_status orr_session_load(const char *path, orr_session *out, orr_diag *diag)
         strcmp(product, "iono-session") != 0)
         s = orr_diag_set(diag, ORR_E_KIND, "%s is no ionospheric session (made by `orrery iono`)", path);
     if (s == ORR_OK) s = get_scalars(&r, out, diag);
-    if (s == ORR_OK) s = orr_tec_field_get(&r, &out->field, diag);
+    if (s == ORR_OK) s = orr_tec_field_get(&r, leap, &out->field, diag);
     if (s == ORR_OK) s = get_samples(&r, out, diag);
     if (s == ORR_OK) s = get_arcs(&r, out, diag);
     if (s == ORR_OK) s = get_correction(&r, out, diag);

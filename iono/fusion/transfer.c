@@ -7,7 +7,7 @@
 // station and its neighbours: at the station's own rays it is the station's curve, two satellites that nobody saw are
 // alike where they stand in one direction, and everything moves continuously.
 //
-// Nothing jumps: beyond an arc's end its last residual is held while its weight falls; arcs of one satellite that follow
+// Nothing jumps, nor does its rate: between samples the station's curve is a monotone cubic; beyond an arc's end its last residual is held while its weight falls; arcs of one satellite that follow
 // each other are joined by a ramp; beyond the session's ends all of it tapers off.
 #include <math.h>
 
@@ -16,6 +16,7 @@
 #include "iono/fusion/session.h"
 
 #define FADE_S 900.0    // beyond an arc's end
+#define REST_S 60.0     // and so the pierce point comes to rest there
 #define JOIN_S 1800.0   // arcs closer than this are joined
 #define RAMP_S 450.0    // at most so much of either arc is bent towards the other
 #define TAPER_S 1800.0  // beyond the session's ends
@@ -92,6 +93,12 @@ typedef struct seen {
     orr_vec3 unit;
 } seen;
 
+// By the second, at a sample.
+typedef struct curve_slopes {
+    double residual;
+    orr_vec3 pierce;
+} curve_slopes;
+
 static const orr_session_sample *first_of(const orr_session *s, const orr_session_arc *a)
 {
     return &s->sample[a->first];
@@ -115,21 +122,64 @@ static bool ramp(const orr_session *s, const orr_session_arc *a, const orr_sessi
     return true;
 }
 
-static seen held(const orr_session_arc *arc, const orr_session_sample *x, double fade)
-{
-    return (seen){arc->sat, false, x->residual_tecu, fade, arc->sigma_tecu, x->pierce};
-}
-
+// Between x and y at t, on curves of residual and pierce point that go through them with these changes per second.
 static seen between(const orr_session_arc *arc, const orr_session_sample *x, const orr_session_sample *y,
-                    orr_time t)
+                    const curve_slopes slope[2], orr_time t)
 {
-    double span = orr_time_diff_s(y->t, x->t), w = span > 0 ? orr_time_diff_s(t, x->t) / span : 0;
+    const double T = orr_time_diff_s(y->t, x->t), u = T > 0 ? orr_time_diff_s(t, x->t) / T : 0;
+    const double w = u * u * (3 - 2 * u), a = T * u * (1 - u) * (1 - u), b = -T * u * u * (1 - u);
+    const orr_vec3 along = orr_vec3_axpy(w, orr_vec3_sub(y->pierce, x->pierce), x->pierce);
     return (seen){arc->sat,
                   true,
-                  (1 - w) * x->residual_tecu + w * y->residual_tecu,
+                  x->residual_tecu + w * (y->residual_tecu - x->residual_tecu) + a * slope[0].residual +
+                      b * slope[1].residual,
                   1,
                   arc->sigma_tecu,
-                  orr_vec3_unit(orr_vec3_axpy(w, orr_vec3_sub(y->pierce, x->pierce), x->pierce))};
+                  orr_vec3_unit(orr_vec3_axpy(a, slope[0].pierce, orr_vec3_axpy(b, slope[1].pierce, along)))};
+}
+
+// Change of a residual at the middle one of three samples, from the slopes before and after it over h and k seconds: that of the
+// parabola through them, held back so that nothing rises above the samples or falls below them (Steffen 1990).
+static double monotone_slope(double before, double h, double after, double k)
+{
+    if (!(before * after > 0)) return 0;
+    const double parabola = (before * k + after * h) / (h + k);
+    return copysign(fmin(fabs(parabola), 2 * fmin(fabs(before), fabs(after))), before);
+}
+
+// The changes at sample i of an arc's n: of the parabola through it and its neighbours. At an arc's end the residual rests, because
+// it is held beyond; the pierce point moves on.
+static curve_slopes slopes_at(const orr_session_sample *x, size_t i, size_t n)
+{
+    const orr_session_sample *p = &x[i > 0 ? i - 1 : 0], *q = &x[i], *r = &x[i + 1 < n ? i + 1 : i];
+    const double h = orr_time_diff_s(q->t, p->t), k = orr_time_diff_s(r->t, q->t);
+    curve_slopes before = {0}, after = {0};
+    if (h > 0) {
+        before.residual = (q->residual_tecu - p->residual_tecu) / h;
+        before.pierce = orr_vec3_scale(1 / h, orr_vec3_sub(q->pierce, p->pierce));
+    }
+    if (k > 0) {
+        after.residual = (r->residual_tecu - q->residual_tecu) / k;
+        after.pierce = orr_vec3_scale(1 / k, orr_vec3_sub(r->pierce, q->pierce));
+    }
+    if (!(h > 0 && k > 0)) return (curve_slopes){0, h > 0 ? before.pierce : after.pierce};
+    return (curve_slopes){
+        monotone_slope(before.residual, h, after.residual, k),
+        orr_vec3_axpy(k / (h + k), before.pierce, orr_vec3_scale(h / (h + k), after.pierce))};
+}
+
+// What an arc's sample i, its first or last, says `beyond_s` seconds outside of the arc (negative: before it): its residual, where its
+// pierce point comes to rest.
+static seen held(const orr_session_arc *arc, const orr_session_sample *first, size_t i, double beyond_s)
+{
+    const orr_session_sample *x = &first[i];
+    const double moved_s = copysign(REST_S * -expm1(-fabs(beyond_s) / REST_S), beyond_s);
+    return (seen){arc->sat,
+                  false,
+                  x->residual_tecu,
+                  falling(fabs(beyond_s) / FADE_S),
+                  arc->sigma_tecu,
+                  orr_vec3_unit(orr_vec3_axpy(moved_s, slopes_at(first, i, arc->n).pierce, x->pierce))};
 }
 
 static seen inside(const orr_session *s, const orr_session_arc *arc, orr_time t)
@@ -143,8 +193,8 @@ static seen inside(const orr_session *s, const orr_session_arc *arc, orr_time t)
         else
             hi = mid;
     }
-    if (x[hi].t == t) lo = hi;
-    return between(arc, &x[lo], &x[hi], t);
+    const curve_slopes slope[2] = {slopes_at(x, lo, arc->n), slopes_at(x, hi, arc->n)};
+    return between(arc, &x[lo], &x[hi], slope, t);
 }
 
 // One satellite's arcs [from, to), in time order. False where it says nothing at t.
@@ -169,7 +219,9 @@ static bool see_satellite(const orr_session *s, size_t from, size_t to, orr_time
         return true;
     }
     if (before != NULL && after != NULL && ramp(s, before, after, t, &step, &part)) {
-        *out = between(before, last_of(s, before), first_of(s, after), t);
+        const curve_slopes ends[2] = {slopes_at(first_of(s, before), before->n - 1, before->n),
+                                      slopes_at(first_of(s, after), 0, after->n)};
+        *out = between(before, last_of(s, before), first_of(s, after), ends, t);
         out->residual = last_of(s, before)->residual_tecu + part * step;
         out->inside = false;
         return true;
@@ -177,9 +229,9 @@ static bool see_satellite(const orr_session *s, size_t from, size_t to, orr_time
     double since = before != NULL ? orr_time_diff_s(t, last_of(s, before)->t) : FADE_S,
            until = after != NULL ? orr_time_diff_s(first_of(s, after)->t, t) : FADE_S;
     if (since < FADE_S)
-        *out = held(before, last_of(s, before), falling(since / FADE_S));
+        *out = held(before, first_of(s, before), before->n - 1, since);
     else if (until < FADE_S)
-        *out = held(after, first_of(s, after), falling(until / FADE_S));
+        *out = held(after, first_of(s, after), 0, -until);
     else
         return false;
     return out->fade > LEAST_FADE;

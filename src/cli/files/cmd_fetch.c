@@ -119,6 +119,17 @@ static int32_t day_of(orr_time t)
     return mjd;
 }
 
+// The file of certificates that the curl program would take.
+static const char *ca_of_environment(void)
+{
+    static const char *const names[] = {"CURL_CA_BUNDLE", "SSL_CERT_FILE"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        const char *file = getenv(names[k]);
+        if (file != NULL && *file != '\0') return file;
+    }
+    return NULL;
+}
+
 static int fetch_all(orr_cli *c, const orr_archives *a, orr_fetch_item *item, size_t n, const char *cache)
 {
     orr_diag diag = {0};
@@ -129,6 +140,7 @@ static int fetch_all(orr_cli *c, const orr_archives *a, orr_fetch_item *item, si
     o.backoff_s = (double)orr_cli_duration_ns(c, "backoff", (int64_t)(o.backoff_s * 1e9)) * 1e-9;
     o.stall_s = (double)orr_cli_duration_ns(c, "stall", (int64_t)(o.stall_s * 1e9)) * 1e-9;
     o.netrc = orr_cli_text(c, "netrc", NULL);
+    o.ca_file = orr_cli_text(c, "ca-file", ca_of_environment());
     o.log = c->log;
     o.cancelled = cancelled;
     o.progress = progress;
@@ -263,6 +275,11 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .help = "Names and passwords for mirrors that ask for a login (default ~/.netrc)."},
+    {.name = "ca-file",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Certificates (PEM) that vouch for https mirrors, as of a laboratory's own authority (default "
+             "CURL_CA_BUNDLE or SSL_CERT_FILE, else the system's)."},
     ORR_OPTION_FORMAT_AS("text|json", "text",
                          .help = "Paths of the files, one a line (default), or what became of each as JSON."),
 };

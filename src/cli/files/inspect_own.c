@@ -95,7 +95,7 @@ static orr_status session_epochs(const orr_session *s, orr_inspection *r, orr_di
 static orr_status inspect_session(const char *path, orr_inspection *r, orr_diag *diag)
 {
     orr_session s;
-    orr_status st = orr_session_load(path, &s, diag);
+    orr_status st = orr_session_load(path, NULL, &s, diag);
     if (st != ORR_OK) return st;
     st = session_epochs(&s, r, diag);
     r->from = s.from;

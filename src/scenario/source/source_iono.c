@@ -45,7 +45,7 @@ orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *o
     i->transfer = (orr_transfer_options){.seed = (uint64_t)o->seed, .noise = o->noise};
     orr_status status;
     if (o->session != NULL) {
-        status = orr_session_load(o->session, &i->session, diag);
+        status = orr_session_load(o->session, s->leap, &i->session, diag);
         i->has_session = status == ORR_OK;
     } else {
         orr_tec_options options = orr_tec_default_options();

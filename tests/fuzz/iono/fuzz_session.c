@@ -112,7 +112,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     nc_mock_edit(data[0] % 3, data + 1, n - 1);
     orr_session s;
     orr_diag diag = {0};
-    orr_status status = orr_session_load("fuzz", &s, &diag);
+    orr_status status = orr_session_load("fuzz", NULL, &s, &diag);
     if (status != ORR_OK) {
         if (diag.text[0] == '\0' || s.arc != NULL || s.field != NULL)
             abort(); // a refusal says why and holds nothing

@@ -245,7 +245,7 @@ static void test_session(void **state)
     ASSERT_OK(orr_sha256_file(path, hash, &d), d);
     const orr_nc_input inputs[] = {{.path = path, .sha256 = hash}};
     ASSERT_OK(orr_session_save(&made, file, "a test", inputs, 1, &d), d);
-    ASSERT_OK(orr_session_load(file, &s, &d), d);
+    ASSERT_OK(orr_session_load(file, NULL, &s, &d), d);
     unlink(file);
     print_message("small scale: sigma %.3f TECU, length %.0f km, time %.0f s; %zu arcs, %zu samples\n",
                   s.small.sigma_tecu, s.small.length_m / 1e3, s.small.time_s, s.n_arcs, s.n_samples);

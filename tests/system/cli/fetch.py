@@ -9,7 +9,9 @@ import http.server
 import json
 import os
 import pathlib
+import shutil
 import signal
+import ssl
 import subprocess
 import sys
 import tempfile
@@ -115,6 +117,10 @@ class Handler(http.server.BaseHTTPRequestHandler):
                 self.wfile.write(data[at:at + len(data) // 5])
         elif what == "redirect":
             self.send(302, b"", Location=self.path.replace("/redirect/", "/good/"))
+        elif what == "plain":  # from https to a server without it
+            self.send(302, b"", Location=f"http://127.0.0.1:{server.plain_port}{self.path.replace('/plain/', '/good/')}")
+        elif what == "elsewhere":  # to another host's https
+            self.send(302, b"", Location=f"https://localhost:{server.server_port}{self.path.replace('/elsewhere/', '/good/')}")
         elif what == "circle":
             self.send(302, b"", Location=self.path)
         elif what == "login":  # like Earthdata: sent to the login host, back with a cookie
@@ -144,6 +150,14 @@ class Server(http.server.ThreadingHTTPServer):
 
     def handle_error(self, request, client_address):
         pass  # clients that hang up are part of the play
+
+
+def certificate(folder):
+    """A certificate of 127.0.0.1 and localhost that signs itself, and its key."""
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-days", "2",
+                    "-subj", "/CN=localhost", "-addext", "subjectAltName=IP:127.0.0.1,DNS:localhost",
+                    "-keyout", f"{folder}/key.pem", "-out", f"{folder}/cert.pem"], check=True, capture_output=True, timeout=30)
+    return f"{folder}/cert.pem", f"{folder}/key.pem"
 
 
 class Fetch(unittest.TestCase):
@@ -303,6 +317,68 @@ class Fetch(unittest.TestCase):
     def test_redirect(self):
         self.table("redirect")
         self.assert_fetched(self.run_fetch())
+
+    def secure_server(self):
+        """A second server, behind TLS, that knows the first as the one without."""
+        if shutil.which("openssl") is None:
+            self.skipTest("needs openssl to make a certificate")
+        cert, key = certificate(self.folder.name)
+        secure = Server()
+        secure.plain_port = self.server.server_port
+        context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+        context.load_cert_chain(cert, key)
+        secure.socket = context.wrap_socket(secure.socket, server_side=True)
+        thread = threading.Thread(target=secure.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True)
+        thread.start()
+        self.addCleanup(secure.server_close)
+        self.addCleanup(secure.shutdown)
+        self.addCleanup(secure.quiet.set)
+        return secure, cert
+
+    def run_securely(self, secure, cert, what, login=False, expect=0, variable="CURL_CA_BUNDLE"):
+        names = [f"name ionex COD final - - {NAME}", f"mirror {what} * https://127.0.0.1:{secure.server_port}/{what}/{' login' * login}"]
+        self.table(names=names)
+        netrc = pathlib.Path(self.folder.name) / ".netrc"
+        netrc.write_text("machine 127.0.0.1 login ada password secret\n")
+        netrc.chmod(0o600)
+        env = dict(os.environ, HOME=self.folder.name, no_proxy="*")
+        for name in ("CURL_CA_BUNDLE", "SSL_CERT_FILE", "SSL_CERT_DIR"):
+            env.pop(name, None)
+        if cert is not None and variable is not None:
+            env[variable] = cert
+        option = ["--ca-file", cert] if variable is None else []
+        r = subprocess.run(self.command(*option), capture_output=True, text=True, timeout=60, env=env)
+        self.assertEqual(r.returncode, expect, r.stderr + r.stdout)
+        return r
+
+    def test_https(self):
+        """TLS with a certificate that option or environment names; without it nobody vouches for the server, and nothing is fetched."""
+        secure, cert = self.secure_server()
+        r = self.run_securely(secure, None, "good", expect=1)
+        self.assertIn("--ca-file", r.stderr)
+        self.assertFalse(self.place().exists())
+        self.assertEqual(secure.seen, [])  # not even asked
+        for variable in (None, "CURL_CA_BUNDLE", "SSL_CERT_FILE"):
+            self.assert_fetched(self.run_securely(secure, cert, "good", variable=variable))
+            self.place().unlink()
+
+    def test_https_redirects_are_followed(self):
+        for what in ("redirect", "elsewhere"):
+            for login in (False, True):
+                with self.subTest(what, login=login):
+                    secure, cert = self.secure_server()
+                    self.assert_fetched(self.run_securely(secure, cert, what, login))
+                    self.place().unlink()
+
+    def test_a_login_is_never_redirected_to_plain_http(self):
+        secure, cert = self.secure_server()
+        r = self.run_securely(secure, cert, "plain", login=True, expect=1)
+        self.assertIn("another protocol than https while a login is sent", r.stderr)
+        self.assertEqual(self.server.seen, [])  # where nothing is encrypted nobody was asked
+        self.assertFalse(self.place().exists())
+        # Without a login there is nothing to lose: the product's hash and content are checked as ever.
+        self.assert_fetched(self.run_securely(secure, cert, "plain"))
+        self.assertEqual(len(self.server.seen), 1)
 
     def test_redirected_in_circles(self):
         self.table("circle", "good")
