@@ -16,17 +16,23 @@ orr_attitude_law orr_attitude_law_of(const orr_antex_antenna *antenna)
         {"BLOCK IIR", ORR_LAW_RATE},        {"BLOCK IIF", ORR_LAW_IIF},
         {"GLONASS-M", ORR_LAW_GLONASS_M},   {"GALILEO-1", ORR_LAW_GALILEO_IOV},
         {"GALILEO-2", ORR_LAW_GALILEO_FOC}, {"BEIDOU-3M", ORR_LAW_BEIDOU_3},
-        {"BEIDOU-3I", ORR_LAW_BEIDOU_3},
+        {"BEIDOU-3I", ORR_LAW_BEIDOU_3},    {"BLOCK IIA", ORR_LAW_IIA},
+        {"BLOCK III", ORR_LAW_III},         {"BEIDOU-2M", ORR_LAW_BEIDOU_2},
+        {"BEIDOU-2I", ORR_LAW_BEIDOU_2},
     };
-    for (size_t k = 0; antenna != NULL && k < sizeof laws / sizeof *laws; k++)
+    if (antenna == NULL) return ORR_LAW_NOMINAL;
+    for (size_t k = 0; k < sizeof laws / sizeof *laws; k++)
         if (strncmp(antenna->type, laws[k].type, strlen(laws[k].type)) == 0) return laws[k].law;
-    return ORR_LAW_NOMINAL;
+    // These are the whole name of a block, and the begin of others'.
+    if (strcmp(antenna->type, "BLOCK II") == 0) return ORR_LAW_IIA;
+    return strcmp(antenna->type, "QZSS") == 0 ? ORR_LAW_QZS_1 : ORR_LAW_NOMINAL;
 }
 
 // Where the satellite is on its orbit.
 typedef struct place {
     double beta, mu, n; // rad, rad from midnight in (-pi, pi], rad/s
     double radius_m;
+    double beta_90, beta_90_before; // beta at the last passage of mu = 90 deg, and a revolution before it
 } place;
 
 static double nominal(const place *p, double mu) { return atan2(-tan(p->beta), sin(mu)); }
@@ -86,10 +92,33 @@ static double glonass_m(const place *p)
     return nominal(p, ORR_PI - eta) + turn_sign(p, ORR_PI) * rate * (noon + eta) / p->n;
 }
 
-static double galileo_iov(const place *p)
+// Block IIA: behind the Sun's line in the shadow, and back to it afterwards.
+static double block_iia(const place *p)
 {
-    const double sx = cos(p->beta) * sin(p->mu), sy = -sin(p->beta), wide = sin(15 * DEG),
-                 narrow = sin(2 * DEG);
+    const double rate = 0.12 * DEG, half = shadow_half(p), since_exit = (p->mu - half) / p->n;
+    if (half == 0 || p->mu < -half || p->mu > ORR_PI / 2) return nominal(p, p->mu);
+    const double at_exit = nominal(p, -half) + rate * 2 * half / p->n;
+    if (p->mu < half) return nominal(p, -half) + rate * (p->mu + half) / p->n;
+    const double behind = remainder(at_exit - nominal(p, half), 2 * ORR_PI);
+    // The nominal yaw moves on, away or towards: what is left is taken back at the rate, from both sides.
+    return nominal(p, p->mu) + copysign(fmax(fabs(behind) - rate * since_exit, 0), behind);
+}
+
+// Orbit-normal, yaw 0, while beta is small; changed where the yaw is least, mu = 90 deg, and not at once.
+static double orbit_normal_below(const place *p, double least)
+{
+    const double rate = 0.1 * DEG, yaw = fabs(p->beta_90) < least ? 0 : nominal(p, p->mu);
+    if ((fabs(p->beta_90) < least) == (fabs(p->beta_90_before) < least)) return yaw;
+    const double since_s = fmod(p->mu - ORR_PI / 2 + 2 * ORR_PI, 2 * ORR_PI) / p->n;
+    const double step =
+        fabs(p->beta_90) < least ? -p->beta_90 : p->beta_90; // of the old yaw above the new one
+    return yaw + copysign(fmax(fabs(step) - rate * since_s, 0), step);
+}
+
+// A direction that keeps away from the Sun's line, within `narrow` of it across and 15 deg along the track.
+static double kept_away(const place *p, double narrow)
+{
+    const double sx = cos(p->beta) * sin(p->mu), sy = -sin(p->beta), wide = sin(15 * DEG);
     if (fabs(sx) >= wide || fabs(sy) >= narrow) return nominal(p, p->mu);
     const double side = sy < 0 ? -narrow : narrow;
     const double y = 0.5 * (side + sy) + 0.5 * (side - sy) * cos(ORR_PI * fabs(sx) / wide);
@@ -129,7 +158,15 @@ static double yaw_by_law(orr_attitude_law law, const place *p)
     case ORR_LAW_GLONASS_M:
         return glonass_m(p);
     case ORR_LAW_GALILEO_IOV:
-        return galileo_iov(p);
+        return kept_away(p, sin(2 * DEG));
+    case ORR_LAW_III:
+        return kept_away(p, sin(5.8 * DEG));
+    case ORR_LAW_IIA:
+        return noon < ORR_PI / 2 ? rate_limited(p, ORR_PI, 0.12 * DEG) : block_iia(p);
+    case ORR_LAW_BEIDOU_2:
+        return orbit_normal_below(p, 4 * DEG);
+    case ORR_LAW_QZS_1:
+        return orbit_normal_below(p, 20 * DEG);
     case ORR_LAW_GALILEO_FOC:
         return galileo_foc(p);
     case ORR_LAW_BEIDOU_3:
@@ -140,16 +177,44 @@ static double yaw_by_law(orr_attitude_law law, const place *p)
     return nominal(p, p->mu);
 }
 
-orr_status orr_attitude_by_law(orr_attitude_law law, orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_attitude *out)
+// The Sun's right ascension and the ecliptic's obliquity to a minute of arc: the mean Sun with its equation of the centre.
+static double sun_right_ascension(orr_time t, double obliquity)
+{
+    int32_t mjd;
+    double fraction;
+    orr_time_mjd(t, ORR_SCALE_GPS, NULL, &mjd, &fraction);
+    const double days = mjd - 51544.5 + fraction; // of J2000
+    const double anomaly = (357.528 + 0.9856003 * days) * DEG;
+    const double lon = (280.460 + 0.9856474 * days + 1.915 * sin(anomaly) + 0.020 * sin(2 * anomaly)) * DEG;
+    return atan2(cos(obliquity) * sin(lon), cos(lon));
+}
+
+// beta so many seconds before t: the Sun turned back along the ecliptic, whose pole stands 270 deg in right ascension beside it.
+static double beta_before(orr_time t, orr_vec3 normal, orr_vec3 sun, double seconds)
+{
+    const double obliquity = 23.44 * DEG, back = -2 * ORR_PI / (365.25 * 86400) * seconds;
+    const double lon = atan2(sun.y, sun.x) - sun_right_ascension(t, obliquity) - ORR_PI / 2;
+    const orr_vec3 pole = {sin(obliquity) * cos(lon), sin(obliquity) * sin(lon), cos(obliquity)};
+    const orr_vec3 was = orr_vec3_axpy(sin(back), orr_vec3_cross(pole, sun), orr_vec3_scale(cos(back), sun));
+    return asin(fmin(fmax(orr_vec3_dot(normal, was), -1), 1));
+}
+
+orr_status orr_attitude_by_law(orr_attitude_law law, orr_time t, orr_vec3 r, orr_vec3 v, orr_vec3 sun,
+                               orr_attitude *out)
 {
     const orr_status status = orr_attitude_nominal(r, v, sun, out);
     if (status != ORR_OK || law == ORR_LAW_NOMINAL) return status;
     const orr_vec3 up = orr_vec3_unit(r), normal = orr_vec3_unit(orr_vec3_cross(r, v));
     const orr_vec3 along = orr_vec3_cross(normal, up), s = orr_vec3_unit(sun);
-    const place p = {.beta = out->beta_rad,
-                     .mu = atan2(orr_vec3_dot(s, along), -orr_vec3_dot(s, up)),
-                     .n = orr_vec3_norm(orr_vec3_cross(r, v)) / orr_vec3_dot(r, r),
-                     .radius_m = orr_vec3_norm(r)};
+    place p = {.beta = out->beta_rad,
+               .mu = atan2(orr_vec3_dot(s, along), -orr_vec3_dot(s, up)),
+               .n = orr_vec3_norm(orr_vec3_cross(r, v)) / orr_vec3_dot(r, r),
+               .radius_m = orr_vec3_norm(r)};
+    if (law == ORR_LAW_BEIDOU_2 || law == ORR_LAW_QZS_1) {
+        const double since = fmod(p.mu - ORR_PI / 2 + 2 * ORR_PI, 2 * ORR_PI) / p.n;
+        p.beta_90 = beta_before(t, normal, s, since);
+        p.beta_90_before = beta_before(t, normal, s, since + 2 * ORR_PI / p.n);
+    }
     // The Sun's parallax (9 arcsec) is in the nominal attitude and not in the angles: what the law turns is added.
     const double more = remainder(yaw_by_law(law, &p) - nominal(&p, p.mu), 2 * ORR_PI), c = cos(more),
                  q = sin(more);

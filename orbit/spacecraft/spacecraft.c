@@ -44,7 +44,7 @@ orr_status orr_spacecraft_at(const orr_spacecraft_sources *src, orr_sat sat, orr
     if (x.orbit_normal) orr_attitude_orbit_normal(r, v, sun, &x.attitude);
     const orr_attitude_law law =
         orr_attitude_law_of(src->antex != NULL ? orr_antex_find_sat(src->antex, sat, t) : NULL);
-    x.has_attitude = x.orbit_normal || orr_attitude_by_law(law, r, v, sun, &x.attitude) == ORR_OK;
+    x.has_attitude = x.orbit_normal || orr_attitude_by_law(law, t, r, v, sun, &x.attitude) == ORR_OK;
     place_antenna(src->antex, sat, t, &x);
     x.relativity_s = orr_periodic_relativity_s(r, v);
     x.health = health_at(src->nav, sat, t, src->messages);

@@ -53,8 +53,8 @@ static void set_attitude(const moment *m, ray *r, slow_values *out)
 {
     const orr_vec3 x = r->reception.pos_m, v = orr_velocity_inertial(x, r->reception.vel_mps);
     if (r->sat->orbit_normal) orr_attitude_orbit_normal(x, v, m->sun_m, &r->attitude);
-    r->has_attitude =
-        r->sat->orbit_normal || orr_attitude_by_law(r->sat->law, x, v, m->sun_m, &r->attitude) == ORR_OK;
+    r->has_attitude = r->sat->orbit_normal ||
+                      orr_attitude_by_law(r->sat->law, m->t, x, v, m->sun_m, &r->attitude) == ORR_OK;
     if (r->has_attitude && r->attitude.fast_turn) out->flags |= ORR_CHANNEL_FAST_TURN;
 }
 
