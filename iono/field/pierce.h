@@ -71,6 +71,9 @@ orr_status orr_mapping_parse(const char *name, orr_mapping_kind *out, orr_diag *
 double orr_mapping_factor(const orr_mapping *m, double el_rad);
 
 #define ORR_IONO_K_M3_PER_S2 40.3e16 // metres of delay for one TECU (1e16 electrons/m^2) at 1 Hz, times Hz^2
+// Second order of a code's delay: metres for one TECU and a magnetic field of 1 T along the signal's way at 1 Hz, times Hz^3.
+// Bassiri and Hajj 1993, Manuscripta Geodaetica 18:280; IERS Conventions 2010, 9.4.1: 1.1284e12 for a phase, twice that for a code.
+#define ORR_IONO_SECOND_M4_PER_S3_T 2.2568e28
 typedef enum orr_measurement { ORR_MEASURES_CODE, ORR_MEASURES_PHASE } orr_measurement;
 // 40.3e16 E / f^2 metres for a slant content of E TECU: positive for a code, which is late by so much, negative for a
 // phase, which is early (Bogdanov 2015, eq. (36)).

@@ -375,7 +375,7 @@ records.sat_channel = {size = 126, smallest = 126, fields = {
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
     {name = "echo", kind = "scalar", scalar = "u16"},
 }}
-records.channel_terms = {size = 176, smallest = 176, fields = {
+records.channel_terms = {size = 184, smallest = 184, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -391,6 +391,7 @@ records.channel_terms = {size = 176, smallest = 176, fields = {
     {name = "emission_ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "wind_up_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "phase_bias_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "ionosphere_second_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "echo_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "echo_phase_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_range_m", kind = "scalar", scalar = "f64", unit = "m"},

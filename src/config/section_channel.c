@@ -189,6 +189,9 @@ static const orr_condition no_antex[] = {
 static const orr_condition no_bias[] = {
     {.key = "../navdata.bias", .absent = true, .why = "channels take the same file"}, {0}};
 static const orr_choice holes[] = {ORR_CLOCK_HOLES(ORR_CHOICE_WORD){0}};
+static const orr_condition with_ionosphere[] = {{.key = "../ionosphere", .why = "there is no ionosphere"},
+                                                {0}};
+static const orr_condition of_second_order[] = {{.key = "second_order", .words = "yes"}, {0}};
 static const orr_key channel_rows[] = {
     REAL_ROW(orr_scenario_channel, "error_m", error_m, 1e-9, 1, "m", "1e-5", NULL,
              "greatest error of a block's cubics against the motion; blocks are as long as it allows"),
@@ -197,6 +200,14 @@ static const orr_key channel_rows[] = {
     BOOL_ROW(orr_scenario_channel, "relativity", relativity, "yes", NULL,
              "periodic relativity of the satellites' clocks, -2 r.v/c^2"),
     BOOL_ROW(orr_scenario_channel, "windup", windup, "yes", NULL, "phase wind-up of the carrier"),
+    BOOL_ROW(orr_scenario_channel, "second_order", second_order, "no", with_ionosphere,
+             "second order of the ionosphere's delay, by the Earth's magnetic field: centimetres of a code, "
+             "half of it, early, of "
+             "a carrier"),
+    TEXT_ROW(orr_scenario_channel, "magnetic", magnetic, of_second_order,
+             "GeographicLib's model of that field, e.g. igrf14 or wmm2025 (geographiclib-get-magnetic "
+             "installs them); default: the "
+             "dipole of IGRF-13"),
     FILE_ROW(orr_scenario_channel, "antex", antex, no_antex,
              "ANTEX file of satellites' and receivers' antennas; default: navdata.antex"),
     FILE_ROW(orr_scenario_channel, "bias", bias, no_bias,

@@ -78,7 +78,8 @@ typedef enum orr_clock_hole { ORR_CLOCK_HOLES(ORR_CHOICE_VALUE) } orr_clock_hole
 
 typedef struct orr_scenario_channel {
     double error_m;
-    bool shapiro, relativity, windup;
+    bool shapiro, relativity, windup, second_order;
+    char *magnetic;     // GeographicLib's model of the magnetic field for the second order; NULL: a dipole
     char *antex, *bias; // NULL: those of navdata
     int clock_holes;    // orr_clock_hole
 } orr_scenario_channel;

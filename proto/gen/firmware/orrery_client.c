@@ -1907,13 +1907,14 @@ static inline void store_channel_terms(uint8_t *p, const orr_msg_channel_terms *
     orr_wire_store_f64(p + 96, m->emission_ionosphere_m);
     orr_wire_store_f64(p + 104, m->wind_up_m);
     orr_wire_store_f64(p + 112, m->phase_bias_m);
-    orr_wire_store_f64(p + 120, m->echo_m);
-    orr_wire_store_f64(p + 128, m->echo_phase_m);
-    orr_wire_store_f64(p + 136, m->fault_range_m);
-    orr_wire_store_f64(p + 144, m->fault_noise_m);
-    orr_wire_store_f64(p + 152, m->fault_clock_m);
-    orr_wire_store_f64(p + 160, m->fault_divergence_m);
-    orr_wire_store_f64(p + 168, m->fault_orbit_m);
+    orr_wire_store_f64(p + 120, m->ionosphere_second_m);
+    orr_wire_store_f64(p + 128, m->echo_m);
+    orr_wire_store_f64(p + 136, m->echo_phase_m);
+    orr_wire_store_f64(p + 144, m->fault_range_m);
+    orr_wire_store_f64(p + 152, m->fault_noise_m);
+    orr_wire_store_f64(p + 160, m->fault_clock_m);
+    orr_wire_store_f64(p + 168, m->fault_divergence_m);
+    orr_wire_store_f64(p + 176, m->fault_orbit_m);
 }
 
 static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m)
@@ -1933,13 +1934,14 @@ static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m
     m->emission_ionosphere_m = orr_wire_load_f64(p + 96);
     m->wind_up_m = orr_wire_load_f64(p + 104);
     m->phase_bias_m = orr_wire_load_f64(p + 112);
-    m->echo_m = orr_wire_load_f64(p + 120);
-    m->echo_phase_m = orr_wire_load_f64(p + 128);
-    m->fault_range_m = orr_wire_load_f64(p + 136);
-    m->fault_noise_m = orr_wire_load_f64(p + 144);
-    m->fault_clock_m = orr_wire_load_f64(p + 152);
-    m->fault_divergence_m = orr_wire_load_f64(p + 160);
-    m->fault_orbit_m = orr_wire_load_f64(p + 168);
+    m->ionosphere_second_m = orr_wire_load_f64(p + 120);
+    m->echo_m = orr_wire_load_f64(p + 128);
+    m->echo_phase_m = orr_wire_load_f64(p + 136);
+    m->fault_range_m = orr_wire_load_f64(p + 144);
+    m->fault_noise_m = orr_wire_load_f64(p + 152);
+    m->fault_clock_m = orr_wire_load_f64(p + 160);
+    m->fault_divergence_m = orr_wire_load_f64(p + 168);
+    m->fault_orbit_m = orr_wire_load_f64(p + 176);
 }
 
 static void put_hello(orr_wire_writer *w, const orr_msg_hello *m)
@@ -3418,9 +3420,9 @@ static void put_channel_terms_records(orr_wire_writer *w, const orr_msg_channel_
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
     }
-    uint8_t *p = orr_wire_room(w, 176 * (size_t)list->count);
+    uint8_t *p = orr_wire_room(w, 184 * (size_t)list->count);
     if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_channel_terms(p + 176 * (size_t)i, &list->item[i]);
+    for (uint16_t i = 0; i < list->count; i++) store_channel_terms(p + 184 * (size_t)i, &list->item[i]);
 }
 
 orr_wire_status orr_msg_channel_terms_records_encode(const orr_msg_channel_terms_list *piece, orr_wire_writer *w)
@@ -3436,7 +3438,7 @@ static void put_channel_terms_list(orr_wire_writer *w, const orr_msg_channel_ter
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
-    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 176 : list->wire.stride);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 184 : list->wire.stride);
     put_channel_terms_records(w, list);
 }
 
@@ -3450,7 +3452,7 @@ static void get_channel_terms_list(orr_wire_reader *r, orr_msg_channel_terms_lis
         return;
     }
     uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
-    if (count > 0 && stride < 176) {
+    if (count > 0 && stride < 184) {
         r->status = ORR_WIRE_SHORT;
         return;
     }

@@ -1003,7 +1003,7 @@ bool orr_msg_sat_channel_next(const orr_msg_sat_channel_list *list, orr_wire_ite
 orr_wire_status orr_msg_sat_channel_records_encode(const orr_msg_sat_channel_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_channel_at(const orr_msg_sat_channel_list *list, uint16_t index, orr_msg_sat_channel *out);   // false beyond the end
 
-// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, wind_up and phase_bias join, echo_phase joins, group_delay and fault_divergence do not.
+// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, its second order the other sign and half the size, wind_up and phase_bias join, echo_phase joins, group_delay and fault_divergence do not.
 typedef struct orr_msg_channel_terms {
     double distance_m; // antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     double sagnac_m; // rotation of the Earth during the flight
@@ -1020,6 +1020,7 @@ typedef struct orr_msg_channel_terms {
     double emission_ionosphere_m; // the ionosphere's part
     double wind_up_m; // turns of satellite and antenna, times the wavelength: of the carrier alone
     double phase_bias_m; // the carrier's bias against the clock's pair of signals: of the carrier alone
+    double ionosphere_second_m; // second order of the ionosphere, of the code; 0 unless the scenario asks for it
     double echo_m; // of an echo: how much longer its way is
     double echo_phase_m; // of an echo: what the reflection retards the carrier by, times the wavelength: of the carrier alone
     double fault_range_m; // faults.range: steps and ramps
@@ -1028,8 +1029,8 @@ typedef struct orr_msg_channel_terms {
     double fault_divergence_m; // faults.divergence: of the code alone
     double fault_orbit_m; // faults.orbit: what the displaced satellite adds to the range
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 176u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 176u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 184u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 184u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1256,7 +1257,7 @@ typedef struct orr_msg_channels {
     orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite, signal and echo
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 1237100u
+#define ORR_MSG_CHANNELS_LARGEST 1269868u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

@@ -971,7 +971,8 @@ class SatChannel(Record):
 @dataclasses.dataclass(eq=False, slots=True)
 class ChannelTerms(Record):
     """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the
-    other sign, wind_up and phase_bias join, echo_phase joins, group_delay and fault_divergence do not.
+    other sign, its second order the other sign and half the size, wind_up and phase_bias join, echo_phase joins, group_delay
+    and fault_divergence do not.
 
     distance_m [m]: antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     sagnac_m [m]: rotation of the Earth during the flight
@@ -988,6 +989,7 @@ class ChannelTerms(Record):
     emission_ionosphere_m [m]: the ionosphere's part
     wind_up_m [m]: turns of satellite and antenna, times the wavelength: of the carrier alone
     phase_bias_m [m]: the carrier's bias against the clock's pair of signals: of the carrier alone
+    ionosphere_second_m [m]: second order of the ionosphere, of the code; 0 unless the scenario asks for it
     echo_m [m]: of an echo: how much longer its way is
     echo_phase_m [m]: of an echo: what the reflection retards the carrier by, times the wavelength: of the carrier alone
     fault_range_m [m]: faults.range: steps and ramps
@@ -1013,6 +1015,7 @@ class ChannelTerms(Record):
         Field("emission_ionosphere_m", "scalar", scalar="f64"),
         Field("wind_up_m", "scalar", scalar="f64"),
         Field("phase_bias_m", "scalar", scalar="f64"),
+        Field("ionosphere_second_m", "scalar", scalar="f64"),
         Field("echo_m", "scalar", scalar="f64"),
         Field("echo_phase_m", "scalar", scalar="f64"),
         Field("fault_range_m", "scalar", scalar="f64"),
@@ -1037,6 +1040,7 @@ class ChannelTerms(Record):
     emission_ionosphere_m: float = 0.0
     wind_up_m: float = 0.0
     phase_bias_m: float = 0.0
+    ionosphere_second_m: float = 0.0
     echo_m: float = 0.0
     echo_phase_m: float = 0.0
     fault_range_m: float = 0.0

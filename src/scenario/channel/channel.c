@@ -114,6 +114,10 @@ static void set_signal(const orr_antenna *a, const ray *r, size_t j, double dela
     }
     x[ORR_TERM_IONOSPHERE] = orr_iono_delay_m(v[SLOW_CONTENT], sent->carrier_hz, ORR_MEASURES_CODE);
     rate[ORR_TERM_IONOSPHERE] = orr_iono_delay_m(slope[SLOW_CONTENT], sent->carrier_hz, ORR_MEASURES_CODE);
+    const double second_m =
+        ORR_IONO_SECOND_M4_PER_S3_T / (sent->carrier_hz * sent->carrier_hz * sent->carrier_hz);
+    x[ORR_TERM_IONOSPHERE_SECOND] = second_m * v[SLOW_CONTENT_FIELD];
+    rate[ORR_TERM_IONOSPHERE_SECOND] = second_m * slope[SLOW_CONTENT_FIELD];
     const double cycle_m = ORR_LIGHT_MPS / sent->carrier_hz;
     x[ORR_TERM_WIND_UP] = r->turns * cycle_m;
     rate[ORR_TERM_WIND_UP] = r->turns_rate_hz * cycle_m;

@@ -20,7 +20,7 @@ typedef enum orr_term {
 // A term's name, its factors in code and carrier, and what it means.
 typedef struct orr_term_row {
     const char *name, *meaning;
-    int code, carrier;
+    double code, carrier;
 } orr_term_row;
 extern const orr_term_row orr_term_rows[ORR_N_TERMS];
 

@@ -68,6 +68,8 @@ struct orr_channels {
     orr_echoes *echoes;           // NULL: none
     double spacing_chips;         // 0: by the signal
     orr_sun_track sun;
+    orr_magnetic *magnetic; // of the second order; NULL: a dipole
+    double begin_days;      // of the span, after 2000.0
     orr_span span;
     size_t n_cells;
     channel_cell *cell; // [n_antennas][n_cells]

@@ -240,6 +240,12 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     if (status == ORR_OK)
         status = orr_sun_track_open(c->span.from, c->span.to,
                                     orr_ephemeris_eop(orr_source_orbit_ephemeris(c->orbits)), &c->sun, diag);
+    if (status == ORR_OK && s->channel.second_order && s->channel.magnetic != NULL)
+        status = orr_magnetic_open(s->channel.magnetic, NULL, &c->magnetic, diag);
+    int32_t mjd;
+    double fraction;
+    orr_time_mjd(c->span.from, ORR_SCALE_GPS, NULL, &mjd, &fraction);
+    c->begin_days = mjd - 51544 + fraction;
     if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
     if (status != ORR_OK) return status;
     c->n_cells = (size_t)((c->span.to - orr_block_cell(c->span.from)) / ORR_BLOCK_CELL_NS) + 1;
@@ -272,7 +278,7 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     c->has_troposphere = s->has_troposphere && s->troposphere.model != ORR_TROPOSPHERE_NONE;
     c->options = s->channel;
     c->spacing_chips = s->multipath.spacing_chips;
-    c->options.antex = c->options.bias = NULL; // of the scenario, which may go
+    c->options.antex = c->options.bias = c->options.magnetic = NULL; // of the scenario, which may go
     (void)orr_source_orbit_span(orbits, &c->span);
     c->span.from = orr_time_add(c->span.from, MARGIN_NS);
     orr_span i;
@@ -302,6 +308,7 @@ void orr_channels_close(orr_channels *c)
     orr_faults_close(c->faults);
     orr_echoes_close(c->echoes);
     orr_sun_track_free(&c->sun);
+    orr_magnetic_free(c->magnetic);
     free(c->cell);
     free(c->satellite);
     free(c->mask.horizon.item);

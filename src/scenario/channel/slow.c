@@ -6,6 +6,7 @@
 
 #include "core/angle.h"
 #include "core/nan.h"
+#include "iono/field/pierce.h"
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/power.h"
 #include "src/scenario/troposphere/troposphere.h"
@@ -143,6 +144,27 @@ static void trace(const moment *m, ray *r, slow_values *out)
     set_signals(m, r, out);
 }
 
+// The Earth's magnetic field where a ray pierces the ionosphere's shell, along the way of its signal, T.
+static double field_along_t(const moment *m, const orr_iono_site *site, orr_vec3 sat_m)
+{
+    orr_pierce p;
+    if (orr_pierce_ray(site, sat_m, ORR_SHELL_RADIUS_M, &p, NULL) != ORR_OK) return 0;
+    const orr_geodetic place = orr_earth_from_ecef(orr_vec3_scale(ORR_SHELL_RADIUS_M, p.unit));
+    const orr_mat3 enu = orr_earth_enu_from_ecef(place.lat_rad, place.lon_rad);
+    const orr_vec3 way = orr_mat3_apply(&enu, orr_vec3_unit(orr_vec3_sub(site->pos_m, sat_m)));
+    const double year = 2000 + (orr_time_diff_s(m->t, m->c->span.from) / 86400 + m->c->begin_days) / 365.25;
+    return 1e-9 * orr_vec3_dot(way, orr_magnetic_field_nt(m->c->magnetic, year, place));
+}
+
+static void set_second_order(const moment *m, const orr_vec3 *sat_m, size_t n, slow_values *out)
+{
+    orr_iono_site site;
+    if (!m->c->options.second_order || orr_iono_site_at(m->at->r_m, &site, NULL) != ORR_OK) return;
+    for (size_t k = 0; k < n; k++)
+        if (out[k].ok)
+            out[k].v[SLOW_CONTENT_FIELD] = out[k].v[SLOW_CONTENT] * field_along_t(m, &site, sat_m[k]);
+}
+
 // Slant contents; a satellite without a value has no channel.
 static void set_contents(const moment *m, const orr_sat *sat, const orr_vec3 *sat_m, size_t n,
                          slow_values *out)
@@ -155,6 +177,7 @@ static void set_contents(const moment *m, const orr_sat *sat, const orr_vec3 *sa
         out[k].v[SLOW_CONTENT] = covered ? tecu[k] : ORR_NAN;
         out[k].ok = out[k].ok && !isnan(out[k].v[SLOW_CONTENT]);
     }
+    set_second_order(m, sat_m, n, out);
     if (!covered || !m->slopes) return;
     const double aside_m = 100; // East, North and Up; contents bend by 1e-9 TECU/m^2
     for (int axis = 0; axis < 3; axis++) {

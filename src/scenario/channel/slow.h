@@ -6,14 +6,15 @@
 
 #include "src/scenario/channel/channels_private.h"
 
-enum {                // what a satellite has, shared by its signals
-    SLOW_FLIGHT,      // light time, s: an estimate
-    SLOW_SHAPIRO,     // m
-    SLOW_HYDROSTATIC, // m
-    SLOW_WET,         // m
-    SLOW_CONTENT,     // slant TEC, TECU
-    SLOW_APPROACH,    // -u.v / c, v inertial
-    SLOW_TURNS,       // wind-up of a dipole along East and North, cycles
+enum {                  // what a satellite has, shared by its signals
+    SLOW_FLIGHT,        // light time, s: an estimate
+    SLOW_SHAPIRO,       // m
+    SLOW_HYDROSTATIC,   // m
+    SLOW_WET,           // m
+    SLOW_CONTENT,       // slant TEC, TECU
+    SLOW_CONTENT_FIELD, // slant TEC times the magnetic field along the signal's way at the shell, TECU T
+    SLOW_APPROACH,      // -u.v / c, v inertial
+    SLOW_TURNS,         // wind-up of a dipole along East and North, cycles
     SLOW_SHARED,
 };
 enum {                      // and each signal, SLOW_OF of them apart
@@ -22,8 +23,7 @@ enum {                      // and each signal, SLOW_OF of them apart
     SLOW_POWER,             // dBW
     SLOW_OF,
 };
-enum { SLOW_MOST = SLOW_SHARED + CHANNEL_MAX_SENT * SLOW_OF + 1 }; // a multiple of 4
-_Static_assert(SLOW_MOST % 4 == 0, "whole vectors");
+enum { SLOW_MOST = (SLOW_SHARED + CHANNEL_MAX_SENT * SLOW_OF + 3) / 4 * 4 }; // whole vectors of 4
 // Place of one of a signal's values; j counts the satellite's signals.
 static inline size_t slow_of(size_t j, int what) { return SLOW_SHARED + j * SLOW_OF + (size_t)what; }
 // How many values a satellite with so many signals has.

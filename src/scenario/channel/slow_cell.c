@@ -225,6 +225,8 @@ static double metres_of(size_t i)
         return 0.1; // an estimate, to 1e-6 s
     case SLOW_CONTENT:
         return ORR_IONO_K_M3_PER_S2 / (1.2e9 * 1.2e9);
+    case SLOW_CONTENT_FIELD:
+        return ORR_IONO_SECOND_M4_PER_S3_T / (1.2e9 * 1.2e9 * 1.2e9);
     case SLOW_APPROACH:
         return 100; // of delays
     case SLOW_TURNS:

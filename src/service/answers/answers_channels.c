@@ -181,6 +181,7 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .emission_m = t[ORR_TERM_EMISSION],
                                  .emission_ionosphere_m = t[ORR_TERM_EMISSION_IONOSPHERE],
                                  .wind_up_m = t[ORR_TERM_WIND_UP],
+                                 .ionosphere_second_m = t[ORR_TERM_IONOSPHERE_SECOND],
                                  .phase_bias_m = t[ORR_TERM_PHASE_BIAS],
                                  .echo_m = t[ORR_TERM_ECHO],
                                  .echo_phase_m = t[ORR_TERM_ECHO_PHASE],

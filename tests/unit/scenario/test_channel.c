@@ -382,6 +382,81 @@ static void blocks_do_not_remember(void **state)
     }
 }
 
+// --- Second order of the ionosphere ---
+// The dipole of IGRF-13 in 2024, T, at a place, ecef: minus the gradient of its potential a^3 (m . r) / r^3, by differences.
+static orr_vec3 dipole_t(orr_vec3 r)
+{
+    const double a = 6371.2e3, years = 4.095, h = 10;
+    const orr_vec3 m = {-1450.9 + 7.4 * years, 4652.5 - 25.9 * years, -29404.8 + 5.7 * years};
+    double b[3];
+    for (int k = 0; k < 3; k++) {
+        double v[2];
+        for (int side = 0; side < 2; side++) {
+            const double s = side == 0 ? -h : h;
+            const orr_vec3 x = {r.x + (k == 0 ? s : 0), r.y + (k == 1 ? s : 0), r.z + (k == 2 ? s : 0)};
+            v[side] = a * a * a * orr_vec3_dot(m, x) / pow(orr_vec3_norm(x), 3);
+        }
+        b[k] = -(v[1] - v[0]) / (2 * h) * 1e-9;
+    }
+    return (orr_vec3){b[0], b[1], b[2]};
+}
+
+// In the North the field points down, along the signals: codes are late, carriers early by half of it; in the South the other way
+// round. Centimetres, with 1/f^3, and what the content at the shell and the field there make of it.
+static void the_second_order_is_the_magnetic_fields(void **state)
+{
+    (void)state;
+    open_with(
+        "signals: [\"G:L1CA\", \"G:L2C\", \"G:L5\"]\nmask: {elevation: 5}\nionosphere: {field: " IONOSPHERE
+        "}\n"
+        "channel: {second_order: yes}\nantennas:\n  - {name: NORTH, position: [55, 20, 100]}\n"
+        "  - {name: SOUTH, position: [-50, 20, 100]}\n");
+    const double shell_m = 6821e3;
+    double greatest = 0;
+    for (size_t antenna = 0; antenna < 2; antenna++) {
+        orr_channel x[ROOM];
+        size_t high = 0;
+        const orr_vec3 r = orr_channels_antenna(orr_engine_channels(engine), antenna)->fixed.r_m;
+        for (double t_s = 1000; t_s < 21000; t_s += 4000) {
+            const size_t n = all_at(at(t_s), antenna, x);
+            for (size_t k = 0; k < n; k++) {
+                const double second = x[k].term_m[ORR_TERM_IONOSPHERE_SECOND], f = x[k].carrier_hz;
+                orr_sat_state s;
+                assert_int_equal(orr_ephemeris_eval(orr_engine_ephemeris(engine), x[k].sat, at(t_s), &s),
+                                 ORR_OK);
+                const orr_vec3 u = orr_vec3_unit(orr_vec3_sub(s.pos_m, r));
+                const double along = orr_vec3_dot(u, r);
+                const double way = -along + sqrt(along * along + shell_m * shell_m - orr_vec3_dot(r, r));
+                const double field = -orr_vec3_dot(u, dipole_t(orr_vec3_axpy(way, u, r)));
+                const double electrons = x[k].term_m[ORR_TERM_IONOSPHERE] * f * f / 40.3;
+                ASSERT_NEAR(second, 2 * 1.1284e12 * electrons * field / (f * f * f),
+                            1e-5 * fabs(second) + 1e-9);
+                greatest = fmax(greatest, fabs(second));
+                if (x[k].el_rad > 50 * ORR_RAD_PER_DEG) {
+                    assert_true(antenna == 0 ? second > 1e-5 : second < -1e-5);
+                    high++;
+                }
+                if (k > 0 && x[k].sat == x[k - 1].sat) {
+                    const double q = x[k - 1].carrier_hz / f;
+                    ASSERT_NEAR(second, q * q * q * x[k - 1].term_m[ORR_TERM_IONOSPHERE_SECOND], 1e-12);
+                }
+                ASSERT_NEAR(orr_term_rows[ORR_TERM_IONOSPHERE_SECOND].carrier,
+                            -orr_term_rows[ORR_TERM_IONOSPHERE_SECOND].code / 2, 0);
+            }
+        }
+        assert_true(high > 0);
+    }
+    print_message("second order: %.1f mm at most\n", 1e3 * greatest);
+    assert_true(greatest > 1e-3 && greatest < 0.1);
+    tear_down(NULL);
+    open_with("signals: [\"G:L5\"]\nionosphere: {field: " IONOSPHERE
+              "}\nantennas: [{name: A, position: [55, 20, 100]}]\n");
+    orr_channel x[ROOM];
+    const size_t n = all_at(at(5000), 0, x);
+    for (size_t k = 0; k < n; k++)
+        ASSERT_NEAR(x[k].term_m[ORR_TERM_IONOSPHERE_SECOND], 0, 0); // by default there is none
+}
+
 // --- Power ---
 static void power_is_the_documents_at_five_degrees(void **state)
 {
@@ -438,6 +513,7 @@ int main(void)
         cmocka_unit_test_teardown(curves_are_the_terms, tear_down),
         cmocka_unit_test_teardown(order_changes_no_byte, tear_down),
         cmocka_unit_test_teardown(doppler_is_positive_while_approaching, tear_down),
+        cmocka_unit_test_teardown(the_second_order_is_the_magnetic_fields, tear_down),
         cmocka_unit_test_teardown(wind_up_goes_on, tear_down),
         cmocka_unit_test_teardown(a_full_turn_of_the_body_is_a_cycle, tear_down),
         cmocka_unit_test_teardown(blocks_hold_the_motion, tear_down),
