@@ -406,11 +406,10 @@ static orr_vec3 dipole_t(orr_vec3 r)
 static void the_second_order_is_the_magnetic_fields(void **state)
 {
     (void)state;
-    open_with(
-        "signals: [\"G:L1CA\", \"G:L2C\", \"G:L5\"]\nmask: {elevation: 5}\nionosphere: {field: " IONOSPHERE
-        "}\n"
-        "channel: {second_order: yes}\nantennas:\n  - {name: NORTH, position: [55, 20, 100]}\n"
-        "  - {name: SOUTH, position: [-50, 20, 100]}\n");
+    open_with("signals: [\"G:L1CA\", \"G:L2C\", \"G:L5\"]\nmask: {elevation: 5}\nionosphere: "
+              "{field: " MADE_IONOSPHERE "}\n"
+              "channel: {second_order: yes}\nantennas:\n  - {name: NORTH, position: [55, 20, 100]}\n"
+              "  - {name: SOUTH, position: [-50, 20, 100]}\n");
     const double shell_m = 6821e3;
     double greatest = 0;
     for (size_t antenna = 0; antenna < 2; antenna++) {
@@ -449,7 +448,7 @@ static void the_second_order_is_the_magnetic_fields(void **state)
     print_message("second order: %.1f mm at most\n", 1e3 * greatest);
     assert_true(greatest > 1e-3 && greatest < 0.1);
     tear_down(NULL);
-    open_with("signals: [\"G:L5\"]\nionosphere: {field: " IONOSPHERE
+    open_with("signals: [\"G:L5\"]\nionosphere: {field: " MADE_IONOSPHERE
               "}\nantennas: [{name: A, position: [55, 20, 100]}]\n");
     orr_channel x[ROOM];
     const size_t n = all_at(at(5000), 0, x);
