@@ -7,7 +7,7 @@
 
 #include "orbit/navdata/navset_private.h"
 
-enum { OFFSETS = 6 };
+enum { OFFSETS = 11 };
 
 static char system_of(const orr_navset *set)
 {
@@ -27,13 +27,16 @@ static bool has_system(const orr_navset *set, char system)
     return false;
 }
 
-// The offsets that messages send: all systems' time is the product's, and UTC without a fraction.
+// The offsets that messages send, to UTC and to GPS time (GGTO, BGTO and their like): all systems' time is the product's less whole
+// seconds, and UTC without a fraction.
 static void add_offsets(const orr_navset *set, const orr_nav_utc *utc, orr_nav *out)
 {
     static const struct {
         char system;
         const char *code;
-    } offset[] = {{'G', "GPUT"}, {'R', "GLUT"}, {'E', "GAUT"}, {'C', "BDUT"}, {'J', "QZUT"}, {'E', "GAGP"}};
+    } offset[] = {{'G', "GPUT"}, {'R', "GLUT"}, {'E', "GAUT"}, {'C', "BDUT"}, {'J', "QZUT"}, {'I', "IRUT"},
+                  {'R', "GLGP"}, {'E', "GAGP"}, {'C', "BDGP"}, {'J', "QZGP"}, {'I', "IRGP"}};
+    _Static_assert(sizeof offset / sizeof *offset == OFFSETS, "room for all");
     for (size_t k = 0; k < OFFSETS; k++) {
         if (!has_system(set, offset[k].system)) continue;
         orr_nav_sto *s = &out->sto[out->n_sto++];

@@ -569,6 +569,19 @@ static void the_table_of_the_run_is_that_of_the_messages(void **state)
     ASSERT_OK(orr_navset_records(set, &records, &d), d);
     assert_int_equal(records.leap_s, 18);
     assert_true(records.leap == &table);
+    // All systems keep one time: an offset of zero to UTC and, but for GPS itself, to GPS time, for each system that sends.
+    const orr_sat *list;
+    const size_t sats = orr_navset_satellites(set, &list);
+    size_t expected = 0;
+    for (size_t i = 0; i < sats; i++)
+        if (i == 0 || orr_sat_system(list[i]) != orr_sat_system(list[i - 1]))
+            expected += orr_sat_system(list[i]) == 'G' ? 1 : 2;
+    assert_int_equal(records.n_sto, expected);
+    for (size_t k = 0; k < records.n_sto; k++) {
+        assert_true(strcmp(records.sto[k].code + 2, "UT") == 0 || strcmp(records.sto[k].code + 2, "GP") == 0);
+        ASSERT_NEAR(records.sto[k].a0_s, 0, 0);
+        ASSERT_NEAR(records.sto[k].a1_sps, 0, 0);
+    }
     orr_nav_free(&records);
     orr_navset_free(set);
     orr_ephemeris_free(e);
