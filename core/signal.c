@@ -62,6 +62,38 @@ orr_status orr_signal_parse(const char *text, uint64_t *set, orr_diag *diag)
     return ORR_OK;
 }
 
+#define ORR_NOT_SENT 0.0 // no signal is as strong
+static const struct {
+    const char *antex, *metadata;
+    char system;
+    const char *name;
+    double power_dbw;
+} BLOCKS[] = {
+#define ORR_BLOCK_SIGNAL(...) {__VA_ARGS__},
+#include "core/signal_blocks.def"
+#undef ORR_BLOCK_SIGNAL
+};
+
+// "BLOCK IIR" is the block of "BLOCK IIR-A" and of "BLOCK IIR", not of "BLOCK IIRX".
+static bool is_block(const char *block, const char *name)
+{
+    const size_t n = strlen(name);
+    return strncmp(block, name, n) == 0 && (block[n] == '\0' || block[n] == '-');
+}
+
+bool orr_signal_of_block(const orr_signal *s, const char *block, double *power_dbw)
+{
+    *power_dbw = s->power_dbw;
+    for (size_t k = 0; block != NULL && k < sizeof BLOCKS / sizeof *BLOCKS; k++)
+        if (BLOCKS[k].system == s->system && strcmp(BLOCKS[k].name, s->name) == 0 &&
+            (is_block(block, BLOCKS[k].antex) || is_block(block, BLOCKS[k].metadata))) {
+            if (!(BLOCKS[k].power_dbw < 0)) return false;
+            *power_dbw = BLOCKS[k].power_dbw;
+            return true;
+        }
+    return true;
+}
+
 double orr_signal_carrier_hz(const orr_signal *s, int channel)
 {
     return s->carrier_hz + channel * s->channel_hz;

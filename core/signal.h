@@ -32,6 +32,9 @@ const orr_signal *orr_signal_find(char system, const char *name);
 // A signal by the scenario's text "G:L1CA", or all signals of that name or system: "L1CA" of every system that has one, "G"
 // all of GPS. Sets bit k of *set for the k-th of orr_signals. ORR_E_ARG with a sentence that lists what there is.
 orr_status orr_signal_parse(const char *text, uint64_t *set, orr_diag *diag);
+// Whether the satellites of a block send a signal, and with which least received power (as orr_signal.power_dbw); block is named as in
+// ANTEX or in the IGS satellite metadata file, and what the table of blocks does not know is as the signal itself, NULL and "" too.
+bool orr_signal_of_block(const orr_signal *s, const char *block, double *power_dbw);
 // Carrier, Hz; channel (GLONASS' frequency channel) matters for FDMA signals alone.
 double orr_signal_carrier_hz(const orr_signal *s, int channel);
 

@@ -135,7 +135,7 @@ static const orr_key satellite_rows[] = {
              "their broadcast data and almanacs"),
     FILE_ROW(
         orr_scenario_satellites, "metadata", metadata, NULL,
-        "IGS satellite metadata (igs_satellite_metadata.snx): transmit power against the mean of the system, "
+        "IGS satellite metadata (igs_satellite_metadata.snx): transmit power against the mean of the block, "
         "space "
         "vehicles and blocks where ANTEX lacks them, GLONASS' channels where no navigation file tells them"),
     MAPS_ROW(orr_scenario_satellites, "power", power, &power_table, 100, NULL,

@@ -38,24 +38,32 @@ bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *cha
     return false;
 }
 
+void channels_vehicle(const orr_channels *c, orr_sat sat, const char **svn, const char **block)
+{
+    *svn = *block = "";
+    const orr_antex_antenna *a = c->antex != NULL ? orr_antex_find_sat(c->antex, sat, c->span.from) : NULL;
+    if (a != NULL) {
+        *svn = a->svn;
+        *block = a->type;
+        return;
+    }
+    const char *listed = orr_satellite_metadata_svn(&c->metadata, sat, c->span.from);
+    if (listed == NULL) return;
+    *svn = listed;
+    const orr_metadata_line *id =
+        orr_satellite_metadata_at(&c->metadata, ORR_METADATA_IDENTIFIER, listed, c->span.from);
+    if (id != NULL) *block = id->block;
+}
+
 bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *out)
 {
     for (size_t i = 0; i < c->n_sats; i++) {
         const channel_satellite *x = &c->satellite[i];
         if (!x->sends || k-- > 0) continue;
-        const orr_antex_antenna *a =
-            c->antex != NULL ? orr_antex_find_sat(c->antex, x->sat, c->span.from) : NULL;
         *out = (orr_transmitter){.sat = x->sat,
                                  .frequency_channel = x->frequency_channel,
-                                 .unhealthy = (x->flags & ORR_CHANNEL_UNHEALTHY) != 0,
-                                 .svn = a != NULL ? a->svn : "",
-                                 .block = a != NULL ? a->type : ""};
-        const char *svn = a == NULL ? orr_satellite_metadata_svn(&c->metadata, x->sat, c->span.from) : NULL;
-        if (svn == NULL) return true;
-        const orr_metadata_line *id =
-            orr_satellite_metadata_at(&c->metadata, ORR_METADATA_IDENTIFIER, svn, c->span.from);
-        out->svn = svn;
-        if (id != NULL) out->block = id->block;
+                                 .unhealthy = (x->flags & ORR_CHANNEL_UNHEALTHY) != 0};
+        channels_vehicle(c, x->sat, &out->svn, &out->block);
         return true;
     }
     return false;

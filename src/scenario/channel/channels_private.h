@@ -22,6 +22,7 @@ typedef struct channel_sent {
     uint16_t signal; // place in orr_signals
     double carrier_hz;
     double phase_bias_m; // 0 where no file tells it
+    double power_dbw;    // least received power, of the satellite's block
     int64_t start; // the integer of its carrier: up to 8191 cycles, the same for all antennas and for ever
 } channel_sent;
 
@@ -74,6 +75,9 @@ struct orr_channels {
     size_t n_cells;
     channel_cell *cell; // [n_antennas][n_cells]
 };
+
+// Space vehicle and block of a satellite, as ANTEX or else satellites.metadata name them; "" without.
+void channels_vehicle(const orr_channels *c, orr_sat sat, const char **svn, const char **block);
 
 // The orbits that are evaluated.
 static inline const orr_ephemeris *channels_ephemeris(const orr_channels *c)

@@ -23,23 +23,36 @@ static double transmits_w(const orr_channels *c, orr_sat sat)
     return x != NULL ? x->value : 0;
 }
 
-// The signals' nominal powers are those of a system's mean satellite: the others have more or less by what they transmit.
+// Mean of what the satellites that send and are of the same system and block transmit, W.
+static double mean_of_block_w(const orr_channels *c, orr_sat sat)
+{
+    const char *svn, *block, *other;
+    double sum = 0;
+    size_t n = 0;
+    channels_vehicle(c, sat, &svn, &block);
+    for (size_t k = 0; k < c->n_sats; k++) {
+        const channel_satellite *x = &c->satellite[k];
+        if (!x->sends || orr_sat_system(x->sat) != orr_sat_system(sat)) continue;
+        channels_vehicle(c, x->sat, &svn, &other);
+        const double w = strcmp(block, other) == 0 ? transmits_w(c, x->sat) : 0;
+        sum += w;
+        n += w > 0;
+    }
+    return sum / (double)n;
+}
+
+// The signals' nominal powers are those of a block's mean satellite: the others have more or less by what they transmit. Where
+// no file names blocks all satellites of a system are one.
 static void share_powers(orr_channels *c, orr_warnings *warnings)
 {
     for (const char *system = ORR_SYSTEMS; *system != '\0' && c->metadata.n > 0; system++) {
-        double sum = 0;
         size_t told = 0, silent = 0;
         for (size_t k = 0; k < c->n_sats; k++) {
-            const channel_satellite *x = &c->satellite[k];
-            if (orr_sat_system(x->sat) != *system || !x->sends) continue;
-            const double w = transmits_w(c, x->sat);
-            sum += w;
-            *(w > 0 ? &told : &silent) += 1;
-        }
-        for (size_t k = 0; k < c->n_sats && told > 0; k++) {
             channel_satellite *x = &c->satellite[k];
-            const double w = orr_sat_system(x->sat) == *system ? transmits_w(c, x->sat) : 0;
-            if (w > 0) x->power_db += 10 * log10(w * (double)told / sum);
+            if (orr_sat_system(x->sat) != *system || !x->sends) continue;
+            const double own_w = transmits_w(c, x->sat);
+            *(own_w > 0 ? &told : &silent) += 1;
+            if (own_w > 0) x->power_db += 10 * log10(own_w / mean_of_block_w(c, x->sat));
         }
         if (told > 0 && silent > 0)
             orr_warnings_add(
@@ -123,13 +136,18 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
                 x->sends = false; // nobody knows its carriers
         }
         if (nominal) x->flags |= ORR_CHANNEL_NOMINAL_FREQUENCY;
+        const char *svn, *block;
+        double power_dbw;
+        channels_vehicle(c, x->sat, &svn, &block);
         for (size_t j = 0; x->sends && j < n_signals; j++)
-            if ((c->signals >> j & 1) != 0 && signal[j].system == orr_sat_system(x->sat)) {
+            if ((c->signals >> j & 1) != 0 && signal[j].system == orr_sat_system(x->sat) &&
+                orr_signal_of_block(&signal[j], block, &power_dbw)) {
                 assert(x->n_sent < CHANNEL_MAX_SENT);
                 x->sent[x->n_sent++] =
                     (channel_sent){.signal = (uint16_t)j,
                                    .carrier_hz = orr_signal_carrier_hz(&signal[j], x->frequency_channel),
                                    .phase_bias_m = phase_bias_m(c, x->sat, &signal[j]),
+                                   .power_dbw = power_dbw,
                                    .start = (int64_t)(orr_rng_u64(0, x->sat, j) & 8191)};
             }
         c->max_channels += x->n_sent * (1 + orr_echoes_max(c->echoes));

@@ -121,7 +121,7 @@ static void set_signals(const moment *m, const ray *r, slow_values *out)
             satellite_antenna_m(r, s, sent->carrier_hz, nadir_deg, az_deg);
         if (a->motion == NULL)
             out->v[slow_of(j, SLOW_RECEIVER_ANTENNA)] = orr_antenna_range_m(a, &toward, sent->signal, &rate);
-        out->v[slow_of(j, SLOW_POWER)] = s->power_dbw + gain_db;
+        out->v[slow_of(j, SLOW_POWER)] = sent->power_dbw + gain_db;
     }
 }
 

@@ -113,10 +113,11 @@ class Check(Folder):
             self.assertIn(words, run("check", path, status=1).stderr)
 
     def test_powers_of_the_satellite_metadata(self):
-        """Twice the transmit power is 3.01 dB more; the mean of a system keeps the signal's nominal power."""
-        head = "+SATELLITE/PRN\n G063 2011:197:00000 0000:000:00000 G01\n G061 2004:311:00000 0000:000:00000 G02\n-SATELLITE/PRN\n+SATELLITE/TX_POWER\n"
-        meta = self.nav("meta.snx", "%=SNX 2.02\n" + head + " G063 2011:197:00000 0000:000:00000 200\n G061 2004:311:00000 0000:000:00000 100\n"
-                        "-SATELLITE/TX_POWER\n%ENDSNX\n")
+        """Twice the transmit power is 3.01 dB more; the mean of a block (here: no file names blocks) keeps the signal's nominal power."""
+        prns = "+SATELLITE/PRN\n G063 2011:197:00000 0000:000:00000 G01\n G061 2004:311:00000 0000:000:00000 G02\n-SATELLITE/PRN\n"
+        powers_w = ("+SATELLITE/TX_POWER\n G063 2011:197:00000 0000:000:00000 200\n G061 2004:311:00000 0000:000:00000 100\n"
+                    "-SATELLITE/TX_POWER\n%ENDSNX\n")
+        meta = self.nav("meta.snx", "%=SNX 2.02\n" + prns + powers_w)
         base = "signals: ['G:L1CA']\nmask: {elevation: -10}\n"
         powers = []
         for satellites in ("satellites: {use: 'G01-G09'}\n", f"satellites: {{use: 'G01-G09', metadata: {meta}}}\n"):
@@ -135,6 +136,19 @@ class Check(Folder):
         self.assertEqual(change.pop("G01"), {1.25})  # 200 W against the mean of 150 W
         self.assertEqual(change.pop("G02"), {-1.76})
         self.assertEqual(set().union(*change.values()), {0.0})
+        # Where it names blocks, each is a mean of its own, and sends what the block sends: a IIF has L5, a IIR has not.
+        blocks = "+SATELLITE/IDENTIFIER\n G063 2011-036A  37753 GPS-IIF         made\n G061 2004-045A  28474 GPS-IIR-B       made\n-SATELLITE/IDENTIFIER\n"
+        meta = self.nav("blocks.snx", "%=SNX 2.02\n" + blocks + prns + powers_w)
+        path = self.scenario(f"signals: ['G:L1CA', 'G:L5']\nmask: {{elevation: -10}}\nsatellites: {{use: 'G01,G02', metadata: {meta}}}\n" + FIXED)
+        sent = set()
+        for hour in (2, 8, 14, 20):
+            run("simulate", path, "-o", out, "--from", f"2025-03-21T{hour:02d}:00", "--to", f"2025-03-21T{hour:02d}:00:01", "--force")
+            rows = csv.DictReader(pathlib.Path(out, "A-channels.csv").read_text(encoding="ascii").splitlines())
+            for row in rows:
+                sent.add((row["sat"], row["signal"]))
+                if row["signal"] == "L1CA":  # alone of their blocks: nominal, whatever they transmit
+                    self.assertAlmostEqual(float(row["power_dbw"]), powers[0].get((row["t_gps"], row["sat"]), 0), places=2)
+        self.assertEqual(sent, {("G01", "L1CA"), ("G01", "L5"), ("G02", "L1CA")})
         self.refused("signals: [G]\nsatellites: {metadata: none.snx}\n" + FIXED, "scenario.yaml:5:24: satellites.metadata: ", "none.snx")
         other = sample("ORR0TSTFIN_20250800000_01D_05M_ORB.SP3.gz")
         self.refused(f"signals: [G]\nsatellites: {{metadata: {other}}}\n" + FIXED, "scenario.yaml:5:24: satellites.metadata")

@@ -475,6 +475,50 @@ static void power_is_the_documents_at_five_degrees(void **state)
     ASSERT_NEAR(orr_power_atmosphere_db(ORR_PI / 2), 0.035, 1e-12);
 }
 
+// What a block sends, and how strong: L1C of Block III alone, L5 from IIF on, 1.5 dB more of L2C from III on; what no file names a
+// block of is as the signal's own row.
+static void blocks_send_their_signals(void **state)
+{
+    (void)state;
+    static const struct {
+        char system;
+        const char *name, *block;
+        double dbw; // 0: not sent
+    } want[] = {{'G', "L1CA", "BLOCK IIR-A", -158.5},
+                {'G', "L1C", "BLOCK IIF", 0},
+                {'G', "L1C", "BLOCK IIIA", -157},
+                {'G', "L2C", "BLOCK IIA", 0},
+                {'G', "L2C", "GPS-IIR-M", -160},
+                {'G', "L2C", "BLOCK IIIA", -158.5},
+                {'G', "L2C", "BLOCK IIR-B", 0},
+                {'G', "L5", "BLOCK IIR-M", 0},
+                {'G', "L5", "GPS-IIF", -154.9},
+                {'G', "L5", "GPS-IIIA", -154},
+                {'G', "L5", "", -154.9},
+                {'G', "L2P", "BLOCK IIA", -164.5},
+                {'G', "L2P", "BLOCK IIF", -161.5},
+                {'C', "B1C", "BEIDOU-2I", 0},
+                {'C', "B1C", "BEIDOU-3I", -161},
+                {'C', "B1C", "BEIDOU-3M-CAST", -159},
+                {'R', "L2OF", "GLONASS-M", -167},
+                {'R', "L2OF", "GLONASS-K1", -161},
+                {'R', "L3OC", "GLONASS-K1", -158},
+                {'R', "L3OC", "GLONASS-M", -158},
+                {'R', "L3OC", "GLONASS", 0},
+                {'J', "L5", "QZSS", -154.9},
+                {'J', "L5", "QZSS-2I", -154},
+                {'E', "E1", "GALILEO-2", -157.25}};
+    for (size_t k = 0; k < sizeof want / sizeof *want; k++) {
+        double dbw = 0;
+        const bool sends =
+            orr_signal_of_block(orr_signal_find(want[k].system, want[k].name), want[k].block, &dbw);
+        assert_true(sends == (want[k].dbw < 0));
+        if (sends) ASSERT_NEAR(dbw, want[k].dbw, 0);
+    }
+    double dbw;
+    assert_true(orr_signal_of_block(orr_signal_find('G', "L5"), NULL, &dbw));
+}
+
 // --- The scenario ---
 static void satellites_and_masks(void **state)
 {
@@ -519,6 +563,7 @@ int main(void)
         cmocka_unit_test_teardown(fixed_antennas_have_long_blocks, tear_down),
         cmocka_unit_test_teardown(blocks_do_not_remember, tear_down),
         cmocka_unit_test(power_is_the_documents_at_five_degrees),
+        cmocka_unit_test(blocks_send_their_signals),
         cmocka_unit_test_teardown(satellites_and_masks, tear_down),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
