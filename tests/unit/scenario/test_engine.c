@@ -125,7 +125,9 @@ static void navdata_are_those_of_the_navset(void **state)
                 assert_null(item);
                 continue;
             }
-            assert_int_equal(m, orr_sat_system(sat[i]) == 'R' ? 1 : 3);
+            const char system = orr_sat_system(sat[i]);
+            // FDMA; LNAV, CNAV on L2C and L5, CNAV-2; I/NAV on E1 and E5b, F/NAV.
+            assert_int_equal(m, system == 'R' ? 1 : system == 'G' ? 4 : 3);
             const orr_nav_stream *first[ORR_NAVSET_STREAMS];
             assert_int_equal(orr_engine_navdata_streams(e, sat[i], 0, first), 1);
             assert_ptr_equal(first[0], streams[0]);
