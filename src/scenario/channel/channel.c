@@ -165,19 +165,28 @@ static void set_carrier(double phase_m, int64_t start, orr_channel *out)
     out->carrier_fraction = fraction - more;
 }
 
+// A value and its rate in the code and in the carrier.
+typedef double sums __attribute__((vector_size(4 * sizeof(double))));
+
 static void set_sums(orr_time t, int64_t start, orr_channel *out)
 {
-    double code = 0, code_rate = 0, phase = 0, phase_rate = 0;
+#define ORR_TERM(NAME, name, code, carrier, meaning) {code, code, carrier, carrier},
+    static const sums FACTOR[ORR_N_TERMS] = {
+#include "src/scenario/channel/terms.def"
+    };
+#undef ORR_TERM
+    sums sum[2] = {{0, 0, 0, 0},
+                   {0, 0, 0, 0}}; // of every second term: one chain of additions would wait for itself
     for (int i = 0; i < ORR_N_TERMS; i++) {
-        code += orr_term_rows[i].code * out->term_m[i];
-        code_rate += orr_term_rows[i].code * out->rate_mps[i];
-        phase += orr_term_rows[i].carrier * out->term_m[i];
-        phase_rate += orr_term_rows[i].carrier * out->rate_mps[i];
+        const double x = out->term_m[i], rate = out->rate_mps[i];
+        sum[i % 2] += FACTOR[i] * (sums){x, rate, x, rate};
     }
+    const sums all = sum[0] + sum[1];
+    const double code = all[0];
     out->code_m = code;
-    out->code_rate_mps = code_rate;
-    set_carrier(phase, start, out);
-    out->carrier_rate_hz = phase_rate * out->carrier_hz / ORR_LIGHT_MPS;
+    out->code_rate_mps = all[1];
+    set_carrier(all[2], start, out);
+    out->carrier_rate_hz = all[3] * out->carrier_hz / ORR_LIGHT_MPS;
     const double flight_ns = code / ORR_LIGHT_MPS * 1e9, whole = ceil(flight_ns);
     out->transmit_ns = orr_time_add(t, -(int64_t)whole);
     out->transmit_fraction_ns = whole - flight_ns;
@@ -256,7 +265,12 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
     }
     slow_prepare(c, antenna, work, t, at, work->chosen, n);
     for (size_t k = 0; k < n; k++) {
-        ray r = {.sat = &c->satellite[work->chosen[k]], .direction = work->direction[k]};
+        ray r; // zeroes where trace leaves some: the slow terms' arrays are large
+        r.sat = &c->satellite[work->chosen[k]];
+        r.direction = work->direction[k];
+        r.toward = (orr_antenna_direction){.az_deg = 0};
+        memset(r.term_m, 0, sizeof r.term_m);
+        memset(r.rate_mps, 0, sizeof r.rate_mps);
         if (trace(c, antenna, work, t, at, work->chosen[k], &r))
             fill(c, antenna, work, t, at, &r, signals, list);
     }
@@ -271,9 +285,9 @@ orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_channel_wo
     if (!orr_span_holds(c->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
     const orr_answer answer = orr_antenna_at(&c->antenna[antenna], t, &at);
     if (answer != ORR_ANSWER_OK) return answer;
-    channel_list *list = &work->antenna[antenna].begin;
-    channels_evaluate(c, antenna, work, t, t, &at, signals, NULL, list);
-    memcpy(out, list->channel, list->n * sizeof *out);
-    *n = list->n;
+    channel_list list = work->antenna[antenna].begin; // its places; the channels go where they are wanted
+    list.channel = out;
+    channels_evaluate(c, antenna, work, t, t, &at, signals, NULL, &list);
+    *n = list.n;
     return ORR_ANSWER_OK;
 }
