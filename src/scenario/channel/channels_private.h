@@ -103,13 +103,16 @@ typedef struct channel_list {
     bool *seen;      // [n] by the mask
 } channel_list;
 
+enum { SLOW_GROUPS = 10 }; // of satellites, whose cells of slow terms begin at different seconds
+
 // What is kept of an antenna.
 typedef struct channel_antenna_work {
     struct slow_cell *slow; // [n_sats]
     orr_time candidates_of; // cell of the lattice, ORR_TIME_NONE: none yet
     size_t n_candidates;
-    uint16_t *candidate;     // [n_sats] satellites that may come above the mask in it
-    orr_span leaf;           // stretch in which the antenna's place is a cubic, nearly
+    uint16_t *candidate; // [n_sats] satellites that may come above the mask in it
+    orr_span leaf
+        [SLOW_GROUPS]; // of each group of satellites: stretch in which the antenna's place is a cubic, nearly
     channel_list end, begin; // of blocks
 } channel_antenna_work;
 
@@ -120,7 +123,7 @@ struct orr_channel_work {
     channel_delays *delays;           // [n_sats]
     struct slow_node *node[4];        // [n_sats] each, while cells are made
     struct slow_values *values[2];    // [n_sats] each
-    uint16_t *todo, *missing;         // [n_sats]
+    uint16_t *todo, *stale, *missing; // [n_sats]
     uint16_t *chosen;                 // [n_sats] satellites of an epoch, and
     struct seen_direction *direction; // where they stand
     bool *also;                       // [n_sats] those of a block's begin

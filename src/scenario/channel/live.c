@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "src/scenario/channel/channels_private.h"
 #include "src/scenario/channel/slow.h"
@@ -67,7 +68,7 @@ static void take_line(orr_live_channels *l, size_t antenna, orr_time t, const or
     a->line = (orr_antenna_line){t, *at};
     a->has_line = true;
     slow_cells_forget(w->slow, l->c.n_sats);
-    w->leaf = (orr_span){0, 0};
+    memset(w->leaf, 0, sizeof w->leaf);
     w->candidates_of = ORR_TIME_NONE;
 }
 

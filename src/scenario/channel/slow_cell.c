@@ -26,6 +26,13 @@ typedef struct slow_node {
     orr_vec3 per_m[SLOW_SLOPES]; // as slow_values
 } slow_node;
 
+// Satellites have their cells at different seconds, so that not all of them need nodes at one instant: whoever asks ten times a second
+// waits for a few satellites now and then, and not for all of them every hundredth time.
+static int64_t offset_ns(uint16_t place)
+{
+    return (int64_t)(place % SLOW_GROUPS) * (LATTICE_NS / SLOW_GROUPS);
+}
+
 // Nodes that are kept: of the lattice's whole cells two, by turns, and one of each halving.
 enum { HALVINGS = 5, KEPT = 2 + HALVINGS };
 _Static_assert(LATTICE_LEAST_NS << (HALVINGS - 1) == LATTICE_NS, "the shortest cell's middle is kept too");
@@ -129,7 +136,7 @@ static void make_nodes(const orr_channels *c, size_t antenna, orr_channel_work *
     }
 }
 
-// Where a node at t is kept.
+// Where a node so long after a satellite's offset is kept.
 static int keeping_place(orr_time t)
 {
     int64_t step = LATTICE_NS;
@@ -139,12 +146,12 @@ static int keeping_place(orr_time t)
     return 2 + halving;
 }
 
-// Nodes at t of the antenna's own place, kept or made; none are ok where it is not there.
+// Nodes at t of the antenna's own place, of satellites of one group, kept or made; none are ok where it is not there.
 static void nodes_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
                      const uint16_t *place, size_t n, slow_node *out)
 {
     slow_cell *cell = work->antenna[antenna].slow;
-    const int keep = keeping_place(t);
+    const int keep = keeping_place(t - offset_ns(place[0]));
     orr_antenna_state at;
     size_t missing = 0;
     for (size_t k = 0; k < n; k++)
@@ -253,11 +260,12 @@ static bool holds(const orr_channels *c, size_t antenna, const slow_cell *cell, 
     return true;
 }
 
-// The stretch of the lattice about t in which a moving antenna stays near the cubic through its ends.
-static orr_span leaf_of(const orr_antenna *a, orr_time t)
+// The stretch of a lattice, shifted by an offset, about t in which a moving antenna stays near the cubic through its ends.
+static orr_span leaf_of(const orr_antenna *a, orr_time t, int64_t offset)
 {
     static const double PARTS[] = {0.21, 0.5, 0.72};
-    orr_span leaf = {lattice_cell(t), lattice_cell(t) + LATTICE_NS};
+    const orr_time from = lattice_cell(t - offset) + offset;
+    orr_span leaf = {from, from + LATTICE_NS};
     if (a->motion == NULL) return leaf;
     for (;;) {
         orr_antenna_state x0, x1, x;
@@ -281,13 +289,15 @@ static orr_span leaf_of(const orr_antenna *a, orr_time t)
     }
 }
 
-// Cells of satellites todo[0..n), which hold t: of one length at first, each halved until it holds.
+// Cells of satellites todo[0..n) of one group, which hold t: of one length at first, each halved until it holds.
 static void make_cells(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t, size_t n)
 {
     channel_antenna_work *w = &work->antenna[antenna];
     uint16_t *todo = work->todo;
     slow_node *a = work->node[0], *b = work->node[1], *m = work->node[2];
-    orr_span s = w->leaf;
+    orr_span *leaf = &w->leaf[todo[0] % SLOW_GROUPS];
+    if (t < leaf->from || t >= leaf->to) *leaf = leaf_of(&c->antenna[antenna], t, offset_ns(todo[0]));
+    orr_span s = *leaf;
     nodes_at(c, antenna, work, s.from, todo, n, a);
     nodes_at(c, antenna, work, s.to, todo, n, b);
     while (n > 0) {
@@ -341,14 +351,16 @@ void slow_prepare(const orr_channels *c, size_t antenna, orr_channel_work *work,
                   const orr_antenna_state *at, const uint16_t *place, size_t n)
 {
     channel_antenna_work *w = &work->antenna[antenna];
-    size_t m = 0;
+    size_t stale = 0, m = 0;
     for (size_t k = 0; k < n; k++) {
         const slow_cell *cell = &w->slow[place[k]];
-        if (t < cell->from || t >= cell->to) work->todo[m++] = place[k];
+        if (t < cell->from || t >= cell->to) work->stale[stale++] = place[k];
     }
-    if (m > 0) {
-        if (t < w->leaf.from || t >= w->leaf.to) w->leaf = leaf_of(&c->antenna[antenna], t);
-        make_cells(c, antenna, work, t, m);
+    for (int group = 0; stale > 0 && group < SLOW_GROUPS; group++) {
+        m = 0;
+        for (size_t k = 0; k < stale; k++)
+            if (work->stale[k] % SLOW_GROUPS == group) work->todo[m++] = work->stale[k];
+        if (m > 0) make_cells(c, antenna, work, t, m);
     }
     m = 0;
     for (size_t k = 0; k < n; k++) {

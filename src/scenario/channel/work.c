@@ -37,12 +37,13 @@ static orr_status open_all(const orr_channels *c, orr_channel_work *w)
     w->also = calloc(n, sizeof *w->also);
     w->direction = calloc(n, sizeof *w->direction);
     w->missing = calloc(n, sizeof *w->missing);
+    w->stale = calloc(n, sizeof *w->stale);
     for (int k = 0; k < 4; k++) w->node[k] = slow_nodes_open(n);
     for (int k = 0; k < 2; k++) w->values[k] = calloc(SLOW_BATCH, sizeof *w->values[k]);
     if (w->satellite == NULL || w->state == NULL || w->delays == NULL || w->todo == NULL ||
-        w->missing == NULL || w->chosen == NULL || w->also == NULL || w->direction == NULL ||
-        w->node[0] == NULL || w->node[1] == NULL || w->node[2] == NULL || w->node[3] == NULL ||
-        w->values[0] == NULL || w->values[1] == NULL)
+        w->missing == NULL || w->stale == NULL || w->chosen == NULL || w->also == NULL ||
+        w->direction == NULL || w->node[0] == NULL || w->node[1] == NULL || w->node[2] == NULL ||
+        w->node[3] == NULL || w->values[0] == NULL || w->values[1] == NULL)
         return ORR_E_MEMORY;
     for (size_t k = 0; k < n; k++) w->delays[k].cell = ORR_TIME_NONE;
     orr_status s = ORR_OK;
@@ -85,6 +86,7 @@ void orr_channel_work_close(orr_channel_work *w)
     free(w->direction);
     free(w->also);
     free(w->missing);
+    free(w->stale);
     for (int k = 0; k < 4; k++) free(w->node[k]);
     for (int k = 0; k < 2; k++) free(w->values[k]);
     free(w);
