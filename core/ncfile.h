@@ -50,7 +50,7 @@ typedef struct orr_nc_writer {
 
 // Whether a file is HDF5 (NetCDF-4), by its first bytes; false where it is no regular file or cannot be read.
 bool orr_nc_is_hdf5(const char *path);
-// Whether it ends with a seal (which need not fit).
+// Whether it ends with a seal, which need not fit, or with a part of one: orr_nc_open refuses such a file.
 bool orr_nc_is_sealed(const char *path);
 
 // Begins a file; nothing stands at `path` before orr_nc_commit. ORR_E_IO where it cannot be made.

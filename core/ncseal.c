@@ -94,17 +94,6 @@ static bool read_seal(FILE *f, char seal[SEAL_LEN + 1], long *body)
     return fread(seal, 1, SEAL_LEN, f) == SEAL_LEN && memcmp(seal, LABEL, LABEL_LEN) == 0;
 }
 
-bool orr_nc_is_sealed(const char *path)
-{
-    char seal[SEAL_LEN + 1] = "";
-    long body;
-    FILE *f = is_regular(path) ? fopen(path, "rb") : NULL;
-    if (f == NULL) return false;
-    const bool yes = read_seal(f, seal, &body);
-    fclose(f);
-    return yes;
-}
-
 // Whether what stands behind HDF5's bytes is the begin of a seal and no more.
 static bool is_cut(FILE *f)
 {
@@ -115,6 +104,17 @@ static bool is_cut(FILE *f)
     if (end < 0 || fseek(f, end, SEEK_SET) != 0) return false;
     const size_t n = fread(rest, 1, sizeof rest, f);
     return n > 0 && n < SEAL_LEN && memcmp(rest, LABEL, n < LABEL_LEN ? n : LABEL_LEN) == 0;
+}
+
+bool orr_nc_is_sealed(const char *path)
+{
+    char seal[SEAL_LEN + 1] = "";
+    long body;
+    FILE *f = is_regular(path) ? fopen(path, "rb") : NULL;
+    if (f == NULL) return false;
+    const bool yes = read_seal(f, seal, &body) || is_cut(f);
+    fclose(f);
+    return yes;
 }
 
 orr_status orr_nc_check_seal(const char *path, orr_diag *diag)
