@@ -6,16 +6,20 @@
 
 #include "core/angle.h"
 
-static void set_place(orr_antenna_state *x)
+// East, North and Up of the place; at a pole East is y, as of longitude 0.
+static void set_enu(orr_antenna_state *x)
 {
-    x->place = orr_earth_from_ecef(x->r_m);
-    x->enu = orr_earth_enu_from_ecef(x->place.lat_rad, x->place.lon_rad);
+    const orr_vec3 up = orr_earth_up(x->r_m);
+    const double level = sqrt(up.x * up.x + up.y * up.y);
+    const orr_vec3 east = level > 0 ? (orr_vec3){-up.y / level, up.x / level, 0} : (orr_vec3){0, 1, 0};
+    const orr_vec3 north = orr_vec3_cross(up, east);
+    x->enu = (orr_mat3){{{east.x, east.y, east.z}, {north.x, north.y, north.z}, {up.x, up.y, up.z}}};
 }
 
 static void stand_at(orr_vec3 r_m, orr_antenna_state *out)
 {
     *out = (orr_antenna_state){.r_m = r_m};
-    set_place(out);
+    set_enu(out);
     out->axes = out->enu;
 }
 
@@ -97,7 +101,7 @@ orr_antenna_state orr_antenna_carried(const orr_antenna_state *state, double s)
 {
     orr_antenna_state x = *state;
     x.r_m = orr_vec3_axpy(s, state->v_mps, state->r_m);
-    set_place(&x);
+    set_enu(&x);
     return x;
 }
 
@@ -110,11 +114,11 @@ void orr_antenna_ride(const orr_antenna *a, const orr_motion *m, bool arm, orr_a
         .v_mps = orr_vec3_add(m->v_mps, orr_mat3_apply_t(&body, orr_vec3_cross(m->w_radps, arm_m))),
         .axes = body,
         .w_radps = orr_mat3_apply_t(&body, m->w_radps)};
-    set_place(out);
+    set_enu(out);
     const orr_vec3 v = orr_mat3_apply(&out->enu, out->v_mps);
     const double r = orr_vec3_norm(out->r_m);
-    out->enu_radps =
-        orr_mat3_apply_t(&out->enu, (orr_vec3){-v.y / r, v.x / r, v.x / r * tan(out->place.lat_rad)});
+    const double tan_lat = out->enu.m[2][2] / out->enu.m[1][2]; // Up and North along the Earth's axis
+    out->enu_radps = orr_mat3_apply_t(&out->enu, (orr_vec3){-v.y / r, v.x / r, v.x / r * tan_lat});
 }
 
 orr_answer orr_antenna_at(const orr_antenna *a, orr_time t, orr_antenna_state *out)

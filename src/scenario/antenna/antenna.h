@@ -17,7 +17,6 @@ typedef struct orr_antenna_state {
     orr_mat3 enu;        // rows: East, North, Up of the place
     orr_vec3
         enu_radps; // rate at which they turn while the antenna moves, ecef; of a sphere, which is right to 1 %
-    orr_geodetic place;
 } orr_antenna_state;
 
 typedef struct orr_antenna {
@@ -57,7 +56,7 @@ typedef struct orr_antenna_line {
 
 // An antenna that rides on a body, which moves as m says; without arm: m is that of the antenna's reference point.
 void orr_antenna_ride(const orr_antenna *a, const orr_motion *m, bool arm, orr_antenna_state *out);
-// Where an antenna stands that is carried along from `state`, at its velocity and with its axes: place and enu.
+// Where an antenna stands that is carried along from `state`, at its velocity and with its axes: enu of the new place.
 orr_antenna_state orr_antenna_carried(const orr_antenna_state *state, double s);
 
 // Where the antenna is at t. ORR_ANSWER_OK, or ORR_ANSWER_OUTSIDE_SPAN of the trajectory.

@@ -158,8 +158,8 @@ static void set_carrier(double phase_m, int64_t start, orr_channel *out)
     const double metres = floor(phase_m);
     const int64_t c = (int64_t)ORR_LIGHT_MPS, product = (int64_t)metres * (int64_t)out->carrier_hz;
     const int64_t whole = orr_floor_div(product, c);
-    const double fraction = (double)(product - whole * c) / ORR_LIGHT_MPS +
-                            (phase_m - metres) * out->carrier_hz / ORR_LIGHT_MPS,
+    const double fraction =
+                     ((double)(product - whole * c) + (phase_m - metres) * out->carrier_hz) / ORR_LIGHT_MPS,
                  more = floor(fraction);
     out->carrier_cycles = whole + (int64_t)more + start;
     out->carrier_fraction = fraction - more;
@@ -237,7 +237,8 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         out->carrier_hz = sent->carrier_hz;
         out->power_dbw = r->slow.v[slow_of(j, SLOW_POWER)];
         set_signal(&c->antenna[antenna], r, j, delays->delay_m[j], out);
-        effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
+        if (c->faults != NULL) // else these terms are the ray's, zero
+            effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
         set_sums(t, sent->start, out);
         add_echoes(c, at, t, r, sent->start, list);
     }

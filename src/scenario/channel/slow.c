@@ -205,9 +205,10 @@ void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_
     orr_sat sat[SLOW_BATCH];
     orr_vec3 sat_m[SLOW_BATCH];
     if (c->has_troposphere) {
-        orr_geodetic above = at->place;
+        const orr_geodetic place_of = orr_earth_from_ecef(at->r_m);
+        orr_geodetic above = place_of;
         above.height_m += 1;
-        m.site = orr_troposphere_at(&c->troposphere, at->place, t);
+        m.site = orr_troposphere_at(&c->troposphere, place_of, t);
         m.site_above = orr_troposphere_at(&c->troposphere, above, t);
     }
     for (size_t k = 0; k < n; k++) {

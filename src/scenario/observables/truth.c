@@ -90,9 +90,10 @@ orr_status orr_observe_track(const orr_channels *c, size_t antenna, const orr_ob
                              orr_time_text(t, text));
             break;
         }
+        const orr_geodetic place = orr_earth_from_ecef(a.r_m);
         fprintf(out.stream, "%s,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.10f,%.10f,%.6f\n", orr_time_text(t, text),
-                a.r_m.x, a.r_m.y, a.r_m.z, a.v_mps.x, a.v_mps.y, a.v_mps.z, a.place.lat_rad * ORR_DEG_PER_RAD,
-                a.place.lon_rad * ORR_DEG_PER_RAD, a.place.height_m);
+                a.r_m.x, a.r_m.y, a.r_m.z, a.v_mps.x, a.v_mps.y, a.v_mps.z, place.lat_rad * ORR_DEG_PER_RAD,
+                place.lon_rad * ORR_DEG_PER_RAD, place.height_m);
     }
     if (s == ORR_OK) return orr_outfile_commit(&out, diag);
     orr_outfile_abort(&out);
