@@ -240,7 +240,7 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         if (c->faults != NULL) // else these terms are the ray's, zero
             effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
         set_sums(t, sent->start, out);
-        add_echoes(c, at, t, r, sent->start, list);
+        if (c->echoes != NULL) add_echoes(c, at, t, r, sent->start, list);
     }
 }
 

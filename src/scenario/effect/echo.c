@@ -110,7 +110,7 @@ static bool ground_echo(const orr_echoes *e, const orr_echo_ray *ray, orr_echo *
     const orr_antenna_state *at = ray->at;
     const orr_vec3 up = {at->enu.m[2][0], at->enu.m[2][1], at->enu.m[2][2]};
     const bool level = e->ground.has_level;
-    const double h = level ? at->place.height_m - e->ground.level_m : e->ground.height_m;
+    const double h = level ? orr_earth_from_ecef(at->r_m).height_m - e->ground.level_m : e->ground.height_m;
     const double h_rate = level ? orr_vec3_dot(at->v_mps, up) : 0;
     const double s = orr_vec3_dot(ray->u, up),
                  s_rate = orr_vec3_dot(ray->u_rate_ps, up) +
