@@ -263,7 +263,8 @@ static void seals_do_not_keep_others_out(void **state)
     put("open.nc", bytes, n - 80);
     assert_int_equal(read_in_child("open.nc"), ORR_OK);
     assert_true(orr_nc_is_sealed("a.nc") && !orr_nc_is_sealed("open.nc"));
-    for (size_t left = 1; left < 80; left += 13) { // a part of a seal is none that could be missing: the file is cut
+    for (size_t left = 1; left < 80;
+         left += 13) { // a part of a seal is none that could be missing: the file is cut
         put("cut.nc", bytes, n - 80 + left);
         assert_true(orr_nc_is_sealed("cut.nc"));
         assert_int_equal(read_in_child("cut.nc"), ORR_E_FORMAT);
