@@ -9,6 +9,9 @@
 #define SHORTEST_S 1800.0
 #define LONGEST_S 10800.0
 #define LIMIT_MPS 1.6e-5
+#define MOST_MPS 1.9e-5 // with what the velocities differ by
+#define LONGER 1.1
+enum { TRIES = 20 };
 #define NOON_S 300.0          // a step of velocity alone moves the curve by a tenth of a millimetre
 #define STEEPEST (2.1875 / 2) // of the weight, over the half length
 
@@ -59,38 +62,68 @@ void orr_join_step(const orr_instant *at, double step[6])
     }
 }
 
-static orr_status join_at(const orr_track_context *c, orr_track *t, const orr_instant *at, orr_join *out)
+typedef struct joint {
+    const orr_instant *at;
+    double step[6], half_s;
+    double most_mps; // that the curve's velocity is off the file's own
+} joint;
+
+// What is added at point g of the grid, where the two orbits differ by d; false beyond the joint's reach. out: NULL to look only.
+static bool bend(const orr_track *t, size_t g, const double d[6], bool later, joint *j, orr_join *out)
+{
+    double rate, bend;
+    const double x = (t->grid[g].t_s - j->at->t_s) / j->half_s;
+    if (fabs(x) >= 1) return false;
+    const double w = weigh(x, j->half_s, &rate, &bend) - (later ? 1 : 0);
+    orr_join now = {0};
+    add(d, w, rate, bend, &now);
+    j->most_mps = fmax(j->most_mps, orr_vec3_norm(now.v_mps));
+    if (out == NULL) return true;
+    add(d, w, rate, bend, &out[g]);
+    out[g].between_files = out[g].between_files || j->at->step;
+    return true;
+}
+
+static orr_status go_over(const orr_track_context *c, orr_track *t, joint *j, orr_join *out)
 {
     const orr_grid_step *on;
     orr_status s = ORR_OK;
-    double step[6], d[6], rate, bend;
-    orr_join_step(at, step);
-    const double jump_m = orr_vec3_norm((orr_vec3){step[0], step[1], step[2]});
-    const double half_s =
-        at->step ? fmin(fmax(jump_m * STEEPEST / LIMIT_MPS, SHORTEST_S), LONGEST_S) : NOON_S;
-    memcpy(d, step, sizeof d);
-    for (size_t g = at->grid; g < t->n_grid && s == ORR_OK; g++) { // what is too much of the later orbit
-        const double x = (t->grid[g].t_s - at->t_s) / half_s;
-        if (x >= 1) break;
-        const double w = weigh(x, half_s, &rate, &bend);
-        add(d, w - 1, rate, bend, &out[g]);
-        out[g].between_files = out[g].between_files || at->step;
+    double d[6];
+    j->most_mps = 0;
+    memcpy(d, j->step, sizeof d);
+    for (size_t g = j->at->grid; s == ORR_OK && bend(t, g, d, true, j, out);
+         g++) { // too much of the later orbit
         if (g + 1 == t->n_grid) break;
         s = orr_track_step(c, t, g, &on);
         if (s == ORR_OK) carry(on, false, d);
     }
-    memcpy(d, step, sizeof d);
-    for (size_t g = at->grid; s == ORR_OK && g-- > 0;) { // what is wanting of it before
+    memcpy(d, j->step, sizeof d);
+    for (size_t g = j->at->grid; s == ORR_OK && g-- > 0;) { // what is wanting of it before
         s = orr_track_step(c, t, g, &on);
         if (s != ORR_OK) break;
         carry(on, true, d);
-        const double x = (t->grid[g].t_s - at->t_s) / half_s;
-        if (x <= -1) break;
-        const double w = weigh(x, half_s, &rate, &bend);
-        add(d, w, rate, bend, &out[g]);
-        out[g].between_files = out[g].between_files || at->step;
+        if (!bend(t, g, d, false, j, out)) break;
     }
     return s;
+}
+
+// The length follows from the jump at the joint. Where the velocities differ too, the orbits are further apart beside it, and
+// more is needed.
+static orr_status join_at(const orr_track_context *c, orr_track *t, const orr_instant *at, orr_join *out)
+{
+    joint j = {.at = at, .half_s = NOON_S};
+    orr_join_step(at, j.step);
+    if (at->step) {
+        const double jump_m = orr_vec3_norm((orr_vec3){j.step[0], j.step[1], j.step[2]});
+        j.half_s = fmin(fmax(jump_m * STEEPEST / LIMIT_MPS, SHORTEST_S), LONGEST_S);
+        for (int i = 0; i < TRIES; i++) {
+            const orr_status s = go_over(c, t, &j, NULL);
+            if (s != ORR_OK) return s;
+            if (j.most_mps <= MOST_MPS || j.half_s >= LONGEST_S) break;
+            j.half_s = fmin(LONGER * j.half_s, LONGEST_S);
+        }
+    }
+    return go_over(c, t, &j, out);
 }
 
 orr_status orr_join_files(const orr_track_context *c, orr_track *t, orr_join **out)

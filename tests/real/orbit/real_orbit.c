@@ -34,7 +34,7 @@ void real_drop_midnight(real_files *f, size_t i)
         s->n_epochs--;
 }
 
-static const orr_orbit_sample *sample_at(const orr_orbit_sat *sat, orr_time t)
+const orr_orbit_sample *real_sample_at(const orr_orbit_sat *sat, orr_time t)
 {
     for (size_t a = 0; a < sat->n_arcs; a++) {
         const orr_orbit_arc *arc = &sat->arc[a];
@@ -71,7 +71,7 @@ real_stats real_judge(const orr_orbit_solution *s, const real_files *truth, char
             for (size_t e = 0; e < sp3->n_epochs; e++) {
                 const double *p = sp3->record[e * sp3->n_sats + k].pos_m;
                 orr_time t = sp3->epoch[e], before, after;
-                const orr_orbit_sample *q = sample_at(&s->sat[i], t);
+                const orr_orbit_sample *q = real_sample_at(&s->sat[i], t);
                 if (!isfinite(p[0]) || q == NULL || !between(&s->sat[i], t, &before, &after)) continue;
                 double from = orr_time_diff_s(t, s->from), to = orr_time_diff_s(s->to, t);
                 bool gap = orr_time_diff_s(after, before) > 2 * s->node_step_s + 1e-3;
@@ -101,7 +101,7 @@ double real_distance(const orr_orbit_solution *a, const orr_orbit_solution *b, d
                     orr_time t = orr_time_add_s(arc->t0, arc->step_s * (double)m);
                     if (orr_time_diff_s(t, a->from) < margin_s || orr_time_diff_s(a->to, t) < margin_s)
                         continue;
-                    const orr_orbit_sample *q = sample_at(&b->sat[j], t);
+                    const orr_orbit_sample *q = real_sample_at(&b->sat[j], t);
                     if (q == NULL) continue;
                     double d = orr_vec3_norm(orr_vec3_sub(q->pos_m, arc->sample[m].pos_m));
                     if (d > largest) largest = d;

@@ -27,6 +27,9 @@ void real_close(real_files *f);
 // Takes the last epoch off the i-th file if it is the 24:00 one.
 void real_drop_midnight(real_files *f, size_t i);
 
+// The satellite's sample at an instant; NULL where none is.
+const orr_orbit_sample *real_sample_at(const orr_orbit_sat *sat, orr_time t);
+
 // Truth at epochs that were no nodes, one system, one part of the span (the same borders as `orrery
 // compare`).
 real_stats real_judge(const orr_orbit_solution *s, const real_files *truth, char system, real_part part);
