@@ -60,7 +60,7 @@ static orr_status add(orr_ephemeris_parts *p, const orr_orbit_sat *sat)
     orr_status s = eph_fit_satellites(&alone, p->backing, &e, &p->diag);
     if (s != ORR_OK) return s;
     eph_rest(e);
-    if (!ORR_ARRAY_GROW(p->part, p->n)) {
+    if (!orr_array_grow(&p->part, p->n, sizeof(void *))) {
         orr_ephemeris_free(e);
         return orr_diag_set(&p->diag, ORR_E_MEMORY, "no memory for another satellite");
     }
@@ -128,7 +128,7 @@ orr_status orr_ephemeris_parts_join(orr_ephemeris_parts *p, const orr_orbit_solu
     if (p->n > EPH_MAX_SATS)
         return orr_diag_set(diag, ORR_E_LIMIT, "%zu satellites are more than a product's %d", p->n,
                             EPH_MAX_SATS);
-    if (p->n > 1) qsort(p->part, p->n, sizeof *p->part, by_satellite);
+    if (p->n > 1) qsort(p->part, p->n, sizeof(void *), by_satellite);
     count(p, &counts);
     orr_status st = orr_backing_open(p->folder, &counts.backing, diag);
     if (st != ORR_OK) return st;
