@@ -2,7 +2,9 @@
 #include "src/archive/day.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/path.h"
 #include "orbit/ephemeris/ephemeris.h"
@@ -58,12 +60,25 @@ orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_
     return ORR_OK;
 }
 
+// Whether a product has the size that its record tells: what was cut short is made anew without reading all of it.
+static bool is_whole(const char *folder, const orr_archive_file *product)
+{
+    char path[ORR_ARCHIVE_PATH];
+    struct stat st;
+    snprintf(path, sizeof path, "%.900s/%s", folder, product->name);
+    return stat(path, &st) == 0 && (int64_t)st.st_size == product->bytes;
+}
+
 bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_archive_record *planned)
 {
     char folder[ORR_ARCHIVE_PATH];
-    orr_archive_record there;
+    orr_archive_record *there = malloc(sizeof *there);
     orr_archive_path(settings->archive, planned->mjd, NULL, folder);
-    return orr_archive_record_read(folder, &there, NULL) == ORR_OK && strcmp(there.key, planned->key) == 0;
+    bool fresh = there != NULL && orr_archive_record_read(folder, there, NULL) == ORR_OK &&
+                 strcmp(there->key, planned->key) == 0;
+    for (size_t k = 0; fresh && k < there->n_products; k++) fresh = is_whole(folder, &there->product[k]);
+    free(there);
+    return fresh;
 }
 
 static void note_warnings(orr_archive_record *r, const orr_warnings *w)

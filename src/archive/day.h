@@ -32,7 +32,7 @@ void orr_archive_midnight_free(orr_archive_midnight *m);
 //             diag        errors of orr_archive_index_find
 orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_archive_index *index,
                                 int32_t mjd, orr_archive_record *r, orr_diag *diag);
-// Whether the archive has the day, made from the same by the same.
+// Whether the archive has the day, made from the same by the same, with products of the size that they were made in.
 bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_archive_record *planned);
 
 // Makes a planned day and puts it in its place.

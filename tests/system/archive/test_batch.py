@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import random
+import resource
 import shutil
 import signal
 import sqlite3
@@ -280,6 +281,63 @@ class Batch(Folder):
         self.assertIn("0 days made", run("batch", "--archive", archives[0], *ask).stderr)
         self.assertIn("1 days made", run("batch", "--archive", archives[0], *one).stderr)
         self.assertIn("is no list", run("batch", "--archive", archives[0], *one, "--tec", "*", "--stations", "A,,B", status=2).stderr)
+
+    def test_a_disk_that_is_full(self):
+        """Writes fail in the middle of a product: each day is told with its reason, nothing half is left, and later all is made."""
+        other = pathlib.Path(self.path("full"))
+
+        def no_room():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # then a write beyond the limit fails, as on a full disk
+            resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
+
+        done = run("batch", "--archive", other, "--inputs", self.inputs, "-j", 2, status=1, preexec_fn=no_room)
+        self.assertIn("0 days made, 0 were there, 3 not made", done.stderr)
+        for day in DAYS:
+            self.assertRegex(done.stderr, rf"2025-{day}: not made: .*orbit.nc.*: [A-Z]")
+        self.assertEqual([p for p in other.rglob("*") if p.is_file() and p.name != ".lock"], [])
+        self.batch(other, "-q")
+        self.assertEqual(content(other), self.bytes)
+        done = run("batch", "--archive", other, "--inputs", self.inputs, "--again", status=1, preexec_fn=no_room)
+        self.assertIn("3 not made", done.stderr)
+        self.assertEqual(content(other), self.bytes)  # the days that were there stand
+
+    def test_a_product_that_was_cut(self):
+        other = pathlib.Path(self.path("cut"))
+        shutil.copytree(self.whole, other)
+        product = other / "2025/080/orbit.nc"
+        product.write_bytes(product.read_bytes()[:1000])
+        self.assertRegex(run("states", product, status=1).stderr, "orbit.nc: .*[a-z]")
+        self.assertIn("1 days made, 2 were there", self.batch(other).stderr)
+        self.assertEqual(content(other), self.bytes)
+
+    def test_a_plan_older_than_its_archive(self):
+        """Days that came since are not the plan's, and those that are there already are left as they are."""
+        other, plan = self.path("older"), self.path("older-plan.txt")
+        run("batch", "-q", "--archive", other, "--inputs", self.inputs, "--to", "2025-03-21", "--plan", plan, "--chunks", 1)
+        self.batch(other, "-q")
+        before = content(other)
+        self.assertIn("0 days made, 2 were there, 0 not made", self.batch(other, "--chunk", f"{plan}:1").stderr)
+        self.assertEqual(content(other), before)
+        pathlib.Path(plan).write_text("2025-079 2025-080\n", encoding="utf-8")
+        self.assertIn("is no plan", self.batch(other, "--chunk", f"{plan}:1", status=1).stderr)
+
+    def test_a_neighbour_that_failed(self):
+        """The days beside one that cannot be read are made without it, say so, and are made again when it can be."""
+        inputs = pathlib.Path(self.path("neighbour"))
+        shutil.copytree(self.inputs, inputs)
+        middle = next(inputs.rglob("day1.anything"))
+        good = middle.read_bytes()
+        middle.write_bytes(good[:4000])
+        other = pathlib.Path(self.path("neighbours"))
+        done = run("batch", "--archive", other, "--inputs", inputs, status=1)
+        self.assertIn("2 days made, 0 were there, 1 not made", done.stderr)
+        self.assertRegex(done.stderr, "2025-080: not made: .*day1.anything")
+        record = json.loads((other / "2025/079/day.json").read_text(encoding="utf-8"))
+        self.assertFalse(record["day_after"])
+        self.assertTrue(any("day1.anything: is left aside" in note for note in record["notes"]), record["notes"])
+        middle.write_bytes(good)
+        self.assertIn("3 days made", run("batch", "--archive", other, "--inputs", inputs).stderr)
+        self.assertEqual(content(other), self.bytes)
 
 
 if __name__ == "__main__":
