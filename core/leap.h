@@ -6,6 +6,7 @@
 #include "core/status.h"
 
 #define ORR_S_PER_DAY 86400
+#define ORR_TAI_MINUS_GPS_S 19 // GPS time stands still against TAI
 
 // Leap seconds: from each entry's UTC day on (MJD), TAI - UTC is so many seconds. The table is data; the
 // built-in one carries the IERS bulletins known when it was written and says until when it is certain.

@@ -314,6 +314,15 @@ size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit
     return s != NULL ? s->n_events : 0;
 }
 
+bool orr_ephemeris_arc(const orr_ephemeris *e, orr_sat sat, size_t k, orr_time *from, orr_time *to)
+{
+    const eph_sat *s = find(e, sat);
+    if (s == NULL || k >= s->n_arcs) return false;
+    *from = s->arc[k].t0;
+    *to = s->arc[k].t1;
+    return true;
+}
+
 size_t orr_ephemeris_clock_events(const orr_ephemeris *e, const orr_clock_event **list)
 {
     *list = e->clock_events.item;

@@ -61,6 +61,14 @@ size_t orr_ephemeris_eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state 
 size_t orr_ephemeris_nodes(const orr_ephemeris *e, orr_sat sat, const orr_orbit_node **list);
 // Events of a satellite, ascending in t0.
 size_t orr_ephemeris_events(const orr_ephemeris *e, orr_sat sat, const orr_orbit_event **list);
+// An arc of a satellite. False where it has not so many.
+// Given:
+//   e         the product
+//   sat       satellite
+//   k         which, ascending, from 0
+// Returned:
+//   from, to  its ends, which belong to it
+bool orr_ephemeris_arc(const orr_ephemeris *e, orr_sat sat, size_t k, orr_time *from, orr_time *to);
 // Clocks left out, jumps, steps of the reference: of all satellites, ascending in t0.
 size_t orr_ephemeris_clock_events(const orr_ephemeris *e, const orr_clock_event **list);
 // Clock nodes of a satellite, ascending.

@@ -87,6 +87,11 @@ static const orr_field_word words_pacing[] = {
     {2, "MOTION", "by motion", false},
 };
 
+static const orr_field_word words_delivery[] = {
+    {0, "FRAMES", "frames", false},
+    {1, "RING", "ring", false},
+};
+
 static const orr_field_word words_gap_reason[] = {
     {1, "CREDIT", "no credit", false},
     {2, "LATE", "late", false},
@@ -146,6 +151,24 @@ static const orr_field_word words_motion_state[] = {
 static const orr_field_word words_motion_point[] = {
     {0, "BODY", "body", false},
     {1, "ANTENNA", "antenna", false},
+};
+
+static const orr_field_word words_event_kind[] = {
+    {1, "RISE", "rises", false},
+    {2, "SET", "sets", false},
+    {3, "ARC_BEGIN", "arc begins", false},
+    {4, "ARC_END", "arc ends", false},
+    {5, "EPHEMERIS", "new ephemeris", false},
+    {6, "HEALTH", "health changes", false},
+    {7, "LEAP_SECOND", "leap second", false},
+    {8, "ECLIPSE_BEGIN", "enters the shadow", false},
+    {9, "ECLIPSE_END", "leaves the shadow", false},
+    {10, "MANOEUVRE_BEGIN", "manoeuvre begins", false},
+    {11, "MANOEUVRE_END", "manoeuvre ends", false},
+    {12, "MOTION_BEGIN", "motion begins", false},
+    {13, "MOTION_END", "motion ends", false},
+    {14, "FAULT_BEGIN", "fault begins", false},
+    {15, "FAULT_END", "fault ends", false},
 };
 
 static const orr_field_word words_access[] = {
@@ -477,6 +500,16 @@ static const orr_field fields_channel_terms[] = {
     {.name = "fault_orbit_m", .unit = "m", .doc = "faults.orbit: what the displaced satellite adds to the range", .kind = ORR_FIELD_F64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_channel_terms, fault_orbit_m), .in_text = true, .text_name = "fault_orbit_m", .text_factor = 1.0, .in_table = true, .head = "fault orbit", .table_unit = "m", .table_factor = 1.0, .digits = 4},
 };
 static const orr_record record_channel_terms = {"channel_terms", fields_channel_terms, 23, sizeof(orr_msg_channel_terms), false, false};
+
+static const orr_field fields_event[] = {
+    {.name = "at", .unit = "ns", .doc = "when", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_event, at), .in_text = true, .text_name = "at", .text_factor = 1.0, .in_table = true, .head = "at", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "kind", .unit = "", .doc = "what", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_event, kind), .word = words_event_kind, .n_words = sizeof words_event_kind / sizeof words_event_kind[0], .in_text = true, .text_name = "kind", .text_factor = 1.0, .in_table = true, .head = "kind", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "sat", .unit = "", .doc = "of which satellite; both numbers 0: of none", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_event, sat), .record = &record_sat_id, .in_text = true, .text_name = "sat", .text_factor = 1.0, .in_table = true, .head = "sat", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "message", .unit = "", .doc = "of EPHEMERIS and HEALTH: of which message", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_event, message), .word = words_nav_message, .n_words = sizeof words_nav_message / sizeof words_nav_message[0], .in_text = true, .text_name = "message", .text_factor = 1.0, .in_table = true, .head = "message", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "antenna", .unit = "", .doc = "of RISE and SET: for which antenna of CAPS; 65535 otherwise", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_event, antenna), .in_text = true, .text_name = "antenna", .text_factor = 1.0, .in_table = false, .head = "antenna", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "value", .unit = "", .doc = "see kind; 0 where it has none", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_event, value), .in_text = true, .text_name = "value", .text_factor = 1.0, .in_table = true, .head = "value", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_event = {"event", fields_event, 6, sizeof(orr_msg_event), false, false};
 
 static const orr_field fields_hello[] = {
     {.name = "major_min", .unit = "", .doc = "lowest major version the client speaks", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, major_min), .in_text = true, .text_name = "major_min", .text_factor = 1.0, .in_table = true, .head = "major min", .table_unit = "", .table_factor = 1.0, .digits = -1},
@@ -892,9 +925,9 @@ static orr_wire_status decode_truth(const uint8_t *payload, size_t size, void *m
 }
 
 static const orr_field fields_subscribe[] = {
-    {.name = "request", .unit = "", .doc = "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU or POLL_TRUTH", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_subscribe, request), .in_text = true, .text_name = "request", .text_factor = 1.0, .in_table = true, .head = "request", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "request", .unit = "", .doc = "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH or POLL_EVENTS", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_subscribe, request), .in_text = true, .text_name = "request", .text_factor = 1.0, .in_table = true, .head = "request", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "pacing", .unit = "", .doc = "when blocks are made", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_subscribe, pacing), .word = words_pacing, .n_words = sizeof words_pacing / sizeof words_pacing[0], .in_text = true, .text_name = "pacing", .text_factor = 1.0, .in_table = true, .head = "pacing", .table_unit = "", .table_factor = 1.0, .digits = -1},
-    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "delivery", .unit = "", .doc = "how they come", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_subscribe, delivery), .word = words_delivery, .n_words = sizeof words_delivery / sizeof words_delivery[0], .in_text = true, .text_name = "delivery", .text_factor = 1.0, .in_table = true, .head = "delivery", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "credit", .unit = "", .doc = "how many blocks may be sent before there is more credit (CREDIT)", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, credit), .in_text = true, .text_name = "credit", .text_factor = 1.0, .in_table = true, .head = "credit", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "lead", .unit = "ns", .doc = "with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, lead), .in_text = true, .text_name = "lead", .text_factor = 1.0, .in_table = true, .head = "lead", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "poll", .unit = "", .doc = "payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, poll), .limit = 16384, .in_text = true, .text_name = "poll", .text_factor = 1.0, .in_table = true, .head = "poll", .table_unit = "", .table_factor = 1.0, .digits = -1},
@@ -1155,6 +1188,41 @@ static orr_wire_status decode_motion_stats(const uint8_t *payload, size_t size, 
     return orr_msg_motion_stats_decode(payload, size, (orr_msg_motion_stats *)m);
 }
 
+static const orr_field fields_poll_events[] = {
+    {.name = "epochs", .unit = "", .doc = "begins of the intervals, which are step long (0 to 1 h; 0: an hour)", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_poll_events, epochs), .record = &record_epochs, .in_text = true, .text_name = "epochs", .text_factor = 1.0, .in_table = true, .head = "epochs", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_poll_events = {"poll_events", fields_poll_events, 1, sizeof(orr_msg_poll_events), false, false};
+
+static orr_wire_status encode_poll_events(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_poll_events_encode((const orr_msg_poll_events *)m, w);
+}
+static orr_wire_status decode_poll_events(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_poll_events_decode(payload, size, (orr_msg_poll_events *)m);
+}
+
+static bool next_event(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_event_next((const orr_msg_event_list *)list, it, (orr_msg_event *)out);
+}
+
+static const orr_field fields_events[] = {
+    {.name = "epoch", .unit = "", .doc = "begin of the interval; OK, or OUTSIDE_SPAN with no events", .kind = ORR_FIELD_STRUCT, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_events, epoch), .record = &record_epoch, .in_text = true, .text_name = "epoch", .text_factor = 1.0, .in_table = true, .head = "epoch", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "t1", .unit = "ns", .doc = "end of the interval", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_events, t1), .in_text = true, .text_name = "t1", .text_factor = 1.0, .in_table = false, .head = "t1", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "events", .unit = "", .doc = "ascending in time; of one instant by kind, satellite and antenna", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_events, events), .limit = 8192, .record = &record_event, .next = next_event, .in_text = true, .text_name = "events", .text_factor = 1.0, .in_table = true, .head = "events", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_events = {"events", fields_events, 3, sizeof(orr_msg_events), false, false};
+
+static orr_wire_status encode_events(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_events_encode((const orr_msg_events *)m, w);
+}
+static orr_wire_status decode_events(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_events_decode(payload, size, (orr_msg_events *)m);
+}
+
 static const orr_message_info messages[] = {
     {"HELLO", ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, true, &record_hello, encode_hello, decode_hello},
     {"CAPS", ORR_MSG_TYPE_CAPS, 0, false, &record_caps, encode_caps, decode_caps},
@@ -1189,6 +1257,8 @@ static const orr_message_info messages[] = {
     {"MOTION", ORR_MSG_TYPE_MOTION, 0, true, &record_motion, encode_motion, decode_motion},
     {"GET_MOTION_STATS", ORR_MSG_TYPE_GET_MOTION_STATS, ORR_MSG_TYPE_MOTION_STATS, true, &record_get_motion_stats, encode_get_motion_stats, decode_get_motion_stats},
     {"MOTION_STATS", ORR_MSG_TYPE_MOTION_STATS, 0, false, &record_motion_stats, encode_motion_stats, decode_motion_stats},
+    {"POLL_EVENTS", ORR_MSG_TYPE_POLL_EVENTS, ORR_MSG_TYPE_EVENTS, true, &record_poll_events, encode_poll_events, decode_poll_events},
+    {"EVENTS", ORR_MSG_TYPE_EVENTS, 0, false, &record_events, encode_events, decode_events},
 };
 
 const orr_message_info *orr_message_of(uint16_t type)

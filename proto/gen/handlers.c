@@ -13,6 +13,7 @@ uint16_t orr_msg_request_type(size_t i)
         ORR_MSG_TYPE_POLL_CHANNELS,
         ORR_MSG_TYPE_POLL_IMU,
         ORR_MSG_TYPE_POLL_TRUTH,
+        ORR_MSG_TYPE_POLL_EVENTS,
     };
     return i < sizeof types / sizeof types[0] ? types[i] : 0;
 }
@@ -27,6 +28,7 @@ uint16_t orr_msg_handled(const orr_msg_handlers *h, uint16_t type)
     case ORR_MSG_TYPE_POLL_CHANNELS: return h->poll_channels != NULL ? ORR_MSG_TYPE_CHANNELS : 0;
     case ORR_MSG_TYPE_POLL_IMU: return h->poll_imu != NULL ? ORR_MSG_TYPE_IMU : 0;
     case ORR_MSG_TYPE_POLL_TRUTH: return h->poll_truth != NULL ? ORR_MSG_TYPE_TRUTH : 0;
+    case ORR_MSG_TYPE_POLL_EVENTS: return h->poll_events != NULL ? ORR_MSG_TYPE_EVENTS : 0;
     default: return 0;
     }
 }
@@ -41,6 +43,7 @@ orr_wire_status orr_msg_request_decode(uint16_t type, const uint8_t *payload, si
     case ORR_MSG_TYPE_POLL_CHANNELS: return orr_msg_poll_channels_decode(payload, size, &request->poll_channels);
     case ORR_MSG_TYPE_POLL_IMU: return orr_msg_poll_imu_decode(payload, size, &request->poll_imu);
     case ORR_MSG_TYPE_POLL_TRUTH: return orr_msg_poll_truth_decode(payload, size, &request->poll_truth);
+    case ORR_MSG_TYPE_POLL_EVENTS: return orr_msg_poll_events_decode(payload, size, &request->poll_events);
     default: return ORR_WIRE_UNEXPECTED;
     }
 }
@@ -56,6 +59,7 @@ uint32_t orr_msg_request_frames(uint16_t type, const orr_msg_any *request)
     case ORR_MSG_TYPE_POLL_CHANNELS: return request->poll_channels.epochs.count;
     case ORR_MSG_TYPE_POLL_IMU: return request->poll_imu.epochs.count;
     case ORR_MSG_TYPE_POLL_TRUTH: return request->poll_truth.epochs.count;
+    case ORR_MSG_TYPE_POLL_EVENTS: return request->poll_events.epochs.count;
     default: return 1;
     }
 }
@@ -70,6 +74,7 @@ uint16_t orr_msg_begin(const orr_msg_handlers *h, void *user, uint16_t type, con
     case ORR_MSG_TYPE_POLL_CHANNELS: return h->begin_poll_channels != NULL ? h->begin_poll_channels(user, &request->poll_channels, why) : 0;
     case ORR_MSG_TYPE_POLL_IMU: return h->begin_poll_imu != NULL ? h->begin_poll_imu(user, &request->poll_imu, why) : 0;
     case ORR_MSG_TYPE_POLL_TRUTH: return h->begin_poll_truth != NULL ? h->begin_poll_truth(user, &request->poll_truth, why) : 0;
+    case ORR_MSG_TYPE_POLL_EVENTS: return h->begin_poll_events != NULL ? h->begin_poll_events(user, &request->poll_events, why) : 0;
     default: return ORR_MSG_ERROR_CODE_INTERNAL;
     }
 }
@@ -85,6 +90,7 @@ uint16_t orr_msg_answer(const orr_msg_handlers *h, void *user, uint16_t type, co
     case ORR_MSG_TYPE_POLL_CHANNELS: return h->poll_channels(user, &request->poll_channels, part, w, why);
     case ORR_MSG_TYPE_POLL_IMU: return h->poll_imu(user, &request->poll_imu, part, w, why);
     case ORR_MSG_TYPE_POLL_TRUTH: return h->poll_truth(user, &request->poll_truth, part, w, why);
+    case ORR_MSG_TYPE_POLL_EVENTS: return h->poll_events(user, &request->poll_events, part, w, why);
     default: return ORR_MSG_ERROR_CODE_INTERNAL;
     }
 }

@@ -34,6 +34,10 @@ typedef struct orr_msg_handlers {
     uint16_t (*begin_poll_truth)(void *user, const orr_msg_poll_truth *request, orr_server_refusal *why);
     uint16_t (*poll_truth)(void *user, const orr_msg_poll_truth *request, orr_server_part *part, orr_wire_writer *w,
                                  orr_server_refusal *why);
+    // POLL_EVENTS, answered by EVENTS. Asks what happens in intervals. The same POLL_EVENTS gets the same bytes, always.
+    uint16_t (*begin_poll_events)(void *user, const orr_msg_poll_events *request, orr_server_refusal *why);
+    uint16_t (*poll_events)(void *user, const orr_msg_poll_events *request, orr_server_part *part, orr_wire_writer *w,
+                                  orr_server_refusal *why);
 } orr_msg_handlers;
 
 // Number i of the requests of the table; 0 behind the last.

@@ -30,6 +30,7 @@ extern "C" {
 #define ORR_MSG_MAX_CHANNELS 4096u // channels of one antenna in one list
 #define ORR_MSG_MAX_ANTENNAS 16u // antennas in one list
 #define ORR_MSG_MAX_SIGNALS 64u // signals in one list
+#define ORR_MSG_MAX_EVENTS 8192u // events in one list
 #define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
 
 enum { // message types
@@ -66,6 +67,8 @@ enum { // message types
     ORR_MSG_TYPE_MOTION = 31,
     ORR_MSG_TYPE_GET_MOTION_STATS = 32,
     ORR_MSG_TYPE_MOTION_STATS = 33,
+    ORR_MSG_TYPE_POLL_EVENTS = 34,
+    ORR_MSG_TYPE_EVENTS = 35,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -152,6 +155,11 @@ enum { // pacing (u8): When the blocks of a stream are made.
     ORR_MSG_PACING_MOTION = 2, // as soon as a sample of live motion reaches its begin, and at the latest as with CLOCK
 };
 
+enum { // delivery (u8): How the blocks of a stream come.
+    ORR_MSG_DELIVERY_FRAMES = 0, // as frames of the connection
+    ORR_MSG_DELIVERY_RING = 1, // in a ring of shared memory, whose descriptor comes with SUBSCRIBED over a Unix socket (docs/protocol.md, The ring)
+};
+
 enum { // gap_reason (u8): Why blocks of a stream were left out.
     ORR_MSG_GAP_REASON_CREDIT = 1, // there was no credit before the clock had passed them
     ORR_MSG_GAP_REASON_LATE = 2, // they could not be made before the clock had passed them: the machine was busy, or the clock was set forward
@@ -211,6 +219,24 @@ enum { // motion_state (u8): Where an antenna's motion of a block comes from.
 enum { // motion_point (u8): The point whose motion is told.
     ORR_MSG_MOTION_POINT_BODY = 0, // the body's own point; antennas ride on it by their lever arms
     ORR_MSG_MOTION_POINT_ANTENNA = 1, // the antennas' reference point itself: lever arms are left out
+};
+
+enum { // event_kind (u8): What an event is.
+    ORR_MSG_EVENT_KIND_RISE = 1, // the antenna sees the satellite from then on
+    ORR_MSG_EVENT_KIND_SET = 2, // and from then on it does not
+    ORR_MSG_EVENT_KIND_ARC_BEGIN = 3, // first instant of an arc of the satellite's orbit
+    ORR_MSG_EVENT_KIND_ARC_END = 4, // and the last one
+    ORR_MSG_EVENT_KIND_EPHEMERIS = 5, // another set of a navigation message goes on the air; value: its issue
+    ORR_MSG_EVENT_KIND_HEALTH = 6, // with another health; value: the health that is sent
+    ORR_MSG_EVENT_KIND_LEAP_SECOND = 7, // value: GPS time minus UTC from then on, s
+    ORR_MSG_EVENT_KIND_ECLIPSE_BEGIN = 8, // the satellite goes over to the Earth's shadow (penumbra)
+    ORR_MSG_EVENT_KIND_ECLIPSE_END = 9, // and back to sunlight
+    ORR_MSG_EVENT_KIND_MANOEUVRE_BEGIN = 10, // the satellite's orbit is being changed
+    ORR_MSG_EVENT_KIND_MANOEUVRE_END = 11, // and is not any more
+    ORR_MSG_EVENT_KIND_MOTION_BEGIN = 12, // the scenario's body is there from then on
+    ORR_MSG_EVENT_KIND_MOTION_END = 13, // and is not there afterwards
+    ORR_MSG_EVENT_KIND_FAULT_BEGIN = 14, // a fault of the scenario begins; value: which of them, from 0 in their order there
+    ORR_MSG_EVENT_KIND_FAULT_END = 15, // and is over
 };
 
 // access (u16): What this client may not do, and how it came.
@@ -277,6 +303,7 @@ const char *orr_msg_orbit_point_name(uint8_t value);
 const char *orr_msg_receiver_source_name(uint8_t value);
 const char *orr_msg_tec_origin_name(uint8_t value);
 const char *orr_msg_pacing_name(uint8_t value);
+const char *orr_msg_delivery_name(uint8_t value);
 const char *orr_msg_gap_reason_name(uint8_t value);
 const char *orr_msg_end_reason_name(uint8_t value);
 const char *orr_msg_control_action_name(uint8_t value);
@@ -286,6 +313,7 @@ const char *orr_msg_readings_name(uint8_t value);
 const char *orr_msg_stamp_clock_name(uint8_t value);
 const char *orr_msg_motion_state_name(uint8_t value);
 const char *orr_msg_motion_point_name(uint8_t value);
+const char *orr_msg_event_kind_name(uint8_t value);
 const char *orr_msg_access_name(unsigned bit);
 const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
@@ -778,6 +806,31 @@ bool orr_msg_channel_terms_next(const orr_msg_channel_terms_list *list, orr_wire
 orr_wire_status orr_msg_channel_terms_records_encode(const orr_msg_channel_terms_list *piece, orr_wire_writer *w);
 bool orr_msg_channel_terms_at(const orr_msg_channel_terms_list *list, uint16_t index, orr_msg_channel_terms *out);   // false beyond the end
 
+// Something that happens at an instant.
+typedef struct orr_msg_event {
+    int64_t at; // [ns] when
+    uint8_t kind; // what
+    orr_msg_sat_id sat; // of which satellite; both numbers 0: of none
+    uint8_t message; // of EPHEMERIS and HEALTH: of which message
+    uint16_t antenna; // of RISE and SET: for which antenna of CAPS; 65535 otherwise
+    int64_t value; // see kind; 0 where it has none
+} orr_msg_event;
+#define ORR_MSG_EVENT_SIZE 22u
+#define ORR_MSG_EVENT_LARGEST 22u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_event_next or orr_msg_event_at.
+typedef struct orr_msg_event_list {
+    uint16_t count;
+    const orr_msg_event *item;
+    orr_wire_records wire;
+} orr_msg_event_list;
+bool orr_msg_event_next(const orr_msg_event_list *list, orr_wire_iter *it, orr_msg_event *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_EVENT_SIZE), then these.
+orr_wire_status orr_msg_event_records_encode(const orr_msg_event_list *piece, orr_wire_writer *w);
+bool orr_msg_event_at(const orr_msg_event_list *list, uint16_t index, orr_msg_event *out);   // false beyond the end
+
 // Encoding appends the payload to the writer and returns its status. Decoding reads a payload; strings, blobs
 // and lists borrow its bytes; bytes after the last known field are of a later minor version and are ignored.
 
@@ -1057,9 +1110,9 @@ orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_ms
 
 // Asks for a stream. Its blocks are frames of the kind that answers the named request, and each is, byte for byte, the answer to that request for its instant alone. All frames of the stream bear the sequence number of the SUBSCRIBE, which is the stream's number.
 typedef struct orr_msg_subscribe {
-    uint16_t request; // POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU or POLL_TRUTH
+    uint16_t request; // POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH or POLL_EVENTS
     uint8_t pacing; // when blocks are made
-    uint8_t reserved; // 0
+    uint8_t delivery; // how they come
     uint32_t credit; // how many blocks may be sent before there is more credit (CREDIT)
     int64_t lead; // [ns] with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
@@ -1261,8 +1314,29 @@ typedef struct orr_msg_motion_stats {
 orr_wire_status orr_msg_motion_stats_encode(const orr_msg_motion_stats *m, orr_wire_writer *w);
 orr_wire_status orr_msg_motion_stats_decode(const uint8_t *payload, size_t size, orr_msg_motion_stats *m);
 
+// Asks what happens in intervals. The same POLL_EVENTS gets the same bytes, always.
+typedef struct orr_msg_poll_events {
+    orr_msg_epochs epochs; // begins of the intervals, which are step long (0 to 1 h; 0: an hour)
+} orr_msg_poll_events;
+#define ORR_MSG_POLL_EVENTS_SIZE 20u
+#define ORR_MSG_POLL_EVENTS_LARGEST 20u
+
+orr_wire_status orr_msg_poll_events_encode(const orr_msg_poll_events *m, orr_wire_writer *w);
+orr_wire_status orr_msg_poll_events_decode(const uint8_t *payload, size_t size, orr_msg_poll_events *m);
+
+// What happens in one interval, its end not in it.
+typedef struct orr_msg_events {
+    orr_msg_epoch epoch; // begin of the interval; OK, or OUTSIDE_SPAN with no events
+    int64_t t1; // [ns] end of the interval
+    orr_msg_event_list events; // ascending in time; of one instant by kind, satellite and antenna
+} orr_msg_events;
+#define ORR_MSG_EVENTS_LARGEST 180253u
+
+orr_wire_status orr_msg_events_encode(const orr_msg_events *m, orr_wire_writer *w);
+orr_wire_status orr_msg_events_decode(const uint8_t *payload, size_t size, orr_msg_events *m);
+
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace) X(motion) X(get_motion_stats) X(motion_stats)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace) X(motion) X(get_motion_stats) X(motion_stats) X(poll_events) X(events)
 
 // Room for any of them.
 typedef union orr_msg_any {
@@ -1299,6 +1373,8 @@ typedef union orr_msg_any {
     orr_msg_motion motion;
     orr_msg_get_motion_stats get_motion_stats;
     orr_msg_motion_stats motion_stats;
+    orr_msg_poll_events poll_events;
+    orr_msg_events events;
 } orr_msg_any;
 
 #ifdef __cplusplus

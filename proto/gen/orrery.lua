@@ -79,6 +79,10 @@ enums.pacing = {
   [1] = "CLOCK",
   [2] = "MOTION",
 }
+enums.delivery = {
+  [0] = "FRAMES",
+  [1] = "RING",
+}
 enums.gap_reason = {
   [1] = "CREDIT",
   [2] = "LATE",
@@ -130,6 +134,23 @@ enums.motion_state = {
 enums.motion_point = {
   [0] = "BODY",
   [1] = "ANTENNA",
+}
+enums.event_kind = {
+  [1] = "RISE",
+  [2] = "SET",
+  [3] = "ARC_BEGIN",
+  [4] = "ARC_END",
+  [5] = "EPHEMERIS",
+  [6] = "HEALTH",
+  [7] = "LEAP_SECOND",
+  [8] = "ECLIPSE_BEGIN",
+  [9] = "ECLIPSE_END",
+  [10] = "MANOEUVRE_BEGIN",
+  [11] = "MANOEUVRE_END",
+  [12] = "MOTION_BEGIN",
+  [13] = "MOTION_END",
+  [14] = "FAULT_BEGIN",
+  [15] = "FAULT_END",
 }
 bitsets.access = {
   {name = "NO_READING", bit = 0},
@@ -400,6 +421,14 @@ records.channel_terms = {size = 184, smallest = 184, fields = {
     {name = "fault_divergence_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_orbit_m", kind = "scalar", scalar = "f64", unit = "m"},
 }}
+records.event = {size = 22, smallest = 22, fields = {
+    {name = "at", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "kind", kind = "scalar", scalar = "u8", enum = "event_kind"},
+    {name = "sat", kind = "struct", record = "sat_id"},
+    {name = "message", kind = "scalar", scalar = "u8", enum = "nav_message"},
+    {name = "antenna", kind = "scalar", scalar = "u16"},
+    {name = "value", kind = "scalar", scalar = "i64"},
+}}
 records.hello = {fields = {
     {name = "major_min", kind = "scalar", scalar = "u8"},
     {name = "major_max", kind = "scalar", scalar = "u8"},
@@ -537,7 +566,7 @@ records.truth = {size = 219, smallest = 219, fields = {
 records.subscribe = {fields = {
     {name = "request", kind = "scalar", scalar = "u16", show = "message"},
     {name = "pacing", kind = "scalar", scalar = "u8", enum = "pacing"},
-    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "delivery", kind = "scalar", scalar = "u8", enum = "delivery"},
     {name = "credit", kind = "scalar", scalar = "u32"},
     {name = "lead", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
     {name = "poll", kind = "bytes", limit = 16384},
@@ -644,6 +673,14 @@ records.motion_stats = {size = 163, smallest = 163, fields = {
     {name = "buffered", kind = "scalar", scalar = "u16"},
     {name = "worst", kind = "scalar", scalar = "u8", enum = "motion_state"},
 }}
+records.poll_events = {size = 20, smallest = 20, fields = {
+    {name = "epochs", kind = "struct", record = "epochs"},
+}}
+records.events = {fields = {
+    {name = "epoch", kind = "struct", record = "epoch"},
+    {name = "t1", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "events", kind = "list", record = "event", limit = 8192},
+}}
 local messages = {
   [1] = {name = "HELLO", record = "hello", from = "client", answer = "CAPS"},
   [2] = {name = "CAPS", record = "caps", from = "server"},
@@ -678,6 +715,8 @@ local messages = {
   [31] = {name = "MOTION", record = "motion", from = "client"},
   [32] = {name = "GET_MOTION_STATS", record = "get_motion_stats", from = "client", answer = "MOTION_STATS"},
   [33] = {name = "MOTION_STATS", record = "motion_stats", from = "server"},
+  [34] = {name = "POLL_EVENTS", record = "poll_events", from = "client", answer = "EVENTS"},
+  [35] = {name = "EVENTS", record = "events", from = "server"},
 }
 local message_names = {}
 for number, message in pairs(messages) do message_names[number] = message.name end

@@ -190,6 +190,16 @@ orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_mot
     return s == ORR_WIRE_OK ? orr_msg_motion_stats_decode(f.payload, f.size, answer) : s;
 }
 
+orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_EVENTS, &w, &start);
+    orr_msg_poll_events_encode(request, &w);
+    orr_client_expect(c, request->epochs.count);
+    return orr_client_send(c, &w, start);
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)
 {
     orr_frame f;
@@ -243,5 +253,13 @@ orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *answer)
     orr_frame f;
     orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_TRUTH, &f);
     if (s == ORR_WIRE_OK) s = orr_msg_truth_decode(f.payload, f.size, answer);
+    return s == ORR_WIRE_OK ? orr_client_epoch(c, answer->epoch.index, answer->epoch.count) : s;
+}
+
+orr_wire_status orr_client_events(orr_client *c, orr_msg_events *answer)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_EVENTS, &f);
+    if (s == ORR_WIRE_OK) s = orr_msg_events_decode(f.payload, f.size, answer);
     return s == ORR_WIRE_OK ? orr_client_epoch(c, answer->epoch.index, answer->epoch.count) : s;
 }

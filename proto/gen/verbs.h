@@ -50,6 +50,9 @@ orr_wire_status orr_client_radio_time(orr_client *c, const orr_msg_radio_time *r
 orr_wire_status orr_client_motion(orr_client *c, const orr_msg_motion *request);
 // Asks what became of the samples of motion, and lays down the worst state.
 orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_motion_stats *request, orr_msg_motion_stats *answer);
+// Asks what happens in intervals. The same POLL_EVENTS gets the same bytes, always.
+// Then call orr_client_events request->epochs.count times.
+orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events *request);
 
 // Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);
@@ -65,6 +68,8 @@ orr_wire_status orr_client_channels(orr_client *c, orr_msg_channels *answer);
 orr_wire_status orr_client_imu(orr_client *c, orr_msg_imu *answer);
 // True motion and gravity at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *answer);
+// What happens in one interval, its end not in it. ORR_WIRE_UNEXPECTED where an epoch is missing.
+orr_wire_status orr_client_events(orr_client *c, orr_msg_events *answer);
 
 #ifdef __cplusplus
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <poll.h>
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,7 @@
 #include "bench/bench.h"
 #include "src/scenario/engine/engine.h"
 #include "src/service/answers/answers.h"
+#include "src/service/live/ring_made.h"
 #include "src/service/net/dial.h"
 #include "src/service/net/url.h"
 #include "src/service/serve/service.h"
@@ -97,6 +99,7 @@ static void start(live *l)
     const orr_vehicle_options v = {.join_s = 0.065, .length_ns = MS};
     must(orr_answers_open(l->engine, &l->answers, &diag) == ORR_OK &&
              orr_answers_open(l->engine, &l->maker, &diag) == ORR_OK &&
+             orr_answers_look_ahead(l->maker, &diag) == ORR_OK &&
              orr_answers_open(l->engine, &l->direct, &diag) == ORR_OK &&
              orr_service_open(&o, orr_answers_server(l->answers), NULL, &l->service, &diag) == ORR_OK &&
              orr_vehicle_open(&v, &l->vehicle, &diag) == ORR_OK &&
@@ -104,6 +107,7 @@ static void start(live *l)
          diag.text);
     l->begin = 1426586400 * ORR_NS_PER_S + 60 * ORR_NS_PER_S; // 2025-03-21T10:01:00
     const orr_streams_options so = {.maker = orr_answers_server(l->maker),
+                                    .expect = orr_answers_expect,
                                     .wake = orr_service_wake,
                                     .wake_user = l->service,
                                     .begin = l->begin,
@@ -428,9 +432,76 @@ static void crowd_rows(bench *b, live *l)
                worst_ms);
 }
 
+// --- The ring beside a bare hand-over ---
+
+enum { HANDED = 20000, HANDED_BYTES = 5120 }; // a block of 40 signals
+
+// One thread hands buffers to another on a second processor, by turns through the ring and through one buffer with a flag.
+typedef struct handing {
+    orr_ring_made ring;
+    _Alignas(64) _Atomic uint64_t flag;
+    _Alignas(64) uint8_t buffer[HANDED_BYTES];
+    _Atomic uint64_t seen;
+    double us[2][HANDED / 2];
+} handing;
+
+static void *take_all(void *user)
+{
+    handing *h = user;
+    static uint8_t got[HANDED_BYTES];
+    orr_ring r;
+    uint16_t type;
+    size_t n;
+    must(orr_ring_open(&r, h->ring.ring.memory, orr_ring_size(ORR_RING_SLOTS, ORR_RING_STRIDE)), "no ring");
+    for (uint64_t k = 0; k < HANDED; k++) {
+        if (k % 2 == 0) {
+            while (!orr_ring_read(&r, &type, got, sizeof got, &n)) {
+            }
+        } else {
+            while (atomic_load_explicit(&h->flag, memory_order_acquire) != k) {
+            }
+            memcpy(got, h->buffer, sizeof got);
+        }
+        int64_t begin;
+        memcpy(&begin, got, sizeof begin);
+        h->us[k % 2][k / 2] = (double)(now_ns() - begin) / 1e3;
+        atomic_store_explicit(&h->seen, k + 1, memory_order_release);
+    }
+    return NULL;
+}
+
+static void ring_rows(bench *b)
+{
+    static handing h;
+    static uint8_t data[HANDED_BYTES];
+    orr_diag diag = {0};
+    pthread_t thread;
+    must(orr_ring_made_open(&h.ring, &diag) == ORR_OK, diag.text);
+    pthread_create(&thread, NULL, take_all, &h);
+    for (uint64_t k = 0; k < HANDED; k++) {
+        while (atomic_load_explicit(&h.seen, memory_order_acquire) != k) {
+        }
+        const int64_t begin = now_ns();
+        memcpy(data, &begin, sizeof begin);
+        if (k % 2 == 0) {
+            must(orr_ring_made_write(&h.ring, ORR_MSG_TYPE_CHANNELS, data, sizeof data), "too large");
+        } else {
+            memcpy(h.buffer, data, sizeof data);
+            atomic_store_explicit(&h.flag, k, memory_order_release);
+        }
+    }
+    pthread_join(thread, NULL);
+    for (int w = 0; w < 2; w++) qsort(h.us[w], HANDED / 2, sizeof h.us[w][0], ascending);
+    char name[120];
+    snprintf(name, sizeof name, "ring, publish to seen, %d bytes, p50", HANDED_BYTES);
+    bench_row(b, name, h.us[0][HANDED / 4], h.us[1][HANDED / 4], "us", "bare hand-over between two cores");
+    orr_ring_made_close(&h.ring);
+}
+
 void bench_live(bench *b)
 {
     bench_group(b, "live, over TCP loopback");
+    ring_rows(b);
     live l = {.begin = 0};
     start(&l);
     timer_rows(b, &l); // without motion: the poll's bytes

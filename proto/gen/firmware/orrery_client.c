@@ -800,6 +800,8 @@ const char *orr_msg_type_name(uint16_t type)
     case 31: return "MOTION";
     case 32: return "GET_MOTION_STATS";
     case 33: return "MOTION_STATS";
+    case 34: return "POLL_EVENTS";
+    case 35: return "EVENTS";
     default: return NULL;
     }
 }
@@ -928,6 +930,15 @@ const char *orr_msg_pacing_name(uint8_t value)
     }
 }
 
+const char *orr_msg_delivery_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "FRAMES";
+    case 1: return "RING";
+    default: return NULL;
+    }
+}
+
 const char *orr_msg_gap_reason_name(uint8_t value)
 {
     switch (value) {
@@ -1021,6 +1032,28 @@ const char *orr_msg_motion_point_name(uint8_t value)
     switch (value) {
     case 0: return "BODY";
     case 1: return "ANTENNA";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_event_kind_name(uint8_t value)
+{
+    switch (value) {
+    case 1: return "RISE";
+    case 2: return "SET";
+    case 3: return "ARC_BEGIN";
+    case 4: return "ARC_END";
+    case 5: return "EPHEMERIS";
+    case 6: return "HEALTH";
+    case 7: return "LEAP_SECOND";
+    case 8: return "ECLIPSE_BEGIN";
+    case 9: return "ECLIPSE_END";
+    case 10: return "MANOEUVRE_BEGIN";
+    case 11: return "MANOEUVRE_END";
+    case 12: return "MOTION_BEGIN";
+    case 13: return "MOTION_END";
+    case 14: return "FAULT_BEGIN";
+    case 15: return "FAULT_END";
     default: return NULL;
     }
 }
@@ -1942,6 +1975,26 @@ static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m
     m->fault_clock_m = orr_wire_load_f64(p + 160);
     m->fault_divergence_m = orr_wire_load_f64(p + 168);
     m->fault_orbit_m = orr_wire_load_f64(p + 176);
+}
+
+static inline void store_event(uint8_t *p, const orr_msg_event *m)
+{
+    orr_wire_store_i64(p + 0, m->at);
+    orr_wire_store_u8(p + 8, m->kind);
+    store_sat_id(p + 9, &m->sat);
+    orr_wire_store_u8(p + 11, m->message);
+    orr_wire_store_u16(p + 12, m->antenna);
+    orr_wire_store_i64(p + 14, m->value);
+}
+
+static inline void load_event(const uint8_t *p, orr_msg_event *m)
+{
+    m->at = orr_wire_load_i64(p + 0);
+    m->kind = orr_wire_load_u8(p + 8);
+    load_sat_id(p + 9, &m->sat);
+    m->message = orr_wire_load_u8(p + 11);
+    m->antenna = orr_wire_load_u16(p + 12);
+    m->value = orr_wire_load_i64(p + 14);
 }
 
 static void put_hello(orr_wire_writer *w, const orr_msg_hello *m)
@@ -3741,7 +3794,7 @@ static void put_subscribe(orr_wire_writer *w, const orr_msg_subscribe *m)
     if (p == NULL) return;
     orr_wire_store_u16(p + 0, m->request);
     orr_wire_store_u8(p + 2, m->pacing);
-    orr_wire_store_u8(p + 3, m->reserved);
+    orr_wire_store_u8(p + 3, m->delivery);
     orr_wire_store_u32(p + 4, m->credit);
     orr_wire_store_i64(p + 8, m->lead);
     orr_wire_put_bytes(w, m->poll, 16384);
@@ -3754,7 +3807,7 @@ static void get_subscribe(orr_wire_reader *r, orr_msg_subscribe *m)
     if (p == NULL) return;
     m->request = orr_wire_load_u16(p + 0);
     m->pacing = orr_wire_load_u8(p + 2);
-    m->reserved = orr_wire_load_u8(p + 3);
+    m->delivery = orr_wire_load_u8(p + 3);
     m->credit = orr_wire_load_u32(p + 4);
     m->lead = orr_wire_load_i64(p + 8);
     m->poll = orr_wire_get_bytes(r, 16384);
@@ -4324,6 +4377,138 @@ orr_wire_status orr_msg_motion_stats_decode(const uint8_t *payload, size_t size,
     return r.status;
 }
 
+static void put_poll_events(orr_wire_writer *w, const orr_msg_poll_events *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 20);
+    if (p == NULL) return;
+    store_epochs(p + 0, &m->epochs);
+}
+
+static void get_poll_events(orr_wire_reader *r, orr_msg_poll_events *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 20);
+    if (p == NULL) return;
+    load_epochs(p + 0, &m->epochs);
+}
+
+orr_wire_status orr_msg_poll_events_encode(const orr_msg_poll_events *m, orr_wire_writer *w)
+{
+    put_poll_events(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_poll_events_decode(const uint8_t *payload, size_t size, orr_msg_poll_events *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_poll_events(&r, m);
+    return r.status;
+}
+
+static void put_event_records(orr_wire_writer *w, const orr_msg_event_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 22 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_event(p + 22 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_event_records_encode(const orr_msg_event_list *piece, orr_wire_writer *w)
+{
+    put_event_records(w, piece);
+    return w->status;
+}
+
+static void put_event_list(orr_wire_writer *w, const orr_msg_event_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 22 : list->wire.stride);
+    put_event_records(w, list);
+}
+
+static void get_event_list(orr_wire_reader *r, orr_msg_event_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
+    if (count > 0 && stride < 22) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_event_next(const orr_msg_event_list *list, orr_wire_iter *it, orr_msg_event *out)
+{
+    return orr_msg_event_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_event_at(const orr_msg_event_list *list, uint16_t index, orr_msg_event *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_event(p, out);
+    return true;
+}
+
+static void put_events(orr_wire_writer *w, const orr_msg_events *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 25);
+    if (p == NULL) return;
+    store_epoch(p + 0, &m->epoch);
+    orr_wire_store_i64(p + 17, m->t1);
+    put_event_list(w, &m->events, 8192);
+}
+
+static void get_events(orr_wire_reader *r, orr_msg_events *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 25);
+    if (p == NULL) return;
+    load_epoch(p + 0, &m->epoch);
+    m->t1 = orr_wire_load_i64(p + 17);
+    get_event_list(r, &m->events, 8192);
+}
+
+orr_wire_status orr_msg_events_encode(const orr_msg_events *m, orr_wire_writer *w)
+{
+    put_events(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_events_decode(const uint8_t *payload, size_t size, orr_msg_events *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_events(&r, m);
+    return r.status;
+}
+
 void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity)
 {
     memset(c, 0, sizeof *c);
@@ -4612,6 +4797,16 @@ orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_mot
     return s == ORR_WIRE_OK ? orr_msg_motion_stats_decode(f.payload, f.size, answer) : s;
 }
 
+orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events *request)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_POLL_EVENTS, &w, &start);
+    orr_msg_poll_events_encode(request, &w);
+    orr_client_expect(c, request->epochs.count);
+    return orr_client_send(c, &w, start);
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)
 {
     orr_frame f;
@@ -4665,6 +4860,14 @@ orr_wire_status orr_client_truth(orr_client *c, orr_msg_truth *answer)
     orr_frame f;
     orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_TRUTH, &f);
     if (s == ORR_WIRE_OK) s = orr_msg_truth_decode(f.payload, f.size, answer);
+    return s == ORR_WIRE_OK ? orr_client_epoch(c, answer->epoch.index, answer->epoch.count) : s;
+}
+
+orr_wire_status orr_client_events(orr_client *c, orr_msg_events *answer)
+{
+    orr_frame f;
+    orr_wire_status s = orr_client_answer(c, ORR_MSG_TYPE_EVENTS, &f);
+    if (s == ORR_WIRE_OK) s = orr_msg_events_decode(f.payload, f.size, answer);
     return s == ORR_WIRE_OK ? orr_client_epoch(c, answer->epoch.index, answer->epoch.count) : s;
 }
 

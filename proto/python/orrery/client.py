@@ -16,6 +16,7 @@ from ._version import __version__
 from .asking import A, M, Message, Request, choice, from_epoch, next_epoch, step_ns
 from .codec import CodecError
 from .gpstime import NONE, Time, time_tag
+from .ring import Ring
 from .satellite import sat_id, sat_name
 from .stream import Stream
 from .verbs import Verbs
@@ -86,6 +87,7 @@ class Client(Verbs):
         self._read = bytearray()  # received, and not yet a whole frame
         self._inbox: Dict[int, Deque[frame.Frame]] = {}  # of requests whose answers somebody still waits for
         self._closed = ""  # why it is of no more use
+        self._descriptors: list[int] = []  # that came along with bytes, of rings
         self._sock = connect(url, timeout_s, identity)
         try:
             self.caps = self._ask(messages.Hello(messages.MAJOR, messages.MAJOR, name, __version__), messages.Caps)
@@ -102,6 +104,8 @@ class Client(Verbs):
     def close(self) -> None:
         self._closed = self._closed or "it was closed"
         self._sock.close()
+        while self._descriptors:
+            os.close(self._descriptors.pop())
 
     @property
     def span(self) -> tuple[int, int]:
@@ -120,13 +124,15 @@ class Client(Verbs):
 
     def subscribe(self, request: Request, t: Optional[Time] = None, step_s: float = 0.0, count: int = 0,
                   pacing: Union[messages.Pacing, str] = messages.Pacing.CLOCK, lead_s: float = 0.0, credit: int = 64,
-                  window: Optional[int] = None) -> Stream:
+                  window: Optional[int] = None, ring: bool = False) -> Stream:
         """A stream of the blocks that answer `request` (a Poll, PollChannels, ...; its epochs are those given here): from t on (None: the
         next one), step_s apart (0: every block of channels once), `count` of them (0: without end). pacing: "clock", each lead_s before
         the scenario clock shows its instant, or "free". credit: how many may come before there is more; the stream renews it as they
-        are read, up to `window` (that of `credit` if None; 0: you call Stream.credit)."""
+        are read, up to `window` (that of `credit` if None; 0: you call Stream.credit). ring: they come in shared memory, over a Unix socket
+        alone; a reader that is too slow loses blocks (Stream.lost)."""
         poll = from_epoch(request, NONE if t is None else time_tag(t), step_ns(step_s), count)
-        asked = messages.Subscribe(request=request.TYPE, pacing=choice(messages.Pacing, pacing), credit=credit, lead=step_ns(lead_s),
+        asked = messages.Subscribe(request=request.TYPE, pacing=choice(messages.Pacing, pacing),
+                                   delivery=messages.Delivery.RING if ring else messages.Delivery.FRAMES, credit=credit, lead=step_ns(lead_s),
                                    poll=poll.encode())
         number = self._send(asked)
         self._inbox[number] = collections.deque()
@@ -135,7 +141,8 @@ class Client(Verbs):
         except BaseException:
             self._inbox.pop(number, None)
             raise
-        return Stream(self, number, told, request, credit if window is None else window)
+        memory = Ring(self._descriptors.pop(0)) if ring else None
+        return Stream(self, number, told, request, credit if window is None else window, memory)
 
     def time(self) -> messages.Time:
         """What the scenario's clock shows."""
@@ -247,7 +254,7 @@ class Client(Verbs):
             if self._closed:
                 raise ProtocolError(f"the connection is of no more use: {self._closed}")
             try:
-                part = self._sock.recv(max(65536, n - len(self._read)))
+                part = self._receive_part(max(65536, n - len(self._read)))
             except TimeoutError:
                 raise
             except OSError as error:
@@ -256,6 +263,13 @@ class Client(Verbs):
             if not part:
                 raise self._broken("the server closed the connection")
             self._read += part
+
+    def _receive_part(self, n: int) -> bytes:
+        if self._sock.family != socket.AF_UNIX:
+            return self._sock.recv(n)
+        part, descriptors, _, _ = socket.recv_fds(self._sock, n, 4)
+        self._descriptors += descriptors
+        return part
 
     def _broken(self, why: str) -> ProtocolError:
         self._closed = self._closed or why

@@ -22,6 +22,7 @@ MAX_UNITS = 64  # inertial units in one list
 MAX_CHANNELS = 4096  # channels of one antenna in one list
 MAX_ANTENNAS = 16  # antennas in one list
 MAX_SIGNALS = 64  # signals in one list
+MAX_EVENTS = 8192  # events in one list
 MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
 
 
@@ -134,6 +135,13 @@ class Pacing(WireEnum):
     MOTION = 2  # as soon as a sample of live motion reaches its begin, and at the latest as with CLOCK
 
 
+class Delivery(WireEnum):
+    """How the blocks of a stream come."""
+
+    FRAMES = 0  # as frames of the connection
+    RING = 1  # in a ring of shared memory, whose descriptor comes with SUBSCRIBED over a Unix socket (docs/protocol.md, The ring)
+
+
 class GapReason(WireEnum):
     """Why blocks of a stream were left out."""
 
@@ -211,6 +219,26 @@ class MotionPoint(WireEnum):
 
     BODY = 0  # the body's own point; antennas ride on it by their lever arms
     ANTENNA = 1  # the antennas' reference point itself: lever arms are left out
+
+
+class EventKind(WireEnum):
+    """What an event is."""
+
+    RISE = 1  # the antenna sees the satellite from then on
+    SET = 2  # and from then on it does not
+    ARC_BEGIN = 3  # first instant of an arc of the satellite's orbit
+    ARC_END = 4  # and the last one
+    EPHEMERIS = 5  # another set of a navigation message goes on the air; value: its issue
+    HEALTH = 6  # with another health; value: the health that is sent
+    LEAP_SECOND = 7  # value: GPS time minus UTC from then on, s
+    ECLIPSE_BEGIN = 8  # the satellite goes over to the Earth's shadow (penumbra)
+    ECLIPSE_END = 9  # and back to sunlight
+    MANOEUVRE_BEGIN = 10  # the satellite's orbit is being changed
+    MANOEUVRE_END = 11  # and is not any more
+    MOTION_BEGIN = 12  # the scenario's body is there from then on
+    MOTION_END = 13  # and is not there afterwards
+    FAULT_BEGIN = 14  # a fault of the scenario begins; value: which of them, from 0 in their order there
+    FAULT_END = 15  # and is over
 
 
 class Access(enum.IntFlag):
@@ -1051,6 +1079,35 @@ class ChannelTerms(Record):
 
 
 @dataclasses.dataclass(eq=False, slots=True)
+class Event(Record):
+    """Something that happens at an instant.
+
+    at [ns]: when
+    kind: what
+    sat: of which satellite; both numbers 0: of none
+    message: of EPHEMERIS and HEALTH: of which message
+    antenna: of RISE and SET: for which antenna of CAPS; 65535 otherwise
+    value: see kind; 0 where it has none
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("at", "scalar", scalar="i64"),
+        Field("kind", "scalar", scalar="u8", enum=EventKind),
+        Field("sat", "struct", record=SatId),
+        Field("message", "scalar", scalar="u8", enum=NavMessage),
+        Field("antenna", "scalar", scalar="u16"),
+        Field("value", "scalar", scalar="i64"),
+    )
+
+    at: int = 0
+    kind: EventKind = EventKind(0)
+    sat: SatId = dataclasses.field(default_factory=SatId)
+    message: NavMessage = NavMessage(0)
+    antenna: int = 0
+    value: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
 class Hello(Record):
     """Opens a conversation. Optional, but a client that sends it learns what is served.
 
@@ -1820,9 +1877,9 @@ class Subscribe(Record):
     answer to that request for its instant alone. All frames of the stream bear the sequence number of the SUBSCRIBE, which is
     the stream's number.
 
-    request: POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU or POLL_TRUTH
+    request: POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH or POLL_EVENTS
     pacing: when blocks are made
-    reserved: 0
+    delivery: how they come
     credit: how many blocks may be sent before there is more credit (CREDIT)
     lead [ns]: with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     poll: payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s
@@ -1833,7 +1890,7 @@ class Subscribe(Record):
     LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("request", "scalar", scalar="u16"),
         Field("pacing", "scalar", scalar="u8", enum=Pacing),
-        Field("reserved", "scalar", scalar="u8"),
+        Field("delivery", "scalar", scalar="u8", enum=Delivery),
         Field("credit", "scalar", scalar="u32"),
         Field("lead", "scalar", scalar="i64"),
         Field("poll", "bytes", limit=16384),
@@ -1841,7 +1898,7 @@ class Subscribe(Record):
 
     request: int = 0
     pacing: Pacing = Pacing(0)
-    reserved: int = 0
+    delivery: Delivery = Delivery(0)
     credit: int = 0
     lead: int = 0
     poll: bytes = b""
@@ -2233,6 +2290,77 @@ class MotionStats(Record):
     worst: MotionState = MotionState(0)
 
 
+@dataclasses.dataclass(eq=False, slots=True)
+class PollEvents(Record):
+    """Asks what happens in intervals. The same POLL_EVENTS gets the same bytes, always.
+
+    epochs: begins of the intervals, which are step long (0 to 1 h; 0: an hour)
+    """
+
+    TYPE: ClassVar[int] = 34
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("epochs", "struct", record=Epochs),
+    )
+
+    epochs: Epochs = dataclasses.field(default_factory=Epochs)
+
+    @property
+    def t(self) -> int:
+        """first epoch"""
+        return self.epochs.t
+
+    @property
+    def step(self) -> int:
+        """from one epoch to the next; any sign, not 0 unless count is 1"""
+        return self.epochs.step
+
+    @property
+    def count(self) -> int:
+        """how many, 1 to MAX_EPOCHS"""
+        return self.epochs.count
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Events(Record):
+    """What happens in one interval, its end not in it.
+
+    epoch: begin of the interval; OK, or OUTSIDE_SPAN with no events
+    t1 [ns]: end of the interval
+    events: ascending in time; of one instant by kind, satellite and antenna
+    """
+
+    TYPE: ClassVar[int] = 35
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("epoch", "struct", record=Epoch),
+        Field("t1", "scalar", scalar="i64"),
+        Field("events", "list", record=Event, limit=8192),
+    )
+
+    epoch: Epoch = dataclasses.field(default_factory=Epoch)
+    t1: int = 0
+    events: list[Event] = dataclasses.field(default_factory=list)
+
+    @property
+    def t(self) -> int:
+        """the instant"""
+        return self.epoch.t
+
+    @property
+    def index(self) -> int:
+        """which epoch of the request, from 0; the frame of count - 1 ends the answer"""
+        return self.epoch.index
+
+    @property
+    def count(self) -> int:
+        """how many epochs the request asked for"""
+        return self.epoch.count
+
+    @property
+    def answer(self) -> Answer:
+        """whether there are numbers at this instant"""
+        return self.epoch.answer
+
+
 MESSAGES: dict[int, Type[Record]] = {
     1: Hello,
     2: Caps,
@@ -2267,4 +2395,6 @@ MESSAGES: dict[int, Type[Record]] = {
     31: Motion,
     32: GetMotionStats,
     33: MotionStats,
+    34: PollEvents,
+    35: Events,
 }

@@ -7,38 +7,51 @@ from typing import TYPE_CHECKING, Iterator, Optional, Type
 
 from . import frame, messages
 from .asking import Message, Request
+from .ring import Ring
 
 if TYPE_CHECKING:
     from .client import Client
 
 BLOCKS = {messages.Poll.TYPE: messages.States, messages.PollNavdata.TYPE: messages.Navdata, messages.PollChannels.TYPE: messages.Channels,
-          messages.PollImu.TYPE: messages.Imu, messages.PollTruth.TYPE: messages.Truth}
+          messages.PollImu.TYPE: messages.Imu, messages.PollTruth.TYPE: messages.Truth,
+          messages.PollEvents.TYPE: messages.Events}
 
 
 class Stream:
     """Made by Client.subscribe. Iterating gives the blocks, until the stream ends: `end` is then the StreamEnd. `gaps` are the Gap notices so
     far, `payload` the bytes of the last block. With credit of its own accord (window > 0) it lets so many blocks be on their way."""
 
-    def __init__(self, client: Client, number: int, told: messages.Subscribed, request: Request, window: int) -> None:
+    def __init__(self, client: Client, number: int, told: messages.Subscribed, request: Request, window: int,
+                 ring: Optional[Ring] = None) -> None:
         self.number, self.first, self.step = number, told.first, told.step
         self.gaps: list[messages.Gap] = []
         self.end: Optional[messages.StreamEnd] = None
         self.payload = b""
         self._client, self._window, self._spent = client, window, 0
         self._kind: Type[Message] = BLOCKS[request.TYPE]
+        self._ring = ring
 
     def __iter__(self) -> Iterator[Message]:
         while (block := self.next()) is not None:
             yield block
 
+    @property
+    def lost(self) -> int:
+        """Blocks of a ring that went by unread."""
+        return self._ring.lost if self._ring is not None else 0
+
     def next(self) -> Optional[Message]:
         """The next block; None behind the last one. TimeoutError if none comes in time: it can be asked on after that."""
         while self.end is None:
-            got = self._client._next_frame(self.number)
+            got = self._client._next_frame(self.number) if self._ring is None else self._from_ring(self._ring)
             block = self._take(got)
             if block is not None:
                 return block
         return None
+
+    def _from_ring(self, ring: Ring) -> frame.Frame:
+        kind, payload = ring.wait(self._client._sock.gettimeout() or 10.0)
+        return frame.Frame(kind, self.number, payload)
 
     def _take(self, got: frame.Frame) -> Optional[Message]:
         if got.type == messages.Gap.TYPE:
@@ -46,6 +59,8 @@ class Stream:
         elif got.type == messages.StreamEnd.TYPE:
             self.end = self._client._decode(got, messages.StreamEnd)
             self._client._inbox.pop(self.number, None)
+            if self._ring is not None:
+                self._ring.close()
         else:
             self.payload = bytes(got.payload)
             self._spent += 1

@@ -136,3 +136,15 @@ class Verbs(Asking):
     def truth(self, t: Time, unit: int = 0) -> messages.Truth:
         """The Truth of one epoch; poll_truth says more."""
         return self._single(messages.PollTruth(messages.Epochs(time_tag(t), 0, 1), unit=unit), messages.Truth)
+
+    def poll_events(self, t: Time, step_s: float = 0.0, count: int = 1) -> Iterator[messages.Events]:
+        """Yields the Events of `count` epochs from t on, step_s apart (rounded to a nanosecond). t, step_s, count: begins of
+        the intervals, which are step long (0 to 1 h; 0: an hour). Asks what happens in intervals. The same POLL_EVENTS gets
+        the same bytes, always.
+
+        """
+        return self._series(messages.PollEvents(messages.Epochs(time_tag(t), step_ns(step_s), 1)), messages.Events, count)
+
+    def events(self, t: Time, step_s: float = 0.0) -> messages.Events:
+        """The Events of one epoch; poll_events says more."""
+        return self._single(messages.PollEvents(messages.Epochs(time_tag(t), step_ns(step_s), 1)), messages.Events)

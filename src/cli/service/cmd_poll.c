@@ -162,19 +162,24 @@ static int poll_service(poll_job *p)
             "the scenario's receiver are there too",
             p->d->url, from, to);
     if (p->outside) return orr_cli_failf(c, "nothing there: %s serves %s to %s", p->d->url, from, to);
+    if (p->request.info->type == ORR_MSG_TYPE_POLL_EVENTS) return ORR_EXIT_OK; // nothing happens
     return orr_cli_failf(c, "no satellite has %s there", p->request.what);
 }
 
 static int run(orr_cli *c)
 {
-    bool realtime = orr_cli_given(c, "realtime"), imu = orr_cli_given(c, "imu");
+    bool realtime = orr_cli_given(c, "realtime"), imu = orr_cli_given(c, "imu"),
+         events = orr_cli_given(c, "events");
     poll_job p = {.c = c,
-                  .step_ns = orr_cli_duration_ns(c, "step", imu ? 0 : ORR_NS_PER_S),
+                  .step_ns = orr_cli_duration_ns(c, "step",
+                                                 imu      ? 0
+                                                 : events ? 3600 * ORR_NS_PER_S
+                                                          : ORR_NS_PER_S),
                   .count = orr_cli_int(c, "count", realtime ? -1 : 1),
                   .format = orr_cli_says(c, "format", "json")  ? ORR_AS_JSON
                             : orr_cli_says(c, "format", "csv") ? ORR_AS_CSV
                                                                : ORR_AS_TABLE};
-    if (p.count > 1 && !orr_cli_given(c, "step") && !imu)
+    if (p.count > 1 && !orr_cli_given(c, "step") && !imu && !events)
         return orr_cli_usage(c, "--count %lld needs a --step", (long long)p.count);
     int asked = orr_poll_ask(c, &p.request);
     if (asked != ORR_EXIT_OK) return asked;
@@ -194,8 +199,8 @@ static const orr_option options[] = {
     ORR_OPTION_AT(
             .help =
                 "First epoch, GPS time unless marked otherwise; the begin of the served span by default."),
-    ORR_OPTION_STEP(
-            .help = "Time from one epoch to the next; 1 s by default, with --imu the scenario's interval."),
+    ORR_OPTION_STEP(.help = "Time from one epoch to the next; 1 s by default, with --imu the scenario's "
+                            "interval, with --events an hour."),
     {.name = "count",
      .letter = 'n',
      .kind = ORR_OPT_INT,

@@ -173,10 +173,12 @@ static orr_status open_vehicle(serving *v, orr_diag *diag)
 static orr_status open_streams(serving *v, orr_diag *diag)
 {
     orr_status s = orr_answers_open(v->engine, &v->maker, diag);
+    if (s == ORR_OK) s = orr_answers_look_ahead(v->maker, diag);
     if (s == ORR_OK && (orr_cli_given(v->c, "motion") || orr_cli_given(v->c, "motion-replay")))
         s = open_vehicle(v, diag);
     if (s != ORR_OK) return s;
     const orr_streams_options o = {.maker = orr_answers_server(v->maker),
+                                   .expect = orr_answers_expect,
                                    .wake = orr_service_wake,
                                    .wake_user = v->service,
                                    .begin = begin_of(v),

@@ -9,6 +9,7 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/service/net/dial.h"
+#include "src/service/text/message_text.h"
 
 // Thermal noise of a receiver at 290 K, dBW/Hz: what received power is set against for C/N0.
 static const double NOISE_DBW_HZ = -204;
@@ -17,7 +18,7 @@ typedef struct watch_job {
     orr_cli *c;
     orr_dial *d;
     uint16_t antenna;
-    bool has_channels, motion;
+    bool has_channels, has_events, motion;
     char name[64][9]; // of signals
 } watch_job;
 
@@ -98,6 +99,31 @@ static orr_wire_status show_channels(watch_job *j, orr_time t)
     return ORR_WIRE_OK;
 }
 
+// What happens next.
+static orr_wire_status show_events(watch_job *j, orr_time t)
+{
+    enum { SHOWN = 4 };
+    const orr_msg_poll_events ask = {.epochs = {t, 600 * ORR_NS_PER_S, 1}};
+    const orr_field *kind =
+        orr_record_field(orr_message_rows(orr_message_of(ORR_MSG_TYPE_EVENTS)->record)->record, "kind");
+    orr_msg_events m;
+    orr_msg_event v;
+    char text[ORR_TIME_TEXT], what[ORR_MESSAGE_CELL];
+    orr_wire_status s = orr_client_poll_events(&j->d->client, &ask);
+    if (s == ORR_WIRE_OK) s = orr_client_events(&j->d->client, &m);
+    if (s != ORR_WIRE_OK || m.epoch.answer != ORR_MSG_ANSWER_OK) return s;
+    printf("%u events in the next 10 min%s\n", (unsigned)m.events.count, m.events.count > 0 ? ":" : "");
+    orr_wire_iter it = {0};
+    for (int k = 0; k < SHOWN && orr_msg_event_next(&m.events, &it, &v); k++) {
+        printf("  %s ", orr_time_text(v.at, text));
+        if (v.sat.number > 0) printf(" %c%02u", v.sat.system, (unsigned)v.sat.number);
+        printf(" %s", orr_message_text(kind, &v.kind, true, what));
+        if (v.antenna != UINT16_MAX) printf(" (antenna %u)", (unsigned)v.antenna);
+        putchar('\n');
+    }
+    return ORR_WIRE_OK;
+}
+
 static orr_wire_status learn(watch_job *j)
 {
     orr_msg_caps caps;
@@ -107,8 +133,10 @@ static orr_wire_status learn(watch_job *j)
     if (s != ORR_WIRE_OK) return s;
     for (orr_wire_iter it = {0}; orr_msg_signal_next(&caps.signals, &it, &g);)
         if (g.signal < 64) orr_wire_text_copy(g.name, j->name[g.signal], sizeof j->name[0]);
-    for (orr_wire_iter it = {0}; orr_msg_served_request_next(&caps.requests, &it, &r);)
+    for (orr_wire_iter it = {0}; orr_msg_served_request_next(&caps.requests, &it, &r);) {
         j->has_channels = j->has_channels || r.request == ORR_MSG_TYPE_POLL_CHANNELS;
+        j->has_events = j->has_events || r.request == ORR_MSG_TYPE_POLL_EVENTS;
+    }
     return ORR_WIRE_OK;
 }
 
@@ -126,6 +154,7 @@ static int run(orr_cli *c)
         if (count != 1) fputs("\033[H\033[2J", stdout); // the terminal is cleared
         s = show_clock(&j, &t);
         if (s == ORR_WIRE_OK && j.motion) s = show_motion(&j);
+        if (s == ORR_WIRE_OK && j.has_events) s = show_events(&j, t.t);
         if (s == ORR_WIRE_OK && j.has_channels) s = show_channels(&j, t.t);
         fflush(stdout);
         const struct timespec nap = {step_ns / ORR_NS_PER_S, step_ns % ORR_NS_PER_S};
@@ -161,7 +190,8 @@ const orr_command orr_cmd_watch = {
     .operands = "URL",
     .min_operands = 1,
     .max_operands = 1,
-    .about = "Shows the scenario's clock and what paces it, what became of the samples of live motion, and "
+    .about = "Shows the scenario's clock and what paces it, what became of the samples of live motion, what "
+             "happens next, and "
              "the channels of an antenna at "
              "this instant as a poll gives them: azimuth, elevation, C/N0 against the noise of 290 K (-204 "
              "dBW/Hz), code, Doppler, delays.",

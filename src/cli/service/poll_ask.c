@@ -49,6 +49,12 @@ static int ask_channels(const orr_cli *c, orr_poll_request *out)
     return ORR_EXIT_OK;
 }
 
+static int ask_nothing(const orr_cli *c, orr_poll_request *out)
+{
+    (void)c, (void)out;
+    return ORR_EXIT_OK;
+}
+
 static int ask_imu(const orr_cli *c, orr_poll_request *out)
 {
     out->m.poll_imu.unit = (uint16_t)orr_cli_int(c, "unit", 0);
@@ -71,6 +77,7 @@ static const struct {
     {"channels", ORR_MSG_TYPE_POLL_CHANNELS, "a channel", ask_channels},
     {"delays", ORR_MSG_TYPE_POLL_DELAYS, "a delay", ask_delays},
     {"elements", ORR_MSG_TYPE_POLL_ELEMENTS, "elements", ask_elements},
+    {"events", ORR_MSG_TYPE_POLL_EVENTS, "an event", ask_nothing},
     {"imu", ORR_MSG_TYPE_POLL_IMU, "readings", ask_imu},
     {"navdata", ORR_MSG_TYPE_POLL_NAVDATA, "broadcast data", ask_navdata},
     {"truth", ORR_MSG_TYPE_POLL_TRUTH, "motion", ask_truth},

@@ -11,7 +11,7 @@
 #define ORR_POLL_OPTIONS                                                                                     \
     {.name = "channels",                                                                                     \
      .kind = ORR_OPT_FLAG,                                                                                   \
-     .applies = "!delays,!elements,!navdata,!imu,!truth",                                                    \
+     .applies = "!delays,!elements,!navdata,!imu,!truth,!events",                                            \
      .help = "Channels of an antenna instead of states: the blocks that hold the epochs (the scenario "      \
              "needs signals)."},                                                                             \
         {.name = "antenna",                                                                                  \
@@ -27,7 +27,7 @@
          .help = "What each code is the sum of, too (in JSON)."},                                            \
         {.name = "delays",                                                                                   \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!channels,!elements,!navdata,!imu,!truth",                                              \
+         .applies = "!channels,!elements,!navdata,!imu,!truth,!events",                                      \
          .help = "Ionospheric delays instead of states (the scenario needs an ionosphere)."},                \
         ORR_OPTION_RECEIVER(.applies = "delays",                                                             \
                             .help = "The receiver, in degrees (geodetic) and metres; the scenario's own by " \
@@ -38,7 +38,7 @@
                                    "default."),                                                              \
         {.name = "elements",                                                                                 \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!channels,!delays,!navdata,!imu,!truth",                                                \
+         .applies = "!channels,!delays,!navdata,!imu,!truth,!events",                                        \
          .help = "Kepler elements instead of states."},                                                      \
         {.name = "frame",                                                                                    \
          .kind = ORR_OPT_CHOICE,                                                                             \
@@ -52,7 +52,7 @@
          .help = "How elements are made, as of `orrery elements`; state by default."},                       \
         {.name = "navdata",                                                                                  \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!channels,!delays,!elements,!imu,!truth",                                               \
+         .applies = "!channels,!delays,!elements,!imu,!truth,!events",                                       \
          .help = "Broadcast data instead of states: the fitted sets on the air."},                           \
         {.name = "pages",                                                                                    \
          .kind = ORR_OPT_FLAG,                                                                               \
@@ -69,13 +69,17 @@
          .kind = ORR_OPT_FLAG,                                                                               \
          .applies = "navdata",                                                                               \
          .help = "Pages as the symbols that a modulator takes, instead of bits."},                           \
+        {.name = "events",                                                                                   \
+         .kind = ORR_OPT_FLAG,                                                                               \
+         .applies = "!channels,!delays,!elements,!navdata,!imu,!truth",                                      \
+         .help = "What happens in the intervals of --step (an hour by default) instead of states."},         \
         {.name = "imu",                                                                                      \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!channels,!delays,!elements,!navdata,!truth",                                           \
+         .applies = "!channels,!delays,!elements,!navdata,!truth,!events",                                   \
          .help = "Inertial increments over --step instead of states."},                                      \
         {.name = "truth",                                                                                    \
          .kind = ORR_OPT_FLAG,                                                                               \
-         .applies = "!channels,!delays,!elements,!navdata,!imu",                                             \
+         .applies = "!channels,!delays,!elements,!navdata,!imu,!events",                                     \
          .help = "True motion and gravity terms instead of states (the scenario needs a trajectory)."},      \
     {                                                                                                        \
         .name = "unit", .kind = ORR_OPT_INT, .applies = "imu|truth", .value = "K", .min = 0, .max = 65535,   \

@@ -92,6 +92,21 @@ typedef struct orr_transmitter {
 } orr_transmitter;
 // The k-th of them, in the orbits' order; false where there are not so many.
 bool orr_channels_transmitter(const orr_channels *c, size_t k, orr_transmitter *out);
+// Whether an antenna sees a satellite.
+// Given:
+//   c        channels
+//   antenna  which, from 0
+//   at       the antenna at an instant
+//   sat_m    centre of mass of the satellite then, ecef
+bool orr_channels_sees(const orr_channels *c, size_t antenna, const orr_antenna_state *at, orr_vec3 sat_m);
+// A fault of a satellite, by the section `faults`.
+typedef struct orr_channel_fault {
+    orr_sat sat;
+    size_t number; // which of the scenario's faults, from 0
+    orr_time from, to;
+} orr_channel_fault;
+// The k-th of them; false where there are not so many.
+bool orr_channels_fault(const orr_channels *c, size_t k, orr_channel_fault *out);
 // Stretch of time in which channels can be: of the orbits, less the flight of light, the ionosphere, and of the motion.
 orr_span orr_channels_span(const orr_channels *c);
 // The part of it in which an antenna is there: its trajectory's. `from` is after `to` where there is none.

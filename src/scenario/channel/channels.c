@@ -29,6 +29,14 @@ double orr_channels_spacing(const orr_channels *c, size_t signal)
     return orr_signals(&(size_t){0})[signal].chips_per_s > 5e6 ? 0.1 : 0.5;
 }
 
+bool orr_channels_fault(const orr_channels *c, size_t k, orr_channel_fault *out)
+{
+    orr_fault_time x;
+    if (c == NULL || !orr_faults_time(c->faults, k, &x)) return false;
+    *out = (orr_channel_fault){c->satellite[x.place].sat, x.number, x.from, x.to};
+    return true;
+}
+
 bool orr_channels_frequency_channel(const orr_channels *c, orr_sat sat, int *channel)
 {
     if (orr_sat_system(sat) != 'R') return false;

@@ -42,6 +42,11 @@ seen_direction seen_at(const orr_channels *c, size_t antenna, const orr_antenna_
     return out;
 }
 
+bool orr_channels_sees(const orr_channels *c, size_t antenna, const orr_antenna_state *at, orr_vec3 sat_m)
+{
+    return seen_at(c, antenna, at, sat_m).seen;
+}
+
 // Whether a satellite, at the middle of a cell, is above an elevation so much lower than the mask that within half a cell it
 // cannot come up: seen from the ground or from a low orbit no satellite turns by more than 1.2e-3 rad/s.
 static bool may_rise(const orr_vec3 *sat_m, const orr_antenna_state *at, double least_sine)

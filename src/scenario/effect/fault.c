@@ -93,6 +93,14 @@ void orr_faults_close(orr_faults *f)
     free(f);
 }
 
+bool orr_faults_time(const orr_faults *f, size_t k, orr_fault_time *out)
+{
+    if (f == NULL || k >= f->n_uses) return false;
+    const fault_use *use = &f->use[k];
+    *out = (orr_fault_time){use->place, use->item, f->item[use->item].from, f->item[use->item].to};
+    return true;
+}
+
 static bool there(const fault_item *x, orr_time as_of) { return x->from <= as_of && as_of < x->to; }
 
 // A profile's value and rate at t, in the piece that holds as_of.

@@ -53,6 +53,13 @@ typedef struct orr_fault_now {
 //   out     what they add up to
 void orr_faults_at(const orr_faults *f, size_t place, size_t signal, orr_time t, orr_time as_of,
                    orr_fault_now *out);
+// One fault of one satellite: when it begins and is over.
+typedef struct orr_fault_time {
+    size_t place, number; // satellite; which fault of the scenario, from 0
+    orr_time from, to;
+} orr_fault_time;
+// The k-th of them; false where there are not so many, or no faults at all.
+bool orr_faults_time(const orr_faults *f, size_t k, orr_fault_time *out);
 // Whether the satellite is off.
 bool orr_faults_off(const orr_faults *f, size_t place, orr_time as_of);
 // Whether any fault begins, holds or ends in after < t <= until.

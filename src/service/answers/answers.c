@@ -4,6 +4,7 @@
 #include "src/service/answers/answers_caps.h"
 #include "src/service/answers/answers_delays.h"
 #include "src/service/answers/answers_elements.h"
+#include "src/service/answers/answers_events.h"
 #include "src/service/answers/answers_motion.h"
 #include "src/service/answers/answers_navdata.h"
 #include "src/service/answers/answers_private.h"
@@ -97,6 +98,8 @@ static const orr_msg_handlers handlers = {
     .poll_imu = orr_answers_imu,
     .begin_poll_truth = orr_answers_begin_truth,
     .poll_truth = orr_answers_truth,
+    .begin_poll_events = orr_answers_begin_events,
+    .poll_events = orr_answers_events,
 };
 
 orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_diag *diag)
@@ -118,8 +121,9 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
                              .user = a,
                              .lanes = true};
     orr_status s = orr_answers_channels_open(orr_engine_channels(engine), &a->channels, diag);
+    if (s == ORR_OK) s = orr_timeline_open(engine, &a->timeline, diag);
     if (s != ORR_OK) {
-        free(a);
+        orr_answers_close(a);
         return s;
     }
     *out = a;
@@ -131,9 +135,24 @@ orr_status orr_answers_ride(orr_answers *a, orr_vehicle *vehicle, orr_diag *diag
     return orr_answers_channels_ride(orr_engine_channels(a->engine), vehicle, &a->channels, diag);
 }
 
+orr_status orr_answers_look_ahead(orr_answers *a, orr_diag *diag)
+{
+    const orr_channels *c = orr_engine_channels(a->engine);
+    return c != NULL ? orr_ahead_open(c, &a->channels.ahead, diag) : ORR_OK;
+}
+
+void orr_answers_expect(void *user, uint16_t type, const orr_msg_any *request)
+{
+    orr_answers *a = user;
+    if (type == ORR_MSG_TYPE_POLL_CHANNELS)
+        orr_answers_channels_expect(orr_engine_channels(a->engine), &a->channels, &request->poll_channels);
+}
+
 const orr_server *orr_answers_server(const orr_answers *a) { return &a->server; }
 void orr_answers_close(orr_answers *a)
 {
-    if (a != NULL) orr_answers_channels_close(&a->channels);
+    if (a == NULL) return;
+    orr_answers_channels_close(&a->channels);
+    orr_timeline_close(a->timeline);
     free(a);
 }

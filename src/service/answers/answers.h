@@ -17,6 +17,11 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
 const orr_server *orr_answers_server(const orr_answers *a);
 // From here on antennas that ride on a body go along a live one; as orr_answers_channels_ride. The vehicle must outlive it.
 orr_status orr_answers_ride(orr_answers *a, orr_vehicle *vehicle, orr_diag *diag);
+// From here on blocks of channels are prepared ahead, by a thread of its own (live/ahead.h). Nothing where no signals are sent. Errors:
+// ORR_E_MEMORY.
+orr_status orr_answers_look_ahead(orr_answers *a, orr_diag *diag);
+// A stream's first block is at the request's instant: orr_streams_options.expect, with the answers as user.
+void orr_answers_expect(void *user, uint16_t type, const orr_msg_any *request);
 // Frees it; NULL may be closed.
 void orr_answers_close(orr_answers *a);
 

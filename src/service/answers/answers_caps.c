@@ -105,6 +105,9 @@ bool orr_answers_served(void *user, uint16_t request, orr_msg_span *span)
         return span_of(a->engine, ORR_PART_MOTION, span) && orr_engine_imu_physical(a->engine);
     case ORR_MSG_TYPE_POLL_TRUTH:
         return span_of(a->engine, ORR_PART_MOTION, span);
+    case ORR_MSG_TYPE_POLL_EVENTS:
+        orr_engine_span(a->engine, &span->first, &span->last);
+        return true;
     default:
         return false;
     }

@@ -39,6 +39,7 @@ orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels
 
 void orr_answers_channels_close(orr_answers_channels_room *room)
 {
+    orr_ahead_close(room->ahead);
     orr_channel_work_close(room->work);
     orr_live_channels_close(room->live);
     free(room->block);
@@ -206,10 +207,19 @@ orr_status orr_answers_channels_ride(const orr_channels *c, orr_vehicle *vehicle
     return orr_live_channels_open(c, &room->live, diag);
 }
 
+void orr_answers_channels_expect(const orr_channels *c, orr_answers_channels_room *room,
+                                 const orr_msg_poll_channels *poll)
+{
+    bool known;
+    if (room->ahead != NULL && poll->antenna < orr_channels_antennas(c))
+        orr_ahead_expect(room->ahead, poll->antenna, poll->epochs.t, wanted(c, poll, &known));
+}
+
 // What one frame is filled from.
 typedef struct blocks_there {
     orr_blocks blocks;
     orr_antenna_state at;
+    const orr_block *block;
     size_t n;
 } blocks_there;
 
@@ -231,6 +241,7 @@ static bool live_blocks(orr_answers_channels_room *room, size_t antenna, uint64_
     m->epoch.answer =
         (uint8_t)orr_live_blocks(room->live, antenna, &motion, signals, &out->at, room->block, &out->n);
     out->blocks = (orr_blocks){.t0 = t0, .length_ns = length_ns};
+    out->block = room->block;
     m->motion = b.state;
     m->motion_age = b.age_ns;
     return true;
@@ -240,8 +251,11 @@ static bool live_blocks(orr_answers_channels_room *room, size_t antenna, uint64_
 static void own_blocks(const orr_channels *c, orr_answers_channels_room *room, size_t antenna,
                        uint64_t signals, orr_msg_channels *m, blocks_there *out)
 {
+    out->block = room->block;
     orr_answer answer =
-        orr_blocks_at(c, antenna, room->work, m->epoch.t, signals, &out->blocks, room->block, &out->n);
+        room->ahead != NULL
+            ? orr_ahead_blocks(room->ahead, antenna, m->epoch.t, signals, &out->blocks, &out->block, &out->n)
+            : orr_blocks_at(c, antenna, room->work, m->epoch.t, signals, &out->blocks, room->block, &out->n);
     if (answer == ORR_ANSWER_OK)
         answer = orr_antenna_at(orr_channels_antenna(c, antenna), out->blocks.t0, &out->at);
     m->epoch.answer = (uint8_t)answer;
@@ -273,8 +287,8 @@ uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr
         orr_answers_put(m.pos_m, x.at.r_m);
         orr_answers_put(m.vel_mps, x.at.v_mps);
         for (size_t k = 0; k < x.n; k++) {
-            fill(&room->block[k], &room->channel[k]);
-            if (poll->terms != 0) fill_terms(&room->block[k].at, &room->terms[k]);
+            fill(&x.block[k], &room->channel[k]);
+            if (poll->terms != 0) fill_terms(&x.block[k].at, &room->terms[k]);
         }
         m.channels.count = (uint16_t)x.n;
         m.channels.item = room->channel;

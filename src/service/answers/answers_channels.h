@@ -5,11 +5,13 @@
 
 #include "proto/server.h"
 #include "src/scenario/channel/live.h"
+#include "src/service/live/ahead.h"
 #include "src/service/live/vehicle.h"
 
 // Room for one epoch of channels and for the lists of CAPS.
 typedef struct orr_answers_channels_room {
     orr_channel_work *work;
+    orr_ahead *ahead;        // NULL: blocks are made when they are asked for
     orr_live_channels *live; // NULL: antennas move as the scenario says
     orr_vehicle *vehicle;    // and the body, borrowed
     orr_block *block;
@@ -23,6 +25,9 @@ typedef struct orr_answers_channels_room {
 // Errors: ORR_E_LIMIT (more channels than a message lists), ORR_E_MEMORY. Free with orr_answers_channels_close.
 orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels_room *out, orr_diag *diag);
 void orr_answers_channels_close(orr_answers_channels_room *room); // leaves *room empty
+// Whether a POLL_CHANNELS is about blocks that will be asked for: they are made meanwhile.
+void orr_answers_channels_expect(const orr_channels *c, orr_answers_channels_room *room,
+                                 const orr_msg_poll_channels *poll);
 // From here on antennas that ride on a body go along a live one, where there are samples of it. Errors: ORR_E_NODATA (no
 // antenna rides), ORR_E_MEMORY.
 orr_status orr_answers_channels_ride(const orr_channels *c, orr_vehicle *vehicle,

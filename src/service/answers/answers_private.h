@@ -4,6 +4,7 @@
 #ifndef ORR_SERVICE_ANSWERS_PRIVATE_H
 #define ORR_SERVICE_ANSWERS_PRIVATE_H
 
+#include "src/scenario/engine/timeline.h"
 #include "src/service/answers/answers.h"
 #include "src/service/answers/answers_channels.h"
 
@@ -15,12 +16,15 @@ struct orr_answers {
     uint16_t n_ids;
     orr_msg_inertial_unit unit[ORR_MSG_MAX_UNITS];
     orr_answers_channels_room channels;
+    orr_timeline *timeline;
     // Room for one epoch; the loop is one thread's, so one room is enough.
     orr_sat sat[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_id asked[ORR_MSG_MAX_SATELLITES];
     orr_answer answer[ORR_MSG_MAX_SATELLITES];
     orr_sat_state state[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_state wire[ORR_MSG_MAX_SATELLITES];
+    orr_happening happening[ORR_MSG_MAX_EVENTS];
+    orr_msg_event event[ORR_MSG_MAX_EVENTS];
 };
 
 // Writes the sentence and returns the code.

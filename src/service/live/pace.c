@@ -6,7 +6,7 @@
 
 #include "orbit/navdata/glonass_time.h"
 
-static const int64_t UNIX_TO_GPS_S = 315964800, TAI_GPS_S = 19;
+static const int64_t UNIX_TO_GPS_S = 315964800;
 static const int64_t JUMP_NS =
     ORR_NS_PER_S / 10;                    // of the host's clocks against each other: a suspend, or somebody
 static const double TIME_CONSTANT_S = 10; // of the loop when it has settled
@@ -27,7 +27,7 @@ orr_time orr_pace_wall(const orr_pace *p, const orr_host *h)
 {
     const orr_time label = orr_time_add(h->real_ns, -UNIX_TO_GPS_S * ORR_NS_PER_S);
     // The leap seconds in force at the label are those of the instant, but within seconds of a change.
-    const int64_t leap_s = orr_leap_tai_minus_utc(label, p->leap) - TAI_GPS_S;
+    const int64_t leap_s = orr_leap_tai_minus_utc(label, p->leap) - ORR_TAI_MINUS_GPS_S;
     return orr_time_add(label, leap_s * ORR_NS_PER_S);
 }
 
@@ -262,13 +262,13 @@ void orr_pace_told(const orr_pace *p, const orr_host *h, orr_time made, orr_msg_
 orr_msg_leap_seconds orr_pace_leap(orr_time t, const orr_leap_table *table)
 {
     if (table == NULL) table = orr_leap_builtin();
-    const int now = orr_leap_tai_minus_utc(t, table) - (int)TAI_GPS_S;
+    const int now = orr_leap_tai_minus_utc(t, table) - ORR_TAI_MINUS_GPS_S;
     orr_msg_leap_seconds leap = {(int16_t)now, (int16_t)now, ORR_TIME_NONE};
     for (size_t i = 0; i < table->n; i++) {
         const orr_time begin = orr_time_from_mjd(table->entry[i].mjd, 0, ORR_SCALE_UTC, table);
         if (begin <= t) continue;
         leap.next = begin;
-        leap.next_gps_utc_s = (int16_t)(table->entry[i].tai_minus_utc_s - TAI_GPS_S);
+        leap.next_gps_utc_s = (int16_t)(table->entry[i].tai_minus_utc_s - ORR_TAI_MINUS_GPS_S);
         break;
     }
     return leap;

@@ -16,7 +16,8 @@
 
 enum { MOST_POLL = 16384 };
 static const int64_t SHORTEST_NS = 1000000, LONGEST_NS = 60 * ORR_NS_PER_S, LONGEST_IMU_NS = ORR_NS_PER_S,
-                     LONGEST_LEAD_NS = 60 * ORR_NS_PER_S;
+                     LONGEST_LEAD_NS = 60 * ORR_NS_PER_S,
+                     START_NS = 60000000; // in which what the first block of channels needs is prepared
 
 // Whether the host was suspended or its clock set, a few times a second.
 static void compare_clocks(orr_streams *s, int64_t now_ns)
@@ -231,7 +232,7 @@ orr_time orr_stream_made(orr_stream *x)
 
 static uint16_t wrong(orr_server_refusal *why, uint16_t code, const char *sentence)
 {
-    snprintf(why->sentence, sizeof why->sentence, "SUBSCRIBE: %s", sentence);
+    snprintf(why->sentence, sizeof why->sentence, "SUBSCRIBE: %.240s", sentence);
     return code;
 }
 
@@ -248,18 +249,21 @@ static uint16_t check_step(uint16_t type, int64_t step_ns, orr_server_refusal *w
 static uint16_t read_request(const orr_server *judge, const orr_msg_subscribe *m, orr_stream *x,
                              orr_server_refusal *why)
 {
-    static const uint16_t kinds[] = {ORR_MSG_TYPE_POLL, ORR_MSG_TYPE_POLL_NAVDATA, ORR_MSG_TYPE_POLL_CHANNELS,
-                                     ORR_MSG_TYPE_POLL_IMU, ORR_MSG_TYPE_POLL_TRUTH};
+    static const uint16_t kinds[] = {ORR_MSG_TYPE_POLL,          ORR_MSG_TYPE_POLL_NAVDATA,
+                                     ORR_MSG_TYPE_POLL_CHANNELS, ORR_MSG_TYPE_POLL_IMU,
+                                     ORR_MSG_TYPE_POLL_TRUTH,    ORR_MSG_TYPE_POLL_EVENTS};
     bool known = false;
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) known = known || kinds[k] == m->request;
     if (!known)
-        return wrong(
-            why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
-            "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU and POLL_TRUTH can be streamed, nothing else");
+        return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
+                     "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH and POLL_EVENTS can be "
+                     "streamed, nothing else");
     if (orr_msg_handled(judge->handlers, m->request) == 0)
         return wrong(why, ORR_MSG_ERROR_CODE_NOT_SERVED, "this server does not answer that request");
     if (m->pacing > ORR_MSG_PACING_MOTION)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "pacing is FREE, CLOCK or MOTION");
+    if (m->delivery > ORR_MSG_DELIVERY_RING)
+        return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "delivery is FRAMES or RING");
     if (m->lead < 0 || m->lead > LONGEST_LEAD_NS)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "lead is 0 to 60 s");
     if (orr_msg_request_decode(m->request, x->poll, x->poll_size, &x->request) != ORR_WIRE_OK)
@@ -280,6 +284,8 @@ static uint16_t find_first(orr_streams *s, orr_stream *x, orr_msg_span span, orr
             orr_msg_time now;
             orr_streams_time(s, &now);
             t = orr_time_add(now.t, x->lead_ns);
+            if (s->options.expect != NULL && x->type == ORR_MSG_TYPE_POLL_CHANNELS)
+                t = orr_time_add(t, START_NS);
             if (x->step_ns > 0)
                 t = orr_time_add(t, x->step_ns - 1 - orr_floor_mod(orr_time_add(t, -1), x->step_ns));
             if (t < span.first) t = span.first;
@@ -315,6 +321,16 @@ static uint16_t prepare(orr_streams *s, const orr_server *judge, const orr_msg_s
     return orr_msg_begin(judge->handlers, judge->user, x->type, &x->request, why);
 }
 
+static uint16_t make_ring(orr_stream *x, orr_server_refusal *why)
+{
+    orr_diag diag = {0};
+    x->ring = malloc(sizeof *x->ring);
+    if (x->ring != NULL && orr_ring_made_open(x->ring, &diag) == ORR_OK) return 0;
+    free(x->ring);
+    x->ring = NULL;
+    return wrong(why, ORR_MSG_ERROR_CODE_INTERNAL, diag.text[0] != '\0' ? diag.text : "out of memory");
+}
+
 uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const orr_msg_subscribe *m,
                                void *owner, orr_msg_subscribed *told, orr_stream **out,
                                orr_server_refusal *why)
@@ -331,13 +347,16 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
     x->poll_size = m->poll.size;
     if (m->poll.size > 0) memcpy(x->poll, m->poll.data, m->poll.size);
     uint16_t code = prepare(s, judge, m, x, why);
+    if (code == 0 && m->delivery == ORR_MSG_DELIVERY_RING) code = make_ring(x, why);
     if (code != 0) {
         streams_free(x);
         return code;
     }
     *told = (orr_msg_subscribed){x->next, x->step_ns};
+    if (s->options.expect != NULL) s->options.expect(s->options.maker->user, x->type, &x->request);
     pthread_mutex_lock(&s->lock);
-    if (s->n < ORR_STREAMS_MOST) {
+    if (s->n < ORR_STREAMS_MOST && (x->ring == NULL || s->n_rings < ORR_STREAMS_RINGS)) {
+        s->n_rings += x->ring != NULL;
         s->stream[s->n++] = x;
         changed(s);
     } else {
@@ -350,6 +369,8 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
         *out = x;
     return code;
 }
+
+int orr_stream_ring(const orr_stream *x) { return x->ring != NULL ? x->ring->fd : -1; }
 
 void orr_stream_credit(orr_stream *x, uint32_t blocks)
 {
@@ -365,11 +386,12 @@ void orr_stream_end(orr_stream *x)
     orr_streams *s = x->all;
     pthread_mutex_lock(&s->lock);
     if (!x->ended) {
+        const bool told = s->told; // of others, while the thread makes a block
         // What waits is not sent: another stream would go on from the first of it, and all payloads begin with their instant.
         if (x->n > 0) x->next = orr_wire_load_i64(x->queue[x->head]->data);
         while (x->n > 0) orr_payload_drop(&s->payloads, streams_pop(x));
         streams_finish(x, ORR_MSG_END_REASON_UNSUBSCRIBED, "as the client wished");
-        s->told = false; // the caller looks by itself
+        s->told = told; // the caller looks at this one by itself
     }
     pthread_mutex_unlock(&s->lock);
 }

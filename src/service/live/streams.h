@@ -16,6 +16,7 @@ enum {
     ORR_STREAM_QUEUE_BYTES = 4 << 20, // and their bytes
     ORR_STREAM_QUEUE_FREE = 16,       // of one that is made as fast as it is taken
     ORR_STREAMS_MOST = 4096,
+    ORR_STREAMS_RINGS = 32, // of them in shared memory
 };
 #define ORR_STREAM_GRACE_NS                                                                                  \
     INT64_C(500000000) // by which a block may be late before it is left out, or its stream ended
@@ -29,6 +30,8 @@ typedef struct orr_streams_options {
     // Called by the thread when there is something to send (orr_streams_ready), without a lock held.
     void (*wake)(void *user);
     void *wake_user;
+    // Told of a new stream whose first block may take long, with the maker's user; NULL: it is not.
+    void (*expect)(void *user, uint16_t type, const orr_msg_any *request);
     void (*host)(void *user,
                  orr_host *out); // NULL: the machine's clocks. With it there is no thread: orr_streams_turn
     void *host_user;
@@ -88,6 +91,8 @@ void orr_streams_time(orr_streams *s, orr_msg_time *told);
 uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const orr_msg_subscribe *m,
                                void *owner, orr_msg_subscribed *told, orr_stream **out,
                                orr_server_refusal *why);
+// The descriptor of the stream's ring, borrowed; -1: it has none.
+int orr_stream_ring(const orr_stream *x);
 // So many blocks more.
 void orr_stream_credit(orr_stream *x, uint32_t blocks);
 // Ends it as its client wishes: what waits is let go, STREAM_END comes next.

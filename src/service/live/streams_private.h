@@ -5,6 +5,7 @@
 
 #include <pthread.h>
 
+#include "src/service/live/ring_made.h"
 #include "src/service/live/streams.h"
 
 struct orr_stream {
@@ -18,7 +19,8 @@ struct orr_stream {
     orr_msg_epochs *epochs;
     uint8_t *poll;
     size_t poll_size;
-    orr_time last; // of the span
+    orr_time last;       // of the span
+    orr_ring_made *ring; // NULL: blocks wait in the queue
     // Where it is: under the lock.
     orr_time next;
     uint64_t left; // blocks; UINT64_MAX: no end
@@ -46,7 +48,8 @@ struct orr_streams {
     int64_t looked_ns; // when the host's clocks were compared last
     orr_payloads payloads;
     orr_stream **stream; // all that are not closed, and closed ones that are being made
-    size_t n, turn;      // turn: of the streams that are made as fast as they are taken
+    size_t n_rings;
+    size_t n, turn; // turn: of the streams that are made as fast as they are taken
     orr_stream *ready, *ready_last;
     // The thread's own: room for a block, and the last one with what was asked, for streams that ask for the same.
     uint8_t *room;

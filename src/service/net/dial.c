@@ -14,10 +14,27 @@
 
 static ptrdiff_t read_socket(void *user, uint8_t *data, size_t n)
 {
-    const orr_dial *d = user;
+    orr_dial *d = user;
+    union {
+        struct cmsghdr head;
+        char room[CMSG_SPACE(sizeof(int))];
+    } control;
+    struct iovec bytes = {data, n};
+    struct msghdr m;
     ssize_t got;
-    do got = recv(d->fd, data, n, 0);
-    while (got < 0 && errno == EINTR);
+    do {
+        m = (struct msghdr){.msg_iov = &bytes,
+                            .msg_iovlen = 1,
+                            .msg_control = control.room,
+                            .msg_controllen = sizeof control.room};
+        got = recvmsg(d->fd, &m, MSG_CMSG_CLOEXEC);
+    } while (got < 0 && errno == EINTR);
+    const struct cmsghdr *c = got > 0 ? CMSG_FIRSTHDR(&m) : NULL;
+    if (c == NULL || c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_RIGHTS ||
+        c->cmsg_len != CMSG_LEN(sizeof(int)))
+        return got;
+    if (d->passed >= 0) close(d->passed);
+    memcpy(&d->passed, CMSG_DATA(c), sizeof(int));
     return got;
 }
 
@@ -73,7 +90,7 @@ orr_status orr_dial_open(const char *url, const char *identity, double timeout_s
     if (s != ORR_OK) return s;
     orr_dial *d = calloc(1, sizeof *d);
     if (d == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    d->fd = -1;
+    d->fd = d->passed = -1;
     orr_url_text(&u, d->url);
     SSL_CTX *context = NULL;
     if (u.tls) s = identify(d->url, identity, &context, diag);
@@ -96,8 +113,16 @@ void orr_dial_close(orr_dial *d)
 {
     if (d == NULL) return;
     orr_tls_free(d->ssl);
+    if (d->passed >= 0) close(d->passed);
     if (d->fd >= 0) close(d->fd);
     free(d);
+}
+
+int orr_dial_passed(orr_dial *d)
+{
+    const int fd = d->passed;
+    d->passed = -1;
+    return fd;
 }
 
 orr_status orr_dial_status(const orr_dial *d, orr_wire_status s, const char *doing, orr_diag *diag)

@@ -11,7 +11,8 @@
 typedef struct orr_dial {
     orr_client client;
     int fd;
-    SSL *ssl; // of tls://
+    int passed; // a descriptor that came along; -1: none
+    SSL *ssl;   // of tls://
     char url[300];
     uint8_t buffer[ORR_DIAL_BUFFER];
 } orr_dial;
@@ -29,6 +30,8 @@ orr_status orr_dial_open(const char *url, const char *identity, double timeout_s
                          orr_diag *diag);
 // Closes the connection and frees it; NULL may be closed.
 void orr_dial_close(orr_dial *d);
+// The descriptor that came last along with bytes of a Unix socket (of a ring, with SUBSCRIBED): the caller's from then on. -1: none.
+int orr_dial_passed(orr_dial *d);
 // What went wrong in a call of the client as a status with a sentence; `doing` is what was being done
 // ("POLL").
 orr_status orr_dial_status(const orr_dial *d, orr_wire_status s, const char *doing, orr_diag *diag);

@@ -8,6 +8,7 @@
 #include <openssl/err.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -179,6 +180,29 @@ ssize_t orr_link_send(orr_link *l, const void *data, size_t n)
 static bool want_event(struct event *e, bool wanted)
 {
     return (wanted ? event_add(e, NULL) : event_del(e)) == 0;
+}
+
+bool orr_link_passes(const orr_link *l)
+{
+    int domain = 0;
+    socklen_t n = sizeof domain;
+    return l->tls == NULL && getsockopt(l->fd, SOL_SOCKET, SO_DOMAIN, &domain, &n) == 0 && domain == AF_UNIX;
+}
+
+ssize_t orr_link_pass(orr_link *l, const void *data, size_t n, int fd)
+{
+    union {
+        struct cmsghdr head;
+        char room[CMSG_SPACE(sizeof(int))];
+    } control = {
+        .head = {.cmsg_len = CMSG_LEN(sizeof(int)), .cmsg_level = SOL_SOCKET, .cmsg_type = SCM_RIGHTS}};
+    memcpy(CMSG_DATA(&control.head), &fd, sizeof fd);
+    struct iovec bytes = {(void *)(uintptr_t)data, n};
+    const struct msghdr m = {.msg_iov = &bytes,
+                             .msg_iovlen = 1,
+                             .msg_control = control.room,
+                             .msg_controllen = sizeof control.room};
+    return sendmsg(l->fd, &m, MSG_NOSIGNAL);
 }
 
 bool orr_link_want(orr_link *l, bool read, bool write)

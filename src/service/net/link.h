@@ -37,6 +37,10 @@ const char *orr_link_why(const orr_link *l);
 ssize_t orr_link_recv(orr_link *l, void *data, size_t n);
 // As send with MSG_NOSIGNAL does.
 ssize_t orr_link_send(orr_link *l, const void *data, size_t n);
+// Whether descriptors can go along with bytes: a Unix socket without TLS.
+bool orr_link_passes(const orr_link *l);
+// As orr_link_send, of a link that passes, with a descriptor that goes along with the first byte.
+ssize_t orr_link_pass(orr_link *l, const void *data, size_t n, int fd);
 // What is waited for from now on. False: out of memory.
 bool orr_link_want(orr_link *l, bool read, bool write);
 // Whether bytes that orr_link_send took have not gone to the kernel.

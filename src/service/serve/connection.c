@@ -41,7 +41,9 @@ struct orr_conn {
     size_t looked;   // bytes of the input in which messages of lanes have been looked for
     output out;      // answers; the begin of a frame that is not finished stands behind its end
     output lane;     // frames of streams
+    bool stuck;      // behind `looked` stands a message of lanes for whose answer there was no room
     bool lane_more;  // its streams may have more than one write should hold
+    size_t pass_at;  // where in `lane` the frame begins that a descriptor goes along with
     bool lane_first; // which of the two is sent next; what has been begun goes first
     orr_lanes lanes;
     bool busy;  // an answer is not finished
@@ -96,11 +98,21 @@ static bool grow(uint8_t **data, size_t *capacity, size_t need)
     return true;
 }
 
+// One call of the kernel's: up to the frame that a descriptor goes along with, then that frame, with it.
+static ssize_t send_part(orr_conn *c, const output *o)
+{
+    if (o != &c->lane || !c->lanes.has_pass) return orr_link_send(c->link, o->data + o->at, o->size - o->at);
+    if (o->at < c->pass_at) return orr_link_send(c->link, o->data + o->at, c->pass_at - o->at);
+    const ssize_t n = orr_link_pass(c->link, o->data + o->at, o->size - o->at, c->lanes.pass_fd);
+    if (n > 0) orr_lanes_passed(&c->lanes);
+    return n;
+}
+
 // Sends what the socket takes of one buffer: 1: all, 0: not all, -1: the connection is lost.
 static int send_some(orr_conn *c, output *o)
 {
     while (waits(o)) {
-        ssize_t n = orr_link_send(c->link, o->data + o->at, o->size - o->at);
+        const ssize_t n = send_part(c, o);
         if (n > 0) {
             o->at += (size_t)n;
             c->since_ns = 0; // progress: the stall is counted anew
@@ -133,6 +145,8 @@ static bool fill_lane(orr_conn *c)
     return true;
 }
 
+static void take_lanes(orr_conn *c);
+
 // Sends what the socket takes, the two buffers in turns. False: the connection has been closed.
 static bool flush(orr_conn *c)
 {
@@ -157,6 +171,10 @@ static bool flush(orr_conn *c)
             if (o->at > 0 && c->conn.unfinished > 0) memmove(o->data, o->data + o->at, c->conn.unfinished);
         }
         o->at = o->size = 0;
+        if (c->stuck && o == &c->lane) {
+            take_lanes(c);
+            c->fresh = c->in_size > 0;
+        }
         c->lane_first = !c->lane_first;
     }
     return true;
@@ -236,7 +254,10 @@ static void take_lanes(orr_conn *c)
         if (c->lane.data == NULL && !grow(&c->lane.data, &c->lane.capacity, ORR_CONN_LANE)) return;
         orr_wire_writer w = {c->lane.data, c->lane.size, c->lane.capacity, ORR_WIRE_OK};
         const size_t streams = c->lanes.n;
-        if (!orr_lanes_take(&c->lanes, &f, &w)) return; // it asks and asks, and does not read
+        const bool passing = c->lanes.has_pass;
+        c->stuck = !orr_lanes_take(&c->lanes, &f, &w);
+        if (!passing && c->lanes.has_pass) c->pass_at = c->lane.size;
+        if (c->stuck) return; // until what waits has been sent
         if (streams == 0 && c->lanes.n > 0) keep_short(c);
         c->lane.size = w.size;
         c->in_size -= used;
@@ -253,7 +274,7 @@ static void answer(orr_conn *c)
     orr_wire_writer w = {c->out.data, c->out.size, c->out.capacity, ORR_WIRE_OK};
     orr_server_step step;
     uint64_t before = c->conn.requests;
-    orr_server_run(c->service->server, &c->conn, c->in, c->in_size, &w, &step);
+    orr_server_run(c->service->server, &c->conn, c->in, c->stuck ? c->looked : c->in_size, &w, &step);
     c->out.size = w.size;
     c->busy = step.busy;
     c->fresh = false;
@@ -440,7 +461,8 @@ orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest)
     c->conn.can_grow = true;
     c->conn.over = turn_over;
     c->conn.owner = c;
-    c->lanes = (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c};
+    c->lanes =
+        (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c, .passes = orr_link_passes(link)};
     permit(c);
     orr_link_serve(link, c, on_read, on_write);
     c->last_ns = orr_service_clock_ns(s);

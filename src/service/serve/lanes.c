@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/service/serve/lanes.h"
 
+#include <fcntl.h>
 #include <stdio.h>
+#include <unistd.h>
 
 // Appends a frame; false, and nothing, where it does not fit.
 static bool put_frame(orr_wire_writer *out, uint16_t type, uint32_t id, const uint8_t *payload, size_t size)
@@ -80,11 +82,19 @@ static bool subscribe(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
             "SUBSCRIBE: its sequence number is the stream's: not 0, and not that of an open stream");
     if (l->n == ORR_LANES_MOST)
         return put_error(out, f, ORR_MSG_ERROR_CODE_LIMIT, "SUBSCRIBE: a connection has at most 32 streams");
+    if (m.delivery == ORR_MSG_DELIVERY_RING && !l->passes)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_SERVED,
+                         "SUBSCRIBE: a ring is shared with clients of a Unix socket alone");
+    if (m.delivery == ORR_MSG_DELIVERY_RING && l->has_pass) return false; // one descriptor at a time
     const uint16_t code =
         orr_streams_subscribe(l->streams, l->judge, &m, l->owner, &told, &l->stream[l->n], &why);
     if (code != 0) return put_error(out, f, code, why.sentence);
     l->id[l->n] = f->sequence;
     l->held[l->n] = NULL;
+    if (m.delivery == ORR_MSG_DELIVERY_RING) {
+        l->pass_fd = fcntl(orr_stream_ring(l->stream[l->n]), F_DUPFD_CLOEXEC, 3);
+        l->has_pass = true;
+    }
     l->n++;
     orr_msg_subscribed_encode(&told, &w);
     return put_frame(out, ORR_MSG_TYPE_SUBSCRIBED, f->sequence, data, w.size);
@@ -240,8 +250,15 @@ size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out)
     return 0;
 }
 
+void orr_lanes_passed(orr_lanes *l)
+{
+    if (l->has_pass && l->pass_fd >= 0) close(l->pass_fd);
+    l->has_pass = false;
+}
+
 void orr_lanes_close(orr_lanes *l)
 {
+    orr_lanes_passed(l);
     while (l->n > 0) {
         if (l->held[l->n - 1] != NULL) orr_stream_sent(l->stream[l->n - 1], l->held[l->n - 1]);
         orr_stream_close(l->stream[--l->n]);

@@ -8,12 +8,16 @@
 
 enum { ORR_LANES_MOST = 32, ORR_LANES_ENDED = 64 };
 
-// Zero-initialise but for the first four.
+// Zero-initialise but for the first five.
 typedef struct orr_lanes {
     orr_streams *streams;
     const orr_server *judge;
     void *owner;  // of the streams: the connection
     unsigned may; // orr_may: what else is asked is refused
+    bool passes;  // descriptors can go along with bytes: a Unix socket
+    bool
+        has_pass; // one is to go along with the frame that was put last; whoever sends it calls orr_lanes_passed
+    int pass_fd; // which
     orr_stream *stream[ORR_LANES_MOST];
     uint32_t id[ORR_LANES_MOST];
     orr_payload *held[ORR_LANES_MOST]; // taken, and there was no room for it
@@ -27,6 +31,8 @@ typedef struct orr_lanes {
 bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out);
 // Appends frames of the streams, each in its turn, as long as there is room. Returns 0, or how many bytes the next one needs.
 size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out);
+// The descriptor that was to go along has gone, or need not any more.
+void orr_lanes_passed(orr_lanes *l);
 // Closes all streams.
 void orr_lanes_close(orr_lanes *l);
 

@@ -83,8 +83,11 @@ static char *sat_text(const orr_record *r, const void *at, char cell[ORR_MESSAGE
 {
     int64_t system = orr_field_integer(&r->field[0], orr_message_member(&r->field[0], at));
     int64_t number = orr_field_integer(&r->field[1], orr_message_member(&r->field[1], at));
-    snprintf(cell, ORR_MESSAGE_CELL, "%c%02d", system > ' ' && system <= '~' ? (int)system : '?',
-             (int)number);
+    if (system == 0 && number == 0) // of no satellite
+        cell[0] = '\0';
+    else
+        snprintf(cell, ORR_MESSAGE_CELL, "%c%02d", system > ' ' && system <= '~' ? (int)system : '?',
+                 (int)number);
     return cell;
 }
 

@@ -9,7 +9,8 @@
 // What a session keeps for its tables: the user of its orr_scpi.
 typedef struct orr_text_common {
     const orr_asked *asked;
-    orr_msg_motion gsg; // the sample that GSG's commands build up
+    orr_msg_motion gsg;     // the sample that GSG's commands build up
+    double gsg_angle[4][3]; // its yaw, pitch, roll and their rates
 } orr_text_common;
 
 // What answers, behind a table's orr_scpi.

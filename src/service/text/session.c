@@ -174,6 +174,13 @@ static int truth(orr_scpi *s, char *const *p, size_t n, FILE *out)
     return wrong != 0 ? wrong : put_answer(s, ORR_MSG_TYPE_POLL_TRUTH, &m, false, out);
 }
 
+static int events(orr_scpi *s, char *const *p, size_t n, FILE *out)
+{
+    orr_msg_any m = {.poll_events = {.epochs = {0, 0, 1}}};
+    const int wrong = take_time(s, p, n, &m.poll_events.epochs.t);
+    return wrong != 0 ? wrong : put_answer(s, ORR_MSG_TYPE_POLL_EVENTS, &m, true, out);
+}
+
 static int time_query(orr_scpi *s, char *const *p, size_t n, FILE *out)
 {
     (void)p, (void)n;
@@ -250,6 +257,7 @@ static const orr_scpi_command commands[] = {
     {"SATellite:NAVData?", 1, 3, sat_navdata, false},
     {"CHANnel?", 0, 3, channels, false},
     {"TRUTh?", 0, 3, truth, false},
+    {"EVENt?", 0, 2, events, false},
     {"TIME?", 0, 0, time_query, false},
     {"MOTion:STATistics?", 0, 0, stats, false},
     {"MOTion:STATistics:RESet", 0, 0, reset_stats, true},
@@ -302,7 +310,7 @@ static void take_line(orr_text_session *s, FILE *out)
         return;
     }
     look_at_status(s);
-    s->common = (orr_text_common){.asked = s->asked, .gsg = s->common.gsg};
+    s->common.asked = s->asked;
     s->scpi.user = &s->common; // the session may have been moved since it was opened
     orr_scpi_line(&s->scpi, s->line, out);
 }

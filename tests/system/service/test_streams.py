@@ -53,7 +53,7 @@ class Streams(unittest.TestCase):
         product()
         shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
         (WORK / "streams.yaml").write_text(SCENARIO, encoding="utf-8")
-        cls.daemon = Daemon(WORK / "streams.yaml")
+        cls.daemon = Daemon(WORK / "streams.yaml", listen=("tcp://127.0.0.1:0", f"unix:{WORK}/streams.sock"))
         cls.start = orrery.from_text("2025-03-21T10:00:00")
 
     @classmethod
@@ -69,7 +69,7 @@ class Streams(unittest.TestCase):
 
     def kinds(self):
         return ((messages.Poll(), 0.001), (messages.PollNavdata(), 1), (messages.PollChannels(antenna=0, terms=1), 0.1),
-                (messages.PollChannels(antenna=1), 0.01), (messages.PollImu(unit=0), 0.001), (messages.PollTruth(unit=0), 0.001))
+                (messages.PollChannels(antenna=1), 0.01), (messages.PollImu(unit=0), 0.001), (messages.PollTruth(unit=0), 0.001), (messages.PollEvents(), 1))
 
     def check(self, stream, request, blocks, judge):
         """Each block is the poll's answer for its instant; the instants follow each other."""
@@ -104,6 +104,27 @@ class Streams(unittest.TestCase):
         end = self.check(stream, request, 80, judge)
         self.assertGreater(end - stream.first, 79 * 10**6)
         self.assertEqual(stream.unsubscribe().reason, messages.EndReason.UNSUBSCRIBED)
+
+    def test_a_ring_has_the_polls_bytes(self):
+        """Through shared memory, which comes with the answer; over TCP there is none."""
+        judge = self.connect()
+        client = orrery.Client(self.daemon.urls[1])
+        self.addCleanup(client.close)
+        for request, step in self.kinds():
+            with self.subTest(type(request).__name__):
+                stream = client.subscribe(request, self.start + 100 * NS, step, count=60, pacing="free", credit=20, ring=True)
+                self.check(stream, request, 60, judge)
+                self.assertIsNone(stream.next())
+                self.assertEqual((stream.end.reason, stream.lost), (messages.EndReason.FINISHED, 0))
+        slow = client.subscribe(messages.Poll(), self.start, 0.01, count=2000, pacing="free", credit=2000, window=0, ring=True)
+        end = client._decode(client._next_frame(slow.number), messages.StreamEnd)  # it comes over the socket as well
+        self.assertEqual(end.reason, messages.EndReason.FINISHED)
+        read = sum(1 for _ in slow)
+        self.assertGreater(slow.lost, 1000)
+        self.assertEqual(read + slow.lost, 2000)
+        with self.assertRaises(orrery.Refused):
+            judge.subscribe(messages.Poll(), self.start, 1, ring=True)
+        judge.ping(1)
 
     def test_several_streams_and_requests_side_by_side(self):
         client, judge = self.connect(), self.connect()

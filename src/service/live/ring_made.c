@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#define _GNU_SOURCE // memfd_create, seals
+#include "src/service/live/ring_made.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <linux/futex.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+orr_status orr_ring_made_open(orr_ring_made *out, orr_diag *diag)
+{
+    const size_t size = orr_ring_size(ORR_RING_SLOTS, ORR_RING_STRIDE);
+    *out = (orr_ring_made){.fd = memfd_create("orrery-ring", MFD_CLOEXEC | MFD_ALLOW_SEALING)};
+    if (out->fd < 0) return orr_diag_set(diag, ORR_E_IO, "no shared memory: %s", strerror(errno));
+    void *memory = MAP_FAILED;
+    if (ftruncate(out->fd, (off_t)size) == 0)
+        memory = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, out->fd, 0);
+    // From here on nobody maps it to write, and its size stays.
+    if (memory == MAP_FAILED ||
+        fcntl(out->fd, F_ADD_SEALS, F_SEAL_FUTURE_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
+        const int error = errno;
+        if (memory != MAP_FAILED) munmap(memory, size);
+        close(out->fd);
+        *out = (orr_ring_made){.fd = -1};
+        return orr_diag_set(diag, ORR_E_IO, "no shared memory: %s", strerror(error));
+    }
+    orr_ring_make(&out->ring, memory, ORR_RING_SLOTS, ORR_RING_STRIDE);
+    return ORR_OK;
+}
+
+bool orr_ring_made_write(orr_ring_made *r, uint16_t type, const uint8_t *data, size_t size)
+{
+    if (!orr_ring_write(&r->ring, type, data, size)) return false;
+    (void)syscall(SYS_futex, r->ring.memory + ORR_RING_COUNT_AT, FUTEX_WAKE, INT_MAX, NULL, NULL, 0);
+    return true;
+}
+
+void orr_ring_made_close(orr_ring_made *r)
+{
+    if (r->ring.memory != NULL) munmap(r->ring.memory, orr_ring_size(ORR_RING_SLOTS, ORR_RING_STRIDE));
+    if (r->ring.memory != NULL) close(r->fd);
+    *r = (orr_ring_made){.fd = -1};
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ring of a stream (proto/ring.h) in memory of its own, which readers get as a descriptor that they can read and not write.
+#ifndef ORR_SERVICE_LIVE_RING_MADE_H
+#define ORR_SERVICE_LIVE_RING_MADE_H
+
+#include "core/status.h"
+#include "proto/ring.h"
+
+enum { ORR_RING_SLOTS = 128, ORR_RING_STRIDE = 64 << 10 }; // pages are taken as they are written
+
+typedef struct orr_ring_made {
+    orr_ring ring;
+    int fd;
+} orr_ring_made;
+
+// Errors: ORR_E_IO, ORR_E_MEMORY. Free with orr_ring_made_close.
+orr_status orr_ring_made_open(orr_ring_made *out, orr_diag *diag);
+// Writes one message and wakes who waits for it (a futex on the low half of the ring's count). False where it is too large.
+bool orr_ring_made_write(orr_ring_made *r, uint16_t type, const uint8_t *data, size_t size);
+// Readers keep their own; *r is empty then.
+void orr_ring_made_close(orr_ring_made *r);
+
+#endif
