@@ -98,11 +98,15 @@ class Channels(unittest.TestCase):
         m = self.client.channels(t, 0, terms=1)
         self.assertEqual(len(m.terms), len(m.channels))
         delays = {str(d.sat): d for d in self.client.delays(m.block, receiver_m=m.pos_m).satellites}
+        # Slow terms have a node at whole tens of seconds for every tenth satellite, a second later for the next ones, and so on.
+        order = [str(s.sat) for s in self.client.states(m.block).satellites]
+        nodes = set(order[0::10])
+        self.assertTrue(nodes & set(delays))
         for c, x in zip(m.channels, m.terms):
             parts = [getattr(x, name) for name in (f.name for f in x.LAYOUT) if name not in ("wind_up_m", "phase_bias_m")]
             self.assertAlmostEqual(sum(parts), c.code[0], delta=8e-9)
             d = delays[str(c.sat)]
-            self.assertAlmostEqual(x.ionosphere_m, 40.3e16 * d.stec_tecu / c.carrier_hz**2, delta=1e-9)
+            self.assertAlmostEqual(x.ionosphere_m, 40.3e16 * d.stec_tecu / c.carrier_hz**2, delta=1e-9 if str(c.sat) in nodes else 1.5e-6)
             self.assertAlmostEqual(c.el_rad, d.el_rad, delta=1e-9)
             self.assertAlmostEqual(math.remainder(c.az_rad - d.az_rad, 2 * math.pi), 0, delta=1e-9)
             flight_s = (m.block - c.transmit) / NS - c.transmit_fraction_ns / 1e9
@@ -112,7 +116,7 @@ class Channels(unittest.TestCase):
             self.assertEqual(bool(c.flags & messages.ChannelFlags.UNHEALTHY), str(c.sat) == "G03")
 
     def test_contents_between_nodes_are_those_of_delays(self):
-        # 100 s is a node of the lattice, these instants are not: a tenth of channel.error_m beside the moving antenna.
+        # Between nodes: a tenth of channel.error_m beside the moving antenna.
         for seconds in (101, 103, 107.3, 115.9):
             m = self.client.channels(self.start + round(seconds * NS), 0, terms=1)
             delays = {str(d.sat): d for d in self.client.delays(m.block, receiver_m=m.pos_m).satellites}
