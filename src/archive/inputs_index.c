@@ -139,6 +139,13 @@ static int by_day(const void *a, const void *b)
     return strcmp(x->path, y->path);
 }
 
+static void sort_all(orr_archive_index *x)
+{
+    if (x->n > 0) qsort(x->item, x->n, sizeof *x->item, by_day);
+    if (x->n_maps > 0) qsort(x->map, x->n_maps, sizeof *x->map, by_day);
+    if (x->n_obs > 0) qsort(x->obs, x->n_obs, sizeof *x->obs, by_day);
+}
+
 orr_status orr_archive_index_make(const char *folder, const char *name, const orr_archive_wants *wants,
                                   const orr_leap_table *leap, orr_archive_index *out, orr_warnings *warnings,
                                   orr_diag *diag)
@@ -163,9 +170,20 @@ orr_status orr_archive_index_make(const char *folder, const char *name, const or
     fts_close(tree);
     free(root);
     if (s != ORR_OK) return orr_diag_set(diag, s, "no memory for the list of files in %s", folder);
-    if (out->n > 0) qsort(out->item, out->n, sizeof *out->item, by_day);
-    if (out->n_maps > 0) qsort(out->map, out->n_maps, sizeof *out->map, by_day);
-    if (out->n_obs > 0) qsort(out->obs, out->n_obs, sizeof *out->obs, by_day);
+    sort_all(out);
+    return ORR_OK;
+}
+
+orr_status orr_archive_index_of(const char *const *path, size_t n, const orr_archive_wants *wants,
+                                const orr_leap_table *leap, orr_archive_index *out, orr_warnings *warnings,
+                                orr_diag *diag)
+{
+    *out = (orr_archive_index){0};
+    for (size_t i = 0; i < n; i++) {
+        const orr_status s = look_at(path[i], NULL, wants, leap, out, warnings);
+        if (s != ORR_OK) return orr_diag_set(diag, s, "no memory for a list of files");
+    }
+    sort_all(out);
     return ORR_OK;
 }
 

@@ -49,6 +49,20 @@ typedef struct orr_archive_index {
 orr_status orr_archive_index_make(const char *folder, const char *name, const orr_archive_wants *wants,
                                   const orr_leap_table *leap, orr_archive_index *out, orr_warnings *warnings,
                                   orr_diag *diag);
+// The same of files that are named.
+// Given:
+//   path      [n] files
+//   n         how many
+//   wants     what else is taken; NULL: nothing
+//   leap      as above
+// Returned:
+//   out       the files; free with orr_archive_index_free whatever this returned
+//   warnings  files that cannot be read
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_MEMORY.
+orr_status orr_archive_index_of(const char *const *path, size_t n, const orr_archive_wants *wants,
+                                const orr_leap_table *leap, orr_archive_index *out, orr_warnings *warnings,
+                                orr_diag *diag);
 // Adds a file of Earth rotation parameters. ORR_E_LIMIT (more than ORR_ARCHIVE_MAX_ERP), ORR_E_IO, ORR_E_MEMORY.
 orr_status orr_archive_index_add_erp(orr_archive_index *x, const char *path, orr_diag *diag);
 // Frees all; it is empty then.

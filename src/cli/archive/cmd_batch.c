@@ -12,6 +12,7 @@
 #include "src/archive/batch.h"
 #include "src/archive/catalogue.h"
 #include "src/archive/store.h"
+#include "src/cli/archive/batch_fetch.h"
 #include "src/cli/archive/batch_plan.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
@@ -31,6 +32,18 @@ static const orr_option options[] = {
      .value = "DIR",
      .help = "Folder with the SP3 files, looked through with all folders below it: a file's day is told by "
              "its first lines."},
+    {.name = "fetch",
+     .applies = "!inputs,!report",
+     .kind = ORR_OPT_FLAG,
+     .help = "Fetch the days' files instead, with one day more at either end, into the cache of `orrery "
+             "fetch`; --from and --to "
+             "say which days."},
+    {.name = "centre",
+     .applies = "fetch",
+     .kind = ORR_OPT_TEXT,
+     .value = "COD|IGS|GFZ|...",
+     .help = "Analysis centre of what is fetched; any that has the file if not given."},
+    {.name = "offline", .applies = "fetch", .kind = ORR_OPT_FLAG, .help = "Use the cache alone."},
     {.name = "name",
      .applies = "inputs",
      .kind = ORR_OPT_TEXT,
@@ -42,11 +55,11 @@ static const orr_option options[] = {
                    .help = "File of Earth rotation parameters for all days; without one the orbits "
                            "themselves tell them."),
     {.name = "navdata",
-     .applies = "inputs",
+     .applies = "inputs|fetch",
      .kind = ORR_OPT_FLAG,
      .help = "Also fit broadcast data to each day: broadcast.rnx."},
     {.name = "tec",
-     .applies = "inputs",
+     .applies = "inputs|fetch",
      .kind = ORR_OPT_TEXT,
      .value = "PATTERN",
      .help = "Also make each day's TEC field, field.ION, of the maps (IONEX, .ION) whose names match, e.g. "
@@ -59,7 +72,7 @@ static const orr_option options[] = {
              "BOR1,WTZR: "
              "session-BOR1.nc."},
     {.name = "jobs",
-     .applies = "inputs",
+     .applies = "inputs|fetch",
      .letter = 'j',
      .kind = ORR_OPT_INT,
      .value = "N",
@@ -68,11 +81,11 @@ static const orr_option options[] = {
      .help = "Number of days that are made at once; the machine's cores by default. The archive does not "
              "depend on it."},
     {.name = "again",
-     .applies = "inputs",
+     .applies = "inputs|fetch",
      .kind = ORR_OPT_FLAG,
      .help = "Make days anew that are there, made from the same."},
     {.name = "plan",
-     .applies = "inputs",
+     .applies = "inputs|fetch",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .writes = true,
@@ -85,7 +98,7 @@ static const orr_option options[] = {
      .max = 100000,
      .help = "How many; 16 by default."},
     {.name = "chunk",
-     .applies = "inputs,!plan,!from,!to",
+     .applies = "inputs|fetch,!plan,!from,!to",
      .kind = ORR_OPT_TEXT,
      .value = "FILE:N",
      .help = "Make chunk N, from 1, of a plan. Several chunks of one archive may be made at once, on any "
@@ -161,6 +174,8 @@ static int say_end(const orr_cli *c, const orr_batch_report *r, double seconds)
 // First and last day that are wanted: as asked for, or of the files.
 static int days_of(const orr_cli *c, const orr_archive_index *x, orr_batch *b)
 {
+    if (x->n == 0 && orr_cli_given(c, "fetch"))
+        return orr_cli_failf(c, "no orbits of these days could be fetched");
     if (x->n == 0)
         return orr_cli_failf(c, "%s has no SP3 file of a single day%s", orr_cli_text(c, "inputs", ""),
                              orr_cli_given(c, "name") ? " whose name matches" : "");
@@ -238,8 +253,22 @@ static int run_inputs(orr_cli *c)
                                                      .n_stations = n_stations}}},
                    .jobs = (int)orr_cli_int(c, "jobs", orr_parallel_cores()),
                    .again = orr_cli_given(c, "again")};
-    orr_status s = orr_archive_index_make(orr_cli_text(c, "inputs", NULL), orr_cli_text(c, "name", NULL),
-                                          &b.settings.extras.wants, c->leap, &x, &warnings, &diag);
+    const bool fetches = orr_cli_given(c, "fetch");
+    orr_status s = ORR_OK;
+    if (fetches) {
+        const int32_t first = orr_archive_day_of(orr_cli_time(c, "from", 0)),
+                      last = orr_archive_day_of(orr_cli_time(c, "to", 0));
+        if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
+        if (last - first >= MOST_DAYS) return orr_cli_usage(c, "a batch has at most %d days", MOST_DAYS);
+        const int fetched = batch_fetch(c, &b.settings.extras.wants, first, last, &x);
+        if (fetched != ORR_EXIT_OK) {
+            orr_archive_index_free(&x);
+            return fetched;
+        }
+    } else {
+        s = orr_archive_index_make(orr_cli_text(c, "inputs", NULL), orr_cli_text(c, "name", NULL),
+                                   &b.settings.extras.wants, c->leap, &x, &warnings, &diag);
+    }
     for (size_t i = 0; s == ORR_OK && i < orr_cli_count(c, "erp"); i++)
         s = orr_archive_index_add_erp(&x, orr_cli_text_at(c, "erp", i), &diag);
     orr_cli_warnings(c, &warnings);
@@ -311,7 +340,11 @@ static int print_report(orr_cli *c)
 static int run(orr_cli *c)
 {
     if (orr_cli_given(c, "report")) return print_report(c);
-    if (!orr_cli_given(c, "inputs")) return orr_cli_usage(c, "--inputs DIR is needed, or --report");
+    const bool fetches = orr_cli_given(c, "fetch");
+    if (!orr_cli_given(c, "inputs") && !fetches)
+        return orr_cli_usage(c, "--inputs DIR is needed, or --fetch, or --report");
+    if (fetches && (!orr_cli_given(c, "from") || !orr_cli_given(c, "to")))
+        return orr_cli_usage(c, "--fetch needs --from and --to");
     return run_inputs(c);
 }
 

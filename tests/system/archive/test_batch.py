@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An archive of days: the same bytes however it came to be (threads, chunks, kills), nothing half, nothing lost, days that join."""
 import csv
+import functools
 import gzip
 import hashlib
+import http.server
 import json
 import os
 import pathlib
@@ -14,6 +16,7 @@ import signal
 import sqlite3
 import subprocess
 import sys
+import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from program import ORRERY, Folder, run, run_json, sample  # noqa: E402
@@ -44,6 +47,11 @@ def content(archive):
     root = pathlib.Path(archive)
     return {str(p.relative_to(root)): hashlib.sha256(p.read_bytes()).hexdigest()
             for p in sorted(root.glob("2*/**/*")) if p.is_file()}
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *args):
+        pass
 
 
 class Batch(Folder):
@@ -338,6 +346,33 @@ class Batch(Folder):
         middle.write_bytes(good)
         self.assertIn("3 days made", run("batch", "--archive", other, "--inputs", inputs).stderr)
         self.assertEqual(content(other), self.bytes)
+
+    def test_days_that_are_fetched(self):
+        """From a mirror on loopback: the same days as from the folder that it serves; what it does not have is told; again by the cache alone."""
+        served, other, direct = (pathlib.Path(self.path(n)) for n in ("served", "fetched", "direct"))
+        served.mkdir()
+        for k, day in enumerate(DAYS):
+            shutil.copy(next(pathlib.Path(self.inputs).rglob(f"day{k}.anything")), served / f"T{day}.SP3.gz")
+        run("batch", "-q", "--archive", direct, "--inputs", served)
+        handler = functools.partial(Quiet, directory=str(served))
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        try:
+            table = pathlib.Path(self.path("table.txt"))
+            table.write_text(f"name sp3 COD final - - T{{doy}}.SP3.gz\nmirror here * http://127.0.0.1:{server.server_port}/\n", encoding="utf-8")
+            env = {**os.environ, "ORRERY_ARCHIVES": str(table), "ORRERY_CACHE": self.path("cache")}
+            ask = ("batch", "--archive", other, "--fetch", "--from", "2025-03-20", "--to", "2025-03-22")
+            told = run(*ask, env=env).stderr
+            self.assertIn("3 days made", told)
+            for day in ("078", "082"):
+                self.assertIn(f"2025-{day}: no sp3: ", told)
+            self.assertEqual(content(other), content(direct))
+        finally:
+            server.shutdown()
+            server.server_close()
+        self.assertIn("0 days made, 3 were there", run(*ask, "--offline", env=env).stderr)
+        self.assertIn("--from and --to", run("batch", "--archive", other, "--fetch", status=2).stderr)
+        self.assertIn("no orbits of these days", run("batch", "--archive", other, "--fetch", "--offline", "--from", "2001-01-01", "--to", "2001-01-02", env=env, status=1).stderr)
 
 
 if __name__ == "__main__":
