@@ -149,10 +149,12 @@ class Client(Verbs):
         return self._ask(messages.GetTime(), messages.Time)
 
     def control(self, action: Union[messages.ControlAction, str], t: Optional[Time] = None, at: Optional[Time] = None,
-                delay_s: float = 0.0, reference: Union[messages.ClockReference, str] = messages.ClockReference.WALL) -> messages.Time:
-        """Controls the scenario's clock: "load", "arm", "wait_pps", "start", "pause", "stop" (CONTROL in docs/protocol.md)."""
+                delay_s: float = 0.0, reference: Union[messages.ClockReference, str] = messages.ClockReference.WALL,
+                scenario: str = "") -> messages.Time:
+        """Controls the scenario's clock: "load", "arm", "wait_pps", "start", "pause", "stop" (CONTROL in docs/protocol.md). With "load"
+        and the name of another scenario the server closes all connections, and serves that one when it is ready."""
         asked = messages.Control(choice(messages.ControlAction, action), choice(messages.ClockReference, reference), 0,
-                                 NONE if t is None else time_tag(t), NONE if at is None else time_tag(at), step_ns(delay_s))
+                                 NONE if t is None else time_tag(t), NONE if at is None else time_tag(at), step_ns(delay_s), scenario)
         return self._ask(asked, messages.Time)
 
     def radio_time(self, elapsed_ns: int, stamp_ns: int = 0,

@@ -2,6 +2,7 @@
 // orrery serve: a scenario, or an orbit product alone, answered by time over sockets.
 #include <errno.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +15,7 @@
 #include "src/service/dialect/motion_port.h"
 #include "src/service/http/live_page.h"
 #include "src/service/live/motion_log.h"
+#include "src/service/net/url.h"
 #include "src/service/serve/service.h"
 #include "src/service/text/text_server.h"
 
@@ -52,13 +54,26 @@ typedef struct serving {
     orr_motion_port *port;
     orr_serve_log talk;
     orr_log log;
+    size_t n_kept;
+    char kept[16][ORR_URL_TEXT]; // of a scenario that has been loaded: where the one before was served
+    orr_time from;               // where its clock begins; ORR_TIME_NONE: at its first instant
+    atomic_bool loading;         // `next` is set: the service ends for it
+    char next[128];
 } serving;
+
+// A scenario's file in the folder of --scenarios.
+static const char *path_of(const serving *v, const char *name, char *path, size_t size)
+{
+    snprintf(path, size, "%.4000s/%.100s.yaml", orr_cli_text(v->c, "scenarios", "."), name);
+    return path;
+}
 
 // Where the scenario's clock begins: --from, else the first instant that is served.
 static orr_time begin_of(const serving *v)
 {
     orr_time first, last;
     orr_engine_span(v->engine, &first, &last);
+    if (v->n_kept > 0) return v->from != ORR_TIME_NONE ? v->from : first;
     return orr_cli_time(v->c, "from", first);
 }
 
@@ -72,9 +87,10 @@ static orr_status start_clock(const serving *v, orr_time at, orr_diag *diag)
     return orr_diag_set(diag, ORR_E_ARG, "--start: %s", why.sentence);
 }
 
+// One that was loaded stands until it is started.
 static bool starts_at_once(const serving *v)
 {
-    return strcmp(orr_cli_text(v->c, "start", "now"), "now") == 0;
+    return v->n_kept == 0 && strcmp(orr_cli_text(v->c, "start", "now"), "now") == 0;
 }
 
 // What is told once the service can be reached; scripts wait for this line, so --quiet does not silence it.
@@ -115,10 +131,11 @@ static orr_status listen_on(serving *v, orr_diag *diag)
 {
     const orr_text_list *listen = &v->scenario.serve.listen;
     orr_service_options options = orr_service_defaults();
-    size_t n = orr_cli_count(v->c, "listen");
+    const size_t n = v->n_kept > 0 ? v->n_kept : orr_cli_count(v->c, "listen");
     v->url = calloc(n > 0 ? n : 1, sizeof *v->url);
     if (v->url == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    for (size_t i = 0; i < n; i++) v->url[i] = orr_cli_text_at(v->c, "listen", i);
+    for (size_t i = 0; i < n; i++)
+        v->url[i] = v->n_kept > 0 ? v->kept[i] : orr_cli_text_at(v->c, "listen", i);
     options.url = n > 0 ? v->url : (const char *const *)listen->item;
     options.n_urls = n > 0 ? n : listen->n;
     const orr_scenario_serve *serve = &v->scenario.serve;
@@ -169,6 +186,32 @@ static orr_status open_vehicle(serving *v, orr_diag *diag)
     return s == ORR_OK ? orr_answers_ride(v->maker, v->vehicle, diag) : s;
 }
 
+// CONTROL LOAD: a name of the folder of scenarios, never a path. The service ends, and begins anew with it.
+static uint16_t load_other(void *user, const char *name, orr_time t, orr_server_refusal *why)
+{
+    serving *v = user;
+    static const char good[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+    char path[4200];
+    if (strspn(name, good) != strlen(name)) {
+        snprintf(why->sentence, sizeof why->sentence,
+                 "CONTROL: the name of a scenario has letters, digits, _ and - alone");
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    (void)path_of(v, name, path, sizeof path);
+    if (access(path, R_OK) != 0) {
+        snprintf(why->sentence, sizeof why->sentence, "CONTROL: there is no scenario '%.64s'", name);
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    if (atomic_exchange(&v->loading, true)) {
+        snprintf(why->sentence, sizeof why->sentence, "CONTROL: another scenario is being loaded");
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    snprintf(v->next, sizeof v->next, "%.64s", name);
+    v->from = t;
+    orr_service_stop(v->service);
+    return 0;
+}
+
 // Streams, made by a thread of their own, and the scenario's clock.
 static orr_status open_streams(serving *v, orr_diag *diag)
 {
@@ -179,6 +222,8 @@ static orr_status open_streams(serving *v, orr_diag *diag)
     if (s != ORR_OK) return s;
     const orr_streams_options o = {.maker = orr_answers_server(v->maker),
                                    .expect = orr_answers_expect,
+                                   .load = orr_cli_given(v->c, "scenarios") ? load_other : NULL,
+                                   .load_user = v,
                                    .wake = orr_service_wake,
                                    .wake_user = v->service,
                                    .begin = begin_of(v),
@@ -192,7 +237,7 @@ static orr_status open_streams(serving *v, orr_diag *diag)
     orr_service_stream(v->service, v->streams);
     const char *when = orr_cli_text(v->c, "start", "now");
     orr_time at;
-    if (starts_at_once(v) || strcmp(when, "command") == 0) return ORR_OK;
+    if (starts_at_once(v) || v->n_kept > 0 || strcmp(when, "command") == 0) return ORR_OK;
     s = orr_time_parse(when, v->c->leap, &at, diag);
     return s == ORR_OK ? start_clock(v, at, diag) : s;
 }
@@ -260,6 +305,51 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     return s;
 }
 
+// Where it is served, for a scenario that is loaded after this one.
+static void keep_urls(serving *v)
+{
+    const char *url;
+    if (v->service == NULL) return;
+    v->n_kept = 0;
+    while (v->n_kept < 16 && (url = orr_service_url(v->service, v->n_kept)) != NULL)
+        snprintf(v->kept[v->n_kept++], sizeof v->kept[0], "%s", url);
+}
+
+// One scenario, from its preparation to the end of its service.
+static orr_status serve(serving *v, const char *path, bool *asked_wrongly, orr_diag *diag)
+{
+    orr_status s = prepare(v, path, diag);
+    *asked_wrongly = s == ORR_E_ARG && v->service == NULL && v->url != NULL; // --listen, or serve.listen
+    if (s == ORR_OK) s = orr_service_run(v->service, say_ready, v, diag);
+    keep_urls(v);
+    orr_motion_port_close(v->port);
+    orr_text_server_close(v->text);
+    orr_answers_close(v->reader);
+    orr_http_server_close(v->http);
+    orr_live_page_close(v->page);
+    orr_answers_close(v->shown);
+    orr_streams_halt(v->streams);
+    orr_service_close(v->service);
+    orr_access_close(v->access);
+    orr_streams_close(v->streams);
+    orr_answers_close(v->maker);
+    orr_vehicle_close(v->vehicle);
+    if (s == ORR_OK && v->log_in != NULL && orr_motion_log_fault(v->log_in) != NULL)
+        s = orr_diag_at(diag, ORR_E_FORMAT, orr_cli_text(v->c, "motion-replay", ""), 0, 0, "%s",
+                        orr_motion_log_fault(v->log_in));
+    (void)orr_motion_log_close(v->log_in, NULL);
+    const orr_status written = orr_motion_log_close(v->log_out, s == ORR_OK ? diag : NULL);
+    if (s == ORR_OK) s = written;
+    orr_answers_close(v->answers);
+    orr_engine_close(v->engine);
+    orr_scenario_free(&v->scenario);
+    free(v->url);
+    v->port = NULL, v->text = NULL, v->reader = NULL, v->http = NULL, v->page = NULL, v->shown = NULL;
+    v->streams = NULL, v->service = NULL, v->access = NULL, v->maker = NULL, v->vehicle = NULL;
+    v->log_in = v->log_out = NULL, v->answers = NULL, v->engine = NULL, v->url = NULL;
+    return s;
+}
+
 static int run(orr_cli *c)
 {
     if (orr_cli_given(c, "help-scenario")) {
@@ -273,37 +363,25 @@ static int run(orr_cli *c)
     if (c->n_operands != 1) return orr_cli_usage(c, "a scenario or an orbit product is wanted");
     serving v = {.c = c, .talk = {.fd = STDERR_FILENO}};
     v.log = (orr_log){.level = c->log->level, .write = write_log, .user = &v};
-    if (orr_cli_given(c, "http")) v.journal = orr_journal_open();
     signal(SIGPIPE, SIG_IGN); // whoever reads what it says may leave
     signal(SIGHUP, SIG_IGN);  // as later when it serves: a terminal may be closed while it prepares
+    if (orr_cli_given(c, "http")) v.journal = orr_journal_open();
     orr_diag diag = {0};
-    orr_status s = prepare(&v, c->operand[0], &diag);
-    bool asked_wrongly = s == ORR_E_ARG && v.service == NULL && v.url != NULL; // --listen, or serve.listen
-    if (s == ORR_OK) s = orr_service_run(v.service, say_ready, &v, &diag);
+    bool asked_wrongly = false;
+    orr_status s = serve(&v, c->operand[0], &asked_wrongly, &diag);
+    char path[4200], before[4200];
+    snprintf(before, sizeof before, "%.4100s", c->operand[0]);
+    while (s == ORR_OK && atomic_exchange(&v.loading, false)) {
+        s = serve(&v, path_of(&v, v.next, path, sizeof path), &asked_wrongly, &diag);
+        if (s == ORR_OK) {
+            memcpy(before, path, sizeof before);
+            continue;
+        }
+        ORR_LOG(&v.log, ORR_LOG_WARN, "%s; going back to %s", diag.text, before);
+        s = serve(&v, before, &asked_wrongly, &diag);
+    }
     if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, "stopped");
-    orr_motion_port_close(v.port);
-    orr_text_server_close(v.text);
-    orr_answers_close(v.reader);
-    orr_http_server_close(v.http);
-    orr_live_page_close(v.page);
-    orr_answers_close(v.shown);
-    orr_streams_halt(v.streams);
-    orr_service_close(v.service);
-    orr_access_close(v.access);
-    orr_streams_close(v.streams);
-    orr_answers_close(v.maker);
-    orr_vehicle_close(v.vehicle);
-    if (s == ORR_OK && v.log_in != NULL && orr_motion_log_fault(v.log_in) != NULL)
-        s = orr_diag_at(&diag, ORR_E_FORMAT, orr_cli_text(c, "motion-replay", ""), 0, 0, "%s",
-                        orr_motion_log_fault(v.log_in));
-    (void)orr_motion_log_close(v.log_in, NULL);
-    const orr_status written = orr_motion_log_close(v.log_out, s == ORR_OK ? &diag : NULL);
-    if (s == ORR_OK) s = written;
-    orr_answers_close(v.answers);
-    orr_engine_close(v.engine);
-    orr_scenario_free(&v.scenario);
     orr_journal_close(v.journal);
-    free(v.url);
     if (s == ORR_OK) return ORR_EXIT_OK;
     return asked_wrongly ? orr_cli_usage(c, "%s", diag.text) : orr_cli_fail(c, &diag);
 }
@@ -316,6 +394,12 @@ static const orr_option options[] = {
      .repeated = true,
      .help = "Listen at tcp://HOST:PORT or tls://HOST:PORT (host *: every address; port 0: any free one) or "
              "unix:PATH. By default where the scenario says, else tcp://127.0.0.1:15754."},
+    {.name = "scenarios",
+     .kind = ORR_OPT_TEXT,
+     .value = "DIR",
+     .help = "Let clients that may control load other scenarios (CONTROL LOAD, SCENario:OPEN): NAME.yaml of "
+             "this folder, by "
+             "their names alone."},
     {.name = "access",
      .kind = ORR_OPT_TEXT,
      .value = "FILE",

@@ -157,9 +157,31 @@ void orr_streams_close(orr_streams *s)
     free(s);
 }
 
+// Another scenario, by whoever owns the service.
+static uint16_t load(const orr_streams *s, const orr_msg_control *m, orr_server_refusal *why)
+{
+    char name[65];
+    if (m->action != ORR_MSG_CONTROL_ACTION_LOAD) {
+        snprintf(why->sentence, sizeof why->sentence, "CONTROL: a scenario is named with LOAD alone");
+        return ORR_MSG_ERROR_CODE_BAD_REQUEST;
+    }
+    if (s->options.load == NULL) {
+        snprintf(why->sentence, sizeof why->sentence,
+                 "CONTROL: this server loads no other scenarios (serve --scenarios)");
+        return ORR_MSG_ERROR_CODE_NOT_SERVED;
+    }
+    return s->options.load(s->options.load_user, orr_wire_text_copy(m->scenario, name, sizeof name), m->t,
+                           why);
+}
+
 uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_time *told,
                              orr_server_refusal *why)
 {
+    if (m->scenario.size > 0) {
+        const uint16_t code = load(s, m, why);
+        if (code == 0) orr_streams_time(s, told);
+        return code;
+    }
     const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
     const uint16_t code = orr_pace_control(&s->pace, &h, m, why);

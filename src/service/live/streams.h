@@ -30,6 +30,10 @@ typedef struct orr_streams_options {
     // Called by the thread when there is something to send (orr_streams_ready), without a lock held.
     void (*wake)(void *user);
     void *wake_user;
+    // CONTROL LOAD of another scenario: its name, and where its clock is to stand (ORR_TIME_NONE: at its begin). Returns 0, or an
+    // ORR_MSG_ERROR_CODE and the sentence. NULL: no others are loaded. Any thread calls it.
+    uint16_t (*load)(void *user, const char *name, orr_time t, orr_server_refusal *why);
+    void *load_user;
     // Told of a new stream whose first block may take long, with the maker's user; NULL: it is not.
     void (*expect)(void *user, uint16_t type, const orr_msg_any *request);
     void (*host)(void *user,

@@ -223,6 +223,19 @@ static int load(orr_scpi *s, char *const *p, size_t n, FILE *out)
     (void)out;
     return control(s, ORR_MSG_CONTROL_ACTION_LOAD, p, n, false);
 }
+// Another scenario of the server's folder, by its name.
+static int open_other(orr_scpi *s, char *const *p, size_t n, FILE *out)
+{
+    (void)n, (void)out;
+    const orr_msg_any m = {.control = {.action = ORR_MSG_CONTROL_ACTION_LOAD,
+                                       .t = ORR_TIME_NONE,
+                                       .at = ORR_TIME_NONE,
+                                       .scenario = orr_wire_text(p[0])}};
+    const orr_message_info *info;
+    orr_msg_any told;
+    return ask(s, ORR_MSG_TYPE_CONTROL, &m, &info, &told);
+}
+
 static int arm(orr_scpi *s, char *const *p, size_t n, FILE *out)
 {
     (void)out;
@@ -262,6 +275,7 @@ static const orr_scpi_command commands[] = {
     {"MOTion:STATistics?", 0, 0, stats, false},
     {"MOTion:STATistics:RESet", 0, 0, reset_stats, true},
     {"SCENario:LOAD", 0, 2, load, true},
+    {"SCENario:OPEN", 1, 1, open_other, true},
     {"SCENario:ARM", 0, 2, arm, true},
     {"SCENario:WPPS", 0, 2, wait_pps, true},
     {"SCENario:STARt", 0, 2, start, true},
