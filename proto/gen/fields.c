@@ -1027,8 +1027,9 @@ static const orr_field fields_control[] = {
     {.name = "t", .unit = "ns", .doc = "instant of the scenario; -2^63: where it stands", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_control, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "at", .unit = "ns", .doc = "with START: the wall's instant (GPS scale) at which it goes; -2^63: at once", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_control, at), .in_text = true, .text_name = "at", .text_factor = 1.0, .in_table = true, .head = "at", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "delay", .unit = "ns", .doc = "with START: so much later, 0 to an hour", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_control, delay), .in_text = true, .text_name = "delay", .text_factor = 1.0, .in_table = true, .head = "delay", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "scenario", .unit = "", .doc = "with LOAD: name of another scenario of the server's folder (serve --scenarios), without its ending; empty: this one", .kind = ORR_FIELD_STRING, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_control, scenario), .limit = 64, .in_text = true, .text_name = "scenario", .text_factor = 1.0, .in_table = true, .head = "scenario", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_control = {"control", fields_control, 6, sizeof(orr_msg_control), false, false};
+static const orr_record record_control = {"control", fields_control, 7, sizeof(orr_msg_control), false, false};
 
 static orr_wire_status encode_control(const void *m, orr_wire_writer *w)
 {

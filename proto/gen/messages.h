@@ -174,7 +174,7 @@ enum { // end_reason (u8): Why a stream has ended.
 };
 
 enum { // control_action (u8): What is to become of the scenario's clock.
-    ORR_MSG_CONTROL_ACTION_LOAD = 1, // it stands at `t`, where STOP leads back to
+    ORR_MSG_CONTROL_ACTION_LOAD = 1, // it stands at `t`, where STOP leads back to; of another scenario, which is served instead: all connections are closed, and taken again when it is ready
     ORR_MSG_CONTROL_ACTION_ARM = 2, // ready to start at `t`, or where it stands, with the reference that is named
     ORR_MSG_CONTROL_ACTION_WAIT_PPS = 3, // of an armed one: PPS0 is the next whole second of the reference, and `t` is the scenario's instant there
     ORR_MSG_CONTROL_ACTION_START = 4, // goes: after WAIT_PPS at PPS0 + delay; else at the wall's instant `at` + delay, or delay from now
@@ -1186,9 +1186,9 @@ typedef struct orr_msg_control {
     int64_t t; // [ns] instant of the scenario; -2^63: where it stands
     int64_t at; // [ns] with START: the wall's instant (GPS scale) at which it goes; -2^63: at once
     int64_t delay; // [ns] with START: so much later, 0 to an hour
+    orr_wire_bytes scenario; // with LOAD: name of another scenario of the server's folder (serve --scenarios), without its ending; empty: this one
 } orr_msg_control;
-#define ORR_MSG_CONTROL_SIZE 28u
-#define ORR_MSG_CONTROL_LARGEST 28u
+#define ORR_MSG_CONTROL_LARGEST 94u
 
 orr_wire_status orr_msg_control_encode(const orr_msg_control *m, orr_wire_writer *w);
 orr_wire_status orr_msg_control_decode(const uint8_t *payload, size_t size, orr_msg_control *m);

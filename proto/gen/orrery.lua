@@ -593,13 +593,14 @@ records.stream_end = {fields = {
     {name = "reason", kind = "scalar", scalar = "u8", enum = "end_reason"},
     {name = "sentence", kind = "string", limit = 200},
 }}
-records.control = {size = 28, smallest = 28, fields = {
+records.control = {fields = {
     {name = "action", kind = "scalar", scalar = "u8", enum = "control_action"},
     {name = "reference", kind = "scalar", scalar = "u8", enum = "clock_reference"},
     {name = "reserved", kind = "scalar", scalar = "u16"},
     {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "at", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "delay", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "scenario", kind = "string", limit = 64},
 }}
 records.get_time = {size = 4, smallest = 4, fields = {
     {name = "reserved", kind = "scalar", scalar = "u32"},

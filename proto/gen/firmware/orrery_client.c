@@ -4002,6 +4002,7 @@ static void put_control(orr_wire_writer *w, const orr_msg_control *m)
     orr_wire_store_i64(p + 4, m->t);
     orr_wire_store_i64(p + 12, m->at);
     orr_wire_store_i64(p + 20, m->delay);
+    orr_wire_put_bytes(w, m->scenario, 64);
 }
 
 static void get_control(orr_wire_reader *r, orr_msg_control *m)
@@ -4015,6 +4016,7 @@ static void get_control(orr_wire_reader *r, orr_msg_control *m)
     m->t = orr_wire_load_i64(p + 4);
     m->at = orr_wire_load_i64(p + 12);
     m->delay = orr_wire_load_i64(p + 20);
+    m->scenario = orr_wire_get_bytes(r, 64);
 }
 
 orr_wire_status orr_msg_control_encode(const orr_msg_control *m, orr_wire_writer *w)

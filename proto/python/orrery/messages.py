@@ -162,7 +162,7 @@ class EndReason(WireEnum):
 class ControlAction(WireEnum):
     """What is to become of the scenario's clock."""
 
-    LOAD = 1  # it stands at `t`, where STOP leads back to
+    LOAD = 1  # it stands at `t`, where STOP leads back to; of another scenario, which is served instead: all connections are closed, and taken again when it is ready
     ARM = 2  # ready to start at `t`, or where it stands, with the reference that is named
     WAIT_PPS = 3  # of an armed one: PPS0 is the next whole second of the reference, and `t` is the scenario's instant there
     START = 4  # goes: after WAIT_PPS at PPS0 + delay; else at the wall's instant `at` + delay, or delay from now
@@ -2010,6 +2010,8 @@ class Control(Record):
     t [ns]: instant of the scenario; -2^63: where it stands
     at [ns]: with START: the wall's instant (GPS scale) at which it goes; -2^63: at once
     delay [ns]: with START: so much later, 0 to an hour
+    scenario: with LOAD: name of another scenario of the server's folder (serve --scenarios), without its ending; empty: this
+    one
     """
 
     TYPE: ClassVar[int] = 26
@@ -2020,6 +2022,7 @@ class Control(Record):
         Field("t", "scalar", scalar="i64"),
         Field("at", "scalar", scalar="i64"),
         Field("delay", "scalar", scalar="i64"),
+        Field("scenario", "string", limit=64),
     )
 
     action: ControlAction = ControlAction(0)
@@ -2028,6 +2031,7 @@ class Control(Record):
     t: int = 0
     at: int = 0
     delay: int = 0
+    scenario: str = ""
 
 
 @dataclasses.dataclass(eq=False, slots=True)

@@ -35,6 +35,7 @@ def main():
         polls = [m.Poll(epochs, []), m.PollNavdata(epochs, SATS), m.PollDelays(epochs, own, [1575.42e6, 1227.6e6], []),
                  m.PollDelays(epochs, [6.378137e6, 0, 0], [], SATS), m.PollImu(epochs, 1), m.PollTruth(epochs, 0)]
         polls += [m.PollElements(epochs, frame, method, SATS) for frame, method in ((0, 0), (1, 1), (2, 2))]
+        polls += [m.PollEvents(epochs)]
         for k, poll in enumerate(polls):
             (out / f"{type(poll).__name__.lower()}_{name}_{k}").write_bytes(request(poll) + request(m.Ping(7)))
     long = m.PollImu(m.Epochs(NOON, 300 * S, 2), 0)

@@ -31,12 +31,17 @@ LANES = {
     "free": [m.Subscribe(6, 0, 0, 20, 0, poll(0, 10**6, 30)), m.Credit(1, 20), m.Unsubscribe(1)],
     "clock": [m.Control(4, 0, 0, NONE, NONE, 0), m.Subscribe(6, 1, 0, 1000, 10**7, poll(NONE, 10**6, 0)), m.GetTime(), m.Control(5, 0, 0, NONE, NONE, 0),
               m.Control(6, 0, 0, NONE, NONE, 0)],
+    "ring": [m.Subscribe(6, 0, 1, 10, 0, poll(0, 10**6, 5)), m.Subscribe(6, 0, 1, 2, 0, poll(0, 10**6, 0)), m.Credit(2, 5), m.Unsubscribe(2),
+             m.Subscribe(6, 0, 2, 2, 0, poll(0, 10**6, 0))],
+    "load": [m.Control(1, 0, 0, NONE, NONE, 0, "two"), m.Control(1, 0, 0, 5, NONE, 0, ""), m.Control(4, 0, 0, NONE, NONE, 0, "../x")],
     "radio": [m.RadioTime(10**9, 0, 0), m.RadioTime(1002 * 10**6, 0, 0), m.Control(2, 1, 0, 5 * 10**9, NONE, 0), m.Control(3, 1, 0, NONE, NONE, 0),
               m.Control(4, 1, 0, NONE, NONE, 10**7), m.RadioTime(1004 * 10**6, 0, 0)],
     "motion": [m.Control(4, 0, 0, NONE, NONE, 0), motion(0), motion(10**7), motion(2 * 10**7, snap=1, pos_m=[3e6, 2e6, 5.3e6]), m.GetMotionStats(1),
                motion(3 * 10**7, angular_order=4, attitude=[1.0, 0, 0, 0]), motion(4 * 10**7, pos_m=[float("nan"), 0, 0])],
 }
 LINES = {
+    "gsg": b"\x11SCEN:STAR\nSOUR:SCEN:PRY 1,0.1,0.2,0.3;PRYRate 1,-1,2,0;DPRYR IMM,1,2,3;ENUACC 1,1,2,3;POS 1,56,40,150\nEVEN? 2300,5\n"
+           b"SCEN:OPEN '../x';OPEN two;LOAD 2300,1\n",
     "scpi": b"\x06*IDN?;*CLS\n:SYST:ERR?;ERR:NEXT?\nSAT:STAT? G05,'2025-03-21';LIST?\nSCEN:ARM;STAR;:TIME?\n*ESE 255;*SRE #H10\n",
     "json": b'\x7f{"request": "POLL", "t": "2025-03-21", "step": 1000000, "count": 3, "satellites": ["G05", "E11"]}\n'
             b'{"request": "CONTROL", "action": "START"}\n{"request": "MOTION", "pos_m": [1, 2, 3], "order": 2}\n',
