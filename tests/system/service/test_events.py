@@ -24,6 +24,7 @@ antennas:
   - {name: NORTH, position: [56, 40, 150]}
   - {name: SOUTH, position: [-33, 18, 150]}
 mask: {elevation: 10}
+faults: {range: [{sats: G, from: 2025-03-21T12:00:00, to: 2025-03-21T12:05:00, step: 10}]}
 """
 
 # The table of the IERS with a leap second that never was, at the end of 2025-03-21.
@@ -125,6 +126,16 @@ class Events(unittest.TestCase):
         for e in begins[:6]:
             flags = [next(s for s in self.client.states(e.at + d * NS).satellites if s.sat == e.sat).flags for d in (-1, 1)]
             self.assertEqual([bool(f & messages.StateFlags.ECLIPSE) for f in flags], [False, True])
+
+    def test_faults_are_where_channels_have_them(self):
+        begin, end = orrery.from_text("2025-03-21T12:00:00"), orrery.from_text("2025-03-21T12:05:00")
+        gps = [str(s) for s in self.client.satellites if str(s).startswith("G")]
+        for kind, t, before, after in ((EventKind.FAULT_BEGIN, begin, 0, 10), (EventKind.FAULT_END, end, 10, 0)):
+            self.assertEqual([(e.at, str(e.sat), e.value) for e in self.of(kind)], [(t, s, 0) for s in gps])
+            for at, metres in ((t - NS, before), (t, after)):
+                both = [self.client.channels(at, antenna, terms=1) for antenna in (0, 1)]
+                told = {x.fault_range_m for m in both for c, x in zip(m.channels, m.terms) if str(c.sat).startswith("G")}
+                self.assertEqual(told, {metres})
 
     def test_streamed_and_as_text(self):
         stream = self.client.subscribe(messages.PollEvents(), self.begin + 3600 * NS, 60, count=60, pacing="free")
