@@ -49,16 +49,18 @@ static inline void orr_ring_make(orr_ring *r, void *memory, uint32_t slots, uint
 }
 
 // The writer's: writes one message. False, and nothing, where it is larger than a slot.
+// Whoever sees any word of it sees that its slot is being written, too: the words are released one by one, and taken likewise.
 static inline bool orr_ring_write(orr_ring *r, uint16_t type, const uint8_t *data, size_t size)
 {
     uint8_t *slot = orr_ring_slot_(r, r->next);
-    const uint32_t n = (uint32_t)size;
     if (size > r->stride - ORR_RING_SLOT_HEAD) return false;
     __atomic_store_n(orr_ring_word_(slot), 2 * r->next + 1, __ATOMIC_RELAXED);
-    __atomic_thread_fence(__ATOMIC_RELEASE); // readers see that it is being written before they see any of it
-    memcpy(slot + 8, &n, 4);
-    memcpy(slot + 12, &type, 2);
-    if (size > 0) memcpy(slot + ORR_RING_SLOT_HEAD, data, size);
+    __atomic_store_n(orr_ring_word_(slot + 8), (uint64_t)size | (uint64_t)type << 32, __ATOMIC_RELEASE);
+    for (size_t at = 0; at < size; at += 8) {
+        uint64_t word = 0;
+        memcpy(&word, data + at, size - at < 8 ? size - at : 8);
+        __atomic_store_n(orr_ring_word_(slot + ORR_RING_SLOT_HEAD + at), word, __ATOMIC_RELEASE);
+    }
     __atomic_store_n(orr_ring_word_(slot), 2 * r->next + 2, __ATOMIC_RELEASE);
     r->next++;
     __atomic_store_n(orr_ring_word_(r->memory + ORR_RING_COUNT_AT), r->next, __ATOMIC_RELEASE);
@@ -92,16 +94,20 @@ static inline bool orr_ring_read(orr_ring *r, uint16_t *type, uint8_t *data, siz
 {
     for (;;) {
         uint8_t *slot = orr_ring_slot_(r, r->next);
-        uint32_t n = 0;
         const uint64_t stamp = __atomic_load_n(orr_ring_word_(slot), __ATOMIC_ACQUIRE);
         if (stamp < 2 * r->next + 2) return false;
         if (stamp == 2 * r->next + 2) {
-            memcpy(&n, slot + 8, 4);
-            memcpy(type, slot + 12, 2);
+            const uint64_t head = __atomic_load_n(orr_ring_word_(slot + 8), __ATOMIC_ACQUIRE);
+            size_t n = (uint32_t)head;
             if (n > r->stride - ORR_RING_SLOT_HEAD) n = r->stride - ORR_RING_SLOT_HEAD;
-            memcpy(data, slot + ORR_RING_SLOT_HEAD, n < capacity ? n : capacity);
-            __atomic_thread_fence(__ATOMIC_ACQUIRE);
+            const size_t most = n < capacity ? n : capacity;
+            for (size_t at = 0; at < most; at += 8) {
+                const uint64_t word =
+                    __atomic_load_n(orr_ring_word_(slot + ORR_RING_SLOT_HEAD + at), __ATOMIC_ACQUIRE);
+                memcpy(data + at, &word, most - at < 8 ? most - at : 8);
+            }
             if (__atomic_load_n(orr_ring_word_(slot), __ATOMIC_RELAXED) == stamp) {
+                *type = (uint16_t)(head >> 32);
                 *size = n;
                 r->next++;
                 return true;
