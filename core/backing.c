@@ -49,7 +49,11 @@ void *orr_backing_take(orr_backing *b, size_t bytes)
     const size_t page = (size_t)sysconf(_SC_PAGESIZE), whole = (bytes / page + 1) * page;
     if (!ORR_ARRAY_GROW(b->piece, b->n)) return NULL;
     // The room is asked for now: a full disk is told here, not by a signal when a page is written.
-    if (posix_fallocate(b->file, b->length, (off_t)whole) != 0) return NULL;
+    const int no_room = posix_fallocate(b->file, b->length, (off_t)whole);
+    if (no_room != 0) {
+        errno = no_room;
+        return NULL;
+    }
     void *at = mmap(NULL, whole, PROT_READ | PROT_WRITE, MAP_SHARED, b->file, b->length);
     if (at == MAP_FAILED) return NULL;
     b->piece[b->n++] = (piece){at, whole};

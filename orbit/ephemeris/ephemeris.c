@@ -2,6 +2,7 @@
 // The orbit product as an object: its memory, what is derived from its contents, and what it tells of itself.
 #include "orbit/ephemeris/ephemeris.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,9 +48,14 @@ orr_status eph_alloc(const orr_ephemeris *counts, orr_ephemeris **out, orr_diag 
     e->coef = e->backing != NULL ? orr_backing_take(e->backing, bytes) : aligned_alloc(64, bytes);
     if (e->coef != NULL && e->backing == NULL) memset(e->coef, 0, bytes);
     if (!ok || e->coef == NULL) {
+        const int why = errno;
         orr_ephemeris_free(e);
-        return orr_diag_set(diag, ORR_E_MEMORY, "no %s for an orbit product of %zu segments",
-                            counts->backing != NULL ? "room on the disk" : "memory", counts->n_segments);
+        return counts->backing != NULL
+                   ? orr_diag_set(diag, ORR_E_IO,
+                                  "no room beside the output for an orbit product of %zu segments: %s",
+                                  counts->n_segments, strerror(why))
+                   : orr_diag_set(diag, ORR_E_MEMORY, "no memory for an orbit product of %zu segments",
+                                  counts->n_segments);
     }
     *out = e;
     return ORR_OK;

@@ -226,8 +226,20 @@ static orr_status satellite_is_done(void *user, const orr_orbit_sat *sat)
     return orr_ephemeris_parts_add(s->parts, sat);
 }
 
-// parts: where satellites go to instead of the solution; NULL: they stay in it.
-static orr_status solve(const orr_orbit_plan *plan, orr_ephemeris_parts *parts, const orr_log *log,
+// Positions from which on a product is made satellite by satellite: a fortnight of 80 satellites every quarter of an hour. What
+// is shorter takes less than 250 MB as a whole, and no room beside the output.
+#define MANY_POSITIONS 100000
+
+static orr_status begin_parts(const orr_orbit_plan *plan, const work *w, orr_ephemeris_parts **parts,
+                              orr_diag *diag)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < w->n_sp3; i++) n += w->sp3[i].n_sats * w->sp3[i].n_epochs;
+    return n < MANY_POSITIONS ? ORR_OK : orr_ephemeris_parts_begin(plan->folder, parts, diag);
+}
+
+// parts: where satellites go to instead of the solution, if there are many; NULL: they stay in it.
+static orr_status solve(const orr_orbit_plan *plan, orr_ephemeris_parts **parts, const orr_log *log,
                         const volatile int *cancel, orr_orbit_made *out, orr_warnings *warnings,
                         orr_diag *diag)
 {
@@ -237,11 +249,13 @@ static orr_status solve(const orr_orbit_plan *plan, orr_ephemeris_parts *parts, 
         return orr_diag_set(diag, ORR_E_LIMIT, "at most %d files of a kind are smoothed at once",
                             ORR_ORBIT_MAX_FILES);
     work w = {0};
-    stream to = {&w, parts};
+    stream to = {.w = &w};
     orr_eop_series eop = {0};
     const double begin_s = orr_monotonic_s();
     orr_status s = read_all(plan, log, &w, &eop, warnings, diag);
     const double read_s = orr_monotonic_s();
+    if (s == ORR_OK && parts != NULL) s = begin_parts(plan, &w, parts, diag);
+    if (parts != NULL) to.parts = *parts;
     if (s == ORR_OK) {
         orr_smoother_options options = plan->smoother;
         options.observed_only = plan->predict;
@@ -253,7 +267,7 @@ static orr_status solve(const orr_orbit_plan *plan, orr_ephemeris_parts *parts, 
         options.also = w.also.item;
         options.n_also = w.also.n;
         options.stream.user = &to;
-        if (parts != NULL) {
+        if (to.parts != NULL) {
             options.stream.read = inputs_are_read;
             options.stream.done = satellite_is_done;
         }
@@ -281,10 +295,8 @@ orr_status orr_orbit_make(const orr_orbit_plan *plan, const orr_log *log, const 
                           orr_orbit_made *out, orr_warnings *warnings, orr_diag *diag)
 {
     orr_ephemeris_parts *parts = NULL;
-    orr_status s = ORR_OK;
-    *out = (orr_orbit_made){0};
-    if (plan->folder != NULL && !plan->predict) s = orr_ephemeris_parts_begin(plan->folder, &parts, diag);
-    if (s == ORR_OK) s = solve(plan, parts, log, cancel, out, warnings, diag);
+    const bool may = plan->folder != NULL && !plan->predict;
+    orr_status s = solve(plan, may ? &parts : NULL, log, cancel, out, warnings, diag);
     const double solved_s = orr_monotonic_s();
     if (s != ORR_OK && parts != NULL) orr_ephemeris_parts_error(parts, diag);
     if (s == ORR_OK)

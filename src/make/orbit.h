@@ -26,8 +26,8 @@ typedef struct orr_orbit_plan {
     bool predict;           // go on to `predict_after`, or the last observed position if that is later, ..
     orr_time predict_after; // ORR_TIME_NONE: to that position
     double predict_s;       // .. and so long beyond it
-    // Where a file without a name may lie that holds what is done with, so that of a long span one satellite at a time is in
-    // memory; NULL: all are. A prediction needs all.
+    // Where a file without a name may lie that holds what is done with, so that of a long span (100000 positions and
+    // more) one satellite at a time is in memory; NULL: all are. A prediction needs all.
     const char *folder;
     orr_smoother_options smoother; // eop, nav, clk, n_clk, also and n_also are set by orr_orbit_make
 } orr_orbit_plan;
@@ -39,7 +39,7 @@ orr_orbit_plan orr_orbit_plan_of(const orr_scenario *s);
 
 typedef struct orr_orbit_made {
     orr_ephemeris *ephemeris;    // carries the names and SHA-256 of all inputs and the smoother's options
-    orr_orbit_solution solution; // without satellites where the plan has a folder and predicts nothing
+    orr_orbit_solution solution; // may be without satellites where the plan has a folder
     orr_smoother_report report;
     orr_predict_report prediction;  // where plan->predict asks for one
     double read_s, smooth_s, fit_s; // wall clock
