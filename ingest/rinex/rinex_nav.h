@@ -240,7 +240,8 @@ void orr_nav_of_sat(const orr_nav *nav, orr_sat sat, size_t *first, size_t *coun
 
 // Writes RINEX 3.05: header (ionosphere, time corrections, leap seconds) and the ephemerides whose message
 // that version knows (LNAV, D1/D2, I/NAV, F/NAV, FDMA, SBAS), in the array's order; *n_left_out (may be NULL)
-// counts the others.
+// counts the others. Where nav->version is 4 or more RINEX 4.02: time offsets, Earth orientation, ionosphere and all ephemerides as
+// records; of the offsets and coefficients that name no satellite the first of their system with an ephemeris stands for it.
 // "-" is stdout. Atomic. nav->program, run_by and date are written as they are.
 orr_status orr_nav_write(const orr_nav *nav, const char *path, size_t *n_left_out, orr_diag *diag);
 

@@ -3,6 +3,8 @@
 #ifndef ORR_INGEST_RINEX_RINEX_NAV_PRIVATE_H
 #define ORR_INGEST_RINEX_RINEX_NAV_PRIVATE_H
 
+#include <stdio.h>
+
 #include "core/cursor.h"
 #include "ingest/rinex/rinex_labels.h"
 #include "ingest/rinex/rinex_nav.h"
@@ -101,6 +103,22 @@ bool orr_nav_same_rest(const orr_nav_eph *a, const orr_nav_eph *b);
 // Warns of records of one issue whose orbit or clock differ; eph[n] in the order of orr_nav.eph, name NULL for several
 // files.
 void orr_nav_tell_conflicts(const orr_nav_eph *eph, size_t n, const char *name, orr_warnings *w);
+// ---- writing ----
+
+// A number as D19.12, NAN as blanks.
+void orr_nav_put_number(FILE *f, double v);
+// Four of them as a continuation line.
+//   Given:    f           the file
+//             a, b, c, d  the numbers
+//   Returned: nothing; the file's error indicator tells of what was not written
+void orr_nav_put_line(FILE *f, double a, double b, double c, double d);
+// An ephemeris as its lines, without the "> EPH" of RINEX 4.
+void orr_nav_put_eph(FILE *f, const orr_leap_table *leap, const orr_nav_eph *e);
+// Whether RINEX 3 has records of a message.
+bool orr_nav_in_version_3(uint8_t message);
+// Writes all records behind the header of RINEX 4; returns how many it has no form for.
+size_t orr_nav_put_records4(FILE *f, const orr_nav *nav);
+
 // Appends an element to an array that grows.
 //   Given:    array       address of the pointer to the elements
 //             n           elements so far

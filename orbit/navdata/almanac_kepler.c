@@ -136,6 +136,11 @@ static double reference_of(const orr_almanac_lattice *l, orr_sat sat)
     return orr_nav_beidou_geo(sat) ? 0 : l->i_reference;
 }
 
+double orr_almanac_inclination(orr_sat sat, const orr_almanac *a)
+{
+    return reference_of(orr_almanac_lattice_of(sat), sat) + a->i_offset_rad;
+}
+
 typedef struct problem {
     const orr_navfit_window *w;
     const orr_almanac_lattice *l;

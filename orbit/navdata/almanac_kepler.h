@@ -44,6 +44,9 @@ const orr_navfit_field *orr_almanac_field(const orr_almanac_lattice *l, orr_alma
 // Step in which toa is sent, s of the system's week.
 int orr_almanac_toa_step_s(const orr_almanac_lattice *l);
 
+// Inclination of an almanac, rad: the system's reference and what is sent above it.
+double orr_almanac_inclination(orr_sat sat, const orr_almanac *a);
+
 // Fits the seven orbital parameters of an almanac (e, i, OMEGADOT, sqrt(A), OMEGA0, omega, M0) to a precise orbit.
 // Given:
 //   sat       GPS 1 to 32, Galileo 1 to 36, BeiDou 1 to 63, QZSS 1 to 10, NavIC 1 to 14

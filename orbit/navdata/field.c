@@ -41,3 +41,16 @@ int orr_nav_ura_index(double accuracy_m)
     while (k < 15 && !(accuracy_m <= bound[k])) k++; // NAN is not known
     return k;
 }
+
+int orr_nav_sisa_index(double m)
+{
+    static const struct {
+        double from_m, step_m;
+        int first, last;
+    } part[] = {{0, 0.01, 0, 49}, {0.5, 0.02, 50, 74}, {1, 0.04, 75, 99}, {2, 0.16, 100, 125}};
+    for (size_t k = 0; k < 4 && isfinite(m); k++) {
+        const int i = part[k].first + (int)ceil(fmax(m - part[k].from_m, 0) / part[k].step_m - 1e-9);
+        if (i <= part[k].last) return i;
+    }
+    return 255;
+}

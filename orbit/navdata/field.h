@@ -58,5 +58,7 @@ extern const orr_navfit_field orr_nav_klobuchar_fields[8];
 // The index of an accuracy in metres, as GPS, QZSS, BeiDou and NavIC send it, 0 (2.4 m and below) to 15 (above 6144 m, or not
 // known). (IS-GPS-200N 20.3.3.3.1.3; BDS-SIS-ICD-B1I 3.0, 5.2.4.5; IRNSS SIS ICD 1.1, 6.2.1.4.)
 int orr_nav_ura_index(double accuracy_m);
+// Galileo's: 0 to 125 in steps of 1, 2, 4 and 16 cm; 255 where none is predicted (OS SIS ICD 2.1, table 89).
+int orr_nav_sisa_index(double accuracy_m);
 
 #endif

@@ -64,20 +64,9 @@ static void put_iodnav(const orr_galileo_page *g, orr_page *p)
     orr_page_put(p, 10, (uint64_t)g->eph->iode & 0x3ff);
 }
 
-// Signal-in-space accuracy: index 0 to 125 in steps of 1, 2, 4 and 16 cm; 255: none predicted (table 89).
 static void put_sisa(const orr_galileo_page *g, orr_page *p)
 {
-    static const struct {
-        double from_m, step_m;
-        int first, last;
-    } part[] = {{0, 0.01, 0, 49}, {0.5, 0.02, 50, 74}, {1, 0.04, 75, 99}, {2, 0.16, 100, 125}};
-    const double m = g->eph->accuracy_m;
-    int index = 255;
-    for (size_t k = 0; k < 4 && isfinite(m) && index == 255; k++) {
-        const int i = part[k].first + (int)ceil(fmax(m - part[k].from_m, 0) / part[k].step_m - 1e-9);
-        if (i <= part[k].last) index = i;
-    }
-    orr_page_put(p, 8, (uint64_t)index);
+    orr_page_put(p, 8, (uint64_t)orr_nav_sisa_index(g->eph->accuracy_m));
 }
 
 static void put_ionosphere(const orr_galileo_page *g, orr_page *p)

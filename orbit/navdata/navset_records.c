@@ -58,6 +58,28 @@ static void add_iono(orr_nav *out, uint8_t kind, char system, const double *firs
     if (second != NULL) memcpy(iono->coefficient + n, second, n * sizeof *second);
 }
 
+// The Earth's rotation of every day, as the messages of a system that has them send it (CNAV-2, B-CNAV).
+static void add_eop(const orr_navset *set, char system, orr_nav *out)
+{
+    for (size_t i = 0; i < set->n_sats; i++) {
+        if (orr_sat_system(set->sat[i]) != system) continue;
+        for (size_t k = 0; k < set->n_days; k++) {
+            const orr_modern_rotation *r = &set->day[k].rotation;
+            out->eop[out->n_eop++] = (orr_nav_eop){.sat = set->sat[i],
+                                                   .message = ORR_NAV_CNVX,
+                                                   .t_ref = r->reference,
+                                                   .transmission = r->reference,
+                                                   .xp_rad = r->xp_rad,
+                                                   .xp_rate_radps = r->xp_rate_radps,
+                                                   .yp_rad = r->yp_rad,
+                                                   .yp_rate_radps = r->yp_rate_radps,
+                                                   .dut1_s = r->ut1_utc_s,
+                                                   .dut1_rate_sps = r->ut1_rate_spd / ORR_S_PER_DAY};
+        }
+        return;
+    }
+}
+
 orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *diag)
 {
     size_t n = 0;
@@ -76,7 +98,8 @@ orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *dia
     out->eph = calloc(n + 1, sizeof *out->eph);
     out->iono = calloc(4, sizeof *out->iono);
     out->sto = calloc(OFFSETS, sizeof *out->sto);
-    if (out->eph == NULL || out->iono == NULL || out->sto == NULL) {
+    out->eop = calloc(3 * set->n_days + 1, sizeof *out->eop);
+    if (out->eph == NULL || out->iono == NULL || out->sto == NULL || out->eop == NULL) {
         orr_nav_free(out);
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory for %zu records", n);
     }
@@ -86,6 +109,7 @@ orr_status orr_navset_records(const orr_navset *set, orr_nav *out, orr_diag *dia
             for (size_t j = 0; j < x->n; j++) out->eph[out->n_eph++] = x->item[j].eph;
         }
     add_offsets(set, &utc, out);
+    for (const char *system = "GCJ"; *system != '\0'; system++) add_eop(set, *system, out);
     add_iono(out, ORR_NAV_KLOBUCHAR, 'G', set->alpha, 4, set->beta);
     add_iono(out, ORR_NAV_NEQUICK_G, 'E', set->nequick, 3, NULL);
     add_iono(out, ORR_NAV_KLOBUCHAR, 'C', set->beidou_alpha, 4, set->beidou_beta);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "orbit/navdata/almanac_text.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/navfit_write.h"
@@ -48,16 +49,49 @@ static orr_status make(const orr_cli *c, work *w, orr_warnings *warnings, orr_di
     return s;
 }
 
+// Navigation file, frames of RTCM, almanacs of the day that holds `from`.
+static orr_status write_records(const orr_cli *c, const work *w, orr_time from, orr_diag *diag)
+{
+    static const char *const almanacs[] = {[ORR_ALMANAC_YUMA] = "yuma", [ORR_ALMANAC_SEM] = "sem"};
+    const char *rinex = orr_cli_text(c, "output", NULL), *rtcm = orr_cli_text(c, "rtcm", NULL);
+    const bool four = orr_cli_says(c, "rinex", "4");
+    orr_status s = ORR_OK;
+    size_t n = 0;
+    if (rinex != NULL) s = navfit_write_rinex(w->set, &w->inputs, four ? 4.02 : 3.05, rinex, &n, diag);
+    if (s == ORR_OK && n > 0)
+        orr_cli_say(c, "%s: RINEX 3.05 has no records of %zu sets (CNAV and its kin); --rinex 4 writes them",
+                    rinex, n);
+    if (s == ORR_OK && rtcm != NULL) {
+        s = navfit_write_rtcm(w->set, c->leap, rtcm, &n, diag);
+        if (s == ORR_OK) orr_cli_say(c, "%s: %zu messages", rtcm, n);
+    }
+    for (int k = ORR_ALMANAC_YUMA; k <= ORR_ALMANAC_SEM && s == ORR_OK; k++) {
+        const char *path = orr_cli_text(c, almanacs[k], NULL);
+        if (path == NULL) continue;
+        s = orr_almanac_write(w->set, (orr_almanac_format)k, from, path, &n, diag);
+        if (s == ORR_OK) orr_cli_say(c, "%s: almanacs of %zu satellites", path, n);
+    }
+    return s;
+}
+
+// How many outputs go to standard output.
+static int to_stdout(const orr_cli *c)
+{
+    static const char *const outputs[] = {"output", "bits", "symbols", "rtcm", "yuma", "sem"};
+    int n = orr_cli_says(c, "format", "json");
+    for (size_t k = 0; k < sizeof outputs / sizeof *outputs; k++)
+        n += strcmp(orr_cli_text(c, outputs[k], ""), "-") == 0;
+    return n;
+}
+
 static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
 {
-    const char *rinex = orr_cli_text(c, "output", NULL), *bits = orr_cli_text(c, "bits", NULL),
-               *symbols = orr_cli_text(c, "symbols", NULL);
-    orr_status s = ORR_OK;
-    if (rinex != NULL) s = navfit_write_rinex(w->set, &w->inputs, rinex, diag);
+    const char *bits = orr_cli_text(c, "bits", NULL), *symbols = orr_cli_text(c, "symbols", NULL);
     orr_time from, to;
     orr_ephemeris_span(w->product, &from, &to);
     from = orr_cli_time(c, "from", from);
     to = orr_cli_time(c, "to", to);
+    orr_status s = write_records(c, w, from, diag);
     for (int coded = 0; coded < 2 && s == ORR_OK; coded++) {
         const char *path = coded ? symbols : bits;
         size_t n = 0;
@@ -70,12 +104,11 @@ static orr_status write_outputs(const orr_cli *c, const work *w, orr_diag *diag)
 
 static int run(orr_cli *c)
 {
-    const char *rinex = orr_cli_text(c, "output", ""), *bits = orr_cli_text(c, "bits", ""),
-               *symbols = orr_cli_text(c, "symbols", "");
     const bool json = orr_cli_says(c, "format", "json");
-    if ((strcmp(rinex, "-") == 0) + (strcmp(bits, "-") == 0) + (strcmp(symbols, "-") == 0) + json > 1)
+    if (to_stdout(c) > 1)
         return orr_cli_usage(
-            c, "only one of --output, --bits, --symbols and --format json can go to standard output");
+            c, "only one of --output, --bits, --symbols, --rtcm, --yuma, --sem and --format json "
+               "can go to standard output");
     if (orr_cli_given(c, "from") && orr_cli_given(c, "to") &&
         orr_cli_time(c, "to", 0) <= orr_cli_time(c, "from", 0))
         return orr_cli_usage(c, "--to is not after --from");
@@ -98,7 +131,31 @@ static int run(orr_cli *c)
 }
 
 static const orr_option options[] = {
-    ORR_OPTION_OUTPUT_AS(.help = "Write the sets as RINEX NAV 3.05."),
+    ORR_OPTION_OUTPUT_AS(.help = "Write the sets as a RINEX navigation file."),
+    {.name = "rinex",
+     .kind = ORR_OPT_CHOICE,
+     .applies = "output",
+     .value = "3|4",
+     .help =
+         "Its version: 3.05 (default), which has no records of CNAV and its kin, or 4.02, which has all, and "
+         "records of time offsets, Earth orientation and ionosphere."},
+    {.writes = true,
+     .name = "rtcm",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Write the sets as messages of RTCM 3 in the order of their transmission: 1019 (GPS), 1020 "
+             "(GLONASS), "
+             "1041 (NavIC), 1042 (BeiDou D1 and D2), 1044 (QZSS), 1045 (F/NAV), 1046 (I/NAV)."},
+    {.writes = true,
+     .name = "yuma",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Write the almanacs of GPS and QZSS (PRN 193 and on) of the day that holds --from as YUMA."},
+    {.writes = true,
+     .name = "sem",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "Write the almanacs of GPS of that day as SEM."},
     {.writes = true,
      .name = "bits",
      .kind = ORR_OPT_TEXT,
@@ -115,8 +172,9 @@ static const orr_option options[] = {
      .value = "FILE",
      .help = "The same as the symbols that a modulator takes: error correction, interleaving and "
              "synchronisation are done. Secondary codes are the generator's."},
-    ORR_OPTION_FROM(.applies = "bits|symbols",
-                    .help = "First instant of the bits; the product's beginning by default."),
+    ORR_OPTION_FROM(
+            .applies = "bits|symbols|yuma|sem",
+            .help = "First instant of the bits, day of the almanacs; the product's beginning by default."),
     ORR_OPTION_TO(.applies = "bits|symbols", .help = "End of the bits; the product's end by default."),
     {.name = "message",
      .kind = ORR_OPT_TEXT,

@@ -8,6 +8,7 @@
 
 #include "core/outfile.h"
 #include "orbit/navdata/navframe.h"
+#include "orbit/navdata/rtcm_ephemeris.h"
 
 // Comments of at most 60 characters: a file's name, and its SHA-256 in two halves.
 static orr_status put_comments(const orr_inputs *inputs, orr_nav *nav, orr_diag *diag)
@@ -28,18 +29,72 @@ static orr_status put_comments(const orr_inputs *inputs, orr_nav *nav, orr_diag 
     return nav->n_comments == 3 * inputs->n ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
 }
 
-orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, const char *path,
-                              orr_diag *diag)
+orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, double version,
+                              const char *path, size_t *n_left, orr_diag *diag)
 {
     orr_nav nav;
     orr_status s = orr_navset_records(set, &nav, diag);
     if (s != ORR_OK) return s;
+    nav.version = version;
     time_t now = time(NULL);
     struct tm utc;
     snprintf(nav.program, sizeof nav.program, "orrery %s", ORR_VERSION);
     if (gmtime_r(&now, &utc) != NULL) strftime(nav.date, sizeof nav.date, "%Y%m%d %H%M%S UTC", &utc);
     s = put_comments(inputs, &nav, diag);
-    if (s == ORR_OK) s = orr_nav_write(&nav, path, NULL, diag);
+    if (s == ORR_OK) s = orr_nav_write(&nav, path, n_left, diag);
+    orr_nav_free(&nav);
+    return s;
+}
+
+static int by_transmission(const void *a, const void *b)
+{
+    const orr_nav_eph *x = a, *y = b;
+    if (x->transmission != y->transmission) return x->transmission < y->transmission ? -1 : 1;
+    if (x->sat != y->sat) return x->sat < y->sat ? -1 : 1;
+    return (int)x->message - (int)y->message;
+}
+
+// Keeps the records that RTCM has messages for, in the order of their transmission.
+static void keep_for_rtcm(orr_nav *nav)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < nav->n_eph; i++)
+        if (orr_rtcm_number(nav->eph[i].sat, (orr_nav_message)nav->eph[i].message) != 0)
+            nav->eph[n++] = nav->eph[i];
+    nav->n_eph = n;
+    qsort(nav->eph, n, sizeof *nav->eph, by_transmission);
+}
+
+static orr_status put_frames(FILE *f, const orr_nav *nav, const orr_leap_table *leap, orr_diag *diag)
+{
+    orr_status s = ORR_OK;
+    for (size_t i = 0; i < nav->n_eph && s == ORR_OK; i++) {
+        orr_rtcm_frame frame;
+        s = orr_rtcm_ephemeris(&nav->eph[i], leap, &frame, diag);
+        if (s == ORR_OK && fwrite(frame.data, 1, frame.n, f) != frame.n)
+            s = orr_diag_set(diag, ORR_E_IO, "the output could not be written");
+    }
+    return s;
+}
+
+orr_status navfit_write_rtcm(const orr_navset *set, const orr_leap_table *leap, const char *path, size_t *n,
+                             orr_diag *diag)
+{
+    orr_nav nav;
+    orr_outfile out;
+    orr_status s = orr_navset_records(set, &nav, diag);
+    if (s != ORR_OK) return s;
+    keep_for_rtcm(&nav);
+    *n = nav.n_eph;
+    if (nav.n_eph == 0) s = orr_diag_set(diag, ORR_E_NODATA, "RTCM 3 has messages for none of the sets");
+    if (s == ORR_OK) s = orr_outfile_open(path, &out, diag);
+    if (s == ORR_OK) {
+        s = put_frames(out.stream, &nav, leap, diag);
+        if (s == ORR_OK)
+            s = orr_outfile_commit(&out, diag);
+        else
+            orr_outfile_abort(&out);
+    }
     orr_nav_free(&nav);
     return s;
 }

@@ -7,9 +7,28 @@
 #include "src/cli/frame/cli.h"
 #include "src/make/inputs.h"
 
-// RINEX NAV 3.05; comments of the header name the inputs and their SHA-256.
-orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, const char *path,
-                              orr_diag *diag);
+// Writes the sets as a navigation file; comments of the header name the inputs and their SHA-256.
+// Given:
+//   set       the broadcast data
+//   inputs    what they were made from
+//   version   of RINEX: 3.05 or 4.02
+//   path      where to
+// Returned:
+//   n_left    sets whose messages that version has no records of
+//   diag      why it failed; may be NULL
+orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, double version,
+                              const char *path, size_t *n_left, orr_diag *diag);
+// Writes the sets that RTCM 3 has messages for as its frames, in the order of their transmission.
+// Given:
+//   set       the broadcast data
+//   leap      table of leap seconds
+//   path      where to
+// Returned:
+//   n         frames
+//   diag      why it failed; may be NULL
+// Errors: ORR_E_NODATA where there is none, ORR_E_RANGE, ORR_E_IO, ORR_E_MEMORY.
+orr_status navfit_write_rtcm(const orr_navset *set, const orr_leap_table *leap, const char *path, size_t *n,
+                             orr_diag *diag);
 // Writes the bit streams as CSV.
 // Given:
 //   set       the broadcast data

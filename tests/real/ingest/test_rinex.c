@@ -183,12 +183,89 @@ static void ephemerides_written_and_read_back(void **state)
     }
 }
 
+static void same_numbers(const void *a, const void *b, size_t size)
+{
+    const double *x = a, *y = b;
+    for (size_t k = 0; k < size / sizeof *x; k++) assert_true(same(x[k], y[k], 1e-12 * fabs(x[k])));
+}
+
+static void same_ephemeris(const orr_nav_eph *x, const orr_nav_eph *y)
+{
+    assert_true(x->sat == y->sat && x->kind == y->kind && x->message == y->message && x->toe == y->toe &&
+                x->toc == y->toc && x->transmission == y->transmission && x->health == y->health);
+    assert_true(x->iode == y->iode && x->iodc == y->iodc && x->sat_type == y->sat_type &&
+                x->l2p_flag == y->l2p_flag && x->data_sources == y->data_sources);
+    assert_true(x->ura_ed == y->ura_ed && x->ura_ned[0] == y->ura_ned[0] && x->ura_ned[1] == y->ura_ned[1] &&
+                x->ura_ned[2] == y->ura_ned[2]);
+    assert_true(x->sisai_oe == y->sisai_oe && x->sisai_ocb == y->sisai_ocb && x->sisai_oc1 == y->sisai_oc1 &&
+                x->sisai_oc2 == y->sisai_oc2 && x->sismai == y->sismai &&
+                x->integrity_flags == y->integrity_flags);
+    same_numbers(&x->af0_s, &y->af0_s, 3 * sizeof x->af0_s);
+    same_numbers(&x->accuracy_m, &y->accuracy_m, sizeof x->accuracy_m);
+    same_numbers(&x->delay, &y->delay, sizeof x->delay);
+    if (x->kind == ORR_NAV_KEPLER) same_numbers(&x->kepler, &y->kepler, sizeof x->kepler);
+    if (x->kind == ORR_NAV_GLONASS) same_numbers(&x->glonass.pos_m, &y->glonass.pos_m, 3 * sizeof(orr_vec3));
+    if (x->kind == ORR_NAV_GEO) same_numbers(&x->geo.pos_m, &y->geo.pos_m, 3 * sizeof(orr_vec3));
+}
+
+// All records of files of version 4 through the writer of that version: ephemerides of every message, time offsets, Earth
+// orientation, ionosphere. NavIC's L1 ionosphere alone has no form there.
+static void records_of_version_4_written_and_read_back(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"rinex4-nav/BRD400DLR_S_20230710000_01D_MN.rnx.gz",
+                                        "rinex4-nav/KMS300DNK_R_20221591000_01H_MN.rnx.gz"};
+    char copy[64];
+    snprintf(copy, sizeof copy, "test_rinex_nav4_real.%ld.rnx", (long)getpid());
+    for (size_t f = 0; f < sizeof names / sizeof names[0]; f++) {
+        char path[1024];
+        if (!orr_test_data(names[f], path, sizeof path)) SKIP_NO_DATA(names[f]);
+        orr_nav a, b;
+        orr_diag diag = {0};
+        size_t left = 99, messages = 0;
+        ASSERT_OK(orr_nav_read(path, NULL, &a, NULL, &diag), diag);
+        assert_true(a.version >= 4);
+        ASSERT_OK(orr_nav_write(&a, copy, &left, &diag), diag);
+        ASSERT_OK(orr_nav_read(copy, NULL, &b, NULL, &diag), diag);
+        unlink(copy);
+        assert_int_equal(left, 0);
+        assert_true(b.version > 4.015 && b.version < 4.025);
+        assert_true(a.n_eph == b.n_eph && a.n_sto == b.n_sto && a.n_eop == b.n_eop && a.n_iono == b.n_iono);
+        for (size_t i = 0; i < a.n_eph; i++) {
+            same_ephemeris(&a.eph[i], &b.eph[i]);
+            messages |= (size_t)1 << a.eph[i].message;
+        }
+        print_message("%s: %zu ephemerides of %d messages, %zu offsets, %zu orientations, %zu ionospheres\n",
+                      names[f], a.n_eph, __builtin_popcountll(messages), a.n_sto, a.n_eop, a.n_iono);
+        for (size_t i = 0; i < a.n_sto; i++) {
+            const orr_nav_sto *x = &a.sto[i], *y = &b.sto[i];
+            assert_true(x->t_ref == y->t_ref && x->transmission == y->transmission && x->sat == y->sat &&
+                        x->message == y->message);
+            assert_string_equal(x->code, y->code);
+            assert_string_equal(x->utc_id, y->utc_id);
+            same_numbers(&x->a0_s, &y->a0_s, 3 * sizeof x->a0_s);
+        }
+        for (size_t i = 0; i < a.n_eop; i++) {
+            assert_true(a.eop[i].t_ref == b.eop[i].t_ref && a.eop[i].transmission == b.eop[i].transmission);
+            same_numbers(&a.eop[i].xp_rad, &b.eop[i].xp_rad, 9 * sizeof(double));
+        }
+        for (size_t i = 0; i < a.n_iono; i++) {
+            assert_true(a.iono[i].kind == b.iono[i].kind && a.iono[i].t == b.iono[i].t &&
+                        a.iono[i].flags == b.iono[i].flags && a.iono[i].sat == b.iono[i].sat);
+            same_numbers(a.iono[i].coefficient, b.iono[i].coefficient, sizeof a.iono[i].coefficient);
+        }
+        orr_nav_free(&a);
+        orr_nav_free(&b);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(code_and_phase_agree),
         cmocka_unit_test(observations_written_and_read_back),
         cmocka_unit_test(ephemerides_written_and_read_back),
+        cmocka_unit_test(records_of_version_4_written_and_read_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
