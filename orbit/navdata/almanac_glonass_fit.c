@@ -25,6 +25,9 @@ typedef struct day_positions {
 
 // What is solved for, in the order of rounding. h and l stand for e and omega, which a round orbit does not
 // have.
+// Every step squares the distance over the orbit's size: of 30 m less than a millimetre is left.
+#define CONVERGED_M 30.0
+
 enum { T_LAMBDA, LAMBDA, DELTA_I, DELTA_T, H, L, UNKNOWNS };
 static const double step[UNKNOWNS] = {1e-2, 1e-6, 1e-6, 1e-2, 1e-6, 1e-6}; // some 40 m each
 static const double lsb[H] = {ORR_GLONASS_ALM_T_LAMBDA_LSB_S, ORR_GLONASS_ALM_ANGLE_LSB_RAD,
@@ -96,9 +99,9 @@ static orr_status gauss_newton(double x[UNKNOWNS], int first, orr_glonass_almana
 
 static orr_status converge(double x[UNKNOWNS], int first, orr_glonass_almanac *a, const day_positions *p)
 {
-    double moved_m = 1;
+    double moved_m = 2 * CONVERGED_M;
     orr_status s = ORR_OK;
-    for (int k = 0; k < ITERATIONS && s == ORR_OK && moved_m > 0.1; k++)
+    for (int k = 0; k < ITERATIONS && s == ORR_OK && moved_m > CONVERGED_M; k++)
         s = gauss_newton(x, first, a, p, &moved_m);
     take(x, a);
     return s;

@@ -113,10 +113,7 @@ orr_status orr_navfit_judge(const orr_nav_eph *e, const orr_navfit_window *w, do
     return ORR_OK;
 }
 
-// The Sun in ecef to 0.01 deg (The Astronomical Almanac, low-precision formulas). It only turns the antenna's
-// horizontal offset, less than half a metre, about the vertical: 0.1 mm, and a fit asks for hundreds of
-// positions.
-static orr_vec3 rough_sun(orr_time t)
+orr_vec3 orr_navfit_rough_sun(orr_time t)
 {
     int32_t mjd;
     double fraction;
@@ -126,8 +123,9 @@ static orr_vec3 rough_sun(orr_time t)
     const double lambda = (280.460 + 0.9856474 * d + 1.915 * sin(g) + 0.020 * sin(2 * g)) * deg;
     const double eps = (23.439 - 0.0000004 * d) * deg;
     const double ra = atan2(cos(eps) * sin(lambda), cos(lambda)), dec = asin(sin(eps) * sin(lambda));
-    const double lon = ra - (280.46061837 + 360.98564736629 * d) * deg, au = ORR_AU_M;
-    return orr_vec3_make(au * cos(dec) * cos(lon), au * cos(dec) * sin(lon), au * sin(dec));
+    const double lon = ra - (280.46061837 + 360.98564736629 * d) * deg;
+    const double r = ORR_AU_M * (1.00014 - 0.01671 * cos(g) - 0.00014 * cos(2 * g));
+    return orr_vec3_make(r * cos(dec) * cos(lon), r * cos(dec) * sin(lon), r * sin(dec));
 }
 
 orr_status orr_navfit_from_product(void *product, orr_time t, orr_vec3 *pos)
@@ -139,7 +137,9 @@ orr_status orr_navfit_from_product(void *product, orr_time t, orr_vec3 *pos)
     *pos = s.pos_m;
     if (fabs(p->offset_m[0]) + fabs(p->offset_m[1]) + fabs(p->offset_m[2]) <= 0) return ORR_OK;
     orr_attitude a;
-    status = orr_attitude_nominal(s.pos_m, orr_velocity_inertial(s.pos_m, s.vel_mps), rough_sun(t), &a);
+    // The Sun only turns the antenna's horizontal offset, less than half a metre, about the vertical: 0.1 mm.
+    status =
+        orr_attitude_nominal(s.pos_m, orr_velocity_inertial(s.pos_m, s.vel_mps), orr_navfit_rough_sun(t), &a);
     if (status != ORR_OK) return status;
     *pos = orr_vec3_add(
         s.pos_m, orr_mat3_apply_t(&a.body, (orr_vec3){p->offset_m[0], p->offset_m[1], p->offset_m[2]}));

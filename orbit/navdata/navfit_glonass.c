@@ -15,6 +15,7 @@
 #define CONVERGED_M 1e-5
 #define DERIVED_WITHIN_M 100
 #define SEARCH_NODES 3000
+#define DIFFERENCE 100 // LSBs
 #define N 9
 
 #define POS_LSB (1e3 * P2(11))
@@ -55,31 +56,29 @@ typedef struct problem {
     double J[ORR_NAVFIT_ROWS * N], A[ORR_NAVFIT_ROWS * N], b[ORR_NAVFIT_ROWS]; // A: J, decomposed
 } problem;
 
-// Jacobian in units of the LSBs by central differences. Steps of a hundred LSBs: 49 m, 0.1 m/s, 1e-4 m/s^2,
-// over which the motion is linear to 1e-5; for the same reason one Jacobian serves until the solution moves
-// by more than that.
+// Jacobian in units of the LSBs by differences. Steps of a hundred LSBs: 49 m, 0.1 m/s, 1e-4 m/s^2, over which the motion is linear to
+// 1e-5; for the same reason one Jacobian serves until the solution moves by more than that.
 static orr_status derive(problem *q, const orr_nav_glonass *g)
 {
     const size_t n = q->w->n;
-    orr_vec3 at[2][ORR_NAVFIT_POSITIONS];
+    orr_vec3 here[ORR_NAVFIT_POSITIONS], there[ORR_NAVFIT_POSITIONS];
     double p[N];
     to_array(g, p);
-    for (size_t j = 0; j < N; j++) {
-        for (int side = 0; side < 2; side++) {
-            orr_nav_glonass moved;
-            double there[N];
-            memcpy(there, p, sizeof there);
-            there[j] += (side == 0 ? -100 : 100) * table[j].lsb;
-            from_array(there, &moved);
-            orr_status s = orr_broadcast_glonass_track(&moved, q->tk, n, at[side]);
-            if (s != ORR_OK) return s;
-        }
-        for (size_t i = 0; i < n; i++) {
-            orr_vec3 d = orr_vec3_scale(1.0 / 200, orr_vec3_sub(at[1][i], at[0][i]));
+    orr_status s = orr_broadcast_glonass_track(g, q->tk, n, here);
+    for (size_t j = 0; j < N && s == ORR_OK; j++) {
+        orr_nav_glonass moved;
+        double at[N];
+        memcpy(at, p, sizeof at);
+        at[j] += DIFFERENCE * table[j].lsb;
+        from_array(at, &moved);
+        s = orr_broadcast_glonass_track(&moved, q->tk, n, there);
+        for (size_t i = 0; i < n && s == ORR_OK; i++) {
+            const orr_vec3 d = orr_vec3_scale(1.0 / DIFFERENCE, orr_vec3_sub(there[i], here[i]));
             double *column = &q->J[3 * i * N + j];
             column[0] = d.x, column[N] = d.y, column[2 * N] = d.z;
         }
     }
+    if (s != ORR_OK) return s;
     q->rows = 3 * n;
     for (size_t j = 6; j < N; j++) {
         double *row = &q->J[q->rows++ * N];
@@ -108,14 +107,14 @@ static orr_status solve(problem *q, const orr_nav_glonass *g, double *x)
 }
 
 // Tide of Sun and Moon at r, ecef axes: what the message calls the lunisolar acceleration. The secular pole and UT1 by the leap
-// seconds (3e-5 rad) are enough: 5e-6 m/s^2 turned by that are 2e-10 m/s^2, and the message's last bit is 9e-7 m/s^2.
+// seconds (3e-5 rad), and the Sun to 2e-4 rad, are enough: 5e-6 m/s^2 turned by that are 1e-9 m/s^2, and the message's last bit is
+// 9e-7 m/s^2.
 static orr_vec3 lunisolar(orr_time t, orr_vec3 r)
 {
     orr_mat3 R;
     orr_eop eop = orr_eop_at(NULL, t, NULL, NULL);
     orr_astro_gcrs_to_itrs(t, &eop, NULL, &R, NULL);
-    orr_vec3 body[2] = {orr_mat3_apply(&R, orr_astro_sun(t)), orr_mat3_apply(&R, orr_astro_moon(t))},
-             a = {0, 0, 0};
+    orr_vec3 body[2] = {orr_navfit_rough_sun(t), orr_mat3_apply(&R, orr_astro_moon(t))}, a = {0, 0, 0};
     const double gm[2] = {ORR_SUN_GM, ORR_MOON_GM};
     for (int k = 0; k < 2; k++) {
         orr_vec3 d = orr_vec3_sub(body[k], r);
@@ -158,6 +157,20 @@ static orr_status gauss_newton(problem *q, orr_nav_glonass *g)
         moved = sqrt(sum / (double)q->w->n);
     }
     return moved <= 1e-3 ? ORR_OK : ORR_E_NUMERIC;
+}
+
+// How far the model is from the window, integrated through it in one go.
+static orr_status rms_of(const problem *q, const orr_nav_glonass *g, double *rms_m)
+{
+    orr_vec3 at[ORR_NAVFIT_POSITIONS];
+    double sum = 0;
+    const orr_status s = orr_broadcast_glonass_track(g, q->tk, q->w->n, at);
+    for (size_t i = 0; i < q->w->n && s == ORR_OK; i++) {
+        const orr_vec3 d = orr_vec3_sub(q->w->pos[i], at[i]);
+        sum += orr_vec3_dot(d, d);
+    }
+    *rms_m = sqrt(sum / (double)q->w->n);
+    return s;
 }
 
 static orr_status to_lattice(problem *q, orr_nav_glonass *g, orr_diag *diag)
@@ -206,7 +219,7 @@ orr_status orr_navfit_glonass(orr_sat sat, orr_time tb, orr_time from, orr_time 
     s = first_guess(&e, &w);
     q.start[0] = e.glonass.acc_mps2.x, q.start[1] = e.glonass.acc_mps2.y, q.start[2] = e.glonass.acc_mps2.z;
     if (s == ORR_OK) s = gauss_newton(&q, &e.glonass);
-    if (s == ORR_OK) s = orr_navfit_judge(&e, &w, &report->fit_rms_m, NULL);
+    if (s == ORR_OK) s = rms_of(&q, &e.glonass, &report->fit_rms_m);
     if (s == ORR_OK) s = to_lattice(&q, &e.glonass, diag);
     if (s == ORR_E_RANGE) return s;
     if (s == ORR_OK) s = orr_navfit_judge(&e, &w, &report->rms_m, &report->max_m);

@@ -11,7 +11,8 @@
 #include "orbit/navdata/system_week.h"
 
 #define ITERATIONS 20
-#define CONVERGED_M 1e-5
+#define CONVERGED_M                                                                                          \
+    1.0 // every step squares the distance over the orbit's size: a metre leaves less than a micrometre
 #define SEARCH_NODES 3000
 #define N ORR_KEPLER_N // at most; q->l->n of them
 
@@ -57,15 +58,13 @@ typedef struct problem {
     double A[ORR_NAVFIT_ROWS * N], b[ORR_NAVFIT_ROWS];
 } problem;
 
-// Jacobian in units of the parameters' LSBs, and residuals, over the window; by the elements that are sent,
-// or by their regular combinations.
-static void linearise(problem *q, const orr_nav_eph *e, bool by_elements)
+// Jacobian in units of the parameters' LSBs, and residuals, over the window, by the regular combinations of e, omega and M0.
+static void linearise(problem *q, const orr_nav_eph *e)
 {
     for (size_t i = 0; i < q->w->n; i++) {
         orr_vec3 d[N];
         orr_vec3 r = orr_vec3_sub(
             q->w->pos[i], orr_kepler_position(&q->axes, &e->kepler, orr_time_diff_s(q->w->t[i], e->toe), d));
-        if (by_elements) orr_kepler_by_elements(&e->kepler, d);
         if (q->l->sends_a)
             d[ORR_KEPLER_SQRT_A] = orr_vec3_scale(0.5 / e->kepler.sqrt_a_sqrtm, d[ORR_KEPLER_SQRT_A]);
         double *row = &q->A[3 * i * q->n];
@@ -120,7 +119,7 @@ static orr_status gauss_newton(problem *q, orr_nav_eph *e)
     for (int it = 0; it < ITERATIONS && moved > CONVERGED_M; it++) {
         double x[N], p[N], sum = 0;
         orr_kepler_lattice_values(q->l, k, p);
-        linearise(q, e, false);
+        linearise(q, e);
         for (size_t j = 0; j < q->n; j++)
             if (guide[j].usual > 0) (void)pull(q, j, q->weight_m[j], guide[j].usual, q->target[j] - p[j]);
         double tau[N];
@@ -138,7 +137,7 @@ static orr_status gauss_newton(problem *q, orr_nav_eph *e)
         from_array(q->l, p, k);
         if (!(k->e < 0.9) || !(k->sqrt_a_sqrtm > 2500 && k->sqrt_a_sqrtm < 3e4)) return ORR_E_NUMERIC;
     }
-    return moved <= 1e-3 ? ORR_OK : ORR_E_NUMERIC;
+    return moved <= CONVERGED_M ? ORR_OK : ORR_E_NUMERIC;
 }
 
 // How far from its base a field reaches.
@@ -164,7 +163,25 @@ static bool hold_in_fields(problem *q, const orr_nav_kepler *k)
     return any;
 }
 
-// The nearest lattice point by the linear model about the parameters rounded one by one.
+// The triangle that the last step left, by the elements that are sent in the place of their regular combinations, as rows of q->A;
+// q->b: what they say of the way from the parameters p to the fitted ones.
+static void by_elements(problem *q, const orr_nav_kepler *k, const double fitted[N], const double p[N])
+{
+    const double cw = cos(k->omega_rad), sw = sin(k->omega_rad), e = k->e, by_e = lsb(q, E) / lsb(q, OMEGA),
+                 by_m = lsb(q, OMEGA) / lsb(q, M0);
+    for (size_t i = 0; i < q->n; i++) {
+        double *row = &q->A[i * q->n];
+        for (size_t j = 0; j < i; j++) row[j] = 0;
+        const double ex = row[E], ey = row[OMEGA], lambda = row[M0];
+        row[E] = cw * ex + sw * by_e * ey;
+        row[OMEGA] = e * (cw * ey - sw / by_e * ex) + by_m * lambda;
+        q->b[i] = 0;
+        for (size_t j = 0; j < q->n; j++) q->b[i] += row[j] * (fitted[j] - p[j]) / lsb(q, j);
+    }
+    q->rows = q->n;
+}
+
+// The nearest lattice point by the linear model of the last step, about the parameters rounded one by one.
 static orr_status to_lattice(problem *q, orr_nav_eph *e, orr_diag *diag)
 {
     double fitted[N], p[N], whole[N], R[N * N], z[N];
@@ -173,8 +190,7 @@ static orr_status to_lattice(problem *q, orr_nav_eph *e, orr_diag *diag)
         whole[j] = orr_navfit_whole(&q->l->element[j], fitted[j]);
         p[j] = q->l->element[j].base + whole[j] * lsb(q, j);
     }
-    from_array(q->l, p, &e->kepler);
-    linearise(q, e, true);
+    by_elements(q, &e->kepler, fitted, p);
     for (size_t j = 0; j < q->n; j++) {
         double by = fitted[j] - p[j], reach = guide[j].reach;
         if (j == ORR_KEPLER_SQRT_A && q->l->sends_a) reach *= A_PER_ROOT;
@@ -204,6 +220,18 @@ static orr_status to_lattice(problem *q, orr_nav_eph *e, orr_diag *diag)
     }
     from_array(q->l, p, &e->kepler);
     return ORR_OK;
+}
+
+// How far the model is from the window.
+static double rms_of(const problem *q, const orr_nav_eph *e)
+{
+    double sum = 0;
+    for (size_t i = 0; i < q->w->n; i++) {
+        const double tk = orr_time_diff_s(q->w->t[i], e->toe);
+        const orr_vec3 d = orr_vec3_sub(q->w->pos[i], orr_kepler_position(&q->axes, &e->kepler, tk, NULL));
+        sum += orr_vec3_dot(d, d);
+    }
+    return sqrt(sum / (double)q->w->n);
 }
 
 static orr_status begin(orr_sat sat, uint8_t message, orr_time toe, const orr_kepler_lattice *l,
@@ -252,7 +280,7 @@ orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe,
     do {
         if (s == ORR_OK) s = gauss_newton(&q, &e);
     } while (s == ORR_OK && hold_in_fields(&q, &e.kepler));
-    if (s == ORR_OK) s = orr_navfit_judge(&e, &w, &report->fit_rms_m, NULL);
+    if (s == ORR_OK) report->fit_rms_m = rms_of(&q, &e);
     if (s == ORR_OK) s = to_lattice(&q, &e, diag);
     if (s == ORR_E_RANGE) return s;
     if (s == ORR_OK) s = orr_navfit_judge(&e, &w, &report->rms_m, &report->max_m);

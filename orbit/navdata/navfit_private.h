@@ -54,6 +54,9 @@ orr_status orr_navfit_gather(orr_time from, orr_time to, double step_s, orr_navf
 size_t orr_navfit_middle(const orr_navfit_window *w, orr_time t0, double earth_rate, orr_vec3 *r,
                          orr_vec3 *v);
 
+// The Sun in ecef, m, to 0.01 deg (The Astronomical Almanac, low-precision formulas): for what asks for it hundreds of times.
+orr_vec3 orr_navfit_rough_sun(orr_time t);
+
 // The product's clock over a window as a line about t0.
 #define ORR_NAVFIT_CLOCKS 25
 typedef struct orr_navfit_line {

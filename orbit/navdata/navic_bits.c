@@ -58,22 +58,15 @@ static void put_almanac(const orr_navic_subframe *d, orr_page *p)
 {
     const orr_almanac *a = d->almanac;
     const orr_almanac_lattice *l = orr_almanac_lattice_of(d->eph->sat);
-    const struct {
-        orr_almanac_part part;
-        double value;
-    } rest[] = {{ORR_ALMANAC_DELTA_I, a->i_offset_rad},
-                {ORR_ALMANAC_OMEGA_DOT, a->omega_dot_radps},
-                {ORR_ALMANAC_SQRT_A, a->sqrt_a_sqrtm},
-                {ORR_ALMANAC_OMEGA0, a->omega0_rad},
-                {ORR_ALMANAC_OMEGA, a->omega_rad},
-                {ORR_ALMANAC_M0, a->m0_rad},
-                {ORR_ALMANAC_AF0, a->af0_s},
-                {ORR_ALMANAC_AF1, a->af1_sps}};
+    static const uint8_t rest[] = {ORR_ALMANAC_DELTA_I, ORR_ALMANAC_OMEGA_DOT, ORR_ALMANAC_SQRT_A,
+                                   ORR_ALMANAC_OMEGA0,  ORR_ALMANAC_OMEGA,     ORR_ALMANAC_M0,
+                                   ORR_ALMANAC_AF0,     ORR_ALMANAC_AF1};
+    double value[ORR_ALMANAC_PARTS];
+    orr_almanac_values(a, value);
     orr_page_put(p, 10, (uint64_t)d->almanac_week);
     orr_page_value(p, orr_almanac_field(l, ORR_ALMANAC_E), a->e);
     orr_page_put(p, 16, (uint64_t)(a->toa_s / orr_almanac_toa_step_s(l)));
-    for (size_t k = 0; k < sizeof rest / sizeof *rest; k++)
-        orr_page_value(p, orr_almanac_field(l, rest[k].part), rest[k].value);
+    for (size_t k = 0; k < sizeof rest; k++) orr_page_value(p, orr_almanac_field(l, rest[k]), value[rest[k]]);
     orr_page_put(p, 6, (uint64_t)a->number);
 }
 

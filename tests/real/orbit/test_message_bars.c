@@ -42,14 +42,14 @@ typedef struct bar {
 static const bar bars[] = {
     {"LNAV", 'G', ORR_NAV_LNAV, 7200, false, false, 0.025, 0},
     {"CNAV", 'G', ORR_NAV_CNAV, 7200, false, false, 0.004, 0},
-    {"CNAV", 'G', ORR_NAV_CNAV, 10800, false, false, 0.02, 0.022},
+    {"CNAV", 'G', ORR_NAV_CNAV, 10800, false, false, 0.02, 0},
     {"I/NAV, F/NAV", 'E', ORR_NAV_INAV, 7200, false, false, 0.02, 0},
     {"I/NAV, F/NAV", 'E', ORR_NAV_INAV, 14400, false, false, 0.2, 0.25},
     {"I/NAV, F/NAV, E14 and E18", 'E', ORR_NAV_INAV, 3600, false, true, 0.02, 0},
     {"D1", 'C', ORR_NAV_D1, 7200, false, false, 0.02, 0},
     {"D2", 'C', ORR_NAV_D2, 7200, true, false, 0.02, 0},
     {"B-CNAV", 'C', ORR_NAV_CNV1, 7200, false, false, 0.004, 0},
-    {"B-CNAV", 'C', ORR_NAV_CNV1, 10800, false, false, 0.02, 0.022},
+    {"B-CNAV", 'C', ORR_NAV_CNV1, 10800, false, false, 0.02, 0},
 };
 
 static bool belongs(const bar *b, orr_sat sat)
@@ -124,8 +124,10 @@ static void check(const char *name)
             double ecc = 0, lost = 0;
             const double rms = satellite_rms(e, b, list[i], from, &ecc, &lost);
             if (rms < 0) continue;
-            // LNAV's fifteen parameters leave 3 cm of GPS' most eccentric orbits (G02, G21), whatever they are rounded to.
-            if (b->message == ORR_NAV_LNAV && ecc > 0.015)
+            // LNAV's fifteen parameters leave 3 cm of GPS' most eccentric orbits (G02, G21), CNAV's seventeen over three hours 2.1 cm
+            // (G21), whatever they are rounded to: harmonics of twice the argument of latitude do not follow those of once and
+            // three times, which flattening and eccentricity together make. No other values of the parameters come closer.
+            if (b->system == 'G' && ecc > 0.015 && (b->message == ORR_NAV_LNAV || b->window_s > 7200))
                 ASSERT_NEAR(lost, 0, 0.002);
             else
                 ASSERT_NEAR(rms, 0, b->held_m > 0 ? b->held_m : b->bar_m);

@@ -13,6 +13,7 @@ import unittest
 
 from daemon import PATIENCE_S, ROOT, WORK, Daemon, orrery as program, product  # first: it sets the path
 
+import messages as messages_of_receivers
 import navdata as receiver
 import orrery
 from orrery import frame, messages
@@ -318,6 +319,48 @@ class Scenarios(unittest.TestCase):
                 got = receiver.lnav_klobuchar(receiver.lnav_subframe(four.data))
             for value, want, step in zip([*got[0], *got[1]], [*alpha, *beta], (-30, -27, -24, -24, 11, 14, 16, 16)):
                 self.assertAlmostEqual(value, scale * want, delta=0.6 * 2.0**step)  # RINEX has five digits of it
+
+
+    def test_sbas_at_a_longitude(self):
+        """A satellite that the scenario places over the Equator sends its place; fifteen messages of a second follow one another."""
+        with self.served("geo.yaml", "orbit:\n  product: day.nc\n  geo:\n    - {sat: S23, longitude: 31.5}\n") as d, orrery.Client(d.urls[0]) as client:
+            t = client.span[0] + 40000 * NS
+            last, nines, pages = None, [], 0
+            for k in range(4):
+                s, = client.navdata(t + 15 * k * NS, ["S23"], form=orrery.NavForm.BITS).satellites
+                self.assertEqual((s.answer, s.message, s.signals, s.health), (orrery.Answer.OK, orrery.NavMessage.SBAS, "L1CA", 0))
+                self.assertEqual((s.kepler, len(s.pages), s.af0_s), ([], 15, 0))
+                state, = client.states(t, ["S23"]).satellites
+                self.assertLess(math.dist(s.glonass[0].pos_m, state.pos_m), 0.1)  # half an LSB of x and y: 0.04 m
+                self.assertLess(abs(math.degrees(math.atan2(s.glonass[0].pos_m[1], s.glonass[0].pos_m[0])) - 31.5), 1e-6)
+                for p in s.pages:
+                    self.assertEqual((p.bits, p.length), (250, NS))
+                    self.assertTrue(last is None or p.t == last + NS)
+                    last, pages = p.t, pages + 1
+                    text = receiver.bits_of(p.data, 250)
+                    self.assertEqual(messages_of_receivers.crc24q(text[:226]), int(text[226:], 2))
+                    if p.number == 9:
+                        nines.append(messages_of_receivers.fields(text[:226], messages_of_receivers.SBAS[9]))
+            self.assertEqual((pages, len(nines)), (60, 1))
+            self.assertLess(math.dist((nines[0]["x"], nines[0]["y"], nines[0]["z"]), state.pos_m), 0.1)
+            self.assertEqual([nines[0][k] for k in ("vx", "vy", "vz", "ax", "ay", "az", "af0", "af1")], [0] * 8)
+
+    def test_navic_by_its_records(self):
+        """NavIC's satellites come from a navigation file; their message is fitted to what is served of them."""
+        nav = DATA / "rinex4-nav/BRD400DLR_S_20230710000_01D_MN.rnx.gz"
+        if not nav.exists():
+            self.skipTest("rinex4-nav is not here (set ORRERY_DATA)")
+        with self.served("navic.yaml", f"orbit: {{nav: {nav}}}\n") as d, orrery.Client(d.urls[0]) as client:
+            t = client.span[0] + (client.span[1] - client.span[0]) // 2
+            sent = [s for s in client.navdata(t, kinds=orrery.NavMessages.LNAV, form=orrery.NavForm.SYMBOLS).satellites
+                    if chr(s.sat.system) == "I" and s.answer == orrery.Answer.OK]
+            self.assertGreater(len(sent), 3)
+            for s in sent:
+                words = [messages_of_receivers.navic_subframe(p.data) for p in s.pages]
+                f = {**messages_of_receivers.fields(words[0], messages_of_receivers.NAVIC[1]), **messages_of_receivers.fields(words[1], messages_of_receivers.NAVIC[2])}
+                state, = client.states(t, [s.sat]).satellites
+                position = messages_of_receivers.kepler_position(f, t % WEEK / NS, 3.986005e14, 7.2921151467e-5)
+                self.assertLess(math.dist(position, state.pos_m), 1.1 * s.fit_max_m + 0.01, orrery.sat_name(s.sat))
 
 
 if __name__ == "__main__":

@@ -158,7 +158,7 @@ static void made_orbits_are_found_again(void **state)
         assert_int_equal(a.number, m.almanac.number);
         assert_true(a.operational && a.day == m.almanac.day);
         assert_int_equal(r.n, n % 3 == 0 ? 97 : n % 3 == 1 ? 85 : 57);
-        ASSERT_NEAR(r.fit_rms_m, 0, 1); // iterations end at 0.1 m
+        ASSERT_NEAR(r.fit_rms_m, 0, 1);
         ASSERT_NEAR(r.rms_m, 0, 100);
         ASSERT_NEAR(a.t_lambda_s, m.almanac.t_lambda_s, 2.01 * ORR_GLONASS_ALM_T_LAMBDA_LSB_S);
         ASSERT_NEAR(remainder(a.lambda_rad - m.almanac.lambda_rad, 2 * PI_), 0,

@@ -780,6 +780,34 @@ static void coefficients_that_do_not_fit_are_not_sent(void **state)
     orr_ephemeris_free(e);
 }
 
+// GPS week 2048 begins within the product: the week of subframe 1 goes from 1023 to 0, that of the almanacs from 255 to 0, each with
+// a toa of its own week, nearest to the instant of all that the eight bits allow.
+static void almanac_weeks_roll_over(void **state)
+{
+    (void)state;
+    orr_ephemeris *e = product("2019-04-06T12:00:00", 22, nothing);
+    orr_navset_options o = orr_navset_defaults();
+    orr_navset *set = build(e, &o);
+    const orr_time begin = orr_time_from_week(2048, 0), noon = 43200 * ORR_NS_PER_S;
+    for (int k = -1; k <= 1; k += 2) { // page 25 in the quarter of an hour before and after
+        const orr_time t = begin + (k < 0 ? -1 : 24) * 30 * ORR_NS_PER_S;
+        orr_navframe f;
+        orr_diag d = {0};
+        // The last frame of a week has page (20159 mod 25) + 1 = 10; page 25 comes 10 frames before it.
+        const orr_time of_25 = k < 0 ? t - 10 * 30 * ORR_NS_PER_S : t;
+        ASSERT_OK(orr_navframe_at(set, set->sat[0], NULL, of_25, false, &f, &d), d);
+        assert_int_equal(f.piece[4].page, 25);
+        assert_int_equal(received(&f.piece[0], 61, 10), k < 0 ? 1023 : 0);
+        const int32_t toa_s = (int32_t)received(&f.piece[4], 69, 8) * 4096,
+                      week = (int32_t)received(&f.piece[4], 77, 8);
+        assert_int_equal(week, k < 0 ? 255 : 0);
+        const orr_time toa = orr_time_from_week(2048 - 256 + (week == 0 ? 256 : week), toa_s * ORR_NS_PER_S);
+        assert_true(llabs(toa - (k < 0 ? begin - noon : begin + noon)) <= 2048 * ORR_NS_PER_S);
+    }
+    orr_navset_free(set);
+    orr_ephemeris_free(e);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -799,6 +827,7 @@ int main(void)
         cmocka_unit_test(the_table_of_the_run_is_that_of_the_messages),
         cmocka_unit_test(frames_follow_one_another),
         cmocka_unit_test(the_week_is_that_of_the_frame),
+        cmocka_unit_test(almanac_weeks_roll_over),
         cmocka_unit_test(pages_count_from_the_begin_of_the_week),
         cmocka_unit_test(coefficients_that_do_not_fit_are_not_sent),
     };
