@@ -90,13 +90,13 @@ class Files(Folder):
 
     def test_version_4_other_records(self):
         codes = {r[1].split()[0] for (kind, _, _), found in self.records.items() if kind == "STO" for r in found}
-        self.assertEqual(codes, {"GPUT", "GLUT", "GAUT", "BDUT", "QZUT", "GAGP"})
+        self.assertEqual(codes, {"GPUT", "GLUT", "GAUT", "BDUT", "QZUT", "GAGP", "GLGP", "BDGP", "QZGP"})
         self.assertEqual({k[1:] for k in self.records if k[0] == "ION"}, {("G05", "LNAV"), ("E11", "IFNV")})
         self.assertEqual(self.records["ION", "G05", "LNAV"][0][2][:4], [4.6566e-09, 1.4901e-08, -5.9605e-08, -1.1921e-07])
         (_, _, (xp, xp_rate, _, _, yp, *_), _), = self.records["EOP", "G05", "CNVX"]
         self.assertTrue(0.1 < xp < 0.2 and 0.4 < yp < 0.45 and abs(xp_rate) < 0.01)  # arc seconds on 2020-06-25
         text = run("inspect", self.four).stdout
-        self.assertIn("time offsets 6", text)
+        self.assertIn("time offsets 9", text)
         self.assertIn("Earth orientation 3", text)
         # Our own reader finds CNAV's orbits in it.
         judged = run_json("sisre", self.four, data("2020-177/Sta21114.sp3.gz"), "--message", "CNAV", "--format", "json")
