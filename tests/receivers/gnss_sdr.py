@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """GNSS-SDR as a judge: its configuration for a recording, a run, and what it found out, from files that it wrote."""
+import datetime
 import math
 import re
 import shutil
@@ -84,6 +85,10 @@ TelemetryDecoder_L5.implementation=GPS_L5_Telemetry_Decoder
 """,
 }
 
+# Where codes of GPS stand beside Galileo's in one recording of 5 Msps: correlators twice as near and a loop a quarter as wide, since
+# GNSS-SDR weighs all ranges alike and those of C/A would decide how good the place is.
+NARROW = {"1C": SIGNALS["1C"].replace("dll_bw_hz=2.0", "dll_bw_hz=0.5").replace("early_late_space_chips=0.5", "early_late_space_chips=0.2")}
+
 # No models of delays: the scenarios have none. Cold: nothing is known of time, place or satellites.
 COMMON = """[GNSS-SDR]
 GNSS-SDR.internal_fs_sps={rate}
@@ -110,7 +115,9 @@ PVT.output_rate_ms=100
 PVT.display_rate_ms=1000
 PVT.elevation_mask=0
 PVT.output_path={folder}
-PVT.rinex_output_enabled=false
+PVT.rinex_output_enabled=true
+PVT.rinex_version=3
+PVT.rinexobs_rate_ms=1000
 PVT.xml_output_enabled=true
 PVT.nmea_output_file_enabled=false
 PVT.geojson_output_enabled=false
@@ -123,11 +130,13 @@ PVT.enable_rx_clock_correction=false
 """
 
 
-def configuration(folder, samples, rate, channels, pinned=(), at_once=2):
-    """channels: {"1C": how many}; pinned: (signal, satellite) of each channel in turn, where the search is not free."""
+def configuration(folder, samples, rate, channels, pinned=(), at_once=2, tracked=()):
+    """channels: {"1C": how many}; pinned: (signal, satellite) of each channel in turn, where the search is not free; tracked: signals whose
+    settings are others than usual, as NARROW."""
+    settings = {**SIGNALS, **dict(tracked)}
     text = COMMON.format(rate=rate, samples=samples, folder=folder, at_once=at_once)
     for signal, count in channels.items():
-        text += f"Channels_{signal}.count={count}\n" + SIGNALS[signal]
+        text += f"Channels_{signal}.count={count}\n" + settings[signal]
         text += f"Acquisition_{signal}.item_type=gr_complex\nTracking_{signal}.item_type=gr_complex\n"
     if len(channels) == 1:
         text += f"Channel.signal={next(iter(channels))}\n"
@@ -158,6 +167,23 @@ def fixes(folder):
     for at in range(0, len(bytes_) - record.size + 1, record.size):
         f = record.unpack_from(bytes_, at)
         out.append((f[2], f[4:7], f[7:10], f[19]))
+    return out
+
+
+def ranges(folder, code="C1C"):
+    """{satellite: {time of week s: m}} of the receiver's own RINEX file; times are those of its clock."""
+    out = {}
+    for path in sorted(folder.glob("*.??O")):
+        column, t = None, None
+        for line in path.read_text(errors="replace").splitlines():
+            if line[60:].startswith("SYS / # / OBS TYPES") and line[0] == "G":
+                column = line[7:60].split().index(code)
+            elif line.startswith(">"):
+                year, month, day, hour, minute, second = line[1:29].split()
+                at = datetime.datetime(int(year), int(month), int(day), int(hour), int(minute), tzinfo=datetime.timezone.utc)
+                t = (at.timestamp() - 315964800 + float(second)) % 604800
+            elif t is not None and line[:1] == "G" and line[3 + 16 * column:17 + 16 * column].strip():
+                out.setdefault(int(line[1:3]), {})[t] = float(line[3 + 16 * column:17 + 16 * column])
     return out
 
 

@@ -39,6 +39,20 @@ FDMA = [("d_%sn", "pos_m", 2**-11), ("d_V%sn", "vel_mps", 2**-20), ("d_A%sn", "a
 FDMA_CLOCK = [("d_tau_n", "af0_s", -1, 2**-30), ("d_gamma_n", "af1_sps", 1, 2**-40)]
 
 
+def least_squares(rows, y):
+    """Solution of the normal equations by Gauss' elimination."""
+    n = len(rows[0])
+    a = [[sum(r[i] * r[j] for r in rows) for j in range(n)] + [sum(r[i] * v for r, v in zip(rows, y))] for i in range(n)]
+    for i in range(n):
+        pivot = max(range(i, n), key=lambda k: abs(a[k][i]))
+        a[i], a[pivot] = a[pivot], a[i]
+        for k in range(n):
+            if k != i:
+                f = a[k][i] / a[i][i]
+                a[k] = [u - f * v for u, v in zip(a[k], a[i])]
+    return [a[i][n] / a[i][i] for i in range(n)]
+
+
 class Receivers(program.Folder):
     def make(self, scenario, start, seconds, rate, centre, signals, cn0, change=None):
         """A recording; the service stays for questions."""
@@ -55,10 +69,11 @@ class Receivers(program.Folder):
         """As many channels as satellites: which they are is for the receiver to find out; one more would search for ever."""
         return len(recording.satellites(self.samples, signal))
 
-    def receive(self, channels, pinned=(), at_once=2):
+    def receive(self, channels, pinned=(), at_once=2, tracked=()):
         self.out = self.folder / "receiver"
         try:
-            self.log = gnss_sdr.run(self.out, f"{self.samples}.sigmf-data", self.rate, channels, pinned=pinned, at_once=at_once)
+            self.log = gnss_sdr.run(self.out, f"{self.samples}.sigmf-data", self.rate, channels, pinned=pinned, at_once=at_once,
+                                    tracked=tracked)
         finally:
             pathlib.Path(f"{self.samples}.sigmf-data").unlink()
         self.found = gnss_sdr.fixes(self.out)
@@ -147,6 +162,15 @@ class Receivers(program.Folder):
     def made(signals):
         return STATIC.format(sp3=program.sample("ORR0TSTFIN_20250800000_01D_05M_ORB.SP3.gz"), signals=signals)
 
+    @staticmethod
+    def flight(signals):
+        """The gravimetry flight of samples/, its delays left out."""
+        text = pathlib.Path(program.sample("gravimetry-flight.yaml")).read_text()
+        text = re.sub(r"^ionosphere:\n(  .*\n)+", "", text, flags=re.M)
+        text = re.sub(r"^troposphere:.*\n", "", text, flags=re.M)
+        text = re.sub(r"^signals:.*$", f"signals: {signals}", text, flags=re.M)
+        return text.replace("- ORR0", f"- {program.ROOT}/samples/ORR0")
+
     def test_gps(self):
         """GPS L1 C/A, static."""
         start = "2025-03-21T12:00:00"
@@ -194,17 +218,70 @@ class Receivers(program.Folder):
         self.judge_d1(start, 5)
 
     def test_flight(self):
-        """The gravimetry flight of samples/, its delays left out: an aircraft in turbulence, turning on to its next line."""
-        text = pathlib.Path(program.sample("gravimetry-flight.yaml")).read_text()
-        text = re.sub(r"^ionosphere:\n(  .*\n)+", "", text, flags=re.M)
-        text = re.sub(r"^troposphere:.*\n", "", text, flags=re.M)
-        text = re.sub(r"^signals:.*$", 'signals: ["G:L1CA"]', text, flags=re.M)
-        text = text.replace("- ORR0", f"- {program.ROOT}/samples/ORR0")
+        """The gravimetry flight: an aircraft in turbulence, turning on to its next line."""
         start = "2025-03-21T10:07:00"
-        self.make(text, start, 120, 2600000, 1575420000, "G:L1CA", 51)
+        self.make(self.flight('["G:L1CA"]'), start, 120, 2600000, 1575420000, "G:L1CA", 51)
         self.receive({"1C": self.seen("L1CA")})
         self.judge("GPS L1 C/A, gravimetry flight, 2.6 Msps, 51 dB-Hz", 45, 2.5)
         self.judge_lnav(start, 7)
+
+    def test_both(self):
+        """GPS L1 C/A and Galileo E1 in one recording."""
+        start = "2025-03-21T12:00:00"
+        self.make(self.made('["G:L1CA", "E:E1"]'), start, 90, 5000000, 1575420000, "G:L1CA,E:E1", 51)
+        self.receive({"1C": self.seen("L1CA"), "1B": self.seen("E1")}, at_once=4, tracked=gnss_sdr.NARROW)
+        self.judge("GPS L1 C/A and Galileo E1, 5 Msps, 51 dB-Hz", 45, 0.6)
+        self.judge_lnav(start, 8)
+        self.judge_inav(start, 6)
+
+    def test_flight_both(self):
+        """The flight again, by GPS and Galileo."""
+        start = "2025-03-21T10:07:00"
+        self.make(self.flight('["G:L1CA", "E:E1"]'), start, 90, 5000000, 1575420000, "G:L1CA,E:E1", 51)
+        self.receive({"1C": self.seen("L1CA"), "1B": self.seen("E1")}, at_once=4, tracked=gnss_sdr.NARROW)
+        self.judge("GPS L1 C/A and Galileo E1, gravimetry flight, 5 Msps, 51 dB-Hz", 45, 1.0)
+
+    def test_step(self):
+        """A range step of 60 m of one satellite, after 60 s: the receiver's own ranges show it, and its message goes on."""
+        start, at, step, prn = "2025-03-21T12:00:00", "2025-03-21T12:01:00", 60.0, 5
+        text = self.made('["G:L1CA"]') + f"faults: {{range: [{{sats: G{prn:02d}, from: {at}, step: {step}}}]}}\n"
+        self.make(text, start, 90, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": self.seen("L1CA")})
+        self.assertIn(prn, recording.satellites(self.samples, "L1CA"))
+        jump = self.jump_of(prn, recording.gps_s(at) % 604800)
+        print(f"GPS L1 C/A, a range step of {step:.0f} m of G{prn:02d}: {jump:.1f} m in the receiver's ranges (bar 1.5 m apart)")
+        self.assertLess(abs(jump - step), 1.5)
+
+    def jump_of(self, prn, tow):
+        """By how much a satellite's range less the mean of the others' jumps at an instant: cubics through 12 s to either side, from 3 s on."""
+        ranges = gnss_sdr.ranges(self.out)
+        others = [s for s in ranges if s != prn]
+        t = sorted(t for t in ranges[prn] if abs(t - tow) <= 12 and abs(t - tow) >= 3 and all(t in ranges[s] for s in others))
+        self.assertGreaterEqual(len(t), 14)
+        y = [ranges[prn][k] - sum(ranges[s][k] for s in others) / len(others) for k in t]
+        rows = [[1.0, u, u * u, u**3, float(u > 0)] for u in (k - tow for k in t)]
+        return least_squares(rows, y)[4]
+
+    def test_unhealthy(self):
+        """A satellite that its message marks as not to be used: read so, and left out of the fixes."""
+        start, prn = "2025-03-21T12:00:00", 5
+        text = self.made('["G:L1CA"]') + f"satellites: {{unhealthy: G{prn:02d}}}\n"
+        self.make(text, start, 80, 2600000, 1575420000, "G:L1CA", 51)
+        seen = self.seen("L1CA")
+        self.assertIn(prn, recording.satellites(self.samples, "L1CA"))
+        self.receive({"1C": seen})
+        self.judge("GPS L1 C/A, G05 unhealthy", 45, 2.5)
+        self.judge_lnav(start, 8)
+        self.assertNotEqual(gnss_sdr.ephemerides(self.out, "gps_ephemeris.xml")[prn]["SV_health"], 0)
+        self.assertEqual(max(f[3] for f in self.found), seen - 1)
+
+    def test_l5(self):
+        """GPS L5 I with CNAV, around the middle of a set: GNSS-SDR 0.0.17 has no place for the rate of the mean motion."""
+        start = "2025-03-21T12:59:54"
+        self.make(self.made('["G:L5"]'), start, 100, 12500000, 1176450000, "G:L5", 53)
+        satellites = recording.satellites(self.samples, "L5")
+        self.receive({"L5": len(satellites)}, [("L5", s) for s in satellites], at_once=4)
+        self.judge("GPS L5, 12.5 Msps, 53 dB-Hz", 45, 1.0)
 
     def test_update(self):
         """Across the hour at which satellites change to their next ephemerides."""
