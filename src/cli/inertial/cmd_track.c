@@ -114,10 +114,10 @@ static int run(orr_cli *c)
 
 static const orr_option options[] = {
     ORR_OPTION_OUTPUT,
-    ORR_OPTION_FORMAT_AS("csv|gps-sdr-sim|gps-sdr-sim-llh|skydel", "csv",
-                         .help =
-                             "csv (default); for other simulators: gps-sdr-sim, user motion for its -u, or "
-                             "-llh for its -x; skydel, rows that a script pushes (docs/inertial.md)."),
+    ORR_OPTION_FORMAT_AS(
+        "csv|gps-sdr-sim|gps-sdr-sim-llh|skydel", "csv",
+        .help = "As csv (default); for other simulators: gps-sdr-sim, user motion for its -u, or "
+                "-llh for its -x; skydel, rows that a script pushes (docs/inertial.md)."),
     ORR_CLI_MOVING_OPTIONS,
     {.name = "rate",
      .kind = ORR_OPT_REAL,

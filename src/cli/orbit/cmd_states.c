@@ -23,8 +23,8 @@ static const orr_option options[] = {
              "the product holds."},
     ORR_OPTION_FORMAT_AS(
         "csv|sp3|json|clk|orbex|oem|netcdf", "csv",
-        .help = "csv (default), json; sp3: version d with velocities; clk: RINEX clocks; orbex: "
-                "attitude; oem: the CCSDS' Orbit Ephemeris Message; netcdf, with CF attributes."),
+        .help = "As csv (default) or json; sp3, version d with velocities; clk, RINEX clocks; orbex, "
+                "attitude; oem, the Orbit Ephemeris Message of CCSDS; netcdf, with CF attributes."),
     {.name = "split",
      .kind = ORR_OPT_DURATION,
      .value = "S",
