@@ -140,7 +140,7 @@ class Installed(Folder):
         self.assertLessEqual(set(commands()), set(self.complete("")))
         self.assertEqual(self.complete("help", "gravi"), ["gravimetry"])
         self.assertEqual(self.complete("states", "--form"), ["--format"])
-        self.assertEqual(sorted(self.complete("states", "x.nc", "--format", "")), ["csv", "json", "sp3"])
+        self.assertEqual(sorted(self.complete("states", "x.nc", "--format", "")), ["clk", "csv", "json", "netcdf", "oem", "orbex", "sp3"])
         self.assertEqual(self.complete("states", "day"), ["day.nc"])
         self.assertEqual(self.complete("states", "-o", "user"), ["user.c"])
         self.assertEqual(self.complete("states", "--from", "2"), [])
@@ -176,7 +176,7 @@ class Installed(Folder):
 
     def test_zsh_completion(self):
         for keys, wanted in (("orrery ecl\t", "orrery eclipses"), ("orrery states x.nc --form\t", "--format"),
-                             ("orrery states x.nc --format \t\t", "csv +json +sp3"), ("orrery help gravi\t", "help gravimetry"),
+                             ("orrery states x.nc --format \t\t", "clk +csv +json +netcdf +oem +orbex +sp3"), ("orrery help gravi\t", "help gravimetry"),
                              ("orrery states da\t", "states day.nc")):
             with self.subTest(keys=keys):
                 self.assertRegex(self.zsh(keys, wanted), wanted)
