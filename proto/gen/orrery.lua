@@ -396,15 +396,29 @@ records.sat_channel = {size = 126, smallest = 126, fields = {
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
     {name = "echo", kind = "scalar", scalar = "u16"},
 }}
-records.channel_terms = {size = 184, smallest = 184, fields = {
+records.jammer = {fields = {
+    {name = "number", kind = "scalar", scalar = "u16"},
+    {name = "waveform", kind = "string", limit = 32},
+    {name = "az_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "el_rad", kind = "scalar", scalar = "f64", unit = "rad"},
+    {name = "range_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "range_rate_mps", kind = "scalar", scalar = "f64", unit = "m/s"},
+    {name = "carrier_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
+    {name = "doppler_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
+    {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
+}}
+records.channel_terms = {size = 240, smallest = 240, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "satellite_clock_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "clock_noise_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "relativity_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "group_delay_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "satellite_antenna_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "receiver_antenna_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "solid_tide_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "pole_tide_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "troposphere_hydrostatic_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "troposphere_wet_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -413,8 +427,12 @@ records.channel_terms = {size = 184, smallest = 184, fields = {
     {name = "wind_up_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "phase_bias_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "ionosphere_second_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "disturbance_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "scintillation_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "land_mobile_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "echo_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "echo_phase_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "spoofer_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_range_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_noise_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "fault_clock_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -530,6 +548,7 @@ records.channels = {fields = {
     {name = "motion_age", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
     {name = "channels", kind = "list", record = "sat_channel", limit = 4096},
     {name = "terms", kind = "list", record = "channel_terms", limit = 4096},
+    {name = "jammers", kind = "list", record = "jammer", limit = 16},
 }}
 records.poll_imu = {size = 22, smallest = 22, fields = {
     {name = "epochs", kind = "struct", record = "epochs"},

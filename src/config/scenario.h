@@ -6,14 +6,21 @@
 
 #include "src/config/marks.h"
 #include "src/config/section_channel.h"
+#include "src/config/section_clocks.h"
+#include "src/config/section_fast_ionosphere.h"
 #include "src/config/section_faults.h"
 #include "src/config/section_gravity.h"
 #include "src/config/section_imu.h"
 #include "src/config/section_ionosphere.h"
+#include "src/config/section_jammers.h"
+#include "src/config/section_land_mobile.h"
 #include "src/config/section_multipath.h"
 #include "src/config/section_navdata.h"
+#include "src/config/section_obstacles.h"
 #include "src/config/section_orbit.h"
 #include "src/config/section_receiver.h"
+#include "src/config/section_site.h"
+#include "src/config/section_spoofers.h"
 #include "src/config/section_trajectory.h"
 #include "src/config/section_units.h"
 
@@ -45,6 +52,14 @@ typedef struct orr_scenario {
     orr_scenario_satellites satellites;
     orr_scenario_mask mask;
     orr_scenario_channel channel;
+    orr_scenario_obstacles obstacles;
+    orr_scenario_jammers jammers;
+    orr_scenario_spoofers spoofers;
+    orr_scenario_land_mobiles land_mobile;
+    orr_scenario_clocks clocks;
+    orr_scenario_site site;
+    orr_scenario_scintillations scintillation;
+    orr_scenario_disturbance disturbance;
     orr_scenario_multipath multipath;
     orr_scenario_faults faults;
     orr_scenario_serve serve;

@@ -246,8 +246,20 @@ static void run(bench *b, const char *name, const char *antenna)
 
 void bench_channels(bench *b)
 {
+    static const char *const effects =
+        "antennas: [{name: A, position: [56, 40, 150]}]\nsite: {solid_tide: yes, pole_tide: yes}\n"
+        "scintillation: [{s4: 0.5, tau0: 0.5, sigma_phi: 0.3}]\n"
+        "disturbance: {waves: [{amplitude: 1, length: 200, speed: 150, azimuth: 90, position: [56, 40], "
+        "time: "
+        "2025-03-21T00:00:00}]}\n"
+        "clocks: {satellites: [{sats: \"G,R,E\", white_frequency: 1e-11}]}\n"
+        "multipath: {ground: {height: 2}}\n"
+        "faults: {noise: [{sats: \"G,R,E\", from: 2025-03-21T00:10:00, sigma: 1, time: 60}], range: [{sats: "
+        "G05, from: "
+        "2025-03-21T01:00:00, rate: 0.01}]}\n";
     bench_group(b, "Channels: three signals a satellite, all terms, one core");
     run(b, "fixed antenna", "antennas: [{name: A, position: [56, 40, 150]}]\n");
+    run(b, "fixed antenna, effects and the ground's echoes", effects);
     run(b, "survey flight",
         "antennas: [{name: A, up: 1}]\ntrajectory: {kind: survey, start: 2025-03-21T10:00:00, duration: "
         "4000, lat: 56, lon: 40, "

@@ -1923,31 +1923,74 @@ static inline void load_sat_channel(const uint8_t *p, orr_msg_sat_channel *m)
     m->echo = orr_wire_load_u16(p + 124);
 }
 
+static void put_jammer(orr_wire_writer *w, const orr_msg_jammer *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->number);
+    orr_wire_put_bytes(w, m->waveform, 32);
+    p = orr_wire_room(w, 52);
+    if (p == NULL) return;
+    orr_wire_store_f64(p + 0, m->az_rad);
+    orr_wire_store_f64(p + 8, m->el_rad);
+    orr_wire_store_f64(p + 16, m->range_m);
+    orr_wire_store_f64(p + 24, m->range_rate_mps);
+    orr_wire_store_f64(p + 32, m->carrier_hz);
+    orr_wire_store_f64(p + 40, m->doppler_hz);
+    orr_wire_store_f32(p + 48, m->power_dbw);
+}
+
+static void get_jammer(orr_wire_reader *r, orr_msg_jammer *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    m->number = orr_wire_load_u16(p + 0);
+    m->waveform = orr_wire_get_bytes(r, 32);
+    p = orr_wire_take(r, 52);
+    if (p == NULL) return;
+    m->az_rad = orr_wire_load_f64(p + 0);
+    m->el_rad = orr_wire_load_f64(p + 8);
+    m->range_m = orr_wire_load_f64(p + 16);
+    m->range_rate_mps = orr_wire_load_f64(p + 24);
+    m->carrier_hz = orr_wire_load_f64(p + 32);
+    m->doppler_hz = orr_wire_load_f64(p + 40);
+    m->power_dbw = orr_wire_load_f32(p + 48);
+}
+
 static inline void store_channel_terms(uint8_t *p, const orr_msg_channel_terms *m)
 {
     orr_wire_store_f64(p + 0, m->distance_m);
     orr_wire_store_f64(p + 8, m->sagnac_m);
     orr_wire_store_f64(p + 16, m->shapiro_m);
     orr_wire_store_f64(p + 24, m->satellite_clock_m);
-    orr_wire_store_f64(p + 32, m->relativity_m);
-    orr_wire_store_f64(p + 40, m->group_delay_m);
-    orr_wire_store_f64(p + 48, m->satellite_antenna_m);
-    orr_wire_store_f64(p + 56, m->receiver_antenna_m);
-    orr_wire_store_f64(p + 64, m->troposphere_hydrostatic_m);
-    orr_wire_store_f64(p + 72, m->troposphere_wet_m);
-    orr_wire_store_f64(p + 80, m->ionosphere_m);
-    orr_wire_store_f64(p + 88, m->emission_m);
-    orr_wire_store_f64(p + 96, m->emission_ionosphere_m);
-    orr_wire_store_f64(p + 104, m->wind_up_m);
-    orr_wire_store_f64(p + 112, m->phase_bias_m);
-    orr_wire_store_f64(p + 120, m->ionosphere_second_m);
-    orr_wire_store_f64(p + 128, m->echo_m);
-    orr_wire_store_f64(p + 136, m->echo_phase_m);
-    orr_wire_store_f64(p + 144, m->fault_range_m);
-    orr_wire_store_f64(p + 152, m->fault_noise_m);
-    orr_wire_store_f64(p + 160, m->fault_clock_m);
-    orr_wire_store_f64(p + 168, m->fault_divergence_m);
-    orr_wire_store_f64(p + 176, m->fault_orbit_m);
+    orr_wire_store_f64(p + 32, m->clock_noise_m);
+    orr_wire_store_f64(p + 40, m->relativity_m);
+    orr_wire_store_f64(p + 48, m->group_delay_m);
+    orr_wire_store_f64(p + 56, m->satellite_antenna_m);
+    orr_wire_store_f64(p + 64, m->receiver_antenna_m);
+    orr_wire_store_f64(p + 72, m->solid_tide_m);
+    orr_wire_store_f64(p + 80, m->pole_tide_m);
+    orr_wire_store_f64(p + 88, m->troposphere_hydrostatic_m);
+    orr_wire_store_f64(p + 96, m->troposphere_wet_m);
+    orr_wire_store_f64(p + 104, m->ionosphere_m);
+    orr_wire_store_f64(p + 112, m->emission_m);
+    orr_wire_store_f64(p + 120, m->emission_ionosphere_m);
+    orr_wire_store_f64(p + 128, m->wind_up_m);
+    orr_wire_store_f64(p + 136, m->phase_bias_m);
+    orr_wire_store_f64(p + 144, m->ionosphere_second_m);
+    orr_wire_store_f64(p + 152, m->disturbance_m);
+    orr_wire_store_f64(p + 160, m->scintillation_m);
+    orr_wire_store_f64(p + 168, m->land_mobile_m);
+    orr_wire_store_f64(p + 176, m->echo_m);
+    orr_wire_store_f64(p + 184, m->echo_phase_m);
+    orr_wire_store_f64(p + 192, m->spoofer_m);
+    orr_wire_store_f64(p + 200, m->fault_range_m);
+    orr_wire_store_f64(p + 208, m->fault_noise_m);
+    orr_wire_store_f64(p + 216, m->fault_clock_m);
+    orr_wire_store_f64(p + 224, m->fault_divergence_m);
+    orr_wire_store_f64(p + 232, m->fault_orbit_m);
 }
 
 static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m)
@@ -1956,25 +1999,32 @@ static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m
     m->sagnac_m = orr_wire_load_f64(p + 8);
     m->shapiro_m = orr_wire_load_f64(p + 16);
     m->satellite_clock_m = orr_wire_load_f64(p + 24);
-    m->relativity_m = orr_wire_load_f64(p + 32);
-    m->group_delay_m = orr_wire_load_f64(p + 40);
-    m->satellite_antenna_m = orr_wire_load_f64(p + 48);
-    m->receiver_antenna_m = orr_wire_load_f64(p + 56);
-    m->troposphere_hydrostatic_m = orr_wire_load_f64(p + 64);
-    m->troposphere_wet_m = orr_wire_load_f64(p + 72);
-    m->ionosphere_m = orr_wire_load_f64(p + 80);
-    m->emission_m = orr_wire_load_f64(p + 88);
-    m->emission_ionosphere_m = orr_wire_load_f64(p + 96);
-    m->wind_up_m = orr_wire_load_f64(p + 104);
-    m->phase_bias_m = orr_wire_load_f64(p + 112);
-    m->ionosphere_second_m = orr_wire_load_f64(p + 120);
-    m->echo_m = orr_wire_load_f64(p + 128);
-    m->echo_phase_m = orr_wire_load_f64(p + 136);
-    m->fault_range_m = orr_wire_load_f64(p + 144);
-    m->fault_noise_m = orr_wire_load_f64(p + 152);
-    m->fault_clock_m = orr_wire_load_f64(p + 160);
-    m->fault_divergence_m = orr_wire_load_f64(p + 168);
-    m->fault_orbit_m = orr_wire_load_f64(p + 176);
+    m->clock_noise_m = orr_wire_load_f64(p + 32);
+    m->relativity_m = orr_wire_load_f64(p + 40);
+    m->group_delay_m = orr_wire_load_f64(p + 48);
+    m->satellite_antenna_m = orr_wire_load_f64(p + 56);
+    m->receiver_antenna_m = orr_wire_load_f64(p + 64);
+    m->solid_tide_m = orr_wire_load_f64(p + 72);
+    m->pole_tide_m = orr_wire_load_f64(p + 80);
+    m->troposphere_hydrostatic_m = orr_wire_load_f64(p + 88);
+    m->troposphere_wet_m = orr_wire_load_f64(p + 96);
+    m->ionosphere_m = orr_wire_load_f64(p + 104);
+    m->emission_m = orr_wire_load_f64(p + 112);
+    m->emission_ionosphere_m = orr_wire_load_f64(p + 120);
+    m->wind_up_m = orr_wire_load_f64(p + 128);
+    m->phase_bias_m = orr_wire_load_f64(p + 136);
+    m->ionosphere_second_m = orr_wire_load_f64(p + 144);
+    m->disturbance_m = orr_wire_load_f64(p + 152);
+    m->scintillation_m = orr_wire_load_f64(p + 160);
+    m->land_mobile_m = orr_wire_load_f64(p + 168);
+    m->echo_m = orr_wire_load_f64(p + 176);
+    m->echo_phase_m = orr_wire_load_f64(p + 184);
+    m->spoofer_m = orr_wire_load_f64(p + 192);
+    m->fault_range_m = orr_wire_load_f64(p + 200);
+    m->fault_noise_m = orr_wire_load_f64(p + 208);
+    m->fault_clock_m = orr_wire_load_f64(p + 216);
+    m->fault_divergence_m = orr_wire_load_f64(p + 224);
+    m->fault_orbit_m = orr_wire_load_f64(p + 232);
 }
 
 static inline void store_event(uint8_t *p, const orr_msg_event *m)
@@ -3473,9 +3523,9 @@ static void put_channel_terms_records(orr_wire_writer *w, const orr_msg_channel_
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
     }
-    uint8_t *p = orr_wire_room(w, 184 * (size_t)list->count);
+    uint8_t *p = orr_wire_room(w, 240 * (size_t)list->count);
     if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_channel_terms(p + 184 * (size_t)i, &list->item[i]);
+    for (uint16_t i = 0; i < list->count; i++) store_channel_terms(p + 240 * (size_t)i, &list->item[i]);
 }
 
 orr_wire_status orr_msg_channel_terms_records_encode(const orr_msg_channel_terms_list *piece, orr_wire_writer *w)
@@ -3491,7 +3541,7 @@ static void put_channel_terms_list(orr_wire_writer *w, const orr_msg_channel_ter
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
-    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 184 : list->wire.stride);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 240 : list->wire.stride);
     put_channel_terms_records(w, list);
 }
 
@@ -3505,7 +3555,7 @@ static void get_channel_terms_list(orr_wire_reader *r, orr_msg_channel_terms_lis
         return;
     }
     uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
-    if (count > 0 && stride < 184) {
+    if (count > 0 && stride < 240) {
         r->status = ORR_WIRE_SHORT;
         return;
     }
@@ -3535,6 +3585,86 @@ bool orr_msg_channel_terms_at(const orr_msg_channel_terms_list *list, uint16_t i
     return true;
 }
 
+static void put_jammer_records(orr_wire_writer *w, const orr_msg_jammer_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    for (uint16_t i = 0; i < list->count; i++) {
+        size_t start = w->size;
+        if (orr_wire_room(w, 2) == NULL) return;
+        put_jammer(w, &list->item[i]);
+        if (w->status != ORR_WIRE_OK) return;
+        orr_wire_store_u16(w->data + start, (uint16_t)(w->size - start - 2));
+    }
+}
+
+orr_wire_status orr_msg_jammer_records_encode(const orr_msg_jammer_list *piece, orr_wire_writer *w)
+{
+    put_jammer_records(w, piece);
+    return w->status;
+}
+
+static void put_jammer_list(orr_wire_writer *w, const orr_msg_jammer_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    put_jammer_records(w, list);
+}
+
+static void get_jammer_list(orr_wire_reader *r, orr_msg_jammer_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    size_t start = r->at;
+    p = r->data + r->at;
+    for (uint16_t i = 0; i < count; i++) { // (I6) every record is read once, so that reading it later cannot fail
+        const uint8_t *q = orr_wire_take(r, 2);
+        if (q == NULL) return;
+        uint16_t size = orr_wire_load_u16(q);
+        q = orr_wire_take(r, size);
+        if (q == NULL) return;
+        orr_wire_reader one = {q, size, 0, ORR_WIRE_OK};
+        orr_msg_jammer record;
+        memset(&record, 0, sizeof record);
+        get_jammer(&one, &record);
+        if (one.status != ORR_WIRE_OK) {
+            r->status = one.status;
+            return;
+        }
+    }
+    list->wire.size = r->at - start;
+    list->wire.stride = 0;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_jammer_next(const orr_msg_jammer_list *list, orr_wire_iter *it, orr_msg_jammer *out)
+{
+    if (it->index >= list->count) return false;
+    memset(out, 0, sizeof *out);
+    if (list->item != NULL) {
+        *out = list->item[it->index++];
+        return true;
+    }
+    const uint8_t *p = list->wire.data + it->at;
+    uint16_t size = orr_wire_load_u16(p);
+    orr_wire_reader one = {p + 2, size, 0, ORR_WIRE_OK};
+    get_jammer(&one, out);
+    it->at += (size_t)2 + size;
+    it->index++;
+    return one.status == ORR_WIRE_OK;
+}
+
 static void put_channels(orr_wire_writer *w, const orr_msg_channels *m)
 {
     uint8_t *p;
@@ -3555,6 +3685,7 @@ static void put_channels(orr_wire_writer *w, const orr_msg_channels *m)
     orr_wire_store_i64(p + 92, m->motion_age);
     put_sat_channel_list(w, &m->channels, 4096);
     put_channel_terms_list(w, &m->terms, 4096);
+    put_jammer_list(w, &m->jammers, 16);
 }
 
 static void get_channels(orr_wire_reader *r, orr_msg_channels *m)
@@ -3577,6 +3708,7 @@ static void get_channels(orr_wire_reader *r, orr_msg_channels *m)
     m->motion_age = orr_wire_load_i64(p + 92);
     get_sat_channel_list(r, &m->channels, 4096);
     get_channel_terms_list(r, &m->terms, 4096);
+    get_jammer_list(r, &m->jammers, 16);
 }
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w)

@@ -295,6 +295,7 @@ uint32_t orr_crc32(uint32_t crc, const uint8_t *data, size_t n);
 #define ORR_MSG_MAX_PAGES 15u // subframes, strings or pages in one frame of a navigation message
 #define ORR_MSG_MAX_UNITS 64u // inertial units in one list
 #define ORR_MSG_MAX_CHANNELS 4096u // channels of one antenna in one list
+#define ORR_MSG_MAX_JAMMERS 16u // jammers of a scenario
 #define ORR_MSG_MAX_ANTENNAS 16u // antennas in one list
 #define ORR_MSG_MAX_SIGNALS 64u // signals in one list
 #define ORR_MSG_MAX_EVENTS 8192u // events in one list
@@ -1013,7 +1014,7 @@ typedef struct orr_msg_sat_channel {
     int64_t transmit; // reading of the satellite's clock when the code at the block's begin was sent: whole nanoseconds, the scale's whole seconds against GPS not taken off
     double transmit_fraction_ns; // and the rest, 0 to 1
     float power_dbw; // [dBW] received by an antenna of 0 dBi; of an echo what makes it as much weaker than its signal as the antenna receives it
-    uint16_t echo; // 0: the signal itself; from 1 on an echo of it, which sends the same: the ground, then the reflectors of the scenario
+    uint16_t echo; // 0: the signal itself; from 1 on an echo of it, which sends the same: the ground, then the reflectors of the scenario; 256 times 1 and so on: a false signal of the first spoofer and so on
 } orr_msg_sat_channel;
 #define ORR_MSG_SAT_CHANNEL_SIZE 126u
 #define ORR_MSG_SAT_CHANNEL_LARGEST 126u
@@ -1031,16 +1032,45 @@ bool orr_msg_sat_channel_next(const orr_msg_sat_channel_list *list, orr_wire_ite
 orr_wire_status orr_msg_sat_channel_records_encode(const orr_msg_sat_channel_list *piece, orr_wire_writer *w);
 bool orr_msg_sat_channel_at(const orr_msg_sat_channel_list *list, uint16_t index, orr_msg_sat_channel *out);   // false beyond the end
 
-// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the other sign, its second order the other sign and half the size, wind_up and phase_bias join, echo_phase joins, group_delay and fault_divergence do not.
+// A transmitter that disturbs, as an antenna receives it at the block's begin; what it sends is the generator's to make.
+typedef struct orr_msg_jammer {
+    uint16_t number; // its place in the scenario's list
+    orr_wire_bytes waveform; // the scenario's name of what it sends
+    double az_rad; // azimuth, clockwise from North
+    double el_rad; // elevation above the ellipsoidal horizon
+    double range_m; // distance
+    double range_rate_mps; // [m/s] its rate
+    double carrier_hz; // [Hz] carrier as it is sent
+    double doppler_hz; // [Hz] by which it arrives higher
+    float power_dbw; // [dBW] received by an antenna of 0 dBi, free space between
+} orr_msg_jammer;
+#define ORR_MSG_JAMMER_LARGEST 88u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_jammer_next.
+typedef struct orr_msg_jammer_list {
+    uint16_t count;
+    const orr_msg_jammer *item;
+    orr_wire_records wire;
+} orr_msg_jammer_list;
+bool orr_msg_jammer_next(const orr_msg_jammer_list *list, orr_wire_iter *it, orr_msg_jammer *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
+orr_wire_status orr_msg_jammer_records_encode(const orr_msg_jammer_list *piece, orr_wire_writer *w);
+
+// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part, and disturbance) has the other sign, its second order the other sign and half the size, wind_up and phase_bias join, scintillation, land_mobile and echo_phase join, group_delay and fault_divergence do not.
 typedef struct orr_msg_channel_terms {
     double distance_m; // antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     double sagnac_m; // rotation of the Earth during the flight
     double shapiro_m; // relativistic delay in the Earth's field
     double satellite_clock_m; // minus c times the satellite's clock offset
+    double clock_noise_m; // minus c times the noise of that clock between the nodes of its product
     double relativity_m; // minus c times the periodic relativity of that clock
     double group_delay_m; // c times the signal's group delay against the clock's pair
     double satellite_antenna_m; // phase centre of the satellite's antenna: offset and variation
     double receiver_antenna_m; // likewise of the receiver's
+    double solid_tide_m; // tide of the solid Earth below a fixed antenna
+    double pole_tide_m; // tide of the pole's wandering, likewise
     double troposphere_hydrostatic_m; // hydrostatic delay
     double troposphere_wet_m; // wet delay
     double ionosphere_m; // first order, of the code
@@ -1049,16 +1079,20 @@ typedef struct orr_msg_channel_terms {
     double wind_up_m; // turns of satellite and antenna, times the wavelength: of the carrier alone
     double phase_bias_m; // the carrier's bias against the clock's pair of signals: of the carrier alone
     double ionosphere_second_m; // second order of the ionosphere, of the code; 0 unless the scenario asks for it
+    double disturbance_m; // travelling disturbances and fronts of the ionosphere, of the code
+    double scintillation_m; // what irregularities of the ionosphere do to the phase: of the carrier alone
+    double land_mobile_m; // what scattered rays of a road do to the phase: of the carrier alone
     double echo_m; // of an echo: how much longer its way is
     double echo_phase_m; // of an echo: what the reflection retards the carrier by, times the wavelength: of the carrier alone
+    double spoofer_m; // of a false signal: the way from its transmitter, and the delay with which it sends
     double fault_range_m; // faults.range: steps and ramps
     double fault_noise_m; // faults.noise and faults.sine
     double fault_clock_m; // faults.clock: minus c times the clock's error
     double fault_divergence_m; // faults.divergence: of the code alone
     double fault_orbit_m; // faults.orbit: what the displaced satellite adds to the range
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 184u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 184u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 240u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 240u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1307,10 +1341,11 @@ typedef struct orr_msg_channels {
     double vel_mps[3]; // [m/s] its velocity (ecef)
     uint8_t motion; // where this motion comes from
     int64_t motion_age; // [ns] live: the block's begin less the tag of the sample that it rests on; 0 otherwise
-    orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite, signal and echo
+    orr_msg_sat_channel_list channels; // those that the antenna sees at the block's begin, by satellite, signal and echo; behind them the false ones
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
+    orr_msg_jammer_list jammers; // those that send then
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 1269868u
+#define ORR_MSG_CHANNELS_LARGEST 1500686u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

@@ -20,6 +20,7 @@ MAX_EPOCHS = 86400  # epochs one POLL may ask for (a day at 1 Hz)
 MAX_PAGES = 15  # subframes, strings or pages in one frame of a navigation message
 MAX_UNITS = 64  # inertial units in one list
 MAX_CHANNELS = 4096  # channels of one antenna in one list
+MAX_JAMMERS = 16  # jammers of a scenario
 MAX_ANTENNAS = 16  # antennas in one list
 MAX_SIGNALS = 64  # signals in one list
 MAX_EVENTS = 8192  # events in one list
@@ -962,7 +963,8 @@ class SatChannel(Record):
     transmit_fraction_ns [ns]: and the rest, 0 to 1
     power_dbw [dBW]: received by an antenna of 0 dBi; of an echo what makes it as much weaker than its signal as the antenna
     receives it
-    echo: 0: the signal itself; from 1 on an echo of it, which sends the same: the ground, then the reflectors of the scenario
+    echo: 0: the signal itself; from 1 on an echo of it, which sends the same: the ground, then the reflectors of the scenario;
+    256 times 1 and so on: a false signal of the first spoofer and so on
     """
 
     LAYOUT: ClassVar[tuple[Field, ...]] = (
@@ -997,19 +999,60 @@ class SatChannel(Record):
 
 
 @dataclasses.dataclass(eq=False, slots=True)
+class Jammer(Record):
+    """A transmitter that disturbs, as an antenna receives it at the block's begin; what it sends is the generator's to make.
+
+    number: its place in the scenario's list
+    waveform: the scenario's name of what it sends
+    az_rad [rad]: azimuth, clockwise from North
+    el_rad [rad]: elevation above the ellipsoidal horizon
+    range_m [m]: distance
+    range_rate_mps [m/s]: its rate
+    carrier_hz [Hz]: carrier as it is sent
+    doppler_hz [Hz]: by which it arrives higher
+    power_dbw [dBW]: received by an antenna of 0 dBi, free space between
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("number", "scalar", scalar="u16"),
+        Field("waveform", "string", limit=32),
+        Field("az_rad", "scalar", scalar="f64"),
+        Field("el_rad", "scalar", scalar="f64"),
+        Field("range_m", "scalar", scalar="f64"),
+        Field("range_rate_mps", "scalar", scalar="f64"),
+        Field("carrier_hz", "scalar", scalar="f64"),
+        Field("doppler_hz", "scalar", scalar="f64"),
+        Field("power_dbw", "scalar", scalar="f32"),
+    )
+
+    number: int = 0
+    waveform: str = ""
+    az_rad: float = 0.0
+    el_rad: float = 0.0
+    range_m: float = 0.0
+    range_rate_mps: float = 0.0
+    carrier_hz: float = 0.0
+    doppler_hz: float = 0.0
+    power_dbw: float = 0.0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
 class ChannelTerms(Record):
-    """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part) has the
-    other sign, its second order the other sign and half the size, wind_up and phase_bias join, echo_phase joins, group_delay
-    and fault_divergence do not.
+    """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part, and
+    disturbance) has the other sign, its second order the other sign and half the size, wind_up and phase_bias join,
+    scintillation, land_mobile and echo_phase join, group_delay and fault_divergence do not.
 
     distance_m [m]: antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     sagnac_m [m]: rotation of the Earth during the flight
     shapiro_m [m]: relativistic delay in the Earth's field
     satellite_clock_m [m]: minus c times the satellite's clock offset
+    clock_noise_m [m]: minus c times the noise of that clock between the nodes of its product
     relativity_m [m]: minus c times the periodic relativity of that clock
     group_delay_m [m]: c times the signal's group delay against the clock's pair
     satellite_antenna_m [m]: phase centre of the satellite's antenna: offset and variation
     receiver_antenna_m [m]: likewise of the receiver's
+    solid_tide_m [m]: tide of the solid Earth below a fixed antenna
+    pole_tide_m [m]: tide of the pole's wandering, likewise
     troposphere_hydrostatic_m [m]: hydrostatic delay
     troposphere_wet_m [m]: wet delay
     ionosphere_m [m]: first order, of the code
@@ -1018,8 +1061,12 @@ class ChannelTerms(Record):
     wind_up_m [m]: turns of satellite and antenna, times the wavelength: of the carrier alone
     phase_bias_m [m]: the carrier's bias against the clock's pair of signals: of the carrier alone
     ionosphere_second_m [m]: second order of the ionosphere, of the code; 0 unless the scenario asks for it
+    disturbance_m [m]: travelling disturbances and fronts of the ionosphere, of the code
+    scintillation_m [m]: what irregularities of the ionosphere do to the phase: of the carrier alone
+    land_mobile_m [m]: what scattered rays of a road do to the phase: of the carrier alone
     echo_m [m]: of an echo: how much longer its way is
     echo_phase_m [m]: of an echo: what the reflection retards the carrier by, times the wavelength: of the carrier alone
+    spoofer_m [m]: of a false signal: the way from its transmitter, and the delay with which it sends
     fault_range_m [m]: faults.range: steps and ramps
     fault_noise_m [m]: faults.noise and faults.sine
     fault_clock_m [m]: faults.clock: minus c times the clock's error
@@ -1032,10 +1079,13 @@ class ChannelTerms(Record):
         Field("sagnac_m", "scalar", scalar="f64"),
         Field("shapiro_m", "scalar", scalar="f64"),
         Field("satellite_clock_m", "scalar", scalar="f64"),
+        Field("clock_noise_m", "scalar", scalar="f64"),
         Field("relativity_m", "scalar", scalar="f64"),
         Field("group_delay_m", "scalar", scalar="f64"),
         Field("satellite_antenna_m", "scalar", scalar="f64"),
         Field("receiver_antenna_m", "scalar", scalar="f64"),
+        Field("solid_tide_m", "scalar", scalar="f64"),
+        Field("pole_tide_m", "scalar", scalar="f64"),
         Field("troposphere_hydrostatic_m", "scalar", scalar="f64"),
         Field("troposphere_wet_m", "scalar", scalar="f64"),
         Field("ionosphere_m", "scalar", scalar="f64"),
@@ -1044,8 +1094,12 @@ class ChannelTerms(Record):
         Field("wind_up_m", "scalar", scalar="f64"),
         Field("phase_bias_m", "scalar", scalar="f64"),
         Field("ionosphere_second_m", "scalar", scalar="f64"),
+        Field("disturbance_m", "scalar", scalar="f64"),
+        Field("scintillation_m", "scalar", scalar="f64"),
+        Field("land_mobile_m", "scalar", scalar="f64"),
         Field("echo_m", "scalar", scalar="f64"),
         Field("echo_phase_m", "scalar", scalar="f64"),
+        Field("spoofer_m", "scalar", scalar="f64"),
         Field("fault_range_m", "scalar", scalar="f64"),
         Field("fault_noise_m", "scalar", scalar="f64"),
         Field("fault_clock_m", "scalar", scalar="f64"),
@@ -1057,10 +1111,13 @@ class ChannelTerms(Record):
     sagnac_m: float = 0.0
     shapiro_m: float = 0.0
     satellite_clock_m: float = 0.0
+    clock_noise_m: float = 0.0
     relativity_m: float = 0.0
     group_delay_m: float = 0.0
     satellite_antenna_m: float = 0.0
     receiver_antenna_m: float = 0.0
+    solid_tide_m: float = 0.0
+    pole_tide_m: float = 0.0
     troposphere_hydrostatic_m: float = 0.0
     troposphere_wet_m: float = 0.0
     ionosphere_m: float = 0.0
@@ -1069,8 +1126,12 @@ class ChannelTerms(Record):
     wind_up_m: float = 0.0
     phase_bias_m: float = 0.0
     ionosphere_second_m: float = 0.0
+    disturbance_m: float = 0.0
+    scintillation_m: float = 0.0
+    land_mobile_m: float = 0.0
     echo_m: float = 0.0
     echo_phase_m: float = 0.0
+    spoofer_m: float = 0.0
     fault_range_m: float = 0.0
     fault_noise_m: float = 0.0
     fault_clock_m: float = 0.0
@@ -1628,8 +1689,9 @@ class Channels(Record):
     vel_mps [m/s]: its velocity (ecef)
     motion: where this motion comes from
     motion_age [ns]: live: the block's begin less the tag of the sample that it rests on; 0 otherwise
-    channels: those that the antenna sees at the block's begin, by satellite, signal and echo
+    channels: those that the antenna sees at the block's begin, by satellite, signal and echo; behind them the false ones
     terms: of each channel, in the same order; empty unless asked for
+    jammers: those that send then
     """
 
     TYPE: ClassVar[int] = 15
@@ -1645,6 +1707,7 @@ class Channels(Record):
         Field("motion_age", "scalar", scalar="i64"),
         Field("channels", "list", record=SatChannel, limit=4096),
         Field("terms", "list", record=ChannelTerms, limit=4096),
+        Field("jammers", "list", record=Jammer, limit=16),
     )
 
     epoch: Epoch = dataclasses.field(default_factory=Epoch)
@@ -1658,6 +1721,7 @@ class Channels(Record):
     motion_age: int = 0
     channels: list[SatChannel] = dataclasses.field(default_factory=list)
     terms: list[ChannelTerms] = dataclasses.field(default_factory=list)
+    jammers: list[Jammer] = dataclasses.field(default_factory=list)
 
     @property
     def t(self) -> int:

@@ -12,8 +12,10 @@ static void join(const orr_channel *from, const orr_channel *to, double T, orr_b
     out->at = *from;
     hermite_cubic(from->code_m, to->code_m - from->code_m, from->code_rate_mps, to->code_rate_mps, T,
                   out->code);
-    const double rise =
+    double rise =
         (double)(to->carrier_cycles - from->carrier_cycles) + (to->carrier_fraction - from->carrier_fraction);
+    // Where the sum of scattered rays passes behind zero, its angle begins anew: the phase goes on, its integer is another.
+    rise -= nearbyint(rise - (from->carrier_rate_hz + to->carrier_rate_hz) / 2 * T);
     hermite_cubic(from->carrier_fraction, rise, from->carrier_rate_hz, to->carrier_rate_hz, T, out->carrier);
     out->carrier_cycles = from->carrier_cycles;
 }
@@ -51,9 +53,11 @@ static void begin_at(const orr_channels *c, size_t antenna, orr_channel_work *wo
     w->end = was;
 }
 
-// The order of lists: by satellite, signal and echo.
+// The order of lists: by satellite, signal and echo; behind the sky those of each spoofer.
 static bool comes_before(const orr_channel *a, const orr_channel *b)
 {
+    const int of = a->echo / ORR_CHANNEL_SPOOFED, or_of = b->echo / ORR_CHANNEL_SPOOFED;
+    if (of != or_of) return of < or_of;
     if (a->sat != b->sat) return a->sat < b->sat;
     return a->signal != b->signal ? a->signal < b->signal : a->echo < b->echo;
 }

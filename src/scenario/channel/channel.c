@@ -11,6 +11,7 @@
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/seen.h"
 #include "src/scenario/channel/slow.h"
+#include "src/scenario/channel/spoofed.h"
 
 const orr_term_row orr_term_rows[ORR_N_TERMS] = {
 #define ORR_TERM(NAME, name, code, carrier, meaning) {name, meaning, code, carrier},
@@ -53,6 +54,17 @@ static bool set_clock(const orr_channels *c, ray *r)
     return true;
 }
 
+// Noise of the satellite's clock at emission.
+static void set_clock_noise(orr_time t, ray *r)
+{
+    double rate, *x = &r->term_m[ORR_TERM_CLOCK_NOISE], *slope = &r->rate_mps[ORR_TERM_CLOCK_NOISE];
+    *x = *slope = 0;
+    if (r->sat->clock_noise.n == 0) return;
+    const orr_time sent = orr_time_add_s(t, -r->light.tau_s);
+    *x = -ORR_LIGHT_MPS * orr_series_at(&r->sat->clock_noise, sent, &rate);
+    *slope = -ORR_LIGHT_MPS * rate * (1 - r->light.range_rate_mps / ORR_LIGHT_MPS);
+}
+
 // The light and the terms that all signals of a satellite share; false where there is no channel.
 static bool trace(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
                   const orr_antenna_state *at, uint16_t place, ray *r)
@@ -65,6 +77,7 @@ static bool trace(const orr_channels *c, size_t antenna, orr_channel_work *work,
     orr_light_close(r->slow.v[SLOW_FLIGHT], r->emission.pos_m, r->emission.vel_mps, at->r_m, at->v_mps,
                     &r->light);
     if (!set_clock(c, r)) return false;
+    set_clock_noise(t, r);
     double *x = r->term_m, *rate = r->rate_mps;
     const double *v = r->slow.v, *slope = r->slow.r;
     x[ORR_TERM_DISTANCE] = l->distance_m;
@@ -73,6 +86,10 @@ static bool trace(const orr_channels *c, size_t antenna, orr_channel_work *work,
     rate[ORR_TERM_SAGNAC] = l->range_rate_mps - l->distance_rate_mps;
     x[ORR_TERM_SHAPIRO] = v[SLOW_SHAPIRO];
     rate[ORR_TERM_SHAPIRO] = slope[SLOW_SHAPIRO];
+    x[ORR_TERM_SOLID_TIDE] = v[SLOW_SOLID_TIDE];
+    rate[ORR_TERM_SOLID_TIDE] = slope[SLOW_SOLID_TIDE];
+    x[ORR_TERM_POLE_TIDE] = v[SLOW_POLE_TIDE];
+    rate[ORR_TERM_POLE_TIDE] = slope[SLOW_POLE_TIDE];
     x[ORR_TERM_TROPOSPHERE_HYDROSTATIC] = v[SLOW_HYDROSTATIC];
     rate[ORR_TERM_TROPOSPHERE_HYDROSTATIC] = slope[SLOW_HYDROSTATIC];
     x[ORR_TERM_TROPOSPHERE_WET] = v[SLOW_WET];
@@ -96,9 +113,11 @@ static void set_signal(const orr_antenna *a, const ray *r, size_t j, double dela
     const channel_sent *sent = &r->sat->sent[j];
     double *x = out->term_m, *rate = out->rate_mps;
     const double *v = r->slow.v, *slope = r->slow.r;
-    memcpy(x, r->term_m, sizeof r->term_m);
+    memcpy(x, r->term_m, sizeof r->term_m); // terms of effects that are not there are zero
     memcpy(rate, r->rate_mps, sizeof r->rate_mps);
-    x[ORR_TERM_ECHO] = rate[ORR_TERM_ECHO] = x[ORR_TERM_ECHO_PHASE] = rate[ORR_TERM_ECHO_PHASE] = 0;
+    x[ORR_TERM_DISTURBANCE] = orr_iono_delay_m(v[SLOW_DISTURBANCE], sent->carrier_hz, ORR_MEASURES_CODE);
+    rate[ORR_TERM_DISTURBANCE] =
+        orr_iono_delay_m(slope[SLOW_DISTURBANCE], sent->carrier_hz, ORR_MEASURES_CODE);
     x[ORR_TERM_GROUP_DELAY] = delay_m;
     rate[ORR_TERM_GROUP_DELAY] = 0;
     x[ORR_TERM_PHASE_BIAS] = sent->phase_bias_m;
@@ -168,7 +187,7 @@ static void set_carrier(double phase_m, int64_t start, orr_channel *out)
 // A value and its rate in the code and in the carrier.
 typedef double sums __attribute__((vector_size(4 * sizeof(double))));
 
-static void set_sums(orr_time t, int64_t start, orr_channel *out)
+void channels_sum(orr_time t, int64_t start, orr_channel *out)
 {
 #define ORR_TERM(NAME, name, code, carrier, meaning) {code, code, carrier, carrier},
     static const sums FACTOR[ORR_N_TERMS] = {
@@ -210,10 +229,11 @@ static void add_echoes(const orr_channels *c, const orr_antenna_state *at, orr_t
     for (size_t k = 0; k < n; k++) {
         list->place[list->n] = list->place[direct];
         list->seen[list->n] = list->seen[direct];
+        list->start[list->n] = start;
         orr_channel *out = &list->channel[list->n++];
         *out = *x;
         effects_echo(&echo[k], out);
-        set_sums(t, start, out);
+        channels_sum(t, start, out);
     }
 }
 
@@ -227,6 +247,7 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         if ((signals >> sent->signal & 1) == 0) continue;
         list->place[list->n] = (uint16_t)(r->sat - c->satellite);
         list->seen[list->n] = r->direction.seen;
+        list->start[list->n] = sent->start;
         orr_channel *out = &list->channel[list->n++];
         out->sat = r->sat->sat;
         out->signal = sent->signal;
@@ -237,9 +258,12 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         out->carrier_hz = sent->carrier_hz;
         out->power_dbw = r->slow.v[slow_of(j, SLOW_POWER)];
         set_signal(&c->antenna[antenna], r, j, delays->delay_m[j], out);
-        if (c->faults != NULL) // else these terms are the ray's, zero
-            effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
-        set_sums(t, sent->start, out);
+        if (c->scintillation != NULL)
+            effects_scintillation(c, antenna, t, r->slow.v[SLOW_S4], r->slow.v[SLOW_SIGMA_PHI],
+                                  &work->antenna[antenna].fading[list->place[list->n - 1]], out);
+        if (c->land_mobile != NULL) effects_land_mobile(c, list->place[list->n - 1], t, list->as_of, out);
+        if (c->faults != NULL) effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
+        channels_sum(t, sent->start, out);
         if (c->echoes != NULL) add_echoes(c, at, t, r, sent->start, list);
     }
 }
@@ -249,6 +273,7 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
                        channel_list *list)
 {
     channel_antenna_work *w = &work->antenna[antenna];
+    const bool dark = orr_obstacles_tunnel(c->obstacles, at, as_of); // a block's end is seen from its begin
     size_t n = 0;
     list->t = t;
     list->as_of = as_of;
@@ -262,6 +287,7 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
         if (!satellite_at(channels_ephemeris(c), c->satellite[place].sat, work->satellite[place], t, 0, &x))
             continue;
         work->direction[n] = seen_at(c, antenna, at, x.pos_m);
+        if (dark) work->direction[n].seen = false;
         if (work->direction[n].seen || (also != NULL && also[place])) work->chosen[n++] = place;
     }
     slow_prepare(c, antenna, work, t, at, work->chosen, n);
@@ -275,6 +301,7 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
         if (trace(c, antenna, work, t, at, work->chosen[k], &r))
             fill(c, antenna, work, t, at, &r, signals, list);
     }
+    spoofed_add(c, work, at, signals, also, list);
 }
 
 orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,

@@ -6,6 +6,7 @@
 
 #include "core/signal.h"
 #include "src/scenario/antenna/antenna.h"
+#include "src/scenario/effect/jammer.h"
 #include "src/scenario/source/source_iono.h"
 #include "src/scenario/source/source_orbit.h"
 #include "src/scenario/source/source_tables.h"
@@ -35,11 +36,13 @@ enum {                                // orr_channel.flags
     ORR_CHANNEL_FAULT = 1u << 7,             // the scenario's faults befall it
 };
 
+#define ORR_CHANNEL_SPOOFED 256
 // What arrives of one signal. Rates are derivatives by the instant of reception.
 typedef struct orr_channel {
     orr_sat sat;
     uint16_t signal; // place in orr_signals
-    uint16_t echo;   // 0: the signal itself, else which echo of it
+    uint16_t
+        echo; // 0: the signal itself, else which echo of it, or ORR_CHANNEL_SPOOFED times which spoofer (from 1)
     uint32_t flags;
     double az_rad, el_rad; // of the satellite above the ellipsoid's horizon, geometric
     double term_m[ORR_N_TERMS], rate_mps[ORR_N_TERMS];
@@ -113,6 +116,11 @@ orr_span orr_channels_span(const orr_channels *c);
 orr_span orr_channels_antenna_span(const orr_channels *c, size_t antenna);
 // How many channels an antenna can have at once: satellites times their signals, with their echoes.
 size_t orr_channels_max(const orr_channels *c);
+// Jammers that an antenna in `at` receives at t (jammers); their number.
+size_t orr_channels_jammers(const orr_channels *c, const orr_antenna_state *at, orr_time t,
+                            orr_jammer out[ORR_MAX_JAMMERS]);
+// Time error of an antenna's receiver, s, and its rate: what observations have and channels do not (clocks.receiver).
+double orr_channels_oscillator(const orr_channels *c, size_t antenna, orr_time t, double *rate);
 // Spacing between early and late of the correlator that observes a signal, chips (multipath.spacing).
 double orr_channels_spacing(const orr_channels *c, size_t signal);
 

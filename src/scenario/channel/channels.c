@@ -23,6 +23,18 @@ orr_span orr_channels_antenna_span(const orr_channels *c, size_t antenna)
 
 size_t orr_channels_max(const orr_channels *c) { return c != NULL ? c->max_channels : 0; }
 
+size_t orr_channels_jammers(const orr_channels *c, const orr_antenna_state *at, orr_time t,
+                            orr_jammer out[ORR_MAX_JAMMERS])
+{
+    return orr_jammers_at(c->jammers, at, t, out);
+}
+
+double orr_channels_oscillator(const orr_channels *c, size_t antenna, orr_time t, double *rate)
+{
+    *rate = 0;
+    return c->oscillator[antenna].n > 0 ? orr_series_at(&c->oscillator[antenna], t, rate) : 0;
+}
+
 double orr_channels_spacing(const orr_channels *c, size_t signal)
 {
     if (c->spacing_chips > 0) return c->spacing_chips;

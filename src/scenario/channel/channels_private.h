@@ -14,8 +14,15 @@
 #include "src/scenario/channel/satellite_cell.h"
 #include "src/scenario/channel/sun_track.h"
 #include "src/scenario/channel/windup.h"
+#include "src/scenario/effect/clock_noise.h"
+#include "src/scenario/effect/disturbance.h"
 #include "src/scenario/effect/echo.h"
 #include "src/scenario/effect/fault.h"
+#include "src/scenario/effect/jammer.h"
+#include "src/scenario/effect/land_mobile.h"
+#include "src/scenario/effect/obstacle.h"
+#include "src/scenario/effect/scintillation.h"
+#include "src/scenario/effect/site.h"
 
 // A signal that a satellite sends.
 typedef struct channel_sent {
@@ -35,8 +42,9 @@ typedef struct channel_satellite {
     uint32_t flags;        // UNHEALTHY, NOMINAL_FREQUENCY
     int frequency_channel; // GLONASS
     double power_db;
-    orr_attitude_law law; // of its block, by ANTEX
-    bool orbit_normal;    // geostationary satellites of BeiDou and QZSS
+    orr_attitude_law law;   // of its block, by ANTEX
+    bool orbit_normal;      // geostationary satellites of BeiDou and QZSS
+    orr_series clock_noise; // empty: none
     size_t n_sent;
     channel_sent sent[CHANNEL_MAX_SENT];
 } channel_satellite;
@@ -64,9 +72,17 @@ struct orr_channels {
     orr_windup windup[ORR_MAX_ANTENNAS];
     uint64_t signals;
     size_t n_sats, max_channels;
-    channel_satellite *satellite; // as orr_source_orbit_satellites
-    orr_faults *faults;           // NULL: none
-    orr_echoes *echoes;           // NULL: none
+    channel_satellite *satellite;            // as orr_source_orbit_satellites
+    orr_faults *faults;                      // NULL: none
+    orr_echoes *echoes;                      // NULL: none
+    orr_disturbance *disturbance;            // NULL: none
+    orr_scintillation *scintillation;        // NULL: none
+    orr_series oscillator[ORR_MAX_ANTENNAS]; // of receivers; empty: none
+    orr_scenario_site site;
+    orr_obstacles *obstacles;     // NULL: none
+    orr_jammers *jammers;         // NULL: none
+    orr_land_mobile *land_mobile; // NULL: none
+    struct spoofed *spoofed;      // NULL: none
     double spacing_chips;         // 0: by the signal
     orr_sun_track sun;
     orr_magnetic *magnetic; // of the second order; NULL: a dipole
@@ -101,6 +117,7 @@ typedef struct channel_list {
     orr_channel *channel;
     uint16_t *place; // [n] satellites, as c->satellite
     bool *seen;      // [n] by the mask
+    int64_t *start;  // [n] integers of their carriers
 } channel_list;
 
 enum { SLOW_GROUPS = 10 }; // of satellites, whose cells of slow terms begin at different seconds
@@ -113,7 +130,8 @@ typedef struct channel_antenna_work {
     uint16_t *candidate; // [n_sats] satellites that may come above the mask in it
     orr_span leaf
         [SLOW_GROUPS]; // of each group of satellites: stretch in which the antenna's place is a cubic, nearly
-    channel_list end, begin; // of blocks
+    orr_scintillation_cell *fading; // [n_sats]
+    channel_list end, begin;        // of blocks
 } channel_antenna_work;
 
 struct orr_channel_work {
@@ -128,6 +146,7 @@ struct orr_channel_work {
     struct seen_direction *direction; // where they stand
     bool *also;                       // [n_sats] those of a block's begin
     channel_antenna_work antenna[ORR_MAX_ANTENNAS];
+    orr_channel_work *spoofed; // of the false sky; NULL: none
 };
 
 // The channels at t of all satellites that the antenna sees into *list, of which t, signals and n are set.
@@ -144,6 +163,15 @@ struct orr_channel_work {
 void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
                        orr_time as_of, const orr_antenna_state *at, uint64_t signals, const bool *also,
                        channel_list *list);
+
+// Code, carrier and instant of emission of a channel from its terms.
+// Given:
+//   t      instant of reception
+//   start  integer of its carrier
+//   out    channel with its terms and carrier
+// Returned:
+//   out    with the sums
+void channels_sum(orr_time t, int64_t start, orr_channel *out);
 
 // Both ends of a block, and the antenna there.
 typedef struct blocks_ends {

@@ -3,6 +3,7 @@
 
 #include "core/constants.h"
 #include "orbit/force/kepler.h"
+#include "src/scenario/channel/spoofed.h"
 
 // What the range grows by when the satellite is displaced along radius, track and normal of its orbit; the displacement turns with
 // the orbit, the Earth's axes below it.
@@ -52,15 +53,41 @@ void effects_echo(const orr_echo *echo, orr_channel *out)
     out->power_dbw += echo->power_db;
 }
 
+void effects_scintillation(const orr_channels *c, size_t antenna, orr_time t, double s4, double sigma_rad,
+                           orr_scintillation_cell *fading, orr_channel *out)
+{
+    orr_scintillation_effect x;
+    orr_scintillation_of(c->scintillation, out->sat, antenna, t, (orr_scintillation_now){s4, sigma_rad},
+                         out->carrier_hz, fading, &x);
+    const double cycle_m = ORR_LIGHT_MPS / out->carrier_hz;
+    out->term_m[ORR_TERM_SCINTILLATION] = -x.phase_cycles * cycle_m;
+    out->rate_mps[ORR_TERM_SCINTILLATION] = -x.phase_rate_hz * cycle_m;
+    out->power_dbw += x.power_db;
+}
+
+void effects_land_mobile(const orr_channels *c, size_t place, orr_time t, orr_time as_of, orr_channel *out)
+{
+    const orr_land_mobile_now x = orr_land_mobile_at(c->land_mobile, place, t, as_of, out->carrier_hz);
+    const double cycle_m = ORR_LIGHT_MPS / out->carrier_hz;
+    out->term_m[ORR_TERM_LAND_MOBILE] = -x.phase_cycles * cycle_m;
+    out->rate_mps[ORR_TERM_LAND_MOBILE] = -x.phase_rate_hz * cycle_m;
+    out->power_dbw += x.power_db;
+}
+
 bool effects_change(const orr_channels *c, orr_time after, orr_time until)
 {
-    return orr_faults_change(c->faults, after, until) || orr_echoes_change(c->echoes, after, until);
+    return spoofed_change(c, after, until) || orr_land_mobile_change(c->land_mobile, after, until) ||
+           orr_obstacles_change(c->obstacles, after, until) || orr_faults_change(c->faults, after, until) ||
+           orr_echoes_change(c->echoes, after, until);
 }
 
 bool effects_allow(const orr_channels *c, size_t antenna, orr_time cell, int64_t length_ns)
 {
     const orr_time end = cell + ORR_BLOCK_CELL_NS;
     const double error_m = c->options.error_m / 10;
-    return orr_faults_allow(c->faults, cell, end, length_ns, error_m) &&
+    return spoofed_allow(c, cell, end, length_ns) && length_ns <= orr_land_mobile_block_ns(c->land_mobile) &&
+           orr_obstacles_allow(c->obstacles, cell, end, length_ns) &&
+           orr_faults_allow(c->faults, cell, end, length_ns, error_m) &&
+           length_ns <= orr_scintillation_block_ns(c->scintillation, cell, end) &&
            orr_echoes_allow(c->echoes, &c->antenna[antenna], cell, end, length_ns, error_m);
 }

@@ -19,6 +19,21 @@
 void effects_fault(const orr_channels *c, size_t place, const orr_light *l, orr_time t, orr_time as_of,
                    orr_channel *out);
 
+// Adds scintillation to a signal: its term and its power.
+// Given:
+//   c          channels that have it
+//   antenna    whose
+//   t          instant
+//   s4         of its satellite's ray, and
+//   sigma_rad  of its phase, at 1575.42 MHz
+//   fading     processes of the satellite at the antenna
+// Returned:
+//   fading     likewise
+//   out        with it
+void effects_scintillation(const orr_channels *c, size_t antenna, orr_time t, double s4, double sigma_rad,
+                           orr_scintillation_cell *fading, orr_channel *out);
+// Adds what a road in view or in shadow does to a signal: its term and its power. Given and Returned: as effects_fault.
+void effects_land_mobile(const orr_channels *c, size_t place, orr_time t, orr_time as_of, orr_channel *out);
 // Makes a channel that of an echo of it: its terms, power and number; sums are the caller's.
 void effects_echo(const orr_echo *echo, orr_channel *out);
 // Whether effects change in after < t <= until, so that a block that ends at t is not the begin of the next.

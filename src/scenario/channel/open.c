@@ -10,6 +10,7 @@
 #include "orbit/spacecraft/orbit_class.h"
 #include "src/scenario/channel/block.h"
 #include "src/scenario/channel/channels_private.h"
+#include "src/scenario/channel/spoofed.h"
 
 // Light is on its way for 0.15 s at most, and rates are taken from so far on both sides.
 static const int64_t MARGIN_NS = ORR_NS_PER_S / 5;
@@ -244,6 +245,46 @@ static orr_status open_faults(const orr_scenario *s, orr_channels *c, orr_diag *
     return status;
 }
 
+// The product's instants of a satellite's clock.
+static orr_status pin(const orr_channels *c, channel_satellite *x)
+{
+    const orr_clock_node *list;
+    const size_t n = orr_ephemeris_clocks(channels_ephemeris(c), x->sat, &list);
+    orr_time *node = calloc(n + 1, sizeof *node);
+    if (node == NULL) return ORR_E_MEMORY;
+    for (size_t k = 0; k < n; k++) node[k] = list[k].t;
+    orr_clock_noise_pin(&x->clock_noise, node, n);
+    free(node);
+    return ORR_OK;
+}
+
+static orr_status open_clocks(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+{
+    const orr_scenario_clocks *o = &s->clocks;
+    const orr_time from = c->span.from - ORR_NS_PER_S; // light is on its way
+    size_t spare = ORR_SERIES_NODES;
+    orr_status status = ORR_OK;
+    for (size_t k = 0; status == ORR_OK && k < c->n_sats; k++) {
+        channel_satellite *x = &c->satellite[k];
+        for (size_t j = 0; x->n_sent > 0 && status == ORR_OK && x->clock_noise.n == 0 && j < o->satellites.n;
+             j++)
+            if (orr_sat_set_has(&o->satellites.item[j].sats, x->sat)) {
+                status = orr_clock_noise_make(&o->satellites.item[j], x->sat, from, c->span.to, &spare,
+                                              &x->clock_noise);
+                if (status == ORR_OK) status = pin(c, x);
+            }
+    }
+    for (size_t k = 0; status == ORR_OK && o->has_receiver && k < c->n_antennas; k++)
+        status = orr_clock_noise_make(&o->receiver, ((uint64_t)1 << 32) + k, from, c->span.to, &spare,
+                                      &c->oscillator[k]);
+    if (status == ORR_E_LIMIT)
+        return orr_marks_blame(&s->marks, status, "clocks",
+                               "noise of so many clocks over so long a time is more than 20 million seconds: "
+                               "give it fewer satellites, or the orbits a shorter time",
+                               diag);
+    return status == ORR_OK ? ORR_OK : orr_diag_set(diag, status, "out of memory");
+}
+
 static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, const orr_nav *nav,
                           orr_channels *c, const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
@@ -252,8 +293,15 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     if (status == ORR_OK && s->satellites.metadata != NULL)
         status = orr_satellite_metadata_read(s->satellites.metadata, NULL, &c->metadata, warnings, diag);
     if (status == ORR_OK) status = orr_echoes_open(s, c->span, &c->echoes, diag);
+    if (status == ORR_OK) status = orr_obstacles_open(s, &c->obstacles, diag);
+    if (status == ORR_OK) status = orr_jammers_open(s, &c->jammers, diag);
+    if (status == ORR_OK) status = orr_disturbance_open(s, &c->disturbance, diag);
+    if (status == ORR_OK) status = orr_scintillation_open(s, &c->scintillation, diag);
     if (status == ORR_OK) status = list_satellites(s, nav, c, diag);
     if (status == ORR_OK) status = open_faults(s, c, diag);
+    const orr_sat *list;
+    const size_t n_list = orr_source_orbit_satellites(c->orbits, &list);
+    if (status == ORR_OK) status = orr_land_mobile_open(s, list, n_list, c->span, &c->land_mobile, diag);
     if (status == ORR_OK) share_powers(c, warnings);
     if (status == ORR_OK)
         status = orr_sun_track_open(c->span.from, c->span.to,
@@ -265,6 +313,8 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     orr_time_mjd(c->span.from, ORR_SCALE_GPS, NULL, &mjd, &fraction);
     c->begin_days = mjd - 51544 + fraction;
     if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
+    if (status == ORR_OK) status = open_clocks(s, c, diag);
+    if (status == ORR_OK) status = spoofed_open(s, c, cancel, diag);
     if (status != ORR_OK) return status;
     c->n_cells = (size_t)((c->span.to - orr_block_cell(c->span.from)) / ORR_BLOCK_CELL_NS) + 1;
     c->cell = calloc(c->n_antennas * c->n_cells, sizeof *c->cell);
@@ -295,6 +345,7 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     c->troposphere = s->troposphere;
     c->has_troposphere = s->has_troposphere && s->troposphere.model != ORR_TROPOSPHERE_NONE;
     c->options = s->channel;
+    c->site = s->site;
     c->spacing_chips = s->multipath.spacing_chips;
     c->options.antex = c->options.bias = c->options.magnetic = NULL; // of the scenario, which may go
     (void)orr_source_orbit_span(orbits, &c->span);
@@ -322,9 +373,20 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
 void orr_channels_close(orr_channels *c)
 {
     if (c == NULL) return;
-    for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) orr_windup_free(&c->windup[k]);
+    for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) {
+        orr_windup_free(&c->windup[k]);
+        orr_series_free(&c->oscillator[k]);
+    }
+    for (size_t k = 0; c->satellite != NULL && k < c->n_sats; k++)
+        orr_series_free(&c->satellite[k].clock_noise);
     orr_faults_close(c->faults);
     orr_echoes_close(c->echoes);
+    orr_obstacles_close(c->obstacles);
+    orr_jammers_close(c->jammers);
+    spoofed_close(c->spoofed);
+    orr_land_mobile_close(c->land_mobile);
+    orr_disturbance_close(c->disturbance);
+    orr_scintillation_close(c->scintillation);
     orr_sun_track_free(&c->sun);
     orr_magnetic_free(c->magnetic);
     free(c->cell);

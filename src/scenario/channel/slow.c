@@ -19,6 +19,7 @@ typedef struct moment {
     const orr_antenna_state *at;
     bool slopes; // of delays by metres are wanted
     orr_vec3 sun_m;
+    orr_site_moved moved;                  // of a fixed antenna
     orr_troposphere_site site, site_above; // at the antenna, and a metre above it
 } moment;
 
@@ -48,6 +49,36 @@ static bool look(const moment *m, orr_channel_work *work, size_t place, ray *r)
     if (!satellite_at(e, r->sat->sat, cell, m->t, tau_s, &emission)) return false;
     orr_light_close(tau_s, emission.pos_m, emission.vel_mps, m->at->r_m, m->at->v_mps, &r->light);
     return true;
+}
+
+// What the ionosphere's fast effects need of the ray's pierce point; none below the horizon.
+static void set_fast_ionosphere(const moment *m, const ray *r, slow_values *out)
+{
+    const orr_channels *c = m->c;
+    orr_iono_site site;
+    orr_pierce p;
+    if (c->disturbance == NULL && c->scintillation == NULL) return;
+    if (orr_iono_site_at(m->at->r_m, &site, NULL) != ORR_OK ||
+        orr_pierce_ray(&site, r->reception.pos_m, ORR_SHELL_RADIUS_M, &p, NULL) != ORR_OK)
+        return;
+    if (c->scintillation != NULL) {
+        const orr_scintillation_now now = orr_scintillation_at(c->scintillation, r->sat->sat, m->t, &p);
+        out->v[SLOW_S4] = now.s4;
+        out->v[SLOW_SIGMA_PHI] = now.sigma_phi_rad;
+    }
+    if (c->disturbance == NULL) return;
+    const double here = orr_disturbance_tecu(c->disturbance, m->t, &p);
+    out->v[SLOW_DISTURBANCE] = here;
+    if (!m->slopes) return;
+    const double aside_m = 100;
+    for (int axis = 0; axis < 3; axis++) {
+        const orr_vec3 e = {m->at->enu.m[axis][0], m->at->enu.m[axis][1], m->at->enu.m[axis][2]};
+        orr_vec3 *slope = &out->per_m[SLOW_DISTURBANCE - SLOW_HYDROSTATIC];
+        if (orr_iono_site_at(orr_vec3_axpy(aside_m, e, m->at->r_m), &site, NULL) == ORR_OK &&
+            orr_pierce_ray(&site, r->reception.pos_m, ORR_SHELL_RADIUS_M, &p, NULL) == ORR_OK)
+            *slope =
+                orr_vec3_axpy((orr_disturbance_tecu(c->disturbance, m->t, &p) - here) / aside_m, e, *slope);
+    }
 }
 
 static void set_attitude(const moment *m, ray *r, slow_values *out)
@@ -133,6 +164,9 @@ static void trace(const moment *m, ray *r, slow_values *out)
     if (c->options.shapiro) out->v[SLOW_SHAPIRO] = orr_light_shapiro_m(m->at->r_m, l->sat_m, l->range_m);
     out->v[SLOW_APPROACH] = -orr_vec3_dot(l->u, l->sat_v_mps) / ORR_LIGHT_MPS;
     set_troposphere(m, r, out);
+    set_fast_ionosphere(m, r, out);
+    out->v[SLOW_SOLID_TIDE] = -orr_vec3_dot(l->u, m->moved.solid_m);
+    out->v[SLOW_POLE_TIDE] = -orr_vec3_dot(l->u, m->moved.pole_m);
     set_attitude(m, r, out);
     if (c->options.windup && r->has_attitude)
         out->v[SLOW_TURNS] =
@@ -204,6 +238,8 @@ void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_
                 .sun_m = orr_sun_track_at(&c->sun, t)};
     orr_sat sat[SLOW_BATCH];
     orr_vec3 sat_m[SLOW_BATCH];
+    if (c->antenna[antenna].motion == NULL)
+        m.moved = orr_site_at(&c->site, orr_ephemeris_eop(channels_ephemeris(c)), at->r_m, m.sun_m, t);
     if (c->has_troposphere) {
         const orr_geodetic place_of = orr_earth_from_ecef(at->r_m);
         orr_geodetic above = place_of;

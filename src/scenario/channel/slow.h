@@ -12,8 +12,13 @@ enum {                  // what a satellite has, shared by its signals
     SLOW_HYDROSTATIC,   // m
     SLOW_WET,           // m
     SLOW_CONTENT,       // slant TEC, TECU
+    SLOW_DISTURBANCE,   // beside it, TECU
     SLOW_CONTENT_FIELD, // slant TEC times the magnetic field along the signal's way at the shell, TECU T
     SLOW_APPROACH,      // -u.v / c, v inertial
+    SLOW_S4,            // of scintillation, at 1575.42 MHz
+    SLOW_SIGMA_PHI,     // rad, likewise
+    SLOW_SOLID_TIDE,    // m
+    SLOW_POLE_TIDE,     // m
     SLOW_TURNS,         // wind-up of a dipole along East and North, cycles
     SLOW_SHARED,
 };
@@ -29,7 +34,7 @@ static inline size_t slow_of(size_t j, int what) { return SLOW_SHARED + j * SLOW
 // How many values a satellite with so many signals has.
 static inline size_t slow_count(size_t n_sent) { return SLOW_SHARED + n_sent * SLOW_OF; }
 
-enum { SLOW_SLOPES = SLOW_CONTENT - SLOW_HYDROSTATIC + 1 }; // delays that change by the metre
+enum { SLOW_SLOPES = SLOW_DISTURBANCE - SLOW_HYDROSTATIC + 1 }; // delays that change by the metre
 
 // Values at an instant of reception at a place, and what delays change by when the antenna stands a metre beside it.
 typedef struct slow_values {

@@ -231,9 +231,13 @@ static double metres_of(size_t i)
     case SLOW_FLIGHT:
         return 0.1; // an estimate, to 1e-6 s
     case SLOW_CONTENT:
+    case SLOW_DISTURBANCE:
         return ORR_IONO_K_M3_PER_S2 / (1.2e9 * 1.2e9);
     case SLOW_CONTENT_FIELD:
         return ORR_IONO_SECOND_M4_PER_S3_T / (1.2e9 * 1.2e9 * 1.2e9);
+    case SLOW_S4:
+    case SLOW_SIGMA_PHI:
+        return 1e-5; // of an index
     case SLOW_APPROACH:
         return 100; // of delays
     case SLOW_TURNS:

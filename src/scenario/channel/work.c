@@ -5,6 +5,7 @@
 
 #include "src/scenario/channel/seen.h"
 #include "src/scenario/channel/slow.h"
+#include "src/scenario/channel/spoofed.h"
 
 static orr_status open_list(const orr_channels *c, channel_list *list)
 {
@@ -12,7 +13,10 @@ static orr_status open_list(const orr_channels *c, channel_list *list)
     list->channel = calloc(c->max_channels, sizeof *list->channel);
     list->place = calloc(c->max_channels, sizeof *list->place);
     list->seen = calloc(c->max_channels, sizeof *list->seen);
-    return list->channel != NULL && list->place != NULL && list->seen != NULL ? ORR_OK : ORR_E_MEMORY;
+    list->start = calloc(c->max_channels, sizeof *list->start);
+    return list->channel != NULL && list->place != NULL && list->seen != NULL && list->start != NULL
+               ? ORR_OK
+               : ORR_E_MEMORY;
 }
 
 static orr_status open_antenna(const orr_channels *c, channel_antenna_work *w)
@@ -20,7 +24,8 @@ static orr_status open_antenna(const orr_channels *c, channel_antenna_work *w)
     w->candidates_of = ORR_TIME_NONE;
     w->slow = slow_cells_open(c->n_sats);
     w->candidate = calloc(c->n_sats, sizeof *w->candidate);
-    if (w->slow == NULL || w->candidate == NULL) return ORR_E_MEMORY;
+    w->fading = calloc(c->n_sats, sizeof *w->fading);
+    if (w->slow == NULL || w->candidate == NULL || w->fading == NULL) return ORR_E_MEMORY;
     const orr_status s = open_list(c, &w->begin);
     return s == ORR_OK ? open_list(c, &w->end) : s;
 }
@@ -48,7 +53,7 @@ static orr_status open_all(const orr_channels *c, orr_channel_work *w)
     for (size_t k = 0; k < n; k++) w->delays[k].cell = ORR_TIME_NONE;
     orr_status s = ORR_OK;
     for (size_t k = 0; s == ORR_OK && k < c->n_antennas; k++) s = open_antenna(c, &w->antenna[k]);
-    return s;
+    return s == ORR_OK ? spoofed_work_open(c, &w->spoofed, NULL) : s;
 }
 
 orr_status orr_channel_work_open(const orr_channels *c, orr_channel_work **out, orr_diag *diag)
@@ -66,15 +71,18 @@ static void free_list(channel_list *list)
     free(list->channel);
     free(list->place);
     free(list->seen);
+    free(list->start);
 }
 
 void orr_channel_work_close(orr_channel_work *w)
 {
     if (w == NULL) return;
+    orr_channel_work_close(w->spoofed);
     for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) {
         channel_antenna_work *a = &w->antenna[k];
         free(a->slow);
         free(a->candidate);
+        free(a->fading);
         free_list(&a->begin);
         free_list(&a->end);
     }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "src/scenario/effect/mover.h"
 #include "src/scenario/effect/reflection.h"
 
 static const double L1_HZ = 1575.42e6;
@@ -18,7 +19,7 @@ typedef struct reflector {
     double phase_cycles, power_db;
     bool in_space;
     double delay_m, delay_mps; // at `from`, of others
-    orr_vec3 r_m, v_mps;       // at `from`, of one in space
+    orr_mover place;           // of one in space
 } reflector;
 
 struct orr_echoes {
@@ -59,14 +60,7 @@ static orr_status prepare(const orr_scenario *s, size_t k, orr_span span, reflec
                           "the echo would overtake its signal: end it (to) before its delay is 0", diag);
         return ORR_OK;
     }
-    const orr_geodetic place = {x->position.item[0] * ORR_RAD_PER_DEG, x->position.item[1] * ORR_RAD_PER_DEG,
-                                x->position.item[2]};
-    out->r_m = orr_earth_to_ecef(place);
-    if (x->velocity_mps.n > 0) {
-        const orr_mat3 enu = orr_earth_enu_from_ecef(place.lat_rad, place.lon_rad);
-        const double *v = x->velocity_mps.item;
-        out->v_mps = orr_mat3_apply_t(&enu, (orr_vec3){v[0], v[1], v[2]});
-    }
+    out->place = orr_mover_of(&x->position, &x->velocity_mps, out->from);
     return ORR_OK;
 }
 
@@ -150,8 +144,8 @@ static void reflector_echo(const reflector *x, const orr_echo_ray *ray, orr_echo
         return;
     }
     // A plane wave reaches the reflector u.p earlier than the antenna, and goes the distance |p| on.
-    const orr_vec3 p = orr_vec3_sub(orr_vec3_axpy(since_s, x->v_mps, x->r_m), ray->at->r_m),
-                   p_rate = orr_vec3_sub(x->v_mps, ray->at->v_mps);
+    const orr_vec3 p = orr_vec3_sub(orr_mover_at(&x->place, ray->t), ray->at->r_m),
+                   p_rate = orr_vec3_sub(x->place.v_mps, ray->at->v_mps);
     out->delay_m = orr_vec3_norm(p) - orr_vec3_dot(ray->u, p);
     out->delay_mps = orr_vec3_dot(orr_vec3_unit(p), p_rate) - orr_vec3_dot(ray->u, p_rate) -
                      orr_vec3_dot(ray->u_rate_ps, p);
@@ -191,8 +185,8 @@ static double bends(const reflector *x, const orr_antenna *antenna, orr_time fro
         orr_antenna_state at;
         const orr_time t = from + (to - from) / 10 * k;
         if (orr_antenna_at(antenna, t, &at) != ORR_ANSWER_OK) continue;
-        const orr_vec3 r = orr_vec3_axpy(orr_time_diff_s(t, x->from), x->v_mps, x->r_m);
-        const double v = orr_vec3_norm(orr_vec3_sub(x->v_mps, at.v_mps)),
+        const orr_vec3 r = orr_mover_at(&x->place, t);
+        const double v = orr_vec3_norm(orr_vec3_sub(x->place.v_mps, at.v_mps)),
                      d = orr_vec3_norm(orr_vec3_sub(r, at.r_m));
         // Between two of these instants it may come nearer by half of what it moves meanwhile.
         nearest_m = fmin(nearest_m, d - v * orr_time_diff_s(to, from) / 20);

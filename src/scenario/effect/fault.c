@@ -8,8 +8,6 @@
 #include "core/constants.h"
 #include "src/scenario/effect/fault_private.h"
 
-enum { MOST_NODES = 20000000 };
-
 static int by_time(const void *a, const void *b)
 {
     const orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
@@ -33,7 +31,7 @@ static orr_status list_events(orr_faults *f)
 static orr_status share_out(const orr_scenario *s, const orr_fault_satellite *satellite, size_t n,
                             orr_faults *f, orr_diag *diag)
 {
-    size_t spare = MOST_NODES;
+    size_t spare = ORR_SERIES_NODES;
     f->n_sats = n;
     f->first = calloc(n + 1, sizeof *f->first);
     orr_status status = f->first != NULL ? ORR_OK : ORR_E_MEMORY;
@@ -85,7 +83,7 @@ void orr_faults_close(orr_faults *f)
 {
     if (f == NULL) return;
     for (size_t k = 0; k < f->n_uses; k++)
-        for (size_t j = 0; j < 2; j++) free(f->use[k].series[j].node);
+        for (size_t j = 0; j < 2; j++) orr_series_free(&f->use[k].series[j]);
     free(f->use);
     free(f->first);
     free(f->event);
@@ -138,7 +136,7 @@ static void add(const orr_faults *f, const fault_use *use, orr_time t, orr_time 
         break;
     case FAULT_NOISE:
         for (size_t k = 0; k < use->n_series; k++) {
-            out->noise_m += fault_noise_at(&use->series[k], t, &rate);
+            out->noise_m += orr_series_at(&use->series[k], t, &rate);
             out->noise_mps += rate;
         }
         break;

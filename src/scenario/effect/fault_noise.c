@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gauss-Markov processes: exact at nodes of a lattice of time, a twentieth of the correlation time apart or less, and between
-// them cubics through nodes and their central differences, so that value and rate are continuous.
+// Gauss-Markov processes, exact at nodes of a lattice of time, a twentieth of the correlation time apart or less.
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/rng.h"
 #include "src/scenario/effect/fault_private.h"
 
-int64_t fault_noise_step_ns(double time_s)
+// Step between nodes of a process with this correlation time: each a multiple of the blocks' lengths up to itself.
+static int64_t step_ns(double time_s)
 {
-    // Each a multiple of the blocks' lengths up to itself.
     static const double STEPS_S[] = {10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05};
     size_t k = 0;
     while (k + 1 < sizeof STEPS_S / sizeof *STEPS_S && STEPS_S[k] > time_s / 20) k++;
@@ -17,20 +15,13 @@ int64_t fault_noise_step_ns(double time_s)
 }
 
 static orr_status make_series(double sigma_m, double time_s, orr_time from, orr_time to, uint64_t seed,
-                              uint64_t stream, size_t *spare, fault_series *out)
+                              uint64_t stream, size_t *spare, orr_series *out)
 {
-    const int64_t step = fault_noise_step_ns(time_s);
-    const size_t n = (size_t)((to - from) / step) + 5; // a node before and two after the first and last
-    if (n > *spare) return ORR_E_LIMIT;
-    *spare -= n;
-    out->node = malloc(n * sizeof *out->node);
-    if (out->node == NULL) return ORR_E_MEMORY;
-    out->n = n;
-    out->step_ns = step;
-    out->from = from - orr_floor_mod(from, step);
-    const double keep = exp(-(double)step / 1e9 / time_s), fresh = sqrt(1 - keep * keep);
+    const orr_status s = orr_series_open(from, to, step_ns(time_s), spare, out);
+    if (s != ORR_OK) return s;
+    const double keep = exp(-(double)out->step_ns / 1e9 / time_s), fresh = sqrt(1 - keep * keep);
     double x = sigma_m * orr_rng_normal(seed, stream, 0);
-    for (size_t k = 0; k < n; k++) {
+    for (size_t k = 0; k < out->n; k++) {
         out->node[k] = x;
         x = keep * x + sigma_m * fresh * orr_rng_normal(seed, stream, k + 1);
     }
@@ -47,18 +38,4 @@ orr_status fault_noise_make(const fault_item *item, int64_t seed, orr_sat sat, s
         if (s == ORR_OK) use->n_series = k + 1;
     }
     return s;
-}
-
-double fault_noise_at(const fault_series *x, orr_time t, double *rate_mps)
-{
-    // A block along live motion may reach beyond the end of the fault.
-    const size_t last = x->n - 4, found = (size_t)((t - x->from) / x->step_ns),
-                 k = (found < last ? found : last) + 1;
-    const double T = (double)x->step_ns / 1e9,
-                 s = (double)(t - x->from - (int64_t)(k - 1) * x->step_ns) / 1e9 / T;
-    const double *p = &x->node[k - 1];
-    const double a = p[1], b = (p[2] - p[0]) / 2, e = (p[3] - p[1]) / 2, rise = p[2] - p[1];
-    const double c2 = 3 * rise - 2 * b - e, c3 = b + e - 2 * rise;
-    *rate_mps = (b + s * (2 * c2 + s * 3 * c3)) / T;
-    return a + s * (b + s * (c2 + s * c3));
 }

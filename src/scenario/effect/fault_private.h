@@ -4,6 +4,7 @@
 #define ORR_SCENARIO_EFFECT_FAULT_PRIVATE_H
 
 #include "src/scenario/effect/fault.h"
+#include "src/scenario/effect/series.h"
 
 typedef enum fault_kind {
     FAULT_RANGE,
@@ -33,18 +34,10 @@ typedef struct fault_item {
     const orr_fault_noise *noise; // while they are prepared
 } fault_item;
 
-// One process of one satellite.
-typedef struct fault_series {
-    orr_time from; // of node 1, a multiple of step_ns
-    int64_t step_ns;
-    size_t n;
-    double *node; // [n] m
-} fault_series;
-
 // A fault of one satellite.
 typedef struct fault_use {
     size_t place, item;
-    fault_series series[2];
+    orr_series series[2];
     size_t n_series;
 } fault_use;
 
@@ -82,9 +75,5 @@ orr_status faults_contradict(const orr_scenario *s, const orr_fault_satellite *s
 //   use    its series
 // Errors: ORR_E_LIMIT, ORR_E_MEMORY.
 orr_status fault_noise_make(const fault_item *item, int64_t seed, orr_sat sat, size_t *spare, fault_use *use);
-// Step between nodes of a process with this correlation time.
-int64_t fault_noise_step_ns(double time_s);
-// Its value and rate at t.
-double fault_noise_at(const fault_series *x, orr_time t, double *rate_mps);
 
 #endif

@@ -13,7 +13,7 @@ size_t orr_composite_of(const orr_channels *c, const orr_channel *channel, size_
     orr_correlator_ray ray[1 + ORR_MAX_ECHOES] = {{.amplitude = 1}};
     size_t next = k + 1, rays = 1;
     double gain;
-    for (; next < n && channel[next].echo > 0; next++) {
+    for (; next < n && channel[next].echo > 0 && channel[next].echo < ORR_CHANNEL_SPOOFED; next++) {
         const orr_channel *y = &channel[next];
         ray[rays++] = (orr_correlator_ray){.amplitude = pow(10, (y->power_dbw - x->power_dbw) / 20),
                                            .delay_m = y->code_m - x->code_m,

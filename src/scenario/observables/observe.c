@@ -87,7 +87,13 @@ static void noise_of(const orr_signal *s, double spacing, double cn0_dbhz, doubl
     *phase_cycles = sqrt(phase_hz / cn0 * (1 + 1 / (2 * integration_s * cn0))) / (2 * ORR_PI);
 }
 
-static void put(const writer *w, const orr_channel *x, const orr_composite *m, orr_time t, double *value)
+// The receiver's oscillator at an epoch.
+typedef struct oscillator {
+    double error_s, rate;
+} oscillator;
+
+static void put(const writer *w, const orr_channel *x, const orr_composite *m, orr_time t,
+                const oscillator *clock, double *value)
 {
     const orr_signal *s = &w->signal[x->signal];
     const double cn0 = x->power_dbw + m->power_db - ORR_OBSERVE_N0_DBWHZ;
@@ -98,9 +104,10 @@ static void put(const writer *w, const orr_channel *x, const orr_composite *m, o
         code *= orr_rng_normal(w->plan->seed, stream, 2 * (uint64_t)t);
         phase *= orr_rng_normal(w->plan->seed, stream, 2 * (uint64_t)t + 1);
     }
-    value[0] = x->code_m + m->code_m + code;
-    value[1] = (double)x->carrier_cycles + (x->carrier_fraction + m->phase_cycles + phase);
-    value[2] = -x->carrier_rate_hz;
+    value[0] = x->code_m + ORR_LIGHT_MPS * clock->error_s + m->code_m + code;
+    value[1] = (double)x->carrier_cycles + (x->carrier_fraction + m->phase_cycles + phase) +
+               clock->error_s * x->carrier_hz;
+    value[2] = -x->carrier_rate_hz - clock->rate * x->carrier_hz;
     value[3] = cn0;
 }
 
@@ -121,7 +128,11 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
                               orr_diag *diag)
 {
     size_t n;
-    const orr_answer answer = orr_channels_at(w->c, w->antenna, w->work, t, UINT64_MAX, w->channel, &n);
+    oscillator clock;
+    clock.error_s = orr_channels_oscillator(w->c, w->antenna, t, &clock.rate);
+    // What the receiver's clock calls t is earlier by its error; within half a nanosecond ranges change by 4e-7 m.
+    const orr_answer answer = orr_channels_at(w->c, w->antenna, w->work, orr_time_add_s(t, -clock.error_s),
+                                              UINT64_MAX, w->channel, &n);
     if (answer != ORR_ANSWER_OK)
         return orr_diag_set(diag, ORR_E_RANGE, "the channels do not reach to %s of the observations",
                             t == w->plan->from ? "the begin" : "the end");
@@ -135,6 +146,7 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
     for (size_t k = 0; k < n;) {
         const orr_channel *x = &w->channel[k];
         orr_composite multipath;
+        if (x->echo >= ORR_CHANNEL_SPOOFED) break; // false ones come last, and are not what the loops follow
         k = orr_composite_of(w->c, w->channel, n, k, &multipath);
         count->observations++;
         if (e.n_sats == 0 || w->sat[e.n_sats - 1] != x->sat) {
@@ -145,7 +157,7 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
             w->sat[e.n_sats++] = x->sat;
         }
         const size_t at = (e.n_sats - 1) * w->stride + w->column[x->signal];
-        put(w, x, &multipath, t, &w->value[at]);
+        put(w, x, &multipath, t, &clock, &w->value[at]);
         for (int kind = 0; kind < 2; kind++) w->ssi[at + (size_t)kind] = strength(w->value[at + 3]);
         if (!was_there(w, x->sat)) w->lli[at + 1] = ORR_OBS_LLI_SLIP;
     }

@@ -17,6 +17,7 @@ _Static_assert(ORR_CHANNEL_UNHEALTHY == ORR_MSG_CHANNEL_FLAGS_UNHEALTHY &&
                    ORR_CHANNEL_NOMINAL_FREQUENCY == ORR_MSG_CHANNEL_FLAGS_NOMINAL_CHANNEL &&
                    ORR_CHANNEL_FAULT == ORR_MSG_CHANNEL_FLAGS_FAULT,
                "the channels' flags are the wire's");
+_Static_assert(ORR_MAX_JAMMERS <= ORR_MSG_MAX_JAMMERS, "all jammers are in CHANNELS");
 _Static_assert(ORR_MAX_ANTENNAS <= ORR_MSG_MAX_ANTENNAS, "all antennas are in CAPS");
 
 orr_status orr_answers_channels_open(const orr_channels *c, orr_answers_channels_room *out, orr_diag *diag)
@@ -172,10 +173,13 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .sagnac_m = t[ORR_TERM_SAGNAC],
                                  .shapiro_m = t[ORR_TERM_SHAPIRO],
                                  .satellite_clock_m = t[ORR_TERM_SATELLITE_CLOCK],
+                                 .clock_noise_m = t[ORR_TERM_CLOCK_NOISE],
                                  .relativity_m = t[ORR_TERM_RELATIVITY],
                                  .group_delay_m = t[ORR_TERM_GROUP_DELAY],
                                  .satellite_antenna_m = t[ORR_TERM_SATELLITE_ANTENNA],
                                  .receiver_antenna_m = t[ORR_TERM_RECEIVER_ANTENNA],
+                                 .solid_tide_m = t[ORR_TERM_SOLID_TIDE],
+                                 .pole_tide_m = t[ORR_TERM_POLE_TIDE],
                                  .troposphere_hydrostatic_m = t[ORR_TERM_TROPOSPHERE_HYDROSTATIC],
                                  .troposphere_wet_m = t[ORR_TERM_TROPOSPHERE_WET],
                                  .ionosphere_m = t[ORR_TERM_IONOSPHERE],
@@ -184,13 +188,35 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .wind_up_m = t[ORR_TERM_WIND_UP],
                                  .ionosphere_second_m = t[ORR_TERM_IONOSPHERE_SECOND],
                                  .phase_bias_m = t[ORR_TERM_PHASE_BIAS],
+                                 .disturbance_m = t[ORR_TERM_DISTURBANCE],
+                                 .scintillation_m = t[ORR_TERM_SCINTILLATION],
+                                 .land_mobile_m = t[ORR_TERM_LAND_MOBILE],
                                  .echo_m = t[ORR_TERM_ECHO],
                                  .echo_phase_m = t[ORR_TERM_ECHO_PHASE],
+                                 .spoofer_m = t[ORR_TERM_SPOOFER],
                                  .fault_range_m = t[ORR_TERM_FAULT_RANGE],
                                  .fault_noise_m = t[ORR_TERM_FAULT_NOISE],
                                  .fault_clock_m = t[ORR_TERM_FAULT_CLOCK],
                                  .fault_divergence_m = t[ORR_TERM_FAULT_DIVERGENCE],
                                  .fault_orbit_m = t[ORR_TERM_FAULT_ORBIT]};
+}
+
+static size_t fill_jammers(const orr_channels *c, const orr_antenna_state *at, orr_time t,
+                           orr_msg_jammer out[ORR_MAX_JAMMERS])
+{
+    orr_jammer list[ORR_MAX_JAMMERS];
+    const size_t n = orr_channels_jammers(c, at, t, list);
+    for (size_t k = 0; k < n; k++)
+        out[k] = (orr_msg_jammer){.number = list[k].number,
+                                  .waveform = orr_wire_text(list[k].waveform),
+                                  .az_rad = list[k].az_rad,
+                                  .el_rad = list[k].el_rad,
+                                  .range_m = list[k].range_m,
+                                  .range_rate_mps = list[k].range_rate_mps,
+                                  .carrier_hz = list[k].carrier_hz,
+                                  .doppler_hz = list[k].doppler_hz,
+                                  .power_dbw = (float)list[k].power_dbw};
+    return n;
 }
 
 orr_status orr_answers_channels_ride(const orr_channels *c, orr_vehicle *vehicle,
@@ -292,6 +318,8 @@ uint16_t orr_answers_channels(void *user, const orr_msg_poll_channels *poll, orr
         }
         m.channels.count = (uint16_t)x.n;
         m.channels.item = room->channel;
+        m.jammers.count = (uint16_t)fill_jammers(c, &x.at, x.blocks.t0, room->jammer);
+        m.jammers.item = room->jammer;
         m.terms.count = poll->terms != 0 ? (uint16_t)x.n : 0;
         m.terms.item = room->terms;
     }

@@ -16,6 +16,7 @@ typedef struct orr_answers_channels_room {
     orr_vehicle *vehicle;    // and the body, borrowed
     orr_block *block;
     orr_msg_sat_channel *channel;
+    orr_msg_jammer jammer[ORR_MAX_JAMMERS];
     orr_msg_channel_terms *terms;
     orr_msg_antenna antenna[ORR_MSG_MAX_ANTENNAS];
     orr_msg_signal signal[ORR_MSG_MAX_SIGNALS];

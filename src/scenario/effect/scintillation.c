@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scenario/effect/scintillation.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/constants.h"
+#include "core/rng.h"
+
+// Sinusoids: of each part of xi, and of the phase. Their fourth moments are within 1/64 of a Gaussian's.
+enum { WAVES = 64, PHASE_WAVES = 48 };
+static const double BETA = 1.239646464, L1_HZ = 1575.42e6;
+static const double LOW_HZ = 0.1, HIGH_HZ = 10;
+static const double RISE_S = 10, FADE_RAD = 0.5 * ORR_RAD_PER_DEG, FADE_H = 0.1;
+// Nodes of the processes; of 10 Hz cubics between them keep 0.98.
+#define NODE_NS (20 * ORR_NS_PER_S / 1000)
+
+typedef struct row {
+    orr_scenario_scintillation o; // its lists are not kept
+    bool has_lat, has_lon, has_local;
+    double lat_rad[2], lon_rad[2], local_h[2];
+    double w_radps
+        [WAVES]; // of unit tau0's spectrum, middle of each part's bounds by random numbers of the satellite
+    double phase_amplitude[PHASE_WAVES], edge_hz[PHASE_WAVES + 1];
+} row;
+
+struct orr_scintillation {
+    size_t n;
+    row *row;
+};
+
+// Share of the power of a Butterworth spectrum 1/(1 + x^4) below x, 0 <= x.
+static double below(double x)
+{
+    const double r = sqrt(2);
+    const double part = (log((x * x + r * x + 1) / (x * x - r * x + 1)) / (4 * r)) +
+                        (atan(r * x + 1) + atan(r * x - 1)) / (2 * r);
+    return part / (ORR_PI / (2 * r));
+}
+
+static double quantile(double share)
+{
+    double low = 0, high = 1;
+    while (below(high) < share) high *= 2;
+    for (int k = 0; k < 60; k++) {
+        const double middle = (low + high) / 2;
+        *(below(middle) < share ? &low : &high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+static void make_spectra(row *r)
+{
+    // Corner of the spectrum: sqrt(2) beta / tau0.
+    for (int k = 0; k < WAVES; k++)
+        r->w_radps[k] = quantile((k + 0.5) / WAVES) * sqrt(2) * BETA / r->o.tau0_s;
+    const double p = r->o.slope, whole = pow(LOW_HZ, 1 - p) - pow(HIGH_HZ, 1 - p);
+    for (int k = 0; k <= PHASE_WAVES; k++)
+        r->edge_hz[k] = LOW_HZ * pow(HIGH_HZ / LOW_HZ, (double)k / PHASE_WAVES);
+    for (int k = 0; k < PHASE_WAVES; k++)
+        r->phase_amplitude[k] = sqrt(2 * (pow(r->edge_hz[k], 1 - p) - pow(r->edge_hz[k + 1], 1 - p)) / whole);
+}
+
+static bool take_pair(const orr_real_list *list, double scale, double out[2])
+{
+    for (size_t k = 0; k < 2 && list->n == 2; k++) out[k] = list->item[k] * scale;
+    return list->n == 2;
+}
+
+orr_status orr_scintillation_open(const orr_scenario *s, orr_scintillation **out, orr_diag *diag)
+{
+    *out = NULL;
+    if (s->scintillation.n == 0) return ORR_OK;
+    orr_scintillation *x = calloc(1, sizeof *x);
+    if (x != NULL) x->row = calloc(s->scintillation.n, sizeof *x->row);
+    if (x == NULL || x->row == NULL) {
+        free(x);
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    }
+    for (; x->n < s->scintillation.n; x->n++) {
+        row *r = &x->row[x->n];
+        r->o = s->scintillation.item[x->n];
+        r->has_lat = take_pair(&r->o.latitude_deg, ORR_RAD_PER_DEG, r->lat_rad);
+        r->has_lon = take_pair(&r->o.longitude_deg, ORR_RAD_PER_DEG, r->lon_rad);
+        r->has_local = take_pair(&r->o.local_time_h, 1, r->local_h);
+        make_spectra(r);
+    }
+    *out = x;
+    return ORR_OK;
+}
+
+void orr_scintillation_close(orr_scintillation *x)
+{
+    if (x == NULL) return;
+    free(x->row);
+    free(x);
+}
+
+static const row *row_of(const orr_scintillation *x, orr_sat sat)
+{
+    for (size_t k = 0; k < x->n; k++)
+        if (!x->row[k].o.has_sats || orr_sat_set_has(&x->row[k].o.sats, sat)) return &x->row[k];
+    return NULL;
+}
+
+// 1 from `inside` 0 on, 0 from -width on, smooth between.
+static double fade(double inside, double width)
+{
+    const double s = fmin(fmax(inside / width + 1, 0), 1);
+    return s * s * s * (10 + s * (6 * s - 15));
+}
+
+// How far x is inside a range on a circle of this length; negative outside.
+static double inside_circle(double x, const double range[2], double circle)
+{
+    const double length = range[1] - range[0] - circle * floor((range[1] - range[0]) / circle);
+    const double half = length > 0 ? length / 2 : circle / 2;
+    return half - fabs(remainder(x - range[0] - half, circle));
+}
+
+static double weight(const row *r, orr_time t, const orr_pierce *p)
+{
+    double w = 1;
+    if (r->o.has_from) w *= fade(orr_time_diff_s(t, r->o.from), RISE_S);
+    if (r->o.has_to) w *= fade(orr_time_diff_s(r->o.to, t), RISE_S);
+    if (r->has_lat) w *= fade(fmin(p->lat_rad - r->lat_rad[0], r->lat_rad[1] - p->lat_rad), FADE_RAD);
+    if (r->has_lon) w *= fade(inside_circle(p->lon_rad, r->lon_rad, 2 * ORR_PI), FADE_RAD);
+    if (r->has_local) {
+        const double day_h = (double)orr_floor_mod(t, 86400 * ORR_NS_PER_S) / 3.6e12;
+        w *= fade(inside_circle(day_h + p->lon_rad * 12 / ORR_PI, r->local_h, 24), FADE_H);
+    }
+    return w;
+}
+
+orr_scintillation_now orr_scintillation_at(const orr_scintillation *x, orr_sat sat, orr_time t,
+                                           const orr_pierce *p)
+{
+    const row *r = row_of(x, sat);
+    if (r == NULL) return (orr_scintillation_now){0, 0};
+    const double w = weight(r, t, p);
+    return (orr_scintillation_now){w * r->o.s4, w * r->o.sigma_phi_rad};
+}
+
+// The processes at a node: value and rate of both parts of xi, each of variance 1/2, and of the phase.
+static void node_at(const row *r, uint64_t stream, orr_time t, double value[3], double rate[3])
+{
+    const uint64_t seed = (uint64_t)r->o.seed;
+    const double s = (double)t * 1e-9; // to 2e-7 s: 1e-5 rad of the fastest wave
+    memset(value, 0, 3 * sizeof *value);
+    memset(rate, 0, 3 * sizeof *rate);
+    const double a = 1 / sqrt(WAVES);
+    for (int k = 0; k < 2 * WAVES; k++) { // both parts: frequencies of either sign make them independent
+        uint32_t u[4];
+        orr_rng_u32(seed, stream, (uint64_t)k, u);
+        const double w = r->w_radps[k / 2] * (1 + 0.02 * (u[0] * 0x1p-32 - 0.5)) * (k % 2 == 0 ? 1 : -1),
+                     angle = fmod(w * s, 2 * ORR_PI) + 2 * ORR_PI * (u[1] * 0x1p-32), c = cos(angle),
+                     z = sin(angle);
+        value[0] += a / sqrt(2) * c;
+        value[1] += a / sqrt(2) * z;
+        rate[0] -= a / sqrt(2) * w * z;
+        rate[1] += a / sqrt(2) * w * c;
+    }
+    for (int k = 0; k < PHASE_WAVES; k++) {
+        uint32_t u[4];
+        orr_rng_u32(seed, stream, 1000 + (uint64_t)k, u);
+        const double hz = r->edge_hz[k] * pow(r->edge_hz[k + 1] / r->edge_hz[k], u[0] * 0x1p-32),
+                     w = 2 * ORR_PI * hz, angle = fmod(w * s, 2 * ORR_PI) + 2 * ORR_PI * (u[1] * 0x1p-32);
+        value[2] += r->phase_amplitude[k] * cos(angle);
+        rate[2] -= r->phase_amplitude[k] * w * sin(angle);
+    }
+}
+
+// The cubic through values and rates at both ends of a cell.
+static void join(const double v[2], const double r[2], double T, double out[4])
+{
+    const double rise = (v[1] - v[0]) / T;
+    out[0] = v[0];
+    out[1] = r[0];
+    out[2] = (3 * rise - 2 * r[0] - r[1]) / T;
+    out[3] = (r[0] + r[1] - 2 * rise) / (T * T);
+}
+
+static void make_cell(const row *r, uint64_t stream, orr_time t, orr_scintillation_cell *cell)
+{
+    double v[2][3], rate[2][3];
+    const orr_time from = t - orr_floor_mod(t, NODE_NS);
+    if (cell->made && cell->to == from) {
+        memcpy(v[0], cell->end, sizeof v[0]);
+        memcpy(rate[0], cell->end_rate, sizeof rate[0]);
+    } else {
+        node_at(r, stream, from, v[0], rate[0]);
+    }
+    node_at(r, stream, from + NODE_NS, v[1], rate[1]);
+    double *const part[3] = {cell->re, cell->im, cell->phase};
+    for (int k = 0; k < 3; k++)
+        join((double[2]){v[0][k], v[1][k]}, (double[2]){rate[0][k], rate[1][k]}, (double)NODE_NS / 1e9,
+             part[k]);
+    memcpy(cell->end, v[1], sizeof v[1]);
+    memcpy(cell->end_rate, rate[1], sizeof rate[1]);
+    cell->from = from;
+    cell->to = from + NODE_NS;
+    cell->made = true;
+}
+
+static double value_at(const double c[4], double s, double *rate)
+{
+    *rate = c[1] + s * (2 * c[2] + 3 * s * c[3]);
+    return c[0] + s * (c[1] + s * (c[2] + s * c[3]));
+}
+
+void orr_scintillation_of(const orr_scintillation *x, orr_sat sat, size_t antenna, orr_time t,
+                          orr_scintillation_now indices, double carrier_hz, orr_scintillation_cell *cell,
+                          orr_scintillation_effect *out)
+{
+    const row *r = row_of(x, sat);
+    *out = (orr_scintillation_effect){.power_db = 0};
+    if (r == NULL || !(indices.s4 > 0 || indices.sigma_phi_rad > 0)) return;
+    if (!cell->made || t < cell->from || t >= cell->to)
+        make_cell(r, ((uint64_t)antenna << 16) | sat, t, cell);
+    const double s = orr_time_diff_s(t, cell->from), ratio = L1_HZ / carrier_hz;
+    double rate;
+    const double sigma = indices.sigma_phi_rad * ratio / (2 * ORR_PI);
+    out->phase_cycles = sigma * value_at(cell->phase, s, &rate);
+    out->phase_rate_hz = sigma * rate;
+    if (!(indices.s4 > 1e-6)) return;
+    const double m = fmax(1 / pow(fmin(indices.s4 * pow(ratio, 1.5), 1), 2), 1), root = sqrt(m * m - m);
+    const double direct = root / m, scattered = 1 - direct; // K/(K + 1) and 1/(K + 1)
+    double re_rate, im_rate;
+    const double a = sqrt(scattered), re = sqrt(direct) + a * value_at(cell->re, s, &re_rate),
+                 im = a * value_at(cell->im, s, &im_rate), power = fmax(re * re + im * im, 1e-12);
+    out->power_db = 10 * log10(power);
+    out->phase_cycles += atan2(im, re) / (2 * ORR_PI);
+    out->phase_rate_hz += a * (re * im_rate - im * re_rate) / power / (2 * ORR_PI);
+}
+
+int64_t orr_scintillation_block_ns(const orr_scintillation *x, orr_time from, orr_time to)
+{
+    double least_s = (double)INFINITY;
+    for (size_t k = 0; x != NULL && k < x->n; k++) {
+        const orr_scenario_scintillation *o = &x->row[k].o;
+        const int64_t rise = (int64_t)(RISE_S * 1e9);
+        if ((o->has_from && to <= o->from - rise) || (o->has_to && from >= o->to + rise)) continue;
+        least_s = fmin(least_s, o->s4 > 0 ? o->tau0_s / 50 : 0.01); // the phase has 10 Hz
+    }
+    return isinf(least_s) ? INT64_MAX : (int64_t)(fmax(least_s, 0.001) * 1e9);
+}
