@@ -804,6 +804,7 @@ typedef struct orr_msg_channel_terms {
     double receiver_antenna_m; // likewise of the receiver's
     double solid_tide_m; // tide of the solid Earth below a fixed antenna
     double pole_tide_m; // tide of the pole's wandering, likewise
+    double ocean_loading_m; // weight of the ocean's tides, likewise
     double troposphere_hydrostatic_m; // hydrostatic delay
     double troposphere_wet_m; // wet delay
     double ionosphere_m; // first order, of the code
@@ -824,8 +825,8 @@ typedef struct orr_msg_channel_terms {
     double fault_divergence_m; // faults.divergence: of the code alone
     double fault_orbit_m; // faults.orbit: what the displaced satellite adds to the range
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 240u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 240u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 248u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 248u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1078,7 +1079,7 @@ typedef struct orr_msg_channels {
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
     orr_msg_jammer_list jammers; // those that send then
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 1500686u
+#define ORR_MSG_CHANNELS_LARGEST 1533454u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

@@ -407,7 +407,7 @@ records.jammer = {fields = {
     {name = "doppler_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
 }}
-records.channel_terms = {size = 240, smallest = 240, fields = {
+records.channel_terms = {size = 248, smallest = 248, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -419,6 +419,7 @@ records.channel_terms = {size = 240, smallest = 240, fields = {
     {name = "receiver_antenna_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "solid_tide_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "pole_tide_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "ocean_loading_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "troposphere_hydrostatic_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "troposphere_wet_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},

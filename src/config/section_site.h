@@ -7,6 +7,7 @@
 
 typedef struct orr_scenario_site {
     bool solid_tide, pole_tide;
+    char *ocean_loading; // BLQ file; NULL: none
 } orr_scenario_site;
 
 extern const orr_schema orr_section_site;

@@ -1053,6 +1053,7 @@ class ChannelTerms(Record):
     receiver_antenna_m [m]: likewise of the receiver's
     solid_tide_m [m]: tide of the solid Earth below a fixed antenna
     pole_tide_m [m]: tide of the pole's wandering, likewise
+    ocean_loading_m [m]: weight of the ocean's tides, likewise
     troposphere_hydrostatic_m [m]: hydrostatic delay
     troposphere_wet_m [m]: wet delay
     ionosphere_m [m]: first order, of the code
@@ -1086,6 +1087,7 @@ class ChannelTerms(Record):
         Field("receiver_antenna_m", "scalar", scalar="f64"),
         Field("solid_tide_m", "scalar", scalar="f64"),
         Field("pole_tide_m", "scalar", scalar="f64"),
+        Field("ocean_loading_m", "scalar", scalar="f64"),
         Field("troposphere_hydrostatic_m", "scalar", scalar="f64"),
         Field("troposphere_wet_m", "scalar", scalar="f64"),
         Field("ionosphere_m", "scalar", scalar="f64"),
@@ -1118,6 +1120,7 @@ class ChannelTerms(Record):
     receiver_antenna_m: float = 0.0
     solid_tide_m: float = 0.0
     pole_tide_m: float = 0.0
+    ocean_loading_m: float = 0.0
     troposphere_hydrostatic_m: float = 0.0
     troposphere_wet_m: float = 0.0
     ionosphere_m: float = 0.0

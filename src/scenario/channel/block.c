@@ -45,7 +45,7 @@ static void begin_at(const orr_channels *c, size_t antenna, orr_channel_work *wo
 {
     channel_antenna_work *w = &work->antenna[antenna];
     if (w->end.t != t || w->end.signals != signals || effects_change(c, w->end.as_of, t)) {
-        channels_evaluate(c, antenna, work, t, t, at, signals, NULL, &w->begin);
+        channels_receive(c, antenna, work, t, t, at, signals, NULL, &w->begin);
         return;
     }
     const channel_list was = w->begin;
@@ -70,7 +70,7 @@ void blocks_between(const orr_channels *c, size_t antenna, orr_channel_work *wor
     begin_at(c, antenna, work, e->t0, &e->at0, signals);
     memset(work->also, 0, c->n_sats * sizeof *work->also);
     for (size_t k = 0; k < begin->n; k++) work->also[begin->place[k]] = begin->seen[k];
-    channels_evaluate(c, antenna, work, e->t1, e->t0, &e->at1, signals, work->also, end);
+    channels_receive(c, antenna, work, e->t1, e->t0, &e->at1, signals, work->also, end);
     const double T = orr_time_diff_s(e->t1, e->t0);
     for (size_t k = 0, j = 0; k < begin->n; k++) { // both lists ascend, the second may lack some
         const orr_channel *from = &begin->channel[k];

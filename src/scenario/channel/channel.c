@@ -11,7 +11,6 @@
 #include "src/scenario/channel/light.h"
 #include "src/scenario/channel/seen.h"
 #include "src/scenario/channel/slow.h"
-#include "src/scenario/channel/spoofed.h"
 
 const orr_term_row orr_term_rows[ORR_N_TERMS] = {
 #define ORR_TERM(NAME, name, code, carrier, meaning) {name, meaning, code, carrier},
@@ -90,6 +89,8 @@ static bool trace(const orr_channels *c, size_t antenna, orr_channel_work *work,
     rate[ORR_TERM_SOLID_TIDE] = slope[SLOW_SOLID_TIDE];
     x[ORR_TERM_POLE_TIDE] = v[SLOW_POLE_TIDE];
     rate[ORR_TERM_POLE_TIDE] = slope[SLOW_POLE_TIDE];
+    x[ORR_TERM_OCEAN_LOADING] = v[SLOW_OCEAN_LOADING];
+    rate[ORR_TERM_OCEAN_LOADING] = slope[SLOW_OCEAN_LOADING];
     x[ORR_TERM_TROPOSPHERE_HYDROSTATIC] = v[SLOW_HYDROSTATIC];
     rate[ORR_TERM_TROPOSPHERE_HYDROSTATIC] = slope[SLOW_HYDROSTATIC];
     x[ORR_TERM_TROPOSPHERE_WET] = v[SLOW_WET];
@@ -301,21 +302,4 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
         if (trace(c, antenna, work, t, at, work->chosen[k], &r))
             fill(c, antenna, work, t, at, &r, signals, list);
     }
-    spoofed_add(c, work, at, signals, also, list);
-}
-
-orr_answer orr_channels_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
-                           uint64_t signals, orr_channel *out, size_t *n)
-{
-    orr_antenna_state at;
-    *n = 0;
-    if (antenna >= orr_channels_antennas(c)) return ORR_ANSWER_NOT_SERVED;
-    if (!orr_span_holds(c->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
-    const orr_answer answer = orr_antenna_at(&c->antenna[antenna], t, &at);
-    if (answer != ORR_ANSWER_OK) return answer;
-    channel_list list = work->antenna[antenna].begin; // its places; the channels go where they are wanted
-    list.channel = out;
-    channels_evaluate(c, antenna, work, t, t, &at, signals, NULL, &list);
-    *n = list.n;
-    return ORR_ANSWER_OK;
 }

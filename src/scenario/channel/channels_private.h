@@ -78,12 +78,14 @@ struct orr_channels {
     orr_disturbance *disturbance;            // NULL: none
     orr_scintillation *scintillation;        // NULL: none
     orr_series oscillator[ORR_MAX_ANTENNAS]; // of receivers; empty: none
-    orr_scenario_site site;
-    orr_obstacles *obstacles;     // NULL: none
-    orr_jammers *jammers;         // NULL: none
-    orr_land_mobile *land_mobile; // NULL: none
-    struct spoofed *spoofed;      // NULL: none
-    double spacing_chips;         // 0: by the signal
+    orr_scenario_site site;                  // its file is not kept
+    bool has_ocean;
+    orr_blq ocean[ORR_MAX_ANTENNAS]; // of fixed antennas
+    orr_obstacles *obstacles;        // NULL: none
+    orr_jammers *jammers;            // NULL: none
+    orr_land_mobile *land_mobile;    // NULL: none
+    struct spoofed *spoofed;         // NULL: none
+    double spacing_chips;            // 0: by the signal
     orr_sun_track sun;
     orr_magnetic *magnetic; // of the second order; NULL: a dipole
     double begin_days;      // of the span, after 2000.0
@@ -163,6 +165,11 @@ struct orr_channel_work {
 void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
                        orr_time as_of, const orr_antenna_state *at, uint64_t signals, const bool *also,
                        channel_list *list);
+
+// The same, and behind them the false ones of spoofers. Given and Returned: as channels_evaluate.
+void channels_receive(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_time t,
+                      orr_time as_of, const orr_antenna_state *at, uint64_t signals, const bool *also,
+                      channel_list *list);
 
 // Code, carrier and instant of emission of a channel from its terms.
 // Given:

@@ -285,6 +285,16 @@ static orr_status open_clocks(const orr_scenario *s, orr_channels *c, orr_diag *
     return status == ORR_OK ? ORR_OK : orr_diag_set(diag, status, "out of memory");
 }
 
+static orr_status open_ocean(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+{
+    orr_status status = ORR_OK;
+    c->has_ocean = s->site.ocean_loading != NULL;
+    for (size_t k = 0; c->has_ocean && status == ORR_OK && k < c->n_antennas; k++)
+        if (c->antenna[k].motion == NULL)
+            status = orr_blq_read(s->site.ocean_loading, c->antenna[k].name, &c->ocean[k], diag);
+    return status;
+}
+
 static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, const orr_nav *nav,
                           orr_channels *c, const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
@@ -313,6 +323,7 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     orr_time_mjd(c->span.from, ORR_SCALE_GPS, NULL, &mjd, &fraction);
     c->begin_days = mjd - 51544 + fraction;
     if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
+    if (status == ORR_OK) status = open_ocean(s, c, diag);
     if (status == ORR_OK) status = open_clocks(s, c, diag);
     if (status == ORR_OK) status = spoofed_open(s, c, cancel, diag);
     if (status != ORR_OK) return status;
@@ -346,6 +357,7 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     c->has_troposphere = s->has_troposphere && s->troposphere.model != ORR_TROPOSPHERE_NONE;
     c->options = s->channel;
     c->site = s->site;
+    c->site.ocean_loading = NULL; // of the scenario, which may go
     c->spacing_chips = s->multipath.spacing_chips;
     c->options.antex = c->options.bias = c->options.magnetic = NULL; // of the scenario, which may go
     (void)orr_source_orbit_span(orbits, &c->span);

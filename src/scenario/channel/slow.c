@@ -167,6 +167,7 @@ static void trace(const moment *m, ray *r, slow_values *out)
     set_fast_ionosphere(m, r, out);
     out->v[SLOW_SOLID_TIDE] = -orr_vec3_dot(l->u, m->moved.solid_m);
     out->v[SLOW_POLE_TIDE] = -orr_vec3_dot(l->u, m->moved.pole_m);
+    out->v[SLOW_OCEAN_LOADING] = -orr_vec3_dot(l->u, m->moved.ocean_m);
     set_attitude(m, r, out);
     if (c->options.windup && r->has_attitude)
         out->v[SLOW_TURNS] =
@@ -239,7 +240,8 @@ void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_
     orr_sat sat[SLOW_BATCH];
     orr_vec3 sat_m[SLOW_BATCH];
     if (c->antenna[antenna].motion == NULL)
-        m.moved = orr_site_at(&c->site, orr_ephemeris_eop(channels_ephemeris(c)), at->r_m, m.sun_m, t);
+        m.moved = orr_site_at(&c->site, orr_ephemeris_eop(channels_ephemeris(c)),
+                              c->has_ocean ? &c->ocean[antenna] : NULL, at->r_m, &at->enu, m.sun_m, t);
     if (c->has_troposphere) {
         const orr_geodetic place_of = orr_earth_from_ecef(at->r_m);
         orr_geodetic above = place_of;

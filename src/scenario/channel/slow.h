@@ -19,6 +19,7 @@ enum {                  // what a satellite has, shared by its signals
     SLOW_SIGMA_PHI,     // rad, likewise
     SLOW_SOLID_TIDE,    // m
     SLOW_POLE_TIDE,     // m
+    SLOW_OCEAN_LOADING, // m
     SLOW_TURNS,         // wind-up of a dipole along East and North, cycles
     SLOW_SHARED,
 };

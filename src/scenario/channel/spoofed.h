@@ -4,10 +4,24 @@
 #define ORR_SCENARIO_CHANNEL_SPOOFED_H
 
 #include "src/scenario/channel/channels_private.h"
+#include "src/scenario/effect/mover.h"
+
+// One of them.
+typedef struct spoofer {
+    bool has_sats;
+    orr_sat_set sats;
+    orr_interval sends;
+    orr_mover transmitter;
+    double delay_m, power_db;
+} spoofer;
 
 // The false sky of a scenario: channels of the places that spoofers tell of, without any effect of the surroundings, and the
 // spoofers.
-struct spoofed;
+struct spoofed {
+    orr_channels sky; // borrows from the scenario's channels; its antennas are the places told, one a spoofer
+    spoofer item[ORR_MAX_SPOOFERS];
+};
+
 // Prepares the section `spoofers` of prepared channels, and makes room for theirs in c->max_channels; c->spoofed stays NULL without it.
 // Given:
 //   s       scenario
@@ -19,22 +33,6 @@ struct spoofed;
 // Errors: those of the turns' count, ORR_E_MEMORY.
 orr_status spoofed_open(const orr_scenario *s, orr_channels *c, const volatile int *cancel, orr_diag *diag);
 void spoofed_close(struct spoofed *x); // NULL is allowed
-
-// A workspace of its own; NULL where there is no false sky.
-orr_status spoofed_work_open(const orr_channels *c, orr_channel_work **out, orr_diag *diag);
-
-// The false channels that an antenna in `at` receives, behind those of the list.
-// Given:
-//   c        channels
-//   work     workspace of c
-//   at       the antenna
-//   signals  those that are wanted
-//   also     as channels_evaluate
-//   list     channels of the sky; t and as_of are set
-// Returned:
-//   list     with those of the spoofers, one after the other
-void spoofed_add(const orr_channels *c, orr_channel_work *work, const orr_antenna_state *at, uint64_t signals,
-                 const bool *also, channel_list *list);
 
 // Whether any spoofer begins or ends in after < t <= until.
 bool spoofed_change(const orr_channels *c, orr_time after, orr_time until);

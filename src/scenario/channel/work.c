@@ -53,7 +53,7 @@ static orr_status open_all(const orr_channels *c, orr_channel_work *w)
     for (size_t k = 0; k < n; k++) w->delays[k].cell = ORR_TIME_NONE;
     orr_status s = ORR_OK;
     for (size_t k = 0; s == ORR_OK && k < c->n_antennas; k++) s = open_antenna(c, &w->antenna[k]);
-    return s == ORR_OK ? spoofed_work_open(c, &w->spoofed, NULL) : s;
+    return s == ORR_OK && c->spoofed != NULL ? orr_channel_work_open(&c->spoofed->sky, &w->spoofed, NULL) : s;
 }
 
 orr_status orr_channel_work_open(const orr_channels *c, orr_channel_work **out, orr_diag *diag)

@@ -4,20 +4,23 @@
 #define ORR_SCENARIO_EFFECT_SITE_H
 
 #include "core/astro.h"
+#include "ingest/tables/blq.h"
 #include "src/config/section_site.h"
 
 typedef struct orr_site_moved {
-    orr_vec3 solid_m, pole_m; // ecef; zero where the scenario does not want them
+    orr_vec3 solid_m, pole_m, ocean_m; // ecef; zero where the scenario does not want them
 } orr_site_moved;
 
 // Displacements of a station.
 // Given:
 //   o      section `site`
 //   eop    Earth's rotation; NULL: the secular pole, about which no tide is
+//   blq    the station's ocean loading; NULL: none
 //   r_m    station, ecef
+//   enu    rows: its East, North and Up
 //   sun_m  the Sun, ecef
 //   t      instant
-orr_site_moved orr_site_at(const orr_scenario_site *o, const orr_eop_series *eop, orr_vec3 r_m,
-                           orr_vec3 sun_m, orr_time t);
+orr_site_moved orr_site_at(const orr_scenario_site *o, const orr_eop_series *eop, const orr_blq *blq,
+                           orr_vec3 r_m, const orr_mat3 *enu, orr_vec3 sun_m, orr_time t);
 
 #endif

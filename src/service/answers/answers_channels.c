@@ -180,6 +180,7 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .receiver_antenna_m = t[ORR_TERM_RECEIVER_ANTENNA],
                                  .solid_tide_m = t[ORR_TERM_SOLID_TIDE],
                                  .pole_tide_m = t[ORR_TERM_POLE_TIDE],
+                                 .ocean_loading_m = t[ORR_TERM_OCEAN_LOADING],
                                  .troposphere_hydrostatic_m = t[ORR_TERM_TROPOSPHERE_HYDROSTATIC],
                                  .troposphere_wet_m = t[ORR_TERM_TROPOSPHERE_WET],
                                  .ionosphere_m = t[ORR_TERM_IONOSPHERE],
