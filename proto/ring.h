@@ -56,10 +56,15 @@ static inline bool orr_ring_write(orr_ring *r, uint16_t type, const uint8_t *dat
     if (size > r->stride - ORR_RING_SLOT_HEAD) return false;
     __atomic_store_n(orr_ring_word_(slot), 2 * r->next + 1, __ATOMIC_RELAXED);
     __atomic_store_n(orr_ring_word_(slot + 8), (uint64_t)size | (uint64_t)type << 32, __ATOMIC_RELEASE);
-    for (size_t at = 0; at < size; at += 8) {
-        uint64_t word = 0;
-        memcpy(&word, data + at, size - at < 8 ? size - at : 8);
-        __atomic_store_n(orr_ring_word_(slot + ORR_RING_SLOT_HEAD + at), word, __ATOMIC_RELEASE);
+    uint64_t *to = orr_ring_word_(slot + ORR_RING_SLOT_HEAD), word;
+    for (size_t k = 0; k < size / 8; k++) {
+        memcpy(&word, data + 8 * k, 8);
+        __atomic_store_n(&to[k], word, __ATOMIC_RELEASE);
+    }
+    word = 0;
+    if (size % 8 != 0) {
+        memcpy(&word, data + size / 8 * 8, size % 8);
+        __atomic_store_n(&to[size / 8], word, __ATOMIC_RELEASE);
     }
     __atomic_store_n(orr_ring_word_(slot), 2 * r->next + 2, __ATOMIC_RELEASE);
     r->next++;
@@ -101,10 +106,14 @@ static inline bool orr_ring_read(orr_ring *r, uint16_t *type, uint8_t *data, siz
             size_t n = (uint32_t)head;
             if (n > r->stride - ORR_RING_SLOT_HEAD) n = r->stride - ORR_RING_SLOT_HEAD;
             const size_t most = n < capacity ? n : capacity;
-            for (size_t at = 0; at < most; at += 8) {
-                const uint64_t word =
-                    __atomic_load_n(orr_ring_word_(slot + ORR_RING_SLOT_HEAD + at), __ATOMIC_ACQUIRE);
-                memcpy(data + at, &word, most - at < 8 ? most - at : 8);
+            const uint64_t *from = orr_ring_word_(slot + ORR_RING_SLOT_HEAD);
+            for (size_t k = 0; k < most / 8; k++) {
+                const uint64_t word = __atomic_load_n(&from[k], __ATOMIC_ACQUIRE);
+                memcpy(data + 8 * k, &word, 8);
+            }
+            if (most % 8 != 0) {
+                const uint64_t word = __atomic_load_n(&from[most / 8], __ATOMIC_ACQUIRE);
+                memcpy(data + most / 8 * 8, &word, most % 8);
             }
             if (__atomic_load_n(orr_ring_word_(slot), __ATOMIC_RELAXED) == stamp) {
                 *type = (uint16_t)(head >> 32);
