@@ -52,6 +52,8 @@ typedef struct orr_nc_writer {
 bool orr_nc_is_hdf5(const char *path);
 // Whether it ends with a seal, which need not fit, or with a part of one: orr_nc_open refuses such a file.
 bool orr_nc_is_sealed(const char *path);
+// Whether it is HDF5, could be read, and has none.
+bool orr_nc_lacks_seal(const char *path);
 
 // Begins a file; nothing stands at `path` before orr_nc_commit. ORR_E_IO where it cannot be made.
 orr_status orr_nc_create(const char *path, orr_nc_writer *w, orr_diag *diag);

@@ -106,15 +106,30 @@ static bool is_cut(FILE *f)
     return n > 0 && n < SEAL_LEN && memcmp(rest, LABEL, n < LABEL_LEN ? n : LABEL_LEN) == 0;
 }
 
-bool orr_nc_is_sealed(const char *path)
+// Whether a file has a seal, or a part of one; *read: that could be seen.
+static bool has_seal(const char *path, bool *read)
 {
     char seal[SEAL_LEN + 1] = "";
     long body;
     FILE *f = is_regular(path) ? fopen(path, "rb") : NULL;
+    *read = f != NULL;
     if (f == NULL) return false;
     const bool yes = read_seal(f, seal, &body) || is_cut(f);
+    *read = ferror(f) == 0;
     fclose(f);
     return yes;
+}
+
+bool orr_nc_is_sealed(const char *path)
+{
+    bool read;
+    return has_seal(path, &read);
+}
+
+bool orr_nc_lacks_seal(const char *path)
+{
+    bool read;
+    return orr_nc_is_hdf5(path) && !has_seal(path, &read) && read;
 }
 
 orr_status orr_nc_check_seal(const char *path, orr_diag *diag)
@@ -133,10 +148,13 @@ orr_status orr_nc_check_seal(const char *path, orr_diag *diag)
             s = orr_diag_at(
                 diag, ORR_E_FORMAT, path, 0, 0,
                 "is damaged: its bytes are not those it was sealed with (SHA-256 at its end); make it again");
+    } else if (ferror(f) != 0) {
+        s = io_error(path, "read", diag);
     } else if (is_cut(f)) {
         s = orr_diag_at(diag, ORR_E_FORMAT, path, 0, 0,
                         "is cut: the seal at its end (SHA-256) is not whole; copy it or make it again");
     }
+    if (s == ORR_OK && ferror(f) != 0) s = io_error(path, "read", diag);
     fclose(f);
     return s;
 }

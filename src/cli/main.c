@@ -122,6 +122,8 @@ static int run_command(orr_cli *c, int n_words, char **words)
     switch (orr_cli_args_parse(c, n_words, words)) {
     case ORR_CLI_WRONG:
         return ORR_EXIT_USAGE;
+    case ORR_CLI_FAILED:
+        return ORR_EXIT_FAILED;
     case ORR_CLI_HELP:
         orr_cli_help_command(stdout, c->command);
         return orr_cli_flush(c);

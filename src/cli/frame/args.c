@@ -321,7 +321,7 @@ orr_cli_parse_result orr_cli_args_parse(orr_cli *c, int n_words, char **words)
     c->values = calloc(1, sizeof *c->values + (size_t)(n_words + 1) * sizeof(value));
     if (c->values == NULL) {
         orr_cli_failf(c, "out of memory");
-        return ORR_CLI_WRONG;
+        return ORR_CLI_FAILED;
     }
     bool options = true;
     for (int i = 0; i < n_words; i++) {

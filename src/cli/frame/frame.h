@@ -12,9 +12,14 @@ extern const orr_option orr_cli_common_options[ORR_CLI_COMMON_OPTIONS];
 // How many of them a command has: the last, --force, only where it writes files.
 size_t orr_cli_n_common(const orr_command *cmd);
 
-typedef enum orr_cli_parse_result { ORR_CLI_RUN, ORR_CLI_HELP, ORR_CLI_WRONG } orr_cli_parse_result;
+typedef enum orr_cli_parse_result {
+    ORR_CLI_RUN,
+    ORR_CLI_HELP,
+    ORR_CLI_WRONG,
+    ORR_CLI_FAILED
+} orr_cli_parse_result;
 
-// Reads the words after the command's name. On ORR_CLI_WRONG the sentence has been printed. words[] is
+// Reads the words after the command's name. On ORR_CLI_WRONG and, without memory, ORR_CLI_FAILED the sentence has been printed. words[] is
 // reordered (operands to the front). Free with orr_cli_args_free whatever it returned.
 orr_cli_parse_result orr_cli_args_parse(orr_cli *c, int n_words, char **words);
 // Frees what orr_cli_args_parse made; c may be parsed again.

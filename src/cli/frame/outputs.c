@@ -42,8 +42,10 @@ static bool is_ours(const char *path)
     FILE *f = fopen(path, "rb");
     if (f == NULL) return false;
     const size_t n = fread(head, 1, HEAD, f);
+    const bool bad = ferror(f) != 0;
     fclose(f);
     head[n] = '\0';
+    if (bad) return false;
     if (n == 0 || orr_nc_is_sealed(path)) return true;
     return memchr(head, '\0', n) == NULL && is_our_text(head);
 }
@@ -201,7 +203,7 @@ orr_status orr_cli_file_check(const orr_cli *c, const char *path, const orr_sche
 
 static void warn_of(const orr_cli *c, const char *path)
 {
-    if (orr_nc_is_hdf5(path) && !orr_nc_is_sealed(path))
+    if (orr_nc_lacks_seal(path))
         orr_cli_failf(c, "warning: %s: has no seal of Orrery at its end, so that damage to it is not noticed",
                       path);
 }

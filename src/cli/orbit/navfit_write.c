@@ -29,6 +29,16 @@ static orr_status put_comments(const orr_inputs *inputs, orr_nav *nav, orr_diag 
     return nav->n_comments == 3 * inputs->n ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
 }
 
+// The date in the header: now, or what SOURCE_DATE_EPOCH says for files that are to be the same whenever they are made
+// (reproducible-builds.org).
+static time_t date_of_file(void)
+{
+    const char *fixed = getenv("SOURCE_DATE_EPOCH");
+    char *end;
+    const long long s = fixed != NULL && *fixed >= '0' && *fixed <= '9' ? strtoll(fixed, &end, 10) : -1;
+    return s >= 0 && *end == '\0' ? (time_t)s : time(NULL);
+}
+
 orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, double version,
                               const char *path, size_t *n_left, orr_diag *diag)
 {
@@ -36,7 +46,7 @@ orr_status navfit_write_rinex(const orr_navset *set, const orr_inputs *inputs, d
     orr_status s = orr_navset_records(set, &nav, diag);
     if (s != ORR_OK) return s;
     nav.version = version;
-    time_t now = time(NULL);
+    const time_t now = date_of_file();
     struct tm utc;
     snprintf(nav.program, sizeof nav.program, "orrery %s", ORR_VERSION);
     if (gmtime_r(&now, &utc) != NULL) strftime(nav.date, sizeof nav.date, "%Y%m%d %H%M%S UTC", &utc);

@@ -252,8 +252,9 @@ static orr_status open_text(serving *v, orr_diag *diag)
     const orr_asked asked = {.server = orr_answers_server(v->reader),
                              .streams = v->streams,
                              .leap = v->c->leap,
-                             .read_only = orr_cli_given(v->c, "read-only")};
-    return orr_text_server_open(url, &asked, &v->text, diag);
+                             .may = ORR_MAY_ALL,
+                             .log = &v->log};
+    return orr_text_server_open(url, &asked, v->access, &v->text, diag);
 }
 
 // The live page, by a thread and answers of its own.
@@ -413,8 +414,8 @@ static const orr_option options[] = {
     {.name = "text",
      .kind = ORR_OPT_TEXT,
      .value = "URL",
-     .help = "Serve the same as text too: SCPI and JSON lines, at tcp://127.0.0.1:PORT or unix:PATH "
-             "(docs/live.md)."},
+     .help = "Serve the same as text too: SCPI and JSON lines, at tcp://127.0.0.1:PORT, tls://HOST:PORT or "
+             "unix:PATH, by the same rules (docs/live.md)."},
     {.name = "http",
      .kind = ORR_OPT_TEXT,
      .value = "ADDRESS",

@@ -162,7 +162,7 @@ orr_status orr_live_page_open(const orr_server *server, orr_streams *streams, co
         *p = (orr_live_page){.asked = {.server = server,
                                        .streams = streams,
                                        .leap = leap,
-                                       .read_only = true,
+                                       .may = ORR_MAY_READ,
                                        .most_epochs = ORR_LIVE_PAGE_EPOCHS,
                                        .room = malloc(ORR_MSG_LARGEST)},
                              .service = service,

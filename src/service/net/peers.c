@@ -101,4 +101,12 @@ void orr_peers_leave(orr_peer *e)
     if (e != NULL) e->open--;
 }
 
-orr_allowance *orr_peer_requests(orr_peer *e) { return e != NULL ? &e->requests : NULL; }
+int64_t orr_peers_charge(orr_allowance *own, orr_peer *e, double n, const orr_access_limits *limits,
+                         int64_t now_ns)
+{
+    const double one = limits->requests_per_s, all = limits->requests_per_s_per_address;
+    const int64_t wait = orr_allowance_take(own, n, one, one, now_ns);
+    const int64_t other = e != NULL ? orr_allowance_take(&e->requests, n, all, all, now_ns) : 0;
+    const int64_t longer = wait > other ? wait : other;
+    return longer > 0 ? now_ns + longer : 0;
+}

@@ -8,6 +8,8 @@
 #include <stdint.h>
 #include <sys/socket.h>
 
+#include "src/config/access.h"
+
 enum { ORR_PEERS_MOST = 4096 };
 
 // An amount that runs dry and is filled again at a constant rate up to `burst`. Zero-initialise: it is full at first.
@@ -43,7 +45,14 @@ orr_peer *orr_peers_enter(orr_peers *p, const struct sockaddr *from, int64_t mos
                           int64_t now_ns, const char **why);
 // A connection of it has closed; NULL is allowed.
 void orr_peers_leave(orr_peer *e);
-// What requests of all connections of an address are taken from; NULL for NULL.
-orr_allowance *orr_peer_requests(orr_peer *e);
+// Takes requests from what a connection and its address may ask.
+//   Given:    own      of the connection
+//             e        its address; NULL: it is not counted
+//             n        how many requests
+//             limits   the rates; bursts are of a second
+//             now_ns   of a monotonic clock
+//   Returned: (value)  until when the connection has to wait; 0: it has not
+int64_t orr_peers_charge(orr_allowance *own, orr_peer *e, double n, const orr_access_limits *limits,
+                         int64_t now_ns);
 
 #endif

@@ -324,21 +324,16 @@ static void charge(orr_conn *c)
     const double n = (double)(c->conn.requests - c->charged);
     c->charged = c->conn.requests;
     if (!c->guest.limited || n == 0 || c->state != CONN_OPEN) return;
-    const orr_access_limits l = orr_access_limits_of(c->service->access);
-    const int64_t now = orr_service_clock_ns(c->service);
-    int64_t wait = orr_allowance_take(&c->requests, n, l.requests_per_s, l.requests_per_s, now);
-    orr_allowance *of_all = orr_peer_requests(c->guest.account);
-    const int64_t other = of_all != NULL ? orr_allowance_take(of_all, n, l.requests_per_s_per_address,
-                                                              l.requests_per_s_per_address, now)
-                                         : 0;
-    if (other > wait) wait = other;
-    if (wait > 0) c->held_until_ns = now + wait;
+    const orr_access_limits limits = orr_access_limits_of(c->service->access);
+    c->held_until_ns =
+        orr_peers_charge(&c->requests, c->guest.account, n, &limits, orr_service_clock_ns(c->service));
 }
 
-static void want(orr_conn *c, bool read, bool write)
+// False: it cannot be waited for.
+static bool want(orr_conn *c, bool read, bool write)
 {
     c->wants_write = write;
-    orr_link_want(c->link, read, write);
+    return orr_link_want(c->link, read, write);
 }
 
 // What to wait for next; also closes when all is done. The connection may be gone afterwards.
@@ -362,7 +357,11 @@ static void settle(orr_conn *c)
     // With streams its input is read whatever else is under way.
     const bool held = c->held_until_ns != 0 && c->state == CONN_OPEN;
     bool read = !c->peer_done && !held && (c->lanes.n > 0 ? can_read(c) : !write && !c->busy);
-    want(c, read, write);
+    if (!want(c, read, write)) { // nobody would ever hear of it again
+        orr_service_tell(c->service, "out of memory for %s", c->guest.peer);
+        orr_conn_close(c);
+        return;
+    }
     if ((c->busy || c->fresh) && !has_answers(c) && !held) orr_turns_wait(&c->service->turns, &c->turn);
 }
 
@@ -398,7 +397,7 @@ static void on_read(void *user)
     uint8_t waste[4096];
     bool open = c->state == CONN_OPEN;
     if (open && c->turn.place > 0 && c->lanes.n == 0) { // it waits for its turn with what it has sent before
-        want(c, false, c->wants_write);
+        (void)want(c, false, c->wants_write);           // what is not read only makes it wait
         return;
     }
     if (open && c->in == NULL && !get_buffers(c)) {
@@ -408,7 +407,9 @@ static void on_read(void *user)
     }
     if (open && c->in_size == c->in_capacity &&
         (!can_read(c) || !grow(&c->in, &c->in_capacity, ORR_CONN_IN_MOST))) {
-        want(c, false, c->wants_write); // until requests have been answered
+        (void)want(
+            c, false,
+            c->wants_write); // what is not read only makes it wait // until requests have been answered
         return;
     }
     ssize_t n = orr_link_recv(c->link, open ? c->in + c->in_size : waste,

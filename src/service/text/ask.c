@@ -23,10 +23,6 @@ static uint16_t ask_lane(const orr_asked *a, uint16_t type, const orr_msg_any *r
                          orr_server_refusal *why)
 {
     if (a->streams == NULL) return refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED, "this server has no clock");
-    const bool reads = type == ORR_MSG_TYPE_GET_TIME ||
-                       (type == ORR_MSG_TYPE_GET_MOTION_STATS && request->get_motion_stats.reset == 0);
-    if (a->read_only && !reads)
-        return refuse(why, ORR_MSG_ERROR_CODE_NOT_PERMITTED, "clients of this server may read, not control");
     switch (type) {
     case ORR_MSG_TYPE_GET_TIME:
         orr_streams_time(a->streams, &m->time);
@@ -46,6 +42,24 @@ static uint16_t ask_lane(const orr_asked *a, uint16_t type, const orr_msg_any *r
     }
 }
 
+// What a request asks for.
+static unsigned needed(uint16_t type, const orr_msg_any *request)
+{
+    switch (type) {
+    case ORR_MSG_TYPE_GET_TIME:
+        return ORR_MAY_NOTHING;
+    case ORR_MSG_TYPE_GET_MOTION_STATS:
+        return request->get_motion_stats.reset != 0 ? ORR_MAY_MOTION : ORR_MAY_NOTHING;
+    case ORR_MSG_TYPE_MOTION:
+        return ORR_MAY_MOTION;
+    case ORR_MSG_TYPE_CONTROL:
+    case ORR_MSG_TYPE_RADIO_TIME:
+        return ORR_MAY_CONTROL;
+    default:
+        return ORR_MAY_READ;
+    }
+}
+
 uint16_t orr_ask(const orr_asked *a, uint16_t type, const orr_msg_any *request, uint32_t k,
                  const orr_message_info **answer, orr_msg_any *m, orr_server_refusal *why)
 {
@@ -53,6 +67,8 @@ uint16_t orr_ask(const orr_asked *a, uint16_t type, const orr_msg_any *request, 
     if (info == NULL || !info->from_client)
         return refuse(why, ORR_MSG_ERROR_CODE_UNKNOWN_TYPE, "there is no such request");
     *answer = info->answer != 0 ? orr_message_of(info->answer) : NULL;
+    if ((needed(type, request) & ~a->may) != 0)
+        return refuse(why, ORR_MSG_ERROR_CODE_NOT_PERMITTED, "you have no permission to do that");
     if (orr_msg_is_lane(type)) return ask_lane(a, type, request, m, why);
     const orr_server *s = a->server;
     if (orr_msg_handled(s->handlers, type) == 0)

@@ -4,7 +4,9 @@
 #define ORR_SERVICE_TEXT_ASK_H
 
 #include "core/leap.h"
+#include "core/log.h"
 #include "proto/server.h"
+#include "src/config/access.h"
 #include "src/service/live/streams.h"
 
 struct orr_message_info; // proto/fields.h
@@ -14,9 +16,10 @@ typedef struct orr_asked {
     const orr_server *server;
     orr_streams *streams;       // NULL: no clock and no motion
     const orr_leap_table *leap; // NULL: the one built in
-    bool read_only;
-    uint32_t most_epochs; // of one request as text; 0: ORR_JSON_LINE_EPOCHS
-    uint8_t *room;        // ORR_MSG_LARGEST bytes, which answers borrow until the next
+    unsigned may;               // orr_may: what else is asked is refused
+    const orr_log *log;         // of what is told about clients; may be NULL
+    uint32_t most_epochs;       // of one request as text; 0: ORR_JSON_LINE_EPOCHS
+    uint8_t *room;              // ORR_MSG_LARGEST bytes, which answers borrow until the next
 } orr_asked;
 
 // Frame number k of the answer to a request.

@@ -292,7 +292,7 @@ bool orr_text_session_open(orr_text_session *s, const orr_asked *asked)
                                                {orr_scpi_gsg, orr_scpi_n_gsg},
                                                {orr_scpi_rs, orr_scpi_n_rs}},
                                      .identity = "Orrery,GNSS simulator,0," ORR_VERSION,
-                                     .read_only = asked->read_only}};
+                                     .read_only = (asked->may & ORR_MAY_CONTROL) == 0}};
     s->line = malloc(ORR_TEXT_LINE + 1);
     return s->line != NULL;
 }

@@ -2,56 +2,77 @@
 #include "src/service/text/text_server.h"
 
 #include <errno.h>
-#include <fcntl.h>
-#include <poll.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
-#include "core/outfile.h"
-#include "src/service/net/url.h"
+#include "core/monotonic.h"
+#include "src/service/net/door.h"
 #include "src/service/text/session.h"
 
-enum { CLIENTS = 32, MOST_WAITING = 1 << 20 };
+enum { CLIENTS = 32, MOST_WAITING = 1 << 20, SWEEP_US = 200000 };
 
-typedef struct text_client {
-    int fd;
+typedef struct text_client text_client;
+struct text_client {
+    orr_text_server *server;
+    orr_link *link;
+    orr_guest guest;
+    orr_asked asked; // what answers it, with its own permissions
     orr_text_session session;
     char *out; // what waits to be sent
     size_t n, at;
-} text_client;
+    int64_t last_ns, held_until_ns; // since when it is quiet; until when it has to wait, 0: it has not
+    orr_allowance lines;
+    text_client *next;
+};
 
 struct orr_text_server {
     orr_asked asked;
-    orr_url url;
-    char text[ORR_URL_TEXT];
-    int listener, stop[2];
+    orr_access *access;
+    struct event_base *base;
+    struct event *on_stop, *on_sweep;
+    orr_door *door;
+    int stop[2];
     pthread_t thread;
     bool has_thread;
     size_t n;
-    text_client client[CLIENTS];
+    text_client *client;
 };
 
-static void drop(orr_text_server *s, size_t k)
+static void drop(text_client *c)
 {
-    text_client *c = &s->client[k];
-    close(c->fd);
+    orr_text_server *s = c->server;
+    for (text_client **p = &s->client; *p != NULL; p = &(*p)->next)
+        if (*p == c) {
+            *p = c->next;
+            break;
+        }
+    s->n--;
+    orr_link_close(c->link);
+    orr_peers_leave(c->guest.account);
     orr_text_session_close(&c->session);
     free(c->out);
-    *c = s->client[--s->n];
+    free(c);
 }
 
+// Sends what the socket takes; false where it is lost.
 static bool flush(text_client *c)
 {
     while (c->at < c->n) {
-        const ssize_t sent = send(c->fd, c->out + c->at, c->n - c->at, MSG_NOSIGNAL);
+        const ssize_t sent = orr_link_send(c->link, c->out + c->at, c->n - c->at);
         if (sent < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
         c->at += (size_t)sent;
     }
     c->at = c->n = 0;
     return true;
+}
+
+// While answers wait nothing more is asked. It may be gone afterwards.
+static void settle(text_client *c)
+{
+    const bool waits = c->n > 0 || orr_link_unsent(c->link);
+    if (!orr_link_want(c->link, !waits && c->held_until_ns == 0, waits)) drop(c);
 }
 
 // Appends an answer to what waits; false where too much does.
@@ -67,88 +88,150 @@ static bool append(text_client *c, const char *text, size_t n)
     return true;
 }
 
+// Takes the lines from what it and its address may ask.
+static void charge(text_client *c, const char *data, size_t n)
+{
+    double lines = 0;
+    if (!c->guest.limited) return;
+    for (size_t k = 0; k < n; k++) lines += data[k] == '\n';
+    const orr_access_limits limits = orr_access_limits_of(c->server->access);
+    c->held_until_ns = orr_peers_charge(&c->lines, c->guest.account, lines, &limits, c->last_ns);
+}
+
+// False: it has gone, or has to.
 static bool serve(text_client *c)
 {
     char data[4096];
-    const ssize_t n = recv(c->fd, data, sizeof data, 0);
+    const ssize_t n = orr_link_recv(c->link, data, sizeof data);
     if (n < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
     if (n == 0) return false;
+    c->last_ns = orr_monotonic_ns();
+    charge(c, data, (size_t)n);
     char *answer = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&answer, &size);
     if (out == NULL) return false;
     orr_text_session_take(&c->session, data, (size_t)n, out);
-    fclose(out);
-    const bool good = append(c, answer, size) && flush(c);
+    const bool whole = fclose(out) == 0;
+    const bool good = whole && append(c, answer, size) && flush(c);
     free(answer);
     return good;
 }
 
-static void welcome(orr_text_server *s)
+static void on_read(void *user)
 {
-    const int fd = accept(s->listener, NULL, NULL);
-    if (fd < 0) return;
-    if (s->n == CLIENTS || fcntl(fd, F_SETFL, O_NONBLOCK) != 0 || fcntl(fd, F_SETFD, FD_CLOEXEC) != 0) {
-        close(fd);
+    text_client *c = user;
+    if (serve(c))
+        settle(c);
+    else
+        drop(c);
+}
+
+static void on_write(void *user)
+{
+    text_client *c = user;
+    if (flush(c))
+        settle(c);
+    else
+        drop(c);
+}
+
+static void on_enter(void *user, orr_link *link, const orr_guest *guest)
+{
+    orr_text_server *s = user;
+    const bool room = s->n < CLIENTS && guest->may != ORR_MAY_NOTHING;
+    text_client *c = room ? calloc(1, sizeof *c) : NULL;
+    if (c != NULL) {
+        *c = (text_client){.server = s,
+                           .link = link,
+                           .guest = *guest,
+                           .asked = s->asked,
+                           .last_ns = orr_monotonic_ns(),
+                           .next = s->client};
+        c->asked.may = guest->may;
+    }
+    if (c == NULL || !orr_text_session_open(&c->session, &c->asked)) {
+        free(c);
+        orr_link_close(link);
+        orr_peers_leave(guest->account);
         return;
     }
-    text_client *c = &s->client[s->n];
-    *c = (text_client){.fd = fd};
-    if (orr_text_session_open(&c->session, &s->asked))
-        s->n++;
-    else
-        close(fd);
+    s->client = c;
+    s->n++;
+    orr_link_serve(link, c, on_read, on_write);
+    settle(c);
+}
+
+static void on_tell(void *user, const char *line)
+{
+    const orr_text_server *s = user;
+    ORR_LOG(s->asked.log, ORR_LOG_WARN, "text: %s", line);
+}
+
+static void on_stop(evutil_socket_t fd, short what, void *user)
+{
+    (void)fd;
+    (void)what;
+    const orr_text_server *s = user;
+    event_base_loopbreak(s->base);
+}
+
+static void on_sweep(evutil_socket_t fd, short what, void *user)
+{
+    (void)fd;
+    (void)what;
+    const orr_text_server *s = user;
+    const int64_t now = orr_monotonic_ns();
+    const double idle_s = orr_access_limits_of(s->access).idle_s;
+    orr_door_sweep(s->door, now);
+    for (text_client *c = s->client, *next; c != NULL; c = next) {
+        next = c->next;
+        if (c->held_until_ns != 0 && now >= c->held_until_ns) {
+            c->held_until_ns = 0;
+            settle(c);
+            continue;
+        }
+        // One at a terminal may think for as long as he likes.
+        if (c->guest.limited && (double)(now - c->last_ns) * 1e-9 > idle_s) drop(c);
+    }
 }
 
 static void *run(void *user)
 {
-    orr_text_server *s = user;
-    struct pollfd p[CLIENTS + 2];
-    for (;;) {
-        const size_t n = s->n;
-        p[0] = (struct pollfd){.fd = s->stop[0], .events = POLLIN};
-        p[1] = (struct pollfd){.fd = s->listener, .events = POLLIN};
-        for (size_t k = 0; k < n; k++) // while answers wait nothing more is asked
-            p[k + 2] =
-                (struct pollfd){.fd = s->client[k].fd, .events = s->client[k].n > 0 ? POLLOUT : POLLIN};
-        if (poll(p, (nfds_t)n + 2, -1) < 0) continue;
-        if (p[0].revents != 0) return NULL;
-        for (size_t k = n; k-- > 0;) {
-            text_client *c = &s->client[k];
-            if (p[k + 2].revents == 0) continue;
-            const bool good = (p[k + 2].revents & POLLOUT) != 0 ? flush(c) : serve(c);
-            if (!good) drop(s, k);
-        }
-        if (p[1].revents != 0) welcome(s);
-    }
+    const orr_text_server *s = user;
+    event_base_dispatch(s->base);
+    return NULL;
 }
 
-static orr_status listen_on(orr_text_server *s, const char *url, orr_diag *diag)
+static bool prepare(orr_text_server *s)
 {
-    orr_url u;
-    orr_status status = orr_url_parse(url, &u, diag);
-    if (status == ORR_OK && !orr_url_is_local(&u))
-        status =
-            orr_diag_set(diag, ORR_E_ARG,
-                         "%s: text is served on this machine alone: tcp://127.0.0.1:PORT or unix:PATH", url);
-    if (status == ORR_OK) status = orr_url_listen(&u, CLIENTS, &s->listener, &s->url, diag);
-    if (status != ORR_OK) return status;
-    if (s->url.is_unix) orr_outfile_remember(s->url.path);
-    orr_url_text(&s->url, s->text);
-    return ORR_OK;
+    static const struct timeval every = {0, SWEEP_US};
+    s->asked.room = malloc(ORR_MSG_LARGEST);
+    s->base = event_base_new();
+    if (s->asked.room == NULL || s->base == NULL || pipe(s->stop) != 0) return false;
+    s->door = orr_door_open(&(orr_door_options){.base = s->base,
+                                                .access = s->access,
+                                                .backlog = CLIENTS,
+                                                .user = s,
+                                                .enter = on_enter,
+                                                .tell = on_tell});
+    s->on_stop = event_new(s->base, s->stop[0], EV_READ, on_stop, s);
+    s->on_sweep = event_new(s->base, -1, EV_PERSIST, on_sweep, s);
+    return s->door != NULL && s->on_stop != NULL && s->on_sweep != NULL && event_add(s->on_stop, NULL) == 0 &&
+           event_add(s->on_sweep, &every) == 0;
 }
 
-orr_status orr_text_server_open(const char *url, const orr_asked *asked, orr_text_server **out,
-                                orr_diag *diag)
+orr_status orr_text_server_open(const char *url, const orr_asked *asked, orr_access *access,
+                                orr_text_server **out, orr_diag *diag)
 {
     orr_text_server *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    s->listener = s->stop[0] = s->stop[1] = -1;
+    s->stop[0] = s->stop[1] = -1;
     s->asked = *asked;
-    s->asked.room = malloc(ORR_MSG_LARGEST);
-    orr_status status =
-        s->asked.room != NULL ? listen_on(s, url, diag) : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    if (status == ORR_OK && (pipe(s->stop) != 0 || pthread_create(&s->thread, NULL, run, s) != 0))
+    s->access = access;
+    orr_status status = prepare(s) ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    if (status == ORR_OK) status = orr_door_listen(s->door, url, diag);
+    if (status == ORR_OK && pthread_create(&s->thread, NULL, run, s) != 0)
         status = orr_diag_set(diag, ORR_E_IO, "no thread for text");
     s->has_thread = status == ORR_OK;
     if (status != ORR_OK) {
@@ -159,18 +242,17 @@ orr_status orr_text_server_open(const char *url, const orr_asked *asked, orr_tex
     return ORR_OK;
 }
 
-const char *orr_text_server_url(const orr_text_server *s) { return s->text; }
+const char *orr_text_server_url(const orr_text_server *s) { return orr_door_url(s->door, 0); }
 
 void orr_text_server_close(orr_text_server *s)
 {
     if (s == NULL) return;
     if (s->has_thread && write(s->stop[1], "s", 1) == 1) pthread_join(s->thread, NULL);
-    while (s->n > 0) drop(s, s->n - 1);
-    if (s->listener >= 0) close(s->listener);
-    if (s->url.is_unix && s->listener >= 0) {
-        unlink(s->url.path);
-        orr_outfile_forget(s->url.path);
-    }
+    while (s->client != NULL) drop(s->client);
+    orr_door_close(s->door);
+    if (s->on_stop != NULL) event_free(s->on_stop);
+    if (s->on_sweep != NULL) event_free(s->on_sweep);
+    if (s->base != NULL) event_base_free(s->base);
     for (int k = 0; k < 2; k++)
         if (s->stop[k] >= 0) close(s->stop[k]);
     free(s->asked.room);

@@ -28,7 +28,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const orr_streams_options o = {.maker = &server, .host = host, .processor = -1};
     orr_streams *streams;
     if (size == 0 || orr_streams_open(&o, &streams, NULL) != ORR_OK) return 0;
-    const orr_asked asked = {.server = &server, .streams = streams, .read_only = data[0] & 1, .room = room};
+    const orr_asked asked = {
+        .server = &server, .streams = streams, .may = data[0] & 1 ? ORR_MAY_READ : ORR_MAY_ALL, .room = room};
     orr_text_session s;
     char *answer = NULL;
     size_t n = 0;
