@@ -34,6 +34,21 @@ target_compile_definitions(orr_flags INTERFACE
 include(GNUInstallDirs)
 target_include_directories(orr_flags INTERFACE
   "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/orrery>")
+# Against errors that nobody has found. What is compiled so is the release alone: the other builds look for errors themselves.
+option(ORR_HARDEN "Stack protector, FORTIFY_SOURCE, CET, relocations read-only" ON)
+if(ORR_HARDEN AND NOT ORR_SANITIZE AND NOT ORR_COVERAGE AND NOT ORR_FUZZ)
+  include(CheckCCompilerFlag)
+  check_c_compiler_flag(-fcf-protection=full ORR_HAS_CET)
+  set(hardened -fstack-protector-strong -fstack-clash-protection -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3)
+  if(ORR_HAS_CET AND CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
+    list(APPEND hardened -fcf-protection=full)
+    add_link_options($<$<CONFIG:Release>:-Wl,-z,ibt,-z,shstk>)
+  endif()
+  # No folder of the machine that builds it: the same bytes from any checkout.
+  list(APPEND hardened -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
+  target_compile_options(orr_flags INTERFACE "$<BUILD_INTERFACE:$<$<CONFIG:Release>:${hardened}>>")
+  add_link_options(-pie -Wl,-z,relro,-z,now,-z,noexecstack)
+endif()
 if(ORR_WERROR)
   target_compile_options(orr_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()

@@ -72,7 +72,8 @@ orr_status orr_inspect(const char *path, const orr_leap_table *leap, orr_inspect
         if (s != ORR_OK) return s;
         out->raw = &raw;
     }
-    const orr_status s = inspect(path, out, diag);
+    orr_status s = inspect(path, out, diag);
+    if (s == ORR_OK && out->incomplete) s = orr_diag_set(diag, ORR_E_MEMORY, "%s: out of memory", path);
     out->raw = NULL;
     orr_bytes_free(&raw);
     return s;

@@ -30,6 +30,7 @@ typedef struct orr_inspection {
     int64_t gaps;    // places where the epochs are further apart than interval_s
     size_t n_facts;
     orr_inspect_fact *fact;
+    bool incomplete; // there was no memory for all of them
     orr_warnings warnings;
     orr_sat_set seen; // behind `systems` and `satellites`
     // For the kinds' functions.

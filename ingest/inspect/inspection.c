@@ -30,8 +30,10 @@ void orr_inspection_free(orr_inspection *r)
 
 void orr_inspect_fact_add(orr_inspection *r, const char *label, const char *fmt, ...)
 {
-    // Facts are for people: without memory the report goes on without them.
-    if (!ORR_ARRAY_GROW(r->fact, r->n_facts)) return;
+    if (!ORR_ARRAY_GROW(r->fact, r->n_facts)) {
+        r->incomplete = true;
+        return;
+    }
     orr_inspect_fact *f = &r->fact[r->n_facts++];
     snprintf(f->label, sizeof f->label, "%s", label);
     va_list ap;

@@ -14,6 +14,7 @@
 #include "src/service/answers/answers.h"
 #include "src/service/dialect/motion_port.h"
 #include "src/service/http/live_page.h"
+#include "src/service/http/metrics.h"
 #include "src/service/live/motion_log.h"
 #include "src/service/net/url.h"
 #include "src/service/serve/service.h"
@@ -40,6 +41,7 @@ typedef struct serving {
     const char **url; // of --listen
     orr_access *access;
     orr_service *service;
+    orr_metrics metrics;
     orr_engine *engine;
     orr_answers *answers, *maker; // of requests and of streams: each thread has a room of its own
     orr_streams *streams;
@@ -260,13 +262,15 @@ static orr_status open_text(serving *v, orr_diag *diag)
 // The live page, by a thread and answers of its own.
 static orr_status open_page(serving *v, orr_diag *diag)
 {
-    orr_http_route route[ORR_LIVE_PAGE_ROUTES];
+    orr_http_route route[ORR_LIVE_PAGE_ROUTES + ORR_METRICS_ROUTES];
     if (v->http == NULL) return ORR_OK;
     orr_status s = orr_answers_open(v->engine, &v->shown, diag);
     if (s == ORR_OK)
         s = orr_live_page_open(orr_answers_server(v->shown), v->streams, v->c->leap, v->service, v->journal,
                                &v->page, route);
-    return s == ORR_OK ? orr_http_server_start(v->http, route, ORR_LIVE_PAGE_ROUTES, diag) : s;
+    v->metrics = (orr_metrics){v->service, v->streams, ORR_VERSION};
+    orr_metrics_routes(&v->metrics, route + ORR_LIVE_PAGE_ROUTES);
+    return s == ORR_OK ? orr_http_server_start(v->http, route, sizeof route / sizeof route[0], diag) : s;
 }
 
 // What the service says goes to stderr, and to the page where there is one.

@@ -52,7 +52,8 @@ struct orr_conn {
     bool half;  // the input holds the beginning of a frame
     bool joined, counted;
     orr_allowance requests; // of its own, beside its address's
-    uint64_t charged;       // requests that have been taken from both
+    uint64_t charged;       // requests that have been taken from both, and told
+    uint64_t refusals;      // of them that have been told
     int64_t held_until_ns;  // it has asked more than it may: until then it waits. 0: it has not
     bool wants_write;
     int64_t turn_ends_ns;
@@ -63,6 +64,13 @@ struct orr_conn {
 
 orr_conn *orr_conn_next(const orr_conn *c) { return c->next; }
 
+static void uncount(orr_conn *c)
+{
+    c->counted = false;
+    c->service->n_conns--;
+    atomic_fetch_sub(&c->service->clients, 1);
+}
+
 void orr_conn_close(orr_conn *c)
 {
     orr_service *s = c->service;
@@ -71,7 +79,7 @@ void orr_conn_close(orr_conn *c)
     else
         s->conns = c->next;
     if (c->next != NULL) c->next->prev = c->prev;
-    if (c->counted) s->n_conns--;
+    if (c->counted) uncount(c);
     if (c->joined) orr_turns_leave(&s->turns, &c->turn);
     ORR_LOG(s->log, ORR_LOG_DEBUG, "%s gone after %llu requests", c->guest.peer,
             (unsigned long long)c->conn.requests);
@@ -322,11 +330,15 @@ static bool can_read(const orr_conn *c)
 static void charge(orr_conn *c)
 {
     const double n = (double)(c->conn.requests - c->charged);
+    atomic_fetch_add(&c->service->requests, c->conn.requests - c->charged);
+    atomic_fetch_add(&c->service->refusals, c->conn.refusals - c->refusals);
     c->charged = c->conn.requests;
+    c->refusals = c->conn.refusals;
     if (!c->guest.limited || n == 0 || c->state != CONN_OPEN) return;
     const orr_access_limits limits = orr_access_limits_of(c->service->access);
     c->held_until_ns =
         orr_peers_charge(&c->requests, c->guest.account, n, &limits, orr_service_clock_ns(c->service));
+    if (c->held_until_ns != 0) atomic_fetch_add(&c->service->held, 1);
 }
 
 // False: it cannot be waited for.
@@ -491,6 +503,7 @@ void orr_conn_serve(orr_conn *c)
     ORR_LOG(c->service->log, ORR_LOG_DEBUG, "%s connected", c->guest.peer);
     c->counted = true;
     c->service->n_conns++;
+    atomic_fetch_add(&c->service->clients, 1);
     go_on(c);
 }
 
@@ -498,8 +511,7 @@ void orr_conn_refuse(orr_conn *c, uint16_t code, const char *sentence)
 {
     end_with(c, code, sentence);
     if (c->counted) { // its place is free at once
-        c->counted = false;
-        c->service->n_conns--;
+        uncount(c);
     }
     go_on(c);
 }

@@ -50,6 +50,7 @@ static void on_enter(void *user, orr_link *link, const orr_guest *guest)
 {
     orr_service *s = user;
     const bool room = make_room(s);
+    atomic_fetch_add(room && guest->may != ORR_MAY_NOTHING ? &s->came : &s->refused, 1);
     orr_conn *c = orr_conn_open(s, link, guest);
     if (c == NULL) return;
     if (room && guest->may != ORR_MAY_NOTHING) {
@@ -74,6 +75,7 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
     (void)what;
     orr_service *s = user;
     int64_t now = orr_service_clock_ns(s);
+    atomic_store(&s->beat_ns, now);
     for (orr_conn *c = s->conns, *next; c != NULL; c = next) {
         next = orr_conn_next(c);
         if (s->draining)
@@ -116,6 +118,19 @@ static void on_stop(evutil_socket_t fd, short what, void *user)
     on_sweep(-1, 0, s);
 }
 
+orr_service_counts orr_service_count(const orr_service *s)
+{
+    const int64_t now = orr_service_clock_ns(s);
+    return (orr_service_counts){.uptime_s = (double)(now - s->opened_ns) * 1e-9,
+                                .silent_s = (double)(now - atomic_load(&s->beat_ns)) * 1e-9,
+                                .clients = atomic_load(&s->clients),
+                                .came = atomic_load(&s->came),
+                                .refused = atomic_load(&s->refused),
+                                .requests = atomic_load(&s->requests),
+                                .refusals = atomic_load(&s->refusals),
+                                .held = atomic_load(&s->held)};
+}
+
 void orr_service_readmit(orr_service *s)
 {
     for (orr_conn *c = s->conns, *next; c != NULL; c = next) {
@@ -151,7 +166,6 @@ static orr_status add_listener(orr_service *s, size_t i, const char *url, orr_di
 {
     const orr_status status = orr_door_listen(s->door, url, diag);
     if (status != ORR_OK || !orr_door_is_insecure(s->door, i)) return status;
-    s->insecure = true;
     ORR_LOG(s->log, ORR_LOG_WARN,
             "%s can be reached from other machines without authentication (insecure_listen): whoever reaches "
             "it may do everything",
@@ -180,6 +194,8 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     orr_service *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     s->options = *options;
+    s->opened_ns = orr_service_clock_ns(s);
+    atomic_store(&s->beat_ns, s->opened_ns);
     s->server = server;
     s->log = log;
     pthread_mutex_init(&s->watch.lock, NULL);

@@ -65,6 +65,12 @@ typedef struct orr_client_look {
 // The clients of at most 0.2 s ago, at most `most` of them; returns how many there are. From any one thread. The first call in a
 // while gets none: only who is watched is looked at.
 size_t orr_service_clients(orr_service *s, orr_client_look *out, size_t most);
+// What the service has done so far; from any thread.
+typedef struct orr_service_counts {
+    double uptime_s, silent_s; // since it was opened; since its loop last came round
+    uint64_t clients, came, refused, requests, refusals, held;
+} orr_service_counts;
+orr_service_counts orr_service_count(const orr_service *s);
 // The rules of access have been read again: clients that are connected go by them from now on; one that has no permission left is closed,
 // no other. In the service's own thread.
 void orr_service_readmit(orr_service *s);

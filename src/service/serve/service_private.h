@@ -5,6 +5,7 @@
 
 #include <event2/event.h>
 #include <pthread.h>
+#include <stdatomic.h>
 
 #include "src/service/live/streams.h"
 #include "src/service/net/door.h"
@@ -41,7 +42,9 @@ struct orr_service {
     struct event_base *base;
     orr_access *access, *own_access; // the rules; those made here where nobody gave any
     orr_door *door;
-    bool insecure; // other machines come without authentication
+    int64_t opened_ns;
+    atomic_llong beat_ns; // when the loop last came round
+    atomic_ullong clients, came, refused, requests, refusals, held;
     struct event *on_stop, *on_sweep, *on_int, *on_term, *on_hangup;
     int stop_pipe[2];
     int wake_fd; // an eventfd: streams have something to send
