@@ -19,6 +19,9 @@ typedef struct orr_log {
     void *user;
 } orr_log;
 
+// The begin of a line that has an id which stays whatever the sentence becomes, for programs that read logs: ORR_ID("N03") "%s refused".
+#define ORR_ID(id) "[" id "] "
+
 // Formats one line and hands it to log->write. Call it through ORR_LOG, which looks at the level.
 //   Given:    log        where to; NULL, or one without `write`: nowhere
 //             level      of the line

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery serve: a scenario, or an orbit product alone, answered by time over sockets.
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -8,8 +9,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/monotonic.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/service/serve_log.h"
+#include "src/cli/service/supervisor.h"
 #include "src/make/products.h"
 #include "src/service/answers/answers.h"
 #include "src/service/dialect/motion_port.h"
@@ -55,6 +58,7 @@ typedef struct serving {
     orr_journal *journal;
     orr_motion_port *port;
     orr_serve_log talk;
+    orr_supervisor supervisor;
     orr_log log;
     size_t n_kept;
     char kept[16][ORR_URL_TEXT]; // of a scenario that has been loaded: where the one before was served
@@ -104,7 +108,7 @@ static void say_ready(void *user)
     const orr_sat *sats;
     orr_time t0, t1;
     orr_engine_span(v->engine, &t0, &t1);
-    size_t at = (size_t)snprintf(text, sizeof text, "ready on");
+    size_t at = (size_t)snprintf(text, sizeof text, ORR_ID("R01") "ready on");
     const char *url;
     for (size_t i = 0; (url = orr_service_url(v->service, i)) != NULL && at + strlen(url) + 200 < sizeof text;
          i++)
@@ -126,6 +130,37 @@ static void say_ready(void *user)
                                units == 1 ? "" : "s");
     snprintf(text + at, sizeof text - at, "%s to %s)", orr_time_text(t0, from), orr_time_text(t1, to));
     orr_serve_log_say(&v->talk, text);
+    (void)orr_supervisor_say("READY=1");
+}
+
+// SIGHUP: who may come in is read again, all of it or nothing.
+static void reload(void *user)
+{
+    serving *v = user;
+    char told[80];
+    orr_diag diag = {0};
+    snprintf(told, sizeof told, "RELOADING=1\nMONOTONIC_USEC=%lld", (long long)(orr_monotonic_ns() / 1000));
+    (void)orr_supervisor_say(told);
+    if (orr_access_reload(v->access, &diag) == ORR_OK) {
+        ORR_LOG(&v->log, ORR_LOG_INFO, ORR_ID("R05") "SIGHUP: the access file has been read again");
+        orr_service_readmit(v->service);
+    } else {
+        ORR_LOG(&v->log, ORR_LOG_ERROR, ORR_ID("R06") "SIGHUP: %s; what was there before still holds",
+                diag.text);
+    }
+    (void)orr_supervisor_say("READY=1");
+}
+
+static void beat(void *user, int64_t now_ns)
+{
+    serving *v = user;
+    orr_supervisor_alive(&v->supervisor, now_ns);
+}
+
+static void say_stopping(void *user)
+{
+    (void)user;
+    (void)orr_supervisor_say("STOPPING=1");
 }
 
 // The addresses are taken before anything that lasts: one in use is told at once.
@@ -140,6 +175,17 @@ static orr_status listen_on(serving *v, orr_diag *diag)
         v->url[i] = v->n_kept > 0 ? v->kept[i] : orr_cli_text_at(v->c, "listen", i);
     options.url = n > 0 ? v->url : (const char *const *)listen->item;
     options.n_urls = n > 0 ? n : listen->n;
+    options.user = v;
+    options.hangup = reload;
+    options.beat = beat;
+    options.stopping = say_stopping;
+    orr_handed_socket handed[ORR_SUPERVISOR_SOCKETS];
+    orr_service_socket sockets[ORR_SUPERVISOR_SOCKETS];
+    // --listen overrules them. The service closes its own; a scenario that is loaded later is served on the same.
+    options.n_sockets = orr_cli_count(v->c, "listen") == 0 ? orr_supervisor_sockets(handed) : 0;
+    for (size_t i = 0; i < options.n_sockets; i++)
+        sockets[i] = (orr_service_socket){fcntl(handed[i].fd, F_DUPFD_CLOEXEC, 0), handed[i].tls};
+    options.socket = sockets;
     const orr_scenario_serve *serve = &v->scenario.serve;
     orr_status s =
         orr_access_open(orr_cli_text(v->c, "access", serve->access),
@@ -355,6 +401,13 @@ static orr_status serve(serving *v, const char *path, bool *asked_wrongly, orr_d
     return s;
 }
 
+static orr_serve_log_form form_of(const orr_cli *c)
+{
+    return orr_cli_says(c, "log", "json")      ? ORR_SERVE_LOG_JSON
+           : orr_cli_says(c, "log", "journal") ? ORR_SERVE_LOG_JOURNAL
+                                               : ORR_SERVE_LOG_TEXT;
+}
+
 static int run(orr_cli *c)
 {
     if (orr_cli_given(c, "help-scenario")) {
@@ -366,7 +419,8 @@ static int run(orr_cli *c)
         return ORR_EXIT_OK;
     }
     if (c->n_operands != 1) return orr_cli_usage(c, "a scenario or an orbit product is wanted");
-    serving v = {.c = c, .talk = {.fd = STDERR_FILENO}};
+    serving v = {.c = c, .talk = orr_serve_log_open(form_of(c))};
+    orr_supervisor_find(&v.supervisor);
     v.log = (orr_log){.level = c->log->level, .write = write_log, .user = &v};
     signal(SIGPIPE, SIG_IGN); // whoever reads what it says may leave
     signal(SIGHUP, SIG_IGN);  // as later when it serves: a terminal may be closed while it prepares
@@ -385,8 +439,9 @@ static int run(orr_cli *c)
         ORR_LOG(&v.log, ORR_LOG_WARN, "%s; going back to %s", diag.text, before);
         s = serve(&v, before, &asked_wrongly, &diag);
     }
-    if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, "stopped");
+    if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, ORR_ID("R03") "stopped");
     orr_journal_close(v.journal);
+    orr_serve_log_close(&v.talk);
     if (s == ORR_OK) return ORR_EXIT_OK;
     return asked_wrongly ? orr_cli_usage(c, "%s", diag.text) : orr_cli_fail(c, &diag);
 }
@@ -426,6 +481,13 @@ static const orr_option options[] = {
      .help = "Serve the live page at 127.0.0.1:PORT (0: any free one): sky, channels, clients, motion, log. "
              "Read only, "
              "on this machine alone (docs/live.md)."},
+    {.name = "log",
+     .kind = ORR_OPT_CHOICE,
+     .value = "text|json|journal",
+     .fallback = "text",
+     .help = "How the service speaks: lines on standard error (default), JSON there, or messages to the "
+             "journal, all with "
+             "ids that stay (docs/operations.md)."},
     {.name = "max-clients",
      .kind = ORR_OPT_INT,
      .value = "N",

@@ -96,7 +96,8 @@ static void on_done(void *user)
     orr_door *d = a->door;
     orr_guest g = a->guest;
     if (!orr_tls_peer_name(orr_link_ssl(a->link), g.name)) {
-        tell(d, "%s refused: its certificate has no common name of printable characters", g.peer);
+        tell(d, ORR_ID("N04") "%s refused: its certificate has no common name of printable characters",
+             g.peer);
         end_arrival(a);
         return;
     }
@@ -109,7 +110,7 @@ static void on_done(void *user)
 static void on_failed(void *user)
 {
     arrival *a = user;
-    tell(a->door, "%s refused: TLS: %s", a->guest.peer, orr_link_why(a->link));
+    tell(a->door, ORR_ID("N03") "%s refused: TLS: %s", a->guest.peer, orr_link_why(a->link));
     end_arrival(a);
 }
 
@@ -122,7 +123,7 @@ static void begin_handshake(orr_door *d, int fd, const orr_guest *g)
     SSL_CTX_free(context); // the link has its own hold on it
     if (link == NULL) {
         free(a);
-        tell(d, "%s refused: out of memory", g->peer);
+        tell(d, ORR_ID("N07") "%s refused: out of memory", g->peer);
         orr_peers_leave(g->account);
         return;
     }
@@ -140,7 +141,7 @@ static void come_in(const listener *l, int fd, orr_guest *g)
     orr_door *d = l->door;
     if (l->url.tls) {
         if (d->n_arrivals >= orr_access_limits_of(d->options.access).handshakes) {
-            tell(d, "%s refused: as many TLS handshakes are under way as may be", g->peer);
+            tell(d, ORR_ID("N05") "%s refused: as many TLS handshakes are under way as may be", g->peer);
             orr_peers_leave(g->account);
             close(fd);
             return;
@@ -154,7 +155,7 @@ static void come_in(const listener *l, int fd, orr_guest *g)
         d->options.enter(d->options.user, link, g);
         return;
     }
-    tell(d, "%s refused: out of memory", g->peer);
+    tell(d, ORR_ID("N07") "%s refused: out of memory", g->peer);
     orr_peers_leave(g->account);
 }
 
@@ -170,7 +171,7 @@ static void on_accept(evutil_socket_t fd, short what, void *user)
         if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
             // The connection stays in the queue and the event would fire again at once: look again at the
             // next sweep.
-            tell(d, "cannot accept a client: %s", strerror(errno));
+            tell(d, ORR_ID("N01") "cannot accept a client: %s", strerror(errno));
             event_del(l->on_accept);
             l->paused = true;
         }
@@ -187,7 +188,7 @@ static void on_accept(evutil_socket_t fd, short what, void *user)
         g.account = orr_peers_enter(d->peers, (struct sockaddr *)&a, limits.clients_per_address,
                                     limits.connections_per_s, orr_monotonic_ns(), &why);
         if (g.account == NULL) {
-            tell(d, "%s refused: %s", g.peer, why);
+            tell(d, ORR_ID("N02") "%s refused: %s", g.peer, why);
             close(client);
             return;
         }
@@ -208,30 +209,55 @@ orr_door *orr_door_open(const orr_door_options *options)
     return NULL;
 }
 
-orr_status orr_door_listen(orr_door *d, const char *url, orr_diag *diag)
+// An address that is listened on becomes one of the door's, if the rules allow it; from here on orr_door_shut closes it.
+static orr_status take_in(orr_door *d, listener *l, orr_diag *diag)
 {
-    if (d->n == MOST) return orr_diag_set(diag, ORR_E_LIMIT, "at most %d addresses to listen on", MOST);
-    listener *l = &d->at[d->n];
-    *l = (listener){.door = d};
-    orr_url wanted;
-    orr_status s = orr_url_parse(url, &wanted, diag);
-    if (s == ORR_OK) s = orr_url_listen(&wanted, d->options.backlog, &l->fd, &l->url, diag);
-    if (s != ORR_OK) return s;
-    d->n++; // from here on closed by orr_door_shut
-    s = orr_access_listen(d->options.access, &l->url,
-                          diag); // a name has become an address; nobody is accepted yet
-    if (s != ORR_OK) return s;
-    struct stat st;
-    if (l->url.is_unix) orr_outfile_remember(l->url.path);
-    if (l->url.is_unix && lstat(l->url.path, &st) == 0) l->inode = st.st_ino;
+    d->n++;
     orr_url_text(&l->url, l->text);
     l->local = orr_url_is_local(&l->url);
-    s = orr_access_give(d->options.access, &l->url, diag);
+    orr_status s = orr_access_listen(d->options.access, &l->url,
+                                     diag); // a name has become an address; nobody is accepted yet
     if (s != ORR_OK) return s;
     l->on_accept = event_new(d->options.base, l->fd, EV_READ | EV_PERSIST, on_accept, l);
     if (l->on_accept == NULL || event_add(l->on_accept, NULL) != 0)
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     return ORR_OK;
+}
+
+static listener *next_listener(orr_door *d, orr_diag *diag)
+{
+    if (d->n == MOST) {
+        orr_diag_set(diag, ORR_E_LIMIT, "at most %d addresses to listen on", MOST);
+        return NULL;
+    }
+    d->at[d->n] = (listener){.door = d, .fd = -1};
+    return &d->at[d->n];
+}
+
+orr_status orr_door_listen(orr_door *d, const char *url, orr_diag *diag)
+{
+    listener *l = next_listener(d, diag);
+    if (l == NULL) return ORR_E_LIMIT;
+    orr_url wanted;
+    orr_status s = orr_url_parse(url, &wanted, diag);
+    if (s == ORR_OK) s = orr_url_listen(&wanted, d->options.backlog, &l->fd, &l->url, diag);
+    if (s != ORR_OK) return s;
+    struct stat st;
+    if (l->url.is_unix) orr_outfile_remember(l->url.path);
+    if (l->url.is_unix && lstat(l->url.path, &st) == 0) l->inode = st.st_ino;
+    s = take_in(d, l, diag);
+    return s == ORR_OK ? orr_access_give(d->options.access, &l->url, diag) : s;
+}
+
+orr_status orr_door_adopt(orr_door *d, int fd, bool tls, orr_diag *diag)
+{
+    listener *l = next_listener(d, diag);
+    if (l == NULL) return ORR_E_LIMIT;
+    const orr_status s = orr_url_of_socket(fd, &l->url, diag);
+    if (s != ORR_OK) return s;
+    l->fd = fd;
+    l->url.tls = tls && !l->url.is_unix;
+    return take_in(d, l, diag);
 }
 
 const char *orr_door_url(const orr_door *d, size_t i) { return i < d->n ? d->at[i].text : NULL; }
@@ -243,7 +269,7 @@ void orr_door_sweep(orr_door *d, int64_t now_ns)
     for (arrival *a = d->arrivals, *next; a != NULL; a = next) {
         next = a->next;
         if ((double)(now_ns - a->since_ns) * 1e-9 < most_s) continue;
-        tell(d, "%s closed: its TLS handshake takes too long", a->guest.peer);
+        tell(d, ORR_ID("N06") "%s closed: its TLS handshake takes too long", a->guest.peer);
         end_arrival(a);
     }
     for (size_t i = 0; i < d->n; i++) {

@@ -36,6 +36,9 @@ orr_door *orr_door_open(const orr_door_options *options);
 // Listens at one more address, if the rules allow it. ORR_E_ARG (no address, or the rules do not), ORR_E_IO, ORR_E_LIMIT (16 are the most),
 // ORR_E_MEMORY.
 orr_status orr_door_listen(orr_door *d, const char *url, orr_diag *diag);
+// Listens at a socket that somebody else listens on already and has handed over; its file, where it is a Unix socket, stays his.
+// Errors: ORR_E_ARG (no listening socket, or the rules do not allow it), ORR_E_LIMIT, ORR_E_MEMORY.
+orr_status orr_door_adopt(orr_door *d, int fd, bool tls, orr_diag *diag);
 // The i-th address as bound, as text; NULL beyond the last.
 const char *orr_door_url(const orr_door *d, size_t i);
 // Whether another machine can reach it, without TLS.

@@ -159,6 +159,40 @@ static void ipv6_first(struct addrinfo **list)
     }
 }
 
+// The address of a bound socket of IP, with its host where that is wanted.
+static bool name_socket(int fd, bool with_host, orr_url *bound)
+{
+    struct sockaddr_storage got;
+    socklen_t n = sizeof got;
+    char host[128], port[8];
+    if (getsockname(fd, (struct sockaddr *)&got, &n) != 0 ||
+        getnameinfo((struct sockaddr *)&got, n, host, sizeof host, port, sizeof port,
+                    NI_NUMERICHOST | NI_NUMERICSERV) != 0)
+        return false;
+    if (with_host) memcpy(bound->host, host, sizeof host);
+    bound->port = (uint16_t)strtoul(port, NULL, 10);
+    return true;
+}
+
+orr_status orr_url_of_socket(int fd, orr_url *out, orr_diag *diag)
+{
+    struct sockaddr_un a;
+    socklen_t n = sizeof a;
+    int listens = 0;
+    socklen_t size = sizeof listens;
+    memset(out, 0, sizeof *out);
+    memset(&a, 0, sizeof a);
+    if (getsockopt(fd, SOL_SOCKET, SO_ACCEPTCONN, &listens, &size) != 0 || listens == 0 ||
+        getsockname(fd, (struct sockaddr *)&a, &n) != 0)
+        return orr_diag_set(diag, ORR_E_ARG, "descriptor %d is no listening socket of a stream", fd);
+    out->is_unix = a.sun_family == AF_UNIX;
+    if (out->is_unix)
+        memcpy(out->path, a.sun_path, sizeof out->path - 1);
+    else if (!name_socket(fd, true, out))
+        return orr_diag_set(diag, ORR_E_ARG, "descriptor %d is no socket of IP or of Unix", fd);
+    return ORR_OK;
+}
+
 static orr_status listen_tcp(const orr_url *u, int backlog, int *fd, orr_url *bound, orr_diag *diag)
 {
     struct addrinfo *list;
@@ -182,15 +216,7 @@ static orr_status listen_tcp(const orr_url *u, int backlog, int *fd, orr_url *bo
     }
     freeaddrinfo(list);
     if (*fd < 0) return complain(u, "cannot listen on", error, diag);
-    struct sockaddr_storage got;
-    socklen_t n = sizeof got;
-    char host[128], port[8];
-    if (getsockname(*fd, (struct sockaddr *)&got, &n) == 0 &&
-        getnameinfo((struct sockaddr *)&got, n, host, sizeof host, port, sizeof port,
-                    NI_NUMERICHOST | NI_NUMERICSERV) == 0) {
-        if (!is_any(u)) memcpy(bound->host, host, sizeof host);
-        bound->port = (uint16_t)strtoul(port, NULL, 10);
-    }
+    (void)name_socket(*fd, !is_any(u), bound);
     return ORR_OK;
 }
 

@@ -32,6 +32,8 @@ char *orr_url_text(const orr_url *u, char buf[ORR_URL_TEXT]);
 //   diag     why it failed; may be NULL
 // Errors: ORR_E_IO.
 orr_status orr_url_listen(const orr_url *u, int backlog, int *fd, orr_url *bound, orr_diag *diag);
+// The address of a listening socket that somebody has handed over; ORR_E_ARG where it is none.
+orr_status orr_url_of_socket(int fd, orr_url *out, orr_diag *diag);
 // Whether every peer of the bound socket is on this machine.
 bool orr_url_is_local(const orr_url *u);
 // A connected blocking socket whose reads and writes fail after timeout_s without progress. ORR_E_IO.

@@ -299,7 +299,7 @@ static void answer(orr_conn *c)
     }
     if (step.closing != 0) {
         const char *name = orr_msg_error_code_name(step.closing);
-        orr_service_tell(c->service, "%s%s%s: closing: %s (%s)", c->guest.peer,
+        orr_service_tell(c->service, ORR_ID("N11") "%s%s%s: closing: %s (%s)", c->guest.peer,
                          c->conn.client[0] != '\0' ? ", " : "", c->conn.client, step.reason,
                          name != NULL ? name : "?");
         end(c);
@@ -370,7 +370,7 @@ static void settle(orr_conn *c)
     const bool held = c->held_until_ns != 0 && c->state == CONN_OPEN;
     bool read = !c->peer_done && !held && (c->lanes.n > 0 ? can_read(c) : !write && !c->busy);
     if (!want(c, read, write)) { // nobody would ever hear of it again
-        orr_service_tell(c->service, "out of memory for %s", c->guest.peer);
+        orr_service_tell(c->service, ORR_ID("N07") "out of memory for %s", c->guest.peer);
         orr_conn_close(c);
         return;
     }
@@ -460,7 +460,7 @@ orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest)
 {
     orr_conn *c = calloc(1, sizeof *c);
     if (c == NULL) {
-        orr_service_tell(s, "out of memory for %s", guest->peer);
+        orr_service_tell(s, ORR_ID("N07") "out of memory for %s", guest->peer);
         orr_link_close(link);
         orr_peers_leave(guest->account);
         return NULL;
@@ -481,7 +481,7 @@ orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest)
     c->last_ns = orr_service_clock_ns(s);
     c->joined = orr_turns_join(&s->turns, &c->turn);
     if (!c->joined) {
-        orr_service_tell(s, "out of memory for %s", c->guest.peer);
+        orr_service_tell(s, ORR_ID("N07") "out of memory for %s", c->guest.peer);
         orr_conn_close(c);
         return NULL;
     }
@@ -494,7 +494,8 @@ void orr_conn_readmit(orr_conn *c)
     c->guest.may = orr_access_named(c->service->access, c->guest.name);
     permit(c);
     if (c->guest.may != ORR_MAY_NOTHING) return;
-    orr_service_tell(c->service, "%s: closing: the access file does not name it any more", c->guest.peer);
+    orr_service_tell(c->service, ORR_ID("N14") "%s: closing: the access file does not name it any more",
+                     c->guest.peer);
     orr_conn_refuse(c, ORR_MSG_ERROR_CODE_NOT_PERMITTED, "your permissions have been withdrawn");
 }
 
@@ -558,7 +559,7 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
     if (c->turn.place > 0) return; // it waits for us
     if (has_output(c) || c->busy) {
         if (waited <= o->stall_s) return;
-        orr_service_tell(c->service, "%s closed: it takes no answers", c->guest.peer);
+        orr_service_tell(c->service, ORR_ID("N12") "%s closed: it takes no answers", c->guest.peer);
         orr_conn_close(c); // it would not read an ERROR either
         return;
     }
@@ -570,7 +571,7 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
     else if (c->in_size == 0 && c->conn.requests > 0 && quiet > o->idle_s)
         why = "no request for too long";
     if (why == NULL) return;
-    orr_service_tell(c->service, "%s: closing: %s", c->guest.peer, why);
+    orr_service_tell(c->service, ORR_ID("N13") "%s: closing: %s", c->guest.peer, why);
     end_with(c, ORR_MSG_ERROR_CODE_TIMEOUT, why);
     go_on(c);
 }

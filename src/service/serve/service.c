@@ -39,7 +39,8 @@ static bool make_room(orr_service *s)
     if (idlest == NULL ||
         (double)(orr_service_clock_ns(s) - orr_conn_last_ns(idlest)) < s->options.spare_s * 1e9)
         return false;
-    orr_service_tell(s, "%s: closing: it was idle, and its place is needed", orr_conn_peer(idlest));
+    orr_service_tell(s, ORR_ID("N10") "%s: closing: it was idle, and its place is needed",
+                     orr_conn_peer(idlest));
     orr_conn_refuse(idlest, ORR_MSG_ERROR_CODE_BUSY,
                     "it was idle, and another client needed the place: this server allows no more");
     return true;
@@ -58,12 +59,13 @@ static void on_enter(void *user, orr_link *link, const orr_guest *guest)
         return;
     }
     if (guest->may == ORR_MAY_NOTHING) {
-        orr_service_tell(s, "%s refused: the access file does not name it", guest->peer);
+        orr_service_tell(s, ORR_ID("N08") "%s refused: the access file does not name it", guest->peer);
         orr_conn_refuse(c, ORR_MSG_ERROR_CODE_NOT_PERMITTED,
                         "this server does not know the name of your certificate");
         return;
     }
-    orr_service_tell(s, "%s refused: %d clients are connected", guest->peer, s->options.max_clients);
+    orr_service_tell(s, ORR_ID("N09") "%s refused: %d clients are connected", guest->peer,
+                     s->options.max_clients);
     orr_conn_refuse(c, ORR_MSG_ERROR_CODE_BUSY, "as many clients are connected as this server allows");
 }
 
@@ -76,6 +78,7 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
     orr_service *s = user;
     int64_t now = orr_service_clock_ns(s);
     atomic_store(&s->beat_ns, now);
+    if (s->options.beat != NULL) s->options.beat(s->options.user, now);
     for (orr_conn *c = s->conns, *next; c != NULL; c = next) {
         next = orr_conn_next(c);
         if (s->draining)
@@ -86,7 +89,8 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
     orr_watch_note(s);
     if (s->draining && (s->conns == NULL || now > s->drain_until_ns)) {
         if (s->conns != NULL)
-            ORR_LOG(s->log, ORR_LOG_WARN, "%d clients did not take their answers in time", s->n_conns);
+            ORR_LOG(s->log, ORR_LOG_WARN, ORR_ID("R04") "%d clients did not take their answers in time",
+                    s->n_conns);
         s->done = true;
         return;
     }
@@ -113,7 +117,8 @@ static void on_stop(evutil_socket_t fd, short what, void *user)
     s->draining = true;
     s->drain_until_ns = orr_service_clock_ns(s) + (int64_t)(s->options.drain_s * 1e9);
     orr_door_shut(s->door);
-    ORR_LOG(s->log, ORR_LOG_INFO, "stopping, %d clients connected", s->n_conns);
+    if (s->options.stopping != NULL) s->options.stopping(s->options.user);
+    ORR_LOG(s->log, ORR_LOG_INFO, ORR_ID("R02") "stopping, %d clients connected", s->n_conns);
     sweep_every(s, 0.02);
     on_sweep(-1, 0, s);
 }
@@ -143,14 +148,8 @@ static void on_hangup(evutil_socket_t fd, short what, void *user)
 {
     (void)fd;
     (void)what;
-    orr_service *s = user;
-    orr_diag diag = {0};
-    if (orr_access_reload(s->access, &diag) != ORR_OK) {
-        ORR_LOG(s->log, ORR_LOG_ERROR, "SIGHUP: %s; what was there before still holds", diag.text);
-        return;
-    }
-    ORR_LOG(s->log, ORR_LOG_INFO, "SIGHUP: the access file has been read again");
-    orr_service_readmit(s);
+    const orr_service *s = user;
+    if (s->options.hangup != NULL) s->options.hangup(s->options.user);
 }
 
 static void on_wake(evutil_socket_t fd, short what, void *user)
@@ -162,13 +161,17 @@ static void on_wake(evutil_socket_t fd, short what, void *user)
     for (orr_conn *c; s->streams != NULL && (c = orr_streams_ready(s->streams)) != NULL;) orr_conn_stream(c);
 }
 
+// One more address, or a socket that was handed over.
 static orr_status add_listener(orr_service *s, size_t i, const char *url, orr_diag *diag)
 {
-    const orr_status status = orr_door_listen(s->door, url, diag);
+    const orr_service_socket *handed = i < s->options.n_sockets ? &s->options.socket[i] : NULL;
+    const orr_status status = handed != NULL ? orr_door_adopt(s->door, handed->fd, handed->tls, diag)
+                                             : orr_door_listen(s->door, url, diag);
     if (status != ORR_OK || !orr_door_is_insecure(s->door, i)) return status;
     ORR_LOG(s->log, ORR_LOG_WARN,
-            "%s can be reached from other machines without authentication (insecure_listen): whoever reaches "
-            "it may do everything",
+            ORR_ID("R09") "%s can be reached from other machines without authentication (insecure_listen): "
+                          "whoever reaches "
+                          "it may do everything",
             orr_door_url(s->door, i));
     return ORR_OK;
 }
@@ -190,7 +193,7 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
 {
     static const char *const fallback[] = {"tcp://"};
     const char *const *url = options->n_urls > 0 ? options->url : fallback;
-    size_t n = options->n_urls > 0 ? options->n_urls : 1;
+    size_t n = options->n_sockets > 0 ? options->n_sockets : options->n_urls > 0 ? options->n_urls : 1;
     orr_service *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     s->options = *options;
@@ -227,7 +230,8 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
         }
         status = add_events(s, diag);
     }
-    for (size_t i = 0; status == ORR_OK && i < n; i++) status = add_listener(s, i, url[i], diag);
+    for (size_t i = 0; status == ORR_OK && i < n; i++)
+        status = add_listener(s, i, options->n_sockets > 0 ? NULL : url[i], diag);
     if (status != ORR_OK) {
         orr_service_close(s);
         return status;

@@ -11,9 +11,17 @@
 
 enum { ORR_CLIENT_STREAMS = 8, ORR_CLIENTS_LOOKED = 64 };
 
+// A listening socket that was handed over.
+typedef struct orr_service_socket {
+    int fd;
+    bool tls;
+} orr_service_socket;
+
 typedef struct orr_service_options {
     const char *const *url; // where to listen; none: loopback and the default port
     size_t n_urls;
+    const orr_service_socket *socket; // listened on in place of URLs
+    size_t n_sockets;
     int max_clients;     // at once; one more takes the place of the longest idle, or is told BUSY
     double spare_s;      // so long a client must have been idle to lose its place to a new one
     double first_s;      // a connection that has sent no complete request for so long is closed
@@ -22,8 +30,12 @@ typedef struct orr_service_options {
     double stall_s;      // a client that takes nothing of what waits for it
     double drain_s;      // after SIGTERM, for answers under way
     orr_access *access;  // who may do what; it must outlive the service. NULL: this machine alone, everything
-    bool signals;        // SIGINT and SIGTERM stop it, SIGHUP reads the access file again
-    int64_t (*clock_ns)(void *user); // monotonic; NULL: the machine's. Tests count work by it
+    bool signals;        // SIGINT and SIGTERM stop it, SIGHUP calls hangup
+    void *user;          // handed to these, which may be NULL:
+    void (*hangup)(void *user);               // SIGHUP has come
+    void (*beat)(void *user, int64_t now_ns); // the loop has come round, several times a second
+    void (*stopping)(void *user);             // it listens no more
+    int64_t (*clock_ns)(void *user);          // monotonic; NULL: the machine's. Tests count work by it
     void *clock_user;
 } orr_service_options;
 orr_service_options orr_service_defaults(void); // 256 clients; 2, 30, 600, 10, 30 and 5 s; signals
@@ -70,6 +82,7 @@ typedef struct orr_service_counts {
     double uptime_s, silent_s; // since it was opened; since its loop last came round
     uint64_t clients, came, refused, requests, refusals, held;
 } orr_service_counts;
+// The counts of this moment.
 orr_service_counts orr_service_count(const orr_service *s);
 // The rules of access have been read again: clients that are connected go by them from now on; one that has no permission left is closed,
 // no other. In the service's own thread.

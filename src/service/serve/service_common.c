@@ -23,7 +23,7 @@ void orr_service_tell(orr_service *s, const char *fmt, ...)
     vsnprintf(line, sizeof line, fmt, args);
     va_end(args);
     if (held > 0)
-        orr_log_write(s->log, ORR_LOG_WARN, "%llu more lines about clients were left out",
+        orr_log_write(s->log, ORR_LOG_WARN, ORR_ID("R07") "%llu more lines about clients were left out",
                       (unsigned long long)held);
     orr_log_write(s->log, ORR_LOG_WARN, "%s", line);
 }

@@ -165,7 +165,7 @@ static void on_enter(void *user, orr_link *link, const orr_guest *guest)
 static void on_tell(void *user, const char *line)
 {
     const orr_text_server *s = user;
-    ORR_LOG(s->asked.log, ORR_LOG_WARN, "text: %s", line);
+    ORR_LOG(s->asked.log, ORR_LOG_WARN, "%s", line);
 }
 
 static void on_stop(evutil_socket_t fd, short what, void *user)
