@@ -33,6 +33,8 @@ static const orr_condition of_trajectory[] = {{.key = "trajectory", .why = "noth
 
 static const orr_key rows[] = {
     TEXT_ROW(orr_scenario, "title", title, NULL, "what this scenario is, in a line; clients are told"),
+    INT_ROW(orr_scenario, "schema", schema, 1, 1000, "1", NULL,
+            "which keys the file was written for; a program that knows them not refuses it"),
     MAP_ROW(orr_scenario, "orbit", orbit, &orr_section_orbit, NULL, "where the satellites are"),
     MAP_ROW(orr_scenario, "navdata", navdata, &orr_section_navdata, of_orbit,
             "broadcast data that are fitted to the orbits"),
@@ -93,6 +95,11 @@ static const char *check(const void *map, char why[ORR_SCHEMA_WHY])
 {
     const orr_scenario *s = map;
     const size_t units = s->motion.units.n;
+    if (s->schema > ORR_SCENARIO_SCHEMA) {
+        snprintf(why, ORR_SCHEMA_WHY, "the file is written for schema %lld and this program reads up to %d: take a newer Orrery",
+                 (long long)s->schema, ORR_SCENARIO_SCHEMA);
+        return "schema";
+    }
     // A flight alone is a scenario too: inertial readings without satellites.
     if (s->orbit.product == NULL && s->orbit.sp3.n == 0 && s->orbit.nav.n == 0 &&
         s->motion.trajectory.kind == ORR_MOTION_NONE) {

@@ -38,8 +38,11 @@ typedef struct orr_scenario_serve {
     bool insecure_listen;
 } orr_scenario_serve;
 
+#define ORR_SCENARIO_SCHEMA 1 // the newest that this program reads
+
 typedef struct orr_scenario {
     char *title;
+    int64_t schema; // that the file was written for
     orr_scenario_orbit orbit;
     orr_scenario_navdata navdata;
     orr_scenario_iono iono;
