@@ -73,7 +73,6 @@ WRAP(DIR *, opendir, (const char *p), (p), NULL, EMFILE)
 WRAP(int, ftruncate, (int fd, off_t n), (fd, n), -1, EIO)
 WRAP(int, dup, (int fd), (fd), -1, EMFILE)
 
-extern int __real_open(const char *path, int flags, ...);
 int __wrap_open(const char *path, int flags, ...);
 int __wrap_open(const char *path, int flags, ...)
 {
