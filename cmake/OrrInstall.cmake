@@ -78,6 +78,7 @@ install(FILES "${PROJECT_BINARY_DIR}/OrreryConfig.cmake" "${PROJECT_BINARY_DIR}/
 
 # --- What Debian's packages have beside: units, documentation, licences, changes ---
 install(FILES packaging/orrery.service packaging/orrery.socket DESTINATION lib/systemd/system COMPONENT program)
+install(FILES packaging/lintian-overrides RENAME orrery DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT program)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/orrery-doc/docs COMPONENT doc FILES_MATCHING PATTERN "*.md")
 install(DIRECTORY samples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/orrery-doc/examples COMPONENT doc
   PATTERN "CMakeLists.txt" EXCLUDE PATTERN "__pycache__" EXCLUDE)

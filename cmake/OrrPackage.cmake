@@ -5,6 +5,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME orrery)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_VENDOR "Orrery")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "back end of a GNSS signal generator")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -18,8 +19,7 @@ set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME orrery)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/packaging/postinst;${PROJECT_SOURCE_DIR}/packaging/postrm")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "back end of a GNSS signal generator
- Satellite orbits and clocks, the ionosphere, broadcast data and inertial
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Satellite orbits and clocks, the ionosphere, broadcast data and inertial
  readings, prepared from published files and served by time tag.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME liborrery-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
