@@ -96,7 +96,8 @@ static const char *check(const void *map, char why[ORR_SCHEMA_WHY])
     const orr_scenario *s = map;
     const size_t units = s->motion.units.n;
     if (s->schema > ORR_SCENARIO_SCHEMA) {
-        snprintf(why, ORR_SCHEMA_WHY, "the file is written for schema %lld and this program reads up to %d: take a newer Orrery",
+        snprintf(why, ORR_SCHEMA_WHY,
+                 "the file is written for schema %lld and this program reads up to %d: take a newer Orrery",
                  (long long)s->schema, ORR_SCENARIO_SCHEMA);
         return "schema";
     }

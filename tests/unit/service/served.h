@@ -44,6 +44,14 @@ static inline bool was_said(bench *b, const char *words)
     return found;
 }
 
+// The same, said a moment later at the latest.
+static inline bool said_soon(bench *b, const char *words)
+{
+    const struct timespec pause = {0, 10000000};
+    for (int k = 0; k < 1000 && !was_said(b, words); k++) nanosleep(&pause, NULL);
+    return was_said(b, words);
+}
+
 static inline void *serve(void *user)
 {
     bench *b = user;

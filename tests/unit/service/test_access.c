@@ -131,7 +131,7 @@ static void certificates_decide(void **state)
     fclose(f);
     fclose(from);
     assert_int_equal(poll_as(b, other.dir, "all"), -1);
-    assert_true(was_said(b, "local issuer certificate"));
+    assert_true(said_soon(b, "local issuer certificate"));
     // The client looks too: a server of another authority is none of its.
     orr_access *wrong = rules_of(other.file);
     bench *c = start_tls(wrong);
@@ -211,12 +211,11 @@ static void the_server_looks_itself(void **state)
     assert_true(answers_to(b, all, all, 0));
     assert_false(answers_to(b, all, all, TLS1_2_VERSION));
     assert_false(answers_to(b, NULL, NULL, 0));
-    assert_true(was_said(b, "peer did not return a certificate"));
+    assert_true(said_soon(b, "peer did not return a certificate"));
     assert_false(answers_to(b, old, old, 0));
-    assert_true(was_said(b, "certificate has expired"));
+    assert_true(said_soon(b, "certificate has expired"));
     assert_false(answers_to(b, path_in(l.dir, "server.pem"), path_in(l.dir, "server.key"), 0));
-    assert_true(was_said(b, "unsuitable certificate purpose") ||
-                was_said(b, "unsupported certificate purpose"));
+    assert_true(said_soon(b, "certificate purpose"));
     // Without TLS there is no answer at all.
     int fd = raw(b);
     uint8_t frame[100];
@@ -318,8 +317,8 @@ static void slow_handshakes(void **state)
         assert_true(recv(slow[k], waste, sizeof waste, 0) <= 0); // closed, not timed out on our side (10 s)
         close(slow[k]);
     }
-    assert_true(was_said(b, "as many TLS handshakes are under way as may be"));
-    assert_true(was_said(b, "its TLS handshake takes too long"));
+    assert_true(said_soon(b, "as many TLS handshakes are under way as may be"));
+    assert_true(said_soon(b, "its TLS handshake takes too long"));
     assert_int_equal(orr_client_check(&d->client, 2), ORR_WIRE_OK);
     assert_int_equal(poll_as(b, l.dir, "reader"), 0);
     orr_dial_close(d);
