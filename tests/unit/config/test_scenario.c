@@ -67,7 +67,7 @@ static void refusals(void **state)
         {"orbit:\n  sp3: x\n  nodse: 900\n", 3, 3, "unknown key 'orbit.nodse'; did you mean 'orbit.nodes'?"},
         {"orbits:\n  sp3: x\n", 1, 1, "unknown key 'orbits'; did you mean 'orbit'?"},
         {"weather: rain\n", 1, 1, "unknown key 'weather'"},
-        {"schema: 2\norbit: {sp3: x}\n", 1, 9, "written for schema 2 and this program reads up to 1"},
+        {"schema: 2\norbit: {sp3: x}\n", 1, 1, "written for schema 2 and this program reads up to 1"},
         {"schema: 0\norbit: {sp3: x}\n", 1, 9, "outside 1 to 1000"},
         {"orbit: {sp3: x, nodes: often}\n", 1, 24, "orbit.nodes: 'often' is no number"},
         {"orbit: {sp3: x, nodes: -1}\n", 1, 24, "outside 0 to 86400 s"},
