@@ -69,7 +69,8 @@ class ModernMessages(Folder):
         return a["sat"]
 
     def check_reduced(self, f, n, system, references):
-        """Reduced almanacs: circular orbits of the nominal inclination, within what half an LSB and that leave (about 10 deg)."""
+        """Reduced almanacs: circular orbits of the nominal inclination, within half an LSB of both angles (0.025 rad each) and
+        2 e (0.02)."""
         found = set()
         for k in range(n):
             number = f[f"prn{k}"]
@@ -81,7 +82,7 @@ class ModernMessages(Folder):
                    "omega_dot": -2.6e-9 * messages.PI if system == "G" else 0.0, "toe": f["toa"]}
             true = self.truth[f"{system}{number:02d}", t][0]
             place = messages.kepler_position(eph, t - system_s, messages.BEIDOU_GM, messages.BEIDOU_RATE)
-            self.assertLess(math.dist(place, true) / a, 0.2, (system, number))
+            self.assertLess(math.dist(place, true) / a, 0.07, (system, number))
             self.assertEqual(f[f"health{k}"], 0)
             found.add(number)
         return found
