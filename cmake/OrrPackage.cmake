@@ -27,6 +27,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libgsl-dev, liberfa-dev, libnetcdf-dev, li
 set(CPACK_COMPONENT_DEV_DESCRIPTION "static libraries and headers of Orrery
  The rooms of the program as libraries, and the client of its protocol.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-orrery)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/packaging/python/prerm")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.10)")
