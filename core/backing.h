@@ -16,8 +16,6 @@ orr_status orr_backing_open(const char *folder, orr_backing **out, orr_diag *dia
 // Zeroed memory of `bytes`, at the bounds of pages, that lasts as long as the backing; NULL and errno where there is none. To be called
 // by one thread at a time.
 void *orr_backing_take(orr_backing *b, size_t bytes);
-// Why memory could not be had: the system's reason of what failed first.
-const char *orr_backing_reason(const orr_backing *b);
 // Lets go of the pages that are in memory; what they hold stays. NULL is allowed.
 void orr_backing_rest(const orr_backing *b);
 // Ends the memory and the file; NULL is allowed.
