@@ -20,7 +20,7 @@ Acquisition_1C.doppler_max=6000
 Acquisition_1C.doppler_step=250
 Tracking_1C.implementation=GPS_L1_CA_DLL_PLL_Tracking
 Tracking_1C.pll_bw_hz=25.0
-Tracking_1C.dll_bw_hz=2.0
+Tracking_1C.dll_bw_hz=1.0
 Tracking_1C.early_late_space_chips=0.5
 TelemetryDecoder_1C.implementation=GPS_L1_CA_Telemetry_Decoder
 """,
@@ -85,9 +85,9 @@ TelemetryDecoder_L5.implementation=GPS_L5_Telemetry_Decoder
 """,
 }
 
-# Where codes of GPS stand beside Galileo's in one recording of 5 Msps: correlators twice as near and a loop a quarter as wide, since
+# Where codes of GPS stand beside Galileo's in one recording of 5 Msps: correlators twice as near and a loop half as wide, since
 # GNSS-SDR weighs all ranges alike and those of C/A would decide how good the place is.
-NARROW = {"1C": SIGNALS["1C"].replace("dll_bw_hz=2.0", "dll_bw_hz=0.5").replace("early_late_space_chips=0.5", "early_late_space_chips=0.2")}
+NARROW = {"1C": SIGNALS["1C"].replace("dll_bw_hz=1.0", "dll_bw_hz=0.5").replace("early_late_space_chips=0.5", "early_late_space_chips=0.2")}
 
 # No models of delays: the scenarios have none. Cold: nothing is known of time, place or satellites.
 COMMON = """[GNSS-SDR]

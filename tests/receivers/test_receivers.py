@@ -270,7 +270,7 @@ class Receivers(program.Folder):
         seen = self.seen("L1CA")
         self.assertIn(prn, recording.satellites(self.samples, "L1CA"))
         self.receive({"1C": seen})
-        self.judge("GPS L1 C/A, G05 unhealthy", 45, 2.5)
+        self.judge("GPS L1 C/A, G05 unhealthy", 45, 2.0)
         self.judge_lnav(start, 8)
         self.assertNotEqual(gnss_sdr.ephemerides(self.out, "gps_ephemeris.xml")[prn]["SV_health"], 0)
         self.assertEqual(max(f[3] for f in self.found), seen - 1)
@@ -314,7 +314,7 @@ class Receivers(program.Folder):
         self.make(self.made('["G:L1CA"]') + "satellites: {exclude: G05}\n", start, 90, 2600000, 1575420000, "G:L1CA", 51)
         self.assertNotIn(5, recording.satellites(self.samples, "L1CA"))
         self.receive({"1C": self.seen("L1CA")})
-        self.judge("GPS L1 C/A, G05 off", 45, 2.5)
+        self.judge("GPS L1 C/A, G05 off", 45, 2.0)
         self.assertNotIn(5, gnss_sdr.ephemerides(self.out, "gps_ephemeris.xml"))
         self.judge_lnav(start, 7)
 
