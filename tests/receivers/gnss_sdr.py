@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """GNSS-SDR as a judge: its configuration for a recording, a run, and what it found out, from files that it wrote."""
-import datetime
 import math
 import re
 import shutil
@@ -107,6 +106,9 @@ Resampler.implementation=Pass_Through
 Resampler.item_type=gr_complex
 Channels.in_acquisition={at_once}
 Observables.implementation=Hybrid_Observables
+Observables.dump=true
+Observables.dump_mat=false
+Observables.dump_filename={folder}/observables.dat
 PVT.implementation=RTKLIB_PVT
 PVT.positioning_mode=Single
 PVT.iono_model=OFF
@@ -115,9 +117,7 @@ PVT.output_rate_ms=100
 PVT.display_rate_ms=1000
 PVT.elevation_mask=0
 PVT.output_path={folder}
-PVT.rinex_output_enabled=true
-PVT.rinex_version=3
-PVT.rinexobs_rate_ms=1000
+PVT.rinex_output_enabled=false
 PVT.xml_output_enabled=true
 PVT.nmea_output_file_enabled=false
 PVT.geojson_output_enabled=false
@@ -170,20 +170,16 @@ def fixes(folder):
     return out
 
 
-def ranges(folder, code="C1C"):
-    """{satellite: {time of week s: m}} of the receiver's own RINEX file; times are those of its clock."""
+def ranges(folder, channels):
+    """{satellite: {time of its clock, s of week: pseudorange m}} as the receiver observes them, fix or none; channels: how many it has."""
+    record = struct.Struct("<7d")  # time, time of week sent, Doppler, carrier, pseudorange, satellite, whether it is valid
+    bytes_ = (folder / "observables.dat").read_bytes()
     out = {}
-    for path in sorted(folder.glob("*.??O")):
-        column, t = None, None
-        for line in path.read_text(errors="replace").splitlines():
-            if line[60:].startswith("SYS / # / OBS TYPES") and line[0] == "G":
-                column = line[7:60].split().index(code)
-            elif line.startswith(">"):
-                year, month, day, hour, minute, second = line[1:29].split()
-                at = datetime.datetime(int(year), int(month), int(day), int(hour), int(minute), tzinfo=datetime.timezone.utc)
-                t = (at.timestamp() - 315964800 + float(second)) % 604800
-            elif t is not None and line[:1] == "G" and line[3 + 16 * column:17 + 16 * column].strip():
-                out.setdefault(int(line[1:3]), {})[t] = float(line[3 + 16 * column:17 + 16 * column])
+    for at in range(0, len(bytes_) - record.size * channels + 1, record.size * channels):
+        for k in range(channels):
+            t, _, _, _, pseudorange, satellite, valid = record.unpack_from(bytes_, at + k * record.size)
+            if valid:
+                out.setdefault(int(satellite), {})[round(t, 3)] = pseudorange
     return out
 
 
