@@ -55,7 +55,7 @@ class Capture:
         """What tshark prints; a Lua error is a failure whatever the test looks for."""
         self.out.close()
         done = subprocess.run([TSHARK, "-X", f"lua_script:{SCRIPT}", "-n", "-r", str(self.path), *args], capture_output=True,
-                              text=True, timeout=120, check=False)
+                              text=True, errors="replace", timeout=120, check=False)  # labels are cut at 240 bytes, within a character too
         if done.returncode != 0 or re.search(r"Lua[ :]|\.lua:\d", done.stdout + done.stderr):
             raise AssertionError(f"tshark ended with {done.returncode}:\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}")
         return done.stdout
