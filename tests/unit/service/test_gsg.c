@@ -54,7 +54,7 @@ static int set_up(void **state)
     const orr_streams_options o = {
         .maker = &b.server, .host = host_of, .host_user = &b, .vehicle = b.vehicle, .processor = -1};
     ASSERT_OK(orr_streams_open(&o, &b.streams, &diag), diag);
-    b.asked = (orr_asked){.server = &b.server, .streams = b.streams};
+    b.asked = (orr_asked){.server = &b.server, .streams = b.streams, .may = ORR_MAY_ALL};
     assert_true(orr_text_session_open(&b.session, &b.asked));
     say(&b, "SCEN:STAR");
     *state = &b;
