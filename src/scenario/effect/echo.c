@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/angle.h"
 #include "core/constants.h"
 #include "src/scenario/effect/mover.h"
 #include "src/scenario/effect/reflection.h"
@@ -98,6 +99,11 @@ void orr_echoes_close(orr_echoes *e)
 
 size_t orr_echoes_max(const orr_echoes *e) { return e == NULL ? 0 : e->n + (e->has_ground ? 1 : 0); }
 
+static double elevation_deg(orr_vec3 axis, orr_vec3 u)
+{
+    return asin(fmin(fmax(orr_vec3_dot(u, axis), -1), 1)) * ORR_DEG_PER_RAD;
+}
+
 // The ground's: 2 h sin(elevation) behind the signal.
 static bool ground_echo(const orr_echoes *e, const orr_echo_ray *ray, orr_echo *out)
 {
@@ -113,22 +119,24 @@ static bool ground_echo(const orr_echoes *e, const orr_echo_ray *ray, orr_echo *
     out->number = 1;
     out->delay_m = 2 * h * s;
     out->delay_mps = 2 * (h * s_rate + h_rate * s);
-    const orr_vec3 down = orr_vec3_axpy(-2 * s, up, ray->u), // the ray's mirror image
-        own = {at->axes.m[2][0], at->axes.m[2][1], at->axes.m[2][2]};
-    const double direct_deg = asin(fmin(fmax(orr_vec3_dot(ray->u, own), -1), 1)) * ORR_DEG_PER_RAD,
-                 reflected_deg = asin(fmin(fmax(orr_vec3_dot(down, own), -1), 1)) * ORR_DEG_PER_RAD;
+    double direct_deg = 0, reflected_deg = 0;
+    if (e->n_pattern > 0) {
+        const orr_vec3 down = orr_vec3_axpy(-2 * s, up, ray->u), // the ray's mirror image
+            own = {at->axes.m[2][0], at->axes.m[2][1], at->axes.m[2][2]};
+        direct_deg = elevation_deg(own, ray->u);
+        reflected_deg = elevation_deg(own, down);
+    }
+    double complex slope;
     const double complex medium =
-        orr_medium(e->ground.permittivity, e->ground.conductivity_spm, ray->carrier_hz);
-    const double complex ratio =
-        orr_reflected(medium, s, e->pattern, e->n_pattern, direct_deg, reflected_deg);
+                             orr_medium(e->ground.permittivity, e->ground.conductivity_spm, ray->carrier_hz),
+                         ratio = orr_reflected(medium, s, e->pattern, e->n_pattern, direct_deg, reflected_deg,
+                                               &slope);
+    const double square = creal(ratio) * creal(ratio) + cimag(ratio) * cimag(ratio);
     // Near -1 at low elevations, and never near 1: half a cycle is taken out before an angle is.
-    const double later_s = 0.1;
-    const double complex later = orr_reflected(medium, fmin(s + later_s * s_rate, 1), e->pattern,
-                                               e->n_pattern, direct_deg, reflected_deg);
-    const double turn = carg(-ratio) / (2 * ORR_PI), then = carg(-later) / (2 * ORR_PI);
-    out->phase_cycles = 0.5 - turn;
-    out->phase_rate_hz = -(then - turn) / later_s;
-    out->power_db = 20 * log10(fmax(cabs(ratio), 1e-10));
+    out->phase_cycles = 0.5 - orr_atan2(-cimag(ratio), -creal(ratio)) / (2 * ORR_PI);
+    out->phase_rate_hz = -(creal(ratio) * cimag(slope) - cimag(ratio) * creal(slope)) / fmax(square, 1e-20) *
+                         s_rate / (2 * ORR_PI);
+    out->power_db = 10 / log(10) * log(fmax(square, 1e-20));
     return true;
 }
 

@@ -10,11 +10,28 @@ double complex orr_medium(double permittivity, double conductivity_spm, double c
     return permittivity - 60 * conductivity_spm * ORR_LIGHT_MPS / carrier_hz * (double complex)I;
 }
 
+// Root of a medium's epsilon less the cosine's square, with the real part positive.
+static double complex root_of(double complex medium, double grazing)
+{
+    const double re = creal(medium) - (1 - grazing * grazing), im = cimag(medium);
+    if (!(re > 0)) return csqrt(re + im * (double complex)I);
+    const double x = sqrt((sqrt(re * re + im * im) + re) / 2);
+    return x + im / (2 * x) * (double complex)I;
+}
+
+// a/b of numbers that are neither huge nor tiny.
+static double complex quotient(double complex a, double complex b)
+{
+    const double by = 1 / (creal(b) * creal(b) + cimag(b) * cimag(b));
+    return (creal(a) * creal(b) + cimag(a) * cimag(b)) * by +
+           (cimag(a) * creal(b) - creal(a) * cimag(b)) * by * (double complex)I;
+}
+
 void orr_fresnel(double complex medium, double grazing, double complex *level, double complex *upright)
 {
-    const double complex root = csqrt(medium - (1 - grazing * grazing));
-    *level = (grazing - root) / (grazing + root);
-    *upright = (medium * grazing - root) / (medium * grazing + root);
+    const double complex root = root_of(medium, grazing);
+    *level = quotient(grazing - root, grazing + root);
+    *upright = quotient(medium * grazing - root, medium * grazing + root);
 }
 
 double orr_pattern_db(const orr_scenario_gain *p, size_t n, double elevation_deg, bool rhcp)
@@ -31,12 +48,20 @@ double orr_pattern_db(const orr_scenario_gain *p, size_t n, double elevation_deg
 static double amplitude(double db) { return pow(10, db / 20); }
 
 double complex orr_reflected(double complex medium, double grazing, const orr_scenario_gain *pattern,
-                             size_t n, double direct_deg, double reflected_deg)
+                             size_t n, double direct_deg, double reflected_deg, double complex *slope)
 {
-    double complex level, upright;
-    orr_fresnel(medium, grazing, &level, &upright);
-    if (n == 0) return level; // half the sum and half the difference, received alike
-    const double direct_db = orr_pattern_db(pattern, n, direct_deg, true);
-    return (level + upright) / 2 * amplitude(orr_pattern_db(pattern, n, reflected_deg, true) - direct_db) +
-           (level - upright) / 2 * amplitude(orr_pattern_db(pattern, n, reflected_deg, false) - direct_db);
+    const double complex root = root_of(medium, grazing), level = quotient(grazing - root, grazing + root);
+    // The root's slope is grazing/root, and root^2 - grazing^2 = medium - 1.
+    const double complex level_slope = quotient(-2 * level, root);
+    if (n == 0) { // half the sum and half the difference, received alike
+        *slope = level_slope;
+        return level;
+    }
+    const double complex along = medium * grazing + root, upright = quotient(medium * grazing - root, along),
+                         upright_slope = quotient(2 * medium * (medium - 1), root * along * along);
+    const double direct_db = orr_pattern_db(pattern, n, direct_deg, true),
+                 kept = amplitude(orr_pattern_db(pattern, n, reflected_deg, true) - direct_db) / 2,
+                 turned = amplitude(orr_pattern_db(pattern, n, reflected_deg, false) - direct_db) / 2;
+    *slope = (level_slope + upright_slope) * kept + (level_slope - upright_slope) * turned;
+    return (level + upright) * kept + (level - upright) * turned;
 }

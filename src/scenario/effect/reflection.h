@@ -30,8 +30,10 @@ double orr_pattern_db(const orr_scenario_gain *pattern, size_t n, double elevati
 //   pattern, n    gains
 //   direct_deg    elevation of the direct ray above the antenna's horizon
 //   reflected_deg of the reflected one
+// Returned:
+//   slope         of the ratio by the grazing sine, the gains held
 // Notes: of a right-handed wave (level + upright)/2 stays right-handed and (level - upright)/2 becomes left-handed.
 double complex orr_reflected(double complex medium, double grazing, const orr_scenario_gain *pattern,
-                             size_t n, double direct_deg, double reflected_deg);
+                             size_t n, double direct_deg, double reflected_deg, double complex *slope);
 
 #endif

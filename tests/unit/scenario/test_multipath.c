@@ -18,7 +18,7 @@
 static void fresnel_has_its_limits(void **state)
 {
     (void)state;
-    double complex level, upright;
+    double complex level, upright, slope;
     const double root = sqrt(15), normal = (root - 1) / (root + 1);
     orr_fresnel(15, 1, &level, &upright); // head on both are the same but for the sign convention
     ASSERT_NEAR(cabs(level + normal), 0, 1e-12);
@@ -35,10 +35,32 @@ static void fresnel_has_its_limits(void **state)
     ASSERT_NEAR(cimag(orr_medium(70, 5, 1575.42e6)), -57.09, 0.01);
     // An antenna that takes its own hand alone loses what comes back as the other.
     static const orr_scenario_gain hand[] = {{-90, 0, -100}, {90, 0, -100}};
-    ASSERT_NEAR(cabs(orr_reflected(orr_medium(1, 5.8e7, 1575.42e6), 0.5, hand, 2, 30, -30)), 0, 1e-3);
+    ASSERT_NEAR(cabs(orr_reflected(orr_medium(1, 5.8e7, 1575.42e6), 0.5, hand, 2, 30, -30, &slope)), 0, 1e-3);
     static const orr_scenario_gain tilted[] = {{-90, -20, -20}, {0, -10, -10}, {90, 10, -20}};
     ASSERT_NEAR(orr_pattern_db(tilted, 3, 45, true), 0, 1e-12);
     ASSERT_NEAR(orr_pattern_db(tilted, 3, -45, false), -15, 1e-12);
+}
+
+static void a_reflection_has_its_slope(void **state)
+{
+    (void)state;
+    static const orr_scenario_gain pattern[] = {{-90, -20, -15}, {0, -5, -15}, {90, 5, -12}};
+    static const double media[][2] = {{15, 0.005}, {70, 5}, {3, 0}, {1, 5.8e7}};
+    const double step = 1e-5;
+    for (size_t k = 0; k < sizeof media / sizeof *media; k++)
+        for (size_t n = 0; n <= 3; n += 3)
+            for (double s = 0.02; s < 1; s += 0.07) {
+                const double complex medium = orr_medium(media[k][0], media[k][1], 1575.42e6);
+                double complex slope, unused;
+                (void)orr_reflected(medium, s, pattern, n, 30, -30, &slope);
+                const double complex before = orr_reflected(medium, s - step, pattern, n, 30, -30, &unused),
+                                     after = orr_reflected(medium, s + step, pattern, n, 30, -30, &unused);
+                ASSERT_NEAR(cabs((after - before) / (2 * step) - slope), 0, 2e-6 * (1 + cabs(slope)));
+                if (n > 0) continue;
+                // Without a pattern it is closed: log of -level is -2 asinh(s/sqrt(medium - 1)).
+                const double complex level = orr_reflected(medium, s, pattern, n, 30, -30, &unused);
+                ASSERT_NEAR(cabs(level + cexp(-2 * casinh(s / csqrt(medium - 1)))), 0, 1e-12);
+            }
 }
 
 // van Nee 1993; Braasch 2017: of a triangle and an echo of amplitude a, delay D, at spacing d, all in chips.
@@ -260,6 +282,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fresnel_has_its_limits),
+        cmocka_unit_test(a_reflection_has_its_slope),
         cmocka_unit_test(the_envelope_is_the_closed_form),
         cmocka_unit_test(subcarriers_have_their_peaks),
         cmocka_unit_test_teardown(the_ground_interferes_by_its_height, tear_down),
