@@ -132,7 +132,7 @@ typedef struct channel_antenna_work {
     uint16_t *candidate; // [n_sats] satellites that may come above the mask in it
     orr_span leaf
         [SLOW_GROUPS]; // of each group of satellites: stretch in which the antenna's place is a cubic, nearly
-    orr_scintillation_cell *fading; // [n_sats]
+    orr_scintillation_cell *fading; // [n_sats], NULL without scintillation
     channel_list end, begin;        // of blocks
 } channel_antenna_work;
 

@@ -24,8 +24,9 @@ static orr_status open_antenna(const orr_channels *c, channel_antenna_work *w)
     w->candidates_of = ORR_TIME_NONE;
     w->slow = slow_cells_open(c->n_sats);
     w->candidate = calloc(c->n_sats, sizeof *w->candidate);
-    w->fading = calloc(c->n_sats, sizeof *w->fading);
-    if (w->slow == NULL || w->candidate == NULL || w->fading == NULL) return ORR_E_MEMORY;
+    if (c->scintillation != NULL) w->fading = calloc(c->n_sats, sizeof *w->fading);
+    if (w->slow == NULL || w->candidate == NULL || (c->scintillation != NULL && w->fading == NULL))
+        return ORR_E_MEMORY;
     const orr_status s = open_list(c, &w->begin);
     return s == ORR_OK ? open_list(c, &w->end) : s;
 }

@@ -5,11 +5,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/angle.h"
 #include "core/constants.h"
 #include "core/rng.h"
 
 // Sinusoids: of each part of xi, and of the phase. Their fourth moments are within 1/64 of a Gaussian's.
-enum { WAVES = 64, PHASE_WAVES = 48 };
+enum {
+    WAVES = 64,
+    PHASE_WAVES = 48,
+    XI_WAVES = 2 * WAVES,
+    ALL_WAVES = XI_WAVES + PHASE_WAVES,
+    WIDE = 4 // doubles of a vector; a divisor of both
+};
+_Static_assert((int)ALL_WAVES == (int)ORR_SCINTILLATION_WAVES, "the cell has room for all sinusoids");
 static const double BETA = 1.239646464, L1_HZ = 1575.42e6;
 static const double LOW_HZ = 0.1, HIGH_HZ = 10;
 static const double RISE_S = 10, FADE_RAD = 0.5 * ORR_RAD_PER_DEG, FADE_H = 0.1;
@@ -142,33 +150,85 @@ orr_scintillation_now orr_scintillation_at(const orr_scintillation *x, orr_sat s
     return (orr_scintillation_now){w * r->o.s4, w * r->o.sigma_phi_rad};
 }
 
-// The processes at a node: value and rate of both parts of xi, each of variance 1/2, and of the phase.
-static void node_at(const row *r, uint64_t stream, orr_time t, double value[3], double rate[3])
+// Draws the sinusoids of a satellite at an antenna.
+static void make_waves(const row *r, uint64_t stream, orr_scintillation_waves *x)
 {
     const uint64_t seed = (uint64_t)r->o.seed;
-    const double s = (double)t * 1e-9; // to 2e-7 s: 1e-5 rad of the fastest wave
-    memset(value, 0, 3 * sizeof *value);
-    memset(rate, 0, 3 * sizeof *rate);
-    const double a = 1 / sqrt(WAVES);
-    for (int k = 0; k < 2 * WAVES; k++) { // both parts: frequencies of either sign make them independent
+    for (int k = 0; k < ALL_WAVES; k++) {
         uint32_t u[4];
-        orr_rng_u32(seed, stream, (uint64_t)k, u);
-        const double w = r->w_radps[k / 2] * (1 + 0.02 * (u[0] * 0x1p-32 - 0.5)) * (k % 2 == 0 ? 1 : -1),
-                     angle = fmod(w * s, 2 * ORR_PI) + 2 * ORR_PI * (u[1] * 0x1p-32), c = cos(angle),
-                     z = sin(angle);
-        value[0] += a / sqrt(2) * c;
-        value[1] += a / sqrt(2) * z;
-        rate[0] -= a / sqrt(2) * w * z;
-        rate[1] += a / sqrt(2) * w * c;
+        const int j = k - XI_WAVES; // of the phase
+        orr_rng_u32(seed, stream, (uint64_t)(j < 0 ? k : 1000 + j), u);
+        const double share = u[0] * 0x1p-32;
+        // Both parts of xi: frequencies of either sign make them independent.
+        x->w_radps[k] = j < 0 ? r->w_radps[k / 2] * (1 + 0.02 * (share - 0.5)) * (k % 2 == 0 ? 1 : -1)
+                              : 2 * ORR_PI * r->edge_hz[j] * pow(r->edge_hz[j + 1] / r->edge_hz[j], share);
+        x->amplitude[k] = j < 0 ? 1 / sqrt(2 * WAVES) : r->phase_amplitude[j];
+        x->per_s[k] = 4 * (uint64_t)(int64_t)(remainder(x->w_radps[k] / (2 * ORR_PI), 1) * 0x1p62);
+        x->at_zero[k] = (uint64_t)u[1] << 32;
+        const double turn = x->w_radps[k] * (double)NODE_NS / 1e9;
+        x->step_re[k] = cos(turn);
+        x->step_im[k] = sin(turn);
     }
-    for (int k = 0; k < PHASE_WAVES; k++) {
-        uint32_t u[4];
-        orr_rng_u32(seed, stream, 1000 + (uint64_t)k, u);
-        const double hz = r->edge_hz[k] * pow(r->edge_hz[k + 1] / r->edge_hz[k], u[0] * 0x1p-32),
-                     w = 2 * ORR_PI * hz, angle = fmod(w * s, 2 * ORR_PI) + 2 * ORR_PI * (u[1] * 0x1p-32);
-        value[2] += r->phase_amplitude[k] * cos(angle);
-        rate[2] -= r->phase_amplitude[k] * w * sin(angle);
+    x->second = INT64_MIN;
+    x->made = true;
+}
+
+// Phasors at a node: at whole seconds by integers, modulo 2^64 of a cycle and so without rounding however far the time is; from
+// there by one multiplication a node.
+static void turn_to(orr_scintillation_waves *x, orr_time node)
+{
+    const int64_t second = orr_floor_div(node, ORR_NS_PER_S);
+    const int step = (int)((node - second * ORR_NS_PER_S) / NODE_NS);
+    if (x->second != second || x->step > step) {
+        for (int k = 0; k < ALL_WAVES; k++) {
+            const int64_t cycles = (int64_t)(x->at_zero[k] + x->per_s[k] * (uint64_t)second);
+            const double angle = 2 * ORR_PI * 0x1p-64 * (double)cycles;
+            x->re[k] = x->amplitude[k] * cos(angle);
+            x->im[k] = x->amplitude[k] * sin(angle);
+        }
+        x->second = second;
+        x->step = 0;
     }
+    for (; x->step < step; x->step++)
+        for (int k = 0; k < ALL_WAVES; k++) {
+            const double re = x->re[k] * x->step_re[k] - x->im[k] * x->step_im[k];
+            x->im[k] = x->re[k] * x->step_im[k] + x->im[k] * x->step_re[k];
+            x->re[k] = re;
+        }
+}
+
+typedef double wide __attribute__((vector_size(WIDE * sizeof(double))));
+
+static void load(const double *x, wide *out) { memcpy(out, x, sizeof *out); }
+
+static double total(const wide *v) { return ((*v)[0] + (*v)[1]) + ((*v)[2] + (*v)[3]); }
+
+// The processes at a node: value and rate of both parts of xi, each of variance 1/2, and of the phase.
+static void node_at(orr_scintillation_waves *x, orr_time t, double value[3], double rate[3])
+{
+    turn_to(x, t);
+    wide re = {0}, im = {0}, phase = {0}, re_rate = {0}, im_rate = {0}, phase_rate = {0};
+    for (int k = 0; k < ALL_WAVES; k += WIDE) {
+        wide c, z, w;
+        load(&x->re[k], &c);
+        load(&x->im[k], &z);
+        load(&x->w_radps[k], &w);
+        if (k < XI_WAVES) {
+            re += c;
+            im += z;
+            re_rate -= w * z;
+            im_rate += w * c;
+        } else {
+            phase += c;
+            phase_rate -= w * z;
+        }
+    }
+    value[0] = total(&re);
+    value[1] = total(&im);
+    value[2] = total(&phase);
+    rate[0] = total(&re_rate);
+    rate[1] = total(&im_rate);
+    rate[2] = total(&phase_rate);
 }
 
 // The cubic through values and rates at both ends of a cell.
@@ -184,14 +244,15 @@ static void join(const double v[2], const double r[2], double T, double out[4])
 static void make_cell(const row *r, uint64_t stream, orr_time t, orr_scintillation_cell *cell)
 {
     double v[2][3], rate[2][3];
+    if (!cell->waves.made) make_waves(r, stream, &cell->waves);
     const orr_time from = t - orr_floor_mod(t, NODE_NS);
     if (cell->made && cell->to == from) {
         memcpy(v[0], cell->end, sizeof v[0]);
         memcpy(rate[0], cell->end_rate, sizeof rate[0]);
     } else {
-        node_at(r, stream, from, v[0], rate[0]);
+        node_at(&cell->waves, from, v[0], rate[0]);
     }
-    node_at(r, stream, from + NODE_NS, v[1], rate[1]);
+    node_at(&cell->waves, from + NODE_NS, v[1], rate[1]);
     double *const part[3] = {cell->re, cell->im, cell->phase};
     for (int k = 0; k < 3; k++)
         join((double[2]){v[0][k], v[1][k]}, (double[2]){rate[0][k], rate[1][k]}, (double)NODE_NS / 1e9,
@@ -224,13 +285,14 @@ void orr_scintillation_of(const orr_scintillation *x, orr_sat sat, size_t antenn
     out->phase_cycles = sigma * value_at(cell->phase, s, &rate);
     out->phase_rate_hz = sigma * rate;
     if (!(indices.s4 > 1e-6)) return;
-    const double m = fmax(1 / pow(fmin(indices.s4 * pow(ratio, 1.5), 1), 2), 1), root = sqrt(m * m - m);
-    const double direct = root / m, scattered = 1 - direct; // K/(K + 1) and 1/(K + 1)
+    // sqrt(m^2 - m)/m, m = 1/S4^2: K/(K + 1), and 1/(K + 1).
+    const double s4 = fmin(indices.s4 * ratio * sqrt(ratio), 1), direct = sqrt(1 - s4 * s4),
+                 scattered = s4 * s4 / (1 + direct);
     double re_rate, im_rate;
     const double a = sqrt(scattered), re = sqrt(direct) + a * value_at(cell->re, s, &re_rate),
                  im = a * value_at(cell->im, s, &im_rate), power = fmax(re * re + im * im, 1e-12);
-    out->power_db = 10 * log10(power);
-    out->phase_cycles += atan2(im, re) / (2 * ORR_PI);
+    out->power_db = 10 / log(10) * log(power);
+    out->phase_cycles += orr_atan2(im, re) / (2 * ORR_PI);
     out->phase_rate_hz += a * (re * im_rate - im * re_rate) / power / (2 * ORR_PI);
 }
 

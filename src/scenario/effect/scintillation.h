@@ -20,6 +20,20 @@ typedef struct orr_scintillation_now {
 orr_scintillation_now orr_scintillation_at(const orr_scintillation *x, orr_sat sat, orr_time t,
                                            const orr_pierce *p);
 
+enum { ORR_SCINTILLATION_WAVES = 176 };
+// The sinusoids whose sums the processes are, and their phasors at a node of the lattice of time.
+typedef struct orr_scintillation_waves {
+    bool made;
+    int64_t second; // of the node, and the nodes since
+    int step;
+    double w_radps[ORR_SCINTILLATION_WAVES], amplitude[ORR_SCINTILLATION_WAVES];
+    uint64_t per_s[ORR_SCINTILLATION_WAVES],
+        at_zero[ORR_SCINTILLATION_WAVES]; // cycles a second and at time zero, 2^-64, whole ones left out
+    double step_re[ORR_SCINTILLATION_WAVES],
+        step_im[ORR_SCINTILLATION_WAVES]; // by how much a node turns them
+    double re[ORR_SCINTILLATION_WAVES], im[ORR_SCINTILLATION_WAVES];
+} orr_scintillation_waves;
+
 // The processes of a satellite at an antenna, of variance 1, between two nodes of a lattice of time; kept by the caller, all zero at
 // first.
 typedef struct orr_scintillation_cell {
@@ -27,6 +41,7 @@ typedef struct orr_scintillation_cell {
     orr_time from, to;
     double re[4], im[4], phase[4]; // cubics of the seconds since `from`
     double end[3], end_rate[3];    // where the next one begins
+    orr_scintillation_waves waves;
 } orr_scintillation_cell;
 
 // What scattering does to a carrier.

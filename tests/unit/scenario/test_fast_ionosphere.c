@@ -142,6 +142,64 @@ static void the_refractive_phase_has_its_sigma_and_slope(void **state)
     orr_scenario_free(&s);
 }
 
+// Whatever was asked before, to the last bit: by steps that skip nodes, within seconds and over them, and backwards.
+static void scintillation_forgets_what_was_asked(void **state)
+{
+    (void)state;
+    static orr_scintillation_cell kept, fresh;
+    static const int64_t steps_ms[] = {1, 20, 30, 100, 730, 1000, 61003, -7, -1500};
+    orr_scenario s;
+    orr_scintillation *x;
+    orr_diag diag = {0};
+    parse("scintillation: [{s4: 0.7, tau0: 0.5, sigma_phi: 0.3}]\n", &s);
+    ASSERT_OK(orr_scintillation_open(&s, &x, &diag), diag);
+    const orr_scintillation_now indices = {0.7, 0.3};
+    orr_time t = at(0) + 123456;
+    memset(&kept, 0, sizeof kept);
+    for (size_t i = 0; i < sizeof steps_ms / sizeof *steps_ms; i++)
+        for (int k = 0; k < 60; k++, t += steps_ms[i] * 1000000) {
+            orr_scintillation_effect a, b;
+            memset(&fresh, 0, sizeof fresh);
+            orr_scintillation_of(x, orr_sat_parse("G05"), 0, t, indices, L1_HZ, &kept, &a);
+            orr_scintillation_of(x, orr_sat_parse("G05"), 0, t, indices, L1_HZ, &fresh, &b);
+            assert_memory_equal(&a, &b, sizeof a);
+        }
+    orr_scintillation_close(x);
+    orr_scenario_free(&s);
+}
+
+// At whole seconds phasors begin anew: those that were turned node by node meet them.
+static void scintillation_goes_on_over_seconds(void **state)
+{
+    (void)state;
+    static orr_scintillation_cell there, back;
+    orr_scenario s;
+    orr_scintillation *x;
+    orr_diag diag = {0};
+    parse("scintillation: [{s4: 0.7, tau0: 0.2, sigma_phi: 0.3}]\n", &s);
+    ASSERT_OK(orr_scintillation_open(&s, &x, &diag), diag);
+    for (int k = 1; k < 100; k++) {
+        orr_scintillation_effect e;
+        const orr_time second = at(k);
+        memset(&there, 0, sizeof there);
+        memset(&back, 0, sizeof back);
+        // Cells that end at the second and at the node before it: phasors are those of the end.
+        orr_scintillation_of(x, orr_sat_parse("G05"), 0, second - 1, (orr_scintillation_now){0.7, 0.3}, L1_HZ,
+                             &there, &e);
+        orr_scintillation_of(x, orr_sat_parse("G05"), 0, second - 20000001, (orr_scintillation_now){0.7, 0.3},
+                             L1_HZ, &back, &e);
+        for (int i = 0; i < ORR_SCINTILLATION_WAVES; i++) {
+            const double complex z_before = back.waves.re[i] + back.waves.im[i] * (double complex)I,
+                                 turn = back.waves.step_re[i] + back.waves.step_im[i] * (double complex)I,
+                                 z_then = there.waves.re[i] + there.waves.im[i] * (double complex)I;
+            assert_true(there.waves.second == orr_floor_div(second, 1000000000) && there.waves.step == 0);
+            ASSERT_NEAR(cabs(z_before * turn - z_then), 0, 1e-13);
+        }
+    }
+    orr_scintillation_close(x);
+    orr_scenario_free(&s);
+}
+
 static orr_pierce zenith(double lat_deg, double lon_deg)
 {
     return (orr_pierce){
@@ -283,6 +341,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scintillation_returns_its_indices),
         cmocka_unit_test(the_refractive_phase_has_its_sigma_and_slope),
+        cmocka_unit_test(scintillation_forgets_what_was_asked),
+        cmocka_unit_test(scintillation_goes_on_over_seconds),
         cmocka_unit_test(it_is_where_and_when_it_was_told),
         cmocka_unit_test(waves_and_fronts_move_as_told),
         cmocka_unit_test_teardown(channels_have_both, tear_down),
