@@ -419,9 +419,7 @@ static void on_read(void *user)
     }
     if (open && c->in_size == c->in_capacity &&
         (!can_read(c) || !grow(&c->in, &c->in_capacity, ORR_CONN_IN_MOST))) {
-        (void)want(
-            c, false,
-            c->wants_write); // what is not read only makes it wait // until requests have been answered
+        (void)want(c, false, c->wants_write); // until requests have been answered
         return;
     }
     ssize_t n = orr_link_recv(c->link, open ? c->in + c->in_size : waste,
