@@ -13,18 +13,18 @@
 #define IODI 0
 #define DAY_S 86400
 
-// Places of the mask: PRN of the k-th satellite that is corrected, from 0 on; -1 behind the last.
+// Places of the mask: PRN of the k-th satellite that is corrected, from 0 on; 0 behind the last.
 static int prn_at(const orr_sbas_told *d, int k)
 {
     for (int prn = 1; prn <= ORR_SBAS_CORRECTED; prn++)
         if (d->corrected[prn - 1] && k-- == 0) return prn;
-    return -1;
+    return 0;
 }
 
 static uint64_t udrei_at(const orr_sbas_told *d, int k)
 {
     const int prn = prn_at(d, k);
-    return prn < 0 ? NOT_MONITORED : d->healthy[prn - 1] ? MONITORED : DO_NOT_USE;
+    return prn == 0 ? NOT_MONITORED : d->healthy[prn - 1] ? MONITORED : DO_NOT_USE;
 }
 
 static int64_t seconds(orr_time t) { return orr_floor_div(t, ORR_NS_PER_S); }
@@ -158,8 +158,8 @@ static void long_term(const orr_sbas_told *d, orr_page *p)
         orr_page_zeros(p, 1); // velocity code
         for (int k = 0; k < 2; k++) {
             const int place = d->part + 2 * half + k, prn = prn_at(d, place);
-            orr_page_put(p, 6, prn < 0 ? 0 : (uint64_t)place + 1);
-            orr_page_put(p, 8, prn < 0 ? 0 : d->iode[prn - 1]);
+            orr_page_put(p, 6, prn == 0 ? 0 : (uint64_t)place + 1);
+            orr_page_put(p, 8, prn == 0 ? 0 : d->iode[prn - 1]);
             orr_page_zeros(p, 9 + 9 + 9 + 10);
         }
         orr_page_put(p, 2, IODP);

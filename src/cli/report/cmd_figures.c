@@ -107,7 +107,7 @@ static void put_tables(FILE *f, const char *csv)
     fputs(strchr(csv, '|') != NULL ? "The tables:" : "The table:", f);
     while (*csv != '\0') {
         const size_t whole = strcspn(csv, "|"), name = strcspn(csv, "=|");
-        const char *file = csv[name] == '=' && name < whole ? csv + name + 1 : csv;
+        const char *file = name < whole && csv[name] == '=' ? csv + name + 1 : csv;
         const int n = (int)strcspn(file, ":|");
         fprintf(f, " <a href=\"%.*s\">%.*s</a>", n, file, n, file);
         csv += whole + (csv[whole] == '|');

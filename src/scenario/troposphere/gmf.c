@@ -81,10 +81,12 @@ static void harmonics_at(double lat_rad, double lon_rad, double c[TERMS], double
             v[m][m] = (2 * m - 1) * (x * v[m - 1][m - 1] - y * w[m - 1][m - 1]);
             w[m][m] = (2 * m - 1) * (x * w[m - 1][m - 1] + y * v[m - 1][m - 1]);
         }
-        for (int n = m + 1; n <= DEGREE; n++) {
-            const double before = n > m + 1 ? n + m - 1 : 0;
-            v[n][m] = ((2 * n - 1) * z * v[n - 1][m] - (before > 0 ? before * v[n - 2][m] : 0)) / (n - m);
-            w[n][m] = ((2 * n - 1) * z * w[n - 1][m] - (before > 0 ? before * w[n - 2][m] : 0)) / (n - m);
+        if (m == DEGREE) break;
+        v[m + 1][m] = (2 * m + 1) * z * v[m][m];
+        w[m + 1][m] = (2 * m + 1) * z * w[m][m];
+        for (int n = m + 2; n <= DEGREE; n++) {
+            v[n][m] = ((2 * n - 1) * z * v[n - 1][m] - (n + m - 1) * v[n - 2][m]) / (n - m);
+            w[n][m] = ((2 * n - 1) * z * w[n - 1][m] - (n + m - 1) * w[n - 2][m]) / (n - m);
         }
     }
     for (int n = 0, k = 0; n <= DEGREE; n++)
