@@ -25,7 +25,7 @@ static void states_and_their_statistics_are_as_told(void **state)
     ASSERT_OK(orr_land_mobile_open(&s, sats, 2, span, &x, &diag), diag);
     // 20000 s of stretches of 6 and 3 s: 2200 of each. Power at instants 0.2 s apart, 20 beats of a wavelength.
     double bad_s = 0, good[3] = {0}, fading = 0, db = 0, db2 = 0;
-    int changes = 0, shadows = 0, n_good = 0, n_stretch = 0, alike = 0;
+    int changes = 0, n_good = 0, n_stretch = 0, alike = 0;
     double sum = 0, sum2 = 0;
     int in_stretch = 0;
     bool before = orr_land_mobile_at(x, 0, at(0), at(0), L1_HZ).shadow;
@@ -47,7 +47,6 @@ static void states_and_their_statistics_are_as_told(void **state)
             in_stretch = 0;
         }
         before = now.shadow;
-        shadows += now.shadow;
         if (now.shadow) {
             bad_s += 0.2;
             sum += power;
