@@ -89,3 +89,29 @@ double orr_atan2(double y, double x)
     if (x < 0) a = ORR_PI - a;
     return copysign(a, y);
 }
+
+// Taylor's series about the nearest quarter turn.
+void orr_turn_sincos(uint64_t turn, double *sine, double *cosine)
+{
+    const uint64_t quarter = (turn + (UINT64_C(1) << 61)) >> 62;
+    const double a = 2 * ORR_PI * 0x1p-64 * (double)(int64_t)(turn - (quarter << 62)), q = a * a;
+    double s = -1.0 / 1307674368000, c = 1.0 / 20922789888000;
+    c = -1.0 / 87178291200 + q * c;
+    s = 1.0 / 6227020800 + q * s;
+    c = 1.0 / 479001600 + q * c;
+    s = -1.0 / 39916800 + q * s;
+    c = -1.0 / 3628800 + q * c;
+    s = 1.0 / 362880 + q * s;
+    c = 1.0 / 40320 + q * c;
+    s = -1.0 / 5040 + q * s;
+    c = -1.0 / 720 + q * c;
+    s = 1.0 / 120 + q * s;
+    c = 1.0 / 24 + q * c;
+    s = -1.0 / 6 + q * s;
+    c = -0.5 + q * c;
+    s = a + a * q * s;
+    c = 1 + q * c;
+    const double first = quarter & 1 ? c : s, second = quarter & 1 ? s : c;
+    *sine = quarter & 2 ? -first : first;
+    *cosine = (quarter + 1) & 2 ? -second : second;
+}
