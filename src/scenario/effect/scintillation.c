@@ -23,6 +23,7 @@ static const double LOW_HZ = 0.1, HIGH_HZ = 10;
 static const double RISE_S = 10, FADE_RAD = 0.5 * ORR_RAD_PER_DEG, FADE_H = 0.1;
 // Nodes of the processes; of 10 Hz cubics between them keep 0.98.
 #define NODE_NS (20 * ORR_NS_PER_S / 1000)
+enum { NODES_A_TENTH = 5 }; // of a second
 
 typedef struct row {
     orr_scenario_scintillation o; // its lists are not kept
@@ -165,36 +166,55 @@ static void make_waves(const row *r, uint64_t stream, orr_scintillation_waves *x
         x->amplitude[k] = j < 0 ? 1 / sqrt(2 * WAVES) : r->phase_amplitude[j];
         x->per_s[k] = 4 * (uint64_t)(int64_t)(remainder(x->w_radps[k] / (2 * ORR_PI), 1) * 0x1p62);
         x->at_zero[k] = (uint64_t)u[1] << 32;
-        const double turn = x->w_radps[k] * (double)NODE_NS / 1e9;
-        x->step_re[k] = cos(turn);
-        x->step_im[k] = sin(turn);
+        const double node = x->w_radps[k] * (double)NODE_NS / 1e9, tenth = NODES_A_TENTH * node;
+        x->node_turn_re[k] = cos(node);
+        x->node_turn_im[k] = sin(node);
+        x->tenth_turn_re[k] = cos(tenth);
+        x->tenth_turn_im[k] = sin(tenth);
     }
     x->second = INT64_MIN;
     x->made = true;
 }
 
-// Phasors at a node: at whole seconds by integers, modulo 2^64 of a cycle and so without rounding however far the time is; from
-// there by one multiplication a node.
-static void turn_to(orr_scintillation_waves *x, orr_time node)
+static void multiply(double *restrict re, double *restrict im, const double *restrict by_re,
+                     const double *restrict by_im)
 {
-    const int64_t second = orr_floor_div(node, ORR_NS_PER_S);
-    const int step = (int)((node - second * ORR_NS_PER_S) / NODE_NS);
-    if (x->second != second || x->step > step) {
-        for (int k = 0; k < ALL_WAVES; k++) {
-            const int64_t cycles = (int64_t)(x->at_zero[k] + x->per_s[k] * (uint64_t)second);
-            const double angle = 2 * ORR_PI * 0x1p-64 * (double)cycles;
-            x->re[k] = x->amplitude[k] * cos(angle);
-            x->im[k] = x->amplitude[k] * sin(angle);
-        }
-        x->second = second;
-        x->step = 0;
+    for (int k = 0; k < ALL_WAVES; k++) {
+        const double x = re[k] * by_re[k] - im[k] * by_im[k];
+        im[k] = re[k] * by_im[k] + im[k] * by_re[k];
+        re[k] = x;
     }
-    for (; x->step < step; x->step++)
-        for (int k = 0; k < ALL_WAVES; k++) {
-            const double re = x->re[k] * x->step_re[k] - x->im[k] * x->step_im[k];
-            x->im[k] = x->re[k] * x->step_im[k] + x->im[k] * x->step_re[k];
-            x->re[k] = re;
-        }
+}
+
+// Phasors at a whole second, modulo 2^64 of a cycle and so without rounding however far the time is.
+static void begin_second(orr_scintillation_waves *x, int64_t second)
+{
+    for (int k = 0; k < ALL_WAVES; k++) {
+        double s, c;
+        orr_turn_sincos(x->at_zero[k] + x->per_s[k] * (uint64_t)second, &s, &c);
+        x->tenth_re[k] = x->amplitude[k] * c;
+        x->tenth_im[k] = x->amplitude[k] * s;
+    }
+    x->second = second;
+    x->tenth = 0;
+}
+
+// Phasors at a node: from its second by one multiplication a tenth, and from there by one a node, whatever they were before.
+static void turn_to(orr_scintillation_waves *x, orr_time t)
+{
+    const int64_t second = orr_floor_div(t, ORR_NS_PER_S);
+    const int nodes = (int)((t - second * ORR_NS_PER_S) / NODE_NS), tenth = nodes / NODES_A_TENTH,
+              node = nodes % NODES_A_TENTH;
+    const bool same = x->second == second && x->tenth == tenth;
+    if (x->second != second || x->tenth > tenth) begin_second(x, second);
+    for (; x->tenth < tenth; x->tenth++)
+        multiply(x->tenth_re, x->tenth_im, x->tenth_turn_re, x->tenth_turn_im);
+    if (!same || x->node > node) {
+        memcpy(x->re, x->tenth_re, sizeof x->re);
+        memcpy(x->im, x->tenth_im, sizeof x->im);
+        x->node = 0;
+    }
+    for (; x->node < node; x->node++) multiply(x->re, x->im, x->node_turn_re, x->node_turn_im);
 }
 
 typedef double wide __attribute__((vector_size(WIDE * sizeof(double))));

@@ -24,14 +24,16 @@ enum { ORR_SCINTILLATION_WAVES = 176 };
 // The sinusoids whose sums the processes are, and their phasors at a node of the lattice of time.
 typedef struct orr_scintillation_waves {
     bool made;
-    int64_t second; // of the node, and the nodes since
-    int step;
+    int64_t second; // of the node; of its tenths those before it, and the nodes since
+    int tenth, node;
     double w_radps[ORR_SCINTILLATION_WAVES], amplitude[ORR_SCINTILLATION_WAVES];
     uint64_t per_s[ORR_SCINTILLATION_WAVES],
         at_zero[ORR_SCINTILLATION_WAVES]; // cycles a second and at time zero, 2^-64, whole ones left out
-    double step_re[ORR_SCINTILLATION_WAVES],
-        step_im[ORR_SCINTILLATION_WAVES]; // by how much a node turns them
-    double re[ORR_SCINTILLATION_WAVES], im[ORR_SCINTILLATION_WAVES];
+    double tenth_turn_re[ORR_SCINTILLATION_WAVES],
+        tenth_turn_im[ORR_SCINTILLATION_WAVES]; // what a tenth turns,
+    double node_turn_re[ORR_SCINTILLATION_WAVES], node_turn_im[ORR_SCINTILLATION_WAVES]; // and a node
+    double tenth_re[ORR_SCINTILLATION_WAVES], tenth_im[ORR_SCINTILLATION_WAVES]; // phasors at the tenth,
+    double re[ORR_SCINTILLATION_WAVES], im[ORR_SCINTILLATION_WAVES];             // and at the node
 } orr_scintillation_waves;
 
 // The processes of a satellite at an antenna, of variance 1, between two nodes of a lattice of time; kept by the caller, all zero at

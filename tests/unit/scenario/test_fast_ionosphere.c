@@ -168,7 +168,7 @@ static void scintillation_forgets_what_was_asked(void **state)
     orr_scenario_free(&s);
 }
 
-// At whole seconds phasors begin anew: those that were turned node by node meet them.
+// At whole seconds phasors begin anew: those that were turned by tenths and nodes meet them.
 static void scintillation_goes_on_over_seconds(void **state)
 {
     (void)state;
@@ -190,9 +190,11 @@ static void scintillation_goes_on_over_seconds(void **state)
                              L1_HZ, &back, &e);
         for (int i = 0; i < ORR_SCINTILLATION_WAVES; i++) {
             const double complex z_before = back.waves.re[i] + back.waves.im[i] * (double complex)I,
-                                 turn = back.waves.step_re[i] + back.waves.step_im[i] * (double complex)I,
+                                 turn = back.waves.node_turn_re[i] +
+                                        back.waves.node_turn_im[i] * (double complex)I,
                                  z_then = there.waves.re[i] + there.waves.im[i] * (double complex)I;
-            assert_true(there.waves.second == orr_floor_div(second, 1000000000) && there.waves.step == 0);
+            assert_true(there.waves.second == orr_floor_div(second, 1000000000) && there.waves.tenth == 0 &&
+                        there.waves.node == 0);
             ASSERT_NEAR(cabs(z_before * turn - z_then), 0, 1e-13);
         }
     }
