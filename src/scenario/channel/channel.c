@@ -195,13 +195,15 @@ void channels_sum(orr_time t, int64_t start, orr_channel *out)
 #include "src/scenario/channel/terms.def"
     };
 #undef ORR_TERM
-    sums sum[2] = {{0, 0, 0, 0},
-                   {0, 0, 0, 0}}; // of every second term: one chain of additions would wait for itself
-    for (int i = 0; i < ORR_N_TERMS; i++) {
-        const double x = out->term_m[i], rate = out->rate_mps[i];
-        sum[i % 2] += FACTOR[i] * (sums){x, rate, x, rate};
+    const double *x = out->term_m, *rate = out->rate_mps;
+    sums even = {0, 0, 0, 0}, odd = {0, 0, 0, 0}; // one chain of additions would wait for itself
+    int i = 0;
+    for (; i + 1 < ORR_N_TERMS; i += 2) {
+        even += FACTOR[i] * (sums){x[i], rate[i], x[i], rate[i]};
+        odd += FACTOR[i + 1] * (sums){x[i + 1], rate[i + 1], x[i + 1], rate[i + 1]};
     }
-    const sums all = sum[0] + sum[1];
+    if (i < ORR_N_TERMS) even += FACTOR[i] * (sums){x[i], rate[i], x[i], rate[i]};
+    const sums all = even + odd;
     const double code = all[0];
     out->code_m = code;
     out->code_rate_mps = all[1];
