@@ -278,7 +278,7 @@ class Receivers(program.Folder):
 
     def test_l5(self):
         """GPS L5 I with CNAV, around the middle of a set: GNSS-SDR 0.0.17 has no place for the rate of the mean motion."""
-        start = "2025-03-21T12:00:00"  # the reference of the sets on the air
+        start = "2025-03-21T13:29:30"  # about the reference of the sets on the air, in the middle of their three hours
         self.make(self.made('["G:L5"]'), start, 100, 12500000, 1176450000, "G:L5", 53)
         satellites = recording.satellites(self.samples, "L5")
         self.receive({"L5": len(satellites)}, [("L5", s) for s in satellites], at_once=4)
