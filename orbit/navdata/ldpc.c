@@ -152,7 +152,7 @@ static void solve(solving *s)
 
 void orr_ldpc_encode(orr_ldpc code, const orr_page *in, size_t from, orr_page *p)
 {
-    const orr_ldpc_matrix *m = &matrices[code];
+    const orr_ldpc_matrix *m = orr_ldpc_matrix_of(code);
     const size_t bits = (size_t)m->bits, n = m->rows * bits;
     solving s = {.m = m};
     orr_page_copy(p, in, from, n);
