@@ -33,6 +33,10 @@
 #define ORR_EGM96_GM 3.986004415e14
 #define ORR_EGM96_RADIUS_M 6378136.3
 
+// --- Carriers ---
+// L1 of GPS and QZSS, E1 of Galileo, B1C of BeiDou-3 (IS-GPS-200N 3.3.1.1): what delays and indices of the ionosphere are told for.
+#define ORR_L1_HZ 1575.42e6
+
 // --- Broadcast models ---
 // IS-GPS-200N table 20-IV; QZSS and NavIC say the same (IS-QZSS-PNT-005, IRNSS SIS ICD 1.1).
 #define ORR_GPS_GM 3.986005e14

@@ -214,6 +214,12 @@ orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const 
     return join(mjd, ns_of_day, scale, leap);
 }
 
+int orr_time_order(const void *a, const void *b)
+{
+    const orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
+    return (x > y) - (x < y);
+}
+
 // --- weeks and sums ---
 
 #define NS_PER_WEEK (ORR_S_PER_WEEK * ORR_NS_PER_S)

@@ -84,6 +84,9 @@ void orr_time_mjd(orr_time t, orr_scale scale, const orr_leap_table *leap, int32
 // The way back, to the nearest nanosecond of fraction; saturates as the sums below.
 orr_time orr_time_from_mjd(int32_t mjd, double fraction, orr_scale scale, const orr_leap_table *leap);
 
+// For qsort and bsearch over orr_time, ascending.
+int orr_time_order(const void *a, const void *b);
+
 // GPS week (unlimited, no rollover) and seconds of week as nanoseconds [0, 604800e9). Negative weeks before
 // 1980.
 void orr_time_week(orr_time t, int32_t *week, int64_t *ns_of_week);

@@ -25,12 +25,6 @@ void orr_ionex_free(orr_ionex *x)
     *x = (orr_ionex){0};
 }
 
-static int by_time(const void *a, const void *b)
-{
-    orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
-    return (x > y) - (x < y);
-}
-
 // All instants of all maps, ascending, each once.
 static orr_status make_epochs(ionex_reader *r)
 {
@@ -44,7 +38,7 @@ static orr_status make_epochs(ionex_reader *r)
     n = 0;
     for (int k = 0; k < IONEX_KINDS; k++)
         for (size_t i = 0; i < r->maps[k].n; i++) x->epoch[n++] = r->maps[k].epoch[i];
-    qsort(x->epoch, n, sizeof *x->epoch, by_time);
+    qsort(x->epoch, n, sizeof *x->epoch, orr_time_order);
     for (size_t i = 0; i < n; i++)
         if (x->n_epochs == 0 || x->epoch[i] != x->epoch[x->n_epochs - 1])
             x->epoch[x->n_epochs++] = x->epoch[i];
@@ -53,7 +47,7 @@ static orr_status make_epochs(ionex_reader *r)
 
 static size_t epoch_index(const orr_ionex *x, orr_time t)
 {
-    const orr_time *p = bsearch(&t, x->epoch, x->n_epochs, sizeof *x->epoch, by_time);
+    const orr_time *p = bsearch(&t, x->epoch, x->n_epochs, sizeof *x->epoch, orr_time_order);
     return (size_t)(p - x->epoch); // every map's epoch is in the list
 }
 

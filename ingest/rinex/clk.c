@@ -141,12 +141,6 @@ static int by_time(const void *a, const void *b)
     return (x->t > y->t) - (x->t < y->t);
 }
 
-static int by_instant(const void *a, const void *b)
-{
-    orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
-    return (x > y) - (x < y);
-}
-
 static int by_sat(const void *a, const void *b)
 {
     const orr_clk_series *x = a, *y = b;
@@ -223,7 +217,7 @@ static orr_status count_epochs(clk_reader *r)
     orr_clk *x = r->out;
     clk_epochs *e = r->sat_epochs.n > 0 ? &r->sat_epochs : &r->receiver_epochs;
     if (e->n == 0) return ORR_OK;
-    qsort(e->t, e->n, sizeof *e->t, by_instant);
+    qsort(e->t, e->n, sizeof *e->t, orr_time_order);
     size_t n = 0;
     for (size_t i = 0; i < e->n; i++)
         if (n == 0 || e->t[n - 1] != e->t[i]) e->t[n++] = e->t[i];

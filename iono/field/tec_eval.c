@@ -3,6 +3,7 @@
 // function but those of their own pierce point.
 #include <string.h>
 
+#include "core/constants.h"
 #include "core/nan.h"
 #include "iono/broadcast/bdgim.h"
 #include "iono/field/tec_field_private.h"
@@ -173,7 +174,6 @@ static orr_klobuchar eight(const double *value)
                            {value[4], value[5], value[6], value[7]}};
 }
 
-#define L1_HZ 1575.42e6
 #define B1I_HZ 1561.098e6
 #define NEQUICK_TOP_M 20.2e6
 
@@ -191,7 +191,7 @@ static double broadcast_vertical(const orr_tec_field *f, const double *value, or
         return orr_nequick_slant_tecu(f->nequick, value, t, f->options.leap, (orr_geodetic){lat, lon, 0},
                                       (orr_geodetic){lat, lon, NEQUICK_TOP_M});
     default:
-        return orr_klobuchar_vertical_m(&k, t, lat, lon) / orr_iono_delay_m(1, L1_HZ, ORR_MEASURES_CODE);
+        return orr_klobuchar_vertical_m(&k, t, lat, lon) / orr_iono_delay_m(1, ORR_L1_HZ, ORR_MEASURES_CODE);
     }
 }
 
@@ -210,7 +210,7 @@ static double broadcast_slant(const orr_tec_field *f, const double *value, orr_t
                                       orr_nequick_upper_end(site, az, el, NEQUICK_TOP_M));
     default:
         return orr_klobuchar_delay_m(&k, t, site.lat_rad, site.lon_rad, az, el) /
-               orr_iono_delay_m(1, L1_HZ, ORR_MEASURES_CODE);
+               orr_iono_delay_m(1, ORR_L1_HZ, ORR_MEASURES_CODE);
     }
 }
 

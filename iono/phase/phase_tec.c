@@ -171,12 +171,6 @@ static orr_status undo_clock_steps(phase_reading *r, orr_phase_tec *out, orr_dia
     return s;
 }
 
-static int by_time(const void *a, const void *b)
-{
-    orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
-    return x < y ? -1 : x > y;
-}
-
 static orr_status finish(phase_reading *r, const char *path, orr_phase_tec *out, orr_diag *diag)
 {
     if (r->n_epochs == 0)
@@ -189,7 +183,7 @@ static orr_status finish(phase_reading *r, const char *path, orr_phase_tec *out,
     if (s != ORR_OK) return s;
     for (size_t i = 0; i + 1 < r->n_epochs; i++) r->epoch[i] = r->epoch[i + 1] - r->epoch[i];
     if (r->n_epochs > 1) {
-        qsort(r->epoch, r->n_epochs - 1, sizeof *r->epoch, by_time);
+        qsort(r->epoch, r->n_epochs - 1, sizeof *r->epoch, orr_time_order);
         out->interval_s = (double)r->epoch[(r->n_epochs - 1) / 2] * 1e-9;
     }
     out->has_geometry = r->o->position != NULL;

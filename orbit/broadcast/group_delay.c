@@ -2,11 +2,11 @@
 // Group delays of broadcast messages, signal by signal.
 #include <string.h>
 
+#include "core/constants.h"
 #include "orbit/broadcast/broadcast.h"
 
 static double squared_ratio(double a, double b) { return a * a / (b * b); }
 
-#define L1_HZ 1575.42e6
 #define L2_HZ 1227.60e6
 #define L5_HZ 1176.45e6
 #define E5B_HZ 1207.14e6
@@ -42,7 +42,7 @@ static bool one_of(const char *signal, char band, const char *attributes)
 static double gps_delay(const orr_nav_eph *e, char system, const char *signal)
 {
     const orr_nav_delays *d = &e->delay;
-    const double gamma = squared_ratio(L1_HZ, L2_HZ);
+    const double gamma = squared_ratio(ORR_L1_HZ, L2_HZ);
     if (system == 'G' && one_of(signal, '1', "PWY")) return d->tgd_s;
     if (system == 'G' && one_of(signal, '2', "PWYD")) return gamma * d->tgd_s;
     if (e->message == ORR_NAV_LNAV) {
@@ -68,8 +68,8 @@ static double galileo_delay(const orr_nav_eph *e, const char *signal)
     const double e5a = e->delay.bgd_e5a_e1_s, e5b = e->delay.bgd_e5b_e1_s;
     const double e1 = e->message == ORR_NAV_FNAV ? e5a : e5b;
     if (signal[0] == '1') return e1;
-    if (signal[0] == '5') return e1 + (squared_ratio(L1_HZ, L5_HZ) - 1) * e5a;
-    if (signal[0] == '7') return e1 + (squared_ratio(L1_HZ, E5B_HZ) - 1) * e5b;
+    if (signal[0] == '5') return e1 + (squared_ratio(ORR_L1_HZ, L5_HZ) - 1) * e5a;
+    if (signal[0] == '7') return e1 + (squared_ratio(ORR_L1_HZ, E5B_HZ) - 1) * e5b;
     return (double)NAN;
 }
 

@@ -97,12 +97,6 @@ typedef struct subject {
     orr_orbit_node *node; // of precise orbits: positions of one satellite
 } subject;
 
-static int time_order(const void *a, const void *b)
-{
-    const orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
-    return (x > y) - (x < y);
-}
-
 static int node_order(const void *a, const void *b)
 {
     const orr_time x = ((const orr_orbit_node *)a)->t, y = ((const orr_orbit_node *)b)->t;
@@ -141,7 +135,7 @@ static bool state_of(const subject *u, orr_sat sat, orr_time t, orr_sat_state *o
     for (size_t i = 0; i < u->n_sp3; i++) {
         const orr_sp3 *f = &u->sp3[i];
         const orr_time *at =
-            f->n_epochs > 0 ? bsearch(&t, f->epoch, f->n_epochs, sizeof t, time_order) : NULL;
+            f->n_epochs > 0 ? bsearch(&t, f->epoch, f->n_epochs, sizeof t, orr_time_order) : NULL;
         const orr_sp3_record *r = at != NULL ? record_of(f, sat, (size_t)(at - f->epoch)) : NULL;
         if (!has_position(r)) continue;
         *out = (orr_sat_state){.sat = sat,

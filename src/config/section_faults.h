@@ -44,7 +44,7 @@ typedef struct orr_fault_orbit {
 
 typedef struct orr_fault_bits {
     orr_fault_when when;
-    bool has_piece, has_message;
+    bool has_piece;
     int64_t piece;     // number of the subframe, string, word or message type; without has_piece every one
     char *message;     // "LNAV", "CNAV", ...; NULL: every one
     orr_real_list bit; // the first and the last that are inverted, from 1; one alone is both

@@ -43,7 +43,7 @@ static double gps_tecu(const problem *p, const sample *s, const double *c)
     (void)p;
     memcpy(k.alpha, c, sizeof k.alpha);
     memcpy(k.beta, c + 4, sizeof k.beta);
-    return tecu_of(orr_klobuchar_vertical_m(&k, s->t, s->lat_rad, s->lon_rad), 1575.42e6);
+    return tecu_of(orr_klobuchar_vertical_m(&k, s->t, s->lat_rad, s->lon_rad), ORR_L1_HZ);
 }
 
 static double beidou_tecu(const problem *p, const sample *s, const double *c)

@@ -71,12 +71,6 @@ static orr_status inspect_orbits(const char *path, orr_inspection *r, orr_diag *
     return ORR_OK;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
-    return (x > y) - (x < y);
-}
-
 // The samples' instants, each once.
 static orr_status session_epochs(const orr_session *s, orr_inspection *r, orr_diag *diag)
 {
@@ -84,7 +78,7 @@ static orr_status session_epochs(const orr_session *s, orr_inspection *r, orr_di
     if (t == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     size_t n = 0;
     for (size_t i = 0; i < s->n_samples; i++) t[i] = s->sample[i].t;
-    qsort(t, s->n_samples, sizeof *t, ascending);
+    qsort(t, s->n_samples, sizeof *t, orr_time_order);
     for (size_t i = 0; i < s->n_samples; i++)
         if (n == 0 || t[i] != t[n - 1]) t[n++] = t[i];
     orr_inspect_epochs(r, t, n);

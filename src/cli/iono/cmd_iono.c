@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/constants.h"
 #include "core/outfile.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
@@ -118,7 +119,7 @@ static int compare(const orr_cli *c, work *w)
     orr_cli_say(c,
                 "%s and %s, %.0f m apart: %zu curves, %zu epochs, RMS difference %.4f TECU (%.2f cm on L1)",
                 phase->marker, w->other.marker, k->baseline_m, k->n_curves, k->n_points, k->rms_tecu,
-                100 * orr_iono_delay_m(k->rms_tecu, 1575.42e6, ORR_MEASURES_CODE));
+                100 * orr_iono_delay_m(k->rms_tecu, ORR_L1_HZ, ORR_MEASURES_CODE));
     return ORR_EXIT_OK;
 }
 

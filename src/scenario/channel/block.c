@@ -4,19 +4,20 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/hermite.h"
 #include "src/scenario/channel/effects.h"
-#include "src/scenario/channel/hermite.h"
 
 static void join(const orr_channel *from, const orr_channel *to, double T, orr_block *out)
 {
     out->at = *from;
-    hermite_cubic(from->code_m, to->code_m - from->code_m, from->code_rate_mps, to->code_rate_mps, T,
-                  out->code);
+    orr_hermite_cubic(from->code_m, to->code_m - from->code_m, from->code_rate_mps, to->code_rate_mps, T,
+                      out->code);
     double rise =
         (double)(to->carrier_cycles - from->carrier_cycles) + (to->carrier_fraction - from->carrier_fraction);
     // Where the sum of scattered rays passes behind zero, its angle begins anew: the phase goes on, its integer is another.
     rise -= nearbyint(rise - (from->carrier_rate_hz + to->carrier_rate_hz) / 2 * T);
-    hermite_cubic(from->carrier_fraction, rise, from->carrier_rate_hz, to->carrier_rate_hz, T, out->carrier);
+    orr_hermite_cubic(from->carrier_fraction, rise, from->carrier_rate_hz, to->carrier_rate_hz, T,
+                      out->carrier);
     out->carrier_cycles = from->carrier_cycles;
 }
 

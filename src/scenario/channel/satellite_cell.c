@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "src/scenario/channel/hermite.h"
+#include "core/hermite.h"
 
 // The product's own rounding is 4e-9 m.
 static const double FIT_M = 2e-8, FIT_MPS = 1e-8;
@@ -49,8 +49,8 @@ static void evaluate(const satellite_cell *cell, double s, satellite_state *out)
     out->vel_mps = (orr_vec3){d[0], d[1], d[2]};
     out->clock_m = v[3];
     out->clock_rate_mps = d[3];
-    out->relativity_m = cubic_at(cell->relativity, s);
-    out->relativity_rate_mps = cubic_rate(cell->relativity, s);
+    out->relativity_m = orr_cubic_at(cell->relativity, s);
+    out->relativity_rate_mps = orr_cubic_rate(cell->relativity, s);
     out->flags = cell->flags;
 }
 
@@ -63,16 +63,16 @@ static void fit(const orr_sat_state end[2], double T, satellite_cell *cell)
             r[i] = coordinates(&end[i].vel_mps)[k];
             a[i] = coordinates(&end[i].acc_mps2)[k];
         }
-        hermite_quintic(v, r, a, T, c);
+        orr_hermite_quintic(v, r, a, T, c);
         for (int j = 0; j < 6; j++) cell->x[j][k] = c[j];
     }
     double c[4];
     const double m0 = clock_m(&end[0]);
-    hermite_cubic(m0, clock_m(&end[1]) - m0, clock_rate_mps(&end[0]), clock_rate_mps(&end[1]), T, c);
+    orr_hermite_cubic(m0, clock_m(&end[1]) - m0, clock_rate_mps(&end[0]), clock_rate_mps(&end[1]), T, c);
     for (int j = 0; j < 6; j++) cell->x[j][3] = j < 4 ? c[j] : 0;
     const double r0 = relativity_m(&end[0]);
-    hermite_cubic(r0, relativity_m(&end[1]) - r0, relativity_rate_mps(&end[0]), relativity_rate_mps(&end[1]),
-                  T, cell->relativity);
+    orr_hermite_cubic(r0, relativity_m(&end[1]) - r0, relativity_rate_mps(&end[0]),
+                      relativity_rate_mps(&end[1]), T, cell->relativity);
     cell->flags = end[0].flags;
 }
 

@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/scenario/channel/hermite.h"
 #include "src/scenario/channel/slow.h"
+
+#include "core/hermite.h"
 
 // A node's rates are differences over this time on both sides. Terms of 50 m with second derivatives of 1e-3 m/s^2 lose 1e-9 m.
 static const int64_t SIDE_NS = ORR_NS_PER_S / 1000;
@@ -182,7 +183,7 @@ static void make_path(orr_vec3 r0, orr_vec3 v0, orr_vec3 r1, orr_vec3 v1, double
     const double from[3] = {r0.x, r0.y, r0.z}, rise[3] = {r1.x - r0.x, r1.y - r0.y, r1.z - r0.z},
                  v[3] = {v0.x, v0.y, v0.z}, w[3] = {v1.x, v1.y, v1.z};
     double x[3][4];
-    for (int k = 0; k < 3; k++) hermite_cubic(from[k], rise[k], v[k], w[k], T, x[k]);
+    for (int k = 0; k < 3; k++) orr_hermite_cubic(from[k], rise[k], v[k], w[k], T, x[k]);
     for (int j = 0; j < 4; j++) c[j] = (orr_vec3){x[0][j], x[1][j], x[2][j]};
 }
 
@@ -190,7 +191,7 @@ static void make_curves(const slow_node *a, const slow_node *b, double T, slow_c
 {
     for (size_t i = 0; i < SLOW_MOST; i++) {
         double c[4];
-        hermite_cubic(a->v[i], b->v[i] - a->v[i], a->r[i], b->r[i], T, c);
+        orr_hermite_cubic(a->v[i], b->v[i] - a->v[i], a->r[i], b->r[i], T, c);
         for (int j = 0; j < 4; j++) cell->c[j][i] = c[j];
     }
     make_path(a->r_m, a->v_mps, b->r_m, b->v_mps, T, cell->path);

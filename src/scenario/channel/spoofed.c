@@ -73,21 +73,20 @@ void spoofed_close(struct spoofed *x)
 bool spoofed_change(const orr_channels *c, orr_time after, orr_time until)
 {
     const struct spoofed *x = c->spoofed;
-    for (size_t k = 0; x != NULL && k < x->sky.n_antennas; k++) {
-        const orr_interval i = x->item[k].sends;
-        if ((after < i.from && i.from <= until) || (after < i.to && i.to <= until)) return true;
-    }
+    for (size_t k = 0; x != NULL && k < x->sky.n_antennas; k++)
+        if (orr_interval_turns(x->item[k].sends, after, until)) return true;
     return false;
 }
 
 bool spoofed_allow(const orr_channels *c, orr_time from, orr_time to, int64_t length_ns)
 {
     const struct spoofed *x = c->spoofed;
-    for (size_t k = 0; x != NULL && k < x->sky.n_antennas; k++) {
-        const orr_interval i = x->item[k].sends;
-        if ((from <= i.from && i.from < to && i.from > c->span.from && i.from % length_ns != 0) ||
-            (from <= i.to && i.to < to && i.to <= c->span.to && i.to % length_ns != 0))
+    // At the scenario's own begin and end no block has to begin.
+    const orr_interval begins = {from > c->span.from ? from : c->span.from + 1, to},
+                       ends = {from, to <= c->span.to ? to : c->span.to + 1};
+    for (size_t k = 0; x != NULL && k < x->sky.n_antennas; k++)
+        if (!orr_instant_fits(x->item[k].sends.from, begins, length_ns) ||
+            !orr_instant_fits(x->item[k].sends.to, ends, length_ns))
             return false;
-    }
     return true;
 }

@@ -29,7 +29,7 @@ struct orr_disturbance {
     orr_mapping mapping;
 };
 
-static const double L1_HZ = 1575.42e6, ROUND_M = 1000;
+static const double ROUND_M = 1000;
 
 static heading heading_of(const double *position, double azimuth_deg, double speed_mps, orr_time time)
 {
@@ -67,7 +67,7 @@ orr_status orr_disturbance_open(const orr_scenario *s, orr_disturbance **out, or
         const orr_scenario_front *f = &o->fronts.item[d->n_fronts];
         d->front[d->n_fronts] =
             (front){.h = heading_of(f->position.item, f->azimuth_deg, f->speed_mps, f->time),
-                    .tecu_per_m = f->gradient_mmpkm * 1e-6 * L1_HZ * L1_HZ / ORR_IONO_K_M3_PER_S2,
+                    .tecu_per_m = f->gradient_mmpkm * 1e-6 * ORR_L1_HZ * ORR_L1_HZ / ORR_IONO_K_M3_PER_S2,
                     .width_m = 1e3 * f->width_km};
     }
     *out = d;

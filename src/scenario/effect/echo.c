@@ -8,18 +8,17 @@
 
 #include "core/angle.h"
 #include "core/constants.h"
+#include "core/interval.h"
 #include "src/scenario/effect/mover.h"
 #include "src/scenario/effect/reflection.h"
-
-static const double L1_HZ = 1575.42e6;
 
 typedef struct reflector {
     bool has_sats;
     orr_sat_set sats;
-    orr_time from, to;
+    orr_interval there;
     double phase_cycles, power_db;
     bool in_space;
-    double delay_m, delay_mps; // at `from`, of others
+    double delay_m, delay_mps; // at its begin, of others
     orr_mover place;           // of one in space
 } reflector;
 
@@ -44,24 +43,23 @@ static orr_status prepare(const orr_scenario *s, size_t k, orr_span span, reflec
     const orr_scenario_reflector *x = &s->multipath.reflectors.item[k];
     *out = (reflector){.has_sats = x->has_sats,
                        .sats = x->sats,
-                       .from = x->has_from ? x->from : span.from,
-                       .to = x->has_to ? x->to : span.to + 1,
+                       .there = {x->has_from ? x->from : span.from, x->has_to ? x->to : span.to + 1},
                        .phase_cycles = x->phase_deg / 360,
                        .power_db = x->power_db,
                        .delay_m = x->delay_m,
-                       .delay_mps = -x->doppler_hz * ORR_LIGHT_MPS / L1_HZ,
+                       .delay_mps = -x->doppler_hz * ORR_LIGHT_MPS / ORR_L1_HZ,
                        .in_space = x->position.n > 0};
-    if (out->from > span.to || out->to <= span.from)
-        return refuse(s, k, x->has_to && out->to <= span.from ? "to" : "from",
+    if (out->there.from > span.to || out->there.to <= span.from)
+        return refuse(s, k, x->has_to && out->there.to <= span.from ? "to" : "from",
                       "it is not there in the time of the channels", diag);
     if (!out->in_space) {
-        const orr_time end = out->to < span.to ? out->to : span.to;
-        if (out->delay_m + out->delay_mps * orr_time_diff_s(end, out->from) < 0)
+        const orr_time end = out->there.to < span.to ? out->there.to : span.to;
+        if (out->delay_m + out->delay_mps * orr_time_diff_s(end, out->there.from) < 0)
             return refuse(s, k, "doppler",
                           "the echo would overtake its signal: end it (to) before its delay is 0", diag);
         return ORR_OK;
     }
-    out->place = orr_mover_of(&x->position, &x->velocity_mps, out->from);
+    out->place = orr_mover_of(&x->position, &x->velocity_mps, out->there.from);
     return ORR_OK;
 }
 
@@ -142,7 +140,7 @@ static bool ground_echo(const orr_echoes *e, const orr_echo_ray *ray, orr_echo *
 
 static void reflector_echo(const reflector *x, const orr_echo_ray *ray, orr_echo *out)
 {
-    const double since_s = orr_time_diff_s(ray->t, x->from);
+    const double since_s = orr_time_diff_s(ray->t, x->there.from);
     out->phase_cycles = x->phase_cycles;
     out->phase_rate_hz = 0;
     out->power_db = x->power_db;
@@ -167,7 +165,7 @@ size_t orr_echoes_at(const orr_echoes *e, const orr_echo_ray *ray, orr_echo out[
     if (e->has_ground && ground_echo(e, ray, &out[n])) n++;
     for (size_t k = 0; k < e->n; k++) {
         const reflector *x = &e->item[k];
-        if (ray->as_of < x->from || ray->as_of >= x->to ||
+        if (!orr_interval_holds(x->there, ray->as_of) ||
             (x->has_sats && !orr_sat_set_has(&x->sats, ray->sat)))
             continue;
         out[n].number = (uint16_t)(before + k + 1);
@@ -179,9 +177,7 @@ size_t orr_echoes_at(const orr_echoes *e, const orr_echo_ray *ray, orr_echo out[
 bool orr_echoes_change(const orr_echoes *e, orr_time after, orr_time until)
 {
     for (size_t k = 0; e != NULL && k < e->n; k++)
-        if ((after < e->item[k].from && e->item[k].from <= until) ||
-            (after < e->item[k].to && e->item[k].to <= until))
-            return true;
+        if (orr_interval_turns(e->item[k].there, after, until)) return true;
     return false;
 }
 
@@ -208,10 +204,8 @@ bool orr_echoes_allow(const orr_echoes *e, const orr_antenna *antenna, orr_time 
 {
     for (size_t k = 0; e != NULL && k < e->n; k++) {
         const reflector *x = &e->item[k];
-        if (x->to <= from || to <= x->from) continue;
-        if ((from <= x->from && x->from < to && x->from % length_ns != 0) ||
-            (from <= x->to && x->to < to && x->to % length_ns != 0))
-            return false;
+        if (x->there.to <= from || to <= x->there.from) continue;
+        if (!orr_interval_fits(x->there, (orr_interval){from, to}, length_ns)) return false;
         const double T = (double)length_ns / 1e9;
         if (x->in_space && pow(T, 4) / 384 * bends(x, antenna, from, to) > error_m) return false;
     }

@@ -6,13 +6,8 @@
 
 #include "core/array.h"
 #include "core/constants.h"
+#include "core/interval.h"
 #include "src/scenario/effect/fault_private.h"
-
-static int by_time(const void *a, const void *b)
-{
-    const orr_time x = *(const orr_time *)a, y = *(const orr_time *)b;
-    return (x > y) - (x < y);
-}
 
 static orr_status list_events(orr_faults *f)
 {
@@ -23,7 +18,7 @@ static orr_status list_events(orr_faults *f)
         f->event[f->n_events++] = f->item[k].hold;
         f->event[f->n_events++] = f->item[k].to;
     }
-    qsort(f->event, f->n_events, sizeof *f->event, by_time);
+    qsort(f->event, f->n_events, sizeof *f->event, orr_time_order);
     return ORR_OK;
 }
 
@@ -195,7 +190,7 @@ bool orr_faults_allow(const orr_faults *f, orr_time from, orr_time to, int64_t l
 {
     if (f == NULL) return true;
     for (size_t k = 0; k < f->n_events; k++)
-        if (from <= f->event[k] && f->event[k] < to && f->event[k] % length_ns != 0) return false;
+        if (!orr_instant_fits(f->event[k], (orr_interval){from, to}, length_ns)) return false;
     for (size_t k = 0; k < f->n_uses; k++) {
         const fault_use *use = &f->use[k];
         const fault_item *x = &f->item[use->item];

@@ -21,6 +21,8 @@ typedef struct stretch {
 typedef struct track {
     const orr_scenario_land_mobile *row; // NULL: none
     uint64_t stream;
+    double beat[WAVES],
+        phase_rad[WAVES]; // of the waves that come from all around: cosine of the direction, and their phase
     size_t n;
     stretch *stretch;
 } track;
@@ -30,6 +32,16 @@ struct orr_land_mobile {
     orr_scenario_land_mobile *row;
     track *track; // [n_sats]
 };
+
+static void draw_waves(track *t)
+{
+    for (int j = 0; j < WAVES; j++) {
+        uint32_t u[4];
+        orr_rng_u32((uint64_t)t->row->seed, t->stream, (uint64_t)j, u);
+        t->beat[j] = cos(2 * ORR_PI * (j + u[0] * 0x1p-32) / WAVES);
+        t->phase_rad[j] = 2 * ORR_PI * (u[1] * 0x1p-32);
+    }
+}
 
 // Alternating stretches of exponential length, at whole steps of the grid.
 static orr_status make_track(track *t, orr_span span, size_t *spare)
@@ -67,6 +79,7 @@ static orr_status make_all(const orr_scenario *s, const orr_sat *sat, size_t n, 
             if (x->row[j].has_sats && !orr_sat_set_has(&x->row[j].sats, sat[k])) continue;
             x->track[k].row = &x->row[j];
             x->track[k].stream = ((uint64_t)j << 32) | sat[k];
+            draw_waves(&x->track[k]);
             const orr_status status = make_track(&x->track[k], span, &spare);
             if (status != ORR_OK) return status;
         }
@@ -125,11 +138,8 @@ orr_land_mobile_now orr_land_mobile_at(const orr_land_mobile *x, size_t place, o
                  beat_radps = 2 * ORR_PI * k->row->speed_mps * carrier_hz / ORR_LIGHT_MPS;
     double re = 0, im = 0, re_rate = 0, im_rate = 0;
     for (int j = 0; j < WAVES; j++) {
-        uint32_t u[4];
-        orr_rng_u32((uint64_t)k->row->seed, k->stream, (uint64_t)j, u);
-        const double w = beat_radps * cos(2 * ORR_PI * (j + u[0] * 0x1p-32) / WAVES),
-                     angle = fmod(w * s, 2 * ORR_PI) + 2 * ORR_PI * (u[1] * 0x1p-32), c = cos(angle),
-                     z = sin(angle);
+        const double w = beat_radps * k->beat[j], angle = fmod(w * s, 2 * ORR_PI) + k->phase_rad[j],
+                     c = cos(angle), z = sin(angle);
         re += c;
         im += z;
         re_rate -= w * z;

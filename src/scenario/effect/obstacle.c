@@ -120,9 +120,7 @@ bool orr_obstacles_change(const orr_obstacles *o, orr_time after, orr_time until
 {
     for (size_t k = 0; o != NULL && k < o->n_tunnels; k++) {
         const tunnel *t = &o->tunnel[k];
-        if (t->by_time && ((after < t->during.from && t->during.from <= until) ||
-                           (after < t->during.to && t->during.to <= until)))
-            return true;
+        if (t->by_time && orr_interval_turns(t->during, after, until)) return true;
     }
     return false;
 }
@@ -131,10 +129,7 @@ bool orr_obstacles_allow(const orr_obstacles *o, orr_time from, orr_time to, int
 {
     for (size_t k = 0; o != NULL && k < o->n_tunnels; k++) {
         const tunnel *t = &o->tunnel[k];
-        if (t->by_time &&
-            ((from <= t->during.from && t->during.from < to && t->during.from % length_ns != 0) ||
-             (from <= t->during.to && t->during.to < to && t->during.to % length_ns != 0)))
-            return false;
+        if (t->by_time && !orr_interval_fits(t->during, (orr_interval){from, to}, length_ns)) return false;
     }
     return true;
 }

@@ -7,6 +7,7 @@
 
 #include "core/angle.h"
 #include "core/constants.h"
+#include "core/hermite.h"
 #include "core/rng.h"
 
 // Sinusoids: of each part of xi, and of the phase. Their fourth moments are within 1/64 of a Gaussian's.
@@ -18,7 +19,7 @@ enum {
     WIDE = 4 // doubles of a vector; a divisor of both
 };
 _Static_assert((int)ALL_WAVES == (int)ORR_SCINTILLATION_WAVES, "the cell has room for all sinusoids");
-static const double BETA = 1.239646464, L1_HZ = 1575.42e6;
+static const double BETA = 1.239646464;
 static const double LOW_HZ = 0.1, HIGH_HZ = 10;
 static const double RISE_S = 10, FADE_RAD = 0.5 * ORR_RAD_PER_DEG, FADE_H = 0.1;
 // Nodes of the processes; of 10 Hz cubics between them keep 0.98.
@@ -251,16 +252,6 @@ static void node_at(orr_scintillation_waves *x, orr_time t, double value[3], dou
     rate[2] = total(&phase_rate);
 }
 
-// The cubic through values and rates at both ends of a cell.
-static void join(const double v[2], const double r[2], double T, double out[4])
-{
-    const double rise = (v[1] - v[0]) / T;
-    out[0] = v[0];
-    out[1] = r[0];
-    out[2] = (3 * rise - 2 * r[0] - r[1]) / T;
-    out[3] = (r[0] + r[1] - 2 * rise) / (T * T);
-}
-
 static void make_cell(const row *r, uint64_t stream, orr_time t, orr_scintillation_cell *cell)
 {
     double v[2][3], rate[2][3];
@@ -275,19 +266,12 @@ static void make_cell(const row *r, uint64_t stream, orr_time t, orr_scintillati
     node_at(&cell->waves, from + NODE_NS, v[1], rate[1]);
     double *const part[3] = {cell->re, cell->im, cell->phase};
     for (int k = 0; k < 3; k++)
-        join((double[2]){v[0][k], v[1][k]}, (double[2]){rate[0][k], rate[1][k]}, (double)NODE_NS / 1e9,
-             part[k]);
+        orr_hermite_cubic(v[0][k], v[1][k] - v[0][k], rate[0][k], rate[1][k], (double)NODE_NS / 1e9, part[k]);
     memcpy(cell->end, v[1], sizeof v[1]);
     memcpy(cell->end_rate, rate[1], sizeof rate[1]);
     cell->from = from;
     cell->to = from + NODE_NS;
     cell->made = true;
-}
-
-static double value_at(const double c[4], double s, double *rate)
-{
-    *rate = c[1] + s * (2 * c[2] + 3 * s * c[3]);
-    return c[0] + s * (c[1] + s * (c[2] + s * c[3]));
 }
 
 void orr_scintillation_of(const orr_scintillation *x, orr_sat sat, size_t antenna, orr_time t,
@@ -299,18 +283,17 @@ void orr_scintillation_of(const orr_scintillation *x, orr_sat sat, size_t antenn
     if (r == NULL || !(indices.s4 > 0 || indices.sigma_phi_rad > 0)) return;
     if (!cell->made || t < cell->from || t >= cell->to)
         make_cell(r, ((uint64_t)antenna << 16) | sat, t, cell);
-    const double s = orr_time_diff_s(t, cell->from), ratio = L1_HZ / carrier_hz;
-    double rate;
+    const double s = orr_time_diff_s(t, cell->from), ratio = ORR_L1_HZ / carrier_hz;
     const double sigma = indices.sigma_phi_rad * ratio / (2 * ORR_PI);
-    out->phase_cycles = sigma * value_at(cell->phase, s, &rate);
-    out->phase_rate_hz = sigma * rate;
+    out->phase_cycles = sigma * orr_cubic_at(cell->phase, s);
+    out->phase_rate_hz = sigma * orr_cubic_rate(cell->phase, s);
     if (!(indices.s4 > 1e-6)) return;
     // sqrt(m^2 - m)/m, m = 1/S4^2: K/(K + 1), and 1/(K + 1).
     const double s4 = fmin(indices.s4 * ratio * sqrt(ratio), 1), direct = sqrt(1 - s4 * s4),
                  scattered = s4 * s4 / (1 + direct);
-    double re_rate, im_rate;
-    const double a = sqrt(scattered), re = sqrt(direct) + a * value_at(cell->re, s, &re_rate),
-                 im = a * value_at(cell->im, s, &im_rate), power = fmax(re * re + im * im, 1e-12);
+    const double a = sqrt(scattered), re = sqrt(direct) + a * orr_cubic_at(cell->re, s),
+                 im = a * orr_cubic_at(cell->im, s), re_rate = orr_cubic_rate(cell->re, s),
+                 im_rate = orr_cubic_rate(cell->im, s), power = fmax(re * re + im * im, 1e-12);
     out->power_db = 10 / log(10) * log(power);
     out->phase_cycles += orr_atan2(im, re) / (2 * ORR_PI);
     out->phase_rate_hz += a * (re * im_rate - im * re_rate) / power / (2 * ORR_PI);

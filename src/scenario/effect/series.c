@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "core/hermite.h"
+
 orr_status orr_series_open(orr_time from, orr_time to, int64_t step_ns, size_t *spare, orr_series *out)
 {
     const size_t n = (size_t)((to - from) / step_ns) + 5; // a node before and two after the first and last
@@ -30,8 +32,8 @@ double orr_series_at(const orr_series *x, orr_time t, double *rate_ps)
     const double T = (double)x->step_ns / 1e9,
                  s = (double)(t - x->from - (int64_t)(k - 1) * x->step_ns) / 1e9 / T;
     const double *p = &x->node[k - 1];
-    const double a = p[1], b = (p[2] - p[0]) / 2, e = (p[3] - p[1]) / 2, rise = p[2] - p[1];
-    const double c2 = 3 * rise - 2 * b - e, c3 = b + e - 2 * rise;
-    *rate_ps = (b + s * (2 * c2 + s * 3 * c3)) / T;
-    return a + s * (b + s * (c2 + s * c3));
+    double c[4]; // over one step
+    orr_hermite_cubic(p[1], p[2] - p[1], (p[2] - p[0]) / 2, (p[3] - p[1]) / 2, 1, c);
+    *rate_ps = orr_cubic_rate(c, s) / T;
+    return orr_cubic_at(c, s);
 }
