@@ -4,9 +4,7 @@
 #include "orbit/navdata/ldpc.h"
 #include "orbit/navdata/system_week.h"
 
-#define BCH_21_6 0x57u  // x^6 + x^4 + x^2 + x + 1
-#define BCH_51_8 0x19fu // x^8 + x^7 + x^4 + x^3 + x^2 + x + 1
-#define HEAD1 14        // bits of B-CNAV1's subframe 1
+#define HEAD1 14 // bits of B-CNAV1's subframe 1
 #define SUBFRAME2 600
 #define SUBFRAME3 264
 #define ROWS 36 // of B-CNAV1's interleaver
@@ -15,7 +13,6 @@
 #define PREAMBLE3 0xeb90u
 #define MESSAGE2 288
 #define MESSAGE3 486
-#define CRC 24
 
 const orr_navfit_field orr_bcnav_bdgim[9] = {
     ORR_UNSIGNED("alpha1", 0.125, 10), ORR_SIGNED("alpha2", 0.125, 8),    ORR_UNSIGNED("alpha3", 0.125, 8),
@@ -81,13 +78,6 @@ static void put_offset(const orr_bcnav_message *b, orr_page *p)
     orr_modern_no_offset(p);
 }
 
-// Zeros up to so many bits since `begin`, then CRC.
-static void finish(size_t begin, size_t bits, orr_page *p)
-{
-    orr_page_zeros(p, (int)(begin + bits - CRC - p->n));
-    orr_page_crc24q(p, begin);
-}
-
 // --- B-CNAV1 ---
 
 static void subframe_2(const orr_bcnav_message *b, orr_page *p)
@@ -106,7 +96,7 @@ static void subframe_2(const orr_bcnav_message *b, orr_page *p)
     put_delay(e->delay.tgd_b2ap_s, p);
     put_delay(e->delay.isc_b1cd_s, p);
     put_delay(e->delay.tgd_b1cp_s, p);
-    finish(begin, SUBFRAME2, p);
+    orr_page_seal(p, begin, SUBFRAME2);
 }
 
 static void subframe_3(const orr_bcnav_message *b, int page, orr_page *p)
@@ -138,7 +128,7 @@ static void subframe_3(const orr_bcnav_message *b, int page, orr_page *p)
         orr_modern_midi(&b->almanacs, ORR_MODERN_BCNAV, p);
         break;
     }
-    finish(begin, SUBFRAME3, p);
+    orr_page_seal(p, begin, SUBFRAME3);
 }
 
 // Rows of 48: two of subframe 2 and one of subframe 3 by turns, the last three of subframe 2 (6.2.2.4).
@@ -169,8 +159,8 @@ void orr_bcnav1_frame_bits(const orr_bcnav_message *b, int page, bool coded, orr
         orr_page_copy(p, &in, 0, in.n);
         return;
     }
-    orr_page_register(p, 6, prn, BCH_21_6, 21);
-    orr_page_register(p, 8, soh, BCH_51_8, 51);
+    orr_page_register(p, 6, prn, ORR_BCH_21_6, 21);
+    orr_page_register(p, 8, soh, ORR_BCH_51_8, 51);
     orr_page_begin(&second, NULL);
     orr_page_begin(&third, NULL);
     orr_ldpc_encode(ORR_LDPC_BCNAV1_SUBFRAME2, &in, HEAD1, &second);
@@ -244,7 +234,7 @@ static void message2(const orr_bcnav_message *b, int type, orr_page *p)
         orr_modern_midi(&b->almanacs, ORR_MODERN_BCNAV, p);
     } else
         message2_clock(b, type, p);
-    finish(begin, MESSAGE2, p);
+    orr_page_seal(p, begin, MESSAGE2);
 }
 
 // Bits that are not protected, then the message, protected or not.
@@ -302,7 +292,7 @@ static void message3(const orr_bcnav_message *b, int type, orr_page *p)
         orr_modern_reduced(&b->almanacs, 5, ORR_MODERN_BCNAV, p);
         break;
     }
-    finish(begin, MESSAGE3, p);
+    orr_page_seal(p, begin, MESSAGE3);
 }
 
 void orr_bcnav3_message_bits(const orr_bcnav_message *b, int type, bool coded, orr_page *p)

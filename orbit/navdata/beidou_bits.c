@@ -2,6 +2,7 @@
 #include "orbit/navdata/beidou_bits.h"
 
 #include "orbit/navdata/kepler_lattice.h"
+#include "orbit/navdata/modern_blocks.h"
 #include "orbit/navdata/system_week.h"
 
 #define PREAMBLE 0x712 // 11100010010
@@ -189,10 +190,7 @@ static void d2_fields(const orr_beidou_subframe *d, orr_page *p)
                          last[] = {ORR_KEPLER_I0,     ORR_KEPLER_CRC, ORR_KEPLER_CRS, ORR_KEPLER_OMEGA_DOT,
                                    ORR_KEPLER_OMEGA0, ORR_KEPLER_EY,  ORR_KEPLER_IDOT};
     const orr_nav_eph *e = d->eph;
-    const orr_kepler_lattice *l = orr_kepler_lattice_of(e->sat, e->message);
-    orr_page_value(p, &l->clock[0], e->af0_s);
-    orr_page_value(p, &l->clock[1], e->af1_sps);
-    orr_page_value(p, &l->clock[2], e->af2_sps2);
+    orr_modern_polynomial(e, p);
     orr_page_put(p, 5, (uint64_t)e->iode);
     orr_kepler_put(p, e, first, sizeof first);
     orr_page_put(p, 17, toe_of(e, p));

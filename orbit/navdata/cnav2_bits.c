@@ -6,7 +6,6 @@
 
 #define FRAMES 400 // in the two hours that ITOW counts
 #define TOI_BITS 9
-#define BCH_51_8 0x19fu // x^8 + x^7 + x^4 + x^3 + x^2 + x + 1
 #define SUBFRAME2 600
 #define SUBFRAME3 274
 #define ROWS 38 // of the interleaver
@@ -98,8 +97,7 @@ static void subframe_3(const orr_cnav2_frame *c, int page, orr_page *p)
         orr_modern_midi(&c->almanacs, ORR_MODERN_CNAV2, p);
         break;
     }
-    orr_page_zeros(p, (int)(begin + SUBFRAME3 - 24 - p->n));
-    orr_page_crc24q(p, begin);
+    orr_page_seal(p, begin, SUBFRAME3);
 }
 
 // TOI's highest bit, then the other eight protected, and inverted where that bit is set (3.2.3.2).
@@ -108,7 +106,7 @@ static void protect_toi(unsigned toi, orr_page *p)
     const unsigned high = toi >> 8;
     orr_page_put(p, 1, high);
     const size_t begin = p->n;
-    orr_page_register(p, 8, toi & 0xffu, BCH_51_8, 51);
+    orr_page_register(p, 8, toi & 0xffu, ORR_BCH_51_8, 51);
     for (size_t k = begin; k < p->n; k++) p->bit[k] ^= (uint8_t)high;
 }
 

@@ -41,15 +41,6 @@ static void tell(const orr_navset *set, int64_t midi_turn, int64_t reduced_turn,
     navframe_almanacs(&navset_day_at(set, b->t)->beidou, midi_turn, reduced_turn, n, &b->almanacs);
 }
 
-static orr_status add(const orr_page *bits, orr_time t, int64_t length, int number, orr_navframe *out)
-{
-    if (bits->status != ORR_OK) return bits->status;
-    orr_navframe_piece *p = &out->piece[out->n++];
-    *p = (orr_navframe_piece){.t = t, .length = length, .number = (uint8_t)number};
-    navframe_take(bits, p);
-    return ORR_OK;
-}
-
 // Pages of B-CNAV1: ionosphere and UTC every 72 s, a midi almanac in every second frame, by turns the Earth's rotation with an
 // offset and reduced almanacs in the fourth.
 orr_status navframe_bcnav1(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, orr_time t,
@@ -67,7 +58,7 @@ orr_status navframe_bcnav1(const orr_navset *set, orr_sat sat, const orr_nav_str
     b.offset_to = (int)(n / 8 % OFFSETS) + 1;
     bits.diag = diag;
     orr_bcnav1_frame_bits(&b, page, coded, &bits);
-    return add(&bits, out->from, length, page, out);
+    return navframe_add(&bits, out->from, length, page, 0, out);
 }
 
 orr_status navframe_bcnav2(const orr_navset *set, orr_sat sat, const orr_nav_stream *stream, orr_time t,
@@ -90,7 +81,7 @@ orr_status navframe_bcnav2(const orr_navset *set, orr_sat sat, const orr_nav_str
         bits.diag = diag;
         b.t = out->from + k * length;
         orr_bcnav2_message_bits(&b, types[k], coded, &bits);
-        s = add(&bits, b.t, length, types[k], out);
+        s = navframe_add(&bits, b.t, length, types[k], 0, out);
     }
     return s;
 }
@@ -111,7 +102,7 @@ orr_status navframe_bcnav3(const orr_navset *set, orr_sat sat, const orr_nav_str
         tell(set, turn, turn, 5, &b);
         b.offset_to = (int)(turn % OFFSETS) + 1;
         orr_bcnav3_message_bits(&b, types[k % 3], coded, &bits);
-        s = add(&bits, b.t, ORR_NS_PER_S, types[k % 3], out);
+        s = navframe_add(&bits, b.t, ORR_NS_PER_S, types[k % 3], 0, out);
     }
     return s;
 }

@@ -54,18 +54,14 @@ orr_status navframe_d1(const orr_navset *set, orr_sat sat, const orr_nav_stream 
     const int page = (int)(ns / FRAME_NS % PAGES) + 1;
     orr_beidou_subframe d = told(set, item, from);
     out->from = from, out->to = from + FRAME_NS;
-    out->n = 5;
     for (int k = 1; k <= 5; k++) {
-        orr_navframe_piece *p = &out->piece[k - 1];
         orr_page bits;
         bits.diag = diag;
         d.t = from + (k - 1) * SUBFRAME_NS;
         d.almanac = almanac_at(set, from, k > 3 ? almanac_of(k, page) : 0);
         orr_d1_subframe_bits(&d, k, page, &bits);
-        if (bits.status != ORR_OK) return bits.status;
-        *p = (orr_navframe_piece){
-            .t = d.t, .length = SUBFRAME_NS, .number = (uint8_t)k, .page = (uint8_t)(k > 3 ? page : 0)};
-        navframe_take(&bits, p);
+        const orr_status s = navframe_add(&bits, d.t, SUBFRAME_NS, k, k > 3 ? page : 0, out);
+        if (s != ORR_OK) return s;
     }
     return ORR_OK;
 }
@@ -81,18 +77,14 @@ orr_status navframe_d2(const orr_navset *set, orr_sat sat, const orr_nav_stream 
     const int first = (int)(ns / FRAME_NS * D2_FRAMES % D2_PAGES);
     orr_beidou_subframe d = told(set, item, from);
     out->from = from, out->to = from + FRAME_NS;
-    out->n = D2_FRAMES;
     for (int k = 0; k < D2_FRAMES; k++) {
-        orr_navframe_piece *p = &out->piece[k];
         orr_page bits;
         bits.diag = diag;
         d.t = from + k * D2_NS;
         d.almanac = almanac_at(set, from, orr_d2_almanac_of(first + k + 1));
         orr_d2_frame_bits(&d, k + 1, first + k + 1, &bits);
-        if (bits.status != ORR_OK) return bits.status;
-        *p = (orr_navframe_piece){
-            .t = d.t, .length = D2_NS, .number = (uint8_t)(k + 1), .page = (uint8_t)(first + k + 1)};
-        navframe_take(&bits, p);
+        const orr_status s = navframe_add(&bits, d.t, D2_NS, k + 1, first + k + 1, out);
+        if (s != ORR_OK) return s;
     }
     return ORR_OK;
 }

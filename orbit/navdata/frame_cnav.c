@@ -71,27 +71,23 @@ orr_status navframe_cnav(const orr_navset *set, orr_sat sat, const orr_nav_strea
                           *before = navframe_item(set, sat, stream, from - all, from - 1);
     if (item == NULL) return ORR_E_NODATA;
     out->from = from, out->to = from + all;
-    out->n = MESSAGES;
     unsigned state = 0; // the encoder runs on from message to message (IS-GPS-200N 3.3.3.1.1)
     orr_page page;
     if (coded && before != NULL) {
         page.diag = diag;
         message_of(&s, before, first - 1, &page);
-        for (size_t k = page.n - 6; k < page.n; k++) state = state << 1 | page.bit[k];
+        state = orr_page_tail(&page);
     }
     for (int k = 0; k < MESSAGES; k++) {
-        orr_navframe_piece *p = &out->piece[k];
         page.diag = diag;
         const int type = message_of(&s, item, first + k, &page);
         if (page.status != ORR_OK) return page.status;
-        *p = (orr_navframe_piece){.t = from + k * s.length, .length = s.length, .number = (uint8_t)type};
-        if (coded) {
-            orr_page symbols;
-            orr_page_begin(&symbols, diag);
-            orr_page_convolve(&symbols, &page, 0, false, &state);
-            navframe_take(&symbols, p);
-        } else
-            navframe_take(&page, p);
+        orr_page symbols;
+        orr_page_begin(&symbols, diag);
+        if (coded) orr_page_convolve(&symbols, &page, 0, false, &state);
+        const orr_status status =
+            navframe_add(coded ? &symbols : &page, from + k * s.length, s.length, type, 0, out);
+        if (status != ORR_OK) return status;
     }
     return ORR_OK;
 }

@@ -35,10 +35,6 @@ orr_status navframe_cnav2(const orr_navset *set, orr_sat sat, const orr_nav_stre
     orr_page bits;
     bits.diag = diag;
     orr_cnav2_frame_bits(&c, page, coded, &bits);
-    if (bits.status != ORR_OK) return bits.status;
     out->from = from, out->to = from + length;
-    out->n = 1;
-    out->piece[0] = (orr_navframe_piece){.t = from, .length = length, .number = (uint8_t)page};
-    navframe_take(&bits, &out->piece[0]);
-    return ORR_OK;
+    return navframe_add(&bits, from, length, page, 0, out);
 }

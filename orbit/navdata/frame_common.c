@@ -41,3 +41,13 @@ void navframe_take(const orr_page *page, orr_navframe_piece *piece)
     piece->bits = (uint16_t)page->n;
     orr_page_pack(page, piece->data);
 }
+
+orr_status navframe_add(const orr_page *page, orr_time t, int64_t length, int number, int sub,
+                        orr_navframe *out)
+{
+    if (page->status != ORR_OK) return page->status;
+    orr_navframe_piece *p = &out->piece[out->n++];
+    *p = (orr_navframe_piece){.t = t, .length = length, .number = (uint8_t)number, .page = (uint8_t)sub};
+    navframe_take(page, p);
+    return ORR_OK;
+}

@@ -29,18 +29,13 @@ static void begin(const orr_navset *set, const orr_navset_item *item, const navs
     }
 }
 
-// A page into its piece: bits, or the symbols made of them.
-static void take(const orr_page *page, void (*code)(const orr_page *, orr_page *), bool coded, orr_time t,
-                 int64_t length, int type, int sub_frame, orr_navframe_piece *p)
+// A page into the frame: bits, or the symbols made of them.
+static orr_status add(const orr_page *page, void (*code)(const orr_page *, orr_page *), bool coded,
+                      orr_time t, int64_t length, int type, int64_t sub_frame, orr_navframe *out)
 {
-    *p = (orr_navframe_piece){.t = t, .length = length, .number = (uint8_t)type, .page = (uint8_t)sub_frame};
-    if (!coded) {
-        navframe_take(page, p);
-        return;
-    }
     orr_page symbols;
-    code(page, &symbols);
-    navframe_take(&symbols, p);
+    if (coded) code(page, &symbols);
+    return navframe_add(coded ? &symbols : page, t, length, type, (int)sub_frame, out);
 }
 
 // The words of a sub-frame. Almanacs come in two halves, in sub-frames that follow each other; so do the four words of
@@ -67,7 +62,6 @@ orr_status navframe_inav(const orr_navset *set, orr_sat sat, const orr_nav_strea
     orr_galileo_page g;
     begin(set, item, navset_day_at(set, from), from, orr_floor_div(number, 2), &g);
     out->from = from, out->to = from + all;
-    out->n = INAV_PAGES;
     for (int k = 0; k < INAV_PAGES; k++) {
         orr_page word = {.diag = diag}, page;
         const int type = inav_type(e5b, k, orr_floor_mod(number, 2) != 0);
@@ -75,8 +69,9 @@ orr_status navframe_inav(const orr_navset *set, orr_sat sat, const orr_nav_strea
         orr_inav_word(&g, type, &word);
         if (word.status != ORR_OK) return word.status;
         orr_inav_page(&word, e5b ? 0 : k % 3 + 1, &page);
-        take(&page, orr_inav_symbols, coded, g.t, length, type, (int)orr_floor_mod(number, 24) + 1,
-             &out->piece[k]);
+        const orr_status s =
+            add(&page, orr_inav_symbols, coded, g.t, length, type, orr_floor_mod(number, 24) + 1, out);
+        if (s != ORR_OK) return s;
     }
     return ORR_OK;
 }
@@ -92,15 +87,15 @@ orr_status navframe_fnav(const orr_navset *set, orr_sat sat, const orr_nav_strea
     orr_galileo_page g;
     begin(set, item, navset_day_at(set, from), from, orr_floor_div(number, 2), &g);
     out->from = from, out->to = from + all;
-    out->n = FNAV_PAGES;
     for (int k = 0; k < FNAV_PAGES; k++) {
         orr_page page = {.diag = diag};
         const int type = k < 4 ? k + 1 : 5 + (int)orr_floor_mod(number, 2);
         g.t = from + k * length;
         orr_fnav_page(&g, type, &page);
         if (page.status != ORR_OK) return page.status;
-        take(&page, orr_fnav_symbols, coded, g.t, length, type, (int)orr_floor_mod(number, 12) + 1,
-             &out->piece[k]);
+        const orr_status s =
+            add(&page, orr_fnav_symbols, coded, g.t, length, type, orr_floor_mod(number, 12) + 1, out);
+        if (s != ORR_OK) return s;
     }
     return ORR_OK;
 }

@@ -38,19 +38,17 @@ orr_status navframe_navic(const orr_navset *set, orr_sat sat, const orr_nav_stre
         [2] = d.almanac != NULL ? ORR_NAVIC_ALMANAC : ORR_NAVIC_NULL,
         [3] = frame % 2 == 0 ? ORR_NAVIC_UTC : ORR_NAVIC_IONOSPHERE};
     out->from = from, out->to = from + FRAME_NS;
-    out->n = SUBFRAMES;
     for (int k = 0; k < SUBFRAMES; k++) {
-        orr_navframe_piece *p = &out->piece[k];
         orr_page bits, symbols;
         bits.diag = diag;
         d.t = from + k * SUBFRAME_NS;
         d.next = d.t + SUBFRAME_NS;
         orr_navic_subframe_bits(&d, k + 1, message[k], &bits);
         if (bits.status != ORR_OK) return bits.status;
-        *p = (orr_navframe_piece){
-            .t = d.t, .length = SUBFRAME_NS, .number = (uint8_t)(k + 1), .page = (uint8_t)message[k]};
         if (coded) orr_navic_symbols(&bits, &symbols);
-        navframe_take(coded ? &symbols : &bits, p);
+        const orr_status s =
+            navframe_add(coded ? &symbols : &bits, d.t, SUBFRAME_NS, k + 1, (int)message[k], out);
+        if (s != ORR_OK) return s;
     }
     return ORR_OK;
 }

@@ -14,7 +14,6 @@
 #define MINUTE_NS (60 * ORR_NS_PER_S)
 #define ALMANAC_STEP_NS (64 * ORR_NS_PER_S)
 #define SATELLITES 99
-#define TAIL 6
 
 typedef struct slot {
     uint8_t message, part;
@@ -97,21 +96,19 @@ orr_status navframe_sbas(const orr_navset *set, orr_sat sat, const orr_nav_strea
     if (coded && before != NULL) {
         page.diag = diag;
         message_of(set, before, from - ORR_NS_PER_S, &page);
-        for (size_t k = page.n - TAIL; k < page.n; k++) state = state << 1 | page.bit[k];
+        state = orr_page_tail(&page);
     }
     out->from = from, out->to = from + FRAME_NS;
-    out->n = MESSAGES;
     for (int k = 0; k < MESSAGES; k++) {
-        orr_navframe_piece *p = &out->piece[k];
         const orr_time begin = from + k * ORR_NS_PER_S;
         orr_page symbols;
         page.diag = diag;
         const uint8_t number = message_of(set, item, begin, &page);
         if (page.status != ORR_OK) return page.status;
-        *p = (orr_navframe_piece){.t = begin, .length = ORR_NS_PER_S, .number = number};
         orr_page_begin(&symbols, diag);
         if (coded) orr_page_convolve(&symbols, &page, 0, false, &state);
-        navframe_take(coded ? &symbols : &page, p);
+        const orr_status s = navframe_add(coded ? &symbols : &page, begin, ORR_NS_PER_S, number, 0, out);
+        if (s != ORR_OK) return s;
     }
     return ORR_OK;
 }

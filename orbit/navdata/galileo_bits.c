@@ -4,6 +4,7 @@
 #include "orbit/broadcast/broadcast.h"
 #include "orbit/force/kepler.h"
 #include "orbit/navdata/kepler_lattice.h"
+#include "orbit/navdata/modern_blocks.h"
 #include "orbit/navdata/reed_solomon.h"
 
 #define GST_WEEK_0 1024 // GPS week
@@ -44,19 +45,6 @@ static void put_element(const orr_galileo_page *g, size_t element, orr_page *p)
 static void put_toe(const orr_galileo_page *g, orr_page *p)
 {
     orr_page_value(p, &orr_kepler_lattice_of(g->eph->sat, g->eph->message)->toe, g->eph->kepler.toe_sow_s);
-}
-
-// toc, af0, af1, af2.
-static void put_clock(const orr_galileo_page *g, orr_page *p)
-{
-    const orr_kepler_lattice *l = orr_kepler_lattice_of(g->eph->sat, g->eph->message);
-    int32_t week;
-    int64_t ns;
-    orr_time_week(g->eph->toc, &week, &ns);
-    orr_page_value(p, &l->toc, (double)(ns / ORR_NS_PER_S));
-    orr_page_value(p, &l->clock[0], g->eph->af0_s);
-    orr_page_value(p, &l->clock[1], g->eph->af1_sps);
-    orr_page_value(p, &l->clock[2], g->eph->af2_sps2);
 }
 
 static void put_iodnav(const orr_galileo_page *g, orr_page *p)
@@ -235,7 +223,7 @@ static void word_4(const orr_galileo_page *g, orr_page *p)
     orr_page_put(p, 6, (uint64_t)orr_sat_number(g->eph->sat));
     put_element(g, ORR_KEPLER_CIC, p);
     put_element(g, ORR_KEPLER_CIS, p);
-    put_clock(g, p);
+    orr_modern_clock(g->eph, p);
     orr_page_zeros(p, 2);
 }
 
@@ -389,7 +377,7 @@ static void page_1(const orr_galileo_page *g, orr_page *p)
 {
     orr_page_put(p, 6, (uint64_t)orr_sat_number(g->eph->sat));
     put_iodnav(g, p);
-    put_clock(g, p);
+    orr_modern_clock(g->eph, p);
     put_sisa(g, p);
     put_ionosphere(g, p);
     orr_page_value(p, &bgd, g->eph->delay.bgd_e5a_e1_s);

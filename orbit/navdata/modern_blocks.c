@@ -71,7 +71,8 @@ void orr_modern_top(const orr_nav_eph *e, orr_page *p)
 void orr_modern_utc(const orr_nav_utc *u, orr_sat sat, orr_page *p)
 {
     const bool beidou = orr_sat_system(sat) == 'C';
-    const int leap = beidou ? BDT_LEAP_S : 0, week_0 = beidou ? ORR_BDT_WEEK_0 : 0;
+    const int leap = beidou ? BDT_LEAP_S : 0, week_0 = beidou ? ORR_BDT_WEEK_0 : 0,
+              week_bits = orr_sat_system(sat) == 'I' ? 10 : 13;
     int32_t week;
     const int64_t tot = orr_nav_seconds_of_week(sat, u->reference, &week) / ORR_NS_PER_S;
     orr_page_value(p, &a0, u->a0_s);
@@ -79,8 +80,8 @@ void orr_modern_utc(const orr_nav_utc *u, orr_sat sat, orr_page *p)
     orr_page_zeros(p, 7); // A2
     orr_page_put(p, 8, (uint64_t)(u->leap_s - leap));
     orr_page_put(p, 16, (uint64_t)(tot / 16));
-    orr_page_put(p, 13, (uint64_t)week);
-    orr_page_put(p, 13, (uint64_t)(u->week_lsf - week_0));
+    orr_page_put(p, week_bits, (uint64_t)week);
+    orr_page_put(p, week_bits, (uint64_t)(u->week_lsf - week_0));
     if (beidou)
         orr_page_put(p, 3, (uint64_t)(u->day - 1)); // 0 is Sunday
     else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The blocks of fields that CNAV, CNAV-2 and B-CNAV1, 2 and 3 share: the two halves of the elements, clock, UTC, the Earth's
-// rotation, midi and reduced almanacs (IS-GPS-200N 30.3.3, IS-GPS-800J 3.5, BDS-SIS-ICD-B1C 1.0, 6.2.3 and 7). Private to the room.
+// rotation, midi and reduced almanacs (IS-GPS-200N 30.3.3, IS-GPS-800J 3.5, BDS-SIS-ICD-B1C 1.0, 6.2.3 and 7). D2, NavIC and
+// Galileo have some of them too. Private to the room.
 #ifndef ORR_ORBIT_NAVDATA_MODERN_BLOCKS_H
 #define ORR_ORBIT_NAVDATA_MODERN_BLOCKS_H
 
@@ -37,7 +38,8 @@ void orr_modern_polynomial(const orr_nav_eph *e, orr_page *p);
 void orr_modern_clock(const orr_nav_eph *e, orr_page *p);
 // Appends the time of prediction (as of 300 s).
 void orr_modern_top(const orr_nav_eph *e, orr_page *p);
-// Appends A0, A1, A2, leap seconds, reference and the leap second to come, in the weeks and days of the satellite's system.
+// Appends A0, A1, A2, leap seconds, reference and the leap second to come, in the weeks and days of the satellite's system
+// (NavIC's weeks have ten bits: IRNSS SIS ICD 1.1, table 21).
 void orr_modern_utc(const orr_nav_utc *u, orr_sat sat, orr_page *p);
 // Appends A0, A1 and A2 of an offset to another system: all zero.
 void orr_modern_no_offset(orr_page *p);

@@ -12,6 +12,14 @@ const orr_navset_item *navframe_item(const orr_navset *set, orr_sat sat, const o
                                      orr_time begin, orr_time t);
 // Bits of a page into a piece.
 void navframe_take(const orr_page *page, orr_navframe_piece *piece);
+// Adds a page to a frame, as its next piece.
+//   Given:    page       bits or symbols
+//             t, length  as the piece has them
+//             number     of the subframe, string or message
+//             sub        its page, 0 where it has none
+//   Returned: out        the frame with it; the page's status
+orr_status navframe_add(const orr_page *page, orr_time t, int64_t length, int number, int sub,
+                        orr_navframe *out);
 
 // How many satellites' almanacs are known.
 size_t navset_almanacs_known(const navset_almanacs *a);

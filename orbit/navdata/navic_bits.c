@@ -2,16 +2,17 @@
 #include "orbit/navdata/navic_bits.h"
 
 #include "orbit/navdata/kepler_lattice.h"
+#include "orbit/navdata/modern_blocks.h"
 #include "orbit/navdata/system_week.h"
 
 #define SYNC 0xeb90
 #define DATA 262 // bits ahead of the CRC
+#define CRC 24
 #define ROWS 8
 #define COLUMNS 73
 #define TAIL 6
 
-static const orr_navfit_field tgd = ORR_SIGNED("TGD", P2(31), 8), a0 = ORR_SIGNED("A0", P2(35), 16),
-                              a1 = ORR_SIGNED("A1", P2(51), 13);
+static const orr_navfit_field tgd = ORR_SIGNED("TGD", P2(31), 8);
 
 static double seconds_of(orr_sat sat, orr_time t)
 {
@@ -29,9 +30,7 @@ static void subframe_1(const orr_navic_subframe *d, orr_page *p)
     int32_t week;
     orr_nav_seconds_of_week(e->sat, d->t, &week);
     orr_page_put(p, 10, (uint64_t)week); // NavIC's weeks began with GPS' second 1024
-    orr_page_value(p, &l->clock[0], e->af0_s);
-    orr_page_value(p, &l->clock[1], e->af1_sps);
-    orr_page_value(p, &l->clock[2], e->af2_sps2);
+    orr_modern_polynomial(e, p);
     orr_page_put(p, 4, (uint64_t)orr_nav_ura_index(e->accuracy_m));
     orr_page_value(p, &l->toc, seconds_of(e->sat, e->toc));
     orr_page_value(p, &tgd, e->delay.tgd_s);
@@ -76,16 +75,8 @@ static void put_utc(const orr_navic_subframe *d, orr_page *p)
     const orr_nav_utc *u = &d->utc;
     int32_t week;
     const int64_t ns = orr_nav_seconds_of_week(d->eph->sat, u->reference, &week);
-    orr_page_value(p, &a0, u->a0_s);
-    orr_page_value(p, &a1, u->a1_sps);
-    orr_page_zeros(p, 7); // A2
-    orr_page_put(p, 8, (uint64_t)u->leap_s);
-    orr_page_put(p, 16, (uint64_t)(ns / ORR_NS_PER_S / 16));
-    orr_page_put(p, 10, (uint64_t)week);
-    orr_page_put(p, 10, (uint64_t)u->week_lsf);
-    orr_page_put(p, 4, (uint64_t)u->day);
-    orr_page_put(p, 8, (uint64_t)u->leap_future_s);
-    orr_page_zeros(p, 16 + 13 + 7);
+    orr_modern_utc(u, d->eph->sat, p);
+    orr_modern_no_offset(p);
     orr_page_put(p, 16, (uint64_t)(ns / ORR_NS_PER_S / 16));
     orr_page_put(p, 10, (uint64_t)week);
     orr_page_zeros(p, 3);
@@ -134,8 +125,7 @@ void orr_navic_subframe_bits(const orr_navic_subframe *d, int subframe, orr_navi
         subframe_2(d, p);
     else
         paged(d, message, p);
-    orr_page_zeros(p, DATA - (int)p->n);
-    orr_page_crc24q(p, 0);
+    orr_page_seal(p, 0, DATA + CRC);
     orr_page_zeros(p, TAIL);
 }
 

@@ -6,6 +6,8 @@
 
 #include "core/crc.h"
 
+enum { CRC = 24, TAIL = 6 };
+
 void orr_page_begin(orr_page *p, orr_diag *diag)
 {
     p->n = 0;
@@ -64,6 +66,19 @@ void orr_page_crc24q(orr_page *p, size_t from)
     for (size_t k = 0; k < n; k++)
         if (p->bit[from + k] != 0) bytes[(lead + k) / 8] |= (uint8_t)(0x80u >> (lead + k) % 8);
     orr_page_put(p, 24, orr_crc24q(0, bytes, (lead + n) / 8));
+}
+
+void orr_page_seal(orr_page *p, size_t from, size_t bits)
+{
+    orr_page_zeros(p, (int)(from + bits - CRC - p->n));
+    orr_page_crc24q(p, from);
+}
+
+unsigned orr_page_tail(const orr_page *p)
+{
+    unsigned state = 0;
+    for (size_t k = p->n - TAIL; k < p->n; k++) state = state << 1 | p->bit[k];
+    return state;
 }
 
 void orr_page_convolve(orr_page *p, const orr_page *in, size_t from, bool invert_second, unsigned *state)

@@ -30,6 +30,10 @@ void orr_page_klobuchar(orr_page *p, const double alpha[4], const double beta[4]
 void orr_page_copy(orr_page *p, const orr_page *other, size_t from, size_t n);
 // Appends CRC-24Q over the bits from `from` on (IS-GPS-200N 30.3.5.1).
 void orr_page_crc24q(orr_page *p, size_t from);
+// Fills a message that began at bit `from` with zeros and ends it with CRC-24Q, so that it has `bits` of them.
+void orr_page_seal(orr_page *p, size_t from, size_t bits);
+// The last six bits, the last of them lowest: the state of a convolutional encoder that has sent them.
+unsigned orr_page_tail(const orr_page *p);
 // Appends the symbols of the bits [from, n) of `in` by the code G1 = 171, G2 = 133 (octal), G1 first.
 // Given:
 //   in, from       the bits
@@ -49,6 +53,8 @@ unsigned orr_page_bch15(unsigned eleven);
 // Returned: p
 // Reference: IS-GPS-800J 3.2.3.2, BCH(51,8); BDS-SIS-ICD-B1C 1.0, 6.2.2.1, BCH(21,6) and BCH(51,8).
 void orr_page_register(orr_page *p, int k, unsigned value, unsigned polynomial, int n);
+#define ORR_BCH_21_6 0x57u  // x^6 + x^4 + x^2 + x + 1
+#define ORR_BCH_51_8 0x19fu // x^8 + x^7 + x^4 + x^3 + x^2 + x + 1
 // The bits as bytes, the first highest; what is left of the last byte is 0.
 void orr_page_pack(const orr_page *p, uint8_t *bytes);
 

@@ -3,8 +3,8 @@
 
 #include "orbit/navdata/geo_fields.h"
 
-#define DATA 226 // preamble, type and content, ahead of the CRC
-#define FIRST 13 // places of the mask in a message of fast corrections
+#define MESSAGE 250 // bits
+#define FIRST 13    // places of the mask in a message of fast corrections
 #define MASK 210
 #define MONITORED 0 // UDREI 0: below 0.75 m, 3.29 sigma
 #define NOT_MONITORED 14
@@ -205,13 +205,13 @@ void orr_sbas_message_bits(const orr_sbas_told *d, orr_sbas_message message, orr
         service(p);
         break;
     case ORR_SBAS_DO_NOT_USE: // as message 2, which it stands for
+        fast(d, ORR_SBAS_FAST_FIRST, p);
+        break;
+    case ORR_SBAS_DEGRADATION: // all are zero
+        break;
     default:
-        if (message == ORR_SBAS_DO_NOT_USE)
-            fast(d, ORR_SBAS_FAST_FIRST, p);
-        else if (message != ORR_SBAS_DEGRADATION)
-            fast(d, (int)message, p);
-        break; // all degradations are zero
+        fast(d, (int)message, p);
+        break;
     }
-    orr_page_zeros(p, DATA - (int)p->n);
-    orr_page_crc24q(p, 0);
+    orr_page_seal(p, 0, MESSAGE);
 }
