@@ -51,10 +51,10 @@ struct orr_conn {
     bool yield; // and takes long: others come first
     bool half;  // the input holds the beginning of a frame
     bool joined, counted;
-    orr_allowance requests; // of its own, beside its address's
-    uint64_t charged;       // requests that have been taken from both, and told
-    uint64_t refusals;      // of them that have been told
-    int64_t held_until_ns;  // it has asked more than it may: until then it waits. 0: it has not
+    orr_allowance requests;                // of its own, beside its address's
+    uint64_t charged;                      // requests that have been taken from both
+    uint64_t told_requests, told_refusals; // that the service's totals have
+    int64_t held_until_ns; // it has asked more than it may: until then it waits. 0: it has not
     bool wants_write;
     int64_t turn_ends_ns;
     int64_t since_ns; // what the deadline counts from
@@ -155,6 +155,15 @@ static bool fill_lane(orr_conn *c)
 
 static void take_lanes(orr_conn *c);
 
+// Brings the service's totals up to date, before a client can see that it has been answered.
+static void tell_totals(orr_conn *c)
+{
+    atomic_fetch_add(&c->service->requests, c->conn.requests - c->told_requests);
+    atomic_fetch_add(&c->service->refusals, c->conn.refusals - c->told_refusals);
+    c->told_requests = c->conn.requests;
+    c->told_refusals = c->conn.refusals;
+}
+
 // Sends what the socket takes, the two buffers in turns. False: the connection has been closed.
 static bool flush(orr_conn *c)
 {
@@ -169,6 +178,7 @@ static bool flush(orr_conn *c)
         else if (!waits(&c->out))
             c->lane_first = true;
         output *o = c->lane_first ? &c->lane : &c->out;
+        tell_totals(c);
         const int sent = send_some(c, o);
         if (sent < 0) {
             orr_conn_close(c);
@@ -330,10 +340,7 @@ static bool can_read(const orr_conn *c)
 static void charge(orr_conn *c)
 {
     const double n = (double)(c->conn.requests - c->charged);
-    atomic_fetch_add(&c->service->requests, c->conn.requests - c->charged);
-    atomic_fetch_add(&c->service->refusals, c->conn.refusals - c->refusals);
     c->charged = c->conn.requests;
-    c->refusals = c->conn.refusals;
     if (!c->guest.limited || n == 0 || c->state != CONN_OPEN) return;
     const orr_access_limits limits = orr_access_limits_of(c->service->access);
     c->held_until_ns =
@@ -351,6 +358,7 @@ static bool want(orr_conn *c, bool read, bool write)
 // What to wait for next; also closes when all is done. The connection may be gone afterwards.
 static void settle(orr_conn *c)
 {
+    tell_totals(c);
     charge(c);
     if (c->peer_done && at_rest(c)) {
         orr_conn_close(c);

@@ -125,7 +125,7 @@ class Signals(Folder):
             "check": [fifo],
             "iq": [fifo, "-o", out],
             "simulate": [fifo, "-o", out],
-            "serve": [fifo],
+            "serve": [fifo, "--listen", "tcp://127.0.0.1:0"],
             "batch": ["--archive", self.path("archive"), "--inputs", self.path("archive"), "--erp", fifo],
             "archive": ["verify", self.path("archive")],
             "figures": ["-o", self.path("figures"), "--samples", self.path("archive"), "--only", "fig3"],

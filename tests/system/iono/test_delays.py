@@ -148,7 +148,7 @@ class Delays(unittest.TestCase):
                             (f"ionosphere: {{session: {product()}}}\n", "no ionospheric session"),
                             ("ionosphere: {field: made.INX}\nreceiver: {position: [1, 2]}\n", "3 are wanted"),
                             ("ionosphere: {field: made.INX}\nreceiver: {position: [91, 2, 0]}\n", "no place")):
-            done = orrery("serve", scenario("wrong.yaml", more))
+            done = orrery("serve", scenario("wrong.yaml", more), "--listen", "tcp://127.0.0.1:0")
             self.assertEqual(done.returncode, 1, more)
             self.assertIn(words, done.stderr)
 

@@ -126,8 +126,8 @@ class Orbit(Folder):
     def test_a_file_of_another_kind(self):
         for name in ("states", "elements", "eclipses", "satellites", "navfit"):
             self.assertIn("`orrery orbit -o day.nc", run(name, sample(DAYS[1]), status=1).stderr, name)
-        self.assertIn("which can be served", run("serve", sample(DAYS[1]), status=1).stderr)
-        self.assertIn("neither a scenario nor an orbit product", run("serve", sample("ionosphere.ION"), status=1).stderr)
+        self.assertIn("which can be served", run("serve", sample(DAYS[1]), "--listen", "tcp://127.0.0.1:0", status=1).stderr)
+        self.assertIn("neither a scenario nor an orbit product", run("serve", sample("ionosphere.ION"), "--listen", "tcp://127.0.0.1:0", status=1).stderr)
 
     def test_wrong_inputs(self):
         empty, binary, cut, html = (self.path(n) for n in ("empty.sp3", "binary.sp3", "cut.sp3", "page.sp3"))

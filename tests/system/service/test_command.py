@@ -23,7 +23,7 @@ def write(name, text):
 
 class Starting(unittest.TestCase):
     def refused(self, status, words, what, *args):
-        done = orrery("serve", what, *args)
+        done = orrery("serve", what, *(args or ("--listen", "tcp://127.0.0.1:0")))  # not the port that another test may have
         self.assertEqual(done.returncode, status, done.stderr)
         self.assertEqual(done.stdout, "")
         self.assertNotIn("ready", done.stderr)

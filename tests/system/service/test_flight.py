@@ -163,7 +163,7 @@ class Flight(unittest.TestCase):
             self.assertEqual(ideal.encode(), next(self.client.poll_imu(self.start + NS)).encode())
             self.assertEqual(ideal.readings, messages.Readings.IDEAL)
         (WORK / "bad.yaml").write_text(measured.replace("sensors.yaml", "nowhere.yaml"), encoding="utf-8")
-        self.assertIn("nowhere.yaml", program("serve", WORK / "bad.yaml").stderr)
+        self.assertIn("nowhere.yaml", program("serve", WORK / "bad.yaml", "--listen", "tcp://127.0.0.1:0").stderr)
 
     def test_outside_the_flight_there_are_no_numbers(self):
         for message in (next(self.client.poll_truth(self.start - 10 * NS)), next(self.client.poll_imu(self.start - 10 * NS))):

@@ -284,7 +284,7 @@ class Scenarios(unittest.TestCase):
                             ("navdata: {bias: day.nc}", "day.nc")):
             product()
             (WORK / "bad.yaml").write_text("orbit: {product: day.nc}\n" + text + "\n", encoding="utf-8")
-            done = program("serve", WORK / "bad.yaml")
+            done = program("serve", WORK / "bad.yaml", "--listen", "tcp://127.0.0.1:0")
             self.assertEqual(done.returncode, 1, text)
             self.assertIn(words, done.stderr)
 
