@@ -93,6 +93,11 @@ size_t orr_navset_items(const orr_navset *set, orr_sat sat, orr_nav_message mess
                         const orr_navset_item **list);
 // The set of it on the air at t; NULL if there is none.
 const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_nav_message message, orr_time t);
+// By how much position (m, 3-D) and clock (s, with periodic relativity) step where a receiver goes over from one set of a
+// satellite to the next, at next->from: the sets' own errors, for served ranges do not step. False, and nothing returned, where one
+// is unhealthy or the other does not follow at once.
+bool orr_navset_step(const orr_navset_item *last, const orr_navset_item *next, double *step_m,
+                     double *clock_step_s);
 
 // All sets as a navigation file that orr_nav_write can write: satellite by satellite, with the ionosphere's coefficients, UTC
 // and the leap seconds. program, run_by and date are the caller's to fill. Free with orr_nav_free.

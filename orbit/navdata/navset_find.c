@@ -2,6 +2,7 @@
 // What a set of navigation data holds of a satellite, and what is on the air at an instant.
 #include <stdlib.h>
 
+#include "orbit/broadcast/broadcast.h"
 #include "orbit/navdata/navset_private.h"
 
 size_t orr_navset_satellites(const orr_navset *set, const orr_sat **list)
@@ -61,4 +62,17 @@ const orr_navset_item *orr_navset_at(const orr_navset *set, orr_sat sat, orr_nav
             high = mid;
     }
     return low > 0 && t < list[low - 1].to ? &list[low - 1] : NULL;
+}
+
+bool orr_navset_step(const orr_navset_item *last, const orr_navset_item *next, double *step_m,
+                     double *clock_step_s)
+{
+    orr_broadcast_state a, b;
+    if (last->to != next->from || last->eph.health != 0 || next->eph.health != 0 ||
+        orr_broadcast_eval(&last->eph, next->from, &a) != ORR_OK ||
+        orr_broadcast_eval(&next->eph, next->from, &b) != ORR_OK)
+        return false;
+    *step_m = orr_vec3_norm(orr_vec3_sub(b.pos_m, a.pos_m));
+    *clock_step_s = b.clock_s + b.relativity_s - a.clock_s - a.relativity_s;
+    return true;
 }

@@ -10,12 +10,25 @@
 // One system's sets.
 typedef struct tally {
     size_t sats, sets, shifted, unhealthy, clocks, nominal, no_antenna, no_delay;
-    double sum_m2, fit_m2, clock_s2, worst_m;
+    double sum_m2, fit_m2, clock_s2, worst_m, step_m;
     orr_sat worst;
 } tally;
 
-static void add(tally *t, orr_sat sat, const orr_navset_item *item)
+// A set, and by how much position and clock step where it takes the place of the one before; NAN where it takes none's.
+typedef struct update {
+    double step_m, clock_step_s;
+} update;
+
+static update update_of(const orr_navset_item *item, size_t k)
 {
+    update u = {ORR_NAN, ORR_NAN};
+    if (k > 0) orr_navset_step(&item[k - 1], &item[k], &u.step_m, &u.clock_step_s);
+    return u;
+}
+
+static void add(tally *t, orr_sat sat, const orr_navset_item *item, update u)
+{
+    if (u.step_m > t->step_m) t->step_m = u.step_m;
     t->sets++;
     t->sum_m2 += item->report.rms_m * item->report.rms_m;
     t->fit_m2 += item->report.fit_rms_m * item->report.fit_rms_m;
@@ -43,7 +56,7 @@ static tally tally_message(const orr_navset *set, char system, orr_nav_message m
         if (orr_sat_system(sat[i]) != system) continue;
         size_t sets = orr_navset_items(set, sat[i], message, &item);
         t.sats += sets > 0;
-        for (size_t k = 0; k < sets; k++) add(&t, sat[i], &item[k]);
+        for (size_t k = 0; k < sets; k++) add(&t, sat[i], &item[k], update_of(item, k));
     }
     return t;
 }
@@ -68,17 +81,17 @@ static void say_message(const orr_cli *c, char system, orr_nav_message message, 
 {
     char worst[ORR_SAT_TEXT], clock[16] = "-"; // of clocks of zero there is nothing to tell
     if (t->clocks > 0) snprintf(clock, sizeof clock, "%.2f", 1e9 * root_mean(t->clock_s2, t->clocks));
-    orr_cli_say(c, "%-8s %-7s %5zu %6zu %8.3f %16.3f %12.3f (%s) %9s %8zu %10zu", orr_system_name(system),
-                orr_nav_message_name(message), t->sats, t->sets, root_mean(t->sum_m2, t->sets),
-                root_mean(t->fit_m2, t->sets), t->worst_m, orr_sat_text(t->worst, worst), clock, t->shifted,
-                t->unhealthy);
+    orr_cli_say(c, "%-8s %-7s %5zu %6zu %8.3f %16.3f %12.3f (%s) %8.3f %9s %8zu %10zu",
+                orr_system_name(system), orr_nav_message_name(message), t->sats, t->sets,
+                root_mean(t->sum_m2, t->sets), root_mean(t->fit_m2, t->sets), t->worst_m,
+                orr_sat_text(t->worst, worst), t->step_m, clock, t->shifted, t->unhealthy);
 }
 
 void navfit_say(const orr_cli *c, const orr_navset *set)
 {
     size_t nominal = 0, no_antenna = 0, no_delay = 0;
-    orr_cli_say(c, "%-8s %-7s %5s %6s %8s %16s %18s %9s %8s %10s", "system", "message", "sats", "sets",
-                "RMS m", "before rounding", "worst m", "clock ns", "shifted", "unhealthy");
+    orr_cli_say(c, "%-8s %-7s %5s %6s %8s %16s %18s %8s %9s %8s %10s", "system", "message", "sats", "sets",
+                "RMS m", "before rounding", "worst m", "step m", "clock ns", "shifted", "unhealthy");
     for (const char *system = ORR_SYSTEMS; *system != '\0'; system++) {
         orr_nav_message message;
         for (size_t k = 0; (message = next_message(*system, &k)) != ORR_NAV_NONE;) {
@@ -103,11 +116,12 @@ void navfit_say(const orr_cli *c, const orr_navset *set)
 static json_t *json_message(const tally *t)
 {
     char worst[ORR_SAT_TEXT];
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "satellites", orr_json_count(t->sats),
-                     "sets", orr_json_count(t->sets), "rms_m", orr_json_number(root_mean(t->sum_m2, t->sets)),
-                     "rms_before_rounding_m", orr_json_number(root_mean(t->fit_m2, t->sets)), "worst_m",
-                     orr_json_number(t->worst_m), "worst", orr_sat_text(t->worst, worst), "clock_rms_ns",
-                     orr_json_number(1e9 * root_mean(t->clock_s2, t->clocks)), "shifted",
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o, s:o}", "satellites",
+                     orr_json_count(t->sats), "sets", orr_json_count(t->sets), "rms_m",
+                     orr_json_number(root_mean(t->sum_m2, t->sets)), "rms_before_rounding_m",
+                     orr_json_number(root_mean(t->fit_m2, t->sets)), "worst_m", orr_json_number(t->worst_m),
+                     "worst", orr_sat_text(t->worst, worst), "worst_step_m", orr_json_number(t->step_m),
+                     "clock_rms_ns", orr_json_number(1e9 * root_mean(t->clock_s2, t->clocks)), "shifted",
                      orr_json_count(t->shifted), "unhealthy", orr_json_count(t->unhealthy));
 }
 
@@ -126,7 +140,7 @@ static json_t *json_notes(uint32_t notes)
     return list;
 }
 
-static json_t *json_set(orr_sat sat, const orr_navset_item *item)
+static json_t *json_set(orr_sat sat, const orr_navset_item *item, update u)
 {
     const char *message = orr_nav_message_name((orr_nav_message)item->eph.message);
     char name[ORR_SAT_TEXT], toe[ORR_TIME_TEXT], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
@@ -136,6 +150,8 @@ static json_t *json_set(orr_sat sat, const orr_navset_item *item)
                           orr_time_text(item->to, to), "rms_m", item->report.rms_m, "max_m",
                           item->report.max_m, "clock_rms_ns", orr_json_number(1e9 * item->clock_rms_s),
                           "health", (int)item->eph.health, "notes", json_notes(item->notes));
+    json_object_set_new(o, "step_m", orr_json_number(u.step_m));
+    json_object_set_new(o, "clock_step_ns", orr_json_number(1e9 * u.clock_step_s));
     if (item->eph.iodc >= 0) json_object_set_new(o, "iodc", json_integer(item->eph.iodc));
     if (item->eph.iode >= 0) json_object_set_new(o, "iode", json_integer(item->eph.iode));
     return o;
@@ -164,7 +180,8 @@ int navfit_print_json(const orr_cli *c, const orr_navset *set, const orr_inputs 
         for (size_t k = 0; (message = next_message(orr_sat_system(sat[i]), &k)) != ORR_NAV_NONE;) {
             const orr_navset_item *item;
             const size_t m = orr_navset_items(set, sat[i], message, &item);
-            for (size_t j = 0; j < m; j++) json_array_append_new(sets, json_set(sat[i], &item[j]));
+            for (size_t j = 0; j < m; j++)
+                json_array_append_new(sets, json_set(sat[i], &item[j], update_of(item, j)));
         }
     }
     json_object_set_new(root, "systems", systems);

@@ -250,6 +250,11 @@ class Made(Folder):
         for sat, sets in self.sets.items():
             for a, b in zip(sets, sets[1:]):
                 self.assertEqual(a["to"], b["from"], sat)  # no instant without data, none with two sets
+                if a["health"] or b["health"]:
+                    self.assertIsNone(b["step_m"], sat)
+                    continue
+                self.assertLess(b["step_m"], 1.1 * (a["max_m"] + b["max_m"]) + 0.01, sat)
+            self.assertIsNone(sets[0]["step_m"])
         info = run_json("inspect", "--format", "json", self.path("day.rnx"))
         self.assertIn("3.05", json.dumps(info))
 

@@ -167,6 +167,15 @@ static void every_instant_has_one_set(void **state)
         assert_true((list[0].notes & ORR_NAVSET_SHIFTED) != 0); // begins within its window
         for (size_t k = 0; k < sets; k++) {
             assert_int_equal(list[k].eph.health, 0);
+            double step_m, clock_step_s;
+            if (k >
+                0) { // between the instants that a set was judged at it may be off by a little more than it says
+                assert_true(orr_navset_step(&list[k - 1], &list[k], &step_m, &clock_step_s));
+                assert_true(step_m > 0);
+                ASSERT_NEAR(step_m, 0, 1.1 * (list[k - 1].report.max_m + list[k].report.max_m) + 0.005);
+                // Clocks of this product are straight lines: half an LSB each of both sets, most GLONASS', 2^-30 s and 900 s of 2^-40.
+                ASSERT_NEAR(clock_step_s, 0, 1.8e-9);
+            }
             if (orr_sat_system(sat[i]) != 'G') continue;
             ASSERT_NEAR(list[k].report.rms_m, 0, 0.05); // the bar of two-hour windows
             int32_t week;
@@ -288,6 +297,10 @@ static void faults_change_sets_and_no_others(void **state)
                 continue;
             }
             assert_true(during.eph.toe == clean.eph.toe);
+            double step_m, clock_step_s;
+            const bool follows = orr_navset_step(&before, &during, &step_m, &clock_step_s);
+            assert_int_equal(follows, fault.kind == ORR_NAVSET_FAULT_ORBIT);
+            if (follows) ASSERT_NEAR(step_m, sqrt(200 * 200 + 500 * 500 + 300 * 300), 12); // as below
             if (sats[k][0] != 'R') assert_true(during.eph.iode != before.eph.iode);
             if (fault.kind != ORR_NAVSET_FAULT_ORBIT) continue;
             for (double t_s = 8100; t_s < 12000; t_s += 300) {
