@@ -90,6 +90,12 @@ static const orr_field_word words_pacing[] = {
 static const orr_field_word words_delivery[] = {
     {0, "FRAMES", "frames", false},
     {1, "RING", "ring", false},
+    {2, "DATAGRAMS", "datagrams", false},
+};
+
+static const orr_field_word words_seal[] = {
+    {0, "NONE", "none", false},
+    {1, "HMAC_SHA256", "HMAC-SHA-256", false},
 };
 
 static const orr_field_word words_gap_reason[] = {
@@ -958,8 +964,9 @@ static const orr_field fields_subscribe[] = {
     {.name = "credit", .unit = "", .doc = "how many blocks may be sent before there is more credit (CREDIT)", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, credit), .in_text = true, .text_name = "credit", .text_factor = 1.0, .in_table = true, .head = "credit", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "lead", .unit = "ns", .doc = "with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, lead), .in_text = true, .text_name = "lead", .text_factor = 1.0, .in_table = true, .head = "lead", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "poll", .unit = "", .doc = "payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, poll), .limit = 16384, .in_text = true, .text_name = "poll", .text_factor = 1.0, .in_table = true, .head = "poll", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "port", .unit = "", .doc = "with DATAGRAMS: the UDP port, of the address that the connection comes from", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, port), .in_text = true, .text_name = "port", .text_factor = 1.0, .in_table = true, .head = "port", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_subscribe = {"subscribe", fields_subscribe, 6, sizeof(orr_msg_subscribe), false, false};
+static const orr_record record_subscribe = {"subscribe", fields_subscribe, 7, sizeof(orr_msg_subscribe), false, false};
 
 static orr_wire_status encode_subscribe(const void *m, orr_wire_writer *w)
 {
@@ -973,8 +980,9 @@ static orr_wire_status decode_subscribe(const uint8_t *payload, size_t size, voi
 static const orr_field fields_subscribed[] = {
     {.name = "first", .unit = "ns", .doc = "instant of its first block", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_subscribed, first), .in_text = true, .text_name = "first", .text_factor = 1.0, .in_table = true, .head = "first", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
     {.name = "step", .unit = "ns", .doc = "from block to block; 0: as long as they are", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribed, step), .in_text = true, .text_name = "step", .text_factor = 1.0, .in_table = true, .head = "step", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "channel", .unit = "", .doc = "with DATAGRAMS: the channel that its datagrams name; 0 otherwise", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribed, channel), .in_text = true, .text_name = "channel", .text_factor = 1.0, .in_table = true, .head = "channel", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
-static const orr_record record_subscribed = {"subscribed", fields_subscribed, 2, sizeof(orr_msg_subscribed), false, false};
+static const orr_record record_subscribed = {"subscribed", fields_subscribed, 3, sizeof(orr_msg_subscribed), false, false};
 
 static orr_wire_status encode_subscribed(const void *m, orr_wire_writer *w)
 {
@@ -1251,6 +1259,72 @@ static orr_wire_status decode_events(const uint8_t *payload, size_t size, void *
     return orr_msg_events_decode(payload, size, (orr_msg_events *)m);
 }
 
+static const orr_field fields_open_datagrams[] = {
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_open_datagrams, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_open_datagrams = {"open_datagrams", fields_open_datagrams, 1, sizeof(orr_msg_open_datagrams), false, false};
+
+static orr_wire_status encode_open_datagrams(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_open_datagrams_encode((const orr_msg_open_datagrams *)m, w);
+}
+static orr_wire_status decode_open_datagrams(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_open_datagrams_decode(payload, size, (orr_msg_open_datagrams *)m);
+}
+
+static const orr_field fields_datagrams[] = {
+    {.name = "channel", .unit = "", .doc = "its number, which datagrams to the server name", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_datagrams, channel), .in_text = true, .text_name = "channel", .text_factor = 1.0, .in_table = true, .head = "channel", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "port", .unit = "", .doc = "UDP port where the server takes motion; 0: none (serve --motion-udp)", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_datagrams, port), .in_text = true, .text_name = "port", .text_factor = 1.0, .in_table = true, .head = "port", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "seal", .unit = "", .doc = "what stands behind each frame, in both directions", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_datagrams, seal), .word = words_seal, .n_words = sizeof words_seal / sizeof words_seal[0], .in_text = true, .text_name = "seal", .text_factor = 1.0, .in_table = true, .head = "seal", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_datagrams, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "taken", .unit = "", .doc = "datagrams of the channel that were new and whole", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_datagrams, taken), .in_text = true, .text_name = "taken", .text_factor = 1.0, .in_table = true, .head = "taken", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "replayed", .unit = "", .doc = "that had come before, or lie more than 1024 numbers back", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_datagrams, replayed), .in_text = true, .text_name = "replayed", .text_factor = 1.0, .in_table = true, .head = "replayed", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "refused", .unit = "", .doc = "that named it and had another seal, came from elsewhere, or held no MOTION", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_datagrams, refused), .in_text = true, .text_name = "refused", .text_factor = 1.0, .in_table = true, .head = "refused", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "keys", .unit = "", .doc = "with HMAC_SHA256: the key of what the client sends, then that of what the server sends, 32 bytes each; what the exporter of the TLS session gives (RFC 8446, 7.5) for the label EXPORTER-orrery-datagrams and an empty context", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_datagrams, keys), .limit = 64, .in_text = true, .text_name = "keys", .text_factor = 1.0, .in_table = true, .head = "keys", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_datagrams = {"datagrams", fields_datagrams, 8, sizeof(orr_msg_datagrams), false, false};
+
+static orr_wire_status encode_datagrams(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_datagrams_encode((const orr_msg_datagrams *)m, w);
+}
+static orr_wire_status decode_datagrams(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_datagrams_decode(payload, size, (orr_msg_datagrams *)m);
+}
+
+static const orr_field fields_open_motion_ring[] = {
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_open_motion_ring, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_open_motion_ring = {"open_motion_ring", fields_open_motion_ring, 1, sizeof(orr_msg_open_motion_ring), false, false};
+
+static orr_wire_status encode_open_motion_ring(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_open_motion_ring_encode((const orr_msg_open_motion_ring *)m, w);
+}
+static orr_wire_status decode_open_motion_ring(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_open_motion_ring_decode(payload, size, (orr_msg_open_motion_ring *)m);
+}
+
+static const orr_field fields_motion_ring[] = {
+    {.name = "slots", .unit = "", .doc = "messages that the ring holds", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_ring, slots), .in_text = true, .text_name = "slots", .text_factor = 1.0, .in_table = true, .head = "slots", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "stride", .unit = "", .doc = "bytes of a slot", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_ring, stride), .in_text = true, .text_name = "stride", .text_factor = 1.0, .in_table = true, .head = "stride", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "taken", .unit = "", .doc = "messages that the server has read", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_ring, taken), .in_text = true, .text_name = "taken", .text_factor = 1.0, .in_table = true, .head = "taken", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "lost", .unit = "", .doc = "that had been written over before it came to them", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_motion_ring, lost), .in_text = true, .text_name = "lost", .text_factor = 1.0, .in_table = true, .head = "lost", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_motion_ring = {"motion_ring", fields_motion_ring, 4, sizeof(orr_msg_motion_ring), false, false};
+
+static orr_wire_status encode_motion_ring(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_motion_ring_encode((const orr_msg_motion_ring *)m, w);
+}
+static orr_wire_status decode_motion_ring(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_motion_ring_decode(payload, size, (orr_msg_motion_ring *)m);
+}
+
 static const orr_message_info messages[] = {
     {"HELLO", ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, true, &record_hello, encode_hello, decode_hello},
     {"CAPS", ORR_MSG_TYPE_CAPS, 0, false, &record_caps, encode_caps, decode_caps},
@@ -1287,6 +1361,10 @@ static const orr_message_info messages[] = {
     {"MOTION_STATS", ORR_MSG_TYPE_MOTION_STATS, 0, false, &record_motion_stats, encode_motion_stats, decode_motion_stats},
     {"POLL_EVENTS", ORR_MSG_TYPE_POLL_EVENTS, ORR_MSG_TYPE_EVENTS, true, &record_poll_events, encode_poll_events, decode_poll_events},
     {"EVENTS", ORR_MSG_TYPE_EVENTS, 0, false, &record_events, encode_events, decode_events},
+    {"OPEN_DATAGRAMS", ORR_MSG_TYPE_OPEN_DATAGRAMS, ORR_MSG_TYPE_DATAGRAMS, true, &record_open_datagrams, encode_open_datagrams, decode_open_datagrams},
+    {"DATAGRAMS", ORR_MSG_TYPE_DATAGRAMS, 0, false, &record_datagrams, encode_datagrams, decode_datagrams},
+    {"OPEN_MOTION_RING", ORR_MSG_TYPE_OPEN_MOTION_RING, ORR_MSG_TYPE_MOTION_RING, true, &record_open_motion_ring, encode_open_motion_ring, decode_open_motion_ring},
+    {"MOTION_RING", ORR_MSG_TYPE_MOTION_RING, 0, false, &record_motion_ring, encode_motion_ring, decode_motion_ring},
 };
 
 const orr_message_info *orr_message_of(uint16_t type)

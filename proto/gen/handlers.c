@@ -106,6 +106,8 @@ bool orr_msg_is_lane(uint16_t type)
     case ORR_MSG_TYPE_RADIO_TIME:
     case ORR_MSG_TYPE_MOTION:
     case ORR_MSG_TYPE_GET_MOTION_STATS:
+    case ORR_MSG_TYPE_OPEN_DATAGRAMS:
+    case ORR_MSG_TYPE_OPEN_MOTION_RING:
         return true;
     default: return false;
     }
@@ -119,6 +121,8 @@ uint16_t orr_msg_lane_request(size_t i, uint16_t *answer)
         {ORR_MSG_TYPE_GET_TIME, ORR_MSG_TYPE_TIME},
         {ORR_MSG_TYPE_RADIO_TIME, ORR_MSG_TYPE_PACE},
         {ORR_MSG_TYPE_GET_MOTION_STATS, ORR_MSG_TYPE_MOTION_STATS},
+        {ORR_MSG_TYPE_OPEN_DATAGRAMS, ORR_MSG_TYPE_DATAGRAMS},
+        {ORR_MSG_TYPE_OPEN_MOTION_RING, ORR_MSG_TYPE_MOTION_RING},
     };
     if (i >= sizeof lanes / sizeof lanes[0]) return 0;
     *answer = lanes[i][1];

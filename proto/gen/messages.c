@@ -41,6 +41,10 @@ const char *orr_msg_type_name(uint16_t type)
     case 33: return "MOTION_STATS";
     case 34: return "POLL_EVENTS";
     case 35: return "EVENTS";
+    case 36: return "OPEN_DATAGRAMS";
+    case 37: return "DATAGRAMS";
+    case 38: return "OPEN_MOTION_RING";
+    case 39: return "MOTION_RING";
     default: return NULL;
     }
 }
@@ -174,6 +178,16 @@ const char *orr_msg_delivery_name(uint8_t value)
     switch (value) {
     case 0: return "FRAMES";
     case 1: return "RING";
+    case 2: return "DATAGRAMS";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_seal_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "NONE";
+    case 1: return "HMAC_SHA256";
     default: return NULL;
     }
 }
@@ -3171,6 +3185,9 @@ static void put_subscribe(orr_wire_writer *w, const orr_msg_subscribe *m)
     orr_wire_store_u32(p + 4, m->credit);
     orr_wire_store_i64(p + 8, m->lead);
     orr_wire_put_bytes(w, m->poll, 16384);
+    p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->port);
 }
 
 static void get_subscribe(orr_wire_reader *r, orr_msg_subscribe *m)
@@ -3184,6 +3201,9 @@ static void get_subscribe(orr_wire_reader *r, orr_msg_subscribe *m)
     m->credit = orr_wire_load_u32(p + 4);
     m->lead = orr_wire_load_i64(p + 8);
     m->poll = orr_wire_get_bytes(r, 16384);
+    p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    m->port = orr_wire_load_u16(p + 0);
 }
 
 orr_wire_status orr_msg_subscribe_encode(const orr_msg_subscribe *m, orr_wire_writer *w)
@@ -3203,19 +3223,21 @@ orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, or
 static void put_subscribed(orr_wire_writer *w, const orr_msg_subscribed *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 16);
+    p = orr_wire_room(w, 20);
     if (p == NULL) return;
     orr_wire_store_i64(p + 0, m->first);
     orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->channel);
 }
 
 static void get_subscribed(orr_wire_reader *r, orr_msg_subscribed *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 16);
+    p = orr_wire_take(r, 20);
     if (p == NULL) return;
     m->first = orr_wire_load_i64(p + 0);
     m->step = orr_wire_load_i64(p + 8);
+    m->channel = orr_wire_load_u32(p + 16);
 }
 
 orr_wire_status orr_msg_subscribed_encode(const orr_msg_subscribed *m, orr_wire_writer *w)
@@ -3881,5 +3903,145 @@ orr_wire_status orr_msg_events_decode(const uint8_t *payload, size_t size, orr_m
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_events(&r, m);
+    return r.status;
+}
+
+static void put_open_datagrams(orr_wire_writer *w, const orr_msg_open_datagrams *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->reserved);
+}
+
+static void get_open_datagrams(orr_wire_reader *r, orr_msg_open_datagrams *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->reserved = orr_wire_load_u32(p + 0);
+}
+
+orr_wire_status orr_msg_open_datagrams_encode(const orr_msg_open_datagrams *m, orr_wire_writer *w)
+{
+    put_open_datagrams(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_open_datagrams_decode(const uint8_t *payload, size_t size, orr_msg_open_datagrams *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_open_datagrams(&r, m);
+    return r.status;
+}
+
+static void put_datagrams(orr_wire_writer *w, const orr_msg_datagrams *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 32);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->channel);
+    orr_wire_store_u16(p + 4, m->port);
+    orr_wire_store_u8(p + 6, m->seal);
+    orr_wire_store_u8(p + 7, m->reserved);
+    orr_wire_store_u64(p + 8, m->taken);
+    orr_wire_store_u64(p + 16, m->replayed);
+    orr_wire_store_u64(p + 24, m->refused);
+    orr_wire_put_bytes(w, m->keys, 64);
+}
+
+static void get_datagrams(orr_wire_reader *r, orr_msg_datagrams *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 32);
+    if (p == NULL) return;
+    m->channel = orr_wire_load_u32(p + 0);
+    m->port = orr_wire_load_u16(p + 4);
+    m->seal = orr_wire_load_u8(p + 6);
+    m->reserved = orr_wire_load_u8(p + 7);
+    m->taken = orr_wire_load_u64(p + 8);
+    m->replayed = orr_wire_load_u64(p + 16);
+    m->refused = orr_wire_load_u64(p + 24);
+    m->keys = orr_wire_get_bytes(r, 64);
+}
+
+orr_wire_status orr_msg_datagrams_encode(const orr_msg_datagrams *m, orr_wire_writer *w)
+{
+    put_datagrams(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_datagrams_decode(const uint8_t *payload, size_t size, orr_msg_datagrams *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_datagrams(&r, m);
+    return r.status;
+}
+
+static void put_open_motion_ring(orr_wire_writer *w, const orr_msg_open_motion_ring *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->reserved);
+}
+
+static void get_open_motion_ring(orr_wire_reader *r, orr_msg_open_motion_ring *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->reserved = orr_wire_load_u32(p + 0);
+}
+
+orr_wire_status orr_msg_open_motion_ring_encode(const orr_msg_open_motion_ring *m, orr_wire_writer *w)
+{
+    put_open_motion_ring(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_open_motion_ring_decode(const uint8_t *payload, size_t size, orr_msg_open_motion_ring *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_open_motion_ring(&r, m);
+    return r.status;
+}
+
+static void put_motion_ring(orr_wire_writer *w, const orr_msg_motion_ring *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 24);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->slots);
+    orr_wire_store_u32(p + 4, m->stride);
+    orr_wire_store_u64(p + 8, m->taken);
+    orr_wire_store_u64(p + 16, m->lost);
+}
+
+static void get_motion_ring(orr_wire_reader *r, orr_msg_motion_ring *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 24);
+    if (p == NULL) return;
+    m->slots = orr_wire_load_u32(p + 0);
+    m->stride = orr_wire_load_u32(p + 4);
+    m->taken = orr_wire_load_u64(p + 8);
+    m->lost = orr_wire_load_u64(p + 16);
+}
+
+orr_wire_status orr_msg_motion_ring_encode(const orr_msg_motion_ring *m, orr_wire_writer *w)
+{
+    put_motion_ring(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_motion_ring_decode(const uint8_t *payload, size_t size, orr_msg_motion_ring *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_motion_ring(&r, m);
     return r.status;
 }

@@ -82,6 +82,11 @@ enums.pacing = {
 enums.delivery = {
   [0] = "FRAMES",
   [1] = "RING",
+  [2] = "DATAGRAMS",
+}
+enums.seal = {
+  [0] = "NONE",
+  [1] = "HMAC_SHA256",
 }
 enums.gap_reason = {
   [1] = "CREDIT",
@@ -590,10 +595,12 @@ records.subscribe = {fields = {
     {name = "credit", kind = "scalar", scalar = "u32"},
     {name = "lead", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
     {name = "poll", kind = "bytes", limit = 16384},
+    {name = "port", kind = "scalar", scalar = "u16"},
 }}
-records.subscribed = {size = 16, smallest = 16, fields = {
+records.subscribed = {size = 20, smallest = 20, fields = {
     {name = "first", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "step", kind = "scalar", scalar = "i64", show = "duration", unit = "ns"},
+    {name = "channel", kind = "scalar", scalar = "u32"},
 }}
 records.unsubscribe = {size = 4, smallest = 4, fields = {
     {name = "stream", kind = "scalar", scalar = "u32"},
@@ -702,6 +709,28 @@ records.events = {fields = {
     {name = "t1", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
     {name = "events", kind = "list", record = "event", limit = 8192},
 }}
+records.open_datagrams = {size = 4, smallest = 4, fields = {
+    {name = "reserved", kind = "scalar", scalar = "u32"},
+}}
+records.datagrams = {fields = {
+    {name = "channel", kind = "scalar", scalar = "u32"},
+    {name = "port", kind = "scalar", scalar = "u16"},
+    {name = "seal", kind = "scalar", scalar = "u8", enum = "seal"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "taken", kind = "scalar", scalar = "u64"},
+    {name = "replayed", kind = "scalar", scalar = "u64"},
+    {name = "refused", kind = "scalar", scalar = "u64"},
+    {name = "keys", kind = "bytes", limit = 64},
+}}
+records.open_motion_ring = {size = 4, smallest = 4, fields = {
+    {name = "reserved", kind = "scalar", scalar = "u32"},
+}}
+records.motion_ring = {size = 24, smallest = 24, fields = {
+    {name = "slots", kind = "scalar", scalar = "u32"},
+    {name = "stride", kind = "scalar", scalar = "u32"},
+    {name = "taken", kind = "scalar", scalar = "u64"},
+    {name = "lost", kind = "scalar", scalar = "u64"},
+}}
 local messages = {
   [1] = {name = "HELLO", record = "hello", from = "client", answer = "CAPS"},
   [2] = {name = "CAPS", record = "caps", from = "server"},
@@ -738,6 +767,10 @@ local messages = {
   [33] = {name = "MOTION_STATS", record = "motion_stats", from = "server"},
   [34] = {name = "POLL_EVENTS", record = "poll_events", from = "client", answer = "EVENTS"},
   [35] = {name = "EVENTS", record = "events", from = "server"},
+  [36] = {name = "OPEN_DATAGRAMS", record = "open_datagrams", from = "client", answer = "DATAGRAMS"},
+  [37] = {name = "DATAGRAMS", record = "datagrams", from = "server"},
+  [38] = {name = "OPEN_MOTION_RING", record = "open_motion_ring", from = "client", answer = "MOTION_RING"},
+  [39] = {name = "MOTION_RING", record = "motion_ring", from = "server"},
 }
 local message_names = {}
 for number, message in pairs(messages) do message_names[number] = message.name end

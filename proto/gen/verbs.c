@@ -200,6 +200,30 @@ orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events 
     return orr_client_send(c, &w, start);
 }
 
+orr_wire_status orr_client_open_datagrams(orr_client *c, const orr_msg_open_datagrams *request, orr_msg_datagrams *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_OPEN_DATAGRAMS, &w, &start);
+    orr_msg_open_datagrams_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_DATAGRAMS, &f);
+    return s == ORR_WIRE_OK ? orr_msg_datagrams_decode(f.payload, f.size, answer) : s;
+}
+
+orr_wire_status orr_client_open_motion_ring(orr_client *c, const orr_msg_open_motion_ring *request, orr_msg_motion_ring *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_OPEN_MOTION_RING, &w, &start);
+    orr_msg_open_motion_ring_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_MOTION_RING, &f);
+    return s == ORR_WIRE_OK ? orr_msg_motion_ring_decode(f.payload, f.size, answer) : s;
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)
 {
     orr_frame f;

@@ -53,6 +53,10 @@ orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_mot
 // Asks what happens in intervals. The same POLL_EVENTS gets the same bytes, always.
 // Then call orr_client_events request->epochs.count times.
 orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events *request);
+// Asks for the connection's channel of datagrams, by which it may send MOTION, and for the keys of its datagrams in both directions. Asked again it tells the same channel and what has become of it.
+orr_wire_status orr_client_open_datagrams(orr_client *c, const orr_msg_open_datagrams *request, orr_msg_datagrams *answer);
+// Asks for a ring of shared memory into which a client on the server's host writes MOTION, over a Unix socket (docs/protocol.md, The ring). Asked again it tells what has become of it.
+orr_wire_status orr_client_open_motion_ring(orr_client *c, const orr_msg_open_motion_ring *request, orr_msg_motion_ring *answer);
 
 // Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);

@@ -802,6 +802,10 @@ const char *orr_msg_type_name(uint16_t type)
     case 33: return "MOTION_STATS";
     case 34: return "POLL_EVENTS";
     case 35: return "EVENTS";
+    case 36: return "OPEN_DATAGRAMS";
+    case 37: return "DATAGRAMS";
+    case 38: return "OPEN_MOTION_RING";
+    case 39: return "MOTION_RING";
     default: return NULL;
     }
 }
@@ -935,6 +939,16 @@ const char *orr_msg_delivery_name(uint8_t value)
     switch (value) {
     case 0: return "FRAMES";
     case 1: return "RING";
+    case 2: return "DATAGRAMS";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_seal_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "NONE";
+    case 1: return "HMAC_SHA256";
     default: return NULL;
     }
 }
@@ -3932,6 +3946,9 @@ static void put_subscribe(orr_wire_writer *w, const orr_msg_subscribe *m)
     orr_wire_store_u32(p + 4, m->credit);
     orr_wire_store_i64(p + 8, m->lead);
     orr_wire_put_bytes(w, m->poll, 16384);
+    p = orr_wire_room(w, 2);
+    if (p == NULL) return;
+    orr_wire_store_u16(p + 0, m->port);
 }
 
 static void get_subscribe(orr_wire_reader *r, orr_msg_subscribe *m)
@@ -3945,6 +3962,9 @@ static void get_subscribe(orr_wire_reader *r, orr_msg_subscribe *m)
     m->credit = orr_wire_load_u32(p + 4);
     m->lead = orr_wire_load_i64(p + 8);
     m->poll = orr_wire_get_bytes(r, 16384);
+    p = orr_wire_take(r, 2);
+    if (p == NULL) return;
+    m->port = orr_wire_load_u16(p + 0);
 }
 
 orr_wire_status orr_msg_subscribe_encode(const orr_msg_subscribe *m, orr_wire_writer *w)
@@ -3964,19 +3984,21 @@ orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, or
 static void put_subscribed(orr_wire_writer *w, const orr_msg_subscribed *m)
 {
     uint8_t *p;
-    p = orr_wire_room(w, 16);
+    p = orr_wire_room(w, 20);
     if (p == NULL) return;
     orr_wire_store_i64(p + 0, m->first);
     orr_wire_store_i64(p + 8, m->step);
+    orr_wire_store_u32(p + 16, m->channel);
 }
 
 static void get_subscribed(orr_wire_reader *r, orr_msg_subscribed *m)
 {
     const uint8_t *p;
-    p = orr_wire_take(r, 16);
+    p = orr_wire_take(r, 20);
     if (p == NULL) return;
     m->first = orr_wire_load_i64(p + 0);
     m->step = orr_wire_load_i64(p + 8);
+    m->channel = orr_wire_load_u32(p + 16);
 }
 
 orr_wire_status orr_msg_subscribed_encode(const orr_msg_subscribed *m, orr_wire_writer *w)
@@ -4645,6 +4667,146 @@ orr_wire_status orr_msg_events_decode(const uint8_t *payload, size_t size, orr_m
     return r.status;
 }
 
+static void put_open_datagrams(orr_wire_writer *w, const orr_msg_open_datagrams *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->reserved);
+}
+
+static void get_open_datagrams(orr_wire_reader *r, orr_msg_open_datagrams *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->reserved = orr_wire_load_u32(p + 0);
+}
+
+orr_wire_status orr_msg_open_datagrams_encode(const orr_msg_open_datagrams *m, orr_wire_writer *w)
+{
+    put_open_datagrams(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_open_datagrams_decode(const uint8_t *payload, size_t size, orr_msg_open_datagrams *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_open_datagrams(&r, m);
+    return r.status;
+}
+
+static void put_datagrams(orr_wire_writer *w, const orr_msg_datagrams *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 32);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->channel);
+    orr_wire_store_u16(p + 4, m->port);
+    orr_wire_store_u8(p + 6, m->seal);
+    orr_wire_store_u8(p + 7, m->reserved);
+    orr_wire_store_u64(p + 8, m->taken);
+    orr_wire_store_u64(p + 16, m->replayed);
+    orr_wire_store_u64(p + 24, m->refused);
+    orr_wire_put_bytes(w, m->keys, 64);
+}
+
+static void get_datagrams(orr_wire_reader *r, orr_msg_datagrams *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 32);
+    if (p == NULL) return;
+    m->channel = orr_wire_load_u32(p + 0);
+    m->port = orr_wire_load_u16(p + 4);
+    m->seal = orr_wire_load_u8(p + 6);
+    m->reserved = orr_wire_load_u8(p + 7);
+    m->taken = orr_wire_load_u64(p + 8);
+    m->replayed = orr_wire_load_u64(p + 16);
+    m->refused = orr_wire_load_u64(p + 24);
+    m->keys = orr_wire_get_bytes(r, 64);
+}
+
+orr_wire_status orr_msg_datagrams_encode(const orr_msg_datagrams *m, orr_wire_writer *w)
+{
+    put_datagrams(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_datagrams_decode(const uint8_t *payload, size_t size, orr_msg_datagrams *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_datagrams(&r, m);
+    return r.status;
+}
+
+static void put_open_motion_ring(orr_wire_writer *w, const orr_msg_open_motion_ring *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->reserved);
+}
+
+static void get_open_motion_ring(orr_wire_reader *r, orr_msg_open_motion_ring *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    m->reserved = orr_wire_load_u32(p + 0);
+}
+
+orr_wire_status orr_msg_open_motion_ring_encode(const orr_msg_open_motion_ring *m, orr_wire_writer *w)
+{
+    put_open_motion_ring(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_open_motion_ring_decode(const uint8_t *payload, size_t size, orr_msg_open_motion_ring *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_open_motion_ring(&r, m);
+    return r.status;
+}
+
+static void put_motion_ring(orr_wire_writer *w, const orr_msg_motion_ring *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 24);
+    if (p == NULL) return;
+    orr_wire_store_u32(p + 0, m->slots);
+    orr_wire_store_u32(p + 4, m->stride);
+    orr_wire_store_u64(p + 8, m->taken);
+    orr_wire_store_u64(p + 16, m->lost);
+}
+
+static void get_motion_ring(orr_wire_reader *r, orr_msg_motion_ring *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 24);
+    if (p == NULL) return;
+    m->slots = orr_wire_load_u32(p + 0);
+    m->stride = orr_wire_load_u32(p + 4);
+    m->taken = orr_wire_load_u64(p + 8);
+    m->lost = orr_wire_load_u64(p + 16);
+}
+
+orr_wire_status orr_msg_motion_ring_encode(const orr_msg_motion_ring *m, orr_wire_writer *w)
+{
+    put_motion_ring(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_motion_ring_decode(const uint8_t *payload, size_t size, orr_msg_motion_ring *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_motion_ring(&r, m);
+    return r.status;
+}
+
 void orr_client_init(orr_client *c, orr_client_io io, uint8_t *buffer, size_t capacity)
 {
     memset(c, 0, sizeof *c);
@@ -4941,6 +5103,30 @@ orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events 
     orr_msg_poll_events_encode(request, &w);
     orr_client_expect(c, request->epochs.count);
     return orr_client_send(c, &w, start);
+}
+
+orr_wire_status orr_client_open_datagrams(orr_client *c, const orr_msg_open_datagrams *request, orr_msg_datagrams *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_OPEN_DATAGRAMS, &w, &start);
+    orr_msg_open_datagrams_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_DATAGRAMS, &f);
+    return s == ORR_WIRE_OK ? orr_msg_datagrams_decode(f.payload, f.size, answer) : s;
+}
+
+orr_wire_status orr_client_open_motion_ring(orr_client *c, const orr_msg_open_motion_ring *request, orr_msg_motion_ring *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_OPEN_MOTION_RING, &w, &start);
+    orr_msg_open_motion_ring_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_MOTION_RING, &f);
+    return s == ORR_WIRE_OK ? orr_msg_motion_ring_decode(f.payload, f.size, answer) : s;
 }
 
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)

@@ -337,6 +337,10 @@ enum { // message types
     ORR_MSG_TYPE_MOTION_STATS = 33,
     ORR_MSG_TYPE_POLL_EVENTS = 34,
     ORR_MSG_TYPE_EVENTS = 35,
+    ORR_MSG_TYPE_OPEN_DATAGRAMS = 36,
+    ORR_MSG_TYPE_DATAGRAMS = 37,
+    ORR_MSG_TYPE_OPEN_MOTION_RING = 38,
+    ORR_MSG_TYPE_MOTION_RING = 39,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -426,6 +430,12 @@ enum { // pacing (u8): When the blocks of a stream are made.
 enum { // delivery (u8): How the blocks of a stream come.
     ORR_MSG_DELIVERY_FRAMES = 0, // as frames of the connection
     ORR_MSG_DELIVERY_RING = 1, // in a ring of shared memory, whose descriptor comes with SUBSCRIBED over a Unix socket (docs/protocol.md, The ring)
+    ORR_MSG_DELIVERY_DATAGRAMS = 2, // as UDP datagrams to `port` of the client's address, numbered, and sealed where the connection has TLS (docs/protocol.md, Datagrams)
+};
+
+enum { // seal (u8): What proves where a datagram comes from.
+    ORR_MSG_SEAL_NONE = 0, // nothing: both ends are on one machine
+    ORR_MSG_SEAL_HMAC_SHA256 = 1, // 32 bytes behind the frame, by keys of the TLS session
 };
 
 enum { // gap_reason (u8): Why blocks of a stream were left out.
@@ -572,6 +582,7 @@ const char *orr_msg_receiver_source_name(uint8_t value);
 const char *orr_msg_tec_origin_name(uint8_t value);
 const char *orr_msg_pacing_name(uint8_t value);
 const char *orr_msg_delivery_name(uint8_t value);
+const char *orr_msg_seal_name(uint8_t value);
 const char *orr_msg_gap_reason_name(uint8_t value);
 const char *orr_msg_end_reason_name(uint8_t value);
 const char *orr_msg_control_action_name(uint8_t value);
@@ -1419,8 +1430,9 @@ typedef struct orr_msg_subscribe {
     uint32_t credit; // how many blocks may be sent before there is more credit (CREDIT)
     int64_t lead; // [ns] with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
+    uint16_t port; // with DATAGRAMS: the UDP port, of the address that the connection comes from
 } orr_msg_subscribe;
-#define ORR_MSG_SUBSCRIBE_LARGEST 16402u
+#define ORR_MSG_SUBSCRIBE_LARGEST 16404u
 
 orr_wire_status orr_msg_subscribe_encode(const orr_msg_subscribe *m, orr_wire_writer *w);
 orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, orr_msg_subscribe *m);
@@ -1429,9 +1441,10 @@ orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, or
 typedef struct orr_msg_subscribed {
     int64_t first; // [ns] instant of its first block
     int64_t step; // [ns] from block to block; 0: as long as they are
+    uint32_t channel; // with DATAGRAMS: the channel that its datagrams name; 0 otherwise
 } orr_msg_subscribed;
-#define ORR_MSG_SUBSCRIBED_SIZE 16u
-#define ORR_MSG_SUBSCRIBED_LARGEST 16u
+#define ORR_MSG_SUBSCRIBED_SIZE 20u
+#define ORR_MSG_SUBSCRIBED_LARGEST 20u
 
 orr_wire_status orr_msg_subscribed_encode(const orr_msg_subscribed *m, orr_wire_writer *w);
 orr_wire_status orr_msg_subscribed_decode(const uint8_t *payload, size_t size, orr_msg_subscribed *m);
@@ -1638,8 +1651,57 @@ typedef struct orr_msg_events {
 orr_wire_status orr_msg_events_encode(const orr_msg_events *m, orr_wire_writer *w);
 orr_wire_status orr_msg_events_decode(const uint8_t *payload, size_t size, orr_msg_events *m);
 
+// Asks for the connection's channel of datagrams, by which it may send MOTION, and for the keys of its datagrams in both directions. Asked again it tells the same channel and what has become of it.
+typedef struct orr_msg_open_datagrams {
+    uint32_t reserved; // 0
+} orr_msg_open_datagrams;
+#define ORR_MSG_OPEN_DATAGRAMS_SIZE 4u
+#define ORR_MSG_OPEN_DATAGRAMS_LARGEST 4u
+
+orr_wire_status orr_msg_open_datagrams_encode(const orr_msg_open_datagrams *m, orr_wire_writer *w);
+orr_wire_status orr_msg_open_datagrams_decode(const uint8_t *payload, size_t size, orr_msg_open_datagrams *m);
+
+// The channel of a connection, which ends with it.
+typedef struct orr_msg_datagrams {
+    uint32_t channel; // its number, which datagrams to the server name
+    uint16_t port; // UDP port where the server takes motion; 0: none (serve --motion-udp)
+    uint8_t seal; // what stands behind each frame, in both directions
+    uint8_t reserved; // 0
+    uint64_t taken; // datagrams of the channel that were new and whole
+    uint64_t replayed; // that had come before, or lie more than 1024 numbers back
+    uint64_t refused; // that named it and had another seal, came from elsewhere, or held no MOTION
+    orr_wire_bytes keys; // with HMAC_SHA256: the key of what the client sends, then that of what the server sends, 32 bytes each; what the exporter of the TLS session gives (RFC 8446, 7.5) for the label EXPORTER-orrery-datagrams and an empty context
+} orr_msg_datagrams;
+#define ORR_MSG_DATAGRAMS_LARGEST 98u
+
+orr_wire_status orr_msg_datagrams_encode(const orr_msg_datagrams *m, orr_wire_writer *w);
+orr_wire_status orr_msg_datagrams_decode(const uint8_t *payload, size_t size, orr_msg_datagrams *m);
+
+// Asks for a ring of shared memory into which a client on the server's host writes MOTION, over a Unix socket (docs/protocol.md, The ring). Asked again it tells what has become of it.
+typedef struct orr_msg_open_motion_ring {
+    uint32_t reserved; // 0
+} orr_msg_open_motion_ring;
+#define ORR_MSG_OPEN_MOTION_RING_SIZE 4u
+#define ORR_MSG_OPEN_MOTION_RING_LARGEST 4u
+
+orr_wire_status orr_msg_open_motion_ring_encode(const orr_msg_open_motion_ring *m, orr_wire_writer *w);
+orr_wire_status orr_msg_open_motion_ring_decode(const uint8_t *payload, size_t size, orr_msg_open_motion_ring *m);
+
+// The ring. With the first answer come two descriptors, of the memory and of an eventfd that wakes the server; the ring ends with the connection.
+typedef struct orr_msg_motion_ring {
+    uint32_t slots; // messages that the ring holds
+    uint32_t stride; // bytes of a slot
+    uint64_t taken; // messages that the server has read
+    uint64_t lost; // that had been written over before it came to them
+} orr_msg_motion_ring;
+#define ORR_MSG_MOTION_RING_SIZE 24u
+#define ORR_MSG_MOTION_RING_LARGEST 24u
+
+orr_wire_status orr_msg_motion_ring_encode(const orr_msg_motion_ring *m, orr_wire_writer *w);
+orr_wire_status orr_msg_motion_ring_decode(const uint8_t *payload, size_t size, orr_msg_motion_ring *m);
+
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace) X(motion) X(get_motion_stats) X(motion_stats) X(poll_events) X(events)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace) X(motion) X(get_motion_stats) X(motion_stats) X(poll_events) X(events) X(open_datagrams) X(datagrams) X(open_motion_ring) X(motion_ring)
 
 // Room for any of them.
 typedef union orr_msg_any {
@@ -1678,6 +1740,10 @@ typedef union orr_msg_any {
     orr_msg_motion_stats motion_stats;
     orr_msg_poll_events poll_events;
     orr_msg_events events;
+    orr_msg_open_datagrams open_datagrams;
+    orr_msg_datagrams datagrams;
+    orr_msg_open_motion_ring open_motion_ring;
+    orr_msg_motion_ring motion_ring;
 } orr_msg_any;
 
 // The client's side of a conversation, for a generator's firmware: C99 and libc alone, no allocation, no
@@ -1800,6 +1866,10 @@ orr_wire_status orr_client_get_motion_stats(orr_client *c, const orr_msg_get_mot
 // Asks what happens in intervals. The same POLL_EVENTS gets the same bytes, always.
 // Then call orr_client_events request->epochs.count times.
 orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events *request);
+// Asks for the connection's channel of datagrams, by which it may send MOTION, and for the keys of its datagrams in both directions. Asked again it tells the same channel and what has become of it.
+orr_wire_status orr_client_open_datagrams(orr_client *c, const orr_msg_open_datagrams *request, orr_msg_datagrams *answer);
+// Asks for a ring of shared memory into which a client on the server's host writes MOTION, over a Unix socket (docs/protocol.md, The ring). Asked again it tells what has become of it.
+orr_wire_status orr_client_open_motion_ring(orr_client *c, const orr_msg_open_motion_ring *request, orr_msg_motion_ring *answer);
 
 // Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);

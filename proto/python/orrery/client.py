@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import collections
 import os
+import select
 import socket
 import ssl
 from types import TracebackType
@@ -15,6 +16,7 @@ from . import frame, messages
 from ._version import __version__
 from .asking import A, M, Message, Request, choice, from_epoch, next_epoch, step_ns
 from .codec import CodecError
+from .datagrams import MotionSender, Port, Reader
 from .gpstime import NONE, Time, time_tag
 from .ring import Ring
 from .satellite import sat_id, sat_name
@@ -124,16 +126,30 @@ class Client(Verbs):
 
     def subscribe(self, request: Request, t: Optional[Time] = None, step_s: float = 0.0, count: int = 0,
                   pacing: Union[messages.Pacing, str] = messages.Pacing.CLOCK, lead_s: float = 0.0, credit: int = 64,
-                  window: Optional[int] = None, ring: bool = False) -> Stream:
+                  window: Optional[int] = None, ring: bool = False, datagrams: bool = False) -> Stream:
         """A stream of the blocks that answer `request` (a Poll, PollChannels, ...; its epochs are those given here): from t on (None: the
         next one), step_s apart (0: every block of channels once), `count` of them (0: without end). pacing: "clock", each lead_s before
         the scenario clock shows its instant, or "free". credit: how many may come before there is more; the stream renews it as they
         are read, up to `window` (that of `credit` if None; 0: you call Stream.credit). ring: they come in shared memory, over a Unix socket
-        alone; a reader that is too slow loses blocks (Stream.lost)."""
+        alone; datagrams: they come by UDP to this machine's address, sealed where the connection has TLS. Of both a reader that is too slow,
+        or out of luck, loses blocks (Stream.lost)."""
+        if ring and datagrams:
+            raise ValueError("a stream comes in a ring or as datagrams, not both")
+        port = Port(self._sock) if datagrams else None
+        try:
+            return self._subscribe(request, t, step_s, count, choice(messages.Pacing, pacing), lead_s, credit, window, ring, port)
+        except BaseException:
+            if port is not None:
+                port.close()
+            raise
+
+    def _subscribe(self, request: Request, t: Optional[Time], step_s: float, count: int, pacing: messages.Pacing, lead_s: float, credit: int,
+                   window: Optional[int], ring: bool, port: Optional[Port]) -> Stream:
+        delivery = messages.Delivery.RING if ring else messages.Delivery.DATAGRAMS if port is not None else messages.Delivery.FRAMES
+        key = self.datagrams().keys[32:] if port is not None and isinstance(self._sock, ssl.SSLSocket) else b""
         poll = from_epoch(request, NONE if t is None else time_tag(t), step_ns(step_s), count)
-        asked = messages.Subscribe(request=request.TYPE, pacing=choice(messages.Pacing, pacing),
-                                   delivery=messages.Delivery.RING if ring else messages.Delivery.FRAMES, credit=credit, lead=step_ns(lead_s),
-                                   poll=poll.encode())
+        asked = messages.Subscribe(request=request.TYPE, pacing=pacing, delivery=delivery, credit=credit, lead=step_ns(lead_s),
+                                   poll=poll.encode(), port=port.number if port is not None else 0)
         number = self._send(asked)
         self._inbox[number] = collections.deque()
         try:
@@ -142,7 +158,17 @@ class Client(Verbs):
             self._inbox.pop(number, None)
             raise
         memory = Ring(self._descriptors.pop(0)) if ring else None
-        return Stream(self, number, told, request, credit if window is None else window, memory)
+        if port is not None:
+            port.reader = Reader(told.channel, key)
+        return Stream(self, number, told, request, credit if window is None else window, memory, port)
+
+    def datagrams(self) -> messages.Datagrams:
+        """The connection's channel of datagrams: its keys, and what has become of what was sent in it."""
+        return self._ask(messages.OpenDatagrams(), messages.Datagrams)
+
+    def motion_datagrams(self) -> MotionSender:
+        """Sends motion by UDP, sealed where the connection has TLS; it is the caller's to close, and ends with the connection."""
+        return MotionSender(self._sock, self.datagrams())
 
     def time(self) -> messages.Time:
         """What the scenario's clock shows."""
@@ -227,17 +253,34 @@ class Client(Verbs):
             raise self._broken(str(error)) from None
 
     def _next_frame(self, sequence: int) -> frame.Frame:
-        """The next frame that answers a request. Frames of other requests are kept for whom waits for them, or read over."""
+        """The next frame that answers a request."""
         if self._inbox.get(sequence):
             return self._inbox[sequence].popleft()
         while True:
             got = self._read_frame()
             if got.sequence == sequence or (got.sequence == 0 and got.type == messages.Error.TYPE):
                 return got
-            if got.sequence in self._inbox:
-                self._inbox[got.sequence].append(got)
-            elif not 0 < got.sequence <= self._sequence:
-                raise self._broken(f"an answer to request {got.sequence}, which was never sent")
+            self._keep(got)
+
+    def _keep(self, got: frame.Frame) -> None:
+        """Frames of other requests are kept for whom waits for them, or read over."""
+        if got.sequence in self._inbox:
+            self._inbox[got.sequence].append(got)
+        elif not 0 < got.sequence <= self._sequence:
+            raise self._broken(f"an answer to request {got.sequence}, which was never sent")
+
+    def _wait(self, other: socket.socket, timeout_s: float) -> None:
+        """Waits until another socket has something, or the connection has; frames of that are kept."""
+        buffered = isinstance(self._sock, ssl.SSLSocket) and self._sock.pending() > 0
+        ready = select.select([other, self._sock], [], [], 0 if buffered or self._has_frame() else timeout_s)[0]
+        if buffered or self._sock in ready:
+            self._fill(len(self._read) + 1)
+        while self._has_frame():
+            self._keep(self._read_frame())
+
+    def _has_frame(self) -> bool:
+        head = frame.HEADER.size
+        return len(self._read) >= head and len(self._read) >= frame.OVERHEAD + frame.HEADER.unpack_from(self._read)[5]
 
     def _read_frame(self) -> frame.Frame:
         try:

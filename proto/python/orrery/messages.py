@@ -141,6 +141,14 @@ class Delivery(WireEnum):
 
     FRAMES = 0  # as frames of the connection
     RING = 1  # in a ring of shared memory, whose descriptor comes with SUBSCRIBED over a Unix socket (docs/protocol.md, The ring)
+    DATAGRAMS = 2  # as UDP datagrams to `port` of the client's address, numbered, and sealed where the connection has TLS (docs/protocol.md, Datagrams)
+
+
+class Seal(WireEnum):
+    """What proves where a datagram comes from."""
+
+    NONE = 0  # nothing: both ends are on one machine
+    HMAC_SHA256 = 1  # 32 bytes behind the frame, by keys of the TLS session
 
 
 class GapReason(WireEnum):
@@ -1951,6 +1959,7 @@ class Subscribe(Record):
     lead [ns]: with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     poll: payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s
     (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
+    port: with DATAGRAMS: the UDP port, of the address that the connection comes from
     """
 
     TYPE: ClassVar[int] = 20
@@ -1961,6 +1970,7 @@ class Subscribe(Record):
         Field("credit", "scalar", scalar="u32"),
         Field("lead", "scalar", scalar="i64"),
         Field("poll", "bytes", limit=16384),
+        Field("port", "scalar", scalar="u16"),
     )
 
     request: int = 0
@@ -1969,6 +1979,7 @@ class Subscribe(Record):
     credit: int = 0
     lead: int = 0
     poll: bytes = b""
+    port: int = 0
 
 
 @dataclasses.dataclass(eq=False, slots=True)
@@ -1977,16 +1988,19 @@ class Subscribed(Record):
 
     first [ns]: instant of its first block
     step [ns]: from block to block; 0: as long as they are
+    channel: with DATAGRAMS: the channel that its datagrams name; 0 otherwise
     """
 
     TYPE: ClassVar[int] = 21
     LAYOUT: ClassVar[tuple[Field, ...]] = (
         Field("first", "scalar", scalar="i64"),
         Field("step", "scalar", scalar="i64"),
+        Field("channel", "scalar", scalar="u32"),
     )
 
     first: int = 0
     step: int = 0
+    channel: int = 0
 
 
 @dataclasses.dataclass(eq=False, slots=True)
@@ -2432,6 +2446,100 @@ class Events(Record):
         return self.epoch.answer
 
 
+@dataclasses.dataclass(eq=False, slots=True)
+class OpenDatagrams(Record):
+    """Asks for the connection's channel of datagrams, by which it may send MOTION, and for the keys of its datagrams in both
+    directions. Asked again it tells the same channel and what has become of it.
+
+    reserved: 0
+    """
+
+    TYPE: ClassVar[int] = 36
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("reserved", "scalar", scalar="u32"),
+    )
+
+    reserved: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Datagrams(Record):
+    """The channel of a connection, which ends with it.
+
+    channel: its number, which datagrams to the server name
+    port: UDP port where the server takes motion; 0: none (serve --motion-udp)
+    seal: what stands behind each frame, in both directions
+    reserved: 0
+    taken: datagrams of the channel that were new and whole
+    replayed: that had come before, or lie more than 1024 numbers back
+    refused: that named it and had another seal, came from elsewhere, or held no MOTION
+    keys: with HMAC_SHA256: the key of what the client sends, then that of what the server sends, 32 bytes each; what the
+    exporter of the TLS session gives (RFC 8446, 7.5) for the label EXPORTER-orrery-datagrams and an empty context
+    """
+
+    TYPE: ClassVar[int] = 37
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("channel", "scalar", scalar="u32"),
+        Field("port", "scalar", scalar="u16"),
+        Field("seal", "scalar", scalar="u8", enum=Seal),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("taken", "scalar", scalar="u64"),
+        Field("replayed", "scalar", scalar="u64"),
+        Field("refused", "scalar", scalar="u64"),
+        Field("keys", "bytes", limit=64),
+    )
+
+    channel: int = 0
+    port: int = 0
+    seal: Seal = Seal(0)
+    reserved: int = 0
+    taken: int = 0
+    replayed: int = 0
+    refused: int = 0
+    keys: bytes = b""
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class OpenMotionRing(Record):
+    """Asks for a ring of shared memory into which a client on the server's host writes MOTION, over a Unix socket
+    (docs/protocol.md, The ring). Asked again it tells what has become of it.
+
+    reserved: 0
+    """
+
+    TYPE: ClassVar[int] = 38
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("reserved", "scalar", scalar="u32"),
+    )
+
+    reserved: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class MotionRing(Record):
+    """The ring. With the first answer come two descriptors, of the memory and of an eventfd that wakes the server; the ring
+    ends with the connection.
+
+    slots: messages that the ring holds
+    stride: bytes of a slot
+    taken: messages that the server has read
+    lost: that had been written over before it came to them
+    """
+
+    TYPE: ClassVar[int] = 39
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("slots", "scalar", scalar="u32"),
+        Field("stride", "scalar", scalar="u32"),
+        Field("taken", "scalar", scalar="u64"),
+        Field("lost", "scalar", scalar="u64"),
+    )
+
+    slots: int = 0
+    stride: int = 0
+    taken: int = 0
+    lost: int = 0
+
+
 MESSAGES: dict[int, Type[Record]] = {
     1: Hello,
     2: Caps,
@@ -2468,4 +2576,8 @@ MESSAGES: dict[int, Type[Record]] = {
     33: MotionStats,
     34: PollEvents,
     35: Events,
+    36: OpenDatagrams,
+    37: Datagrams,
+    38: OpenMotionRing,
+    39: MotionRing,
 }

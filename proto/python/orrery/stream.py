@@ -3,10 +3,12 @@
 the same client, may be used in between."""
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING, Iterator, Optional, Type
 
 from . import frame, messages
 from .asking import Message, Request
+from .datagrams import Port
 from .ring import Ring
 
 if TYPE_CHECKING:
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
 BLOCKS = {messages.Poll.TYPE: messages.States, messages.PollNavdata.TYPE: messages.Navdata, messages.PollChannels.TYPE: messages.Channels,
           messages.PollImu.TYPE: messages.Imu, messages.PollTruth.TYPE: messages.Truth,
           messages.PollEvents.TYPE: messages.Events}
+AGAIN_S, TAIL_S = 1.0, 0.1  # without a datagram for so long there is credit anew; what is still on its way behind the stream's end
 
 
 class Stream:
@@ -22,14 +25,14 @@ class Stream:
     far, `payload` the bytes of the last block. With credit of its own accord (window > 0) it lets so many blocks be on their way."""
 
     def __init__(self, client: Client, number: int, told: messages.Subscribed, request: Request, window: int,
-                 ring: Optional[Ring] = None) -> None:
+                 ring: Optional[Ring] = None, port: Optional[Port] = None) -> None:
         self.number, self.first, self.step = number, told.first, told.step
         self.gaps: list[messages.Gap] = []
         self.end: Optional[messages.StreamEnd] = None
         self.payload = b""
         self._client, self._window, self._spent = client, window, 0
         self._kind: Type[Message] = BLOCKS[request.TYPE]
-        self._ring = ring
+        self._ring, self._port, self._paid = ring, port, 0
 
     def __iter__(self) -> Iterator[Message]:
         while (block := self.next()) is not None:
@@ -37,13 +40,18 @@ class Stream:
 
     @property
     def lost(self) -> int:
-        """Blocks of a ring that went by unread."""
+        """Blocks of a ring that went by unread; datagrams that have not come, or not yet."""
+        if self._port is not None and self._port.reader is not None:
+            return self._port.reader.missing
         return self._ring.lost if self._ring is not None else 0
 
     def next(self) -> Optional[Message]:
         """The next block; None behind the last one. TimeoutError if none comes in time: it can be asked on after that."""
         while self.end is None:
-            got = self._client._next_frame(self.number) if self._ring is None else self._from_ring(self._ring)
+            if self._port is not None:
+                got = self._from_port(self._port)
+            else:
+                got = self._client._next_frame(self.number) if self._ring is None else self._from_ring(self._ring)
             block = self._take(got)
             if block is not None:
                 return block
@@ -53,17 +61,45 @@ class Stream:
         kind, payload = ring.wait(self._client._sock.gettimeout() or 10.0)
         return frame.Frame(kind, self.number, payload)
 
+    def _from_port(self, port: Port) -> frame.Frame:
+        """Datagrams as they come; notices of the connection in between, its STREAM_END when no more of them come."""
+        give_up = time.monotonic() + (self._client._sock.gettimeout() or 10.0)
+        quiet = time.monotonic() + AGAIN_S
+        while True:
+            notices = self._client._inbox.get(self.number)
+            got = port.take()
+            if got is None and notices and notices[0].type != messages.StreamEnd.TYPE:
+                got = notices.popleft()
+            if got is None and notices:
+                self._client._wait(port.socket, TAIL_S)
+                got = port.take() or notices.popleft()
+            if got is not None:
+                return got
+            now = time.monotonic()
+            if now > give_up:
+                raise TimeoutError("no datagram came")
+            if now > quiet and self._window > 0:
+                self.credit(self._window)  # what was let out may all have been lost
+                quiet = now + AGAIN_S
+            self._client._wait(port.socket, min(give_up, quiet) - now + 0.001)
+
     def _take(self, got: frame.Frame) -> Optional[Message]:
         if got.type == messages.Gap.TYPE:
-            self.gaps.append(self._client._decode(got, messages.Gap))
+            gap = self._client._decode(got, messages.Gap)
+            if all(gap.first != known.first for known in self.gaps):  # of datagrams they come by the connection too
+                self.gaps.append(gap)
         elif got.type == messages.StreamEnd.TYPE:
             self.end = self._client._decode(got, messages.StreamEnd)
             self._client._inbox.pop(self.number, None)
             if self._ring is not None:
                 self._ring.close()
+            if self._port is not None:
+                self._port.close()
         else:
             self.payload = bytes(got.payload)
             self._spent += 1
+            if self._port is not None and self._port.reader is not None:  # what was lost had its credit too
+                self._spent, self._paid = self._spent - 1 + self._port.reader.greatest - self._paid, self._port.reader.greatest
             if 0 < self._window <= 2 * self._spent:
                 self.credit(self._spent)
             return self._client._decode(got, self._kind)

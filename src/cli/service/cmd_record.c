@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orrery record: a stream of a service into a log, frame by frame as it comes.
 #include <stdio.h>
+#include <string.h>
 
 #include "core/outfile.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/service/poll_ask.h"
 #include "src/cli/service/record_log.h"
-#include "src/service/net/dial.h"
+#include "src/service/net/dial_port.h"
 
-enum { CREDIT = 256 };
+enum { CREDIT = 256, TAIL_MS = 100 };
 
 typedef struct record_job {
     orr_cli *c;
     orr_dial *d;
+    orr_dial_port *port; // of datagrams; NULL: frames of the connection
     FILE *out;
     uint64_t blocks, left_out;
-    bool failed; // to write
+    uint32_t spent; // blocks that have had credit and are not renewed
+    bool failed;    // to write
 } record_job;
 
 static void keep(record_job *j, const uint8_t *data, size_t n)
@@ -37,12 +40,14 @@ static orr_wire_status subscribe(record_job *j, const orr_poll_request *r)
                                (uint32_t)orr_cli_int(j->c, "count", 0)};
     orr_wire_writer w = {payload, 0, sizeof payload, ORR_WIRE_OK};
     r->info->encode(&request, &w);
-    const orr_msg_subscribe m = {.request = r->info->type,
-                                 .pacing =
-                                     orr_cli_given(j->c, "free") ? ORR_MSG_PACING_FREE : ORR_MSG_PACING_CLOCK,
-                                 .credit = CREDIT,
-                                 .lead = orr_cli_duration_ns(j->c, "lead", 0),
-                                 .poll = {payload, (uint16_t)w.size}};
+    const orr_msg_subscribe m = {
+        .request = r->info->type,
+        .pacing = orr_cli_given(j->c, "free") ? ORR_MSG_PACING_FREE : ORR_MSG_PACING_CLOCK,
+        .delivery = j->port != NULL ? ORR_MSG_DELIVERY_DATAGRAMS : ORR_MSG_DELIVERY_FRAMES,
+        .port = j->port != NULL ? orr_dial_port_number(j->port) : 0,
+        .credit = CREDIT,
+        .lead = orr_cli_duration_ns(j->c, "lead", 0),
+        .poll = {payload, (uint16_t)w.size}};
     orr_wire_writer frame;
     size_t start;
     orr_frame f;
@@ -51,30 +56,81 @@ static orr_wire_status subscribe(record_job *j, const orr_poll_request *r)
     const orr_wire_status s = orr_client_send(&j->d->client, &frame, start);
     if (s != ORR_WIRE_OK) return s;
     keep(j, frame.data, frame.size);
-    return orr_client_answer(&j->d->client, ORR_MSG_TYPE_SUBSCRIBED, &f);
+    orr_msg_subscribed told;
+    orr_wire_status answered = orr_client_answer(&j->d->client, ORR_MSG_TYPE_SUBSCRIBED, &f);
+    if (answered == ORR_WIRE_OK) answered = orr_msg_subscribed_decode(f.payload, f.size, &told);
+    if (answered == ORR_WIRE_OK && j->port != NULL) orr_dial_port_take_up(j->port, told.channel);
+    return answered;
+}
+
+// One frame of the stream into the log.
+static void take(record_job *j, const orr_frame *f)
+{
+    orr_msg_gap g;
+    keep(j, f->payload - ORR_FRAME_HEADER, f->size + ORR_FRAME_OVERHEAD);
+    if (f->type == ORR_MSG_TYPE_GAP && orr_msg_gap_decode(f->payload, f->size, &g) == ORR_WIRE_OK)
+        j->left_out += g.blocks;
+    if (f->type != ORR_MSG_TYPE_GAP && f->type != ORR_MSG_TYPE_STREAM_END) j->blocks++;
+}
+
+// Lets as many blocks more come as have been made, those that were lost on their way among them.
+static orr_wire_status renew(record_job *j, uint32_t stream)
+{
+    if (2 * j->spent < CREDIT) return ORR_WIRE_OK;
+    const orr_msg_credit more = {stream, j->spent};
+    j->spent = 0;
+    return orr_client_credit(&j->d->client, &more);
 }
 
 // Frames until the stream ends.
 static orr_wire_status listen_to(record_job *j, uint32_t stream)
 {
     orr_frame f;
-    for (uint32_t spent = 0;;) {
-        const orr_wire_status s = orr_client_next(&j->d->client, &f);
+    for (;;) {
+        orr_wire_status s = orr_client_next(&j->d->client, &f);
+        if (s == ORR_WIRE_OK && f.sequence != stream) continue;
         if (s != ORR_WIRE_OK) return s;
-        if (f.sequence != stream) continue;
-        keep(j, f.payload - ORR_FRAME_HEADER, f.size + ORR_FRAME_OVERHEAD);
+        take(j, &f);
         if (f.type == ORR_MSG_TYPE_STREAM_END) return ORR_WIRE_OK;
-        if (f.type == ORR_MSG_TYPE_GAP) {
-            orr_msg_gap g;
-            if (orr_msg_gap_decode(f.payload, f.size, &g) == ORR_WIRE_OK) j->left_out += g.blocks;
-            continue;
+        j->spent += f.type != ORR_MSG_TYPE_GAP;
+        s = renew(j, stream);
+        if (s != ORR_WIRE_OK) return s;
+    }
+}
+
+// The same of datagrams. Notices are taken from the connection, where none is lost; behind the last of them what is on its way has a moment.
+static orr_wire_status listen_for(record_job *j, uint32_t stream, int timeout_ms)
+{
+    orr_frame f = {0};
+    uint8_t end[ORR_FRAME_OVERHEAD + 256];
+    size_t n_end = 0;
+    const orr_datagram_window *w = &orr_dial_port_reader(j->port)->window;
+    for (uint64_t paid = 0;;) {
+        orr_wire_status s;
+        const orr_dial_port_what what = orr_dial_port_next(j->port, n_end > 0 ? TAIL_MS : timeout_ms, &f, &s);
+        const bool notice = f.type == ORR_MSG_TYPE_GAP || f.type == ORR_MSG_TYPE_STREAM_END;
+        switch (what) {
+        case ORR_DIAL_PORT_FAILED:
+            return s;
+        case ORR_DIAL_PORT_NOTHING:
+            if (n_end == 0) return ORR_WIRE_CLOSED;
+            keep(j, end, n_end);
+            return ORR_WIRE_OK;
+        case ORR_DIAL_PORT_DATAGRAM:
+            if (!notice) take(j, &f);
+            j->spent += (uint32_t)(w->greatest - paid);
+            paid = w->greatest;
+            break;
+        case ORR_DIAL_PORT_CONNECTION:
+            if (f.sequence != stream) break;
+            if (f.type == ORR_MSG_TYPE_GAP) take(j, &f);
+            if (f.type != ORR_MSG_TYPE_STREAM_END || f.size > sizeof end - ORR_FRAME_OVERHEAD) break;
+            n_end = f.size + ORR_FRAME_OVERHEAD;
+            memcpy(end, f.payload - ORR_FRAME_HEADER, n_end);
+            break;
         }
-        j->blocks++;
-        if (2 * ++spent < CREDIT) continue;
-        const orr_msg_credit more = {stream, spent};
-        const orr_wire_status sent = orr_client_credit(&j->d->client, &more);
-        if (sent != ORR_WIRE_OK) return sent;
-        spent = 0;
+        s = n_end == 0 ? renew(j, stream) : ORR_WIRE_OK;
+        if (s != ORR_WIRE_OK) return s;
     }
 }
 
@@ -83,8 +139,14 @@ static orr_status record(record_job *j, const orr_poll_request *r, orr_diag *dia
     orr_msg_caps caps;
     keep(j, (const uint8_t *)ORR_RECORD_MAGIC, 8);
     orr_wire_status s = orr_client_open(&j->d->client, "orrery record", ORR_VERSION, &caps);
+    if (s == ORR_WIRE_OK && orr_cli_given(j->c, "datagrams")) {
+        const orr_status opened = orr_dial_port_open(j->d, &j->port, diag);
+        if (opened != ORR_OK) return opened;
+    }
     if (s == ORR_WIRE_OK) s = subscribe(j, r);
-    if (s == ORR_WIRE_OK) s = listen_to(j, j->d->client.awaited);
+    const uint32_t stream = j->d->client.awaited;
+    const int timeout_ms = (int)(orr_cli_duration_ns(j->c, "timeout", 30 * ORR_NS_PER_S) / 1000000);
+    if (s == ORR_WIRE_OK) s = j->port != NULL ? listen_for(j, stream, timeout_ms) : listen_to(j, stream);
     return s == ORR_WIRE_OK ? ORR_OK : orr_dial_status(j->d, s, "SUBSCRIBE", diag);
 }
 
@@ -113,10 +175,13 @@ static int run(orr_cli *c)
         s = orr_outfile_commit(&out, &diag);
     else
         orr_outfile_abort(&out);
+    const uint64_t greatest = j.port != NULL ? orr_dial_port_reader(j.port)->window.greatest : 0;
+    const uint64_t lost = greatest > 0 ? greatest - orr_dial_port_reader(j.port)->window.taken : 0;
+    orr_dial_port_close(j.port);
     orr_dial_close(j.d);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
-    orr_cli_say(c, "%llu blocks, %llu left out", (unsigned long long)j.blocks,
-                (unsigned long long)j.left_out);
+    orr_cli_say(c, "%llu blocks, %llu left out, %llu lost on their way", (unsigned long long)j.blocks,
+                (unsigned long long)j.left_out, (unsigned long long)lost);
     return ORR_EXIT_OK;
 }
 
@@ -147,6 +212,10 @@ static const orr_option options[] = {
      .value = "S",
      .help = "How long before its instant on the scenario's clock a block is made; 0 by default."},
     {.name = "free", .kind = ORR_OPT_FLAG, .applies = "!lead", .help = "As fast as the blocks are taken."},
+    {.name = "datagrams",
+     .kind = ORR_OPT_FLAG,
+     .help = "As UDP datagrams beside the connection, sealed where that has TLS; those that are lost are "
+             "counted."},
     ORR_POLL_OPTIONS,
     {.name = "timeout",
      .kind = ORR_OPT_DURATION,

@@ -131,12 +131,12 @@ static const orr_option options[] = {
      .value = "FILE",
      .help = "Take the samples from such a file: streams give the same blocks again, bit for bit."},
     {.name = "motion-udp",
-     .kind = ORR_OPT_INT,
+     .kind = ORR_OPT_TEXT,
      .applies = "motion",
-     .value = "PORT",
-     .min = 0,
-     .max = 65535,
-     .help = "Take motion by datagrams too, on this port of 127.0.0.1 (0: any free one)."},
+     .value = "PLACE",
+     .help =
+         "Take motion by datagrams too: PORT of 127.0.0.1 (0: any free one), or ADDRESS:PORT, where other "
+         "machines send it sealed by keys of their TLS session (docs/protocol.md, Datagrams)."},
     {.name = "dialect",
      .kind = ORR_OPT_CHOICE,
      .applies = "motion-udp",

@@ -72,8 +72,8 @@ static void say_ready(void *user)
          i++)
         at += (size_t)snprintf(text + at, sizeof text - at, " %s", url);
     if (v->port != NULL)
-        at += (size_t)snprintf(text + at, sizeof text - at, " with motion by UDP on 127.0.0.1:%u",
-                               (unsigned)orr_motion_port_number(v->port));
+        at += (size_t)snprintf(text + at, sizeof text - at, " with motion by UDP on %s",
+                               orr_motion_port_where(v->port));
     if (v->text != NULL)
         at +=
             (size_t)snprintf(text + at, sizeof text - at, " and as text on %s", orr_text_server_url(v->text));
@@ -157,6 +157,10 @@ static orr_status listen_on(serving *v, orr_diag *diag)
     options.first_s = limits.first_s;
     const char *pages = orr_cli_text(v->c, "http", NULL);
     if (pages != NULL) s = orr_http_server_listen(pages, &v->http, diag);
+    const char *motion = orr_cli_text(v->c, "motion-udp", NULL);
+    if (s == ORR_OK && motion != NULL)
+        s = orr_motion_port_listen(motion, orr_dialect_of(orr_cli_text(v->c, "dialect", "orrery")), &v->port,
+                                   diag);
     if (s != ORR_OK) return s;
     return orr_service_open(&options, NULL, &v->log, &v->service, diag);
 }
@@ -307,10 +311,8 @@ static orr_status prepare(serving *v, const char *path, orr_diag *diag)
     if (s == ORR_OK) s = open_streams(v, diag);
     if (s == ORR_OK) s = open_text(v, diag);
     if (s == ORR_OK) s = open_page(v, diag);
-    if (s == ORR_OK && orr_cli_given(v->c, "motion-udp"))
-        s = orr_motion_port_open((uint16_t)orr_cli_int(v->c, "motion-udp", 0),
-                                 orr_dialect_of(orr_cli_text(v->c, "dialect", "orrery")), v->streams,
-                                 &v->port, diag);
+    if (s == ORR_OK && v->port != NULL)
+        s = orr_motion_port_start(v->port, v->streams, orr_service_datagrams(v->service), diag);
     return s;
 }
 

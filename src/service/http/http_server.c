@@ -6,13 +6,12 @@
 #include <event2/bufferevent.h>
 #include <event2/event.h>
 #include <event2/http.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
+#include "src/service/net/loop.h"
 #include "src/service/net/url.h"
 
 enum { BACKLOG = 32, MOST_HEADERS = 8192, MOST_BODY = 4096, IDLE_S = 60, NICE = 10 };
@@ -32,12 +31,8 @@ struct orr_http_server {
     size_t n;
     char url[ORR_URL_TEXT + 16];
     uint16_t port;
-    struct event_base *base;
+    orr_loop loop;
     struct evhttp *http;
-    struct event *on_stop;
-    int stop[2];
-    pthread_t thread;
-    bool has_thread;
     listener listener[ORR_HTTP_LISTENERS];
 };
 
@@ -143,7 +138,7 @@ static void begin_events(orr_http_server *s, const orr_http_route *route, struct
         return;
     }
     *l = (listener){.server = s, .route = route, .request = r, .query = strdup(query)};
-    l->tick = event_new(s->base, -1, EV_PERSIST, on_tick, l);
+    l->tick = event_new(s->loop.base, -1, EV_PERSIST, on_tick, l);
     const struct timeval every = {(time_t)route->every_s,
                                   (suseconds_t)((route->every_s - (double)(time_t)route->every_s) * 1e6)};
     if (l->query == NULL || l->tick == NULL || event_add(l->tick, &every) != 0) {
@@ -200,21 +195,6 @@ static void on_request(struct evhttp_request *r, void *user)
     reply_text(r, 404, "There is nothing of that name.");
 }
 
-static void on_stop(evutil_socket_t fd, short what, void *user)
-{
-    (void)fd, (void)what;
-    event_base_loopbreak(user);
-}
-
-static void *run(void *user)
-{
-    const orr_http_server *s = user;
-    // Of this thread alone, as Linux has it; where it is refused the thread serves as it is.
-    (void)setpriority(PRIO_PROCESS, 0, NICE);
-    event_base_dispatch(s->base);
-    return NULL;
-}
-
 static orr_status listen_on(orr_http_server *s, const char *address, int *fd, orr_diag *diag)
 {
     char text[ORR_URL_TEXT];
@@ -235,32 +215,30 @@ static orr_status listen_on(orr_http_server *s, const char *address, int *fd, or
     return ORR_OK;
 }
 
-static bool prepare(orr_http_server *s, int fd)
+static orr_status prepare(orr_http_server *s, int fd, orr_diag *diag)
 {
-    s->base = event_base_new();
-    s->http = s->base != NULL ? evhttp_new(s->base) : NULL;
+    s->loop.nice = NICE;
+    const orr_status status = orr_loop_open(&s->loop, NULL, NULL, diag);
+    if (status == ORR_OK) s->http = evhttp_new(s->loop.base);
     if (s->http == NULL || evhttp_accept_socket(s->http, fd) != 0) {
         close(fd);
-        return false;
+        return status != ORR_OK ? status : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     }
     evhttp_set_allowed_methods(s->http, EVHTTP_REQ_GET | EVHTTP_REQ_HEAD);
     evhttp_set_max_headers_size(s->http, MOST_HEADERS);
     evhttp_set_max_body_size(s->http, MOST_BODY);
     evhttp_set_timeout(s->http, IDLE_S);
     evhttp_set_gencb(s->http, on_request, s);
-    if (pipe(s->stop) != 0) return false;
-    s->on_stop = event_new(s->base, s->stop[0], EV_READ, on_stop, s->base);
-    return s->on_stop != NULL && event_add(s->on_stop, NULL) == 0;
+    return ORR_OK;
 }
 
 orr_status orr_http_server_listen(const char *address, orr_http_server **out, orr_diag *diag)
 {
     orr_http_server *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    s->stop[0] = s->stop[1] = -1;
     int fd = -1;
     orr_status status = listen_on(s, address, &fd, diag);
-    if (status == ORR_OK && !prepare(s, fd)) status = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    if (status == ORR_OK) status = prepare(s, fd, diag);
     if (status != ORR_OK) {
         orr_http_server_close(s);
         return status;
@@ -275,10 +253,7 @@ orr_status orr_http_server_start(orr_http_server *s, const orr_http_route *route
     if (s->route == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     memcpy(s->route, route, n * sizeof *route);
     s->n = n;
-    if (pthread_create(&s->thread, NULL, run, s) != 0)
-        return orr_diag_set(diag, ORR_E_IO, "no thread for pages");
-    s->has_thread = true;
-    return ORR_OK;
+    return orr_loop_start(&s->loop, "pages", diag);
 }
 
 const char *orr_http_server_url(const orr_http_server *s) { return s->url; }
@@ -286,17 +261,14 @@ const char *orr_http_server_url(const orr_http_server *s) { return s->url; }
 void orr_http_server_close(orr_http_server *s)
 {
     if (s == NULL) return;
-    if (s->has_thread && write(s->stop[1], "s", 1) == 1) pthread_join(s->thread, NULL);
+    orr_loop_halt(&s->loop);
     for (size_t k = 0; k < ORR_HTTP_LISTENERS; k++) { // before their connections, which would tell them
         if (s->listener[k].request == NULL) continue;
         evhttp_connection_set_closecb(evhttp_request_get_connection(s->listener[k].request), NULL, NULL);
         forget(&s->listener[k]);
     }
     if (s->http != NULL) evhttp_free(s->http);
-    if (s->on_stop != NULL) event_free(s->on_stop);
-    if (s->base != NULL) event_base_free(s->base);
-    for (int k = 0; k < 2; k++)
-        if (s->stop[k] >= 0) close(s->stop[k]);
+    orr_loop_close(&s->loop);
     free(s->route);
     free(s);
 }

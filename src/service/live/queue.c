@@ -6,8 +6,7 @@
 
 void streams_free(orr_stream *x)
 {
-    if (x->ring != NULL) orr_ring_made_close(x->ring);
-    free(x->ring);
+    if (x->way != NULL) x->way->close(x->way);
     free(x->poll);
     free(x);
 }
@@ -50,7 +49,7 @@ void streams_finish(orr_stream *x, uint8_t reason, const char *sentence)
     orr_msg_stream_end_encode(&m, &w);
     orr_payload *b = orr_payload_new(&x->all->payloads, ORR_MSG_TYPE_STREAM_END, data, w.size);
     x->ended = true;
-    if (x->ring != NULL) (void)orr_ring_made_write(x->ring, ORR_MSG_TYPE_STREAM_END, data, w.size);
+    if (x->way != NULL) (void)x->way->put(x->way, ORR_MSG_TYPE_STREAM_END, data, w.size);
     if (b != NULL) streams_push(x, b);
 }
 
@@ -73,6 +72,6 @@ void streams_forget(orr_stream *x)
     while (x->n > 0) orr_payload_drop(&s->payloads, streams_pop(x));
     for (size_t k = 0; k < s->n; k++)
         if (s->stream[k] == x) s->stream[k] = s->stream[--s->n];
-    s->n_rings -= x->ring != NULL;
+    s->n_rings -= x->way != NULL && x->way->fd >= 0;
     streams_free(x);
 }

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <limits.h>
 #include <linux/futex.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
@@ -44,4 +45,34 @@ void orr_ring_made_close(orr_ring_made *r)
     if (r->ring.memory != NULL) munmap(r->ring.memory, orr_ring_size(ORR_RING_SLOTS, ORR_RING_STRIDE));
     if (r->ring.memory != NULL) close(r->fd);
     *r = (orr_ring_made){.fd = -1};
+}
+
+typedef struct ring_way {
+    orr_way way;
+    orr_ring_made made;
+} ring_way;
+
+static bool put(orr_way *w, uint16_t type, const uint8_t *data, size_t size)
+{
+    return orr_ring_made_write(&((ring_way *)w)->made, type, data, size);
+}
+
+static void close_way(orr_way *w)
+{
+    orr_ring_made_close(&((ring_way *)w)->made);
+    free(w);
+}
+
+orr_status orr_ring_way_open(orr_way **out, orr_diag *diag)
+{
+    ring_way *w = malloc(sizeof *w);
+    if (w == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    const orr_status s = orr_ring_made_open(&w->made, diag);
+    if (s != ORR_OK) {
+        free(w);
+        return s;
+    }
+    w->way = (orr_way){.fd = w->made.fd, .put = put, .close = close_way};
+    *out = &w->way;
+    return ORR_OK;
 }

@@ -5,6 +5,7 @@
 
 #include "core/status.h"
 #include "proto/ring.h"
+#include "src/service/live/way.h"
 
 enum { ORR_RING_SLOTS = 128, ORR_RING_STRIDE = 64 << 10 }; // pages are taken as they are written
 
@@ -17,6 +18,8 @@ typedef struct orr_ring_made {
 orr_status orr_ring_made_open(orr_ring_made *out, orr_diag *diag);
 // Writes one message and wakes who waits for it (a futex on the low half of the ring's count). False where it is too large.
 bool orr_ring_made_write(orr_ring_made *r, uint16_t type, const uint8_t *data, size_t size);
+// A ring of its own as the way of a stream. Errors: as orr_ring_made_open.
+orr_status orr_ring_way_open(orr_way **out, orr_diag *diag);
 // Readers keep their own; *r is empty then.
 void orr_ring_made_close(orr_ring_made *r);
 

@@ -27,12 +27,10 @@ static void tell_gap(orr_stream *x, orr_time last, uint64_t blocks, uint8_t reas
     orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
     const orr_msg_gap m = {x->next, last, blocks < UINT32_MAX ? (uint32_t)blocks : UINT32_MAX, reason};
     orr_msg_gap_encode(&m, &w);
-    if (x->ring != NULL) {
-        (void)orr_ring_made_write(x->ring, ORR_MSG_TYPE_GAP, data, w.size);
-        return;
-    }
-    orr_payload *b = orr_payload_new(&x->all->payloads, ORR_MSG_TYPE_GAP, data, w.size);
     x->gaps++;
+    if (x->way != NULL) (void)x->way->put(x->way, ORR_MSG_TYPE_GAP, data, w.size);
+    if (x->way != NULL && !x->way->lossy) return;
+    orr_payload *b = orr_payload_new(&x->all->payloads, ORR_MSG_TYPE_GAP, data, w.size);
     if (b != NULL) streams_push(x, b);
 }
 
@@ -175,11 +173,12 @@ static void deliver(orr_stream *x, orr_payload *b)
         streams_finish(x, ORR_MSG_END_REASON_OUTSIDE_SPAN, "the antenna is not there any more");
         return;
     }
-    if (x->ring == NULL) {
+    if (x->way == NULL) {
         b->owners++;
         streams_push(x, b);
-    } else if (!orr_ring_made_write(x->ring, b->type, b->data, b->size)) {
-        streams_finish(x, ORR_MSG_END_REASON_FAILED, "a block is larger than a slot of the ring");
+    } else if (!x->way->put(x->way, b->type, b->data, b->size)) {
+        streams_finish(x, ORR_MSG_END_REASON_FAILED,
+                       "a block is larger than a slot of the ring or a datagram");
         return;
     }
     note_margin(x);

@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "proto/fields.h"
+#include "src/service/live/ring_made.h"
 #include "src/service/live/streams_private.h"
 
 enum { MOST_POLL = 16384 };
@@ -284,8 +285,8 @@ static uint16_t read_request(const orr_server *judge, const orr_msg_subscribe *m
         return wrong(why, ORR_MSG_ERROR_CODE_NOT_SERVED, "this server does not answer that request");
     if (m->pacing > ORR_MSG_PACING_MOTION)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "pacing is FREE, CLOCK or MOTION");
-    if (m->delivery > ORR_MSG_DELIVERY_RING)
-        return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "delivery is FRAMES or RING");
+    if (m->delivery > ORR_MSG_DELIVERY_DATAGRAMS)
+        return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "delivery is FRAMES, RING or DATAGRAMS");
     if (m->lead < 0 || m->lead > LONGEST_LEAD_NS)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "lead is 0 to 60 s");
     if (orr_msg_request_decode(m->request, x->poll, x->poll_size, &x->request) != ORR_WIRE_OK)
@@ -346,24 +347,23 @@ static uint16_t prepare(orr_streams *s, const orr_server *judge, const orr_msg_s
 static uint16_t make_ring(orr_stream *x, orr_server_refusal *why)
 {
     orr_diag diag = {0};
-    x->ring = malloc(sizeof *x->ring);
-    if (x->ring != NULL && orr_ring_made_open(x->ring, &diag) == ORR_OK) return 0;
-    free(x->ring);
-    x->ring = NULL;
-    return wrong(why, ORR_MSG_ERROR_CODE_INTERNAL, diag.text[0] != '\0' ? diag.text : "out of memory");
+    if (orr_ring_way_open(&x->way, &diag) == ORR_OK) return 0;
+    return wrong(why, ORR_MSG_ERROR_CODE_INTERNAL, diag.text);
 }
 
 uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const orr_msg_subscribe *m,
-                               void *owner, orr_msg_subscribed *told, orr_stream **out,
+                               orr_way *way, void *owner, orr_msg_subscribed *told, orr_stream **out,
                                orr_server_refusal *why)
 {
     orr_stream *x = calloc(1, sizeof *x);
     if (x != NULL) x->poll = malloc(m->poll.size + (size_t)1);
     if (x == NULL || x->poll == NULL) {
+        if (way != NULL) way->close(way);
         free(x);
         return wrong(why, ORR_MSG_ERROR_CODE_INTERNAL, "out of memory");
     }
     x->all = s;
+    x->way = way;
     x->made = x->margin_ns = x->least_ns = ORR_TIME_NONE;
     x->owner = owner;
     x->poll_size = m->poll.size;
@@ -374,11 +374,11 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
         streams_free(x);
         return code;
     }
-    *told = (orr_msg_subscribed){x->next, x->step_ns};
+    *told = (orr_msg_subscribed){.first = x->next, .step = x->step_ns};
     if (s->options.expect != NULL) s->options.expect(s->options.maker->user, x->type, &x->request);
     pthread_mutex_lock(&s->lock);
-    if (s->n < ORR_STREAMS_MOST && (x->ring == NULL || s->n_rings < ORR_STREAMS_RINGS)) {
-        s->n_rings += x->ring != NULL;
+    if (s->n < ORR_STREAMS_MOST && (orr_stream_ring(x) < 0 || s->n_rings < ORR_STREAMS_RINGS)) {
+        s->n_rings += orr_stream_ring(x) >= 0;
         s->stream[s->n++] = x;
         changed(s);
     } else {
@@ -392,7 +392,7 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
     return code;
 }
 
-int orr_stream_ring(const orr_stream *x) { return x->ring != NULL ? x->ring->fd : -1; }
+int orr_stream_ring(const orr_stream *x) { return x->way != NULL ? x->way->fd : -1; }
 
 void orr_stream_credit(orr_stream *x, uint32_t blocks)
 {

@@ -10,6 +10,7 @@
 #include "src/service/live/blocks.h"
 #include "src/service/live/pace.h"
 #include "src/service/live/vehicle.h"
+#include "src/service/live/way.h"
 
 enum {
     ORR_STREAM_QUEUE = 512,           // blocks that wait to be sent, at most
@@ -86,6 +87,7 @@ void orr_streams_time(orr_streams *s, orr_msg_time *told);
 //   s       the streams
 //   judge   refuses what cannot be asked, in the caller's thread
 //   m       what is asked for
+//   way     past the connection, that of m's DATAGRAMS, taken over in any case; NULL otherwise
 //   owner   of orr_streams_ready
 // Returned:
 //   told    the answer
@@ -93,7 +95,7 @@ void orr_streams_time(orr_streams *s, orr_msg_time *told);
 //   why     the sentence of a refusal
 // Returns 0 or an ORR_MSG_ERROR_CODE.
 uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const orr_msg_subscribe *m,
-                               void *owner, orr_msg_subscribed *told, orr_stream **out,
+                               orr_way *way, void *owner, orr_msg_subscribed *told, orr_stream **out,
                                orr_server_refusal *why);
 // The descriptor of the stream's ring, borrowed; -1: it has none.
 int orr_stream_ring(const orr_stream *x);

@@ -5,7 +5,6 @@
 
 #include <pthread.h>
 
-#include "src/service/live/ring_made.h"
 #include "src/service/live/streams.h"
 
 struct orr_stream {
@@ -19,8 +18,8 @@ struct orr_stream {
     orr_msg_epochs *epochs;
     uint8_t *poll;
     size_t poll_size;
-    orr_time last;       // of the span
-    orr_ring_made *ring; // NULL: blocks wait in the queue
+    orr_time last; // of the span
+    orr_way *way;  // NULL: blocks wait in the queue
     // Where it is: under the lock.
     orr_time next;
     uint64_t left; // blocks; UINT64_MAX: no end

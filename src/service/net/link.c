@@ -6,11 +6,12 @@
 #include <event2/bufferevent.h>
 #include <event2/bufferevent_ssl.h>
 #include <openssl/err.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include "src/service/net/url.h"
 
 struct orr_link {
     int fd;
@@ -102,13 +103,7 @@ static void tls_event(struct bufferevent *tls, short what, void *user)
     if ((what & BEV_EVENT_EOF) != 0) l->ended = true;
     if ((what & (BEV_EVENT_ERROR | BEV_EVENT_TIMEOUT)) != 0) l->error = ECONNRESET;
     if (l->done != NULL && l->failed != NULL) { // the handshake
-        const long verified = SSL_get_verify_result(l->ssl);
-        const unsigned long e = bufferevent_get_openssl_error(tls);
-        const char *reason = e != 0 ? ERR_reason_error_string(e) : NULL;
-        snprintf(l->why, sizeof l->why, "%s",
-                 verified != X509_V_OK ? X509_verify_cert_error_string(verified)
-                 : reason != NULL      ? reason
-                                       : "the client broke off");
+        orr_tls_reason_of(l->ssl, bufferevent_get_openssl_error(tls), l->why, sizeof l->why);
         l->failed(l->user);
         return;
     }
@@ -237,6 +232,19 @@ bool orr_link_keep_short(const orr_link *l, int bytes)
 }
 
 SSL *orr_link_ssl(const orr_link *l) { return l->ssl; }
+
+bool orr_link_peer(const orr_link *l, struct sockaddr_storage *a, socklen_t *n)
+{
+    return getpeername(l->fd, (struct sockaddr *)a, n) == 0 && a->ss_family != AF_UNIX;
+}
+
+bool orr_link_is_local(const orr_link *l)
+{
+    struct sockaddr_storage a;
+    socklen_t n = sizeof a;
+    if (getpeername(l->fd, (struct sockaddr *)&a, &n) != 0) return false;
+    return a.ss_family == AF_UNIX || orr_address_is_local((struct sockaddr *)&a);
+}
 
 void orr_link_close(orr_link *l)
 {

@@ -5,6 +5,7 @@
 #define ORR_SERVICE_NET_LINK_H
 
 #include <event2/event.h>
+#include <sys/socket.h>
 #include <sys/types.h>
 
 #include "src/service/net/tls.h"
@@ -51,6 +52,14 @@ void orr_link_finish(orr_link *l);
 bool orr_link_keep_short(const orr_link *l, int bytes);
 // The connection's TLS; NULL where there is none.
 SSL *orr_link_ssl(const orr_link *l);
+// The address that the peer has; false where it has none: a Unix socket.
+//   Given:    l   the link
+//             n   room of *a
+//   Returned: a   the address
+//             n   its bytes
+bool orr_link_peer(const orr_link *l, struct sockaddr_storage *a, socklen_t *n);
+// Whether the peer is on this machine: by loopback or a Unix socket.
+bool orr_link_is_local(const orr_link *l);
 // Closes and frees it, whatever is under way; NULL is allowed.
 void orr_link_close(orr_link *l);
 

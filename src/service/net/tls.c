@@ -19,15 +19,20 @@ enum {
     KEY_UPDATES = 16,             // at once, then one a second
 };
 
-char *orr_tls_reason(const SSL *ssl, char *buf, size_t n)
+char *orr_tls_reason_of(const SSL *ssl, unsigned long error, char *buf, size_t n)
 {
-    const unsigned long e = ERR_peek_last_error();
-    const char *reason = e != 0 ? ERR_reason_error_string(e) : NULL;
+    const char *reason = error != 0 ? ERR_reason_error_string(error) : NULL;
     const long verified = ssl != NULL ? SSL_get_verify_result(ssl) : X509_V_OK;
     if (verified != X509_V_OK)
         snprintf(buf, n, "certificate verify failed: %s", X509_verify_cert_error_string(verified));
     else
         snprintf(buf, n, "%s", reason != NULL ? reason : "the peer broke off");
+    return buf;
+}
+
+char *orr_tls_reason(const SSL *ssl, char *buf, size_t n)
+{
+    orr_tls_reason_of(ssl, ERR_peek_last_error(), buf, n);
     ERR_clear_error();
     return buf;
 }

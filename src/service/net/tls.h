@@ -29,6 +29,12 @@ orr_status orr_tls_context(const orr_tls_files *files, bool server, SSL_CTX **ou
 bool orr_tls_peer_name(const SSL *ssl, char name[ORR_TLS_NAME]);
 // Why the last operation failed, from OpenSSL's queue, which is emptied: "certificate verify failed: certificate has expired".
 char *orr_tls_reason(const SSL *ssl, char *buf, size_t n);
+// The same of an error that somebody has taken out of the queue.
+//   Given:    ssl   the connection; NULL: none yet
+//             error of OpenSSL; 0: none
+//             n     room of buf
+//   Returned: buf   the reason; also the value
+char *orr_tls_reason_of(const SSL *ssl, unsigned long error, char *buf, size_t n);
 // A KeyUpdate costs its receiver a derivation of keys. A peer that sends more than 16 at once, or than one a second later on, is cut off.
 // `rate` must outlive the connection.
 void orr_tls_limit_updates(SSL *ssl, orr_log_rate *rate);

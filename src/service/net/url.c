@@ -174,6 +174,36 @@ static bool name_socket(int fd, bool with_host, orr_url *bound)
     return true;
 }
 
+orr_status orr_url_bind_datagrams(const orr_url *u, int *fd, orr_url *bound, orr_diag *diag)
+{
+    struct addrinfo *at = NULL, want = {.ai_socktype = SOCK_DGRAM, .ai_flags = AI_NUMERICHOST | AI_PASSIVE};
+    struct sockaddr_storage a;
+    socklen_t n = sizeof a;
+    char port[8];
+    const char *host = strcmp(u->host, "*") == 0           ? NULL
+                       : strcmp(u->host, "localhost") == 0 ? "127.0.0.1"
+                                                           : u->host;
+    snprintf(port, sizeof port, "%u", (unsigned)u->port);
+    *fd = -1;
+    if (u->is_unix || getaddrinfo(host, port, &want, &at) != 0)
+        return orr_diag_set(diag, ORR_E_ARG, "'%.100s' is no address of this machine: ADDRESS:PORT is wanted",
+                            u->host);
+    const int f = socket(at->ai_family, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    const bool good =
+        f >= 0 && bind(f, at->ai_addr, at->ai_addrlen) == 0 && getsockname(f, (struct sockaddr *)&a, &n) == 0;
+    const int error = errno;
+    freeaddrinfo(at);
+    if (!good) {
+        if (f >= 0) close(f);
+        return orr_diag_set(diag, ORR_E_IO, "UDP port %s of %s: %s", port, u->host, strerror(error));
+    }
+    *fd = f;
+    *bound = *u;
+    bound->port = ntohs(a.ss_family == AF_INET6 ? ((struct sockaddr_in6 *)(void *)&a)->sin6_port
+                                                : ((struct sockaddr_in *)(void *)&a)->sin_port);
+    return ORR_OK;
+}
+
 orr_status orr_url_of_socket(int fd, orr_url *out, orr_diag *diag)
 {
     struct sockaddr_un a;
@@ -229,6 +259,17 @@ orr_status orr_url_listen(const orr_url *u, int backlog, int *fd, orr_url *bound
 bool orr_url_is_local(const orr_url *u)
 {
     return u->is_unix || strncmp(u->host, "127.", 4) == 0 || strcmp(u->host, "::1") == 0;
+}
+
+bool orr_address_is_local(const struct sockaddr *a)
+{
+    if (a->sa_family == AF_INET) {
+        const struct sockaddr_in *v4 = (const struct sockaddr_in *)(const void *)a;
+        return ntohl(v4->sin_addr.s_addr) >> 24 == IN_LOOPBACKNET;
+    }
+    if (a->sa_family != AF_INET6) return false;
+    const struct in6_addr *v6 = &((const struct sockaddr_in6 *)(const void *)a)->sin6_addr;
+    return IN6_IS_ADDR_LOOPBACK(v6) || (IN6_IS_ADDR_V4MAPPED(v6) && v6->s6_addr[12] == IN_LOOPBACKNET);
 }
 
 static void set_timeouts(int fd, double timeout_s)

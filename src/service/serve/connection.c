@@ -453,7 +453,7 @@ static void on_read(void *user)
 // What its client may do, to those who ask.
 static void permit(orr_conn *c)
 {
-    c->lanes.may = c->guest.may;
+    orr_lanes_permit(&c->lanes, c->guest.may);
     c->conn.access = (uint16_t)(((c->guest.may & ORR_MAY_READ) == 0 ? ORR_MSG_ACCESS_NO_READING : 0) |
                                 ((c->guest.may & ORR_MAY_MOTION) == 0 ? ORR_MSG_ACCESS_NO_MOTION : 0) |
                                 ((c->guest.may & ORR_MAY_CONTROL) == 0 ? ORR_MSG_ACCESS_NO_CONTROL : 0) |
@@ -480,8 +480,11 @@ orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest)
     c->conn.can_grow = true;
     c->conn.over = turn_over;
     c->conn.owner = c;
-    c->lanes =
-        (orr_lanes){.streams = s->streams, .judge = s->server, .owner = c, .passes = orr_link_passes(link)};
+    c->lanes = (orr_lanes){.streams = s->streams,
+                           .judge = s->server,
+                           .owner = c,
+                           .datagrams = {.all = s->datagrams, .link = link},
+                           .passes = orr_link_passes(link)};
     permit(c);
     orr_link_serve(link, c, on_read, on_write);
     c->last_ns = orr_service_clock_ns(s);

@@ -86,9 +86,15 @@ static bool subscribe(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
         return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_SERVED,
                          "SUBSCRIBE: a ring is shared with clients of a Unix socket alone");
     if (m.delivery == ORR_MSG_DELIVERY_RING && l->has_pass) return false; // one descriptor at a time
-    const uint16_t code =
-        orr_streams_subscribe(l->streams, l->judge, &m, l->owner, &told, &l->stream[l->n], &why);
+    orr_way *way = NULL;
+    uint32_t channel = 0;
+    uint16_t code = 0;
+    if (m.delivery == ORR_MSG_DELIVERY_DATAGRAMS)
+        code = orr_datagram_lane_way(&l->datagrams, m.port, f->sequence, &way, &channel, &why);
+    if (code == 0)
+        code = orr_streams_subscribe(l->streams, l->judge, &m, way, l->owner, &told, &l->stream[l->n], &why);
     if (code != 0) return put_error(out, f, code, why.sentence);
+    told.channel = channel;
     l->id[l->n] = f->sequence;
     l->held[l->n] = NULL;
     if (m.delivery == ORR_MSG_DELIVERY_RING) {
@@ -192,6 +198,24 @@ static bool take_stats(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
     return put_frame(out, ORR_MSG_TYPE_MOTION_STATS, f->sequence, data, w.size);
 }
 
+static bool open_datagrams(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    uint8_t data[ORR_MSG_DATAGRAMS_LARGEST];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    orr_msg_open_datagrams m;
+    orr_msg_datagrams told;
+    orr_seal_keys keys;
+    orr_server_refusal why = {""};
+    const orr_wire_status decoded = orr_msg_open_datagrams_decode(f->payload, f->size, &m);
+    if (decoded != ORR_WIRE_OK)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
+    const uint16_t code =
+        orr_datagram_lane_open(&l->datagrams, (l->may & ORR_MAY_MOTION) != 0, &keys, &told, &why);
+    if (code != 0) return put_error(out, f, code, why.sentence);
+    orr_msg_datagrams_encode(&told, &w);
+    return put_frame(out, ORR_MSG_TYPE_DATAGRAMS, f->sequence, data, w.size);
+}
+
 bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
 {
     // Room for whatever is to be said at once, so that nothing is done twice.
@@ -208,6 +232,8 @@ bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
         return take_motion(l, f, out);
     case ORR_MSG_TYPE_GET_MOTION_STATS:
         return take_stats(l, f, out);
+    case ORR_MSG_TYPE_OPEN_DATAGRAMS:
+        return open_datagrams(l, f, out);
     default:
         return take_time(l, f, out);
     }
@@ -256,8 +282,15 @@ void orr_lanes_passed(orr_lanes *l)
     l->has_pass = false;
 }
 
+void orr_lanes_permit(orr_lanes *l, unsigned may)
+{
+    l->may = may;
+    orr_datagram_lane_permit(&l->datagrams, (may & ORR_MAY_MOTION) != 0);
+}
+
 void orr_lanes_close(orr_lanes *l)
 {
+    orr_datagram_lane_close(&l->datagrams);
     orr_lanes_passed(l);
     while (l->n > 0) {
         if (l->held[l->n - 1] != NULL) orr_stream_sent(l->stream[l->n - 1], l->held[l->n - 1]);

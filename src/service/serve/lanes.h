@@ -5,16 +5,18 @@
 
 #include "src/config/access.h"
 #include "src/service/live/streams.h"
+#include "src/service/serve/datagram_lane.h"
 
 enum { ORR_LANES_MOST = 32, ORR_LANES_ENDED = 64 };
 
-// Zero-initialise but for the first five.
+// Zero-initialise but for the first five and the first two of `datagrams`.
 typedef struct orr_lanes {
     orr_streams *streams;
     const orr_server *judge;
     void *owner;  // of the streams: the connection
     unsigned may; // orr_may: what else is asked is refused
-    bool passes;  // descriptors can go along with bytes: a Unix socket
+    orr_datagram_lane datagrams;
+    bool passes; // descriptors can go along with bytes: a Unix socket
     bool
         has_pass; // one is to go along with the frame that was put last; whoever sends it calls orr_lanes_passed
     int pass_fd; // which
@@ -33,7 +35,9 @@ bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out);
 size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out);
 // The descriptor that was to go along has gone, or need not any more.
 void orr_lanes_passed(orr_lanes *l);
-// Closes all streams.
+// What its client may do from now on.
+void orr_lanes_permit(orr_lanes *l, unsigned may);
+// Closes all streams and its channel of datagrams.
 void orr_lanes_close(orr_lanes *l);
 
 #endif

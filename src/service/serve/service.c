@@ -2,7 +2,6 @@
 #include "src/service/serve/service.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -103,13 +102,9 @@ static void sweep_every(orr_service *s, double seconds)
     event_add(s->on_sweep, &tv);
 }
 
-static void on_stop(evutil_socket_t fd, short what, void *user)
+static void stop(void *user)
 {
     orr_service *s = user;
-    if ((what & EV_SIGNAL) == 0) {
-        char waste[16];
-        if (read(fd, waste, sizeof waste) < 0 && errno == EAGAIN) return;
-    }
     if (s->draining) { // the second time: at once
         s->done = true;
         return;
@@ -121,6 +116,13 @@ static void on_stop(evutil_socket_t fd, short what, void *user)
     ORR_LOG(s->log, ORR_LOG_INFO, ORR_ID("R02") "stopping, %d clients connected", s->n_conns);
     sweep_every(s, 0.02);
     on_sweep(-1, 0, s);
+}
+
+static void on_signal(evutil_socket_t fd, short what, void *user)
+{
+    (void)fd;
+    (void)what;
+    stop(user);
 }
 
 orr_service_counts orr_service_count(const orr_service *s)
@@ -178,12 +180,10 @@ static orr_status add_listener(orr_service *s, size_t i, const char *url, orr_di
 
 static orr_status add_events(orr_service *s, orr_diag *diag)
 {
-    s->on_sweep = event_new(s->base, -1, EV_PERSIST, on_sweep, s);
-    s->on_stop = event_new(s->base, s->stop_pipe[0], EV_READ | EV_PERSIST, on_stop, s);
-    s->on_wake = event_new(s->base, s->wake_fd, EV_READ | EV_PERSIST, on_wake, s);
-    bool good = s->on_sweep != NULL && s->on_stop != NULL && s->on_wake != NULL &&
-                event_add(s->on_stop, NULL) == 0 && event_add(s->on_wake, NULL) == 0;
-    if (!good) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    s->on_sweep = event_new(s->loop.base, -1, EV_PERSIST, on_sweep, s);
+    s->on_wake = event_new(s->loop.base, s->wake_fd, EV_READ | EV_PERSIST, on_wake, s);
+    if (s->on_sweep == NULL || s->on_wake == NULL || event_add(s->on_wake, NULL) != 0)
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     sweep_every(s, sweep_s);
     return ORR_OK;
 }
@@ -204,14 +204,14 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     pthread_mutex_init(&s->watch.lock, NULL);
     s->rate = (orr_log_rate){.burst = 20, .every_ns = 200000000};
     orr_turns_init(&s->turns, ORR_CONN_TURN_NS);
-    s->stop_pipe[0] = s->stop_pipe[1] = -1;
     s->wake_fd = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-    s->base = event_base_new();
-    orr_status status = ORR_OK;
-    if (options->access == NULL) status = orr_access_open(NULL, false, ORR_MAY_ALL, &s->own_access, diag);
+    s->datagrams = orr_datagrams_open();
+    orr_status status = orr_loop_open(&s->loop, stop, s, diag);
+    if (status == ORR_OK && options->access == NULL)
+        status = orr_access_open(NULL, false, ORR_MAY_ALL, &s->own_access, diag);
     s->access = options->access != NULL ? options->access : s->own_access;
-    if (s->base != NULL && status == ORR_OK)
-        s->door = orr_door_open(&(orr_door_options){.base = s->base,
+    if (status == ORR_OK)
+        s->door = orr_door_open(&(orr_door_options){.base = s->loop.base,
                                                     .access = s->access,
                                                     .backlog = BACKLOG,
                                                     .user = s,
@@ -219,17 +219,11 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
                                                     .tell = on_tell});
     if (status != ORR_OK)
         ; // told
-    else if (s->door == NULL)
+    else if (s->door == NULL || s->datagrams == NULL)
         status = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    else if (s->wake_fd < 0 || pipe(s->stop_pipe) != 0)
-        status = orr_diag_set(diag, ORR_E_IO, "no pipe: %s", strerror(errno));
-    if (status == ORR_OK) {
-        for (int i = 0; i < 2; i++) {
-            fcntl(s->stop_pipe[i], F_SETFL, O_NONBLOCK);
-            fcntl(s->stop_pipe[i], F_SETFD, FD_CLOEXEC);
-        }
-        status = add_events(s, diag);
-    }
+    else if (s->wake_fd < 0)
+        status = orr_diag_set(diag, ORR_E_IO, "no eventfd");
+    if (status == ORR_OK) status = add_events(s, diag);
     for (size_t i = 0; status == ORR_OK && i < n; i++)
         status = add_listener(s, i, options->n_sockets > 0 ? NULL : url[i], diag);
     if (status != ORR_OK) {
@@ -242,6 +236,8 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
 
 void orr_service_provide(orr_service *s, const orr_server *server) { s->server = server; }
 void orr_service_stream(orr_service *s, orr_streams *streams) { s->streams = streams; }
+
+orr_datagrams *orr_service_datagrams(const orr_service *s) { return s->datagrams; }
 
 void orr_service_wake(void *user)
 {
@@ -257,9 +253,9 @@ const char *orr_service_url(const orr_service *s, size_t i) { return orr_door_ur
 // From here on signals are the loop's.
 static bool take_signals(orr_service *s)
 {
-    s->on_int = event_new(s->base, SIGINT, EV_SIGNAL | EV_PERSIST, on_stop, s);
-    s->on_term = event_new(s->base, SIGTERM, EV_SIGNAL | EV_PERSIST, on_stop, s);
-    s->on_hangup = event_new(s->base, SIGHUP, EV_SIGNAL | EV_PERSIST, on_hangup, s);
+    s->on_int = event_new(s->loop.base, SIGINT, EV_SIGNAL | EV_PERSIST, on_signal, s);
+    s->on_term = event_new(s->loop.base, SIGTERM, EV_SIGNAL | EV_PERSIST, on_signal, s);
+    s->on_hangup = event_new(s->loop.base, SIGHUP, EV_SIGNAL | EV_PERSIST, on_hangup, s);
     return s->on_int != NULL && s->on_term != NULL && s->on_hangup != NULL &&
            event_add(s->on_int, NULL) == 0 && event_add(s->on_term, NULL) == 0 &&
            event_add(s->on_hangup, NULL) == 0;
@@ -281,30 +277,25 @@ orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user
     if (ready != NULL) ready(user);
     while (!s->done) {
         int how = EVLOOP_ONCE | (s->turns.n > 0 ? EVLOOP_NONBLOCK : 0);
-        if (event_base_loop(s->base, how) < 0) return orr_diag_set(diag, ORR_E_IO, "the event loop failed");
+        if (event_base_loop(s->loop.base, how) < 0)
+            return orr_diag_set(diag, ORR_E_IO, "the event loop failed");
         take_turns(s);
     }
     return ORR_OK;
 }
 
-void orr_service_stop(orr_service *s)
-{
-    // A full pipe means that it has been told already.
-    ssize_t n = write(s->stop_pipe[1], "s", 1);
-    (void)n;
-}
+void orr_service_stop(orr_service *s) { orr_loop_stop(&s->loop); }
 
 void orr_service_close(orr_service *s)
 {
     if (s == NULL) return;
     while (s->conns != NULL) orr_conn_close(s->conns);
     orr_door_close(s->door);
-    struct event *events[] = {s->on_stop, s->on_wake, s->on_sweep, s->on_int, s->on_term, s->on_hangup};
+    struct event *events[] = {s->on_wake, s->on_sweep, s->on_int, s->on_term, s->on_hangup};
     for (size_t i = 0; i < sizeof events / sizeof events[0]; i++)
         if (events[i] != NULL) event_free(events[i]);
-    if (s->base != NULL) event_base_free(s->base);
-    for (int i = 0; i < 2; i++)
-        if (s->stop_pipe[i] >= 0) close(s->stop_pipe[i]);
+    orr_loop_close(&s->loop);
+    orr_datagrams_close(s->datagrams);
     if (s->wake_fd >= 0) close(s->wake_fd);
     orr_turns_free(&s->turns);
     pthread_mutex_destroy(&s->watch.lock);

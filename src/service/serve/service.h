@@ -8,6 +8,7 @@
 #include "proto/server.h"
 #include "src/service/live/streams.h"
 #include "src/service/net/access.h"
+#include "src/service/net/datagrams.h"
 
 enum { ORR_CLIENT_STREAMS = 8, ORR_CLIENTS_LOOKED = 64 };
 
@@ -59,6 +60,8 @@ void orr_service_provide(orr_service *s, const orr_server *server);
 void orr_service_stream(orr_service *s, orr_streams *streams);
 // Streams have something to send; from any thread. `user` is the service.
 void orr_service_wake(void *user);
+// The channels by which its clients send datagrams; for who takes those.
+orr_datagrams *orr_service_datagrams(const orr_service *s);
 // The URLs as bound (port 0 has become a real one); NULL beyond the last.
 const char *orr_service_url(const orr_service *s, size_t i);
 // Takes the signals, calls `ready` (which may be NULL), and serves until a signal or orr_service_stop, then finishes what

@@ -4,11 +4,12 @@
 #define ORR_SERVICE_SERVICE_PRIVATE_H
 
 #include <event2/event.h>
-#include <pthread.h>
 #include <stdatomic.h>
 
 #include "src/service/live/streams.h"
+#include "src/service/net/datagrams.h"
 #include "src/service/net/door.h"
+#include "src/service/net/loop.h"
 #include "src/service/serve/service.h"
 #include "src/service/serve/turns.h"
 
@@ -39,14 +40,14 @@ struct orr_service {
     const orr_server *server;
     orr_streams *streams; // NULL: none are served
     const orr_log *log;
-    struct event_base *base;
+    orr_loop loop;
     orr_access *access, *own_access; // the rules; those made here where nobody gave any
     orr_door *door;
+    orr_datagrams *datagrams;
     int64_t opened_ns;
     atomic_llong beat_ns; // when the loop last came round
     atomic_ullong clients, came, refused, requests, refusals, held;
-    struct event *on_stop, *on_sweep, *on_int, *on_term, *on_hangup;
-    int stop_pipe[2];
+    struct event *on_sweep, *on_int, *on_term, *on_hangup;
     int wake_fd; // an eventfd: streams have something to send
     struct event *on_wake;
     orr_conn *conns; // all, newest first

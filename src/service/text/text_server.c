@@ -2,13 +2,12 @@
 #include "src/service/text/text_server.h"
 
 #include <errno.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "core/monotonic.h"
 #include "src/service/net/door.h"
+#include "src/service/net/loop.h"
 #include "src/service/text/session.h"
 
 enum { CLIENTS = 32, MOST_WAITING = 1 << 20, SWEEP_US = 200000 };
@@ -30,12 +29,9 @@ struct text_client {
 struct orr_text_server {
     orr_asked asked;
     orr_access *access;
-    struct event_base *base;
-    struct event *on_stop, *on_sweep;
+    orr_loop loop;
+    struct event *on_sweep;
     orr_door *door;
-    int stop[2];
-    pthread_t thread;
-    bool has_thread;
     size_t n;
     text_client *client;
 };
@@ -168,14 +164,6 @@ static void on_tell(void *user, const char *line)
     ORR_LOG(s->asked.log, ORR_LOG_WARN, "%s", line);
 }
 
-static void on_stop(evutil_socket_t fd, short what, void *user)
-{
-    (void)fd;
-    (void)what;
-    const orr_text_server *s = user;
-    event_base_loopbreak(s->base);
-}
-
 static void on_sweep(evutil_socket_t fd, short what, void *user)
 {
     (void)fd;
@@ -196,29 +184,23 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
     }
 }
 
-static void *run(void *user)
-{
-    const orr_text_server *s = user;
-    event_base_dispatch(s->base);
-    return NULL;
-}
-
-static bool prepare(orr_text_server *s)
+static orr_status prepare(orr_text_server *s, orr_diag *diag)
 {
     static const struct timeval every = {0, SWEEP_US};
+    const orr_status status = orr_loop_open(&s->loop, NULL, NULL, diag);
+    if (status != ORR_OK) return status;
     s->asked.room = malloc(ORR_MSG_LARGEST);
-    s->base = event_base_new();
-    if (s->asked.room == NULL || s->base == NULL || pipe(s->stop) != 0) return false;
-    s->door = orr_door_open(&(orr_door_options){.base = s->base,
+    s->door = orr_door_open(&(orr_door_options){.base = s->loop.base,
                                                 .access = s->access,
                                                 .backlog = CLIENTS,
                                                 .user = s,
                                                 .enter = on_enter,
                                                 .tell = on_tell});
-    s->on_stop = event_new(s->base, s->stop[0], EV_READ, on_stop, s);
-    s->on_sweep = event_new(s->base, -1, EV_PERSIST, on_sweep, s);
-    return s->door != NULL && s->on_stop != NULL && s->on_sweep != NULL && event_add(s->on_stop, NULL) == 0 &&
-           event_add(s->on_sweep, &every) == 0;
+    s->on_sweep = event_new(s->loop.base, -1, EV_PERSIST, on_sweep, s);
+    if (s->asked.room == NULL || s->door == NULL || s->on_sweep == NULL ||
+        event_add(s->on_sweep, &every) != 0)
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    return ORR_OK;
 }
 
 orr_status orr_text_server_open(const char *url, const orr_asked *asked, orr_access *access,
@@ -226,14 +208,11 @@ orr_status orr_text_server_open(const char *url, const orr_asked *asked, orr_acc
 {
     orr_text_server *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    s->stop[0] = s->stop[1] = -1;
     s->asked = *asked;
     s->access = access;
-    orr_status status = prepare(s) ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    orr_status status = prepare(s, diag);
     if (status == ORR_OK) status = orr_door_listen(s->door, url, diag);
-    if (status == ORR_OK && pthread_create(&s->thread, NULL, run, s) != 0)
-        status = orr_diag_set(diag, ORR_E_IO, "no thread for text");
-    s->has_thread = status == ORR_OK;
+    if (status == ORR_OK) status = orr_loop_start(&s->loop, "text", diag);
     if (status != ORR_OK) {
         orr_text_server_close(s);
         return status;
@@ -247,14 +226,11 @@ const char *orr_text_server_url(const orr_text_server *s) { return orr_door_url(
 void orr_text_server_close(orr_text_server *s)
 {
     if (s == NULL) return;
-    if (s->has_thread && write(s->stop[1], "s", 1) == 1) pthread_join(s->thread, NULL);
+    orr_loop_halt(&s->loop);
     while (s->client != NULL) drop(s->client);
     orr_door_close(s->door);
-    if (s->on_stop != NULL) event_free(s->on_stop);
     if (s->on_sweep != NULL) event_free(s->on_sweep);
-    if (s->base != NULL) event_base_free(s->base);
-    for (int k = 0; k < 2; k++)
-        if (s->stop[k] >= 0) close(s->stop[k]);
+    orr_loop_close(&s->loop);
     free(s->asked.room);
     free(s);
 }

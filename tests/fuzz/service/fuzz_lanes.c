@@ -50,7 +50,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         const uint8_t *payload = data + at + 2;
         orr_wire_writer out = {room, 0, sizeof room, ORR_WIRE_OK};
         if (n > size - at - 2) n = size - at - 2;
-        const orr_frame frame = {1, 0, (uint16_t)(20 + data[at] % 14), ++sequence, payload, (uint32_t)n};
+        const orr_frame frame = {1, 0, (uint16_t)(20 + data[at] % 20), ++sequence, payload, (uint32_t)n};
         if (orr_msg_is_lane(frame.type)) must(orr_lanes_take(&lanes, &frame, &out));
         orr_lanes_passed(&lanes); // the descriptor of a ring has gone
         for (int k = 0; k < 8; k++) (void)orr_streams_turn(streams, now_ns);

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the seeds of fuzz_lanes and fuzz_text_lines into tests/fuzz/corpus."""
+"""Writes the seeds of fuzz_lanes, fuzz_datagrams and fuzz_text_lines into tests/fuzz/corpus."""
 import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "proto/python"))
-from orrery import messages as m  # noqa: E402
+from orrery import datagrams, frame, messages as m  # noqa: E402
 
 CORPUS = ROOT / "tests/fuzz/corpus"
 NONE = -2**63
@@ -39,6 +39,19 @@ LANES = {
     "motion": [m.Control(4, 0, 0, NONE, NONE, 0), motion(0), motion(10**7), motion(2 * 10**7, snap=1, pos_m=[3e6, 2e6, 5.3e6]), m.GetMotionStats(1),
                motion(3 * 10**7, angular_order=4, attitude=[1.0, 0, 0, 0]), motion(4 * 10**7, pos_m=[float("nan"), 0, 0])],
 }
+LANES["open"] = [m.OpenDatagrams(0), m.OpenMotionRing(0), m.Subscribe(6, 0, 2, 2, 0, poll(0, 10**6, 5), 4000)]
+
+
+def datagram(how, number, channel=0, data=b""):
+    """A piece of fuzz_datagrams; bit 1 of `how` puts in the number of one of its channels."""
+    made = datagrams.make(channel, number, data or frame.make(m.Motion.TYPE, 1, b"x" * 40))
+    return bytes([how, len(made)]) + made
+
+
+DATAGRAMS = {
+    "sealed": [datagram(6, 1), datagram(6, 2), datagram(6, 1), datagram(2, 3), datagram(6, 2000), datagram(6, 976), datagram(6, 977)],
+    "plain": [datagram(11, 1), datagram(11, 1), datagram(3, 2), datagram(8, 3, 99), datagram(11, 4, data=b"no frame")],
+}
 LINES = {
     "gsg": b"\x11SCEN:STAR\nSOUR:SCEN:PRY 1,0.1,0.2,0.3;PRYRate 1,-1,2,0;DPRYR IMM,1,2,3;ENUACC 1,1,2,3;POS 1,56,40,150\nEVEN? 2300,5\n"
            b"SCEN:OPEN '../x';OPEN two;LOAD 2300,1\n",
@@ -52,6 +65,9 @@ def main():
     for name, messages in LANES.items():
         (CORPUS / "lanes").mkdir(parents=True, exist_ok=True)
         (CORPUS / "lanes" / name).write_bytes(b"".join(piece(x) for x in messages))
+    for name, pieces in DATAGRAMS.items():
+        (CORPUS / "datagrams").mkdir(parents=True, exist_ok=True)
+        (CORPUS / "datagrams" / name).write_bytes(b"".join(pieces))
     for name, data in LINES.items():
         (CORPUS / "text_lines").mkdir(parents=True, exist_ok=True)
         (CORPUS / "text_lines" / name).write_bytes(data)

@@ -10,9 +10,12 @@ import sys
 import tempfile
 import threading
 import time
+import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT / "proto/python"), str(ROOT / "tests/system")]
+import orrery as wire  # noqa: E402 # the path to it is set above
+
 ORRERY, FIRMWARE = sys.argv[1:3]
 SAMPLE = ROOT / "samples/ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"
 PATIENCE_S = 90  # sanitizers are slow; nothing waits for it when all is well
@@ -90,3 +93,42 @@ class Daemon:
                 return False
             time.sleep(0.02)
         return True
+
+
+def scenario(name, text):
+    """A scenario's file beside the product and the map of the ionosphere that it names."""
+    product()
+    shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
+    path = WORK / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+class Served(unittest.TestCase):
+    """Tests of one service and one client of it: cls.daemon, cls.client. A class calls serve() in its setUpClass, or names its scenario's
+    text in SCENARIO and the service's options in OPTIONS."""
+
+    SCENARIO, OPTIONS = "", ()
+
+    @classmethod
+    def setUpClass(cls):
+        cls.serve(scenario(f"{cls.__name__.lower()}.yaml", cls.SCENARIO) if cls.SCENARIO else product(), *cls.OPTIONS)
+
+    @classmethod
+    def serve(cls, what, *args, **kwargs):
+        cls.daemon = Daemon(what, *args, **kwargs)
+        cls.url = cls.daemon.urls[0]
+        cls.client = wire.Client(cls.url, timeout_s=PATIENCE_S)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.client.close()
+        status = cls.daemon.stop()
+        if status != 0:
+            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
+
+    def connect(self, url=None, **kwargs):
+        """Another client, for one test."""
+        client = wire.Client(url or self.url, **kwargs)
+        self.addCleanup(client.close)
+        return client

@@ -4,14 +4,13 @@
 both against what the service says."""
 import math
 import pathlib
-import shutil
 import socket
 import struct
 import subprocess
 import sys
 import unittest
 
-from daemon import ROOT, WORK, Daemon, product  # first: it sets the path
+from daemon import ROOT, Served  # first: it sets the path
 
 import orrery
 from test_streams import SCENARIO
@@ -52,21 +51,9 @@ class Autopilot:
         return 12 + n
 
 
-class Bridges(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        product()
-        shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
-        (WORK / "bridges.yaml").write_text(SCENARIO, encoding="utf-8")
-        cls.daemon = Daemon(WORK / "bridges.yaml", "--from", "2025-03-21T10:01:00")
-        cls.client = orrery.Client(cls.daemon.urls[0])
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.client.close()
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
+class Bridges(Served):
+    SCENARIO = SCENARIO
+    OPTIONS = ("--from", "2025-03-21T10:01:00")
 
     def run_sample(self, name, *args, **kwargs):
         return subprocess.Popen([sys.executable, "-B", str(LIVE / name), self.daemon.urls[0], *map(str, args)], text=True, **kwargs)

@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Channels over the wire: blocks join, agree with what the other messages say, and do not depend on who asked before."""
 import math
-import shutil
 import sys
 import unittest
 
-from daemon import ROOT, WORK, Daemon, product  # first: it sets the path
+from daemon import Served, product  # first: it sets the path
 
 import orrery
 from orrery import messages
@@ -46,22 +45,13 @@ def rate(c, s):
     return c[1] + s * (2 * c[2] + s * 3 * c[3])
 
 
-class Channels(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        product()
-        shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
-        (WORK / "channels.yaml").write_text(SCENARIO, encoding="utf-8")
-        cls.daemon = Daemon(WORK / "channels.yaml")
-        cls.client = orrery.Client(cls.daemon.urls[0])
-        cls.start = next(cls.client.poll_truth("2025-03-21T10:00:00")).t
+class Channels(Served):
+    SCENARIO = SCENARIO
 
     @classmethod
-    def tearDownClass(cls):
-        cls.client.close()
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.start = next(cls.client.poll_truth("2025-03-21T10:00:00")).t
 
     def test_caps_tell_antennas_signals_and_transmitters(self):
         caps = self.client.caps

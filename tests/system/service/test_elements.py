@@ -12,7 +12,7 @@ import threading
 import time
 import unittest
 
-from daemon import PATIENCE_S, ROOT, WORK, Daemon, orrery as program, product  # first: it sets the path
+from daemon import PATIENCE_S, ROOT, WORK, Daemon, Served, orrery as program, product  # first: it sets the path
 
 import orrery
 from orrery import frame, messages
@@ -36,21 +36,12 @@ def as_printed(table):
     return "\n".join(out) + "\n"
 
 
-class Elements(unittest.TestCase):
+class Elements(Served):
     @classmethod
     def setUpClass(cls):
-        cls.daemon = Daemon(product())
-        cls.url = cls.daemon.urls[0]
-        cls.client = orrery.Client(cls.url)
+        super().setUpClass()
         cls.start, cls.end = cls.client.span
         cls.noon = cls.start + 43200 * NS
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.client.close()
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
 
     def asked(self, *args):
         done = program("poll", self.url, "--elements", *(args if "json" in args else ("--format", "csv", *args)))

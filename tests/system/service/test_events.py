@@ -8,7 +8,7 @@ import socket
 import sys
 import unittest
 
-from daemon import WORK, Daemon, orrery as program, product  # first: it sets the path
+from daemon import WORK, Served, orrery as program, scenario  # first: it sets the path
 
 import orrery
 from orrery import messages
@@ -35,25 +35,15 @@ LEAP = """#$\t3676924800
 """
 
 
-class Events(unittest.TestCase):
+class Events(Served):
     @classmethod
     def setUpClass(cls):
-        product()
-        (WORK / "events.yaml").write_text(SCENARIO, encoding="utf-8")
         (WORK / "leap.list").write_text(LEAP, encoding="ascii")
-        cls.daemon = Daemon(WORK / "events.yaml", "--leap-seconds", WORK / "leap.list", "--text", "tcp://127.0.0.1:0", "--from", T0)
-        cls.client = orrery.Client(cls.daemon.urls[0])
+        cls.serve(scenario("events.yaml", SCENARIO), "--leap-seconds", WORK / "leap.list", "--text", "tcp://127.0.0.1:0", "--from", T0)
         cls.begin = orrery.from_text(T0)
         # From before the first instant served to beyond the last: frames outside of it have no events.
         cls.frames = list(cls.client.poll_events(cls.begin, 3600, 24))
         cls.events = [e for f in cls.frames for e in f.events]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.client.close()
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
 
     def of(self, *kinds):
         return [e for e in self.events if e.kind in kinds]

@@ -6,12 +6,11 @@ import csv
 import json
 import math
 import os
-import shutil
 import subprocess
 import sys
 import unittest
 
-from daemon import ROOT, WORK, Daemon, orrery as program, product  # first: it sets the path
+from daemon import ROOT, WORK, Daemon, Served, orrery as program, product  # first: it sets the path
 
 import orrery
 from orrery import messages
@@ -43,22 +42,13 @@ def difference(a, b):
     return math.dist(a, b)
 
 
-class Flight(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        product()
-        shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
-        (WORK / "flight.yaml").write_text(SCENARIO, encoding="utf-8")
-        cls.daemon = Daemon(WORK / "flight.yaml")
-        cls.client = orrery.Client(cls.daemon.urls[0])
-        cls.start = next(cls.client.poll_truth("2025-03-21T10:00:00")).t
+class Flight(Served):
+    SCENARIO = SCENARIO
 
     @classmethod
-    def tearDownClass(cls):
-        cls.client.close()
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.start = next(cls.client.poll_truth("2025-03-21T10:00:00")).t
 
     def test_satellites_and_motion_share_a_clock(self):
         t = self.start + 100 * NS

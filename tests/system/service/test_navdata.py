@@ -11,7 +11,7 @@ import pathlib
 import threading
 import unittest
 
-from daemon import PATIENCE_S, ROOT, WORK, Daemon, orrery as program, product  # first: it sets the path
+from daemon import PATIENCE_S, ROOT, WORK, Daemon, Served, orrery as program, product  # first: it sets the path
 
 import messages as messages_of_receivers
 import navdata as receiver
@@ -70,19 +70,10 @@ class OnTheWire:
 
     @classmethod
     def serve(cls, path):
+        super().serve(path)
         cls.path = path
-        cls.daemon = Daemon(path)
-        cls.url = cls.daemon.urls[0]
-        cls.client = orrery.Client(cls.url, timeout_s=PATIENCE_S)
         cls.start, cls.end = cls.client.span
         cls.noon = cls.start + 43200 * NS
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.client.close()
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
 
     def sent(self, t):
         """Legacy messages of GPS and GLONASS; system.orbit.messages decodes the others."""
@@ -224,11 +215,7 @@ class OnTheWire:
         self.assertEqual([got[k] for k in range(4)], [one] * 4)
 
 
-class Made(OnTheWire, unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.serve(product())
-
+class Made(OnTheWire, Served):
     def test_never_a_number_where_there_is_none(self):
         m = self.client.navdata(self.noon, ["C01", "G31", "R01"])
         self.assertEqual([s.answer for s in m.satellites], [orrery.Answer.NOT_SERVED, orrery.Answer.NOT_SERVED, orrery.Answer.OK])
@@ -245,7 +232,7 @@ class Made(OnTheWire, unittest.TestCase):
             self.client._ask(messages.PollNavdata(messages.Epochs(0, 0, 2), []), messages.Navdata)
 
 
-class RealDay(OnTheWire, unittest.TestCase):
+class RealDay(OnTheWire, Served):
     @classmethod
     def setUpClass(cls):
         sp3 = DATA / "2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz"

@@ -3,11 +3,10 @@
 """orrery record, replay and watch: a log is the frames of a stream, given out again bit for bit, and what polls answer."""
 import io
 import json
-import shutil
 import sys
 import unittest
 
-from daemon import ROOT, WORK, Daemon, orrery as run, product  # first: it sets the path
+from daemon import ROOT, WORK, Served, orrery as run  # first: it sets the path
 
 import orrery
 from orrery import frame, messages
@@ -16,19 +15,9 @@ from test_streams import SCENARIO
 NS = 10**9
 
 
-class Record(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        product()
-        shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
-        (WORK / "record.yaml").write_text(SCENARIO, encoding="utf-8")
-        cls.daemon = Daemon(WORK / "record.yaml", "--from", "2025-03-21T10:02:00", "--motion")
-        cls.url = cls.daemon.urls[0]
-
-    @classmethod
-    def tearDownClass(cls):
-        if cls.daemon.stop() != 0:
-            raise AssertionError("".join(cls.daemon.lines))
+class Record(Served):
+    SCENARIO = SCENARIO
+    OPTIONS = ("--from", "2025-03-21T10:02:00", "--motion")
 
     def record(self, name, *args):
         log = WORK / name

@@ -4,14 +4,13 @@
 a client that takes nothing harms nobody."""
 import pathlib
 import re
-import shutil
 import socket
 import subprocess
 import sys
 import time
 import unittest
 
-from daemon import FIRMWARE, ROOT, WORK, Daemon, product  # first: it sets the path
+from daemon import FIRMWARE, WORK, Daemon, Served, scenario  # first: it sets the path
 
 import orrery
 from orrery import frame, messages
@@ -47,25 +46,11 @@ def polled(client, request, t, step):
     return bytes(got.payload)
 
 
-class Streams(unittest.TestCase):
+class Streams(Served):
     @classmethod
     def setUpClass(cls):
-        product()
-        shutil.copy(ROOT / "samples/ionosphere.ION", WORK)
-        (WORK / "streams.yaml").write_text(SCENARIO, encoding="utf-8")
-        cls.daemon = Daemon(WORK / "streams.yaml", listen=("tcp://127.0.0.1:0", f"unix:{WORK}/streams.sock"))
+        cls.serve(scenario("streams.yaml", SCENARIO), listen=("tcp://127.0.0.1:0", f"unix:{WORK}/streams.sock"))
         cls.start = orrery.from_text("2025-03-21T10:00:00")
-
-    @classmethod
-    def tearDownClass(cls):
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
-
-    def connect(self):
-        client = orrery.Client(self.daemon.urls[0])
-        self.addCleanup(client.close)
-        return client
 
     def kinds(self):
         return ((messages.Poll(), 0.001), (messages.PollNavdata(), 1), (messages.PollChannels(antenna=0, terms=1), 0.1),
@@ -108,8 +93,7 @@ class Streams(unittest.TestCase):
     def test_a_ring_has_the_polls_bytes(self):
         """Through shared memory, which comes with the answer; over TCP there is none."""
         judge = self.connect()
-        client = orrery.Client(self.daemon.urls[1])
-        self.addCleanup(client.close)
+        client = self.connect(self.daemon.urls[1])
         for request, step in self.kinds():
             with self.subTest(type(request).__name__):
                 stream = client.subscribe(request, self.start + 100 * NS, step, count=60, pacing="free", credit=20, ring=True)

@@ -70,7 +70,7 @@ static uint16_t ask(bench *b, uint8_t pacing, int64_t t, int64_t step, uint32_t 
                                  .poll = {data, (uint16_t)w.size}};
     orr_msg_subscribed told;
     orr_server_refusal why;
-    return orr_streams_subscribe(b->streams, &b->server, &m, b, &told, x, &why);
+    return orr_streams_subscribe(b->streams, &b->server, &m, NULL, b, &told, x, &why);
 }
 
 // All turns that are due now; when the next is.
