@@ -35,6 +35,20 @@ static bool is_our_text(const char *text)
     return false;
 }
 
+// A receiver's bytes, RTCM 3 or UBX, that name their maker.
+static bool is_our_stream(const char *head, size_t n)
+{
+    static const char maker[] = "ORRERY";
+    if (n < sizeof maker || (memcmp(head, "\xd3", 1) != 0 && memcmp(head,
+                                                                    "\xb5"
+                                                                    "b",
+                                                                    2) != 0))
+        return false;
+    for (size_t k = 0; k + strlen(maker) <= n; k++)
+        if (memcmp(head + k, maker, strlen(maker)) == 0) return true;
+    return false;
+}
+
 // Whether Orrery wrote the file, or it is empty; a file that cannot be read is somebody's.
 static bool is_ours(const char *path)
 {
@@ -47,7 +61,7 @@ static bool is_ours(const char *path)
     head[n] = '\0';
     if (bad) return false;
     if (n == 0 || orr_nc_is_sealed(path)) return true;
-    return memchr(head, '\0', n) == NULL && is_our_text(head);
+    return is_our_stream(head, n) || (memchr(head, '\0', n) == NULL && is_our_text(head));
 }
 
 // One output: an option, the path that it was given or has by default, and what stands there.

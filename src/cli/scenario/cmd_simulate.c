@@ -33,6 +33,7 @@ static orr_status observe_antenna(simulation *s, size_t k, const orr_observe_pla
                  count.observations, plan->rinex);
         status = simulate_note(s, name, note, diag);
     }
+    if (status == ORR_OK) status = simulate_ports(s, k, plan, diag);
     snprintf(name, sizeof name, "%s-channels.csv", a->name);
     if (status == ORR_OK) status = simulate_path(s, name, path, diag);
     if (status == ORR_OK) status = orr_observe_truth(channels, k, &truth, path, &count, diag);
@@ -160,6 +161,24 @@ static const orr_option options[] = {
      .max = 9e15,
      .applies = "noise",
      .help = "Seed of the noise; 1 by default."},
+    {.name = "rtcm",
+     .kind = ORR_OPT_FLAG,
+     .help = "NAME.rtcm3 of every antenna too: the same observations as RTCM 3, with station messages and "
+             "ephemerides "
+             "(docs/corrections.md)."},
+    {.name = "msm",
+     .kind = ORR_OPT_CHOICE,
+     .value = "4|7",
+     .fallback = "7",
+     .applies = "rtcm",
+     .help =
+         "Which multiple signal messages it has: MSM4, or MSM7 with Doppler and finer steps; 7 by default."},
+    {.name = "ubx",
+     .kind = ORR_OPT_FLAG,
+     .help = "NAME.ubx of every antenna too: NAV-PVT, RXM-RAWX and RXM-SFRBX as a u-blox receiver has them."},
+    {.name = "nmea",
+     .kind = ORR_OPT_FLAG,
+     .help = "NAME.nmea of every antenna too: NMEA 0183 of the true position."},
     {.name = "no-imu", .kind = ORR_OPT_FLAG, .help = "Leave the inertial readings out."},
 };
 
@@ -178,7 +197,8 @@ const orr_command orr_cmd_simulate = {
              "read and written. The "
              "same scenario and seed give the same bytes.",
     .example = "orrery simulate samples/gravimetry-flight.yaml -o flight\n"
-               "orrery simulate scenario.yaml -o run --step 30s --noise --seed 7",
+               "orrery simulate scenario.yaml -o run --step 30s --noise --seed 7\n"
+               "orrery simulate scenario.yaml -o run --rtcm --ubx --nmea",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -11,6 +11,7 @@
 #include "src/cli/frame/json.h"
 #include "src/cli/orbit/states_write.h"
 #include "src/make/readings.h"
+#include "src/scenario/receiver/port_file.h"
 
 orr_status simulate_path(const simulation *s, const char *name, char path[SIMULATE_PATH], orr_diag *diag)
 {
@@ -28,6 +29,54 @@ orr_status simulate_note(simulation *s, const char *name, const char *note, orr_
     json_array_append_new(s->files, json_pack("{s:s, s:s, s:s}", "name", name, "sha256", hex, "what", note));
     orr_cli_say(s->c, "%s: %s", path, note);
     return ORR_OK;
+}
+
+// Signals that a format cannot tell are told of once, for the first antenna.
+static void say_left_out(const simulation *s, const char *format, uint64_t left_out)
+{
+    size_t n;
+    char list[256] = "";
+    const orr_signal *signal = orr_signals(&n);
+    for (size_t k = 0, at = 0; k < n && at < sizeof list - 16; k++)
+        if ((left_out >> k & 1u) != 0)
+            at += (size_t)snprintf(list + at, sizeof list - at, "%s%c:%s", at > 0 ? ", " : "",
+                                   signal[k].system, signal[k].name);
+    if (left_out != 0) orr_cli_say(s->c, "--%s leaves out %s, which it has no numbers for", format, list);
+}
+
+orr_status simulate_ports(simulation *s, size_t k, const orr_observe_plan *plan, orr_diag *diag)
+{
+    static const struct {
+        const char *option, *ending, *what;
+        orr_port_format format;
+    } rows[ORR_PORT_FILES] = {{"rtcm", "rtcm3", "RTCM 3: station, ephemerides, MSM", ORR_PORT_RTCM},
+                              {"ubx", "ubx", "UBX: NAV-PVT, RXM-RAWX, RXM-SFRBX", ORR_PORT_UBX},
+                              {"nmea", "nmea", "NMEA 0183 of the true position", ORR_PORT_NMEA}};
+    const orr_channels *channels = orr_engine_channels(s->engine);
+    orr_port_file file[ORR_PORT_FILES];
+    char path[ORR_PORT_FILES][SIMULATE_PATH], name[ORR_PORT_FILES][80];
+    size_t n = 0, row[ORR_PORT_FILES];
+    orr_status status = ORR_OK;
+    for (size_t j = 0; status == ORR_OK && j < ORR_PORT_FILES; j++) {
+        if (!orr_cli_given(s->c, rows[j].option)) continue;
+        if (k == 0) say_left_out(s, rows[j].option, orr_port_left_out(rows[j].format, channels));
+        snprintf(name[n], sizeof name[n], "%s.%s", orr_channels_antenna(channels, k)->name, rows[j].ending);
+        status = simulate_path(s, name[n], path[n], diag);
+        file[n] = (orr_port_file){.plan = {.format = rows[j].format,
+                                           .channels = channels,
+                                           .antenna = k,
+                                           .navset = orr_engine_navset(s->engine),
+                                           .leap = s->c->leap,
+                                           .msm = orr_cli_says(s->c, "msm", "4") ? 4 : 7,
+                                           .station = (unsigned)(k + 1)},
+                                  .path = path[n]};
+        row[n++] = j;
+    }
+    if (status != ORR_OK || n == 0) return status;
+    status = orr_port_files(plan, file, n, diag);
+    for (size_t j = 0; status == ORR_OK && j < n; j++)
+        status = simulate_note(s, name[j], rows[row[j]].what, diag);
+    return status;
 }
 
 // Where the simulated time begins, in headers: the same scenario makes the same bytes.

@@ -8,6 +8,7 @@
 
 #include "src/cli/frame/cli.h"
 #include "src/scenario/engine/engine.h"
+#include "src/scenario/observables/observe.h"
 
 // What is being written, and the list of it for the manifest.
 typedef struct simulation {
@@ -25,6 +26,8 @@ orr_status simulate_path(const simulation *s, const char *name, char path[SIMULA
 // Adds a file that was written to the manifest's list, with its SHA-256 and a note.
 orr_status simulate_note(simulation *s, const char *name, const char *note, orr_diag *diag);
 
+// NAME.rtcm3, NAME.ubx and NAME.nmea of antenna k, those that are asked for: the epochs of its observations.
+orr_status simulate_ports(simulation *s, size_t k, const orr_observe_plan *plan, orr_diag *diag);
 // broadcast.rnx; nothing where the scenario has no broadcast data.
 orr_status simulate_broadcast(simulation *s, orr_diag *diag);
 // truth.sp3 every 5 min and truth.clk every 30 s, over the orbits' span.

@@ -7,9 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/rng.h"
 #include "ingest/rinex/rinex_obs.h"
-#include "src/scenario/observables/composite.h"
 
 static const char KINDS[] = "CLDS"; // code, phase, Doppler, C/N0 of each signal
 
@@ -17,17 +15,14 @@ static const char KINDS[] = "CLDS"; // code, phase, Doppler, C/N0 of each signal
 typedef struct writer {
     const orr_channels *c;
     const orr_observe_plan *plan;
-    size_t antenna, n_signals, n_sats, stride;
+    size_t antenna, n_signals, stride;
     const orr_signal *signal;
-    orr_channel_work *work;
-    orr_channel *channel; // of one epoch
+    orr_observer *observer;
     orr_rinex_obs_header header;
     size_t column[64]; // of a signal's code observation among those of its system
     orr_sat *sat;
     double *value;
     uint8_t *lli, *ssi;
-    orr_sat *before;
-    size_t n_before;
 } writer;
 
 static orr_status describe(writer *w, orr_diag *diag)
@@ -77,65 +72,17 @@ static orr_status describe(writer *w, orr_diag *diag)
     return s;
 }
 
-// Standard deviations of thermal noise: code in metres, phase in cycles.
-static void noise_of(const orr_signal *s, double spacing, double cn0_dbhz, double *code_m,
-                     double *phase_cycles)
-{
-    const double cn0 = pow(10, cn0_dbhz / 10), chip_m = ORR_LIGHT_MPS / s->chips_per_s;
-    const double delay_hz = 1, phase_hz = 15, integration_s = 0.02;
-    *code_m = chip_m * sqrt(delay_hz * spacing / (2 * cn0) * (1 + 2 / ((2 - spacing) * integration_s * cn0)));
-    *phase_cycles = sqrt(phase_hz / cn0 * (1 + 1 / (2 * integration_s * cn0))) / (2 * ORR_PI);
-}
-
-// The receiver's oscillator at an epoch.
-typedef struct oscillator {
-    double error_s, rate;
-} oscillator;
-
-static void put(const writer *w, const orr_channel *x, const orr_composite *m, orr_time t,
-                const oscillator *clock, double *value)
-{
-    const orr_signal *s = &w->signal[x->signal];
-    const double cn0 = x->power_dbw + m->power_db - ORR_OBSERVE_N0_DBWHZ;
-    double code = 0, phase = 0;
-    if (w->plan->noise) {
-        const uint64_t stream = ((uint64_t)w->antenna << 32) | ((uint64_t)x->sat << 8) | x->signal;
-        noise_of(s, orr_channels_spacing(w->c, x->signal), cn0, &code, &phase);
-        code *= orr_rng_normal(w->plan->seed, stream, 2 * (uint64_t)t);
-        phase *= orr_rng_normal(w->plan->seed, stream, 2 * (uint64_t)t + 1);
-    }
-    value[0] = x->code_m + ORR_LIGHT_MPS * clock->error_s + m->code_m + code;
-    value[1] = (double)x->carrier_cycles + (x->carrier_fraction + m->phase_cycles + phase) +
-               clock->error_s * x->carrier_hz;
-    value[2] = -x->carrier_rate_hz - clock->rate * x->carrier_hz;
-    value[3] = cn0;
-}
-
 static uint8_t strength(double cn0_dbhz) // RINEX 3.05, table 7
 {
     return (uint8_t)fmin(fmax(floor(cn0_dbhz / 6), 1), 9);
 }
 
-// Whether the epoch before had this satellite; both lists ascend.
-static bool was_there(const writer *w, orr_sat sat)
-{
-    for (size_t k = 0; k < w->n_before; k++)
-        if (w->before[k] == sat) return true;
-    return false;
-}
-
 static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, orr_observe_count *count,
                               orr_diag *diag)
 {
-    size_t n;
-    oscillator clock;
-    clock.error_s = orr_channels_oscillator(w->c, w->antenna, t, &clock.rate);
-    // What the receiver's clock calls t is earlier by its error; within half a nanosecond ranges change by 4e-7 m.
-    const orr_answer answer = orr_channels_at(w->c, w->antenna, w->work, orr_time_add_s(t, -clock.error_s),
-                                              UINT64_MAX, w->channel, &n);
-    if (answer != ORR_ANSWER_OK)
-        return orr_diag_set(diag, ORR_E_RANGE, "the channels do not reach to %s of the observations",
-                            t == w->plan->from ? "the begin" : "the end");
+    orr_observed o;
+    const orr_status s = orr_observer_at(w->observer, t, &o, diag);
+    if (s != ORR_OK) return s;
     orr_rinex_obs_epoch e = {.t = t,
                              .clock_offset_s = (double)NAN,
                              .stride = w->stride,
@@ -143,27 +90,23 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
                              .value = w->value,
                              .lli = w->lli,
                              .ssi = w->ssi};
-    for (size_t k = 0; k < n;) {
-        const orr_channel *x = &w->channel[k];
-        orr_composite multipath;
-        if (x->echo >= ORR_CHANNEL_SPOOFED) break; // false ones come last, and are not what the loops follow
-        k = orr_composite_of(w->c, w->channel, n, k, &multipath);
-        count->observations++;
-        if (e.n_sats == 0 || w->sat[e.n_sats - 1] != x->sat) {
+    for (size_t k = 0; k < o.n; k++) {
+        const orr_observation *y = &o.item[k];
+        if (e.n_sats == 0 || w->sat[e.n_sats - 1] != y->sat) {
             for (size_t j = 0; j < w->stride; j++) {
                 w->value[e.n_sats * w->stride + j] = (double)NAN;
                 w->lli[e.n_sats * w->stride + j] = w->ssi[e.n_sats * w->stride + j] = 0;
             }
-            w->sat[e.n_sats++] = x->sat;
+            w->sat[e.n_sats++] = y->sat;
         }
-        const size_t at = (e.n_sats - 1) * w->stride + w->column[x->signal];
-        put(w, x, &multipath, t, &clock, &w->value[at]);
-        for (int kind = 0; kind < 2; kind++) w->ssi[at + (size_t)kind] = strength(w->value[at + 3]);
-        if (!was_there(w, x->sat)) w->lli[at + 1] = ORR_OBS_LLI_SLIP;
+        const size_t at = (e.n_sats - 1) * w->stride + w->column[y->signal];
+        const double value[4] = {y->code_m, y->phase_cycles, y->doppler_hz, y->cn0_dbhz};
+        memcpy(&w->value[at], value, sizeof value);
+        w->ssi[at] = w->ssi[at + 1] = strength(y->cn0_dbhz);
+        if (y->begins) w->lli[at + 1] = ORR_OBS_LLI_SLIP;
     }
     count->epochs++;
-    w->n_before = e.n_sats;
-    memcpy(w->before, w->sat, e.n_sats * sizeof *w->sat);
+    count->observations += o.n;
     return orr_rinex_obs_write(out, &e, diag);
 }
 
@@ -193,23 +136,18 @@ orr_status orr_observe_rinex(const orr_channels *c, size_t antenna, const orr_ob
     w.signal = orr_signals(&w.n_signals);
     orr_rinex_obs_header_init(&w.header);
     orr_status s = describe(&w, diag);
-    if (s == ORR_OK) s = orr_channel_work_open(c, &w.work, diag);
+    if (s == ORR_OK) s = orr_observer_open(c, antenna, plan->noise, plan->seed, &w.observer, diag);
     if (s == ORR_OK) {
-        w.channel = calloc(max, sizeof *w.channel);
         w.sat = calloc(max, sizeof *w.sat);
-        w.before = calloc(max, sizeof *w.before);
         w.value = calloc(max * w.stride, sizeof *w.value);
         w.lli = calloc(max * w.stride, 1);
         w.ssi = calloc(max * w.stride, 1);
-        if (w.channel == NULL || w.sat == NULL || w.before == NULL || w.value == NULL || w.lli == NULL ||
-            w.ssi == NULL)
+        if (w.sat == NULL || w.value == NULL || w.lli == NULL || w.ssi == NULL)
             s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     }
     if (s == ORR_OK) s = write_all(&w, path, count, diag);
-    orr_channel_work_close(w.work);
-    free(w.channel);
+    orr_observer_close(w.observer);
     free(w.sat);
-    free(w.before);
     free(w.value);
     free(w.lli);
     free(w.ssi);

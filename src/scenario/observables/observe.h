@@ -3,10 +3,7 @@
 #ifndef ORR_SCENARIO_OBSERVABLES_OBSERVE_H
 #define ORR_SCENARIO_OBSERVABLES_OBSERVE_H
 
-#include "src/scenario/channel/channel.h"
-
-// Noise density of a receiver, dBW/Hz: that of 290 K (-204) and a noise figure of 1.5 dB.
-#define ORR_OBSERVE_N0_DBWHZ (-202.5)
+#include "src/scenario/observables/observer.h"
 
 typedef struct orr_observe_plan {
     orr_time from, to; // both ends are observed
@@ -33,8 +30,6 @@ typedef struct orr_observe_count {
 // Returned:
 //   count    what was written
 // Errors: those of the writer, ORR_E_RANGE (an epoch outside the channels' span), ORR_E_INTERRUPTED.
-// Notes: with noise, a delay lock of 1 Hz with half a chip between early and late, of 0.1 chip where chips come faster than
-// 5 MHz, and a phase lock of 15 Hz (Kaplan and Hegarty 2017, eqs. (8.31), (8.96)): white, a pure function of seed and time.
 orr_status orr_observe_rinex(const orr_channels *c, size_t antenna, const orr_observe_plan *plan,
                              const char *path, orr_observe_count *count, orr_diag *diag);
 
