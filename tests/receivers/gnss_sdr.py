@@ -95,7 +95,7 @@ SignalSource.implementation=File_Signal_Source
 SignalSource.filename={samples}
 SignalSource.item_type=ibyte
 SignalSource.sampling_frequency={rate}
-SignalSource.samples=0
+SignalSource.samples={count}
 SignalSource.repeat=false
 SignalSource.enable_throttle_control=false
 SignalConditioner.implementation=Signal_Conditioner
@@ -130,14 +130,17 @@ PVT.enable_rx_clock_correction=false
 """
 
 
-def configuration(folder, samples, rate, channels, pinned=(), at_once=2, tracked=()):
+def configuration(folder, samples, rate, channels, pinned=(), at_once=2, tracked=(), seconds=0, loops=False):
     """channels: {"1C": how many}; pinned: (signal, satellite) of each channel in turn, where the search is not free; tracked: signals whose
-    settings are others than usual, as NARROW."""
+    settings are others than usual, as NARROW; seconds: as much of the recording, 0 all of it; loops: whether each channel's loops are
+    written out, for `loops`."""
     settings = {**SIGNALS, **dict(tracked)}
-    text = COMMON.format(rate=rate, samples=samples, folder=folder, at_once=at_once)
+    text = COMMON.format(rate=rate, samples=samples, folder=folder, at_once=at_once, count=2 * seconds * rate)
     for signal, count in channels.items():
         text += f"Channels_{signal}.count={count}\n" + settings[signal]
         text += f"Acquisition_{signal}.item_type=gr_complex\nTracking_{signal}.item_type=gr_complex\n"
+        if loops:
+            text += f"Tracking_{signal}.dump=true\nTracking_{signal}.dump_filename={folder}/loops_\n"
     if len(channels) == 1:
         text += f"Channel.signal={next(iter(channels))}\n"
     for k, (signal, satellite) in enumerate(pinned):
@@ -183,6 +186,24 @@ def ranges(folder, channels):
     return out
 
 
+LOOP = struct.Struct("<7fQ12fdI")  # correlators, prompt I and Q, sample, ..., C/N0 (the 18th), ..., satellite
+
+
+def loops(folder):
+    """{satellite: [(sample of the recording, power of the prompt correlator, C/N0 dB-Hz)]} of each of the periods that are tracked."""
+    out = {}
+    for path in sorted(folder.glob("loops_*.dat")):
+        for r in LOOP.iter_unpack(path.read_bytes()[:path.stat().st_size // LOOP.size * LOOP.size]):
+            out.setdefault(r[-1], []).append((r[7], r[5] ** 2 + r[6] ** 2, r[17]))
+    return out
+
+
+def clock_readings(log):
+    """Date and time of day, s, that it says of each of its fixes at whole seconds: UTC as it takes it to be."""
+    found = re.findall(r"Position at (\d{4}-\w{3}-\d\d) (\d\d):(\d\d):(\d\d)\.0+ UTC", log)
+    return [(day, 3600 * int(h) + 60 * int(m) + int(s)) for day, h, m, s in found]
+
+
 def ephemerides(folder, name):
     """{satellite: {field: value}} of an XML file of ephemerides."""
     path = folder / name
@@ -198,5 +219,5 @@ def ephemerides(folder, name):
 
 def errors(found, truth, after_s=0.0):
     """3-D RMS and largest distance of fixes from truth(time of week), from `after_s` after the first on; and how many."""
-    d = [math.dist(p, truth(t)) for t, p, _, _ in found if t - found[0][0] >= after_s]
+    d = [math.dist(p, truth(t)) for t, p, _, _ in found if (t - found[0][0]) % 604800 >= after_s]
     return (math.sqrt(sum(x * x for x in d) / len(d)), max(d), len(d)) if d else (math.nan, math.nan, 0)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """GNSS-SDR, cold and unassisted, on what orrery serve and orrery-generator make: where it says it is, when it says so first, and
 whether the ephemerides that it read are those that were sent. test_receivers.py [CASE...]; each prints what was measured beside its bar."""
+import datetime
+import math
 import pathlib
 import re
 import sys
@@ -53,6 +55,30 @@ def least_squares(rows, y):
     return [a[i][n] / a[i][i] for i in range(n)]
 
 
+def parabola(values, u):
+    """Between values at 0, 1, 2, ...: through the three about u."""
+    k = max(0, min(len(values) - 3, int(u)))
+    u -= k
+    return values[k] + u * (values[k + 1] - values[k]) + u * (u - 1) / 2 * (values[k + 2] - 2 * values[k + 1] + values[k])
+
+
+def redated(text, weeks):
+    """A RINEX navigation file of GPS and Galileo whole weeks earlier: what Earth-fixed Kepler elements tell of a time of week stays."""
+    out, line_of_record = [], 99
+    for line in text.splitlines():
+        if line[60:].strip() in ("TIME SYSTEM CORR", "LEAP SECONDS"):
+            continue
+        epoch = re.match(r"[GE]\d\d (\d{4} \d\d \d\d \d\d \d\d \d\d)", line)
+        line_of_record = 0 if epoch else line_of_record + 1
+        if epoch:
+            t = datetime.datetime.strptime(epoch[1], "%Y %m %d %H %M %S") - datetime.timedelta(weeks=weeks)
+            line = f"{line[:4]}{t:%Y %m %d %H %M %S}{line[23:]}"
+        elif line_of_record == 5:  # its third field is the week
+            line = f"{line[:42]}{float(line[42:61]) - weeks:19.12E}{line[61:]}"
+        out.append(line)
+    return "\n".join(out) + "\n"
+
+
 class Receivers(program.Folder):
     def make(self, scenario, start, seconds, rate, centre, signals, cn0, change=None):
         """A recording; the service stays for questions."""
@@ -62,6 +88,7 @@ class Receivers(program.Folder):
         self.service = recording.Service(path, self.folder)
         self.addCleanup(self.service.stop)
         self.samples = self.path("recording")
+        self.addCleanup(lambda: pathlib.Path(f"{self.samples}.sigmf-data").unlink(missing_ok=True))
         self.service.generate("-o", self.samples, "--rate", rate, "--centre", centre, "--signals", signals, "--from", start,
                               "--seconds", seconds, "--noise", "--cn0", cn0)
 
@@ -69,13 +96,9 @@ class Receivers(program.Folder):
         """As many channels as satellites: which they are is for the receiver to find out; one more would search for ever."""
         return len(recording.satellites(self.samples, signal))
 
-    def receive(self, channels, pinned=(), at_once=2, tracked=()):
-        self.out = self.folder / "receiver"
-        try:
-            self.log = gnss_sdr.run(self.out, f"{self.samples}.sigmf-data", self.rate, channels, pinned=pinned, at_once=at_once,
-                                    tracked=tracked)
-        finally:
-            pathlib.Path(f"{self.samples}.sigmf-data").unlink()
+    def receive(self, channels, name="receiver", **how):
+        self.out = self.folder / name
+        self.log = gnss_sdr.run(self.out, f"{self.samples}.sigmf-data", self.rate, channels, **how)
         self.found = gnss_sdr.fixes(self.out)
         self.assertTrue(self.found, f"no fix\n{self.log[-2000:]}")
 
@@ -308,6 +331,134 @@ class Receivers(program.Folder):
             self.assertGreater(r[2], 100)
         self.assertLessEqual(rms["after"][0], 1.25 * rms["before"][0])
         self.assertLess(rms["first 7 s"][1], 40)
+
+    def leap_second(self, signal):
+        """A made constellation at the end of 2016: its broadcast data, 429 weeks earlier, are the orbits."""
+        days = [program.sample(f"ORR0TSTFIN_2025{d}0000_01D_15M_ORB.SP3.gz") for d in ("080", "081")]
+        product, sets = self.path("days.nc"), self.folder / "sets.rnx"
+        program.run("orbit", "-q", "--predict", "3h", "-o", product, *days)
+        program.run("navfit", product, "--sat", signal[0], "-o", str(sets))
+        sets.write_text(redated(sets.read_text(), 429))
+        return STATIC.format(sp3="", signals=f'["{signal}"]').replace("sp3: []", f"nav: {sets}")
+
+    def utc_model(self, name):
+        """What the receiver read of UTC: leap seconds now and to come, week of 8 bits and day at whose end."""
+        text = (self.out / name).read_text()
+        return [int(re.search(rf"<{key}>(\d+)<", text)[1]) for key in ("Delta\\w*LS", "Delta\\w*LSF", "WN_LSF", "DN")]
+
+    def test_leap(self):
+        """Galileo through the leap second at the end of 2016, which ends a week as well: 23:59:60 UTC began at 2017-01-01T00:00:17."""
+        start = "2016-12-31T23:59:01"
+        self.make(self.leap_second("E:E1"), start, 120, 5000000, 1575420000, "E:E1", 47.4)
+        channels = {"1B": self.seen("E1")}
+        self.receive(channels, "until", seconds=50)  # to 23:59:51, half a minute before
+        self.assertEqual(self.utc_model("gal_utc_model.xml"), [17, 18, 1929 % 256, 7])
+        self.receive(channels)
+        self.judge("Galileo E1 through the leap second", 45, 0.8)
+        self.assertEqual(self.utc_model("gal_utc_model.xml"), [18, 18, 1929 % 256, 7])
+        self.judge_inav("2017-01-01T00:00:30", 6)
+        # What it takes UTC to be at whole seconds. From the end of the week until a word tells it the new one it takes itself to be a week earlier.
+        clock = gnss_sdr.clock_readings(self.log)
+        seconds = [round(t) for t in sorted({round(f[0], 3) for f in self.found}, key=lambda t: (t < 302400, t)) if t == round(t)]
+        self.assertEqual(len(clock), len(seconds))
+        behind = [(t, day, (t - s) % 86400) for t, (day, s) in zip(seconds, clock)]
+        before = [d for t, day, d in behind if day == "2016-Dec-31"]
+        after = [d for t, day, d in behind if day == "2017-Jan-01" and 18 <= t < 302400]
+        print(f"  it read 17 s of leap seconds, and that there will be 18, then 18; its UTC is {set(before)} s behind until 23:59:59 "
+              f"({len(before)} fixes) and {set(after)} s in the new year ({len(after)} fixes; {len(behind) - len(before) - len(after)} of the week unknown)")
+        self.assertEqual((set(before), set(after)), ({17}, {18}))
+        self.assertGreater(min(len(before), len(after)), 20)
+
+    def test_leap_gps(self):
+        """GPS through it, from page 18 of subframe 4 on, which comes nine minutes before."""
+        self.make(self.leap_second("G:L1CA"), "2016-12-31T23:50:50", 590, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": self.seen("L1CA")}, at_once=4)
+        truth = self.service.truth("2016-12-31T23:51:00", 30)
+        parts = {"before": [f for f in self.found if f[0] > 302400 and f[0] < 604800], "after": [f for f in self.found if 17 <= f[0] < 302400]}
+        rms = {name: gnss_sdr.errors(part, truth) for name, part in parts.items()}
+        print("GPS L1 C/A through the leap second, 2.6 Msps, 51 dB-Hz: 3-D RMS " +
+              ", ".join(f"{name} {r[0]:.2f} m of {r[2]} fixes" for name, r in rms.items()) + " (bar 2.0)")
+        for r in rms.values():
+            self.assertGreater(r[2], 100)
+            self.assertLessEqual(r[0], 2.0)
+        self.assertEqual(self.utc_model("gps_utc_model.xml"), [17, 18, 1929 % 256, 7])
+
+    def test_tunnel(self):
+        """A road into a tunnel and out of it: when signals go, when the receiver says so, when it has them again."""
+        start, speed, mouths = "2025-03-21T12:00:00", 20.0, (52.20989, 52.21348)
+        text = self.made('["G:L1CA"]').replace("position: [52.2, 17.07, 100]", "up: 1.5")
+        text += (f"trajectory: {{kind: analytic, start: {start}, duration: 120, lat: 52.2, lon: 17.07, height: 100, "
+                 f"motions: [{{kind: straight, north: {speed}}}]}}\n"
+                 f"obstacles: {{tunnels: [{{from: [{mouths[0]}, 17.07], to: [{mouths[1]}, 17.07]}}]}}\n")
+        self.make(text, start, 80, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": self.seen("L1CA")}, at_once=self.seen("L1CA"), loops=True)
+        # Seconds from the begin to either mouth along the meridian, whose radius of curvature there is 6375.6 km (WGS 84).
+        e2, latitude = 0.00669438, math.radians(52.205)
+        radius = 6378137 * (1 - e2) / (1 - e2 * math.sin(latitude) ** 2) ** 1.5 + 100
+        into, out = (math.radians(m - 52.2) * radius / speed for m in mouths)
+        gone, told, back = [], [], []
+        for periods in gnss_sdr.loops(self.out).values():
+            periods = sorted((sample / self.rate, power) for sample, power, _ in periods)
+            seen = [p for t, p in periods if into - 10 < t < into - 1]
+            faint = [t for t, p in periods if into - 1 < t < out and p < 0.1 * sum(seen) / len(seen)]
+            gone.append(faint[0] - into)
+            told.append(max(t for t, _ in periods if t < out) - into)
+            back.append(min(t for t, _ in periods if t > out) - out)
+        fixes = [f[0] - recording.gps_s(start) % 604800 for f in self.found]
+        last = max(t for t in fixes if t < out) - into
+        print(f"GPS L1 C/A, {len(gone)} satellites, into a tunnel after {into:.2f} s: signals gone {min(gone):.2f} to {max(gone):.2f} s behind its mouth "
+              f"(bar 0 to 0.12: a block of 0.1 s, a period of 20 ms), last fix {last:.2f} s (bar 3), loss of lock told {max(told):.2f} s behind it "
+              f"(bar 6); out after {out:.2f} s: tracked again {min(back):.2f} to {max(back):.2f} s later (bar 1)")
+        self.assertGreaterEqual(len(gone), 8)
+        self.assertTrue(-0.03 < min(gone) and max(gone) < 0.12, gone)
+        self.assertTrue(0 < last < 3)
+        self.assertLess(max(told), 6)
+        self.assertTrue(0 < min(back) and max(back) < 1, back)
+
+    def test_ground(self):
+        """Level ground 60 m below the antenna: C/N0 of each satellite beats with its echo, 2 h sin(elevation) behind."""
+        start, height = "2025-03-21T12:00:00", 60.0
+        self.make(self.made('["G:L1CA"]') + f"multipath: {{ground: {{height: {height:.0f}}}}}\n", start, 100, 2600000, 1575420000, "G:L1CA", 51)
+        self.receive({"1C": self.seen("L1CA")}, at_once=self.seen("L1CA"), loops=True)
+        elevation = {}
+        for row in self.service.poll("--channels", "--at", start, "--step", "10", "--count", 11):
+            for c in row["channels"]:
+                if c["echo"] == 0:
+                    elevation.setdefault(int(c["sat"][1:]), []).append(math.radians(c["el_deg"]))
+        judged = []
+        for prn, periods in gnss_sdr.loops(self.out).items():
+            cycles = [2 * height * math.sin(e) * 1575.42e6 / 299792458 for e in elevation[prn]]
+            t, y = self.strengths(periods)
+            turns = abs(parabola(cycles, 9.9) - parabola(cycles, 1.5))
+            if t[-1] - t[0] > 80 and turns > 2:
+                scale, explained = self.beat(t, y, cycles)
+                judged.append((prn, turns, scale))
+                print(f"GPS L1 C/A, ground {height:.0f} m below, G{prn:02d}: period {84 / turns / scale:.2f} s, predicted {84 / turns:.2f} s "
+                      f"(bar 3 %), {100 * explained:.0f} % of C/N0's variance")
+                self.assertLess(abs(scale - 1), 0.03)
+                self.assertGreater(explained, 0.7)
+        self.assertGreaterEqual(len(judged), 6)
+
+    def strengths(self, periods):
+        """Times and amplitudes, by C/N0, of fifths of a second from 15 s on."""
+        bins = {}
+        for sample, _, cn0 in periods:
+            if sample > 15 * self.rate:
+                bins.setdefault(5 * sample // self.rate, []).append(cn0)
+        return [(k + 0.5) / 5 for k in sorted(bins)], [10 ** (sum(bins[k]) / len(bins[k]) / 20) for k in sorted(bins)]
+
+    @staticmethod
+    def beat(t, y, cycles):
+        """By how much faster than predicted an amplitude beats, 0.5 to 1.7 times, beside a straight line; and the share of variance that is it."""
+        mean = sum(y) / len(y)
+        best = (math.inf, 0)
+        for k in range(121):
+            scale = 0.5 + 0.01 * k
+            angle = [2 * math.pi * scale * (parabola(cycles, u / 10) - cycles[5]) for u in t]
+            rows = [[1.0, (u - 50) / 50, math.cos(a), math.sin(a)] for u, a in zip(t, angle)]
+            x = least_squares(rows, y)
+            best = min(best, (sum((v - sum(a * b for a, b in zip(x, r))) ** 2 for v, r in zip(y, rows)), scale))
+        return best[1], 1 - best[0] / sum((v - mean) ** 2 for v in y)
 
     def test_off(self):
         """A satellite that is switched off is in no sample, and the receiver finds itself without it."""

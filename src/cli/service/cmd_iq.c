@@ -232,7 +232,8 @@ static const orr_option options[] = {
     {.name = "cn0",
      .kind = ORR_OPT_TEXT,
      .value = "DBHZ",
-     .help = "Every signal at this C/N0 in place of its own power."},
+     .help = "Every signal at this C/N0 in place of its own power; its echoes are as much weaker as "
+             "they are."},
 };
 
 const orr_command orr_cmd_iq = {

@@ -47,6 +47,19 @@ void orr_gen_blocks_close(orr_gen_blocks *blocks)
     free(blocks);
 }
 
+// Strength of the n-th channel of a block against the direct one of its satellite and signal, which stands before its echoes; 1
+// where there is none.
+static double against_direct(const orr_gen_block *block, size_t n)
+{
+    const orr_gen_channel *c = &block->channel[n];
+    for (size_t k = n; k-- > 0;) {
+        const orr_gen_channel *d = &block->channel[k];
+        if (!d->echo && d->system == c->system && d->number == c->number && d->signal == c->signal)
+            return d->strength > 0 ? c->strength / d->strength : 1.0;
+    }
+    return 1.0;
+}
+
 static bool keep(orr_gen_blocks *b, const orr_msg_channels *m, orr_gen_block *out, orr_gen_fault *fault)
 {
     out->begin_ns = m->block;
@@ -68,6 +81,8 @@ static bool keep(orr_gen_blocks *b, const orr_msg_channels *m, orr_gen_block *ou
             .system = (char)c.sat.system, .number = c.sat.number, .signal = b->place[c.signal]};
         k->power_dbw = (double)c.power_dbw;
         k->strength = pow(10.0, k->power_dbw / 20.0);
+        k->echo = c.echo > 0;
+        k->share = k->echo ? against_direct(out, out->n - 1) : 1.0;
         k->cubics = (orr_gen_cubics){.block_ns = m->block,
                                      .transmit_ns = c.transmit,
                                      .transmit_rest_ns = c.transmit_fraction_ns,

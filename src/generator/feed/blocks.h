@@ -10,7 +10,9 @@ typedef struct orr_gen_channel {
     char system;
     uint8_t number;
     uint8_t signal;             // its place in orr_gen_service.signal
+    bool echo;                  // or a spoofer's
     double power_dbw, strength; // strength: 10^(power_dbw / 20)
+    double share;               // of an echo its strength against its signal's; else 1
     orr_gen_cubics cubics;
 } orr_gen_channel;
 

@@ -169,8 +169,8 @@ static void begin_group(orr_gen_worker *w, uint32_t n)
 // Of a channel in the sum's units.
 static double amplitude_of(const orr_gen_stream *s, const orr_gen_channel *c)
 {
-    if (s->plan.cn0_dbhz != ORR_GEN_NO_LEVEL) return SUM_AMPLITUDE;
-    const double a = c->strength * s->sum_for_strength;
+    const double a =
+        s->plan.cn0_dbhz != ORR_GEN_NO_LEVEL ? SUM_AMPLITUDE * c->share : c->strength * s->sum_for_strength;
     return a < ORR_GEN_AMPLITUDE / 1.5 ? a : ORR_GEN_AMPLITUDE / 1.5; // a part may have 1.35 of it
 }
 
