@@ -10,7 +10,6 @@
 
 #include "bench/bench.h"
 #include "src/generator/codes/codes.h"
-#include "src/generator/kernel/output.h"
 #include "src/generator/play/stream.h"
 
 enum { SATELLITES = 40, RUNS = 15 };
@@ -40,7 +39,7 @@ static double processor_seconds(void (*work)(void *arg), void *arg)
 // --- The mixer alone: runs of a millisecond of C/A code ---
 
 typedef struct mixing {
-    orr_gen_mixer *mixer;
+    const orr_gen_kernel *kernel;
     uint32_t rate;
     int8_t chips[1023 + ORR_GEN_CHIPS_BEYOND];
     int16_t re[ORR_GEN_PIECE], im[ORR_GEN_PIECE];
@@ -52,14 +51,14 @@ static void mix(void *arg)
     mixing *m = arg;
     orr_gen_rotation r;
     m->turn += 0x123456789abcdu;
-    orr_gen_rotate(m->turn << 8, &r);
+    m->kernel->rotate(m->turn << 8, &r);
     const orr_gen_run run = {.rotation = &r,
                              .carrier = m->turn,
                              .amplitude = 2000,
                              .chips = m->chips,
                              .code_step = (uint64_t)(1.023e6 / m->rate * 0x1p39),
                              .n = m->rate / 1000 < ORR_GEN_PIECE ? m->rate / 1000 : ORR_GEN_PIECE};
-    m->mixer(&run, m->re, m->im);
+    m->kernel->mix(&run, m->re, m->im);
     bench_use(m->re[7]);
 }
 
@@ -73,7 +72,7 @@ static void mixers(bench *b)
         m.rate = rate[k];
         const double n = fmin(m.rate / 1e3, ORR_GEN_PIECE);
         for (int vector = 0; vector < 2; vector++) {
-            m.mixer = vector ? orr_gen_mix_best() : orr_gen_mix_plain;
+            m.kernel = vector ? orr_gen_kernel_best() : orr_gen_kernel_at(0);
             ns[vector] = processor_seconds(mix, &m) / n * 1e9;
         }
         char name[64];

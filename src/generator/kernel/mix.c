@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The mixer in plain C, which is what the others are measured by, and the choice among them.
+// The mixer in plain C, which is what the others are measured by.
 #include "src/generator/kernel/mix.h"
 
 #include "src/generator/kernel/phasor_private.h"
 
-void orr_gen_rotate(uint64_t carrier_step, orr_gen_rotation *r)
-{
-    double re[2 * ORR_GEN_GROUP] = {1.0}, im[2 * ORR_GEN_GROUP] = {0.0}, w_re, w_im;
-    unit_phasor(carrier_step, &w_re, &w_im);
-    powers(re, im, w_re, w_im, ORR_GEN_GROUP);
-    for (size_t k = 0; k < ORR_GEN_GROUP; k++) {
-        r->re[k] = nearest(8192.0 * re[k]);
-        r->im[k] = nearest(8192.0 * im[k]);
-    }
-    unit_phasor(carrier_step * ORR_GEN_GROUP, &r->group_re, &r->group_im);
-    r->step = carrier_step;
-}
+void orr_gen_rotate_plain(uint64_t carrier_step, orr_gen_rotation *r) { rotation_of(carrier_step, r); }
+
+void orr_gen_add_plain(const int16_t *group, size_t n, int32_t *sum) { add_all(group, n, sum); }
 
 // a * b / 2^15, rounded, as pmulhrsw and vqrdmulh do it.
 static inline int16_t times(int16_t a, int16_t b) { return (int16_t)((a * b + 0x4000) >> 15); }
@@ -42,10 +33,10 @@ static inline void group_carrier(const orr_gen_rotation *r, int16_t p_re, int16_
         im[k] = (int16_t)(times(p_re, r->im[k]) + times(p_im, r->re[k]));
 }
 
-// Chips on it; `levels` as in orr_gen_run.
-static inline void group_code(bool levels, const int16_t *restrict chip, int16_t *restrict x)
+// Chips on it.
+static inline void group_code(orr_gen_chips kind, const int16_t *restrict chip, int16_t *restrict x)
 {
-    if (levels)
+    if (kind == ORR_GEN_LEVELS)
         for (size_t k = 0; k < ORR_GEN_GROUP; k++) x[k] = times((int16_t)(chip[k] * 256), x[k]);
     else
         for (size_t k = 0; k < ORR_GEN_GROUP; k++) x[k] = (int16_t)(chip[k] * x[k]);
@@ -53,30 +44,21 @@ static inline void group_code(bool levels, const int16_t *restrict chip, int16_t
 
 void orr_gen_mix_plain(const orr_gen_run *run, int16_t *re, int16_t *im)
 {
-    int16_t p_re[GROUPS], p_im[GROUPS], chip[ORR_GEN_GROUP], s_re[ORR_GEN_GROUP], s_im[ORR_GEN_GROUP];
+    uint32_t p_re[GROUPS], p_im[GROUPS];
+    int16_t chip[ORR_GEN_GROUP], s_re[ORR_GEN_GROUP], s_im[ORR_GEN_GROUP];
     uint16_t steps[8];
-    for (unsigned i = 0; i < 8; i++)
-        steps[i] = (uint16_t)((i * run->code_step + ((uint64_t)1 << (ORR_GEN_CODE_BITS - 14))) >>
-                              (ORR_GEN_CODE_BITS - 13));
+    steps_of_eight(run->code_step, steps);
     const size_t groups = run_phasors(run, p_re, p_im);
     uint64_t code = run->code;
     for (size_t g = 0; g < groups; g++) {
         const size_t at = g * ORR_GEN_GROUP, left = run->n - at;
         const size_t n = left < ORR_GEN_GROUP ? left : ORR_GEN_GROUP;
         group_chips(run, code, steps, chip);
-        group_carrier(run->rotation, p_re[g], p_im[g], s_re, s_im);
-        group_code(run->levels, chip, s_re);
-        group_code(run->levels, chip, s_im);
+        group_carrier(run->rotation, (int16_t)p_re[g], (int16_t)p_im[g], s_re, s_im);
+        group_code(run->kind, chip, s_re);
+        group_code(run->kind, chip, s_im);
         for (size_t k = 0; k < n; k++) re[at + k] = (int16_t)(re[at + k] + s_re[k]);
         for (size_t k = 0; k < n; k++) im[at + k] = (int16_t)(im[at + k] + s_im[k]);
         code += ORR_GEN_GROUP * run->code_step;
     }
-}
-
-orr_gen_mixer *orr_gen_mix_best(void)
-{
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) return orr_gen_mix_avx2;
-#endif
-    return orr_gen_mix_plain;
 }

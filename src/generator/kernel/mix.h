@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The inner loop: samples of one code on one carrier, added to a sum. Integers throughout but for the phasors, which are
-// sums and products of doubles in a fixed order: plain C and AVX2 give the same bits.
+// sums and products of doubles in a fixed order: plain C, AVX2 and NEON give the same bits.
 #ifndef ORR_GENERATOR_KERNEL_MIX_H
 #define ORR_GENERATOR_KERNEL_MIX_H
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -26,8 +25,12 @@ typedef struct orr_gen_rotation {
     double group_re, group_im; // of ORR_GEN_GROUP samples
 } orr_gen_rotation;
 
-// Fills r for a carrier of carrier_step a sample.
-void orr_gen_rotate(uint64_t carrier_step, orr_gen_rotation *r);
+// What the chips of a run are.
+typedef enum orr_gen_chips {
+    ORR_GEN_SIGNS,   // -1, 1
+    ORR_GEN_TERNARY, // -1, 0, 1
+    ORR_GEN_LEVELS,  // -127 to 127, in 1/128 of the amplitude
+} orr_gen_chips;
 
 // A run of samples within one period of the code and one piece.
 typedef struct orr_gen_run {
@@ -37,18 +40,20 @@ typedef struct orr_gen_run {
         amplitude; // of the carrier at a chip of 1; negative turns all chips. |amplitude| <= ORR_GEN_AMPLITUDE
     const int8_t *chips;      // sub-chips of the period, ORR_GEN_CHIPS_BEYOND more behind them readable
     uint64_t code, code_step; // of the first sample since the period's begin, 2^ORR_GEN_CODE_BITS a sub-chip
-    bool levels;              // chips are -127 to 127 in 1/128 of the amplitude, otherwise -1, 0, 1
+    orr_gen_chips kind;       // of the chips
     size_t n;                 // samples, at most ORR_GEN_PIECE
 } orr_gen_run;
 
 // Adds the run's samples to re[0..n) and im[0..n). Sums must stay within 16 bits: the caller keeps the sum of amplitudes
 // below 32767 less one a channel.
 typedef void orr_gen_mixer(const orr_gen_run *run, int16_t *re, int16_t *im);
+// Fills r for a carrier of carrier_step a sample.
+typedef void orr_gen_rotator(uint64_t carrier_step, orr_gen_rotation *r);
+// Adds n sums of a group of channels to those of all groups.
+typedef void orr_gen_adder(const int16_t *group, size_t n, int32_t *sum);
 
-orr_gen_mixer orr_gen_mix_plain; // C
-orr_gen_mixer orr_gen_mix_avx2;  // as orr_gen_mix_plain where it is not compiled for x86-64
-
-// The fastest of them for this processor.
-orr_gen_mixer *orr_gen_mix_best(void);
+orr_gen_mixer orr_gen_mix_plain, orr_gen_mix_avx2, orr_gen_mix_neon;
+orr_gen_rotator orr_gen_rotate_plain, orr_gen_rotate_avx2;
+orr_gen_adder orr_gen_add_plain, orr_gen_add_avx2;
 
 #endif

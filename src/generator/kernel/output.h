@@ -43,8 +43,9 @@ size_t orr_gen_output_size(orr_gen_format format, size_t n);
 // Returned:
 //    bytes    orr_gen_output_size(out->format, n) of them
 // The function returns how many samples were beyond what the format holds and have its largest value.
-size_t orr_gen_output_write(const orr_gen_output *out, const int32_t *re, const int32_t *im, int64_t first,
-                            size_t n, uint8_t *bytes);
+typedef size_t orr_gen_output_writer(const orr_gen_output *out, const int32_t *re, const int32_t *im,
+                                     int64_t first, size_t n, uint8_t *bytes);
+orr_gen_output_writer orr_gen_output_write, orr_gen_output_write_avx2; // in plain C; for AVX2
 
 // Packs samples of I2, two a byte, the first in the low half: n bytes in place, of which (n + 1) / 2 are left. Of an odd last
 // one the high half is 0.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Phasors of a run, in doubles and a fixed order, compiled into each mixer so that each vectorises it as it can: no
-// operation is fused (-ffp-contract=off), so that all give the same bits.
+// Phasors of a run and their rotations, in doubles and a fixed order, compiled into each mixer so that each vectorises it as it
+// can: no operation is fused (-ffp-contract=off), so that all give the same bits.
 #ifndef ORR_GENERATOR_KERNEL_PHASOR_PRIVATE_H
 #define ORR_GENERATOR_KERNEL_PHASOR_PRIVATE_H
 
@@ -60,8 +60,8 @@ static inline void powers(double *restrict re, double *restrict im, double w_re,
 // The nearest integer, halves to even, of |x| < 2^31: added to 1.5 * 2^52 it stands in the lowest bits.
 static inline int16_t nearest(double x) { return (int16_t)(int32_t)(x + 0x1.8p52 - 0x1.8p52); }
 
-// A phasor a group of the run, four times its amplitude.
-static inline size_t run_phasors(const orr_gen_run *run, int16_t *restrict re, int16_t *restrict im)
+// A phasor a group of the run, four times its amplitude; twice in a word, as vectors take it.
+static inline size_t run_phasors(const orr_gen_run *run, uint32_t *restrict re, uint32_t *restrict im)
 {
     double z_re[256], z_im[256];
     const size_t n = (run->n + ORR_GEN_GROUP - 1) / ORR_GEN_GROUP;
@@ -69,9 +69,33 @@ static inline size_t run_phasors(const orr_gen_run *run, int16_t *restrict re, i
     z_re[0] *= 4.0 * run->amplitude;
     z_im[0] *= 4.0 * run->amplitude;
     powers(z_re, z_im, run->rotation->group_re, run->rotation->group_im, n);
-    for (size_t k = 0; k < n; k++) re[k] = nearest(z_re[k]);
-    for (size_t k = 0; k < n; k++) im[k] = nearest(z_im[k]);
+    for (size_t k = 0; k < n; k++) re[k] = (uint16_t)nearest(z_re[k]) * 0x10001u;
+    for (size_t k = 0; k < n; k++) im[k] = (uint16_t)nearest(z_im[k]) * 0x10001u;
     return n;
+}
+
+static inline void rotation_of(uint64_t carrier_step, orr_gen_rotation *r)
+{
+    double re[2 * ORR_GEN_GROUP] = {1.0}, im[2 * ORR_GEN_GROUP] = {0.0}, w_re, w_im;
+    unit_phasor(carrier_step, &w_re, &w_im);
+    powers(re, im, w_re, w_im, ORR_GEN_GROUP);
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++) r->re[k] = nearest(8192.0 * re[k]);
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++) r->im[k] = nearest(8192.0 * im[k]);
+    unit_phasor(carrier_step * ORR_GEN_GROUP, &r->group_re, &r->group_im);
+    r->step = carrier_step;
+}
+
+// Phases of eight samples of one load of chips, less that of the first: 1/8192 sub-chip, rounded.
+static inline void steps_of_eight(uint64_t code_step, uint16_t steps[8])
+{
+    for (unsigned i = 0; i < 8; i++)
+        steps[i] = (uint16_t)((i * code_step + ((uint64_t)1 << (ORR_GEN_CODE_BITS - 14))) >>
+                              (ORR_GEN_CODE_BITS - 13));
+}
+
+static inline void add_all(const int16_t *restrict group, size_t n, int32_t *restrict sum)
+{
+    for (size_t k = 0; k < n; k++) sum[k] += group[k];
 }
 
 #endif

@@ -20,7 +20,7 @@ struct orr_gen_stream {
     orr_gen_stream_plan plan;
     const orr_gen_service *service;
     const orr_gen_navigation *navigation;
-    orr_gen_mixer *mixer;
+    const orr_gen_kernel *kernel;
     orr_gen_noise *noise;
     orr_gen_output output;
     double sum_for_strength; // amplitude in the sum of a signal of 0 dBW
@@ -75,7 +75,7 @@ bool orr_gen_stream_open(const orr_gen_service *service, const orr_gen_navigatio
     s->plan = *plan;
     s->service = service;
     s->navigation = navigation;
-    s->mixer = orr_gen_mix_best();
+    s->kernel = orr_gen_kernel_best();
     s->sum_for_strength = SUM_AMPLITUDE * pow(10, -ORR_GEN_REFERENCE_DBW / 20);
     if (plan->noise) {
         s->noise = malloc(sizeof *s->noise);
@@ -148,16 +148,11 @@ orr_gen_span orr_gen_stream_span(const orr_gen_stream *stream, const orr_gen_blo
     return (orr_gen_span){block, first, (uint32_t)(to - first)};
 }
 
-// Adds the group's sum to that of all groups, of which it may be the first, and begins another.
-static void end_group(orr_gen_worker *w, uint32_t n, bool first)
+// Adds a group's sum to that of all groups.
+static void end_group(const orr_gen_kernel *kernel, orr_gen_worker *w, uint32_t n)
 {
-    if (first) {
-        for (uint32_t k = 0; k < n; k++) w->sum_re[k] = w->re[k];
-        for (uint32_t k = 0; k < n; k++) w->sum_im[k] = w->im[k];
-    } else {
-        for (uint32_t k = 0; k < n; k++) w->sum_re[k] += w->re[k];
-        for (uint32_t k = 0; k < n; k++) w->sum_im[k] += w->im[k];
-    }
+    kernel->add(w->re, n, w->sum_re);
+    kernel->add(w->im, n, w->sum_im);
 }
 
 static void begin_group(orr_gen_worker *w, uint32_t n)
@@ -181,31 +176,31 @@ void orr_gen_stream_play(const orr_gen_stream *stream, const orr_gen_span *span,
                                  .n = span->n,
                                  .rate_hz = stream->plan.rate_hz,
                                  .centre_hz = stream->plan.centre_hz,
-                                 .mixer = stream->mixer,
+                                 .kernel = stream->kernel,
                                  .navigation = stream->navigation,
                                  .scratch = &worker->scratch,
                                  .re = worker->re,
                                  .im = worker->im};
     double group = 0;
-    bool first = true;
+    memset(worker->sum_re, 0, span->n * sizeof worker->sum_re[0]);
+    memset(worker->sum_im, 0, span->n * sizeof worker->sum_im[0]);
     begin_group(worker, span->n);
     for (size_t k = 0; k < span->block->n; k++) {
         const orr_gen_channel *c = &span->block->channel[k];
         if (!hears(stream, c) || stream->source[c->signal][c->number].voice == NULL) continue;
         const double amplitude = amplitude_of(stream, c), most = 1.5 * amplitude + 4;
         if (group + most > SUM_LARGEST) {
-            end_group(worker, span->n, first);
+            end_group(stream->kernel, worker, span->n);
             begin_group(worker, span->n);
-            first = false;
             group = 0;
         }
         orr_gen_voice_play(stream->source[c->signal][c->number].voice, c, amplitude, &piece);
         group += most;
         worker->channels++;
     }
-    end_group(worker, span->n, first);
+    end_group(stream->kernel, worker, span->n);
     worker->clipped +=
-        orr_gen_output_write(&stream->output, worker->sum_re, worker->sum_im, span->first, span->n, bytes);
+        stream->kernel->write(&stream->output, worker->sum_re, worker->sum_im, span->first, span->n, bytes);
 }
 
 const orr_gen_heard *orr_gen_stream_heard(const orr_gen_stream *stream, size_t *n)

@@ -4,7 +4,6 @@
 #ifndef ORR_GENERATOR_PLAY_STREAM_H
 #define ORR_GENERATOR_PLAY_STREAM_H
 
-#include "src/generator/kernel/output.h"
 #include "src/generator/play/voice.h"
 
 #define ORR_GEN_NO_LEVEL (-1.0)

@@ -41,10 +41,11 @@ static const signal signals[] = {
 // One pass of the mixer.
 typedef struct part {
     unsigned sub;
-    bool data, levels;
-    double gain;      // times the signal's amplitude
-    uint64_t quarter; // of phase, 2^64 a cycle
-    size_t chips;     // sub-chips of a period
+    bool data;
+    orr_gen_chips kind; // of the tables
+    double gain;        // times the signal's amplitude
+    uint64_t quarter;   // of phase, 2^64 a cycle
+    size_t chips;       // sub-chips of a period
     // The period's sub-chips, for a product of symbol and secondary chip of 1 and of -1; the second only where it is not the
     // first with the other sign.
     int8_t *table[2];
@@ -114,9 +115,10 @@ static bool fill_cboc(part *p, const int8_t *data, const int8_t *pilot, size_t n
 {
     const double a = sqrt(10.0 / 11), b = sqrt(1.0 / 11), share = sqrt(0.5);
     p->chips = n * p->sub;
-    p->levels = p->sub > 2;
-    p->gain = 2 * share * a * (p->levels ? 128.0 / 127 : 1.0);
-    const int high = p->levels ? 127 : 1, low = p->levels ? (int)(127 * b / a + 0.5) : 0;
+    const bool levels = p->sub > 2;
+    p->kind = levels ? ORR_GEN_LEVELS : ORR_GEN_TERNARY;
+    p->gain = 2 * share * a * (levels ? 128.0 / 127 : 1.0);
+    const int high = levels ? 127 : 1, low = levels ? (int)(127 * b / a + 0.5) : 0;
     for (int c = 0; c < 2; c++) {
         p->table[c] = padded(p->chips);
         if (p->table[c] == NULL) return false;
@@ -251,7 +253,7 @@ static void play_part(const orr_gen_voice *v, const part *p, const orr_gen_chann
     orr_gen_oscillator o;
     orr_gen_rotation rotation;
     orr_gen_oscillators(&channel->cubics, &tuning, piece->first, piece->n, &o);
-    orr_gen_rotate(o.carrier_step, &rotation);
+    piece->kernel->rotate(o.carrier_step, &rotation);
     const uint64_t length = (uint64_t)p->chips << ORR_GEN_CODE_BITS;
     int64_t period = o.code_s * (1000 / v->signal->period_ms) + (int64_t)(o.code / length);
     uint64_t code = o.code % length;
@@ -272,9 +274,9 @@ static void play_part(const orr_gen_voice *v, const part *p, const orr_gen_chann
                                  .chips = chips,
                                  .code = code,
                                  .code_step = o.code_step,
-                                 .levels = p->levels,
+                                 .kind = p->kind,
                                  .n = (size_t)n};
-        piece->mixer(&run, piece->re + at, piece->im + at);
+        piece->kernel->mix(&run, piece->re + at, piece->im + at);
         at += (uint32_t)n;
         code = code + n * o.code_step - length; // of the next period; of no use where the piece has ended
     }

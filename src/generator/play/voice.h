@@ -5,7 +5,7 @@
 
 #include "src/generator/feed/blocks.h"
 #include "src/generator/feed/navigation.h"
-#include "src/generator/kernel/mix.h"
+#include "src/generator/kernel/kernel.h"
 
 typedef struct orr_gen_voice orr_gen_voice;
 
@@ -38,7 +38,7 @@ typedef struct orr_gen_piece {
     uint32_t n;
     uint32_t rate_hz;
     int64_t centre_hz;
-    orr_gen_mixer *mixer;
+    const orr_gen_kernel *kernel;
     const orr_gen_navigation *navigation;
     orr_gen_scratch *scratch;
     int16_t *re, *im; // n samples, to which is added

@@ -3,7 +3,7 @@
 #include "testing.h"
 
 #include "src/generator/codes/codes.h"
-#include "src/generator/kernel/mix.h"
+#include "src/generator/kernel/kernel.h"
 #include "src/generator/kernel/oscillator.h"
 
 #define TAU 6.283185307179586477
@@ -93,25 +93,26 @@ typedef struct played {
     orr_gen_tuning tuning;
     const int8_t *chips; // a period and more
     uint64_t period;     // sub-chips
-    bool levels;
+    orr_gen_chips kind;
     double amplitude;
 } played;
 
 // One piece, as a program would: runs end where periods do.
-static void play(const played *p, orr_gen_mixer *mixer, int64_t first, uint32_t n, int16_t *re, int16_t *im)
+static void play(const played *p, const orr_gen_kernel *kernel, int64_t first, uint32_t n, int16_t *re,
+                 int16_t *im)
 {
     orr_gen_oscillator o;
     orr_gen_rotation r;
     orr_gen_oscillators(&p->cubics, &p->tuning, first, n, &o);
-    orr_gen_rotate(o.carrier_step, &r);
+    kernel->rotate(o.carrier_step, &r);
     const uint64_t period = p->period << ORR_GEN_CODE_BITS;
     for (uint32_t at = 0; at < n;) {
         const uint64_t code = (o.code + at * o.code_step) % period;
         uint64_t left = (period - code + o.code_step - 1) / o.code_step;
         if (left > n - at) left = n - at;
         const orr_gen_run run = {
-            &r, o.carrier + at * o.carrier_step, p->amplitude, p->chips, code, o.code_step, p->levels, left};
-        mixer(&run, re + at, im + at);
+            &r, o.carrier + at * o.carrier_step, p->amplitude, p->chips, code, o.code_step, p->kind, left};
+        kernel->mix(&run, re + at, im + at);
         at += (uint32_t)left;
     }
 }
@@ -170,7 +171,7 @@ static void carrier_against_exact(void **state)
         double sum_re = 0, sum_im = 0;
         for (uint32_t piece = 0; piece < 60; piece++) {
             int16_t re[ORR_GEN_PIECE] = {0}, im[ORR_GEN_PIECE] = {0};
-            play(&p, orr_gen_mix_best(), begin + piece * (int64_t)ORR_GEN_PIECE, ORR_GEN_PIECE, re, im);
+            play(&p, orr_gen_kernel_best(), begin + piece * (int64_t)ORR_GEN_PIECE, ORR_GEN_PIECE, re, im);
             for (uint32_t k = 0; k < ORR_GEN_PIECE; k++, n++) {
                 const long double cycles = at_sample(&p, begin + n).cycles;
                 const double angle = TAU * (double)remainderl(cycles, 1.0L);
@@ -211,7 +212,7 @@ static void code_against_exact(void **state)
         played p = channel(25, row[i].rate, 0, row[i].chips_per_s, 0);
         p.cubics.carrier_cycles[0] = 0;
         p.period = row[i].chips_per_s / 1000;
-        p.chips = chips, p.levels = true, p.amplitude = 8191;
+        p.chips = chips, p.kind = ORR_GEN_LEVELS, p.amplitude = 8191;
         for (size_t k = 0; k < p.period + 32; k++)
             chips[k] = (int8_t)(1 + (k % p.period) % 64); // a sub-chip is told by its level
         const int64_t begin = p.cubics.block_ns / 1000000000 * row[i].rate;
@@ -219,7 +220,7 @@ static void code_against_exact(void **state)
         long n = 0, early = 0, late = 0;
         for (uint32_t piece = 0; piece < 150; piece++) {
             int16_t re[ORR_GEN_PIECE] = {0}, im[ORR_GEN_PIECE] = {0};
-            play(&p, orr_gen_mix_best(), begin + piece * (int64_t)ORR_GEN_PIECE, ORR_GEN_PIECE, re, im);
+            play(&p, orr_gen_kernel_best(), begin + piece * (int64_t)ORR_GEN_PIECE, ORR_GEN_PIECE, re, im);
             for (uint32_t k = 0; k < ORR_GEN_PIECE; k++, n++) {
                 const long double x = at_sample(&p, begin + n).chips;
                 const long whole = (long)floorl(x);
@@ -243,37 +244,6 @@ static void code_against_exact(void **state)
     }
 }
 
-static uint64_t next(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return *seed ^ *seed >> 29;
-}
-
-// Plain C and the vector mixer: the same bytes, of any run.
-static void mixers_agree(void **state)
-{
-    (void)state;
-    static int8_t chips[1023 + ORR_GEN_CHIPS_BEYOND];
-    static int16_t sum[2][2][ORR_GEN_PIECE + 64];
-    uint64_t seed = 1;
-    for (size_t k = 0; k < sizeof chips; k++) chips[k] = (int8_t)((int)(next(&seed) % 3) - 1);
-    for (int trial = 0; trial < 3000; trial++) {
-        orr_gen_rotation r;
-        orr_gen_rotate(next(&seed), &r);
-        const double ratio = 0.02 + (ORR_GEN_CHIPS_IN_SAMPLE - 0.02) * (double)(next(&seed) >> 11) * 0x1p-53;
-        orr_gen_run run = {.rotation = &r, .chips = chips, .levels = trial % 2 == 1};
-        run.carrier = next(&seed);
-        run.amplitude = (double)(next(&seed) % (2 * ORR_GEN_AMPLITUDE + 1)) - ORR_GEN_AMPLITUDE;
-        run.code = next(&seed) >> 26;
-        run.code_step = (uint64_t)(ratio * 0x1p39);
-        run.n = 1 + (next(&seed) >> 40) % ORR_GEN_PIECE;
-        if ((double)run.n * ratio > 1020) run.n = (size_t)(1020 / ratio);
-        orr_gen_mix_plain(&run, sum[0][0], sum[0][1]);
-        orr_gen_mix_avx2(&run, sum[1][0], sum[1][1]);
-        assert_memory_equal(sum[0], sum[1], sizeof sum[0]);
-    }
-}
-
 // Chips of every level at a phasor of known size: what is added is amplitude * level / 128, and amplitude * chip.
 static void levels(void **state)
 {
@@ -282,9 +252,9 @@ static void levels(void **state)
     for (int level = -127; level <= 127; level++) {
         memset(chips, level, sizeof chips);
         orr_gen_rotation r;
-        orr_gen_rotate(0, &r);
+        orr_gen_rotate_plain(0, &r);
         int16_t re[40] = {0}, im[40] = {0};
-        const orr_gen_run run = {&r, 0, 6400, chips, 0, (uint64_t)1 << 38, true, 40};
+        const orr_gen_run run = {&r, 0, 6400, chips, 0, (uint64_t)1 << 38, ORR_GEN_LEVELS, 40};
         orr_gen_mix_plain(&run, re, im);
         for (int k = 0; k < 40; k++) {
             ASSERT_NEAR(re[k], level * 50, 1);
@@ -332,7 +302,7 @@ static void spectrum(void **state)
         const int64_t begin = p.cubics.block_ns / 1000000000 * 5000000;
         for (size_t piece = 0; piece < FFT / ORR_GEN_PIECE; piece++) {
             int16_t a[ORR_GEN_PIECE] = {0}, b[ORR_GEN_PIECE] = {0};
-            play(&p, orr_gen_mix_best(), begin + (int64_t)(piece * ORR_GEN_PIECE), ORR_GEN_PIECE, a, b);
+            play(&p, orr_gen_kernel_best(), begin + (int64_t)(piece * ORR_GEN_PIECE), ORR_GEN_PIECE, a, b);
             for (size_t k = 0; k < ORR_GEN_PIECE; k++) {
                 const double x = TAU * (double)(piece * ORR_GEN_PIECE + k) / FFT;
                 const double w = 0.35875 - 0.48829 * cos(x) + 0.14128 * cos(2 * x) - 0.01168 * cos(3 * x);
@@ -363,7 +333,6 @@ int main(void)
         cmocka_unit_test(vectors),
         cmocka_unit_test(carrier_against_exact),
         cmocka_unit_test(code_against_exact),
-        cmocka_unit_test(mixers_agree),
         cmocka_unit_test(levels),
         cmocka_unit_test(spectrum),
     };
