@@ -97,7 +97,7 @@ static inline bool orr_ring_open(orr_ring *r, const void *memory, size_t bytes)
 //   size      bytes of the payload, more than capacity where it was cut
 static inline bool orr_ring_read(orr_ring *r, uint16_t *type, uint8_t *data, size_t capacity, size_t *size)
 {
-    for (;;) {
+    for (int tries = 0; tries < 8; tries++) { // of a writer that means no good there might be no end
         uint8_t *slot = orr_ring_slot_(r, r->next);
         const uint64_t stamp = __atomic_load_n(orr_ring_word_(slot), __ATOMIC_ACQUIRE);
         if (stamp < 2 * r->next + 2) return false;
@@ -130,6 +130,7 @@ static inline bool orr_ring_read(orr_ring *r, uint16_t *type, uint8_t *data, siz
         r->lost += to - r->next;
         r->next = to;
     }
+    return false;
 }
 
 #endif

@@ -18,7 +18,7 @@ from .asking import A, M, Message, Request, choice, from_epoch, next_epoch, step
 from .codec import CodecError
 from .datagrams import MotionSender, Port, Reader
 from .gpstime import NONE, Time, time_tag
-from .ring import Ring
+from .ring import MotionRing, Ring
 from .satellite import sat_id, sat_name
 from .stream import Stream
 from .verbs import Verbs
@@ -165,6 +165,17 @@ class Client(Verbs):
     def datagrams(self) -> messages.Datagrams:
         """The connection's channel of datagrams: its keys, and what has become of what was sent in it."""
         return self._ask(messages.OpenDatagrams(), messages.Datagrams)
+
+    def motion_ring(self) -> MotionRing:
+        """Sends motion through shared memory, over a Unix socket alone; once a connection. It is the caller's to close."""
+        self.motion_ring_counts()
+        if len(self._descriptors) < 2:
+            raise ValueError("this connection has its ring of motion already")
+        return MotionRing(self._descriptors.pop(0), self._descriptors.pop(0))
+
+    def motion_ring_counts(self) -> messages.MotionRing:
+        """What has become of what was written into the ring of motion."""
+        return self._ask(messages.OpenMotionRing(), messages.MotionRing)
 
     def motion_datagrams(self) -> MotionSender:
         """Sends motion by UDP, sealed where the connection has TLS; it is the caller's to close, and ends with the connection."""

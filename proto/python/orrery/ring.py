@@ -9,7 +9,56 @@ import struct
 import time
 from typing import Optional, Tuple
 
+from . import messages
+
 MAGIC, COUNT_AT, SLOTS_AT, SLOT_HEAD = b"ORRYRNG1", 64, 128, 16
+
+
+class MotionRing:
+    """A ring into which this side writes MOTION (Client.motion_ring): its descriptors are of the memory and of the bell that wakes the server.
+    The order of stores is kept by processors of the x86 kind alone; on others send motion by the socket."""
+
+    def __init__(self, memory: int, bell: int) -> None:
+        self._bell = bell
+        try:
+            self._map = mmap.mmap(memory, 0, mmap.MAP_SHARED, mmap.PROT_READ | mmap.PROT_WRITE)
+        finally:
+            os.close(memory)
+        self._slots, self._stride = struct.unpack_from("<II", self._map, 8)
+        self._words = memoryview(self._map).cast("Q")
+        self.written = 0
+
+    def write(self, kind: int, payload: bytes) -> None:
+        """One message of a type; ValueError where it is larger than a slot."""
+        if len(payload) > self._stride - SLOT_HEAD:
+            raise ValueError(f"a payload of {len(payload)} bytes; a slot has {self._stride - SLOT_HEAD}")
+        at = SLOTS_AT + self.written % self._slots * self._stride
+        self._words[at // 8] = 2 * self.written + 1
+        self._words[at // 8 + 1] = len(payload) | kind << 32
+        self._map[at + SLOT_HEAD:at + SLOT_HEAD + len(payload)] = payload
+        self._words[at // 8] = 2 * self.written + 2
+        self.written += 1
+        self._words[COUNT_AT // 8] = self.written
+
+    def ring_bell(self) -> None:
+        """Tells the server that there is something."""
+        os.write(self._bell, (1).to_bytes(8, "little"))
+
+    def send(self, sample: messages.Motion) -> None:
+        """Writes a sample and tells the server."""
+        self.write(sample.TYPE, sample.encode())
+        self.ring_bell()
+
+    def close(self) -> None:
+        self._words.release()
+        self._map.close()
+        os.close(self._bell)
+
+    def __enter__(self) -> MotionRing:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
 
 class Ring:

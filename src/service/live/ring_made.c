@@ -12,25 +12,36 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-orr_status orr_ring_made_open(orr_ring_made *out, orr_diag *diag)
+static orr_status open_ring(orr_ring_made *out, uint32_t slots, uint32_t stride, int seals, orr_diag *diag)
 {
-    const size_t size = orr_ring_size(ORR_RING_SLOTS, ORR_RING_STRIDE);
+    const size_t size = orr_ring_size(slots, stride);
     *out = (orr_ring_made){.fd = memfd_create("orrery-ring", MFD_CLOEXEC | MFD_ALLOW_SEALING)};
     if (out->fd < 0) return orr_diag_set(diag, ORR_E_IO, "no shared memory: %s", strerror(errno));
     void *memory = MAP_FAILED;
     if (ftruncate(out->fd, (off_t)size) == 0)
         memory = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, out->fd, 0);
-    // From here on nobody maps it to write, and its size stays.
+    // From here on its size stays: nobody can take pages from under who has it mapped.
     if (memory == MAP_FAILED ||
-        fcntl(out->fd, F_ADD_SEALS, F_SEAL_FUTURE_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
+        fcntl(out->fd, F_ADD_SEALS, seals | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
         const int error = errno;
         if (memory != MAP_FAILED) munmap(memory, size);
         close(out->fd);
         *out = (orr_ring_made){.fd = -1};
         return orr_diag_set(diag, ORR_E_IO, "no shared memory: %s", strerror(error));
     }
-    orr_ring_make(&out->ring, memory, ORR_RING_SLOTS, ORR_RING_STRIDE);
+    orr_ring_make(&out->ring, memory, slots, stride);
     return ORR_OK;
+}
+
+// Nobody maps it to write any more.
+orr_status orr_ring_made_open(orr_ring_made *out, orr_diag *diag)
+{
+    return open_ring(out, ORR_RING_SLOTS, ORR_RING_STRIDE, F_SEAL_FUTURE_WRITE, diag);
+}
+
+orr_status orr_ring_made_theirs(orr_ring_made *out, uint32_t slots, uint32_t stride, orr_diag *diag)
+{
+    return open_ring(out, slots, stride, 0, diag);
 }
 
 bool orr_ring_made_write(orr_ring_made *r, uint16_t type, const uint8_t *data, size_t size)
@@ -42,7 +53,7 @@ bool orr_ring_made_write(orr_ring_made *r, uint16_t type, const uint8_t *data, s
 
 void orr_ring_made_close(orr_ring_made *r)
 {
-    if (r->ring.memory != NULL) munmap(r->ring.memory, orr_ring_size(ORR_RING_SLOTS, ORR_RING_STRIDE));
+    if (r->ring.memory != NULL) munmap(r->ring.memory, orr_ring_size(r->ring.slots, r->ring.stride));
     if (r->ring.memory != NULL) close(r->fd);
     *r = (orr_ring_made){.fd = -1};
 }

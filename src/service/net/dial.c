@@ -12,12 +12,22 @@
 #include "core/path.h"
 #include "src/service/net/url.h"
 
+enum { PASSED = sizeof((orr_dial *)NULL)->passed / sizeof(int) };
+
+static void drop_passed(orr_dial *d)
+{
+    for (int k = 0; k < PASSED; k++) {
+        if (d->passed[k] >= 0) close(d->passed[k]);
+        d->passed[k] = -1;
+    }
+}
+
 static ptrdiff_t read_socket(void *user, uint8_t *data, size_t n)
 {
     orr_dial *d = user;
     union {
         struct cmsghdr head;
-        char room[CMSG_SPACE(sizeof(int))];
+        char room[CMSG_SPACE(PASSED * sizeof(int))];
     } control;
     struct iovec bytes = {data, n};
     struct msghdr m;
@@ -30,11 +40,9 @@ static ptrdiff_t read_socket(void *user, uint8_t *data, size_t n)
         got = recvmsg(d->fd, &m, MSG_CMSG_CLOEXEC);
     } while (got < 0 && errno == EINTR);
     const struct cmsghdr *c = got > 0 ? CMSG_FIRSTHDR(&m) : NULL;
-    if (c == NULL || c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_RIGHTS ||
-        c->cmsg_len != CMSG_LEN(sizeof(int)))
-        return got;
-    if (d->passed >= 0) close(d->passed);
-    memcpy(&d->passed, CMSG_DATA(c), sizeof(int));
+    if (c == NULL || c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_RIGHTS) return got;
+    drop_passed(d);
+    memcpy(d->passed, CMSG_DATA(c), c->cmsg_len - CMSG_LEN(0)); // at most as many: there was room for no more
     return got;
 }
 
@@ -90,7 +98,7 @@ orr_status orr_dial_open(const char *url, const char *identity, double timeout_s
     if (s != ORR_OK) return s;
     orr_dial *d = calloc(1, sizeof *d);
     if (d == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    d->fd = d->passed = -1;
+    d->fd = d->passed[0] = d->passed[1] = -1;
     orr_url_text(&u, d->url);
     SSL_CTX *context = NULL;
     if (u.tls) s = identify(d->url, identity, &context, diag);
@@ -113,15 +121,16 @@ void orr_dial_close(orr_dial *d)
 {
     if (d == NULL) return;
     orr_tls_free(d->ssl);
-    if (d->passed >= 0) close(d->passed);
+    drop_passed(d);
     if (d->fd >= 0) close(d->fd);
     free(d);
 }
 
 int orr_dial_passed(orr_dial *d)
 {
-    const int fd = d->passed;
-    d->passed = -1;
+    int *at = d->passed[0] >= 0 ? &d->passed[0] : &d->passed[1];
+    const int fd = *at;
+    *at = -1;
     return fd;
 }
 

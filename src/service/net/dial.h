@@ -11,8 +11,8 @@
 typedef struct orr_dial {
     orr_client client;
     int fd;
-    int passed; // a descriptor that came along; -1: none
-    SSL *ssl;   // of tls://
+    int passed[2]; // descriptors that came along, the first first; -1: none
+    SSL *ssl;      // of tls://
     char url[300];
     uint8_t buffer[ORR_DIAL_BUFFER];
 } orr_dial;
@@ -30,7 +30,8 @@ orr_status orr_dial_open(const char *url, const char *identity, double timeout_s
                          orr_diag *diag);
 // Closes the connection and frees it; NULL may be closed.
 void orr_dial_close(orr_dial *d);
-// The descriptor that came last along with bytes of a Unix socket (of a ring, with SUBSCRIBED): the caller's from then on. -1: none.
+// The next of the descriptors that came last along with bytes of a Unix socket (of a ring, with SUBSCRIBED; of motion's ring and its bell, with
+// MOTION_RING): the caller's from then on. -1: none.
 int orr_dial_passed(orr_dial *d);
 // What went wrong in a call of the client as a status with a sentence; `doing` is what was being done
 // ("POLL").

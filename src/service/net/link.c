@@ -184,19 +184,20 @@ bool orr_link_passes(const orr_link *l)
     return l->tls == NULL && getsockopt(l->fd, SOL_SOCKET, SO_DOMAIN, &domain, &n) == 0 && domain == AF_UNIX;
 }
 
-ssize_t orr_link_pass(orr_link *l, const void *data, size_t n, int fd)
+ssize_t orr_link_pass(orr_link *l, const void *data, size_t n, const int *fd, size_t n_fd)
 {
     union {
         struct cmsghdr head;
-        char room[CMSG_SPACE(sizeof(int))];
-    } control = {
-        .head = {.cmsg_len = CMSG_LEN(sizeof(int)), .cmsg_level = SOL_SOCKET, .cmsg_type = SCM_RIGHTS}};
-    memcpy(CMSG_DATA(&control.head), &fd, sizeof fd);
+        char room[CMSG_SPACE(ORR_LINK_PASSES * sizeof(int))];
+    } control = {.head = {.cmsg_len = CMSG_LEN(n_fd * sizeof(int)),
+                          .cmsg_level = SOL_SOCKET,
+                          .cmsg_type = SCM_RIGHTS}};
+    memcpy(CMSG_DATA(&control.head), fd, n_fd * sizeof *fd);
     struct iovec bytes = {(void *)(uintptr_t)data, n};
     const struct msghdr m = {.msg_iov = &bytes,
                              .msg_iovlen = 1,
                              .msg_control = control.room,
-                             .msg_controllen = sizeof control.room};
+                             .msg_controllen = CMSG_SPACE(n_fd * sizeof(int))};
     return sendmsg(l->fd, &m, MSG_NOSIGNAL);
 }
 

@@ -10,7 +10,7 @@
 
 #include "src/service/net/tls.h"
 
-enum { ORR_LINK_BUFFER = 64 << 10 }; // bytes that TLS holds in either direction, at most
+enum { ORR_LINK_PASSES = 2, ORR_LINK_BUFFER = 64 << 10 }; // bytes that TLS holds in either direction, at most
 
 typedef struct orr_link orr_link;
 typedef void orr_link_call(void *user);
@@ -40,8 +40,11 @@ ssize_t orr_link_recv(orr_link *l, void *data, size_t n);
 ssize_t orr_link_send(orr_link *l, const void *data, size_t n);
 // Whether descriptors can go along with bytes: a Unix socket without TLS.
 bool orr_link_passes(const orr_link *l);
-// As orr_link_send, of a link that passes, with a descriptor that goes along with the first byte.
-ssize_t orr_link_pass(orr_link *l, const void *data, size_t n, int fd);
+// As orr_link_send, of a link that passes, with descriptors that go along with the first byte.
+//   Given:    l      the link
+//             data   n bytes
+//             fd     n_fd descriptors, at most ORR_LINK_PASSES
+ssize_t orr_link_pass(orr_link *l, const void *data, size_t n, const int *fd, size_t n_fd);
 // What is waited for from now on. False: out of memory.
 bool orr_link_want(orr_link *l, bool read, bool write);
 // Whether bytes that orr_link_send took have not gone to the kernel.

@@ -109,9 +109,11 @@ static bool grow(uint8_t **data, size_t *capacity, size_t need)
 // One call of the kernel's: up to the frame that a descriptor goes along with, then that frame, with it.
 static ssize_t send_part(orr_conn *c, const output *o)
 {
-    if (o != &c->lane || !c->lanes.has_pass) return orr_link_send(c->link, o->data + o->at, o->size - o->at);
+    if (o != &c->lane || c->lanes.n_pass == 0)
+        return orr_link_send(c->link, o->data + o->at, o->size - o->at);
     if (o->at < c->pass_at) return orr_link_send(c->link, o->data + o->at, c->pass_at - o->at);
-    const ssize_t n = orr_link_pass(c->link, o->data + o->at, o->size - o->at, c->lanes.pass_fd);
+    const ssize_t n =
+        orr_link_pass(c->link, o->data + o->at, o->size - o->at, c->lanes.pass, c->lanes.n_pass);
     if (n > 0) orr_lanes_passed(&c->lanes);
     return n;
 }
@@ -272,9 +274,9 @@ static void take_lanes(orr_conn *c)
         if (c->lane.data == NULL && !grow(&c->lane.data, &c->lane.capacity, ORR_CONN_LANE)) return;
         orr_wire_writer w = {c->lane.data, c->lane.size, c->lane.capacity, ORR_WIRE_OK};
         const size_t streams = c->lanes.n;
-        const bool passing = c->lanes.has_pass;
+        const bool passing = c->lanes.n_pass > 0;
         c->stuck = !orr_lanes_take(&c->lanes, &f, &w);
-        if (!passing && c->lanes.has_pass) c->pass_at = c->lane.size;
+        if (!passing && c->lanes.n_pass > 0) c->pass_at = c->lane.size;
         if (c->stuck) return; // until what waits has been sent
         if (streams == 0 && c->lanes.n > 0) keep_short(c);
         c->lane.size = w.size;
@@ -484,7 +486,8 @@ orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest)
                            .judge = s->server,
                            .owner = c,
                            .datagrams = {.all = s->datagrams, .link = link},
-                           .passes = orr_link_passes(link)};
+                           .passes = orr_link_passes(link),
+                           .base = s->loop.base};
     permit(c);
     orr_link_serve(link, c, on_read, on_write);
     c->last_ns = orr_service_clock_ns(s);

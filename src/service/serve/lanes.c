@@ -30,6 +30,7 @@ static unsigned needed(uint16_t type)
 {
     switch (type) {
     case ORR_MSG_TYPE_MOTION:
+    case ORR_MSG_TYPE_OPEN_MOTION_RING:
         return ORR_MAY_MOTION;
     case ORR_MSG_TYPE_CONTROL:
     case ORR_MSG_TYPE_RADIO_TIME:
@@ -85,7 +86,7 @@ static bool subscribe(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
     if (m.delivery == ORR_MSG_DELIVERY_RING && !l->passes)
         return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_SERVED,
                          "SUBSCRIBE: a ring is shared with clients of a Unix socket alone");
-    if (m.delivery == ORR_MSG_DELIVERY_RING && l->has_pass) return false; // one descriptor at a time
+    if (m.delivery == ORR_MSG_DELIVERY_RING && l->n_pass > 0) return false; // those of one frame at a time
     orr_way *way = NULL;
     uint32_t channel = 0;
     uint16_t code = 0;
@@ -98,8 +99,8 @@ static bool subscribe(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
     l->id[l->n] = f->sequence;
     l->held[l->n] = NULL;
     if (m.delivery == ORR_MSG_DELIVERY_RING) {
-        l->pass_fd = fcntl(orr_stream_ring(l->stream[l->n]), F_DUPFD_CLOEXEC, 3);
-        l->has_pass = true;
+        l->pass[0] = fcntl(orr_stream_ring(l->stream[l->n]), F_DUPFD_CLOEXEC, 3);
+        l->n_pass = 1;
     }
     l->n++;
     orr_msg_subscribed_encode(&told, &w);
@@ -216,6 +217,33 @@ static bool open_datagrams(orr_lanes *l, const orr_frame *f, orr_wire_writer *ou
     return put_frame(out, ORR_MSG_TYPE_DATAGRAMS, f->sequence, data, w.size);
 }
 
+// The first time its descriptors go along.
+static bool open_motion_ring(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    uint8_t data[64];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    orr_msg_open_motion_ring m;
+    orr_diag diag = {0};
+    const orr_wire_status decoded = orr_msg_open_motion_ring_decode(f->payload, f->size, &m);
+    if (decoded != ORR_WIRE_OK)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
+    if (!l->passes || l->base == NULL)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_NOT_SERVED,
+                         "OPEN_MOTION_RING: memory is shared with clients of a Unix socket alone");
+    if (l->motion == NULL && l->n_pass > 0) return false; // those of one frame at a time
+    if (l->motion == NULL) {
+        if (orr_motion_ring_open(l->base, l->streams, &l->motion, &diag) != ORR_OK)
+            return put_error(out, f, ORR_MSG_ERROR_CODE_INTERNAL, diag.text);
+        l->pass[0] = fcntl(l->motion->made.fd, F_DUPFD_CLOEXEC, 3);
+        l->pass[1] = fcntl(l->motion->bell, F_DUPFD_CLOEXEC, 3);
+        l->n_pass = 2;
+    }
+    const orr_msg_motion_ring told = {ORR_MOTION_RING_SLOTS, ORR_MOTION_RING_STRIDE, l->motion->taken,
+                                      l->motion->made.ring.lost};
+    orr_msg_motion_ring_encode(&told, &w);
+    return put_frame(out, ORR_MSG_TYPE_MOTION_RING, f->sequence, data, w.size);
+}
+
 bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
 {
     // Room for whatever is to be said at once, so that nothing is done twice.
@@ -234,6 +262,8 @@ bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
         return take_stats(l, f, out);
     case ORR_MSG_TYPE_OPEN_DATAGRAMS:
         return open_datagrams(l, f, out);
+    case ORR_MSG_TYPE_OPEN_MOTION_RING:
+        return open_motion_ring(l, f, out);
     default:
         return take_time(l, f, out);
     }
@@ -278,19 +308,22 @@ size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out)
 
 void orr_lanes_passed(orr_lanes *l)
 {
-    if (l->has_pass && l->pass_fd >= 0) close(l->pass_fd);
-    l->has_pass = false;
+    for (; l->n_pass > 0; l->n_pass--)
+        if (l->pass[l->n_pass - 1] >= 0) close(l->pass[l->n_pass - 1]);
 }
 
 void orr_lanes_permit(orr_lanes *l, unsigned may)
 {
     l->may = may;
+    if (l->motion != NULL) l->motion->may = (may & ORR_MAY_MOTION) != 0;
     orr_datagram_lane_permit(&l->datagrams, (may & ORR_MAY_MOTION) != 0);
 }
 
 void orr_lanes_close(orr_lanes *l)
 {
     orr_datagram_lane_close(&l->datagrams);
+    orr_motion_ring_close(l->motion);
+    l->motion = NULL;
     orr_lanes_passed(l);
     while (l->n > 0) {
         if (l->held[l->n - 1] != NULL) orr_stream_sent(l->stream[l->n - 1], l->held[l->n - 1]);

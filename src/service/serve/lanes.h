@@ -6,6 +6,7 @@
 #include "src/config/access.h"
 #include "src/service/live/streams.h"
 #include "src/service/serve/datagram_lane.h"
+#include "src/service/serve/motion_ring.h"
 
 enum { ORR_LANES_MOST = 32, ORR_LANES_ENDED = 64 };
 
@@ -17,9 +18,11 @@ typedef struct orr_lanes {
     unsigned may; // orr_may: what else is asked is refused
     orr_datagram_lane datagrams;
     bool passes; // descriptors can go along with bytes: a Unix socket
-    bool
-        has_pass; // one is to go along with the frame that was put last; whoever sends it calls orr_lanes_passed
-    int pass_fd; // which
+    int pass
+        [ORR_LINK_PASSES]; // descriptors that are to go along with the frame that was put last; whoever sends it calls orr_lanes_passed
+    size_t n_pass;
+    struct event_base *base; // of the loop that reads its ring of motion
+    orr_motion_ring *motion; // NULL: it has none
     orr_stream *stream[ORR_LANES_MOST];
     uint32_t id[ORR_LANES_MOST];
     orr_payload *held[ORR_LANES_MOST]; // taken, and there was no room for it
@@ -33,7 +36,7 @@ typedef struct orr_lanes {
 bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out);
 // Appends frames of the streams, each in its turn, as long as there is room. Returns 0, or how many bytes the next one needs.
 size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out);
-// The descriptor that was to go along has gone, or need not any more.
+// The descriptors that were to go along have gone, or need not any more.
 void orr_lanes_passed(orr_lanes *l);
 // What its client may do from now on.
 void orr_lanes_permit(orr_lanes *l, unsigned may);

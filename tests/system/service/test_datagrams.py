@@ -163,6 +163,46 @@ class Sealed(Served):
         self.assertEqual((told.taken, told.replayed, told.refused), (1, 1, 0))
         client.close()
 
+    def test_ring_of_motion(self):
+        """Shared memory over a Unix socket: samples are used, what is no sample is counted, who writes too much loses, and nothing that stands in
+        the memory disturbs the server."""
+        with self.assertRaisesRegex(orrery.Refused, "Unix socket"):
+            self.connect().motion_ring()
+        client = self.connect(self.daemon.urls[2])
+        client.motion_stats(reset=True)
+        begin = client.time().t
+        body = Body(client.truth(begin))
+        with client.motion_ring() as ring:
+            def settled(taken):
+                end = time.monotonic() + 20
+                while (told := client.motion_ring_counts()).taken < taken and time.monotonic() < end:
+                    time.sleep(0.005)
+                return told
+            for k in range(30):
+                ring.send(body.sample(begin + 20 * NS + k * 10**6, order=3))
+            self.assertEqual(settled(30).taken, 30)
+            m = client.motion_stats()
+            self.assertEqual((m.received, m.dropped), (30, 0))
+            ring.write(messages.Motion.TYPE, b"too short")
+            ring.write(messages.Ping.TYPE, bytes(200))
+            ring.ring_bell()
+            self.assertEqual(settled(32).taken, 32)
+            self.assertEqual(client.motion_stats().dropped, 2)
+            for k in range(1000):  # the bell not rung: the first of them are written over
+                ring.write(messages.Motion.TYPE, body.sample(begin + 21 * NS + k * 10**6, order=3).encode())
+            ring.ring_bell()
+            told = settled(32 + 128)
+            self.assertEqual(told.taken + told.lost, 1032)
+            self.assertGreaterEqual(told.lost, 1000 - told.slots)
+            with self.assertRaisesRegex(ValueError, "already"):
+                client.motion_ring()
+            for word in (2**64 - 1, 1, 0x4141414141414141):
+                for k in range(0, len(ring._words), 3):
+                    ring._words[k] = word
+                ring.ring_bell()
+                client.ping(1)
+            self.assertEqual(client.states(self.start).t, self.start)
+
     def test_who_may_not_send_motion(self):
         rules = laboratory("lab", "generator", "cockpit") / "reader.yaml"
         rules.write_text("certificate: server.pem\nkey: server.key\nauthority: ca.pem\nclients:\n  - {name: generator, may: read}\n")

@@ -84,6 +84,37 @@ static void readers_by_sequence(void **state)
     orr_ring_made_close(&made);
 }
 
+// What stands in memory that a peer writes is not believed: sizes beyond a slot are cut, counts from nowhere end in a bounded time.
+static void hostile_writers(void **state)
+{
+    (void)state;
+    enum { SLOTS = 16, STRIDE = 256 };
+    orr_ring_made made;
+    orr_diag diag = {0};
+    uint8_t got[STRIDE];
+    uint16_t type;
+    size_t n;
+    ASSERT_OK(orr_ring_made_theirs(&made, SLOTS, STRIDE, &diag), diag);
+    const size_t size = orr_ring_size(SLOTS, STRIDE);
+    uint8_t *memory = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, made.fd, 0);
+    assert_true(memory != MAP_FAILED);
+    assert_int_equal(ftruncate(made.fd, 100), -1); // no page can be taken away
+    uint64_t seed = 5, *words = (uint64_t *)(void *)memory;
+    for (int round = 0; round < 2000; round++) {
+        for (size_t k = 0; k < size / 8; k++) {
+            seed = seed * UINT64_C(6364136223846793005) + 1442695040888963407u;
+            const uint64_t next = made.ring.next;
+            // Random words, and stamps that are nearly right.
+            words[k] = seed % 4 == 0 ? seed : 2 * next + seed / 4 % 5;
+        }
+        for (int k = 0; k < SLOTS; k++)
+            if (orr_ring_read(&made.ring, &type, got, sizeof got, &n)) assert_true(n <= STRIDE - 16);
+    }
+    assert_int_equal(made.ring.slots, SLOTS);
+    munmap(memory, size);
+    orr_ring_made_close(&made);
+}
+
 static orr_ring_made shared;
 static atomic_bool done;
 
@@ -133,6 +164,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(layout),
         cmocka_unit_test(readers_by_sequence),
+        cmocka_unit_test(hostile_writers),
         cmocka_unit_test(none_is_torn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
