@@ -28,6 +28,10 @@ static const struct {
     [ORR_KIND_TROPO_SINEX] = {"tropo-sinex", "SINEX troposphere delays"},
     [ORR_KIND_DCB] = {"dcb", "differential code biases"},
     [ORR_KIND_ANTEX] = {"antex", "ANTEX antenna phase centres"},
+    [ORR_KIND_GPT3] = {"gpt3", "GPT3 grid of weather and mapping coefficients"},
+    [ORR_KIND_VMF3_GRID] = {"vmf3-grid", "VMF3 coefficients and delays on a grid"},
+    [ORR_KIND_VMF3_SITE] = {"vmf3-site", "VMF3 coefficients and delays of stations"},
+    [ORR_KIND_ESRI_GRID] = {"esri-grid", "ESRI ASCII grid of heights"},
     [ORR_KIND_NMEA] = {"nmea", "NMEA 0183 sentences"},
     [ORR_KIND_TABLE] = {"table", "a table of numbers"},
     [ORR_KIND_NETCDF] = {"netcdf", "NetCDF data"},
@@ -161,6 +165,11 @@ static bool sniff_words(orr_view line, orr_sniffed *s)
         {"MAXIMUM DEGREE OF SPHERICAL HARMONICS", "", ORR_KIND_ION},
         {"DIFFERENTIAL (", "CODE BIASES", ORR_KIND_DCB},
         {"#$", "", ORR_KIND_LEAPS},
+        {"%", "p:a0", ORR_KIND_GPT3}, // GPT2's too, which its reader refuses by name
+        {"! Data_types:", "VMF3", ORR_KIND_VMF3_GRID},
+        {"! Data_types:", "V3GR", ORR_KIND_VMF3_GRID},
+        {"ncols ", "", ORR_KIND_ESRI_GRID},
+        {"ncols\t", "", ORR_KIND_ESRI_GRID},
         {"#@", "", ORR_KIND_LEAPS},
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
@@ -235,6 +244,20 @@ bool orr_sp3_is_unversioned(orr_view line)
            orr_field_int_in(line, 12, 2, 1, 31, &number) == ORR_FIELD_OK &&
            orr_field_int_in(line, 15, 2, 0, 23, &number) == ORR_FIELD_OK &&
            orr_field_int_in(line, 33, 7, 1, 9999999, &number) == ORR_FIELD_OK;
+}
+
+// "BOR1 60344.25 0.00121 0.00044 2.29 0.08 ...": a station, its instant, a of both mapping functions, both zenith delays.
+static bool is_vmf3_site(orr_view line)
+{
+    static const double least[] = {40000, 5e-4, -1e-4, 0.5, -0.1}, most[] = {90000, 2e-3, 2e-3, 3, 1};
+    orr_view word;
+    double v;
+    if (!orr_view_word(&line, &word) || orr_view_real(word, &v) == ORR_FIELD_OK) return false;
+    for (int k = 0; k < 5; k++)
+        if (!orr_view_word(&line, &word) || orr_view_real(word, &v) != ORR_FIELD_OK ||
+            !(v >= least[k] && v <= most[k]))
+            return false;
+    return true;
 }
 
 // The label of RINEX outside its columns: no table of numbers, whatever its lines look like. Its reader says what is wrong.
@@ -312,6 +335,10 @@ orr_sniffed orr_sniff(orr_view head)
         if (s.kind != ORR_KIND_UNKNOWN) return s;
         first = false;
         if (sniff_words(line, &s)) return s;
+        if (is_vmf3_site(line)) {
+            s.kind = ORR_KIND_VMF3_SITE;
+            return s;
+        }
         if (is_nmea(line)) nmea++;
         if (is_numbers(line)) numbers++;
         lines++;

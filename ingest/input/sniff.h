@@ -26,6 +26,10 @@ typedef enum orr_kind {
     ORR_KIND_TROPO_SINEX,
     ORR_KIND_DCB, // CODE's older differential code biases
     ORR_KIND_ANTEX,
+    ORR_KIND_GPT3,      // grid of the weather over the year
+    ORR_KIND_VMF3_GRID, // mapping coefficients and zenith delays of an instant at points of the Earth
+    ORR_KIND_VMF3_SITE, // of stations
+    ORR_KIND_ESRI_GRID, // ESRI's ASCII grid: heights of terrain
     ORR_KIND_NMEA,
     ORR_KIND_TABLE,  // numbers or words in columns (CSV, blanks): telemetry
     ORR_KIND_NETCDF, // NetCDF or HDF5: a product of ours

@@ -24,17 +24,79 @@ const char *orr_section_signals_check(const orr_text_list *signals, char why[ORR
 // --- troposphere ---
 static const orr_choice models[] = {ORR_TROPOSPHERES(ORR_CHOICE_WORD){0}};
 static const orr_choice mappings[] = {ORR_TROPO_MAPPINGS(ORR_CHOICE_WORD){0}};
+static const orr_choice gradients[] = {ORR_TROPO_GRADIENTS(ORR_CHOICE_WORD){0}};
 static const orr_condition of_weather[] = {{.key = "model", .words = "saastamoinen"}, {0}};
-static const orr_condition of_some[] = {{.key = "model", .words = "saastamoinen|do229|stanag4294"}, {0}};
+static const orr_condition of_some[] = {{.key = "model", .words = "saastamoinen|do229|stanag4294|gpt3|vmf3"},
+                                        {0}};
+static const orr_condition of_given[] = {{.key = "gradients", .words = "given"}, {0}};
+static const orr_condition of_files[] = {{.key = "files"}, {0}};
 
+#define GRADIENT_ROW(n, m, h)                                                                                \
+    {                                                                                                        \
+        .name = n, .kind = ORR_KEY_REAL, .list = true, .offset = offsetof(orr_scenario_troposphere, m),      \
+        .min = -50, .max = 50, .least = 2, .most = 2, .unit = "mm", .only = of_given, .help = h              \
+    }
 static const orr_key troposphere_rows[] = {
     CHOICE_ROW(orr_scenario_troposphere, "model", model, models, "saastamoinen", NULL, "zenith delays"),
     CHOICE_ROW(orr_scenario_troposphere, "mapping", mapping, mappings, "niell", of_some,
                "how they grow towards the horizon"),
     REAL_ROW(orr_scenario_troposphere, "humidity", humidity, 0, 1, NULL, "0.7", of_weather,
              "relative humidity of the standard atmosphere"),
+    FILE_ROW(orr_scenario_troposphere, "grid", grid, of_some,
+             "grid of GPT3: gpt3_5.grd or gpt3_1.grd of TU Wien"),
+    FILES_ROW(orr_scenario_troposphere, "files", files, of_some,
+              "files of VMF3 around the scenario's time: grids (VMF3_YYYYMMDD.Hhh, V3GR_YYYYMMDD.Hhh), or "
+              "files of stations "
+              "(*.vmf3_g, *.v3gr_g and likewise _r and _d) that know every antenna by its name"),
+    FILE_ROW(orr_scenario_troposphere, "orography", orography, of_files,
+             "heights of the points of files that are grids: orography_ell_5x5 or orography_ell_1x1"),
+    CHOICE_ROW(orr_scenario_troposphere, "gradients", gradients, gradients, "none", of_some,
+               "horizontal gradients"),
+    GRADIENT_ROW("gradient_hydrostatic", gradient_hydrostatic_mm,
+                 "hydrostatic gradient to the North and to the East"),
+    GRADIENT_ROW("gradient_wet", gradient_wet_mm, "wet gradient to the North and to the East"),
 };
-const orr_schema orr_section_troposphere = ORR_SCHEMA(troposphere_rows, orr_scenario_troposphere);
+
+// A key that needs another, which is not there.
+static const char *lacks(bool wants, bool has, const char *key, const char *what, const char *other,
+                         char why[ORR_SCHEMA_WHY])
+{
+    if (!wants || has) return NULL;
+    snprintf(why, ORR_SCHEMA_WHY, "%s needs %s", what, other);
+    return key;
+}
+static const char *check_troposphere(const void *map, char why[ORR_SCHEMA_WHY])
+{
+    const orr_scenario_troposphere *s = map;
+    const bool grid = s->grid != NULL, files = s->files.n > 0;
+    const bool of_data = s->model == ORR_TROPOSPHERE_GPT3 || s->model == ORR_TROPOSPHERE_VMF3;
+    const bool vmf3 =
+        s->mapping == ORR_TROPO_MAPPING_VMF3 || (of_data && s->mapping == ORR_TROPO_MAPPING_OWN);
+    const char *bad = lacks(s->model == ORR_TROPOSPHERE_GPT3, grid, "model", "gpt3", "troposphere.grid", why);
+    if (bad == NULL)
+        bad = lacks(s->model == ORR_TROPOSPHERE_VMF3, files, "model", "vmf3", "troposphere.files", why);
+    if (bad == NULL)
+        bad = lacks(vmf3, grid || files, "mapping", "VMF3", "troposphere.grid or troposphere.files", why);
+    if (bad == NULL)
+        bad = lacks(s->gradients == ORR_GRADIENTS_GRID, grid, "gradients", "grid", "troposphere.grid", why);
+    if (bad == NULL)
+        bad =
+            lacks(s->gradients == ORR_GRADIENTS_FILES, files, "gradients", "files", "troposphere.files", why);
+    if (bad != NULL) return bad;
+    if (files && s->model != ORR_TROPOSPHERE_VMF3 && !vmf3 && s->gradients != ORR_GRADIENTS_FILES) {
+        snprintf(why, ORR_SCHEMA_WHY, "model, mapping or gradients have to take something of them");
+        return "files";
+    }
+    if (grid && s->model != ORR_TROPOSPHERE_GPT3 && !(vmf3 && !files) && s->gradients != ORR_GRADIENTS_GRID) {
+        snprintf(why, ORR_SCHEMA_WHY, "model, mapping or gradients have to take something of it");
+        return "grid";
+    }
+    return NULL;
+}
+const orr_schema orr_section_troposphere = {.key = troposphere_rows,
+                                            .n = sizeof troposphere_rows / sizeof troposphere_rows[0],
+                                            .size = sizeof(orr_scenario_troposphere),
+                                            .check = check_troposphere};
 
 // --- antennas ---
 static const orr_condition fixed[] = {{.key = "position"}, {0}};

@@ -11,6 +11,10 @@
     X(ORR_TROPOSPHERE_DO229, "do229",                                                                        \
       "RTCA DO-229E, A.4.2.4: by latitude and season; SBAS receivers use it")                                \
     X(ORR_TROPOSPHERE_STANAG4294, "stanag4294", "STANAG 4294: three exponential layers")                     \
+    X(ORR_TROPOSPHERE_GPT3, "gpt3",                                                                          \
+      "GPT3 (Landskron and Boehm 2018): pressure and water vapour of its grid by place, height and day of "  \
+      "year; Saastamoinen's hydrostatic delay, Askne and Nordius' wet one")                                  \
+    X(ORR_TROPOSPHERE_VMF3, "vmf3", "zenith delays of VMF3's files, of a grid or of stations")               \
     X(ORR_TROPOSPHERE_NONE, "none", "no troposphere")
 typedef enum orr_troposphere_model { ORR_TROPOSPHERES(ORR_CHOICE_VALUE) } orr_troposphere_model;
 
@@ -18,14 +22,30 @@ typedef enum orr_troposphere_model { ORR_TROPOSPHERES(ORR_CHOICE_VALUE) } orr_tr
     X(ORR_TROPO_MAPPING_NIELL, "niell", "Niell (1996), apart for the hydrostatic and the wet delay")         \
     X(ORR_TROPO_MAPPING_GMF, "gmf",                                                                          \
       "Global Mapping Function (Boehm et al. 2006), by place and season, as the IERS Conventions have it")   \
+    X(ORR_TROPO_MAPPING_VMF3, "vmf3",                                                                        \
+      "Vienna Mapping Functions 3 (Landskron and Boehm 2018), their first coefficients by "                  \
+      "troposphere.files "                                                                                   \
+      "or, without these, by the grid of GPT3")                                                              \
     X(ORR_TROPO_MAPPING_OWN, "own",                                                                          \
       "what receivers use with the model: 1/sin(elevation) with saastamoinen, Black and Eisner with do229, " \
-      "Chao with stanag4294")
+      "Chao with stanag4294, VMF3 with gpt3 and vmf3")
 typedef enum orr_tropo_mapping { ORR_TROPO_MAPPINGS(ORR_CHOICE_VALUE) } orr_tropo_mapping;
+
+#define ORR_TROPO_GRADIENTS(X)                                                                               \
+    X(ORR_GRADIENTS_NONE, "none", "none: the same delay all around")                                         \
+    X(ORR_GRADIENTS_GIVEN, "given", "constants")                                                             \
+    X(ORR_GRADIENTS_GRID, "grid", "those of GPT3's grid")                                                    \
+    X(ORR_GRADIENTS_FILES, "files", "those of troposphere.files (V3GR)")
+typedef enum orr_tropo_gradients { ORR_TROPO_GRADIENTS(ORR_CHOICE_VALUE) } orr_tropo_gradients;
 
 typedef struct orr_scenario_troposphere {
     int model, mapping; // orr_troposphere_model, orr_tropo_mapping
     double humidity;    // relative, 0 to 1; of saastamoinen
+    char *grid;         // GPT3's
+    orr_text_list files;
+    char *orography;                                        // heights of the points of files that are grids
+    int gradients;                                          // orr_tropo_gradients
+    orr_real_list gradient_hydrostatic_mm, gradient_wet_mm; // north and east
 } orr_scenario_troposphere;
 
 #define ORR_MAX_ANTENNAS 16

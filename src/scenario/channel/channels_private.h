@@ -23,6 +23,7 @@
 #include "src/scenario/effect/obstacle.h"
 #include "src/scenario/effect/scintillation.h"
 #include "src/scenario/effect/site.h"
+#include "src/scenario/troposphere/troposphere.h"
 
 // A signal that a satellite sends.
 typedef struct channel_sent {
@@ -60,8 +61,7 @@ typedef struct channel_cell {
 struct orr_channels {
     const orr_source_orbit *orbits;
     const orr_source_iono *iono;
-    orr_scenario_troposphere troposphere;
-    bool has_troposphere;
+    orr_troposphere *troposphere;    // NULL: none
     orr_scenario_channel options;    // antex and bias are not kept
     orr_scenario_mask mask;          // its horizon is owned
     const orr_antex *antex;          // NULL: none

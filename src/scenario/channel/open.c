@@ -168,6 +168,13 @@ static orr_status parse_signals(const orr_scenario *s, orr_channels *c, orr_diag
     return status;
 }
 
+static orr_status under_troposphere(orr_channels *c, size_t k, orr_diag *diag)
+{
+    const orr_antenna *a = &c->antenna[k];
+    const orr_geodetic place = orr_earth_from_ecef(a->fixed.r_m);
+    return orr_troposphere_stand(c->troposphere, k, a->name, a->motion == NULL ? &place : NULL, diag);
+}
+
 static orr_status open_antennas(const orr_scenario *s, const orr_source_motion *motion, orr_channels *c,
                                 const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
@@ -181,6 +188,7 @@ static orr_status open_antennas(const orr_scenario *s, const orr_source_motion *
             status = orr_windup_open(c->orbits, &c->antenna[k], c->antex, c->span, &c->sun, cancel,
                                      &c->windup[k], diag);
         if (status == ORR_OK) c->n_antennas = k + 1;
+        if (status == ORR_OK) status = under_troposphere(c, k, diag);
     }
     return status;
 }
@@ -215,17 +223,17 @@ static void warn_of_satellites(const orr_scenario_satellites *o, const orr_sourc
 }
 
 // What the scenario's parts cover, when they have no time in common.
-static orr_status nothing_common(const orr_source_orbit *orbits, const orr_source_iono *iono,
-                                 const orr_source_motion *motion, orr_diag *diag)
+static orr_status nothing_common(const orr_channels *c, const orr_source_motion *motion, orr_diag *diag)
 {
     char text[400] = "";
     orr_span span;
-    const char *const names[] = {"orbits", "ionosphere", "trajectory"};
-    for (int k = 0; k < 3; k++) {
+    const char *const names[] = {"orbits", "ionosphere", "trajectory", "troposphere"};
+    for (int k = 0; k < 4; k++) {
         char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
-        if (!(k == 0   ? orr_source_orbit_span(orbits, &span)
-              : k == 1 ? orr_source_iono_span(iono, &span)
-                       : orr_source_motion_span(motion, &span)))
+        if (!(k == 0   ? orr_source_orbit_span(c->orbits, &span)
+              : k == 1 ? orr_source_iono_span(c->iono, &span)
+              : k == 2 ? orr_source_motion_span(motion, &span)
+                       : orr_troposphere_span(c->troposphere, &span)))
             continue;
         const size_t used = strlen(text);
         snprintf(text + used, sizeof text - used, "%s%s %s to %s", used > 0 ? ", " : "", names[k],
@@ -340,6 +348,22 @@ static bool only_moving(const orr_scenario *s)
     return s->antennas.n > 0 || s->receiver.position.n == 0;
 }
 
+// What all parts cover; motion: NULL where an antenna stands.
+static void find_span(orr_channels *c, const orr_source_motion *motion)
+{
+    (void)orr_source_orbit_span(c->orbits, &c->span);
+    c->span.from = orr_time_add(c->span.from, MARGIN_NS);
+    for (int k = 0; k < 3; k++) {
+        orr_span i;
+        if (!(k == 0   ? orr_source_iono_span(c->iono, &i)
+              : k == 1 ? orr_troposphere_span(c->troposphere, &i)
+                       : orr_source_motion_span(motion, &i)))
+            continue;
+        if (i.from > c->span.from) c->span.from = i.from;
+        if (i.to < c->span.to) c->span.to = i.to;
+    }
+}
+
 orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbits,
                              const orr_source_iono *iono, const orr_source_motion *motion,
                              const orr_source_tables *tables, const volatile int *cancel,
@@ -353,27 +377,17 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     c->iono = iono;
     c->antex = tables->has_antex ? &tables->antex : NULL;
     c->bias = tables->has_bias ? &tables->bias : NULL;
-    c->troposphere = s->troposphere;
-    c->has_troposphere = s->has_troposphere && s->troposphere.model != ORR_TROPOSPHERE_NONE;
     c->options = s->channel;
     c->site = s->site;
     c->site.ocean_loading = NULL; // of the scenario, which may go
     c->spacing_chips = s->multipath.spacing_chips;
     c->options.antex = c->options.bias = c->options.magnetic = NULL; // of the scenario, which may go
-    (void)orr_source_orbit_span(orbits, &c->span);
-    c->span.from = orr_time_add(c->span.from, MARGIN_NS);
-    orr_span i;
-    if (orr_source_iono_span(iono, &i)) {
-        if (i.from > c->span.from) c->span.from = i.from;
-        if (i.to < c->span.to) c->span.to = i.to;
-    }
-    if (only_moving(s) && orr_source_motion_span(motion, &i)) {
-        if (i.from > c->span.from) c->span.from = i.from;
-        if (i.to < c->span.to) c->span.to = i.to;
-    }
-    orr_status status = c->span.from < c->span.to
-                            ? prepare(s, motion, &tables->nav, c, cancel, warnings, diag)
-                            : nothing_common(orbits, iono, motion, diag);
+    orr_status status =
+        s->has_troposphere ? orr_troposphere_open(&s->troposphere, s->leap, &c->troposphere, diag) : ORR_OK;
+    find_span(c, only_moving(s) ? motion : NULL);
+    if (status == ORR_OK)
+        status = c->span.from < c->span.to ? prepare(s, motion, &tables->nav, c, cancel, warnings, diag)
+                                           : nothing_common(c, motion, diag);
     if (status == ORR_OK) warn_of_satellites(&s->satellites, orbits, warnings);
     if (status != ORR_OK)
         orr_channels_close(c);
@@ -393,6 +407,7 @@ void orr_channels_close(orr_channels *c)
         orr_series_free(&c->satellite[k].clock_noise);
     orr_faults_close(c->faults);
     orr_echoes_close(c->echoes);
+    orr_troposphere_close(c->troposphere);
     orr_obstacles_close(c->obstacles);
     orr_jammers_close(c->jammers);
     spoofed_close(c->spoofed);

@@ -28,7 +28,7 @@ typedef struct ray {
     const channel_satellite *sat;
     size_t place;
     satellite_state reception;
-    double el_rad;
+    double az_rad, el_rad;
     orr_light light;
     orr_attitude attitude;
     bool has_attitude;
@@ -43,6 +43,7 @@ static bool look(const moment *m, orr_channel_work *work, size_t place, ray *r)
     *r = (ray){.sat = &c->satellite[place], .place = place};
     if (!satellite_at(e, r->sat->sat, cell, m->t, 0, &r->reception)) return false;
     const orr_vec3 d = orr_vec3_sub(r->reception.pos_m, m->at->r_m), own = orr_mat3_apply(&m->at->enu, d);
+    r->az_rad = orr_atan2(own.x, own.y);
     r->el_rad = orr_atan2(own.z, sqrt(own.x * own.x + own.y * own.y));
     const double tau_s = orr_vec3_norm(d) / ORR_LIGHT_MPS;
     satellite_state emission;
@@ -94,14 +95,14 @@ static void set_attitude(const moment *m, ray *r, slow_values *out)
 // the satellite and as the vertical turns.
 static void set_troposphere(const moment *m, const ray *r, slow_values *out)
 {
-    if (!m->c->has_troposphere) return;
-    const orr_zenith_delay d = orr_troposphere_slant(&m->site, r->el_rad);
+    if (m->c->troposphere == NULL) return;
+    const orr_zenith_delay d = orr_troposphere_slant(&m->site, r->az_rad, r->el_rad);
     out->v[SLOW_HYDROSTATIC] = d.hydrostatic_m;
     out->v[SLOW_WET] = d.wet_m;
     if (!m->slopes) return;
     const double step_rad = 1e-6;
-    const orr_zenith_delay above = orr_troposphere_slant(&m->site_above, r->el_rad);
-    const orr_zenith_delay higher = orr_troposphere_slant(&m->site, r->el_rad + step_rad);
+    const orr_zenith_delay above = orr_troposphere_slant(&m->site_above, r->az_rad, r->el_rad);
+    const orr_zenith_delay higher = orr_troposphere_slant(&m->site, r->az_rad, r->el_rad + step_rad);
     const orr_vec3 up = {m->at->enu.m[2][0], m->at->enu.m[2][1], m->at->enu.m[2][2]}, u = r->light.u;
     const double s = sin(r->el_rad);
     const orr_vec3 across = orr_vec3_axpy(-s, u, up), level = orr_vec3_axpy(-s, up, u);
@@ -242,12 +243,12 @@ void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_
     if (c->antenna[antenna].motion == NULL)
         m.moved = orr_site_at(&c->site, orr_ephemeris_eop(channels_ephemeris(c)),
                               c->has_ocean ? &c->ocean[antenna] : NULL, at->r_m, &at->enu, m.sun_m, t);
-    if (c->has_troposphere) {
+    if (c->troposphere != NULL) {
         const orr_geodetic place_of = orr_earth_from_ecef(at->r_m);
         orr_geodetic above = place_of;
         above.height_m += 1;
-        m.site = orr_troposphere_at(&c->troposphere, place_of, t);
-        m.site_above = orr_troposphere_at(&c->troposphere, above, t);
+        m.site = orr_troposphere_at(c->troposphere, antenna, place_of, t);
+        if (slopes) m.site_above = orr_troposphere_at(c->troposphere, antenna, above, t);
     }
     for (size_t k = 0; k < n; k++) {
         ray r;

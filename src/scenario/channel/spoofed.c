@@ -50,7 +50,9 @@ orr_status spoofed_open(const orr_scenario *s, orr_channels *c, const volatile i
             .transmitter = orr_mover_of(&o->position, &o->velocity_mps, o->has_from ? o->from : c->span.from),
             .delay_m = ORR_LIGHT_MPS * o->delay_s,
             .power_db = o->power_db};
-        if (c->options.windup)
+        const orr_geodetic pretended = orr_earth_from_ecef(x->sky.antenna[k].fixed.r_m);
+        status = orr_troposphere_covers(c->troposphere, "that a spoofer pretends", &pretended, diag);
+        if (status == ORR_OK && c->options.windup)
             status = orr_windup_open(c->orbits, &x->sky.antenna[k], c->antex, c->span, &c->sun, cancel,
                                      &x->sky.windup[k], diag);
     }

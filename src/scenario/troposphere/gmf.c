@@ -3,6 +3,7 @@
 // yearly amplitude, fitted by its authors to three years of ECMWF's monthly means.
 #include <math.h>
 
+#include "src/scenario/troposphere/harmonics_private.h"
 #include "src/scenario/troposphere/season_private.h"
 
 enum { DEGREE = 9, TERMS = (DEGREE + 1) * (DEGREE + 2) / 2 };
@@ -70,32 +71,6 @@ static const field WET_YEARLY = {
      1.885e-07,   5.792e-07,  3.990e-08,  2.000e-08, -5.700e-09}};
 // clang-format on
 
-// Harmonics of a place: P_nm(sin lat) cos(m lon) and sin(m lon), by the recursions of Cunningham (1970).
-static void harmonics_at(double lat_rad, double lon_rad, double c[TERMS], double s[TERMS])
-{
-    double v[DEGREE + 1][DEGREE + 1] = {{0}}, w[DEGREE + 1][DEGREE + 1] = {{0}};
-    const double x = cos(lat_rad) * cos(lon_rad), y = cos(lat_rad) * sin(lon_rad), z = sin(lat_rad);
-    v[0][0] = 1;
-    for (int m = 0; m <= DEGREE; m++) {
-        if (m > 0) {
-            v[m][m] = (2 * m - 1) * (x * v[m - 1][m - 1] - y * w[m - 1][m - 1]);
-            w[m][m] = (2 * m - 1) * (x * w[m - 1][m - 1] + y * v[m - 1][m - 1]);
-        }
-        if (m == DEGREE) break;
-        v[m + 1][m] = (2 * m + 1) * z * v[m][m];
-        w[m + 1][m] = (2 * m + 1) * z * w[m][m];
-        for (int n = m + 2; n <= DEGREE; n++) {
-            v[n][m] = ((2 * n - 1) * z * v[n - 1][m] - (n + m - 1) * v[n - 2][m]) / (n - m);
-            w[n][m] = ((2 * n - 1) * z * w[n - 1][m] - (n + m - 1) * w[n - 2][m]) / (n - m);
-        }
-    }
-    for (int n = 0, k = 0; n <= DEGREE; n++)
-        for (int m = 0; m <= n; m++, k++) {
-            c[k] = v[n][m];
-            s[k] = w[n][m];
-        }
-}
-
 static double value_of(const field *f, const double c[TERMS], const double s[TERMS])
 {
     double sum = 0;
@@ -107,7 +82,7 @@ void orr_mapping_gmf_at(orr_geodetic place, orr_time t, orr_mapping_fractions *h
                         orr_mapping_fractions *wet)
 {
     double c[TERMS], s[TERMS];
-    harmonics_at(place.lat_rad, place.lon_rad, c, s);
+    orr_place_harmonics(DEGREE, place.lat_rad, place.lon_rad, c, s);
     int32_t mjd;
     double fraction;
     orr_time_mjd(t, ORR_SCALE_UTC, NULL, &mjd, &fraction);

@@ -13,13 +13,27 @@ double orr_by_latitude(const double table[5], double lat_rad)
     return table[k] + (x - k) * (table[k + 1] - table[k]);
 }
 
-double orr_season_cosine(orr_time t, double phase_day)
+static double day_of_year(orr_time t)
 {
     orr_civil c;
     orr_time_to_civil(t, ORR_SCALE_UTC, NULL, &c);
-    const double day = orr_day_of_year(c.year, c.month, c.day) +
-                       (c.hour * 3600 + c.minute * 60 + c.second + c.ns * 1e-9) / 86400.0;
-    return cos(2 * ORR_PI * (day - phase_day) / 365.25);
+    return orr_day_of_year(c.year, c.month, c.day) +
+           (c.hour * 3600 + c.minute * 60 + c.second + c.ns * 1e-9) / 86400.0;
+}
+
+double orr_season_cosine(orr_time t, double phase_day)
+{
+    return cos(2 * ORR_PI * (day_of_year(t) - phase_day) / 365.25);
+}
+
+void orr_season_harmonics(orr_time t, double out[5])
+{
+    const double year = 2 * ORR_PI * day_of_year(t) / 365.25;
+    out[0] = 1;
+    for (int k = 1; k <= 2; k++) {
+        out[2 * k - 1] = cos(k * year);
+        out[2 * k] = sin(k * year);
+    }
 }
 
 double orr_mapping_cosecant(double el_rad) { return 1 / sin(el_rad); }

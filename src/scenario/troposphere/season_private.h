@@ -9,5 +9,8 @@
 double orr_by_latitude(const double table[5], double lat_rad);
 // cos(2 pi (day of year - phase_day) / 365.25), the day with its fraction, UTC.
 double orr_season_cosine(orr_time t, double phase_day);
+// Cosine and sine of a year and of half a year, from the day of year with its fraction, UTC, over 365.25, behind 1: what GPT3's
+// and VMF3's seasons are multiplied by. At the turn of the year they step by a quarter of a day or more, as published.
+void orr_season_harmonics(orr_time t, double out[5]);
 
 #endif

@@ -55,8 +55,12 @@ static void niell(double el_rad, double lat_rad, orr_time t, double *dry, double
 
 static orr_zenith_delay slant(const orr_scenario_troposphere *s, orr_geodetic place, double el_rad)
 {
-    const orr_troposphere_site site = orr_troposphere_at(s, place, midnight);
-    return orr_troposphere_slant(&site, el_rad);
+    orr_troposphere *o = NULL;
+    orr_diag diag = {0};
+    ASSERT_OK(orr_troposphere_open(s, NULL, &o, &diag), diag);
+    const orr_troposphere_site site = orr_troposphere_at(o, 0, place, midnight);
+    orr_troposphere_close(o);
+    return orr_troposphere_slant(&site, 0, el_rad);
 }
 
 static void mappings_are_one_above_and_grow(void **state)
