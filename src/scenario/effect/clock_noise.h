@@ -19,7 +19,7 @@
 // Errors: ORR_E_LIMIT, ORR_E_MEMORY.
 // Notes: the variances at 1 s are 3 sx^2 of white phase, h1 (1.038 + 3 ln(pi))/(4 pi^2) of flicker phase at a bandwidth of 0.5 Hz,
 // h0/2, 2 ln 2 h-1 and 2 pi^2/3 h-2 (IEEE Std 1139-2008, table B.2). Flicker is a sum of Gauss-Markov processes whose correlation
-// times go by factors of two from 0.2 s to 15 times the span.
+// times go by factors of two to 15 times the span; that of the frequency and the walk are integrated over each second exactly.
 orr_status orr_clock_noise_make(const orr_scenario_clock *law, uint64_t stream, orr_time from, orr_time to,
                                 size_t *spare, orr_series *out);
 
