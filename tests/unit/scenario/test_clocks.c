@@ -10,7 +10,7 @@
 
 #define SKY "signals: [G, E]\nmask: {elevation: -10}\nantennas: [{name: BASE, position: [52, 17, 124]}]\n"
 
-enum { N = 20000, CLOCKS = 16 };
+enum { N = 20000, CLOCKS = 8 };
 
 // Allan deviation, of several clocks of one law together, at the averaging times that come first from those told on, which take
 // their places.
@@ -40,7 +40,7 @@ static void deviations(orr_scenario_clock law, double *tau_s, size_t n, double *
 }
 
 // What one clock shows of its law at long averaging times is luck: a day has 86 values at 1000 s, and flicker's and a walk's
-// deviation 8 % there. These are sixteen clocks, 320 values; bounds are three times what they leave.
+// deviation 8 % there. These are eight clocks, 160 values; bounds are twice what they leave.
 static void allan_deviations_return_the_five_laws(void **state)
 {
     (void)state;
