@@ -91,10 +91,27 @@ static const orr_schema tunnel_table = {.key = tunnel_rows,
                                         .n = sizeof tunnel_rows / sizeof tunnel_rows[0],
                                         .size = sizeof(orr_scenario_tunnel),
                                         .check = check_tunnel};
+static const orr_condition of_terrain[] = {{.key = "file"}, {0}};
+static const orr_key terrain_rows[] = {
+    {.name = "file",
+     .kind = ORR_KEY_FILE,
+     .required = true,
+     .offset = offsetof(orr_scenario_terrain, file),
+     .help = "ESRI ASCII grid of heights by longitude and latitude, such as SRTM's"},
+    REAL_ROW(orr_scenario_terrain, "undulation", undulation_m, -120, 120, "m", "0", of_terrain,
+             "height of the geoid above the ellipsoid there: added to heights that are above the sea"),
+    REAL_ROW(orr_scenario_terrain, "range", range_m, 100, 200000, "m", "50000", of_terrain,
+             "how far terrain is looked at"),
+    BOOL_ROW(orr_scenario_terrain, "refraction", refraction, "no", of_terrain,
+             "rays bend down to the Earth: satellites are seen half a degree below a level horizon"),
+};
+static const orr_schema terrain_table = ORR_SCHEMA(terrain_rows, orr_scenario_terrain);
 static const orr_key obstacle_rows[] = {
     MAPS_ROW(orr_scenario_obstacles, "walls", walls, &wall_table, 1000, NULL,
              "upright planes that hide what is behind"),
     MAPS_ROW(orr_scenario_obstacles, "tunnels", tunnels, &tunnel_table, 1000, NULL,
              "where or when nothing is received"),
+    MAP_ROW(orr_scenario_obstacles, "terrain", terrain, &terrain_table, NULL,
+            "terrain around antennas that stand: satellites below its horizon have no channel"),
 };
 const orr_schema orr_section_obstacles = ORR_SCHEMA(obstacle_rows, orr_scenario_obstacles);

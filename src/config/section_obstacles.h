@@ -19,6 +19,13 @@ typedef struct orr_scenario_tunnel {
     double width_m;
 } orr_scenario_tunnel;
 
+// What the terrain hides from antennas that stand.
+typedef struct orr_scenario_terrain {
+    char *file; // ESRI ASCII grid of geographic coordinates; NULL: none
+    double undulation_m, range_m;
+    bool refraction;
+} orr_scenario_terrain;
+
 typedef struct orr_scenario_obstacles {
     struct {
         size_t n;
@@ -28,6 +35,7 @@ typedef struct orr_scenario_obstacles {
         size_t n;
         orr_scenario_tunnel *item;
     } tunnels;
+    orr_scenario_terrain terrain;
 } orr_scenario_obstacles;
 
 extern const orr_schema orr_section_obstacles;

@@ -23,6 +23,7 @@
 #include "src/scenario/effect/obstacle.h"
 #include "src/scenario/effect/scintillation.h"
 #include "src/scenario/effect/site.h"
+#include "src/scenario/effect/terrain.h"
 #include "src/scenario/troposphere/troposphere.h"
 
 // A signal that a satellite sends.
@@ -82,6 +83,7 @@ struct orr_channels {
     bool has_ocean;
     orr_blq ocean[ORR_MAX_ANTENNAS]; // of fixed antennas
     orr_obstacles *obstacles;        // NULL: none
+    orr_terrain *terrain;            // NULL: none
     orr_jammers *jammers;            // NULL: none
     orr_land_mobile *land_mobile;    // NULL: none
     struct spoofed *spoofed;         // NULL: none

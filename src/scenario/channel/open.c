@@ -331,6 +331,8 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     orr_time_mjd(c->span.from, ORR_SCALE_GPS, NULL, &mjd, &fraction);
     c->begin_days = mjd - 51544 + fraction;
     if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
+    if (status == ORR_OK)
+        status = orr_terrain_open(s, c->antenna, c->n_antennas, &c->terrain, warnings, diag);
     if (status == ORR_OK) status = open_ocean(s, c, diag);
     if (status == ORR_OK) status = open_clocks(s, c, diag);
     if (status == ORR_OK) status = spoofed_open(s, c, cancel, diag);
@@ -409,6 +411,7 @@ void orr_channels_close(orr_channels *c)
     orr_echoes_close(c->echoes);
     orr_troposphere_close(c->troposphere);
     orr_obstacles_close(c->obstacles);
+    orr_terrain_close(c->terrain);
     orr_jammers_close(c->jammers);
     spoofed_close(c->spoofed);
     orr_land_mobile_close(c->land_mobile);

@@ -36,6 +36,7 @@ seen_direction seen_at(const orr_channels *c, size_t antenna, const orr_antenna_
     out.az_rad = az < 0 ? az + 2 * ORR_PI : az;
     out.el_rad = orr_atan2(own.z, sqrt(own.x * own.x + own.y * own.y));
     out.seen = out.el_rad >= horizon_rad(mask, out.az_rad) &&
+               !orr_terrain_hides(c->terrain, antenna, out.az_rad, out.el_rad) &&
                !orr_obstacles_wall(c->obstacles, at, orr_vec3_unit(d));
     if (!out.seen || !mask->has_body || c->antenna[antenna].motion == NULL) return out;
     const orr_vec3 body = orr_mat3_apply(&at->axes, orr_vec3_unit(d));

@@ -11,6 +11,7 @@ static orr_channels bare(const orr_channels *c, size_t n)
     sky.faults = NULL;
     sky.echoes = NULL;
     sky.obstacles = NULL;
+    sky.terrain = NULL;
     sky.jammers = NULL;
     sky.land_mobile = NULL;
     sky.scintillation = NULL;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of the troposphere: any bytes through each of their readers.
+// Files of the troposphere and of terrain: any bytes through each of their readers.
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "ingest/maps/esri_grid.h"
 #include "ingest/troposphere/gpt3.h"
 #include "ingest/troposphere/vmf3.h"
 
@@ -54,5 +55,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
     diag = (orr_diag){0};
     if ((orr_vmf3_heights_parse("fuzz", text, n, 16, height_m, &diag) == ORR_OK) != (diag.text[0] == '\0'))
         abort();
+    diag = (orr_diag){0};
+    orr_esri_grid terrain;
+    if (orr_esri_grid_parse("fuzz", text, n, &limits, &terrain, &diag) == ORR_OK) {
+        if (terrain.rows < 2 || terrain.columns < 2 || !(fabs(terrain.north_deg) <= 90)) abort();
+        orr_esri_grid_free(&terrain);
+    } else if (diag.text[0] == '\0') {
+        abort();
+    }
     return 0;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What inspect tells of files of the troposphere.
+// What inspect tells of grids that are no maps of the ionosphere: of the troposphere and of terrain.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "ingest/inspect/inspect.h"
+#include "ingest/maps/esri_grid.h"
 #include "ingest/troposphere/gpt3.h"
 #include "ingest/troposphere/vmf3.h"
 
@@ -81,4 +82,31 @@ orr_status orr_inspect_vmf3(const char *path, orr_inspection *r, orr_diag *diag)
                                       : inspect_sites(path, &text, &limits, r, diag);
     orr_bytes_free(&text);
     return s;
+}
+
+orr_status orr_inspect_esri_grid(const char *path, orr_inspection *r, orr_diag *diag)
+{
+    orr_esri_grid x;
+    orr_bytes text;
+    float lowest = INFINITY, highest = -INFINITY;
+    size_t none = 0;
+    orr_status s = orr_inspect_text(r, path, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_esri_grid_parse(path, text.text, text.n, NULL, &x, diag);
+    orr_bytes_free(&text);
+    if (s != ORR_OK) return s;
+    for (size_t k = 0; k < x.rows * x.columns; k++) {
+        lowest = fminf(lowest, x.height_m[k]); // NAN does not count
+        highest = fmaxf(highest, x.height_m[k]);
+        none += isnan(x.height_m[k]) ? 1 : 0;
+    }
+    r->records = (int64_t)(x.rows * x.columns);
+    orr_inspect_fact_add(r, "grid", "%zu x %zu points, latitude %g to %g, longitude %g to %g deg", x.rows,
+                         x.columns, x.north_deg, x.north_deg - (double)(x.rows - 1) * x.lat_step_deg,
+                         x.west_deg, x.west_deg + (double)(x.columns - 1) * x.lon_step_deg);
+    if (none < x.rows * x.columns)
+        orr_inspect_fact_add(r, "heights", "%g to %g m", (double)lowest, (double)highest);
+    if (none > 0) orr_inspect_fact_add(r, "no height", "%zu points", none);
+    orr_esri_grid_free(&x);
+    return ORR_OK;
 }
