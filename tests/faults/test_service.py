@@ -112,7 +112,8 @@ class Faults(unittest.TestCase):
                     self.fail(f"{what}: the next client gets {e!r}: {''.join(service.lines[-20:])}")
                 time.sleep(0.1)
 
-    def through(self, service, visit):
+    def through(self, service, visit, answered=True):
+        """Each call fails once. `answered`: who asks is answered, refused or closed, never left waiting for its own patience to end."""
         reference = visit()
         before = service.calls()
         visit()
@@ -123,12 +124,17 @@ class Faults(unittest.TestCase):
             hits = service.last()[0]
             service.fail(n)
             began = time.monotonic()
+            left_waiting = False
             try:
                 visit()
+            except TimeoutError:
+                left_waiting = True
             except (OSError, orrery.ProtocolError, orrery.Refused):
                 pass
             service.fail(0)
             now, name, where = service.last()
+            if answered:
+                self.assertFalse(left_waiting, f"call {n} of {calls}, {name} at {where:#x}: the client was left waiting")
             failed += now - hits
             if os.environ.get("ORRERY_VERBOSE"):
                 print(f"call {n}: {name} at {where:#x}, {time.monotonic() - began:.1f} s", flush=True)
@@ -153,7 +159,7 @@ class Faults(unittest.TestCase):
         service = Service(self.work, self.work / "day.nc", "--listen", "tcp://127.0.0.1:0", "--text", "tcp://127.0.0.1:0")
         self.addCleanup(service.process.kill)
         address = next(w for w in service.urls[::-1] if w.startswith("tcp://"))
-        self.through(service, lambda: self.ask_text(address))
+        self.through(service, lambda: self.ask_text(address), answered=False)  # SCPI: what failed has no answer
 
 
 if __name__ == "__main__":

@@ -70,6 +70,12 @@ static void on_enter(void *user, orr_link *link, const orr_guest *guest)
 
 static void on_tell(void *user, const char *line) { orr_service_tell(user, "%s", line); }
 
+// Streams that have made something are sent on.
+static void send_streams(orr_service *s)
+{
+    for (orr_conn *c; s->streams != NULL && (c = orr_streams_ready(s->streams)) != NULL;) orr_conn_stream(c);
+}
+
 static void on_sweep(evutil_socket_t fd, short what, void *user)
 {
     (void)fd;
@@ -85,6 +91,7 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
         else
             orr_conn_sweep(c, now);
     }
+    send_streams(s); // no wake that was lost holds a stream up for good
     orr_watch_note(s);
     if (s->draining && (s->conns == NULL || now > s->drain_until_ns)) {
         if (s->conns != NULL)
@@ -160,7 +167,7 @@ static void on_wake(evutil_socket_t fd, short what, void *user)
     orr_service *s = user;
     uint64_t times;
     if (read(fd, &times, sizeof times) < 0 && errno != EAGAIN) return;
-    for (orr_conn *c; s->streams != NULL && (c = orr_streams_ready(s->streams)) != NULL;) orr_conn_stream(c);
+    send_streams(s);
 }
 
 // One more address, or a socket that was handed over.
