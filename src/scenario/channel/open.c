@@ -296,10 +296,15 @@ static orr_status open_clocks(const orr_scenario *s, orr_channels *c, orr_diag *
 static orr_status open_ocean(const orr_scenario *s, orr_channels *c, orr_diag *diag)
 {
     orr_status status = ORR_OK;
-    c->has_ocean = s->site.ocean_loading != NULL;
-    for (size_t k = 0; c->has_ocean && status == ORR_OK && k < c->n_antennas; k++)
-        if (c->antenna[k].motion == NULL)
-            status = orr_blq_read(s->site.ocean_loading, c->antenna[k].name, &c->ocean[k], diag);
+    for (size_t k = 0; s->site.ocean_loading != NULL && status == ORR_OK && k < c->n_antennas; k++) {
+        orr_blq blq;
+        if (c->antenna[k].motion != NULL) continue;
+        status = orr_blq_read(s->site.ocean_loading, c->antenna[k].name, &blq, diag);
+        if (status != ORR_OK) return status;
+        c->ocean[k] = malloc(sizeof *c->ocean[k]);
+        if (c->ocean[k] == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+        status = orr_ocean_loading_of(&blq, c->ocean[k], diag);
+    }
     return status;
 }
 
@@ -404,6 +409,7 @@ void orr_channels_close(orr_channels *c)
     for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) {
         orr_windup_free(&c->windup[k]);
         orr_series_free(&c->oscillator[k]);
+        free(c->ocean[k]);
     }
     for (size_t k = 0; c->satellite != NULL && k < c->n_sats; k++)
         orr_series_free(&c->satellite[k].clock_noise);

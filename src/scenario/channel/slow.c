@@ -241,8 +241,8 @@ void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_
     orr_sat sat[SLOW_BATCH];
     orr_vec3 sat_m[SLOW_BATCH];
     if (c->antenna[antenna].motion == NULL)
-        m.moved = orr_site_at(&c->site, orr_ephemeris_eop(channels_ephemeris(c)),
-                              c->has_ocean ? &c->ocean[antenna] : NULL, at->r_m, &at->enu, m.sun_m, t);
+        m.moved = orr_site_at(&c->site, orr_ephemeris_eop(channels_ephemeris(c)), c->ocean[antenna], at->r_m,
+                              &at->enu, m.sun_m, t);
     if (c->troposphere != NULL) {
         const orr_geodetic place_of = orr_earth_from_ecef(at->r_m);
         orr_geodetic above = place_of;

@@ -7,13 +7,25 @@
 #include "core/vec.h"
 #include "ingest/tables/blq.h"
 
-// Displacement, East, North and Up, m.
+enum { ORR_TIDES = 342 };
+
+// Up, West and South of each constituent: m, factors of the cosine and the sine of its argument.
+typedef struct orr_ocean_loading {
+    double cosine_m[ORR_TIDES][3], sine_m[ORR_TIDES][3];
+} orr_ocean_loading;
+
+// Spreads a station's eleven constituents over 342.
 // Given:
-//   blq  the station's loading
-//   t    instant
-// Notes: the eleven constituents with their nodal factors. What the IERS' HARDISP takes from 342 of them departs from this by up to
-// half a millimetre (measured on its published case of Onsala).
-// Reference: IERS Conventions 2010, 7.1.2, eq. (7.15); nodal factors: Doodson 1928 as Pugh 1987, table 4:3, lists them.
-orr_vec3 orr_ocean_loading_m(const orr_blq *blq, orr_time t);
+//   blq   the station's loading
+// Returned:
+//   out   the constituents
+//   diag  ORR_E_MEMORY
+// Notes: what a constituent does, over its amplitude in the tide's potential, is a smooth function of its frequency: natural cubics
+// through the four of half a day, the four of a day and the three of long periods; held beyond the outermost.
+// Reference: IERS Conventions 2010, 7.1.2; Agnew's HARDISP
+orr_status orr_ocean_loading_of(const orr_blq *blq, orr_ocean_loading *out, orr_diag *diag);
+
+// Displacement at an instant: East, North and Up, m.
+orr_vec3 orr_ocean_loading_m(const orr_ocean_loading *o, orr_time t);
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scenario/effect/site.h"
 
-#include "src/scenario/effect/ocean_loading.h"
 #include "src/scenario/effect/solid_tide.h"
 
 static orr_vec3 solid_m(const orr_eop *eop, orr_vec3 r_m, orr_vec3 sun_m, orr_time t)
@@ -16,11 +15,12 @@ static orr_vec3 solid_m(const orr_eop *eop, orr_vec3 r_m, orr_vec3 sun_m, orr_ti
     return orr_solid_tide_m(r_m, sun_m, orr_mat3_apply(&R, orr_astro_moon(t)), 24 * day, century);
 }
 
-orr_site_moved orr_site_at(const orr_scenario_site *o, const orr_eop_series *eop, const orr_blq *blq,
-                           orr_vec3 r_m, const orr_mat3 *enu, orr_vec3 sun_m, orr_time t)
+orr_site_moved orr_site_at(const orr_scenario_site *o, const orr_eop_series *eop,
+                           const orr_ocean_loading *ocean, orr_vec3 r_m, const orr_mat3 *enu, orr_vec3 sun_m,
+                           orr_time t)
 {
     orr_site_moved out = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    if (blq != NULL) out.ocean_m = orr_mat3_apply_t(enu, orr_ocean_loading_m(blq, t));
+    if (ocean != NULL) out.ocean_m = orr_mat3_apply_t(enu, orr_ocean_loading_m(ocean, t));
     if (!o->solid_tide && !o->pole_tide) return out;
     const orr_eop now = orr_eop_at(eop, t, NULL, NULL);
     if (o->solid_tide) out.solid_m = solid_m(&now, r_m, sun_m, t);
