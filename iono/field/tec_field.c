@@ -346,9 +346,15 @@ orr_status orr_tec_field_from_broadcast(orr_tec_algorithm algorithm, const orr_t
     return ORR_OK;
 }
 
+orr_tec_field *orr_tec_field_share(orr_tec_field *f)
+{
+    if (f != NULL) atomic_fetch_add(&f->others, 1);
+    return f;
+}
+
 void orr_tec_field_free(orr_tec_field *f)
 {
-    if (f == NULL) return;
+    if (f == NULL || atomic_fetch_sub(&f->others, 1) > 0) return;
     free(f->t);
     free(f->t1);
     free(f->sun);

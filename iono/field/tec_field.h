@@ -124,6 +124,8 @@ typedef struct orr_tec_broadcast {
 orr_status orr_tec_field_from_broadcast(orr_tec_algorithm algorithm, const orr_tec_broadcast *set, size_t n,
                                         orr_time from, orr_time to, const char *source,
                                         const orr_tec_options *options, orr_tec_field **out, orr_diag *diag);
+// Another owner of the same field, which frees it likewise: the last one ends it. f may be NULL.
+orr_tec_field *orr_tec_field_share(orr_tec_field *f);
 // Frees a field; f may be NULL.
 void orr_tec_field_free(orr_tec_field *f);
 

@@ -3,6 +3,8 @@
 #ifndef ORR_IONO_FIELD_TEC_FIELD_PRIVATE_H
 #define ORR_IONO_FIELD_TEC_FIELD_PRIVATE_H
 
+#include <stdatomic.h>
+
 #include "iono/broadcast/nequick.h"
 #include "iono/field/sun_frame.h"
 #include "iono/field/tec_field.h"
@@ -22,6 +24,7 @@ typedef struct tec_grid {
 } tec_grid;
 
 struct orr_tec_field {
+    atomic_int others; // owners beside the first
     tec_kind kind;
     orr_tec_options options;
     char source[256];

@@ -4,9 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/nan.h"
 #include "core/path.h"
-#include "orbit/ephemeris/ephemeris.h"
 #include "src/archive/store.h"
 #include "src/make/navset.h"
 #include "src/make/station.h"
@@ -49,6 +47,34 @@ void orr_archive_extras_plan(const orr_archive_extras *x, const orr_archive_inde
     }
 }
 
+// The day's own orbit and TEC field, which all its extras are made from: opened once.
+typedef struct day_files {
+    orr_station_plan plan; // that they were opened by; without a station
+    orr_station_shared shared;
+    orr_status status; // why there is no field
+    orr_diag why;
+} day_files;
+
+static void open_beside(const orr_archive_extras *x, const orr_archive_index *index,
+                        const orr_leap_table *leap, const char *orbit, int32_t mjd, day_files *out)
+{
+    const orr_archive_input *map = NULL;
+    *out = (day_files){.plan = orr_station_plan_default()};
+    out->plan.tec.leap = leap;
+    out->plan.orbit = orbit;
+    if (x->wants.maps != NULL) out->status = orr_archive_index_find_map(index, mjd, &map, &out->why);
+    if (map != NULL) {
+        out->plan.field = map->path;
+        out->status = orr_station_share(&out->plan, &out->shared, NULL, &out->why);
+        if (out->status == ORR_OK) return;
+        orr_station_shared_free(&out->shared); // a field that cannot be used spoils the broadcast data not
+        out->plan.field = NULL;
+    }
+    orr_diag *why = out->status == ORR_OK ? &out->why : NULL;
+    const orr_status opened = orr_station_share(&out->plan, &out->shared, NULL, why);
+    if (out->status == ORR_OK) out->status = opened;
+}
+
 static orr_status make_broadcast(const orr_ephemeris *e, int32_t mjd, const char *path, orr_diag *diag)
 {
     orr_navset_plan plan = orr_navset_plan_default();
@@ -70,16 +96,10 @@ static orr_status make_broadcast(const orr_ephemeris *e, int32_t mjd, const char
     return s;
 }
 
-static orr_status make_map(const char *from, const orr_leap_table *leap, const char *path, orr_diag *diag)
+static orr_status make_map(const orr_tec_field *field, const char *path, orr_diag *diag)
 {
-    orr_tec_options options = orr_tec_default_options();
-    orr_tec_field *field = NULL;
     orr_ion models;
-    options.leap = leap;
-    orr_status s = orr_tec_field_open(from, &options, &field, NULL, diag);
-    if (s != ORR_OK) return s;
-    s = orr_tec_field_to_ion(field, &models, diag);
-    orr_tec_field_free(field);
+    orr_status s = orr_tec_field_to_ion(field, &models, diag);
     if (s != ORR_OK) return s;
     s = orr_ion_write(&models, path, diag);
     orr_ion_free(&models);
@@ -87,23 +107,20 @@ static orr_status make_map(const char *from, const orr_leap_table *leap, const c
 }
 
 // A station's session, by the day's own orbit and field.
-//   Given:    obs, map, orbit  files
-//             name             of the station
-//             leap             leap seconds
-//             path             where to
-//   Returned: out              how good it is
-//             diag             why there is none
-static orr_status make_session(const char *obs, const char *map, const char *orbit, const char *name,
-                               const orr_leap_table *leap, const char *path, orr_archive_station *out,
-                               orr_diag *diag)
+//   Given:    beside  them
+//             name    of the station
+//             obs     its observations
+//             path    where to
+//   Returned: out     how good it is
+//             diag    why there is none
+static orr_status make_session(const day_files *beside, const char *name, const char *obs, const char *path,
+                               orr_archive_station *out, orr_diag *diag)
 {
-    orr_station_plan plan = orr_station_plan_default();
+    orr_station_plan plan = beside->plan;
     orr_station st;
     char call[64];
     plan.observations = obs;
-    plan.field = map;
-    plan.orbit = orbit;
-    plan.tec.leap = leap;
+    plan.shared = &beside->shared;
     orr_status s = orr_station_open(&plan, &st, NULL, diag);
     if (s == ORR_OK) s = orr_station_fuse(&st, NULL, diag);
     if (s == ORR_OK) {
@@ -122,24 +139,22 @@ static orr_status make_session(const char *obs, const char *map, const char *orb
 }
 
 static orr_status make_sessions(const orr_archive_extras *x, const orr_archive_index *index,
-                                const orr_leap_table *leap, const char *folder, orr_archive_record *r,
+                                const day_files *beside, const char *folder, orr_archive_record *r,
                                 orr_diag *diag)
 {
-    char path[ORR_ARCHIVE_PATH], orbit[ORR_ARCHIVE_PATH], name[32];
-    const orr_archive_input *map = NULL;
-    orr_diag why = {0};
+    char path[ORR_ARCHIVE_PATH], name[32];
     orr_status s = ORR_OK;
-    snprintf(orbit, sizeof orbit, "%.900s/orbit.nc", folder);
-    const bool mapped = orr_archive_index_find_map(index, r->mjd, &map, &why) == ORR_OK;
     for (size_t k = 0; s == ORR_OK && k < x->wants.n_stations && k < ORR_ARCHIVE_MAX_STATIONS; k++) {
         const orr_archive_input *obs = orr_archive_index_find_obs(index, r->mjd, k);
         orr_archive_station told;
+        orr_diag why = beside->why;
+        orr_status made = beside->status;
         snprintf(name, sizeof name, "session-%.8s.nc", x->wants.station[k]);
         snprintf(path, sizeof path, "%.900s/%s", folder, name);
-        if (obs == NULL) orr_diag_set(&why, ORR_E_NODATA, "there are no observations of the day");
-        if (!mapped || obs == NULL ||
-            make_session(obs->path, map->path, orbit, x->wants.station[k], leap, path, &told, &why) !=
-                ORR_OK) {
+        if (made == ORR_OK && obs == NULL)
+            made = orr_diag_set(&why, ORR_E_NODATA, "there are no observations of the day");
+        if (made == ORR_OK) made = make_session(beside, x->wants.station[k], obs->path, path, &told, &why);
+        if (made != ORR_OK) {
             note(r, name, &why);
             continue;
         }
@@ -149,34 +164,47 @@ static orr_status make_sessions(const orr_archive_extras *x, const orr_archive_i
     return s;
 }
 
+// Puts a product into the record, or the reason why there is none into its notes.
+//   Given:    r       the record
+//             folder  the day's
+//             name    of the product
+//             made    how its making ended
+//             why     the sentence where it failed
+//   Returned: diag    ORR_E_IO
+static orr_status take_product(orr_archive_record *r, const char *folder, const char *name, orr_status made,
+                               const orr_diag *why, orr_diag *diag)
+{
+    if (made == ORR_OK) return orr_archive_note_product(r, folder, name, diag);
+    note(r, name, why);
+    return ORR_OK;
+}
+
 orr_status orr_archive_extras_make(const orr_archive_extras *x, const orr_archive_index *index,
                                    const orr_leap_table *leap, const char *folder, orr_archive_record *r,
                                    orr_diag *diag)
 {
     char path[ORR_ARCHIVE_PATH], orbit[ORR_ARCHIVE_PATH];
     orr_status s = ORR_OK;
-    orr_diag why = {0};
+    day_files beside;
+    if (!x->navdata && x->wants.maps == NULL) return ORR_OK;
+    snprintf(orbit, sizeof orbit, "%.900s/orbit.nc", folder);
+    open_beside(x, index, leap, orbit, r->mjd, &beside);
     if (x->navdata) {
-        orr_ephemeris *e = NULL;
-        snprintf(orbit, sizeof orbit, "%.900s/orbit.nc", folder);
+        orr_diag why = beside.why;
         snprintf(path, sizeof path, "%.900s/" BROADCAST, folder);
-        orr_status made = orr_ephemeris_load(orbit, &e, &why);
-        if (made == ORR_OK) made = make_broadcast(e, r->mjd, path, &why);
-        orr_ephemeris_free(e);
+        orr_status made = beside.shared.positions != NULL ? ORR_OK : beside.status;
         if (made == ORR_OK)
-            s = orr_archive_note_product(r, folder, BROADCAST, diag);
-        else
-            note(r, BROADCAST, &why);
+            made = make_broadcast(orr_positions_product(beside.shared.positions), r->mjd, path, &why);
+        s = take_product(r, folder, BROADCAST, made, &why, diag);
     }
     if (s == ORR_OK && x->wants.maps != NULL) {
-        const orr_archive_input *map = NULL;
+        orr_diag why = beside.why;
+        orr_status made = beside.status;
         snprintf(path, sizeof path, "%.900s/" MAP, folder);
-        orr_status made = orr_archive_index_find_map(index, r->mjd, &map, &why);
-        if (made == ORR_OK) made = make_map(map->path, leap, path, &why);
-        if (made == ORR_OK)
-            s = orr_archive_note_product(r, folder, MAP, diag);
-        else
-            note(r, MAP, &why);
+        if (made == ORR_OK) made = make_map(beside.shared.field, path, &why);
+        s = take_product(r, folder, MAP, made, &why, diag);
     }
-    return s == ORR_OK ? make_sessions(x, index, leap, folder, r, diag) : s;
+    if (s == ORR_OK) s = make_sessions(x, index, &beside, folder, r, diag);
+    orr_station_shared_free(&beside.shared);
+    return s;
 }

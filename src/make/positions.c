@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "orbit/broadcast/broadcast.h"
-#include "orbit/ephemeris/ephemeris.h"
 
 struct orr_positions {
     orr_ephemeris *product;
@@ -70,6 +69,8 @@ void orr_positions_close(orr_positions *p)
 }
 
 const orr_nav *orr_positions_nav(const orr_positions *p) { return p->product == NULL ? &p->nav : NULL; }
+
+const orr_ephemeris *orr_positions_product(const orr_positions *p) { return p->product; }
 
 bool orr_positions_at(void *user, orr_sat sat, orr_time t, orr_vec3 *pos_m)
 {

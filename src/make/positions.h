@@ -5,6 +5,7 @@
 #define ORR_MAKE_POSITIONS_H
 
 #include "iono/phase/phase_tec.h"
+#include "orbit/ephemeris/ephemeris.h"
 #include "src/make/inputs.h"
 
 typedef struct orr_positions orr_positions;
@@ -22,6 +23,8 @@ orr_status orr_positions_open(const char *path, uint32_t messages, orr_positions
                               orr_warnings *warnings, orr_diag *diag);
 // Its navigation file; NULL where it is a product.
 const orr_nav *orr_positions_nav(const orr_positions *p);
+// Its orbit product; NULL where it is a navigation file.
+const orr_ephemeris *orr_positions_product(const orr_positions *p);
 // Frees it; NULL may be closed.
 void orr_positions_close(orr_positions *p);
 // An orr_position_fn; user is the source.

@@ -27,7 +27,7 @@ orr_station_plan orr_station_plan_default(void)
 void orr_station_free(orr_station *s)
 {
     orr_bytes_free(&s->observations);
-    orr_positions_close(s->positions);
+    orr_station_shared_free(&s->own);
     orr_tec_field_free(s->field);
     orr_bias_free(&s->bias);
     orr_antex_free(&s->antex);
@@ -113,44 +113,92 @@ static orr_status site_of_sinex(orr_station *s, orr_diag *diag)
 }
 
 // Frequency channels that a navigation file tells; of several records of a slot the last.
-static void note_channels(orr_station *s, const orr_nav *nav)
+static void note_channels(orr_station_shared *x, const orr_nav *nav)
 {
     for (size_t i = 0; nav != NULL && i < nav->n_eph; i++)
         if (nav->eph[i].kind == ORR_NAV_GLONASS)
-            s->glonass_channel[orr_sat_number(nav->eph[i].sat) % 100] =
+            x->glonass_channel[orr_sat_number(nav->eph[i].sat) % 100] =
                 (int8_t)nav->eph[i].glonass.freq_channel;
 }
 
-static void channels_of_field(orr_station *s, const orr_bytes *text)
+static void channels_of_field(orr_station_shared *x, const orr_bytes *text)
 {
     orr_nav nav;
     if (orr_sniff((orr_view){text->text, text->n < 65536 ? text->n : 65536}).kind != ORR_KIND_RINEX_NAV)
         return;
     if (orr_nav_parse("", text->text, text->n, NULL, &nav, NULL, NULL) != ORR_OK)
         return; // the field's reader says why
-    note_channels(s, &nav);
+    note_channels(x, &nav);
     orr_nav_free(&nav);
 }
 
 // The field, and where it is an IONEX file its code biases, which belong to its level.
-static orr_status read_field(orr_station *s, orr_bias_set *biases, orr_warnings *warnings, orr_diag *diag)
+static orr_status read_field(const orr_station_plan *p, orr_station_shared *x, orr_warnings *warnings,
+                             orr_diag *diag)
 {
-    const orr_station_plan *p = s->plan;
     orr_bytes text;
-    orr_status status = orr_inputs_read(&s->inputs, p->field,
+    orr_status status = orr_inputs_read(&x->inputs, p->field,
                                         ORR_KIND_BIT(ORR_KIND_IONEX) | ORR_KIND_BIT(ORR_KIND_ION) |
                                             ORR_KIND_BIT(ORR_KIND_RINEX_NAV),
                                         &text, diag);
     if (status == ORR_OK)
-        status = orr_tec_field_parse(p->field, text.text, text.n, &p->tec, &s->field, warnings, diag);
-    if (status == ORR_OK) channels_of_field(s, &text);
+        status = orr_tec_field_parse(p->field, text.text, text.n, &p->tec, &x->field, warnings, diag);
+    if (status == ORR_OK) channels_of_field(x, &text);
     orr_ionex maps;
     if (status == ORR_OK && orr_ionex_parse(p->field, text.text, text.n, NULL, &maps, NULL, NULL) == ORR_OK) {
-        status = orr_bias_of_ionex(&maps, biases, diag);
+        status = orr_bias_of_ionex(&maps, &x->bias, diag);
         orr_ionex_free(&maps);
     }
     orr_bytes_free(&text);
     return status;
+}
+
+orr_status orr_station_share(const orr_station_plan *plan, orr_station_shared *out, orr_warnings *warnings,
+                             orr_diag *diag)
+{
+    *out = (orr_station_shared){.inputs = {.leap = plan->tec.leap}};
+    memset(out->glonass_channel, ORR_OBS_NO_CHANNEL, sizeof out->glonass_channel);
+    orr_status s = plan->field != NULL ? read_field(plan, out, warnings, diag) : ORR_OK;
+    if (s == ORR_OK && plan->orbit != NULL)
+        s = orr_positions_open(plan->orbit, plan->messages, &out->positions, &out->inputs, warnings, diag);
+    if (s == ORR_OK && out->positions != NULL) note_channels(out, orr_positions_nav(out->positions));
+    return s;
+}
+
+void orr_station_shared_free(orr_station_shared *x)
+{
+    orr_tec_field_free(x->field);
+    orr_bias_free(&x->bias);
+    orr_positions_close(x->positions);
+    orr_inputs_free(&x->inputs);
+    *x = (orr_station_shared){0};
+}
+
+static orr_status copy_biases(const orr_bias_set *from, orr_bias_set *out, orr_diag *diag)
+{
+    *out = *from;
+    if (from->n == 0) {
+        out->bias = NULL;
+        return ORR_OK;
+    }
+    out->bias = malloc(from->n * sizeof *out->bias);
+    if (out->bias == NULL) {
+        out->n = 0;
+        return orr_diag_set(diag, ORR_E_MEMORY, "no memory for code biases");
+    }
+    memcpy(out->bias, from->bias, from->n * sizeof *out->bias);
+    return ORR_OK;
+}
+
+// Takes field and positions over from what was opened, each station with biases of its own.
+static orr_status take_shared(orr_station *s, const orr_station_shared *from, orr_bias_set *biases,
+                              orr_diag *diag)
+{
+    s->field = orr_tec_field_share(from->field);
+    s->positions = from->positions;
+    memcpy(s->glonass_channel, from->glonass_channel, sizeof s->glonass_channel);
+    const orr_status status = copy_biases(&from->bias, biases, diag);
+    return status == ORR_OK ? orr_inputs_join(&s->inputs, &from->inputs, diag) : status;
 }
 
 static orr_status read_antennas(orr_station *s, orr_warnings *warnings, orr_diag *diag)
@@ -171,10 +219,8 @@ static orr_status read_inputs(orr_station *s, orr_warnings *warnings, orr_diag *
     orr_status status =
         orr_inputs_read_raw(&s->inputs, p->observations, OBSERVATIONS, &s->observations, diag);
     orr_bias_set of_field = {0};
-    if (status == ORR_OK && p->field != NULL) status = read_field(s, &of_field, warnings, diag);
-    if (status == ORR_OK && p->orbit != NULL)
-        status = orr_positions_open(p->orbit, p->messages, &s->positions, &s->inputs, warnings, diag);
-    if (status == ORR_OK && s->positions != NULL) note_channels(s, orr_positions_nav(s->positions));
+    if (status == ORR_OK && p->shared == NULL) status = orr_station_share(p, &s->own, warnings, diag);
+    if (status == ORR_OK) status = take_shared(s, p->shared != NULL ? p->shared : &s->own, &of_field, diag);
     if (status == ORR_OK && p->antex != NULL) status = read_antennas(s, warnings, diag);
     if (status == ORR_OK) status = read_biases(s, warnings, diag);
     if (status == ORR_OK) status = orr_bias_join(&s->bias, &of_field, diag);
@@ -203,7 +249,6 @@ orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_
                             orr_diag *diag)
 {
     *out = (orr_station){.plan = plan, .options = plan->phase, .site_m = plan->site_m};
-    memset(out->glonass_channel, ORR_OBS_NO_CHANNEL, sizeof out->glonass_channel);
     orr_status s = read_inputs(out, warnings, diag);
     if (s != ORR_OK) return s;
     orr_phase_options *o = &out->options;

@@ -8,10 +8,21 @@
 #include "iono/fusion/session.h"
 #include "src/make/positions.h"
 
+// The field and the satellites' positions, which the stations of a day have in common: opened once for all of them.
+typedef struct orr_station_shared {
+    orr_tec_field *field;        // NULL: none
+    orr_bias_set bias;           // of the field's file, where it is IONEX
+    orr_positions *positions;    // NULL: none
+    int8_t glonass_channel[100]; // as the navigation files among them tell
+    orr_inputs inputs;           // provenance
+} orr_station_shared;
+
 typedef struct orr_station_plan {
     const char *observations;
-    const char *field;         // NULL: none (phases alone)
-    const char *orbit;         // an orbit product or a navigation file; NULL: none (phases alone)
+    const char *field; // NULL: none (phases alone)
+    const char *orbit; // an orbit product or a navigation file; NULL: none (phases alone)
+    const orr_station_shared *
+        shared; // both, opened before, and `field` and `orbit` are not read; NULL: they are read. Outlives the station
     uint32_t messages;         // of that file to insist on (orr_broadcast_choice.messages); 0: the usual ones
     const char *const *biases; // files of code biases; those of an IONEX field are used besides
     size_t n_biases;
@@ -33,15 +44,29 @@ typedef struct orr_station {
     orr_vec3 site_m;
     int8_t glonass_channel[100]; // as the navigation files tell them
     orr_bytes observations;      // as they were read
-    orr_positions *positions;
-    orr_tec_field *field; // NULL once the session has it
-    orr_bias_set bias;    // of all files, joined
+    orr_station_shared own;      // field and positions where plan->shared has none
+    orr_positions *positions;    // borrowed from them
+    orr_tec_field *field;        // of them; NULL once the session has it
+    orr_bias_set bias;           // of all files, joined
     orr_antex antex;
     orr_phase_tec phase;
     orr_fusion fusion;
     orr_session session;
     orr_inputs inputs; // provenance
 } orr_station;
+
+// Opens what plan->field and plan->orbit name, with plan->tec and plan->messages.
+// Given:
+//   plan      files and options
+// Returned:
+//   out       field and positions; free with orr_station_shared_free whatever this returned
+//   warnings  of the readers; may be NULL
+//   diag      why it failed; may be NULL
+// Errors: those of the readers.
+orr_status orr_station_share(const orr_station_plan *plan, orr_station_shared *out, orr_warnings *warnings,
+                             orr_diag *diag);
+// Frees all of it; it is zero then.
+void orr_station_shared_free(orr_station_shared *x);
 
 // Reads everything, then the phases. Errors: those of the readers and of orr_phase_tec_make; ORR_E_NODATA (no such station in `sinex`). Free with orr_station_free whatever it returned.
 orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_warnings *warnings,
