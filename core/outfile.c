@@ -261,6 +261,13 @@ orr_status orr_outfile_commit(orr_outfile *f, orr_diag *diag)
     return status;
 }
 
+orr_status orr_outfile_end(orr_outfile *f, orr_status status, orr_diag *diag)
+{
+    if (status == ORR_OK) return orr_outfile_commit(f, diag);
+    orr_outfile_abort(f);
+    return status;
+}
+
 void orr_outfile_abort(orr_outfile *f)
 {
     if (f->stream != NULL && f->stream != stdout) fclose(f->stream);

@@ -21,6 +21,9 @@ orr_status orr_outfile_reserve(const char *path, orr_outfile *f, orr_diag *diag)
 bool orr_outfile_takes_more(const orr_outfile *f);
 // fsync and rename; on failure the temporary is gone and the old file untouched. Ends f.
 orr_status orr_outfile_commit(orr_outfile *f, orr_diag *diag);
+// The end of a file that was written with `status`: committed where that is ORR_OK, removed otherwise. Returns `status`, or why the
+// commit failed. Ends f.
+orr_status orr_outfile_end(orr_outfile *f, orr_status status, orr_diag *diag);
 // Removes the temporary. Ends f; harmless after commit.
 void orr_outfile_abort(orr_outfile *f);
 #define ORR_OUTFILE_UNFINISHED 32

@@ -116,9 +116,5 @@ orr_status orr_nav_write(const orr_nav *nav, const char *path, size_t *n_left_ou
             left++;
     }
     if (n_left_out != NULL) *n_left_out = left;
-    if (ferror(out.stream)) {
-        orr_outfile_abort(&out);
-        return orr_diag_set(diag, ORR_E_IO, "%s: the output could not be written", path);
-    }
     return orr_outfile_commit(&out, diag);
 }

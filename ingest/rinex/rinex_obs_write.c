@@ -255,12 +255,8 @@ orr_status orr_rinex_obs_write(orr_rinex_obs_writer *w, const orr_rinex_obs_epoc
 orr_status orr_rinex_obs_commit(orr_rinex_obs_writer *w, orr_diag *diag)
 {
     orr_status s = ORR_OK;
-    if (w->failed) {
-        s = orr_diag_set(diag, ORR_E_IO, "%s: the output could not be written", w->out.path);
-        orr_outfile_abort(&w->out);
-    } else {
-        s = orr_outfile_commit(&w->out, diag);
-    }
+    if (w->failed) s = orr_diag_set(diag, ORR_E_IO, "%s: the output could not be written", w->out.path);
+    s = orr_outfile_end(&w->out, s, diag);
     free(w);
     return s;
 }

@@ -293,9 +293,5 @@ orr_status orr_sp3_write(const orr_sp3 *sp3, const char *path, orr_diag *diag)
     orr_status st = orr_outfile_open(path, &f, diag);
     if (st != ORR_OK) return st;
     st = orr_sp3_print(sp3, f.stream, diag);
-    if (st != ORR_OK) {
-        orr_outfile_abort(&f);
-        return st;
-    }
-    return orr_outfile_commit(&f, diag);
+    return orr_outfile_end(&f, st, diag);
 }

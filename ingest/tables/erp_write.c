@@ -50,9 +50,5 @@ orr_status orr_erp_write(const orr_erp *x, const char *const *remark, size_t n_r
     orr_status s = orr_outfile_open(path, &f, diag);
     if (s != ORR_OK) return s;
     s = orr_erp_print(x, remark, n_remarks, f.stream, diag);
-    if (s != ORR_OK) {
-        orr_outfile_abort(&f);
-        return s;
-    }
-    return orr_outfile_commit(&f, diag);
+    return orr_outfile_end(&f, s, diag);
 }

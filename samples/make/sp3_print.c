@@ -140,9 +140,7 @@ orr_status orr_sample_sp3_print(const orr_sample_truth *t, orr_time from, int in
         s = print_epoch(&p, t, from + (orr_time)i * interval_s * ORR_NS_PER_S, interval_s);
     line(&p, "EOF");
     if (gzclose(p.z) != Z_OK) p.bad = true;
-    if (s != ORR_OK || p.bad) {
-        orr_outfile_abort(&f);
-        return orr_diag_at(diag, s != ORR_OK ? s : ORR_E_IO, path, 0, 0, "cannot be written");
-    }
-    return orr_outfile_commit(&f, diag);
+    if (s == ORR_OK && p.bad) s = ORR_E_IO;
+    if (s != ORR_OK) orr_diag_at(diag, s, path, 0, 0, "cannot be written");
+    return orr_outfile_end(&f, s, diag);
 }

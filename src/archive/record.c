@@ -174,14 +174,10 @@ orr_status orr_archive_record_write(const orr_archive_record *r, const char *fol
     if (j == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the record of %s", folder);
     orr_status s = orr_outfile_open(path, &f, diag);
     if (s == ORR_OK) {
-        const bool done = json_dumpf(j, f.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) == 0 &&
-                          fputc('\n', f.stream) != EOF;
-        if (done)
-            s = orr_outfile_commit(&f, diag);
-        else {
+        if (json_dumpf(j, f.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) != 0)
             s = orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be written: %s", strerror(errno));
-            orr_outfile_abort(&f);
-        }
+        fputc('\n', f.stream);
+        s = orr_outfile_end(&f, s, diag);
     }
     json_decref(j);
     return s;

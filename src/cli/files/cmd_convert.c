@@ -33,10 +33,7 @@ static int run(orr_cli *c)
     if (s == ORR_OK) {
         sink k = {.stream = out.stream};
         s = orr_crinex_expand(in, put, &k, &warnings, &diag);
-        if (s == ORR_OK)
-            s = orr_outfile_commit(&out, &diag);
-        else
-            orr_outfile_abort(&out);
+        s = orr_outfile_end(&out, s, &diag);
         if (s == ORR_OK && strcmp(path, "-") != 0)
             orr_cli_say(c, "%s: %llu lines of RINEX", path, (unsigned long long)k.lines);
     }

@@ -323,7 +323,5 @@ orr_status orr_plot_write(const char *path, const orr_plot *plot, orr_diag *diag
     put_legend(f, plot);
     put_label(f, 0.5 * (LEFT + RIGHT), TOP - 18.0, "middle", plot->title);
     fputs("</svg>\n", f);
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return s;
+    return orr_outfile_end(&out, s, diag);
 }

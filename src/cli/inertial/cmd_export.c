@@ -24,9 +24,7 @@ static orr_status write_readings(const orr_cli *c, const orr_imu *imu, orr_diag 
     orr_status s = orr_outfile_open(orr_cli_text(c, "output", "-"), &out, diag);
     if (s != ORR_OK) return s;
     s = orr_imu_export_write(out.stream, imu, formats[k].format, measured, diag);
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return s;
+    return orr_outfile_end(&out, s, diag);
 }
 
 static orr_status write_truth(const orr_cli *c, const orr_imu *imu, orr_diag *diag)
@@ -37,9 +35,7 @@ static orr_status write_truth(const orr_cli *c, const orr_imu *imu, orr_diag *di
     orr_status s = orr_outfile_open(path, &out, diag);
     if (s != ORR_OK) return s;
     s = orr_imu_export_truth(out.stream, imu, diag);
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return s;
+    return orr_outfile_end(&out, s, diag);
 }
 
 static int run(orr_cli *c)

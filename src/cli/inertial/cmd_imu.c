@@ -37,9 +37,7 @@ static orr_status write_csv(const char *path, const orr_imu *imu, orr_imu_axes a
     orr_status s = orr_outfile_open(path, &f, diag);
     if (s != ORR_OK) return s;
     s = orr_imu_write_csv(f.stream, imu, axes, diag);
-    if (s == ORR_OK) return orr_outfile_commit(&f, diag);
-    orr_outfile_abort(&f);
-    return s;
+    return orr_outfile_end(&f, s, diag);
 }
 
 static int generate(orr_cli *c, const orr_scenario *sc, orr_inputs *inputs, const orr_moving *v)

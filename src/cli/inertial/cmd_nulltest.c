@@ -135,12 +135,7 @@ static int run(orr_cli *c)
             fprintf(csv.stream, "t_s,dxi1_m,dxi2_m,dxi3_m,horizontal_m,vertical_m,dv_mps,attitude_rad\n");
     }
     if (s == ORR_OK) s = orr_null_test(&f.imu, &nav, put_point, &csv, &r, &diag);
-    if (path != NULL && csv.stream != NULL) {
-        if (s == ORR_OK)
-            s = orr_outfile_commit(&out, &diag);
-        else
-            orr_outfile_abort(&out);
-    }
+    if (path != NULL && csv.stream != NULL) s = orr_outfile_end(&out, s, &diag);
     int status = ORR_EXIT_OK;
     if (s == ORR_OK && json)
         status = print_json(c, &f, &nav, &r);

@@ -291,9 +291,7 @@ static orr_status make(job *j, orr_diag *diag)
     j->csv = out.stream;
     csv_head(j);
     s = epochs(j, diag);
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return s;
+    return orr_outfile_end(&out, s, diag);
 }
 
 static int run(orr_cli *c)

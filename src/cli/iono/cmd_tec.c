@@ -189,10 +189,7 @@ static orr_status to_files(const orr_cli *c, const orr_tec_field *field, span wh
         else
             s = print_points(c, out.stream, field, when, json, diag);
         if (json) fputs("\n]\n", out.stream);
-        if (s == ORR_OK)
-            s = orr_outfile_commit(&out, diag);
-        else
-            orr_outfile_abort(&out);
+        s = orr_outfile_end(&out, s, diag);
     }
     orr_ionex_free(&maps);
     return s;

@@ -255,9 +255,7 @@ static orr_status make(const orr_cli *c, const subject *u, const orr_sp3 *truth,
         s = u->e != NULL ? orr_compare(u->e, truth, n, &o, x, diag)
                          : orr_compare_sp3(&u->sp3, 1, truth, n, &o, x, diag);
     if (csv == NULL) return s;
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return s;
+    return orr_outfile_end(&out, s, diag);
 }
 
 static int compare(orr_cli *c, const subject *u, orr_sp3 *truth, size_t n)

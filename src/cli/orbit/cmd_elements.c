@@ -158,12 +158,8 @@ static orr_status to_text(const orr_elements_plan *plan, const char *path, bool 
     if (s != ORR_OK) return s;
     text_sink k = {.stream = out.stream, .path = path};
     s = orr_elements_make(plan, json ? print_json_row : print_csv_row, &k, n, NULL, warnings, diag);
-    if (s != ORR_OK) {
-        orr_outfile_abort(&out);
-        return s;
-    }
-    if (json) fputs("\n]\n", out.stream);
-    return orr_outfile_commit(&out, diag);
+    if (s == ORR_OK && json) fputs("\n]\n", out.stream);
+    return orr_outfile_end(&out, s, diag);
 }
 
 static orr_status to_nc(const orr_cli *c, const orr_elements_plan *plan, const char *path, size_t *n,

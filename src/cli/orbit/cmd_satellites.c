@@ -259,10 +259,11 @@ static orr_status write_out(const orr_cli *c, request *q, orr_diag *diag)
     orr_status s = orr_outfile_open(orr_cli_text(c, "output", "-"), &out, diag);
     if (s != ORR_OK) return s;
     s = print_all(q, out.stream, &rows);
-    if (s == ORR_OK) tell_useless(c, q);
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return orr_diag_set(diag, s, "%s has no orbit of these satellites then", c->operand[0]);
+    if (s == ORR_OK)
+        tell_useless(c, q);
+    else
+        orr_diag_set(diag, s, "%s has no orbit of these satellites then", c->operand[0]);
+    return orr_outfile_end(&out, s, diag);
 }
 
 static int run(orr_cli *c)

@@ -100,10 +100,7 @@ orr_status navfit_write_rtcm(const orr_navset *set, const orr_leap_table *leap, 
     if (s == ORR_OK) s = orr_outfile_open(path, &out, diag);
     if (s == ORR_OK) {
         s = put_frames(out.stream, &nav, leap, diag);
-        if (s == ORR_OK)
-            s = orr_outfile_commit(&out, diag);
-        else
-            orr_outfile_abort(&out);
+        s = orr_outfile_end(&out, s, diag);
     }
     orr_nav_free(&nav);
     return s;
@@ -169,17 +166,19 @@ orr_status navfit_write_bits(const orr_navset *set, bool coded, orr_time from, o
     if (all == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
-    if (s == ORR_OK) fputs("t_gps,sat,message,signals,number,page,length_s,bits,hex\n", out.stream);
+    if (s != ORR_OK) {
+        free(all);
+        return s;
+    }
+    fputs("t_gps,sat,message,signals,number,page,length_s,bits,hex\n", out.stream);
     *n_pieces = 0;
     for (orr_time t = from; t < to && s == ORR_OK; t += block) {
         for (size_t i = 0; i < n && s == ORR_OK; i++)
             while (all[i].next < t + block && all[i].next < to && s == ORR_OK)
                 s = print_frame(out.stream, set, &all[i], coded, from, to, n_pieces, diag);
-        if (s != ORR_OK) orr_outfile_abort(&out);
     }
     free(all);
-    if (s != ORR_OK) return s;
-    if (*n_pieces > 0) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return orr_diag_set(diag, ORR_E_NODATA, "no satellite sends anything between --from and --to");
+    if (s == ORR_OK && *n_pieces == 0)
+        s = orr_diag_set(diag, ORR_E_NODATA, "no satellite sends anything between --from and --to");
+    return orr_outfile_end(&out, s, diag);
 }

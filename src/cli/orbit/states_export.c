@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // States, clocks and attitude in the forms that other programs read. Dates of headers are those of the data, so that the same
 // products make the same bytes.
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,16 +34,6 @@ static orr_civil civil_of(orr_time t)
     orr_civil c;
     orr_time_to_civil(t, ORR_SCALE_GPS, NULL, &c);
     return c;
-}
-
-// Ends an output that was written with `s`: committed, or gone.
-static orr_status finish(orr_outfile *out, orr_status s, orr_diag *diag)
-{
-    if (s == ORR_OK && ferror(out->stream))
-        s = orr_diag_set(diag, ORR_E_IO, "could not write: %s", strerror(errno));
-    if (s == ORR_OK) return orr_outfile_commit(out, diag);
-    orr_outfile_abort(out);
-    return s;
 }
 
 // --- RINEX CLK ---
@@ -157,7 +146,7 @@ orr_status states_write_orbex(const orr_products *p, const states_request *q, st
     orr_status s = orr_outfile_open(q->path, &out, diag);
     if (s != ORR_OK) return s;
     orr_spacecraft *x = calloc(p->n_sats, sizeof *x);
-    if (x == NULL) return finish(&out, out_of_memory(diag), diag);
+    if (x == NULL) return orr_outfile_end(&out, out_of_memory(diag), diag);
     orbex_head(out.stream, p, q);
     for (size_t i = 0; i < epochs_of(q); i++) {
         const orr_time t = q->from + (int64_t)i * q->step_ns;
@@ -184,7 +173,7 @@ orr_status states_write_orbex(const orr_products *p, const states_request *q, st
     }
     fputs("-EPHEMERIS/DATA\n%END_ORBEX\n", out.stream);
     free(x);
-    return finish(&out, ORR_OK, diag);
+    return orr_outfile_end(&out, ORR_OK, diag);
 }
 
 // --- CCSDS OEM ---
@@ -249,7 +238,7 @@ orr_status states_write_oem(const orr_products *p, const states_request *q, stat
     orr_status s = orr_outfile_open(q->path, &out, diag);
     if (s != ORR_OK) return s;
     orr_sat_state *row = calloc(epochs_of(q), sizeof *row);
-    if (row == NULL) return finish(&out, out_of_memory(diag), diag);
+    if (row == NULL) return orr_outfile_end(&out, out_of_memory(diag), diag);
     fprintf(out.stream,
             "CCSDS_OEM_VERS = 2.0\nCOMMENT Made by Orrery %s from %.60s; the date is that of the data\n"
             "CREATION_DATE = %s\nORIGINATOR = ORRERY\n",
@@ -257,7 +246,7 @@ orr_status states_write_oem(const orr_products *p, const states_request *q, stat
     for (size_t i = 0; i < p->n_sats; i++)
         if (wanted(q, p->sat[i])) oem_satellite(p, q, i, row, out.stream, count);
     free(row);
-    return finish(&out, ORR_OK, diag);
+    return orr_outfile_end(&out, ORR_OK, diag);
 }
 
 // --- NetCDF ---

@@ -135,9 +135,7 @@ orr_status states_write_table(const orr_products *p, const states_request *q, bo
     orr_status s = orr_outfile_open(q->path, &out, diag);
     if (s != ORR_OK) return s;
     s = write_rows(p, q, json, out.stream, count, diag);
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return s;
+    return orr_outfile_end(&out, s, diag);
 }
 
 static uint8_t sp3_flags(uint32_t f)

@@ -209,13 +209,10 @@ orr_status simulate_manifest(simulation *s, json_t *options, orr_diag *diag)
     orr_status status = simulate_path(s, "manifest.json", path, diag);
     if (status == ORR_OK) status = orr_outfile_open(path, &out, diag);
     if (status == ORR_OK) {
-        if (json_dumpf(all, out.stream, JSON_INDENT(2) | JSON_REAL_PRECISION(12)) == 0 &&
-            fputc('\n', out.stream) != EOF)
-            status = orr_outfile_commit(&out, diag);
-        else {
-            orr_outfile_abort(&out);
+        if (json_dumpf(all, out.stream, JSON_INDENT(2) | JSON_REAL_PRECISION(12)) != 0)
             status = orr_diag_set(diag, ORR_E_IO, "%s: could not be written", path);
-        }
+        fputc('\n', out.stream);
+        status = orr_outfile_end(&out, status, diag);
     }
     json_decref(all);
     return status;

@@ -171,10 +171,7 @@ static int run(orr_cli *c)
     j.out = out.stream;
     s = record(&j, &r, &diag);
     if (s == ORR_OK && j.failed) s = orr_diag_set(&diag, ORR_E_IO, "the log could not be written");
-    if (s == ORR_OK)
-        s = orr_outfile_commit(&out, &diag);
-    else
-        orr_outfile_abort(&out);
+    s = orr_outfile_end(&out, s, &diag);
     const uint64_t greatest = j.port != NULL ? orr_dial_port_reader(j.port)->window.greatest : 0;
     const uint64_t lost = greatest > 0 ? greatest - orr_dial_port_reader(j.port)->window.taken : 0;
     orr_dial_port_close(j.port);

@@ -65,10 +65,7 @@ orr_status orr_observe_truth(const orr_channels *c, size_t antenna, const orr_ob
     if (s == ORR_OK) s = orr_outfile_open(path, &out, diag);
     if (s == ORR_OK) {
         s = rows(out.stream, c, antenna, plan, work, list, count, diag);
-        if (s == ORR_OK)
-            s = orr_outfile_commit(&out, diag);
-        else
-            orr_outfile_abort(&out);
+        s = orr_outfile_end(&out, s, diag);
     }
     orr_channel_work_close(work);
     free(list);
@@ -95,7 +92,5 @@ orr_status orr_observe_track(const orr_channels *c, size_t antenna, const orr_ob
                 a.r_m.x, a.r_m.y, a.r_m.z, a.v_mps.x, a.v_mps.y, a.v_mps.z, place.lat_rad * ORR_DEG_PER_RAD,
                 place.lon_rad * ORR_DEG_PER_RAD, place.height_m);
     }
-    if (s == ORR_OK) return orr_outfile_commit(&out, diag);
-    orr_outfile_abort(&out);
-    return s;
+    return orr_outfile_end(&out, s, diag);
 }

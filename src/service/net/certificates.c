@@ -60,11 +60,11 @@ static orr_status save(const char *dir, const char *name, const char *ending, X5
     good = good && (certificate == NULL || PEM_write_X509(out.stream, certificate) == 1);
     good =
         good && (key == NULL || PEM_write_PKCS8PrivateKey(out.stream, key, NULL, NULL, 0, NULL, NULL) == 1);
-    if (good) return orr_outfile_commit(&out, diag);
-    s = orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be written: %s", strerror(errno));
-    ERR_clear_error();
-    orr_outfile_abort(&out);
-    return s;
+    if (!good) {
+        s = orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be written: %s", strerror(errno));
+        ERR_clear_error();
+    }
+    return orr_outfile_end(&out, s, diag);
 }
 
 static FILE *open_part(const char *dir, const char *ending, char path[PATH], orr_status *s, orr_diag *diag)

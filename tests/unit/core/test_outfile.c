@@ -96,6 +96,24 @@ static void abort_leaves_nothing(void **state)
     assert_int_equal(access("fresh.txt", F_OK), -1);
 }
 
+static void an_end_is_by_the_status_of_writing(void **state)
+{
+    (void)state;
+    orr_outfile f;
+    orr_diag d = {0};
+    put("a.txt", "old");
+    ASSERT_OK(orr_outfile_open("a.txt", &f, &d), d);
+    fputs("half", f.stream);
+    assert_int_equal(orr_outfile_end(&f, ORR_E_RANGE, &d), ORR_E_RANGE);
+    assert_holds("a.txt", "old");
+    ASSERT_OK(orr_outfile_open("a.txt", &f, &d), d);
+    fputs("new", f.stream);
+    ASSERT_OK(orr_outfile_end(&f, ORR_OK, &d), d);
+    assert_holds("a.txt", "new");
+    assert_int_equal(orr_outfile_end(&f, ORR_OK, &d), ORR_E_ARG); // it has ended
+    assert_int_equal(count_files(), 1);
+}
+
 static void modes_follow_the_umask_or_the_old_file(void **state)
 {
     (void)state;
@@ -247,6 +265,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(old_file_stands_until_commit),
         IN_FOLDER(abort_leaves_nothing),
+        IN_FOLDER(an_end_is_by_the_status_of_writing),
         IN_FOLDER(modes_follow_the_umask_or_the_old_file),
         IN_FOLDER(a_link_stays_a_link),
         IN_FOLDER(a_device_is_written_and_not_replaced),
