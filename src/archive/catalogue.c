@@ -55,6 +55,7 @@ static void take_record(const char *archive, orr_catalogue_day *d)
         snprintf(d->program, sizeof d->program, "%s", r->program);
         snprintf(d->key, sizeof d->key, "%s", r->key);
         d->before = r->before;
+        d->predicted = orr_archive_is_predicted(r);
         d->after = r->after;
         d->n_notes = r->n_notes;
         for (size_t i = 0; i < r->n_products; i++)
@@ -65,6 +66,9 @@ static void take_record(const char *archive, orr_catalogue_day *d)
     free(r);
 }
 
+// A day that is observed and whole. What is predicted neither joins nor compares.
+static bool judged(const orr_catalogue_day *d) { return d->state == ORR_OK && !d->predicted; }
+
 static orr_status measure_joints(const char *archive, orr_catalogue *c, orr_catalogue_cache *cache,
                                  orr_warnings *warnings)
 {
@@ -72,7 +76,7 @@ static orr_status measure_joints(const char *archive, orr_catalogue *c, orr_cata
         orr_catalogue_day *a = &c->day[i - 1], *b = &c->day[i];
         char path[2][ORR_ARCHIVE_PATH];
         orr_diag why = {0};
-        if (a->state != ORR_OK || b->state != ORR_OK || b->mjd != a->mjd + 1) continue;
+        if (!judged(a) || !judged(b) || b->mjd != a->mjd + 1) continue;
         if (orr_catalogue_cache_joint(cache, a->sha256, b->sha256, &b->joint)) continue;
         orr_archive_path(archive, a->mjd, "orbit.nc", path[0]);
         orr_archive_path(archive, b->mjd, "orbit.nc", path[1]);
@@ -114,15 +118,14 @@ static orr_status suspect(orr_catalogue *c, orr_diag *diag)
     for (size_t f = 0; f < sizeof FIGURES / sizeof *FIGURES; f++) {
         size_t n = 0;
         for (size_t i = 0; i < c->n; i++)
-            if (c->day[i].state == ORR_OK && isfinite(FIGURES[f].of(&c->day[i])))
-                v[n++] = FIGURES[f].of(&c->day[i]);
+            if (judged(&c->day[i]) && isfinite(FIGURES[f].of(&c->day[i]))) v[n++] = FIGURES[f].of(&c->day[i]);
         if (n < 3) continue; // nothing to compare with
         const double median = orr_median(v, n);
         for (size_t i = 0; i < n; i++) v[i] = fabs(v[i] - median);
         const double limit = fmax(UNUSUAL * ORR_SIGMA_PER_MAD * orr_median(v, n), FIGURES[f].least);
         for (size_t i = 0; i < c->n; i++) {
             orr_catalogue_day *d = &c->day[i];
-            const double over = d->state == ORR_OK ? FIGURES[f].of(d) - median : ORR_NAN;
+            const double over = judged(d) ? FIGURES[f].of(d) - median : ORR_NAN;
             if (!(over > limit)) continue;
             const size_t at = strlen(d->suspicion);
             const bool fewer = FIGURES[f].of == missing;
@@ -133,6 +136,11 @@ static orr_status suspect(orr_catalogue *c, orr_diag *diag)
     }
     free(v);
     return ORR_OK;
+}
+
+const char *orr_catalogue_state(const orr_catalogue_day *d)
+{
+    return d->state != ORR_OK ? orr_status_name(d->state) : d->predicted ? "predicted" : "ok";
 }
 
 orr_status orr_catalogue_make(const char *archive, bool joints, orr_catalogue *out, orr_warnings *warnings,

@@ -19,6 +19,7 @@ typedef struct orr_catalogue_day {
     char program[64], key[ORR_SHA256_HEX], sha256[ORR_SHA256_HEX];
     int64_t bytes;
     bool before, after;
+    bool predicted; // a part of it: its sigma is not to be compared with others'
     size_t n_notes;
     orr_archive_quality all;
     orr_catalogue_joint joint;
@@ -29,6 +30,9 @@ typedef struct orr_catalogue {
     size_t n;
     orr_catalogue_day *day; // ascending
 } orr_catalogue;
+
+// "ok", "predicted", or why its record cannot be read.
+const char *orr_catalogue_state(const orr_catalogue_day *d);
 
 // Reads all days and judges them.
 // Given:

@@ -148,7 +148,7 @@ void orr_catalogue_cache_days(orr_catalogue_cache *c, const orr_catalogue *days)
             return;
         sqlite3_bind_text(q, 1, orr_archive_day_text(d->mjd, name), -1, SQLITE_TRANSIENT);
         sqlite3_bind_int(q, 2, d->mjd);
-        sqlite3_bind_text(q, 3, d->state == ORR_OK ? "ok" : orr_status_name(d->state), -1, SQLITE_STATIC);
+        sqlite3_bind_text(q, 3, orr_catalogue_state(d), -1, SQLITE_STATIC);
         sqlite3_bind_text(q, 4, d->program, -1, SQLITE_STATIC);
         sqlite3_bind_text(q, 5, d->key, -1, SQLITE_STATIC);
         const sqlite3_int64 count[] = {d->bytes,

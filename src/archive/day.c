@@ -44,7 +44,7 @@ orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_
                                 int32_t mjd, orr_archive_record *r, orr_diag *diag)
 {
     const orr_archive_input *file[3];
-    *r = (orr_archive_record){.mjd = mjd};
+    *r = (orr_archive_record){.mjd = mjd, .observed_until = ORR_TIME_NONE};
     snprintf(r->program, sizeof r->program, "orrery %s", ORR_VERSION);
     snprintf(r->options, sizeof r->options,
              "about each midnight %d h to either side, over within %g h of noon", WINDOW_H, OVER_S / 3600);
@@ -74,14 +74,16 @@ bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_ar
     char folder[ORR_ARCHIVE_PATH];
     orr_archive_record *there = malloc(sizeof *there);
     orr_archive_path(settings->archive, planned->mjd, NULL, folder);
-    bool fresh = there != NULL && orr_archive_record_read(folder, there, NULL) == ORR_OK &&
-                 strcmp(there->key, planned->key) == 0;
+    bool fresh = there != NULL && orr_archive_record_read(folder, there, NULL) == ORR_OK;
+    const bool better =
+        fresh && orr_archive_is_predicted(planned) && !orr_archive_is_predicted(there); // it is observed
+    fresh = fresh && (better || strcmp(there->key, planned->key) == 0);
     for (size_t k = 0; fresh && k < there->n_products; k++) fresh = is_whole(folder, &there->product[k]);
     free(there);
     return fresh;
 }
 
-static void note_warnings(orr_archive_record *r, const orr_warnings *w)
+void orr_archive_note_warnings(orr_archive_record *r, const orr_warnings *w)
 {
     for (size_t i = 0; i < w->kept && r->n_notes < ORR_ARCHIVE_MAX_NOTES; i++)
         snprintf(r->note[r->n_notes++], sizeof r->note[0], "%.80s%s%.160s", orr_base_name(w->item[i].file),
@@ -171,8 +173,8 @@ static orr_status solve_day(const orr_archive_settings *settings, const orr_arch
     if (s == ORR_OK) orr_orbit_solution_cut(out, begin, end);
     r->before = before.there;
     r->after = after.there;
-    note_warnings(r, &before.warnings);
-    note_warnings(r, &after.warnings);
+    orr_archive_note_warnings(r, &before.warnings);
+    orr_archive_note_warnings(r, &after.warnings);
     orr_archive_midnight_free(&before);
     orr_archive_midnight_free(last);
     if (s == ORR_OK && after.there)
@@ -182,14 +184,12 @@ static orr_status solve_day(const orr_archive_settings *settings, const orr_arch
     return s;
 }
 
-orr_status orr_archive_day_make(const orr_archive_settings *settings, const orr_archive_index *index,
-                                orr_archive_midnight *last, orr_archive_record *r, orr_diag *diag)
+orr_status orr_archive_day_put(const orr_archive_settings *settings, const orr_archive_index *index,
+                               const orr_orbit_solution *solution, orr_archive_record *r, orr_diag *diag)
 {
     char staging[ORR_ARCHIVE_PATH] = "", path[ORR_ARCHIVE_PATH], call[64], day[ORR_ARCHIVE_DAY_TEXT];
-    orr_orbit_solution solution = {0};
     orr_ephemeris *product = NULL;
-    orr_status s = solve_day(settings, index, last, r, &solution, diag);
-    if (s == ORR_OK) s = orr_ephemeris_build(&solution, &product, diag);
+    orr_status s = orr_ephemeris_build(solution, &product, diag);
     if (s == ORR_OK) s = orr_archive_stage(settings->archive, r->mjd, staging, diag);
     if (s == ORR_OK) {
         snprintf(path, sizeof path, "%.900s/" ORBIT, staging);
@@ -197,7 +197,7 @@ orr_status orr_archive_day_make(const orr_archive_settings *settings, const orr_
         s = orr_ephemeris_save(product, path, call, diag);
     }
     if (s == ORR_OK) {
-        orr_archive_judge(&solution, r);
+        orr_archive_judge(solution, r);
         s = orr_archive_note_product(r, staging, ORBIT, diag);
     }
     if (s == ORR_OK) s = orr_archive_extras_make(&settings->extras, index, settings->leap, staging, r, diag);
@@ -205,6 +205,15 @@ orr_status orr_archive_day_make(const orr_archive_settings *settings, const orr_
     if (s == ORR_OK) s = orr_archive_commit(settings->archive, r->mjd, staging, diag);
     if (s != ORR_OK && staging[0] != '\0') orr_archive_remove(staging);
     orr_ephemeris_free(product);
+    return s;
+}
+
+orr_status orr_archive_day_make(const orr_archive_settings *settings, const orr_archive_index *index,
+                                orr_archive_midnight *last, orr_archive_record *r, orr_diag *diag)
+{
+    orr_orbit_solution solution = {0};
+    orr_status s = solve_day(settings, index, last, r, &solution, diag);
+    if (s == ORR_OK) s = orr_archive_day_put(settings, index, &solution, r, diag);
     orr_orbit_solution_free(&solution);
     return s;
 }

@@ -32,7 +32,8 @@ void orr_archive_midnight_free(orr_archive_midnight *m);
 //             diag        errors of orr_archive_index_find
 orr_status orr_archive_day_plan(const orr_archive_settings *settings, const orr_archive_index *index,
                                 int32_t mjd, orr_archive_record *r, orr_diag *diag);
-// Whether the archive has the day, made from the same by the same, with products of the size that they were made in.
+// Whether the archive has the day, made from the same by the same, with products of the size that they were made in; or made of
+// observed orbits where predictions are planned.
 bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_archive_record *planned);
 
 // Makes a planned day and puts it in its place.
@@ -49,5 +50,20 @@ bool orr_archive_day_is_fresh(const orr_archive_settings *settings, const orr_ar
 // Notes: where a neighbour's file cannot be used, the day is made without it, and says so.
 orr_status orr_archive_day_make(const orr_archive_settings *settings, const orr_archive_index *index,
                                 orr_archive_midnight *last, orr_archive_record *r, orr_diag *diag);
+
+// Puts a day that has been solved in its place: the orbit product, what is wanted beside it, and the record.
+// Given:
+//   settings  of the batch
+//   index     input files, for what is wanted beside the orbit
+//   solution  of the day
+//   r         what was planned
+// Returned:
+//   r         with products, quality and notes
+//   diag      why it failed: nothing of it is left in the archive then
+// Errors: those of orr_ephemeris_build and orr_ephemeris_save, ORR_E_IO.
+orr_status orr_archive_day_put(const orr_archive_settings *settings, const orr_archive_index *index,
+                               const orr_orbit_solution *solution, orr_archive_record *r, orr_diag *diag);
+// Warnings of the making as notes of the record, as many as it has room for.
+void orr_archive_note_warnings(orr_archive_record *r, const orr_warnings *w);
 
 #endif

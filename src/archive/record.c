@@ -160,7 +160,7 @@ static json_t *stations(const orr_archive_record *r)
 
 orr_status orr_archive_record_write(const orr_archive_record *r, const char *folder, orr_diag *diag)
 {
-    char path[ORR_ARCHIVE_PATH], day[ORR_ARCHIVE_DAY_TEXT];
+    char path[ORR_ARCHIVE_PATH], day[ORR_ARCHIVE_DAY_TEXT], until[ORR_TIME_TEXT];
     snprintf(path, sizeof path, "%.900s/" ORR_ARCHIVE_RECORD, folder);
     json_t *notes = json_array();
     for (size_t i = 0; i < r->n_notes; i++) json_array_append_new(notes, text(r->note[i]));
@@ -172,6 +172,8 @@ orr_status orr_archive_record_write(const orr_archive_record *r, const char *fol
     orr_outfile f;
     if (j != NULL && r->n_stations > 0) json_object_set_new(j, "stations", stations(r));
     if (j == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for the record of %s", folder);
+    if (orr_archive_is_predicted(r))
+        json_object_set_new(j, "observed_until", text(orr_time_text(r->observed_until, until)));
     orr_status s = orr_outfile_open(path, &f, diag);
     if (s == ORR_OK) {
         if (json_dumpf(j, f.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) != 0)
@@ -257,7 +259,7 @@ orr_status orr_archive_record_read(const char *folder, orr_archive_record *r, or
 {
     char path[ORR_ARCHIVE_PATH];
     json_error_t error;
-    *r = (orr_archive_record){0};
+    *r = (orr_archive_record){.observed_until = ORR_TIME_NONE};
     snprintf(path, sizeof path, "%.900s/" ORR_ARCHIVE_RECORD, folder);
     FILE *f = fopen(path, "rb");
     if (f == NULL)
@@ -268,7 +270,7 @@ orr_status orr_archive_record_read(const char *folder, orr_archive_record *r, or
     if (j == NULL)
         return orr_diag_at(diag, ORR_E_FORMAT, path, error.line, error.column, "is damaged: %s", error.text);
     const json_int_t schema = json_integer_value(json_object_get(j, "schema"));
-    char day[ORR_ARCHIVE_DAY_TEXT];
+    char day[ORR_ARCHIVE_DAY_TEXT], until[ORR_TIME_TEXT];
     orr_time t;
     take_text(j, "day", day, sizeof day);
     orr_status s = ORR_OK;
@@ -283,6 +285,8 @@ orr_status orr_archive_record_read(const char *folder, orr_archive_record *r, or
         take_text(j, "program", r->program, sizeof r->program);
         take_text(j, "options", r->options, sizeof r->options);
         take_text(j, "key", r->key, sizeof r->key);
+        take_text(j, "observed_until", until, sizeof until);
+        if (orr_time_parse(until, NULL, &t, NULL) == ORR_OK) r->observed_until = t;
         r->before = json_is_true(json_object_get(j, "day_before"));
         r->after = json_is_true(json_object_get(j, "day_after"));
         r->n_inputs = take_files(j, "inputs", r->input, ORR_ARCHIVE_MAX_INPUTS);

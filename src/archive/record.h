@@ -7,6 +7,7 @@
 #include "core/sat.h"
 #include "core/sha256.h"
 #include "core/status.h"
+#include "core/time.h"
 #include "orbit/smooth/solution.h"
 #include "src/archive/inputs_index.h"
 
@@ -45,6 +46,8 @@ typedef struct orr_archive_record {
     char key[ORR_SHA256_HEX]; // of program, options and inputs: a day with another key is stale
     char options[1024];       // of the batch, in words
     bool before, after;       // whether the day before and the day after were there
+    orr_time
+        observed_until; // of a day with predictions, which begin there; ORR_TIME_NONE: observed all through
     size_t n_inputs, n_products, n_quality, n_notes;
     orr_archive_file input[ORR_ARCHIVE_MAX_INPUTS], product[ORR_ARCHIVE_MAX_PRODUCTS];
     orr_archive_quality quality[ORR_N_SYSTEMS + 1]; // all first, then systems in the order of satellites
@@ -81,6 +84,11 @@ void orr_archive_judge(const orr_orbit_solution *s, orr_archive_record *r);
 
 // Writes day.json into a folder. ORR_E_IO, ORR_E_MEMORY.
 orr_status orr_archive_record_write(const orr_archive_record *r, const char *folder, orr_diag *diag);
+// Whether a part of the day was predicted.
+static inline bool orr_archive_is_predicted(const orr_archive_record *r)
+{
+    return r->observed_until != ORR_TIME_NONE;
+}
 // Reads it. ORR_E_NODATA where there is none, ORR_E_UNSUPPORTED (of a later schema), ORR_E_FORMAT.
 orr_status orr_archive_record_read(const char *folder, orr_archive_record *r, orr_diag *diag);
 

@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <time.h>
 
 #include "ingest/sp3/sp3.h"
 
+#define MJD_OF_1970 40587
 #define DAYS_BACK 3
 #define LEAST_BEFORE_NS (12 * 3600 * ORR_NS_PER_S) // of the second file's end before the first one's
 #define MOST_BEFORE_NS (36 * 3600 * ORR_NS_PER_S)
@@ -105,6 +107,15 @@ static void keep_before(const candidate *c, void *user)
                   old = llabs(s->newest.end - s->before.end - WANTED_BEFORE_NS);
     if (s->before.end == ORR_TIME_NONE || off < old || (off == old && strcmp(c->name, s->before.name) < 0))
         s->before = *c;
+}
+
+orr_time orr_present(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_REALTIME, &t);
+    const int32_t day = (int32_t)(t.tv_sec / ORR_S_PER_DAY);
+    const double fraction = (double)(t.tv_sec % ORR_S_PER_DAY) / ORR_S_PER_DAY;
+    return orr_time_from_mjd(MJD_OF_1970 + day, fraction, ORR_SCALE_UTC, NULL);
 }
 
 orr_status orr_newest_find(const char *cache, orr_time present, orr_newest *out, orr_diag *diag)

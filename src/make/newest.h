@@ -15,6 +15,8 @@ typedef struct orr_newest {
     char path[2][ORR_NEWEST_PATH];
 } orr_newest;
 
+// The present instant, by the system's clock.
+orr_time orr_present(void);
 // Looks through a cache folder (CACHE/yyyy/ddd, ingest/fetch/fetch.h) of the present's day and three before it for SP3
 // files of which a part is observed and a part predicted. Errors: ORR_E_NODATA where there is none.
 orr_status orr_newest_find(const char *cache, orr_time present, orr_newest *out, orr_diag *diag);

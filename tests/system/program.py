@@ -75,3 +75,15 @@ class Folder(unittest.TestCase):
     def left(self):
         """Names of what is in the folder."""
         return sorted(p.name for p in self.folder.iterdir())
+
+
+def ultra(text, observed_until):
+    """An SP3 of which what is later than HH:MM is flagged as a prediction: orbit in column 80, clock in column 76."""
+    out, later = [], False
+    for line in text.splitlines():
+        if line.startswith("*"):
+            later = later or f"{int(line[14:16]):02}:{int(line[17:19]):02}" > observed_until
+        if line.startswith("P") and later:
+            line = f"{line[:75]:75}P   P"
+        out.append(line)
+    return "\n".join(out) + "\n"

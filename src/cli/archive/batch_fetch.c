@@ -53,28 +53,59 @@ static orr_status fetch(orr_cli *c, const orr_archives *a, orr_fetch_item *item,
     return s == ORR_E_NODATA ? ORR_OK : s; // told below, and by the days that lack it
 }
 
+// Table of archives: $ORRERY_ARCHIVES, or the built-in one.
+static orr_status read_archives(orr_archives **out, orr_diag *diag)
+{
+    const char *table = getenv("ORRERY_ARCHIVES");
+    return orr_archives_read(table != NULL && *table != '\0' ? table : NULL, out, diag);
+}
+
+static void tell_missing(const orr_cli *c, const orr_fetch_item *item)
+{
+    char day[ORR_ARCHIVE_DAY_TEXT];
+    orr_cli_say(c, "%s: no %s: %s", orr_archive_day_text(item->wanted.mjd, day),
+                orr_product_name(item->wanted.product), item->reason);
+}
+
+int batch_fetch_ultra(orr_cli *c, int32_t mjd)
+{
+    orr_diag diag = {0};
+    orr_archives *a = NULL;
+    orr_fetch_item *item = calloc(2, sizeof *item);
+    orr_status s = item != NULL ? ORR_OK : orr_diag_set(&diag, ORR_E_MEMORY, "out of memory");
+    for (int k = 0; s == ORR_OK && k < 2; k++) {
+        orr_wanted *w = &item[k].wanted;
+        *w = (orr_wanted){.product = ORR_PRODUCT_SP3, .mjd = mjd - 1 + k, .tier = ORR_TIER_ULTRA};
+        snprintf(w->centre, sizeof w->centre, "%s", orr_cli_text(c, "centre", ""));
+    }
+    if (s == ORR_OK) s = read_archives(&a, &diag);
+    if (s == ORR_OK) s = fetch(c, a, item, 2, &diag);
+    for (int k = 0; s == ORR_OK && k < 2; k++)
+        if (item[k].status != ORR_OK) tell_missing(c, &item[k]);
+    orr_archives_free(a);
+    free(item);
+    return s == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+}
+
 int batch_fetch(orr_cli *c, const orr_archive_wants *wants, int32_t first, int32_t last, orr_archive_index *x)
 {
     orr_diag diag = {0};
     orr_warnings warnings = {0};
     orr_archives *a = NULL;
-    const char *table = getenv("ORRERY_ARCHIVES");
     const size_t most = (size_t)(last - first + 3) * (2 + ORR_ARCHIVE_MAX_STATIONS);
     orr_fetch_item *item = calloc(most, sizeof *item);
     const char **path = calloc(most, sizeof *path);
     size_t n = 0, n_paths = 0;
     orr_status s = item != NULL && path != NULL ? ORR_OK : orr_diag_set(&diag, ORR_E_MEMORY, "out of memory");
-    if (s == ORR_OK) s = orr_archives_read(table != NULL && *table != '\0' ? table : NULL, &a, &diag);
+    if (s == ORR_OK) s = read_archives(&a, &diag);
     for (int32_t mjd = first - 1; s == ORR_OK && mjd <= last + 1; mjd++)
         n += ask_day(c, wants, mjd, mjd >= first && mjd <= last, item + n);
     if (s == ORR_OK) s = fetch(c, a, item, n, &diag);
     for (size_t k = 0; s == ORR_OK && k < n; k++) {
-        char day[ORR_ARCHIVE_DAY_TEXT];
         if (item[k].status == ORR_OK)
             path[n_paths++] = item[k].path;
         else
-            orr_cli_say(c, "%s: no %s: %s", orr_archive_day_text(item[k].wanted.mjd, day),
-                        orr_product_name(item[k].wanted.product), item[k].reason);
+            tell_missing(c, &item[k]);
     }
     if (s == ORR_OK) s = orr_archive_index_of(path, n_paths, wants, c->leap, x, &warnings, &diag);
     orr_cli_warnings(c, &warnings);

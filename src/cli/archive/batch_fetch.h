@@ -16,4 +16,10 @@
 int batch_fetch(orr_cli *c, const orr_archive_wants *wants, int32_t first, int32_t last,
                 orr_archive_index *x);
 
+// Fetches into the cache the newest ultra-rapid orbits of a day and of the day before it. What could not be fetched is told, and no
+// failure: the cache may have what it takes.
+//   Given:    mjd     the day
+//   Returned: the exit code
+int batch_fetch_ultra(orr_cli *c, int32_t mjd);
+
 #endif

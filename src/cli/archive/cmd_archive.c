@@ -25,14 +25,14 @@ static bool within(const orr_cli *c, int32_t mjd)
 static json_t *day_json(const orr_catalogue_day *d)
 {
     char day[ORR_ARCHIVE_DAY_TEXT];
-    return json_pack(
-        "{s:s, s:s, s:s, s:b, s:b, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "day",
-        orr_archive_day_text(d->mjd, day), "state", d->state == ORR_OK ? "ok" : orr_status_name(d->state),
-        "program", d->program, "day_before", d->before, "day_after", d->after, "bytes", (json_int_t)d->bytes,
-        "satellites", orr_json_count(d->all.satellites), "nodes", orr_json_count(d->all.nodes), "left_out",
-        orr_json_count(d->all.left_out), "manoeuvres", orr_json_count(d->all.manoeuvres), "gaps",
-        orr_json_count(d->all.gaps), "residual_mm", orr_json_number(d->all.residual_mm), "sigma_mm",
-        orr_json_number(d->all.sigma_mm), "notes", orr_json_count(d->n_notes));
+    return json_pack("{s:s, s:s, s:s, s:b, s:b, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "day",
+                     orr_archive_day_text(d->mjd, day), "state", orr_catalogue_state(d), "program",
+                     d->program, "day_before", d->before, "day_after", d->after, "bytes",
+                     (json_int_t)d->bytes, "satellites", orr_json_count(d->all.satellites), "nodes",
+                     orr_json_count(d->all.nodes), "left_out", orr_json_count(d->all.left_out), "manoeuvres",
+                     orr_json_count(d->all.manoeuvres), "gaps", orr_json_count(d->all.gaps), "residual_mm",
+                     orr_json_number(d->all.residual_mm), "sigma_mm", orr_json_number(d->all.sigma_mm),
+                     "notes", orr_json_count(d->n_notes));
 }
 
 static int list(const orr_cli *c, const orr_catalogue *k)
@@ -49,7 +49,7 @@ static int list(const orr_cli *c, const orr_catalogue *k)
         char day[ORR_ARCHIVE_DAY_TEXT];
         if (!within(c, d->mjd)) continue;
         orr_archive_day_text(d->mjd, day);
-        const char *state = d->state == ORR_OK ? "ok" : orr_status_name(d->state);
+        const char *state = orr_catalogue_state(d);
         if (json)
             json_array_append_new(all, day_json(d));
         else if (csv)

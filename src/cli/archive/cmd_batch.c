@@ -13,6 +13,7 @@
 #include "src/archive/catalogue.h"
 #include "src/archive/store.h"
 #include "src/cli/archive/batch_fetch.h"
+#include "src/cli/archive/batch_now.h"
 #include "src/cli/archive/batch_plan.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/json.h"
@@ -38,6 +39,21 @@ static const orr_option options[] = {
      .help = "Fetch the days' files instead, with one day more at either end, into the cache of `orrery "
              "fetch`; --from and --to "
              "say which days."},
+    {.name = "now",
+     .applies = "!report,!plan,!chunk,!from,!to,!tec,!erp",
+     .kind = ORR_OPT_FLAG,
+     .help =
+         "Make the day of the present, observed as far as the newest ultra-rapid orbits are and predicted "
+         "from there to its end, "
+         "and the next day too where it begins within 6 h. The files are those of the cache of `orrery "
+         "fetch`, after --fetch has looked for newer ones, "
+         "or of --inputs, a folder laid out like it. Run every hour, it makes days anew as newer files "
+         "come."},
+    {.name = "present",
+     .applies = "now",
+     .kind = ORR_OPT_TIME,
+     .value = "T",
+     .help = "The instant that --now takes for the present; the system's clock by default."},
     {.name = "centre",
      .applies = "fetch",
      .kind = ORR_OPT_TEXT,
@@ -55,7 +71,7 @@ static const orr_option options[] = {
                    .help = "File of Earth rotation parameters for all days; without one the orbits "
                            "themselves tell them."),
     {.name = "navdata",
-     .applies = "inputs|fetch",
+     .applies = "inputs|fetch|now",
      .kind = ORR_OPT_FLAG,
      .help = "Also fit broadcast data to each day: broadcast.rnx."},
     {.name = "tec",
@@ -72,7 +88,7 @@ static const orr_option options[] = {
              "BOR1,WTZR: "
              "session-BOR1.nc."},
     {.name = "jobs",
-     .applies = "inputs|fetch",
+     .applies = "inputs|fetch|now",
      .letter = 'j',
      .kind = ORR_OPT_INT,
      .value = "N",
@@ -81,7 +97,7 @@ static const orr_option options[] = {
      .help = "Number of days that are made at once; the machine's cores by default. The archive does not "
              "depend on it."},
     {.name = "again",
-     .applies = "inputs|fetch",
+     .applies = "inputs|fetch|now",
      .kind = ORR_OPT_FLAG,
      .help = "Make days anew that are there, made from the same."},
     {.name = "plan",
@@ -319,9 +335,9 @@ static int print_report(orr_cli *c)
         json_array_append_new(
             list,
             json_pack("{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o}", "day", orr_archive_day_text(d->mjd, day),
-                      "state", bad ? orr_status_name(d->state) : "ok", "joint_median_mm",
-                      orr_json_number(d->joint.median_mm), "joint_max_mm", orr_json_number(d->joint.max_mm),
-                      "joint_max_mps", orr_json_number(d->joint.max_mps), "joint_max_sat",
+                      "state", orr_catalogue_state(d), "joint_median_mm", orr_json_number(d->joint.median_mm),
+                      "joint_max_mm", orr_json_number(d->joint.max_mm), "joint_max_mps",
+                      orr_json_number(d->joint.max_mps), "joint_max_sat",
                       d->joint.satellites > 0 ? orr_json_text(orr_sat_text(d->joint.max_sat, sat))
                                               : json_null(),
                       "residual_mm", orr_json_number(d->all.residual_mm), "suspicion",
@@ -340,9 +356,10 @@ static int print_report(orr_cli *c)
 static int run(orr_cli *c)
 {
     if (orr_cli_given(c, "report")) return print_report(c);
+    if (orr_cli_given(c, "now")) return batch_now(c);
     const bool fetches = orr_cli_given(c, "fetch");
     if (!orr_cli_given(c, "inputs") && !fetches)
-        return orr_cli_usage(c, "--inputs DIR is needed, or --fetch, or --report");
+        return orr_cli_usage(c, "--inputs DIR is needed, or --fetch, --now or --report");
     if (fetches && (!orr_cli_given(c, "from") || !orr_cli_given(c, "to")))
         return orr_cli_usage(c, "--fetch needs --from and --to");
     return run_inputs(c);
@@ -370,7 +387,8 @@ const orr_command orr_cmd_batch = {
         "Tasks need no lock: each works on its own days, and a task that is repeated makes the same bytes.",
     .example = "orrery batch --archive archive --inputs cache --name 'COD0OPSFIN*' --from 2020-01-01 --to "
                "2020-12-31\n"
-               "orrery batch --archive archive --report",
+               "orrery batch --archive archive --report\n"
+               "orrery batch --archive archive --now --fetch",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "core/monotonic.h"
 #include "core/path.h"
@@ -231,17 +230,6 @@ typedef struct lists {
     char folder[4096]; // of the output
 } lists;
 
-#define MJD_OF_1970 40587
-
-static orr_time system_clock(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_REALTIME, &t);
-    const int32_t day = (int32_t)(t.tv_sec / ORR_S_PER_DAY);
-    const double fraction = (double)(t.tv_sec % ORR_S_PER_DAY) / ORR_S_PER_DAY;
-    return orr_time_from_mjd(MJD_OF_1970 + day, fraction, ORR_SCALE_UTC, NULL);
-}
-
 // What --predict and --now ask for; without files to start from, those of the cache.
 static orr_status plan_prediction(const orr_cli *c, lists *l, orr_orbit_plan *plan, orr_diag *diag)
 {
@@ -249,7 +237,7 @@ static orr_status plan_prediction(const orr_cli *c, lists *l, orr_orbit_plan *pl
     plan->predict = now || orr_cli_given(c, "predict");
     plan->predict_s = (double)orr_cli_duration_ns(c, "predict", USUAL_BEYOND_NOW_NS) * 1e-9;
     if (!now) return ORR_OK;
-    plan->predict_after = orr_cli_given(c, "present") ? orr_cli_time(c, "present", 0) : system_clock();
+    plan->predict_after = orr_cli_given(c, "present") ? orr_cli_time(c, "present", 0) : orr_present();
     if (plan->n_sp3 > 0) return ORR_OK;
     char cache[ORR_NEWEST_PATH / 2];
     if (!orr_fetch_default_cache(cache, sizeof cache))

@@ -19,7 +19,7 @@ import sys
 import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from program import ORRERY, Folder, run, run_json, sample  # noqa: E402
+from program import ORRERY, Folder, run, run_json, sample, ultra  # noqa: E402
 
 DAYS = ("079", "080", "081")
 KILLS = int(os.environ.get("ORRERY_KILLS", "10"))
@@ -346,6 +346,50 @@ class Batch(Folder):
         middle.write_bytes(good)
         self.assertIn("3 days made", run("batch", "--archive", other, "--inputs", inputs).stderr)
         self.assertEqual(content(other), self.bytes)
+
+    def test_the_present(self):
+        """--now: today's day from the newest ultra-rapids, made anew when newer ones come, and never in the place of an observed day."""
+        cache, other = pathlib.Path(self.path("ultra")), pathlib.Path(self.path("present"))
+        (cache / "2025/080").mkdir(parents=True)
+        text = gzip.decompress(next(pathlib.Path(self.inputs).rglob("day1.anything")).read_bytes()).decode()
+        env = {**os.environ, "ORRERY_CACHE": str(cache)}
+
+        def now(at, *more, status=0):
+            return run("batch", "--archive", other, "--now", "--present", f"2025-03-21T{at}", *more, env=env, status=status).stderr
+
+        self.assertIn("no ultra-rapid orbits", now("13:00", status=1))
+        (cache / "2025/080/TST0OPSULT_20250791200_01D_15M_ORB.SP3").write_text(ultra(text, "11:45"), encoding="ascii")
+        self.assertIn("2025-080: made, observed until 2025-03-21T11:45:00", now("13:00"))
+        first = content(other)
+        self.assertIn("2025-080: is there", now("13:59"))
+        self.assertEqual(content(other), first)
+        (cache / "2025/080/TST0OPSULT_20250791800_01D_15M_ORB.SP3").write_text(ultra(text, "17:45"), encoding="ascii")
+        self.assertIn("is there", now("17:00"))  # what is observed later than the present is not there yet
+        told = now("20:10")
+        for day in ("080", "081"):  # the next day begins within six hours
+            self.assertIn(f"2025-{day}: made, observed until 2025-03-21T17:45:00", told)
+        self.assertNotEqual(content(other)["2025/080/orbit.nc"], first["2025/080/orbit.nc"])
+        rows = list(csv.DictReader(run("states", other / "2025/080/orbit.nc", "--sat", "G01", "--step", "900").stdout.splitlines()))
+        self.assertEqual({r["t_gps"][11:16] for r in rows if not int(r["flags"]) & 2} - {"24:00"}, {f"{q // 4:02}:{q % 4 * 15:02}" for q in range(71)})
+        # A prediction of six hours is near what was observed then, and by its own sigma.
+        apart = [r for r in csv.DictReader(self.compared(other)) if r["t_gps"] > "2025-03-21T18"]
+        self.assertGreater(len(apart), 5)
+        self.assertLess(max(abs(float(r["radial_m"])) for r in apart), 0.5)
+        self.assertEqual([d["state"] for d in run_json("archive", "ls", other, "--format", "json")], ["predicted", "predicted"])
+        self.assertEqual(run_json("batch", "--archive", other, "--report", "--format", "json")["unusual"], 0)  # nobody takes its sigma for a fault
+        run("archive", "verify", other)
+        # The observed days take its place, and stay.
+        self.assertIn("3 days made", self.batch(other).stderr)
+        self.assertEqual(content(other), self.bytes)
+        self.assertEqual(now("20:10").count("is there"), 2)
+        self.assertEqual(content(other), self.bytes)
+        self.assertIn("--now", run("batch", "--archive", other, "--now", "--report", status=2).stderr)
+
+    def compared(self, archive):
+        """Radial differences of an archive's middle day from the file that it was not made of."""
+        table = self.path("compared.csv")
+        run("compare", archive / "2025/080/orbit.nc", sample("ORR0TSTFIN_20250800000_01D_05M_ORB.SP3.gz"), "--sat", "G01", "--csv", table)
+        return pathlib.Path(table).read_text(encoding="utf-8").splitlines()
 
     def test_days_that_are_fetched(self):
         """From a mirror on loopback: the same days as from the folder that it serves; what it does not have is told; again by the cache alone."""

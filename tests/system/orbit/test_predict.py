@@ -12,25 +12,13 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from program import ORRERY, ROOT, Folder, data, dump, run, run_json, sample  # noqa: E402
+from program import ORRERY, ROOT, Folder, data, dump, run, run_json, sample, ultra  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "proto/python"))
 import orrery  # noqa: E402
 
 DAYS = [f"ORR0TSTFIN_2025{d:03}0000_01D_15M_ORB.SP3.gz" for d in (79, 80, 81)]
 PREDICTED = 2  # flag
-
-
-def ultra(text, observed_until):
-    """An SP3 of which what is later than HH:MM is flagged as a prediction: orbit in column 80, clock in column 76."""
-    out, later = [], False
-    for line in text.splitlines():
-        if line.startswith("*"):
-            later = later or f"{int(line[14:16]):02}:{int(line[17:19]):02}" > observed_until
-        if line.startswith("P") and later:
-            line = f"{line[:75]:75}P   P"
-        out.append(line)
-    return "\n".join(out) + "\n"
 
 
 def rows(*args):
