@@ -98,7 +98,9 @@ orr_status orr_nc_put_att_text(orr_nc_writer *w, const char *var, const char *na
 //   Returned: diag        why it could not be written (ORR_E_IO)
 orr_status orr_nc_put_att_double(orr_nc_writer *w, const char *var, const char *name, const double *v,
                                  size_t n, orr_diag *diag);
-// Writes an attribute of 64-bit integers.
+// Content of electrons in units of 1e16 per square metre, as UDUNITS reads it: it knows no TECU.
+#define ORR_NC_TECU "1e16 m-2"
+// Writes an attribute of integers: in the variable's own type, as CF has it of flags, and of 64 bits for the file.
 //   Given:    w           the writer
 //             var         the variable that it belongs to; NULL: the file
 //             name        of the attribute

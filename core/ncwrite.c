@@ -181,7 +181,9 @@ orr_status orr_nc_put_att_int64(orr_nc_writer *w, const char *var, const char *n
 {
     if (refused(w, diag)) return w->status;
     int id, rc = var_id(w, var, &id);
-    if (rc == NC_NOERR) rc = nc_put_att(w->id, id, name, NC_INT64, n, v);
+    nc_type type = NC_INT64;
+    if (rc == NC_NOERR && var != NULL) rc = nc_inq_vartype(w->id, id, &type);
+    if (rc == NC_NOERR) rc = nc_put_att_longlong(w->id, id, name, type, n, (const long long *)v);
     return rc == NC_NOERR ? ORR_OK : failed(w, rc, "attribute", name, diag);
 }
 
@@ -208,7 +210,7 @@ orr_status orr_nc_put_provenance(orr_nc_writer *w, const char *title, const char
 {
     char source[64];
     snprintf(source, sizeof source, "orrery %s", ORR_VERSION);
-    (void)orr_nc_put_att_text(w, NULL, "Conventions", "CF-1.8", diag); // w remembers the first failure
+    (void)orr_nc_put_att_text(w, NULL, "Conventions", "CF-1.9", diag); // w remembers the first failure
     (void)orr_nc_put_att_text(w, NULL, "title", title, diag);
     (void)orr_nc_put_att_text(w, NULL, "source", source, diag);
     if (history != NULL) (void)orr_nc_put_att_text(w, NULL, "history", history, diag);

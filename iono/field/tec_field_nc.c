@@ -29,7 +29,7 @@ static void put_grid(orr_nc_writer *w, const tec_grid *g, const char *name, cons
     orr_nc_put_dim(w, lat, g->n_lat, diag);
     orr_nc_put_dim(w, lon, g->n_lon, diag);
     const char *dims[] = {"field_epoch", lat, lon};
-    orr_nc_put_var(w, name, ORR_NC_FLOAT, 3, dims, g->value, "TECU", words, diag);
+    orr_nc_put_var(w, name, ORR_NC_FLOAT, 3, dims, g->value, ORR_NC_TECU, words, diag);
     double corner[6] = {g->lat0, g->dlat, g->lon0, g->dlon, g->sun_fixed, g->round};
     const char *six[] = {"field_grid_parameter"};
     orr_nc_put_var(w, grid, ORR_NC_DOUBLE, 1, six, corner, NULL,
@@ -100,7 +100,7 @@ orr_status orr_tec_field_put(orr_nc_writer *w, const orr_tec_field *f, orr_diag 
         orr_nc_put_dim(w, "field_coefficient", f->basis.n_coef, diag);
         const char *dims[] = {"field_epoch", "field_coefficient"};
         orr_nc_put_var(
-            w, "field_coefficients", ORR_NC_DOUBLE, 2, dims, all, "TECU",
+            w, "field_coefficients", ORR_NC_DOUBLE, 2, dims, all, ORR_NC_TECU,
             "normalised spherical harmonics, sun-fixed geomagnetic axes: n = 0.., m = 0, 1, -1, 2, -2, ..",
             diag);
         free(all);

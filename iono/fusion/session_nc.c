@@ -20,9 +20,9 @@ typedef struct column {
 } column;
 enum { STEC, MODEL, RESIDUAL, MAPPING, X, Y, Z, AZ, EL, SAMPLE_COLUMNS };
 static const column SAMPLE[SAMPLE_COLUMNS] = {
-    {"stec_tecu", "TECU", "slant TEC: carrier phases less the bias of their arc"},
-    {"model_stec_tecu", "TECU", "slant TEC of the field alone"},
-    {"residual_vtec_tecu", "TECU", "vertical TEC less field and correction"},
+    {"stec_tecu", ORR_NC_TECU, "slant TEC: carrier phases less the bias of their arc"},
+    {"model_stec_tecu", ORR_NC_TECU, "slant TEC of the field alone"},
+    {"residual_vtec_tecu", ORR_NC_TECU, "vertical TEC less field and correction"},
     {"mapping", "1", "slant over vertical"},
     {"pierce_x", "1", "pierce point, geocentric unit vector, ecef"},
     {"pierce_y", "1", NULL},
@@ -65,14 +65,14 @@ static void put_samples(orr_nc_writer *w, const orr_session *s, double *buf, int
         orr_nc_put_var(w, SAMPLE[c].name, ORR_NC_DOUBLE, 1, dim, buf, SAMPLE[c].units, SAMPLE[c].words, diag);
     }
     for (size_t i = 0; i < s->n_samples; i++) buf[i] = s->sample[i].stec_tecu / s->sample[i].mapping;
-    orr_nc_put_var(w, "vtec_tecu", ORR_NC_DOUBLE, 1, dim, buf, "TECU",
+    orr_nc_put_var(w, "vtec_tecu", ORR_NC_DOUBLE, 1, dim, buf, ORR_NC_TECU,
                    "vertical TEC at the pierce point: stec / mapping", diag);
     // For readers of the file alone; not read back.
     for (size_t a = 0; a < s->n_arcs; a++)
         for (size_t i = s->arc[a].first; i < s->arc[a].first + s->arc[a].n; i++)
             buf[i] = s->sample[i].stec_tecu + s->arc[a].bias_tecu;
     orr_nc_put_var(
-        w, "phase_tecu", ORR_NC_DOUBLE, 1, dim, buf, "TECU",
+        w, "phase_tecu", ORR_NC_DOUBLE, 1, dim, buf, ORR_NC_TECU,
         "the phases' curve as measured (wind-up and repaired slips taken out): stec + bias of the arc", diag);
     for (size_t a = 0; a < s->n_arcs; a++)
         for (size_t i = s->arc[a].first; i < s->arc[a].first + s->arc[a].n; i++)
@@ -82,7 +82,7 @@ static void put_samples(orr_nc_writer *w, const orr_session *s, double *buf, int
     for (size_t a = 0; a < s->n_arcs; a++)
         for (size_t i = s->arc[a].first; i < s->arc[a].first + s->arc[a].n; i++)
             buf[i] = s->arc[a].sigma_tecu;
-    orr_nc_put_var(w, "sigma_tecu", ORR_NC_DOUBLE, 1, dim, buf, "TECU",
+    orr_nc_put_var(w, "sigma_tecu", ORR_NC_DOUBLE, 1, dim, buf, ORR_NC_TECU,
                    "1-sigma of stec: that of the arc's bias", diag);
 }
 
@@ -105,10 +105,10 @@ static void put_arcs(orr_nc_writer *w, const orr_session *s, double *buf, int64_
     orr_nc_put_var(w, "arc_samples", ORR_NC_INT64, 1, dim, whole, "1",
                    "samples of the arc; they follow each other", diag);
     for (size_t a = 0; a < n; a++) buf[a] = s->arc[a].bias_tecu;
-    orr_nc_put_var(w, "arc_bias_tecu", ORR_NC_DOUBLE, 1, dim, buf, "TECU", "phase curve minus slant TEC",
+    orr_nc_put_var(w, "arc_bias_tecu", ORR_NC_DOUBLE, 1, dim, buf, ORR_NC_TECU, "phase curve minus slant TEC",
                    diag);
     for (size_t a = 0; a < n; a++) buf[a] = s->arc[a].sigma_tecu;
-    orr_nc_put_var(w, "arc_sigma_tecu", ORR_NC_DOUBLE, 1, dim, buf, "TECU", "1-sigma of the bias", diag);
+    orr_nc_put_var(w, "arc_sigma_tecu", ORR_NC_DOUBLE, 1, dim, buf, ORR_NC_TECU, "1-sigma of the bias", diag);
     for (size_t a = 0; a < n; a++) buf[a] = s->arc[a].freq1_hz;
     orr_nc_put_var(w, "arc_freq1_hz", ORR_NC_DOUBLE, 1, dim, buf, "Hz", "first carrier", diag);
 }
@@ -153,7 +153,7 @@ orr_status orr_session_save(const orr_session *s, const char *path, const char *
             const char *dims[] = {"knot", "correction_term"};
             orr_nc_put_dim(&w, "knot", s->correction.n, diag);
             orr_nc_put_dim(&w, "correction_term", ORR_CORRECTION_TERMS, diag);
-            orr_nc_put_var(&w, "correction", ORR_NC_DOUBLE, 2, dims, s->correction.term, "TECU",
+            orr_nc_put_var(&w, "correction", ORR_NC_DOUBLE, 2, dims, s->correction.term, ORR_NC_TECU,
                            "correction of vertical TEC: 1, x, y, x^2, x y, y^2, x^3, x^2 y, x y^2, y^3 (x "
                            "East, y North in 1000 km on the "
                            "shell), effective height in 100 km, content of the plasmasphere",

@@ -215,10 +215,10 @@ static orr_status write_nc(const job *j, const char *path, orr_diag *diag)
     } column[] = {{"azimuth", "degree", "of the satellite, clockwise from North"},
                   {"elevation", "degree", "above the ellipsoidal horizon"},
                   {"range", "m", "from the receiver to the satellite, both at the instant"},
-                  {"stec_tecu", "TECU", "slant content"},
-                  {"vtec_tecu", "TECU", "vertical content at the pierce point"},
+                  {"stec_tecu", ORR_NC_TECU, "slant content"},
+                  {"vtec_tecu", ORR_NC_TECU, "vertical content at the pierce point"},
                   {"mapping", "1", "slant over vertical"},
-                  {"sigma_tecu", "TECU", "1-sigma of the slant content"},
+                  {"sigma_tecu", ORR_NC_TECU, "1-sigma of the slant content"},
                   {"delay", "m", "of a code on carrier_hz; a phase is early by it"}};
     orr_nc_writer w;
     char hash[ORR_SHA256_HEX];
@@ -258,8 +258,10 @@ static orr_status write_nc(const job *j, const char *path, orr_diag *diag)
                                  column[k].long_name, diag);
         }
         (void)orr_nc_put_var(&w, "origin", ORR_NC_UINT8, 1, by_row, origin, NULL,
-                             "0 field alone, 1 the station's phase, 2 carried over from the station, 3 noise",
-                             diag);
+                             "what the delay was made of", diag);
+        (void)orr_nc_put_att_int64(&w, "origin", "flag_values", (const int64_t[]){0, 1, 2, 3}, 4, diag);
+        (void)orr_nc_put_att_text(&w, "origin", "flag_meanings",
+                                  "field_alone station_phase carried_over_from_station noise", diag);
         s = orr_nc_commit(&w, diag);
     }
     free(value);

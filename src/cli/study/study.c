@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/study/study.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -59,14 +60,29 @@ static orr_status write_csv(const char *path, const orr_study_table *t, orr_diag
     return orr_outfile_commit(&out, diag);
 }
 
-// "2-sample 4-sample": CF's flag_meanings.
+#define MOST_WORDS 64
+
+// "2-sample 4-sample": CF's flag_meanings, and the numbers that stand for them.
 static void put_meanings(orr_nc_writer *w, const char *var, const char *const *word, orr_diag *diag)
 {
     char text[1024];
     size_t at = 0;
-    for (size_t k = 0; word[k] != NULL && at + 2 < sizeof text; k++)
+    int64_t value[MOST_WORDS];
+    size_t n = 0;
+    for (size_t k = 0; word[k] != NULL && k < MOST_WORDS && at + 2 < sizeof text; k++) {
+        value[n++] = (int64_t)k;
         at += (size_t)snprintf(text + at, sizeof text - at, "%s%s", k == 0 ? "" : " ", word[k]);
+    }
+    (void)orr_nc_put_att_int64(w, var, "flag_values", value, n, diag);
     orr_nc_put_att_text(w, var, "flag_meanings", text, diag);
+}
+
+// A unit as UDUNITS reads it: "deg/h" is "degree/h".
+static const char *udunit(const char *unit, char buf[32])
+{
+    if (unit == NULL || strncmp(unit, "deg", 3) != 0 || isalpha((unsigned char)unit[3])) return unit;
+    snprintf(buf, 32, "degree%.20s", unit + 3);
+    return buf;
 }
 
 static orr_status put_table(orr_nc_writer *w, const orr_study_table *t, bool prefixed, orr_diag *diag)
@@ -77,10 +93,10 @@ static orr_status put_table(orr_nc_writer *w, const orr_study_table *t, bool pre
     orr_status s = orr_nc_put_dim(w, t->name, t->n, diag);
     for (size_t i = 0; i < t->n_columns && s == ORR_OK; i++) {
         const orr_study_column *col = &t->column[i];
-        char name[128];
+        char name[128], unit[32];
         snprintf(name, sizeof name, "%s%s%s", prefixed ? t->name : "", prefixed ? "_" : "", col->name);
         for (size_t k = 0; k < t->n; k++) v[k] = t->value[k * t->n_columns + i];
-        s = orr_nc_put_var(w, name, ORR_NC_DOUBLE, 1, dims, v, col->unit, col->help, diag);
+        s = orr_nc_put_var(w, name, ORR_NC_DOUBLE, 1, dims, v, udunit(col->unit, unit), col->help, diag);
         if (s == ORR_OK && col->word != NULL) put_meanings(w, name, col->word, diag);
     }
     free(v);

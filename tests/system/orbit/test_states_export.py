@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import oem  # noqa: E402
 from program import Folder, run, sample  # noqa: E402
 
 SATS = ("G01", "G05", "R01", "E02")
@@ -83,29 +84,38 @@ class Export(Folder):
         self.assertEqual((left, n), (0, len(self.rows)))
 
     def test_oem(self):
+        """Read as any reader of the message does: what stands in it, and the states between by the interpolation that it names."""
         for frame, name in (("ecef", "ITRF2020"), ("inertial", "GCRF")):
-            rows = self.rows
-            if frame == "inertial":
-                rows = {(instant(r["t_gps"]), r["sat"]): r for r in csv.DictReader(run("states", self.product, "--step", "900", "--frame", frame).stdout.splitlines())}
-            lines = self.states("oem", frame + ".oem", "--frame", frame).read_text(encoding="ascii").splitlines()
-            self.assertEqual(lines[0], "CCSDS_OEM_VERS = 2.0")
-            meta, inside, n = {}, False, 0
-            for line in lines[1:]:
-                if line in ("META_START", "META_STOP"):
-                    inside = line == "META_START"
-                    meta = {} if inside else meta
-                elif inside:
-                    key, value = line.split(" = ")
-                    meta[key] = value
-                elif line and line[0].isdigit():
-                    word = line.split()
-                    self.assertEqual((meta["REF_FRAME"], meta["TIME_SYSTEM"], meta["CENTER_NAME"]), (name, "GPS", "EARTH"))
-                    self.assertTrue(instant(meta["START_TIME"]) <= instant(word[0]) <= instant(meta["STOP_TIME"]))
-                    row = rows[instant(word[0]), meta["OBJECT_NAME"]]
-                    for k, key in enumerate(("x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps")):
-                        self.assertAlmostEqual(1e3 * float(word[1 + k]), float(row[key]), delta=2e-6)
-                    n += 1
-            self.assertEqual(n, len(rows))
+            segments = oem.read(self.states("oem", frame + ".oem", "--frame", frame))
+            self.assertEqual(sorted(s.meta["OBJECT_NAME"] for s in segments), sorted(SATS))
+            rows = {(instant(r["t_gps"]), r["sat"]): r
+                    for r in csv.DictReader(run("states", self.product, "--step", "450", "--frame", frame).stdout.splitlines())}
+            seen = 0
+            for s in segments:
+                self.assertEqual((s.meta["REF_FRAME"], s.meta["TIME_SYSTEM"], s.meta["CENTER_NAME"]), (name, "GPS", "EARTH"))
+                for (t, sat), row in rows.items():
+                    if sat != s.meta["OBJECT_NAME"]:
+                        continue
+                    pos, vel = s.at(t)
+                    seen += 1
+                    inside = t in s.epochs
+                    for k, key in enumerate("xyz"):
+                        # Hermite's polynomial of degree 7 through four nodes 900 s apart: 0.02 mm in the middle of them, r n^8 (450 1350)^4 / 8!;
+                        # at the ends of a segment, where all nodes lie to one side, fifty times as much.
+                        self.assertAlmostEqual(1e3 * pos[k], float(row[key + "_m"]), delta=2e-6 if inside else 2e-3)
+                        self.assertAlmostEqual(1e3 * vel[k], float(row[f"v{key}_mps"]), delta=2e-9 if inside else 2e-5)
+            self.assertEqual(seen, len(rows))
+
+    def test_a_message_that_is_wrong_is_refused(self):
+        """The reader of these tests is judged too."""
+        good = self.states("oem", "good.oem").read_text(encoding="ascii")
+        for old, new, words in (("OBJECT_ID = G01\n", "", "OBJECT_ID"), ("META_STOP", "META_END", "META"), ("CENTER_NAME = EARTH\nREF_FRAME = ITRF2020\n", "REF_FRAME = ITRF2020\nCENTER_NAME = EARTH\n", "order"),
+                                ("2025-03-21T00:15:00 ", "2025-03-20T00:15:00 ", "ascend"), ("STOP_TIME = 2025-03-22", "STOP_TIME = 2025-03-21", "STOP_TIME"), ("VERS = 2.0", "VERS = 9.0", "version")):
+            bad = pathlib.Path(self.path("bad.oem"))
+            self.assertIn(old, good)
+            bad.write_text(good.replace(old, new, 1), encoding="ascii")
+            with self.assertRaisesRegex(ValueError, words):
+                oem.read(bad)
 
     def test_netcdf(self):
         path = self.states("netcdf", "day-states.nc")

@@ -75,7 +75,7 @@ static void round_trip(void **state)
     double v;
     int64_t i;
     ASSERT_OK(orr_nc_get_att_text(&r, NULL, "Conventions", text, sizeof text, &d), d);
-    assert_string_equal(text, "CF-1.8");
+    assert_string_equal(text, "CF-1.9");
     ASSERT_OK(orr_nc_get_att_text(&r, NULL, "source", text, sizeof text, &d), d);
     assert_string_equal(text, "orrery " ORR_VERSION);
     ASSERT_OK(orr_nc_get_att_text(&r, NULL, "input_files", text, sizeof text, &d), d);
