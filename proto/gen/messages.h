@@ -802,7 +802,7 @@ bool orr_msg_jammer_next(const orr_msg_jammer_list *list, orr_wire_iter *it, orr
 // of all, no item and no bytes (wire.size 0, wire.data not NULL), then these.
 orr_wire_status orr_msg_jammer_records_encode(const orr_msg_jammer_list *piece, orr_wire_writer *w);
 
-// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part, and disturbance) has the other sign, its second order the other sign and half the size, wind_up and phase_bias join, scintillation, land_mobile and echo_phase join, group_delay and fault_divergence do not.
+// What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part, and disturbance) has the other sign, its second order the other sign and half the size, wind_up and phase_bias join, scintillation, land_mobile and echo_phase join, residual_carrier too; group_delay, receiver_delay, residual_code and fault_divergence do not.
 typedef struct orr_msg_channel_terms {
     double distance_m; // antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     double sagnac_m; // rotation of the Earth during the flight
@@ -824,6 +824,9 @@ typedef struct orr_msg_channel_terms {
     double wind_up_m; // turns of satellite and antenna, times the wavelength: of the carrier alone
     double phase_bias_m; // the carrier's bias against the clock's pair of signals: of the carrier alone
     double ionosphere_second_m; // second order of the ionosphere, of the code; 0 unless the scenario asks for it
+    double receiver_delay_m; // replay: delay of the recorded receiver's code, the same all day
+    double residual_code_m; // replay: what noise, multipath and the models' errors left of the recorded code
+    double residual_carrier_m; // replay: likewise of the carrier; it is in the carrier alone
     double disturbance_m; // travelling disturbances and fronts of the ionosphere, of the code
     double scintillation_m; // what irregularities of the ionosphere do to the phase: of the carrier alone
     double land_mobile_m; // what scattered rays of a road do to the phase: of the carrier alone
@@ -836,8 +839,8 @@ typedef struct orr_msg_channel_terms {
     double fault_divergence_m; // faults.divergence: of the code alone
     double fault_orbit_m; // faults.orbit: what the displaced satellite adds to the range
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 248u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 248u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 272u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 272u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1090,7 +1093,7 @@ typedef struct orr_msg_channels {
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
     orr_msg_jammer_list jammers; // those that send then
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 1533454u
+#define ORR_MSG_CHANNELS_LARGEST 1631758u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

@@ -412,7 +412,7 @@ records.jammer = {fields = {
     {name = "doppler_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
 }}
-records.channel_terms = {size = 248, smallest = 248, fields = {
+records.channel_terms = {size = 272, smallest = 272, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -433,6 +433,9 @@ records.channel_terms = {size = 248, smallest = 248, fields = {
     {name = "wind_up_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "phase_bias_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "ionosphere_second_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "receiver_delay_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "residual_code_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "residual_carrier_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "disturbance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "scintillation_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "land_mobile_m", kind = "scalar", scalar = "f64", unit = "m"},

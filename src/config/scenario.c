@@ -28,7 +28,14 @@ static const orr_condition of_ionosphere[] = {
     {.key = "orbit", .why = "there are no satellites"},
     {.key = "ionosphere|signals", .why = "nothing else asks where it is"},
     {0}};
-static const orr_condition of_signals[] = {{.key = "signals", .why = "no signals are sent"}, {0}};
+static const orr_condition of_signals[] = {{.key = "signals|replay", .why = "no signals are sent"}, {0}};
+static const orr_condition of_replay[] = {
+    {.key = "orbit", .why = "there are no satellites"},
+    {.key = "ionosphere", .why = "the content's level comes from a field (ionosphere.field)"},
+    {.key = "antennas", .absent = true, .why = "a replay has its station's antenna"},
+    {.key = "receiver", .absent = true, .why = "a replay has its station's place"},
+    {.key = "spoofers", .absent = true, .why = "they would send what was recorded"},
+    {0}};
 static const orr_condition of_trajectory[] = {{.key = "trajectory", .why = "nothing moves"}, {0}};
 
 static const orr_key rows[] = {
@@ -70,6 +77,15 @@ static const orr_key rows[] = {
             "which satellites send, and how"),
     MAP_ROW(orr_scenario, "mask", mask, &orr_section_mask, of_signals, "what the antennas see of the sky"),
     MAP_ROW(orr_scenario, "channel", channel, &orr_section_channel, of_signals, "what a channel consists of"),
+    {.name = "replay",
+     .kind = ORR_KEY_MAP,
+     .offset = offsetof(orr_scenario, replay),
+     .given = offsetof(orr_scenario, has_replay),
+     .map = &orr_section_replay,
+     .only = of_replay,
+     .help = "a station's recorded observations, which the channels reproduce; signals are those of the "
+             "record, or of these "
+             "the ones that `signals` names"},
     MAP_ROW(orr_scenario, "site", site, &orr_section_site, of_signals,
             "how the ground moves below fixed antennas"),
     MAP_ROW(orr_scenario, "obstacles", obstacles, &orr_section_obstacles, of_signals, "walls and tunnels"),
@@ -113,6 +129,10 @@ static const char *check(const void *map, char why[ORR_SCHEMA_WHY])
         snprintf(why, ORR_SCHEMA_WHY, "there is no unit %lld, the scenario has 0 to %zu",
                  (long long)s->receiver.unit, units);
         return "receiver";
+    }
+    if (s->has_replay && s->iono.field == NULL) {
+        snprintf(why, ORR_SCHEMA_WHY, "its content is levelled to a field: name an ionosphere.field, not a session");
+        return "replay";
     }
     const char *blame = orr_section_signals_check(&s->signals, why);
     for (size_t k = 0; blame == NULL && k < s->antennas.n; k++) {

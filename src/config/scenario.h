@@ -19,6 +19,7 @@
 #include "src/config/section_obstacles.h"
 #include "src/config/section_orbit.h"
 #include "src/config/section_receiver.h"
+#include "src/config/section_replay.h"
 #include "src/config/section_site.h"
 #include "src/config/section_spoofers.h"
 #include "src/config/section_trajectory.h"
@@ -65,6 +66,8 @@ typedef struct orr_scenario {
     orr_scenario_disturbance disturbance;
     orr_scenario_multipath multipath;
     orr_scenario_faults faults;
+    orr_scenario_replay replay;
+    bool has_replay;
     orr_scenario_serve serve;
     orr_marks marks;            // where in the file its keys stand
     const orr_leap_table *leap; // that its times were read by and its run goes by; borrowed; NULL: built-in

@@ -257,6 +257,10 @@ orr_status orr_station_open(const orr_station_plan *plan, orr_station *out, orr_
         o->position = orr_positions_at;
         o->user = out->positions;
     }
+    if (plan->position != NULL) {
+        o->position = plan->position;
+        o->user = plan->user;
+    }
     if (plan->antex != NULL) o->antex = &out->antex;
     if (out->field != NULL) o->shell_radius_m = orr_tec_field_shell_radius_m(out->field);
     orr_phase_options own = *o;

@@ -23,7 +23,10 @@ typedef struct orr_station_plan {
     const char *orbit; // an orbit product or a navigation file; NULL: none (phases alone)
     const orr_station_shared *
         shared; // both, opened before, and `field` and `orbit` are not read; NULL: they are read. Outlives the station
-    uint32_t messages;         // of that file to insist on (orr_broadcast_choice.messages); 0: the usual ones
+    orr_position_fn
+        position;      // positions that the caller has, before those of `orbit` and `shared`; NULL: none
+    void *user;        // of position
+    uint32_t messages; // of that file to insist on (orr_broadcast_choice.messages); 0: the usual ones
     const char *const *biases; // files of code biases; those of an IONEX field are used besides
     size_t n_biases;
     const char *antex; // phase centres of the satellites' antennas; NULL: none

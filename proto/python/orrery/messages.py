@@ -1048,7 +1048,8 @@ class Jammer(Record):
 class ChannelTerms(Record):
     """What a code at the block's begin is the sum of, in metres; of the carrier the ionosphere (and its emission part, and
     disturbance) has the other sign, its second order the other sign and half the size, wind_up and phase_bias join,
-    scintillation, land_mobile and echo_phase join, group_delay and fault_divergence do not.
+    scintillation, land_mobile and echo_phase join, residual_carrier too; group_delay, receiver_delay, residual_code and
+    fault_divergence do not.
 
     distance_m [m]: antenna to centre of mass, in the Earth's axes of emission and of reception, not turned
     sagnac_m [m]: rotation of the Earth during the flight
@@ -1070,6 +1071,9 @@ class ChannelTerms(Record):
     wind_up_m [m]: turns of satellite and antenna, times the wavelength: of the carrier alone
     phase_bias_m [m]: the carrier's bias against the clock's pair of signals: of the carrier alone
     ionosphere_second_m [m]: second order of the ionosphere, of the code; 0 unless the scenario asks for it
+    receiver_delay_m [m]: replay: delay of the recorded receiver's code, the same all day
+    residual_code_m [m]: replay: what noise, multipath and the models' errors left of the recorded code
+    residual_carrier_m [m]: replay: likewise of the carrier; it is in the carrier alone
     disturbance_m [m]: travelling disturbances and fronts of the ionosphere, of the code
     scintillation_m [m]: what irregularities of the ionosphere do to the phase: of the carrier alone
     land_mobile_m [m]: what scattered rays of a road do to the phase: of the carrier alone
@@ -1104,6 +1108,9 @@ class ChannelTerms(Record):
         Field("wind_up_m", "scalar", scalar="f64"),
         Field("phase_bias_m", "scalar", scalar="f64"),
         Field("ionosphere_second_m", "scalar", scalar="f64"),
+        Field("receiver_delay_m", "scalar", scalar="f64"),
+        Field("residual_code_m", "scalar", scalar="f64"),
+        Field("residual_carrier_m", "scalar", scalar="f64"),
         Field("disturbance_m", "scalar", scalar="f64"),
         Field("scintillation_m", "scalar", scalar="f64"),
         Field("land_mobile_m", "scalar", scalar="f64"),
@@ -1137,6 +1144,9 @@ class ChannelTerms(Record):
     wind_up_m: float = 0.0
     phase_bias_m: float = 0.0
     ionosphere_second_m: float = 0.0
+    receiver_delay_m: float = 0.0
+    residual_code_m: float = 0.0
+    residual_carrier_m: float = 0.0
     disturbance_m: float = 0.0
     scintillation_m: float = 0.0
     land_mobile_m: float = 0.0

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "src/cli/frame/cli.h"
+#include "src/cli/scenario/replay_report.h"
 #include "src/scenario/engine/engine.h"
 
 static void print_span(const char *what, orr_span span)
@@ -152,6 +153,12 @@ static int run(orr_cli *c)
     print_parts(e);
     int code = ORR_EXIT_OK;
     const orr_channels *channels = orr_engine_channels(e);
+    const orr_replay_report *report;
+    const orr_replay *replay = orr_engine_replay(e, &report);
+    if (replay != NULL) {
+        putchar('\n');
+        orr_replay_report_text(stdout, replay, report);
+    }
     if (channels != NULL) {
         print_signals(channels);
         code = print_views(c, channels, &s.marks);

@@ -27,6 +27,7 @@ typedef struct ray {
     slow_now slow;
     orr_antenna_direction toward; // of an antenna that moves and has a type
     double turns, turns_rate_hz;
+    double more_tecu, more_tecu_ps; // content that a recorded day tells
     uint32_t flags;
     double term_m[ORR_N_TERMS], rate_mps[ORR_N_TERMS];
 } ray;
@@ -132,8 +133,10 @@ static void set_signal(const orr_antenna *a, const ray *r, size_t j, double dela
         x[ORR_TERM_RECEIVER_ANTENNA] =
             orr_antenna_range_m(a, &r->toward, sent->signal, &rate[ORR_TERM_RECEIVER_ANTENNA]);
     }
-    x[ORR_TERM_IONOSPHERE] = orr_iono_delay_m(v[SLOW_CONTENT], sent->carrier_hz, ORR_MEASURES_CODE);
-    rate[ORR_TERM_IONOSPHERE] = orr_iono_delay_m(slope[SLOW_CONTENT], sent->carrier_hz, ORR_MEASURES_CODE);
+    x[ORR_TERM_IONOSPHERE] =
+        orr_iono_delay_m(v[SLOW_CONTENT] + r->more_tecu, sent->carrier_hz, ORR_MEASURES_CODE);
+    rate[ORR_TERM_IONOSPHERE] =
+        orr_iono_delay_m(slope[SLOW_CONTENT] + r->more_tecu_ps, sent->carrier_hz, ORR_MEASURES_CODE);
     const double second_m =
         ORR_IONO_SECOND_M4_PER_S3_T / (sent->carrier_hz * sent->carrier_hz * sent->carrier_hz);
     x[ORR_TERM_IONOSPHERE_SECOND] = second_m * v[SLOW_CONTENT_FIELD];
@@ -250,8 +253,8 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         if ((signals >> sent->signal & 1) == 0) continue;
         list->place[list->n] = (uint16_t)(r->sat - c->satellite);
         list->seen[list->n] = r->direction.seen;
-        list->start[list->n] = sent->start;
-        orr_channel *out = &list->channel[list->n++];
+        int64_t *start = &list->start[list->n];
+        orr_channel *out = &list->channel[list->n];
         out->sat = r->sat->sat;
         out->signal = sent->signal;
         out->echo = 0;
@@ -261,13 +264,15 @@ static void fill(const orr_channels *c, size_t antenna, orr_channel_work *work, 
         out->carrier_hz = sent->carrier_hz;
         out->power_dbw = r->slow.v[slow_of(j, SLOW_POWER)];
         set_signal(&c->antenna[antenna], r, j, delays->delay_m[j], out);
+        if (!effects_replay(c, sent, t, list->as_of, start, out)) continue; // it was not observed
+        list->n++;
         if (c->scintillation != NULL)
             effects_scintillation(c, antenna, t, r->slow.v[SLOW_S4], r->slow.v[SLOW_SIGMA_PHI],
                                   &work->antenna[antenna].fading[list->place[list->n - 1]], out);
         if (c->land_mobile != NULL) effects_land_mobile(c, list->place[list->n - 1], t, list->as_of, out);
         if (c->faults != NULL) effects_fault(c, list->place[list->n - 1], &r->light, t, list->as_of, out);
-        channels_sum(t, sent->start, out);
-        if (c->echoes != NULL) add_echoes(c, at, t, r, sent->start, list);
+        channels_sum(t, *start, out);
+        if (c->echoes != NULL) add_echoes(c, at, t, r, *start, list);
     }
 }
 
@@ -301,6 +306,9 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
         r.toward = (orr_antenna_direction){.az_deg = 0};
         memset(r.term_m, 0, sizeof r.term_m);
         memset(r.rate_mps, 0, sizeof r.rate_mps);
+        r.more_tecu = r.more_tecu_ps = 0;
+        if (r.sat->record != NULL)
+            r.more_tecu = orr_replay_content(c->replay, r.sat->record, t, as_of, &r.more_tecu_ps);
         if (trace(c, antenna, work, t, at, work->chosen[k], &r))
             fill(c, antenna, work, t, at, &r, signals, list);
     }

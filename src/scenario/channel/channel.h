@@ -7,9 +7,11 @@
 #include "core/signal.h"
 #include "src/scenario/antenna/antenna.h"
 #include "src/scenario/effect/jammer.h"
+#include "src/scenario/effect/replay.h"
 #include "src/scenario/source/source_iono.h"
 #include "src/scenario/source/source_orbit.h"
 #include "src/scenario/source/source_tables.h"
+#include "src/scenario/troposphere/troposphere.h"
 
 typedef enum orr_term {
 #define ORR_TERM(NAME, name, code, carrier, meaning) ORR_TERM_##NAME,
@@ -57,6 +59,9 @@ typedef struct orr_channel {
     double power_dbw;            // received by 0 dBi
 } orr_channel;
 
+// Noise density of a receiver, dBW/Hz: that of 290 K (-204) and a noise figure of 1.5 dB.
+#define ORR_N0_DBWHZ (-202.5)
+
 typedef struct orr_channels orr_channels;
 
 // Prepares the channels of a scenario. *out NULL where no signals are sent.
@@ -66,6 +71,7 @@ typedef struct orr_channels orr_channels;
 //   iono      delays, borrowed; NULL: none
 //   motion    what moves, borrowed; NULL: nothing
 //   tables    antennas, biases and records, borrowed
+//   replay    recorded day whose signals the first antenna receives, borrowed; NULL: none
 //   cancel    ends it; may be NULL
 // Returned:
 //   warnings  what was left out or taken from a neighbour, and why
@@ -74,8 +80,9 @@ typedef struct orr_channels orr_channels;
 // Errors: those of orr_antenna_open; ORR_E_NODATA (none of the satellites sends one of the signals).
 orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbits,
                              const orr_source_iono *iono, const orr_source_motion *motion,
-                             const orr_source_tables *tables, const volatile int *cancel,
-                             orr_warnings *warnings, orr_channels **out, orr_diag *diag);
+                             const orr_source_tables *tables, const orr_replay *replay,
+                             const volatile int *cancel, orr_warnings *warnings, orr_channels **out,
+                             orr_diag *diag);
 void orr_channels_close(orr_channels *c); // NULL is allowed
 
 // How many antennas there are; 0 for NULL.
@@ -121,6 +128,9 @@ size_t orr_channels_jammers(const orr_channels *c, const orr_antenna_state *at, 
                             orr_jammer out[ORR_MAX_JAMMERS]);
 // Time error of an antenna's receiver, s, and its rate: what observations have and channels do not (clocks.receiver).
 double orr_channels_oscillator(const orr_channels *c, size_t antenna, orr_time t, double *rate);
+// The neutral atmosphere over a place, as the channels of an antenna have it, with what a recorded day tells of it.
+orr_troposphere_site orr_channels_troposphere(const orr_channels *c, size_t antenna, orr_geodetic place,
+                                              orr_time t);
 // Spacing between early and late of the correlator that observes a signal, chips (multipath.spacing).
 double orr_channels_spacing(const orr_channels *c, size_t signal);
 

@@ -35,6 +35,21 @@ double orr_channels_oscillator(const orr_channels *c, size_t antenna, orr_time t
     return c->oscillator[antenna].n > 0 ? orr_series_at(&c->oscillator[antenna], t, rate) : 0;
 }
 
+orr_troposphere_site orr_channels_troposphere(const orr_channels *c, size_t antenna, orr_geodetic place,
+                                              orr_time t)
+{
+    if (c->troposphere == NULL) return (orr_troposphere_site){.model = ORR_TROPOSPHERE_NONE};
+    orr_troposphere_site out = orr_troposphere_at(c->troposphere, antenna, place, t);
+    const orr_replay *r = c->replay;
+    if (r == NULL) return out;
+    out.zenith.wet_m += orr_replay_curve_at(&r->zenith, t);
+    if (!out.has_gradients) out.gradients = (orr_gradients){0, 0, 0, 0};
+    out.has_gradients = true;
+    out.gradients.north_wet_m += orr_replay_curve_at(&r->north, t);
+    out.gradients.east_wet_m += orr_replay_curve_at(&r->east, t);
+    return out;
+}
+
 double orr_channels_spacing(const orr_channels *c, size_t signal)
 {
     if (c->spacing_chips > 0) return c->spacing_chips;

@@ -21,6 +21,7 @@
 #include "src/scenario/effect/jammer.h"
 #include "src/scenario/effect/land_mobile.h"
 #include "src/scenario/effect/obstacle.h"
+#include "src/scenario/effect/replay.h"
 #include "src/scenario/effect/scintillation.h"
 #include "src/scenario/effect/site.h"
 #include "src/scenario/effect/terrain.h"
@@ -30,8 +31,9 @@
 typedef struct channel_sent {
     uint16_t signal; // place in orr_signals
     double carrier_hz;
-    double phase_bias_m; // 0 where no file tells it
-    double power_dbw;    // least received power, of the satellite's block
+    double phase_bias_m;           // 0 where no file tells it
+    double power_dbw;              // least received power, of the satellite's block
+    const orr_replay_track *track; // what was recorded of it; NULL: no replay
     int64_t start; // the integer of its carrier: up to 8191 cycles, the same for all antennas and for ever
 } channel_sent;
 
@@ -44,9 +46,10 @@ typedef struct channel_satellite {
     uint32_t flags;        // UNHEALTHY, NOMINAL_FREQUENCY
     int frequency_channel; // GLONASS
     double power_db;
-    orr_attitude_law law;   // of its block, by ANTEX
-    bool orbit_normal;      // geostationary satellites of BeiDou and QZSS
-    orr_series clock_noise; // empty: none
+    orr_attitude_law law;         // of its block, by ANTEX
+    bool orbit_normal;            // geostationary satellites of BeiDou and QZSS
+    orr_series clock_noise;       // empty: none
+    const orr_replay_sat *record; // NULL: no replay
     size_t n_sent;
     channel_sent sent[CHANNEL_MAX_SENT];
 } channel_satellite;
@@ -87,6 +90,22 @@ struct orr_channels {
     orr_land_mobile *land_mobile;               // NULL: none
     struct spoofed *spoofed;                    // NULL: none
     double spacing_chips;                       // 0: by the signal
+    channel_satellite *satellite;            // as orr_source_orbit_satellites
+    orr_faults *faults;                      // NULL: none
+    orr_echoes *echoes;                      // NULL: none
+    const orr_replay *replay;                // borrowed; NULL: none
+    orr_disturbance *disturbance;            // NULL: none
+    orr_scintillation *scintillation;        // NULL: none
+    orr_series oscillator[ORR_MAX_ANTENNAS]; // of receivers; empty: none
+    orr_scenario_site site;                  // its file is not kept
+    bool has_ocean;
+    orr_blq ocean[ORR_MAX_ANTENNAS]; // of fixed antennas
+    orr_obstacles *obstacles;        // NULL: none
+    orr_terrain *terrain;            // NULL: none
+    orr_jammers *jammers;            // NULL: none
+    orr_land_mobile *land_mobile;    // NULL: none
+    struct spoofed *spoofed;         // NULL: none
+    double spacing_chips;            // 0: by the signal
     orr_sun_track sun;
     orr_magnetic *magnetic; // of the second order; NULL: a dipole
     double begin_days;      // of the span, after 2000.0

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scenario/channel/effects.h"
 
+#include <math.h>
+
 #include "core/constants.h"
 #include "orbit/force/kepler.h"
 #include "src/scenario/channel/spoofed.h"
@@ -65,6 +67,24 @@ void effects_scintillation(const orr_channels *c, size_t antenna, orr_time t, do
     out->power_dbw += x.power_db;
 }
 
+bool effects_replay(const orr_channels *c, const channel_sent *sent, orr_time t, orr_time as_of,
+                    int64_t *start, orr_channel *out)
+{
+    orr_replay_now x;
+    *start = sent->start;
+    if (sent->track == NULL) return true;
+    if (!orr_replay_at(c->replay, sent->track, t, as_of, &x)) return false;
+    *start += x.start;
+    out->term_m[ORR_TERM_RECEIVER_DELAY] = sent->track->delay_m;
+    out->term_m[ORR_TERM_PHASE_BIAS] += x.bias_m;
+    out->term_m[ORR_TERM_RESIDUAL_CODE] = x.code_m;
+    out->rate_mps[ORR_TERM_RESIDUAL_CODE] = x.code_mps;
+    out->term_m[ORR_TERM_RESIDUAL_CARRIER] = x.carrier_m;
+    out->rate_mps[ORR_TERM_RESIDUAL_CARRIER] = x.carrier_mps;
+    if (!isnan(x.cn0_dbhz)) out->power_dbw = x.cn0_dbhz + ORR_N0_DBWHZ;
+    return true;
+}
+
 void effects_land_mobile(const orr_channels *c, size_t place, orr_time t, orr_time as_of, orr_channel *out)
 {
     const orr_land_mobile_now x = orr_land_mobile_at(c->land_mobile, place, t, as_of, out->carrier_hz);
@@ -76,7 +96,9 @@ void effects_land_mobile(const orr_channels *c, size_t place, orr_time t, orr_ti
 
 bool effects_change(const orr_channels *c, orr_time after, orr_time until)
 {
-    return spoofed_change(c, after, until) || orr_land_mobile_change(c->land_mobile, after, until) ||
+    return spoofed_change(c, after, until) ||
+           (c->replay != NULL && orr_replay_change(c->replay, after, until)) ||
+           orr_land_mobile_change(c->land_mobile, after, until) ||
            orr_obstacles_change(c->obstacles, after, until) || orr_faults_change(c->faults, after, until) ||
            orr_echoes_change(c->echoes, after, until);
 }
@@ -85,7 +107,9 @@ bool effects_allow(const orr_channels *c, size_t antenna, orr_time cell, int64_t
 {
     const orr_time end = cell + ORR_BLOCK_CELL_NS;
     const double error_m = c->options.error_m / 10;
-    return spoofed_allow(c, cell, end, length_ns) && length_ns <= orr_land_mobile_block_ns(c->land_mobile) &&
+    return spoofed_allow(c, cell, end, length_ns) &&
+           (c->replay == NULL || orr_replay_allow(c->replay, length_ns, c->options.error_m)) &&
+           length_ns <= orr_land_mobile_block_ns(c->land_mobile) &&
            orr_obstacles_allow(c->obstacles, cell, end, length_ns) &&
            orr_faults_allow(c->faults, cell, end, length_ns, error_m) &&
            length_ns <= orr_scintillation_block_ns(c->scintillation, cell, end) &&

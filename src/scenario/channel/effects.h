@@ -19,6 +19,20 @@
 void effects_fault(const orr_channels *c, size_t place, const orr_light *l, orr_time t, orr_time as_of,
                    orr_channel *out);
 
+// Adds what a recorded day has of a signal: its terms and its power.
+// Given:
+//   c      channels
+//   sent   the signal
+//   t      instant of reception
+//   as_of  instant whose arc it is (orr_replay_at)
+//   out    channel with the terms of its models
+// Returned:
+//   start  integer of its carrier
+//   out    with them
+// Returns false where it was not observed then; without a recorded day nothing is added.
+bool effects_replay(const orr_channels *c, const channel_sent *sent, orr_time t, orr_time as_of,
+                    int64_t *start, orr_channel *out);
+
 // Adds scintillation to a signal: its term and its power.
 // Given:
 //   c          channels that have it

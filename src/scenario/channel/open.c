@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/rng.h"
+#include "ingest/rinex/rinex_obs.h"
 #include "orbit/navdata/glonass_channel.h"
 #include "orbit/spacecraft/orbit_class.h"
 #include "src/scenario/channel/block.h"
@@ -74,6 +75,41 @@ static bool listed_channel(const orr_channels *c, orr_sat sat, int *channel)
     return true;
 }
 
+// Of the scenario's begin, and kept: a carrier does not step when a file's next day begins.
+static double phase_bias_m(const orr_channels *c, orr_sat sat, const orr_signal *s)
+{
+    double delay_s;
+    if (c->bias == NULL || orr_signal_phase_of(c->bias, sat, s, c->span.from, &delay_s) != ORR_OK) return 0;
+    return ORR_LIGHT_MPS * delay_s;
+}
+
+// The channel that the header of a recorded day tells.
+static bool recorded_channel(const orr_replay *r, channel_satellite *x)
+{
+    const int slot = orr_sat_number(x->sat);
+    if (r == NULL || r->glonass_channel[slot % 100] == ORR_OBS_NO_CHANNEL) return false;
+    x->frequency_channel = r->glonass_channel[slot % 100];
+    return true;
+}
+
+// Whether a satellite sends a signal: what its block has, or what a recorded day has of it.
+static bool sends(const orr_channels *c, const channel_satellite *x, const orr_signal *s, size_t j,
+                  const char *block, channel_sent *out)
+{
+    double power_dbw;
+    if ((c->signals >> j & 1) == 0 || s->system != orr_sat_system(x->sat)) return false;
+    const orr_replay_track *track = orr_replay_track_of(c->replay, x->sat, j);
+    const bool usual = orr_signal_of_block(s, block, &power_dbw);
+    if (c->replay != NULL ? track == NULL : !usual) return false;
+    *out = (channel_sent){.signal = (uint16_t)j,
+                          .carrier_hz = orr_signal_carrier_hz(s, x->frequency_channel),
+                          .phase_bias_m = phase_bias_m(c, x->sat, s),
+                          .power_dbw = usual ? power_dbw : s->power_dbw,
+                          .start = c->replay != NULL ? 0 : (int64_t)(orr_rng_u64(0, x->sat, j) & 8191),
+                          .track = track};
+    return true;
+}
+
 static orr_status keep_horizon(const orr_scenario *s, orr_channels *c, orr_diag *diag)
 {
     const size_t n = s->mask.horizon.n;
@@ -99,14 +135,6 @@ static bool is_orbit_normal(const orr_ephemeris *e, orr_sat sat)
     return false;
 }
 
-// Of the scenario's begin, and kept: a carrier does not step when a file's next day begins.
-static double phase_bias_m(const orr_channels *c, orr_sat sat, const orr_signal *s)
-{
-    double delay_s;
-    if (c->bias == NULL || orr_signal_phase_of(c->bias, sat, s, c->span.from, &delay_s) != ORR_OK) return 0;
-    return ORR_LIGHT_MPS * delay_s;
-}
-
 static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr_channels *c, orr_diag *diag)
 {
     const orr_sat *list;
@@ -130,6 +158,7 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
             orr_attitude_law_of(c->antex != NULL ? orr_antex_find_sat(c->antex, x->sat, c->span.from) : NULL);
         if (orr_sat_system(x->sat) == 'R') {
             const bool known =
+                recorded_channel(c->replay, x) ||
                 orr_glonass_channel(nav, x->sat, c->span.from, &x->frequency_channel, &nominal);
             if ((!known || nominal) && listed_channel(c, x->sat, &x->frequency_channel))
                 nominal = false;
@@ -138,19 +167,12 @@ static orr_status list_satellites(const orr_scenario *s, const orr_nav *nav, orr
         }
         if (nominal) x->flags |= ORR_CHANNEL_NOMINAL_FREQUENCY;
         const char *svn, *block;
-        double power_dbw;
         channels_vehicle(c, x->sat, &svn, &block);
-        for (size_t j = 0; x->sends && j < n_signals; j++)
-            if ((c->signals >> j & 1) != 0 && signal[j].system == orr_sat_system(x->sat) &&
-                orr_signal_of_block(&signal[j], block, &power_dbw)) {
-                assert(x->n_sent < CHANNEL_MAX_SENT);
-                x->sent[x->n_sent++] =
-                    (channel_sent){.signal = (uint16_t)j,
-                                   .carrier_hz = orr_signal_carrier_hz(&signal[j], x->frequency_channel),
-                                   .phase_bias_m = phase_bias_m(c, x->sat, &signal[j]),
-                                   .power_dbw = power_dbw,
-                                   .start = (int64_t)(orr_rng_u64(0, x->sat, j) & 8191)};
-            }
+        x->record = orr_replay_sat_of(c->replay, x->sat);
+        for (size_t j = 0; x->sends && j < n_signals; j++) {
+            assert(x->n_sent < CHANNEL_MAX_SENT);
+            if (sends(c, x, &signal[j], j, block, &x->sent[x->n_sent])) x->n_sent++;
+        }
         c->max_channels += x->n_sent * (1 + orr_echoes_max(c->echoes));
     }
     if (c->max_channels == 0)
@@ -373,8 +395,9 @@ static void find_span(orr_channels *c, const orr_source_motion *motion)
 
 orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbits,
                              const orr_source_iono *iono, const orr_source_motion *motion,
-                             const orr_source_tables *tables, const volatile int *cancel,
-                             orr_warnings *warnings, orr_channels **out, orr_diag *diag)
+                             const orr_source_tables *tables, const orr_replay *replay,
+                             const volatile int *cancel, orr_warnings *warnings, orr_channels **out,
+                             orr_diag *diag)
 {
     *out = NULL;
     if (s->signals.n == 0) return ORR_OK;
@@ -382,6 +405,7 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     if (c == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     c->orbits = orbits;
     c->iono = iono;
+    c->replay = replay;
     c->antex = tables->has_antex ? &tables->antex : NULL;
     c->bias = tables->has_bias ? &tables->bias : NULL;
     c->options = s->channel;

@@ -115,20 +115,27 @@ static void set_troposphere(const moment *m, const ray *r, slow_values *out)
                                                             orr_vec3_scale(above.wet_m - d.wet_m, up));
 }
 
-// What the satellite's phase centre adds to the range: exactly that of the offset, and the variation by nadir angle and azimuth.
+// What a phase centre at `body` of the satellite's axes adds to the range, exactly.
+static double offset_m(const ray *r, orr_vec3 body)
+{
+    const double range = r->light.range_m;
+    const orr_vec3 a = orr_mat3_apply_t(&r->attitude.body, body), d = orr_vec3_scale(range, r->light.u);
+    const double longer = orr_vec3_norm(orr_vec3_add(d, a));
+    return (2 * orr_vec3_dot(d, a) + orr_vec3_dot(a, a)) / (longer + range);
+}
+
+// What the satellite's phase centre adds to the range: that of the offset, and the variation by nadir angle and azimuth; of an
+// antenna that nobody knows what a recorded day tells of it.
 static double satellite_antenna_m(const ray *r, const orr_signal *s, double carrier_hz, double nadir_deg,
                                   double az_deg)
 {
-    if (r->antex == NULL || !r->has_attitude) return 0;
+    const orr_replay_sat *record = r->sat->record;
+    if (!r->has_attitude) return 0;
+    if (r->antex == NULL) return record != NULL && record->estimated ? offset_m(r, record->offset_m) : 0;
     const orr_antex_frequency *f = orr_antenna_frequency(r->antex, s, carrier_hz);
     if (f == NULL) return 0;
     const orr_vec3 body = {f->offset_m[0], f->offset_m[1], f->offset_m[2]};
-    const orr_vec3 a = orr_mat3_apply_t(&r->attitude.body, body);
-    const orr_vec3 d = orr_vec3_scale(r->light.range_m, r->light.u);
-    const double range = r->light.range_m;
-    const double longer = orr_vec3_norm(orr_vec3_add(d, a));
-    const double offset = (2 * orr_vec3_dot(d, a) + orr_vec3_dot(a, a)) / (longer + range);
-    return offset + orr_antex_variation_m(r->antex, f, az_deg, nadir_deg);
+    return offset_m(r, body) + orr_antex_variation_m(r->antex, f, az_deg, nadir_deg);
 }
 
 static void set_signals(const moment *m, const ray *r, slow_values *out)
@@ -247,8 +254,8 @@ void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_
         const orr_geodetic place_of = orr_earth_from_ecef(at->r_m);
         orr_geodetic above = place_of;
         above.height_m += 1;
-        m.site = orr_troposphere_at(c->troposphere, antenna, place_of, t);
-        if (slopes) m.site_above = orr_troposphere_at(c->troposphere, antenna, above, t);
+        m.site = orr_channels_troposphere(c, antenna, place_of, t);
+        if (slopes) m.site_above = orr_channels_troposphere(c, antenna, above, t);
     }
     for (size_t k = 0; k < n; k++) {
         ray r;

@@ -17,6 +17,8 @@ struct orr_engine {
     orr_source_iono *iono;
     orr_source_motion *motion;
     orr_channels *channels;
+    orr_replay *replay; // NULL: none
+    orr_replay_report report;
     orr_receiver_kind receiver;
     orr_vec3 place_m;     // of ORR_RECEIVER_PLACE
     size_t receiver_unit; // of ORR_RECEIVER_UNIT
@@ -72,8 +74,11 @@ orr_status orr_engine_open(const orr_scenario *s, const orr_log *log, const vola
         status = orr_diag_set(
             diag, ORR_E_NODATA,
             "the scenario has neither satellites (orbit.product, orbit.sp3, orbit.nav) nor a trajectory");
-    if (status == ORR_OK)
-        status = orr_channels_open(s, e->orbits, e->iono, e->motion, &e->tables, cancel, warnings,
+    if (status == ORR_OK && s->has_replay)
+        status = orr_replay_make(s, e->orbits, e->iono, &e->tables, log, cancel, warnings, &e->replay,
+                                 &e->channels, &e->report, diag);
+    else if (status == ORR_OK)
+        status = orr_channels_open(s, e->orbits, e->iono, e->motion, &e->tables, NULL, cancel, warnings,
                                    &e->channels, diag);
     if (status == ORR_OK) {
         choose_receiver(s, e);
@@ -89,6 +94,7 @@ void orr_engine_close(orr_engine *e)
 {
     if (e == NULL) return;
     orr_channels_close(e->channels);
+    orr_replay_free(e->replay);
     orr_source_motion_close(e->motion);
     orr_source_iono_close(e->iono);
     orr_source_navdata_close(e->navdata);
@@ -179,6 +185,11 @@ orr_answer orr_engine_navdata(const orr_engine *e, orr_time t, orr_sat sat, cons
 
 bool orr_engine_has_ionosphere(const orr_engine *e) { return e->iono != NULL; }
 const orr_channels *orr_engine_channels(const orr_engine *e) { return e->channels; }
+const orr_replay *orr_engine_replay(const orr_engine *e, const orr_replay_report **report)
+{
+    if (report != NULL) *report = &e->report;
+    return e->replay;
+}
 const orr_ephemeris *orr_engine_ephemeris(const orr_engine *e)
 {
     return orr_source_orbit_ephemeris(e->orbits);

@@ -5,6 +5,7 @@
 #define ORR_SCENARIO_ENGINE_ENGINE_H
 
 #include "src/scenario/channel/channel.h"
+#include "src/scenario/replay/replay_make.h"
 #include "src/scenario/source/source_iono.h"
 #include "src/scenario/source/source_motion.h"
 #include "src/scenario/source/source_navdata.h"
@@ -122,6 +123,8 @@ bool orr_engine_has_ionosphere(const orr_engine *e);
 
 // The channels of the scenario's antennas; NULL where no signals are sent.
 const orr_channels *orr_engine_channels(const orr_engine *e);
+// The recorded day that the channels reproduce; NULL where there is none. *report (may be NULL) is what was estimated of it.
+const orr_replay *orr_engine_replay(const orr_engine *e, const orr_replay_report **report);
 // The sources themselves, for who writes files of the whole scenario; NULL where there is none.
 const orr_ephemeris *orr_engine_ephemeris(const orr_engine *e);
 // The broadcast data likewise.

@@ -40,7 +40,7 @@ static orr_observation measure(const orr_observer *o, const orr_channel *x, cons
     const orr_signal *s = &o->signal[x->signal];
     orr_observation y = {.sat = x->sat,
                          .signal = x->signal,
-                         .cn0_dbhz = x->power_dbw + m->power_db - ORR_OBSERVE_N0_DBWHZ,
+                         .cn0_dbhz = x->power_dbw + m->power_db - ORR_N0_DBWHZ,
                          .carrier_hz = x->carrier_hz,
                          .az_rad = x->az_rad,
                          .el_rad = x->el_rad};

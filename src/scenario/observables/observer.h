@@ -6,9 +6,6 @@
 
 #include "src/scenario/channel/channel.h"
 
-// Noise density of a receiver, dBW/Hz: that of 290 K (-204) and a noise figure of 1.5 dB.
-#define ORR_OBSERVE_N0_DBWHZ (-202.5)
-
 // One signal at one epoch.
 typedef struct orr_observation {
     orr_sat sat;

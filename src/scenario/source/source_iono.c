@@ -5,7 +5,6 @@
 
 #include "core/earth.h"
 #include "core/nan.h"
-#include "iono/field/tec_files.h"
 
 _Static_assert((int)ORR_IONO_MAPS_BILINEAR == ORR_TEC_BILINEAR &&
                    (int)ORR_IONO_MAPS_HARMONICS == ORR_TEC_HARMONIC &&
@@ -33,6 +32,20 @@ struct orr_source_iono {
     orr_transfer_options transfer;
 };
 
+orr_tec_options orr_source_iono_options(const orr_scenario *s)
+{
+    const orr_scenario_iono *o = &s->iono;
+    orr_tec_options options = orr_tec_default_options();
+    options.spatial = (orr_tec_spatial)o->maps;
+    options.temporal = (orr_tec_temporal)o->between;
+    options.rotation = o->rotation;
+    options.algorithm = (orr_tec_algorithm)o->model;
+    options.nequick = o->nequick;
+    options.mapping = (orr_mapping_kind)o->mapping;
+    options.leap = s->leap;
+    return options;
+}
+
 orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *orbits, orr_warnings *warnings,
                                 orr_source_iono **out, orr_diag *diag)
 {
@@ -48,14 +61,7 @@ orr_status orr_source_iono_open(const orr_scenario *s, const orr_source_orbit *o
         status = orr_session_load(o->session, s->leap, &i->session, diag);
         i->has_session = status == ORR_OK;
     } else {
-        orr_tec_options options = orr_tec_default_options();
-        options.spatial = (orr_tec_spatial)o->maps;
-        options.temporal = (orr_tec_temporal)o->between;
-        options.rotation = o->rotation;
-        options.algorithm = (orr_tec_algorithm)o->model;
-        options.nequick = o->nequick;
-        options.mapping = (orr_mapping_kind)o->mapping;
-        options.leap = s->leap;
+        const orr_tec_options options = orr_source_iono_options(s);
         status = orr_tec_field_open(o->field, &options, &i->field, warnings, diag);
     }
     if (status != ORR_OK) {

@@ -4,10 +4,14 @@
 #ifndef ORR_SCENARIO_SOURCE_SOURCE_IONO_H
 #define ORR_SCENARIO_SOURCE_SOURCE_IONO_H
 
+#include "iono/field/tec_files.h"
 #include "iono/fusion/session.h"
 #include "src/scenario/source/source_orbit.h"
 
 typedef struct orr_source_iono orr_source_iono;
+
+// How the section `ionosphere` has a field read.
+orr_tec_options orr_source_iono_options(const orr_scenario *s);
 
 // Opens the section `ionosphere`.
 // Given:
