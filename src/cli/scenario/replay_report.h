@@ -8,6 +8,7 @@
 
 #include "src/scenario/replay/replay_make.h"
 
+// A table of both.
 void orr_replay_report_text(FILE *f, const orr_replay *r, const orr_replay_report *report);
 // A row a track: sat, signal, code, and the statistics.
 void orr_replay_report_csv(FILE *f, const orr_replay *r);

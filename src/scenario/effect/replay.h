@@ -99,8 +99,9 @@ typedef struct orr_replay {
 
 void orr_replay_free(orr_replay *r); // and what it holds; NULL is allowed
 
-// A satellite's record, and that of its signal (place in orr_signals); NULL: none.
+// A satellite's record; NULL: none.
 const orr_replay_sat *orr_replay_sat_of(const orr_replay *r, orr_sat sat);
+// That of one of its signals (place in orr_signals) likewise.
 const orr_replay_track *orr_replay_track_of(const orr_replay *r, orr_sat sat, size_t signal);
 // What was recorded of a track at an epoch; NULL: nothing.
 const orr_replay_node *orr_replay_node_of(const orr_replay_track *x, size_t epoch);
@@ -123,7 +124,13 @@ typedef struct orr_replay_now {
 // holds its last value up to the first epoch of the next.
 bool orr_replay_at(const orr_replay *r, const orr_replay_track *x, orr_time t, orr_time as_of,
                    orr_replay_now *out);
-// Content beyond the scenario's ionosphere, TECU, and its rate; before the first and behind the last epoch of a stretch it is held.
+// Content beyond the scenario's ionosphere, TECU; before the first and behind the last epoch of a stretch it is held.
+// Given:
+//   r, x     replay and its satellite
+//   t        true instant of reception
+//   as_of    instant whose stretch it is, as orr_replay_at
+// Returned:
+//   rate_ps  of the content, TECU/s
 double orr_replay_content(const orr_replay *r, const orr_replay_sat *x, orr_time t, orr_time as_of,
                           double *rate_ps);
 // A curve at t; 0 without nodes.

@@ -44,12 +44,13 @@ orr_status orr_replay_make(const orr_scenario *s, const orr_source_orbit *orbits
                            orr_warnings *warnings, orr_replay **out, orr_channels **channels,
                            orr_replay_report *report, orr_diag *diag);
 
-// Residuals of one track.
+// Sizes of residuals.
 typedef struct orr_replay_rms {
     size_t n_code, n_carrier, n_arcs, n_slips; // slips: as the file's LLI tells them
     double code_m, carrier_m, carrier_cycles;  // RMS; NAN where nothing was recorded
     double code_max_m, carrier_max_m;
 } orr_replay_rms;
+// Of one track.
 orr_replay_rms orr_replay_rms_of(const orr_replay *r, const orr_replay_track *x);
 // Of all tracks together.
 orr_replay_rms orr_replay_rms_all(const orr_replay *r);

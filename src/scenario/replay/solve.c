@@ -355,11 +355,14 @@ static double left_of(const solver *w, const row *r)
     return v;
 }
 
-// Residuals of a kind, by their sigmas, with their sights.
+// Residuals of a kind with their sights.
+typedef struct left_one {
+    double value; // by its sigma
+    orr_replay_sight *sight;
+} left_one;
 typedef struct left {
     size_t n;
-    double *value;
-    orr_replay_sight **sight;
+    left_one *one;
 } left;
 
 // Clocks of all epochs, and what is left.
@@ -370,10 +373,8 @@ static orr_status look_back(solver *w, left out[2], orr_diag *diag)
     for (size_t k = 0; k < r->n_sats; k++) most += r->sat[k].n;
     for (int i = 0; i < 2; i++) {
         out[i].n = 0;
-        out[i].value = malloc((most + 1) * sizeof *out[i].value);
-        out[i].sight = malloc((most + 1) * sizeof *out[i].sight);
-        if (out[i].value == NULL || out[i].sight == NULL)
-            return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+        out[i].one = malloc((most + 1) * sizeof *out[i].one);
+        if (out[i].one == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     }
     memset(w->cursor, 0, r->n_sats * sizeof *w->cursor);
     for (size_t e = 0; e < r->n_epochs; e++) {
@@ -388,8 +389,8 @@ static orr_status look_back(solver *w, left out[2], orr_diag *diag)
         r->clock_s[e] = clock_m / ORR_LIGHT_MPS;
         for (size_t k = 0; k < n; k++) {
             left *to = &out[w->rows[k].phase ? 0 : 1];
-            to->sight[to->n] = w->rows[k].sight;
-            to->value[to->n++] = (left_of(w, &w->rows[k]) - clock_m) * sqrt(w->rows[k].weight);
+            to->one[to->n++] =
+                (left_one){(left_of(w, &w->rows[k]) - clock_m) * sqrt(w->rows[k].weight), w->rows[k].sight};
         }
     }
     return ORR_OK;
@@ -397,10 +398,7 @@ static orr_status look_back(solver *w, left out[2], orr_diag *diag)
 
 static void free_left(left x[2])
 {
-    for (int i = 0; i < 2; i++) {
-        free(x[i].value);
-        free(x[i].sight);
-    }
+    for (int i = 0; i < 2; i++) free(x[i].one);
 }
 
 // Marks outliers; how many there are more.
@@ -412,11 +410,11 @@ static size_t reject(left *x, uint8_t bit)
         free(size);
         return 0;
     }
-    for (size_t k = 0; k < x->n; k++) size[k] = fabs(x->value[k]);
+    for (size_t k = 0; k < x->n; k++) size[k] = fabs(x->one[k].value);
     const double most = OUTLIER * ORR_SIGMA_PER_MAD * orr_median(size, x->n);
     for (size_t k = 0; k < x->n; k++)
-        if (fabs(x->value[k]) > most && most > 0) {
-            x->sight[k]->rejected |= bit;
+        if (fabs(x->one[k].value) > most && most > 0) {
+            x->one[k].sight->rejected |= bit;
             found++;
         }
     free(size);
@@ -427,7 +425,8 @@ static double rms_of(const left *x, double sigma)
 {
     double sum = 0;
     for (size_t k = 0; k < x->n; k++) {
-        const double sine = fmax(sin((double)x->sight[k]->el_rad), 0.05), v = x->value[k] * sigma / sine;
+        const double sine = fmax(sin((double)x->one[k].sight->el_rad), 0.05),
+                     v = x->one[k].value * sigma / sine;
         sum += v * v;
     }
     return x->n > 0 ? sqrt(sum / (double)x->n) : (double)NAN;
@@ -481,7 +480,7 @@ static void keep(const solver *w, const left l[2], orr_vec3 *shift_m)
     // Sigmas: the inverse's first columns, by the residuals' own size.
     double size = 0, var[3];
     orr_mat3 cov;
-    for (size_t k = 0; k < l[0].n; k++) size += l[0].value[k] * l[0].value[k] / (double)l[0].n;
+    for (size_t k = 0; k < l[0].n; k++) size += l[0].one[k].value * l[0].one[k].value / (double)l[0].n;
     for (size_t k = 0; k < 3; k++) {
         double *column = calloc(w->n, sizeof *column);
         if (column == NULL) return;
