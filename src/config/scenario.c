@@ -131,7 +131,8 @@ static const char *check(const void *map, char why[ORR_SCHEMA_WHY])
         return "receiver";
     }
     if (s->has_replay && s->iono.field == NULL) {
-        snprintf(why, ORR_SCHEMA_WHY, "its content is levelled to a field: name an ionosphere.field, not a session");
+        snprintf(why, ORR_SCHEMA_WHY,
+                 "its content is levelled to a field: name an ionosphere.field, not a session");
         return "replay";
     }
     const char *blame = orr_section_signals_check(&s->signals, why);
