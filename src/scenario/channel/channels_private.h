@@ -79,6 +79,7 @@ struct orr_channels {
     channel_satellite *satellite;               // as orr_source_orbit_satellites
     orr_faults *faults;                         // NULL: none
     orr_echoes *echoes;                         // NULL: none
+    const orr_replay *replay;                   // borrowed; NULL: none
     orr_disturbance *disturbance;               // NULL: none
     orr_scintillation *scintillation;           // NULL: none
     orr_series oscillator[ORR_MAX_ANTENNAS];    // of receivers; empty: none
@@ -90,22 +91,6 @@ struct orr_channels {
     orr_land_mobile *land_mobile;               // NULL: none
     struct spoofed *spoofed;                    // NULL: none
     double spacing_chips;                       // 0: by the signal
-    channel_satellite *satellite;            // as orr_source_orbit_satellites
-    orr_faults *faults;                      // NULL: none
-    orr_echoes *echoes;                      // NULL: none
-    const orr_replay *replay;                // borrowed; NULL: none
-    orr_disturbance *disturbance;            // NULL: none
-    orr_scintillation *scintillation;        // NULL: none
-    orr_series oscillator[ORR_MAX_ANTENNAS]; // of receivers; empty: none
-    orr_scenario_site site;                  // its file is not kept
-    bool has_ocean;
-    orr_blq ocean[ORR_MAX_ANTENNAS]; // of fixed antennas
-    orr_obstacles *obstacles;        // NULL: none
-    orr_terrain *terrain;            // NULL: none
-    orr_jammers *jammers;            // NULL: none
-    orr_land_mobile *land_mobile;    // NULL: none
-    struct spoofed *spoofed;         // NULL: none
-    double spacing_chips;            // 0: by the signal
     orr_sun_track sun;
     orr_magnetic *magnetic; // of the second order; NULL: a dipole
     double begin_days;      // of the span, after 2000.0
