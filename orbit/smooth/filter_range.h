@@ -21,6 +21,9 @@ typedef struct orr_verdict { // one per node
     bool begins_anew;
     // Where another file begins and goes on elsewhere: how far from what the one before predicts
     double jump_m;
+    // Of an end node that is used though it is far from the orbit through all others: how far. Which of the two is right nothing
+    // tells, and sigma holds it.
+    double doubt_m;
 } orr_verdict;
 
 // The filter without tests.

@@ -25,7 +25,8 @@ uint32_t orr_samples_flags(const orr_track_context *c, double node_step_s, const
 // Flags of samples between neighbouring nodes, as the samples go by.
 typedef struct between_nodes {
     const orr_node *left, *right;
-    size_t next; // instant at which right is, or the track's end
+    size_t next;   // instant at which right is, or the track's end
+    double step_s; // usual distance of nodes
 } between_nodes;
 
 static const orr_node *last_used(const orr_node *list, const orr_instant *at, const orr_verdict *verdict)
@@ -67,25 +68,49 @@ static variances variances_at(const orr_instant *at, double scale)
     return v;
 }
 
-// At point g, at part u of the way between two instants. join: where files join, how far the curve is moved off the file's
-// own orbit is part of what it may err by.
-static void set_sigma(const orr_grid_point *g, const variances *a, const variances *b, double u,
-                      const orr_join *join, double floor_m, orr_orbit_sample *s)
+// What the curve may be off beside what the smoother says: along three axes, and in velocity.
+typedef struct excess {
+    double rtn2_m2[3], v2_m2ps2;
+} excess;
+
+// Where files join, how far the curve is moved off the file's own orbit.
+static excess excess_of_join(const orr_grid_point *g, const orr_join *join)
 {
+    if (join == NULL) return (excess){{0}, 0};
     const orr_mat3 axes = orr_orbit_axes(g->r_m, g->v_mps);
-    const orr_vec3 off = join != NULL ? orr_mat3_apply_t(&axes, join->r_m) : (orr_vec3){0, 0, 0};
-    const double moved[3] = {off.x, off.y, off.z};
+    const orr_vec3 off = orr_mat3_apply_t(&axes, join->r_m);
+    return (excess){{off.x * off.x, off.y * off.y, off.z * off.z}, orr_vec3_dot(join->v_mps, join->v_mps)};
+}
+
+// Beside an end node that may be wrong: all of its distance from the orbit through the others there, nothing at the next
+// node. What it would be is a parabola at first; the line is above it.
+static void add_doubt(const between_nodes *b, const orr_node *list, const orr_verdict *verdict, double t_s,
+                      excess *e)
+{
+    const orr_node *left = b->left != NULL ? b->left : b->right, *right = b->right != NULL ? b->right : left;
+    if (left == NULL || (verdict[left - list].doubt_m == 0 && verdict[right - list].doubt_m == 0)) return;
+    const double step_s = right->t_s - left->t_s, u = step_s > 0 ? (t_s - left->t_s) / step_s : 0;
+    const double off_m = fmax((1 - u) * verdict[left - list].doubt_m, u * verdict[right - list].doubt_m);
+    const double off_mps = 2 * off_m / b->step_s;
+    for (int i = 0; i < 3; i++) e->rtn2_m2[i] += off_m * off_m / 3;
+    e->v2_m2ps2 += off_mps * off_mps;
+}
+
+// At point g, at part u of the way between two instants.
+static void set_sigma(const orr_grid_point *g, const variances *a, const variances *b, double u,
+                      const excess *more, double floor_m, orr_orbit_sample *s)
+{
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         const double variance =
-            fmax((1 - u) * a->rtn[i] + u * b->rtn[i] + moved[i] * moved[i], floor_m * floor_m / 3);
+            fmax((1 - u) * a->rtn[i] + u * b->rtn[i] + more->rtn2_m2[i], floor_m * floor_m / 3);
         s->sigma_rtn_m[i] = (float)sqrt(variance);
         sum += variance;
     }
     s->sigma_m = (float)sqrt(sum);
-    const double v = join != NULL ? orr_vec3_norm(join->v_mps) : 0;
     const double rate = orr_vec3_norm(g->v_mps) / orr_vec3_norm(g->r_m); // errors of the orbit turn with it
-    s->sigma_mps = (float)fmax(sqrt((1 - u) * a->velocity + u * b->velocity + v * v), floor_m * rate);
+    s->sigma_mps =
+        (float)fmax(sqrt((1 - u) * a->velocity + u * b->velocity + more->v2_m2ps2), floor_m * rate);
 }
 
 // Smoothed state x about point g as a sample.
@@ -118,7 +143,7 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
     orr_join *join = NULL;
     orr_status status = x != NULL && b != NULL ? ORR_OK : ORR_E_MEMORY;
     if (status == ORR_OK && c->noise.nx == ORR_NX) status = orr_join_files(c, t, &join);
-    between_nodes nodes = {0};
+    between_nodes nodes = {.step_s = node_step_s};
     bool eclipsing = false;
     for (size_t k = 0; k < t->n; k++) eclipsing = eclipsing || t->at[k].next.near_shadow;
     const orr_claim claim = orr_noise_claim(c, node_step_s, eclipsing);
@@ -145,7 +170,9 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
                            : ORR_EPH_PREDICTED; // beyond the last node
             const orr_join *joined = join != NULL ? &join[at->grid + j] : NULL;
             set_state(c, g, x[j], joined, s);
-            set_sigma(g, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s), joined,
+            excess more = excess_of_join(g, joined);
+            add_doubt(&nodes, list, verdict, g->t_s, &more);
+            set_sigma(g, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s), &more,
                       claim.least_m, s);
             if (joined != NULL && joined->between_files) s->flags |= ORR_EPH_JOINT;
             if (eclipsing && at->shadow > 0) s->flags |= ORR_EPH_SHADOW_NOISE;

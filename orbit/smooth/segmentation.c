@@ -10,6 +10,10 @@
 // In units of what is usual for the satellite: a node this far from the orbit through all others is wrong; one
 // that is less far is looked at, because an outlier among few nodes makes the others look bad.
 #define WRONG 10.0
+// Of nodes two hours apart a day has thirteen, and the orbit through all but the first one tells where that was to some
+// centimetres. Good ones are up to 5 times as far off as is usual; 6 are once in 10^7 by chance (F of 3 and 18), at an end as
+// elsewhere.
+#define WRONG_VERY_SPARSE 6.0
 #define WRONG_PLAIN 100.0 // the pole is wrong: at an hour's nodes, the last one of a good day reaches 40
 #define FLOOR_M 0.10      // near shadow good nodes are off by up to half of it
 #define SUSPICIOUS 5.0
@@ -23,7 +27,11 @@
 // a push explains what two wrong nodes would if the orbits before and after it meet, and three if they do not.
 #define PUSH_COST 1.7
 #define JUMP_COST 2.6
-#define ONE_SIDED 1.5 // how much worse an orbit is known beyond its last node than it claims
+// How much worse an orbit is known beyond its last node than it claims, if nodes are dense.
+#define ONE_SIDED 1.5
+// An end node that is so far off and yet not wrong: once in 1500 good ones by chance. Nothing beside it tells which is right.
+#define DOUBTFUL 3.0
+#define DOUBTFUL_M 0.03
 #define LEAST_NODES 6 // of a stretch, to tell what is usual
 #define MOST_WRONG 4  // one node in so many, of many and of few
 #define MOST_WRONG_FEW 3
@@ -36,7 +44,8 @@
 #define QUIET_VERY_SPARSE 0.01
 #define GROSS 2.0 // times the square of what is just wrong: errors that neighbours may share are looked for
 #define BLOCK 0.1 // of the sum of squares must be left by two or three neighbours for them to be preferred
-#define FAR 10.0  // times what nodes are usually off the reference orbit
+#define BLOCK_M 0.03 // by which a good node beside them must be off for them to be looked for
+#define FAR 10.0     // times what nodes are usually off the reference orbit
 #define FAR_M 0.10
 #define MAX_SCALE_M 1.0 // a coordinate: what is noisier than that is no orbit that one could judge nodes by
 #define JUMP_M 5.0      // files further apart at their joint each keep their own orbit
@@ -71,7 +80,8 @@ typedef struct work {
     orr_verdict *verdict; // of the trial at hand
     const group *g;
     double *room;
-    double wrong2, floor_m;
+    double wrong2, one_sided2, floor_m;
+    double unit2; // of costs: what a wrong node counts beside a push
     fitted *fitted;
     orr_fresh_start *fresh; // of the track's instants, as find_push asked for them last
 } work;
@@ -136,9 +146,12 @@ static orr_status fit_with(const work *w, size_t a, size_t b, orr_fresh_start *f
 static orr_status fit(const work *w, size_t a, size_t b) { return fit_with(w, a, b, NULL); }
 
 typedef struct look {
-    double scale2;             // robust: of the used nodes
-    size_t used, worst, group; // the worst of the used ones, and its group
+    double scale2; // robust: of the used nodes
+    size_t used, worst,
+        group; // the worst of the used ones that are far enough to be wrong (SIZE_MAX: none), and its group
     orr_left_out of_worst;
+    size_t steepest; // group of the one that stands out most, however near
+    orr_left_out of_steepest;
     bool noise; // the scale is larger than that of any orbit
 } look;
 
@@ -152,6 +165,10 @@ static look look_at(const work *w, size_t a, size_t b)
             if (!counts(w, i) || w->verdict[i].rejected) continue;
             const orr_left_out d = orr_leave_node_out(w->c, at, &w->list[i], true);
             w->room[l.used++] = d.d2;
+            if (d.d2 > l.of_steepest.d2) {
+                l.steepest = g;
+                l.of_steepest = d;
+            }
             if (d.length_m > w->floor_m && d.d2 > l.of_worst.d2) {
                 l.worst = i;
                 l.group = g;
@@ -201,7 +218,7 @@ static best_push find_push(const work *w, size_t a, size_t b, double scale2)
         const double step_s = at->t_s - instant_of(w, before)->t_s;
         before = g;
         if (w->verdict[at->first].begins_anew || !f->told) continue;
-        const double cost = 3 * w->wrong2 * (meets(f, step_s) ? PUSH_COST : JUMP_COST);
+        const double cost = 3 * w->unit2 * (meets(f, step_s) ? PUSH_COST : JUMP_COST);
         if (f->gain - cost * scale2 > best.gain - best.cost * scale2 || best.g == 0)
             best = (best_push){g, f->gain, cost};
     }
@@ -223,7 +240,7 @@ static orr_status take_back(const work *w, size_t a, size_t b, trial *x)
             for (size_t i = at->first; i < at->first + at->n; i++) {
                 if (!counts(w, i) || !w->verdict[i].rejected) continue;
                 const orr_left_out d = orr_leave_node_out(w->c, at, &w->list[i], false);
-                const double wrong2 = w->wrong2 * (g < begin || g >= end ? ONE_SIDED * ONE_SIDED : 1);
+                const double wrong2 = w->wrong2 * (g < begin || g >= end ? w->one_sided2 : 1);
                 const bool near = d.d2 < wrong2 * l.scale2 || d.length_m < w->floor_m;
                 if (near && d.d2 < least) {
                     nearest = i;
@@ -240,10 +257,16 @@ static orr_status take_back(const work *w, size_t a, size_t b, trial *x)
     return ORR_OK;
 }
 
-// Explains what the nodes of groups [a, b) disagree in, one thing after the other: by wrong nodes alone, or by pushes too.
+// Among few nodes neighbours that are off alike spread their error over the good ones beside them, none of which is then far.
+static bool hides_block(const look *l)
+{
+    return l->used <= FEW && l->of_steepest.d2 > SUSPICIOUS_FEW * SUSPICIOUS_FEW * l->scale2 &&
+           l->of_steepest.length_m > BLOCK_M;
+}
+
 static bool suspicious(const work *w, const look *l)
 {
-    if (l->worst == SIZE_MAX) return false;
+    if (l->worst == SIZE_MAX) return hides_block(l);
     const double sigma_m = w->list[l->worst].sigma_m;
     if (l->used > FEW) return l->of_worst.d2 > SUSPICIOUS * SUSPICIOUS * l->scale2;
     return l->of_worst.d2 > SUSPICIOUS_FEW * SUSPICIOUS_FEW * l->scale2 ||
@@ -298,18 +321,16 @@ static size_t count_wrong(const work *w, size_t a, size_t b)
     return n;
 }
 
-// Sets aside the worst node of group g, or two or three neighbours about it if that explains far more: nodes that
-// are off alike hold one another, and the good one beside them looks worst.
-static orr_status set_aside(const work *w, size_t a, size_t b, size_t g, size_t worst)
+typedef struct block { // groups [from, from + length)
+    size_t from, length;
+    double least; // sum of squares that it has to leave less than
+} block;
+
+// Two or three neighbours about group g that explain more than what went before.
+static orr_status find_block(const work *w, size_t a, size_t b, size_t g, block *best)
 {
-    w->verdict[worst].rejected = true;
-    // Nodes without which nothing tells the orbit are not to be set aside.
-    orr_status s = fit(w, a, b);
-    double least = s == ORR_OK ? BLOCK * sum_of_squares(w, a, b) : HUGE_VAL;
-    if (s == ORR_E_NUMERIC) s = ORR_OK;
-    size_t from = 0, length = 0;
-    w->verdict[worst].rejected = false;
-    for (size_t n = 2; n <= 3 && s == ORR_OK; n++)
+    orr_status s = ORR_OK;
+    for (size_t n = 2; n <= 3; n++)
         for (size_t first = g > a + n ? g - n : a; first <= g + 1 && first + n <= b && s == ORR_OK; first++) {
             if (count_wrong(w, first, first + n) > 0) continue;
             mark(w, first, first + n, true);
@@ -317,18 +338,32 @@ static orr_status set_aside(const work *w, size_t a, size_t b, size_t g, size_t 
             const double chi2 = s == ORR_OK ? sum_of_squares(w, a, b) : HUGE_VAL;
             if (s == ORR_E_NUMERIC) s = ORR_OK;
             mark(w, first, first + n, false);
-            if (!(chi2 < least)) continue;
-            least = BLOCK * chi2;
-            from = first;
-            length = n;
+            if (chi2 < best->least) *best = (block){first, n, BLOCK * chi2};
         }
-    if (length > 0)
-        mark(w, from, from + length, true);
-    else
-        w->verdict[worst].rejected = true;
     return s;
 }
 
+// Sets aside the worst node, or two or three neighbours about it, or about the node that stands out most, if that explains far
+// more: nodes that are off alike hold one another, and the good one beside them looks worst.
+static orr_status set_aside(const work *w, size_t a, size_t b, const look *l)
+{
+    const bool single = l->worst != SIZE_MAX;
+    if (single) w->verdict[l->worst].rejected = true;
+    // Nodes without which nothing tells the orbit are not to be set aside.
+    orr_status s = fit(w, a, b);
+    block best = {.least = s == ORR_OK ? BLOCK * sum_of_squares(w, a, b) : HUGE_VAL};
+    if (s == ORR_E_NUMERIC) s = ORR_OK;
+    if (single) w->verdict[l->worst].rejected = false;
+    if (s == ORR_OK && single) s = find_block(w, a, b, l->group, &best);
+    if (s == ORR_OK && !(single && l->steepest == l->group)) s = find_block(w, a, b, l->steepest, &best);
+    if (best.length > 0)
+        mark(w, best.from, best.from + best.length, true);
+    else if (single)
+        w->verdict[l->worst].rejected = true;
+    return s;
+}
+
+// Explains what the nodes of groups [a, b) disagree in, one thing after the other: by wrong nodes alone, or by pushes too.
 static orr_status explore(const work *w, size_t a, size_t b, bool may_push, trial *x)
 {
     const size_t most = (b - a) / ((b - a) > FEW ? MOST_WRONG : MOST_WRONG_FEW);
@@ -338,18 +373,19 @@ static orr_status explore(const work *w, size_t a, size_t b, bool may_push, tria
     while (s == ORR_OK && suspicious(w, &l)) {
         const best_push p =
             may_push && x->pushes < MOST_PUSHES ? find_push(w, a, b, l.scale2) : (best_push){0};
-        if (p.g > 0 && p.gain - p.cost * l.scale2 > 3 * l.of_worst.d2 - 3 * w->wrong2 * l.scale2 &&
+        if (p.g > 0 && p.gain - p.cost * l.scale2 > 3 * l.of_worst.d2 - 3 * w->unit2 * l.scale2 &&
             p.gain > p.cost * l.scale2) {
             w->verdict[instant_of(w, p.g)->first].begins_anew = true;
             x->pushes++;
-            x->penalty += p.cost / (3 * w->wrong2);
-        } else if (count_wrong(w, a, b) < most) {
-            if (l.of_worst.d2 > GROSS * w->wrong2 * l.scale2)
-                s = set_aside(w, a, b, l.group, l.worst);
+            x->penalty += p.cost / (3 * w->unit2);
+        } else {
+            const size_t before = count_wrong(w, a, b);
+            if (before >= most) break;
+            if (l.used <= FEW || l.of_worst.d2 > GROSS * w->wrong2 * l.scale2)
+                s = set_aside(w, a, b, &l);
             else
                 w->verdict[l.worst].rejected = true;
-        } else {
-            break;
+            if (s == ORR_OK && count_wrong(w, a, b) == before) break;
         }
         if (s == ORR_OK) s = fit(w, a, b);
         l = look_at(w, a, b);
@@ -366,7 +402,7 @@ static orr_status explore(const work *w, size_t a, size_t b, bool may_push, tria
 
 static double cost(const trial *x, const work *w, double scale2)
 {
-    return x->chi2 / scale2 + 3 * w->wrong2 * x->penalty;
+    return x->chi2 / scale2 + 3 * w->unit2 * x->penalty;
 }
 
 // Steps of the velocity that no push is as small as are the model's, and no reason to begin anew.
@@ -460,12 +496,30 @@ static void tell_joints(const work *w, size_t a, size_t b)
                          v = ORR_FILE_STEP_V_MPS * ORR_FILE_STEP_V_MPS;
             f.r_m = orr_vec3_scale(r, (orr_vec3){at->u[0], at->u[1], at->u[2]});
             f.v_mps = orr_vec3_scale(v, (orr_vec3){at->u[3], at->u[4], at->u[5]});
-        } else if (!f.told || f.gain < 3 * w->wrong2 * scale2) {
+        } else if (!f.told || f.gain < 3 * w->unit2 * scale2) {
             continue;
         }
         const double r_m = orr_vec3_norm(f.r_m);
         if (r_m > JUMP_TOLD_M) w->verdict[at->first].jump_m = r_m;
         if (r_m > JUMP_M || orr_vec3_norm(f.v_mps) > JUMP_MPS) w->verdict[at->first].begins_anew = true;
+    }
+}
+
+// First and last used nodes of sparse ones that are off the orbit through all others, and not far enough to be wrong.
+static void doubt_ends(const work *w, size_t a, size_t b)
+{
+    const double scale2 = look_at(w, a, b).scale2;
+    while (a + 1 < b && group_rejected(w, a)) a++;
+    while (a + 1 < b && group_rejected(w, b - 1)) b--;
+    const size_t end[2] = {a, b - 1};
+    for (int k = 0; k < 2; k++) {
+        const orr_instant *at = instant_of(w, end[k]);
+        for (size_t i = at->first; i < at->first + at->n; i++) {
+            if (!counts(w, i) || w->verdict[i].rejected) continue;
+            const orr_left_out d = orr_leave_node_out(w->c, at, &w->list[i], true);
+            if (d.d2 > DOUBTFUL * DOUBTFUL * scale2 && d.length_m > DOUBTFUL_M)
+                w->verdict[i].doubt_m = d.length_m;
+        }
     }
 }
 
@@ -494,9 +548,11 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     *out = (orr_segmentation){0};
     const bool rich = c->noise.nx == ORR_NX;
     // Without a reference the pole is not known, and nodes sparser than two hours disagree by that much more than by errors.
-    const bool told = rich || node_step_s <= 7200, quiet = rich && node_step_s > SPARSE_S;
+    const bool told = rich || node_step_s <= 7200, quiet = rich && node_step_s > SPARSE_S,
+               very_sparse = quiet && node_step_s > VERY_SPARSE_S;
+    const double wrong = very_sparse ? WRONG_VERY_SPARSE : rich ? WRONG : WRONG_PLAIN;
     orr_track_context own = *c;
-    if (quiet) own.noise.factor.q *= node_step_s > VERY_SPARSE_S ? QUIET_VERY_SPARSE : QUIET_SPARSE;
+    if (quiet) own.noise.factor.q *= very_sparse ? QUIET_VERY_SPARSE : QUIET_SPARSE;
     group *g = malloc((t->n + 1) * sizeof *g);
     fitted last = {.verdict = calloc(n + 1, sizeof *last.verdict)};
     work w = {.c = &own,
@@ -504,7 +560,9 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
               .n_nodes = n,
               .t = t,
               .g = g,
-              .wrong2 = rich ? WRONG * WRONG : WRONG_PLAIN * WRONG_PLAIN,
+              .wrong2 = wrong * wrong,
+              .unit2 = rich ? WRONG * WRONG : WRONG_PLAIN * WRONG_PLAIN,
+              .one_sided2 = very_sparse ? 1 : ONE_SIDED * ONE_SIDED,
               .floor_m = FLOOR_M,
               .fitted = &last};
     out->verdict = calloc(n + 1, sizeof *out->verdict);
@@ -525,6 +583,7 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
             s = judge(&w, a, b, out->verdict);
             if (s == ORR_OK) s = fit(&w, a, b);
             if (s == ORR_OK) tell_joints(&w, a, b);
+            if (s == ORR_OK && quiet) doubt_ends(&w, a, b);
         }
         if (s == ORR_OK) add_arcs(&w, a, b, n_groups, out);
     }
