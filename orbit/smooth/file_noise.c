@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/smooth/file_noise.h"
 
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/robust.h"
+#include "orbit/smooth/leave_out.h"
 #include "orbit/smooth/noise_choice.h"
 
 const double orr_shadow_factor[ORR_SHADOW_FACTORS] = {1, 30, 1e3, 3e4};
@@ -12,6 +15,10 @@ const double orr_shadow_factor[ORR_SHADOW_FACTORS] = {1, 30, 1e3, 3e4};
 #define LEAST_GAIN 10.0 // evidence below it is none: odds of 20000 to one
 #define LEAST_MEAN 0.2  // and of a step at noon a satellite: all of a file have it, or none
 #define TELLING_NODES 8 // of a file, after its first
+// An end's record is another orbit's if three fifths of the satellites are so far off: of good files the median is 0.5 to 1.2.
+#define FOREIGN 2.0
+#define FOREIGN_PART 0.4 // of the satellites may be nearer
+#define FOREIGN_SATELLITES 8
 
 typedef struct sums { // of the innovations in nodes of one file
     double chi2, log_det;
@@ -139,9 +146,58 @@ void orr_file_evidence_add(orr_track_context *c, const orr_node *list, const orr
 
 static double capped(double x) { return fmin(fmax(x, -MOST_SAY), MOST_SAY); }
 
-void orr_file_noise_decide(const orr_file_evidence *evidence, size_t n_sats, size_t n_files,
-                           orr_file_noise *file)
+void orr_file_ends_add(const orr_track_context *c, const orr_node *list, size_t n, const orr_verdict *verdict,
+                       const orr_track *t, double scale, size_t n_files, orr_file_evidence *evidence)
 {
+    if (c->noise.nx != ORR_NX) return;
+    for (size_t f = 0; f < n_files; f++) {
+        orr_time first = ORR_TIME_NONE, last = ORR_TIME_NONE;
+        size_t many = 0;
+        for (size_t i = 0; i < n; i++) {
+            if (list[i].source != f || !orr_node_counts(&list[i])) continue;
+            if (many++ == 0) first = list[i].t;
+            last = list[i].t;
+        }
+        for (size_t k = 0; k < t->n && many >= TELLING_NODES; k++)
+            for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n; i++) {
+                if (list[i].source != f || !orr_node_counts(&list[i]) || list[i].predicted) continue;
+                if (list[i].t != first && list[i].t != last) continue;
+                const orr_left_out d = orr_leave_node_out(c, &t->at[k], &list[i], !verdict[i].rejected);
+                evidence[f].end[list[i].t == last] =
+                    (orr_end_evidence){d.d2 > 0, list[i].t, d.length_m, sqrt(d.d2) / scale};
+            }
+    }
+}
+
+// The record at an end of file f, by the satellites that have it.
+static void decide_end(const orr_file_evidence *evidence, size_t n_sats, size_t n_files, size_t f, int end,
+                       double *room, orr_foreign_record *out)
+{
+    *out = (orr_foreign_record){.t = ORR_TIME_NONE};
+    for (size_t i = 0; i < n_sats; i++) {
+        const orr_end_evidence *e = &evidence[i * n_files + f].end[end];
+        if (e->told && (out->t == ORR_TIME_NONE || (end == 0 ? e->t < out->t : e->t > out->t))) out->t = e->t;
+    }
+    for (int what = 0; what < 2; what++) {
+        out->n = 0;
+        for (size_t i = 0; i < n_sats; i++) {
+            const orr_end_evidence *e = &evidence[i * n_files + f].end[end];
+            if (e->told && e->t == out->t) room[out->n++] = what == 0 ? e->ratio : e->off_m;
+        }
+        if (out->n < FOREIGN_SATELLITES) return;
+        if (what == 0)
+            out->foreign =
+                orr_order_statistic(room, out->n, (size_t)(FOREIGN_PART * (double)out->n)) > FOREIGN;
+        else
+            out->off_m = orr_median(room, out->n);
+    }
+}
+
+orr_status orr_file_noise_decide(const orr_file_evidence *evidence, size_t n_sats, size_t n_files,
+                                 orr_file_noise *file)
+{
+    double *room = malloc((n_sats + 1) * sizeof *room);
+    if (room == NULL) return ORR_E_MEMORY;
     for (size_t f = 0; f < n_files; f++) {
         double shadow[ORR_SHADOW_FACTORS] = {0};
         file[f] = (orr_file_noise){.shadow_factor = 1};
@@ -159,5 +215,9 @@ void orr_file_noise_decide(const orr_file_evidence *evidence, size_t n_sats, siz
             }
         file[f].noon_step =
             file[f].noon_gain > LEAST_GAIN && file[f].noon_gain > LEAST_MEAN * (double)file[f].telling;
+        for (int end = 0; end < ORR_FILE_ENDS; end++)
+            decide_end(evidence, n_sats, n_files, f, end, room, &file[f].end[end]);
     }
+    free(room);
+    return ORR_OK;
 }

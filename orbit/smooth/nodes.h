@@ -14,6 +14,7 @@ typedef struct orr_node {
     bool predicted, manoeuvre;
     bool bridge;     // not of an input file: a broadcast position where the files have none
     bool superseded; // another file observed what this one predicted
+    bool foreign;    // of a file's first or last record, which holds another orbit (file_noise.h)
     uint16_t source; // index of the input file
     uint16_t rank;   // of the file in time
 } orr_node;

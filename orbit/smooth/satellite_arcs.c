@@ -132,9 +132,14 @@ static orr_status settle(orr_satellite_work *w, orr_track *t, const orr_verdict 
             orr_file_evidence_add(w->c, w->node, verdict, t, step_s, w->n_files, w->evidence);
         smoothed = smoothed && !orr_noise_ratio_is_sought(step_s);
     }
-    if (smoothed) return ORR_OK;
-    orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
-    return orr_smooth_range(w->c, verdict, t, 0, t->n - 1, NULL);
+    orr_status s = ORR_OK;
+    if (!smoothed) {
+        orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
+        s = orr_smooth_range(w->c, verdict, t, 0, t->n - 1, NULL);
+    }
+    if (s == ORR_OK && w->evidence != NULL)
+        orr_file_ends_add(w->c, w->node, w->n, verdict, t, w->scale, w->n_files, w->evidence);
+    return s;
 }
 
 // One arc again on a grid of its own, from from_s to to_s, which may reach beyond its nodes list[i0..i1).

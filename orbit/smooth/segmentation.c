@@ -6,6 +6,7 @@
 
 #include "core/robust.h"
 #include "orbit/smooth/leave_out.h"
+#include "orbit/smooth/nodes.h"
 
 // In units of what is usual for the satellite: a node this far from the orbit through all others is wrong; one
 // that is less far is looked at, because an outlier among few nodes makes the others look bad.
@@ -93,7 +94,7 @@ void orr_segmentation_free(orr_segmentation *s)
     *s = (orr_segmentation){0};
 }
 
-static bool counts(const work *w, size_t i) { return !w->list[i].superseded && !w->list[i].bridge; }
+static bool counts(const work *w, size_t i) { return orr_node_counts(&w->list[i]) && !w->list[i].foreign; }
 
 static orr_instant *instant_of(const work *w, size_t g) { return &w->t->at[w->g[g].instant]; }
 
@@ -417,13 +418,15 @@ static void forget_small_steps(const work *w, size_t a, size_t b)
     }
 }
 
-// The verdicts on groups [a, b), no two of which a flag sets apart.
+// The verdicts on groups [a, b), no two of which a flag sets apart; foreign nodes are rejected before.
 static orr_status judge(work *w, size_t a, size_t b, orr_verdict *verdict)
 {
     trial alone = {.verdict = calloc(w->n_nodes + 1, sizeof(orr_verdict))},
           pushed = {.verdict = calloc(w->n_nodes + 1, sizeof(orr_verdict))};
     orr_status s = ORR_E_MEMORY;
     if (alone.verdict == NULL || pushed.verdict == NULL) goto done;
+    memcpy(alone.verdict, verdict, w->n_nodes * sizeof *verdict);
+    memcpy(pushed.verdict, verdict, w->n_nodes * sizeof *verdict);
     w->verdict = alone.verdict;
     s = explore(w, a, b, false, &alone);
     const trial *best = &alone;
@@ -505,20 +508,24 @@ static void tell_joints(const work *w, size_t a, size_t b)
     }
 }
 
-// First and last used nodes of sparse ones that are off the orbit through all others, and not far enough to be wrong.
+// First and last used nodes of sparse ones that are off the orbit through all others, and not far enough to be wrong. Errors
+// come together: beside a rejected node any distance is in doubt.
 static void doubt_ends(const work *w, size_t a, size_t b)
 {
     const double scale2 = look_at(w, a, b).scale2;
-    while (a + 1 < b && group_rejected(w, a)) a++;
-    while (a + 1 < b && group_rejected(w, b - 1)) b--;
-    const size_t end[2] = {a, b - 1};
+    size_t end[2] = {a, b - 1};
+    while (end[0] < end[1] && group_rejected(w, end[0])) end[0]++;
+    while (end[0] < end[1] && group_rejected(w, end[1])) end[1]--;
+    if (end[0] == end[1]) return;
     for (int k = 0; k < 2; k++) {
         const orr_instant *at = instant_of(w, end[k]);
+        const bool beside = k == 0 ? group_rejected(w, end[0] + 1) || end[0] > a
+                                   : group_rejected(w, end[1] - 1) || end[1] + 1 < b;
+        const double usual2 = beside ? 0 : DOUBTFUL * DOUBTFUL * scale2;
         for (size_t i = at->first; i < at->first + at->n; i++) {
             if (!counts(w, i) || w->verdict[i].rejected) continue;
             const orr_left_out d = orr_leave_node_out(w->c, at, &w->list[i], true);
-            if (d.d2 > DOUBTFUL * DOUBTFUL * scale2 && d.length_m > DOUBTFUL_M)
-                w->verdict[i].doubt_m = d.length_m;
+            if (d.d2 > usual2 && d.length_m > DOUBTFUL_M) w->verdict[i].doubt_m = d.length_m;
         }
     }
 }
@@ -573,6 +580,7 @@ orr_status orr_segment_track(const orr_track_context *c, const orr_node *list, s
     if (g == NULL || last.verdict == NULL || out->verdict == NULL || out->arc == NULL || w.room == NULL ||
         w.fresh == NULL)
         goto done;
+    for (size_t i = 0; i < n; i++) out->verdict[i].rejected = list[i].foreign;
     const size_t n_groups = make_groups(list, t, g);
     s = n_groups > 0 ? ORR_OK : ORR_E_NODATA;
     w.verdict = out->verdict;

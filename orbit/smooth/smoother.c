@@ -186,14 +186,28 @@ static void *worker(void *arg)
     return NULL;
 }
 
+// Nodes of one satellite that are of a record which holds another orbit; whether there are any.
+static bool mark_foreign(orr_node_list *l, const orr_file_noise *file)
+{
+    bool any = false;
+    for (size_t i = 0; i < l->n_nodes; i++)
+        for (int end = 0; end < ORR_FILE_ENDS; end++) {
+            const orr_foreign_record *r = &file[l->node[i].source].end[end];
+            if (!r->foreign || l->node[i].t != r->t || l->node[i].bridge) continue;
+            l->node[i].foreign = any = true;
+        }
+    return any;
+}
+
 // What all satellites tell of the files, and those again whose orbits it touches.
 static orr_status know_files(pool *p, int jobs, orr_file_noise *file, bool *again)
 {
     const size_t n = p->n_files;
     bool any = false;
-    orr_file_noise_decide(p->evidence, p->table->n_sats, n, file);
+    const orr_status s = orr_file_noise_decide(p->evidence, p->table->n_sats, n, file);
+    if (s != ORR_OK) return s;
     for (size_t i = 0; i < p->table->n_sats; i++) {
-        again[i] = false;
+        again[i] = p->options->detect && p->status[i] == ORR_OK && mark_foreign(&p->table->list[i], file);
         for (size_t f = 0; f < n && p->status[i] == ORR_OK; f++) {
             const orr_file_evidence *e = &p->evidence[i * n + f];
             again[i] = again[i] || (e->eclipsing && file[f].shadow_factor > 1) ||
@@ -220,6 +234,16 @@ static void tell_files(const orr_smoother_input *input, size_t n, const orr_file
                              "orbits are not smooth near the Earth's shadow; the noise of %zu satellites is "
                              "%g times as large there, and their sigma is less sure",
                              file[f].eclipsing, file[f].shadow_factor);
+        for (int end = 0; end < ORR_FILE_ENDS; end++) {
+            const orr_foreign_record *r = &file[f].end[end];
+            char when[ORR_TIME_TEXT];
+            if (r->foreign)
+                orr_warnings_add(warnings, input[f].name, 0, 0,
+                                 "the record of %s, its %s, holds another orbit: %.0f mm off what the others "
+                                 "tell, the median of %zu satellites; it is left out",
+                                 orr_time_text(r->t, when), end == 0 ? "first" : "last", 1e3 * r->off_m,
+                                 r->n);
+        }
         if (file[f].noon_step)
             orr_warnings_add(warnings, input[f].name, 0, 0,
                              "orbits have a step of velocity at noon, as of two half days joined; it is "

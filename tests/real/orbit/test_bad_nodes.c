@@ -245,7 +245,7 @@ static void judge_line(const line *l)
 
 // Errors of these sizes and larger are found wherever they are, no good node is rejected with them, and satellites beside them
 // do not feel it: the rotation that all are fitted with holds. At the ends of sparse nodes smaller ones cannot be told
-// from what the orbit does between; of geostationary satellites, whose orbits of that day have a corner at noon, still less.
+// from what the orbit does between. (Geostationary satellites, whose orbits of that day have a corner at noon, are not asked.)
 static void errors_are_found_wherever_they_are(void **state)
 {
     (void)state;
@@ -253,8 +253,8 @@ static void errors_are_found_wherever_they_are(void **state)
         {day, "G01-G10,R01-R08,E01-E12", 900, {0.2, 0.2, 0.2, 0.2, 0.2, 0.2}, 0.05},
         {day, "G01-G32,R01-R27,E01-E36", 3600, {1, 1, 0.2, 1, 1, 0.2}, 0.2},
         {day, "G01-G32,R01-R27,E01-E36", 7200, {1, 1, 0.2, 10, 10, 1}, 0.5},
-        {with_beidou, "C01-C20,G01-G05", 3600, {1, 1, 0.2, 1, 1, 1}, 0.2},
-        {with_beidou, "C01-C20,G01-G05", 7200, {10, 10, 1, 1000, 1000, 10}, 0.5},
+        {with_beidou, "C06-C20,G01-G05", 3600, {1, 1, 0.2, 1, 1, 0.2}, 0.2},
+        {with_beidou, "C06-C20,G01-G05", 7200, {1, 1, 0.2, 10, 10, 1}, 0.5},
     };
     state_of_rng = 20240204;
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) judge_line(&lines[i]);
