@@ -36,6 +36,19 @@ static const orr_condition of_files[] = {{.key = "files"}, {0}};
         .name = n, .kind = ORR_KEY_REAL, .list = true, .offset = offsetof(orr_scenario_troposphere, m),      \
         .min = -50, .max = 50, .least = 2, .most = 2, .unit = "mm", .only = of_given, .help = h              \
     }
+static const orr_key turbulence_rows[] = {
+    REAL_ROW(orr_scenario_turbulence, "strength", strength, 1e-9, 1e-5, "m^(-1/3)", "2.4e-7", NULL,
+             "C of the structure function C^2 r^(2/3) of refractivity; 2.4e-7 is Treuhaft and Lanyi's mean "
+             "of middle latitudes"),
+    REAL_ROW(orr_scenario_turbulence, "height", height_m, 100, 5000, "m", "2000", NULL,
+             "thickness of the layer on the ground"),
+    REAL_ROW(orr_scenario_turbulence, "speed", speed_mps, 0, 60, "m/s", "8", NULL,
+             "of the wind that carries it"),
+    REAL_ROW(orr_scenario_turbulence, "azimuth", azimuth_deg, 0, 360, "deg", "90", NULL,
+             "where the wind goes"),
+    INT_ROW(orr_scenario_turbulence, "seed", seed, 0, 9e15, "1", NULL, "of the random field"),
+};
+static const orr_schema turbulence_table = ORR_SCHEMA(turbulence_rows, orr_scenario_turbulence);
 static const orr_key troposphere_rows[] = {
     CHOICE_ROW(orr_scenario_troposphere, "model", model, models, "saastamoinen", NULL, "zenith delays"),
     CHOICE_ROW(orr_scenario_troposphere, "mapping", mapping, mappings, "niell", of_some,
@@ -55,6 +68,13 @@ static const orr_key troposphere_rows[] = {
     GRADIENT_ROW("gradient_hydrostatic", gradient_hydrostatic_mm,
                  "hydrostatic gradient to the North and to the East"),
     GRADIENT_ROW("gradient_wet", gradient_wet_mm, "wet gradient to the North and to the East"),
+    {.name = "turbulence",
+     .kind = ORR_KEY_MAP,
+     .offset = offsetof(orr_scenario_troposphere, turbulence),
+     .given = offsetof(orr_scenario_troposphere, has_turbulence),
+     .map = &turbulence_table,
+     .only = of_some,
+     .help = "turbulence of water vapour: a random field of wet delay that the wind carries"},
 };
 
 // A key that needs another, which is not there.

@@ -38,6 +38,14 @@ typedef enum orr_tropo_mapping { ORR_TROPO_MAPPINGS(ORR_CHOICE_VALUE) } orr_trop
     X(ORR_GRADIENTS_FILES, "files", "those of troposphere.files (V3GR)")
 typedef enum orr_tropo_gradients { ORR_TROPO_GRADIENTS(ORR_CHOICE_VALUE) } orr_tropo_gradients;
 
+// Turbulence of water vapour.
+typedef struct orr_scenario_turbulence {
+    double strength;               // C of refractivity's structure function C^2 r^(2/3), m^(-1/3)
+    double height_m;               // of the layer
+    double speed_mps, azimuth_deg; // of the wind: where it goes
+    int64_t seed;
+} orr_scenario_turbulence;
+
 typedef struct orr_scenario_troposphere {
     int model, mapping; // orr_troposphere_model, orr_tropo_mapping
     double humidity;    // relative, 0 to 1; of saastamoinen
@@ -46,6 +54,8 @@ typedef struct orr_scenario_troposphere {
     char *orography;                                        // heights of the points of files that are grids
     int gradients;                                          // orr_tropo_gradients
     orr_real_list gradient_hydrostatic_mm, gradient_wet_mm; // north and east
+    orr_scenario_turbulence turbulence;
+    bool has_turbulence;
 } orr_scenario_troposphere;
 
 #define ORR_MAX_ANTENNAS 16

@@ -96,6 +96,8 @@ static bool trace(const orr_channels *c, size_t antenna, orr_channel_work *work,
     rate[ORR_TERM_TROPOSPHERE_HYDROSTATIC] = slope[SLOW_HYDROSTATIC];
     x[ORR_TERM_TROPOSPHERE_WET] = v[SLOW_WET];
     rate[ORR_TERM_TROPOSPHERE_WET] = slope[SLOW_WET];
+    if (c->turbulence != NULL)
+        effects_turbulence(c, t, at, l, &x[ORR_TERM_TROPOSPHERE_WET], &rate[ORR_TERM_TROPOSPHERE_WET]);
     r->turns = v[SLOW_TURNS];
     r->turns_rate_hz = slope[SLOW_TURNS];
     const orr_antenna *a = &c->antenna[antenna];

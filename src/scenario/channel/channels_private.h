@@ -26,6 +26,7 @@
 #include "src/scenario/effect/site.h"
 #include "src/scenario/effect/terrain.h"
 #include "src/scenario/troposphere/troposphere.h"
+#include "src/scenario/troposphere/turbulence.h"
 
 // A signal that a satellite sends.
 typedef struct channel_sent {
@@ -66,6 +67,7 @@ struct orr_channels {
     const orr_source_orbit *orbits;
     const orr_source_iono *iono;
     orr_troposphere *troposphere;    // NULL: none
+    orr_turbulence *turbulence;      // NULL: none
     orr_scenario_channel options;    // antex and bias are not kept
     orr_scenario_mask mask;          // its horizon is owned
     const orr_antex *antex;          // NULL: none

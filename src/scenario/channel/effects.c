@@ -94,6 +94,18 @@ void effects_land_mobile(const orr_channels *c, size_t place, orr_time t, orr_ti
     out->power_dbw += x.power_db;
 }
 
+void effects_turbulence(const orr_channels *c, orr_time t, const orr_antenna_state *at, const orr_light *l,
+                        double *wet_m, double *wet_mps)
+{
+    double rate;
+    const orr_turbulence_ray ray = {.r_m = at->r_m,
+                                    .v_mps = at->v_mps,
+                                    .u = orr_mat3_apply(&at->enu, l->u),
+                                    .u_rate_ps = orr_mat3_apply(&at->enu, l->u_rate_ps)};
+    *wet_m += orr_turbulence_slant_m(c->turbulence, &ray, t, &rate);
+    *wet_mps += rate;
+}
+
 bool effects_change(const orr_channels *c, orr_time after, orr_time until)
 {
     return spoofed_change(c, after, until) ||
@@ -112,6 +124,7 @@ bool effects_allow(const orr_channels *c, size_t antenna, orr_time cell, int64_t
            length_ns <= orr_land_mobile_block_ns(c->land_mobile) &&
            orr_obstacles_allow(c->obstacles, cell, end, length_ns) &&
            orr_faults_allow(c->faults, cell, end, length_ns, error_m) &&
+           length_ns <= orr_turbulence_block_ns(c->turbulence, error_m) &&
            length_ns <= orr_scintillation_block_ns(c->scintillation, cell, end) &&
            orr_echoes_allow(c->echoes, &c->antenna[antenna], cell, end, length_ns, error_m);
 }

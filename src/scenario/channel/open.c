@@ -330,6 +330,17 @@ static orr_status open_ocean(const orr_scenario *s, orr_channels *c, orr_diag *d
     return status;
 }
 
+// Its field's origin is where the first antenna is, or is at the begin.
+static orr_status open_turbulence(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+{
+    orr_antenna_state at;
+    if (!s->has_troposphere || !s->troposphere.has_turbulence) return ORR_OK;
+    if (orr_antenna_at(&c->antenna[0], c->span.from, &at) != ORR_ANSWER_OK)
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "troposphere.turbulence: the first antenna is nowhere at the begin");
+    return orr_turbulence_open(&s->troposphere.turbulence, at.r_m, &at.enu, &c->turbulence, diag);
+}
+
 static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion, const orr_nav *nav,
                           orr_channels *c, const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
@@ -361,6 +372,7 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     if (status == ORR_OK)
         status = orr_terrain_open(s, c->antenna, c->n_antennas, &c->terrain, warnings, diag);
     if (status == ORR_OK) status = open_ocean(s, c, diag);
+    if (status == ORR_OK) status = open_turbulence(s, c, diag);
     if (status == ORR_OK) status = open_clocks(s, c, diag);
     if (status == ORR_OK) status = spoofed_open(s, c, cancel, diag);
     if (status != ORR_OK) return status;
@@ -440,6 +452,7 @@ void orr_channels_close(orr_channels *c)
     orr_faults_close(c->faults);
     orr_echoes_close(c->echoes);
     orr_troposphere_close(c->troposphere);
+    orr_turbulence_close(c->turbulence);
     orr_obstacles_close(c->obstacles);
     orr_terrain_close(c->terrain);
     orr_jammers_close(c->jammers);
