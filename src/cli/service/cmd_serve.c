@@ -2,7 +2,6 @@
 // orrery serve: a scenario, or an orbit product alone, answered by time over sockets.
 #include <signal.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "src/cli/service/serving.h"
 
@@ -32,18 +31,12 @@ static int run(orr_cli *c)
     if (orr_cli_given(c, "http")) v.journal = orr_journal_open();
     orr_diag diag = {0};
     bool asked_wrongly = false;
-    orr_status s = serving_run(&v, c->operand[0], &asked_wrongly, &diag);
-    char path[4200], before[4200];
-    snprintf(before, sizeof before, "%.4100s", c->operand[0]);
-    while (s == ORR_OK && atomic_exchange(&v.loading, false)) {
-        s = serving_run(&v, serving_path_of(&v, v.next, path, sizeof path), &asked_wrongly, &diag);
-        if (s == ORR_OK) {
-            memcpy(before, path, sizeof before);
-            continue;
-        }
-        ORR_LOG(&v.log, ORR_LOG_WARN, "%s; going back to %s", diag.text, before);
-        s = serving_run(&v, before, &asked_wrongly, &diag);
-    }
+    snprintf(v.path, sizeof v.path, "%.4100s", c->operand[0]);
+    orr_status s = serving_run(&v, &asked_wrongly, &diag);
+    while (s == ORR_OK && atomic_exchange(&v.loading, false)) s = serving_next(&v, &diag);
+    serving_world_close(&v.past);
+    serving_world_close(&v.remake.world);
+    serving_world_close(&v.world);
     if (s == ORR_OK && !c->quiet) orr_serve_log_say(&v.talk, ORR_ID("R03") "stopped");
     orr_journal_close(v.journal);
     orr_serve_log_close(&v.talk);
@@ -191,7 +184,7 @@ const orr_command orr_cmd_serve = {
         "day), then says 'ready on URL' on stderr "
         "and answers "
         "until SIGTERM or SIGINT (status 0; before that line they end it at once, as any program; SIGHUP "
-        "reads the access file again). "
+        "reads the access file and the scenario again). "
         "Polls are answered by their time tag: the same poll gets the same "
         "bytes, from any "
         "client, any number of times.\n\n"

@@ -103,6 +103,7 @@ orr_status orr_streams_open(const orr_streams_options *options, orr_streams **ou
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     s->options = *options;
     orr_pace_init(&s->pace, options->begin, options->leap);
+    if (options->clock.state != ORR_CLOCK_STOPPED) s->pace.clock = options->clock;
     pthread_condattr_t attr;
     pthread_condattr_init(&attr);
     pthread_condattr_setclock(&attr, CLOCK_MONOTONIC);
@@ -235,6 +236,14 @@ orr_time orr_streams_begin(orr_streams *s)
     const orr_time begin = s->pace.begin;
     pthread_mutex_unlock(&s->lock);
     return begin;
+}
+
+orr_clock orr_streams_clock(orr_streams *s)
+{
+    pthread_mutex_lock(&s->lock);
+    const orr_clock clock = s->pace.clock;
+    pthread_mutex_unlock(&s->lock);
+    return clock;
 }
 
 void orr_streams_time(orr_streams *s, orr_msg_time *told)

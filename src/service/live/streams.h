@@ -41,6 +41,7 @@ typedef struct orr_streams_options {
                  orr_host *out); // NULL: the machine's clocks. With it there is no thread: orr_streams_turn
     void *host_user;
     orr_time begin;             // where the scenario's clock stands at first
+    orr_clock clock;            // unless it is stopped: the clock that goes on in its place
     const orr_leap_table *leap; // NULL: the one built in
     orr_vehicle *vehicle;       // that the maker's antennas ride on, borrowed; NULL: no motion is taken
     int priority;               // SCHED_FIFO of the thread; 0: an ordinary one
@@ -79,6 +80,8 @@ uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_
 bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told);
 // Where the scenario's clock begins (LOAD, `begin`).
 orr_time orr_streams_begin(orr_streams *s);
+// The clock itself, for streams that follow these (orr_streams_options.clock).
+orr_clock orr_streams_clock(orr_streams *s);
 // What TIME says.
 void orr_streams_time(orr_streams *s, orr_msg_time *told);
 

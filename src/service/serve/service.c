@@ -129,7 +129,9 @@ static void on_signal(evutil_socket_t fd, short what, void *user)
 {
     (void)fd;
     (void)what;
-    stop(user);
+    orr_service *s = user;
+    s->signalled = true;
+    stop(s);
 }
 
 orr_service_counts orr_service_count(const orr_service *s)
@@ -290,6 +292,8 @@ orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user
     }
     return ORR_OK;
 }
+
+bool orr_service_signalled(const orr_service *s) { return s->signalled; }
 
 void orr_service_stop(orr_service *s) { orr_loop_stop(&s->loop); }
 

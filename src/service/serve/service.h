@@ -68,6 +68,8 @@ const char *orr_service_url(const orr_service *s, size_t i);
 // is under way. A second signal does not wait for that.
 orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user, orr_diag *diag);
 void orr_service_stop(orr_service *s); // from any thread
+// Whether a signal told it to stop.
+bool orr_service_signalled(const orr_service *s);
 // A client as who watches the service sees it.
 typedef struct orr_client_look {
     char peer[160];

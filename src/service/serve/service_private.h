@@ -57,6 +57,7 @@ struct orr_service {
     orr_log_rate rate; // of lines that clients cause
     bool done;
     bool draining;
+    bool signalled; // to stop
     int64_t drain_until_ns;
 };
 
