@@ -33,6 +33,8 @@ class Stream:
         self._client, self._window, self._spent = client, window, 0
         self._kind: Type[Message] = BLOCKS[request.TYPE]
         self._ring, self._port, self._paid = ring, port, 0
+        self._last: Optional[frame.Frame] = None  # the STREAM_END, while what it has overtaken is waited for
+        self._until = 0.0
 
     def __iter__(self) -> Iterator[Message]:
         while (block := self.next()) is not None:
@@ -62,26 +64,28 @@ class Stream:
         return frame.Frame(kind, self.number, payload)
 
     def _from_port(self, port: Port) -> frame.Frame:
-        """Datagrams as they come; notices of the connection in between, its STREAM_END when no more of them come."""
+        """Datagrams as they come, and notices of the connection in between. The STREAM_END, by whichever way, waits a moment for what it has
+        overtaken."""
         give_up = time.monotonic() + (self._client._sock.gettimeout() or 10.0)
         quiet = time.monotonic() + AGAIN_S
         while True:
-            notices = self._client._inbox.get(self.number)
-            got = port.take()
-            if got is None and notices and notices[0].type != messages.StreamEnd.TYPE:
-                got = notices.popleft()
+            notices, got = self._client._inbox.get(self.number), port.take()
             if got is None and notices:
-                self._client._wait(port.socket, TAIL_S)
-                got = port.take() or notices.popleft()
-            if got is not None:
-                return got
+                got = notices.popleft()
             now = time.monotonic()
+            if got is not None and got.type == messages.StreamEnd.TYPE:
+                if self._last is None:
+                    self._last, self._until = got, now + TAIL_S
+            elif got is not None:
+                return got
+            if self._last is not None and (now > self._until or (got is not None and port.reader is not None and port.reader.missing == 0)):
+                return self._last
             if now > give_up:
                 raise TimeoutError("no datagram came")
-            if now > quiet and self._window > 0:
+            if now > quiet and self._window > 0 and self._last is None:
                 self.credit(self._window)  # what was let out may all have been lost
                 quiet = now + AGAIN_S
-            self._client._wait(port.socket, min(give_up, quiet) - now + 0.001)
+            self._client._wait(port.socket, max(0.0, min(give_up, quiet, self._until or give_up) - now) + 0.001)
 
     def _take(self, got: frame.Frame) -> Optional[Message]:
         if got.type == messages.Gap.TYPE:

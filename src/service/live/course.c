@@ -34,11 +34,25 @@ static orr_vec3 change_of_acceleration(const orr_course *k, const orr_course_sam
     return (orr_vec3){0, 0, 0};
 }
 
-void orr_course_add(orr_course *k, const orr_course_sample *s, bool *overtaken)
+// A block rests on one sample, perhaps with the one before; of those before it is known now whether any ever did.
+static void settle(orr_course *k, size_t place, const orr_course_sample *before)
 {
-    *overtaken = false;
+    if (before != NULL) k->sample[(k->first + place - 1) % ORR_COURSE_SAMPLES].used = true;
+    k->sample[(k->first + place) % ORR_COURSE_SAMPLES].used = true;
+    for (; k->settled <= place; k->settled++)
+        if (k->sample[(k->first + k->settled) % ORR_COURSE_SAMPLES].used)
+            k->used++;
+        else
+            k->overtaken++;
+}
+
+void orr_course_add(orr_course *k, const orr_course_sample *s)
+{
     if (k->n == ORR_COURSE_SAMPLES) {
-        *overtaken = !k->sample[k->first].used;
+        if (k->settled > 0)
+            k->settled--;
+        else
+            k->overtaken++;
         k->first = (k->first + 1) % ORR_COURSE_SAMPLES;
         k->n--;
     }
@@ -202,11 +216,10 @@ static bool is_joining(const orr_course_piece *p, orr_time t)
     return orr_vec3_norm(d[0]) > NOTHING_M || orr_vec3_norm(g[0]) > NOTHING_RAD;
 }
 
-orr_course_state orr_course_block(orr_course *k, orr_time t0, orr_time t1, int64_t *age_ns, bool *used)
+orr_course_state orr_course_block(orr_course *k, orr_time t0, orr_time t1, int64_t *age_ns)
 {
     const orr_course_sample *a;
     size_t place;
-    *used = false;
     *age_ns = 0;
     const orr_time before = k->made;
     if (before == ORR_TIME_NONE || t1 > before)
@@ -218,8 +231,7 @@ orr_course_state orr_course_block(orr_course *k, orr_time t0, orr_time t1, int64
         const orr_course_piece *last = piece_of(k, t0);
         if (last == NULL || last->b.t != b->t) {
             begin_piece(k, t0, b, a);
-            *used = !b->used;
-            k->sample[(k->first + place) % ORR_COURSE_SAMPLES].used = true;
+            settle(k, place, a);
         }
     }
     const orr_course_piece *p = piece_of(k, t0);

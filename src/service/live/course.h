@@ -52,23 +52,24 @@ typedef struct orr_course {
     orr_time made; // end of the last block; ORR_TIME_NONE: none
     size_t n, first;
     orr_course_sample sample[ORR_COURSE_SAMPLES]; // ring, by tag
+    size_t settled;           // samples from the first on of which it is known whether a block rests on them
+    uint64_t used, overtaken; // samples that did, and did not
     size_t n_pieces;
     orr_course_piece piece[ORR_COURSE_PIECES]; // ring; the last is at (n_pieces - 1) % ORR_COURSE_PIECES
 } orr_course;
 
 // Without samples.
 void orr_course_init(orr_course *k, double join_s);
-// One more, whose tag is later than that of the last. The oldest makes room; *overtaken is then set where nothing rested on it.
-void orr_course_add(orr_course *k, const orr_course_sample *s, bool *overtaken);
+// One more, whose tag is later than that of the last. The oldest makes room.
+void orr_course_add(orr_course *k, const orr_course_sample *s);
 // A block is made: fixes what is served until its end.
 // Given:
 //   k        the course
 //   t0, t1   begin and end of the block
 // Returned:
 //   age_ns   t0 less the tag of the sample that it rests on
-//   used     whether a sample comes into use with it
 // Returns its state; ORR_COURSE_NONE without samples.
-orr_course_state orr_course_block(orr_course *k, orr_time t0, orr_time t1, int64_t *age_ns, bool *used);
+orr_course_state orr_course_block(orr_course *k, orr_time t0, orr_time t1, int64_t *age_ns);
 // The motion at an instant of a block that was made. False where nothing is known of it any more.
 // Given:
 //   k        the course

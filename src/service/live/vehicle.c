@@ -129,7 +129,6 @@ static const char *misfit_of(const orr_vehicle *v, const orr_msg_motion *m, orr_
 static uint16_t take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_server_refusal *why)
 {
     orr_msg_motion_stats *c = &v->stats;
-    bool overtaken;
     c->received++;
     const char *bad = v->options.replay != NULL ? "MOTION: a recording is replayed" : fault_of(m);
     if (bad == NULL) bad = misfit_of(v, m, now);
@@ -140,10 +139,9 @@ static uint16_t take(orr_vehicle *v, const orr_msg_motion *m, orr_time now, orr_
     }
     const orr_course_sample s = sample_of(m);
     const orr_time made = v->course.made;
-    orr_course_add(&v->course, &s, &overtaken);
+    orr_course_add(&v->course, &s);
     const orr_course_sample *kept =
         &v->course.sample[(v->course.first + v->course.n - 1) % ORR_COURSE_SAMPLES];
-    if (overtaken) c->overtaken++;
     orr_spread_add(&v->lateness, orr_time_sub_ns(now, m->t));
     if (made != ORR_TIME_NONE) orr_spread_add(&v->margin, orr_time_sub_ns(m->t, made));
     if (made != ORR_TIME_NONE && m->t < made)
@@ -174,7 +172,6 @@ orr_time orr_vehicle_reach(orr_vehicle *v)
 // Samples of the recording that blocks at t rest on.
 static void replay_to(orr_vehicle *v, orr_time t)
 {
-    bool overtaken;
     while (v->options.replay != NULL) {
         if (!v->has_next && !v->options.replay(v->options.replay_user, &v->next, &v->next_from)) {
             v->options.replay = NULL;
@@ -185,22 +182,21 @@ static void replay_to(orr_vehicle *v, orr_time t)
         v->has_next = false;
         const orr_course_sample s = sample_of(&v->next);
         v->stats.received++;
-        orr_course_add(&v->course, &s, &overtaken);
+        orr_course_add(&v->course, &s);
         v->course.sample[(v->course.first + v->course.n - 1) % ORR_COURSE_SAMPLES].from = v->next_from;
     }
 }
 
 bool orr_vehicle_block_at(orr_vehicle *v, orr_time t0, orr_time t1, orr_vehicle_block *out)
 {
-    bool used, same;
+    bool same;
     orr_msg_motion_stats *c = &v->stats;
     pthread_mutex_lock(&v->lock);
     replay_to(v, t0);
-    out->state = (uint8_t)orr_course_block(&v->course, t0, t1, &out->age_ns, &used);
+    out->state = (uint8_t)orr_course_block(&v->course, t0, t1, &out->age_ns);
     const bool there = out->state != ORR_COURSE_NONE &&
                        orr_course_at(&v->course, t0, false, &out->begin, &out->antenna) &&
                        orr_course_at(&v->course, t1, true, &out->end, &same);
-    if (used) c->used++;
     if (there) {
         c->blocks++;
         if (out->state == ORR_MSG_MOTION_STATE_EXTRAPOLATED) c->extrapolated++;
@@ -216,6 +212,8 @@ void orr_vehicle_stats(orr_vehicle *v, bool reset, orr_msg_motion_stats *out)
 {
     pthread_mutex_lock(&v->lock);
     *out = v->stats;
+    out->used = v->course.used;
+    out->overtaken = v->course.overtaken;
     out->lateness = orr_spread_told(&v->lateness);
     out->margin = orr_spread_told(&v->margin);
     const size_t waiting = orr_course_waiting(&v->course);
@@ -223,6 +221,7 @@ void orr_vehicle_stats(orr_vehicle *v, bool reset, orr_msg_motion_stats *out)
     v->stats.worst = ORR_MSG_MOTION_STATE_SCENARIO;
     if (reset) {
         v->stats = (orr_msg_motion_stats){0};
+        v->course.used = v->course.overtaken = 0;
         v->lateness = v->margin = (orr_spread){0};
     }
     pthread_mutex_unlock(&v->lock);

@@ -159,6 +159,17 @@ static void come_in(const listener *l, int fd, orr_guest *g)
     orr_peers_leave(g->account);
 }
 
+// Nothing waits for more to send; and a peer whose machine has gone without a word is found out in a minute and a half.
+static void prepare_socket(int fd)
+{
+    static const int one = 1, idle_s = 60, every_s = 10, times = 3;
+    setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+    setsockopt(fd, SOL_SOCKET, SO_KEEPALIVE, &one, sizeof one);
+    setsockopt(fd, IPPROTO_TCP, TCP_KEEPIDLE, &idle_s, sizeof idle_s);
+    setsockopt(fd, IPPROTO_TCP, TCP_KEEPINTVL, &every_s, sizeof every_s);
+    setsockopt(fd, IPPROTO_TCP, TCP_KEEPCNT, &times, sizeof times);
+}
+
 static void on_accept(evutil_socket_t fd, short what, void *user)
 {
     (void)what;
@@ -177,8 +188,7 @@ static void on_accept(evutil_socket_t fd, short what, void *user)
         }
         return;
     }
-    int one = 1;
-    if (!l->url.is_unix) setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+    if (!l->url.is_unix) prepare_socket(client);
     orr_guest g = {.insecure = !l->local && !l->url.tls};
     name_peer(l, (struct sockaddr *)&a, n, client, &g);
     const orr_access_limits limits = orr_access_limits_of(d->options.access);

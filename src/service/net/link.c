@@ -20,8 +20,7 @@ struct orr_link {
     SSL *ssl;            // of `tls`
     orr_log_rate update; // KeyUpdates
     bool want_read, want_write, finishing;
-    bool ended; // the peer sends nothing more
-    int error;  // of the connection; 0: none
+    int error; // of the connection, its end among them; 0: none
     void *user;
     orr_link_call *read, *write, *done, *failed;
     char why[200];
@@ -69,7 +68,7 @@ static size_t waiting(const orr_link *l) { return evbuffer_get_length(buffereven
 static void tls_read(struct bufferevent *tls, void *user)
 {
     const orr_link *l = user;
-    if (!l->want_read || l->read == NULL || (received(l) == 0 && !l->ended && l->error == 0)) return;
+    if (!l->want_read || l->read == NULL || (received(l) == 0 && l->error == 0)) return;
     bufferevent_trigger(tls, EV_READ, BEV_TRIG_IGNORE_WATERMARKS | BEV_TRIG_DEFER_CALLBACKS);
     l->read(l->user); // the link may be gone now
 }
@@ -100,8 +99,8 @@ static void tls_event(struct bufferevent *tls, short what, void *user)
         if (l->done != NULL) l->done(l->user);
         return;
     }
-    if ((what & BEV_EVENT_EOF) != 0) l->ended = true;
-    if ((what & (BEV_EVENT_ERROR | BEV_EVENT_TIMEOUT)) != 0) l->error = ECONNRESET;
+    // Behind its end libevent sends nothing more either: what the peer has not had it never gets.
+    if ((what & (BEV_EVENT_EOF | BEV_EVENT_ERROR | BEV_EVENT_TIMEOUT)) != 0) l->error = ECONNRESET;
     if (l->done != NULL && l->failed != NULL) { // the handshake
         orr_tls_reason_of(l->ssl, bufferevent_get_openssl_error(tls), l->why, sizeof l->why);
         l->failed(l->user);
@@ -157,7 +156,6 @@ ssize_t orr_link_recv(orr_link *l, void *data, size_t n)
     const size_t got = bufferevent_read(l->tls, data, n);
     if (got > 0) return (ssize_t)got;
     if (l->error != 0) return errno = l->error, -1;
-    if (l->ended) return 0;
     return errno = EAGAIN, -1;
 }
 
@@ -210,7 +208,7 @@ bool orr_link_want(orr_link *l, bool read, bool write)
     l->want_read = read;
     l->want_write = write;
     const int flags = BEV_TRIG_IGNORE_WATERMARKS | BEV_TRIG_DEFER_CALLBACKS;
-    if (read && (received(l) > 0 || l->ended || l->error != 0)) bufferevent_trigger(l->tls, EV_READ, flags);
+    if (read && (received(l) > 0 || l->error != 0)) bufferevent_trigger(l->tls, EV_READ, flags);
     if (write && (waiting(l) == 0 || l->error != 0)) bufferevent_trigger(l->tls, EV_WRITE, flags);
     return true;
 }

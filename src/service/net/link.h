@@ -34,7 +34,7 @@ void orr_link_serve(orr_link *l, void *user, orr_link_call *read, orr_link_call 
 void orr_link_await(orr_link *l, void *user, orr_link_call *done, orr_link_call *failed);
 // Why the handshake failed.
 const char *orr_link_why(const orr_link *l);
-// As recv does, errno and all.
+// As recv does, errno and all; the end of a TLS connection is ECONNRESET.
 ssize_t orr_link_recv(orr_link *l, void *data, size_t n);
 // As send with MSG_NOSIGNAL does.
 ssize_t orr_link_send(orr_link *l, const void *data, size_t n);

@@ -575,7 +575,11 @@ void orr_conn_sweep(orr_conn *c, int64_t now_ns)
         orr_conn_close(c); // it would not read an ERROR either
         return;
     }
-    if (c->lanes.n > 0) return; // it listens
+    if (c->lanes.n > 0) { // it listens
+        // One that says nothing more gives no credit either.
+        if (c->peer_done && !orr_lanes_can_go_on(&c->lanes)) orr_conn_close(c);
+        return;
+    }
     if (c->in_size > 0 && waited > o->half_frame_s)
         why = "half a frame, and no more for too long";
     else if (c->in_size == 0 && c->conn.requests == 0 && quiet > o->first_s)

@@ -306,6 +306,16 @@ size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out)
     return 0;
 }
 
+bool orr_lanes_can_go_on(const orr_lanes *l)
+{
+    for (size_t k = 0; k < l->n; k++) {
+        orr_stream_look look;
+        orr_stream_looked(l->stream[k], &look);
+        if (look.credit > 0 || look.waiting > 0 || l->held[k] != NULL) return true;
+    }
+    return false;
+}
+
 void orr_lanes_passed(orr_lanes *l)
 {
     for (; l->n_pass > 0; l->n_pass--)

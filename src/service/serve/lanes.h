@@ -38,6 +38,8 @@ bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out);
 size_t orr_lanes_fill(orr_lanes *l, orr_wire_writer *out);
 // The descriptors that were to go along have gone, or need not any more.
 void orr_lanes_passed(orr_lanes *l);
+// Whether any of its streams has something to send, or credit for it.
+bool orr_lanes_can_go_on(const orr_lanes *l);
 // What its client may do from now on.
 void orr_lanes_permit(orr_lanes *l, unsigned may);
 // Closes all streams and its channel of datagrams.

@@ -127,6 +127,15 @@ class Streams(Served):
             self.assertEqual(stream.unsubscribe().reason, messages.EndReason.UNSUBSCRIBED)
         client.ping(99)
 
+    def test_a_client_that_says_no_more(self):
+        """Its side closed, it gets what it has credit for; then nothing can come of the connection, and it is closed."""
+        client = self.connect()
+        stream = client.subscribe(messages.Poll(), self.start, 0.01, count=0, pacing="free", credit=40, window=0)
+        client._sock.shutdown(socket.SHUT_WR)
+        self.assertEqual([stream.next().t for _ in range(40)], [self.start + k * NS // 100 for k in range(40)])
+        with self.assertRaisesRegex(orrery.ProtocolError, "closed"):
+            stream.next()
+
     def test_the_clock_paces(self):
         """Blocks of 100 Hz come 0.2 s ahead of the clock: 100 of them in about a second, after 20 at once."""
         client, judge = self.connect(), self.connect()

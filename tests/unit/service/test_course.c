@@ -38,8 +38,8 @@ static orr_course *course(double join_s)
 static orr_course_state block_of(orr_course *k, orr_time t0, orr_time t1, int64_t *age, orr_motion *begin,
                                  orr_motion *end)
 {
-    bool used, antenna;
-    const orr_course_state s = orr_course_block(k, t0, t1, age, &used);
+    bool antenna;
+    const orr_course_state s = orr_course_block(k, t0, t1, age);
     if (s != ORR_COURSE_NONE)
         assert_true(orr_course_at(k, t0, false, begin, &antenna) &&
                     orr_course_at(k, t1, true, end, &antenna));
@@ -74,10 +74,9 @@ static void predictions(void **state)
         for (int n = 0; n < 2000; n++) {
             const orr_time t0 = T0 + n * 5 * MS;
             orr_motion a, b;
-            bool overtaken;
             if (n % 2 == 0) {
                 const orr_course_sample s = truth(t0 - 50 * MS, order, 1);
-                orr_course_add(k, &s, &overtaken);
+                orr_course_add(k, &s);
             }
             assert_true(block(k, t0, t0 + 5 * MS, &a, &b) != ORR_COURSE_NONE);
             if (n > 20 && n % 2 == 0)
@@ -98,12 +97,11 @@ static void joints(void **state)
     double value = 0, rate = 0, acceleration = 0, attitude = 0, off = 0, oldest = 0;
     int64_t age = 0;
     int next = 0, joined = 0;
-    bool overtaken;
     for (int n = 0; n < 20000; n++) { // 100 s of blocks of 5 ms
         const orr_time t = T0 + n * 5 * MS;
         for (; T0 + next * 10 * MS + (int64_t)(orr_rng_u64(1, (uint64_t)next, 0) % 30) * MS <= t; next++) {
             const orr_course_sample s = truth(T0 + next * 10 * MS, 2, 2);
-            if (next == 0 || orr_rng_u64(2, (uint64_t)next, 0) % 50 != 0) orr_course_add(k, &s, &overtaken);
+            if (next == 0 || orr_rng_u64(2, (uint64_t)next, 0) % 50 != 0) orr_course_add(k, &s);
         }
         const orr_course_state s = block_of(k, t, t + 5 * MS, &age, &a, &b);
         if (s == ORR_COURSE_NONE) continue;
@@ -133,15 +131,15 @@ static void derivatives(void **state)
 {
     (void)state;
     orr_course *k = course(0.065);
-    bool overtaken, antenna;
+    bool antenna;
     orr_motion m[3], begin, end;
     orr_course_sample s = truth(T0, 2, 2);
-    orr_course_add(k, &s, &overtaken);
+    orr_course_add(k, &s);
     block(k, T0, T0 + 100 * MS, &begin, &end);
     s = truth(T0 + 100 * MS, 2, 2);
     s.x[0].z += 0.5;
     s.q = orr_quat_mul(s.q, orr_quat_from_rotvec((orr_vec3){0.01, -0.02, 0.005}));
-    orr_course_add(k, &s, &overtaken);
+    orr_course_add(k, &s);
     assert_int_equal(block(k, T0 + 100 * MS, T0 + 200 * MS, &begin, &end), ORR_COURSE_JOINING);
     for (int n = 3; n < 90; n += 7) {
         for (int j = 0; j < 3; j++)
@@ -160,16 +158,44 @@ static void derivatives(void **state)
     free(k);
 }
 
+// Of each sample it is known in the end whether a block rests on it, and at any time how many are still open.
+static void every_sample_is_accounted_for(void **state)
+{
+    (void)state;
+    static const int64_t every_ms[] = {1, 7, 40}; // samples; blocks have 5 ms
+    for (size_t r = 0; r < sizeof every_ms / sizeof every_ms[0]; r++) {
+        for (int64_t old_ms = -30; old_ms <= 30; old_ms += 30) { // ahead of the blocks, with them, behind
+            orr_course *k = course(0.065);
+            orr_motion a, b;
+            uint64_t added = 0;
+            for (int64_t ms = 0; ms < 4000; ms++) {
+                if (ms % every_ms[r] == 0) {
+                    const orr_course_sample s = truth(T0 + (ms - old_ms) * MS, 2, 2);
+                    orr_course_add(k, &s);
+                    added++;
+                }
+                if (ms % 5 != 0) continue;
+                block(k, T0 + ms * MS, T0 + (ms + 5) * MS, &a, &b);
+                const uint64_t open = added - k->used - k->overtaken;
+                assert_true(k->used + k->overtaken <= added &&
+                            open <= 2 + (old_ms < 0 ? 35 / (uint64_t)every_ms[r] : 0));
+            }
+            assert_true(k->used > 90);
+            assert_true(every_ms[r] == 1 ? k->overtaken > 1000 : every_ms[r] == 7 || k->overtaken == 0);
+            free(k);
+        }
+    }
+}
+
 static void states(void **state)
 {
     (void)state;
     orr_course *k = course(0.065);
     orr_motion a, b, c;
-    bool overtaken;
     assert_int_equal(block(k, T0 - 5 * MS, T0, &a, &b), ORR_COURSE_NONE);
     for (int n = 0; n < 100; n++) { // all at once: a second ahead
         const orr_course_sample s = truth(T0 + n * 10 * MS, 2, 2);
-        orr_course_add(k, &s, &overtaken);
+        orr_course_add(k, &s);
     }
     assert_int_equal(orr_course_waiting(k), 100);
     assert_int_equal(block(k, T0, T0 + 5 * MS, &a, &b), ORR_COURSE_SYNCHRONOUS);
@@ -191,7 +217,7 @@ static void states(void **state)
     orr_course_sample far = truth(T0 + 1310 * MS, 2, 2);
     far.x[0].z += 5000;
     far.snap = true;
-    orr_course_add(k, &far, &overtaken);
+    orr_course_add(k, &far);
     assert_int_equal(block(k, T0 + 1310 * MS, T0 + 1315 * MS, &a, &b), ORR_COURSE_SNAPPED);
     assert_true(apart(a.r_m, far.x[0]) < 1e-9);
     assert_int_equal(block(k, T0 + 1315 * MS, T0 + 1320 * MS, &a, &b), ORR_COURSE_EXTRAPOLATED);
@@ -207,20 +233,19 @@ static void a_recording(void **state)
     static orr_course_sample log[BLOCKS];
     size_t n_log = 0;
     orr_motion end;
-    bool overtaken;
     orr_course *k = course(0.065), *again = course(0.065);
     for (int n = 0; n < BLOCKS; n++) {
         const orr_time t = T0 + n * 5 * MS;
         if (n % 2 == 0 && n % 34 != 6) {
             const orr_course_sample s = truth(t - (int64_t)(orr_rng_u64(5, (uint64_t)n, 0) % 9) * MS, 2, 2);
-            orr_course_add(k, &s, &overtaken);
+            orr_course_add(k, &s);
             log[n_log] = s;
             log[n_log++].from = k->made;
         }
         block(k, t, t + 5 * MS, &first[n], &end);
     }
     for (size_t i = 0; i < n_log; i++) {
-        orr_course_add(again, &log[i], &overtaken);
+        orr_course_add(again, &log[i]);
         again->sample[(again->first + again->n - 1) % ORR_COURSE_SAMPLES].from = log[i].from;
     }
     for (int n = 0; n < BLOCKS; n++) block(again, T0 + n * 5 * MS, T0 + (n + 1) * 5 * MS, &second[n], &end);
@@ -232,7 +257,8 @@ static void a_recording(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(predictions), cmocka_unit_test(joints),      cmocka_unit_test(derivatives),
+        cmocka_unit_test(predictions), cmocka_unit_test(joints),
+        cmocka_unit_test(derivatives), cmocka_unit_test(every_sample_is_accounted_for),
         cmocka_unit_test(states),      cmocka_unit_test(a_recording),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
