@@ -14,8 +14,20 @@
 enum { HEAD = 4096 };
 
 // How text that Orrery writes begins, where it does not name its maker.
-static const char *const beginnings[] = {"t_gps,",       "sat,penumbra_entry,", "t_s,dxi1_m,",
-                                         "t_s,lat_deg,", "t_s,recovered_mgal,", "t_s,dtheta_x_rad,"};
+static const char *const beginnings[] = {"t_gps,",
+                                         "sat,penumbra_entry,",
+                                         "t_s,dxi1_m,",
+                                         "t_s,lat_deg,",
+                                         "t_s,recovered_mgal,",
+                                         "t_s,dtheta_x_rad,",
+                                         "t_s,baro_height_m,",
+                                         "cycle,t_s,stand_deg,",
+                                         "seed,nees,",
+                                         "seed,heading_error_arcsec,",
+                                         "seed,crossovers,",
+                                         "line_a,line_b,",
+                                         "method,product_rad2ps,",
+                                         "channel,tau_s,"};
 
 static bool begins(const char *text, const char *with) { return strncmp(text, with, strlen(with)) == 0; }
 

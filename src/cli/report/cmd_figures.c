@@ -11,6 +11,7 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/report/figure.h"
+#include "src/cli/report/judgement.h"
 
 static const orr_option options[] = {
     ORR_OPTION_FOLDER(.help = "Folder of the figures, their tables and report.html; made if there is none."),
@@ -55,6 +56,13 @@ static bool taken(const orr_cli *c, const outcome *done, size_t at, const char *
     for (size_t i = 0; i < at; i++)
         if (done[i].made && wanted(c, figures[i].name) && strstr(figures[i].steps, step) != NULL) return true;
     return false;
+}
+
+// Whether a figure is not asked for: what it is made of was not named.
+static bool is_left_out(const figure *f, const figure_places *p)
+{
+    return (f->needs == FIGURE_NEEDS_DATA && p->data == NULL) ||
+           (f->needs == FIGURE_NEEDS_ARCHIVE && p->archive == NULL);
 }
 
 static void make(const orr_cli *c, size_t at, const figure_places *p, outcome *done)
@@ -148,6 +156,53 @@ static void put_figure(FILE *f, const figure *g, const outcome *o, const char *f
     fputs("</section>\n", f);
 }
 
+static void put_sentences(FILE *f, const char *title, const char (*text)[320], size_t n, const char *none)
+{
+    fprintf(f, "<h2>%s</h2>\n<ul>\n", title);
+    for (size_t i = 0; i < n; i++) {
+        fputs("<li>", f);
+        put_text(f, text[i]);
+        fputs("</li>\n", f);
+    }
+    if (n == 0) fprintf(f, "<li>%s</li>\n", none);
+    fputs("</ul>\n", f);
+}
+
+// What was processed, how good it is, what is suspicious: first of all.
+static orr_status put_judgement(const orr_cli *c, FILE *f, const figure_places *p, const outcome *done,
+                                orr_diag *diag)
+{
+    judgement *j = calloc(1, sizeof *j);
+    orr_status s = j != NULL ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "no memory for a judgement");
+    size_t made = 0, all = 0;
+    for (size_t i = 0; s == ORR_OK && i < n_figures; i++) {
+        if (!wanted(c, figures[i].name)) continue;
+        all++;
+        made += done[i].made;
+        const bool left_out = is_left_out(&figures[i], p);
+        if (done[i].made)
+            judgement_of_figure(&figures[i], p, j);
+        else if (!left_out)
+            judgement_suspicious(j, "%s could not be made: %s", figures[i].name, done[i].why.text);
+    }
+    if (s == ORR_OK) {
+        judgement_processed(j, "%zu figures of %zu, of the made data of the samples%s.", made, all,
+                            p->data != NULL ? " and of real files" : "; no real files were named (--data)");
+        if (p->archive != NULL) s = judgement_of_archive(p->archive, j, diag);
+    }
+    if (s == ORR_OK) {
+        fputs("<section id=\"judgement\">\n", f);
+        put_sentences(f, "What was processed", (const char(*)[320])j->processed, j->n_processed, "Nothing.");
+        put_sentences(f, "How good it is", (const char(*)[320])j->good, j->n_good,
+                      "Nothing here is measured against something known.");
+        put_sentences(f, "What is suspicious", (const char(*)[320])j->suspicious, j->n_suspicious,
+                      "Nothing.");
+        fputs("</section>\n<h2>Figures</h2>\n", f);
+    }
+    free(j);
+    return s;
+}
+
 static orr_status write_report(const orr_cli *c, const figure_places *p, const outcome *done, orr_diag *diag)
 {
     char path[1200];
@@ -170,8 +225,10 @@ static orr_status write_report(const orr_cli *c, const figure_places *p, const o
           "<h1>Orrery: figures</h1>\n<p>Made by orrery " ORR_VERSION
           ". Each figure stands with the commands that make it, typed in the checkout's root (<code>D</code> "
           "is the folder of real files), and its "
-          "table beside this page.</p>\n<ul>\n",
+          "table beside this page.</p>\n",
           f);
+    s = put_judgement(c, f, p, done, diag);
+    fputs("<ul>\n", f);
     for (size_t i = 0; i < n_figures; i++) {
         if (!wanted(c, figures[i].name)) continue;
         fprintf(f, "<li><a href=\"#%s\">", figures[i].name);
@@ -182,7 +239,7 @@ static orr_status write_report(const orr_cli *c, const figure_places *p, const o
     for (size_t i = 0; i < n_figures; i++)
         if (wanted(c, figures[i].name)) put_figure(f, &figures[i], &done[i], p->out);
     fputs("</body>\n</html>\n", f);
-    return orr_outfile_commit(&out, diag);
+    return orr_outfile_end(&out, s, diag);
 }
 
 // The absolute path of a folder that is there; NULL, with its sentence, where it is not.
@@ -225,9 +282,7 @@ static int run(orr_cli *c)
         for (size_t i = 0; i < n_figures; i++) {
             if (!wanted(c, figures[i].name)) continue;
             make(c, i, &p, done);
-            const bool left_out = (figures[i].needs == FIGURE_NEEDS_DATA && data == NULL) ||
-                                  (figures[i].needs == FIGURE_NEEDS_ARCHIVE && archive == NULL);
-            failed += !done[i].made && !left_out;
+            failed += !done[i].made && !is_left_out(&figures[i], &p);
         }
         if (write_report(c, &p, done, &diag) != ORR_OK)
             status = orr_cli_fail(c, &diag);

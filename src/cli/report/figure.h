@@ -55,6 +55,11 @@ void figure_step_text(const char *step, char *out, size_t n);
 // Draws NAME.svg from its table, and a script of gnuplot, NAME.gp. ORR_E_IO, ORR_E_FORMAT (a column is missing), ORR_E_NODATA, ORR_E_MEMORY.
 orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag);
 
+// The k-th field of a row of CSV, from 0, into out[n]; empty where there are not so many.
+void figure_field(const char *row, int k, char *out, size_t n);
+// Which column of a table's first row has that name; -1: none, or NULL.
+int figure_column(const char *head, const char *name);
+
 // Runs gnuplot on NAME.gp for NAME.png; false where there is no gnuplot, or it could not.
 bool figure_picture(const figure *f, const char *folder);
 

@@ -29,23 +29,6 @@ typedef struct table {
     size_t n_words;
 } table;
 
-// The k-th field of a line of CSV, from 0; empty where there are not so many.
-static void field(const char *text, int k, char *out, size_t n)
-{
-    for (; k > 0 && *text != '\0'; text++) k -= *text == ',';
-    snprintf(out, n, "%.*s", (int)strcspn(text, ",\r\n"), text);
-}
-
-static int column_of(const char *head, const char *name)
-{
-    char text[128];
-    for (int k = 0; name != NULL && k < 64; k++) {
-        field(head, k, text, sizeof text);
-        if (strcmp(text, name) == 0) return k;
-    }
-    return -1;
-}
-
 // A number, an instant as hours since the first, or the place of a word among the words so far, from 1.
 static double value(table *t, const char *text, bool is_x)
 {
@@ -97,8 +80,8 @@ static bool is_drawn(const char *where, const char *head, const char *row)
         char *wanted = strchr(one, '=');
         if (wanted == NULL) return false;
         *wanted++ = '\0';
-        const int k = column_of(head, one);
-        field(row, k < 0 ? 99 : k, text, sizeof text);
+        const int k = figure_column(head, one);
+        figure_field(row, k < 0 ? 99 : k, text, sizeof text);
         if (strcmp(text, wanted) != 0) return false;
         where += n + (where[n] == ',');
     }
@@ -117,13 +100,14 @@ static orr_status read_part(const figure_plot *p, const part *q, const char *fol
     int column[3];
     orr_status s = ORR_OK;
     for (int k = 0; k < 3 && s == ORR_OK; k++) {
-        column[k] = head != NULL ? column_of(head, wanted[k]) : -1;
+        column[k] = head != NULL ? figure_column(head, wanted[k]) : -1;
         if (column[k] < 0 && wanted[k] != NULL)
             s = orr_diag_at(diag, ORR_E_FORMAT, path, 1, 0, "has no column %s", wanted[k]);
     }
     while (s == ORR_OK && fgets(line, sizeof line, f) != NULL) {
         if (!is_drawn(p->where, head, line)) continue;
-        for (int k = 0; k < 3; k++) field(line, column[k] < 0 ? 99 : column[k], text[k], sizeof text[k]);
+        for (int k = 0; k < 3; k++)
+            figure_field(line, column[k] < 0 ? 99 : column[k], text[k], sizeof text[k]);
         const double x = value(t, text[0], true),
                      y = signed_value(value(t, text[1], false) * p->factor, q->sign);
         if ((p->from != 0 || p->to != 0) && !(x >= p->from && x <= p->to)) continue;

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The figures and their page: tables, drawings and commands belong together, and what cannot be made is said."""
+import csv
+import html
 import html.parser
+import math
 import pathlib
 import re
 import shutil
@@ -28,6 +31,12 @@ class Page(html.parser.HTMLParser):
             self.outside.append(tag)
 
 
+def judgement(text):
+    """What was processed, how good it is, what is suspicious: the page's sentences."""
+    part = re.search(r'<section id="judgement">(.*?)</section>', text, re.S).group(1)
+    return tuple([html.unescape(s) for s in re.findall(r"<li>(.*?)</li>", heading)] for heading in re.split(r"<h2>.*?</h2>", part)[1:])
+
+
 class Figures(Folder):
     def make(self, name, *args, status=0):
         folder = pathlib.Path(self.path(name))
@@ -39,7 +48,9 @@ class Figures(Folder):
         text = (folder / "report.html").read_text(encoding="utf-8")
         page = Page(text)
         self.assertEqual(page.outside, [])  # one file, which needs no other
-        self.assertEqual(page.ids, ["fig3", "fig4", "fig8"])
+        self.assertEqual(page.ids, ["judgement", "fig3", "fig4", "fig8"])  # in words first
+        self.assertEqual(judgement(text), (["2 figures of 3, of the made data of the samples; no real files were named (--data)."],
+                                           ["Nothing here is measured against something known."], ["Nothing."]))
         for link in page.links:
             self.assertTrue(link[1:] in page.ids if link.startswith("#") else (folder / link).is_file(), link)
         self.assertIn("Not made: is made of an archive: --archive DIR", text)
@@ -89,6 +100,24 @@ class Figures(Folder):
         run("batch", "-q", "--archive", archive, "--inputs", inputs)
         folder, _ = self.make("by-archive", "--only", "fig8", "--archive", archive)
         self.assertTrue((folder / "fig8.svg").is_file())
+        processed, good, suspicious = judgement((folder / "report.html").read_text(encoding="utf-8"))
+        self.assertIn("An archive of 2 days, 2025-079 to 2025-080; 0 are missing between.", processed)
+        self.assertRegex(good[-1], r"^Days join within 0\.00\d mm at 1 midnights \(wanted: 0\.1 mm\)\.$")
+        self.assertEqual(suspicious, ["Nothing."])
+        # A record that somebody damaged is told at the top.
+        (pathlib.Path(archive) / "2025/079/day.json").write_text("{", encoding="ascii")
+        folder, _ = self.make("by-archive", "--only", "fig8", "--archive", archive)
+        self.assertEqual(judgement((folder / "report.html").read_text(encoding="utf-8"))[2], ["2025-079: its record cannot be read (format error)."])
+
+    def test_judgement_is_of_the_tables(self):
+        """The figures told are those of the tables, reckoned here anew; and a figure beyond what it ought to be is suspicious."""
+        folder, _ = self.make("judged", "--only", "sigma")
+        with open(folder / "gap.csv", encoding="ascii") as a, open(folder / "gap-states.csv", encoding="ascii") as b:
+            sigma = {r["t_gps"]: float(r["sigma_radial_m"]) for r in csv.DictReader(b)}
+            within = [abs(float(r["radial_m"])) <= math.hypot(sigma[r["t_gps"]], 1e-3 / math.sqrt(12)) for r in csv.DictReader(a)]
+        _, good, suspicious = judgement((folder / "report.html").read_text(encoding="utf-8"))
+        self.assertRegex(good[0], rf"reckoned with: {100 * sum(within) / len(within):.3g} % \(of {len(within)} values")
+        self.assertEqual(suspicious, ["Nothing."])
 
     def test_what_cannot_be_made(self):
         empty = pathlib.Path(self.path("empty"))
