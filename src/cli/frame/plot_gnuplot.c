@@ -110,12 +110,15 @@ orr_status orr_plot_write_gnuplot(const char *path, const char *png, const orr_p
     put_quoted(f, plot->sky ? "" : plot->x_label);
     fputs("\nset ylabel ", f);
     put_quoted(f, plot->sky ? "" : plot->y_label);
-    fprintf(f, "\nset key outside right top\nset grid lc rgb '#d8d8d8'\n%s%s%s",
-            plot->log_x ? "set logscale x\nset format x '10^{%L}' enhanced\n" : "",
-            plot->log_y ? "set logscale y\nset format y '10^{%L}' enhanced\n" : "",
-            plot->sky ? "unset grid\n" : "");
+    fprintf(f, "\nset key outside right top\nset grid lt 1 lw 1 lc rgb '#d8d8d8'\n%s%s%s",
+            plot->log_x ? "set logscale x\nset format x '%g'\n" : "",
+            plot->log_y ? "set logscale y\nset format y '%g'\n" : "", plot->sky ? "unset grid\n" : "");
     if (plot->sky) put_sky(f);
-    if (plot->cells != NULL) put_cells(f, plot->cells);
+    if (plot->cells != NULL) {
+        fputs("set autoscale xfix\nset autoscale yfix\n", f); // no rim about a map
+        put_cells(f, plot->cells);
+    }
+    if (plot->n > 0 && plot->line[0].marks) fputs("set offsets graph 0.02, graph 0.02, 0, 0\n", f);
     for (size_t i = 0; i < plot->n; i++) put_block(f, plot, i);
     put_plot(f, plot);
     return orr_outfile_commit(&out, diag);

@@ -235,7 +235,7 @@ orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
                                  .n = t->line[0].n,
                                  .width = spacing(t->line[0].x, t->line[0].n),
                                  .height = spacing(t->line[0].y, t->line[0].n),
-                                 .label = f->plot.line};
+                                 .label = "TECU"};
     const orr_plot plot = {.title = f->title,
                            .x_label = f->plot.x_label,
                            .y_label = f->plot.y_label,

@@ -111,7 +111,11 @@ bool figure_picture(const figure *f, const char *folder)
     int status = -1;
     while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR) {
     }
-    return pid > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (pid > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
+    char picture[WORD];
+    snprintf(picture, sizeof picture, "%s/%s.png", folder, f->name);
+    (void)unlink(picture); // what it had begun
+    return false;
 }
 
 void figure_step_text(const char *step, char *out, size_t n)

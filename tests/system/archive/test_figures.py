@@ -90,6 +90,15 @@ class Figures(Folder):
         lowest = min(float(line.split(",")[3]) for line in (folder / "sky.csv").read_text(encoding="utf-8").splitlines()[1:])
         self.assertAlmostEqual(max(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for x, y in points), ring * (90 - lowest) / 90, delta=3)
 
+    def test_logarithmic_axes(self):
+        """gnuplot takes scripts of every kind of axes: a picture is whole, or not there."""
+        if not shutil.which("gnuplot"):
+            self.skipTest("gnuplot is not installed")
+        folder, _ = self.make("logarithmic", "--only", "methods", "--only", "allan")
+        for name in ("methods", "allan"):
+            self.assertEqual((folder / f"{name}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n", name)
+            self.assertEqual((folder / f"{name}.png").read_bytes()[-8:-4], b"IEND", name)
+
     def test_archive_of_days(self):
         archive = self.path("archive")
         inputs = pathlib.Path(self.path("inputs"))
