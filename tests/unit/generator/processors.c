@@ -8,7 +8,7 @@
 #include "src/generator/kernel/kernel.h"
 #include "src/generator/kernel/oscillator.h"
 
-enum { TRIALS = 1500, PERIOD = 1023 };
+enum { TRIALS = 450, PERIOD = 1023 };
 
 static uint64_t next(uint64_t *seed)
 {
