@@ -6,7 +6,10 @@
 
 void orr_gen_rotate_plain(uint64_t carrier_step, orr_gen_rotation *r) { rotation_of(carrier_step, r); }
 
-void orr_gen_add_plain(const int16_t *group, size_t n, int32_t *sum) { add_all(group, n, sum); }
+void orr_gen_add_plain(bool first, const int16_t *group, size_t n, int32_t *sum)
+{
+    add_all(first, group, n, sum);
+}
 
 // a * b / 2^15, rounded, as pmulhrsw and vqrdmulh do it.
 static inline int16_t times(int16_t a, int16_t b) { return (int16_t)((a * b + 0x4000) >> 15); }

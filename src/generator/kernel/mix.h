@@ -4,6 +4,7 @@
 #ifndef ORR_GENERATOR_KERNEL_MIX_H
 #define ORR_GENERATOR_KERNEL_MIX_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -49,8 +50,8 @@ typedef struct orr_gen_run {
 typedef void orr_gen_mixer(const orr_gen_run *run, int16_t *re, int16_t *im);
 // Fills r for a carrier of carrier_step a sample.
 typedef void orr_gen_rotator(uint64_t carrier_step, orr_gen_rotation *r);
-// Adds n sums of a group of channels to those of all groups.
-typedef void orr_gen_adder(const int16_t *group, size_t n, int32_t *sum);
+// Adds n sums of a group of channels to those of all groups, or puts those of the first there.
+typedef void orr_gen_adder(bool first, const int16_t *group, size_t n, int32_t *sum);
 
 orr_gen_mixer orr_gen_mix_plain, orr_gen_mix_avx2, orr_gen_mix_neon;
 orr_gen_rotator orr_gen_rotate_plain, orr_gen_rotate_avx2;

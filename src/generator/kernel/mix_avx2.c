@@ -121,7 +121,10 @@ void orr_gen_mix_avx2(const orr_gen_run *run, int16_t *re, int16_t *im)
 
 void orr_gen_rotate_avx2(uint64_t carrier_step, orr_gen_rotation *r) { rotation_of(carrier_step, r); }
 
-void orr_gen_add_avx2(const int16_t *group, size_t n, int32_t *sum) { add_all(group, n, sum); }
+void orr_gen_add_avx2(bool first, const int16_t *group, size_t n, int32_t *sum)
+{
+    add_all(first, group, n, sum);
+}
 
 size_t orr_gen_output_write_avx2(const orr_gen_output *out, const int32_t *re, const int32_t *im,
                                  int64_t first, size_t n, uint8_t *bytes)

@@ -28,79 +28,83 @@ static inline void add_noise(const orr_gen_output *out, int64_t first, size_t n,
     const float scale = (float)(out->sigma / TABLE_SIGMA);
     const int16_t *value = out->noise->value;
     const uint64_t seed = scatter(out->seed + 1), pair = (uint64_t)first / 2;
-    float x[BATCH + 2], y[BATCH + 2]; // from the even sample on
+    int16_t x[BATCH + 2], y[BATCH + 2]; // from the even sample on
     const size_t odd = (size_t)((uint64_t)first % 2);
     for (size_t k = 0; k < n + odd; k += 2) {
         const uint64_t r = scatter(seed + pair + k / 2);
-        x[k] = (float)value[r & 0xffff];
-        y[k] = (float)value[r >> 16 & 0xffff];
-        x[k + 1] = (float)value[r >> 32 & 0xffff];
-        y[k + 1] = (float)value[r >> 48];
+        x[k] = value[r & 0xffff];
+        y[k] = value[r >> 16 & 0xffff];
+        x[k + 1] = value[r >> 32 & 0xffff];
+        y[k + 1] = value[r >> 48];
     }
-    for (size_t k = 0; k < n; k++) re[k] += scale * x[k + odd];
-    for (size_t k = 0; k < n; k++) im[k] += scale * y[k + odd];
+    for (size_t k = 0; k < n; k++) re[k] += scale * (float)x[k + odd];
+    for (size_t k = 0; k < n; k++) im[k] += scale * (float)y[k + odd];
 }
 
-// Rounds what lies between -most and most, and counts what does not.
+// Numbers in the order of the file, the lowest byte first.
+static inline uint16_t little16(uint16_t x)
+{
+    return __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? x : __builtin_bswap16(x);
+}
+
+static inline uint32_t little32(uint32_t x)
+{
+    return __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? x : __builtin_bswap32(x);
+}
+
+static inline uint64_t little64(uint64_t x)
+{
+    return __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? x : __builtin_bswap64(x);
+}
+
+static inline uint32_t bits_of(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, 4);
+    return bits;
+}
+
+// Brings x between -most and most, and counts what did not lie there.
 static inline size_t clip(float *x, size_t n, float most)
 {
     int32_t clipped = 0;
     for (size_t k = 0; k < n; k++) {
         const float v = x[k], low = v > most ? most : v, within = low < -most ? -most : low;
         clipped += within != v;
-        x[k] = (within + NEAREST) - NEAREST;
+        x[k] = within;
     }
     return (size_t)clipped;
 }
 
-static inline void put_i8(const float *restrict re, const float *restrict im, size_t n, uint8_t *bytes)
+// The nearest integer of |x| < 2^22, in the lowest 16 bits.
+static inline uint32_t whole(float x) { return bits_of(x + NEAREST); }
+
+// I and Q are the halves of one number, of which compilers make vectors.
+static inline void put_i8(const float *restrict re, const float *restrict im, size_t n,
+                          uint8_t *restrict bytes)
 {
-    int8_t out[2 * BATCH];
     for (size_t k = 0; k < n; k++) {
-        out[2 * k] = (int8_t)(int32_t)re[k];
-        out[2 * k + 1] = (int8_t)(int32_t)im[k];
+        const uint16_t both = little16((uint16_t)((whole(re[k]) & 0xff) | (whole(im[k]) & 0xff) << 8));
+        memcpy(bytes + 2 * k, &both, 2);
     }
-    memcpy(bytes, out, 2 * n);
 }
 
-static inline bool little_endian(void)
+static inline void put_i16(const float *restrict re, const float *restrict im, size_t n,
+                           uint8_t *restrict bytes)
 {
-    const uint16_t one = 1;
-    uint8_t low;
-    memcpy(&low, &one, 1);
-    return low == 1;
-}
-
-// Puts numbers of `size` bytes in the order of the file.
-static inline void put_little(const void *numbers, size_t count, size_t size, uint8_t *bytes)
-{
-    if (little_endian()) {
-        memcpy(bytes, numbers, count * size);
-        return;
-    }
-    const uint8_t *from = numbers;
-    for (size_t k = 0; k < count; k++)
-        for (size_t j = 0; j < size; j++) bytes[k * size + j] = from[k * size + size - 1 - j];
-}
-
-static inline void put_i16(const float *restrict re, const float *restrict im, size_t n, uint8_t *bytes)
-{
-    int16_t out[2 * BATCH];
     for (size_t k = 0; k < n; k++) {
-        out[2 * k] = (int16_t)(int32_t)re[k];
-        out[2 * k + 1] = (int16_t)(int32_t)im[k];
+        const uint32_t both = little32((whole(re[k]) & 0xffff) | whole(im[k]) << 16);
+        memcpy(bytes + 4 * k, &both, 4);
     }
-    put_little(out, 2 * n, sizeof out[0], bytes);
 }
 
-static inline void put_f32(const float *restrict re, const float *restrict im, size_t n, uint8_t *bytes)
+static inline void put_f32(const float *restrict re, const float *restrict im, size_t n,
+                           uint8_t *restrict bytes)
 {
-    float out[2 * BATCH];
     for (size_t k = 0; k < n; k++) {
-        out[2 * k] = re[k];
-        out[2 * k + 1] = im[k];
+        const uint64_t both = little64(bits_of(re[k]) | (uint64_t)bits_of(im[k]) << 32);
+        memcpy(bytes + 8 * k, &both, 8);
     }
-    put_little(out, 2 * n, sizeof out[0], bytes);
 }
 
 static inline unsigned two_bits(float x) { return (x < 0 ? 1u : 0u) | (fabsf(x) >= 1 ? 2u : 0u); }

@@ -4,6 +4,8 @@
 #ifndef ORR_GENERATOR_KERNEL_PHASOR_PRIVATE_H
 #define ORR_GENERATOR_KERNEL_PHASOR_PRIVATE_H
 
+#include <stdbool.h>
+
 #include "src/generator/kernel/mix.h"
 #include "src/generator/kernel/oscillator.h"
 
@@ -44,17 +46,29 @@ static inline void unit_phasor(uint64_t phase, double *re, double *im)
     }
 }
 
-// z[k] = z[0] w^k for k below n, by doubling: z[m + k] = z[k] w^m. Arrays hold the next power of two above n.
+// One doubling of `powers`: z[m + k] = z[k] w for k below n, at most m, and w becomes its square.
+static inline __attribute__((always_inline)) void double_up(double *restrict re, double *restrict im,
+                                                            size_t m, size_t n, double *w_re, double *w_im)
+{
+    const double a = *w_re, b = *w_im;
+    for (size_t k = 0; k < n; k++) {
+        re[m + k] = re[k] * a - im[k] * b;
+        im[m + k] = re[k] * b + im[k] * a;
+    }
+    *w_re = a * a - b * b;
+    *w_im = 2.0 * (a * b);
+}
+
+// z[k] = z[0] w^k for k below n, by doubling. Arrays hold n, 32 at least. Doublings of constant length
+// are there for the compiler, which makes vectors of them.
 static inline void powers(double *restrict re, double *restrict im, double w_re, double w_im, size_t n)
 {
-    for (size_t m = 1; m < n; m *= 2) {
-        for (size_t k = 0; k < m; k++) {
-            re[m + k] = re[k] * w_re - im[k] * w_im;
-            im[m + k] = re[k] * w_im + im[k] * w_re;
-        }
-        const double square_re = w_re * w_re - w_im * w_im, square_im = 2.0 * (w_re * w_im);
-        w_re = square_re, w_im = square_im;
-    }
+    double_up(re, im, 1, 1, &w_re, &w_im);
+    double_up(re, im, 2, 2, &w_re, &w_im);
+    double_up(re, im, 4, 4, &w_re, &w_im);
+    double_up(re, im, 8, 8, &w_re, &w_im);
+    double_up(re, im, 16, 16, &w_re, &w_im);
+    for (size_t m = 32; m < n; m *= 2) double_up(re, im, m, m < n - m ? m : n - m, &w_re, &w_im);
 }
 
 // The nearest integer, halves to even, of |x| < 2^31: added to 1.5 * 2^52 it stands in the lowest bits.
@@ -63,7 +77,7 @@ static inline int16_t nearest(double x) { return (int16_t)(int32_t)(x + 0x1.8p52
 // A phasor a group of the run, four times its amplitude; twice in a word, as vectors take it.
 static inline size_t run_phasors(const orr_gen_run *run, uint32_t *restrict re, uint32_t *restrict im)
 {
-    double z_re[256], z_im[256];
+    double z_re[GROUPS], z_im[GROUPS];
     const size_t n = (run->n + ORR_GEN_GROUP - 1) / ORR_GEN_GROUP;
     unit_phasor(run->carrier, &z_re[0], &z_im[0]);
     z_re[0] *= 4.0 * run->amplitude;
@@ -76,7 +90,8 @@ static inline size_t run_phasors(const orr_gen_run *run, uint32_t *restrict re, 
 
 static inline void rotation_of(uint64_t carrier_step, orr_gen_rotation *r)
 {
-    double re[2 * ORR_GEN_GROUP] = {1.0}, im[2 * ORR_GEN_GROUP] = {0.0}, w_re, w_im;
+    double re[ORR_GEN_GROUP], im[ORR_GEN_GROUP], w_re, w_im;
+    re[0] = 1.0, im[0] = 0.0;
     unit_phasor(carrier_step, &w_re, &w_im);
     powers(re, im, w_re, w_im, ORR_GEN_GROUP);
     for (size_t k = 0; k < ORR_GEN_GROUP; k++) r->re[k] = nearest(8192.0 * re[k]);
@@ -93,9 +108,12 @@ static inline void steps_of_eight(uint64_t code_step, uint16_t steps[8])
                               (ORR_GEN_CODE_BITS - 13));
 }
 
-static inline void add_all(const int16_t *restrict group, size_t n, int32_t *restrict sum)
+static inline void add_all(bool first, const int16_t *restrict group, size_t n, int32_t *restrict sum)
 {
-    for (size_t k = 0; k < n; k++) sum[k] += group[k];
+    if (first)
+        for (size_t k = 0; k < n; k++) sum[k] = group[k];
+    else
+        for (size_t k = 0; k < n; k++) sum[k] += group[k];
 }
 
 #endif

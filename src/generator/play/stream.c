@@ -148,11 +148,11 @@ orr_gen_span orr_gen_stream_span(const orr_gen_stream *stream, const orr_gen_blo
     return (orr_gen_span){block, first, (uint32_t)(to - first)};
 }
 
-// Adds a group's sum to that of all groups.
-static void end_group(const orr_gen_kernel *kernel, orr_gen_worker *w, uint32_t n)
+// Adds a group's sum to that of all groups, of which it may be the first.
+static void end_group(const orr_gen_kernel *kernel, orr_gen_worker *w, uint32_t n, bool first)
 {
-    kernel->add(w->re, n, w->sum_re);
-    kernel->add(w->im, n, w->sum_im);
+    kernel->add(first, w->re, n, w->sum_re);
+    kernel->add(first, w->im, n, w->sum_im);
 }
 
 static void begin_group(orr_gen_worker *w, uint32_t n)
@@ -182,23 +182,23 @@ void orr_gen_stream_play(const orr_gen_stream *stream, const orr_gen_span *span,
                                  .re = worker->re,
                                  .im = worker->im};
     double group = 0;
-    memset(worker->sum_re, 0, span->n * sizeof worker->sum_re[0]);
-    memset(worker->sum_im, 0, span->n * sizeof worker->sum_im[0]);
+    bool first = true;
     begin_group(worker, span->n);
     for (size_t k = 0; k < span->block->n; k++) {
         const orr_gen_channel *c = &span->block->channel[k];
         if (!hears(stream, c) || stream->source[c->signal][c->number].voice == NULL) continue;
         const double amplitude = amplitude_of(stream, c), most = 1.5 * amplitude + 4;
         if (group + most > SUM_LARGEST) {
-            end_group(stream->kernel, worker, span->n);
+            end_group(stream->kernel, worker, span->n, first);
             begin_group(worker, span->n);
+            first = false;
             group = 0;
         }
         orr_gen_voice_play(stream->source[c->signal][c->number].voice, c, amplitude, &piece);
         group += most;
         worker->channels++;
     }
-    end_group(stream->kernel, worker, span->n);
+    end_group(stream->kernel, worker, span->n, first);
     worker->clipped +=
         stream->kernel->write(&stream->output, worker->sum_re, worker->sum_im, span->first, span->n, bytes);
 }

@@ -72,8 +72,8 @@ static uint64_t made_by(const orr_gen_kernel *kernel, const orr_gen_noise *noise
         fill((orr_gen_chips)(trial % 3), &seed, chips, sizeof chips);
         const orr_gen_run run = run_of(trial, &seed, chips, &r);
         kernel->mix(&run, re, im);
-        kernel->add(re, ORR_GEN_PIECE, sum_re);
-        kernel->add(im, ORR_GEN_PIECE, sum_im);
+        kernel->add(trial % 7 == 0, re, ORR_GEN_PIECE, sum_re);
+        kernel->add(trial % 7 == 0, im, ORR_GEN_PIECE, sum_im);
         d = digest_words(digest_words(d, sum_re, run.n), sum_im, run.n);
         if (trial % 10 > 0) continue;
         const orr_gen_output out = {.format = (orr_gen_format)(trial / 10 % 4),
