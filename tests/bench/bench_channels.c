@@ -215,7 +215,7 @@ static void simulate(bench *b, const char *name, orr_engine *e, orr_time from)
     }
 }
 
-static void run(bench *b, const char *name, const char *antenna)
+static void run(bench *b, const char *name, const char *troposphere, const char *antenna)
 {
     char text[3000];
     orr_scenario s;
@@ -223,11 +223,11 @@ static void run(bench *b, const char *name, const char *antenna)
     orr_diag d = {0};
     snprintf(text, sizeof text,
              "orbit: {sp3: [%s/samples/ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz]}\nnavdata: {window: none}\n"
-             "ionosphere: {field: %s/samples/ionosphere.ION}\ntroposphere: {model: saastamoinen}\n"
+             "ionosphere: {field: %s/samples/ionosphere.ION}\ntroposphere: {model: saastamoinen%s}\n"
              "signals: [\"G:L1CA\", \"G:L2C\", \"G:L5\", \"R:L1OF\", \"R:L2OF\", \"R:L3OC\", \"E:E1\", "
              "\"E:E5a\", \"E:E5b\"]\n"
              "mask: {elevation: 0}\n%s",
-             ORR_SOURCE_DIR, ORR_SOURCE_DIR, antenna);
+             ORR_SOURCE_DIR, ORR_SOURCE_DIR, troposphere, antenna);
     orr_status status = orr_scenario_parse("bench", text, strlen(text), NULL, NULL, &s, &d);
     if (status == ORR_OK) {
         status = orr_engine_open(&s, NULL, NULL, NULL, &e, &d);
@@ -258,9 +258,10 @@ void bench_channels(bench *b)
         "G05, from: "
         "2025-03-21T01:00:00, rate: 0.01}]}\n";
     bench_group(b, "Channels: three signals a satellite, all terms, one core");
-    run(b, "fixed antenna", "antennas: [{name: A, position: [56, 40, 150]}]\n");
-    run(b, "fixed antenna, effects and the ground's echoes", effects);
-    run(b, "survey flight",
+    run(b, "fixed antenna", "", "antennas: [{name: A, position: [56, 40, 150]}]\n");
+    run(b, "fixed antenna, effects and the ground's echoes",
+        ", mapping: gmf, turbulence: {seed: 1}, gradients: given, gradient_wet: [0.5, 0.5]", effects);
+    run(b, "survey flight", "",
         "antennas: [{name: A, up: 1}]\ntrajectory: {kind: survey, start: 2025-03-21T10:00:00, duration: "
         "4000, lat: 56, lon: 40, "
         "height: 1500, turbulence: {rms: 0.5}, oscillation: {roll: {rms: 0.8}}}\n");

@@ -12,6 +12,7 @@
 #include "src/scenario/channel/block.h"
 #include "src/scenario/channel/channel.h"
 #include "src/scenario/channel/satellite_cell.h"
+#include "src/scenario/channel/site_track.h"
 #include "src/scenario/channel/sun_track.h"
 #include "src/scenario/channel/windup.h"
 #include "src/scenario/effect/clock_noise.h"
@@ -23,7 +24,6 @@
 #include "src/scenario/effect/obstacle.h"
 #include "src/scenario/effect/replay.h"
 #include "src/scenario/effect/scintillation.h"
-#include "src/scenario/effect/site.h"
 #include "src/scenario/effect/terrain.h"
 #include "src/scenario/troposphere/troposphere.h"
 #include "src/scenario/troposphere/turbulence.h"
@@ -78,21 +78,20 @@ struct orr_channels {
     orr_windup windup[ORR_MAX_ANTENNAS];
     uint64_t signals;
     size_t n_sats, max_channels;
-    channel_satellite *satellite;               // as orr_source_orbit_satellites
-    orr_faults *faults;                         // NULL: none
-    orr_echoes *echoes;                         // NULL: none
-    const orr_replay *replay;                   // borrowed; NULL: none
-    orr_disturbance *disturbance;               // NULL: none
-    orr_scintillation *scintillation;           // NULL: none
-    orr_series oscillator[ORR_MAX_ANTENNAS];    // of receivers; empty: none
-    orr_scenario_site site;                     // its file is not kept
-    orr_ocean_loading *ocean[ORR_MAX_ANTENNAS]; // of fixed antennas; NULL: none
-    orr_obstacles *obstacles;                   // NULL: none
-    orr_terrain *terrain;                       // NULL: none
-    orr_jammers *jammers;                       // NULL: none
-    orr_land_mobile *land_mobile;               // NULL: none
-    struct spoofed *spoofed;                    // NULL: none
-    double spacing_chips;                       // 0: by the signal
+    channel_satellite *satellite;            // as orr_source_orbit_satellites
+    orr_faults *faults;                      // NULL: none
+    orr_echoes *echoes;                      // NULL: none
+    const orr_replay *replay;                // borrowed; NULL: none
+    orr_disturbance *disturbance;            // NULL: none
+    orr_scintillation *scintillation;        // NULL: none
+    orr_series oscillator[ORR_MAX_ANTENNAS]; // of receivers; empty: none
+    orr_site_track ground[ORR_MAX_ANTENNAS]; // below fixed antennas
+    orr_obstacles *obstacles;                // NULL: none
+    orr_terrain *terrain;                    // NULL: none
+    orr_jammers *jammers;                    // NULL: none
+    orr_land_mobile *land_mobile;            // NULL: none
+    struct spoofed *spoofed;                 // NULL: none
+    double spacing_chips;                    // 0: by the signal
     orr_sun_track sun;
     orr_magnetic *magnetic; // of the second order; NULL: a dipole
     double begin_days;      // of the span, after 2000.0

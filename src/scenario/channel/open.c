@@ -315,18 +315,39 @@ static orr_status open_clocks(const orr_scenario *s, orr_channels *c, orr_diag *
     return status == ORR_OK ? ORR_OK : orr_diag_set(diag, status, "out of memory");
 }
 
-static orr_status open_ocean(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+static orr_status open_ground_of(const orr_scenario *s, orr_channels *c, size_t k, size_t *spare,
+                                 orr_diag *diag)
 {
+    const orr_antenna_state *at = &c->antenna[k].fixed;
+    orr_ocean_loading *ocean = NULL;
     orr_status status = ORR_OK;
-    for (size_t k = 0; s->site.ocean_loading != NULL && status == ORR_OK && k < c->n_antennas; k++) {
+    if (s->site.ocean_loading != NULL) {
         orr_blq blq;
-        if (c->antenna[k].motion != NULL) continue;
         status = orr_blq_read(s->site.ocean_loading, c->antenna[k].name, &blq, diag);
         if (status != ORR_OK) return status;
-        c->ocean[k] = malloc(sizeof *c->ocean[k]);
-        if (c->ocean[k] == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-        status = orr_ocean_loading_of(&blq, c->ocean[k], diag);
+        ocean = malloc(sizeof *ocean);
+        if (ocean == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+        status = orr_ocean_loading_of(&blq, ocean, diag);
     }
+    if (status == ORR_OK) {
+        status = orr_site_track_open(&s->site, orr_ephemeris_eop(channels_ephemeris(c)), ocean, at->r_m,
+                                     &at->enu, &c->sun, c->span, spare, &c->ground[k]);
+        if (status == ORR_E_LIMIT)
+            (void)orr_diag_set(diag, status,
+                               "site: so many antennas over so long a time: give the orbits a shorter time");
+        else if (status != ORR_OK)
+            (void)orr_diag_set(diag, status, "out of memory");
+    }
+    free(ocean);
+    return status;
+}
+
+static orr_status open_ground(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+{
+    orr_status status = ORR_OK;
+    size_t spare = ORR_SERIES_NODES;
+    for (size_t k = 0; status == ORR_OK && k < c->n_antennas; k++)
+        if (c->antenna[k].motion == NULL) status = open_ground_of(s, c, k, &spare, diag);
     return status;
 }
 
@@ -371,7 +392,7 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
     if (status == ORR_OK) status = open_antennas(s, motion, c, cancel, warnings, diag);
     if (status == ORR_OK)
         status = orr_terrain_open(s, c->antenna, c->n_antennas, &c->terrain, warnings, diag);
-    if (status == ORR_OK) status = open_ocean(s, c, diag);
+    if (status == ORR_OK) status = open_ground(s, c, diag);
     if (status == ORR_OK) status = open_turbulence(s, c, diag);
     if (status == ORR_OK) status = open_clocks(s, c, diag);
     if (status == ORR_OK) status = spoofed_open(s, c, cancel, diag);
@@ -421,8 +442,6 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     c->antex = tables->has_antex ? &tables->antex : NULL;
     c->bias = tables->has_bias ? &tables->bias : NULL;
     c->options = s->channel;
-    c->site = s->site;
-    c->site.ocean_loading = NULL; // of the scenario, which may go
     c->spacing_chips = s->multipath.spacing_chips;
     c->options.antex = c->options.bias = c->options.magnetic = NULL; // of the scenario, which may go
     orr_status status =
@@ -445,7 +464,7 @@ void orr_channels_close(orr_channels *c)
     for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) {
         orr_windup_free(&c->windup[k]);
         orr_series_free(&c->oscillator[k]);
-        free(c->ocean[k]);
+        orr_site_track_free(&c->ground[k]);
     }
     for (size_t k = 0; c->satellite != NULL && k < c->n_sats; k++)
         orr_series_free(&c->satellite[k].clock_noise);

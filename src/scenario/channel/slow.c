@@ -247,9 +247,7 @@ void slow_at(const orr_channels *c, size_t antenna, orr_channel_work *work, orr_
                 .sun_m = orr_sun_track_at(&c->sun, t)};
     orr_sat sat[SLOW_BATCH];
     orr_vec3 sat_m[SLOW_BATCH];
-    if (c->antenna[antenna].motion == NULL)
-        m.moved = orr_site_at(&c->site, orr_ephemeris_eop(channels_ephemeris(c)), c->ocean[antenna], at->r_m,
-                              &at->enu, m.sun_m, t);
+    if (c->antenna[antenna].motion == NULL) m.moved = orr_site_track_at(&c->ground[antenna], t);
     if (c->troposphere != NULL) {
         const orr_geodetic place_of = orr_earth_from_ecef(at->r_m);
         orr_geodetic above = place_of;

@@ -16,11 +16,10 @@ static orr_channels bare(const orr_channels *c, size_t n)
     sky.land_mobile = NULL;
     sky.scintillation = NULL;
     sky.spoofed = NULL;
-    sky.site = (orr_scenario_site){.solid_tide = false};
     sky.mask = (orr_scenario_mask){.elevation_deg = c->mask.elevation_deg};
     for (size_t k = 0; k < ORR_MAX_ANTENNAS; k++) {
         sky.windup[k] = (orr_windup){.n_headings = 0};
-        sky.ocean[k] = NULL;
+        sky.ground[k] = (orr_site_track){.moves = false};
     }
     return sky;
 }

@@ -167,7 +167,10 @@ static void make_waves(const row *r, uint64_t stream, orr_scintillation_waves *x
         x->amplitude[k] = j < 0 ? 1 / sqrt(2 * WAVES) : r->phase_amplitude[j];
         x->per_s[k] = 4 * (uint64_t)(int64_t)(remainder(x->w_radps[k] / (2 * ORR_PI), 1) * 0x1p62);
         x->at_zero[k] = (uint64_t)u[1] << 32;
+        const double second = remainder(x->w_radps[k], 2 * ORR_PI);
         const double node = x->w_radps[k] * (double)NODE_NS / 1e9, tenth = NODES_A_TENTH * node;
+        x->second_turn_re[k] = cos(second);
+        x->second_turn_im[k] = sin(second);
         x->node_turn_re[k] = cos(node);
         x->node_turn_im[k] = sin(node);
         x->tenth_turn_re[k] = cos(tenth);
@@ -187,17 +190,32 @@ static void multiply(double *restrict re, double *restrict im, const double *res
     }
 }
 
-// Phasors at a whole second, modulo 2^64 of a cycle and so without rounding however far the time is.
+// Back to the second.
+static void begin_again(orr_scintillation_waves *x)
+{
+    memcpy(x->tenth_re, x->second_re, sizeof x->tenth_re);
+    memcpy(x->tenth_im, x->second_im, sizeof x->tenth_im);
+    x->tenth = 0;
+}
+
+// Phasors at a whole second: of every eighth modulo 2^64 of a cycle, and so without rounding however far the time is, from there by
+// one multiplication a second, whatever they were before.
 static void begin_second(orr_scintillation_waves *x, int64_t second)
 {
-    for (int k = 0; k < ALL_WAVES; k++) {
-        double s, c;
-        orr_turn_sincos(x->at_zero[k] + x->per_s[k] * (uint64_t)second, &s, &c);
-        x->tenth_re[k] = x->amplitude[k] * c;
-        x->tenth_im[k] = x->amplitude[k] * s;
+    enum { EXACT_S = 8 };
+    const int64_t exact = second - orr_floor_mod(second, EXACT_S);
+    if (!(x->second >= exact && x->second < second)) {
+        for (int k = 0; k < ALL_WAVES; k++) {
+            double s, c;
+            orr_turn_sincos(x->at_zero[k] + x->per_s[k] * (uint64_t)exact, &s, &c);
+            x->second_re[k] = x->amplitude[k] * c;
+            x->second_im[k] = x->amplitude[k] * s;
+        }
+        x->second = exact;
     }
-    x->second = second;
-    x->tenth = 0;
+    for (; x->second < second; x->second++)
+        multiply(x->second_re, x->second_im, x->second_turn_re, x->second_turn_im);
+    begin_again(x);
 }
 
 // Phasors at a node: from its second by one multiplication a tenth, and from there by one a node, whatever they were before.
@@ -207,7 +225,10 @@ static void turn_to(orr_scintillation_waves *x, orr_time t)
     const int nodes = (int)((t - second * ORR_NS_PER_S) / NODE_NS), tenth = nodes / NODES_A_TENTH,
               node = nodes % NODES_A_TENTH;
     const bool same = x->second == second && x->tenth == tenth;
-    if (x->second != second || x->tenth > tenth) begin_second(x, second);
+    if (x->second != second)
+        begin_second(x, second);
+    else if (x->tenth > tenth)
+        begin_again(x);
     for (; x->tenth < tenth; x->tenth++)
         multiply(x->tenth_re, x->tenth_im, x->tenth_turn_re, x->tenth_turn_im);
     if (!same || x->node > node) {
@@ -257,21 +278,29 @@ static void make_cell(const row *r, uint64_t stream, orr_time t, orr_scintillati
     double v[2][3], rate[2][3];
     if (!cell->waves.made) make_waves(r, stream, &cell->waves);
     const orr_time from = t - orr_floor_mod(t, NODE_NS);
-    if (cell->made && cell->to == from) {
+    const bool goes_on = cell->made && cell->to == from;
+    double *const part[3] = {cell->re, cell->im, cell->phase};
+    if (goes_on) {
         memcpy(v[0], cell->end, sizeof v[0]);
         memcpy(rate[0], cell->end_rate, sizeof rate[0]);
     } else {
         node_at(&cell->waves, from, v[0], rate[0]);
     }
+    cell->from = from;
+    cell->made = true;
+    // Who asks at nodes, and not for what is between them, needs the one.
+    cell->to = t == from && !goes_on ? from + 1 : from + NODE_NS;
+    if (cell->to == from + 1) {
+        for (int k = 0; k < 3; k++)
+            orr_hermite_cubic(v[0][k], rate[0][k] * (double)NODE_NS / 1e9, rate[0][k], rate[0][k],
+                              (double)NODE_NS / 1e9, part[k]);
+        return;
+    }
     node_at(&cell->waves, from + NODE_NS, v[1], rate[1]);
-    double *const part[3] = {cell->re, cell->im, cell->phase};
     for (int k = 0; k < 3; k++)
         orr_hermite_cubic(v[0][k], v[1][k] - v[0][k], rate[0][k], rate[1][k], (double)NODE_NS / 1e9, part[k]);
     memcpy(cell->end, v[1], sizeof v[1]);
     memcpy(cell->end_rate, rate[1], sizeof rate[1]);
-    cell->from = from;
-    cell->to = from + NODE_NS;
-    cell->made = true;
 }
 
 void orr_scintillation_of(const orr_scintillation *x, orr_sat sat, size_t antenna, orr_time t,

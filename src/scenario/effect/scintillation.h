@@ -25,6 +25,9 @@ enum { ORR_SCINTILLATION_WAVES = 176 };
 typedef struct orr_scintillation_waves {
     bool made;
     int64_t second; // of the node; of its tenths those before it, and the nodes since
+    double second_turn_re[ORR_SCINTILLATION_WAVES],
+        second_turn_im[ORR_SCINTILLATION_WAVES];                                   // what a second turns,
+    double second_re[ORR_SCINTILLATION_WAVES], second_im[ORR_SCINTILLATION_WAVES]; // phasors at the second,
     int tenth, node;
     double w_radps[ORR_SCINTILLATION_WAVES], amplitude[ORR_SCINTILLATION_WAVES];
     uint64_t per_s[ORR_SCINTILLATION_WAVES],
