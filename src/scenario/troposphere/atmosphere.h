@@ -17,8 +17,8 @@ typedef struct orr_zenith_delay {
     double hydrostatic_m, wet_m;
 } orr_zenith_delay;
 
-// The standard atmosphere (ICAO 1976, troposphere; constants as RTKLIB has them) at a height above sea level, m, with a
-// relative humidity of 0 to 1. Heights beyond -100 to 10000 m are held at these.
+// The standard atmosphere (ICAO 1976; constants as RTKLIB has them) at a height above sea level, m, with a relative humidity of 0 to
+// 1 at the ground: its troposphere to 11 km, and above that its lower stratosphere, of one temperature, however high.
 orr_weather orr_weather_standard(double height_m, double humidity);
 
 // Saastamoinen (1972) at latitude and height with Davis et al. (1985)'s gravity correction: hydrostatic

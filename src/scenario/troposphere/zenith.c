@@ -6,11 +6,13 @@
 
 orr_weather orr_weather_standard(double height_m, double humidity)
 {
-    const double h = fmin(fmax(height_m, -100), 10000);
+    const double top_m = 11000, h = fmin(height_m, top_m);
     const double t = 288.16 - 6.5e-3 * h; // RTKLIB's 15 deg C is 288.16 K
-    return (orr_weather){.pressure_hpa = 1013.25 * pow(1 - 2.2557e-5 * h, 5.2568),
+    const double above =
+        exp(-9.80665 / (287.053 * t) * (height_m - h)); // where the temperature falls no more
+    return (orr_weather){.pressure_hpa = 1013.25 * pow(1 - 2.2557e-5 * h, 5.2568) * above,
                          .temperature_k = t,
-                         .vapour_hpa = 6.108 * humidity * exp((17.15 * t - 4684) / (t - 38.45))};
+                         .vapour_hpa = 6.108 * humidity * exp((17.15 * t - 4684) / (t - 38.45)) * above};
 }
 
 orr_zenith_delay orr_zenith_saastamoinen(orr_weather w, double lat_rad, double height_m)
