@@ -79,6 +79,60 @@ static const orr_option options[] = {
      .help = "Serve the live page at 127.0.0.1:PORT (0: any free one): sky, channels, clients, motion, log. "
              "Read only, "
              "on this machine alone (docs/live.md)."},
+    {.name = "ntrip",
+     .kind = ORR_OPT_TEXT,
+     .value = "[ANTENNA@]URL/MOUNT",
+     .repeated = true,
+     .help = "An NTRIP caster of one mountpoint: RTCM 3 of an antenna as a base station, at "
+             "tcp://HOST:PORT/MOUNT or tls://, paced by "
+             "the scenario's clock, by the same rules of access (docs/corrections.md)."},
+    {.name = "ntrip-login",
+     .kind = ORR_OPT_TEXT,
+     .applies = "ntrip",
+     .value = "FILE",
+     .help = "The caster wants a login: USER:PASSWORD, the first line of this file."},
+    {.name = "rtcm",
+     .kind = ORR_OPT_TEXT,
+     .value = "[ANTENNA@]URL",
+     .repeated = true,
+     .help = "RTCM 3 of an antenna for whoever connects to tcp://HOST:PORT, tls://HOST:PORT or unix:PATH. "
+             "The antenna may be left out "
+             "where there is one."},
+    {.name = "ubx",
+     .kind = ORR_OPT_TEXT,
+     .value = "[ANTENNA@]URL",
+     .repeated = true,
+     .help = "UBX of an antenna, as a u-blox receiver, likewise."},
+    {.name = "nmea",
+     .kind = ORR_OPT_TEXT,
+     .value = "[ANTENNA@]URL",
+     .repeated = true,
+     .help = "NMEA 0183 of an antenna's true position, likewise."},
+    {.name = "port-rate",
+     .kind = ORR_OPT_REAL,
+     .applies = "ntrip|rtcm|ubx|nmea",
+     .value = "HZ",
+     .min = 0.01,
+     .max = 100,
+     .help = "Epochs a second of these; 1 by default."},
+    {.name = "msm",
+     .kind = ORR_OPT_CHOICE,
+     .applies = "ntrip|rtcm",
+     .value = "4|7",
+     .fallback = "7",
+     .help = "Which multiple signal messages RTCM has: MSM4, or MSM7 with Doppler and finer steps; 7 by "
+             "default."},
+    {.name = "noise",
+     .kind = ORR_OPT_FLAG,
+     .applies = "ntrip|rtcm|ubx|nmea",
+     .help = "Thermal noise of their receivers, by C/N0; none by default."},
+    {.name = "seed",
+     .kind = ORR_OPT_INT,
+     .applies = "noise",
+     .value = "N",
+     .min = 0,
+     .max = 9e15,
+     .help = "Seed of the noise; 1 by default."},
     {.name = "log",
      .kind = ORR_OPT_CHOICE,
      .value = "text|json|journal",
@@ -192,9 +246,11 @@ const orr_command orr_cmd_serve = {
         "certificates "
         "of both sides (docs/security.md). docs/protocol.md describes "
         "the messages, docs/scenario.md the file.",
-    .example = "orrery serve samples/constellation.yaml --listen tcp://127.0.0.1:15754\n"
-               "orrery serve day.nc --listen unix:/tmp/orrery.sock\n"
-               "orrery serve day.nc --listen 'tls://*:15754' --access lab/access.yaml",
+    .example =
+        "orrery serve samples/constellation.yaml --listen tcp://127.0.0.1:15754\n"
+        "orrery serve day.nc --listen unix:/tmp/orrery.sock\n"
+        "orrery serve day.nc --listen 'tls://*:15754' --access lab/access.yaml\n"
+        "orrery serve scenario.yaml --ntrip BASE@tcp://127.0.0.1:2101/BASE --rtcm ROVER@tcp://127.0.0.1:2102",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,

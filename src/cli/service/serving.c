@@ -8,6 +8,7 @@
 
 #include "core/monotonic.h"
 #include "src/cli/service/serving.h"
+#include "src/cli/service/serving_ports.h"
 #include "src/service/net/url.h"
 
 // A scenario's file in the folder of --scenarios, put into path[size].
@@ -48,7 +49,7 @@ static void say_ready(void *user)
     serving *v = user;
     serving_world_close(&v->past);
     if (starts_at_once(v)) (void)start_clock(v, ORR_TIME_NONE, NULL); // it stands, so it can
-    char text[1200], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    char text[8192], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     const orr_sat *sats;
     orr_time t0, t1;
     orr_engine_span(v->world.engine, &t0, &t1);
@@ -66,6 +67,7 @@ static void say_ready(void *user)
     if (v->http != NULL)
         at += (size_t)snprintf(text + at, sizeof text - at, " with the live page at %s",
                                orr_http_server_url(v->http));
+    at = serving_ports_say(v, text, sizeof text - 200, at);
     size_t n = orr_engine_satellites(v->world.engine, &sats), units = orr_engine_units(v->world.engine);
     if (n > 0)
         at += (size_t)snprintf(text + at, sizeof text - at, " (%zu satellites, ", n);
@@ -329,6 +331,7 @@ static orr_status prepare(serving *v, orr_diag *diag)
     if (s == ORR_OK) s = open_streams(v, diag);
     if (s == ORR_OK) s = open_text(v, diag);
     if (s == ORR_OK) s = open_page(v, diag);
+    if (s == ORR_OK) s = serving_ports(v, diag);
     if (s == ORR_OK && v->port != NULL)
         s = orr_motion_port_start(v->port, v->streams, orr_service_datagrams(v->service), diag);
     return s;
@@ -355,6 +358,7 @@ orr_status serving_run(serving *v, bool *asked_wrongly, orr_diag *diag)
     keep_urls(v);
     orr_motion_port_close(v->port);
     orr_text_server_close(v->text);
+    orr_port_server_close(v->ports);
     orr_answers_close(v->reader);
     orr_http_server_close(v->http);
     orr_live_page_close(v->page);
@@ -376,7 +380,8 @@ orr_status serving_run(serving *v, bool *asked_wrongly, orr_diag *diag)
     if (s == ORR_OK) s = written;
     orr_answers_close(v->answers);
     free(v->url);
-    v->port = NULL, v->text = NULL, v->reader = NULL, v->http = NULL, v->page = NULL, v->shown = NULL;
+    v->port = NULL, v->text = NULL, v->ports = NULL, v->reader = NULL, v->http = NULL, v->page = NULL;
+    v->shown = NULL;
     v->streams = NULL, v->service = NULL, v->maker = NULL, v->vehicle = NULL;
     v->log_in = v->log_out = NULL, v->answers = NULL, v->url = NULL;
     return s;

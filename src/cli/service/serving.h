@@ -14,6 +14,7 @@
 #include "src/service/http/live_page.h"
 #include "src/service/http/metrics.h"
 #include "src/service/live/motion_log.h"
+#include "src/service/ports/port_server.h"
 #include "src/service/serve/service.h"
 #include "src/service/text/text_server.h"
 
@@ -34,7 +35,8 @@ typedef struct serving {
     orr_motion_log *log_out, *log_in;
     orr_answers *reader; // of the text twin's thread
     orr_text_server *text;
-    orr_answers *shown; // of the live page's thread
+    orr_port_server *ports; // of antennas' receivers
+    orr_answers *shown;     // of the live page's thread
     orr_live_page *page;
     orr_http_server *http;
     orr_journal *journal;

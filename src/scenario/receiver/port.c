@@ -54,6 +54,13 @@ orr_status orr_port_epoch(orr_port *p, const orr_observed *o, orr_port_bytes *ou
     return s == ORR_OK ? orr_port_bytes_status(out, diag) : s;
 }
 
+orr_status orr_port_greeting(const orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag)
+{
+    if (p->plan.format != ORR_PORT_RTCM) return ORR_OK;
+    const orr_status s = port_rtcm_greeting(p, o, out, diag);
+    return s == ORR_OK ? orr_port_bytes_status(out, diag) : s;
+}
+
 bool orr_port_takes(orr_port_format format, orr_time from, int64_t step_ns)
 {
     return format != ORR_PORT_RTCM || (from % MS == 0 && step_ns % MS == 0);

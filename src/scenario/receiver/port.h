@@ -32,6 +32,15 @@ void orr_port_close(orr_port *p); // NULL is allowed
 // Appends what is put out at an epoch, later than the one before. ORR_E_MEMORY, ORR_E_RANGE (broadcast data that do not fit their
 // message; an antenna outside of its motion).
 orr_status orr_port_epoch(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
+// Appends what a base station tells now and then, for one who comes between: RTCM's station messages and the ephemerides of what was
+// observed; nothing of other formats. Errors as of orr_port_epoch.
+// Given:
+//   p     the port
+//   o     its last epoch
+// Returned:
+//   out   the messages behind what is there
+//   diag  why it failed
+orr_status orr_port_greeting(const orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
 // Whether epochs at such instants can be told by the format: RTCM counts whole milliseconds.
 bool orr_port_takes(orr_port_format format, orr_time from, int64_t step_ns);
 // Signals of the antenna that the format cannot tell, bits as orr_channels_signals.

@@ -32,6 +32,8 @@ static inline bool port_due(const orr_port *p, orr_time t, int64_t every_ns)
 
 // Appends an epoch as RTCM.
 orr_status port_rtcm(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
+// Appends station messages and all ephemerides of an epoch's satellites.
+orr_status port_rtcm_greeting(const orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
 // Appends an epoch as UBX.
 orr_status port_ubx(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
 // Appends the subframes that have been received whole since the epoch before, as UBX-RXM-SFRBX.

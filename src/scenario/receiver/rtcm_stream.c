@@ -137,14 +137,27 @@ static void send_observations(orr_port *p, const orr_observed *o, orr_port_bytes
     }
 }
 
-orr_status port_rtcm(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag)
+// Ephemerides of all satellites of an epoch; all of them, or those that are new.
+static orr_status send_all_ephemerides(const orr_port *p, const orr_observed *o, bool all,
+                                       orr_port_bytes *out, orr_diag *diag)
 {
-    if (port_due(p, o->t, STATION_NS)) send_station(p, out);
-    const bool all = port_due(p, o->t, EPHEMERIS_NS);
     orr_status s = ORR_OK;
     for (size_t k = 0; p->plan.navset != NULL && s == ORR_OK && k < o->n; k++)
         if (k == 0 || o->item[k].sat != o->item[k - 1].sat)
             s = send_ephemerides(p, o->item[k].sat, o->t, all, out, diag);
+    return s;
+}
+
+orr_status port_rtcm_greeting(const orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag)
+{
+    send_station(p, out);
+    return send_all_ephemerides(p, o, true, out, diag);
+}
+
+orr_status port_rtcm(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag)
+{
+    if (port_due(p, o->t, STATION_NS)) send_station(p, out);
+    const orr_status s = send_all_ephemerides(p, o, port_due(p, o->t, EPHEMERIS_NS), out, diag);
     if (s == ORR_OK) send_observations(p, o, out);
     return s;
 }
