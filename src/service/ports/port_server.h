@@ -12,7 +12,7 @@
 enum {
     ORR_PORT_SOURCES = 16,
     ORR_PORT_WAITING = 256 << 10, // bytes that wait for a client at most
-    ORR_PORT_PATIENCE_S = 5,     // how long it may take none of them
+    ORR_PORT_PATIENCE_S = 5,      // how long it may take none of them
 };
 
 // One of them.
