@@ -231,6 +231,47 @@ orr_status orr_scenario_of_product(const char *path, const orr_leap_table *leap,
     return out->orbit.product != NULL ? ORR_OK : out_of_memory(out, diag);
 }
 
+static bool keep_text(const char *text, char **out)
+{
+    if (text == NULL) return true;
+    *out = strdup(text);
+    return *out != NULL;
+}
+
+static bool keep_texts(const char *const *text, size_t n, orr_text_list *out)
+{
+    if (n == 0) return true;
+    out->item = calloc(n, sizeof *out->item);
+    for (out->n = 0; out->item != NULL && out->n < n; out->n++)
+        if ((out->item[out->n] = strdup(text[out->n])) == NULL) return false;
+    return out->item != NULL;
+}
+
+orr_status orr_scenario_of_replay(const orr_scenario_replay_files *f, const orr_leap_table *leap,
+                                  orr_scenario *out, orr_diag *diag)
+{
+    memset(out, 0, sizeof *out);
+    const orr_status s = defaults(leap, out, diag);
+    if (s != ORR_OK) return s;
+    out->has_replay = true;
+    out->replay.estimate_position = true;
+    out->replay.residuals = !f->no_residuals;
+    out->replay.has_from = f->from != ORR_TIME_NONE;
+    out->replay.from = f->from;
+    out->replay.has_to = f->to != ORR_TIME_NONE;
+    out->replay.to = f->to;
+    return keep_text(f->observations, &out->replay.observations) && keep_text(f->sinex, &out->replay.sinex) &&
+                   keep_text(f->station, &out->replay.station) && keep_text(f->field, &out->iono.field) &&
+                   keep_text(f->antex, &out->channel.antex) && keep_text(f->bias, &out->channel.bias) &&
+                   keep_text(f->product, &out->orbit.product) &&
+                   keep_texts(f->sp3, f->n_sp3, &out->orbit.sp3) &&
+                   keep_texts(f->clk, f->n_clk, &out->orbit.clk) &&
+                   keep_texts(f->erp, f->n_erp, &out->orbit.erp) &&
+                   keep_texts(f->nav, f->n_nav, &out->orbit.nav)
+               ? ORR_OK
+               : out_of_memory(out, diag);
+}
+
 orr_status orr_scenario_of_telemetry(const char *const *file, const char *const *columns, size_t n,
                                      const orr_leap_table *leap, orr_scenario *out, orr_diag *diag)
 {

@@ -96,6 +96,19 @@ orr_status orr_scenario_parse(const char *name, const char *text, size_t n, cons
 // A product alone, the rest as the tables' defaults have it.
 orr_status orr_scenario_of_product(const char *path, const orr_leap_table *leap, orr_scenario *out,
                                    orr_diag *diag);
+// What a replay is made of on a command line.
+typedef struct orr_scenario_replay_files {
+    const char *observations, *sinex, *station, *field, *antex,
+        *bias;           // NULL: none, but for observations and field
+    const char *product; // or
+    const char *const *sp3, *const *clk, *const *erp, *const *nav;
+    size_t n_sp3, n_clk, n_erp, n_nav;
+    orr_time from, to; // ORR_TIME_NONE: all
+    bool no_residuals;
+} orr_scenario_replay_files;
+// A replay alone, the rest as the tables' defaults have it. Errors: ORR_E_MEMORY.
+orr_status orr_scenario_of_replay(const orr_scenario_replay_files *f, const orr_leap_table *leap,
+                                  orr_scenario *out, orr_diag *diag);
 // A trajectory of logs alone, the rest as the tables' defaults have it.
 // Given:
 //   file     [n] paths of the logs

@@ -17,6 +17,16 @@ static const orr_key rows[] = {
              "SINEX file with the station's coordinates; default: the position of the observations' header"),
     TEXT_ROW(orr_scenario_replay, "station", station, of_sinex,
              "the station's name there; default: the first four characters of the observations' name"),
+    {.name = "from",
+     .kind = ORR_KEY_TIME,
+     .offset = offsetof(orr_scenario_replay, from),
+     .given = offsetof(orr_scenario_replay, has_from),
+     .help = "first epoch; the record's by default"},
+    {.name = "to",
+     .kind = ORR_KEY_TIME,
+     .offset = offsetof(orr_scenario_replay, to),
+     .given = offsetof(orr_scenario_replay, has_to),
+     .help = "last epoch, likewise"},
     BOOL_ROW(orr_scenario_replay, "estimate_position", estimate_position, "yes", NULL,
              "the position is estimated from the observations; SINEX coordinates count as known to 1 cm, "
              "those of a "

@@ -2,10 +2,12 @@
 // orrery simulate: a scenario as the files that a receiver and an inertial unit would have written, and the truth.
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "src/cli/frame/options.h"
+#include "src/cli/scenario/replay_report.h"
 #include "src/cli/scenario/simulate_files.h"
 #include "src/make/readings.h"
 #include "src/scenario/observables/observe.h"
@@ -38,6 +40,7 @@ static orr_status observe_antenna(simulation *s, size_t k, const orr_observe_pla
     if (status == ORR_OK) status = simulate_path(s, name, path, diag);
     if (status == ORR_OK) status = orr_observe_truth(channels, k, &truth, path, &count, diag);
     if (status == ORR_OK) status = simulate_note(s, name, "true channels with all their terms", diag);
+    if (status == ORR_OK && plan->replay != NULL) status = simulate_residuals(s, a->name, diag);
     snprintf(name, sizeof name, "%s-track.csv", a->name);
     if (status == ORR_OK) status = simulate_path(s, name, path, diag);
     if (status == ORR_OK) status = orr_observe_track(channels, k, plan, path, diag);
@@ -46,8 +49,10 @@ static orr_status observe_antenna(simulation *s, size_t k, const orr_observe_pla
 }
 
 // Span and step of the observations.
-static int plan_of(orr_cli *c, const orr_channels *channels, orr_observe_plan *p)
+static int plan_of(orr_cli *c, const orr_engine *engine, orr_observe_plan *p)
 {
+    const orr_channels *channels = orr_engine_channels(engine);
+    const orr_replay *replay = orr_engine_replay(engine, NULL);
     char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     orr_span span = orr_channels_span(channels);
     for (size_t k = 0; k < orr_channels_antennas(channels); k++) { // while all antennas are there
@@ -61,6 +66,13 @@ static int plan_of(orr_cli *c, const orr_channels *channels, orr_observe_plan *p
     p->from = orr_time_add(span.from, orr_floor_mod(-span.from, p->step_ns));
     p->from = orr_cli_time(c, "from", p->from);
     p->to = orr_cli_time(c, "to", span.to);
+    p->replay = replay;
+    p->recorded = replay != NULL && !orr_cli_given(c, "step") && !orr_cli_given(c, "rate");
+    if (replay != NULL) { // what was recorded
+        if (!orr_cli_given(c, "from")) p->from = replay->tag[0];
+        if (!orr_cli_given(c, "to")) p->to = replay->tag[replay->n_epochs - 1];
+        if (p->recorded) p->step_ns = (int64_t)(replay->interval_s * 1e9 + 0.5);
+    }
     if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     if (p->from < span.from || p->to > span.to || p->from > p->to)
         return orr_cli_failf(c, "the scenario's channels reach from %s to %s", orr_time_text(span.from, from),
@@ -100,20 +112,84 @@ static int simulate(orr_cli *c, simulation *s)
         return orr_cli_failf(
             c, "%s: it names no signals, so that there is nothing to observe (signals: [G, E, ...])",
             c->operand[0]);
-    const int wrong = plan_of(c, channels, &plan);
+    const int wrong = plan_of(c, s->engine, &plan);
     if (wrong != ORR_EXIT_OK) return wrong;
+    const orr_replay_report *report;
+    const orr_replay *replay = orr_engine_replay(s->engine, &report);
+    if (replay != NULL) orr_replay_report_text(stdout, replay, report);
     return write_all(c, s, &plan, &diag) == ORR_OK ? ORR_EXIT_OK : orr_cli_fail(c, &diag);
+}
+
+// Orbits of --orbit are a product, or SP3 files.
+static orr_status orbits_of(const char *const *path, size_t n, orr_scenario_replay_files *f, orr_diag *diag)
+{
+    orr_bytes head;
+    const orr_status status = orr_inputs_read_raw(
+        NULL, path[0], ORR_KIND_BIT(ORR_KIND_NETCDF) | ORR_KIND_BIT(ORR_KIND_SP3), &head, diag);
+    if (status != ORR_OK) return status;
+    const bool product =
+        orr_sniff((orr_view){head.text, head.n < 65536 ? head.n : 65536}).kind == ORR_KIND_NETCDF;
+    orr_bytes_free(&head);
+    if (product && n > 1)
+        return orr_diag_set(diag, ORR_E_ARG,
+                            "%s is an orbit product: --orbit names one of these, or SP3 files", path[0]);
+    f->product = product ? path[0] : NULL;
+    f->sp3 = product ? NULL : path;
+    f->n_sp3 = product ? 0 : n;
+    return ORR_OK;
+}
+
+// The scenario of --from-rinex.
+static orr_status replay_of(simulation *s, orr_scenario *out, orr_diag *diag)
+{
+    orr_cli *c = (orr_cli *)s->c;
+    size_t n_orbits;
+    const char **orbits = orr_cli_texts(c, "orbit", &n_orbits);
+    orr_scenario_replay_files f = {.observations = orr_cli_text(c, "from-rinex", NULL),
+                                   .sinex = orr_cli_text(c, "sinex", NULL),
+                                   .station = orr_cli_text(c, "station", NULL),
+                                   .field = orr_cli_text(c, "field", NULL),
+                                   .antex = orr_cli_text(c, "antex", NULL),
+                                   .bias = orr_cli_text(c, "bias", NULL),
+                                   .from = orr_cli_time(c, "from", ORR_TIME_NONE),
+                                   .to = orr_cli_time(c, "to", ORR_TIME_NONE),
+                                   .no_residuals = orr_cli_given(c, "no-residuals")};
+    const char **clk = orr_cli_texts(c, "clk", &f.n_clk), **erp = orr_cli_texts(c, "erp", &f.n_erp),
+               **nav = orr_cli_texts(c, "nav", &f.n_nav);
+    f.clk = clk;
+    f.erp = erp;
+    f.nav = nav;
+    orr_status status = orbits != NULL && clk != NULL && erp != NULL && nav != NULL
+                            ? ORR_OK
+                            : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    if (status == ORR_OK && (n_orbits == 0 || f.field == NULL))
+        status = orr_diag_set(diag, ORR_E_ARG,
+                              "--from-rinex needs the orbits of its day (--orbit) and a field of the "
+                              "ionosphere (--field: IONEX, or a "
+                              "navigation file)");
+    if (status == ORR_OK) status = orbits_of(orbits, n_orbits, &f, diag);
+    if (status == ORR_OK) status = orr_scenario_of_replay(&f, c->leap, out, diag);
+    if (status == ORR_OK) status = orr_inputs_note(&s->inputs, f.observations, diag);
+    free(orbits);
+    free(clk);
+    free(erp);
+    free(nav);
+    return status;
 }
 
 static int run(orr_cli *c)
 {
-    orr_scenario scenario;
+    orr_scenario scenario = {0};
+    const bool from_rinex = orr_cli_given(c, "from-rinex");
+    if (from_rinex == (c->n_operands > 0))
+        return orr_cli_usage(c, "it takes a SCENARIO or --from-rinex, one of them");
     orr_engine *e = NULL;
     orr_diag diag = {0};
     orr_warnings warnings = {0};
     simulation s = {
         .c = c, .folder = orr_cli_text(c, "output", "."), .scenario = &scenario, .files = json_array()};
-    orr_status status = orr_inputs_scenario(&s.inputs, c->operand[0], c->leap, &scenario, &diag);
+    orr_status status = from_rinex ? replay_of(&s, &scenario, &diag)
+                                   : orr_inputs_scenario(&s.inputs, c->operand[0], c->leap, &scenario, &diag);
     if (status == ORR_OK) {
         status = orr_engine_open(&scenario, c->log, NULL, &warnings, &e, &diag);
         orr_cli_warnings(c, &warnings);
@@ -179,6 +255,51 @@ static const orr_option options[] = {
     {.name = "nmea",
      .kind = ORR_OPT_FLAG,
      .help = "NAME.nmea of every antenna too: NMEA 0183 of the true position."},
+    {.name = "from-rinex",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .help = "In place of a SCENARIO: the replay of a station's recorded observations (docs/replay.md). "
+             "Epochs, gaps and slips are "
+             "the record's, unless --step or --rate ask for others."},
+    {.name = "orbit",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .repeated = true,
+     .applies = "from-rinex",
+     .help = "Orbits and clocks of the recorded day: a product of `orrery orbit`, or SP3 files."},
+    {.name = "clk",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .repeated = true,
+     .applies = "from-rinex",
+     .help = "RINEX CLK files, whose clocks come before those of SP3."},
+    ORR_OPTION_ERP(.repeated = true, .applies = "from-rinex",
+                   .help = "Earth rotation parameters for SP3 files."),
+    ORR_OPTION_NAV(.repeated = true, .applies = "from-rinex",
+                   .help = "Navigation files: satellites that the orbits lack, GLONASS channels that the "
+                           "observations do not tell."),
+    {.name = "field",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .applies = "from-rinex",
+     .help = "The TEC field that levels the station's content: IONEX, Bernese .ION, or a navigation file."},
+    ORR_OPTION_ANTEX(.applies = "from-rinex",
+                     .help = "Antennas; of satellites that it lacks phase centres are estimated."),
+    ORR_OPTION_BIAS(.applies = "from-rinex", .help = "Code biases of the satellites: Bias-SINEX or DCB."),
+    {.name = "sinex",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .applies = "from-rinex",
+     .help = "SINEX file with the station's coordinates; the header's by default."},
+    {.name = "station",
+     .kind = ORR_OPT_TEXT,
+     .value = "CODE",
+     .applies = "sinex",
+     .help = "The station's name there; the first four characters of FILE's name by default."},
+    {.name = "no-residuals",
+     .kind = ORR_OPT_FLAG,
+     .applies = "from-rinex",
+     .help = "Leave out what the models do not tell of code and carrier."},
     {.name = "no-imu", .kind = ORR_OPT_FLAG, .help = "Leave the inertial readings out."},
 };
 
@@ -186,16 +307,17 @@ const orr_command orr_cmd_simulate = {
     .name = "simulate",
     .group = "Scenarios",
     .summary = "observations, broadcast data, readings and truth of a scenario as files",
-    .operands = "SCENARIO",
-    .min_operands = 1,
+    .operands = "[SCENARIO]",
+    .min_operands = 0,
     .max_operands = 1,
-    .about = "For every antenna NAME.rnx (RINEX observations: code, phase, Doppler, C/N0 of every "
-             "signal; the receiver's clock "
-             "is perfect), NAME-channels.csv (the same channels with all their terms) and NAME-track.csv; of "
-             "the scenario "
-             "broadcast.rnx, truth.sp3, truth.clk, imu-N.nc of every unit, and manifest.json with what was "
-             "read and written. The "
-             "same scenario and seed give the same bytes.",
+    .about =
+        "For every antenna NAME.rnx (RINEX observations: code, phase, Doppler, C/N0 of every "
+        "signal; the receiver's clock "
+        "is perfect), NAME-channels.csv (the same channels with all their terms) and NAME-track.csv; of "
+        "the scenario "
+        "broadcast.rnx, truth.sp3, truth.clk, imu-N.nc of every unit, and manifest.json with what was "
+        "read and written; of a replay NAME-residuals.csv and .json (what each signal is left with). The "
+        "same scenario and seed give the same bytes.",
     .example = "orrery simulate samples/gravimetry-flight.yaml -o flight\n"
                "orrery simulate scenario.yaml -o run --step 30s --noise --seed 7\n"
                "orrery simulate scenario.yaml -o run --rtcm --ubx --nmea",

@@ -24,6 +24,8 @@ static void print_estimate(FILE *f, const orr_replay *r, const orr_replay_report
         "zenith wet delay %.4f m (%.4f to %.4f); receiver clock %.3f to %.3f us, %zu steps of milliseconds\n",
         x->zenith_wet_m, x->zenith_least_m, x->zenith_most_m, 1e6 * x->clock_least_s, 1e6 * x->clock_most_s,
         x->n_clock_steps);
+    fprintf(f, "satellite clocks: nodes %g s apart, in between %.4f m RMS by the station's phases\n",
+            x->clock_step_s, x->clock_between_m);
     fprintf(f, "fitted: %zu ionosphere-free phases of %zu arcs to %.4f m, codes to %.3f m; %zu outliers\n\n",
             x->n_used, x->n_arcs, x->phase_rms_m, x->code_rms_m, x->n_rejected);
 }
@@ -83,10 +85,11 @@ json_t *orr_replay_report_json(const orr_replay *r, const orr_replay_report *x)
                             (json_int_t)a.n_arcs, "slips", (json_int_t)a.n_slips));
     }
     const orr_replay_rms all = orr_replay_rms_all(r);
-    return json_pack("{s:s,s:I,s:f,s:s,s:o,s:o,s:o,s:o,s:o,s:I,s:o,s:o,s:o}", "marker", r->marker, "epochs",
-                     (json_int_t)r->n_epochs, "interval_s", r->interval_s, "position_from", x->position_from,
-                     "site_m", vector(x->site_m), "shift_enu_m", vector(x->shift_enu_m), "sigma_enu_m",
-                     vector(x->sigma_enu_m), "zenith_wet_m", number(x->zenith_wet_m), "code_rms_m",
-                     number(all.code_m), "outliers", (json_int_t)x->n_rejected, "carrier_rms_m",
-                     number(all.carrier_m), "phase_fit_rms_m", number(x->phase_rms_m), "tracks", rows);
+    return json_pack("{s:s,s:I,s:f,s:s,s:o,s:o,s:o,s:o,s:o,s:I,s:o,s:o,s:o,s:o,s:o}", "marker", r->marker,
+                     "epochs", (json_int_t)r->n_epochs, "interval_s", r->interval_s, "position_from",
+                     x->position_from, "site_m", vector(x->site_m), "shift_enu_m", vector(x->shift_enu_m),
+                     "sigma_enu_m", vector(x->sigma_enu_m), "zenith_wet_m", number(x->zenith_wet_m),
+                     "code_rms_m", number(all.code_m), "outliers", (json_int_t)x->n_rejected, "carrier_rms_m",
+                     number(all.carrier_m), "phase_fit_rms_m", number(x->phase_rms_m), "clock_step_s",
+                     number(x->clock_step_s), "clock_between_m", number(x->clock_between_m), "tracks", rows);
 }

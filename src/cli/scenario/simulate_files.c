@@ -10,6 +10,7 @@
 #include "ingest/rinex/clk.h"
 #include "src/cli/frame/json.h"
 #include "src/cli/orbit/states_write.h"
+#include "src/cli/scenario/replay_report.h"
 #include "src/make/readings.h"
 #include "src/scenario/receiver/port_file.h"
 
@@ -29,6 +30,32 @@ orr_status simulate_note(simulation *s, const char *name, const char *note, orr_
     json_array_append_new(s->files, json_pack("{s:s, s:s, s:s}", "name", name, "sha256", hex, "what", note));
     orr_cli_say(s->c, "%s: %s", path, note);
     return ORR_OK;
+}
+
+orr_status simulate_residuals(simulation *s, const char *antenna, orr_diag *diag)
+{
+    const orr_replay_report *report;
+    const orr_replay *r = orr_engine_replay(s->engine, &report);
+    orr_status status = ORR_OK;
+    for (int json = 0; json < 2 && status == ORR_OK; json++) {
+        char name[128], path[SIMULATE_PATH];
+        orr_outfile out;
+        snprintf(name, sizeof name, "%s-residuals.%s", antenna, json ? "json" : "csv");
+        status = simulate_path(s, name, path, diag);
+        if (status == ORR_OK) status = orr_outfile_open(path, &out, diag);
+        if (status != ORR_OK) break;
+        json_t *all = json ? orr_replay_report_json(r, report) : NULL;
+        if (!json)
+            orr_replay_report_csv(out.stream, r);
+        else if (all == NULL || json_dumpf(all, out.stream, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) != 0)
+            status = orr_diag_set(diag, ORR_E_IO, "%s: could not be written", path);
+        if (json) fputc('\n', out.stream);
+        json_decref(all);
+        status = orr_outfile_end(&out, status, diag);
+        if (status == ORR_OK)
+            status = simulate_note(s, name, "residuals of the replay by satellite and signal", diag);
+    }
+    return status;
 }
 
 // Signals that a format cannot tell are told of once, for the first antenna.

@@ -28,6 +28,8 @@ orr_status simulate_note(simulation *s, const char *name, const char *note, orr_
 
 // NAME.rtcm3, NAME.ubx and NAME.nmea of antenna k, those that are asked for: the epochs of its observations.
 orr_status simulate_ports(simulation *s, size_t k, const orr_observe_plan *plan, orr_diag *diag);
+// NAME-residuals.csv and NAME-residuals.json of a replay.
+orr_status simulate_residuals(simulation *s, const char *antenna, orr_diag *diag);
 // broadcast.rnx; nothing where the scenario has no broadcast data.
 orr_status simulate_broadcast(simulation *s, orr_diag *diag);
 // truth.sp3 every 5 min and truth.clk every 30 s, over the orbits' span.

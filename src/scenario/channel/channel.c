@@ -27,7 +27,7 @@ typedef struct ray {
     slow_now slow;
     orr_antenna_direction toward; // of an antenna that moves and has a type
     double turns, turns_rate_hz;
-    double more_tecu, more_tecu_ps; // content that a recorded day tells
+    orr_replay_ray told; // by a recorded day
     uint32_t flags;
     double term_m[ORR_N_TERMS], rate_mps[ORR_N_TERMS];
 } ray;
@@ -58,11 +58,12 @@ static bool set_clock(const orr_channels *c, ray *r)
 static void set_clock_noise(orr_time t, ray *r)
 {
     double rate, *x = &r->term_m[ORR_TERM_CLOCK_NOISE], *slope = &r->rate_mps[ORR_TERM_CLOCK_NOISE];
-    *x = *slope = 0;
+    *x = r->told.clock_m;
+    *slope = r->told.clock_mps;
     if (r->sat->clock_noise.n == 0) return;
     const orr_time sent = orr_time_add_s(t, -r->light.tau_s);
-    *x = -ORR_LIGHT_MPS * orr_series_at(&r->sat->clock_noise, sent, &rate);
-    *slope = -ORR_LIGHT_MPS * rate * (1 - r->light.range_rate_mps / ORR_LIGHT_MPS);
+    *x -= ORR_LIGHT_MPS * orr_series_at(&r->sat->clock_noise, sent, &rate);
+    *slope -= ORR_LIGHT_MPS * rate * (1 - r->light.range_rate_mps / ORR_LIGHT_MPS);
 }
 
 // The light and the terms that all signals of a satellite share; false where there is no channel.
@@ -136,9 +137,9 @@ static void set_signal(const orr_antenna *a, const ray *r, size_t j, double dela
             orr_antenna_range_m(a, &r->toward, sent->signal, &rate[ORR_TERM_RECEIVER_ANTENNA]);
     }
     x[ORR_TERM_IONOSPHERE] =
-        orr_iono_delay_m(v[SLOW_CONTENT] + r->more_tecu, sent->carrier_hz, ORR_MEASURES_CODE);
+        orr_iono_delay_m(v[SLOW_CONTENT] + r->told.tecu, sent->carrier_hz, ORR_MEASURES_CODE);
     rate[ORR_TERM_IONOSPHERE] =
-        orr_iono_delay_m(slope[SLOW_CONTENT] + r->more_tecu_ps, sent->carrier_hz, ORR_MEASURES_CODE);
+        orr_iono_delay_m(slope[SLOW_CONTENT] + r->told.tecu_ps, sent->carrier_hz, ORR_MEASURES_CODE);
     const double second_m =
         ORR_IONO_SECOND_M4_PER_S3_T / (sent->carrier_hz * sent->carrier_hz * sent->carrier_hz);
     x[ORR_TERM_IONOSPHERE_SECOND] = second_m * v[SLOW_CONTENT_FIELD];
@@ -308,9 +309,8 @@ void channels_evaluate(const orr_channels *c, size_t antenna, orr_channel_work *
         r.toward = (orr_antenna_direction){.az_deg = 0};
         memset(r.term_m, 0, sizeof r.term_m);
         memset(r.rate_mps, 0, sizeof r.rate_mps);
-        r.more_tecu = r.more_tecu_ps = 0;
-        if (r.sat->record != NULL)
-            r.more_tecu = orr_replay_content(c->replay, r.sat->record, t, as_of, &r.more_tecu_ps);
+        r.told = (orr_replay_ray){.tecu = 0};
+        if (r.sat->record != NULL) orr_replay_ray_at(c->replay, r.sat->record, t, as_of, &r.told);
         if (trace(c, antenna, work, t, at, work->chosen[k], &r))
             fill(c, antenna, work, t, at, &r, signals, list);
     }

@@ -126,8 +126,11 @@ size_t orr_channels_max(const orr_channels *c);
 // Jammers that an antenna in `at` receives at t (jammers); their number.
 size_t orr_channels_jammers(const orr_channels *c, const orr_antenna_state *at, orr_time t,
                             orr_jammer out[ORR_MAX_JAMMERS]);
-// Time error of an antenna's receiver, s, and its rate: what observations have and channels do not (clocks.receiver).
+// Time error of an antenna's receiver at its own reading t, s, and its rate: what observations have and channels do not
+// (clocks.receiver, replay).
 double orr_channels_oscillator(const orr_channels *c, size_t antenna, orr_time t, double *rate);
+// Of that error what carriers do not follow: steps of whole milliseconds of a recorded receiver.
+double orr_channels_held_s(const orr_channels *c, orr_time t);
 // The neutral atmosphere over a place, as the channels of an antenna have it, with what a recorded day tells of it.
 orr_troposphere_site orr_channels_troposphere(const orr_channels *c, size_t antenna, orr_geodetic place,
                                               orr_time t);

@@ -31,8 +31,17 @@ size_t orr_channels_jammers(const orr_channels *c, const orr_antenna_state *at, 
 
 double orr_channels_oscillator(const orr_channels *c, size_t antenna, orr_time t, double *rate)
 {
+    double held_s;
     *rate = 0;
+    if (c->replay != NULL) return orr_replay_clock_s(c->replay, t, rate, &held_s);
     return c->oscillator[antenna].n > 0 ? orr_series_at(&c->oscillator[antenna], t, rate) : 0;
+}
+
+double orr_channels_held_s(const orr_channels *c, orr_time t)
+{
+    double rate, held_s = 0;
+    if (c->replay != NULL) (void)orr_replay_clock_s(c->replay, t, &rate, &held_s);
+    return held_s;
 }
 
 orr_troposphere_site orr_channels_troposphere(const orr_channels *c, size_t antenna, orr_geodetic place,

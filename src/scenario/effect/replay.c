@@ -160,7 +160,7 @@ bool orr_replay_at(const orr_replay *r, const orr_replay_track *x, orr_time t, o
     return true;
 }
 
-// --- Content ---
+// --- Content, satellite clock ---
 
 typedef struct content_curve {
     const orr_replay *r;
@@ -176,17 +176,27 @@ static double sight_value(const void *of, size_t k)
 {
     return ((const content_curve *)of)->x->sight[k].more_tecu;
 }
+static double sight_clock(const void *of, size_t k)
+{
+    return ((const content_curve *)of)->x->sight[k].clock_m;
+}
 static bool sight_breaks(const void *of, size_t k) { return ((const content_curve *)of)->x->sight[k].begins; }
 
-double orr_replay_content(const orr_replay *r, const orr_replay_sat *x, orr_time t, orr_time as_of,
-                          double *rate_ps)
+void orr_replay_ray_at(const orr_replay *r, const orr_replay_sat *x, orr_time t, orr_time as_of,
+                       orr_replay_ray *out)
 {
     const content_curve of = {r, x};
-    const curve c = {&of, x->n, sight_when, sight_value, sight_breaks};
-    *rate_ps = 0;
-    if (x->n == 0) return 0;
+    curve c = {&of, x->n, sight_when, sight_value, sight_breaks};
+    *out = (orr_replay_ray){.tecu = 0};
+    if (x->n == 0) return;
     const size_t k = last_before(&c, as_of);
-    return k < x->n ? piece_at(&c, k, t, rate_ps) : x->sight[0].more_tecu;
+    if (k == x->n) {
+        out->tecu = x->sight[0].more_tecu;
+        return;
+    }
+    out->tecu = piece_at(&c, k, t, &out->tecu_ps);
+    c.value = sight_clock;
+    out->clock_m = piece_at(&c, k, t, &out->clock_mps);
 }
 
 // --- Zenith delay, clock ---

@@ -25,6 +25,8 @@ typedef struct orr_replay_sight {
     float body[3];    // direction from the antenna to the satellite in the satellite's own axes
     double base_tecu; // slant content of the scenario's ionosphere
     double more_tecu; // what the station's phases add to it
+    double clock_m;   // and to the satellite's clock between nodes of the orbits': its delay
+    float bridge_s;   // product of the times to the nodes before and behind, by their sum
 } orr_replay_sight;
 
 // A satellite of the record.
@@ -33,6 +35,7 @@ typedef struct orr_replay_sat {
     size_t n;
     orr_replay_sight *sight; // by epoch
     int pair[2];             // tracks of the two carriers that tell the content; -1: none
+    double walk_m2ps;        // of the clock between its nodes: variance a second
     bool estimated;          // ANTEX does not know its antenna:
     orr_vec3 offset_m;       // phase centre from the centre of mass in its own axes, for all signals
 } orr_replay_sat;
@@ -124,15 +127,19 @@ typedef struct orr_replay_now {
 // holds its last value up to the first epoch of the next.
 bool orr_replay_at(const orr_replay *r, const orr_replay_track *x, orr_time t, orr_time as_of,
                    orr_replay_now *out);
-// Content beyond the scenario's ionosphere, TECU; before the first and behind the last epoch of a stretch it is held.
+// A satellite at an instant.
+typedef struct orr_replay_ray {
+    double tecu, tecu_ps;      // content beyond the scenario's ionosphere, and its rate
+    double clock_m, clock_mps; // delay by the satellite's clock beyond the orbits', and its rate
+} orr_replay_ray;
 // Given:
 //   r, x     replay and its satellite
 //   t        true instant of reception
 //   as_of    instant whose stretch it is, as orr_replay_at
 // Returned:
-//   rate_ps  of the content, TECU/s
-double orr_replay_content(const orr_replay *r, const orr_replay_sat *x, orr_time t, orr_time as_of,
-                          double *rate_ps);
+//   out      the satellite then; before the first and behind the last epoch of a stretch held
+void orr_replay_ray_at(const orr_replay *r, const orr_replay_sat *x, orr_time t, orr_time as_of,
+                       orr_replay_ray *out);
 // A curve at t; 0 without nodes.
 double orr_replay_curve_at(const orr_replay_curve *x, orr_time t);
 // Weights of nodes at t: the curve is the sum of node[first + k] w[k].

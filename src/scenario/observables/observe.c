@@ -25,6 +25,27 @@ typedef struct writer {
     uint8_t *lli, *ssi;
 } writer;
 
+// What a recorded station's header has of itself.
+static void describe_station(const orr_replay *r, orr_rinex_obs_header *h)
+{
+    snprintf(h->marker_name, sizeof h->marker_name, "%s", r->marker);
+    snprintf(h->receiver_type, sizeof h->receiver_type, "%s", r->receiver_type);
+    snprintf(h->antenna_type, sizeof h->antenna_type, "%s", r->antenna_type);
+    h->antenna_h_m = r->antenna_h_m;
+    h->antenna_e_m = r->antenna_e_m;
+    h->antenna_n_m = r->antenna_n_m;
+}
+
+// RINEX band and attribute of a signal: as it was recorded, or with all its components.
+static const char *name_of(const writer *w, size_t signal)
+{
+    const orr_replay *r = w->plan->replay;
+    if (r == NULL || r->code[signal][0] == '\0') return w->signal[signal].observation;
+    const bool old = w->signal[signal].system == 'C' && r->code[signal][0] == '1' &&
+                     w->signal[signal].observation[0] == '2'; // B1I by its name of 3.02
+    return old ? w->signal[signal].observation : r->code[signal];
+}
+
 static orr_status describe(writer *w, orr_diag *diag)
 {
     orr_rinex_obs_header *h = &w->header;
@@ -36,11 +57,14 @@ static orr_status describe(writer *w, orr_diag *diag)
     snprintf(h->receiver_type, sizeof h->receiver_type, "ORRERY SIMULATED");
     snprintf(h->antenna_type, sizeof h->antenna_type, "%s", a->type[0] != '\0' ? a->type : "NONE");
     snprintf(h->signal_unit, sizeof h->signal_unit, "DBHZ");
+    h->antenna_h_m = h->antenna_e_m = h->antenna_n_m = 0;
+    if (w->plan->replay != NULL) describe_station(w->plan->replay, h);
     if (a->motion == NULL && orr_antenna_at(a, w->plan->from, &at) == ORR_ANSWER_OK) {
         h->has_position = true;
-        h->position_m = at.r_m;
+        // Of the marker where antenna heights are told, else of the reference point.
+        h->position_m = orr_vec3_sub(
+            at.r_m, orr_mat3_apply_t(&at.enu, (orr_vec3){h->antenna_e_m, h->antenna_n_m, h->antenna_h_m}));
     }
-    h->antenna_h_m = h->antenna_e_m = h->antenna_n_m = 0; // the position is that of the reference point
     h->system = 'M';
     h->scale = ORR_SCALE_GPS;
     h->first = w->plan->from;
@@ -51,7 +75,7 @@ static orr_status describe(writer *w, orr_diag *diag)
         if ((orr_channels_signals(w->c) >> j & 1) == 0) continue;
         w->column[j] = h->codes[strchr(ORR_SYSTEMS, w->signal[j].system) - ORR_SYSTEMS].n;
         for (const char *kind = KINDS; s == ORR_OK && *kind != '\0'; kind++) {
-            const char code[4] = {*kind, w->signal[j].observation[0], w->signal[j].observation[1], '\0'};
+            const char *own = name_of(w, j), code[4] = {*kind, own[0], own[1], '\0'};
             s = orr_rinex_obs_header_add_code(h, w->signal[j].system, code, diag);
         }
         if (w->column[j] + strlen(KINDS) > w->stride) w->stride = w->column[j] + strlen(KINDS);
@@ -77,13 +101,30 @@ static uint8_t strength(double cn0_dbhz) // RINEX 3.05, table 7
     return (uint8_t)fmin(fmax(floor(cn0_dbhz / 6), 1), 9);
 }
 
-static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, orr_observe_count *count,
-                              orr_diag *diag)
+// Leaves of an observation what was recorded at an epoch, with the record's own indicators.
+static void keep_recorded(const writer *w, size_t epoch, const orr_observation *y, size_t at)
+{
+    const orr_replay_track *x = orr_replay_track_of(w->plan->replay, y->sat, y->signal);
+    const orr_replay_node *n = x != NULL ? orr_replay_node_of(x, epoch) : NULL;
+    const bool has[4] = {n != NULL && !isnan(n->code), n != NULL && !isnan(n->carrier),
+                         n != NULL && !isnan(n->doppler_hz), n != NULL && !isnan(n->cn0_dbhz)};
+    for (size_t k = 0; k < 4; k++)
+        if (!has[k]) w->value[at + k] = (double)NAN;
+    for (size_t k = 0; k < 2; k++) {
+        w->lli[at + k] = has[k] ? n->lli[k] : 0;
+        w->ssi[at + k] = has[k] ? n->ssi[k] : 0;
+    }
+}
+
+static orr_status write_epoch(writer *w, orr_time t, size_t epoch, orr_rinex_obs_writer *out,
+                              orr_observe_count *count, orr_diag *diag)
 {
     orr_observed o;
     const orr_status s = orr_observer_at(w->observer, t, &o, diag);
     if (s != ORR_OK) return s;
+    const orr_replay *recorded = w->plan->recorded ? w->plan->replay : NULL;
     orr_rinex_obs_epoch e = {.t = t,
+                             .flag = recorded != NULL ? recorded->flag[epoch] : ORR_OBS_OK,
                              .clock_offset_s = (double)NAN,
                              .stride = w->stride,
                              .sat = w->sat,
@@ -104,6 +145,7 @@ static orr_status write_epoch(writer *w, orr_time t, orr_rinex_obs_writer *out, 
         memcpy(&w->value[at], value, sizeof value);
         w->ssi[at] = w->ssi[at + 1] = strength(y->cn0_dbhz);
         if (y->begins) w->lli[at + 1] = ORR_OBS_LLI_SLIP;
+        if (recorded != NULL) keep_recorded(w, epoch, y, at);
     }
     count->epochs++;
     count->observations += o.n;
@@ -116,10 +158,14 @@ static orr_status write_all(writer *w, const char *path, orr_observe_count *coun
     orr_rinex_obs_writer *out;
     orr_status s = orr_rinex_obs_create(path, p->rinex, &w->header, &out, diag);
     if (s != ORR_OK) return s;
-    const size_t total = (size_t)((p->to - p->from) / p->step_ns) + 1;
+    const orr_replay *recorded = p->recorded ? p->replay : NULL;
+    const size_t total = recorded != NULL ? recorded->n_epochs : (size_t)((p->to - p->from) / p->step_ns) + 1;
     for (size_t k = 0; s == ORR_OK && k < total; k++) {
+        const orr_time t =
+            recorded != NULL ? recorded->tag[k] : orr_time_add(p->from, (int64_t)k * p->step_ns);
         if (p->cancel != NULL && *p->cancel) s = orr_diag_set(diag, ORR_E_INTERRUPTED, "interrupted");
-        if (s == ORR_OK) s = write_epoch(w, orr_time_add(p->from, (int64_t)k * p->step_ns), out, count, diag);
+        if (t < p->from || t > p->to) continue;
+        if (s == ORR_OK) s = write_epoch(w, t, k, out, count, diag);
         if (p->progress != NULL) p->progress(p->user, k + 1, total);
     }
     if (s == ORR_OK) return orr_rinex_obs_commit(out, diag);

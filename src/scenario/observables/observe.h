@@ -8,8 +8,10 @@
 typedef struct orr_observe_plan {
     orr_time from, to; // both ends are observed
     int64_t step_ns;
-    double rinex; // version, 3.05 or 4.02
-    bool noise;   // thermal, by C/N0
+    const orr_replay *replay; // of channels that have one; NULL: none
+    bool recorded;            // its epochs in place of steps, and of them what was recorded
+    double rinex;             // version, 3.05 or 4.02
+    bool noise;               // thermal, by C/N0
     uint64_t seed;
     const volatile int *cancel;                              // may be NULL
     void (*progress)(void *user, size_t done, size_t total); // may be NULL

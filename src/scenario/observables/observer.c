@@ -31,7 +31,7 @@ static void noise_of(const orr_signal *s, double spacing, double cn0_dbhz, doubl
 
 // The receiver's oscillator at an epoch.
 typedef struct oscillator {
-    double error_s, rate;
+    double error_s, rate, held_s; // held: what carriers do not follow
 } oscillator;
 
 static orr_observation measure(const orr_observer *o, const orr_channel *x, const orr_composite *m,
@@ -54,7 +54,7 @@ static orr_observation measure(const orr_observer *o, const orr_channel *x, cons
     }
     y.code_m = x->code_m + ORR_LIGHT_MPS * clock->error_s + m->code_m + code;
     y.phase_cycles = (double)x->carrier_cycles + (x->carrier_fraction + m->phase_cycles + phase) +
-                     clock->error_s * x->carrier_hz;
+                     (clock->error_s - clock->held_s) * x->carrier_hz;
     y.doppler_hz = -x->carrier_rate_hz - clock->rate * x->carrier_hz;
     return y;
 }
@@ -79,6 +79,7 @@ orr_status orr_observer_at(orr_observer *o, orr_time t, orr_observed *out, orr_d
     o->previous = o->item, o->item = swap;
     o->n_previous = o->n, o->n = 0;
     clock.error_s = orr_channels_oscillator(o->c, o->antenna, t, &clock.rate);
+    clock.held_s = orr_channels_held_s(o->c, t);
     // What the receiver's clock calls t is earlier by its error; within half a nanosecond ranges change by 4e-7 m.
     const orr_answer answer = orr_channels_at(o->c, o->antenna, o->work, orr_time_add_s(t, -clock.error_s),
                                               UINT64_MAX, o->channel, &n);

@@ -371,7 +371,9 @@ static orr_status finish(reading *w, orr_warnings *warnings, orr_diag *diag)
     warn_of_unknown(w, warnings);
     if (w->outside > 0)
         orr_warnings_add(warnings, w->path, 0, 0,
-                         "%zu epochs are left out, where the scenario's orbits or ionosphere do not reach",
+                         "%zu epochs are left out: outside of replay.from and replay.to, or where the "
+                         "scenario's orbits or ionosphere "
+                         "do not reach",
                          w->outside);
     r->t = calloc(r->n_epochs, sizeof *r->t);
     r->clock_s = calloc(r->n_epochs, sizeof *r->clock_s);

@@ -14,7 +14,6 @@
 
 #define ZENITH_STEP_NS (3600 * ORR_NS_PER_S)
 #define GRADIENT_STEP_NS (6 * 3600 * ORR_NS_PER_S)
-#define THIN_S 30.0                                     // between epochs that enter the normal equations
 static const int64_t MARGIN_NS = 3 * ORR_NS_PER_S / 10; // light on its way, and a clock's error
 #define SETTLED_M 0.002                                 // of the position
 
@@ -29,6 +28,9 @@ static orr_span span_of(const replay_maker *m)
     }
     span.from = orr_time_add(span.from, MARGIN_NS);
     span.to = orr_time_add(span.to, -MARGIN_NS);
+    const orr_scenario_replay *o = &m->s->replay;
+    if (o->has_from && o->from > span.from) span.from = o->from;
+    if (o->has_to && o->to < span.to) span.to = o->to;
     return span;
 }
 
@@ -188,14 +190,14 @@ static orr_status first_position(replay_maker *m, orr_diag *diag)
 
 static orr_status estimate(replay_maker *m, orr_diag *diag)
 {
-    const size_t thin = (size_t)fmax(1, floor(THIN_S / m->r->interval_s + 0.5));
     orr_status s = ORR_OK;
     if (!m->known_site && m->s->replay.estimate_position) s = first_position(m, diag);
     if (s == ORR_OK) s = replay_model(m, 1, true, diag);
     if (s == ORR_OK) s = replay_clock_steps(m, diag);
+    if (s == ORR_OK) s = replay_bridges(m, diag);
     for (int round = 0; s == ORR_OK && round < 4; round++) {
         orr_vec3 shift_m = {0, 0, 0};
-        s = replay_solve(m, thin, false, &shift_m, diag);
+        s = replay_solve(m, 1, false, &shift_m, diag);
         if (s == ORR_OK) s = move(m, shift_m, diag); // also for the zenith delays
         if (s == ORR_OK && orr_vec3_norm(shift_m) < SETTLED_M) break;
         if (s == ORR_OK) s = replay_model(m, 1, false, diag);
@@ -258,6 +260,7 @@ static orr_status make(replay_maker *m, orr_diag *diag)
     if (s == ORR_OK) s = replay_channels(m, diag);
     if (s == ORR_OK) warn_of_antenna(m);
     if (s == ORR_OK) s = estimate(m, diag);
+    if (s == ORR_OK) s = replay_clocks(m, diag);
     if (s == ORR_OK) s = replay_residuals(m, diag);
     if (s == ORR_OK) tell(m);
     if (s == ORR_OK) s = orr_replay_seal(m->r, m->s->replay.residuals, diag);

@@ -17,7 +17,9 @@ typedef struct orr_replay_report {
         zenith_most_m; // estimated wet delay of the zenith: mean, least, greatest
     double clock_least_s, clock_most_s;
     size_t n_clock_steps, n_used, n_rejected, n_arcs; // samples of pairs of carriers, and arcs of ambiguities
-    double phase_rms_m, code_rms_m;                   // of the ionosphere-free combinations that were fitted
+    double clock_step_s,
+        clock_between_m; // of the satellites' clocks: between nodes, and RMS of what is estimated in between
+    double phase_rms_m, code_rms_m; // of the ionosphere-free combinations that were fitted
 } orr_replay_report;
 
 // Makes the replay of a scenario's section `replay`, and the channels of its station.

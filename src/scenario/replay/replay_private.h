@@ -22,6 +22,7 @@ typedef struct replay_maker {
     bool known_site;          // by SINEX
     orr_scenario_troposphere view_troposphere; // as the channels have it
     orr_sun_track sun;
+    double clock_step_s; // between nodes of the orbits' clocks: the usual
     size_t n_arcs;       // of pairs
     double **fused_tecu; // [n_sats][sights] content by the fused session; NAN: not levelled
     orr_replay_report *report;
@@ -50,7 +51,7 @@ orr_status replay_clock_steps(replay_maker *m, orr_diag *diag);
 // Least squares over the pairs.
 // Given:
 //   m       maker after replay_model of the same epochs
-//   every   of so many epochs one
+//   every   with codes: of so many epochs one
 //   codes   codes alone, for a first position
 // Returned:
 //   m       clocks of these epochs, zenith delays, rejected sights
@@ -68,6 +69,15 @@ orr_status replay_residuals(replay_maker *m, orr_diag *diag);
 void replay_free_of_ionosphere(const replay_maker *m, const orr_replay_sat *x, double a[2]);
 // How far below the centre of mass the phase centres of a system's satellites usually are, m.
 double replay_usual_offset_m(char system);
+// How far each sight is from the nodes of its satellite's clock. Errors: ORR_E_MEMORY.
+orr_status replay_bridges(replay_maker *m, orr_diag *diag);
+// Satellites' clocks between their nodes, by what is left of the pairs' phases after the last replay_model. Errors: ORR_E_MEMORY.
+orr_status replay_clocks(replay_maker *m, orr_diag *diag);
+// Both nodes of a sight's pair; false where it has not both.
+bool replay_pair_of(const orr_replay *r, const orr_replay_sat *x, const orr_replay_sight *g,
+                    const orr_replay_node *out[2]);
+// Variance of its ionosphere-free phase, m^2, without that of the satellite's clock.
+double replay_variance_m2(const orr_replay_sight *g);
 // Carrier of a satellite's track, Hz.
 double replay_carrier_hz(const orr_replay *r, const orr_replay_track *x);
 

@@ -215,8 +215,10 @@ orr_status replay_residuals(replay_maker *m, orr_diag *diag)
                 n->code = n->carrier = (double)NAN;
                 lost++;
             }
-            n->code_m -= ORR_LIGHT_MPS * r->clock_s[n->epoch];
-            n->carrier_m -= ORR_LIGHT_MPS * (r->clock_s[n->epoch] - r->held_s[n->epoch]);
+            const double clock_m =
+                ORR_LIGHT_MPS * r->clock_s[n->epoch] + r->sat[r->track[k].sat].sight[n->sight].clock_m;
+            n->code_m -= clock_m;
+            n->carrier_m -= clock_m - ORR_LIGHT_MPS * r->held_s[n->epoch];
         }
     if (lost > 0)
         orr_warnings_add(

@@ -25,6 +25,8 @@
 #define ACROSS_M 0.3   // of a phase centre across the satellite's axis
 #define CORRELATED_S                                                                                         \
     1200.0 // the models' errors are alike for so long: epochs of it count as one against what is known before
+#define THIN_S 30.0 // least and most between epochs of the normal equations
+#define MOST_THIN_S 300.0
 #define OUTLIER 5.0 // sigmas of the residuals' own scatter
 enum { ROW = 24, ROUNDS = 6, LEAST_SIGHTS = 10, MOST_ARCS = 4000 };
 
@@ -38,6 +40,7 @@ typedef struct row {
 
 typedef struct solver {
     replay_maker *m;
+    int64_t thin_ns; // epochs on its multiples enter the normal equations; 0: by `every`
     size_t every;
     bool codes;                                  // alone
     size_t zenith, north, offset, group, arc, n; // where unknowns of a kind begin, and how many there are
@@ -97,7 +100,7 @@ double replay_usual_offset_m(char system)
 static double offset_sigma_m(char system) { return system == 'E' ? 0.3 : system == 'C' ? 1.2 : 0.6; }
 
 // Both nodes of a sight's pair; false where it has not both.
-static bool pair_of(const orr_replay *r, const orr_replay_sat *x, const orr_replay_sight *g,
+bool replay_pair_of(const orr_replay *r, const orr_replay_sat *x, const orr_replay_sight *g,
                     const orr_replay_node *out[2])
 {
     if (x->pair[0] < 0 || g->at[0] < 0 || g->at[1] < 0) return false;
@@ -149,6 +152,27 @@ static void put_geometry(const solver *w, const orr_troposphere_site *site, size
     put_curve(w->north + r0->north.n, &r0->east, t, tilt * sin(az), r);
 }
 
+double replay_variance_m2(const orr_replay_sight *g)
+{
+    const double sine = fmax(sin((double)g->el_rad), 0.05);
+    return PHASE_M * PHASE_M / (sine * sine);
+}
+
+// Whether an epoch enters the normal equations.
+static bool enters(const solver *w, size_t e)
+{
+    const orr_replay *r = w->m->r;
+    if (w->codes) return e % w->every == 0;
+    const int64_t interval_ns = (int64_t)(r->interval_s * 1e9);
+    return orr_floor_mod(r->tag[e] + interval_ns / 2, w->thin_ns) < interval_ns;
+}
+
+// Variance of an ionosphere-free phase, m^2: the ray's, and that of the satellite's clock between its nodes.
+static double variance_of(const orr_replay_sat *x, const orr_replay_sight *g)
+{
+    return replay_variance_m2(g) + x->walk_m2ps * (double)g->bridge_s;
+}
+
 // Observations of an epoch.
 static size_t rows_of(const solver *w, size_t e)
 {
@@ -165,7 +189,7 @@ static size_t rows_of(const solver *w, size_t e)
         if (*c == x->n || x->sight[*c].epoch != e) continue;
         orr_replay_sight *g = &x->sight[*c];
         const orr_replay_node *node[2];
-        if (!pair_of(r, x, g, node)) continue;
+        if (!replay_pair_of(r, x, g, node)) continue;
         double a[2];
         replay_free_of_ionosphere(m, x, a);
         const double sine = fmax(sin((double)g->el_rad), 0.05);
@@ -173,7 +197,7 @@ static size_t rows_of(const solver *w, size_t e)
         row *out = &w->rows[n];
         if (arc >= 0 && (g->rejected & 1) == 0) {
             *out = (row){.value = phase_of(m, x, node) - w->near_m[g->arc],
-                         .weight = sine * sine / (PHASE_M * PHASE_M),
+                         .weight = 1 / variance_of(x, g),
                          .sight = g,
                          .phase = true};
             put_geometry(w, &site, k, g, r->t[e], out);
@@ -294,7 +318,7 @@ static void choose_arcs(solver *w)
         for (size_t j = 0; j < x->n; j++) {
             const orr_replay_sight *g = &x->sight[j];
             const orr_replay_node *node[2];
-            if (g->epoch % w->every != 0 || (g->rejected & 1) != 0 || !pair_of(r, x, g, node)) continue;
+            if (!enters(w, g->epoch) || (g->rejected & 1) != 0 || !replay_pair_of(r, x, g, node)) continue;
             if (count[g->arc]++ == 0)
                 w->near_m[g->arc] = phase_of(m, x, node) - ORR_LIGHT_MPS * r->clock_s[g->epoch];
         }
@@ -302,6 +326,13 @@ static void choose_arcs(solver *w)
     for (size_t k = 0; count != NULL && k < m->n_arcs && w->n < w->arc + MOST_ARCS; k++)
         if (count[k] >= LEAST_SIGHTS) w->arc_at[k] = (int32_t)w->n++;
     free(count);
+}
+
+// On the multiples of what clocks' nodes are apart they are the product's own.
+static int64_t thin_ns_of(const replay_maker *m)
+{
+    const double s = fmin(fmax(fmax(m->clock_step_s, THIN_S), m->r->interval_s), MOST_THIN_S);
+    return (int64_t)(fmax(s, m->r->interval_s) * 1e9 + 0.5);
 }
 
 static orr_status solver_open(replay_maker *m, size_t every, bool codes, solver *w, orr_diag *diag)
@@ -312,7 +343,8 @@ static orr_status solver_open(replay_maker *m, size_t every, bool codes, solver 
     w->enu = orr_earth_enu_from_ecef(w->place.lat_rad, w->place.lon_rad);
     w->north = w->zenith + (codes ? 0 : r->zenith.n);
     w->offset = w->north + (codes ? 0 : r->north.n + r->east.n);
-    w->alike = fmax(1, CORRELATED_S / (r->interval_s * (double)every));
+    w->thin_ns = thin_ns_of(m);
+    w->alike = fmax(1, CORRELATED_S / fmax((double)w->thin_ns * 1e-9, r->interval_s));
     w->group = w->offset;
     w->offset_at = malloc((r->n_sats + 1) * sizeof *w->offset_at);
     if (w->offset_at == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
@@ -421,6 +453,34 @@ static size_t reject(left *x, uint8_t bit)
     return found;
 }
 
+// How clocks walk between their nodes, by the scatter of what is left farther from nodes: its median, and once outliers are gone
+// its RMS.
+static void find_walks(replay_maker *m, const left *x, bool cleaned)
+{
+    double *size = malloc((x->n + 1) * sizeof *size);
+    for (size_t k = 0; size != NULL && k < m->r->n_sats; k++) {
+        orr_replay_sat *sat = &m->r->sat[k];
+        double bridge = 0, ray = 0, square = 0;
+        size_t n = 0;
+        for (size_t i = 0; i < x->n; i++) {
+            const orr_replay_sight *g = x->one[i].sight;
+            if (g < sat->sight || g >= sat->sight + sat->n || (double)g->bridge_s < m->clock_step_s / 8 ||
+                g->bridge_s <= 0 || (double)g->el_rad < 15 * ORR_RAD_PER_DEG)
+                continue;
+            const double sine = sin((double)g->el_rad);
+            size[n++] = fabs(x->one[i].value) * sqrt(variance_of(sat, g));
+            square += size[n - 1] * size[n - 1];
+            bridge += (double)g->bridge_s;
+            ray += PHASE_M * PHASE_M / (sine * sine);
+        }
+        if (n < 20) continue;
+        const double robust = ORR_SIGMA_PER_MAD * orr_median(size, n),
+                     scatter = cleaned ? fmax(robust, sqrt(square / (double)n)) : robust;
+        sat->walk_m2ps = fmax(0, (scatter * scatter - ray / (double)n) / (bridge / (double)n));
+    }
+    free(size);
+}
+
 static double rms_of(const left *x, double sigma)
 {
     double sum = 0;
@@ -436,8 +496,8 @@ static orr_status normal(solver *w, orr_diag *diag)
 {
     const orr_replay *r = w->m->r;
     size_t used = 0;
-    for (size_t e = 0; e < r->n_epochs; e += w->every) {
-        const size_t n = rows_of(w, e);
+    for (size_t e = 0; e < r->n_epochs; e++) {
+        const size_t n = enters(w, e) ? rows_of(w, e) : 0;
         used += n;
         if (n > 0) add_epoch(w, n);
     }
@@ -506,8 +566,9 @@ orr_status replay_solve(replay_maker *m, size_t every, bool codes, orr_vec3 *shi
         if (s == ORR_OK) s = normal(&w, diag);
         if (s == ORR_OK) s = look_back(&w, l, diag);
         if (s == ORR_OK) {
-            found = reject(&l[0], 1) + reject(&l[1], 2);
-            const bool last = found == 0 || round == ROUNDS - 1;
+            if (!codes) find_walks(m, &l[0], round > 1);
+            if (round > 0 || codes) found = reject(&l[0], 1) + reject(&l[1], 2);
+            const bool last = (found == 0 && (round > 1 || codes)) || round == ROUNDS - 1;
             if (last) keep(&w, l, shift_m);
             if (last) round = ROUNDS;
         }

@@ -38,8 +38,10 @@ static orr_replay *made(void)
         r->steps[e] = e == 4;
         r->held_s[e] = e >= 4 ? 1e-3 : 0;
         r->t[e] = orr_time_add_s(r->tag[e], -r->clock_s[e]);
-        r->sat[0].sight[r->sat[0].n++] = (orr_replay_sight){
-            .epoch = (uint32_t)e, .begins = e == 0 || e == GAP + 1, .more_tecu = 0.1 * (double)e};
+        r->sat[0].sight[r->sat[0].n++] = (orr_replay_sight){.epoch = (uint32_t)e,
+                                                            .begins = e == 0 || e == GAP + 1,
+                                                            .more_tecu = 0.1 * (double)e,
+                                                            .clock_m = -0.01 * (double)e};
         if (e == GAP) continue;
         x->node[x->n++] = (orr_replay_node){.epoch = (uint32_t)e,
                                             .arc = e >= 9,
@@ -85,7 +87,7 @@ static void curves_join_and_gaps_have_no_channel(void **state)
     const orr_replay_track *x = &r->track[0];
     const orr_replay_sat *sat = &r->sat[0];
     orr_replay_now before, after;
-    double rate[2];
+    orr_replay_ray ray[2];
     for (size_t e = 1; e + 1 < EPOCHS; e++) { // value and rate on both sides of a node
         const orr_time t = r->t[e];
         if (e == GAP || e == GAP + 1 || e == 9 || e == 4) continue;
@@ -94,8 +96,11 @@ static void curves_join_and_gaps_have_no_channel(void **state)
         ASSERT_NEAR(before.code_m, after.code_m, 1e-12);
         ASSERT_NEAR(before.carrier_m, after.carrier_m, 1e-12);
         if (e + 1 != GAP && e + 1 != 9) ASSERT_NEAR(before.carrier_mps, after.carrier_mps, 1e-12);
-        ASSERT_NEAR(orr_replay_content(r, sat, t, t - 1, &rate[0]),
-                    orr_replay_content(r, sat, t, t, &rate[1]), 1e-12);
+        orr_replay_ray_at(r, sat, t, t - 1, &ray[0]);
+        orr_replay_ray_at(r, sat, t, t, &ray[1]);
+        ASSERT_NEAR(ray[0].tecu, ray[1].tecu, 1e-12);
+        ASSERT_NEAR(ray[1].tecu, 0.1 * (double)e, 0);
+        ASSERT_NEAR(ray[1].clock_m, -0.01 * (double)e, 0);
     }
     assert_false(orr_replay_at(r, x, r->t[0] - 1, r->t[0] - 1, &after));
     assert_false(orr_replay_at(r, x, r->t[GAP - 1] + 1, r->t[GAP - 1] + 1, &after));
