@@ -21,7 +21,8 @@ static orr_engine *replayed(const char *station, const char *more)
     (void)orr_test_data("antex/igs05.atx.gz", antex, sizeof antex);
     snprintf(
         text, sizeof text,
-        "orbit: {sp3: ['%s'], nodes: 900}\nnavdata: {window: none}\nionosphere: {field: '%s'}\nchannel: {bias: '%s', antex: '%s'}\n"
+        "orbit: {sp3: ['%s'], nodes: 900}\nnavdata: {window: none}\nionosphere: {field: '%s'}\nchannel: "
+        "{bias: '%s', antex: '%s'}\n"
         "replay: {observations: '%s', sinex: '%s', from: 2024-02-04T06:00:00, to: 2024-02-04T07:59:30%s}\n",
         orbit, field, bias, antex, station, sinex, more);
     orr_scenario s;
