@@ -10,9 +10,12 @@ import subprocess
 import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+SYSTEM = pathlib.Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(SYSTEM), str(SYSTEM / "orbit")]
 import rtcm  # noqa: E402
 from program import Folder, data, run, sample  # noqa: E402
+from test_messages import rinex_records  # noqa: E402
+from test_navfit_files import agree, rinex_records_any  # noqa: E402
 
 C = 299792458.0
 MM = 0.5e-3 + 1e-7  # RINEX' last digit, half of it, and what a double of 1e8 cycles leaves
@@ -162,6 +165,18 @@ class Streams(Folder):
             self.assertEqual(compared, self.as_read[kind])
 
 
+    def check_ephemerides(self):
+        """Ephemerides as RTKLIB reads them, of RTCM and of UBX' subframes: those of broadcast.rnx, of every satellite in view."""
+        ours = rinex_records(self.path("broadcast.rnx"))
+        for kind, name in (("rtcm3", "BASE.rtcm3"), ("ubx", "BASE.ubx")):
+            _, path = self.convbin(kind, name)
+            theirs = rinex_records_any(path)
+            for sat, records in theirs.items():
+                for epoch, numbers in records:
+                    self.assertTrue(any(e == epoch and agree(sat, n, numbers) for e, n in ours[sat]), (kind, sat, epoch, numbers))
+            self.assertEqual(set(theirs), {sat for t in self.ours.values() for sat in t})
+
+
 class Made(Streams):
     """GPS, GLONASS and Galileo, MSM7; the made constellation on a Friday."""
 
@@ -176,7 +191,7 @@ class Made(Streams):
         orbit = cls.path("day.nc")
         run("orbit", "-q", "-o", orbit, sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
         cls.simulate(f"orbit: {{product: {orbit}}}\nsignals: [G, R, E]\n" + ANTENNAS % "52.28, 17.07, 124", "--from", "2025-03-21T10:00:00", "--to",
-                     "2025-03-21T10:00:40", "--noise")
+                     "2025-03-21T10:00:45", "--noise")
 
     def test_rtcm(self):
         self.check_rtcm()
@@ -189,6 +204,9 @@ class Made(Streams):
 
     def test_convbin(self):
         self.check_convbin()
+
+    def test_ephemerides(self):
+        self.check_ephemerides()
 
     def test_what_is_left_out_is_told(self):
         self.assertIn("--rtcm leaves out R:L3OC, which", self.said)
@@ -220,13 +238,42 @@ class Made(Streams):
 
     def test_the_same_again(self):
         before = {n: (self.folder / n).read_bytes() for n in ("BASE.rtcm3", "BASE.ubx", "BASE.nmea")}
-        self.simulate(pathlib.Path(self.path("scenario.yaml")).read_text(encoding="ascii"), "--from", "2025-03-21T10:00:00", "--to", "2025-03-21T10:00:40",
+        self.simulate(pathlib.Path(self.path("scenario.yaml")).read_text(encoding="ascii"), "--from", "2025-03-21T10:00:00", "--to", "2025-03-21T10:00:45",
                       "--noise")  # and files of Orrery's own are replaced without --force
         self.assertEqual(before, {n: (self.folder / n).read_bytes() for n in before})
 
     def test_epochs_beside_the_millisecond(self):
         said = run("simulate", self.path("scenario.yaml"), "-o", self.path("other"), "--rtcm", "--rate", "3", "--to", "2025-03-21T00:01:00", status=1).stderr
         self.assertIn("RTCM counts whole milliseconds", said)
+
+
+class Real(Streams):
+    """BeiDou (two geostationary satellites among it) and QZSS too, MSM4, over the South China Sea."""
+
+    msm = 4
+    date, week, weekday = "2020/06/25", 2111, 4
+    without, not_in_ubx, d2 = set(), set(), ("C01", "C03")
+    as_read = {"rtcm3": {"G1C", "G2X", "G5X", "E1X", "E7X", "C2I", "C6I", "J1C", "J2X", "J5X"}, "ubx": {"G1C", "G2X", "E1X", "E7X", "C2I", "J1C", "J2X"}}
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        orbit = cls.path("day.nc")
+        run("orbit", "-q", "-o", orbit, "--sat", "G05,G12,G15,C01,C03,C06,C11,C30,E11,J01-J03", data("2020-177/Sta21114.sp3.gz"))
+        cls.simulate(f"orbit: {{product: {orbit}}}\nsignals: ['G:L1CA', 'G:L2C', 'G:L5', 'E:E1', 'E:E5b', 'C:B1I', 'C:B3I', 'J:L1CA', 'J:L2C', 'J:L5']\n"
+                     + ANTENNAS % "10, 110, 50", "--from", "2020-06-25T12:00:00", "--to", "2020-06-25T12:00:45")
+
+    def test_rtcm(self):
+        self.check_rtcm()
+
+    def test_ubx(self):
+        self.check_ubx()
+
+    def test_convbin(self):
+        self.check_convbin()
+
+    def test_ephemerides(self):
+        self.check_ephemerides()
 
 
 if __name__ == "__main__":
