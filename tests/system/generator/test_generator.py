@@ -4,6 +4,7 @@ recording; and what cannot be is told in a sentence, with metadata of what is th
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import time
@@ -170,6 +171,37 @@ class Generator(Folder):
         self.assertGreater(time.monotonic() - began, 1.15)
         self.assertIn("orrery:underruns", m["global"])
         self.assertTrue(m["global"]["orrery:complete"])
+
+    def playing(self, name, *options):
+        """A generator at the pace of the clock, some of whose samples are written."""
+        process = subprocess.Popen([recording.GENERATOR, self.service.url, "-o", self.path(name), "--rate", "2600000", "--signals", "G:L1CA",
+                                    "--from", START, "--pace", *options], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
+        written, until = pathlib.Path(self.path(f"{name}.sigmf-data")), time.monotonic() + 60
+        while not (written.exists() and written.stat().st_size > 0) and time.monotonic() < until:
+            time.sleep(0.02)
+        return process
+
+    def test_late(self):
+        """A generator that the machine leaves no time: slices that left late are counted and told."""
+        process = self.playing("late-one", "--seconds", "0.8")
+        os.kill(process.pid, signal.SIGSTOP)
+        time.sleep(0.4)
+        os.kill(process.pid, signal.SIGCONT)
+        said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 0)
+        late = meta(self.path("late-one"))["global"]["orrery:underruns"]
+        self.assertGreater(late, 10)  # slices of 10 ms
+        self.assertIn(f"{late} underruns, at most 0.", said)
+
+    def test_killed(self):
+        """A generator that is killed leaves metadata of no more than what is there, and that it is not all."""
+        process = self.playing("killed", "--seconds", "60")
+        process.kill()
+        process.wait()
+        m = meta(self.path("killed"))["global"]
+        self.assertFalse(m["orrery:complete"])
+        self.assertLessEqual(m["orrery:samples"], len(data(self.path("killed"))) // 2)
 
     def test_full_disk(self):
         name = self.path("full")
