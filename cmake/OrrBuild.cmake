@@ -57,7 +57,7 @@ if(ORR_SANITIZE)
   target_link_options(orr_flags INTERFACE -fsanitize=${ORR_SANITIZE})
 endif()
 if(ORR_COVERAGE)
-  target_compile_options(orr_flags INTERFACE --coverage -O0)
+  target_compile_options(orr_flags INTERFACE --coverage -fprofile-update=atomic -O0) # threads count too
   target_link_options(orr_flags INTERFACE --coverage)
 endif()
 if(ORR_FUZZ)

@@ -147,7 +147,7 @@ class Load(unittest.TestCase):
                     except (OSError, orrery.ProtocolError, orrery.Refused):
                         time.sleep(0.01)  # closed between two answers: it comes again
 
-            visitors = [threading.Thread(target=visit, args=(mine,)) for mine in told]
+            visitors = [threading.Thread(target=visit, args=(mine,), daemon=True) for mine in told]
             for v in visitors:
                 v.start()
             end = time.monotonic() + 30
