@@ -15,6 +15,7 @@ enum { HEAD = 4096 };
 
 // How text that Orrery writes begins, where it does not name its maker.
 static const char *const beginnings[] = {"t_gps,",
+                                         "sat,element,period_d,",
                                          "sat,penumbra_entry,",
                                          "t_s,dxi1_m,",
                                          "t_s,lat_deg,",

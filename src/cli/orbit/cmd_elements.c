@@ -11,6 +11,7 @@
 #include "src/archive/store.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
+#include "src/cli/orbit/elements_periods.h"
 #include "src/cli/orbit/elements_rows.h"
 #include "src/make/elements.h"
 
@@ -150,14 +151,16 @@ static orr_status write_nc(const orr_cli *c, const orr_elements_plan *plan, cons
     return s;
 }
 
-static orr_status to_text(const orr_elements_plan *plan, const char *path, bool json, size_t *n,
-                          orr_warnings *warnings, orr_diag *diag)
+static orr_status to_text(const orr_elements_plan *plan, const char *path, bool json,
+                          elements_periods *periods, size_t *n, orr_warnings *warnings, orr_diag *diag)
 {
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
     if (s != ORR_OK) return s;
     text_sink k = {.stream = out.stream, .path = path};
-    s = orr_elements_make(plan, json ? print_json_row : print_csv_row, &k, n, NULL, warnings, diag);
+    periods->next = json ? print_json_row : print_csv_row;
+    periods->user = &k;
+    s = orr_elements_make(plan, elements_periods_take, periods, n, NULL, warnings, diag);
     if (s == ORR_OK && json) fputs("\n]\n", out.stream);
     return orr_outfile_end(&out, s, diag);
 }
@@ -206,6 +209,7 @@ static int run_of(orr_cli *c, const char *const *product, size_t n_products)
     orr_warnings warnings = {0};
     const char *format = orr_cli_text(c, "format", "csv"), *path = orr_cli_text(c, "output", "-");
     const bool nc = strcmp(format, "nc") == 0;
+    const char *spectrum = orr_cli_text(c, "periods", NULL);
     if (nc && strcmp(path, "-") == 0) return orr_cli_usage(c, "--format nc needs a file: -o FILE");
     if (orr_cli_backward(c)) return orr_cli_usage(c, "--to is before --from");
     const orr_elements_plan plan = {
@@ -225,8 +229,12 @@ static int run_of(orr_cli *c, const char *const *product, size_t n_products)
         return orr_cli_usage(c, "--spacing: at least %g s; closer positions do not define a plane",
                              ORR_MAKE_ELEMENTS_LEAST_SPACING_S);
     size_t n = 0;
+    elements_periods periods = {.keeps = spectrum != NULL};
     orr_status s = nc ? to_nc(c, &plan, path, &n, &warnings, &diag)
-                      : to_text(&plan, path, strcmp(format, "json") == 0, &n, &warnings, &diag);
+                      : to_text(&plan, path, strcmp(format, "json") == 0, &periods, &n, &warnings, &diag);
+    if (s == ORR_OK && spectrum != NULL)
+        s = elements_periods_write(c, &periods, (double)plan.step_ns * 1e-9 / ORR_S_PER_DAY, spectrum, &diag);
+    elements_periods_free(&periods);
     if (s == ORR_OK && strcmp(path, "-") != 0) orr_cli_say(c, "%s: %zu rows", path, n);
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
@@ -278,6 +286,14 @@ static const orr_option options[] = {
     ORR_OPTION_TO(.help = "Last instant; where the products end by default."),
     ORR_OPTION_ERP(
             .help = "Earth rotation parameters; by default what the product was made with, which it holds."),
+    {.name = "periods",
+     .applies = "format=csv|json",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .writes = true,
+     .help = "Also write the periods in a, e and i of each satellite as CSV: amplitudes by least squares "
+             "beside a cubic trend, from three steps to "
+             "two thirds of the span."},
     ORR_OPTION_FORMAT("csv|json|nc", "csv"),
     ORR_OPTION_OUTPUT,
 };

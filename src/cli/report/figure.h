@@ -14,6 +14,13 @@ typedef enum figure_kind {
     FIGURE_MAP,   // x longitude, y latitude; `line` is the column of the value
 } figure_kind;
 
+// What few figures want.
+typedef struct figure_extras {
+    bool centred;      // each line less its mean
+    bool days;         // instants as days of the table, not hours
+    const char *marks; // "name=x|name=x": upright lines, where x is within the others
+} figure_extras;
+
 typedef struct figure_plot {
     // File and columns; `line` NULL: one line. Several files, a line each, are "name=file|name=file:column"; `y` may name several
     // columns, "name=a|name=b", a line each. A column is taken as it is, with '-' before it negative, with '+' its size.
@@ -24,6 +31,7 @@ typedef struct figure_plot {
     double factor; // of y
     figure_kind kind;
     const char *where; // "column=value,...": rows that are drawn; NULL: all
+    figure_extras more;
 } figure_plot;
 
 typedef struct figure {

@@ -7,6 +7,7 @@
 
 #include "core/array.h"
 #include "core/nan.h"
+#include "core/robust.h"
 #include "src/cli/frame/plot.h"
 #include "src/cli/report/figure.h"
 
@@ -183,6 +184,52 @@ static void cut_tracks(curve *c)
     }
 }
 
+// A line of instants is interrupted where more than that many of its usual steps are missing.
+#define MOST_STEPS 2.5
+
+// Interrupts a line where rows are missing: its last point before that is left out.
+static void cut_gaps(curve *c)
+{
+    double *step = c->n > 2 ? malloc(c->n * sizeof *step) : NULL;
+    if (step == NULL) return;
+    for (size_t k = 1; k < c->n; k++) step[k - 1] = c->x[k] - c->x[k - 1];
+    const double usual = orr_median(step, c->n - 1);
+    free(step);
+    for (size_t k = 0; k + 1 < c->n; k++)
+        if (c->x[k + 1] - c->x[k] > MOST_STEPS * usual) c->y[k] = ORR_NAN;
+}
+
+static void centre(curve *c)
+{
+    double sum = 0;
+    size_t n = 0;
+    for (size_t k = 0; k < c->n; k++)
+        if (isfinite(c->y[k])) sum += c->y[k], n++;
+    for (size_t k = 0; k < c->n; k++) c->y[k] -= sum / (double)n;
+}
+
+// Upright lines "name=x|name=x" over the height of the others; those beyond them are left out.
+static bool add_marks(table *t, const char *marks)
+{
+    char one[64];
+    double from = HUGE_VAL, to = -HUGE_VAL, low = HUGE_VAL, high = 0;
+    for (size_t k = 0; k < t->n; k++)
+        for (size_t i = 0; i < t->line[k].n; i++) {
+            from = fmin(from, t->line[k].x[i]);
+            to = fmax(to, t->line[k].x[i]);
+            low = fmin(low, t->line[k].y[i]);
+            high = fmax(high, t->line[k].y[i]);
+        }
+    while (marks != NULL && next_of(&marks, one, sizeof one)) {
+        char *sign = strchr(one, '=');
+        const double x = sign != NULL ? strtod(sign + 1, NULL) : ORR_NAN;
+        if (!(x >= from && x <= to)) continue;
+        *sign = '\0';
+        if (!add(t, one, x, low) || !add(t, one, x, high)) return false;
+    }
+    return true;
+}
+
 // Every k-th point where there are more than a figure shows.
 static void thin_out(curve *c)
 {
@@ -216,7 +263,15 @@ orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
     t->first = ORR_TIME_NONE;
     const bool is_map = f->plot.kind == FIGURE_MAP;
     orr_status s = read_table(&f->plot, folder, t, diag);
+    const size_t n_drawn = t->n;
+    if (s == ORR_OK && !add_marks(t, f->plot.more.marks))
+        s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     for (size_t k = 0; k < t->n && !is_map; k++) {
+        if (f->plot.more.days) {
+            for (size_t i = 0; i < t->line[k].n; i++) t->line[k].x[i] /= 24;
+            cut_gaps(&t->line[k]);
+        }
+        if (f->plot.more.centred) centre(&t->line[k]);
         thin_out(&t->line[k]);
         if (f->plot.kind == FIGURE_SKY) cut_tracks(&t->line[k]);
         if (strcmp(f->plot.x, "lon_deg") == 0) cut_longitudes(&t->line[k]);
@@ -226,7 +281,7 @@ orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
                                   .n = t->line[k].n,
                                   .marks = f->plot.kind == FIGURE_MARKS,
                                   .colour = (int)k,
-                                  .dashed = k >= 8};
+                                  .dashed = k >= 8 || k >= n_drawn};
     }
     if (is_map && t->n == 2)
         cells = (orr_plot_cells){.x = t->line[0].x,

@@ -22,7 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from program import ORRERY, Folder, run, run_json, sample, ultra  # noqa: E402
 
 DAYS = ("079", "080", "081")
-KILLS = int(os.environ.get("ORRERY_KILLS", "10"))
+KILLS = int(os.environ.get("ORRERY_KILLS", "100" if os.environ.get("ORRERY_LONG") else "10"))
 
 
 FEW = ("G01", "G02", "G03", "E01", "E02", "R01")  # of the samples' satellites: what is tested here are days, not orbits
@@ -211,6 +211,14 @@ class Batch(Folder):
                                                  or r.startswith("2025-03-22T12:00:00")])
         incl = [float(r.split(",")[4]) for r in rows.splitlines()[1:]]
         self.assertLess(max(abs(b - a) for a, b in zip(incl, incl[1:])), 4e-4)  # degrees: 2 n 900 s of J2's 3/8 J2 (R/a)^2 sin 2i = 1.3e-3
+        # The oblateness turns the plane twice a revolution: the largest period of the inclination is half of 11.97 h.
+        spectrum = self.path("periods.csv")
+        told = run("elements", "--archive", self.whole, *how, "--periods", spectrum).stderr
+        table = [r for r in csv.DictReader(pathlib.Path(spectrum).read_text(encoding="utf-8").splitlines()) if r["element"] == "i_deg"]
+        peak = max((r for r in table if float(r["period_d"]) < 1), key=lambda r: float(r["amplitude"]))
+        self.assertAlmostEqual(float(peak["period_d"]), 11.967 / 48, delta=0.005)
+        self.assertIn(f"G01: inclination swings by {float(peak['amplitude']):.3g} deg in {float(peak['period_d']):.4g} days", told)
+        self.assertIn("--periods needs", run("elements", "--archive", self.whole, *how, "--to", "2025-03-20T02:00", "--periods", spectrum, status=1).stderr)
         self.assertIn("one of them is needed", run("elements", *how, status=2).stderr)
         self.assertIn("has no day of the span", run("elements", "--archive", self.whole, "--from", "2026-01-01", status=1).stderr)
 

@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_multifit.h>
 
+#include "orbit/elements/lines.h"
 #include "orbit/force/integrate.h"
 #include "orbit/force/kepler.h"
 
@@ -107,6 +108,17 @@ static void inclination_swings_with_half_a_month_and_half_a_year(void **state)
                   found_sun, sun);
     ASSERT_NEAR(found_moon / moon, 1, 0.02);
     ASSERT_NEAR(found_sun / sun, 1, 0.02);
+    // What `orrery elements --periods` looks through has its peaks there.
+    const double line[2] = {moon, sun};
+    for (int k = 0; k < 2; k++) {
+        double best = 0, most = 0;
+        for (double f = 0.85; f <= 1.15; f += 0.005) {
+            double amplitude;
+            ASSERT_OK(orr_line_amplitude(t, incl, DAYS, line[k] * f, &amplitude, &d), d);
+            if (amplitude > most) most = amplitude, best = line[k] * f;
+        }
+        ASSERT_NEAR(best / line[k], 1, 0.02);
+    }
     // Neither line is a fancy of the fit: without it, much more is left.
     const double lines[2] = {found_moon, found_sun};
     double both = residual_with(t, incl, DAYS, lines, 2);

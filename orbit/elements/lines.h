@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Periodic terms of elements over weeks and years: the spectrum by least squares, which needs no even spacing and bridges days that are missing.
+#ifndef ORR_ORBIT_ELEMENTS_LINES_H
+#define ORR_ORBIT_ELEMENTS_LINES_H
+
+#include "core/status.h"
+
+// The amplitude of one period in a series, beside a cubic trend.
+// Given:
+//   t          [n] instants, any unit of time, in any order
+//   y          [n] values
+//   n          how many; at least 6
+//   period     in the unit of t
+// Returned:
+//   amplitude  of a cosine of that period, of whatever phase, in the unit of y
+//   diag       why there is none; may be NULL
+// Errors: ORR_E_ARG (too few, or no period), ORR_E_NUMERIC (the series cannot tell the period from the trend).
+// Reference: Lomb 1976, with the trend among the unknowns; its normal equations are those of least squares.
+orr_status orr_line_amplitude(const double *t, const double *y, size_t n, double period, double *amplitude,
+                              orr_diag *diag);
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Periods of a series by least squares: closed forms, holes, and what cannot be told.
+#include "testing.h"
+
+#include "core/constants.h"
+#include "orbit/elements/lines.h"
+
+#define N 500
+
+static double t_of(int i) { return 0.5 * i + (i % 7 == 3 ? 0.13 : 0); } // not even
+
+static void a_line_is_found_beside_a_trend(void **state)
+{
+    (void)state;
+    double t[N], y[N], amplitude;
+    size_t n = 0;
+    for (int i = 0; i < N; i++) {
+        if (i > 100 && i < 160) continue; // a month is missing
+        const double x = t_of(i) / 250;
+        t[n] = t_of(i);
+        y[n++] = 55 + 0.3 * x - 2 * x * x + x * x * x + 0.004 * cos(2 * ORR_PI * t_of(i) / 13.66 + 0.7);
+    }
+    orr_diag d = {0};
+    ASSERT_OK(orr_line_amplitude(t, y, n, 13.66, &amplitude, &d), d);
+    ASSERT_NEAR(amplitude, 0.004, 1e-12); // exactly what was put in
+    for (double period = 2; period < 160; period *= 1.03) {
+        ASSERT_OK(orr_line_amplitude(t, y, n, period, &amplitude, &d), d);
+        assert_true(amplitude < 0.0041);
+        if (fabs(log(period / 13.66)) > 0.25) assert_true(amplitude < 0.001); // leaks through the hole
+    }
+}
+
+static void what_cannot_be_told_is_refused(void **state)
+{
+    (void)state;
+    double t[6] = {0, 1, 2, 3, 4, 5}, y[6] = {1, 2, 3, 4, 5, 6}, amplitude;
+    orr_diag d = {0};
+    assert_int_equal(orr_line_amplitude(t, y, 5, 2, &amplitude, &d), ORR_E_ARG);
+    assert_int_equal(orr_line_amplitude(t, y, 6, 0, &amplitude, &d), ORR_E_ARG);
+    assert_int_equal(orr_line_amplitude(t, y, 6, 1, &amplitude, &d),
+                     ORR_E_NUMERIC); // a sine that is nothing at all instants
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_line_is_found_beside_a_trend),
+                                       cmocka_unit_test(what_cannot_be_told_is_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
