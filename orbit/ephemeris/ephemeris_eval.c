@@ -90,7 +90,7 @@ INLINE void place_at(const eph_arc *a, orr_time t, place *p)
 }
 
 // The arc that holds t, the later one where two meet; NULL in a gap.
-static const eph_arc *arc_at(const eph_sat *s, orr_time t)
+INLINE const eph_arc *arc_at(const eph_sat *s, orr_time t)
 {
     for (size_t k = s->n_arcs; k-- > 0;) {
         const eph_arc *a = &s->arc[k];
@@ -99,7 +99,7 @@ static const eph_arc *arc_at(const eph_sat *s, orr_time t)
     return NULL;
 }
 
-static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_arc *a, size_t segment,
+INLINE uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_arc *a, size_t segment,
                             int64_t rest_ns, orr_time t)
 {
     int64_t sample_ns = a->segment_ns / (int64_t)a->samples_per_segment;
@@ -119,7 +119,7 @@ static uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_
 }
 
 // Index of the last clock node not after t; t is not before the first.
-static size_t clock_before(const eph_sat *s, orr_time t)
+INLINE size_t clock_before(const eph_sat *s, orr_time t)
 {
     enum { WALK = 4 }; // a few nodes more or less than even spacing has: days' joints
     size_t last = s->n_clocks - 1;
@@ -140,7 +140,7 @@ static size_t clock_before(const eph_sat *s, orr_time t)
 }
 
 // The end of a stretch still has a clock: its last node, with the rate that leads there.
-static const eph_clock *stretch_end(const eph_sat *s, size_t i, orr_time t)
+INLINE const eph_clock *stretch_end(const eph_sat *s, size_t i, orr_time t)
 {
     if (s->rate[i].t != t) return NULL;
     while (i > 0 && s->rate[i - 1].t == t) i--;
@@ -228,9 +228,9 @@ static size_t eval_all_plain(const orr_ephemeris *e, orr_time t, orr_sat_state *
 }
 
 #if defined(__x86_64__)
-// The same again for machines whose vectors hold four doubles. The registers' upper halves are cleared behind it: gcc 12 leaves them
-// in use on the way through clock_before, and from then on each call of the C library's own wide functions (log, atan2) waits some
-// 100 ns for them.
+// The same again for machines whose vectors hold four doubles. All that it calls is inlined: a function of its own is not compiled for
+// them, and its plain instructions wait for the registers' upper halves (clock_before alone made a satellite cost 200 ns in place of 40).
+// These are cleared behind it, for the same reason: the C library's wide functions (log, atan2) would wait some 100 ns each.
 __attribute__((target("avx2"))) static orr_status eval_wide(const orr_ephemeris *e, orr_sat sat, orr_time t,
                                                             orr_sat_state *out)
 {
