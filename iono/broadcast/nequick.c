@@ -71,8 +71,26 @@ orr_geodetic orr_nequick_upper_end(orr_geodetic site, double az_rad, double el_r
     return (orr_geodetic){asin(fmin(1, fmax(-1, sin_lat))), lon, height_m};
 }
 
-double orr_nequick_slant_tecu(const orr_nequick *n, const double ai[3], orr_time t,
-                              const orr_leap_table *leap, orr_geodetic site, orr_geodetic sat)
+// The integral between two points on the ray, TECU: below 1000 km, below 2000 km and above, as the description divides it, on
+// either side of the point nearest to the Earth.
+static double content(const ray *r, double from, double to)
+{
+    static const double edge_km[2] = {EARTH_KM + 1000, EARTH_KM + 2000};
+    const double foot2 = orr_vec3_dot(r->foot_km, r->foot_km);
+    double half[2], sum = 0;
+    for (int i = 0; i < 2; i++) half[i] = sqrt(fmax(edge_km[i] * edge_km[i] - foot2, 0));
+    const double end[6] = {-half[1], -half[0], 0, half[0], half[1], to};
+    for (int i = 0; i < 6 && from < to; i++) {
+        const double here = fmin(end[i], to);
+        if (!(here > from)) continue;
+        sum += integral(r, from, here, i == 2 || i == 3 ? 1e-3 : 1e-2, MOST_HALVINGS);
+        from = here;
+    }
+    return sum * 1e11 * 1e3 / 1e16;
+}
+
+double orr_nequick_path_tecu(const orr_nequick *n, const double ai[3], orr_time t, const orr_leap_table *leap,
+                             orr_geodetic site, orr_geodetic sat)
 {
     orr_civil utc;
     orr_time_to_civil(t, ORR_SCALE_UTC, leap, &utc);
@@ -83,22 +101,22 @@ double orr_nequick_slant_tecu(const orr_nequick *n, const double ai[3], orr_time
 
     const orr_vec3 low = on_sphere_km(site), high = on_sphere_km(sat);
     ray r = {.epoch = &epoch, .along = orr_vec3_unit(orr_vec3_sub(high, low))};
-    double from = orr_vec3_dot(low, r.along), to = orr_vec3_dot(high, r.along);
+    const double from = orr_vec3_dot(low, r.along), to = orr_vec3_dot(high, r.along);
     r.foot_km = orr_vec3_axpy(-from, r.along, low);
     const double foot2 = orr_vec3_dot(r.foot_km, r.foot_km);
-    if (!(orr_vec3_norm(high) > orr_vec3_norm(low)) || !(from > 0)) return ORR_NAN;
-    if (foot2 < 0.01) { // straight up
+    if (from < 0 && to > 0 && foot2 < EARTH_KM * EARTH_KM) return ORR_NAN;
+    if (from > 0 && foot2 < 0.01) { // straight up
         r.vertical = true;
         neq_profile_at(&epoch, lat_deg, lon_deg, &r.profile);
     }
-    // Up to 1000 km, to 2000 km and beyond, as the description divides it.
-    static const double edge_km[2] = {EARTH_KM + 1000, EARTH_KM + 2000};
-    double sum = 0;
-    for (int i = 0; i < 3 && from < to; i++) {
-        const double end = i < 2 ? fmin(sqrt(edge_km[i] * edge_km[i] - foot2), to) : to;
-        if (!(end > from)) continue;
-        sum += integral(&r, from, end, i == 0 ? 1e-3 : 1e-2, MOST_HALVINGS);
-        from = end;
-    }
-    return sum * 1e11 * 1e3 / 1e16;
+    return content(&r, from, to);
+}
+
+double orr_nequick_slant_tecu(const orr_nequick *n, const double ai[3], orr_time t,
+                              const orr_leap_table *leap, orr_geodetic site, orr_geodetic sat)
+{
+    const orr_vec3 low = on_sphere_km(site), high = on_sphere_km(sat);
+    if (!(orr_vec3_norm(high) > orr_vec3_norm(low)) || !(orr_vec3_dot(low, orr_vec3_sub(high, low)) > 0))
+        return ORR_NAN;
+    return orr_nequick_path_tecu(n, ai, t, leap, site, sat);
 }

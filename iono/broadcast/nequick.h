@@ -37,6 +37,13 @@ orr_status orr_nequick_of_numbers(const double *number, orr_nequick **out, orr_d
 //   Notes:    within 0.05 TECU of the description's own values (Annex E).
 double orr_nequick_slant_tecu(const orr_nequick *n, const double ai[3], orr_time t,
                               const orr_leap_table *leap, orr_geodetic site, orr_geodetic sat);
+// The same between any two points, as from a receiver in space down to the Earth's limb and up again.
+//   Given:    n, ai, t, leap  as above
+//             site            the receiver, whose modip goes with ai, geodetic
+//             sat             the other end
+//   Returned: (value)         TECU; NAN where the line passes below the model's sphere
+double orr_nequick_path_tecu(const orr_nequick *n, const double ai[3], orr_time t, const orr_leap_table *leap,
+                             orr_geodetic site, orr_geodetic sat);
 // The end of a ray at a height above the model's sphere, for orr_nequick_slant_tecu.
 orr_geodetic orr_nequick_upper_end(orr_geodetic site, double az_rad, double el_rad, double height_m);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "core/limb.h"
 #include "core/nan.h"
 #include "iono/broadcast/bdgim.h"
 #include "iono/field/tec_field_private.h"
@@ -296,6 +297,7 @@ orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, or
                         orr_tec_ray *out, orr_diag *diag)
 {
     orr_pierce p;
+    if (orr_limb_in_space(site->pos_m)) return tec_look_from_space(at, site, sat_m, out, diag);
     orr_status s = orr_pierce_ray(site, sat_m, at->field->shell_radius_m, &p, diag);
     return s == ORR_OK ? orr_tec_look_through(at, site, &p, out, diag) : s;
 }

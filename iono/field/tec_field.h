@@ -197,7 +197,9 @@ typedef struct orr_tec_ray {
 //   diag   why there is none; may be NULL
 // Errors: those of orr_pierce_ray and orr_tec_vertical.
 // Notes: a broadcast model has its own way to the slant; the mapping is the quotient. NeQuick-G is integrated up to
-// 20 200 km.
+// 20 200 km. From receivers in space (core/limb.h) rays go down too: NeQuick-G is integrated from the one end to the other, every
+// other field gives what the ray meets where it crosses the shell: nothing from above it, with the receiver's own direction for a
+// pierce point and a mapping of 0. ORR_E_RANGE where the Earth or its air hides the satellite.
 orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
                         orr_tec_ray *out, orr_diag *diag);
 // One ray through a pierce point that is known already.

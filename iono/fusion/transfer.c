@@ -11,6 +11,7 @@
 // each other are joined by a ramp; beyond the session's ends all of it tapers off.
 #include <math.h>
 
+#include "core/limb.h"
 #include "core/linalg.h"
 #include "core/rng.h"
 #include "iono/fusion/session.h"
@@ -378,7 +379,7 @@ orr_status orr_session_realise(const orr_session *s, orr_time t, orr_vec3 site_m
     if (n > ORR_SESSION_MAX_SATS)
         return orr_diag_set(diag, ORR_E_LIMIT, "%zu satellites in one question; %d are the limit", n,
                             ORR_SESSION_MAX_SATS);
-    const double part = in_force(s, t);
+    const double part = orr_limb_in_space(site_m) ? 0 : in_force(s, t); // what the station saw lies below
     orr_tec_instant at;
     orr_status status = orr_tec_field_at(s->field, t, &at, diag);
     if (status == ORR_OK)

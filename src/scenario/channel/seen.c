@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/angle.h"
+#include "core/limb.h"
 
 // Elevation below which nothing is seen at an azimuth.
 static double horizon_rad(const orr_scenario_mask *mask, double az_rad)
@@ -27,6 +28,12 @@ static double horizon_rad(const orr_scenario_mask *mask, double az_rad)
     return el * ORR_RAD_PER_DEG;
 }
 
+// Whether the Earth stands before a satellite; from space its air as well.
+static bool behind_the_earth(orr_vec3 r_m, orr_vec3 sat_m, double el_rad)
+{
+    return el_rad < 0 && orr_limb_hides(r_m, sat_m, orr_limb_in_space(r_m) ? ORR_SPACE_HEIGHT_M : 0);
+}
+
 seen_direction seen_at(const orr_channels *c, size_t antenna, const orr_antenna_state *at, orr_vec3 sat_m)
 {
     const orr_scenario_mask *mask = &c->mask;
@@ -35,7 +42,7 @@ seen_direction seen_at(const orr_channels *c, size_t antenna, const orr_antenna_
     const double az = orr_atan2(own.x, own.y);
     out.az_rad = az < 0 ? az + 2 * ORR_PI : az;
     out.el_rad = orr_atan2(own.z, sqrt(own.x * own.x + own.y * own.y));
-    out.seen = out.el_rad >= horizon_rad(mask, out.az_rad) &&
+    out.seen = out.el_rad >= horizon_rad(mask, out.az_rad) && !behind_the_earth(at->r_m, sat_m, out.el_rad) &&
                !orr_terrain_hides(c->terrain, antenna, out.az_rad, out.el_rad) &&
                !orr_obstacles_wall(c->obstacles, at, orr_vec3_unit(d));
     if (!out.seen || !mask->has_body || c->antenna[antenna].motion == NULL) return out;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/earth.h"
+#include "core/limb.h"
 #include "core/nan.h"
 
 _Static_assert((int)ORR_IONO_MAPS_BILINEAR == ORR_TEC_BILINEAR &&
@@ -113,7 +114,9 @@ static orr_answer look(const orr_source_orbit *orbits, orr_time t, orr_vec3 rece
     if (answer != ORR_ANSWER_OK) return answer;
     double az, el, range;
     orr_earth_look(receiver_m, state.pos_m, &az, &el, &range);
-    if (!(el >= 0)) return ORR_ANSWER_BELOW_HORIZON;
+    if (orr_limb_in_space(receiver_m) ? orr_limb_hides(receiver_m, state.pos_m, ORR_SPACE_HEIGHT_M)
+                                      : !(el >= 0))
+        return ORR_ANSWER_BELOW_HORIZON;
     delay->pierce.az_rad = az;
     delay->pierce.el_rad = el;
     *sat_m = state.pos_m;

@@ -25,7 +25,7 @@ static orr_answer receiver_of(const orr_answers *a, const orr_msg_poll_delays *p
     return ORR_ANSWER_OK;
 }
 
-// Rays from above the shell, or from nowhere, have no pierce point.
+// Where a receiver may be: on the Earth, or in space as far as its high orbits go.
 static uint16_t check_receiver(orr_vec3 receiver, orr_server_refusal *why)
 {
     if (!isfinite(receiver.x) || !isfinite(receiver.y) || !isfinite(receiver.z))
@@ -33,10 +33,10 @@ static uint16_t check_receiver(orr_vec3 receiver, orr_server_refusal *why)
                                   "POLL_DELAYS: receiver_m has a coordinate that is no finite number; three "
                                   "finite ones name a receiver, three NAN the scenario's own");
     double r = hypot(hypot(receiver.x, receiver.y), receiver.z); // does not overflow
-    if (r > 6.2e6 && r < 6.8e6) return 0;
+    if (r > 6.2e6 && r < 5e8) return 0;
     snprintf(why->sentence, sizeof why->sentence,
-             "POLL_DELAYS: a receiver %.6g km from the Earth's centre; between 6200 and 6800 km, below the "
-             "ionosphere's shell, one is possible",
+             "POLL_DELAYS: a receiver %.6g km from the Earth's centre; between 6200 and 500 000 km one is "
+             "possible",
              r / 1e3);
     return ORR_MSG_ERROR_CODE_BAD_REQUEST;
 }

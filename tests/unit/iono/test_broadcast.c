@@ -191,6 +191,26 @@ static void nequick_of_made_tables(void **state)
     assert_true(vertical > 3 && vertical < 30);
     assert_true(orr_nequick_slant_tecu(made, zero, t, NULL, site, orr_nequick_upper_end(site, 1, 0.3, 2e7)) >
                 1.5 * vertical);
+    // A ray is the sum of its parts: from the ground to 400 km and on; and down to its lowest point, 150 km, and up again.
+    const double foot = 6371.2 + 150, tilt = 0.4;
+    double part[4];
+    for (int k = 0; k < 4; k++) {
+        static const double from_km[] = {-2500, -2500, 0, 1200}, to_km[] = {20000, 0, 1200, 20000};
+        orr_geodetic end[2];
+        for (int side = 0; side < 2; side++) {
+            const double s = side == 0 ? from_km[k] : to_km[k];
+            const orr_vec3 x = {foot * cos(tilt), s, foot * sin(tilt)};
+            const double size = orr_vec3_norm(x);
+            end[side] = (orr_geodetic){asin(x.z / size), atan2(x.y, x.x), 1e3 * (size - 6371.2)};
+        }
+        part[k] = orr_nequick_path_tecu(made, zero, t, NULL, end[0], end[1]);
+        ASSERT_NEAR(orr_nequick_path_tecu(made, zero, t, NULL, end[1], end[0]), part[k], 2e-3 * part[k]);
+        if (k == 3) ASSERT_NEAR(orr_nequick_slant_tecu(made, zero, t, NULL, end[0], end[1]), part[k], 1e-12);
+    }
+    ASSERT_NEAR(part[0], part[1] + part[2] + part[3], 2e-3 * part[0]); // the integral's own tolerance
+    assert_true(part[0] > 5 * vertical);
+    assert_true(isnan(
+        orr_nequick_path_tecu(made, zero, t, NULL, (orr_geodetic){0, 0, 4e5}, (orr_geodetic){0, 3, 4e5})));
     free(made);
 }
 

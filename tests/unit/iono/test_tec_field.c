@@ -568,6 +568,45 @@ static void test_broadcast_sets(void **state)
     free(at);
 }
 
+// A field of 20 TECU everywhere, seen from space: what the shell of 450 km has, by the angle at which rays cross it.
+static void rays_of_space_cross_the_shell(void **state)
+{
+    (void)state;
+    made m = make(2, 2, false);
+    for (size_t i = 0; i < (size_t)2 * ROWS * COLS; i++) m.tec[i] = 20;
+    orr_tec_field *f;
+    orr_diag d = {0};
+    ASSERT_OK(orr_tec_field_from_maps(&m.maps, NULL, &f, &d), d);
+    orr_tec_instant *at = malloc(sizeof *at);
+    ASSERT_OK(orr_tec_field_at(f, m.t[0], at, &d), d);
+    for (double height = 300e3; height < 3e6; height += 1036e3)
+        for (double lowest = 50e3; lowest < 300e3;
+             lowest += 100e3) { // of the ray, above the sphere of the shell's own centre
+            const double R = 6378e3 + height, foot = 6378e3 + lowest, down = -acos(foot / R);
+            const orr_vec3 r = {R, 0, 0}, along = {sin(down), cos(down), 0}; // in the equator's plane
+            orr_iono_site s;
+            orr_tec_ray ray;
+            ASSERT_OK(orr_iono_site_at(r, &s, &d), d);
+            const orr_status got = orr_tec_look(at, &s, orr_vec3_axpy(40e6, along, r), &ray, &d);
+            assert_int_equal(got, lowest < 100e3 ? ORR_E_RANGE : ORR_OK); // through the air, or not
+            if (got != ORR_OK) continue;
+            const double sine = foot / ORR_SHELL_RADIUS_M, once = 20 / sqrt(1 - sine * sine);
+            ASSERT_NEAR(ray.stec_tecu, R > ORR_SHELL_RADIUS_M ? 2 * once : once, 1e-6);
+            ASSERT_NEAR(ray.mapping * 20, ray.stec_tecu, 1e-6);
+            ASSERT_NEAR(ray.pierce.el_rad, down, 1e-12);
+            ASSERT_OK(orr_tec_look(at, &s, (orr_vec3){30e6, 1e6, 2e6}, &ray, &d), d); // upward
+            if (R > ORR_SHELL_RADIUS_M) assert_true(ray.stec_tecu == 0 && ray.mapping == 0);
+            if (R < ORR_SHELL_RADIUS_M) ASSERT_NEAR(ray.stec_tecu, 20, 0.2); // nearly vertical
+            const double half =
+                sqrt(R * R - foot * foot); // a satellite at the ray's lowest point: the way down alone
+            ASSERT_OK(orr_tec_look(at, &s, orr_vec3_axpy(half, along, r), &ray, &d), d);
+            ASSERT_NEAR(ray.stec_tecu, R > ORR_SHELL_RADIUS_M ? once : 0, 1e-6);
+        }
+    free(at);
+    orr_tec_field_free(f);
+    drop(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -577,6 +616,6 @@ int main(void)
         cmocka_unit_test(test_negative_cells), cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_region),         cmocka_unit_test(test_edges_are_held),
         cmocka_unit_test(test_model),          cmocka_unit_test(test_klobuchar_field),
-        cmocka_unit_test(test_broadcast_sets)};
+        cmocka_unit_test(test_broadcast_sets), cmocka_unit_test(rays_of_space_cross_the_shell)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
