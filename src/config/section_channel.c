@@ -235,8 +235,9 @@ static const orr_key obstacle_rows[] = {
 static const orr_schema obstacle_table = ORR_SCHEMA(obstacle_rows, orr_scenario_obstacle);
 static const orr_condition on_body[] = {{.key = "../trajectory", .why = "nothing moves"}, {0}};
 static const orr_key mask_rows[] = {
-    REAL_ROW(orr_scenario_mask, "elevation", elevation_deg, -10, 90, "deg", "5", NULL,
-             "satellites below this elevation have no channel"),
+    REAL_ROW(orr_scenario_mask, "elevation", elevation_deg, -90, 90, "deg", "5", NULL,
+             "satellites below this elevation have no channel; -90: what the Earth does not hide, from space "
+             "its air counted in (100 km)"),
     MAPS_ROW(orr_scenario_mask, "horizon", horizon, &obstacle_table, 720, NULL,
              "obstacles by ascending azimuth, linear between, closed over North"),
     {.name = "body",
@@ -274,6 +275,26 @@ static const orr_choice holes[] = {ORR_CLOCK_HOLES(ORR_CHOICE_WORD){0}};
 static const orr_condition with_ionosphere[] = {{.key = "../ionosphere", .why = "there is no ionosphere"},
                                                 {0}};
 static const orr_condition of_second_order[] = {{.key = "second_order", .words = "yes"}, {0}};
+static const orr_key lobe_rows[] = {
+    NEEDED_REAL_ROW(orr_scenario_lobe, "nadir", nadir_deg, 5, 180, "deg", NULL,
+                    "angle from the satellite's nadir"),
+    NEEDED_REAL_ROW(orr_scenario_lobe, "gain", gain_db, -100, 20, "dB", NULL,
+                    "gain there above that at the Earth's limb"),
+};
+static const orr_schema lobe_table = ORR_SCHEMA(lobe_rows, orr_scenario_lobe);
+
+static const char *check_channel(const void *map, char why[ORR_SCHEMA_WHY])
+{
+    const orr_scenario_lobes *l = &((const orr_scenario_channel *)map)->side_lobes;
+    for (size_t k = 1; k < l->n; k++)
+        if (!(l->item[k].nadir_deg > l->item[k - 1].nadir_deg)) {
+            snprintf(why, ORR_SCHEMA_WHY, "the angle %g does not come after %g", l->item[k].nadir_deg,
+                     l->item[k - 1].nadir_deg);
+            return "side_lobes";
+        }
+    return NULL;
+}
+
 static const orr_key channel_rows[] = {
     REAL_ROW(orr_scenario_channel, "error_m", error_m, 1e-9, 1, "m", "1e-5", NULL,
              "greatest error of a block's cubics against the motion; blocks are as long as it allows"),
@@ -297,5 +318,13 @@ static const orr_key channel_rows[] = {
              "are zero"),
     CHOICE_ROW(orr_scenario_channel, "clock_holes", clock_holes, holes, "drop", NULL,
                "what a satellite sends where the orbits have no clock for it"),
+    MAPS_ROW(orr_scenario_channel, "side_lobes", side_lobes, &lobe_table, 90, NULL,
+             "gain of the satellites' antennas beyond the Earth's limb, for receivers in space: by ascending "
+             "angle from nadir, "
+             "linear between, from 0 dB at the limb on, the last one held; default: 3 dB less a degree, to "
+             "20 dB less"),
 };
-const orr_schema orr_section_channel = ORR_SCHEMA(channel_rows, orr_scenario_channel);
+const orr_schema orr_section_channel = {.key = channel_rows,
+                                        .n = sizeof channel_rows / sizeof channel_rows[0],
+                                        .size = sizeof(orr_scenario_channel),
+                                        .check = check_channel};

@@ -106,8 +106,18 @@ typedef struct orr_scenario_mask {
     X(ORR_CLOCK_HOLE_ZERO, "zero", "a clock of zero there, flagged: for orbits without clocks")
 typedef enum orr_clock_hole { ORR_CLOCK_HOLES(ORR_CHOICE_VALUE) } orr_clock_hole;
 
+typedef struct orr_scenario_lobe {
+    double nadir_deg, gain_db;
+} orr_scenario_lobe;
+typedef struct
+    orr_scenario_lobes { // beyond the Earth's limb: dB above the gain at it, by ascending angle from nadir
+    size_t n;
+    orr_scenario_lobe *item;
+} orr_scenario_lobes;
+
 typedef struct orr_scenario_channel {
     double error_m;
+    orr_scenario_lobes side_lobes;
     bool shapiro, relativity, windup, second_order;
     char *magnetic;     // GeographicLib's model of the magnetic field for the second order; NULL: a dipole
     char *antex, *bias; // NULL: those of navdata

@@ -26,6 +26,10 @@ static const orr_condition of_telemetry[] = OF_KIND("telemetry");
 static const orr_condition of_analytic[] = OF_KIND("analytic");
 static const orr_condition of_plan[] = OF_KIND("survey|waypoints|phases");
 static const orr_condition of_origin[] = OF_KIND("survey|phases|analytic");
+static const orr_condition of_orbit[] = OF_KIND("orbit");
+static const orr_condition of_orbit_product[] = {{.key = "kind", .words = "orbit"}, {.key = "product"}, {0}};
+static const orr_condition of_orbit_elements[] = {
+    {.key = "kind", .words = "orbit"}, {.key = "product", .absent = true}, {0}};
 static const orr_condition of_circle[] = OF_KIND("circle");
 static const orr_condition of_eight[] = OF_KIND("eight");
 static const orr_condition of_sine[] = OF_KIND("sine");
@@ -232,6 +236,37 @@ static const orr_key wave_rows[] = {
 };
 static const orr_schema wave_table = ORR_SCHEMA(wave_rows, orr_scenario_wave);
 
+// --- orbit ---
+static const orr_key element_rows[] = {
+    NEEDED_REAL_ROW(orr_scenario_elements, "semimajor_axis", semimajor_axis_m, 6.5e6, 5e8, "m", NULL,
+                    "semi-major axis"),
+    REAL_ROW(orr_scenario_elements, "eccentricity", eccentricity, 0, 0.95, NULL, "0", NULL, "eccentricity"),
+    NEEDED_REAL_ROW(orr_scenario_elements, "inclination", inclination_deg, 0, 180, "deg", NULL,
+                    "inclination to the true equator of date"),
+    REAL_ROW(orr_scenario_elements, "node", node_deg, -360, 360, "deg", "0", NULL,
+             "right ascension of the ascending node from the true equinox of date"),
+    REAL_ROW(orr_scenario_elements, "perigee", perigee_deg, -360, 360, "deg", "0", NULL,
+             "argument of the perigee"),
+    REAL_ROW(orr_scenario_elements, "mean_anomaly", mean_anomaly_deg, -360, 360, "deg", "0", NULL,
+             "mean anomaly at the start"),
+};
+
+static const char *check_elements(const void *map, char why[ORR_SCHEMA_WHY])
+{
+    const orr_scenario_elements *e = map;
+    const double perigee_m = e->semimajor_axis_m * (1 - e->eccentricity);
+    if (e->semimajor_axis_m == 0 || perigee_m > 6.5e6) return NULL;
+    snprintf(why, ORR_SCHEMA_WHY,
+             "the perigee is %.0f km from the Earth's centre; an orbit has at least 6500 km",
+             perigee_m / 1e3);
+    return "eccentricity";
+}
+
+static const orr_schema elements_table = {.key = element_rows,
+                                          .n = sizeof element_rows / sizeof element_rows[0],
+                                          .size = sizeof(orr_scenario_elements),
+                                          .check = check_elements};
+
 // --- the section ---
 #define ROW_REAL(n, m, lo, hi, u, dflt, of, h) REAL_ROW(orr_scenario_trajectory, n, m, lo, hi, u, dflt, of, h)
 static const orr_condition of_random[] = {
@@ -248,7 +283,8 @@ static const orr_key rows[] = {
     {.name = "duration",
      .kind = ORR_KEY_DURATION,
      .offset = offsetof(orr_scenario_trajectory, duration_ns),
-     .help = "length of time. Default: the whole plan or log; an analytic motion needs it"},
+     .help =
+         "length of time. Default: the whole plan, log or orbit; an analytic motion and elements need it"},
     NEEDED_REAL_ROW(orr_scenario_trajectory, "lat", lat_deg, -90, 90, "deg", of_origin,
                     "latitude of the begin of the first line or phase, or of the origin"),
     NEEDED_REAL_ROW(orr_scenario_trajectory, "lon", lon_deg, -360, 360, "deg", of_origin, "its longitude"),
@@ -311,6 +347,22 @@ static const orr_key rows[] = {
     MAP_ROW(orr_scenario_trajectory, "body", body, &body_table, of_analytic, "attitude of the body"),
     MAPS_ROW(orr_scenario_trajectory, "motions", terms, &term_table, ORR_TRAJECTORY_MAX_TERMS, of_analytic,
              "motions that are summed; none is rest"),
+    FILE_ROW(orr_scenario_trajectory, "product", product, of_orbit,
+             "orbit product made by 'orrery orbit' that has the satellite; without it, elements"),
+    {.name = "sat",
+     .kind = ORR_KEY_TEXT,
+     .required = true,
+     .offset = offsetof(orr_scenario_trajectory, sat),
+     .only = of_orbit_product,
+     .help = "the satellite of the product that the receiver is on, e.g. L51"},
+    {.name = "elements",
+     .kind = ORR_KEY_MAP,
+     .required = true,
+     .offset = offsetof(orr_scenario_trajectory, elements),
+     .given = offsetof(orr_scenario_trajectory, has_elements),
+     .map = &elements_table,
+     .only = of_orbit_elements,
+     .help = "Kepler elements at the start, carried on by gravitation of Earth, Sun and Moon"},
     {.name = "transfer",
      .kind = ORR_KEY_MAP,
      .offset = offsetof(orr_scenario_trajectory, transfer),

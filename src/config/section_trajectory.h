@@ -10,7 +10,8 @@
     X(ORR_MOTION_WAYPOINTS, "waypoints", "a flight from place to place")                                     \
     X(ORR_MOTION_PHASES, "phases", "a sequence: rest, taxi, take-off, climb, survey, landing and others")    \
     X(ORR_MOTION_TELEMETRY, "telemetry", "a smooth motion through the log of a flight")                      \
-    X(ORR_MOTION_ANALYTIC, "analytic", "rest, or a sum of motions in closed form")
+    X(ORR_MOTION_ANALYTIC, "analytic", "rest, or a sum of motions in closed form")                           \
+    X(ORR_MOTION_ORBIT, "orbit", "a receiver in space: a satellite of an orbit product, or elements")
 #define ORR_SURVEY_SIDES(X)                                                                                  \
     X(ORR_SURVEY_RIGHT, "right", "to the right of the first line's direction")                               \
     X(ORR_SURVEY_LEFT, "left", "to the left of it")
@@ -101,6 +102,10 @@ typedef struct orr_scenario_transfer {
     int attitude; // orr_transfer_attitude
 } orr_scenario_transfer;
 
+typedef struct orr_scenario_elements {
+    double semimajor_axis_m, eccentricity, inclination_deg, node_deg, perigee_deg, mean_anomaly_deg;
+} orr_scenario_elements;
+
 typedef struct orr_scenario_trajectory {
     int kind; // orr_motion_kind
     bool has_start;
@@ -138,6 +143,9 @@ typedef struct orr_scenario_trajectory {
         size_t n;
         orr_scenario_term *item;
     } terms;
+    char *product, *sat; // orbit: of a product, else elements
+    bool has_elements;
+    orr_scenario_elements elements;
     bool has_transfer;
     orr_scenario_transfer transfer;
 } orr_scenario_trajectory;

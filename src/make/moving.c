@@ -86,6 +86,9 @@ orr_status orr_moving_open(const orr_scenario_motion *m, orr_time fallback_start
     case ORR_MOTION_ANALYTIC:
         s = moving_make_analytic(t, start, &out->trajectory, diag);
         break;
+    case ORR_MOTION_ORBIT:
+        s = moving_make_orbit(t, start, out, diag);
+        break;
     case ORR_MOTION_NONE:
         return orr_diag_set(diag, ORR_E_NODATA, "the scenario has no trajectory (trajectory.kind)");
     }

@@ -24,6 +24,13 @@ orr_status moving_make_analytic(const orr_scenario_trajectory *m, orr_time start
 //             diag      why it failed
 orr_status moving_make_telemetry(const orr_scenario_trajectory *m, orr_time fallback, orr_warnings *warnings,
                                  orr_moving *out, orr_diag *diag);
+// The orbit of a satellite of a product, or of elements.
+//   Given:    m      the scenario's trajectory
+//             start  begin of elements
+//   Returned: out    the trajectory; the product is in its inputs
+//             diag   why it failed: a satellite that the product has not, or not for so long; elements that are no orbit
+orr_status moving_make_orbit(const orr_scenario_trajectory *m, orr_time start, orr_moving *out,
+                             orr_diag *diag);
 // Gravity on the trajectory that `out` has; C moves disturbances with a transferred flight (NULL: there is none).
 orr_status moving_make_gravity(const orr_scenario_gravity *g, const orr_mat3 *C, orr_moving *out,
                                orr_diag *diag);

@@ -110,15 +110,19 @@ static bool sends(const orr_channels *c, const channel_satellite *x, const orr_s
     return true;
 }
 
-static orr_status keep_horizon(const orr_scenario *s, orr_channels *c, orr_diag *diag)
+// Tables of the scenario, which may go: horizon and side lobes.
+static orr_status keep_tables(const orr_scenario *s, orr_channels *c, orr_diag *diag)
 {
-    const size_t n = s->mask.horizon.n;
+    const size_t n = s->mask.horizon.n, m = s->channel.side_lobes.n;
     c->mask = s->mask;
-    c->mask.horizon.item = NULL;
-    if (n == 0) return ORR_OK;
-    c->mask.horizon.item = malloc(n * sizeof *c->mask.horizon.item);
-    if (c->mask.horizon.item == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    memcpy(c->mask.horizon.item, s->mask.horizon.item, n * sizeof *c->mask.horizon.item);
+    c->mask.horizon.item = n > 0 ? malloc(n * sizeof *c->mask.horizon.item) : NULL;
+    c->options.side_lobes.item = m > 0 ? malloc(m * sizeof *c->options.side_lobes.item) : NULL;
+    if ((n > 0 && c->mask.horizon.item == NULL) || (m > 0 && c->options.side_lobes.item == NULL))
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    if (n > 0) memcpy(c->mask.horizon.item, s->mask.horizon.item, n * sizeof *c->mask.horizon.item);
+    if (m > 0)
+        memcpy(c->options.side_lobes.item, s->channel.side_lobes.item,
+               m * sizeof *c->options.side_lobes.item);
     return ORR_OK;
 }
 
@@ -366,7 +370,7 @@ static orr_status prepare(const orr_scenario *s, const orr_source_motion *motion
                           orr_channels *c, const volatile int *cancel, orr_warnings *warnings, orr_diag *diag)
 {
     orr_status status = parse_signals(s, c, diag);
-    if (status == ORR_OK) status = keep_horizon(s, c, diag);
+    if (status == ORR_OK) status = keep_tables(s, c, diag);
     if (status == ORR_OK && s->satellites.metadata != NULL)
         status = orr_satellite_metadata_read(s->satellites.metadata, NULL, &c->metadata, warnings, diag);
     if (status == ORR_OK) status = orr_echoes_open(s, c->span, &c->echoes, diag);
@@ -444,6 +448,7 @@ orr_status orr_channels_open(const orr_scenario *s, const orr_source_orbit *orbi
     c->options = s->channel;
     c->spacing_chips = s->multipath.spacing_chips;
     c->options.antex = c->options.bias = c->options.magnetic = NULL; // of the scenario, which may go
+    c->options.side_lobes.item = NULL;                               // until keep_tables
     orr_status status =
         s->has_troposphere ? orr_troposphere_open(&s->troposphere, s->leap, &c->troposphere, diag) : ORR_OK;
     find_span(c, only_moving(s) ? motion : NULL);
@@ -484,6 +489,7 @@ void orr_channels_close(orr_channels *c)
     free(c->cell);
     free(c->satellite);
     free(c->mask.horizon.item);
+    free(c->options.side_lobes.item);
     orr_satellite_metadata_free(&c->metadata);
     free(c);
 }

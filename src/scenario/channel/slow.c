@@ -148,7 +148,9 @@ static void set_signals(const moment *m, const ray *r, slow_values *out)
         nadir_deg = orr_atan2(sqrt(to.x * to.x + to.y * to.y), to.z) * ORR_DEG_PER_RAD;
         az_deg = orr_atan2(to.y, to.x) * ORR_DEG_PER_RAD;
     }
-    const double gain_db = orr_power_gain_db(r->light.sat_m, m->at->r_m, r->el_rad) + r->sat->power_db;
+    const double gain_db =
+        orr_power_gain_db(r->light.sat_m, m->at->r_m, r->el_rad, &m->c->options.side_lobes) +
+        r->sat->power_db;
     orr_antenna_direction toward = {.az_deg = 0};
     if (a->antex != NULL && a->motion == NULL)
         toward = orr_antenna_toward(m->at, r->light.u, r->light.u_rate_ps);

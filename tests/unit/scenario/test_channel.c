@@ -462,12 +462,33 @@ static void power_is_the_documents_at_five_degrees(void **state)
     (void)state;
     const orr_signal *s = orr_signal_find('G', "L1CA");
     const double r = ORR_EARTH_MEAN_RADIUS_M, a = 26.56e6;
+    const orr_scenario_lobes none = {0};
     static const double db[][2] = {{5, 0}, {40, 2}, {90, 0.5}};
     for (int k = 0; k < 3; k++) {
         const double el = db[k][0] * ORR_RAD_PER_DEG, nadir = asin(r * cos(el) / a),
                      turn = ORR_PI / 2 - el - nadir;
         const orr_vec3 antenna = {r, 0, 0}, sat = {a * cos(turn), a * sin(turn), 0};
-        ASSERT_NEAR(orr_power_received_dbw(s, sat, antenna, el), s->power_dbw + db[k][1], 1e-9);
+        ASSERT_NEAR(orr_power_received_dbw(s, sat, antenna, el, &none), s->power_dbw + db[k][1], 1e-9);
+    }
+    // Beyond the limb, at the limb's range: by the table, linear from the limb on, or by 3 dB a degree.
+    orr_scenario_lobe lobe[] = {{10, 7}, {20, -12}, {30, -14}};
+    const orr_scenario_lobes lobes = {3, lobe};
+    const double limb_deg = asin(r / a) * ORR_DEG_PER_RAD;
+    const orr_vec3 high = {a, 0, 0};
+    for (double nadir = limb_deg + 0.01; nadir < 60; nadir += 1.7) {
+        const double x = nadir * ORR_RAD_PER_DEG, at = 3e7;
+        const orr_vec3 far = {a - at * cos(x), at * sin(x), 0},
+                       edge = {a - at * cos(limb_deg * ORR_RAD_PER_DEG), at * sin(limb_deg * ORR_RAD_PER_DEG),
+                               0};
+        const double less =
+            orr_power_gain_db(high, far, -1, &lobes) - orr_power_gain_db(high, edge, -1, &lobes);
+        const double want = nadir < 20   ? -12 * (nadir - limb_deg) / (20 - limb_deg)
+                            : nadir < 30 ? -12 - (nadir - 20) / 5
+                                         : -14;
+        ASSERT_NEAR(less, want,
+                    1e-5); // at the limb an elevation is the arc cosine of 1, to the root of a rounding
+        ASSERT_NEAR(orr_power_gain_db(high, far, -1, &none) - orr_power_gain_db(high, edge, -1, &none),
+                    -fmin(3 * (nadir - limb_deg), 20), 1e-5);
     }
     // Twice the range, 6.02 dB; and the atmosphere at the zenith.
     ASSERT_NEAR(orr_power_space_loss_db(2e7, 1.5e9) - orr_power_space_loss_db(1e7, 1.5e9), 20 * log10(2),
