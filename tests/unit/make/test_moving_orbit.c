@@ -47,7 +47,7 @@ static orr_kepler elements_at(const orr_moving *v, double t_s)
 
 #define LEO(more)                                                                                            \
     "trajectory: {kind: orbit, " more "elements: {semimajor_axis: 6878137, eccentricity: 0.002, "            \
-                                      "inclination: 97.4, node: 30, perigee: 70, mean_anomaly: 10}}\n"
+    "inclination: 97.4, node: 30, perigee: 70, mean_anomaly: 10}}\n"
 
 static void elements_are_those_of_the_start(void **state)
 {
@@ -130,7 +130,8 @@ static void orbits_that_cannot_be_are_refused(void **state)
         orr_moving v;
         orr_diag d = {0};
         assert_int_not_equal(open_text(bad[k].text, &v, &d), ORR_OK);
-        if (strstr(d.text, bad[k].word) == NULL && strstr(d.file, bad[k].word) == NULL) fail_msg("'%s' does not name '%s'", d.text, bad[k].word);
+        if (strstr(d.text, bad[k].word) == NULL && strstr(d.file, bad[k].word) == NULL)
+            fail_msg("'%s' does not name '%s'", d.text, bad[k].word);
     }
 }
 
