@@ -37,6 +37,8 @@ static void check_accepted(const orr_scenario *s)
     want((t->kind == ORR_MOTION_PHASES) == (t->phases.n >= 1));
     want((t->kind == ORR_MOTION_TELEMETRY) == (t->logs.n >= 1));
     want(t->kind == ORR_MOTION_ANALYTIC || t->terms.n == 0);
+    want((t->kind == ORR_MOTION_ORBIT) == (t->product != NULL || t->has_elements));
+    want((t->product != NULL) == (t->sat != NULL));
     want(g->folder == NULL || g->model != NULL);
     want(g->profile.distance_m.n == g->profile.mgal.n);
     want(s->motion.imu.approach == ORR_IMU_MATCHED || s->motion.imu.frame == ORR_IMU_INERTIAL);

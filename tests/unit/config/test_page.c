@@ -51,7 +51,7 @@ static void its_examples_are_scenarios(void **state)
 {
     (void)state;
     char *page = read_page();
-    bool motion[ORR_MOTION_ANALYTIC + 1] = {0}, term[ORR_TERM_SINE + 1] = {0};
+    bool motion[ORR_MOTION_ORBIT + 1] = {0}, term[ORR_TERM_SINE + 1] = {0};
     bool product = false, sp3 = false, field = false, session = false, units = false, gravity = false;
     size_t n = 0;
     for (char *p = page; (p = strstr(p, "```yaml\n")) != NULL; n++) {

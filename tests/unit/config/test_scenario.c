@@ -258,9 +258,12 @@ static void words_are_their_values(void **state)
     orr_scenario s;
     orr_diag diag = {0};
     char text[300];
-    const char *const rest[] = {"lat: 1, lon: 2", "waypoints: [{lat: 1, lon: 2}, {lat: 1, lon: 3}]",
-                                "lat: 1, lon: 2, phases: {kind: takeoff}", "telemetry: {file: f}",
-                                "lat: 1, lon: 2"};
+    const char *const rest[] = {"lat: 1, lon: 2",
+                                "waypoints: [{lat: 1, lon: 2}, {lat: 1, lon: 3}]",
+                                "lat: 1, lon: 2, phases: {kind: takeoff}",
+                                "telemetry: {file: f}",
+                                "lat: 1, lon: 2",
+                                "product: f, sat: L51"};
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         snprintf(text, sizeof text, "trajectory: {kind: %s, %s}\n", kinds[i].word, rest[i]);
         ASSERT_OK(parse(text, &s, &diag), diag);
