@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "core/constants.h"
-#include "core/limb.h"
 #include "core/nan.h"
 #include "iono/broadcast/bdgim.h"
 #include "iono/field/tec_field_private.h"
@@ -291,13 +290,4 @@ orr_status orr_tec_look_through(const orr_tec_instant *at, const orr_iono_site *
     }
     out->sigma_tecu = out->mapping * v.sigma_tecu;
     return ORR_OK;
-}
-
-orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
-                        orr_tec_ray *out, orr_diag *diag)
-{
-    orr_pierce p;
-    if (orr_limb_in_space(site->pos_m)) return tec_look_from_space(at, site, sat_m, out, diag);
-    orr_status s = orr_pierce_ray(site, sat_m, at->field->shell_radius_m, &p, diag);
-    return s == ORR_OK ? orr_tec_look_through(at, site, &p, out, diag) : s;
 }

@@ -50,10 +50,6 @@ struct orr_tec_field {
 // Fills what follows from the steps.
 void tec_grid_finish(tec_grid *g);
 
-// orr_tec_look of a receiver in space.
-orr_status tec_look_from_space(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
-                               orr_tec_ray *out, orr_diag *diag);
-
 // Finds coefficients for every map, in the sun-fixed frame, into f->coef, and fills f->fit. f->t, sun, basis
 // and geomagnetic are set.
 orr_status tec_fit_maps(const orr_tec_maps *maps, orr_tec_field *f, orr_diag *diag);

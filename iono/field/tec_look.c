@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays of receivers in space, by what each kind of field can say of them. NeQuick-G has a density at every height and is integrated
+// A ray from a receiver to a satellite. Those of receivers in space have what each kind of field can say of them. NeQuick-G has a density at every height and is integrated
 // along the way. All others have their electrons on one shell: a ray has what it meets where it crosses it, none from above it
 // upward, once from below it, twice where it goes down through it and up again.
 #include <math.h>
@@ -57,8 +57,8 @@ static orr_status along_shell(const orr_tec_instant *at, orr_vec3 from_m, orr_ve
     return ORR_OK;
 }
 
-orr_status tec_look_from_space(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
-                               orr_tec_ray *out, orr_diag *diag)
+static orr_status from_space(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
+                             orr_tec_ray *out, orr_diag *diag)
 {
     const orr_tec_field *f = at->field;
     const orr_vec3 way = orr_vec3_sub(sat_m, site->pos_m), along = orr_vec3_unit(way);
@@ -82,4 +82,13 @@ orr_status tec_look_from_space(const orr_tec_instant *at, const orr_iono_site *s
     out->vtec_tecu = v.vtec_tecu;
     if (v.vtec_tecu > 0) out->mapping = out->stec_tecu / v.vtec_tecu;
     return ORR_OK;
+}
+
+orr_status orr_tec_look(const orr_tec_instant *at, const orr_iono_site *site, orr_vec3 sat_m,
+                        orr_tec_ray *out, orr_diag *diag)
+{
+    orr_pierce p;
+    if (orr_limb_in_space(site->pos_m)) return from_space(at, site, sat_m, out, diag);
+    const orr_status s = orr_pierce_ray(site, sat_m, at->field->shell_radius_m, &p, diag);
+    return s == ORR_OK ? orr_tec_look_through(at, site, &p, out, diag) : s;
 }
