@@ -102,13 +102,18 @@ class Delays(unittest.TestCase):
             t = c.span[0]
             nan, inf = float("nan"), float("inf")
             for wrong, words in (({"receiver_m": (1, 2, 3)}, "a receiver 0.00374166 km from the Earth's centre"),
-                                 ({"receiver_m": (7e6, 0, 0)}, "a receiver 7000 km from"),
+                                 ({"receiver_m": (6e8, 0, 0)}, "a receiver 600000 km from"),
                                  ({"receiver_m": (inf, 0, 0)}, "no finite number"), ({"receiver_m": (4e6, nan, 5e6)}, "no finite number"),
                                  ({"receiver_m": (3e300, 4e300, 0)}, r"a receiver 5e\+297 km from"), ({"carriers_hz": (0.0,)}, "carrier"),
                                  ({"carriers_hz": (nan,)}, "carrier"), ({"carriers_hz": (-1575.42e6,)}, "carrier")):
                 with self.assertRaisesRegex(client_package.client.Refused, words) as e:
                     c.delays(t, **wrong)
                 self.assertEqual(e.exception.code, messages.ErrorCode.BAD_REQUEST)
+            # In space: what is behind the Earth is not there, and who is above the shell has nothing above.
+            high = [s for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1)) for s in c.delays(t, (7e6 * x, 7e6 * y, 0)).satellites
+                    if s.answer == messages.Answer.OK]
+            self.assertTrue(all(s.stec_tecu == 0 for s in high if s.el_rad > 0))
+            self.assertTrue(any(s.stec_tecu > 0 for s in high if s.el_rad < -0.23))  # the shell is 0.227 below the level
             self.assertEqual(c.delays(t - 3600 * NS).answer, messages.Answer.OUTSIDE_SPAN)
             self.assertEqual(c.delays(t, satellites=["G40"]).satellites[0].answer, messages.Answer.NOT_SERVED)
             odd = c._ask(messages.PollDelays(messages.Epochs(t, 0, 1), [nan] * 3, [], [messages.SatId(ord("x"), 7)]), messages.Delays)
