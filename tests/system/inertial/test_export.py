@@ -103,6 +103,22 @@ class Export(Folder):
         for line, at in zip(back, table["csv"]):
             word = [float(x) for x in line.split(",")[:4]]
             self.assertLess(math.dist(place_of(*word[1:]), place_of(*at[1:4])), 0.02)
+        # Skydel's rows name their columns; SimGEN's MOT records have them declared.
+        sky, umt = self.path("motion-skydel.csv"), self.path("motion.umt")
+        run("track", plan, "--duration", "20", "--format", "skydel", "-o", sky)
+        with open(umt, "w", encoding="ascii") as file:
+            for t_ms, x, y, z, *angles in table["skydel"]:
+                file.write(f"00:00:{t_ms / 1e3:06.3f},mot,v1_m1,{x:.4f},{y:.4f},{z:.4f}," + "0," * 9 +
+                           ",".join(f"{a:.9f}" for a in angles) + ",0" * 9 + "\n")
+        columns = "t,-,-,x,y,z," + "-," * 9 + "heading[rad],pitch[rad],roll[rad]" + ",-" * 9
+        for name, more in ((sky, ()), (umt, ("--columns", columns))):
+            back = run("track", "--telemetry", name, *more, "--start", "2024-02-04T10:00:00", "--rate", "10").stdout.splitlines()[1:]
+            self.assertEqual(len(back), 201)
+            for line, at in zip(back, table["csv"]):
+                word = [float(x) for x in line.split(",")[:7]]
+                self.assertLess(math.dist(place_of(*word[1:4]), place_of(*at[1:4])), 0.02)
+                for k in range(4, 7):
+                    self.assertLess(abs((word[k] - at[k] + 180) % 360 - 180), 0.02)
         self.assertIn("ten places a second", run("track", plan, "--format", "gps-sdr-sim", "--rate", "5", status=2).stderr)
 
     def test_truth_and_refusals(self):
