@@ -3,6 +3,7 @@
 // gps-sdr-sim over the same number of channels.
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -174,6 +175,9 @@ static void streams(bench *b, double peer_ns)
         bench_row(b, name, (twelve - none) / 12, peer_ns, "ns",
                   peer_ns > 0 ? "gps-sdr-sim, whole program" : "");
     }
+    bench_row(b, "12 of L1CA at 5 Msps, cubics to bytes, a sample and channel",
+              pieces(&l1, 12, 5000000, false) / 12, peer_ns, "ns",
+              peer_ns > 0 ? "gps-sdr-sim, whole program" : "");
     const double bare = pieces(&l1, 0, 5000000, false), noisy = pieces(&l1, 0, 5000000, true);
     bench_row(b, "output of int16, a sample", bare, 0, "ns", "");
     bench_row(b, "output of int8 with noise, a sample", noisy, 0, "ns", "");
@@ -181,10 +185,32 @@ static void streams(bench *b, double peer_ns)
     bench_row(b, "40 channels at 25 Msps, share of one core", forty * 25e6 / 1e9, 0, "", "");
 }
 
-// gps-sdr-sim on its own data: nanoseconds a sample and channel; 0 where it is not installed, with a note of what is wanted.
+// One run of gps-sdr-sim by a command: its own seconds, and how many channels it has.
+static bool peer_run(const char *command, double *seconds, double *channels)
+{
+    char line[400];
+    FILE *f = popen(command, "r");
+    if (f == NULL) return false;
+    *seconds = *channels = 0;
+    int prn;
+    double az, el, range, delay;
+    bool counting = true; // satellites are listed once at the begin, and again each 30 s
+    while (fgets(line, sizeof line, f) != NULL) {
+        if (counting && sscanf(line, "%d %lf %lf %lf %lf", &prn, &az, &el, &range, &delay) == 5 &&
+            range > 1e7)
+            ++*channels;
+        if (strstr(line, "Time into run") != NULL) counting = false;
+        sscanf(line, "Process time = %lf", seconds);
+    }
+    pclose(f);
+    return *channels > 0 && *seconds > 0;
+}
+
+// gps-sdr-sim on its own data, the quickest of three runs: nanoseconds a sample and channel; 0 where it is not installed, with a
+// note of what is wanted.
 static double peer(bench *b)
 {
-    char path[1024], line[400], command[1400];
+    char path[1024], command[1400];
     size_t size;
     void *nav = bench_data("2010-182/brdc1820.10n.gz", path, sizeof path, &size);
     free(nav);
@@ -197,23 +223,13 @@ static double peer(bench *b)
              "-b 8 -o /dev/null 2>&1 | "
              "tr '\\r' '\\n'; rm -f $t",
              path);
-    FILE *f = popen(command, "r");
-    if (f == NULL) return 0;
-    double seconds = 0, channels = 0;
-    int prn;
-    double az, el, range, delay;
-    bool counting = true; // satellites are listed once at the begin, and again each 30 s
-    while (fgets(line, sizeof line, f) != NULL) {
-        if (counting && sscanf(line, "%d %lf %lf %lf %lf", &prn, &az, &el, &range, &delay) == 5 &&
-            range > 1e7)
-            channels++;
-        if (strstr(line, "Time into run") != NULL) counting = false;
-        sscanf(line, "Process time = %lf", &seconds);
+    double least = HUGE_VAL, seconds, channels = 0;
+    for (int run = 0; run < 3; run++) {
+        if (!peer_run(command, &seconds, &channels)) return 0;
+        least = fmin(least, seconds);
     }
-    pclose(f);
-    if (channels == 0) return 0;
-    bench_note(b, "gps-sdr-sim: %.0f channels, 20 s of 5 Msps in %.1f s", channels, seconds);
-    return seconds / (20 * 5e6 * channels) * 1e9;
+    bench_note(b, "gps-sdr-sim: %.0f channels, 20 s of 5 Msps in %.1f s", channels, least);
+    return least / (20 * 5e6 * channels) * 1e9;
 }
 
 void bench_generator(bench *b)

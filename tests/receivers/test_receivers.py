@@ -96,9 +96,10 @@ class Receivers(program.Folder):
         """As many channels as satellites: which they are is for the receiver to find out; one more would search for ever."""
         return len(recording.satellites(self.samples, signal))
 
-    def receive(self, channels, name="receiver", **how):
+    def receive(self, channels, pinned=(), name="receiver", **how):
+        """What the receiver makes of the recording, in a folder of this name; otherwise as gnss_sdr.configuration."""
         self.out = self.folder / name
-        self.log = gnss_sdr.run(self.out, f"{self.samples}.sigmf-data", self.rate, channels, **how)
+        self.log = gnss_sdr.run(self.out, f"{self.samples}.sigmf-data", self.rate, channels, pinned=pinned, **how)
         self.found = gnss_sdr.fixes(self.out)
         self.assertTrue(self.found, f"no fix\n{self.log[-2000:]}")
 
@@ -351,7 +352,7 @@ class Receivers(program.Folder):
         start = "2016-12-31T23:59:01"
         self.make(self.leap_second("E:E1"), start, 120, 5000000, 1575420000, "E:E1", 47.4)
         channels = {"1B": self.seen("E1")}
-        self.receive(channels, "until", seconds=50)  # to 23:59:51, half a minute before
+        self.receive(channels, name="until", seconds=50)  # to 23:59:51, half a minute before
         self.assertEqual(self.utc_model("gal_utc_model.xml"), [17, 18, 1929 % 256, 7])
         self.receive(channels)
         self.judge("Galileo E1 through the leap second", 45, 0.8)
