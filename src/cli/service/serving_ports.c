@@ -80,7 +80,7 @@ static orr_status make_source(const serving *v, size_t kind, const char *text, a
     *out = (orr_port_source){.plan = {.format = kinds[kind].format,
                                       .channels = c,
                                       .antenna = antenna,
-                                      .navset = orr_engine_navset(v->world.engine),
+                                      .navdata = orr_engine_source_navdata(v->world.engine),
                                       .leap = v->c->leap,
                                       .msm = orr_cli_says(v->c, "msm", "4") ? 4 : 7,
                                       .station = (unsigned)(antenna + 1)},

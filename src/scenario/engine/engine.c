@@ -195,6 +195,7 @@ const orr_ephemeris *orr_engine_ephemeris(const orr_engine *e)
     return orr_source_orbit_ephemeris(e->orbits);
 }
 const orr_navset *orr_engine_navset(const orr_engine *e) { return orr_source_navdata_set(e->navdata); }
+const orr_source_navdata *orr_engine_source_navdata(const orr_engine *e) { return e->navdata; }
 const orr_moving *orr_engine_moving(const orr_engine *e) { return orr_source_motion_moving(e->motion); }
 
 orr_receiver_kind orr_engine_receiver_kind(const orr_engine *e, size_t *unit)

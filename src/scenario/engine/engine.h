@@ -129,6 +129,8 @@ const orr_replay *orr_engine_replay(const orr_engine *e, const orr_replay_report
 const orr_ephemeris *orr_engine_ephemeris(const orr_engine *e);
 // The broadcast data likewise.
 const orr_navset *orr_engine_navset(const orr_engine *e);
+// The source of what satellites send, wrong bits included, likewise.
+const orr_source_navdata *orr_engine_source_navdata(const orr_engine *e);
 // The prepared motion likewise.
 const orr_moving *orr_engine_moving(const orr_engine *e);
 

@@ -13,6 +13,7 @@ orr_status orr_port_open(const orr_port_plan *plan, orr_port **out, orr_diag *di
     orr_port *p = calloc(1, sizeof *p);
     if (p == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     p->plan = *plan;
+    p->navset = plan->navdata != NULL ? orr_source_navdata_set(plan->navdata) : NULL;
     p->signal = orr_signals(&n);
     p->antenna = orr_channels_antenna(plan->channels, plan->antenna);
     p->before = ORR_TIME_NONE;

@@ -4,9 +4,9 @@
 #ifndef ORR_SCENARIO_RECEIVER_PORT_H
 #define ORR_SCENARIO_RECEIVER_PORT_H
 
-#include "orbit/navdata/navset.h"
 #include "src/scenario/observables/observer.h"
 #include "src/scenario/receiver/bytes.h"
+#include "src/scenario/source/source_navdata.h"
 
 typedef enum orr_port_format {
     ORR_PORT_RTCM, // 1005, 1006, 1033, 1230, ephemerides, MSM4 or MSM7
@@ -18,10 +18,10 @@ typedef struct orr_port_plan {
     orr_port_format format;
     const orr_channels *channels; // borrowed
     size_t antenna;
-    const orr_navset *navset;   // broadcast data, borrowed; NULL: none are sent
-    const orr_leap_table *leap; // borrowed; NULL: built-in
-    int msm;                    // 4 or 7
-    unsigned station;           // number of the base station, 0 to 4095
+    const orr_source_navdata *navdata; // broadcast data, borrowed; NULL: none are sent
+    const orr_leap_table *leap;        // borrowed; NULL: built-in
+    int msm;                           // 4 or 7
+    unsigned station;                  // number of the base station, 0 to 4095
 } orr_port_plan;
 
 typedef struct orr_port orr_port;

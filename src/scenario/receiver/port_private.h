@@ -15,6 +15,7 @@ typedef struct port_track {
 
 struct orr_port {
     orr_port_plan plan;
+    const orr_navset *navset; // of the plan's data; NULL: none
     const orr_signal *signal;
     const orr_antenna *antenna;
     orr_time before; // the epoch before; ORR_TIME_NONE: none

@@ -53,13 +53,13 @@ static orr_status send_ephemerides(const orr_port *p, orr_sat sat, orr_time t, b
                                    orr_diag *diag)
 {
     const orr_nav_stream *list[ORR_NAVSET_STREAMS];
-    const size_t n = orr_navset_streams(p->plan.navset, sat, list);
+    const size_t n = orr_navset_streams(p->navset, sat, list);
     uint32_t sent = 0; // messages: one may have several streams
     for (size_t k = 0; k < n; k++) {
         const orr_nav_message m = (orr_nav_message)list[k]->message;
         if (orr_rtcm_number(sat, m) == 0 || (sent >> m & 1u) != 0) continue;
         sent |= UINT32_C(1) << m;
-        const orr_navset_item *item = orr_navset_at(p->plan.navset, sat, m, t);
+        const orr_navset_item *item = orr_navset_at(p->navset, sat, m, t);
         if (item == NULL || (!all && item->from <= p->before)) continue;
         orr_rtcm_frame f;
         const orr_status s = orr_rtcm_ephemeris(&item->eph, p->plan.leap, &f, diag);
@@ -142,7 +142,7 @@ static orr_status send_all_ephemerides(const orr_port *p, const orr_observed *o,
                                        orr_port_bytes *out, orr_diag *diag)
 {
     orr_status s = ORR_OK;
-    for (size_t k = 0; p->plan.navset != NULL && s == ORR_OK && k < o->n; k++)
+    for (size_t k = 0; p->navset != NULL && s == ORR_OK && k < o->n; k++)
         if (k == 0 || o->item[k].sat != o->item[k - 1].sat)
             s = send_ephemerides(p, o->item[k].sat, o->t, all, out, diag);
     return s;

@@ -131,5 +131,5 @@ orr_status port_ubx(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr
     if (p->before == ORR_TIME_NONE) port_ubx_message(notice, (const uint8_t *)maker, strlen(maker), out);
     orr_status s = solution(p, o, out, diag);
     if (s == ORR_OK) raw(p, o, out);
-    return s == ORR_OK && p->plan.navset != NULL ? port_ubx_subframes(p, o, out, diag) : s;
+    return s == ORR_OK && p->navset != NULL ? port_ubx_subframes(p, o, out, diag) : s;
 }

@@ -158,12 +158,19 @@ static void send_piece(const orr_port *p, const source *x, const orr_navframe_pi
 static orr_status send_stream(const orr_port *p, const source *x, orr_time from, orr_time to,
                               orr_port_bytes *out, orr_diag *diag)
 {
+    char name[ORR_SAT_TEXT], text[ORR_TIME_TEXT];
     orr_navframe f;
     orr_time t = from;
     for (int k = 0; k < FRAMES && t <= to; k++, t = f.to) {
-        const orr_status s = orr_navframe_at(p->plan.navset, x->sat, x->stream, t, false, &f, diag);
-        if (s == ORR_E_NODATA) return ORR_OK; // it sends nothing then
-        if (s != ORR_OK) return s;
+        const orr_navset_item *set;
+        const orr_answer answer =
+            orr_source_navdata_evaluate(p->plan.navdata, t, x->sat, x->stream, false, &set, &f);
+        if (answer == ORR_ANSWER_NO_VALUE)
+            return orr_diag_set(diag, ORR_E_RANGE, "a value of %s's %s does not fit its field at %s",
+                                orr_sat_text(x->sat, name),
+                                orr_nav_message_name((orr_nav_message)x->stream->message),
+                                orr_time_text(t, text));
+        if (answer != ORR_ANSWER_OK) return ORR_OK; // it sends nothing then
         const size_t parts = x->stream->message == ORR_NAV_D2 ? 5 : 1;
         for (size_t j = 0; j < parts * f.n; j++) {
             const orr_navframe_piece *piece = &f.piece[j / parts];
@@ -181,7 +188,7 @@ static orr_status send_satellite(const orr_port *p, const orr_observation *item,
     orr_status s = ORR_OK;
     const int64_t late = (int64_t)(item->code_m / ORR_LIGHT_MPS * 1e9); // on its way
     const orr_nav_stream *list[ORR_NAVSET_STREAMS];
-    const size_t streams = orr_navset_streams(p->plan.navset, item->sat, list);
+    const size_t streams = orr_navset_streams(p->navset, item->sat, list);
     for (size_t j = 0; s == ORR_OK && j < streams; j++)
         for (size_t k = 0; k < n; k++) {
             const orr_signal *signal = &p->signal[item[k].signal];

@@ -2,10 +2,12 @@
 """RTCM 3, UBX and NMEA of `orrery simulate` against its RINEX: by readers written from the formats' documents, and by RTKLIB's convbin. They agree to what the
 formats' last bits and RINEX' last digits leave."""
 import collections
+import csv
 import math
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
@@ -135,6 +137,25 @@ class Streams(Folder):
                 self.assertAlmostEqual(cell["cn0"], ours[sat]["S" + code][0], delta=0.5 + MM)
                 self.assertEqual((cell["flags"], cell["channel"]), (7, self.channels.get(sat)))
             self.assertEqual({sat for sat, _ in cells} | self.not_in_ubx, set(ours) | self.not_in_ubx)
+        self.check_solutions()
+
+    def check_solutions(self):
+        """NAV-PVT is the true motion of BASE-track.csv."""
+        rows = csv.DictReader((self.folder / "BASE-track.csv").read_text(encoding="ascii").splitlines())
+        solutions = [p for kind, number, p in self.ubx if (kind, number) == (1, 7)]
+        self.assertEqual(len(solutions), len(self.ours))
+        for (t, ours), row, p in zip(self.ours.items(), rows, solutions):
+            tow, year, month, day, hour, minute, second, valid, _, nano, fix, flags, _, sats = struct.unpack_from("<IHBBBBBBIiBBBB", p)
+            lon, lat, height, _, _, _, north, east, down, speed = struct.unpack_from("<iiiiIIiiii", p, 24)
+            self.assertEqual((tow, fix, flags, sats, valid), (1000 * (self.weekday * 86400 + t), 3, 1, len(ours), 7))
+            utc = round(t - 18)
+            self.assertEqual((f"{year}/{month:02d}/{day:02d}", 3600 * hour + 60 * minute + second, nano), (self.date, utc, 0))
+            self.assertAlmostEqual(lat, 1e7 * float(row["lat_deg"]), delta=0.51)
+            self.assertAlmostEqual(lon, 1e7 * float(row["lon_deg"]), delta=0.51)
+            self.assertAlmostEqual(height, 1e3 * float(row["height_m"]), delta=0.6)
+            v = [float(row[k]) for k in ("vx_mps", "vy_mps", "vz_mps")]
+            self.assertAlmostEqual(math.hypot(north, east, down), 1e3 * math.hypot(*v), delta=1)
+            self.assertAlmostEqual(math.hypot(north, east), speed, delta=1.2)
 
     def convbin(self, kind, name):
         if shutil.which("convbin") is None:
@@ -189,7 +210,7 @@ class Made(Streams):
     def setUpClass(cls):
         super().setUpClass()
         orbit = cls.path("day.nc")
-        run("orbit", "-q", "-o", orbit, sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
+        run("orbit", "-q", "-o", orbit, "--sat", "G05-G16,R03-R11,E16-E24", sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
         cls.simulate(f"orbit: {{product: {orbit}}}\nsignals: [G, R, E]\n" + ANTENNAS % "52.28, 17.07, 124", "--from", "2025-03-21T10:00:00", "--to",
                      "2025-03-21T10:00:45", "--noise")
 
@@ -274,6 +295,99 @@ class Real(Streams):
 
     def test_ephemerides(self):
         self.check_ephemerides()
+
+
+class Faulty(Streams):
+    """A code that runs away from its phase by 150 m/s, and wrong bits: what the formats make of them."""
+
+    date, week, weekday = "2025/03/21", 2358, 5
+    without, not_in_ubx, d2 = set(), set(), ()
+    SCENARIO = "orbit: {product: %s}\nsignals: ['G:L1CA', 'E:E1']\n" + ANTENNAS % "52.28, 17.07, 124"
+    FAULTS = """
+faults:
+  divergence: [{sats: G10, from: 2025-03-21T10:00:05, rate: 150}]
+  bits: [{sats: G05, message: LNAV, piece: 2, bit: [61, 84], from: 2025-03-21T09:59:00}]
+"""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        orbit, span = cls.path("day.nc"), ("--from", "2025-03-21T10:00:00", "--to", "2025-03-21T10:00:40")
+        run("orbit", "-q", "-o", orbit, "--sat", "G05,G10,G15,G16,E21", sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
+        cls.simulate(cls.SCENARIO % orbit, *span)
+        cls.right = cls.subframes()
+        cls.simulate(cls.SCENARIO % orbit + cls.FAULTS, *span)
+
+    @classmethod
+    def subframes(cls):
+        """The words of RXM-SFRBX: (satellite, words) in the order of their coming."""
+        return [(rtcm.ubx_satellite(p[0], p[1]), struct.unpack(f"<{p[4]}I", p[8:])) for kind, number, p in cls.ubx if (kind, number) == (2, 0x13)]
+
+    def test_phases_are_brought_near(self):
+        shifts = self.check_rtcm()
+        self.assertEqual({sat for sat, _ in shifts}, {"G10"}, "shifted while it was tracked, and told as a slip")
+
+    def test_ubx(self):
+        self.check_ubx()
+
+    def test_wrong_bits(self):
+        """Bits 61 to 84 of the second subframe, the third word's data, are inverted; nothing else is."""
+        wrong = self.subframes()
+        self.assertEqual(len(wrong), len(self.right))
+        turned = 0
+        for (sat, words), (right_sat, right) in zip(wrong, self.right):
+            self.assertEqual(sat, right_sat)
+            second = sat == "G05" and right[1] >> 8 & 7 == 2
+            self.assertEqual([a ^ b for a, b in zip(words, right)], [0x3FFFFFC0 if second and k == 2 else 0 for k in range(len(words))], sat)
+            turned += second
+        self.assertGreater(turned, 0)
+
+
+class Moving(Streams):
+    """An antenna in flight: no station of RTCM, and its motion in NMEA and UBX."""
+
+    date, week, weekday = "2025/03/21", 2358, 5
+    without, not_in_ubx, d2 = set(), set(), ()
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        orbit = cls.path("day.nc")
+        run("orbit", "-q", "-o", orbit, "--sat", "G05,G10,G15,G16,E21", sample("ORR0TSTFIN_20250800000_01D_15M_ORB.SP3.gz"))
+        cls.simulate(f"""
+orbit: {{product: {orbit}}}
+signals: ['G:L1CA', 'E:E1']
+trajectory:
+  kind: waypoints
+  start: 2025-03-21T10:00:00
+  speed: 80
+  waypoints: [{{lat: -0.02, lon: 17.1, height: 1000}}, {{lat: 0.02, lon: 17.0, height: 1100}}, {{lat: 0.05, lon: 17.1, height: 1000}}]
+antennas: [{{name: BASE, unit: 0}}]
+mask: {{elevation: 0}}
+""", "--from", "2025-03-21T10:00:10", "--to", "2025-03-21T10:00:50")
+
+    def test_rtcm(self):
+        self.check_rtcm()
+        self.assertFalse({1005, 1006} & {number for number, _ in self.rtcm})
+
+    def test_ubx(self):
+        self.check_ubx()
+
+    def test_nmea(self):
+        rows = list(csv.DictReader((self.folder / "BASE-track.csv").read_text(encoding="ascii").splitlines()))
+        lines = [line.split(",") for line in (self.folder / "BASE.nmea").read_text(encoding="ascii").splitlines()]
+        told = [f for f in lines if f[0].endswith("RMC")]
+        self.assertEqual(len(told), len(rows))
+        for f, row in zip(told, rows):
+            self.assertEqual((f[2], f[6], f[9], f[12]), ("A", "E", "210325", "A"))
+            lat = (-1 if f[4] == "S" else 1) * (int(f[3][:2]) + float(f[3][2:]) / 60)
+            self.assertAlmostEqual(lat, float(row["lat_deg"]), delta=2e-9)
+            self.assertAlmostEqual(int(f[5][:3]) + float(f[5][3:]) / 60, float(row["lon_deg"]), delta=2e-9)
+        for f, before, after in zip(told[1:], rows, rows[2:]):  # speed and course by differences, near the equator
+            north = 110574 * (float(after["lat_deg"]) - float(before["lat_deg"])) / 2
+            east = 111320 * (float(after["lon_deg"]) - float(before["lon_deg"])) / 2
+            self.assertAlmostEqual(float(f[7]) * 1852 / 3600, math.hypot(north, east), delta=0.2)
+            self.assertAlmostEqual((float(f[8]) - math.degrees(math.atan2(east, north)) + 180) % 360, 180, delta=0.3)
 
 
 if __name__ == "__main__":
