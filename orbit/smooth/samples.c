@@ -37,6 +37,12 @@ static const orr_node *last_used(const orr_node *list, const orr_instant *at, co
     return found;
 }
 
+// In a gap whose orbits before and after do not agree, sigma is as much larger as they disagree.
+static double strain_between(const orr_track *t, const between_nodes *b)
+{
+    return b->right != NULL && b->next < t->n ? fmax(1, t->at[b->next].strain) : 1;
+}
+
 static void pass_instant(const orr_node *list, const orr_track *t, const orr_verdict *verdict, size_t k,
                          between_nodes *b)
 {
@@ -98,19 +104,20 @@ static void add_doubt(const between_nodes *b, const orr_node *list, const orr_ve
 
 // At point g, at part u of the way between two instants.
 static void set_sigma(const orr_grid_point *g, const variances *a, const variances *b, double u,
-                      const excess *more, double floor_m, orr_orbit_sample *s)
+                      double strain, const excess *more, double floor_m, orr_orbit_sample *s)
 {
+    const double strain2 = strain * strain;
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         const double variance =
-            fmax((1 - u) * a->rtn[i] + u * b->rtn[i] + more->rtn2_m2[i], floor_m * floor_m / 3);
+            fmax(strain2 * ((1 - u) * a->rtn[i] + u * b->rtn[i]) + more->rtn2_m2[i], floor_m * floor_m / 3);
         s->sigma_rtn_m[i] = (float)sqrt(variance);
         sum += variance;
     }
     s->sigma_m = (float)sqrt(sum);
     const double rate = orr_vec3_norm(g->v_mps) / orr_vec3_norm(g->r_m); // errors of the orbit turn with it
-    s->sigma_mps =
-        (float)fmax(sqrt((1 - u) * a->velocity + u * b->velocity + more->v2_m2ps2), floor_m * rate);
+    s->sigma_mps = (float)fmax(sqrt(strain2 * ((1 - u) * a->velocity + u * b->velocity) + more->v2_m2ps2),
+                               floor_m * rate);
 }
 
 // Smoothed state x about point g as a sample.
@@ -172,8 +179,8 @@ orr_status orr_samples_make(orr_track_context *c, const orr_node *list, double n
             set_state(c, g, x[j], joined, s);
             excess more = excess_of_join(g, joined);
             add_doubt(&nodes, list, verdict, g->t_s, &more);
-            set_sigma(g, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s), &more,
-                      claim.least_m, s);
+            set_sigma(g, &before, &after, next == at ? 0 : (g->t_s - at->t_s) / (next->t_s - at->t_s),
+                      strain_between(t, &nodes), &more, claim.least_m, s);
             if (joined != NULL && joined->between_files) s->flags |= ORR_EPH_JOINT;
             if (eclipsing && at->shadow > 0) s->flags |= ORR_EPH_SHADOW_NOISE;
         }

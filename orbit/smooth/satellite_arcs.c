@@ -118,6 +118,35 @@ static orr_status emit_arc(orr_satellite_work *w, orr_track *t, const orr_verdic
     return s;
 }
 
+// Where a gap ends the orbit may begin anew, for once: what that would gain is the square of how ill the orbits before and after it
+// agree, over the six unknowns that would be free.
+static orr_status strain_gaps(orr_satellite_work *w, orr_track *t, const orr_verdict *verdict)
+{
+    const orr_node *before = NULL;
+    orr_fresh_start *fresh = NULL;
+    orr_status s = ORR_OK;
+    for (size_t k = 0; k < t->n && s == ORR_OK; k++) {
+        t->at[k].strain = 0;
+        for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n && s == ORR_OK; i++) {
+            const orr_node *node = &w->node[i];
+            if (!orr_node_counts(node) || verdict[i].rejected) continue;
+            const bool gap = before != NULL &&
+                             (orr_samples_flags(w->c, w->table->step_s, before, node) & ORR_EPH_GAP) != 0;
+            before = node;
+            if (!gap) continue;
+            if (fresh == NULL) {
+                fresh = calloc(t->n, sizeof *fresh);
+                if (fresh == NULL) return ORR_E_MEMORY;
+                orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
+                s = orr_smooth_range(w->c, verdict, t, 0, t->n - 1, fresh);
+            }
+            if (fresh[k].told) t->at[k].strain = sqrt(fmax(fresh[k].gain, 0) / 6) / w->scale;
+        }
+    }
+    free(fresh);
+    return s;
+}
+
 // Filter and smoother over the whole track, with noise as large as it is. smoothed: it is already, with the noise as it was
 // before.
 static orr_status settle(orr_satellite_work *w, orr_track *t, const orr_verdict *verdict, bool smoothed)
@@ -137,6 +166,7 @@ static orr_status settle(orr_satellite_work *w, orr_track *t, const orr_verdict 
         orr_filter_range(w->c, w->node, verdict, t, 0, t->n - 1);
         s = orr_smooth_range(w->c, verdict, t, 0, t->n - 1, NULL);
     }
+    if (s == ORR_OK && w->c->noise.nx == ORR_NX) s = strain_gaps(w, t, verdict);
     if (s == ORR_OK && w->evidence != NULL)
         orr_file_ends_add(w->c, w->node, w->n, verdict, t, w->scale, w->n_files, w->evidence);
     return s;

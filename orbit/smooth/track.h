@@ -54,6 +54,8 @@ typedef struct orr_instant {
     double d2,
         log_det; // normalised squares of the innovations, and half ln det of their covariance; of count nodes
     size_t count;
+    // Where a gap ends: how far the orbits before and after it are from being one, in units of sigma; 0 elsewhere
+    double strain;
     orr_gauss_kept state; // of deviations from the departing state: filtered, and smoothed in its place
 } orr_instant;
 
