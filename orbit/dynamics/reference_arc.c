@@ -242,8 +242,9 @@ static void accumulate(const orr_arc_room *room, const orr_reference_arc *arc, o
             e->ll += w * row[ORR_ARC_UNKNOWNS] * row[ORR_ARC_UNKNOWNS];
         }
     }
+    const double *sigma = orr_ecom_sigma_nmps2(arc->r_m, arc->v_mps);
     for (int j = 0; j < ORR_ECOM_TERMS; j++) {
-        const double s = orr_ecom_sigma_nmps2[j], p = 1 / (s * s),
+        const double s = sigma[j], p = 1 / (s * s),
                      off = arc->ecom_nmps2[j] - (j == 0 ? ORR_ECOM_D0_NMPS2 : 0);
         e->N[6 + j][6 + j] += p;
         e->r[6 + j] -= p * off;

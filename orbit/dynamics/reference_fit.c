@@ -261,13 +261,14 @@ static void update_arcs(work *w, const double *change)
             for (int a = 0; a < ORR_KNOT_LOCAL; a++) x[i] -= s->by_knots[i][a] * local[a];
         }
         const double age = arc->node[arc->n - 1].t_s - arc->node[0].t_s;
+        const double *sigma = orr_ecom_sigma_nmps2(arc->r_m, arc->v_mps); // as its equations had it
         arc->r_m = orr_vec3_add(arc->r_m, (orr_vec3){x[0], x[1], x[2]});
         arc->v_mps = orr_vec3_add(arc->v_mps, (orr_vec3){x[3], x[4], x[5]});
         double prior = 0;
         for (int i = 0; i < ORR_ECOM_TERMS; i++) {
             arc->ecom_nmps2[i] += x[6 + i];
             const double off = arc->ecom_nmps2[i] - (i == 0 ? ORR_ECOM_D0_NMPS2 : 0);
-            prior += off * off / (orr_ecom_sigma_nmps2[i] * orr_ecom_sigma_nmps2[i]);
+            prior += off * off / (sigma[i] * sigma[i]);
         }
         s->rms_m = rms_of(s, local, prior);
         s->moved_m = fmax(orr_vec3_norm((orr_vec3){x[0], x[1], x[2]}),

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/force/ecom.h"
 
+#include "orbit/force/orbit_class.h"
 #include "orbit/force/shadow.h"
 
-const double orr_ecom_sigma_nmps2[ORR_ECOM_TERMS] = {30, 3, 3, 5, 5, 5, 5, 3, 3};
+// Whether the panels' axis is along the orbit's normal.
+static bool keeps_normal(orr_vec3 r, orr_vec3 v) { return orr_orbit_class_of(r, v) == ORR_ORBIT_GEO; }
+
+const double *orr_ecom_sigma_nmps2(orr_vec3 r, orr_vec3 v)
+{
+    static const double facing[ORR_ECOM_TERMS] = {30, 3, 3, 5, 5, 5, 5, 3, 3},
+                        normal[ORR_ECOM_TERMS] = {30, 30, 3, 5, 5, 5, 5, 3, 3};
+    return keeps_normal(r, v) ? normal : facing;
+}
 
 void orr_ecom_basis(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_vec3 basis[ORR_ECOM_TERMS])
 {
@@ -11,7 +20,9 @@ void orr_ecom_basis(orr_vec3 r, orr_vec3 v, orr_vec3 sun, orr_vec3 basis[ORR_ECO
     orr_vec3 d = orr_vec3_sub(sun, r);
     const double distance = orr_vec3_norm(d), au = ORR_AU_M / distance;
     d = orr_vec3_scale(1.0 / distance, d);
-    const orr_vec3 y = orr_vec3_unit(orr_vec3_cross(radial, d)), b = orr_vec3_cross(d, y);
+    const orr_vec3 axis =
+        keeps_normal(r, v) ? orr_vec3_axpy(-orr_vec3_dot(d, cross), d, cross) : orr_vec3_cross(radial, d);
+    const orr_vec3 y = orr_vec3_unit(axis), b = orr_vec3_cross(d, y);
     const orr_vec3 zero = orr_vec3_unit(orr_vec3_axpy(-orr_vec3_dot(d, cross), cross, d)); // u counts from it
     const double c = orr_vec3_dot(radial, zero), s = orr_vec3_dot(radial, orr_vec3_cross(cross, zero));
     const double c2 = c * c - s * s, s2 = 2 * s * c, c4 = c2 * c2 - s2 * s2, s4 = 2 * s2 * c2;

@@ -109,7 +109,7 @@ orr_status orr_predict_filter(orr_predict_room *room, const orr_reference_arc *f
     orr_gauss g;
     *out = (orr_predict_start){.t_s = fit->t_s, .r_m = fit->r_m, .v_mps = fit->v_mps, .joint_m = (double)NAN};
     use_arc(room, fit);
-    orr_kalman_start(&g, START_R_M, START_V_MPS, F0_SIGMA_MPS2);
+    orr_kalman_start(START_R_M, START_V_MPS, F0_SIGMA_MPS2, orr_ecom_sigma_nmps2(out->r_m, out->v_mps), &g);
     take_node(room, &fit->node[0], out->r_m, &g);
     for (size_t i = 1; i < fit->n; i++) {
         const double dt = fit->node[i].t_s - out->t_s;

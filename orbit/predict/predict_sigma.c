@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/constants.h"
+#include "orbit/force/orbit_class.h"
 
 #define DAY_S 86400.0
 #define JOIN_S 600.0
@@ -19,23 +20,11 @@
 #define LEAST_RATIO 0.8
 #define MOST_RATIO 4.0
 #define MEDIAN_TO_SIGMA 1.2
-#define GEOSYNCHRONOUS_M 3.8e7
-#define GEOSTATIONARY_SIN 0.17 // of the inclination
-
-typedef enum kind { MEDIUM, INCLINED, STATIONARY } kind;
-
-static kind kind_of(orr_vec3 r, orr_vec3 v)
-{
-    if (orr_vec3_norm(r) < GEOSYNCHRONOUS_M) return MEDIUM;
-    const orr_vec3 normal = orr_vec3_unit(orr_vec3_cross(r, v));
-    return hypot(normal.x, normal.y) < GEOSTATIONARY_SIN ? STATIONARY : INCLINED;
-}
 
 // Sunlit satellites, two days of positions: {joint where none is seen, early, late}, m.
-static orr_predict_growth usual(char system, kind k)
+static orr_predict_growth usual(char system, orr_orbit_class orbit)
 {
-    if (k == STATIONARY) return (orr_predict_growth){0.5, 1.0, 3.0};
-    if (k == INCLINED) return (orr_predict_growth){0.15, 0.3, 0.8};
+    if (orbit != ORR_ORBIT_MEO) return (orr_predict_growth){0.15, 0.3, 0.8};
     switch (system) {
     case 'G':
         return (orr_predict_growth){0.013, 0.055, 0.105};
@@ -50,7 +39,7 @@ static orr_predict_growth usual(char system, kind k)
 
 orr_predict_growth orr_predict_growth_of(const orr_predict_known *k)
 {
-    orr_predict_growth g = usual(orr_sat_system(k->sat), kind_of(k->r_m, k->v_mps));
+    orr_predict_growth g = usual(orr_sat_system(k->sat), orr_orbit_class_of(k->r_m, k->v_mps));
     const double history = fmax(1, pow(FULL_HISTORY_S / fmax(k->history_s, 1), HISTORY_POWER));
     double own = sqrt(k->rms_ratio);
     own = own > LEAST_RATIO ? fmin(own, MOST_RATIO) : LEAST_RATIO; // no number is none

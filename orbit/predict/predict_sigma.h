@@ -9,7 +9,7 @@
 // What is known of a satellite when it is predicted.
 typedef struct orr_predict_known {
     orr_sat sat;
-    orr_vec3 r_m, v_mps; // inertial state: geostationary and inclined geosynchronous orbits are apart
+    orr_vec3 r_m, v_mps; // inertial state: geosynchronous orbits are apart
     bool eclipses;       // it passes through the Earth's shadow
     double history_s;    // of positions that the orbit was fitted to
     double rms_ratio;    // residual of its fit over the median of its system

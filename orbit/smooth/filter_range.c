@@ -14,8 +14,9 @@ static void admit(orr_gauss *g, double r_m, double v_mps, double f_mps2)
 static void renew(const orr_track_context *c, const orr_verdict *verdict, const orr_instant *at, orr_gauss *g)
 {
     const bool rich = c->noise.nx == ORR_NX;
+    const double *ecom = orr_ecom_sigma_nmps2(at->r_m, at->v_mps);
     for (int i = 0; i < ORR_ECOM_TERMS && at->renew && rich; i++)
-        g->P[ORR_PARTIAL_ECOM + i][ORR_PARTIAL_ECOM + i] += orr_ecom_sigma_nmps2[i] * orr_ecom_sigma_nmps2[i];
+        g->P[ORR_PARTIAL_ECOM + i][ORR_PARTIAL_ECOM + i] += ecom[i] * ecom[i];
     if (at->pulse && rich) admit(g, 0, ORR_NOON_STEP_MPS, 0);
     if (at->step && rich) admit(g, ORR_FILE_STEP_R_M, ORR_FILE_STEP_V_MPS, 0);
     if (at->n > 0 && verdict[at->first].begins_anew)
@@ -56,7 +57,8 @@ static void filter(const orr_track_context *c, const orr_node *list, const orr_v
     const orr_filter_noise *n = &c->noise;
     orr_gauss now, predicted;
     orr_transition step;
-    orr_kalman_start(&now, n->start_r_m, n->start_v_mps, n->f0_sigma_mps2);
+    orr_kalman_start(n->start_r_m, n->start_v_mps, n->f0_sigma_mps2,
+                     orr_ecom_sigma_nmps2(t->at[first].r_m, t->at[first].v_mps), &now);
     predicted = now;
     for (size_t k = first; k <= last; k++) {
         if (k > first) {

@@ -132,7 +132,8 @@ void orr_transition_append(orr_transition *t, double F[6][ORR_NX], const orr_mat
     t->near_shadow = t->near_shadow || near_shadow;
 }
 
-void orr_kalman_start(orr_gauss *g, double r_m, double v_mps, double f_mps2)
+void orr_kalman_start(double r_m, double v_mps, double f_mps2, const double ecom_nmps2[ORR_ECOM_TERMS],
+                      orr_gauss *g)
 {
     memset(g, 0, sizeof *g);
     for (int i = 0; i < 3; i++) {
@@ -141,7 +142,7 @@ void orr_kalman_start(orr_gauss *g, double r_m, double v_mps, double f_mps2)
         g->P[6 + i][6 + i] = f_mps2 * f_mps2;
     }
     for (int i = 0; i < ORR_ECOM_TERMS; i++)
-        g->P[ORR_PARTIAL_ECOM + i][ORR_PARTIAL_ECOM + i] = orr_ecom_sigma_nmps2[i] * orr_ecom_sigma_nmps2[i];
+        g->P[ORR_PARTIAL_ECOM + i][ORR_PARTIAL_ECOM + i] = ecom_nmps2[i] * ecom_nmps2[i];
 }
 
 // F P: the lower rows of F are those of the unit matrix.

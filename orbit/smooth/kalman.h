@@ -84,9 +84,14 @@ void orr_transition_append(orr_transition *t, double F[6][ORR_NX], const orr_mat
 void orr_noise_expected(const orr_mat3 *axes, double h_s, double qf, double qv, const double b[ORR_NW],
                         double w[ORR_NW]);
 
-// Diffuse start: sigmas of position (m), velocity (m/s), f0 (m/s^2), and those that a prior has of ECOM; mean
-// zero.
-void orr_kalman_start(orr_gauss *g, double r_m, double v_mps, double f_mps2);
+// Diffuse start, mean zero.
+// Given:
+//   r_m, v_mps, f_mps2  sigmas of position, velocity and f0
+//   ecom_nmps2          those of ECOM's terms (orr_ecom_sigma_nmps2)
+// Returned:
+//   g                   the state
+void orr_kalman_start(double r_m, double v_mps, double f_mps2, const double ecom_nmps2[ORR_ECOM_TERMS],
+                      orr_gauss *g);
 // Prediction over one step: x = F x + shift, P = F P F' + noise.
 // Given:
 //   from    state at the step's begin

@@ -153,6 +153,36 @@ static void gradient_is_the_derivative_of_the_central_field(void **state)
     ASSERT_NEAR(G.m[0][0] + G.m[1][1] + G.m[2][2], 0, 1e-22);
 }
 
+// Panels that turn about the orbit's normal alone meet the Sun aslant by beta; what they throw back leaves along their own
+// normal, which is the Sun's projection. That is constant along the whole orbit, and so are its coefficients of D and Y:
+// F = -((1 - q) cos b + 2 q cos^3 b) D + 2 q cos^2 b sin b Y, for a part q thrown back. For a satellite that yaws Y stands across
+// the radius.
+static void radiation_on_geostationary_satellites_is_constant(void **state)
+{
+    (void)state;
+    const double beta = 0.28, q = 0.25, radius = 4.2164e7, speed = 3074.66;
+    const orr_vec3 far = {1.496e11 * cos(beta), 0, 1.496e11 * sin(beta)};
+    for (int k = 0; k < 24; k++) {
+        const double u = 0.3 + k * ORR_PI / 12;
+        const orr_vec3 r = {radius * cos(u), radius * sin(u), 0}, v = {-speed * sin(u), speed * cos(u), 0},
+                       sun = orr_vec3_add(far, r), // its direction is the same all along
+            normal = {0, 0, 1}, d = orr_vec3_unit(far), panel = {1, 0, 0};
+        orr_vec3 basis[ORR_ECOM_TERMS], f = orr_vec3_scale(-(1 - q) * cos(beta), d);
+        f = orr_vec3_axpy(-2 * q * cos(beta) * cos(beta), panel, f);
+        orr_ecom_basis(r, v, sun, basis);
+        const orr_vec3 D = orr_vec3_unit(far), Y = orr_vec3_unit(basis[1]), B = orr_vec3_unit(basis[2]);
+        ASSERT_NEAR(orr_vec3_dot(Y, normal), cos(beta), 1e-12);
+        ASSERT_NEAR(orr_vec3_dot(f, D), -(1 - q) * cos(beta) - 2 * q * pow(cos(beta), 3), 1e-12);
+        ASSERT_NEAR(orr_vec3_dot(f, Y), 2 * q * cos(beta) * cos(beta) * sin(beta), 1e-12);
+        ASSERT_NEAR(orr_vec3_dot(f, B), 0, 1e-12);
+        // One that is inclined by 50 degrees yaws.
+        const double c = cos(0.9), s = sin(0.9);
+        const orr_vec3 ri = {r.x, c * r.y, s * r.y}, vi = {v.x, c * v.y, s * v.y};
+        orr_ecom_basis(ri, vi, orr_vec3_add(far, ri), basis);
+        ASSERT_NEAR(orr_vec3_dot(orr_vec3_unit(basis[1]), orr_vec3_unit(ri)), 0, 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -165,6 +195,7 @@ int main(void)
         cmocka_unit_test(tides_have_their_closed_form),
         cmocka_unit_test(shadow_is_dark_behind_and_grey_at_the_limb),
         cmocka_unit_test(gradient_is_the_derivative_of_the_central_field),
+        cmocka_unit_test(radiation_on_geostationary_satellites_is_constant),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

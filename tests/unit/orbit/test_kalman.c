@@ -13,6 +13,13 @@
 #define N (NX * (STEPS + 1))
 #define H_S 150.0
 
+// With the prior of satellites that face the Sun.
+static void start(double r_m, double v_mps, double f_mps2, orr_gauss *g)
+{
+    const orr_vec3 r = {2.66e7, 0, 0}, v = {0, 3.87e3, 0};
+    orr_kalman_start(r_m, v_mps, f_mps2, orr_ecom_sigma_nmps2(r, v), g);
+}
+
 static const orr_noise_factor as_it_is = {.q = 1};
 
 // Partial derivatives near the truth of an orbit: E, h E; B h^2/2, B h; ECOM's about as f0's.
@@ -103,7 +110,7 @@ static void smoother_is_the_batch_least_squares(void **state)
     orr_gauss pred[STEPS + 1], filt[STEPS + 1], smooth[STEPS + 1];
     orr_vec3 z[STEPS + 1];
     double shift[STEPS + 1][ORR_NX] = {{0}}, u[ORR_NX];
-    orr_kalman_start(&pred[0], 1.0, 1e-2, 1e-5);
+    start(1.0, 1e-2, 1e-5, &pred[0]);
     double P0[NX][NX];
     for (int i = 0; i < NX; i++) memcpy(P0[i], pred[0].P[i], sizeof P0[i]);
     for (int k = 0; k <= STEPS; k++) {
@@ -195,7 +202,7 @@ static void innovations_of_a_true_model_average_one(void **state)
     const int draws = 4000;
     for (int n = 0; n < draws; n++) {
         orr_gauss g;
-        orr_kalman_start(&g, 2.0, 1.0, 1.0);
+        start(2.0, 1.0, 1.0, &g);
         orr_vec3 z = {0};
         double *c[3] = {&z.x, &z.y, &z.z};
         for (int i = 0; i < 3; i++)
@@ -215,7 +222,7 @@ static void indefinite_covariance_is_refused(void **state)
     orr_transition t;
     double u[ORR_NX];
     random_transition(&t, 3, 0, 0);
-    orr_kalman_start(&a, 1, 1, 1);
+    start(1, 1, 1, &a);
     bad = a;
     bad.P[4][4] = -1;
     orr_gauss out;
@@ -229,7 +236,7 @@ static void steps_make_one_transition(void **state)
     orr_transition whole, part;
     orr_gauss a, b;
     const double none[ORR_NX] = {0};
-    orr_kalman_start(&a, 3.0, 1e-2, 1e-6);
+    start(3.0, 1e-2, 1e-6, &a);
     for (int i = 0; i < ORR_NX; i++) a.x[i] = sqrt(a.P[i][i]) * orr_rng_normal(11, 0, (uint64_t)i);
     b = a;
     orr_transition_start(&whole);
@@ -258,7 +265,7 @@ static void constants_are_smoothed_to_one_value(void **state)
     orr_gauss pred[STEPS + 1], filt[STEPS + 1], smooth[STEPS + 1];
     const double none[ORR_NX] = {0};
     double u[ORR_NX];
-    orr_kalman_start(&pred[0], 1.0, 1e-2, 1e-8);
+    start(1.0, 1e-2, 1e-8, &pred[0]);
     for (int k = 0; k <= STEPS; k++) {
         if (k > 0) {
             random_transition(&t[k - 1], (uint64_t)k, 1e-20, 0);

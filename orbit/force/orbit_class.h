@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kinds of orbits, as users of navigation satellites tell them apart.
-#ifndef ORR_ORBIT_SPACECRAFT_ORBIT_CLASS_H
-#define ORR_ORBIT_SPACECRAFT_ORBIT_CLASS_H
+#ifndef ORR_ORBIT_FORCE_ORBIT_CLASS_H
+#define ORR_ORBIT_FORCE_ORBIT_CLASS_H
 
 #include "core/vec.h"
 #include "orbit/force/gravity_field.h"
