@@ -7,8 +7,8 @@
 
 #include "ingest/sp3/sp3.h"
 #include "orbit/broadcast/broadcast.h"
-#include "orbit/spacecraft/attitude.h"
 #include "orbit/force/orbit_class.h"
+#include "orbit/spacecraft/attitude.h"
 
 typedef struct orr_sisre_sample {
     orr_sat sat;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orbit/spacecraft/spacecraft.h"
 
-#include "orbit/spacecraft/attitude_laws.h"
 #include "orbit/force/orbit_class.h"
+#include "orbit/spacecraft/attitude_laws.h"
 
 // The record that stands for t, usable or not.
 static const orr_nav_eph *select_any(const orr_nav *nav, orr_sat sat, orr_time t, uint32_t messages)

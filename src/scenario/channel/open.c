@@ -7,8 +7,8 @@
 
 #include "core/rng.h"
 #include "ingest/rinex/rinex_obs.h"
-#include "orbit/navdata/glonass_channel.h"
 #include "orbit/force/orbit_class.h"
+#include "orbit/navdata/glonass_channel.h"
 #include "src/scenario/channel/block.h"
 #include "src/scenario/channel/channels_private.h"
 #include "src/scenario/channel/spoofed.h"
