@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/service/net/url.h"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -143,6 +145,80 @@ static void unix_sockets(void **state)
     rmdir(dir);
 }
 
+// By these and nothing else a peer without a certificate is taken for one on this machine (S9, S13).
+static void addresses_of_loopback(void **state)
+{
+    (void)state;
+    const struct {
+        const char *text;
+        bool local;
+    } cases[] = {{"127.0.0.1", true},
+                 {"127.255.255.254", true},
+                 {"128.0.0.1", false},
+                 {"126.255.255.255", false},
+                 {"10.0.0.1", false},
+                 {"0.0.0.0", false},
+                 {"::1", true},
+                 {"::2", false},
+                 {"::", false},
+                 {"::ffff:127.0.0.1", true},
+                 {"::ffff:127.9.9.9", true},
+                 {"::ffff:10.0.0.1", false},
+                 {"::ffff:128.0.0.1", false},
+                 {"64:ff9b::7f00:1", false},
+                 {"::127.0.0.1", false},
+                 {"fe80::1", false}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct sockaddr_in v4 = {.sin_family = AF_INET};
+        struct sockaddr_in6 v6 = {.sin6_family = AF_INET6};
+        const bool four = inet_pton(AF_INET, cases[i].text, &v4.sin_addr) == 1;
+        if (!four) assert_int_equal(inet_pton(AF_INET6, cases[i].text, &v6.sin6_addr), 1);
+        const struct sockaddr *a = four ? (struct sockaddr *)&v4 : (struct sockaddr *)&v6;
+        if (orr_address_is_local(a) != cases[i].local) fail_msg("%s", cases[i].text);
+    }
+    const struct sockaddr none = {.sa_family = AF_UNSPEC};
+    assert_false(orr_address_is_local(&none));
+}
+
+// Sockets that somebody hands over, and sockets of datagrams, say where they are.
+static void sockets_have_addresses(void **state)
+{
+    (void)state;
+    const char *const where[] = {"tcp://127.0.0.1:0", "tcp://[::1]:0"};
+    for (size_t i = 0; i < 2; i++) {
+        orr_url u, bound, told;
+        orr_diag diag = {0};
+        int fd, other;
+        assert_int_equal(orr_url_parse(where[i], &u, &diag), ORR_OK);
+        if (orr_url_listen(&u, 5, &fd, &bound, &diag) != ORR_OK && i == 1) {
+            print_message("no IPv6 here\n");
+            continue;
+        }
+        ASSERT_OK(orr_url_of_socket(fd, &told, &diag), diag);
+        assert_string_equal(told.host, u.host);
+        assert_int_equal(told.port, bound.port);
+        assert_true(orr_url_is_local(&told));
+        ASSERT_OK(orr_url_connect(&bound, 5, &other, &diag), diag);
+        assert_int_equal(orr_url_of_socket(other, &told, &diag), ORR_E_ARG); // connected, not listening
+        close(other);
+        close(fd);
+        ASSERT_OK(orr_url_bind_datagrams(&u, &fd, &bound, &diag), diag);
+        assert_true(bound.port > 0);
+        assert_string_equal(bound.host, u.host);
+        assert_int_equal(orr_url_of_socket(fd, &told, &diag), ORR_E_ARG); // datagrams
+        assert_int_equal(orr_url_bind_datagrams(&bound, &other, &told, &diag), ORR_E_IO);
+        close(fd);
+    }
+    orr_url u, bound;
+    orr_diag diag = {0};
+    int fd;
+    assert_int_equal(orr_url_parse("unix:somewhere", &u, &diag), ORR_OK);
+    assert_int_equal(orr_url_bind_datagrams(&u, &fd, &bound, &diag), ORR_E_ARG);
+    assert_int_equal(orr_url_parse("tcp://no.such.name.invalid:1", &u, &diag), ORR_OK);
+    assert_int_equal(orr_url_bind_datagrams(&u, &fd, &bound, &diag), ORR_E_ARG);
+    assert_int_equal(orr_url_of_socket(-1, &bound, &diag), ORR_E_ARG);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -152,6 +228,8 @@ int main(void)
         cmocka_unit_test(a_port_in_use),
         cmocka_unit_test(any_address),
         cmocka_unit_test(unix_sockets),
+        cmocka_unit_test(addresses_of_loopback),
+        cmocka_unit_test(sockets_have_addresses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
