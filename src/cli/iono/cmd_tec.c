@@ -9,10 +9,12 @@
 #include "core/nan.h"
 #include "core/outfile.h"
 #include "iono/field/tec_files.h"
+#include "iono/fusion/session_maps.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/iono/tec_options.h"
 #include "src/make/inputs.h"
+#include "src/make/products.h"
 
 typedef struct span {
     orr_time from;
@@ -195,6 +197,26 @@ static orr_status to_files(const orr_cli *c, const orr_tec_field *field, span wh
     return s;
 }
 
+// The field that is named; of a session, its maps: as they are, but for coefficients, which are fitted to them.
+static orr_status open_field(const orr_cli *c, const orr_tec_options *o, bool coefficients,
+                             orr_tec_field **out, orr_warnings *warnings, orr_diag *diag)
+{
+    const char *path = c->operand[0];
+    if (orr_product_kind(path) != ORR_KIND_NETCDF) return orr_tec_field_open(path, o, out, warnings, diag);
+    orr_session session;
+    orr_ionex maps;
+    orr_tec_options mine = *o;
+    orr_status s = orr_session_load(path, c->leap, &session, diag);
+    if (s != ORR_OK) return s;
+    if (!coefficients) mine.spatial = ORR_TEC_BILINEAR;
+    s = orr_session_maps(&session, (double)orr_cli_duration_ns(c, "step", 3600 * ORR_NS_PER_S) * 1e-9, &maps,
+                         diag);
+    if (s == ORR_OK) s = orr_tec_field_from_ionex(&maps, path, &mine, out, diag);
+    orr_ionex_free(&maps);
+    orr_session_free(&session);
+    return s;
+}
+
 static int run(orr_cli *c)
 {
     const char *format = orr_cli_text(c, "format", "csv");
@@ -210,7 +232,7 @@ static int run(orr_cli *c)
     int e = orr_tec_options_ask(c, &o);
     if (e != ORR_EXIT_OK) return e;
     orr_tec_field *field;
-    orr_status s = orr_tec_field_open(c->operand[0], &o, &field, &warnings, &diag);
+    orr_status s = open_field(c, &o, ion, &field, &warnings, &diag);
     orr_cli_warnings(c, &warnings);
     orr_warnings_free(&warnings);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
@@ -271,8 +293,9 @@ const orr_command orr_cmd_tec = {
     .operands = "FIELD",
     .min_operands = 1,
     .max_operands = 1,
-    .about = "FIELD is an IONEX file, Bernese coefficients (.ION), or a RINEX navigation file (a broadcast "
-             "model). "
+    .about = "FIELD is an IONEX file, Bernese coefficients (.ION), a RINEX navigation file (a broadcast "
+             "model), or a session of orrery iono: its field with the correction that the station's phases "
+             "found, as maps --step apart (an hour by default). "
              "Maps are refitted to "
              "spherical harmonics of degree 15 in the solar-geomagnetic frame, which is what they are "
              "printed from; --bilinear "
@@ -283,7 +306,8 @@ const orr_command orr_cmd_tec = {
     .example = "orrery tec maps.INX --at 2024-02-04T12:30 --point 52.1,17\n"
                "orrery tec maps.INX --at 2024-02-04T12:30 --receiver 52.3,17.1,0 --el 30 --az 180\n"
                "orrery tec maps.INX --grid --step 15min --format ionex -o quarter-hours.INX\n"
-               "orrery tec maps.INX --format ion -o maps.ION",
+               "orrery tec maps.INX --format ion -o maps.ION\n"
+               "orrery tec session.nc --grid --format ionex -o fused.INX",
     .n_options = sizeof options / sizeof options[0],
     .option = options,
     .run = run,
