@@ -34,6 +34,7 @@ void orr_port_close(orr_port *p)
     free(p->track);
     free(p->previous);
     free(p->cell);
+    free(p->frame);
     free(p);
 }
 

@@ -13,6 +13,12 @@ typedef struct port_track {
     double cycles;
 } port_track;
 
+// The frame of a stream that was looked at last: most epochs lie in the one of the epoch before.
+typedef struct port_frame {
+    const orr_nav_stream *stream;
+    orr_navframe frame;
+} port_frame;
+
 struct orr_port {
     orr_port_plan plan;
     const orr_navset *navset; // of the plan's data; NULL: none
@@ -22,6 +28,8 @@ struct orr_port {
     port_track *track, *previous;
     size_t n_tracks, n_previous;
     void *cell; // [orr_channels_max] of one epoch
+    port_frame *frame;
+    size_t n_frames;
 };
 
 // Whether something that is repeated every so often is due at t: at the first epoch, and where a multiple has passed since the
@@ -38,7 +46,7 @@ orr_status port_rtcm_greeting(const orr_port *p, const orr_observed *o, orr_port
 // Appends an epoch as UBX.
 orr_status port_ubx(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
 // Appends the subframes that have been received whole since the epoch before, as UBX-RXM-SFRBX.
-orr_status port_ubx_subframes(const orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
+orr_status port_ubx_subframes(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
 // Appends an epoch as NMEA.
 orr_status port_nmea(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag);
 

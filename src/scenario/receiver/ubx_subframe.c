@@ -3,6 +3,7 @@
 // rest are left-aligned (ZED-F9P integration manual UBX-18010802, 3.13.1).
 #include <string.h>
 
+#include "core/array.h"
 #include "core/constants.h"
 #include "orbit/navdata/navframe.h"
 #include "src/scenario/receiver/port_private.h"
@@ -154,35 +155,53 @@ static void send_piece(const orr_port *p, const source *x, const orr_navframe_pi
     send(p, x->sat, x->component, &s, out);
 }
 
-// What has come in whole within (from, to], instants of sending.
-static orr_status send_stream(const orr_port *p, const source *x, orr_time from, orr_time to,
-                              orr_port_bytes *out, orr_diag *diag)
+// The frame that holds t, kept for the next epoch. *out NULL where the satellite sends nothing then.
+static orr_status frame_at(orr_port *p, const source *x, orr_time t, const orr_navframe **out, orr_diag *diag)
 {
     char name[ORR_SAT_TEXT], text[ORR_TIME_TEXT];
-    orr_navframe f;
+    size_t k = 0;
+    while (k < p->n_frames && (p->frame[k].stream != x->stream || p->frame[k].frame.sat != x->sat)) k++;
+    if (k == p->n_frames) {
+        if (!ORR_ARRAY_GROW(p->frame, p->n_frames)) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+        p->frame[p->n_frames++] = (port_frame){.stream = x->stream, .frame = {.sat = x->sat}};
+    }
+    orr_navframe *f = &p->frame[k].frame;
+    *out = f;
+    if (f->from <= t && t < f->to) return ORR_OK;
+    const orr_navset_item *set;
+    const orr_answer answer =
+        orr_source_navdata_evaluate(p->plan.navdata, t, x->sat, x->stream, false, &set, f);
+    if (answer == ORR_ANSWER_OK) return ORR_OK;
+    *f = (orr_navframe){.sat = x->sat}; // from and to alike: it holds no instant
+    *out = NULL;
+    if (answer != ORR_ANSWER_NO_VALUE) return ORR_OK;
+    return orr_diag_set(diag, ORR_E_RANGE, "a value of %s's %s does not fit its field at %s",
+                        orr_sat_text(x->sat, name), orr_nav_message_name((orr_nav_message)x->stream->message),
+                        orr_time_text(t, text));
+}
+
+// What has come in whole within (from, to], instants of sending.
+static orr_status send_stream(orr_port *p, const source *x, orr_time from, orr_time to, orr_port_bytes *out,
+                              orr_diag *diag)
+{
     orr_time t = from;
-    for (int k = 0; k < FRAMES && t <= to; k++, t = f.to) {
-        const orr_navset_item *set;
-        const orr_answer answer =
-            orr_source_navdata_evaluate(p->plan.navdata, t, x->sat, x->stream, false, &set, &f);
-        if (answer == ORR_ANSWER_NO_VALUE)
-            return orr_diag_set(diag, ORR_E_RANGE, "a value of %s's %s does not fit its field at %s",
-                                orr_sat_text(x->sat, name),
-                                orr_nav_message_name((orr_nav_message)x->stream->message),
-                                orr_time_text(t, text));
-        if (answer != ORR_ANSWER_OK) return ORR_OK; // it sends nothing then
+    for (int n = 0; n < FRAMES && t <= to; n++) {
+        const orr_navframe *f = NULL;
+        const orr_status s = frame_at(p, x, t, &f, diag);
+        if (s != ORR_OK || f == NULL) return s;
         const size_t parts = x->stream->message == ORR_NAV_D2 ? 5 : 1;
-        for (size_t j = 0; j < parts * f.n; j++) {
-            const orr_navframe_piece *piece = &f.piece[j / parts];
+        for (size_t j = 0; j < parts * f->n; j++) {
+            const orr_navframe_piece *piece = &f->piece[j / parts];
             const orr_time end = piece->t + piece->length * (int64_t)(j % parts + 1) / (int64_t)parts;
             if (end > from && end <= to) send_piece(p, x, piece, j % parts, out);
         }
+        t = f->to;
     }
     return ORR_OK;
 }
 
 // The streams of a satellite whose observations are item[0 .. n).
-static orr_status send_satellite(const orr_port *p, const orr_observation *item, size_t n, orr_time t,
+static orr_status send_satellite(orr_port *p, const orr_observation *item, size_t n, orr_time t,
                                  orr_port_bytes *out, orr_diag *diag)
 {
     orr_status s = ORR_OK;
@@ -200,7 +219,7 @@ static orr_status send_satellite(const orr_port *p, const orr_observation *item,
     return s;
 }
 
-orr_status port_ubx_subframes(const orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag)
+orr_status port_ubx_subframes(orr_port *p, const orr_observed *o, orr_port_bytes *out, orr_diag *diag)
 {
     orr_status s = ORR_OK;
     for (size_t k = 0, n = 0; p->before != ORR_TIME_NONE && s == ORR_OK && k < o->n; k += n) {
