@@ -1228,26 +1228,27 @@ static inline void store_channel_terms(uint8_t *p, const orr_msg_channel_terms *
     orr_wire_store_f64(p + 88, m->ocean_loading_m);
     orr_wire_store_f64(p + 96, m->troposphere_hydrostatic_m);
     orr_wire_store_f64(p + 104, m->troposphere_wet_m);
-    orr_wire_store_f64(p + 112, m->ionosphere_m);
-    orr_wire_store_f64(p + 120, m->emission_m);
-    orr_wire_store_f64(p + 128, m->emission_ionosphere_m);
-    orr_wire_store_f64(p + 136, m->wind_up_m);
-    orr_wire_store_f64(p + 144, m->phase_bias_m);
-    orr_wire_store_f64(p + 152, m->ionosphere_second_m);
-    orr_wire_store_f64(p + 160, m->receiver_delay_m);
-    orr_wire_store_f64(p + 168, m->residual_code_m);
-    orr_wire_store_f64(p + 176, m->residual_carrier_m);
-    orr_wire_store_f64(p + 184, m->disturbance_m);
-    orr_wire_store_f64(p + 192, m->scintillation_m);
-    orr_wire_store_f64(p + 200, m->land_mobile_m);
-    orr_wire_store_f64(p + 208, m->echo_m);
-    orr_wire_store_f64(p + 216, m->echo_phase_m);
-    orr_wire_store_f64(p + 224, m->spoofer_m);
-    orr_wire_store_f64(p + 232, m->fault_range_m);
-    orr_wire_store_f64(p + 240, m->fault_noise_m);
-    orr_wire_store_f64(p + 248, m->fault_clock_m);
-    orr_wire_store_f64(p + 256, m->fault_divergence_m);
-    orr_wire_store_f64(p + 264, m->fault_orbit_m);
+    orr_wire_store_f64(p + 112, m->turbulence_m);
+    orr_wire_store_f64(p + 120, m->ionosphere_m);
+    orr_wire_store_f64(p + 128, m->emission_m);
+    orr_wire_store_f64(p + 136, m->emission_ionosphere_m);
+    orr_wire_store_f64(p + 144, m->wind_up_m);
+    orr_wire_store_f64(p + 152, m->phase_bias_m);
+    orr_wire_store_f64(p + 160, m->ionosphere_second_m);
+    orr_wire_store_f64(p + 168, m->receiver_delay_m);
+    orr_wire_store_f64(p + 176, m->residual_code_m);
+    orr_wire_store_f64(p + 184, m->residual_carrier_m);
+    orr_wire_store_f64(p + 192, m->disturbance_m);
+    orr_wire_store_f64(p + 200, m->scintillation_m);
+    orr_wire_store_f64(p + 208, m->land_mobile_m);
+    orr_wire_store_f64(p + 216, m->echo_m);
+    orr_wire_store_f64(p + 224, m->echo_phase_m);
+    orr_wire_store_f64(p + 232, m->spoofer_m);
+    orr_wire_store_f64(p + 240, m->fault_range_m);
+    orr_wire_store_f64(p + 248, m->fault_noise_m);
+    orr_wire_store_f64(p + 256, m->fault_clock_m);
+    orr_wire_store_f64(p + 264, m->fault_divergence_m);
+    orr_wire_store_f64(p + 272, m->fault_orbit_m);
 }
 
 static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m)
@@ -1266,26 +1267,27 @@ static inline void load_channel_terms(const uint8_t *p, orr_msg_channel_terms *m
     m->ocean_loading_m = orr_wire_load_f64(p + 88);
     m->troposphere_hydrostatic_m = orr_wire_load_f64(p + 96);
     m->troposphere_wet_m = orr_wire_load_f64(p + 104);
-    m->ionosphere_m = orr_wire_load_f64(p + 112);
-    m->emission_m = orr_wire_load_f64(p + 120);
-    m->emission_ionosphere_m = orr_wire_load_f64(p + 128);
-    m->wind_up_m = orr_wire_load_f64(p + 136);
-    m->phase_bias_m = orr_wire_load_f64(p + 144);
-    m->ionosphere_second_m = orr_wire_load_f64(p + 152);
-    m->receiver_delay_m = orr_wire_load_f64(p + 160);
-    m->residual_code_m = orr_wire_load_f64(p + 168);
-    m->residual_carrier_m = orr_wire_load_f64(p + 176);
-    m->disturbance_m = orr_wire_load_f64(p + 184);
-    m->scintillation_m = orr_wire_load_f64(p + 192);
-    m->land_mobile_m = orr_wire_load_f64(p + 200);
-    m->echo_m = orr_wire_load_f64(p + 208);
-    m->echo_phase_m = orr_wire_load_f64(p + 216);
-    m->spoofer_m = orr_wire_load_f64(p + 224);
-    m->fault_range_m = orr_wire_load_f64(p + 232);
-    m->fault_noise_m = orr_wire_load_f64(p + 240);
-    m->fault_clock_m = orr_wire_load_f64(p + 248);
-    m->fault_divergence_m = orr_wire_load_f64(p + 256);
-    m->fault_orbit_m = orr_wire_load_f64(p + 264);
+    m->turbulence_m = orr_wire_load_f64(p + 112);
+    m->ionosphere_m = orr_wire_load_f64(p + 120);
+    m->emission_m = orr_wire_load_f64(p + 128);
+    m->emission_ionosphere_m = orr_wire_load_f64(p + 136);
+    m->wind_up_m = orr_wire_load_f64(p + 144);
+    m->phase_bias_m = orr_wire_load_f64(p + 152);
+    m->ionosphere_second_m = orr_wire_load_f64(p + 160);
+    m->receiver_delay_m = orr_wire_load_f64(p + 168);
+    m->residual_code_m = orr_wire_load_f64(p + 176);
+    m->residual_carrier_m = orr_wire_load_f64(p + 184);
+    m->disturbance_m = orr_wire_load_f64(p + 192);
+    m->scintillation_m = orr_wire_load_f64(p + 200);
+    m->land_mobile_m = orr_wire_load_f64(p + 208);
+    m->echo_m = orr_wire_load_f64(p + 216);
+    m->echo_phase_m = orr_wire_load_f64(p + 224);
+    m->spoofer_m = orr_wire_load_f64(p + 232);
+    m->fault_range_m = orr_wire_load_f64(p + 240);
+    m->fault_noise_m = orr_wire_load_f64(p + 248);
+    m->fault_clock_m = orr_wire_load_f64(p + 256);
+    m->fault_divergence_m = orr_wire_load_f64(p + 264);
+    m->fault_orbit_m = orr_wire_load_f64(p + 272);
 }
 
 static inline void store_event(uint8_t *p, const orr_msg_event *m)
@@ -2784,9 +2786,9 @@ static void put_channel_terms_records(orr_wire_writer *w, const orr_msg_channel_
         orr_wire_put_raw(w, list->wire.data, list->wire.size);
         return;
     }
-    uint8_t *p = orr_wire_room(w, 272 * (size_t)list->count);
+    uint8_t *p = orr_wire_room(w, 280 * (size_t)list->count);
     if (p == NULL) return;
-    for (uint16_t i = 0; i < list->count; i++) store_channel_terms(p + 272 * (size_t)i, &list->item[i]);
+    for (uint16_t i = 0; i < list->count; i++) store_channel_terms(p + 280 * (size_t)i, &list->item[i]);
 }
 
 orr_wire_status orr_msg_channel_terms_records_encode(const orr_msg_channel_terms_list *piece, orr_wire_writer *w)
@@ -2802,7 +2804,7 @@ static void put_channel_terms_list(orr_wire_writer *w, const orr_msg_channel_ter
     uint8_t *p = orr_wire_room(w, 4);
     if (p == NULL) return;
     orr_wire_store_u16(p, list->count);
-    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 272 : list->wire.stride);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 280 : list->wire.stride);
     put_channel_terms_records(w, list);
 }
 
@@ -2816,7 +2818,7 @@ static void get_channel_terms_list(orr_wire_reader *r, orr_msg_channel_terms_lis
         return;
     }
     uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
-    if (count > 0 && stride < 272) {
+    if (count > 0 && stride < 280) {
         r->status = ORR_WIRE_SHORT;
         return;
     }

@@ -818,6 +818,7 @@ typedef struct orr_msg_channel_terms {
     double ocean_loading_m; // weight of the ocean's tides, likewise
     double troposphere_hydrostatic_m; // hydrostatic delay
     double troposphere_wet_m; // wet delay
+    double turbulence_m; // turbulence of water vapour: wet delay beside that
     double ionosphere_m; // first order, of the code
     double emission_m; // the satellite's motion while the signal is delayed, without the ionosphere's part
     double emission_ionosphere_m; // the ionosphere's part
@@ -839,8 +840,8 @@ typedef struct orr_msg_channel_terms {
     double fault_divergence_m; // faults.divergence: of the code alone
     double fault_orbit_m; // faults.orbit: what the displaced satellite adds to the range
 } orr_msg_channel_terms;
-#define ORR_MSG_CHANNEL_TERMS_SIZE 272u
-#define ORR_MSG_CHANNEL_TERMS_LARGEST 272u
+#define ORR_MSG_CHANNEL_TERMS_SIZE 280u
+#define ORR_MSG_CHANNEL_TERMS_LARGEST 280u
 
 // To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
 // either kind with orr_msg_channel_terms_next or orr_msg_channel_terms_at.
@@ -1093,7 +1094,7 @@ typedef struct orr_msg_channels {
     orr_msg_channel_terms_list terms; // of each channel, in the same order; empty unless asked for
     orr_msg_jammer_list jammers; // those that send then
 } orr_msg_channels;
-#define ORR_MSG_CHANNELS_LARGEST 1631758u
+#define ORR_MSG_CHANNELS_LARGEST 1664526u
 
 orr_wire_status orr_msg_channels_encode(const orr_msg_channels *m, orr_wire_writer *w);
 orr_wire_status orr_msg_channels_decode(const uint8_t *payload, size_t size, orr_msg_channels *m);

@@ -412,7 +412,7 @@ records.jammer = {fields = {
     {name = "doppler_hz", kind = "scalar", scalar = "f64", unit = "Hz"},
     {name = "power_dbw", kind = "scalar", scalar = "f32", unit = "dBW"},
 }}
-records.channel_terms = {size = 272, smallest = 272, fields = {
+records.channel_terms = {size = 280, smallest = 280, fields = {
     {name = "distance_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "sagnac_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "shapiro_m", kind = "scalar", scalar = "f64", unit = "m"},
@@ -427,6 +427,7 @@ records.channel_terms = {size = 272, smallest = 272, fields = {
     {name = "ocean_loading_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "troposphere_hydrostatic_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "troposphere_wet_m", kind = "scalar", scalar = "f64", unit = "m"},
+    {name = "turbulence_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "emission_m", kind = "scalar", scalar = "f64", unit = "m"},
     {name = "emission_ionosphere_m", kind = "scalar", scalar = "f64", unit = "m"},

@@ -1065,6 +1065,7 @@ class ChannelTerms(Record):
     ocean_loading_m [m]: weight of the ocean's tides, likewise
     troposphere_hydrostatic_m [m]: hydrostatic delay
     troposphere_wet_m [m]: wet delay
+    turbulence_m [m]: turbulence of water vapour: wet delay beside that
     ionosphere_m [m]: first order, of the code
     emission_m [m]: the satellite's motion while the signal is delayed, without the ionosphere's part
     emission_ionosphere_m [m]: the ionosphere's part
@@ -1102,6 +1103,7 @@ class ChannelTerms(Record):
         Field("ocean_loading_m", "scalar", scalar="f64"),
         Field("troposphere_hydrostatic_m", "scalar", scalar="f64"),
         Field("troposphere_wet_m", "scalar", scalar="f64"),
+        Field("turbulence_m", "scalar", scalar="f64"),
         Field("ionosphere_m", "scalar", scalar="f64"),
         Field("emission_m", "scalar", scalar="f64"),
         Field("emission_ionosphere_m", "scalar", scalar="f64"),
@@ -1138,6 +1140,7 @@ class ChannelTerms(Record):
     ocean_loading_m: float = 0.0
     troposphere_hydrostatic_m: float = 0.0
     troposphere_wet_m: float = 0.0
+    turbulence_m: float = 0.0
     ionosphere_m: float = 0.0
     emission_m: float = 0.0
     emission_ionosphere_m: float = 0.0

@@ -95,7 +95,7 @@ static orr_wire_status show_channels(watch_job *j, orr_time t)
         printf("%c%02u  %-6s %6.1f %6.1f %8.1f %15.3f %12.2f %8.2f %8.2f\n", c.sat.system,
                (unsigned)c.sat.number, c.signal < 64 ? j->name[c.signal] : "", c.az_rad * ORR_DEG_PER_RAD,
                c.el_rad * ORR_DEG_PER_RAD, (double)c.power_dbw - NOISE_DBW_HZ, c.code[0], -c.carrier[1],
-               x.ionosphere_m, x.troposphere_hydrostatic_m + x.troposphere_wet_m);
+               x.ionosphere_m, x.troposphere_hydrostatic_m + x.troposphere_wet_m + x.turbulence_m);
     return ORR_WIRE_OK;
 }
 

@@ -98,7 +98,7 @@ static bool trace(const orr_channels *c, size_t antenna, orr_channel_work *work,
     x[ORR_TERM_TROPOSPHERE_WET] = v[SLOW_WET];
     rate[ORR_TERM_TROPOSPHERE_WET] = slope[SLOW_WET];
     if (c->turbulence != NULL)
-        effects_turbulence(c, t, at, l, &x[ORR_TERM_TROPOSPHERE_WET], &rate[ORR_TERM_TROPOSPHERE_WET]);
+        effects_turbulence(c, t, at, l, &x[ORR_TERM_TURBULENCE], &rate[ORR_TERM_TURBULENCE]);
     r->turns = v[SLOW_TURNS];
     r->turns_rate_hz = slope[SLOW_TURNS];
     const orr_antenna *a = &c->antenna[antenna];

@@ -95,15 +95,13 @@ void effects_land_mobile(const orr_channels *c, size_t place, orr_time t, orr_ti
 }
 
 void effects_turbulence(const orr_channels *c, orr_time t, const orr_antenna_state *at, const orr_light *l,
-                        double *wet_m, double *wet_mps)
+                        double *delay_m, double *delay_mps)
 {
-    double rate;
     const orr_turbulence_ray ray = {.r_m = at->r_m,
                                     .v_mps = at->v_mps,
                                     .u = orr_mat3_apply(&at->enu, l->u),
                                     .u_rate_ps = orr_mat3_apply(&at->enu, l->u_rate_ps)};
-    *wet_m += orr_turbulence_slant_m(c->turbulence, &ray, t, &rate);
-    *wet_mps += rate;
+    *delay_m = orr_turbulence_slant_m(c->turbulence, &ray, t, delay_mps);
 }
 
 bool effects_change(const orr_channels *c, orr_time after, orr_time until)

@@ -48,16 +48,16 @@ void effects_scintillation(const orr_channels *c, size_t antenna, orr_time t, do
                            orr_scintillation_cell *fading, orr_channel *out);
 // Adds what a road in view or in shadow does to a signal: its term and its power. Given and Returned: as effects_fault.
 void effects_land_mobile(const orr_channels *c, size_t place, orr_time t, orr_time as_of, orr_channel *out);
-// Adds turbulence to the wet delay of a ray, which all signals share.
+// Turbulence of the troposphere along a ray, which all signals share.
 // Given:
 //   c      channels that have it
 //   t      instant
 //   at     the antenna then
 //   l      the satellite's light
 // Returned:
-//   wet_m, wet_mps  with it, delay and rate
+//   delay_m, delay_mps  its term and its rate
 void effects_turbulence(const orr_channels *c, orr_time t, const orr_antenna_state *at, const orr_light *l,
-                        double *wet_m, double *wet_mps);
+                        double *delay_m, double *delay_mps);
 // Makes a channel that of an echo of it: its terms, power and number; sums are the caller's.
 void effects_echo(const orr_echo *echo, orr_channel *out);
 // Whether effects change in after < t <= until, so that a block that ends at t is not the begin of the next.

@@ -78,7 +78,8 @@ orr_status orr_turbulence_open(const orr_scenario_turbulence *s, orr_vec3 r_m, c
 
 void orr_turbulence_close(orr_turbulence *f) { free(f); }
 
-// Where a ray meets the field, to the East and North of its origin, how that moves, and the slant over the zenith delay.
+// Where a ray meets the field, to the East and North of its origin, how that moves, and the slant over the zenith delay, which is less
+// the less of the layer is above the antenna: by that share to the power of 3/2, between what fine and coarse structure have.
 typedef struct meeting {
     double east_m, north_m, east_mps, north_mps, slant, slant_ps;
 } meeting;
@@ -88,12 +89,17 @@ static meeting meet(const orr_turbulence *f, const orr_turbulence_ray *ray)
     const orr_vec3 at = orr_mat3_apply(&f->enu, orr_vec3_sub(ray->r_m, f->origin_m)),
                    v = orr_mat3_apply(&f->enu, ray->v_mps), u = ray->u, du = ray->u_rate_ps;
     const double s = sqrt(u.z * u.z + 0.03 * 0.03), ds = u.z * du.z / s, h = f->height_m / s;
+    // Above the origin, on a round Earth.
+    const double up_m = at.z + (at.x * at.x + at.y * at.y) / (2 * 6371e3),
+                 up_mps = v.z + (at.x * v.x + at.y * v.y) / 6371e3;
+    const double above = fmax(1 - up_m / (2 * f->height_m), 0), root = sqrt(above);
+    const double share = above * root, share_ps = -1.5 * root * up_mps / (2 * f->height_m);
     return (meeting){.east_m = at.x + h * u.x,
                      .north_m = at.y + h * u.y,
                      .east_mps = v.x + h * (du.x - u.x * ds / s),
                      .north_mps = v.y + h * (du.y - u.y * ds / s),
-                     .slant = 1 / s,
-                     .slant_ps = -ds / (s * s)};
+                     .slant = share / s,
+                     .slant_ps = share_ps / s - share * ds / (s * s)};
 }
 
 // Cosine and sine of x turns, to 1e-7, in a form that compilers make vectors of: by half the angle.

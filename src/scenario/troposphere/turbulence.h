@@ -33,7 +33,8 @@ typedef struct orr_turbulence_ray {
 } orr_turbulence_ray;
 
 // Slant delay of a ray at an instant, m, and its rate: that of the zenith above the place where it meets the field, over
-// sqrt(sin(el)^2 + 0.03^2), which is the wet mapping to 1 % down to 5 deg.
+// sqrt(sin(el)^2 + 0.03^2), which is the wet mapping to 1 % down to 5 deg. Higher than the origin there is less of it, and none above
+// the layer.
 double orr_turbulence_slant_m(const orr_turbulence *f, const orr_turbulence_ray *ray, orr_time t,
                               double *rate_mps);
 

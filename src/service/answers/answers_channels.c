@@ -183,6 +183,7 @@ static void fill_terms(const orr_channel *x, orr_msg_channel_terms *m)
                                  .ocean_loading_m = t[ORR_TERM_OCEAN_LOADING],
                                  .troposphere_hydrostatic_m = t[ORR_TERM_TROPOSPHERE_HYDROSTATIC],
                                  .troposphere_wet_m = t[ORR_TERM_TROPOSPHERE_WET],
+                                 .turbulence_m = t[ORR_TERM_TURBULENCE],
                                  .ionosphere_m = t[ORR_TERM_IONOSPHERE],
                                  .emission_m = t[ORR_TERM_EMISSION],
                                  .emission_ionosphere_m = t[ORR_TERM_EMISSION_IONOSPHERE],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turbulence of water vapour: its structure function in space, in time and between directions, rates, and wet delays of channels.
+// Turbulence of water vapour: its structure function in space, in time and between directions, rates, and terms of channels.
 #include "src/scenario/troposphere/turbulence.h"
 
 #include "core/constants.h"
@@ -30,7 +30,8 @@ static double slant_m(const orr_turbulence *f, double east_m, double north_m, do
 {
     double rate;
     const double az = az_deg * ORR_RAD_PER_DEG, el = el_deg * ORR_RAD_PER_DEG;
-    const orr_turbulence_ray ray = {.r_m = {6378e3, east_m, north_m},
+    const double lower_m = (east_m * east_m + north_m * north_m) / (2 * 6371e3); // on a round Earth
+    const orr_turbulence_ray ray = {.r_m = {6378e3 - lower_m, east_m, north_m},
                                     .u = {sin(az) * cos(el), cos(az) * cos(el), sin(el)}};
     return orr_turbulence_slant_m(f, &ray, (orr_time)(t_s * 1e9), &rate);
 }
@@ -86,6 +87,22 @@ static void structure_functions_return(void **state)
     ASSERT_NEAR(log2(d4 / d3), 2.0 / 3, 0.03);
 }
 
+// Half the layer up there is 0.35 of it, above the layer none.
+static void it_ends_with_its_layer(void **state)
+{
+    (void)state;
+    orr_turbulence *f = field_of(2);
+    orr_turbulence_ray ray = {.r_m = {6378e3, 0, 0}, .u = {0, 0, 1}};
+    double rate;
+    const double ground = orr_turbulence_slant_m(f, &ray, 0, &rate);
+    ray.r_m.x += 1000;
+    ASSERT_NEAR(orr_turbulence_slant_m(f, &ray, 0, &rate) / ground, sqrt(0.125), 1e-9);
+    ray.r_m.x += 1500;
+    ASSERT_NEAR(orr_turbulence_slant_m(f, &ray, 0, &rate), 0, 0);
+    ASSERT_NEAR(rate, 0, 0);
+    orr_turbulence_close(f);
+}
+
 static void its_rate_is_its_slope(void **state)
 {
     (void)state;
@@ -111,28 +128,27 @@ static void its_rate_is_its_slope(void **state)
     orr_turbulence_close(f);
 }
 
-// Wet delays of channels change by centimetres at most, hydrostatic ones not, and another seed is another sky.
-static void channels_have_it_in_their_wet_delay(void **state)
+// Channels have centimetres of it at most, in code and carrier, with its rate; another seed is another sky.
+static void channels_have_its_term(void **state)
 {
     (void)state;
-    static orr_channel calm[ROOM], moved[ROOM], other[ROOM];
-    static const char *const sky[] = {SKY "troposphere: {model: saastamoinen}\n",
-                                      SKY "troposphere: {model: saastamoinen, turbulence: {seed: 5}}\n",
-                                      SKY "troposphere: {model: saastamoinen, turbulence: {seed: 6}}\n"};
-    orr_channel *into[] = {calm, moved, other};
-    size_t n[3];
-    for (int k = 0; k < 3; k++) {
-        open_with(sky[k]);
-        n[k] = all_at(at(5000), 0, into[k]);
-        tear_down(NULL);
-    }
-    assert_true(n[0] > 5 && n[1] == n[0] && n[2] == n[0]);
+    static orr_channel calm[ROOM], moved[ROOM], later[ROOM], other[ROOM];
+    open_with(SKY "troposphere: {model: saastamoinen}\n");
+    const size_t n = all_at(at(5000), 0, calm);
+    tear_down(NULL);
+    open_with(SKY "troposphere: {model: saastamoinen, turbulence: {seed: 5}}\n");
+    assert_true(n > 5 && all_at(at(5000.01), 0, later) == n && all_at(at(5000), 0, moved) == n);
+    tear_down(NULL);
+    open_with(SKY "troposphere: {model: saastamoinen, turbulence: {seed: 6}}\n");
+    assert_int_equal(all_at(at(5000), 0, other), n);
     double most = 0;
-    for (size_t k = 0; k < n[0]; k++) {
-        const int wet = ORR_TERM_TROPOSPHERE_WET, dry = ORR_TERM_TROPOSPHERE_HYDROSTATIC;
-        const double d = moved[k].term_m[wet] - calm[k].term_m[wet];
-        assert_true(d != 0 && d != other[k].term_m[wet] - calm[k].term_m[wet]);
-        ASSERT_NEAR(moved[k].term_m[dry], calm[k].term_m[dry], 0);
+    for (size_t k = 0; k < n; k++) {
+        const double d = moved[k].term_m[ORR_TERM_TURBULENCE];
+        assert_true(calm[k].term_m[ORR_TERM_TURBULENCE] == 0 && d != other[k].term_m[ORR_TERM_TURBULENCE]);
+        ASSERT_NEAR(moved[k].code_m - calm[k].code_m, d, 1e-6); // the satellite moves on meanwhile
+        ASSERT_NEAR(moved[k].term_m[ORR_TERM_TROPOSPHERE_WET], calm[k].term_m[ORR_TERM_TROPOSPHERE_WET], 0);
+        ASSERT_NEAR((later[k].term_m[ORR_TERM_TURBULENCE] - d) / 0.01, moved[k].rate_mps[ORR_TERM_TURBULENCE],
+                    1e-5);
         most = fmax(most, fabs(d) * sin(calm[k].el_rad));
     }
     assert_in_range((int)(1e4 * most), 10, 1000); // a millimetre to ten centimetres
@@ -144,8 +160,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(structure_functions_return),
+        cmocka_unit_test(it_ends_with_its_layer),
         cmocka_unit_test(its_rate_is_its_slope),
-        cmocka_unit_test_teardown(channels_have_it_in_their_wet_delay, tear_down),
+        cmocka_unit_test_teardown(channels_have_its_term, tear_down),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }
