@@ -84,8 +84,15 @@ static orr_status stand_at_station(orr_troposphere *o, size_t antenna, const cha
             diag, ORR_E_NODATA,
             "troposphere.files: they are of stations, but antenna '%s' moves: give grids of VMF3", name);
     if (orr_vmf3_series_find(o->series, name, &o->station[antenna], listed, sizeof listed)) {
+        orr_vmf3_values v;
+        const orr_geodetic own = {0, 0, 0}; // a station's values are for its own place
+        const orr_span span = orr_vmf3_series_span(o->series);
         for (size_t k = 1; antenna == 0 && k < ORR_MAX_ANTENNAS; k++) o->station[k] = o->station[0];
-        return ORR_OK;
+        if (orr_vmf3_series_at(o->series, o->station[antenna], own, span.from, &v) &&
+            orr_vmf3_series_at(o->series, o->station[antenna], own, span.to, &v))
+            return ORR_OK;
+        return orr_diag_set(diag, ORR_E_NODATA,
+                            "troposphere.files: station '%s' has values for less time than the others", name);
     }
     return orr_diag_set(
         diag, ORR_E_NODATA,
@@ -108,15 +115,19 @@ orr_status orr_troposphere_covers(const orr_troposphere *o, const char *name, co
     orr_gpt3_values v;
     orr_vmf3_values w;
     if (o == NULL) return ORR_OK;
-    const orr_geodetic pole = {ORR_PI / 2, 0, 0};
-    const orr_geodetic at =
-        place != NULL ? *place : pole; // what moves may go anywhere: the poles are what a part lacks first
+    // What moves may go anywhere: a grid of a part of the Earth lacks one of these.
+    static const orr_geodetic everywhere[] = {{ORR_PI / 2, 0, 0}, {-ORR_PI / 2, 0, 0},
+                                              {0, 0, 0},          {0, ORR_PI / 2, 0},
+                                              {0, ORR_PI, 0},     {0, 3 * ORR_PI / 2, 0}};
+    const orr_geodetic *at = place != NULL ? place : everywhere;
+    const size_t n = place != NULL ? 1 : sizeof everywhere / sizeof *everywhere;
+    const bool grids = o->series != NULL && !orr_vmf3_series_of_stations(o->series);
     const orr_time t = o->series != NULL ? orr_vmf3_series_span(o->series).from : 0;
-    const char *lacking = o->has_grid && !orr_gpt3_at(&o->grid, at, t, &v) ? "grid"
-                          : o->series != NULL && !orr_vmf3_series_of_stations(o->series) &&
-                                  !orr_vmf3_series_at(o->series, 0, at, t, &w)
-                              ? "files"
-                              : NULL;
+    const char *lacking = NULL;
+    for (size_t k = 0; lacking == NULL && k < n; k++)
+        lacking = o->has_grid && !orr_gpt3_at(&o->grid, at[k], t, &v)        ? "grid"
+                  : grids && !orr_vmf3_series_at(o->series, 0, at[k], t, &w) ? "files"
+                                                                             : NULL;
     if (lacking == NULL) return ORR_OK;
     if (place == NULL)
         return orr_diag_set(diag, ORR_E_NODATA,

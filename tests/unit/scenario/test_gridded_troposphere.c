@@ -183,6 +183,10 @@ static int make_files(void **state)
         const orr_vmf3_values v = made_at(hour, 52, 17);
         fprintf(f, "BASE      %.2f", 60344 + hour / 24.0);
         write_values(f, &v, true);
+        if (hour == 6 || hour == 12) {
+            fprintf(f, "SHORT     %.2f", 60344 + hour / 24.0);
+            write_values(f, &v, true);
+        }
     }
     assert_int_equal(fclose(f), 0);
     write_file(HEIGHTS, "100 200\n0 300\n");
@@ -329,6 +333,13 @@ static void what_files_lack_is_said(void **state)
     refused_with(text, "troposphere.files: does not cover antenna 'FAR'");
     snprintf(text, sizeof text, "%stroposphere: {model: vmf3, files: " SITES "}\n", elsewhere);
     refused_with(text, "no station 'FAR', as the antenna is called: they have BASE");
+    refused_with("signals: [G]\nantennas: [{name: SHORT, position: [52, 17, 124]}]\ntroposphere: {model: "
+                 "vmf3, files: " SITES "}\n",
+                 "station 'SHORT' has values for less time than the others");
+    refused_with("signals: [G]\nantennas: [{name: BODY}]\ntrajectory: {kind: survey, start: "
+                 "2024-02-04T01:00:00, duration: 4000, "
+                 "lat: 52, lon: 17, height: 500}\ntroposphere: {model: gpt3, grid: " GPT3 "}\n",
+                 "covers a part of the Earth, but antenna 'BODY' moves");
 }
 
 int main(void)
