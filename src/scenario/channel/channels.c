@@ -51,6 +51,7 @@ orr_troposphere_site orr_channels_troposphere(const orr_channels *c, size_t ante
     orr_troposphere_site out = orr_troposphere_at(c->troposphere, antenna, place, t);
     const orr_replay *r = c->replay;
     if (r == NULL) return out;
+    out.zenith.hydrostatic_m += orr_replay_curve_at(&r->dry, t);
     out.zenith.wet_m += orr_replay_curve_at(&r->zenith, t);
     if (!out.has_gradients) out.gradients = (orr_gradients){0, 0, 0, 0};
     out.has_gradients = true;

@@ -23,6 +23,7 @@ void orr_replay_free(orr_replay *r)
     free(r->held_s);
     free(r->flag);
     free(r->steps);
+    free(r->dry.node);
     free(r->zenith.node);
     free(r->north.node);
     free(r->east.node);

@@ -93,8 +93,9 @@ typedef struct orr_replay {
     size_t n_sats, n_tracks;
     orr_replay_sat *sat; // ascending
     orr_replay_track *track;
-    orr_replay_curve zenith, north, east; // wet delay beyond the model's, m: of the zenith, and its gradients
-    bool ready;                           // residuals are in use
+    // Beyond the model's, m: hydrostatic and wet delay of the zenith, and the wet one's gradients.
+    orr_replay_curve dry, zenith, north, east;
+    bool ready;       // residuals are in use
     double bend_mps2; // greatest jump of a residual carrier's second derivative, that of a code by a hundred
     size_t n_changes;
     orr_time *change; // [n_changes] instants at which channels begin, end, or begin another arc, ascending

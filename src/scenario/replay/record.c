@@ -24,7 +24,7 @@ static const char *attributes_of(const orr_signal *s)
     if (s->system == 'C' && own == 'X') return "XPD";
     if (own == 'I') return "IQX";
     if (own != 'X') return s->observation + 1;
-    return band == '5' ? "XQI" : "XLS";
+    return band == '5' || s->system == 'E' ? "XQI" : "XLS";
 }
 
 int orr_record_signal(char system, const char *code, double version)

@@ -160,6 +160,7 @@ static orr_status open_curves(replay_maker *m, orr_diag *diag)
     orr_replay *r = m->r;
     if (m->view_troposphere.model == ORR_TROPOSPHERE_NONE) return ORR_OK;
     orr_status s = open_curve(r, ZENITH_STEP_NS, &r->zenith, diag);
+    if (s == ORR_OK) s = open_curve(r, GRADIENT_STEP_NS, &r->dry, diag);
     if (s == ORR_OK) s = open_curve(r, GRADIENT_STEP_NS, &r->north, diag);
     if (s == ORR_OK) s = open_curve(r, GRADIENT_STEP_NS, &r->east, diag);
     return s;
@@ -202,7 +203,8 @@ static orr_status estimate(replay_maker *m, orr_diag *diag)
         if (s == ORR_OK && orr_vec3_norm(shift_m) < SETTLED_M) break;
         if (s == ORR_OK) s = replay_model(m, 1, false, diag);
     }
-    replay_contents(m);
+    if (s == ORR_OK) s = replay_model(m, 1, false, diag); // with the last zenith delays
+    if (s == ORR_OK) replay_contents(m);
     if (s == ORR_OK) s = replay_model(m, 1, false, diag);
     return s;
 }

@@ -56,6 +56,38 @@ static bool level_arc(replay_maker *m, size_t sat, size_t from, size_t to, doubl
     return true;
 }
 
+// One carrier's residual at a sight with the clock off; NAN where it was not recorded.
+static double alone_m(const replay_maker *m, const orr_replay_sat *x, const orr_replay_sight *g, int which)
+{
+    const orr_replay *r = m->r;
+    if (g->at[which] < 0) return (double)NAN;
+    return r->track[x->pair[which]].node[g->at[which]].carrier_m -
+           ORR_LIGHT_MPS * (r->clock_s[g->epoch] - r->held_s[g->epoch]);
+}
+
+// Where a receiver lost one of two carriers the other one goes on telling the content, against the clock of all satellites: from a
+// neighbour in the arc that has a content on to sight k.
+static void go_on(const replay_maker *m, orr_replay_sat *x, size_t from, size_t k)
+{
+    orr_replay_sight *g = &x->sight[k];
+    const orr_replay_sight *near = &x->sight[from];
+    if (near->arc != g->arc || isnan(near->more_tecu) || (g->rejected & 1) != 0) return;
+    for (int i = 0; i < 2 && isnan(g->more_tecu); i++) {
+        const double rise_m = alone_m(m, x, g, i) - alone_m(m, x, near, i);
+        const double per_tecu =
+            orr_iono_delay_m(1, replay_carrier_hz(m->r, &m->r->track[x->pair[i]]), ORR_MEASURES_CODE);
+        if (!isnan(rise_m)) g->more_tecu = near->more_tecu - rise_m / per_tecu;
+    }
+}
+
+static void carry_contents(const replay_maker *m, orr_replay_sat *x)
+{
+    for (size_t k = 1; k < x->n; k++)
+        if (isnan(x->sight[k].more_tecu)) go_on(m, x, k - 1, k);
+    for (size_t k = x->n; k-- > 1;)
+        if (isnan(x->sight[k - 1].more_tecu)) go_on(m, x, k, k - 1);
+}
+
 // Sights without a content have that of a neighbour.
 static void fill_contents(orr_replay_sat *x)
 {
@@ -81,6 +113,7 @@ void replay_contents(replay_maker *m)
             for (size_t k = from; k < to; k++) x->sight[k].more_tecu = (double)NAN;
             (void)level_arc(m, s, from, to, &level_tecu);
         }
+        carry_contents(m, x);
         fill_contents(x);
     }
 }

@@ -17,7 +17,9 @@
 #define CODE_M 1.0         // of a code
 #define ZENITH_M 0.3       // of a zenith delay against the model's
 #define ZENITH_HOUR_M 0.01 // of what it changes by in an hour
-#define GRADIENT_M 0.002   // of a gradient
+#define DRY_M 0.03         // of the hydrostatic delay: 13 hPa; low satellites tell it from the wet one
+#define DRY_HOUR_M 0.003
+#define GRADIENT_M 0.002 // of a gradient
 #define GRADIENT_HOUR_M 0.0004
 #define KNOWN_M 0.01   // of SINEX coordinates
 #define HEADER_M 100.0 // of a header's
@@ -28,7 +30,7 @@
 #define THIN_S 30.0 // least and most between epochs of the normal equations
 #define MOST_THIN_S 300.0
 #define OUTLIER 5.0 // sigmas of the residuals' own scatter
-enum { ROW = 24, ROUNDS = 6, LEAST_SIGHTS = 10, MOST_ARCS = 4000 };
+enum { ROW = 28, ROUNDS = 6, LEAST_SIGHTS = 10, MOST_ARCS = 4000 };
 
 // One observation: value = clock + sum of coefficient times unknown.
 typedef struct row {
@@ -42,8 +44,9 @@ typedef struct solver {
     replay_maker *m;
     int64_t thin_ns; // epochs on its multiples enter the normal equations; 0: by `every`
     size_t every;
-    bool codes;                                  // alone
-    size_t zenith, north, offset, group, arc, n; // where unknowns of a kind begin, and how many there are
+    bool codes; // alone
+    size_t zenith, north, dry, offset, group, arc,
+        n; // where unknowns of a kind begin, and how many there are
     int32_t group_of[ORR_N_SYSTEMS * 100];
     int32_t *offset_at;      // [n_sats] first of three unknowns; -1: none
     double alike;            // epochs that count as one
@@ -147,6 +150,9 @@ static void put_geometry(const solver *w, const orr_troposphere_site *site, size
     if (r0->zenith.n < 2) return;
     const orr_gradients unit = {.north_wet_m = 1};
     put_curve(w->zenith, &r0->zenith, t, orr_troposphere_slant(site, az, el).wet_m, r);
+    orr_troposphere_site hydrostatic = *site;
+    hydrostatic.zenith = (orr_zenith_delay){1, 0};
+    put_curve(w->dry, &r0->dry, t, orr_troposphere_slant(&hydrostatic, az, el).hydrostatic_m, r);
     const double tilt = orr_gradients_slant(&unit, 0, fmax(el, 0.05)).wet_m;
     put_curve(w->north, &r0->north, t, tilt * cos(az), r);
     put_curve(w->north + r0->north.n, &r0->east, t, tilt * sin(az), r);
@@ -288,6 +294,7 @@ static void add_priors(solver *w)
         hold(w, 1, &k, &one, !w->codes ? (k == 0 ? away.x : k == 1 ? away.y : away.z) : 0, position_m);
     if (!w->codes) {
         hold_curve(w, w->zenith, &r->zenith, ZENITH_M, ZENITH_HOUR_M);
+        hold_curve(w, w->dry, &r->dry, DRY_M, DRY_HOUR_M);
         hold_curve(w, w->north, &r->north, GRADIENT_M, GRADIENT_HOUR_M);
         hold_curve(w, w->north + r->north.n, &r->east, GRADIENT_M, GRADIENT_HOUR_M);
     }
@@ -342,7 +349,8 @@ static orr_status solver_open(replay_maker *m, size_t every, bool codes, solver 
     w->place = orr_earth_from_ecef(m->site_m);
     w->enu = orr_earth_enu_from_ecef(w->place.lat_rad, w->place.lon_rad);
     w->north = w->zenith + (codes ? 0 : r->zenith.n);
-    w->offset = w->north + (codes ? 0 : r->north.n + r->east.n);
+    w->dry = w->north + (codes ? 0 : r->north.n + r->east.n);
+    w->offset = w->dry + (codes ? 0 : r->dry.n);
     w->thin_ns = thin_ns_of(m);
     w->alike = fmax(1, CORRELATED_S / fmax((double)w->thin_ns * 1e-9, r->interval_s));
     w->group = w->offset;
@@ -523,6 +531,7 @@ static void keep(const solver *w, const left l[2], orr_vec3 *shift_m)
     if (w->codes) return;
     orr_replay *r = m->r;
     for (size_t k = 0; k < r->zenith.n; k++) r->zenith.node[k] += w->x[w->zenith + k];
+    for (size_t k = 0; k < r->dry.n; k++) r->dry.node[k] += w->x[w->dry + k];
     for (size_t k = 0; k < r->north.n; k++) {
         r->north.node[k] += w->x[w->north + k];
         r->east.node[k] += w->x[w->north + r->north.n + k];
