@@ -72,11 +72,14 @@ static void go_on(const replay_maker *m, orr_replay_sat *x, size_t from, size_t 
     orr_replay_sight *g = &x->sight[k];
     const orr_replay_sight *near = &x->sight[from];
     if (near->arc != g->arc || isnan(near->more_tecu) || (g->rejected & 1) != 0) return;
+    const bool gap = k > from ? g->begins : near->begins;
     for (int i = 0; i < 2 && isnan(g->more_tecu); i++) {
-        const double rise_m = alone_m(m, x, g, i) - alone_m(m, x, near, i);
-        const double per_tecu =
-            orr_iono_delay_m(1, replay_carrier_hz(m->r, &m->r->track[x->pair[i]]), ORR_MEASURES_CODE);
-        if (!isnan(rise_m)) g->more_tecu = near->more_tecu - rise_m / per_tecu;
+        const double rise_m = alone_m(m, x, g, i) - alone_m(m, x, near, i),
+                     hz = replay_carrier_hz(m->r, &m->r->track[x->pair[i]]);
+        if (isnan(rise_m)) continue;
+        // A carrier that steps has slipped, and tells nothing of the content's rise.
+        const bool slipped = gap || fabs(rise_m) > STEP_CYCLES * ORR_LIGHT_MPS / hz;
+        g->more_tecu = near->more_tecu - (slipped ? 0 : rise_m / orr_iono_delay_m(1, hz, ORR_MEASURES_CODE));
     }
 }
 
