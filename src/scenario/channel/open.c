@@ -248,18 +248,28 @@ static void warn_of_satellites(const orr_scenario_satellites *o, const orr_sourc
         warn_of_unknown("power", &o->power.item[k].sats, orbits, warnings);
 }
 
+// A recorded day, with a second beyond its epochs: its clock may be off by so much. False without one.
+static bool record_span(const orr_replay *r, orr_span *out)
+{
+    if (r == NULL || r->n_epochs == 0) return false;
+    *out = (orr_span){orr_time_add(r->tag[0], -ORR_NS_PER_S),
+                      orr_time_add(r->tag[r->n_epochs - 1], ORR_NS_PER_S)};
+    return true;
+}
+
 // What the scenario's parts cover, when they have no time in common.
 static orr_status nothing_common(const orr_channels *c, const orr_source_motion *motion, orr_diag *diag)
 {
     char text[400] = "";
     orr_span span;
-    const char *const names[] = {"orbits", "ionosphere", "trajectory", "troposphere"};
-    for (int k = 0; k < 4; k++) {
+    const char *const names[] = {"orbits", "ionosphere", "trajectory", "troposphere", "record"};
+    for (int k = 0; k < 5; k++) {
         char from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
         if (!(k == 0   ? orr_source_orbit_span(c->orbits, &span)
               : k == 1 ? orr_source_iono_span(c->iono, &span)
               : k == 2 ? orr_source_motion_span(motion, &span)
-                       : orr_troposphere_span(c->troposphere, &span)))
+              : k == 3 ? orr_troposphere_span(c->troposphere, &span)
+                       : record_span(c->replay, &span)))
             continue;
         const size_t used = strlen(text);
         snprintf(text + used, sizeof text - used, "%s%s %s to %s", used > 0 ? ", " : "", names[k],
@@ -419,11 +429,12 @@ static void find_span(orr_channels *c, const orr_source_motion *motion)
 {
     (void)orr_source_orbit_span(c->orbits, &c->span);
     c->span.from = orr_time_add(c->span.from, MARGIN_NS);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         orr_span i;
         if (!(k == 0   ? orr_source_iono_span(c->iono, &i)
               : k == 1 ? orr_troposphere_span(c->troposphere, &i)
-                       : orr_source_motion_span(motion, &i)))
+              : k == 2 ? orr_source_motion_span(motion, &i)
+                       : record_span(c->replay, &i)))
             continue;
         if (i.from > c->span.from) c->span.from = i.from;
         if (i.to < c->span.to) c->span.to = i.to;

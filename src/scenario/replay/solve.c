@@ -29,8 +29,9 @@
     1200.0 // the models' errors are alike for so long: epochs of it count as one against what is known before
 #define THIN_S 30.0 // least and most between epochs of the normal equations
 #define MOST_THIN_S 300.0
-#define OUTLIER 5.0 // sigmas of the residuals' own scatter
-enum { ROW = 28, ROUNDS = 6, LEAST_SIGHTS = 10, MOST_ARCS = 4000 };
+#define SHORT_S 5400.0 // a record in which epochs MOST_THIN_S apart would be too few
+#define OUTLIER 5.0    // sigmas of the residuals' own scatter
+enum { ROW = 28, ROUNDS = 6, LEAST_SIGHTS = 5, MOST_ARCS = 4000 };
 
 // One observation: value = clock + sum of coefficient times unknown.
 typedef struct row {
@@ -335,11 +336,13 @@ static void choose_arcs(solver *w)
     free(count);
 }
 
-// On the multiples of what clocks' nodes are apart they are the product's own.
+// On the multiples of what clocks' nodes are apart they are the product's own; of a short record every epoch counts.
 static int64_t thin_ns_of(const replay_maker *m)
 {
-    const double s = fmin(fmax(fmax(m->clock_step_s, THIN_S), m->r->interval_s), MOST_THIN_S);
-    return (int64_t)(fmax(s, m->r->interval_s) * 1e9 + 0.5);
+    const orr_replay *r = m->r;
+    const bool is_short = orr_time_diff_s(r->tag[r->n_epochs - 1], r->tag[0]) < SHORT_S;
+    const double s = is_short ? THIN_S : fmin(fmax(m->clock_step_s, THIN_S), MOST_THIN_S);
+    return (int64_t)(fmax(s, r->interval_s) * 1e9 + 0.5);
 }
 
 static orr_status solver_open(replay_maker *m, size_t every, bool codes, solver *w, orr_diag *diag)
