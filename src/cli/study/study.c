@@ -69,7 +69,7 @@ static void put_meanings(orr_nc_writer *w, const char *var, const char *const *w
     size_t at = 0;
     int64_t value[MOST_WORDS];
     size_t n = 0;
-    for (size_t k = 0; word[k] != NULL && k < MOST_WORDS && at + 2 < sizeof text; k++) {
+    for (size_t k = 0; k < MOST_WORDS && word[k] != NULL && at + 2 < sizeof text; k++) {
         value[n++] = (int64_t)k;
         at += (size_t)snprintf(text + at, sizeof text - at, "%s%s", k == 0 ? "" : " ", word[k]);
     }
