@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/constants.h"
+#include "core/nan.h"
 #include "testing.h"
 
 #define MS_M (ORR_LIGHT_MPS * 1e-3)
@@ -140,7 +141,7 @@ static void what_does_not_fit_is_not_valid(void **state)
     assert_int_equal(signed_bits(&f, body + 56, 24), -(1 << 23));
     x = cell_of('G', 5, 2, 2e7);
     x.rate_mps = 9000; // of a satellite that is no navigation satellite's
-    x.phase_m = NAN;
+    x.phase_m = ORR_NAN;
     (void)orr_msm_encode(&h, &x, 1, &f);
     assert_int_equal(signed_bits(&f, body + 22, 14), -8192);
     assert_int_equal(signed_bits(&f, body + 56, 24), -(1 << 23));
