@@ -32,8 +32,8 @@ int orr_record_signal(char system, const char *code, double version)
     size_t n;
     const orr_signal *all = orr_signals(&n);
     char band = code[0];
-    const char attribute = code[1];
-    if (band == '\0' || attribute == '\0') return -1;
+    const char attribute = band != '\0' ? code[1] : '\0';
+    if (attribute == '\0') return -1;
     if (system == 'C' && band == '1' &&
         (attribute == 'I' || attribute == 'Q' || (attribute == 'X' && version < 3.025)))
         band = '2';
