@@ -2,12 +2,11 @@
 #include "src/service/ports/port_server.h"
 
 #include <errno.h>
-#include <pthread.h>
 #include <stdio.h>
-#include <unistd.h>
 
 #include "core/monotonic.h"
 #include "src/service/net/door.h"
+#include "src/service/net/loop.h"
 #include "src/service/ports/ntrip.h"
 #include "src/service/ports/port_source.h"
 
@@ -45,11 +44,8 @@ struct orr_port_server {
     char login[ORR_NTRIP_LOGIN];
     mouth mouth[ORR_PORT_SOURCES];
     size_t n_mouths, n;
-    struct event_base *base;
-    struct event *on_stop, *on_turn;
-    int stop[2];
-    pthread_t thread;
-    bool has_thread;
+    orr_loop loop;
+    struct event *on_turn;
     port_client *client;
     orr_port_bytes bytes; // of one epoch
 };
@@ -243,14 +239,6 @@ static void on_tell(void *user, const char *line)
     ORR_LOG(m->server->options.log, ORR_LOG_WARN, "%s", line);
 }
 
-static void on_stop(evutil_socket_t fd, short what, void *user)
-{
-    (void)fd;
-    (void)what;
-    const orr_port_server *s = user;
-    event_base_loopbreak(s->base);
-}
-
 // To all who listen to a source; `last`: nothing follows.
 static void send_all(const mouth *m, const orr_port_bytes *b, bool last)
 {
@@ -325,22 +313,15 @@ static void on_turn(evutil_socket_t fd, short what, void *user)
     }
 }
 
-static void *run(void *user)
-{
-    const orr_port_server *s = user;
-    event_base_dispatch(s->base);
-    return NULL;
-}
-
-static bool prepare(orr_port_server *s)
+static orr_status prepare(orr_port_server *s, orr_diag *diag)
 {
     static const struct timeval every = {0, TURN_US};
-    s->base = event_base_new();
-    if (s->base == NULL || pipe(s->stop) != 0) return false;
-    s->on_stop = event_new(s->base, s->stop[0], EV_READ, on_stop, s);
-    s->on_turn = event_new(s->base, -1, EV_PERSIST, on_turn, s);
-    return s->on_stop != NULL && s->on_turn != NULL && event_add(s->on_stop, NULL) == 0 &&
-           event_add(s->on_turn, &every) == 0;
+    const orr_status status = orr_loop_open(&s->loop, NULL, NULL, diag);
+    if (status != ORR_OK) return status;
+    s->on_turn = event_new(s->loop.base, -1, EV_PERSIST, on_turn, s);
+    return s->on_turn != NULL && event_add(s->on_turn, &every) == 0
+               ? ORR_OK
+               : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
 }
 
 static orr_status open_mouth(orr_port_server *s, const orr_port_source *source, orr_diag *diag)
@@ -358,7 +339,7 @@ static orr_status open_mouth(orr_port_server *s, const orr_port_source *source, 
     orr_status status = port_feed_open(&m->feed, source, diag);
     if (status != ORR_OK) return status;
     if (mount != NULL) m->feed.source.mount = strcpy(m->mount, mount); // it fits
-    m->door = orr_door_open(&(orr_door_options){.base = s->base,
+    m->door = orr_door_open(&(orr_door_options){.base = s->loop.base,
                                                 .access = s->options.access,
                                                 .backlog = CLIENTS,
                                                 .user = m,
@@ -378,18 +359,15 @@ orr_status orr_port_server_open(const orr_port_server_options *options, orr_port
         return orr_diag_set(diag, ORR_E_LIMIT, "at most %d receivers' ports are served", ORR_PORT_SOURCES);
     orr_port_server *s = calloc(1, sizeof *s);
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    s->stop[0] = s->stop[1] = -1;
     s->options = *options;
     if (options->login != NULL) {
         snprintf(s->login, sizeof s->login, "%s", options->login);
         s->options.login = s->login;
     }
-    orr_status status = prepare(s) ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    orr_status status = prepare(s, diag);
     for (size_t k = 0; status == ORR_OK && k < options->n; k++)
         status = open_mouth(s, &options->source[k], diag);
-    if (status == ORR_OK && pthread_create(&s->thread, NULL, run, s) != 0)
-        status = orr_diag_set(diag, ORR_E_IO, "no thread for receivers' ports");
-    s->has_thread = status == ORR_OK;
+    if (status == ORR_OK) status = orr_loop_start(&s->loop, "receivers' ports", diag);
     if (status != ORR_OK) {
         orr_port_server_close(s);
         return status;
@@ -406,17 +384,14 @@ const char *orr_port_server_url(const orr_port_server *s, size_t k)
 void orr_port_server_close(orr_port_server *s)
 {
     if (s == NULL) return;
-    if (s->has_thread && write(s->stop[1], "s", 1) == 1) pthread_join(s->thread, NULL);
+    orr_loop_halt(&s->loop);
     while (s->client != NULL) drop(s->client);
     for (size_t k = 0; k < s->n_mouths; k++) {
         orr_door_close(s->mouth[k].door);
         port_feed_close(&s->mouth[k].feed);
     }
-    if (s->on_stop != NULL) event_free(s->on_stop);
     if (s->on_turn != NULL) event_free(s->on_turn);
-    if (s->base != NULL) event_base_free(s->base);
-    for (int k = 0; k < 2; k++)
-        if (s->stop[k] >= 0) close(s->stop[k]);
+    orr_loop_close(&s->loop);
     free(s->bytes.data);
     free(s);
 }
