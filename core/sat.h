@@ -19,6 +19,12 @@ orr_sat orr_sat_make(char system, int number);
 static inline int orr_sat_number(orr_sat s) { return s & 0xff; }
 // Place of its system in ORR_SYSTEMS; -1 for none.
 static inline int orr_sat_system_index(orr_sat s) { return (s >> 8) - 1; }
+#define ORR_SAT_SLOTS (ORR_N_SYSTEMS * 100) // of a table with a place for every satellite
+// A satellite's place in such a table; not of ORR_SAT_NONE.
+static inline size_t orr_sat_slot(orr_sat s)
+{
+    return (size_t)orr_sat_system_index(s) * 100 + (size_t)orr_sat_number(s) % 100;
+}
 // Letter of the satellite's system; '?' for none.
 char orr_sat_system(orr_sat s);
 // Name of a system by its letter: "GPS", "GLONASS", ...; "?" if unknown.

@@ -18,15 +18,10 @@ typedef struct phase_tally {
     uint32_t seen[2][10][26];
 } tally;
 
-static size_t slot_of(orr_sat s)
-{
-    return (size_t)orr_sat_system_index(s) * 100 + (size_t)orr_sat_number(s) % 100;
-}
-
 void phase_reading_free(phase_reading *r)
 {
     if (r == NULL) return;
-    for (size_t i = 0; i < PHASE_SAT_SLOTS; i++) {
+    for (size_t i = 0; i < ORR_SAT_SLOTS; i++) {
         free(r->tally[i]);
         free(r->choice[i]);
         free(r->raw[i].t);
@@ -57,7 +52,7 @@ static orr_status count_epoch(phase_reading *r, const orr_rinex_obs_header *h, c
 {
     for (size_t i = 0; i < e->n_sats; i++) {
         if (!wanted(r->o, e->sat[i])) continue;
-        size_t slot = slot_of(e->sat[i]);
+        size_t slot = orr_sat_slot(e->sat[i]);
         if (r->tally[slot] == NULL && (r->tally[slot] = calloc(1, sizeof(tally))) == NULL)
             return orr_diag_set(diag, ORR_E_MEMORY, "no memory for observations");
         const orr_obs_codes *codes = &h->codes[orr_sat_system_index(e->sat[i])];
@@ -132,7 +127,7 @@ static orr_status choose(phase_reading *r, size_t slot, char system, int channel
 
 static void find_columns(phase_reading *r, const orr_rinex_obs_header *h)
 {
-    for (size_t slot = 0; slot < PHASE_SAT_SLOTS; slot++) {
+    for (size_t slot = 0; slot < ORR_SAT_SLOTS; slot++) {
         phase_choice *c = r->choice[slot];
         if (c == NULL) continue;
         char system = ORR_SYSTEMS[slot / 100];
@@ -151,7 +146,7 @@ static bool grow(phase_raw *w)
 static orr_status take_epoch(phase_reading *r, const orr_rinex_obs_epoch *e, bool skip, orr_diag *diag)
 {
     if (e->flag == ORR_OBS_POWER_FAILURE)
-        for (size_t s = 0; s < PHASE_SAT_SLOTS; s++) r->raw[s].lost_next = true;
+        for (size_t s = 0; s < ORR_SAT_SLOTS; s++) r->raw[s].lost_next = true;
     if (!skip) {
         if (!ORR_ARRAY_GROW(r->epoch, r->n_epochs))
             return orr_diag_set(diag, ORR_E_MEMORY, "no memory for epochs");
@@ -159,7 +154,7 @@ static orr_status take_epoch(phase_reading *r, const orr_rinex_obs_epoch *e, boo
     }
     for (size_t i = 0; i < e->n_sats; i++) {
         if (!wanted(r->o, e->sat[i])) continue;
-        size_t slot = slot_of(e->sat[i]);
+        size_t slot = orr_sat_slot(e->sat[i]);
         const phase_choice *c = r->choice[slot];
         if (c == NULL) continue;
         phase_raw *w = &r->raw[slot];
@@ -267,7 +262,7 @@ orr_status phase_read(const char *name, const void *data, size_t n, const orr_ph
     r->data = data;
     r->n_data = n;
     orr_status s = pass(r, name, true, warnings, diag);
-    for (size_t slot = 0; s == ORR_OK && slot < PHASE_SAT_SLOTS; slot++) {
+    for (size_t slot = 0; s == ORR_OK && slot < ORR_SAT_SLOTS; slot++) {
         if (r->tally[slot] == NULL) continue;
         const char system = ORR_SYSTEMS[slot / 100];
         const int channel = system == 'R' ? channel_of(r, slot % 100, name, warnings) : 0;

@@ -5,8 +5,6 @@
 
 #include "iono/phase/phase_tec.h"
 
-#define PHASE_SAT_SLOTS (ORR_N_SYSTEMS * 100)
-
 // The pair of signals of a satellite.
 typedef struct phase_choice {
     char phase[2][4], range[2][4];
@@ -27,9 +25,9 @@ typedef struct phase_reading {
     const char *data; // the file's bytes
     size_t n_data;
     const orr_phase_options *o;
-    struct phase_tally *tally[PHASE_SAT_SLOTS]; // NULL: not seen
-    phase_choice *choice[PHASE_SAT_SLOTS];      // NULL: no phases on two frequencies
-    phase_raw raw[PHASE_SAT_SLOTS];
+    struct phase_tally *tally[ORR_SAT_SLOTS]; // NULL: not seen
+    phase_choice *choice[ORR_SAT_SLOTS];      // NULL: no phases on two frequencies
+    phase_raw raw[ORR_SAT_SLOTS];
     char marker[64];
     orr_iono_site site;
     int8_t channel[100];

@@ -159,10 +159,10 @@ static orr_status make_sat(const phase_reading *r, size_t slot, const sun_table 
 
 static orr_status undo_clock_steps(phase_reading *r, orr_phase_tec *out, orr_diag *diag)
 {
-    orr_clock_series *series = calloc(PHASE_SAT_SLOTS, sizeof *series);
+    orr_clock_series *series = calloc(ORR_SAT_SLOTS, sizeof *series);
     if (series == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for observations");
     size_t n = 0;
-    for (size_t slot = 0; slot < PHASE_SAT_SLOTS; slot++)
+    for (size_t slot = 0; slot < ORR_SAT_SLOTS; slot++)
         if (r->choice[slot] != NULL && r->raw[slot].n > 0)
             series[n++] = (orr_clock_series){r->raw[slot].n, r->raw[slot].t, r->raw[slot].value,
                                              ORR_LIGHT_MPS / r->choice[slot]->freq_hz[0]};
@@ -187,13 +187,13 @@ static orr_status finish(phase_reading *r, const char *path, orr_phase_tec *out,
         out->interval_s = (double)r->epoch[(r->n_epochs - 1) / 2] * 1e-9;
     }
     out->has_geometry = r->o->position != NULL;
-    out->sat = calloc(PHASE_SAT_SLOTS, sizeof *out->sat);
+    out->sat = calloc(ORR_SAT_SLOTS, sizeof *out->sat);
     if (out->sat == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for satellites");
     sun_table sun = {0};
     if (r->o->position != NULL && (r->o->windup || r->o->antex != NULL))
         s = sun_init(&sun, out->from, out->to, r->o->leap, diag);
     size_t dual = 0;
-    for (size_t slot = 0; s == ORR_OK && slot < PHASE_SAT_SLOTS; slot++) {
+    for (size_t slot = 0; s == ORR_OK && slot < ORR_SAT_SLOTS; slot++) {
         if (r->tally[slot] == NULL) continue;
         if (r->choice[slot] == NULL || r->raw[slot].n == 0) {
             out->n_single++;

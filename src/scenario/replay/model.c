@@ -9,8 +9,6 @@
 #include "iono/field/pierce.h"
 #include "src/scenario/replay/replay_private.h"
 
-enum { MOST = 600 }; // channels of an epoch
-
 // Tracks as they are walked along.
 typedef struct walk {
     replay_maker *m;
@@ -88,22 +86,20 @@ static void take(const replay_maker *m, const orr_channel *x, orr_replay_node *n
         x->term_m[ORR_TERM_IONOSPHERE] / orr_iono_delay_m(1, x->carrier_hz, ORR_MEASURES_CODE) - g->more_tecu;
 }
 
-// One epoch with the clock as it is; what the codes say of the clock's error, s.
-static orr_status epoch(walk *w, size_t e, double *clock_s, orr_diag *diag)
+// One epoch with the clock as it is; what the codes say of it, s.
+static double epoch(walk *w, size_t e, double clock_s)
 {
     orr_replay *r = w->m->r;
     size_t n, sat = 0, known = 0;
-    r->t[e] = orr_time_add_s(r->tag[e], -*clock_s);
+    r->t[e] = orr_time_add_s(r->tag[e], -clock_s);
     if (orr_channels_at(w->m->c, 0, w->work, r->t[e], UINT64_MAX, w->list, &n) != ORR_ANSWER_OK) n = 0;
-    (void)diag;
     for (size_t k = 0; k < n; k++) {
         orr_replay_node *x = node_of(w, &w->list[k], e, &sat);
         if (x == NULL) continue;
         take(w->m, &w->list[k], x, sat);
         if (!isnan(x->code_m) && w->list[k].el_rad > 5 * ORR_RAD_PER_DEG) w->difference[known++] = x->code_m;
     }
-    if (known > 0) *clock_s = orr_median(w->difference, known) / ORR_LIGHT_MPS;
-    return ORR_OK;
+    return known > 0 ? orr_median(w->difference, known) / ORR_LIGHT_MPS : clock_s;
 }
 
 static void unmodelled(orr_replay *r)
@@ -130,7 +126,7 @@ orr_status replay_model(replay_maker *m, size_t every, bool settle, orr_diag *di
         // A satellite moves by 1 km/s along the line of sight: 10 ns of the clock are 0.01 mm.
         for (int round = 0; s == ORR_OK && round < 6; round++) {
             const double was_s = clock_s;
-            s = epoch(&w, e, &clock_s, diag);
+            clock_s = epoch(&w, e, clock_s);
             if (!settle || fabs(clock_s - was_s) < 1e-8) break;
         }
         if (settle) r->clock_s[e] = last_s = clock_s;

@@ -44,8 +44,6 @@ int orr_record_signal(char system, const char *code, double version)
     return -1;
 }
 
-enum { SLOTS = ORR_N_SYSTEMS * 100 };
-
 typedef struct reading {
     const char *path;
     const orr_source_orbit *orbits;
@@ -54,19 +52,14 @@ typedef struct reading {
     const orr_leap_table *leap;
     orr_replay *r;
     uint32_t seen[ORR_N_SYSTEMS][10][26]; // codes and carriers by band and attribute
-    int32_t sat[SLOTS];                   // of a satellite; -1: none yet
+    int32_t sat[ORR_SAT_SLOTS];           // of a satellite; -1: none yet
     int32_t (*track)[ORR_MAX_SIGNALS];    // [n_sats]
-    bool lost[SLOTS];                     // a slip was told beside the observations
-    bool unknown[SLOTS];                  // the orbits lack the satellite
+    bool lost[ORR_SAT_SLOTS];             // a slip was told beside the observations
+    bool unknown[ORR_SAT_SLOTS];          // the orbits lack the satellite
     size_t n_unknown;
     size_t outside;
     orr_time first, last; // epochs of the file, whatever the span
 } reading;
-
-static size_t slot_of(orr_sat s)
-{
-    return (size_t)orr_sat_system_index(s) * 100 + (size_t)orr_sat_number(s) % 100;
-}
 
 static uint32_t *counter(reading *w, char system, const char *code)
 {
@@ -80,7 +73,7 @@ static bool observes(int flag) { return flag == ORR_OBS_OK || flag == ORR_OBS_PO
 // Whether the orbits have a satellite; those that they lack are counted.
 static bool has_orbit(reading *w, orr_sat sat)
 {
-    bool *unknown = &w->unknown[slot_of(sat)];
+    bool *unknown = &w->unknown[orr_sat_slot(sat)];
     if (orr_source_orbit_has(w->orbits, sat)) return true;
     w->n_unknown += !*unknown;
     *unknown = true;
@@ -179,7 +172,7 @@ static void find_columns(const reading *w, const orr_rinex_obs_header *h, column
 static orr_status sat_of(reading *w, orr_sat sat, int32_t *out, orr_diag *diag)
 {
     orr_replay *r = w->r;
-    int32_t *k = &w->sat[slot_of(sat)];
+    int32_t *k = &w->sat[orr_sat_slot(sat)];
     if (*k < 0) {
         if (!ORR_ARRAY_GROW(r->sat, r->n_sats) || !ORR_ARRAY_GROW(w->track, r->n_sats))
             return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
@@ -219,7 +212,7 @@ static orr_status take_signal(reading *w, int32_t sat, size_t signal, const colu
             n->lli[k] = e->lli[i * e->stride + (size_t)c->at[k]];
             n->ssi[k] = e->ssi[i * e->stride + (size_t)c->at[k]];
         }
-    if (w->lost[slot_of(r->sat[sat].sat)]) n->lli[1] |= ORR_OBS_LLI_SLIP;
+    if (w->lost[orr_sat_slot(r->sat[sat].sat)]) n->lli[1] |= ORR_OBS_LLI_SLIP;
     r->has_doppler = r->has_doppler || !isnan(v[2]);
     r->has_cn0 = r->has_cn0 || !isnan(v[3]);
     return ORR_OK;
@@ -229,7 +222,7 @@ static orr_status take_epoch(reading *w, const columns *c, const orr_rinex_obs_e
 {
     orr_replay *r = w->r;
     if (e->flag == ORR_OBS_CYCLE_SLIP)
-        for (size_t i = 0; i < e->n_sats; i++) w->lost[slot_of(e->sat[i])] = true;
+        for (size_t i = 0; i < e->n_sats; i++) w->lost[orr_sat_slot(e->sat[i])] = true;
     if (!observes(e->flag)) return ORR_OK;
     if (!orr_span_holds(w->span, e->t)) {
         w->outside++;
@@ -245,7 +238,7 @@ static orr_status take_epoch(reading *w, const columns *c, const orr_rinex_obs_e
         int32_t sat = -1;
         size_t n;
         const orr_signal *all = orr_signals(&n);
-        if (w->unknown[slot_of(e->sat[i])]) continue;
+        if (w->unknown[orr_sat_slot(e->sat[i])]) continue;
         s = sat_of(w, e->sat[i], &sat, diag);
         if (s != ORR_OK) return s;
         orr_replay_sat *x = &r->sat[sat];
@@ -253,7 +246,7 @@ static orr_status take_epoch(reading *w, const columns *c, const orr_rinex_obs_e
         x->sight[x->n++] = (orr_replay_sight){.epoch = (uint32_t)(r->n_epochs - 1), .at = {-1, -1}};
         for (size_t k = 0; s == ORR_OK && k < n; k++)
             if (all[k].system == orr_sat_system(e->sat[i])) s = take_signal(w, sat, k, &c[k], e, i, diag);
-        w->lost[slot_of(e->sat[i])] = false;
+        w->lost[orr_sat_slot(e->sat[i])] = false;
     }
     return s;
 }
@@ -336,7 +329,7 @@ static orr_status find_gaps(orr_replay *r, orr_diag *diag)
 static void warn_of_unknown(const reading *w, orr_warnings *warnings)
 {
     char list[600] = "", sat[ORR_SAT_TEXT];
-    for (size_t k = 0; k < SLOTS; k++) {
+    for (size_t k = 0; k < ORR_SAT_SLOTS; k++) {
         const size_t used = strlen(list);
         if (w->unknown[k])
             snprintf(list + used, sizeof list - used, " %s",
@@ -405,7 +398,7 @@ orr_status orr_record_read(const char *path, const orr_source_orbit *orbits, orr
                    .leap = leap,
                    .r = r,
                    .first = ORR_TIME_NONE};
-    for (size_t k = 0; k < SLOTS; k++) w->sat[k] = -1;
+    for (size_t k = 0; k < ORR_SAT_SLOTS; k++) w->sat[k] = -1;
     orr_status s = pass(w, true, warnings, diag);
     if (s == ORR_OK) choose_codes(w, warnings);
     if (s == ORR_OK) s = pass(w, false, warnings, diag);

@@ -48,7 +48,7 @@ typedef struct solver {
     bool codes; // alone
     size_t zenith, north, dry, offset, group, arc,
         n; // where unknowns of a kind begin, and how many there are
-    int32_t group_of[ORR_N_SYSTEMS * 100];
+    int32_t group_of[ORR_SAT_SLOTS];
     int32_t *offset_at;      // [n_sats] first of three unknowns; -1: none
     double alike;            // epochs that count as one
     int32_t *arc_at;         // [m->n_arcs] unknown; -1: none
@@ -60,11 +60,6 @@ typedef struct solver {
     orr_mat3 enu;
     orr_geodetic place;
 } solver;
-
-static size_t slot_of(orr_sat s)
-{
-    return (size_t)orr_sat_system_index(s) * 100 + (size_t)orr_sat_number(s) % 100;
-}
 
 static void solver_close(solver *w)
 {
@@ -216,7 +211,7 @@ static size_t rows_of(const solver *w, size_t e)
                      .weight = sine * sine / (9 * CODE_M * CODE_M),
                      .sight = g};
         put_geometry(w, &site, k, g, r->t[e], out);
-        put(out, w->group + (size_t)w->group_of[slot_of(x->sat)], 1);
+        put(out, w->group + (size_t)w->group_of[orr_sat_slot(x->sat)], 1);
         n++;
     }
     return n;
@@ -372,7 +367,7 @@ static orr_status solver_open(replay_maker *m, size_t every, bool codes, solver 
         int32_t *system = &of_system[orr_sat_system_index(sat)];
         if (r->sat[k].pair[0] < 0) continue;
         if (*system < 0 || orr_sat_system(sat) == 'R') *system = (int32_t)groups++;
-        w->group_of[slot_of(sat)] = *system;
+        w->group_of[orr_sat_slot(sat)] = *system;
     }
     w->arc = w->n = w->group + groups;
     w->arc_at = malloc((m->n_arcs + 1) * sizeof *w->arc_at);
