@@ -126,38 +126,25 @@ static void begin_state(const orr_scenario_elements *el, orr_time start, orr_vec
     *v = orr_mat3_apply_t(&date, *v);
 }
 
-// Follows the orbit to one side of its begin, in steps of STEP_S.
+// Follows the orbit from BEYOND steps before its begin, where the sky's time begins, to `steps` behind it.
 static orr_status follow(orr_integrator *it, const orr_sky *sky, orr_vec3 r, orr_vec3 v, long steps, way *w,
                          orr_diag *diag)
 {
-    const double first_s = BEYOND * STEP_S,
-                 h = steps < 0 ? -STEP_S : STEP_S; // the sky begins so much before the trajectory
-    for (long k = 0; k < labs(steps); k++) {
-        const double at_s = first_s + (double)k * h;
-        if (orr_integrate(it, at_s, h, &r, &v) != ORR_OK)
-            return orr_diag_set(diag, ORR_E_NUMERIC,
-                                "trajectory.elements: %.0f s after its begin the orbit is none any more",
-                                at_s - first_s);
+    const double begin_s = BEYOND * STEP_S;
+    orr_status s = orr_integrate(it, begin_s, -begin_s, &r, &v);
+    for (long k = 0; k <= BEYOND + steps && s == ORR_OK; k++) {
+        const double at_s = (double)k * STEP_S;
         orr_sky_point p;
         orr_vec3 r_ecef, v_ecef;
-        orr_sky_at(sky, at_s + h, &p);
+        if (k > 0) s = orr_integrate(it, at_s - STEP_S, STEP_S, &r, &v);
+        orr_sky_at(sky, at_s, &p);
         orr_sky_to_ecef(&p, r, v, &r_ecef, &v_ecef);
-        way_add(w, at_s + h - first_s, r_ecef, v_ecef);
+        way_add(w, at_s - begin_s, r_ecef, v_ecef);
     }
-    return ORR_OK;
-}
-
-// What was followed backward comes last first: turned round.
-static void reverse(way *w)
-{
-    for (size_t a = 0, b = w->n; a + 1 < b; a++) {
-        b--;
-        const double t = w->t_s[a];
-        const orr_vec3 r = w->r_m[a];
-        const orr_quat q = w->q_be[a];
-        w->t_s[a] = w->t_s[b], w->r_m[a] = w->r_m[b], w->q_be[a] = w->q_be[b];
-        w->t_s[b] = t, w->r_m[b] = r, w->q_be[b] = q;
-    }
+    if (s == ORR_OK) return s;
+    const double reached_s = w->n > 0 ? w->t_s[w->n - 1] : -begin_s;
+    return orr_diag_set(diag, s, "trajectory.elements: %.0f s after its begin the orbit is none any more",
+                        reached_s);
 }
 
 static orr_status of_elements(const orr_scenario_trajectory *m, orr_time start, orr_trajectory *out,
@@ -181,16 +168,7 @@ static orr_status of_elements(const orr_scenario_trajectory *m, orr_time start, 
                          orr_time_add_s(start, (double)steps * STEP_S), ORR_SKY_GCRS, NULL, &sky, NULL, diag);
     if (s == ORR_OK) s = orr_integrator_init(&force, sky, &it, diag);
     if (s == ORR_OK) s = way_for(duration_s, &w, diag);
-    if (s == ORR_OK) {
-        orr_sky_point p;
-        orr_vec3 r_ecef, v_ecef;
-        s = follow(it, sky, r, v, -BEYOND, &w, diag);
-        reverse(&w);
-        orr_sky_at(sky, BEYOND * STEP_S, &p);
-        orr_sky_to_ecef(&p, r, v, &r_ecef, &v_ecef);
-        way_add(&w, 0, r_ecef, v_ecef);
-        if (s == ORR_OK) s = follow(it, sky, r, v, steps, &w, diag);
-    }
+    if (s == ORR_OK) s = follow(it, sky, r, v, steps, &w, diag);
     if (s == ORR_OK) s = through(&w, start, duration_s, out, diag);
     way_free(&w);
     orr_integrator_free(it);
