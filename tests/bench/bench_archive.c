@@ -3,7 +3,6 @@
 // alone in the same run; two jobs beside one, and a bare computation on two cores beside one; memory of all its processes together.
 #define _DEFAULT_SOURCE // wait4
 #include <dirent.h>
-#include <fcntl.h>
 #include <ftw.h>
 #include <math.h>
 #include <signal.h>
@@ -61,14 +60,7 @@ typedef struct cost {
 static cost run(const char *const *argv, double *most_mb)
 {
     const double begin_s = orr_monotonic_s();
-    const pid_t child = fork();
-    made_must(child >= 0, "fork");
-    if (child == 0) {
-        const int nowhere = open("/dev/null", O_WRONLY);
-        (void)dup2(nowhere, STDERR_FILENO);
-        execv(ORR_PROGRAM, (char *const *)argv);
-        _exit(127);
-    }
+    const pid_t child = made_start(argv);
     int status = -1;
     struct rusage used;
     while (wait4(child, &status, WNOHANG, &used) == 0) {

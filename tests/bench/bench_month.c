@@ -2,7 +2,6 @@
 // What a month of 80 satellites takes: `orrery orbit` on thirty made days of 15-minute positions, its peak memory (the most that
 // was resident, wait4) and its time.
 #define _DEFAULT_SOURCE // wait4
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,14 +21,7 @@ static void smooth(bench *b, const char *name, const char *jobs, const char *pro
     const char *argv[DAYS + 8] = {ORR_PROGRAM, "orbit", "-q", "--jobs", jobs, "-o", product};
     for (size_t i = 0; i < DAYS; i++) argv[7 + i] = path[i];
     const double begin_s = orr_monotonic_s();
-    const pid_t child = fork();
-    made_must(child >= 0, "fork");
-    if (child == 0) {
-        const int nowhere = open("/dev/null", O_WRONLY);
-        (void)dup2(nowhere, STDERR_FILENO);
-        execv(ORR_PROGRAM, (char *const *)argv);
-        _exit(127);
-    }
+    const pid_t child = made_start(argv);
     int status;
     struct rusage used;
     made_must(wait4(child, &status, 0, &used) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/made_days.h"
 
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "ingest/sp3/sp3.h"
 #include "orbit/force/integrate.h"
@@ -70,4 +72,17 @@ void made_days(const char *folder, size_t days, char (*path)[MADE_PATH])
     }
     orr_integrator_free(it);
     orr_sky_free(sky);
+}
+
+pid_t made_start(const char *const *argv)
+{
+    const pid_t child = fork();
+    made_must(child >= 0, "fork");
+    if (child == 0) {
+        const int nowhere = open("/dev/null", O_WRONLY);
+        (void)dup2(nowhere, STDERR_FILENO);
+        execv(ORR_PROGRAM, (char *const *)argv);
+        _exit(127);
+    }
+    return child;
 }

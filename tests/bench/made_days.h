@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <sys/types.h>
 
 #define MADE_PATH 96
 #define MADE_SATS 80
@@ -12,6 +13,8 @@
 
 // Writes `days` consecutive days into a folder; their paths into path[days].
 void made_days(const char *folder, size_t days, char (*path)[MADE_PATH]);
+// Starts the program with arguments, NULL at their end; what it says goes nowhere. Its process.
+pid_t made_start(const char *const *argv);
 // Ends the program with a sentence where something is not good.
 void made_must(bool good, const char *what);
 

@@ -8,6 +8,7 @@
 #include "orbit/smooth/smoother.h"
 
 #define SATS 6
+#define MANY 9
 #define DAY 288 // epochs of 300 s
 
 static size_t noon_steps(const orr_orbit_solution *s, double *mean_mps)
@@ -26,27 +27,40 @@ static size_t noon_steps(const orr_orbit_solution *s, double *mean_mps)
     return n;
 }
 
+// Satellites whose nodes are `apart` rad from each other, as a file of so many epochs; a push at noon, none with 0.
+static void make_file(int n, double apart, size_t epochs, double push_mps, made_sky *sky, made_truth *truth,
+                      orr_sp3 *f)
+{
+    const made_truth *all[MANY];
+    made_sky_init(sky, "2024-04-20", (double)epochs / DAY);
+    for (int k = 0; k < n; k++) {
+        made_orbit(sky, orr_sat_make('G', k + 1), 2.656e7, 0.005, 0.96, apart * k, 2.0 + 0.9 * k, 0,
+                   push_mps > 0 ? 43200 : -1, push_mps, &truth[k]);
+        all[k] = &truth[k];
+    }
+    made_sp3(sky, all, (size_t)n, 0, epochs, 3, f);
+}
+
+static void smooth(const orr_sp3 *f, orr_orbit_solution *s, orr_smoother_report *report,
+                   orr_warnings *warnings)
+{
+    const orr_smoother_input in = {.sp3 = f, .name = "made.sp3"};
+    const orr_smoother_options o = orr_smoother_defaults();
+    orr_diag d = {0};
+    ASSERT_OK(orr_smoother_run(&in, 1, &o, NULL, NULL, s, report, warnings, &d), d);
+}
+
 // Orbits as smooth as gravitation, save a push at noon (none with 0), whose truth the smoothed orbit has to meet.
 static void a_day(double push_mps, size_t *steps, double *mean_mps, double *worst_m)
 {
     static made_truth truth[SATS];
-    const made_truth *all[SATS];
     made_sky sky;
     orr_sp3 f;
     orr_orbit_solution s;
     orr_smoother_report report;
     orr_warnings warnings = {0};
-    orr_diag d = {0};
-    made_sky_init(&sky, "2024-04-20", 1);
-    for (int k = 0; k < SATS; k++) {
-        made_orbit(&sky, orr_sat_make('G', k + 1), 2.656e7, 0.005, 0.96, 1.05 * k, 2.0 + 0.9 * k, 0,
-                   push_mps > 0 ? 43200 : -1, push_mps, &truth[k]);
-        all[k] = &truth[k];
-    }
-    made_sp3(&sky, all, SATS, 0, DAY, 3, &f);
-    const orr_smoother_input in = {.sp3 = &f, .name = "made.sp3"};
-    const orr_smoother_options o = orr_smoother_defaults();
-    ASSERT_OK(orr_smoother_run(&in, 1, &o, NULL, NULL, &s, &report, &warnings, &d), d);
+    make_file(SATS, 1.05, DAY, push_mps, &sky, truth, &f);
+    smooth(&f, &s, &report, &warnings);
     assert_int_equal(report.nodes_rejected + report.manoeuvres, 0);
     *steps = noon_steps(&s, mean_mps);
     *worst_m = 0;
@@ -76,31 +90,19 @@ static void steps_at_noon_are_found_where_they_are(void **state)
     ASSERT_NEAR(worst, 0, 0.6e-3);
 }
 
-#define MANY 9
-
 // Half a day whose first record is off by 3 cm in so many satellites, each elsewhere: how many of them do without it, and how
 // well the first 45 minutes are met.
 static size_t half_a_day(int n_off, double *worst_m)
 {
     static made_truth truth[MANY];
-    const made_truth *all[MANY];
     made_sky sky;
     orr_sp3 f;
     orr_orbit_solution s;
     orr_smoother_report report;
     orr_warnings warnings = {0};
-    orr_diag d = {0};
-    made_sky_init(&sky, "2024-04-20", 0.5);
-    for (int k = 0; k < MANY; k++) {
-        made_orbit(&sky, orr_sat_make('G', k + 1), 2.656e7, 0.005, 0.96, 0.7 * k, 2.0 + 0.9 * k, 0, -1, 0,
-                   &truth[k]);
-        all[k] = &truth[k];
-    }
-    made_sp3(&sky, all, MANY, 0, DAY / 2, 3, &f);
+    make_file(MANY, 0.7, DAY / 2, 0, &sky, truth, &f);
     for (int k = 0; k < n_off; k++) made_record(&f, truth[k].sat, f.epoch[0])->pos_m[k % 3] += 0.03;
-    const orr_smoother_input in = {.sp3 = &f, .name = "made.sp3"};
-    const orr_smoother_options o = orr_smoother_defaults();
-    ASSERT_OK(orr_smoother_run(&in, 1, &o, NULL, NULL, &s, &report, &warnings, &d), d);
+    smooth(&f, &s, &report, &warnings);
     *worst_m = 0;
     for (int k = 0; k < MANY; k++) {
         double rms, max;
