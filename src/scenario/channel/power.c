@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "core/limb.h"
+
 static const double EARTH_M = ORR_EARTH_MEAN_RADIUS_M;
 
 double orr_power_space_loss_db(double range_m, double carrier_hz)
@@ -60,7 +62,7 @@ double orr_power_gain_db(orr_vec3 sat_m, orr_vec3 r_m, double el_rad, const orr_
     const double range = orr_vec3_norm(d), radius = orr_vec3_norm(sat_m);
     const double cosine = -orr_vec3_dot(d, sat_m) / (range * radius);
     const double above_ground = orr_vec3_norm(r_m) - EARTH_M;
-    const double lost = above_ground < 100e3 ? orr_power_atmosphere_db(el_rad) : 0;
+    const double lost = above_ground < ORR_SPACE_HEIGHT_M ? orr_power_atmosphere_db(el_rad) : 0;
     return radiated_db(radius, acos(fmin(fmax(cosine, -1), 1)), lobes) - 20 * log10(range) - lost;
 }
 

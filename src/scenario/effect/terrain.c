@@ -130,7 +130,7 @@ orr_status orr_horizon_of(const orr_esri_grid *grid, double undulation_m, orr_ge
     view v = {.grid = grid,
               .undulation_m = undulation_m,
               .range_m = range_m,
-              .lift_per_m = refraction ? 1 / (8 * 6371e3) : 0,
+              .lift_per_m = refraction ? 1 / (8 * ORR_EARTH_MEAN_RADIUS_M) : 0,
               .place = place,
               .out = out,
               .nearest_m = nearest_m};

@@ -4,9 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/limb.h"
 #include "src/scenario/troposphere/vmf3_series.h"
-
-static const double TOP_M = 100e3;
 
 struct orr_troposphere {
     int model, mapping, gradients;
@@ -190,7 +189,7 @@ orr_troposphere_site orr_troposphere_at(const orr_troposphere *o, size_t antenna
 {
     orr_troposphere_site out = {.model = o->model, .mapping = o->mapping};
     from_files f = {.series = {.wet_m = 0}};
-    if (place.height_m > TOP_M || (o->has_grid && !orr_gpt3_at(&o->grid, place, t, &f.grid)) ||
+    if (place.height_m > ORR_SPACE_HEIGHT_M || (o->has_grid && !orr_gpt3_at(&o->grid, place, t, &f.grid)) ||
         (o->series != NULL && !orr_vmf3_series_at(o->series, o->station[antenna], place, t, &f.series))) {
         out.model = ORR_TROPOSPHERE_NONE;
         return out;

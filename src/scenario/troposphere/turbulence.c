@@ -90,8 +90,8 @@ static meeting meet(const orr_turbulence *f, const orr_turbulence_ray *ray)
                    v = orr_mat3_apply(&f->enu, ray->v_mps), u = ray->u, du = ray->u_rate_ps;
     const double s = sqrt(u.z * u.z + 0.03 * 0.03), ds = u.z * du.z / s, h = f->height_m / s;
     // Above the origin, on a round Earth.
-    const double up_m = at.z + (at.x * at.x + at.y * at.y) / (2 * 6371e3),
-                 up_mps = v.z + (at.x * v.x + at.y * v.y) / 6371e3;
+    const double up_m = at.z + (at.x * at.x + at.y * at.y) / (2 * ORR_EARTH_MEAN_RADIUS_M),
+                 up_mps = v.z + (at.x * v.x + at.y * v.y) / ORR_EARTH_MEAN_RADIUS_M;
     const double above = fmax(1 - up_m / (2 * f->height_m), 0), root = sqrt(above);
     const double share = above * root, share_ps = -1.5 * root * up_mps / (2 * f->height_m);
     return (meeting){.east_m = at.x + h * u.x,
