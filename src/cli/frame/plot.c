@@ -32,6 +32,17 @@ void orr_plot_sky_place(double az_deg, double el_deg, double *x, double *y)
     *y = r * cos(az);
 }
 
+size_t orr_plot_sky_name(const orr_plot_line *l)
+{
+    size_t best = l->n, longest = 0;
+    for (size_t k = 0, begin = 0; k <= l->n; k++) {
+        if (k < l->n && isfinite(l->x[k]) && l->y[k] >= 0) continue;
+        if (k - begin > longest) longest = k - begin, best = (begin + k) / 2;
+        begin = k + 1;
+    }
+    return best;
+}
+
 void orr_plot_shade(double part, int rgb[3])
 {
     // Stops of a scale from dark blue over green to yellow, whose lightness rises evenly.
@@ -128,18 +139,36 @@ static void put_grid(FILE *f, const axis *a, bool upright)
     }
 }
 
+enum { DASHES = 4 };
+
+// A mark about a place: a disc, a square, a triangle or a lozenge, all of about one size.
+static void put_mark(FILE *f, const orr_plot_line *l, double x, double y)
+{
+    const char *colour = orr_plot_colour((size_t)l->colour);
+    static const char *const shape[DASHES] = {"", "m-2.2 -2.2h4.4v4.4h-4.4z", "m0 -3l2.8 4.8h-5.6z",
+                                              "m0 -3.2l2.6 3.2l-2.6 3.2l-2.6 -3.2z"};
+    if (l->dash % DASHES == 0)
+        fprintf(f, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"2.5\" fill=\"%s\"/>\n", x, y, colour);
+    else
+        fprintf(f, "<path fill=\"%s\" d=\"M%.2f %.2f%s\"/>\n", colour, x, y, shape[l->dash % DASHES]);
+}
+
+static const char *dash_of(const orr_plot_line *l)
+{
+    static const char *const pattern[DASHES] = {"", " stroke-dasharray=\"7 4\"", " stroke-dasharray=\"2 3\"",
+                                                " stroke-dasharray=\"9 3 2 3\""};
+    return pattern[l->dash % DASHES];
+}
+
 static void put_line(FILE *f, const orr_plot_line *l, const axis *x, const axis *y)
 {
     const char *colour = orr_plot_colour((size_t)l->colour);
     if (l->marks) {
         for (size_t k = 0; k < l->n; k++)
-            if (shown(x, l->x[k]) && shown(y, l->y[k]))
-                fprintf(f, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"2.5\" fill=\"%s\"/>\n", place(x, l->x[k]),
-                        place(y, l->y[k]), colour);
+            if (shown(x, l->x[k]) && shown(y, l->y[k])) put_mark(f, l, place(x, l->x[k]), place(y, l->y[k]));
     } else {
         bool down = false;
-        fprintf(f, "<path class=\"line\" stroke=\"%s\"%s d=\"", colour,
-                l->dashed ? " stroke-dasharray=\"6 4\"" : "");
+        fprintf(f, "<path class=\"line\" stroke=\"%s\"%s d=\"", colour, dash_of(l));
         for (size_t k = 0; k < l->n; k++) {
             const bool here = shown(x, l->x[k]) && shown(y, l->y[k]);
             if (here) fprintf(f, "%c%.2f %.2f", down ? 'L' : 'M', place(x, l->x[k]), place(y, l->y[k]));
@@ -160,12 +189,10 @@ static void put_legend(FILE *f, const orr_plot *p)
         const orr_plot_line *l = &p->line[k];
         if (l->label == NULL) continue;
         if (l->marks)
-            fprintf(f, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/>\n", RIGHT + 24.0, y,
-                    orr_plot_colour((size_t)l->colour));
+            put_mark(f, l, RIGHT + 24.0, y);
         else
             fprintf(f, "<path class=\"line\" stroke=\"%s\"%s d=\"M%.1f %.1fH%.1f\"/>\n",
-                    orr_plot_colour((size_t)l->colour), l->dashed ? " stroke-dasharray=\"6 4\"" : "",
-                    RIGHT + 12.0, y, RIGHT + 36.0);
+                    orr_plot_colour((size_t)l->colour), dash_of(l), RIGHT + 12.0, y, RIGHT + 36.0);
         put_label(f, RIGHT + 42.0, y + 4.0, "start", l->label);
         y += 18.0;
     }
@@ -270,6 +297,9 @@ static orr_status write_sky_lines(FILE *f, const orr_plot *plot, const axis *x, 
         mine.x = turned;
         mine.y = turned + l->n;
         put_line(f, &mine, x, y);
+        const size_t at = orr_plot_sky_name(l);
+        if (at < l->n && l->label != NULL)
+            put_label(f, place(x, mine.x[at]) + 5, place(y, mine.y[at]) - 4, "start", l->label);
         free(turned);
     }
     return ORR_OK;

@@ -16,7 +16,7 @@ typedef struct orr_plot_line {
     size_t n;
     const double *low, *high; // [n] of error bars; NULL: none
     bool marks;               // points alone, without a line between them
-    bool dashed;
+    int dash;   // 0: a whole line; 1, 2, 3: patterns that black print tells apart; of marks: their shape
     int colour; // of the palette, from 0; lines of one kind may share one
 } orr_plot_line;
 
@@ -56,6 +56,8 @@ orr_status orr_plot_write_gnuplot(const char *path, const char *png, const orr_p
 const char *orr_plot_colour(size_t k);
 // The middle of a sky plot is 0, 0, its horizon 90 away: where a direction stands.
 void orr_plot_sky_place(double az_deg, double el_deg, double *x, double *y);
+// Where a track of a sky plot bears its name: the middle point of its longest stretch above the horizon; l->n where there is none.
+size_t orr_plot_sky_name(const orr_plot_line *l);
 // Of a scale from 0 to 1 that grows lighter all the way (also in grey), red, green and blue 0 to 255.
 void orr_plot_shade(double part, int rgb[3]);
 

@@ -54,6 +54,21 @@ static void put_sky(FILE *f)
           f);
 }
 
+// Each track's name beside it.
+static void put_sky_names(FILE *f, const orr_plot *plot)
+{
+    for (size_t i = 0; i < plot->n; i++) {
+        const orr_plot_line *l = &plot->line[i];
+        const size_t at = orr_plot_sky_name(l);
+        double x, y;
+        if (at == l->n || l->label == NULL) continue;
+        orr_plot_sky_place(l->x[at], l->y[at], &x, &y);
+        fputs("set label ", f);
+        put_quoted(f, l->label);
+        fprintf(f, " at %.4g,%.4g left offset 0.4,0.4\n", x, y);
+    }
+}
+
 static void put_cells(FILE *f, const orr_plot_cells *c)
 {
     int rgb[3];
@@ -80,8 +95,11 @@ static void put_plot(FILE *f, const orr_plot *plot)
     for (size_t i = 0; i < plot->n; i++) {
         const orr_plot_line *l = &plot->line[i];
         const char *colour = orr_plot_colour((size_t)l->colour);
+        static const char *const pattern[] = {"", "dt 2", "dt 3", "dt 4"};
+        static const char *const shape[] = {"pt 7", "pt 5", "pt 9", "pt 13"};
         fprintf(f, "%s$line%zu using 1:2 with %s lc rgb '%s' %s ", i > 0 ? ", \\\n  " : "", i,
-                l->marks ? "points pt 7 ps 0.8" : "lines lw 2", colour, l->dashed && !l->marks ? "dt 2" : "");
+                l->marks ? "points ps 0.9" : "lines lw 2.5", colour,
+                (l->marks ? shape : pattern)[l->dash % 4]);
         if (l->label != NULL) {
             fputs("title ", f);
             put_quoted(f, l->label);
@@ -114,10 +132,12 @@ orr_status orr_plot_write_gnuplot(const char *path, const char *png, const orr_p
             plot->log_x ? "set logscale x\nset format x '%g'\n" : "",
             plot->log_y ? "set logscale y\nset format y '%g'\n" : "", plot->sky ? "unset grid\n" : "");
     if (plot->sky) put_sky(f);
+    if (plot->sky) put_sky_names(f, plot);
     if (plot->cells != NULL) {
-        fputs("set autoscale xfix\nset autoscale yfix\n", f); // no rim about a map
+        fputs("set autoscale yfix\n", f); // no rim about a map
         put_cells(f, plot->cells);
     }
+    if (!plot->sky) fputs("set autoscale xfix\n", f);
     if (plot->n > 0 && plot->line[0].marks) fputs("set offsets graph 0.02, graph 0.02, 0, 0\n", f);
     for (size_t i = 0; i < plot->n; i++) put_block(f, plot, i);
     put_plot(f, plot);

@@ -115,7 +115,7 @@ static orr_status draw(const char *path, const result *r, orr_diag *diag)
                                   .high = v[c][3],
                                   .n = r->curve[c].n,
                                   .colour = c,
-                                  .dashed = c >= 3};
+                                  .dash = c >= 3};
     }
     const orr_plot plot = {.title = "Overlapping Allan deviation, with 95 % intervals",
                            .x_label = "averaging time, s",

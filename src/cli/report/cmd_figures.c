@@ -70,6 +70,7 @@ static void make(const orr_cli *c, size_t at, const figure_places *p, outcome *d
     const figure *f = &figures[at];
     outcome *o = &done[at];
     orr_status s = ORR_OK;
+    pid_t service = 0;
     if (f->needs == FIGURE_NEEDS_DATA && p->data == NULL)
         s = orr_diag_set(&o->why, ORR_E_NODATA, "is made of real files: --data DIR");
     if (f->needs == FIGURE_NEEDS_ARCHIVE && p->archive == NULL)
@@ -78,12 +79,13 @@ static void make(const orr_cli *c, size_t at, const figure_places *p, outcome *d
         char text[STEP];
         const size_t n = strcspn(step, "\n");
         snprintf(text, sizeof text, "%.*s", (int)n, step);
-        if (!taken(c, done, at, text)) s = figure_run_step(f, text, p, &o->why);
+        if (text[0] == '&' || !taken(c, done, at, text)) s = figure_run_step(f, text, p, &service, &o->why);
         step += n + (step[n] == '\n');
     }
+    figure_end_service(service);
     if (s == ORR_OK && f->plot.csv != NULL) s = figure_draw(f, p->out, &o->why);
     o->made = s == ORR_OK;
-    o->picture = s == ORR_OK && f->plot.csv != NULL && figure_picture(f, p->out);
+    o->picture = s == ORR_OK && figure_picture(f, p->out);
     orr_cli_say(c, "%s: %s", f->name, o->made ? f->title : o->why.text);
 }
 

@@ -3,6 +3,8 @@
 #ifndef ORR_CLI_REPORT_FIGURE_H
 #define ORR_CLI_REPORT_FIGURE_H
 
+#include <sys/types.h>
+
 #include "src/cli/frame/cli.h"
 
 typedef enum figure_needs { FIGURE_NEEDS_NOTHING, FIGURE_NEEDS_DATA, FIGURE_NEEDS_ARCHIVE } figure_needs;
@@ -19,18 +21,20 @@ typedef struct figure_extras {
     bool centred;      // each line less its mean
     bool days;         // instants as days of the table, not hours
     const char *marks; // "name=x|name=x": upright lines, where x is within the others
+    bool stairs;       // each value over the whole of its step, as a histogram's
 } figure_extras;
 
 typedef struct figure_plot {
     // File and columns; `line` NULL: one line. Several files, a line each, are "name=file|name=file:column"; `y` may name several
-    // columns, "name=a|name=b", a line each. A column is taken as it is, with '-' before it negative, with '+' its size.
+    // columns, "name=a|name=b", a line each. A column is taken as it is, with '-' before it negative, with '+' its size. Of `line`
+    // the first letter alone counts where '.' follows its name: satellites by system.
     const char *csv, *x, *y, *line;
     const char *x_label, *y_label;
     double from, to; // of x; both 0: all
     bool log_x, log_y;
     double factor; // of y
     figure_kind kind;
-    const char *where; // "column=value,...": rows that are drawn; NULL: all
+    const char *where; // "column=value|value,...": rows that are drawn; NULL: all
     figure_extras more;
 } figure_plot;
 
@@ -55,9 +59,13 @@ typedef struct figure_places {
 //   step    its command as figures.def has it
 //   p       the folders
 // Returned:
+//   service the process of a step that stays, once it serves; else as it was
 //   diag    the last message of a step that failed
 // Errors: ORR_E_IO (no process), ORR_E_NODATA (the step failed).
-orr_status figure_run_step(const figure *f, const char *step, const figure_places *p, orr_diag *diag);
+orr_status figure_run_step(const figure *f, const char *step, const figure_places *p, pid_t *service,
+                           orr_diag *diag);
+// Ends the process of a step that stayed; 0: there is none.
+void figure_end_service(pid_t service);
 // The command as a reader types it in the checkout's root, into out[n].
 void figure_step_text(const char *step, char *out, size_t n);
 // Draws NAME.svg from its table, and a script of gnuplot, NAME.gp. ORR_E_IO, ORR_E_FORMAT (a column is missing), ORR_E_NODATA, ORR_E_MEMORY.

@@ -71,7 +71,19 @@ typedef struct part {
 
 static double signed_value(double v, char sign) { return sign == '-' ? -v : sign == '+' ? fabs(v) : v; }
 
-// Whether a row is one of those that "column=value,..." names.
+// Whether a text is one of those that '|' divides.
+static bool is_one_of(const char *text, const char *list)
+{
+    const size_t length = strlen(text);
+    for (;;) {
+        const size_t n = strcspn(list, "|");
+        if (n == length && strncmp(list, text, n) == 0) return true;
+        if (list[n] == '\0') return false;
+        list += n + 1;
+    }
+}
+
+// Whether a row is one of those that "column=value|value,..." names.
 static bool is_drawn(const char *where, const char *head, const char *row)
 {
     char one[128], text[128];
@@ -83,7 +95,7 @@ static bool is_drawn(const char *where, const char *head, const char *row)
         *wanted++ = '\0';
         const int k = figure_column(head, one);
         figure_field(row, k < 0 ? 99 : k, text, sizeof text);
-        if (strcmp(text, wanted) != 0) return false;
+        if (!is_one_of(text, wanted)) return false;
         where += n + (where[n] == ',');
     }
     return true;
@@ -97,7 +109,11 @@ static orr_status read_part(const figure_plot *p, const part *q, const char *fol
     FILE *f = fopen(path, "r");
     if (f == NULL) return orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be opened: %s", strerror(errno));
     const char *head = fgets(first, sizeof first, f);
-    const char *wanted[3] = {p->x, q->column, p->line};
+    char by[64] = "";
+    if (p->line != NULL) snprintf(by, sizeof by, "%.63s", p->line);
+    const bool by_letter = by[0] != '\0' && by[strlen(by) - 1] == '.';
+    if (by_letter) by[strlen(by) - 1] = '\0';
+    const char *wanted[3] = {p->x, q->column, p->line != NULL ? by : NULL};
     int column[3];
     orr_status s = ORR_OK;
     for (int k = 0; k < 3 && s == ORR_OK; k++) {
@@ -112,6 +128,7 @@ static orr_status read_part(const figure_plot *p, const part *q, const char *fol
         const double x = value(t, text[0], true),
                      y = signed_value(value(t, text[1], false) * p->factor, q->sign);
         if ((p->from != 0 || p->to != 0) && !(x >= p->from && x <= p->to)) continue;
+        if (by_letter) text[2][1] = '\0';
         const char *name = q->name[0] != '\0' ? q->name : text[2];
         const bool kept = p->kind == FIGURE_MAP
                               ? add(t, "", x, y) && add(t, "value", x, value(t, text[2], false))
@@ -184,6 +201,42 @@ static void cut_tracks(curve *c)
     }
 }
 
+// Where a line goes back in time, as of one satellite after another, it is another.
+static void cut_returns(curve *c)
+{
+    for (size_t k = 0; k + 1 < c->n; k++)
+        if (c->x[k + 1] < c->x[k]) c->y[k] = ORR_NAN;
+}
+
+// Makes of values at the middles of steps their stairs: each reaches halfway to its neighbours, on a logarithmic axis by ratio.
+static bool make_stairs(curve *c, bool log_x)
+{
+    double *x = c->n > 1 ? malloc(2 * c->n * sizeof *x) : NULL,
+           *y = c->n > 1 ? malloc(2 * c->n * sizeof *y) : NULL;
+    if (x == NULL || y == NULL) {
+        free(x);
+        free(y);
+        return c->n <= 1;
+    }
+    for (size_t k = 0; k < c->n; k++) {
+        const size_t next = k + 1 < c->n ? k : k - 1; // the last step is as wide as that before it
+        const double half = log_x ? sqrt(c->x[next + 1] / c->x[next]) : (c->x[next + 1] - c->x[next]) / 2;
+        x[2 * k] = log_x ? c->x[k] / half : c->x[k] - half;
+        x[2 * k + 1] = log_x ? c->x[k] * half : c->x[k] + half;
+        y[2 * k] = y[2 * k + 1] = c->y[k];
+    }
+    free(c->x);
+    free(c->y);
+    c->x = x, c->y = y;
+    c->n *= 2;
+    return true;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const curve *)a)->name, ((const curve *)b)->name);
+}
+
 // A line of instants is interrupted where more than that many of its usual steps are missing.
 #define MOST_STEPS 2.5
 
@@ -253,6 +306,12 @@ static double spacing(const double *v, size_t n)
     return least > 0 ? least : 1;
 }
 
+// Whether a line is the negative of the one before it: sigma and -sigma are drawn alike.
+static bool is_other_side(const table *t, size_t k)
+{
+    return k > 0 && t->line[k].name[0] == '-' && strcmp(t->line[k].name + 1, t->line[k - 1].name) == 0;
+}
+
 orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
 {
     char path[1200], png[80];
@@ -264,13 +323,16 @@ orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
     const bool is_map = f->plot.kind == FIGURE_MAP;
     orr_status s = read_table(&f->plot, folder, t, diag);
     const size_t n_drawn = t->n;
+    if (f->plot.kind == FIGURE_SKY) qsort(t->line, t->n, sizeof t->line[0], by_name);
     if (s == ORR_OK && !add_marks(t, f->plot.more.marks))
         s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     for (size_t k = 0; k < t->n && !is_map; k++) {
-        if (f->plot.more.days) {
-            for (size_t i = 0; i < t->line[k].n; i++) t->line[k].x[i] /= 24;
-            cut_gaps(&t->line[k]);
-        }
+        const bool instants = strcmp(f->plot.x, "t_gps") == 0 && f->plot.kind == FIGURE_LINES;
+        for (size_t i = 0; f->plot.more.days && i < t->line[k].n; i++) t->line[k].x[i] /= 24;
+        if (instants) cut_returns(&t->line[k]);
+        if (instants) cut_gaps(&t->line[k]);
+        if (f->plot.more.stairs && !make_stairs(&t->line[k], f->plot.log_x))
+            s = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
         if (f->plot.more.centred) centre(&t->line[k]);
         thin_out(&t->line[k]);
         if (f->plot.kind == FIGURE_SKY) cut_tracks(&t->line[k]);
@@ -280,8 +342,8 @@ orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
                                   .y = t->line[k].y,
                                   .n = t->line[k].n,
                                   .marks = f->plot.kind == FIGURE_MARKS,
-                                  .colour = (int)k,
-                                  .dashed = k >= 8 || k >= n_drawn};
+                                  .colour = (int)(is_other_side(t, k) ? k - 1 : k),
+                                  .dash = k >= n_drawn ? 1 : (int)(is_other_side(t, k) ? k - 1 : k + k / 8)};
     }
     if (is_map && t->n == 2)
         cells = (orr_plot_cells){.x = t->line[0].x,

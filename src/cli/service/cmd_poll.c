@@ -7,6 +7,7 @@
 #include "src/cli/frame/options.h"
 #include "src/cli/service/message_show.h"
 #include "src/cli/service/poll_ask.h"
+#include "src/cli/service/poll_latency.h"
 #include "src/cli/service/poll_pages.h"
 #include "src/service/net/dial.h"
 #include "src/service/text/message_text.h"
@@ -24,6 +25,7 @@ typedef struct poll_job {
     char frame[65];   // of CAPS, for the table's head
     uint64_t numbers; // satellites (or epochs) that had what was asked for
     bool outside;     // an epoch was outside the span
+    poll_latency latency;
 } poll_job;
 
 // --- Asking ---
@@ -59,6 +61,7 @@ static orr_wire_status take_answer(poll_job *p)
     const orr_msg_epoch *epoch = member(&m, info->record, "epoch");
     if (ws == ORR_WIRE_OK) ws = orr_client_epoch(&p->d->client, epoch->index, epoch->count);
     if (ws != ORR_WIRE_OK) return ws;
+    if (p->latency.path != NULL) poll_latency_end(&p->latency); // before it is printed
     p->outside = p->outside || epoch->answer == ORR_MSG_ANSWER_OUTSIDE_SPAN;
     p->numbers += orr_message_numbers(info->record, &m);
     if (p->request.pages)
@@ -70,6 +73,7 @@ static orr_wire_status take_answer(poll_job *p)
 
 static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
 {
+    if (p->latency.path != NULL) poll_latency_begin(&p->latency);
     orr_wire_status ws = send_request(p, t, count);
     for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) ws = take_answer(p);
     return ws == ORR_WIRE_OK ? ORR_OK : orr_dial_status(p->d, ws, p->request.info->name, diag);
@@ -150,6 +154,7 @@ static int poll_service(poll_job *p)
     int status = choose_sats(p, &caps); // the caps are the buffer's until the next request
     if (status != ORR_EXIT_OK) return status;
     orr_status s = orr_cli_given(c, "realtime") ? ask_in_real_time(p, &diag) : ask_all(p, most, &diag);
+    if (s == ORR_OK) s = poll_latency_write(c, &p->latency, &diag);
     if (s != ORR_OK) return orr_cli_fail(c, &diag);
     if (p->numbers > 0) return ORR_EXIT_OK;
     bool moving =
@@ -176,6 +181,7 @@ static int run(orr_cli *c)
                                                  : events ? 3600 * ORR_NS_PER_S
                                                           : ORR_NS_PER_S),
                   .count = orr_cli_int(c, "count", realtime ? -1 : 1),
+                  .latency = {.path = orr_cli_text(c, "latency", NULL)},
                   .format = orr_cli_says(c, "format", "json")  ? ORR_AS_JSON
                             : orr_cli_says(c, "format", "csv") ? ORR_AS_CSV
                                                                : ORR_AS_TABLE};
@@ -214,6 +220,14 @@ static const orr_option options[] = {
     {.name = "realtime",
      .kind = ORR_OPT_FLAG,
      .help = "Ask for one epoch a step of real time, as a signal generator does."},
+    {.name = "latency",
+     .applies = "realtime",
+     .kind = ORR_OPT_TEXT,
+     .value = "FILE",
+     .writes = true,
+     .help = "Write how long answers took, from sending the request until its answer was read, as a "
+             "histogram (CSV) "
+             "with eight bins an octave; where --count or the span ends."},
     {.name = "timeout",
      .kind = ORR_OPT_DURATION,
      .value = "S",
@@ -251,6 +265,7 @@ const orr_command orr_cmd_poll = {
     .example = "orrery poll tcp://127.0.0.1:15754 --at 2024-02-04T12:00:00 --sat G05,E\n"
                "orrery poll unix:/tmp/orrery.sock --step 0.1 --count 100 --format json\n"
                "orrery poll tcp://127.0.0.1:15754 --step 0.1 --realtime --sat G\n"
+               "orrery poll tcp://127.0.0.1:15754 --step 0.01 --count 1000 --realtime --latency latency.csv\n"
                "orrery poll tcp://127.0.0.1:15754 --delays --receiver 52.28,17.07,124 --carrier 1575.42 "
                "--carrier 1176.45\n"
                "orrery poll tcp://127.0.0.1:15754 --elements --method mean --step 3600 --count 12 --sat G05\n"

@@ -327,7 +327,7 @@ static orr_status draw(const orr_cli *c, const work *w, const char *title, orr_d
                                   .y = x + (1 + i) * w->n_track,
                                   .n = w->n_track,
                                   .colour = (int)i / 2,
-                                  .dashed = i % 2 == 1};
+                                  .dash = i % 2};
     const orr_plot plot = {
         .title = title, .x_label = "t, s", .y_label = "arcmin", .log_y = true, .line = line, .n = LINES};
     const orr_status s = orr_study_plot(c, &plot, diag);

@@ -129,9 +129,8 @@ static orr_status draw(const orr_cli *c, const char *title, const double *table,
         xy[k] = table[k * COLUMNS + CLOSED_HEADING];
         xy[n + k] = table[k * COLUMNS + HEADING];
     }
-    const orr_plot_line line[] = {
-        {.label = "alignments", .x = xy, .y = xy + n, .n = n, .marks = true},
-        {.label = "closed form", .x = xy, .y = xy, .n = n, .dashed = true, .colour = 1}};
+    const orr_plot_line line[] = {{.label = "alignments", .x = xy, .y = xy + n, .n = n, .marks = true},
+                                  {.label = "closed form", .x = xy, .y = xy, .n = n, .dash = 1, .colour = 1}};
     const orr_plot plot = {.title = title,
                            .x_label = "heading error by the closed form, arcsec",
                            .y_label = "heading error, arcsec",

@@ -310,11 +310,13 @@ static orr_status draw(const orr_cli *c, const char *title, const work *w, orr_d
         sigma[k] = w->seen.sigma[k] / orr_calibration_size(k);
         error[k] = w->estimated ? fabs(w->found.value[k] - w->want[k]) / orr_calibration_size(k) : ORR_NAN;
     }
-    const orr_plot_line line[] = {{.label = "sigma", .x = x, .y = sigma, .n = n},
-                                  {.label = "error", .x = x, .y = error, .n = n, .marks = true, .colour = 1}};
+    const orr_plot_line line[] = {
+        {.label = "standard deviation", .x = x, .y = sigma, .n = n, .marks = true, .dash = 1},
+        {.label = "size of the error", .x = x, .y = error, .n = n, .marks = true, .colour = 1}};
     const orr_plot plot = {.title = title,
-                           .x_label = "parameter: 1-9 accelerometers, 10-21 gyros, arms",
-                           .y_label = "over 1 mg, 1 %, 10 mrad, 2 deg/h, 10 cm",
+                           .x_label =
+                               "parameter, in the order of the report: 1-9 accelerometers, 10-21 gyros, arms",
+                           .y_label = "in units of 1 mg, 1 %, 10 mrad, 2 deg/h, 10 cm",
                            .log_y = true,
                            .line = line,
                            .n = w->estimated ? 2 : 1};

@@ -219,7 +219,7 @@ static int report(const orr_cli *c, const work *w)
 static orr_status draw(const orr_cli *c, const char *title, const work *w, orr_diag *diag)
 {
     const orr_plot_line line[] = {
-        {.label = "true", .x = w->last.t_s, .y = w->last.true_filtered_mgal, .n = w->last.n, .dashed = true},
+        {.label = "true", .x = w->last.t_s, .y = w->last.true_filtered_mgal, .n = w->last.n, .dash = 1},
         {.label = "found",
          .x = w->last.t_s,
          .y = w->last.recovered_filtered_mgal,

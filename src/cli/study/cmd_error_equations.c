@@ -387,7 +387,7 @@ static orr_status draw(const work *w, const char *title, orr_diag *diag)
                                   .y = &x[2 * begin + sizes],
                                   .n = sizes,
                                   .colour = (int)r[M_MANOEUVRE],
-                                  .dashed = r[M_MODEL] > 0,
+                                  .dash = r[M_MODEL] > 0,
                                   .marks = r[M_MODEL] > 1};
     }
     const orr_plot plot = {.title = title,

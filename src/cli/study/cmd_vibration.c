@@ -326,7 +326,7 @@ static orr_status draw(const orr_cli *c, const char *title, const job *j, orr_di
         else
             snprintf(label[q], sizeof label[q], "%s", j->name[m]);
         line[q] = (orr_plot_line){
-            .label = label[q], .x = x, .y = y, .n = j->n_ratios, .colour = (int)m, .dashed = p > 0};
+            .label = label[q], .x = x, .y = y, .n = j->n_ratios, .colour = (int)m, .dash = p > 0};
     }
     const bool linear = orr_cli_says(c, "axes", "linear");
     const orr_plot plot = {.title = title,

@@ -140,5 +140,11 @@ orr_status orr_study_write_series(const orr_cli *c, const orr_study_table *table
 orr_status orr_study_plot(const orr_cli *c, const orr_plot *plot, orr_diag *diag)
 {
     const char *path = orr_cli_text(c, "plot", NULL);
-    return path == NULL ? ORR_OK : orr_plot_write(path, plot, diag);
+    if (path == NULL) return ORR_OK;
+    const char *name = strrchr(path, '/') != NULL ? strrchr(path, '/') + 1 : path;
+    const size_t n = strlen(name);
+    char png[300];
+    if (n < 4 || n > 250 || strcmp(name + n - 3, ".gp") != 0) return orr_plot_write(path, plot, diag);
+    snprintf(png, sizeof png, "%.*s.png", (int)n - 3, name);
+    return orr_plot_write_gnuplot(path, png, plot, diag);
 }

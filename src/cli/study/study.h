@@ -18,7 +18,8 @@
          .name = "plot",                                                                                     \
          .kind = ORR_OPT_TEXT,                                                                               \
          .value = "FILE",                                                                                    \
-         .help = "Draw the results as a figure (SVG)."},                                                     \
+         .help = "Draw the results as a figure (SVG); where the name ends in .gp, as a script of gnuplot "   \
+                 "that makes a PNG."},                                                                       \
         {.name = "help-study",                                                                               \
          .kind = ORR_OPT_FLAG,                                                                               \
          .help = "Print all keys of the study's file, and end."},                                            \

@@ -90,6 +90,23 @@ class Figures(Folder):
         lowest = min(float(line.split(",")[3]) for line in (folder / "sky.csv").read_text(encoding="utf-8").splitlines()[1:])
         self.assertAlmostEqual(max(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for x, y in points), ring * (90 - lowest) / 90, delta=3)
 
+    def test_latency(self):
+        """A service and its polls: the histogram counts every answer, and the figure is its stairs; the service is gone afterwards."""
+        folder, _ = self.make("latency", "--only", "latency")
+        for name in ("states", "channels"):
+            with open(folder / f"latency-{name}.csv", encoding="ascii") as f:
+                rows = list(csv.DictReader(f))
+            self.assertEqual(sum(int(r["count"]) for r in rows), 300)
+            self.assertAlmostEqual(sum(float(r["share"]) for r in rows), 1, delta=1e-3)
+            middles = [float(r["latency_us"]) for r in rows]
+            for a, b in zip(middles, middles[1:]):
+                self.assertAlmostEqual(b / a, 2 ** 0.125, delta=2e-3)  # eight bins an octave, none left out
+        svg = (folder / "latency.svg").read_text(encoding="utf-8")
+        path = re.findall(r'class="line"[^>]*d="(M[^"H]*)"', svg)[1]  # the channels: each bin from its begin to its end
+        self.assertEqual(len(re.findall(r"[ML]", path)), 2 * len(rows))
+        self.assertFalse((folder / "latency.sock").exists())
+        self.assertIn("orrery serve samples/rooftop.yaml -q --listen unix:latency.sock &amp;", (folder / "report.html").read_text(encoding="utf-8"))
+
     def test_logarithmic_axes(self):
         """gnuplot takes scripts of every kind of axes: a picture is whole, or not there."""
         if not shutil.which("gnuplot"):
