@@ -9,6 +9,7 @@
 // Rows of coefficients as the vector unit has them. Lanes are independent and nothing is contracted, so that
 // the bits do not depend on how wide the machine is.
 typedef double lanes __attribute__((vector_size(EPH_LANES * sizeof(double)), may_alias));
+typedef float positions __attribute__((vector_size((EPH_SIGMAS - 1) * sizeof(float)))); // sigmas of positions
 #define INLINE static inline __attribute__((always_inline))
 
 // T_j and its first two derivatives at one x.
@@ -36,25 +37,65 @@ INLINE void basis_at(basis *b, int degree, double x)
     }
 }
 
-// Sums over the rows of one segment. The two largest terms come last, so that the small ones are not rounded
-// to them, and the sum can begin before the basis is complete.
-INLINE void sum_rows(const double *coef, const basis *b, int degree, double dx, orr_sat_state *out)
+// Position, velocity and acceleration as sums over a segment's rows.
+typedef struct sums {
+    lanes p, v, a;
+} sums;
+
+INLINE void sum_first(const lanes *c, const basis *b, sums *s)
 {
-    const lanes *c = (const lanes *)(const void *)coef;
-    lanes p = b->t[2] * c[2], v = b->d[2] * c[2], a = b->dd[2] * c[2];
+    s->p = b->t[2] * c[2];
+    s->v = b->d[2] * c[2];
+    s->a = b->dd[2] * c[2];
+}
+
+INLINE void sum_row(const lanes *c, const basis *b, int j, sums *s)
+{
+    s->p += b->t[j] * c[j];
+    s->v += b->d[j] * c[j];
+    s->a += b->dd[j] * c[j];
+}
+
+INLINE void sum_last(const lanes *c, const basis *b, double dx, sums *s, orr_sat_state *out)
+{
+    s->p += b->t[1] * c[1];
+    s->v += c[1];
+    s->p += c[0];
+    s->v *= dx;
+    s->a *= dx * dx;
+    out->pos_m = (orr_vec3){s->p[0], s->p[1], s->p[2]};
+    out->vel_mps = (orr_vec3){s->v[0], s->v[1], s->v[2]};
+    out->acc_mps2 = (orr_vec3){s->a[0], s->a[1], s->a[2]};
+}
+
+INLINE const lanes *rows_of(const orr_ephemeris *e, const eph_arc *a, size_t segment)
+{
+    return (const lanes *)(const void *)&e->coef[a->first_coef + segment * eph_block(a->degree)];
+}
+
+// The two largest terms come last, so that the small ones are not rounded to them, and the sum can begin before the
+// basis is complete.
+INLINE void sum_rows(const lanes *c, const basis *b, int degree, double dx, orr_sat_state *out)
+{
+    sums s;
+    sum_first(c, b, &s);
+    for (int j = 3; j <= degree; j++) sum_row(c, b, j, &s);
+    sum_last(c, b, dx, &s, out);
+}
+
+// The same of two satellites side by side, which need the basis once.
+INLINE void sum_two(const lanes *const c[2], const basis *b, int degree, double dx,
+                    orr_sat_state *const out[2])
+{
+    sums s, z;
+    sum_first(c[0], b, &s);
+    sum_first(c[1], b, &z);
     for (int j = 3; j <= degree; j++) {
-        p += b->t[j] * c[j];
-        v += b->d[j] * c[j];
-        a += b->dd[j] * c[j];
+        sum_row(c[0], b, j, &s);
+        sum_row(c[1], b, j, &z);
     }
-    p += b->t[1] * c[1];
-    v += c[1];
-    p += c[0];
-    v *= dx;
-    a *= dx * dx;
-    out->pos_m = (orr_vec3){p[0], p[1], p[2]};
-    out->vel_mps = (orr_vec3){v[0], v[1], v[2]};
-    out->acc_mps2 = (orr_vec3){a[0], a[1], a[2]};
+    sum_last(c[0], b, dx, &s, out[0]);
+    sum_last(c[1], b, dx, &z, out[1]);
 }
 
 // Where t lies in an arc.
@@ -118,11 +159,12 @@ INLINE uint32_t mixed_flags(const orr_ephemeris *e, const eph_sat *s, const eph_
     return flags;
 }
 
-// Index of the last clock node not after t; t is not before the first.
-INLINE size_t clock_before(const eph_sat *s, orr_time t)
+// Index of the last clock node not after t; t is not before the first. `hint` is where another satellite's was.
+INLINE size_t clock_before(const eph_sat *s, orr_time t, size_t hint)
 {
     enum { WALK = 4 }; // a few nodes more or less than even spacing has: days' joints
     size_t last = s->n_clocks - 1;
+    if (hint < last && s->rate[hint].t <= t && t < s->rate[hint + 1].t) return hint;
     double guess = (double)(t - s->rate[0].t) * s->clock_per_ns;
     size_t i = guess < (double)last ? (size_t)guess : last;
     for (int k = 0; k < WALK && i > 0 && s->rate[i].t > t; k++) i--;
@@ -147,12 +189,12 @@ INLINE const eph_clock *stretch_end(const eph_sat *s, size_t i, orr_time t)
     return i > 0 && s->rate[i - 1].flags != 0 ? &s->rate[i - 1] : NULL;
 }
 
-INLINE void clock_at(const eph_sat *s, orr_time t, orr_sat_state *out)
+INLINE void clock_at(const eph_sat *s, orr_time t, size_t *hint, orr_sat_state *out)
 {
     out->clock_s = out->clock_rate_sps = (double)NAN;
     out->clock_sigma_s = (float)NAN;
     if (s->n_clocks == 0 || t < s->rate[0].t) return;
-    size_t i = clock_before(s, t);
+    size_t i = *hint = clock_before(s, t, *hint);
     const eph_clock *c = &s->rate[i];
     if (c->flags == 0 && (c = stretch_end(s, i, t)) == NULL) return;
     const double part = (double)(t - c->t) * c->per_ns;
@@ -163,24 +205,30 @@ INLINE void clock_at(const eph_sat *s, orr_time t, orr_sat_state *out)
     out->flags |= c->flags;
 }
 
-INLINE void state_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_time t, const place *at,
-                     const basis *b, orr_sat_state *out)
+// Between two samples, a straight line: the positions' as one vector, then the velocity's.
+INLINE void sigma_at(float (*sample)[EPH_SIGMAS], float part, orr_sat_state *out)
+{
+    positions first, next;
+    memcpy(&first, sample[0], sizeof first);
+    memcpy(&next, sample[1], sizeof next);
+    const positions now = first + part * (next - first);
+    out->sigma_m = now[0];
+    for (int k = 0; k < 3; k++) out->sigma_rtn_m[k] = now[1 + k];
+    out->sigma_mps = sample[0][4] + part * (sample[1][4] - sample[0][4]);
+}
+
+// All of a state but what the rows tell.
+INLINE void rest_at(const orr_ephemeris *e, size_t slot, const eph_arc *a, orr_time t, const place *at,
+                    size_t *hint, orr_sat_state *out)
 {
     const eph_sat *s = &e->sat[slot];
-    sum_rows(&e->coef[a->first_coef + at->segment * eph_block(a->degree)], b, a->degree, a->dx_dt, out);
     out->sat = e->sat_id[slot];
     out->valid_from = a->t0;
     out->valid_to = a->t1;
-    float(*sigma)[EPH_SIGMAS] =
-        &e->sigma[a->first_sample + at->segment * a->samples_per_segment + at->sample];
-    float now[EPH_SIGMAS];
-    for (int k = 0; k < EPH_SIGMAS; k++) now[k] = sigma[0][k] + at->part * (sigma[1][k] - sigma[0][k]);
-    out->sigma_m = now[0];
-    memcpy(out->sigma_rtn_m, &now[1], sizeof out->sigma_rtn_m);
-    out->sigma_mps = now[4];
+    sigma_at(&e->sigma[a->first_sample + at->segment * a->samples_per_segment + at->sample], at->part, out);
     const eph_meta *m = &e->meta[a->first_segment + at->segment];
     out->flags = m->mixed ? mixed_flags(e, s, a, at->segment, at->rest_ns, t) : m->flags;
-    clock_at(s, t, out);
+    clock_at(s, t, hint, out);
 }
 
 INLINE orr_status eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_state *out)
@@ -194,27 +242,72 @@ INLINE orr_status eval(const orr_ephemeris *e, orr_sat sat, orr_time t, orr_sat_
     place at;
     place_at(a, t, &at);
     basis_at(&b, a->degree, at.x);
-    state_at(e, slot, a, t, &at, &b, out);
+    sum_rows(rows_of(e, a, at.segment), &b, a->degree, a->dx_dt, out);
+    size_t hint = SIZE_MAX;
+    rest_at(e, slot, a, t, &at, &hint, out);
     return ORR_OK;
+}
+
+INLINE bool same_shape(const eph_arc *a, const eph_arc *b)
+{
+    return a->t0 == b->t0 && a->segment_ns == b->segment_ns && a->n_segments == b->n_segments &&
+           a->samples_per_segment == b->samples_per_segment;
+}
+
+// Sums of satellites that share a place and a basis: of each degree one waits for another.
+typedef struct pairs {
+    basis b;
+    const eph_arc *arc[EPH_MAX_DEGREE + 1];
+    orr_sat_state *out[EPH_MAX_DEGREE + 1];
+} pairs;
+
+// Those that found no other.
+INLINE void sum_waiting(const orr_ephemeris *e, const place *at, pairs *w)
+{
+    for (int degree = EPH_MIN_DEGREE; degree <= w->b.degree; degree++) {
+        const eph_arc *a = w->arc[degree];
+        if (a != NULL) sum_rows(rows_of(e, a, at->segment), &w->b, degree, a->dx_dt, w->out[degree]);
+        w->arc[degree] = NULL;
+    }
+}
+
+INLINE void sum_in_pairs(const orr_ephemeris *e, const eph_arc *a, const place *at, pairs *w,
+                         orr_sat_state *out)
+{
+    const int degree = a->degree;
+    const eph_arc *other = w->arc[degree];
+    if (w->b.degree < degree) basis_at(&w->b, degree, at->x);
+    if (other != NULL) {
+        const lanes *const c[2] = {rows_of(e, other, at->segment), rows_of(e, a, at->segment)};
+        orr_sat_state *const both[2] = {w->out[degree], out};
+        sum_two(c, &w->b, degree, a->dx_dt, both);
+    }
+    w->arc[degree] = other == NULL ? a : NULL;
+    w->out[degree] = out;
 }
 
 INLINE size_t eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, size_t max)
 {
     if (t < e->from || t > e->to) return 0;
-    size_t n = 0;
-    basis b = {.degree = -1};
+    size_t n = 0, hint = SIZE_MAX;
+    pairs w;
+    w.b.degree = -1;
+    memset(w.arc, 0, sizeof w.arc);
     place at = {0};
     const eph_arc *before = NULL; // arcs of the same shape share the place and the basis
     for (size_t i = 0; i < e->n_sats && n < max; i++) {
         const eph_arc *a = arc_at(&e->sat[i], t);
         if (a == NULL) continue;
-        if (before == NULL || a->t0 != before->t0 || a->segment_ns != before->segment_ns ||
-            a->n_segments != before->n_segments || a->samples_per_segment != before->samples_per_segment)
+        if (before == NULL || !same_shape(a, before)) {
+            sum_waiting(e, &at, &w);
             place_at(a, t, &at);
+            w.b.degree = -1;
+        }
         before = a;
-        if (b.degree < a->degree || b.x != at.x) basis_at(&b, a->degree, at.x);
-        state_at(e, i, a, t, &at, &b, &out[n++]);
+        sum_in_pairs(e, a, &at, &w, &out[n]);
+        rest_at(e, i, a, t, &at, &hint, &out[n++]);
     }
+    sum_waiting(e, &at, &w);
     return n;
 }
 

@@ -562,6 +562,8 @@ static const uint32_t orr_crc32_table[ORR_CRC32_TABLES][256] = {
 };
 
 // x^n mod the polynomial, reflected and shifted by one, for folding by carry-less multiplication.
+#define ORR_CRC32_FOLD_2080 UINT64_C(0x11542778a)
+#define ORR_CRC32_FOLD_2016 UINT64_C(0x1322d1430)
 #define ORR_CRC32_FOLD_544 UINT64_C(0x154442bd4)
 #define ORR_CRC32_FOLD_480 UINT64_C(0x1c6e41596)
 #define ORR_CRC32_FOLD_160 UINT64_C(0x1751997d0)

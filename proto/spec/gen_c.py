@@ -43,7 +43,7 @@ def crc_header():
             out.append("        " + ", ".join(f"0x{v:08x}" for v in table[at:at + 8]) + ",")
         out.append("    },")
     out += ["#endif", "};", "", "// x^n mod the polynomial, reflected and shifted by one, for folding by carry-less multiplication."]
-    out += [f"#define ORR_CRC32_FOLD_{n} UINT64_C(0x{fold_constant(n):09x})" for n in (544, 480, 160, 96)]
+    out += [f"#define ORR_CRC32_FOLD_{n} UINT64_C(0x{fold_constant(n):09x})" for n in (2080, 2016, 544, 480, 160, 96)]
     out += ["", "#endif"]
     return "\n".join(out) + "\n"
 

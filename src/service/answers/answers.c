@@ -63,6 +63,19 @@ static void fill(const orr_sat_state *s, orr_msg_sat_id sat, orr_answer answer, 
     m->valid_to = s->valid_to;
 }
 
+// The records of all that was evaluated, a few at a time, so that none leaves the processor's nearest memory before it is encoded.
+static void put_states(const orr_answers *a, uint16_t n, orr_wire_writer *w)
+{
+    enum { PIECE = 8 };
+    orr_msg_sat_state m[PIECE];
+    for (uint16_t first = 0; first < n; first = (uint16_t)(first + PIECE)) {
+        const uint16_t few = n - first < PIECE ? (uint16_t)(n - first) : PIECE;
+        for (uint16_t k = 0; k < few; k++)
+            fill(&a->state[first + k], a->asked[first + k], a->answer[first + k], &m[k]);
+        orr_msg_sat_state_records_encode(&(orr_msg_sat_state_list){.count = few, .item = m}, w);
+    }
+}
+
 static uint16_t answer_poll(void *user, const orr_msg_poll *poll, orr_server_part *part, orr_wire_writer *w,
                             orr_server_refusal *why)
 {
@@ -74,12 +87,10 @@ static uint16_t answer_poll(void *user, const orr_msg_poll *poll, orr_server_par
     orr_answer answer = orr_engine_states(a->engine, m.epoch.t, poll->satellites.count > 0 ? sats : NULL, n,
                                           a->state, a->answer);
     m.epoch.answer = (uint8_t)answer;
-    if (answer == ORR_ANSWER_OK) {
-        for (uint16_t i = 0; i < n; i++) fill(&a->state[i], a->asked[i], a->answer[i], &a->wire[i]);
-        m.satellites.count = n;
-        m.satellites.item = a->wire;
-    }
+    if (answer == ORR_ANSWER_OK)
+        m.satellites = (orr_msg_sat_state_list){n, NULL, orr_answers_promise(ORR_MSG_SAT_STATE_SIZE)};
     orr_msg_states_encode(&m, w);
+    if (answer == ORR_ANSWER_OK) put_states(a, n, w);
     return 0;
 }
 

@@ -22,7 +22,6 @@ struct orr_answers {
     orr_msg_sat_id asked[ORR_MSG_MAX_SATELLITES];
     orr_answer answer[ORR_MSG_MAX_SATELLITES];
     orr_sat_state state[ORR_MSG_MAX_SATELLITES];
-    orr_msg_sat_state wire[ORR_MSG_MAX_SATELLITES];
     orr_happening happening[ORR_MSG_MAX_EVENTS];
     orr_msg_event event[ORR_MSG_MAX_EVENTS];
 };
