@@ -37,7 +37,7 @@ static double processor_seconds(void (*work)(void *arg), void *arg)
     return best;
 }
 
-// --- The mixer alone: runs of a millisecond of C/A code ---
+// --- The kernel alone: pieces of C/A code on their carriers ---
 
 typedef struct mixing {
     const orr_gen_kernel *kernel;
@@ -47,19 +47,26 @@ typedef struct mixing {
     uint64_t turn;
 } mixing;
 
+static orr_gen_period period_of(void *user, int64_t number, size_t from, size_t to)
+{
+    (void)from, (void)to;
+    const mixing *m = user;
+    return (orr_gen_period){m->chips, number % 20 < 10 ? 1 : -1};
+}
+
 static void mix(void *arg)
 {
     mixing *m = arg;
-    orr_gen_rotation r;
+    orr_gen_carrier c;
     m->turn += 0x123456789abcdu;
-    m->kernel->rotate(m->turn << 8, &r);
-    const orr_gen_run run = {.rotation = &r,
-                             .carrier = m->turn,
-                             .amplitude = 2000,
-                             .chips = m->chips,
-                             .code_step = (uint64_t)(1.023e6 / m->rate * 0x1p39),
-                             .n = m->rate / 1000 < ORR_GEN_PIECE ? m->rate / 1000 : ORR_GEN_PIECE};
-    m->kernel->mix(&run, m->re, m->im);
+    m->kernel->carrier(m->turn, m->turn << 8, 2000, ORR_GEN_GROUPS, &c);
+    const orr_gen_code_at code = {.number = (int64_t)(m->turn >> 60),
+                                  .chips = 1023,
+                                  .code = m->turn >> 20,
+                                  .code_step = (uint64_t)(1.023e6 / m->rate * 0x1p39),
+                                  .period = period_of,
+                                  .user = m};
+    orr_gen_periods_mix(m->kernel->mix, &c, &code, ORR_GEN_GROUPS, m->re, m->im);
     bench_use(m->re[7]);
 }
 
@@ -71,10 +78,9 @@ static void mixers(bench *b)
     for (size_t k = 0; k < 4; k++) {
         double ns[2];
         m.rate = rate[k];
-        const double n = fmin(m.rate / 1e3, ORR_GEN_PIECE);
         for (int vector = 0; vector < 2; vector++) {
             m.kernel = vector ? orr_gen_kernel_best() : orr_gen_kernel_at(0);
-            ns[vector] = processor_seconds(mix, &m) / n * 1e9;
+            ns[vector] = processor_seconds(mix, &m) / ORR_GEN_PIECE * 1e9;
         }
         char name[64];
         snprintf(name, sizeof name, "kernel, L1 C/A at %g Msps, a sample and channel", rate[k] / 1e6);

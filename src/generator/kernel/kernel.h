@@ -9,8 +9,8 @@
 
 typedef struct orr_gen_kernel {
     const char *name;
+    orr_gen_carrier_maker *carrier;
     orr_gen_mixer *mix;
-    orr_gen_rotator *rotate;
     orr_gen_adder *add;
     orr_gen_output_writer *write;
 } orr_gen_kernel;

@@ -4,7 +4,10 @@
 
 #include "src/generator/kernel/phasor_private.h"
 
-void orr_gen_rotate_plain(uint64_t carrier_step, orr_gen_rotation *r) { rotation_of(carrier_step, r); }
+void orr_gen_carrier_plain(uint64_t phase, uint64_t step, double amplitude, size_t groups, orr_gen_carrier *c)
+{
+    make_carrier(phase, step, amplitude, groups, c);
+}
 
 void orr_gen_add_plain(bool first, const int16_t *group, size_t n, int32_t *sum)
 {
@@ -26,8 +29,21 @@ static inline void group_chips(const orr_gen_run *run, uint64_t code, const uint
     }
 }
 
+// The rotations of a run, by its sign.
+typedef struct rotations {
+    int16_t re[ORR_GEN_GROUP], im[ORR_GEN_GROUP];
+} rotations;
+
+static rotations rotations_of(const orr_gen_run *run)
+{
+    rotations r;
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++) r.re[k] = (int16_t)(run->sign * run->carrier->re[k]);
+    for (size_t k = 0; k < ORR_GEN_GROUP; k++) r.im[k] = (int16_t)(run->sign * run->carrier->im[k]);
+    return r;
+}
+
 // The carrier of a group: the phasor turned by each rotation.
-static inline void group_carrier(const orr_gen_rotation *r, int16_t p_re, int16_t p_im, int16_t *restrict re,
+static inline void group_carrier(const rotations *r, int16_t p_re, int16_t p_im, int16_t *restrict re,
                                  int16_t *restrict im)
 {
     for (size_t k = 0; k < ORR_GEN_GROUP; k++)
@@ -47,21 +63,20 @@ static inline void group_code(orr_gen_chips kind, const int16_t *restrict chip, 
 
 void orr_gen_mix_plain(const orr_gen_run *run, int16_t *re, int16_t *im)
 {
-    uint32_t p_re[GROUPS], p_im[GROUPS];
     int16_t chip[ORR_GEN_GROUP], s_re[ORR_GEN_GROUP], s_im[ORR_GEN_GROUP];
     uint16_t steps[8];
     steps_of_eight(run->code_step, steps);
-    const size_t groups = run_phasors(run, p_re, p_im);
+    const rotations r = rotations_of(run);
+    const orr_gen_carrier *c = run->carrier;
     uint64_t code = run->code;
-    for (size_t g = 0; g < groups; g++) {
-        const size_t at = g * ORR_GEN_GROUP, left = run->n - at;
-        const size_t n = left < ORR_GEN_GROUP ? left : ORR_GEN_GROUP;
+    for (size_t g = run->group; g < run->group + run->n; g++) {
+        const size_t at = g * ORR_GEN_GROUP;
         group_chips(run, code, steps, chip);
-        group_carrier(run->rotation, (int16_t)p_re[g], (int16_t)p_im[g], s_re, s_im);
+        group_carrier(&r, (int16_t)c->group_re[g], (int16_t)c->group_im[g], s_re, s_im);
         group_code(run->kind, chip, s_re);
         group_code(run->kind, chip, s_im);
-        for (size_t k = 0; k < n; k++) re[at + k] = (int16_t)(re[at + k] + s_re[k]);
-        for (size_t k = 0; k < n; k++) im[at + k] = (int16_t)(im[at + k] + s_im[k]);
+        for (size_t k = 0; k < ORR_GEN_GROUP; k++) re[at + k] = (int16_t)(re[at + k] + s_re[k]);
+        for (size_t k = 0; k < ORR_GEN_GROUP; k++) im[at + k] = (int16_t)(im[at + k] + s_im[k]);
         code += ORR_GEN_GROUP * run->code_step;
     }
 }

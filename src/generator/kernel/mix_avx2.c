@@ -18,22 +18,18 @@ static inline __m256i eight(const int8_t *at)
     return _mm256_set1_epi64x(c);
 }
 
-// Those of samples 0-7 in the low lane's low half, 16-23 in its high half; 8-15 and 24-31 in the high lane.
-static inline __m256i load_chips(const int8_t *chips, uint64_t code, uint64_t step)
+// Those of eight samples in the low lane, of eight others in the high one.
+static inline __m256i two_lanes(const int8_t *chips, uint64_t low, uint64_t high)
 {
-    const __m256i c0 = eight(chips + (code >> ORR_GEN_CODE_BITS));
-    const __m256i c1 = eight(chips + ((code + 8 * step) >> ORR_GEN_CODE_BITS));
-    const __m256i c2 = eight(chips + ((code + 16 * step) >> ORR_GEN_CODE_BITS));
-    const __m256i c3 = eight(chips + ((code + 24 * step) >> ORR_GEN_CODE_BITS));
-    return _mm256_blend_epi32(_mm256_blend_epi32(c0, c2, 0x0c), _mm256_blend_epi32(c1, c3, 0xc0), 0xf0);
+    return _mm256_blend_epi32(eight(chips + (low >> ORR_GEN_CODE_BITS)),
+                              eight(chips + (high >> ORR_GEN_CODE_BITS)), 0xf0);
 }
 
 // Words with the chip in the high byte. The low one is of no account to a sign, so that it is cleared for the other kinds alone.
-// `half`: 8 in the high byte for the second eight of a lane, which the shuffle counts from there.
-static inline __m256i pick(orr_gen_chips kind, __m256i chips, __m256i part, __m256i steps, __m256i half)
+static inline __m256i pick(orr_gen_chips kind, __m256i chips, __m256i part, __m256i steps)
 {
     const __m256i index = _mm256_srli_epi16(_mm256_add_epi16(part, steps), 5);
-    const __m256i picked = _mm256_shuffle_epi8(chips, _mm256_or_si256(index, half));
+    const __m256i picked = _mm256_shuffle_epi8(chips, index);
     return kind == ORR_GEN_SIGNS ? picked : _mm256_and_si256(picked, _mm256_set1_epi16((int16_t)0xff00));
 }
 
@@ -50,18 +46,18 @@ static inline void add_to(orr_gen_chips kind, int16_t *sum, __m256i carrier, __m
 }
 
 // Groups of a run: `kind` is a constant in each of its uses.
-static inline __attribute__((always_inline)) void groups_of(const orr_gen_run *run, size_t from, size_t to,
-                                                            orr_gen_chips kind, const uint32_t *p_re,
-                                                            const uint32_t *p_im, int16_t *re, int16_t *im)
+static inline __attribute__((always_inline)) void groups_of(const orr_gen_run *run, orr_gen_chips kind,
+                                                            int16_t *re, int16_t *im)
 {
-    const uint64_t step = run->code_step;
-    uint64_t code = run->code + from * ORR_GEN_GROUP * step;
+    const orr_gen_carrier *c = run->carrier;
+    const uint64_t step = run->code_step, group = ORR_GEN_GROUP * step;
+    const int8_t *chips = run->chips;
+    uint64_t code = run->code;
     uint16_t w[8];
     steps_of_eight(step, w);
     __m128i w8;
     memcpy(&w8, w, sizeof w8);
     const __m256i steps = _mm256_broadcastsi128_si256(w8);
-    const __m256i none = _mm256_setzero_si256(), second = _mm256_set1_epi16(0x0800);
     const __m256i low_word = _mm256_set1_epi16(0x0100), high_word = _mm256_set1_epi16(0x0908);
     // Of the phase what is less than a sub-chip, from the highest bit on. Lane by lane: samples 0, 16, 8, 24.
     enum { UP = 64 - ORR_GEN_CODE_BITS };
@@ -69,67 +65,58 @@ static inline __attribute__((always_inline)) void groups_of(const orr_gen_run *r
         _mm256_slli_epi64(_mm256_set_epi64x((int64_t)(code + 24 * step), (int64_t)(code + 8 * step),
                                             (int64_t)(code + 16 * step), (int64_t)code),
                           UP);
-    const __m256i turn = _mm256_set1_epi64x((int64_t)(ORR_GEN_GROUP * step << UP));
-    const __m256i r_re0 = load(run->rotation->re), r_re1 = load(run->rotation->re + 16);
-    const __m256i r_im0 = load(run->rotation->im), r_im1 = load(run->rotation->im + 16);
-    for (size_t g = from; g < to; g++) {
-        const __m256i chips = load_chips(run->chips, code, step);
+    const __m256i turn = _mm256_set1_epi64x((int64_t)(group << UP));
+    const __m256i sign = _mm256_set1_epi16((int16_t)run->sign);
+    const __m256i r_re0 = _mm256_sign_epi16(load(c->re), sign),
+                  r_re1 = _mm256_sign_epi16(load(c->re + 16), sign);
+    const __m256i r_im0 = _mm256_sign_epi16(load(c->im), sign),
+                  r_im1 = _mm256_sign_epi16(load(c->im + 16), sign);
+    const size_t end = run->group + run->n;
+    for (size_t g = run->group; g < end; g++) {
         const __m256i part = _mm256_srli_epi64(phase, 64 - 13);
-        const __m256i c0 = pick(kind, chips, _mm256_shuffle_epi8(part, low_word), steps, none);
-        const __m256i c1 = pick(kind, chips, _mm256_shuffle_epi8(part, high_word), steps, second);
-        const __m256i a = pair(p_re[g]), b = pair(p_im[g]);
+        const __m256i c0 =
+            pick(kind, two_lanes(chips, code, code + 8 * step), _mm256_shuffle_epi8(part, low_word), steps);
+        const __m256i c1 = pick(kind, two_lanes(chips, code + 16 * step, code + 24 * step),
+                                _mm256_shuffle_epi8(part, high_word), steps);
+        const __m256i a = pair(c->group_re[g]), b = pair(c->group_im[g]);
         const __m256i re0 = _mm256_sub_epi16(_mm256_mulhrs_epi16(a, r_re0), _mm256_mulhrs_epi16(b, r_im0));
         const __m256i im0 = _mm256_add_epi16(_mm256_mulhrs_epi16(a, r_im0), _mm256_mulhrs_epi16(b, r_re0));
         const __m256i re1 = _mm256_sub_epi16(_mm256_mulhrs_epi16(a, r_re1), _mm256_mulhrs_epi16(b, r_im1));
         const __m256i im1 = _mm256_add_epi16(_mm256_mulhrs_epi16(a, r_im1), _mm256_mulhrs_epi16(b, r_re1));
-        const size_t at = (g - from) * ORR_GEN_GROUP;
+        const size_t at = g * ORR_GEN_GROUP;
         add_to(kind, re + at, re0, c0);
         add_to(kind, im + at, im0, c0);
         add_to(kind, re + at + 16, re1, c1);
         add_to(kind, im + at + 16, im1, c1);
         phase = _mm256_add_epi64(phase, turn);
-        code += ORR_GEN_GROUP * step;
+        code += group;
     }
-}
-
-static void groups(const orr_gen_run *run, size_t from, size_t to, const uint32_t *p_re, const uint32_t *p_im,
-                   int16_t *re, int16_t *im)
-{
-    if (run->kind == ORR_GEN_SIGNS)
-        groups_of(run, from, to, ORR_GEN_SIGNS, p_re, p_im, re, im);
-    else if (run->kind == ORR_GEN_TERNARY)
-        groups_of(run, from, to, ORR_GEN_TERNARY, p_re, p_im, re, im);
-    else
-        groups_of(run, from, to, ORR_GEN_LEVELS, p_re, p_im, re, im);
 }
 
 void orr_gen_mix_avx2(const orr_gen_run *run, int16_t *re, int16_t *im)
 {
-    uint32_t p_re[GROUPS], p_im[GROUPS];
-    const size_t all = run_phasors(run, p_re, p_im), whole = run->n / ORR_GEN_GROUP;
-    groups(run, 0, whole, p_re, p_im, re, im);
-    if (all == whole) return;
-    int16_t s_re[ORR_GEN_GROUP] = {0},
-            s_im[ORR_GEN_GROUP] = {0}; // the last samples, which are no whole group
-    groups(run, whole, all, p_re, p_im, s_re, s_im);
-    const size_t at = whole * ORR_GEN_GROUP;
-    for (size_t k = 0; at + k < run->n; k++) {
-        re[at + k] = (int16_t)(re[at + k] + s_re[k]);
-        im[at + k] = (int16_t)(im[at + k] + s_im[k]);
-    }
+    if (run->kind == ORR_GEN_SIGNS)
+        groups_of(run, ORR_GEN_SIGNS, re, im);
+    else if (run->kind == ORR_GEN_TERNARY)
+        groups_of(run, ORR_GEN_TERNARY, re, im);
+    else
+        groups_of(run, ORR_GEN_LEVELS, re, im);
 }
 
-void orr_gen_rotate_avx2(uint64_t carrier_step, orr_gen_rotation *r) { rotation_of(carrier_step, r); }
+void orr_gen_carrier_avx2(uint64_t phase, uint64_t step, double amplitude, size_t groups, orr_gen_carrier *c)
+{
+    make_carrier(phase, step, amplitude, groups, c);
+}
 
 void orr_gen_add_avx2(bool first, const int16_t *group, size_t n, int32_t *sum)
 {
     add_all(first, group, n, sum);
 }
 
-size_t orr_gen_output_write_avx2(const orr_gen_output *out, const int32_t *re, const int32_t *im,
-                                 int64_t first, size_t n, uint8_t *bytes)
+size_t orr_gen_output_write_avx2(const orr_gen_output *out, const orr_gen_sums *sums, int64_t first, size_t n,
+                                 uint8_t *bytes)
 {
-    return write_all(out, re, im, first, n, bytes);
+    return write_all(out, sums, first, n, bytes);
 }
 
 #endif

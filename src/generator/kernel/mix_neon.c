@@ -12,10 +12,12 @@ typedef struct eight_samples {
     int16x8_t re, im;
 } eight_samples;
 
-// The phasor turned by eight rotations.
-static inline eight_samples carrier_of(const orr_gen_rotation *r, size_t k, int16x8_t a, int16x8_t b)
+// The phasor turned by eight rotations, by the sign of the run.
+static inline eight_samples carrier_of(const orr_gen_run *run, size_t k, int16x8_t a, int16x8_t b)
 {
-    const int16x8_t r_re = vld1q_s16(r->re + k), r_im = vld1q_s16(r->im + k);
+    const int16x8_t sign = vdupq_n_s16((int16_t)run->sign);
+    const int16x8_t r_re = vmulq_s16(vld1q_s16(run->carrier->re + k), sign);
+    const int16x8_t r_im = vmulq_s16(vld1q_s16(run->carrier->im + k), sign);
     return (eight_samples){vsubq_s16(vqrdmulhq_s16(a, r_re), vqrdmulhq_s16(b, r_im)),
                            vaddq_s16(vqrdmulhq_s16(a, r_im), vqrdmulhq_s16(b, r_re))};
 }
@@ -34,12 +36,11 @@ static inline int16x8_t times_chip(orr_gen_chips kind, int16x8_t x, int16x8_t ch
     return kind == ORR_GEN_LEVELS ? vqrdmulhq_s16(vshlq_n_s16(chip, 8), x) : vmulq_s16(chip, x);
 }
 
-static inline void group(const orr_gen_run *run, uint64_t code, uint16x8_t steps, uint32_t p_re,
-                         uint32_t p_im, int16_t *re, int16_t *im)
+static inline void group(const orr_gen_run *run, uint64_t code, uint16x8_t steps, int16x8_t a, int16x8_t b,
+                         int16_t *re, int16_t *im)
 {
-    const int16x8_t a = vdupq_n_s16((int16_t)p_re), b = vdupq_n_s16((int16_t)p_im);
     for (size_t k = 0; k < ORR_GEN_GROUP; k += 8) {
-        const eight_samples x = carrier_of(run->rotation, k, a, b);
+        const eight_samples x = carrier_of(run, k, a, b);
         const int16x8_t chip = chips_of(run, code, steps);
         vst1q_s16(re + k, vaddq_s16(vld1q_s16(re + k), times_chip(run->kind, x.re, chip)));
         vst1q_s16(im + k, vaddq_s16(vld1q_s16(im + k), times_chip(run->kind, x.im, chip)));
@@ -49,23 +50,14 @@ static inline void group(const orr_gen_run *run, uint64_t code, uint16x8_t steps
 
 void orr_gen_mix_neon(const orr_gen_run *run, int16_t *re, int16_t *im)
 {
-    uint32_t p_re[GROUPS], p_im[GROUPS];
     uint16_t w[8];
     steps_of_eight(run->code_step, w);
     const uint16x8_t steps = vld1q_u16(w);
-    const size_t all = run_phasors(run, p_re, p_im), whole = run->n / ORR_GEN_GROUP;
     uint64_t code = run->code;
-    for (size_t g = 0; g < whole; g++, code += ORR_GEN_GROUP * run->code_step)
-        group(run, code, steps, p_re[g], p_im[g], re + g * ORR_GEN_GROUP, im + g * ORR_GEN_GROUP);
-    if (all == whole) return;
-    int16_t s_re[ORR_GEN_GROUP] = {0},
-            s_im[ORR_GEN_GROUP] = {0}; // the last samples, which are no whole group
-    group(run, code, steps, p_re[whole], p_im[whole], s_re, s_im);
-    const size_t at = whole * ORR_GEN_GROUP;
-    for (size_t k = 0; at + k < run->n; k++) {
-        re[at + k] = (int16_t)(re[at + k] + s_re[k]);
-        im[at + k] = (int16_t)(im[at + k] + s_im[k]);
-    }
+    for (size_t g = run->group; g < run->group + run->n; g++, code += ORR_GEN_GROUP * run->code_step)
+        group(run, code, steps, vdupq_n_s16((int16_t)run->carrier->group_re[g]),
+              vdupq_n_s16((int16_t)run->carrier->group_im[g]), re + g * ORR_GEN_GROUP,
+              im + g * ORR_GEN_GROUP);
 }
 
 #endif

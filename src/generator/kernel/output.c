@@ -50,8 +50,8 @@ size_t orr_gen_output_pack(uint8_t *bytes, size_t n)
     return (n + 1) / 2;
 }
 
-size_t orr_gen_output_write(const orr_gen_output *out, const int32_t *re, const int32_t *im, int64_t first,
-                            size_t n, uint8_t *bytes)
+size_t orr_gen_output_write(const orr_gen_output *out, const orr_gen_sums *sums, int64_t first, size_t n,
+                            uint8_t *bytes)
 {
-    return write_all(out, re, im, first, n, bytes);
+    return write_all(out, sums, first, n, bytes);
 }

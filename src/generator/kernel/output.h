@@ -33,18 +33,25 @@ typedef struct orr_gen_output {
 // Bytes that n samples take, before packing.
 size_t orr_gen_output_size(orr_gen_format format, size_t n);
 
+// What is to be written: sums of groups of channels, each of 16 bits.
+typedef struct orr_gen_sums {
+    const int16_t *re, *im;           // of the last group
+    const int32_t *rest_re, *rest_im; // of all groups before it; NULL where there are none
+    double most;                      // no sum of all is larger
+} orr_gen_sums;
+
 // Writes n samples. The noise of a sample depends on the seed and its number alone.
 //
 // Given:
 //    out      what to make of the sums
-//    re, im   sums
+//    sums     of n samples
 //    first    number of the first sample
 //    n        how many
 // Returned:
 //    bytes    orr_gen_output_size(out->format, n) of them
 // The function returns how many samples were beyond what the format holds and have its largest value.
-typedef size_t orr_gen_output_writer(const orr_gen_output *out, const int32_t *re, const int32_t *im,
-                                     int64_t first, size_t n, uint8_t *bytes);
+typedef size_t orr_gen_output_writer(const orr_gen_output *out, const orr_gen_sums *sums, int64_t first,
+                                     size_t n, uint8_t *bytes);
 orr_gen_output_writer orr_gen_output_write, orr_gen_output_write_avx2; // in plain C; for AVX2
 
 // Packs samples of I2, two a byte, the first in the low half: n bytes in place, of which (n + 1) / 2 are left. Of an odd last

@@ -114,20 +114,38 @@ static inline void put_i2(const float *re, const float *im, size_t n, uint8_t *b
     for (size_t k = 0; k < n; k++) bytes[k] = (uint8_t)(two_bits(re[k]) | two_bits(im[k]) << 2);
 }
 
-static inline size_t write_all(const orr_gen_output *out, const int32_t *re, const int32_t *im, int64_t first,
-                               size_t n, uint8_t *bytes)
+// Sums of samples `at` and so on, times the gain.
+static inline void scale(const orr_gen_sums *sums, bool im, size_t at, size_t n, float gain,
+                         float *restrict x)
+{
+    const int16_t *restrict last = (im ? sums->im : sums->re) + at;
+    if (sums->rest_re == NULL) {
+        for (size_t k = 0; k < n; k++) x[k] = gain * (float)last[k];
+        return;
+    }
+    const int32_t *restrict rest = (im ? sums->rest_im : sums->rest_re) + at;
+    for (size_t k = 0; k < n; k++) x[k] = gain * (float)(rest[k] + last[k]);
+}
+
+// What a format holds; infinite where nothing is clipped.
+static inline float most_of(orr_gen_format format)
+{
+    return format == ORR_GEN_I8 ? 127.0f : format == ORR_GEN_I16 ? 32767.0f : (float)INFINITY;
+}
+
+static inline size_t write_all(const orr_gen_output *out, const orr_gen_sums *sums, int64_t first, size_t n,
+                               uint8_t *bytes)
 {
     size_t clipped = 0;
-    const float gain = (float)out->gain;
+    const float gain = (float)out->gain, most = most_of(out->format);
+    const bool clips = out->sigma > 0 ? most < (float)INFINITY : out->gain * sums->most > (double)most - 1;
     for (size_t at = 0; at < n; at += BATCH) {
         const size_t m = n - at < BATCH ? n - at : BATCH;
         float x[BATCH], y[BATCH];
-        for (size_t k = 0; k < m; k++) x[k] = gain * (float)re[at + k];
-        for (size_t k = 0; k < m; k++) y[k] = gain * (float)im[at + k];
+        scale(sums, false, at, m, gain, x);
+        scale(sums, true, at, m, gain, y);
         if (out->sigma > 0) add_noise(out, first + (int64_t)at, m, x, y);
-        const float most = out->format == ORR_GEN_I8 ? 127 : 32767;
-        if (out->format == ORR_GEN_I8 || out->format == ORR_GEN_I16)
-            clipped += clip(x, m, most) + clip(y, m, most);
+        if (clips) clipped += clip(x, m, most) + clip(y, m, most);
         uint8_t *to = bytes + orr_gen_output_size(out->format, at);
         switch (out->format) {
         case ORR_GEN_I8:

@@ -148,7 +148,7 @@ orr_gen_span orr_gen_stream_span(const orr_gen_stream *stream, const orr_gen_blo
     return (orr_gen_span){block, first, (uint32_t)(to - first)};
 }
 
-// Adds a group's sum to that of all groups, of which it may be the first.
+// Adds a group's sum to that of the groups before it, of which there may be none.
 static void end_group(const orr_gen_kernel *kernel, orr_gen_worker *w, uint32_t n, bool first)
 {
     kernel->add(first, w->re, n, w->sum_re);
@@ -157,8 +157,9 @@ static void end_group(const orr_gen_kernel *kernel, orr_gen_worker *w, uint32_t 
 
 static void begin_group(orr_gen_worker *w, uint32_t n)
 {
-    memset(w->re, 0, n * sizeof w->re[0]);
-    memset(w->im, 0, n * sizeof w->im[0]);
+    const size_t whole = (n + ORR_GEN_GROUP - 1) / ORR_GEN_GROUP * ORR_GEN_GROUP;
+    memset(w->re, 0, whole * sizeof w->re[0]);
+    memset(w->im, 0, whole * sizeof w->im[0]);
 }
 
 // Of a channel in the sum's units.
@@ -181,26 +182,28 @@ void orr_gen_stream_play(const orr_gen_stream *stream, const orr_gen_span *span,
                                  .scratch = &worker->scratch,
                                  .re = worker->re,
                                  .im = worker->im};
-    double group = 0;
+    double group = 0, most_of_all = 0;
     bool first = true;
     begin_group(worker, span->n);
     for (size_t k = 0; k < span->block->n; k++) {
         const orr_gen_channel *c = &span->block->channel[k];
         if (!hears(stream, c) || stream->source[c->signal][c->number].voice == NULL) continue;
-        const double amplitude = amplitude_of(stream, c), most = 1.5 * amplitude + 4;
+        const orr_gen_voice *voice = stream->source[c->signal][c->number].voice;
+        const double amplitude = amplitude_of(stream, c), most = orr_gen_voice_peak(voice) * amplitude + 4;
         if (group + most > SUM_LARGEST) {
             end_group(stream->kernel, worker, span->n, first);
             begin_group(worker, span->n);
             first = false;
             group = 0;
         }
-        orr_gen_voice_play(stream->source[c->signal][c->number].voice, c, amplitude, &piece);
+        orr_gen_voice_play(voice, c, amplitude, &piece);
         group += most;
+        most_of_all += most;
         worker->channels++;
     }
-    end_group(stream->kernel, worker, span->n, first);
-    worker->clipped +=
-        stream->kernel->write(&stream->output, worker->sum_re, worker->sum_im, span->first, span->n, bytes);
+    const orr_gen_sums sums = {worker->re, worker->im, first ? NULL : worker->sum_re,
+                               first ? NULL : worker->sum_im, most_of_all};
+    worker->clipped += stream->kernel->write(&stream->output, &sums, span->first, span->n, bytes);
 }
 
 const orr_gen_heard *orr_gen_stream_heard(const orr_gen_stream *stream, size_t *n)

@@ -212,13 +212,27 @@ void orr_gen_voice_close(orr_gen_voice *voice)
     free(voice);
 }
 
-// Chips from..to of a period of L2C: CM, turned by the symbol, and CL by turns.
-static const int8_t *fill_l2c(const orr_gen_voice *v, int64_t period, int symbol, size_t from, size_t to,
-                              int8_t *chips)
+double orr_gen_voice_peak(const orr_gen_voice *voice)
 {
-    const size_t n = v->part[0].chips;
-    const int8_t *cl = v->cl + (size_t)(period % 75) * (n / 2);
-    if (to > n) to = n;
+    double axis[2] = {0, 0}; // in phase with the carrier, and a quarter turn from it
+    for (size_t k = 0; k < voice->n; k++) axis[voice->part[k].quarter >> 62 & 1] += voice->part[k].gain;
+    return sqrt(axis[0] * axis[0] + axis[1] * axis[1]);
+}
+
+// What is being played: a part of a channel in a piece.
+typedef struct playing {
+    const orr_gen_voice *voice;
+    const part *part;
+    const orr_gen_channel *channel;
+    const orr_gen_piece *piece;
+} playing;
+
+// Chips from..to of a period of L2C: CM, turned by the symbol, and CL by turns. Two periods have room at once.
+static const int8_t *fill_l2c(const playing *p, int64_t period, int symbol, size_t from, size_t to)
+{
+    const orr_gen_voice *v = p->voice;
+    const int8_t *cl = v->cl + (size_t)(period % 75) * (v->part[0].chips / 2);
+    int8_t *chips = p->piece->scratch->chips[period % 2];
     for (size_t k = from / 2; k < (to + 1) / 2; k++) {
         chips[2 * k] = (int8_t)(symbol * v->cm[k]);
         chips[2 * k + 1] = cl[k];
@@ -227,21 +241,28 @@ static const int8_t *fill_l2c(const orr_gen_voice *v, int64_t period, int symbol
 }
 
 // The chips of one period and the sign they are played with.
-static const int8_t *chips_of(const orr_gen_voice *v, const part *p, const orr_gen_channel *channel,
-                              int64_t period, const orr_gen_piece *piece, int *sign)
+static orr_gen_period period_of(void *user, int64_t number, size_t from, size_t to)
 {
+    const playing *at = user;
+    const part *p = at->part;
+    const orr_gen_voice *v = at->voice;
+    const orr_gen_channel *c = at->channel;
     int symbol = 1;
     if (p->data) {
-        symbol = orr_gen_navigation_symbol(piece->navigation, channel->signal, channel->system,
-                                           channel->number, period * v->signal->period_ms * NS_PER_MS);
-        if (symbol == 0) piece->scratch->silent++, symbol = 1;
+        symbol = orr_gen_navigation_symbol(at->piece->navigation, c->signal, c->system, c->number,
+                                           number * v->signal->period_ms * NS_PER_MS);
+        if (symbol == 0) at->piece->scratch->silent++, symbol = 1;
     }
     const int64_t n = (int64_t)p->n_secondary;
-    const int secondary = p->secondary[((period - (int64_t)p->secondary_from) % n + n) % n];
-    *sign = symbol;
-    if (v->signal->shape == CBOC) return p->table[symbol * secondary < 0];
-    if (v->signal->shape == PLAIN) *sign = symbol * secondary;
-    return p->table[0];
+    const int secondary = p->secondary[((number - (int64_t)p->secondary_from) % n + n) % n];
+    switch (v->signal->shape) {
+    case CBOC:
+        return (orr_gen_period){p->table[symbol * secondary < 0], symbol};
+    case L2C:
+        return (orr_gen_period){fill_l2c(at, number, symbol, from, to), 1};
+    default:
+        return (orr_gen_period){p->table[0], symbol * secondary};
+    }
 }
 
 static void play_part(const orr_gen_voice *v, const part *p, const orr_gen_channel *channel, double amplitude,
@@ -250,36 +271,22 @@ static void play_part(const orr_gen_voice *v, const part *p, const orr_gen_chann
     const orr_gen_tuning tuning = {piece->rate_hz,
                                    (int64_t)(channel->cubics.carrier_hz + 0.5) - piece->centre_hz,
                                    p->sub * v->signal->chips_per_s};
+    const size_t groups = (piece->n + ORR_GEN_GROUP - 1) / ORR_GEN_GROUP;
     orr_gen_oscillator o;
-    orr_gen_rotation rotation;
+    orr_gen_carrier carrier;
     orr_gen_oscillators(&channel->cubics, &tuning, piece->first, piece->n, &o);
-    piece->kernel->rotate(o.carrier_step, &rotation);
+    piece->kernel->carrier(o.carrier + p->quarter, o.carrier_step, amplitude * p->gain, groups, &carrier);
+    playing at = {v, p, channel, piece};
     const uint64_t length = (uint64_t)p->chips << ORR_GEN_CODE_BITS;
-    int64_t period = o.code_s * (1000 / v->signal->period_ms) + (int64_t)(o.code / length);
-    uint64_t code = o.code % length;
-    for (uint32_t at = 0; at < piece->n; period++) {
-        uint64_t n = (length - code + o.code_step - 1) / o.code_step;
-        if (n > piece->n - at) n = piece->n - at;
-        int sign;
-        const int8_t *chips = chips_of(v, p, channel, period, piece, &sign);
-        if (v->signal->shape == L2C) {
-            chips = fill_l2c(v, period, sign, (size_t)(code >> ORR_GEN_CODE_BITS),
-                             (size_t)((code + n * o.code_step) >> ORR_GEN_CODE_BITS) + ORR_GEN_CHIPS_BEYOND,
-                             piece->scratch->chips);
-            sign = 1;
-        }
-        const orr_gen_run run = {.rotation = &rotation,
-                                 .carrier = o.carrier + at * o.carrier_step + p->quarter,
-                                 .amplitude = sign * amplitude * p->gain,
-                                 .chips = chips,
-                                 .code = code,
-                                 .code_step = o.code_step,
-                                 .kind = p->kind,
-                                 .n = (size_t)n};
-        piece->kernel->mix(&run, piece->re + at, piece->im + at);
-        at += (uint32_t)n;
-        code = code + n * o.code_step - length; // of the next period; of no use where the piece has ended
-    }
+    const orr_gen_code_at code = {.number =
+                                      o.code_s * (1000 / v->signal->period_ms) + (int64_t)(o.code / length),
+                                  .chips = p->chips,
+                                  .code = o.code % length,
+                                  .code_step = o.code_step,
+                                  .kind = p->kind,
+                                  .period = period_of,
+                                  .user = &at};
+    orr_gen_periods_mix(piece->kernel->mix, &carrier, &code, groups, piece->re, piece->im);
 }
 
 void orr_gen_voice_play(const orr_gen_voice *voice, const orr_gen_channel *channel, double amplitude,

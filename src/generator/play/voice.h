@@ -6,6 +6,7 @@
 #include "src/generator/feed/blocks.h"
 #include "src/generator/feed/navigation.h"
 #include "src/generator/kernel/kernel.h"
+#include "src/generator/kernel/periods.h"
 
 typedef struct orr_gen_voice orr_gen_voice;
 
@@ -26,10 +27,13 @@ bool orr_gen_voice_open(const orr_gen_signal_info *signal, unsigned number, uint
 // Frees it; NULL may be closed.
 void orr_gen_voice_close(orr_gen_voice *voice);
 
+// The largest sample of a signal of amplitude 1, in I or in Q, but for rounding of its parts.
+double orr_gen_voice_peak(const orr_gen_voice *voice);
+
 // Room for what is filled while playing, one a thread.
 typedef struct orr_gen_scratch {
-    int8_t chips[20460 + 64];
-    uint64_t silent; // periods for which no navigation data were held
+    int8_t chips[2][20460 + ORR_GEN_CHIPS_BEYOND]; // of two periods
+    uint64_t silent;                               // periods for which no navigation data were held
 } orr_gen_scratch;
 
 // Where the sum of a piece goes, and by what.
@@ -41,7 +45,7 @@ typedef struct orr_gen_piece {
     const orr_gen_kernel *kernel;
     const orr_gen_navigation *navigation;
     orr_gen_scratch *scratch;
-    int16_t *re, *im; // n samples, to which is added
+    int16_t *re, *im; // whole groups that hold n samples, to which is added
 } orr_gen_piece;
 
 // Adds a channel to a piece, with `amplitude` for all of its components.

@@ -41,17 +41,18 @@ static void fill(orr_gen_chips kind, uint64_t *seed, int8_t *chips, size_t n)
     }
 }
 
-// A run of any length, carrier, code and kind of chips.
-static orr_gen_run run_of(int trial, uint64_t *seed, const int8_t *chips, const orr_gen_rotation *r)
+// A run of any place, length, code and kind of chips.
+static orr_gen_run run_of(int trial, uint64_t *seed, const int8_t *chips, const orr_gen_carrier *c)
 {
     const double ratio = 0.02 + (ORR_GEN_CHIPS_IN_SAMPLE - 0.02) * (double)(next(seed) >> 11) * 0x1p-53;
-    orr_gen_run run = {.rotation = r, .chips = chips, .kind = (orr_gen_chips)(trial % 3)};
-    run.carrier = next(seed);
-    run.amplitude = (double)(next(seed) % (2 * ORR_GEN_AMPLITUDE + 1)) - ORR_GEN_AMPLITUDE;
+    orr_gen_run run = {.carrier = c, .chips = chips, .kind = (orr_gen_chips)(trial % 3)};
+    run.sign = next(seed) >> 40 & 1 ? 1 : -1;
     run.code = next(seed) >> 26;
     run.code_step = (uint64_t)(ratio * 0x1p39);
-    run.n = 1 + (next(seed) >> 40) % ORR_GEN_PIECE;
-    if ((double)run.n * ratio > PERIOD - 3) run.n = (size_t)((PERIOD - 3) / ratio);
+    run.group = (next(seed) >> 40) % ORR_GEN_GROUPS;
+    run.n = 1 + (next(seed) >> 40) % (ORR_GEN_GROUPS - run.group);
+    const size_t most = (size_t)((PERIOD - 3) / (ratio * ORR_GEN_GROUP)); // within a period
+    if (run.n > most) run.n = most;
     return run;
 }
 
@@ -65,24 +66,29 @@ static uint64_t made_by(const orr_gen_kernel *kernel, const orr_gen_noise *noise
     memset(sum_re, 0, sizeof sum_re);
     memset(sum_im, 0, sizeof sum_im);
     for (int trial = 0; trial < TRIALS; trial++) {
-        orr_gen_rotation r;
+        orr_gen_carrier c;
+        const uint64_t phase = next(&seed), step = next(&seed);
+        const double amplitude = (double)(next(&seed) % (ORR_GEN_AMPLITUDE + 1));
         memset(re, 0, sizeof re);
         memset(im, 0, sizeof im);
-        kernel->rotate(next(&seed), &r);
+        kernel->carrier(phase, step, amplitude, ORR_GEN_GROUPS, &c);
         fill((orr_gen_chips)(trial % 3), &seed, chips, sizeof chips);
-        const orr_gen_run run = run_of(trial, &seed, chips, &r);
+        const orr_gen_run run = run_of(trial, &seed, chips, &c);
         kernel->mix(&run, re, im);
         kernel->add(trial % 7 == 0, re, ORR_GEN_PIECE, sum_re);
         kernel->add(trial % 7 == 0, im, ORR_GEN_PIECE, sum_im);
-        d = digest_words(digest_words(d, sum_re, run.n), sum_im, run.n);
+        const size_t n = 1 + (next(&seed) >> 40) % ORR_GEN_PIECE;
+        d = digest_words(digest_words(d, sum_re, ORR_GEN_PIECE), sum_im, ORR_GEN_PIECE);
         if (trial % 10 > 0) continue;
         const orr_gen_output out = {.format = (orr_gen_format)(trial / 10 % 4),
                                     .gain = 0.01,
                                     .sigma = trial % 20 > 0 ? 20 : 0,
                                     .noise = noise,
                                     .seed = (uint64_t)trial};
-        const size_t clipped = kernel->write(&out, sum_re, sum_im, trial, run.n, bytes);
-        d = digest(d ^ clipped, bytes, orr_gen_output_size(out.format, run.n));
+        const bool alone = trial % 30 == 0;
+        const orr_gen_sums sums = {re, im, alone ? NULL : sum_re, alone ? NULL : sum_im, 1e9};
+        const size_t clipped = kernel->write(&out, &sums, trial, n, bytes);
+        d = digest(d ^ clipped, bytes, orr_gen_output_size(out.format, n));
     }
     return d;
 }

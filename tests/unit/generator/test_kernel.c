@@ -4,7 +4,7 @@
 
 #include "src/generator/codes/codes.h"
 #include "src/generator/kernel/kernel.h"
-#include "src/generator/kernel/oscillator.h"
+#include "src/generator/kernel/periods.h"
 
 #define TAU 6.283185307179586477
 #define C 299792458.0L
@@ -97,24 +97,25 @@ typedef struct played {
     double amplitude;
 } played;
 
-// One piece, as a program would: runs end where periods do.
-static void play(const played *p, const orr_gen_kernel *kernel, int64_t first, uint32_t n, int16_t *re,
-                 int16_t *im)
+static orr_gen_period same_period(void *user, int64_t number, size_t from, size_t to)
+{
+    const played *p = user;
+    (void)number;
+    assert_true(from < to && to <= p->period);
+    return (orr_gen_period){p->chips, 1};
+}
+
+// One piece, as a program would.
+static void play(played *p, const orr_gen_kernel *kernel, int64_t first, uint32_t n, int16_t *re, int16_t *im)
 {
     orr_gen_oscillator o;
-    orr_gen_rotation r;
+    orr_gen_carrier c;
     orr_gen_oscillators(&p->cubics, &p->tuning, first, n, &o);
-    kernel->rotate(o.carrier_step, &r);
+    const size_t groups = n / ORR_GEN_GROUP;
+    kernel->carrier(o.carrier, o.carrier_step, p->amplitude, groups, &c);
     const uint64_t period = p->period << ORR_GEN_CODE_BITS;
-    for (uint32_t at = 0; at < n;) {
-        const uint64_t code = (o.code + at * o.code_step) % period;
-        uint64_t left = (period - code + o.code_step - 1) / o.code_step;
-        if (left > n - at) left = n - at;
-        const orr_gen_run run = {
-            &r, o.carrier + at * o.carrier_step, p->amplitude, p->chips, code, o.code_step, p->kind, left};
-        kernel->mix(&run, re + at, im + at);
-        at += (uint32_t)left;
-    }
+    const orr_gen_code_at code = {0, p->period, o.code % period, o.code_step, p->kind, same_period, p};
+    orr_gen_periods_mix(kernel->mix, &c, &code, groups, re, im);
 }
 
 static played channel(double acceleration, uint32_t rate, int64_t offset, uint32_t chips_per_s,
@@ -248,19 +249,50 @@ static void code_against_exact(void **state)
 static void levels(void **state)
 {
     (void)state;
-    static int8_t chips[64];
+    static int8_t chips[96];
     for (int level = -127; level <= 127; level++) {
         memset(chips, level, sizeof chips);
-        orr_gen_rotation r;
-        orr_gen_rotate_plain(0, &r);
-        int16_t re[40] = {0}, im[40] = {0};
-        const orr_gen_run run = {&r, 0, 6400, chips, 0, (uint64_t)1 << 38, ORR_GEN_LEVELS, 40};
+        orr_gen_carrier c;
+        orr_gen_carrier_plain(0, 0, 6400, 2, &c);
+        int16_t re[64] = {0}, im[64] = {0};
+        const orr_gen_run run = {&c, 0, 2, 1, chips, 0, (uint64_t)1 << 38, ORR_GEN_LEVELS};
         orr_gen_mix_plain(&run, re, im);
-        for (int k = 0; k < 40; k++) {
+        for (int k = 0; k < 64; k++) {
             ASSERT_NEAR(re[k], level * 50, 1);
             assert_int_equal(im[k], 0);
         }
     }
+}
+
+// Two periods with signs of their own: what each sample has at and about the border, for borders at every place of a group.
+static orr_gen_period signed_period(void *user, int64_t number, size_t from, size_t to)
+{
+    (void)from, (void)to;
+    return (orr_gen_period){user, number % 3 == 0 ? 1 : -1};
+}
+
+static void borders(void **state)
+{
+    (void)state;
+    enum { CHIPS = 100, GROUPS = 12 };
+    int8_t chips[CHIPS + ORR_GEN_CHIPS_BEYOND];
+    for (int k = 0; k < CHIPS + ORR_GEN_CHIPS_BEYOND; k++) chips[k] = (int8_t)(1 + k % CHIPS);
+    const uint64_t step = (uint64_t)1 << (ORR_GEN_CODE_BITS - 1); // half a chip a sample
+    for (size_t begin = 0; begin < CHIPS; begin++)
+        for (size_t kernel = 0; orr_gen_kernel_at(kernel) != NULL; kernel++) {
+            const orr_gen_kernel *k = orr_gen_kernel_at(kernel);
+            orr_gen_carrier c;
+            int16_t re[GROUPS * ORR_GEN_GROUP] = {0}, im[GROUPS * ORR_GEN_GROUP] = {0};
+            k->carrier(0, 0, 6400, GROUPS, &c);
+            const orr_gen_code_at code = {
+                7, CHIPS, (uint64_t)begin << ORR_GEN_CODE_BITS, step, ORR_GEN_LEVELS, signed_period, chips};
+            orr_gen_periods_mix(k->mix, &c, &code, GROUPS, re, im);
+            for (size_t n = 0; n < GROUPS * ORR_GEN_GROUP; n++) {
+                const size_t chip = begin + n / 2;
+                const int sign = (7 + chip / CHIPS) % 3 == 0 ? 1 : -1;
+                ASSERT_NEAR(re[n], sign * 50 * (int)(1 + chip % CHIPS), 1);
+            }
+        }
 }
 
 // Spurious-free dynamic range of the carrier alone: the largest line beside it, by a discrete Fourier transform under a window of
@@ -334,6 +366,7 @@ int main(void)
         cmocka_unit_test(carrier_against_exact),
         cmocka_unit_test(code_against_exact),
         cmocka_unit_test(levels),
+        cmocka_unit_test(borders),
         cmocka_unit_test(spectrum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
