@@ -1166,7 +1166,7 @@ typedef struct orr_msg_subscribe {
     uint8_t delivery; // how they come
     uint32_t credit; // how many blocks may be sent before there is more credit (CREDIT)
     int64_t lead; // [ns] with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
-    orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
+    orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once, of POLL_NAVDATA 0: every frame once; count: how many, 0 for no end
     uint16_t port; // with DATAGRAMS: the UDP port, of the address that the connection comes from
 } orr_msg_subscribe;
 #define ORR_MSG_SUBSCRIBE_LARGEST 16404u
@@ -1177,7 +1177,7 @@ orr_wire_status orr_msg_subscribe_decode(const uint8_t *payload, size_t size, or
 // The stream is there; its blocks follow.
 typedef struct orr_msg_subscribed {
     int64_t first; // [ns] instant of its first block
-    int64_t step; // [ns] from block to block; 0: as long as they are
+    int64_t step; // [ns] from block to block; 0: as long as they or their frames are
     uint32_t channel; // with DATAGRAMS: the channel that its datagrams name; 0 otherwise
 } orr_msg_subscribed;
 #define ORR_MSG_SUBSCRIBED_SIZE 20u

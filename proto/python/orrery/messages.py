@@ -1971,7 +1971,8 @@ class Subscribe(Record):
     credit: how many blocks may be sent before there is more credit (CREDIT)
     lead [ns]: with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     poll: payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s
-    (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once; count: how many, 0 for no end
+    (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once, of POLL_NAVDATA 0: every frame once; count: how many, 0 for no
+    end
     port: with DATAGRAMS: the UDP port, of the address that the connection comes from
     """
 
@@ -2000,7 +2001,7 @@ class Subscribed(Record):
     """The stream is there; its blocks follow.
 
     first [ns]: instant of its first block
-    step [ns]: from block to block; 0: as long as they are
+    step [ns]: from block to block; 0: as long as they or their frames are
     channel: with DATAGRAMS: the channel that its datagrams name; 0 otherwise
     """
 

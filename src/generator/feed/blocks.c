@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "src/generator/feed/subscription.h"
+
 #define CELL_NS 10000000000 // lengths are one in each 10 s of scenario time (docs/channels.md)
 #define AHEAD_NS 1000000000 // asked for at once
 #define MOST 512            // blocks of them
@@ -16,29 +18,12 @@ struct orr_gen_blocks {
     uint16_t antenna, n_signals;
     uint16_t wanted[ORR_MSG_MAX_SIGNALS];
     uint8_t place[ORR_MSG_MAX_SIGNALS]; // of a signal's number in CAPS
-    uint32_t stream;                    // its number; 0: there is none
-    bool polls;                         // the service knows no streams
-    bool ended, bad;                    // the stream has; a frame of it could not be kept
-    char end[201];                      // and why
-    size_t n, handed;                   // blocks held, of which those were handed out last
+    orr_gen_subscription stream;
+    bool polls;       // the service knows no streams
+    size_t n, handed; // blocks held, of which those were handed out last
     orr_gen_block block[MOST];
     int64_t length_ns; // of the last blocks
 };
-
-bool orr_gen_blocks_open(orr_gen_link *link, const orr_gen_service *service, uint16_t antenna,
-                         const uint8_t *signal, size_t n_signals, orr_gen_blocks **blocks,
-                         orr_gen_fault *fault)
-{
-    orr_gen_blocks *b = calloc(1, sizeof *b);
-    *blocks = b;
-    if (b == NULL) return orr_gen_fail(fault, "out of memory");
-    *b = (orr_gen_blocks){
-        .link = link, .service = service, .antenna = antenna, .n_signals = (uint16_t)n_signals};
-    for (size_t k = 0; k < n_signals; k++) b->wanted[k] = service->signal[signal[k]].number;
-    for (size_t k = 0; k < service->n_signals; k++)
-        if (service->signal[k].number < ORR_MSG_MAX_SIGNALS) b->place[service->signal[k].number] = (uint8_t)k;
-    return true;
-}
 
 void orr_gen_blocks_close(orr_gen_blocks *blocks)
 {
@@ -95,57 +80,27 @@ static bool keep(orr_gen_blocks *b, const orr_msg_channels *m, orr_gen_block *ou
 
 // --- A stream: the service makes blocks as fast as there is credit ---
 
-// Frames of the stream, also those that come while navigation data are asked for.
-static void take(void *user, const orr_frame *f)
+static bool keep_frame(void *user, const orr_frame *f)
 {
     orr_gen_blocks *b = user;
-    if (b->stream == 0 || f->sequence != b->stream) return;
-    if (f->type == ORR_MSG_TYPE_CHANNELS) {
-        orr_msg_channels m;
-        orr_gen_fault fault = {{0}};
-        if (orr_msg_channels_decode(f->payload, f->size, &m) != ORR_WIRE_OK || b->n == MOST ||
-            m.epoch.answer != ORR_MSG_ANSWER_OK || !keep(b, &m, &b->block[b->n], &fault))
-            b->bad = true;
-        else
-            b->n++;
-    } else if (f->type == ORR_MSG_TYPE_STREAM_END) {
-        orr_msg_stream_end end;
-        b->ended = true;
-        if (orr_msg_stream_end_decode(f->payload, f->size, &end) == ORR_WIRE_OK)
-            orr_wire_text_copy(end.sentence, b->end, sizeof b->end);
-    } else
-        b->bad = true; // a gap, which a stream at no clock's pace has none of
+    orr_msg_channels m;
+    orr_gen_fault fault = {{0}};
+    if (orr_msg_channels_decode(f->payload, f->size, &m) != ORR_WIRE_OK || b->n == MOST ||
+        m.epoch.answer != ORR_MSG_ANSWER_OK || !keep(b, &m, &b->block[b->n], &fault))
+        return false;
+    b->n++;
+    return true;
 }
 
 static orr_wire_status subscribe(orr_gen_blocks *b, int64_t t)
 {
-    orr_client *c = orr_gen_link_client(b->link);
     uint8_t payload[ORR_MSG_POLL_CHANNELS_LARGEST];
     orr_wire_writer w = {.data = payload, .capacity = sizeof payload};
     const orr_msg_poll_channels poll = {
         .epochs = {t, 0, 0}, .antenna = b->antenna, .signals = {.count = b->n_signals, .item = b->wanted}};
-    orr_wire_status ws = orr_msg_poll_channels_encode(&poll, &w);
-    if (ws != ORR_WIRE_OK) return ws;
-    const orr_msg_subscribe request = {.request = ORR_MSG_TYPE_POLL_CHANNELS,
-                                       .pacing = ORR_MSG_PACING_FREE,
-                                       .credit = CREDIT,
-                                       .poll = {payload, (uint16_t)w.size}};
-    orr_msg_subscribed answer;
-    c->stream = take;
-    c->stream_user = b;
-    b->stream = 0;
-    b->ended = b->bad = false;
+    const orr_wire_status ws = orr_msg_poll_channels_encode(&poll, &w);
     b->n = b->handed = 0;
-    ws = orr_client_subscribe(c, &request, &answer);
-    if (ws == ORR_WIRE_OK) b->stream = c->sequence;
-    return ws;
-}
-
-// Lets as many blocks come as were used up.
-static orr_wire_status give_credit(orr_gen_blocks *b, size_t blocks)
-{
-    const orr_msg_credit credit = {.stream = b->stream, .blocks = (uint32_t)blocks};
-    return blocks == 0 || b->ended ? ORR_WIRE_OK : orr_client_credit(orr_gen_link_client(b->link), &credit);
+    return ws == ORR_WIRE_OK ? orr_gen_subscribe(&b->stream, &w, CREDIT) : ws;
 }
 
 // Forgets what was handed out; the room of its channels is used again.
@@ -172,20 +127,40 @@ static bool enough(const orr_gen_blocks *b)
 static orr_wire_status listen_to_stream(orr_gen_blocks *b, int64_t t)
 {
     const size_t used = forget(b);
-    orr_wire_status ws = b->stream != 0 && !b->bad ? give_credit(b, used) : subscribe(b, t);
-    while (ws == ORR_WIRE_OK && !enough(b) && !b->ended && !b->bad) {
-        orr_frame f;
-        ws = orr_client_next(orr_gen_link_client(b->link), &f);
-        if (ws == ORR_WIRE_OK) take(b, &f);
-    }
+    orr_wire_status ws = ORR_WIRE_OK;
+    if (orr_gen_subscribed(&b->stream))
+        ws = orr_gen_subscription_credit(&b->stream, used);
+    else if (!b->stream.ended)
+        ws = subscribe(b, t);
+    while (ws == ORR_WIRE_OK && !enough(b) && orr_gen_subscribed(&b->stream))
+        ws = orr_gen_subscription_wait(&b->stream);
     return ws;
+}
+
+bool orr_gen_blocks_open(orr_gen_link *link, const orr_gen_service *service, uint16_t antenna,
+                         const uint8_t *signal, size_t n_signals, orr_gen_blocks **blocks,
+                         orr_gen_fault *fault)
+{
+    orr_gen_blocks *b = calloc(1, sizeof *b);
+    *blocks = b;
+    if (b == NULL) return orr_gen_fail(fault, "out of memory");
+    *b = (orr_gen_blocks){
+        .link = link, .service = service, .antenna = antenna, .n_signals = (uint16_t)n_signals};
+    b->stream = (orr_gen_subscription){.link = link,
+                                       .request = ORR_MSG_TYPE_POLL_CHANNELS,
+                                       .answer = ORR_MSG_TYPE_CHANNELS,
+                                       .keep = keep_frame,
+                                       .user = b};
+    for (size_t k = 0; k < n_signals; k++) b->wanted[k] = service->signal[signal[k]].number;
+    for (size_t k = 0; k < service->n_signals; k++)
+        if (service->signal[k].number < ORR_MSG_MAX_SIGNALS) b->place[service->signal[k].number] = (uint8_t)k;
+    return true;
 }
 
 // --- Questions, where the service knows no streams ---
 
 // Asks for `count` blocks from the one that holds t on, a step apart; those that are the same again are left out.
-static orr_wire_status ask(orr_gen_blocks *b, int64_t t, int64_t step, uint32_t count, bool *outside,
-                           orr_gen_fault *fault)
+static orr_wire_status ask(orr_gen_blocks *b, int64_t t, int64_t step, uint32_t count, orr_gen_fault *fault)
 {
     orr_client *c = orr_gen_link_client(b->link);
     const orr_msg_poll_channels poll = {.epochs = {t, step, count},
@@ -196,9 +171,8 @@ static orr_wire_status ask(orr_gen_blocks *b, int64_t t, int64_t step, uint32_t 
         orr_msg_channels m;
         ws = orr_client_channels(c, &m);
         if (ws != ORR_WIRE_OK) break;
-        if (m.epoch.answer != ORR_MSG_ANSWER_OK)
-            *outside = true;
-        else if (b->n < MOST && (b->n == 0 || m.block != b->block[b->n - 1].begin_ns)) {
+        if (m.epoch.answer == ORR_MSG_ANSWER_OK && b->n < MOST &&
+            (b->n == 0 || m.block != b->block[b->n - 1].begin_ns)) {
             if (!keep(b, &m, &b->block[b->n++], fault)) return ORR_WIRE_SPACE;
         }
     }
@@ -212,11 +186,8 @@ static orr_wire_status ask_from(orr_gen_blocks *b, int64_t t, orr_gen_fault *fau
     const int64_t until = t + AHEAD_NS < cell ? t + AHEAD_NS : cell;
     const int64_t step = b->length_ns > 0 ? b->length_ns : AHEAD_NS;
     int64_t count = (until - t + step - 1) / step;
-    bool outside = false;
     b->n = b->handed = 0;
-    const orr_wire_status ws = ask(b, t, step, (uint32_t)(count > MOST ? MOST : count), &outside, fault);
-    if (ws == ORR_WIRE_OK && outside) b->ended = true;
-    return ws;
+    return ask(b, t, step, (uint32_t)(count > MOST ? MOST : count), fault);
 }
 
 // Blocks that are held from t on; false where there are none.
@@ -224,25 +195,21 @@ static bool refill(orr_gen_blocks *b, int64_t t, orr_gen_fault *fault)
 {
     for (;;) {
         fault->text[0] = '\0';
-        orr_client *c = orr_gen_link_client(b->link);
         const orr_wire_status ws = b->polls ? ask_from(b, t, fault) : listen_to_stream(b, t);
-        if (ws == ORR_WIRE_REFUSED && !b->polls &&
-            (c->error_code == ORR_MSG_ERROR_CODE_UNKNOWN_TYPE ||
-             c->error_code == ORR_MSG_ERROR_CODE_NOT_SERVED)) {
+        if (!b->polls && orr_gen_no_streams(&b->stream, ws)) {
             b->polls = true;
             continue;
         }
         if (fault->text[0] != '\0') return false;
         if (ws != ORR_WIRE_OK) {
-            b->stream = 0;
             if (!orr_gen_link_again(b->link, ws, b->polls ? "POLL_CHANNELS" : "SUBSCRIBE", fault))
                 return false;
             continue;
         }
-        if (b->bad) return orr_gen_fail(fault, "a block of the stream cannot be read");
+        if (b->stream.bad) return orr_gen_fail(fault, "a block of the stream cannot be read");
         if (b->n == 0)
             return orr_gen_fail(fault, "the service has no channels at this instant%s%s",
-                                b->end[0] != '\0' ? ": " : "", b->end);
+                                b->stream.end[0] != '\0' ? ": " : "", b->stream.end);
         // Blocks that do not join, where questions were asked by another length: what is held up to the first gap is good.
         size_t good = 1;
         while (good < b->n &&

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "src/generator/feed/subscription.h"
+
 #define NS_PER_S 1000000000
 #define FRAME_NS (30 * (int64_t)NS_PER_S) // where nobody says how long frames are
 #define EVERY_MESSAGE                                                                                        \
@@ -11,6 +13,7 @@
      ORR_MSG_NAV_MESSAGES_CNV2 | ORR_MSG_NAV_MESSAGES_CNV3 | ORR_MSG_NAV_MESSAGES_INAV |                     \
      ORR_MSG_NAV_MESSAGES_FNAV | ORR_MSG_NAV_MESSAGES_D1 | ORR_MSG_NAV_MESSAGES_D2 |                         \
      ORR_MSG_NAV_MESSAGES_FDMA | ORR_MSG_NAV_MESSAGES_SBAS)
+#define CREDIT 4 // answers on the way
 #define KEPT_NS (60 * (int64_t)NS_PER_S)
 #define PAGES 256   // of a message, held at once
 #define BYTES 256   // of a page's symbols
@@ -39,21 +42,14 @@ typedef struct satellite {
 struct orr_gen_navigation {
     orr_gen_link *link;
     const orr_gen_service *service;
-    int64_t until_ns; // pages are held up to there
+    orr_gen_subscription stream;
+    bool polls;               // the service knows no streams
+    int64_t until_ns;         // pages are held up to there
+    int64_t forget_before_ns; // and not those that ended before this
+    size_t used;              // answers that came since credit was given
+    orr_gen_fault fault;      // why one could not be kept
     satellite sat[128][100];
 };
-
-bool orr_gen_navigation_open(orr_gen_link *link, const orr_gen_service *service,
-                             orr_gen_navigation **navigation, orr_gen_fault *fault)
-{
-    orr_gen_navigation *v = calloc(1, sizeof *v);
-    *navigation = v;
-    if (v == NULL) return orr_gen_fail(fault, "out of memory");
-    v->link = link;
-    v->service = service;
-    v->until_ns = INT64_MIN;
-    return true;
-}
 
 static void free_message(message *m)
 {
@@ -141,8 +137,7 @@ static uint64_t carriers(const orr_gen_service *s, char system, orr_wire_bytes n
     return mask;
 }
 
-static bool keep(orr_gen_navigation *v, const orr_msg_sat_navdata *d, int64_t forget_before_ns,
-                 orr_gen_fault *fault)
+static bool keep(orr_gen_navigation *v, const orr_msg_sat_navdata *d, orr_gen_fault *fault)
 {
     if (d->answer != ORR_MSG_ANSWER_OK || d->message == ORR_MSG_NAV_MESSAGE_NONE) return true;
     if (d->sat.system >= 128 || d->sat.number >= 100) return true;
@@ -169,9 +164,83 @@ static bool keep(orr_gen_navigation *v, const orr_msg_sat_navdata *d, int64_t fo
         if (!keep_page(&p, out, fault)) return false;
     }
     while (s->message[m]->n > 0 &&
-           s->message[m]->begin_ns[0] + s->message[m]->page[0]->length_ns < forget_before_ns)
+           s->message[m]->begin_ns[0] + s->message[m]->page[0]->length_ns < v->forget_before_ns)
         drop_first(s->message[m]);
     return true;
+}
+
+// All of an answer, which is held until the first of its frames ends.
+static bool keep_answer(orr_gen_navigation *v, const orr_msg_navdata *m, orr_gen_fault *fault)
+{
+    int64_t until = m->epoch.t + FRAME_NS;
+    orr_msg_sat_navdata d;
+    orr_wire_iter it = {0};
+    while (orr_msg_sat_navdata_next(&m->satellites, &it, &d)) {
+        if (!keep(v, &d, fault)) return false;
+        if (d.answer == ORR_MSG_ANSWER_OK && d.frame_to > m->epoch.t && d.frame_to < until)
+            until = d.frame_to;
+    }
+    v->until_ns = until;
+    return true;
+}
+
+static bool keep_frame(void *user, const orr_frame *f)
+{
+    orr_gen_navigation *v = user;
+    orr_msg_navdata m;
+    if (orr_msg_navdata_decode(f->payload, f->size, &m) != ORR_WIRE_OK)
+        return orr_gen_fail(&v->fault, "an answer of the stream of navigation data cannot be read");
+    v->used++;
+    return keep_answer(v, &m, &v->fault);
+}
+
+bool orr_gen_navigation_open(orr_gen_link *link, const orr_gen_service *service,
+                             orr_gen_navigation **navigation, orr_gen_fault *fault)
+{
+    orr_gen_navigation *v = calloc(1, sizeof *v);
+    *navigation = v;
+    if (v == NULL) return orr_gen_fail(fault, "out of memory");
+    v->link = link;
+    v->service = service;
+    v->stream = (orr_gen_subscription){.link = link,
+                                       .request = ORR_MSG_TYPE_POLL_NAVDATA,
+                                       .answer = ORR_MSG_TYPE_NAVDATA,
+                                       .keep = keep_frame,
+                                       .user = v};
+    v->until_ns = INT64_MIN;
+    return true;
+}
+
+// From the end of what is held on: step 0 gives every frame once.
+static orr_wire_status subscribe(orr_gen_navigation *v)
+{
+    uint8_t payload[64]; // satellites are not named: all
+    orr_wire_writer w = {.data = payload, .capacity = sizeof payload};
+    const orr_msg_poll_navdata poll = {
+        .epochs = {v->until_ns, 0, 0}, .kinds = EVERY_MESSAGE, .form = ORR_MSG_NAV_FORM_SYMBOLS};
+    const orr_wire_status ws = orr_msg_poll_navdata_encode(&poll, &w);
+    v->used = 0;
+    return ws == ORR_WIRE_OK ? orr_gen_subscribe(&v->stream, &w, CREDIT) : ws;
+}
+
+static orr_wire_status listen_to_stream(orr_gen_navigation *v)
+{
+    if (!orr_gen_subscribed(&v->stream)) return subscribe(v);
+    const size_t used = v->used;
+    v->used = 0;
+    const orr_wire_status ws = orr_gen_subscription_credit(&v->stream, used);
+    return ws == ORR_WIRE_OK ? orr_gen_subscription_wait(&v->stream) : ws;
+}
+
+static orr_wire_status ask(orr_gen_navigation *v, orr_gen_fault *fault)
+{
+    orr_client *c = orr_gen_link_client(v->link);
+    const orr_msg_poll_navdata poll = {
+        .epochs = {v->until_ns, 0, 1}, .kinds = EVERY_MESSAGE, .form = ORR_MSG_NAV_FORM_SYMBOLS};
+    orr_msg_navdata m;
+    orr_wire_status ws = orr_client_poll_navdata(c, &poll);
+    if (ws == ORR_WIRE_OK) ws = orr_client_navdata(c, &m);
+    return ws != ORR_WIRE_OK || keep_answer(v, &m, fault) ? ws : ORR_WIRE_SPACE;
 }
 
 bool orr_gen_navigation_cover(orr_gen_navigation *navigation, int64_t from_ns, int64_t to_ns,
@@ -180,27 +249,22 @@ bool orr_gen_navigation_cover(orr_gen_navigation *navigation, int64_t from_ns, i
     orr_gen_navigation *v = navigation;
     if (!v->service->has_navdata) return true;
     if (v->until_ns < from_ns - FRAME_NS) v->until_ns = from_ns - FRAME_NS;
-    while (v->until_ns < to_ns) {
-        orr_client *c = orr_gen_link_client(v->link);
-        const orr_msg_poll_navdata poll = {
-            .epochs = {v->until_ns, 0, 1}, .kinds = EVERY_MESSAGE, .form = ORR_MSG_NAV_FORM_SYMBOLS};
-        orr_msg_navdata m;
-        orr_wire_status ws = orr_client_poll_navdata(c, &poll);
-        if (ws == ORR_WIRE_OK) ws = orr_client_navdata(c, &m);
-        if (ws != ORR_WIRE_OK) {
-            if (!orr_gen_link_again(v->link, ws, "POLL_NAVDATA", fault)) return false;
+    if (v->until_ns < v->service->navdata.first) v->until_ns = v->service->navdata.first;
+    v->forget_before_ns = from_ns - KEPT_NS;
+    while (v->until_ns < to_ns && v->until_ns <= v->service->navdata.last && !v->stream.ended) {
+        v->fault.text[0] = '\0';
+        const orr_wire_status ws = v->polls ? ask(v, &v->fault) : listen_to_stream(v);
+        if (!v->polls && orr_gen_no_streams(&v->stream, ws)) {
+            v->polls = true;
             continue;
         }
-        // Frames are of many lengths: the next question is where the first of these ends.
-        int64_t next = v->until_ns + FRAME_NS;
-        orr_msg_sat_navdata d;
-        orr_wire_iter it = {0};
-        while (orr_msg_sat_navdata_next(&m.satellites, &it, &d)) {
-            if (!keep(v, &d, from_ns - KEPT_NS, fault)) return false;
-            if (d.answer == ORR_MSG_ANSWER_OK && d.frame_to > v->until_ns && d.frame_to < next)
-                next = d.frame_to;
+        if (v->fault.text[0] != '\0') {
+            *fault = v->fault;
+            return false;
         }
-        v->until_ns = next;
+        if (ws != ORR_WIRE_OK &&
+            !orr_gen_link_again(v->link, ws, v->polls ? "POLL_NAVDATA" : "SUBSCRIBE", fault))
+            return false;
     }
     return true;
 }

@@ -6,6 +6,7 @@
 #include "proto/fields.h"
 #include "src/service/live/streams_private.h"
 
+static const int64_t NO_FRAME_NS = 30 * ORR_NS_PER_S;
 enum { EPOCHS_SIZE = 20 }; // every request that can be streamed begins with its epochs
 
 typedef enum need {
@@ -145,8 +146,7 @@ static uint16_t encode(orr_streams *s, orr_stream *x, orr_wire_writer *w, orr_se
     return w->status == ORR_WIRE_OK ? 0 : ORR_MSG_ERROR_CODE_INTERNAL;
 }
 
-// Where a stream of channels goes on behind a block; false where there was none.
-static bool behind_block(const orr_payload *b, orr_time *next)
+static bool behind_channels(const orr_payload *b, orr_time *next)
 {
     orr_msg_channels m;
     if (orr_msg_channels_decode(b->data, (uint32_t)b->size, &m) != ORR_WIRE_OK ||
@@ -154,6 +154,27 @@ static bool behind_block(const orr_payload *b, orr_time *next)
         return false;
     *next = m.block + m.length;
     return true;
+}
+
+// Where the first of its frames ends; where nothing is sent, half a minute on.
+static bool behind_frames(const orr_payload *b, orr_time *next)
+{
+    orr_msg_navdata m;
+    if (orr_msg_navdata_decode(b->data, (uint32_t)b->size, &m) != ORR_WIRE_OK ||
+        m.epoch.answer != ORR_MSG_ANSWER_OK)
+        return false;
+    *next = orr_time_add(m.epoch.t, NO_FRAME_NS);
+    orr_msg_sat_navdata d;
+    orr_wire_iter it = {0};
+    while (orr_msg_sat_navdata_next(&m.satellites, &it, &d))
+        if (d.answer == ORR_MSG_ANSWER_OK && d.frame_to > m.epoch.t && d.frame_to < *next) *next = d.frame_to;
+    return true;
+}
+
+// Where a stream without a step goes on behind a block; false where there was none.
+static bool behind_block(const orr_payload *b, orr_time *next)
+{
+    return b->type == ORR_MSG_TYPE_NAVDATA ? behind_frames(b, next) : behind_channels(b, next);
 }
 
 // How long before its instant the present block is made.
@@ -170,7 +191,9 @@ static void deliver(orr_stream *x, orr_payload *b)
 {
     orr_time next = orr_time_add(x->next, x->step_ns);
     if (x->step_ns == 0 && !behind_block(b, &next)) {
-        streams_finish(x, ORR_MSG_END_REASON_OUTSIDE_SPAN, "the antenna is not there any more");
+        streams_finish(x, ORR_MSG_END_REASON_OUTSIDE_SPAN,
+                       x->type == ORR_MSG_TYPE_POLL_CHANNELS ? "the antenna is not there any more"
+                                                             : "no navigation data are served there");
         return;
     }
     if (x->way == NULL) {

@@ -270,7 +270,7 @@ static uint16_t wrong(orr_server_refusal *why, uint16_t code, const char *senten
 
 static uint16_t check_step(uint16_t type, int64_t step_ns, orr_server_refusal *why)
 {
-    if (step_ns == 0 && type == ORR_MSG_TYPE_POLL_CHANNELS) return 0;
+    if (step_ns == 0 && (type == ORR_MSG_TYPE_POLL_CHANNELS || type == ORR_MSG_TYPE_POLL_NAVDATA)) return 0;
     const int64_t longest = type == ORR_MSG_TYPE_POLL_IMU ? LONGEST_IMU_NS : LONGEST_NS;
     if (step_ns >= SHORTEST_NS && step_ns <= longest) return 0;
     return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,

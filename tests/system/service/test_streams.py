@@ -90,6 +90,35 @@ class Streams(Served):
         self.assertGreater(end - stream.first, 79 * 10**6)
         self.assertEqual(stream.unsubscribe().reason, messages.EndReason.UNSUBSCRIBED)
 
+    def test_navdata_frame_by_frame(self):
+        """With step 0 the next comes where the first of the frames ends, and pages of each message join without a gap."""
+        client, judge = self.connect(), self.connect()
+        request = messages.PollNavdata(kinds=(1 << 32) - 1, form=messages.NavForm.SYMBOLS)
+        stream = client.subscribe(request, self.start + 100 * NS, 0, pacing="free", credit=3)
+        self.assertEqual((stream.first, stream.step), (self.start + 100 * NS, 0))
+        t, pages, steps = stream.first, {}, set()
+        for _ in range(40):
+            block = stream.next()
+            self.assertEqual(block.t, t)
+            self.assertEqual(stream.payload, polled(judge, request, t, 0))
+            sent = [s for s in block.satellites if s.answer == messages.Answer.OK]
+            for s in sent:
+                for page in s.pages:
+                    pages.setdefault((str(s.sat), s.message, s.signals), {})[page.t] = page.length
+            after = min(s.frame_to for s in sent)
+            steps.add(after - t)
+            t = after
+        self.assertGreater(len(steps), 1)  # frames of several lengths
+        self.assertGreater(len(pages), 30)
+        for held in pages.values():
+            begins = sorted(held)
+            self.assertEqual([b + held[b] for b in begins[:-1]], begins[1:])
+            self.assertLessEqual(begins[0], stream.first)
+            self.assertGreaterEqual(begins[-1] + held[begins[-1]], t)
+        self.assertEqual(stream.unsubscribe().reason, messages.EndReason.UNSUBSCRIBED)
+        with self.assertRaisesRegex(orrery.Refused, "its step is 1 ms to 60 s"):
+            client.subscribe(messages.Poll(), self.start, 0, pacing="free")
+
     def test_a_ring_has_the_polls_bytes(self):
         """Through shared memory, which comes with the answer; over TCP there is none."""
         judge = self.connect()
