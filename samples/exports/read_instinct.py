@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""INSTINCT (github.com/i2nav/INSTINCT) opens the CSV in a flow's ImuFile node and needs no script; this one checks what that node looks for,
+"""INSTINCT (github.com/UniStuttgart-INS/INSTINCT) opens the CSV in a flow's ImuFile node and needs no script; this one checks what that node looks for,
 and prints the mean force and rate:
 
     read_instinct.py IMU.csv
