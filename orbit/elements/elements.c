@@ -115,6 +115,23 @@ static orr_status neighbour(const orr_ephemeris *e, orr_sat sat, orr_time t, con
     return orr_ephemeris_eval(other, sat, t, out);
 }
 
+orr_status orr_elements_state_near(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
+                                   orr_time t, orr_sat_state *out)
+{
+    orr_sat_state home;
+    const orr_status s = orr_ephemeris_eval(e, sat, axes->t, &home);
+    return s == ORR_OK ? neighbour(e, sat, t, &home, axes, out) : s;
+}
+
+orr_status orr_elements_from_frozen(const orr_elements_axes *axes, const orr_kepler *frozen, orr_kepler *out)
+{
+    orr_vec3 r, v;
+    orr_kepler_to_state(frozen, ORR_EGM96_GM, &r, &v);
+    r = orr_mat3_apply(&axes->wanted, orr_mat3_apply_t(&axes->R[1], r));
+    v = orr_mat3_apply(&axes->wanted, orr_mat3_apply_t(&axes->R[1], v));
+    return orr_kepler_from_state(r, v, ORR_EGM96_GM, out);
+}
+
 static orr_status three_positions(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *a,
                                   orr_kepler *out)
 {

@@ -49,4 +49,11 @@ void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_element
 orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
                            orr_kepler *out);
 
+// State (ecef) of a satellite at an instant within the arc that holds the axes' instant, or in what meets that arc (before and after of
+// the options); ORR_E_NODATA beyond.
+orr_status orr_elements_state_near(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
+                                   orr_time t, orr_sat_state *out);
+// Elements in the axes' own of elements in ecef axes that stand still as they are at the axes' instant. ORR_E_NUMERIC where they are no ellipse.
+orr_status orr_elements_from_frozen(const orr_elements_axes *axes, const orr_kepler *frozen, orr_kepler *out);
+
 #endif

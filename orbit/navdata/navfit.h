@@ -6,6 +6,7 @@
 
 #include "ingest/rinex/rinex_nav.h"
 #include "orbit/ephemeris/ephemeris.h"
+#include "orbit/force/kepler.h"
 
 // Where a satellite's antenna is at an instant: fits go through this, so that a caller may add the
 // phase-centre offset. Returns ORR_OK and fills pos (ecef, m), or says that there is nothing.
@@ -47,6 +48,28 @@ typedef struct orr_navfit_report {
 orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe, orr_time from, orr_time to,
                              orr_navfit_source source, void *user, orr_nav_eph *eph,
                              orr_navfit_report *report, orr_diag *diag);
+
+// The fifteen mean elements of the GPS interface's model over a span: six elements, three rates, six amplitudes at twice the argument of
+// latitude, none quantised. Angles in ecef axes that stand still as they are at the elements' instant.
+typedef struct orr_mean_elements {
+    orr_kepler k;                                     // gm of core/constants.h (EGM96)
+    double delta_n_radps, idot_radps, raan_dot_radps; // the rate of the node is that in inertial axes
+    double crc_m, crs_m, cuc_rad, cus_rad, cic_rad, cis_rad;
+    double rms_m; // 3-D, model against the positions
+} orr_mean_elements;
+
+// Fits the fifteen mean elements to an orbit of any system.
+// Given:
+//   t             their instant
+//   from, to      span of the positions: a revolution about t makes the elements mean ones
+//   source, user  positions, as above
+// Returned:
+//   out           elements
+//   diag          why it failed; may be NULL
+// Errors: the common ones above. Notes: what the model leaves of a whole revolution (tens of metres) is rms_m.
+// Reference: IS-GPS-200N, table 20-IV.
+orr_status orr_navfit_mean(orr_time t, orr_time from, orr_time to, orr_navfit_source source, void *user,
+                           orr_mean_elements *out, orr_diag *diag);
 
 // Fits position, velocity and acceleration of a GLONASS record at tb to a precise orbit and quantises them.
 // Given:

@@ -290,3 +290,54 @@ orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe,
     *eph = e;
     return ORR_OK;
 }
+
+static double positive(double angle_rad)
+{
+    const double a = fmod(angle_rad, 2 * ORR_PI);
+    return a < 0 ? a + 2 * ORR_PI : a;
+}
+
+orr_status orr_navfit_mean(orr_time t, orr_time from, orr_time to, orr_navfit_source source, void *user,
+                           orr_mean_elements *out, orr_diag *diag)
+{
+    // GPS' fields serve as units alone: nothing is held within them, nothing rounded.
+    problem q = {.l = orr_kepler_lattice_of(orr_sat_make('G', 1), ORR_NAV_LNAV),
+                 .axes = {ORR_EGM96_GM, ORR_EARTH_RATE_RADPS, ORR_EARTH_RATE_RADPS}};
+    orr_navfit_window w;
+    orr_nav_eph e = orr_navfit_blank(orr_sat_make('G', 1), ORR_NAV_KEPLER, ORR_NAV_LNAV, t, 0);
+    orr_status s = orr_navfit_check_window(t, from, to, 1800, 2 * ORR_S_PER_DAY, diag);
+    if (s == ORR_OK)
+        s = orr_navfit_gather(from, to, fmax(300, orr_time_diff_s(to, from) / (ORR_NAVFIT_POSITIONS - 1)),
+                              source, user, &w, diag);
+    if (s != ORR_OK) return s;
+    q.n = q.l->n;
+    q.w = &w;
+    e.kepler.toe_sow_s = 0; // the node is counted from the instant itself
+    s = first_guess(&q, &e);
+    orr_kepler_lattice_values(q.l, &e.kepler, q.target);
+    for (size_t j = 0; j < q.n; j++) q.weight_m[j] = PULL_M;
+    if (s == ORR_OK) s = gauss_newton(&q, &e);
+    if (s != ORR_OK)
+        return orr_diag_set(diag, s, "the orbit over the span cannot be fitted by mean elements");
+    const orr_nav_kepler *k = &e.kepler;
+    const double anomaly = orr_kepler_solve(remainder(k->m0_rad, 2 * ORR_PI), k->e),
+                 nu = atan2(sqrt(1 - k->e * k->e) * sin(anomaly), cos(anomaly) - k->e);
+    *out = (orr_mean_elements){.k = {.a_m = k->sqrt_a_sqrtm * k->sqrt_a_sqrtm,
+                                     .e = k->e,
+                                     .i_rad = k->i0_rad,
+                                     .raan_rad = positive(k->omega0_rad),
+                                     .argp_rad = positive(k->omega_rad),
+                                     .m_rad = positive(k->m0_rad),
+                                     .u_rad = positive(k->omega_rad + nu)},
+                               .delta_n_radps = k->delta_n_radps,
+                               .idot_radps = k->idot_radps,
+                               .raan_dot_radps = k->omega_dot_radps,
+                               .crc_m = k->crc_m,
+                               .crs_m = k->crs_m,
+                               .cuc_rad = k->cuc_rad,
+                               .cus_rad = k->cus_rad,
+                               .cic_rad = k->cic_rad,
+                               .cis_rad = k->cis_rad,
+                               .rms_m = rms_of(&q, &e)};
+    return ORR_OK;
+}

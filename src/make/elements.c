@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/make/elements.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "ingest/tables/erp.h"
@@ -43,6 +44,37 @@ typedef struct run {
     orr_time last; // instant of the last row, ORR_TIME_NONE before the first
 } run;
 
+// Positions about the axes' instant, for a fit: an orr_navfit_source.
+typedef struct about {
+    const orr_ephemeris *e;
+    orr_sat sat;
+    const orr_elements_axes *axes;
+} about;
+
+static orr_status position_near(void *user, orr_time t, orr_vec3 *pos_m)
+{
+    const about *a = user;
+    orr_sat_state state;
+    const orr_status s = orr_elements_state_near(a->e, a->sat, a->axes, t, &state);
+    if (s == ORR_OK) *pos_m = state.pos_m;
+    return s;
+}
+
+// The fifteen mean elements, of the osculating revolution about the instant, which has to be known whole.
+static orr_status fifteen_of(const orr_ephemeris *e, const orr_elements_axes *axes, orr_elements_row *row)
+{
+    about a = {e, row->sat, axes};
+    orr_vec3 end;
+    orr_status s = orr_elements_of(e, row->sat, axes, &row->k);
+    if (s != ORR_OK) return s;
+    const double half_s = ORR_PI * sqrt(pow(row->k.a_m, 3) / ORR_EGM96_GM);
+    const orr_time from = orr_time_add_s(axes->t, -half_s), to = orr_time_add_s(axes->t, half_s);
+    s = position_near(&a, from, &end);
+    if (s == ORR_OK) s = position_near(&a, to, &end);
+    if (s == ORR_OK) s = orr_navfit_mean(axes->t, from, to, position_near, &a, &row->mean, NULL);
+    return s == ORR_OK ? orr_elements_from_frozen(axes, &row->mean.k, &row->k) : s;
+}
+
 static orr_status rows_at(run *r, const orr_ephemeris *e, orr_time at, orr_diag *diag)
 {
     const orr_sat *list;
@@ -53,7 +85,9 @@ static orr_status rows_at(run *r, const orr_ephemeris *e, orr_time at, orr_diag 
     for (size_t i = 0; i < n && s == ORR_OK; i++) {
         orr_elements_row row = {.t = at, .sat = list[i]};
         if (r->plan->sats != NULL && !orr_sat_set_has(r->plan->sats, list[i])) continue;
-        if (orr_elements_of(e, list[i], &axes, &row.k) != ORR_OK) continue;
+        const orr_status had =
+            r->plan->fifteen ? fifteen_of(e, &axes, &row) : orr_elements_of(e, list[i], &axes, &row.k);
+        if (had != ORR_OK) continue;
         s = r->sink(r->user, &row, diag);
         r->n_rows++;
         r->last = at;
@@ -154,7 +188,9 @@ orr_status orr_elements_make(const orr_elements_plan *plan, orr_elements_sink si
                             "three positions %g s apart do not define a plane: at least %g s",
                             plan->spacing_s, ORR_MAKE_ELEMENTS_LEAST_SPACING_S);
     run r = {.plan = plan,
-             .options = {.frame = plan->frame, .method = plan->method, .spacing_s = plan->spacing_s},
+             .options = {.frame = plan->frame,
+                         .method = plan->fifteen ? ORR_ELEMENTS_STATE : plan->method,
+                         .spacing_s = plan->spacing_s},
              .sink = sink,
              .user = user,
              .last = ORR_TIME_NONE};

@@ -4,6 +4,7 @@
 #define ORR_MAKE_ELEMENTS_H
 
 #include "orbit/elements/elements.h"
+#include "orbit/navdata/navfit.h"
 #include "src/make/inputs.h"
 
 #define ORR_MAKE_ELEMENTS_LEAST_SPACING_S 10.0 // closer positions do not define a plane
@@ -15,9 +16,10 @@ typedef struct orr_elements_plan {
     const char *erp;            // Earth rotation parameters; NULL: what each product was made with
     orr_elements_frame frame;
     orr_elements_method method;
-    double spacing_s;        // of ORR_ELEMENTS_THREE_POSITIONS
-    orr_time from, to;       // ORR_TIME_NONE: where the products begin and end
-    int64_t step_ns;         // positive
+    bool fifteen;      // the fifteen mean elements of the revolution about each instant instead of `method`
+    double spacing_s;  // of ORR_ELEMENTS_THREE_POSITIONS
+    orr_time from, to; // ORR_TIME_NONE: where the products begin and end
+    int64_t step_ns;   // positive
     const orr_sat_set *sats; // NULL: all
 } orr_elements_plan;
 
@@ -25,6 +27,7 @@ typedef struct orr_elements_row {
     orr_time t;
     orr_sat sat;
     orr_kepler k;
+    orr_mean_elements mean; // of `fifteen`: rates and amplitudes; its own k has the angles of ecef
 } orr_elements_row;
 
 // Takes a row; a status other than ORR_OK, with its diagnostic, ends the run.

@@ -15,8 +15,40 @@
 #include "src/cli/orbit/elements_rows.h"
 #include "src/make/elements.h"
 
-// A NetCDF file is written from memory: 72 bytes a row.
-#define MOST_ROWS_IN_MEMORY ((size_t)20 * 1000 * 1000)
+// A NetCDF file is written from memory.
+#define MOST_ROWS_IN_MEMORY ((size_t)2000 * 1000 * 1000 / sizeof(orr_elements_row))
+
+// What --fifteen has beside the six elements, in all formats; rates by the day.
+#define PER_DAY (ORR_DEG_PER_RAD * ORR_S_PER_DAY)
+static const struct {
+    const char *name, *units, *long_name;
+    size_t offset;
+    double scale;
+} EXTRA[] = {
+    {"delta_n_degpd", "degree day-1", "mean motion beyond that of the semi-major axis",
+     offsetof(orr_mean_elements, delta_n_radps), PER_DAY},
+    {"idot_degpd", "degree day-1", "rate of the inclination", offsetof(orr_mean_elements, idot_radps),
+     PER_DAY},
+    {"raan_dot_degpd", "degree day-1", "rate of the right ascension of the ascending node",
+     offsetof(orr_mean_elements, raan_dot_radps), PER_DAY},
+    {"crc_m", "m", "cosine amplitude of the radius at twice the argument of latitude",
+     offsetof(orr_mean_elements, crc_m), 1},
+    {"crs_m", "m", "sine amplitude of the radius", offsetof(orr_mean_elements, crs_m), 1},
+    {"cuc_rad", "rad", "cosine amplitude of the argument of latitude", offsetof(orr_mean_elements, cuc_rad),
+     1},
+    {"cus_rad", "rad", "sine amplitude of the argument of latitude", offsetof(orr_mean_elements, cus_rad), 1},
+    {"cic_rad", "rad", "cosine amplitude of the inclination", offsetof(orr_mean_elements, cic_rad), 1},
+    {"cis_rad", "rad", "sine amplitude of the inclination", offsetof(orr_mean_elements, cis_rad), 1},
+    {"rms_m", "m", "what the elements leave of the revolution", offsetof(orr_mean_elements, rms_m), 1},
+};
+enum { EXTRAS = sizeof EXTRA / sizeof EXTRA[0] };
+
+static double extra_of(const orr_elements_row *row, size_t k)
+{
+    double x;
+    memcpy(&x, (const char *)&row->mean + EXTRA[k].offset, sizeof x);
+    return x * EXTRA[k].scale;
+}
 
 typedef struct table {
     orr_elements_row *item;
@@ -45,6 +77,7 @@ static orr_status keep_row(void *user, const orr_elements_row *row, orr_diag *di
 typedef struct text_sink {
     FILE *stream;
     const char *path;
+    bool fifteen;
     size_t n;
 } text_sink;
 
@@ -59,8 +92,14 @@ static orr_status print_csv_row(void *user, const orr_elements_row *row, orr_dia
 {
     text_sink *k = user;
     char sat[ORR_SAT_TEXT];
-    if (k->n++ == 0) orr_elements_csv_head(k->stream);
+    if (k->n++ == 0) {
+        orr_elements_csv_head(k->stream);
+        for (size_t i = 0; k->fifteen && i < EXTRAS; i++) fprintf(k->stream, ",%s", EXTRA[i].name);
+        fputc('\n', k->stream);
+    }
     orr_elements_csv_row(k->stream, row->t, orr_sat_text(row->sat, sat), &row->k);
+    for (size_t i = 0; k->fifteen && i < EXTRAS; i++) fprintf(k->stream, ",%.9g", extra_of(row, i));
+    fputc('\n', k->stream);
     return check_stream(k, diag);
 }
 
@@ -72,10 +111,13 @@ static orr_status print_json_row(void *user, const orr_elements_row *row, orr_di
     fprintf(s->stream,
             "%s\n {\"t_gps\": \"%s\", \"sat\": \"%s\", \"a_m\": %.4f, \"e\": %.12f, \"i_deg\": %.10f, "
             "\"raan_deg\": %.10f, "
-            "\"argp_deg\": %.10f, \"m_deg\": %.10f, \"u_deg\": %.10f}",
+            "\"argp_deg\": %.10f, \"m_deg\": %.10f, \"u_deg\": %.10f",
             s->n++ > 0 ? "," : "[", orr_time_text(row->t, time), orr_sat_text(row->sat, sat), k->a_m, k->e,
             k->i_rad * ORR_DEG_PER_RAD, orr_elements_degrees(k->raan_rad), orr_elements_degrees(k->argp_rad),
             orr_elements_degrees(k->m_rad), orr_elements_degrees(k->u_rad));
+    for (size_t i = 0; s->fifteen && i < EXTRAS; i++)
+        fprintf(s->stream, ", \"%s\": %.9g", EXTRA[i].name, extra_of(row, i));
+    fputc('}', s->stream);
     return check_stream(s, diag);
 }
 
@@ -89,7 +131,9 @@ static orr_status put_about(orr_nc_writer *w, const orr_cli *c, const orr_elemen
         orr_nc_put_provenance(w, "Kepler elements of navigation satellites", c->call, input, inputs->n, diag);
     if (s == ORR_OK) s = orr_nc_put_att_text(w, NULL, "product", "elements", diag);
     if (s == ORR_OK) s = orr_nc_put_att_text(w, NULL, "axes", orr_cli_text(c, "frame", "date"), diag);
-    if (s == ORR_OK) s = orr_nc_put_att_text(w, NULL, "method", orr_cli_text(c, "method", "state"), diag);
+    if (s == ORR_OK)
+        s = orr_nc_put_att_text(w, NULL, "method",
+                                plan->fifteen ? "fifteen" : orr_cli_text(c, "method", "state"), diag);
     if (s == ORR_OK && plan->method == ORR_ELEMENTS_THREE_POSITIONS)
         s = orr_nc_put_att_double(w, NULL, "spacing_s", &plan->spacing_s, 1, diag);
     free(input);
@@ -142,6 +186,11 @@ static orr_status write_nc(const orr_cli *c, const orr_elements_plan *plan, cons
         s = orr_nc_put_var(&w, column[k].name, ORR_NC_DOUBLE, 1, by_row, value, column[k].units,
                            column[k].long_name, diag);
     }
+    for (size_t k = 0; plan->fifteen && k < EXTRAS && s == ORR_OK; k++) {
+        for (size_t i = 0; i < t->n; i++) value[i] = extra_of(&t->item[i], k);
+        s = orr_nc_put_var(&w, EXTRA[k].name, ORR_NC_DOUBLE, 1, by_row, value, EXTRA[k].units,
+                           EXTRA[k].long_name, diag);
+    }
     if (s == ORR_OK) s = put_about(&w, c, plan, inputs, diag);
     free(value);
     free(name);
@@ -157,7 +206,7 @@ static orr_status to_text(const orr_elements_plan *plan, const char *path, bool 
     orr_outfile out;
     orr_status s = orr_outfile_open(path, &out, diag);
     if (s != ORR_OK) return s;
-    text_sink k = {.stream = out.stream, .path = path};
+    text_sink k = {.stream = out.stream, .path = path, .fifteen = plan->fifteen};
     periods->next = json ? print_json_row : print_csv_row;
     periods->user = &k;
     s = orr_elements_make(plan, elements_periods_take, periods, n, NULL, warnings, diag);
@@ -219,6 +268,7 @@ static int run_of(orr_cli *c, const char *const *product, size_t n_products)
         .erp = orr_cli_text(c, "erp", NULL),
         .frame = orr_elements_frame_of(orr_cli_text(c, "frame", "date")),
         .method = orr_elements_method_of(orr_cli_text(c, "method", "state")),
+        .fifteen = orr_cli_given(c, "fifteen"),
         .spacing_s = (double)orr_cli_duration_ns(c, "spacing", 300 * ORR_NS_PER_S) * 1e-9,
         .from = orr_cli_time(c, "from", ORR_TIME_NONE),
         .to = orr_cli_time(c, "to", ORR_TIME_NONE),
@@ -271,6 +321,14 @@ static const orr_option options[] = {
              "three-positions: the plane through three positions --spacing apart and the standard formulas; "
              "the plane is good to 4e-6 deg, but a is off by about 2 km (J2), and e and argp with it. mean: "
              "osculating elements averaged over one revolution, half of it to each side."},
+    {.name = "fifteen",
+     .kind = ORR_OPT_FLAG,
+     .applies = "!method",
+     .help = "The fifteen mean elements of the revolution about each instant, fitted to the orbit by the "
+             "model that "
+             "GPS' messages have (IS-GPS-200, table 20-IV): besides six elements the rates of mean motion, "
+             "inclination and node, amplitudes of radius, argument of latitude and inclination at twice the "
+             "argument of latitude, and what they leave of the orbit."},
     {.name = "frame",
      .kind = ORR_OPT_CHOICE,
      .value = ORR_ELEMENTS_FRAMES,

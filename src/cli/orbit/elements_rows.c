@@ -23,17 +23,13 @@ double orr_elements_degrees(double angle_rad)
     return degrees < 360 - 0.5e-10 ? degrees : 0;
 }
 
-void orr_elements_csv_head(FILE *f) { fputs("t_gps,sat,a_m,e,i_deg,raan_deg,argp_deg,m_deg,u_deg\n", f); }
+void orr_elements_csv_head(FILE *f) { fputs("t_gps,sat,a_m,e,i_deg,raan_deg,argp_deg,m_deg,u_deg", f); }
 
 void orr_elements_csv_row(FILE *f, orr_time t, const char *sat, const orr_kepler *k)
 {
     char time[ORR_TIME_TEXT];
     fprintf(f, "%s,%s,", orr_time_text(t, time), sat);
-    if (k == NULL) {
-        fputs(",,,,,,\n", f);
-        return;
-    }
-    fprintf(f, "%.4f,%.12f,%.10f,%.10f,%.10f,%.10f,%.10f\n", k->a_m, k->e, k->i_rad * ORR_DEG_PER_RAD,
+    fprintf(f, "%.4f,%.12f,%.10f,%.10f,%.10f,%.10f,%.10f", k->a_m, k->e, k->i_rad * ORR_DEG_PER_RAD,
             orr_elements_degrees(k->raan_rad), orr_elements_degrees(k->argp_rad),
             orr_elements_degrees(k->m_rad), orr_elements_degrees(k->u_rad));
 }

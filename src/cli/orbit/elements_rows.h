@@ -17,9 +17,9 @@ orr_elements_method orr_elements_method_of(const char *word);
 // An angle in degrees, from 0 to what ten decimals still show as less than 360.
 double orr_elements_degrees(double angle_rad);
 
-// The line of column names.
+// The names of columns, without the end of the line.
 void orr_elements_csv_head(FILE *f);
-// One row; k NULL: blank cells.
+// One row, without its end.
 void orr_elements_csv_row(FILE *f, orr_time t, const char *sat, const orr_kepler *k);
 
 #endif
