@@ -49,8 +49,14 @@ void orr_elements_axes_at(orr_time t, const orr_elements_options *o, orr_element
 orr_status orr_elements_of(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
                            orr_kepler *out);
 
-// State (ecef) of a satellite at an instant within the arc that holds the axes' instant, or in what meets that arc (before and after of
-// the options); ORR_E_NODATA beyond.
+// State of a satellite at an instant within the arc that holds the axes' instant, or in what meets that arc.
+// Given:
+//   e, sat  product and satellite
+//   axes    with the products before and after among their options
+//   t       the instant
+// Returned:
+//   out     state, ecef
+// Errors: those of orr_ephemeris_eval; ORR_E_NODATA beyond the arc and what meets it.
 orr_status orr_elements_state_near(const orr_ephemeris *e, orr_sat sat, const orr_elements_axes *axes,
                                    orr_time t, orr_sat_state *out);
 // Elements in the axes' own of elements in ecef axes that stand still as they are at the axes' instant. ORR_E_NUMERIC where they are no ellipse.

@@ -171,6 +171,13 @@ class Page(Served):
             self.assertEqual(b.run("return document.querySelector('#sats tr[aria-selected=true]').dataset.sat"), other)
             sum_m = b.run("const c = shape.channels, k = c.channels.findIndex(x => x.sat === shape.chosen); let s = 0; for (const [n, v] of Object.entries(c.terms[k])) if (!['wind_up_m', 'phase_bias_m', 'echo_phase_m'].includes(n)) s += v; return s - c.channels[k].code[0]")
             self.assertLess(abs(sum_m), 1e-6)
+            # Terms that are nothing stand in the table when they are asked for.
+            short, whole = b.run("const c = shape.channels, k = c.channels.findIndex(x => x.sat === shape.chosen), v = Object.values(c.terms[k]); return [v.filter(x => Math.abs(x) >= 5e-4).length, v.length]")
+            self.assertLess(short, whole)
+            self.assertEqual(b.run("return document.querySelectorAll('#terms tr').length"), short + 2)  # a head and the sum
+            b.click("#all-terms")
+            self.assertEqual(b.run("return document.querySelectorAll('#terms tr').length"), whole + 2)
+            b.click("#all-terms")
             rows = b.run("return [...document.querySelectorAll('#sats tr[tabindex]')].map(r => r.dataset.sat)")
             b.click(f'#sats tr[data-sat="{rows[0]}"]')
             b.press("down")
@@ -186,6 +193,7 @@ class Page(Served):
             self.assertEqual(b.run("return document.getElementById('signal').options.length"), 4)
             b.run("const s = document.getElementById('signal'); s.value = s.options[1].value; s.onchange()")
             self.assertEqual(b.run("return [...new Set([...document.querySelectorAll('#sats tbody tr td:nth-child(4)')].map(t => t.textContent))]"), ["L1CA"])
+            self.assertRegex(b.run("return document.getElementById('sat-count').textContent"), r"^\d of \d in view send this signal$")
             b.until("shape.until", "what the scenario says will happen")
             ahead = b.run("return [shape.from, shape.until, shape.ahead.map(e => e.at)]")
             self.assertEqual(ahead[1] - ahead[0], 600000)
@@ -195,6 +203,8 @@ class Page(Served):
             b.emulate(prefers_color_scheme="dark")
             dark = b.run("return getComputedStyle(document.body).backgroundColor")
             self.assertGreater(sum(map(int, re.findall(r"\d+", light))), 3 * sum(map(int, re.findall(r"\d+", dark))))
+            blue = b.run("return getComputedStyle(document.documentElement).getPropertyValue('--c0').trim()")
+            b.until("(() => { const k = document.getElementById('rate-plot'), c = document.createElement('canvas'); c.width = k.width; c.height = k.height; const g = c.getContext('2d', { willReadFrequently: true }); g.fillStyle = '%s'; g.fillRect(0, 0, 1, 1); const want = g.getImageData(0, 0, 1, 1).data; g.clearRect(0, 0, 1, 1); g.drawImage(k, 0, 0); const d = g.getImageData(0, 0, c.width, c.height).data; for (let i = 0; i < d.length; i += 4) if (d[i + 3] === 255 && d[i] === want[0] && d[i + 1] === want[1] && d[i + 2] === want[2]) return true; return false; })()" % blue, "curves in the dark's colours")
             keep(b, "dark.png")
             for width in (1280, 800, 400, 320):
                 b.width(width)
