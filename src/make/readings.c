@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "inertial/sense/sensors.h"
 
@@ -21,6 +22,27 @@ orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, const orr_l
     free(folder);
     orr_bytes_free(&text);
     return s;
+}
+
+typedef struct noting {
+    orr_inputs *inputs;
+    orr_status status;
+    orr_diag *diag;
+} noting;
+
+static bool note_file(void *user, const char *path)
+{
+    noting *n = user;
+    struct stat is;
+    if (stat(path, &is) == 0 && S_ISREG(is.st_mode)) n->status = orr_inputs_note(n->inputs, path, n->diag);
+    return n->status == ORR_OK;
+}
+
+orr_status orr_inputs_scenario_files(orr_inputs *inputs, const orr_scenario *scenario, orr_diag *diag)
+{
+    noting n = {.inputs = inputs, .diag = diag};
+    (void)orr_schema_files(orr_scenario_schema(), scenario, note_file, &n);
+    return n.status;
 }
 
 orr_readings_plan orr_readings_plan_of(const orr_moving *moving)

@@ -19,6 +19,10 @@
 orr_status orr_inputs_scenario(orr_inputs *inputs, const char *path, const orr_leap_table *leap,
                                orr_scenario *out, orr_diag *diag);
 
+// Appends the files that a scenario names, by reading them again to be hashed. What is no file any more (a pipe) or a folder is left out.
+// Errors: those of orr_inputs_note.
+orr_status orr_inputs_scenario_files(orr_inputs *inputs, const orr_scenario *scenario, orr_diag *diag);
+
 typedef struct orr_readings_plan {
     const orr_moving *moving;
     size_t unit; // below moving->n_units

@@ -169,7 +169,6 @@ static orr_status replay_of(simulation *s, orr_scenario *out, orr_diag *diag)
                               "navigation file)");
     if (status == ORR_OK) status = orbits_of(orbits, n_orbits, &f, diag);
     if (status == ORR_OK) status = orr_scenario_of_replay(&f, c->leap, out, diag);
-    if (status == ORR_OK) status = orr_inputs_note(&s->inputs, f.observations, diag);
     free(orbits);
     free(clk);
     free(erp);
@@ -198,10 +197,11 @@ static int run(orr_cli *c)
     int code = ORR_EXIT_FAILED;
     if (status == ORR_OK) {
         s.engine = e;
-        code = simulate(c, &s);
+        status = orr_inputs_scenario_files(&s.inputs, &scenario, &diag);
+        if (status == ORR_OK) code = simulate(c, &s);
         orr_engine_close(e);
-    } else
-        orr_cli_fail(c, &diag);
+    }
+    if (status != ORR_OK) orr_cli_fail(c, &diag);
     orr_scenario_free(&scenario);
     orr_inputs_free(&s.inputs);
     json_decref(s.files);

@@ -149,6 +149,9 @@ class Made(Simulation):
                 digest = hashlib.sha256((folder / item["name"]).read_bytes()).hexdigest()
                 self.assertEqual(digest, item["sha256"], item["name"])
             hashes.append({item["name"]: item["sha256"] for item in manifest["files"]})
+            scenario, orbit = manifest["inputs"]
+            self.assertEqual(scenario["name"], name + ".yaml")
+            self.assertEqual(orbit, {"name": "day.nc", "sha256": hashlib.sha256(pathlib.Path(self.orbit).read_bytes()).hexdigest()})
         self.assertEqual(hashes[0], hashes[1])
         self.assertIn("BASE.rnx", hashes[0])
 
