@@ -42,12 +42,12 @@ def product():
 class Daemon:
     """`with Daemon(product()) as d:` serves on d.urls until the end of the block."""
 
-    def __init__(self, what, *args, listen=("tcp://127.0.0.1:0",), cwd=None, inside=None):
+    def __init__(self, what, *args, listen=("tcp://127.0.0.1:0",), cwd=None, inside=None, env=None):
         words = ["nsenter", "-t", str(inside), "-n"] if inside else []  # of that process's network
         words += [ORRERY, "serve", str(what), *args]
         for url in listen:
             words += ["--listen", url]
-        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=cwd)
+        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=cwd, env=env)
         self.lines, self.urls = [], []
         self._ready = threading.Event()
         self._reader = threading.Thread(target=self._read, daemon=True)
