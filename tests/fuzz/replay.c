@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in for libFuzzer where a test replays seeds: every file of the folders named, as it is, cut, and
-// with a fixed set of mutations. Nothing is judged here; a fault ends the program (under the sanitizers), a
-// hang meets ctest's limit.
+// Stands in for libFuzzer where a test replays seeds: every file of the folders named, as it is, and
+// with a fixed set of mutations: those by bytes below, and as many of the target's own where it has some (mutate_*.c). Nothing is judged here; a
+// fault ends the program (under the sanitizers), a hang meets ctest's limit.
 #include <dirent.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "fuzz/mutate.h"
 
 #define MUTATIONS 150
 #define MAX_SEED ((size_t)1 << 20)
@@ -49,6 +51,19 @@ static size_t mutate(uint8_t *p, size_t n, size_t capacity)
     }
 }
 
+size_t LLVMFuzzerMutate(uint8_t *data, size_t n, size_t most)
+{
+    return n == 0 || n > most / 2 ? n : mutate(data, n, most);
+}
+
+#ifndef ORR_FUZZ_STRUCTURED
+size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t n, size_t most, unsigned seed)
+{
+    (void)seed;
+    return LLVMFuzzerMutate(data, n, most);
+}
+#endif
+
 static int replay(const char *path, size_t *n_run)
 {
     static uint8_t seed[MAX_SEED], work[2 * MAX_SEED];
@@ -61,7 +76,9 @@ static int replay(const char *path, size_t *n_run)
     for (int i = 0; i < MUTATIONS; i++) {
         size_t m = n;
         memcpy(work, seed, n);
-        for (uint64_t k = next_random() % 4; k < 4; k++) m = mutate(work, m, sizeof work);
+        for (uint64_t k = next_random() % 4; k < 4; k++)
+            m = i % 2 == 0 ? mutate(work, m, sizeof work)
+                           : LLVMFuzzerCustomMutator(work, m, sizeof work, (unsigned)next_random());
         LLVMFuzzerTestOneInput(work, m);
         (*n_run)++;
     }
