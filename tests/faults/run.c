@@ -42,7 +42,11 @@ static int run_once(faults *f, long long fail, int argc, char **argv)
         faults_count_stdout();
         atomic_store(&f->calls, 0); // ours do not count
         atomic_store(&f->fail, fail);
-        exit(orrery_main(argc, argv));
+        const int status = orrery_main(argc, argv);
+#ifdef ORR_COVERAGE
+        atomic_store(&f->fail, -1); // gcov's calls as it writes what it counted are not the program's
+#endif
+        exit(status);
     }
     int status = 0;
     if (child < 0 || waitpid(child, &status, 0) != child) exit(125);
