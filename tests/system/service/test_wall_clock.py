@@ -59,15 +59,13 @@ class WallClock(unittest.TestCase):
             last = stream.next().t
             for n, offset in enumerate(STEPS):
                 step_to(offset)
-                began = time.monotonic_ns()
                 for _ in range(12):
                     t = stream.next().t
-                    self.assertEqual(t - last, NS // 50)
+                    self.assertEqual((t > last, (t - last) % (NS // 50)), (True, 0))  # a machine that is too busy leaves some out
                     last = t
-                # Twelve blocks of 20 ms take a quarter of a second: none comes at once, and none is waited for longer than the machine is busy.
-                self.assertGreater(time.monotonic_ns() - began, NS // 8)
-                self.assertLess(time.monotonic_ns() - began, 20 * NS)
                 now = client.time()
+                self.assertLessEqual(last, now.t)  # none came before its time
+                self.assertLess(now.t - last, 20 * NS)
                 self.assertEqual((now.t - first.t), (now.host - first.host))
                 self.assertAlmostEqual((now.wall - first.wall - (now.host - first.host)) / NS, offset, delta=1)
                 self.assertEqual((now.state, now.sets, now.suspends), (messages.ClockState.RUNNING, first.sets + n + 1, first.suspends))
