@@ -238,33 +238,61 @@ static bool open_track(generator *g, const orr_gen_stream_options *o, orr_gen_fa
 
 // --- Playing ---
 
-// One buffer of a stream from blocks, and its bytes handed to the writer.
-static bool play(generator *g, track *t, const orr_gen_block *block, size_t n, orr_gen_fault *fault)
+// The next buffer of a track, up to `end` at most; none where there is nothing left to be made of it.
+static bool begin_buffer(track *t, int64_t end, orr_gen_task *task, orr_gen_fault *fault)
 {
-    const orr_gen_stream_plan *p = orr_gen_stream_plan_of(t->stream);
-    int64_t end = orr_gen_first_sample(block[n - 1].begin_ns + block[n - 1].length_ns, p->rate_hz);
-    if (end > t->end) end = t->end;
-    for (size_t k = 0; k < n; k++)
-        if (!orr_gen_stream_ready(t->stream, &block[k], fault)) return false;
-    while (t->next < end) {
-        const int64_t until = end - t->next > ORR_GEN_CREW_SAMPLES ? t->next + ORR_GEN_CREW_SAMPLES : end;
-        const size_t samples = (size_t)(until - t->next);
-        uint8_t *bytes = orr_gen_writer_buffer(t->writer, orr_gen_output_size(p->format, samples) + 1);
-        if (bytes == NULL) return orr_gen_fail(fault, "the samples cannot be written");
-        const size_t carried = t->half ? 1 : 0;
-        if (carried) bytes[0] = t->left;
-        t->clipped += orr_gen_crew_play(g->crew, t->stream, block, n, t->next, until, bytes + carried);
-        size_t size = orr_gen_output_size(p->format, samples);
-        if (p->format == ORR_GEN_I2) {
-            size += carried;
-            t->half = size % 2 == 1 && until < t->end;
-            if (t->half) t->left = bytes[--size];
-            size = orr_gen_output_pack(bytes, size);
-        }
-        orr_gen_writer_submit(t->writer, size);
-        t->next = until;
-    }
+    const orr_gen_format format = orr_gen_stream_plan_of(t->stream)->format;
+    const int64_t until = end - t->next > ORR_GEN_CREW_SAMPLES ? t->next + ORR_GEN_CREW_SAMPLES : end;
+    uint8_t *bytes =
+        orr_gen_writer_buffer(t->writer, orr_gen_output_size(format, (size_t)(until - t->next)) + 1);
+    if (bytes == NULL) return orr_gen_fail(fault, "the samples cannot be written");
+    if (t->half) bytes[0] = t->left;
+    *task =
+        (orr_gen_task){.stream = t->stream, .from = t->next, .to = until, .bytes = bytes + (t->half ? 1 : 0)};
     return true;
+}
+
+// Hands it to the writer.
+static void end_buffer(track *t, const orr_gen_task *task)
+{
+    const orr_gen_format format = orr_gen_stream_plan_of(t->stream)->format;
+    const size_t carried = t->half ? 1 : 0;
+    uint8_t *bytes = task->bytes - carried;
+    size_t size = orr_gen_output_size(format, (size_t)(task->to - task->from));
+    if (format == ORR_GEN_I2) {
+        size += carried;
+        t->half = size % 2 == 1 && task->to < t->end;
+        if (t->half) t->left = bytes[--size];
+        size = orr_gen_output_pack(bytes, size);
+    }
+    orr_gen_writer_submit(t->writer, size);
+    t->clipped += task->clipped;
+    t->next = task->to;
+}
+
+// Blocks of all streams, side by side, a buffer of each at a time.
+static bool play(generator *g, const orr_gen_block *block, size_t n, orr_gen_fault *fault)
+{
+    const int64_t end_ns = block[n - 1].begin_ns + block[n - 1].length_ns;
+    for (size_t k = 0; k < g->n_tracks; k++)
+        for (size_t j = 0; j < n; j++)
+            if (!orr_gen_stream_ready(g->track[k].stream, &block[j], fault)) return false;
+    for (;;) {
+        orr_gen_task task[ORR_GEN_STREAMS];
+        track *of[ORR_GEN_STREAMS];
+        size_t tasks = 0;
+        for (size_t k = 0; k < g->n_tracks; k++) {
+            track *t = &g->track[k];
+            int64_t end = orr_gen_first_sample(end_ns, orr_gen_stream_plan_of(t->stream)->rate_hz);
+            if (end > t->end) end = t->end;
+            if (t->next >= end) continue;
+            if (!begin_buffer(t, end, &task[tasks], fault)) return false;
+            of[tasks++] = t;
+        }
+        if (tasks == 0) return true;
+        orr_gen_crew_play(g->crew, block, n, task, tasks);
+        for (size_t k = 0; k < tasks; k++) end_buffer(of[k], &task[k]);
+    }
 }
 
 static bool run(generator *g, orr_gen_fault *fault)
@@ -277,8 +305,7 @@ static bool run(generator *g, orr_gen_fault *fault)
         const int64_t end = block[n - 1].begin_ns + block[n - 1].length_ns;
         // Signals are on their way for up to 0.3 s, from beyond geostationary orbits.
         if (!orr_gen_navigation_cover(g->navigation, t - NS_PER_S, end, fault)) return false;
-        for (size_t k = 0; k < g->n_tracks; k++)
-            if (!play(g, &g->track[k], block, n, fault)) return false;
+        if (!play(g, block, n, fault)) return false;
         t = end;
         if (t - told < META_EVERY_S * (int64_t)NS_PER_S) continue;
         for (size_t k = 0; k < g->n_tracks; k++)

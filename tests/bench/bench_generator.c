@@ -11,7 +11,7 @@
 
 #include "bench/bench.h"
 #include "src/generator/codes/codes.h"
-#include "src/generator/play/stream.h"
+#include "src/generator/play/crew.h"
 
 enum { SATELLITES = 40, RUNS = 15 };
 
@@ -96,7 +96,7 @@ typedef struct playing {
     orr_gen_stream *stream;
     orr_gen_block block;
     orr_gen_channel channel[SATELLITES];
-    orr_gen_worker worker;
+    orr_gen_crew *crew;
     uint8_t bytes[8 * ORR_GEN_PIECE];
     int64_t at, begin, end;
 } playing;
@@ -105,8 +105,10 @@ static void play(void *arg)
 {
     playing *p = arg;
     const orr_gen_span span = orr_gen_stream_span(p->stream, &p->block, p->at);
-    orr_gen_stream_play(p->stream, &span, &p->worker, p->bytes);
-    p->at = span.first + span.n < p->end ? span.first + span.n : p->begin;
+    const int64_t end = span.first + span.n;
+    orr_gen_task task = {.stream = p->stream, .from = span.first, .to = end, .bytes = p->bytes};
+    orr_gen_crew_play(p->crew, &p->block, 1, &task, 1);
+    p->at = end < p->end ? end : p->begin;
     bench_use(p->bytes[3]);
 }
 
@@ -145,13 +147,14 @@ static double pieces(const orr_gen_signal_info *signal, size_t n, uint32_t rate,
     fill_channels(p, signal->system, n);
     if (!orr_gen_navigation_open(NULL, &p->service, &p->navigation, &fault) ||
         !orr_gen_stream_open(&p->service, p->navigation, &plan, &p->stream, &fault) ||
-        !orr_gen_stream_ready(p->stream, &p->block, &fault))
+        !orr_gen_stream_ready(p->stream, &p->block, &fault) || !orr_gen_crew_open(1, &p->crew, &fault))
         abort();
     p->begin = p->at = orr_gen_first_sample(p->block.begin_ns, rate);
     p->end = orr_gen_first_sample(p->block.begin_ns + p->block.length_ns, rate);
     // A mean piece: blocks begin and end within the lattice.
     const double mean = (double)ORR_GEN_PIECE;
     const double ns = processor_seconds(play, p) / mean * 1e9;
+    orr_gen_crew_close(p->crew);
     orr_gen_stream_close(p->stream);
     orr_gen_navigation_close(p->navigation);
     free(p);

@@ -148,20 +148,6 @@ orr_gen_span orr_gen_stream_span(const orr_gen_stream *stream, const orr_gen_blo
     return (orr_gen_span){block, first, (uint32_t)(to - first)};
 }
 
-// Adds a group's sum to that of the groups before it, of which there may be none.
-static void end_group(const orr_gen_kernel *kernel, orr_gen_worker *w, uint32_t n, bool first)
-{
-    kernel->add(first, w->re, n, w->sum_re);
-    kernel->add(first, w->im, n, w->sum_im);
-}
-
-static void begin_group(orr_gen_worker *w, uint32_t n)
-{
-    const size_t whole = (n + ORR_GEN_GROUP - 1) / ORR_GEN_GROUP * ORR_GEN_GROUP;
-    memset(w->re, 0, whole * sizeof w->re[0]);
-    memset(w->im, 0, whole * sizeof w->im[0]);
-}
-
 // Of a channel in the sum's units.
 static double amplitude_of(const orr_gen_stream *s, const orr_gen_channel *c)
 {
@@ -170,8 +156,30 @@ static double amplitude_of(const orr_gen_stream *s, const orr_gen_channel *c)
     return a < ORR_GEN_AMPLITUDE / 1.5 ? a : ORR_GEN_AMPLITUDE / 1.5; // a part may have 1.35 of it
 }
 
-void orr_gen_stream_play(const orr_gen_stream *stream, const orr_gen_span *span, orr_gen_worker *worker,
-                         uint8_t *bytes)
+// What plays a channel; NULL: it is not to be heard.
+static const orr_gen_voice *voice_of(const orr_gen_stream *s, const orr_gen_channel *c)
+{
+    return hears(s, c) ? s->source[c->signal][c->number].voice : NULL;
+}
+
+size_t orr_gen_stream_group(const orr_gen_stream *stream, const orr_gen_block *block, size_t from,
+                            double *most)
+{
+    double group = 0;
+    size_t k = from;
+    for (; k < block->n; k++) {
+        const orr_gen_voice *voice = voice_of(stream, &block->channel[k]);
+        if (voice == NULL) continue;
+        const double more = orr_gen_voice_peak(voice) * amplitude_of(stream, &block->channel[k]) + 4;
+        if (group + more > SUM_LARGEST) break;
+        group += more;
+    }
+    *most += group;
+    return k;
+}
+
+void orr_gen_stream_mix(const orr_gen_stream *stream, const orr_gen_span *span, size_t from, size_t to,
+                        orr_gen_worker *worker)
 {
     const orr_gen_piece piece = {.first = span->first,
                                  .n = span->n,
@@ -182,28 +190,27 @@ void orr_gen_stream_play(const orr_gen_stream *stream, const orr_gen_span *span,
                                  .scratch = &worker->scratch,
                                  .re = worker->re,
                                  .im = worker->im};
-    double group = 0, most_of_all = 0;
-    bool first = true;
-    begin_group(worker, span->n);
-    for (size_t k = 0; k < span->block->n; k++) {
+    const size_t whole = (span->n + ORR_GEN_GROUP - 1) / ORR_GEN_GROUP * ORR_GEN_GROUP;
+    memset(worker->re, 0, whole * sizeof worker->re[0]);
+    memset(worker->im, 0, whole * sizeof worker->im[0]);
+    for (size_t k = from; k < to; k++) {
         const orr_gen_channel *c = &span->block->channel[k];
-        if (!hears(stream, c) || stream->source[c->signal][c->number].voice == NULL) continue;
-        const orr_gen_voice *voice = stream->source[c->signal][c->number].voice;
-        const double amplitude = amplitude_of(stream, c), most = orr_gen_voice_peak(voice) * amplitude + 4;
-        if (group + most > SUM_LARGEST) {
-            end_group(stream->kernel, worker, span->n, first);
-            begin_group(worker, span->n);
-            first = false;
-            group = 0;
-        }
-        orr_gen_voice_play(voice, c, amplitude, &piece);
-        group += most;
-        most_of_all += most;
-        worker->channels++;
+        const orr_gen_voice *voice = voice_of(stream, c);
+        if (voice != NULL) orr_gen_voice_play(voice, c, amplitude_of(stream, c), &piece);
     }
-    const orr_gen_sums sums = {worker->re, worker->im, first ? NULL : worker->sum_re,
-                               first ? NULL : worker->sum_im, most_of_all};
-    worker->clipped += stream->kernel->write(&stream->output, &sums, span->first, span->n, bytes);
+}
+
+void orr_gen_stream_add(const orr_gen_stream *stream, const orr_gen_span *span, bool first,
+                        const orr_gen_worker *worker, int32_t *sum_re, int32_t *sum_im)
+{
+    stream->kernel->add(first, worker->re, span->n, sum_re);
+    stream->kernel->add(first, worker->im, span->n, sum_im);
+}
+
+uint64_t orr_gen_stream_write(const orr_gen_stream *stream, const orr_gen_span *span,
+                              const orr_gen_sums *sums, uint8_t *bytes)
+{
+    return stream->kernel->write(&stream->output, sums, span->first, span->n, bytes);
 }
 
 const orr_gen_heard *orr_gen_stream_heard(const orr_gen_stream *stream, size_t *n)

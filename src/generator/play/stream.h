@@ -67,17 +67,44 @@ typedef struct orr_gen_span {
 // The piece that holds sample `at` of a block, whole.
 orr_gen_span orr_gen_stream_span(const orr_gen_stream *stream, const orr_gen_block *block, int64_t at);
 
+// Channels of a block from place `from` on whose sum holds in 16 bits: the place behind the last of them. *most grows by what their sum is
+// at most.
+size_t orr_gen_stream_group(const orr_gen_stream *stream, const orr_gen_block *block, size_t from,
+                            double *most);
+
 // What playing needs for itself, one a thread.
 typedef struct orr_gen_worker {
     orr_gen_scratch scratch;
-    int16_t re[ORR_GEN_PIECE], im[ORR_GEN_PIECE];
-    int32_t sum_re[ORR_GEN_PIECE], sum_im[ORR_GEN_PIECE];
-    uint64_t clipped, channels; // samples beyond the format's range; channels of pieces that were played
+    int16_t re[ORR_GEN_PIECE], im[ORR_GEN_PIECE]; // of a group of channels
 } orr_gen_worker;
 
-// Samples of a span as bytes: orr_gen_output_size(format, span->n) of them. Several threads may play at once.
-void orr_gen_stream_play(const orr_gen_stream *stream, const orr_gen_span *span, orr_gen_worker *worker,
-                         uint8_t *bytes);
+// Sums of a span over a group of its block's channels. Several threads may play at once.
+//
+// Given:
+//    stream    made ready for the block
+//    span      the piece
+//    from, to  places of the first channel and of the one behind the last
+// Returned:
+//    worker    re and im: the sums
+void orr_gen_stream_mix(const orr_gen_stream *stream, const orr_gen_span *span, size_t from, size_t to,
+                        orr_gen_worker *worker);
+
+// Adds a group's sums to those of the groups before.
+//
+// Given:
+//    stream          of the span
+//    span            the piece
+//    first           whether there are none before it
+//    worker          the group's sums
+// Returned:
+//    sum_re, sum_im  span->n of them
+void orr_gen_stream_add(const orr_gen_stream *stream, const orr_gen_span *span, bool first,
+                        const orr_gen_worker *worker, int32_t *sum_re, int32_t *sum_im);
+
+// Samples of a span as bytes, orr_gen_output_size(format, span->n) of them, from the sums of all groups. Returns how many were beyond the
+// format's range.
+uint64_t orr_gen_stream_write(const orr_gen_stream *stream, const orr_gen_span *span,
+                              const orr_gen_sums *sums, uint8_t *bytes);
 
 // What was heard: a satellite's signal, and between which instants.
 typedef struct orr_gen_heard {
