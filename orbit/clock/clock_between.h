@@ -30,37 +30,35 @@ typedef struct orr_clock_interval {
     double bend_first_sps, bend_last_sps; // what the rate at the nodes is beyond the line's
 } orr_clock_interval;
 
-// The clock and its rate a part of the way (0 to 1) into an interval: C1 where both sides of a node have one rate there.
-static inline void orr_clock_interval_at(const orr_clock_interval *c, double part, double *clock_s,
-                                         double *rate_sps)
-{
-    const double room = ORR_CLOCK_ROUNDED, from_last = 1 - part;
-    *clock_s = c->clock_s + c->rate_sps * (part * c->length_s);
-    *rate_sps = c->rate_sps;
-    if (part < room) {
-        const double u = part / room;
-        *clock_s += c->bend_first_sps * (room * c->length_s) * (u * (1 - u) * (1 - u));
-        *rate_sps += c->bend_first_sps * ((1 - u) * (1 - 3 * u));
-    } else if (from_last < room) {
-        const double u = from_last / room;
-        *clock_s -= c->bend_last_sps * (room * c->length_s) * (u * (1 - u) * (1 - u));
-        *rate_sps += c->bend_last_sps * ((1 - u) * (1 - 3 * u));
-    }
-}
+// Several clocks side by side, as a vector unit takes them.
+enum { ORR_CLOCK_LANES = 4 };
+typedef double orr_clock_lanes __attribute__((vector_size(ORR_CLOCK_LANES * sizeof(double)), may_alias));
+typedef int64_t orr_clock_mask __attribute__((vector_size(ORR_CLOCK_LANES * sizeof(int64_t)), may_alias));
 
-// Variance of what the clock is off the line between two nodes, a part of the way into an interval of length_s:
-// a random walk held at both ends wanders by q h p (1 - p), one whose frequency wanders by q h^3 p^2 (1 - p)^2 / 3 (the
-// square of the Green function of a string held at both ends); white noise of both nodes and of the instant itself, as
-// far as they are not one (orr_clock_white_correlation). What all clocks of a system do together is not in it.
-static inline double orr_clock_between_s2(const orr_clock_noise *n, double length_s, double part)
-{
-    const double p = part, q = 1 - part, h = length_s;
-    const double apart = 1 + p * p + q * q + 2 * p * q * orr_clock_white_correlation(h) -
-                         2 * q * orr_clock_white_correlation(p * h) -
-                         2 * p * orr_clock_white_correlation(q * h);
-    return n->white_s2 * (apart > 0 ? apart : 0) + n->wfm_s2ps * h * p * q +
-           n->rwfm_s2ps3 * h * h * h * p * p * q * q / 3;
-}
+typedef struct orr_clock_intervals {
+    orr_clock_lanes length_s, clock_s, rate_sps, bend_first_sps, bend_last_sps;
+} orr_clock_intervals;
+
+typedef struct orr_clock_noises {
+    orr_clock_lanes white_s2, wfm_s2ps, rwfm_s2ps3;
+} orr_clock_noises;
+
+// One clock: orr_clock_interval_at, orr_clock_between_s2.
+#define NUMBER double
+#define WHERE(condition, x) ((condition) ? (x) : 0)
+#define INTERVAL orr_clock_interval
+#define NOISE orr_clock_noise
+#define INTERVAL_AT orr_clock_interval_at
+#define BETWEEN_S2 orr_clock_between_s2
+#include "orbit/clock/clock_formulas.h"
+// Four: orr_clock_intervals_at, orr_clock_betweens_s2. The same bits.
+#define NUMBER orr_clock_lanes
+#define WHERE(mask, x) ((orr_clock_lanes)((mask) & (orr_clock_mask)(x)))
+#define INTERVAL orr_clock_intervals
+#define NOISE orr_clock_noises
+#define INTERVAL_AT orr_clock_intervals_at
+#define BETWEEN_S2 orr_clock_betweens_s2
+#include "orbit/clock/clock_formulas.h"
 
 // How the clocks of a product wander between their nodes.
 // Given:

@@ -170,7 +170,7 @@ static orr_status epoch(job *j, orr_time t, orr_diag *diag)
         if (answer[i] != ORR_ANSWER_OK || delay[i].pierce.el_rad < j->mask_rad ||
             (wanted != NULL && !orr_sat_set_has(wanted, list[i])))
             continue;
-        orr_engine_states(j->engine, t, &list[i], 1, &state, &known);
+        orr_engine_states(j->engine, NULL, t, &list[i], 1, &state, &known);
         row r = {t, orr_vec3_norm(orr_vec3_sub(state.pos_m, place)), delay[i]};
         orr_status s = keep(j, &r, diag);
         if (s != ORR_OK) return s;

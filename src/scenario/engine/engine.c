@@ -142,10 +142,10 @@ size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list)
     return orr_source_orbit_satellites(e->orbits, list);
 }
 
-orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
-                             orr_sat_state *state, orr_answer *answer)
+orr_answer orr_engine_states(const orr_engine *e, orr_ephemeris_slice *slice, orr_time t, const orr_sat *sats,
+                             size_t n, orr_sat_state *state, orr_answer *answer)
 {
-    return orr_source_orbit_states(e->orbits, t, sats, n, state, answer);
+    return orr_source_orbit_states(e->orbits, slice, t, sats, n, state, answer);
 }
 
 orr_answer orr_engine_axes(const orr_engine *e, orr_time t, orr_elements_frame frame,

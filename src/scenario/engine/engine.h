@@ -53,6 +53,7 @@ size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list);
 // States of satellites at an instant.
 // Given:
 //   e       the engine
+//   slice   room for all of them at once, of orr_engine_ephemeris; NULL: one by one, the same bits
 //   t       the instant
 //   sats    [n] which; NULL: all, in the order of orr_engine_satellites
 //   n       how many; with NULL their number
@@ -61,8 +62,8 @@ size_t orr_engine_satellites(const orr_engine *e, const orr_sat **list);
 //   answer  [n] of each satellite
 // Returns ORR_ANSWER_OK, ORR_ANSWER_OUTSIDE_SPAN, or ORR_ANSWER_NOT_SERVED of an engine without satellites; then
 // nothing is written.
-orr_answer orr_engine_states(const orr_engine *e, orr_time t, const orr_sat *sats, size_t n,
-                             orr_sat_state *state, orr_answer *answer);
+orr_answer orr_engine_states(const orr_engine *e, orr_ephemeris_slice *slice, orr_time t, const orr_sat *sats,
+                             size_t n, orr_sat_state *state, orr_answer *answer);
 
 // The axes of elements at an instant, for any number of satellites (those of MEAN take 0.4 ms).
 // Given:

@@ -110,7 +110,7 @@ static orr_answer look(const orr_source_orbit *orbits, orr_time t, orr_vec3 rece
     orr_sat_state state;
     orr_answer answer = ORR_ANSWER_OK;
     *delay = (orr_realisation){.sat = sat};
-    orr_source_orbit_states(orbits, t, &sat, 1, &state, &answer);
+    orr_source_orbit_states(orbits, NULL, t, &sat, 1, &state, &answer);
     if (answer != ORR_ANSWER_OK) return answer;
     double az, el, range;
     orr_earth_look(receiver_m, state.pos_m, &az, &el, &range);

@@ -155,30 +155,27 @@ static orr_answer absent(const orr_source_orbit *o, orr_sat sat)
     return orr_source_orbit_has(o, sat) ? ORR_ANSWER_NO_ARC : ORR_ANSWER_NOT_SERVED;
 }
 
-// Those that have an arc come without gaps from the front; each moves back to its satellite's place.
-static void spread(const orr_source_orbit *o, size_t found, orr_sat_state *state, orr_answer *answer)
+// All of them, as fast as a constellation side by side is.
+static void all_states(const orr_source_orbit *o, orr_ephemeris_slice *slice, orr_time t,
+                       orr_sat_state *state, orr_answer *answer)
 {
-    for (size_t i = o->n_sats; i-- > 0;) {
-        if (found > 0 && state[found - 1].sat == o->sat[i]) {
-            found--;
-            if (found != i) state[i] = state[found];
-            answer[i] = ORR_ANSWER_OK;
-        } else {
-            state[i].sat = o->sat[i];
-            answer[i] = ORR_ANSWER_NO_ARC;
-        }
+    const bool *has = orr_ephemeris_slice_eval(slice, t, state);
+    for (size_t i = 0; i < o->n_sats; i++) {
+        state[i].sat = o->sat[i];
+        answer[i] = has[i] ? ORR_ANSWER_OK : ORR_ANSWER_NO_ARC;
     }
 }
 
-orr_answer orr_source_orbit_states(const orr_source_orbit *o, orr_time t, const orr_sat *sats, size_t n,
-                                   orr_sat_state *state, orr_answer *answer)
+orr_answer orr_source_orbit_states(const orr_source_orbit *o, orr_ephemeris_slice *slice, orr_time t,
+                                   const orr_sat *sats, size_t n, orr_sat_state *state, orr_answer *answer)
 {
     if (o == NULL) return ORR_ANSWER_NOT_SERVED;
     if (!orr_span_holds(o->span, t)) return ORR_ANSWER_OUTSIDE_SPAN;
-    if (sats == NULL) {
-        spread(o, orr_ephemeris_eval_all(o->eph, t, state, n), state, answer);
+    if (sats == NULL && slice != NULL) {
+        all_states(o, slice, t, state, answer);
         return ORR_ANSWER_OK;
     }
+    if (sats == NULL) sats = o->sat;
     for (size_t i = 0; i < n; i++) {
         state[i].sat = sats[i];
         answer[i] =

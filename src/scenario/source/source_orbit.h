@@ -5,6 +5,7 @@
 
 #include "core/log.h"
 #include "orbit/elements/elements.h"
+#include "orbit/ephemeris/ephemeris_slice.h"
 #include "src/config/scenario.h"
 #include "src/scenario/source/source.h"
 
@@ -39,14 +40,15 @@ bool orr_source_orbit_has(const orr_source_orbit *o, orr_sat sat);
 // States of satellites at an instant, as orr_engine_states.
 // Given:
 //   o       the source
+//   slice   room for all of them at once, of its ephemeris; may be NULL
 //   t       the instant
 //   sats    [n] which; NULL: all
 //   n       how many
 // Returned:
 //   state   [n] states
 //   answer  [n] of each satellite
-orr_answer orr_source_orbit_states(const orr_source_orbit *o, orr_time t, const orr_sat *sats, size_t n,
-                                   orr_sat_state *state, orr_answer *answer);
+orr_answer orr_source_orbit_states(const orr_source_orbit *o, orr_ephemeris_slice *slice, orr_time t,
+                                   const orr_sat *sats, size_t n, orr_sat_state *state, orr_answer *answer);
 // The axes of elements at an instant, as orr_engine_axes.
 // Given:
 //   o       the source

@@ -84,8 +84,8 @@ static uint16_t answer_poll(void *user, const orr_msg_poll *poll, orr_server_par
     uint16_t n;
     const orr_sat *sats = orr_answers_asked(a, &poll->satellites, &n);
     orr_msg_states m = {.epoch = orr_answers_epoch(&poll->epochs, part->index)};
-    orr_answer answer = orr_engine_states(a->engine, m.epoch.t, poll->satellites.count > 0 ? sats : NULL, n,
-                                          a->state, a->answer);
+    orr_answer answer = orr_engine_states(a->engine, a->slice, m.epoch.t,
+                                          poll->satellites.count > 0 ? sats : NULL, n, a->state, a->answer);
     m.epoch.answer = (uint8_t)answer;
     if (answer == ORR_ANSWER_OK)
         m.satellites = (orr_msg_sat_state_list){n, NULL, orr_answers_promise(ORR_MSG_SAT_STATE_SIZE)};
@@ -133,6 +133,7 @@ orr_status orr_answers_open(const orr_engine *engine, orr_answers **out, orr_dia
                              .lanes = true};
     orr_status s = orr_answers_channels_open(orr_engine_channels(engine), &a->channels, diag);
     if (s == ORR_OK) s = orr_timeline_open(engine, &a->timeline, diag);
+    if (s == ORR_OK && n > 0) s = orr_ephemeris_slice_open(orr_engine_ephemeris(engine), &a->slice, diag);
     if (s != ORR_OK) {
         orr_answers_close(a);
         return s;
@@ -165,5 +166,6 @@ void orr_answers_close(orr_answers *a)
     if (a == NULL) return;
     orr_answers_channels_close(&a->channels);
     orr_timeline_close(a->timeline);
+    orr_ephemeris_slice_close(a->slice);
     free(a);
 }

@@ -17,6 +17,7 @@ struct orr_answers {
     orr_msg_inertial_unit unit[ORR_MSG_MAX_UNITS];
     orr_answers_channels_room channels;
     orr_timeline *timeline;
+    orr_ephemeris_slice *slice; // NULL without satellites
     // Room for one epoch; the loop is one thread's, so one room is enough.
     orr_sat sat[ORR_MSG_MAX_SATELLITES];
     orr_msg_sat_id asked[ORR_MSG_MAX_SATELLITES];

@@ -103,7 +103,7 @@ static void between(const double y[4], double p, double out[METHODS])
                                     .bend_last_sps = 0.5 * (s[2] - s[1])};
     double rate;
     out[LINE] = y[1] + p * s[1];
-    orr_clock_interval_at(&way, p, &out[ROUNDED], &rate);
+    orr_clock_interval_at(&way, &p, &out[ROUNDED], &rate);
     // Monotone cubic (Fritsch and Carlson 1980 with harmonic means).
     const double d0 = s[0] * s[1] > 0 ? 2 * s[0] * s[1] / (s[0] + s[1]) : 0,
                  d1 = s[1] * s[2] > 0 ? 2 * s[1] * s[2] / (s[1] + s[2]) : 0, q = 1 - p;

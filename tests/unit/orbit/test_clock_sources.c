@@ -12,6 +12,13 @@
 #define GAP 1350.0
 enum { SATS = 6 };
 
+static double between_s2(const orr_clock_noise *n, double length_s, double part)
+{
+    double variance_s2;
+    orr_clock_between_s2(n, &length_s, &part, &variance_s2);
+    return variance_s2;
+}
+
 static orr_time at(int64_t s) { return INT64_C(1390000000) * ORR_NS_PER_S + s * ORR_NS_PER_S; }
 
 // What the clock of satellite i truly is.
@@ -230,7 +237,7 @@ static void a_joint_of_one_satellite_hides_nothing(void **state)
     orr_clock_noise noise_of[SATS];
     assert_int_equal(orr_clock_between_noise(&t, GAP, noise_of), ORR_OK);
     for (size_t i = 0; i < SATS; i++)
-        assert_true(orr_clock_between_s2(&noise_of[i], STEP, 0.5) < 3e-10 * 3e-10); // of 0.1 ns a node
+        assert_true(between_s2(&noise_of[i], STEP, 0.5) < 3e-10 * 3e-10); // of 0.1 ns a node
     orr_clock_events e;
     assert_int_equal(orr_clock_judge(GAP, true, false, &t, &e), ORR_OK);
     assert_int_equal(e.n, 1);
@@ -281,15 +288,15 @@ static void between_nodes_the_clock_is_smooth(void **state)
         a = {.length_s = 900, .clock_s = 1e-6, .rate_sps = 2e-12, .bend_last_sps = 5e-13},
         b = {.length_s = 900, .clock_s = 1e-6 + 1.8e-9, .rate_sps = 3e-12, .bend_first_sps = -5e-13};
     double x, r, y, q;
-    orr_clock_interval_at(&a, 1, &x, &r);
-    orr_clock_interval_at(&b, 0, &y, &q);
+    orr_clock_interval_at(&a, &(double){1}, &x, &r);
+    orr_clock_interval_at(&b, &(double){0}, &y, &q);
     ASSERT_NEAR(x, y, 1e-20);
     ASSERT_NEAR(r, q, 1e-24);
     ASSERT_NEAR(r, 2.5e-12, 1e-24);
     for (double p = 0; p < 1; p += 1.0 / 64) {
         const double h = 1e-5;
-        orr_clock_interval_at(&a, p, &x, &r);
-        orr_clock_interval_at(&a, p + h, &y, &q);
+        orr_clock_interval_at(&a, &(double){p}, &x, &r);
+        orr_clock_interval_at(&a, &(double){p + h}, &y, &q);
         ASSERT_NEAR((y - x) / (900 * h), 0.5 * (r + q), 1e-16); // the rate is the derivative, without steps
         ASSERT_NEAR(x, a.clock_s + a.rate_sps * 900 * p, 5e-13 * 225 * 4 / 27 + 1e-20);
     }
@@ -327,8 +334,7 @@ static void sigma_is_what_nodes_left_out_are_off(void **state)
                 for (size_t j = 1; j < 3; j++) {
                     const orr_clock_node *c = &f.table.list[i].node[k];
                     const double p = (double)j / 3, line = c[0].clock_s + p * (c[3].clock_s - c[0].clock_s);
-                    sum += (c[j].clock_s - line) * (c[j].clock_s - line) /
-                           orr_clock_between_s2(&noise[i], 900, p);
+                    sum += (c[j].clock_s - line) * (c[j].clock_s - line) / between_s2(&noise[i], 900, p);
                     n++;
                 }
         print_message("kind %d: error/sigma %.2f\n", kind, sqrt(sum / (double)n));
@@ -336,7 +342,7 @@ static void sigma_is_what_nodes_left_out_are_off(void **state)
         orr_clock_table_free(&thin);
         free_sources(&f, 1);
     }
-    ASSERT_NEAR(orr_clock_between_s2(&(orr_clock_noise){1, 1, 1}, 900, 0), 0, 0); // a node is what it is
+    ASSERT_NEAR(between_s2(&(orr_clock_noise){1, 1, 1}, 900, 0), 0, 0); // a node is what it is
 }
 
 int main(void)

@@ -4,6 +4,7 @@
 #include "testing.h"
 
 #include "orbit/ephemeris/ephemeris_private.h"
+#include "orbit/ephemeris/ephemeris_slice.h"
 #include "unit/orbit/made_orbit.h"
 
 static orr_ephemeris *build(const orr_orbit_solution *s)
@@ -177,6 +178,44 @@ static void test_one_and_all_agree(void **state)
         }
     }
     assert_int_equal(orr_ephemeris_eval_all(e, at(1000), all, 5), 5);
+    orr_ephemeris_free(e);
+    s.sat[9].n_arcs = 1;
+    made_solution_free(&s);
+}
+
+// Instants that follow one another and instants anywhere, satellites of other segments, without an arc, without clocks: side by
+// side they have the bits that they have one by one.
+static void test_side_by_side(void **state)
+{
+    (void)state;
+    orr_orbit_solution s = made_solution(30, 3, 900, 6);
+    s.sat[7].arc[0].t0 += INT64_C(120) * ORR_NS_PER_S;
+    s.sat[9].n_arcs = 0;
+    s.sat[11].arc[0].n -= 6; // ends a segment earlier
+    s.sat[12].n_clocks /= 2;
+    orr_ephemeris *e = build(&s);
+    orr_ephemeris_slice *slice;
+    orr_diag diag = {0};
+    ASSERT_OK(orr_ephemeris_slice_open(e, &slice, &diag), diag);
+    const orr_sat *sat;
+    const size_t n = orr_ephemeris_satellites(e, &sat);
+    orr_sat_state all[30], one;
+    for (int wide = 0; wide < (eph_machine_is_wide() ? 2 : 1); wide++) {
+        e->wide = wide == 1;
+        for (int k = 0; k < 3000; k++) {
+            const int64_t follows = (int64_t)k * 3700000001,
+                          anywhere = (int64_t)(k * 7919 % 3000) * 3600000000;
+            const orr_time t = at(0) + (k < 2000 ? follows : anywhere);
+            memset(all, 0x5a, sizeof all);
+            const bool *has = orr_ephemeris_slice_eval(slice, t, all);
+            for (size_t i = 0; i < n; i++) {
+                memset(&one, 0x5a, sizeof one);
+                assert_int_equal(orr_ephemeris_eval(e, sat[i], t, &one) == ORR_OK, has[i]);
+                assert_memory_equal(&one, &all[i], sizeof one);
+            }
+        }
+    }
+    orr_ephemeris_slice_close(slice);
     orr_ephemeris_free(e);
     s.sat[9].n_arcs = 1;
     made_solution_free(&s);
@@ -462,6 +501,7 @@ int main(void)
         cmocka_unit_test(test_refuses_wrong_solutions),
         cmocka_unit_test(test_joints),
         cmocka_unit_test(test_one_and_all_agree),
+        cmocka_unit_test(test_side_by_side),
         cmocka_unit_test(test_width_does_not_matter),
         cmocka_unit_test(test_says_where_nothing_is),
         cmocka_unit_test(test_clocks),

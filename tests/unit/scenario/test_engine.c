@@ -275,8 +275,8 @@ static void a_trajectory_without_satellites(void **state)
                  orr_engine_part_span(e, ORR_PART_NAVDATA, &span) ||
                  orr_engine_part_span(e, ORR_PART_IONOSPHERE, &span));
     assert_int_equal(orr_engine_satellites(e, &sats), 0);
-    assert_int_equal(orr_engine_states(e, start, &g1, 1, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
-    assert_int_equal(orr_engine_states(e, start, NULL, 0, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_states(e, NULL, start, &g1, 1, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
+    assert_int_equal(orr_engine_states(e, NULL, start, NULL, 0, &sat_state, &answer), ORR_ANSWER_NOT_SERVED);
     orr_elements_axes axes = {.t = start};
     assert_int_equal(orr_engine_axes(e, start, ORR_ELEMENTS_DATE, ORR_ELEMENTS_STATE, &axes),
                      ORR_ANSWER_NOT_SERVED);
