@@ -45,9 +45,10 @@ static double hermite(const double *x, const double *y, int k, int n, double at,
     return y[k] + u * (m0 + u * (c2 + u * c3));
 }
 
-static int leap_at_mjd(double mjd_utc, const orr_leap_table *leap)
+// TAI - UTC of a series' node: its labels are those of the built-in table.
+static int leap_at_mjd(double mjd_utc)
 {
-    return orr_leap_of_day(leap, (int32_t)floor(mjd_utc));
+    return orr_leap_of_day(orr_leap_builtin(), (int32_t)floor(mjd_utc));
 }
 
 // UT1 - TAI by the leap seconds alone, and its slope per day. A leap second is inserted when UT1 - UTC nears
@@ -101,9 +102,9 @@ static orr_eop unmeasured(orr_time t, const orr_leap_table *leap)
 }
 
 // The time of a series' node as days of TAI, in which neither the abscissa nor UT1 steps.
-static double node_tai(const orr_eop_series *s, size_t i, const orr_leap_table *leap)
+static double node_tai(const orr_eop_series *s, size_t i)
 {
-    return s->mjd_utc[i] + leap_at_mjd(s->mjd_utc[i], leap) / (double)ORR_S_PER_DAY;
+    return s->mjd_utc[i] + leap_at_mjd(s->mjd_utc[i]) / (double)ORR_S_PER_DAY;
 }
 
 // Daily values are a series; over a longer gap nobody knows what the pole did.
@@ -125,10 +126,10 @@ static orr_eop inside_series(const orr_eop_series *s, size_t lo, double at, orr_
     double x[4], xp[4], yp[4], ut1[4];
     for (int i = 0; i < n; i++) {
         size_t j = first + (size_t)i;
-        x[i] = node_tai(s, j, leap);
+        x[i] = node_tai(s, j);
         xp[i] = s->value[j].xp_rad;
         yp[i] = s->value[j].yp_rad;
-        ut1[i] = s->value[j].ut1_utc_s - leap_at_mjd(s->mjd_utc[j], leap); // UT1 - TAI
+        ut1[i] = s->value[j].ut1_utc_s - leap_at_mjd(s->mjd_utc[j]); // UT1 - TAI
     }
     orr_eop e;
     double ut1_per_day;
@@ -155,12 +156,12 @@ static double carried(double difference, double slope_difference, double dt, dou
 // Node i, with the slopes of the side that it ends or begins; of a node that stands alone the secular ones.
 static orr_eop at_node(const orr_eop_series *s, size_t i, orr_time t, const orr_leap_table *leap)
 {
-    if (i > 0 && joined(s, i - 1)) return inside_series(s, i - 1, node_tai(s, i, leap), t, leap);
-    if (i + 1 < s->n && joined(s, i)) return inside_series(s, i, node_tai(s, i, leap), t, leap);
+    if (i > 0 && joined(s, i - 1)) return inside_series(s, i - 1, node_tai(s, i), t, leap);
+    if (i + 1 < s->n && joined(s, i)) return inside_series(s, i, node_tai(s, i), t, leap);
     orr_eop e = unmeasured(t, leap);
     e.xp_rad = s->value[i].xp_rad;
     e.yp_rad = s->value[i].yp_rad;
-    e.ut1_utc_s = s->value[i].ut1_utc_s;
+    e.ut1_utc_s = s->value[i].ut1_utc_s - leap_at_mjd(s->mjd_utc[i]) + orr_leap_tai_minus_utc(t, leap);
     return e;
 }
 
@@ -186,7 +187,7 @@ static orr_eop beyond_series(const orr_eop *end, orr_time t_end, double dt, orr_
 static orr_eop carried_from(const orr_eop_series *s, size_t i, double at, orr_time t,
                             const orr_leap_table *leap)
 {
-    const double x = node_tai(s, i, leap);
+    const double x = node_tai(s, i);
     const orr_time t_node = orr_time_add_s(t, (x - at) * ORR_S_PER_DAY);
     const orr_eop node = at_node(s, i, t_node, leap);
     return beyond_series(&node, t_node, at - x, t, leap);
@@ -198,7 +199,7 @@ static orr_eop across_gap(const orr_eop_series *s, size_t lo, double at, orr_tim
                           const orr_leap_table *leap)
 {
     const orr_eop a = carried_from(s, lo, at, t, leap), b = carried_from(s, lo + 1, at, t, leap);
-    const double h = node_tai(s, lo + 1, leap) - node_tai(s, lo, leap), u = (at - node_tai(s, lo, leap)) / h;
+    const double h = node_tai(s, lo + 1) - node_tai(s, lo), u = (at - node_tai(s, lo)) / h;
     const double w = u * u * (3 - 2 * u), per_s = 6 * u * (1 - u) / (h * ORR_S_PER_DAY);
     orr_eop e;
     e.xp_rad = a.xp_rad + w * (b.xp_rad - a.xp_rad);
@@ -220,11 +221,11 @@ orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *le
     days tai = in_scale(t, ORR_SCALE_TAI);
     const double at = tai.whole + tai.fraction;
     size_t lo = 0, hi = s->n - 1;
-    const double first = node_tai(s, 0, leap), last = node_tai(s, hi, leap);
+    const double first = node_tai(s, 0), last = node_tai(s, hi);
     if (at < first || at > last) return carried_from(s, at < first ? 0 : hi, at, t, leap);
     while (hi - lo > 1) {
         size_t mid = lo + (hi - lo) / 2;
-        if (at >= node_tai(s, mid, leap))
+        if (at >= node_tai(s, mid))
             lo = mid;
         else
             hi = mid;
@@ -232,6 +233,13 @@ orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *le
     if (!joined(s, lo)) return across_gap(s, lo, at, t, leap);
     if (from_series != NULL) *from_series = true;
     return inside_series(s, lo, at, t, leap);
+}
+
+orr_eop orr_eop_node(const orr_eop_series *s, orr_time t, const orr_leap_table *leap)
+{
+    orr_eop e = orr_eop_at(s, t, leap, NULL);
+    e.ut1_utc_s += orr_leap_tai_minus_utc(t, NULL) - orr_leap_tai_minus_utc(t, leap);
+    return e;
 }
 
 // --- rotations ---

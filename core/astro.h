@@ -25,7 +25,8 @@ typedef struct orr_eop_series {
 } orr_eop_series;
 
 // Inside the series: cubic Hermite with slopes from the neighbours (no kink at a node; straight lines stay
-// straight), of UT1 - TAI and hence continuous across leap seconds; lod_s and the rates are the derivatives
+// straight), of UT1 - TAI and hence continuous across leap seconds; UT1 - UTC is returned by `leap` (the run's table,
+// NULL: built-in), and whoever turns by it hands on the same. lod_s and the rates are the derivatives
 // of what is returned, so that orr_astro_gcrs_to_itrs's dR is the derivative of its R. With NULL or fewer
 // than two entries the IERS secular pole xs = 55.0 + 1.677 (t - 2000), ys = 320.5 + 3.460 (t - 2000) mas (t
 // in years; IERS Conventions 2010, updated 2018, 7.1.4), and UT1 as the leap seconds tell it: a smooth curve
@@ -33,6 +34,8 @@ typedef struct orr_eop_series {
 // on. Before and after a series its last value and slope are carried on, the slope for some ten days; so are both ends
 // of a gap of more than three days, and blended. *from_series (may be NULL) tells whether the series covers t.
 orr_eop orr_eop_at(const orr_eop_series *s, orr_time t, const orr_leap_table *leap, bool *from_series);
+// The same as a node of another series, whose UT1 - UTC is by the built-in table: UT1 itself is that of the run's.
+orr_eop orr_eop_node(const orr_eop_series *s, orr_time t, const orr_leap_table *leap);
 
 // The rotation from GCRS to ITRS: r_itrs = R r_gcrs, v_itrs = R v_gcrs + dR r_gcrs.
 //   Given:    t      the instant

@@ -23,6 +23,13 @@ typedef struct orr_earth_rotation {
     double pole_sigma_rad, lod_sigma_s; // formal, in the middle of the span; 0 unless estimated
 } orr_earth_rotation;
 
+// What is known without measurements, IERS' secular pole and UT1 by a run's leap seconds, every three hours: for who reads
+// the product by another table. ORR_E_MEMORY.
+//   Given:    from, to  the span
+//             leap      the run's table; NULL: built-in
+//   Returned: out       to be freed with orr_earth_rotation_free; without a series where the built-in table tells the same UT1
+orr_status orr_earth_rotation_secular(orr_time from, orr_time to, const orr_leap_table *leap,
+                                      orr_earth_rotation *out);
 // A copy of a series. ORR_E_MEMORY.
 orr_status orr_eop_series_copy(const orr_eop_series *from, orr_eop_series *to);
 // Frees the series; it is empty then.

@@ -305,7 +305,7 @@ static bool settled(const work *w, const double *change)
 
 static void turn_sky(work *w)
 {
-    orr_knot_series(&w->knots, w->p->eop, &w->series);
+    orr_knot_series(&w->knots, w->p->eop, w->p->leap, &w->series);
     orr_sky_turn(w->sky, &w->series);
 }
 

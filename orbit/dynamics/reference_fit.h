@@ -35,8 +35,9 @@ typedef struct orr_reference_problem {
     const double *border_s; // n_windows + 1, ascending, from 0 to the span's length
     size_t n_arcs;
     orr_reference_arc *arc;
-    const orr_eop_series *eop; // start of the rotation; NULL: the secular pole and what leap seconds tell
-    bool hold;                 // orbits are to be fitted with eop as it is; corrections are told beside
+    const orr_eop_series *eop;  // start of the rotation; NULL: the secular pole and what leap seconds tell
+    const orr_leap_table *leap; // these; NULL: built-in
+    bool hold;                  // orbits are to be fitted with eop as it is; corrections are told beside
     // To be carried on beyond the nodes: border_s holds three times, the nodes' end the middle one; every arc's
     // window is 1, and it holds nodes of all the time before. The rotation is a polynomial of the whole span,
     // and a node weighs less by e for every forget_s of its age.

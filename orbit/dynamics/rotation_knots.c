@@ -83,7 +83,8 @@ size_t orr_knot_series_length(const orr_rotation_knots *k)
     return (size_t)ceil(k->t_s[k->n - 1] / SERIES_STEP_S) + 3;
 }
 
-void orr_knot_series(const orr_rotation_knots *k, const orr_eop_series *start, orr_eop_series *out)
+void orr_knot_series(const orr_rotation_knots *k, const orr_eop_series *start, const orr_leap_table *leap,
+                     orr_eop_series *out)
 {
     out->n = orr_knot_series_length(k);
     for (size_t i = 0; i < out->n; i++) {
@@ -92,7 +93,7 @@ void orr_knot_series(const orr_rotation_knots *k, const orr_eop_series *start, o
         int32_t day;
         double fraction, c[ORR_KNOT_VALUES];
         orr_time_mjd(t, ORR_SCALE_UTC, NULL, &day, &fraction);
-        orr_eop e = orr_eop_at(start, t, NULL, NULL);
+        orr_eop e = orr_eop_node(start, t, leap);
         if (start == NULL) e.ut1_utc_s += orr_eop_tides_zonal_ut1(t);
         orr_knot_value(k, t_s, c, NULL);
         out->mjd_utc[i] = day + fraction;

@@ -32,9 +32,10 @@ void orr_knot_value(const orr_rotation_knots *k, double t_s, double value[ORR_KN
 
 // Entries of the series that orr_knot_series makes.
 size_t orr_knot_series_length(const orr_rotation_knots *k);
-// Start (a series, or NULL: what is known without measurements, with the zonal tides) plus corrections, every
-// three hours, into out, which has room for orr_knot_series_length entries.
-void orr_knot_series(const orr_rotation_knots *k, const orr_eop_series *start, orr_eop_series *out);
+// Start (a series, or NULL: what is known without measurements, by the run's table of leap seconds, with the zonal tides)
+// plus corrections, every three hours, into out, which has room for orr_knot_series_length entries. leap NULL: built-in.
+void orr_knot_series(const orr_rotation_knots *k, const orr_eop_series *start, const orr_leap_table *leap,
+                     orr_eop_series *out);
 
 // How a direction fixed to the Earth (ecef) moves in ecef by 1 mas of xp, of yp, by 1 ms of UT1: columns of
 // d(R' p) = R' times them.

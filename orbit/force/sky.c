@@ -73,7 +73,7 @@ static void set_bodies(double *q, orr_vec3 sun, orr_vec3 moon)
 }
 
 orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
-                        orr_sky **out, bool *eop_known, orr_diag *diag)
+                        const orr_leap_table *leap, orr_sky **out, bool *eop_known, orr_diag *diag)
 {
     orr_sky *sky = NULL;
     *out = NULL;
@@ -86,11 +86,11 @@ orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const o
         double t_s = sky->first_s + NODE_S * (double)i;
         orr_time t = orr_time_add_s(from, t_s);
         bool from_series = false;
-        orr_eop e = orr_eop_at(eop, t, NULL, &from_series);
+        orr_eop e = orr_eop_at(eop, t, leap, &from_series);
         bool inside = t_s >= 0 && t_s <= span_s;
         if (inside && !from_series) known = false;
         orr_mat3 R, turn = orr_mat3_rot3(ORR_EARTH_RATE_RADPS * t_s), N;
-        orr_astro_gcrs_to_itrs(t, &e, NULL, &R, NULL);
+        orr_astro_gcrs_to_itrs(t, &e, leap, &R, NULL);
         orr_vec3 sun = orr_astro_sun(t), moon = orr_astro_moon(t);
         if (frame == ORR_SKY_GCRS) {
             orr_mat3 back = orr_mat3_transpose(&turn);

@@ -27,13 +27,14 @@ typedef struct orr_sky orr_sky;
 //   from, to   span
 //   frame      integration axes
 //   eop        Earth orientation; NULL: the IERS secular pole, and UT1 by the leap seconds
+//   leap       the run's table of leap seconds; NULL: built-in
 // Returned:
 //   out        the table; free with orr_sky_free
 //   eop_known  whether the whole span was inside the series; may be NULL
 //   diag       why it failed; may be NULL
 // Errors: ORR_E_ARG (to < from, more than ten years), ORR_E_MEMORY.
 orr_status orr_sky_init(orr_time from, orr_time to, orr_sky_frame frame, const orr_eop_series *eop,
-                        orr_sky **out, bool *eop_known, orr_diag *diag);
+                        const orr_leap_table *leap, orr_sky **out, bool *eop_known, orr_diag *diag);
 // A precise sky in GCRS: IAU 2006/2000A, tides of the solid Earth, and a rotation that can be changed. It has
 // none before orr_sky_turn. Errors as above.
 orr_status orr_sky_init_precise(orr_time from, orr_time to, orr_sky **out, orr_diag *diag);

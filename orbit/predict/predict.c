@@ -197,6 +197,7 @@ static orr_status fit(work *w, orr_diag *diag)
                                      .n_arcs = w->n_jobs,
                                      .arc = w->arc,
                                      .eop = known ? w->o->eop : NULL,
+                                     .leap = w->o->leap,
                                      .hold = known,
                                      .forecast = true,
                                      .forget_s = FORGET_S,

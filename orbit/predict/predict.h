@@ -8,8 +8,9 @@
 #include "orbit/smooth/smoother.h"
 
 typedef struct orr_predict_options {
-    orr_time to;               // how far
-    const orr_eop_series *eop; // a rotation that is to be kept, where it covers all; NULL: the orbits' own
+    orr_time to;                // how far
+    const orr_eop_series *eop;  // a rotation that is to be kept, where it covers all; NULL: the orbits' own
+    const orr_leap_table *leap; // by which UT1 begins without one; NULL: built-in
     int jobs;
     const orr_sat_set *sats; // NULL: all
 } orr_predict_options;

@@ -142,6 +142,7 @@ orr_status orr_run_reference_make(const orr_smoother_options *o, const orr_node_
                                          .n_arcs = n_arcs,
                                          .arc = arc,
                                          .eop = o->eop,
+                                         .leap = o->leap,
                                          .hold = hold,
                                          .gravity_degree = o->gravity_degree,
                                          .jobs = o->jobs,

@@ -381,11 +381,12 @@ static orr_status fit_reference(const orr_smoother_options *o, const orr_node_ta
 }
 
 // What the product's frame turns with: the reference's rotation where the satellites go by it.
-static orr_status keep_rotation(const orr_smoother_options *o, orr_reference_fit *fit, bool about_reference,
+static orr_status keep_rotation(const orr_smoother_options *o, const orr_node_table *table,
+                                orr_reference_fit *fit, bool about_reference,
                                 const orr_smoother_report *report, orr_earth_rotation *out)
 {
     if (!about_reference) {
-        if (o->eop == NULL) return ORR_OK;
+        if (o->eop == NULL) return orr_earth_rotation_secular(table->from, table->to, o->leap, out);
         out->source = ORR_ROTATION_GIVEN;
         return orr_eop_series_copy(o->eop, &out->series);
     }
@@ -430,7 +431,8 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     if (own.eop != NULL)
         given = orr_given_rotation_of(own.eop, table.from, table.to, given_text, sizeof given_text);
     if (given == ORR_GIVEN_SAYS_NOTHING) own.eop = NULL;
-    s = orr_sky_init(table.from, table.to, options->frame, options->eop, &sky, &report->eop_known, diag);
+    s = orr_sky_init(table.from, table.to, options->frame, options->eop, options->leap, &sky,
+                     &report->eop_known, diag);
     orr_run_reference reference = {0};
     bool about_reference = false;
     if (s == ORR_OK && options->reference && options->frame == ORR_SKY_GCRS && options->gravity_degree >= 2)
@@ -467,7 +469,8 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
                         p.evidence == NULL || file == NULL || again == NULL))
         s = ORR_E_MEMORY;
     if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, about_reference, out);
-    if (s == ORR_OK) s = keep_rotation(options, &reference.fit, about_reference, report, &out->rotation);
+    if (s == ORR_OK)
+        s = keep_rotation(options, &table, &reference.fit, about_reference, report, &out->rotation);
     if (s == ORR_E_MEMORY) orr_diag_set(diag, s, "out of memory for %zu satellites", table.n_sats);
     if (s == ORR_OK) {
         orr_parallel_run(options->jobs, worker, &p);

@@ -57,9 +57,10 @@ typedef struct orr_smoother_options {
     bool observed_only; // nodes and clocks that a file flags as predicted are not used
     const orr_interval *exclude; // nodes inside are not used
     size_t n_exclude;
-    const orr_sat_set *sats;   // NULL: all
-    double max_gap_s;          // longest stretch without nodes that is bridged; an arc ends at a longer one
-    const orr_eop_series *eop; // NULL: IERS' secular pole, UT1 by the leap seconds
+    const orr_sat_set *sats;    // NULL: all
+    double max_gap_s;           // longest stretch without nodes that is bridged; an arc ends at a longer one
+    const orr_eop_series *eop;  // NULL: IERS' secular pole, UT1 by the leap seconds
+    const orr_leap_table *leap; // the run's; NULL: built-in
     // broadcast orbits
     const orr_nav *nav; // a-priori variant A: states at the nodes from broadcast ephemerides where there are
                         // any; NULL: variant B, from the nodes alone

@@ -147,8 +147,8 @@ static orr_status follow(orr_integrator *it, const orr_sky *sky, orr_vec3 r, orr
                         reached_s);
 }
 
-static orr_status of_elements(const orr_scenario_trajectory *m, orr_time start, orr_trajectory *out,
-                              orr_diag *diag)
+static orr_status of_elements(const orr_scenario_trajectory *m, orr_time start, const orr_leap_table *leap,
+                              orr_trajectory *out, orr_diag *diag)
 {
     const double duration_s = (double)m->duration_ns * 1e-9;
     if (!(duration_s >= STEP_S && duration_s <= LONGEST_S))
@@ -165,7 +165,8 @@ static orr_status of_elements(const orr_scenario_trajectory *m, orr_time start, 
     orr_status s = orr_gravity_field_init(&force.earth, ORR_GRAVITY_MAX_DEGREE, false, diag);
     if (s == ORR_OK)
         s = orr_sky_init(orr_time_add_s(start, -BEYOND * STEP_S),
-                         orr_time_add_s(start, (double)steps * STEP_S), ORR_SKY_GCRS, NULL, &sky, NULL, diag);
+                         orr_time_add_s(start, (double)steps * STEP_S), ORR_SKY_GCRS, NULL, leap, &sky, NULL,
+                         diag);
     if (s == ORR_OK) s = orr_integrator_init(&force, sky, &it, diag);
     if (s == ORR_OK) s = way_for(duration_s, &w, diag);
     if (s == ORR_OK) s = follow(it, sky, r, v, steps, &w, diag);
@@ -179,7 +180,7 @@ static orr_status of_elements(const orr_scenario_trajectory *m, orr_time start, 
 orr_status moving_make_orbit(const orr_scenario_trajectory *m, orr_time start, orr_moving *out,
                              orr_diag *diag)
 {
-    if (m->product == NULL) return of_elements(m, start, &out->trajectory, diag);
+    if (m->product == NULL) return of_elements(m, start, out->inputs.leap, &out->trajectory, diag);
     orr_ephemeris *e = NULL;
     orr_status s = orr_ephemeris_load(m->product, &e, diag);
     if (s == ORR_OK) s = orr_inputs_note(&out->inputs, m->product, diag);

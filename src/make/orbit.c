@@ -202,6 +202,7 @@ static orr_status predict(const orr_orbit_plan *plan, const work *w, const orr_e
     const orr_predict_options o = {
         .to = orr_time_add_s(later ? plan->predict_after : last, plan->predict_s),
         .eop = eop->n > 0 && out->report.eop_known ? eop : NULL,
+        .leap = plan->leap,
         .sats = plan->smoother.sats,
         .jobs = plan->smoother.jobs,
     };
@@ -260,6 +261,7 @@ static orr_status solve(const orr_orbit_plan *plan, orr_ephemeris_parts **parts,
         orr_smoother_options options = plan->smoother;
         options.observed_only = plan->predict;
         options.eop = eop.n > 0 ? &eop : NULL;
+        options.leap = plan->leap;
         options.low_gravity = w.gravity;
         options.nav = plan->n_nav > 0 ? &w.nav : NULL;
         options.clk = w.clk_input;

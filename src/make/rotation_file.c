@@ -47,7 +47,7 @@ orr_status orr_rotation_file_write(const orr_ephemeris *e, const orr_leap_table 
         "Zonal tides are in UT1 and LOD; daily and half-daily tides of the ocean (IERS 2010) are not.",
     };
     const orr_earth_rotation *r = orr_ephemeris_rotation(e);
-    if (r->series.n < 2)
+    if (r->source == ORR_ROTATION_SECULAR || r->series.n < 2)
         return orr_diag_set(
             diag, ORR_E_NODATA,
             "the orbits tell no Earth rotation (four satellites over two hours are the least), and "
@@ -71,8 +71,7 @@ orr_status orr_rotation_file_write(const orr_ephemeris *e, const orr_leap_table 
         const double mjd = first + STEP_DAYS * (double)i, day = floor(mjd);
         const orr_time t = orr_time_from_mjd((int32_t)day, mjd - day, ORR_SCALE_UTC, leap);
         erp.series.mjd_utc[i] = mjd;
-        erp.series.value[i] = orr_eop_at(&r->series, t, NULL, NULL);
-        erp.series.value[i].ut1_utc_s += orr_leap_tai_minus_utc(t, leap) - orr_leap_tai_minus_utc(t, NULL);
+        erp.series.value[i] = orr_eop_at(&r->series, t, leap, NULL);
         erp.detail[i] = detail_of(r, &erp.series.value[i], orr_ephemeris_satellites(e, &sat));
         erp.series.n = i + 1;
     }

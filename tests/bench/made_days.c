@@ -41,8 +41,8 @@ void made_days(const char *folder, size_t days, char (*path)[MADE_PATH])
     orr_vec3 r[MADE_SATS], v[MADE_SATS];
     made_must(orr_time_parse(MADE_FIRST, NULL, &t0, &d) == ORR_OK, d.text);
     made_must(orr_gravity_field_init(&force.earth, 8, false, &d) == ORR_OK, d.text);
-    made_must(orr_sky_init(t0, orr_time_add_s(t0, 86400.0 * (double)days), ORR_SKY_GCRS, NULL, &sky, NULL,
-                           &d) == ORR_OK,
+    made_must(orr_sky_init(t0, orr_time_add_s(t0, 86400.0 * (double)days), ORR_SKY_GCRS, NULL, NULL, &sky,
+                           NULL, &d) == ORR_OK,
               d.text);
     made_must(orr_integrator_init(&force, sky, &it, &d) == ORR_OK, d.text);
     for (size_t k = 0; k < MADE_SATS; k++) begin(k, &r[k], &v[k]);

@@ -83,7 +83,8 @@ static void every_message_obeys_gravitation(void **state)
     orr_diag d = {0};
     orr_time from = 0;
     assert_int_equal(orr_time_parse("2023-03-10", NULL, &from, NULL), ORR_OK);
-    ASSERT_OK(orr_sky_init(from, orr_time_add_s(from, 5 * 86400.0), ORR_SKY_GCRS, NULL, &sky, NULL, &d), d);
+    ASSERT_OK(orr_sky_init(from, orr_time_add_s(from, 5 * 86400.0), ORR_SKY_GCRS, NULL, NULL, &sky, NULL, &d),
+              d);
     orr_force force = {.sun_moon = true, .srp_mps2 = 1e-7};
     ASSERT_OK(orr_gravity_field_init(&force.earth, 8, false, &d), d);
     for (size_t i = 0; i < sizeof k / sizeof k[0]; i++) {

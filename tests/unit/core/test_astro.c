@@ -247,6 +247,39 @@ static void series_and_its_ends(void **state)
     assert_false(inside);
 }
 
+// A run's table has a leap second that the built-in one lacks: UT1 begins from it, and a series, whose labels are the
+// built-in table's, says the same of UT1 - TAI by either.
+static void another_table_of_leap_seconds(void **state)
+{
+    (void)state;
+    const orr_leap_table *own = orr_leap_builtin();
+    orr_leap_entry entry[64];
+    assert_true(own->n < 64);
+    for (size_t i = 0; i < own->n; i++) entry[i] = own->entry[i];
+    entry[own->n] = (orr_leap_entry){60126, own->entry[own->n - 1].tai_minus_utc_s + 1}; // 2023-07-01
+    const orr_leap_table run = {own->n + 1, entry, 61000};
+    const orr_time t = utc(2024, 2, 4, 6);
+    const orr_eop by_own = orr_eop_at(NULL, t, NULL, NULL), by_run = orr_eop_at(NULL, t, &run, NULL);
+    assert_int_equal(orr_leap_tai_minus_utc(t, &run) - orr_leap_tai_minus_utc(t, NULL), 1);
+    const double later_s = by_run.ut1_utc_s - 1 - by_own.ut1_utc_s; // of UT1
+    assert_true(later_s < -0.4 && later_s > -1);
+    ASSERT_NEAR(orr_eop_node(NULL, t, &run).ut1_utc_s, by_run.ut1_utc_s - 1, 1e-12);
+    double mjd[4];
+    orr_eop value[4];
+    for (int i = 0; i < 4; i++) {
+        mjd[i] = 60343 + i;
+        value[i] = (orr_eop){.xp_rad = 1e-7 * i, .ut1_utc_s = -0.01 + 0.001 * i};
+    }
+    const orr_eop_series series = {4, mjd, value};
+    const orr_eop a = orr_eop_at(&series, t, NULL, NULL), b = orr_eop_at(&series, t, &run, NULL);
+    ASSERT_NEAR(b.ut1_utc_s - a.ut1_utc_s, 1, 1e-12);
+    ASSERT_NEAR(b.xp_rad, a.xp_rad, 0);
+    orr_mat3 by_a, by_b;
+    orr_astro_gcrs_to_itrs(t, &a, NULL, &by_a, NULL);
+    orr_astro_gcrs_to_itrs(t, &b, &run, &by_b, NULL);
+    for (int i = 0; i < 9; i++) ASSERT_NEAR(by_a.m[i / 3][i % 3], by_b.m[i / 3][i % 3], 1e-12);
+}
+
 // Over a gap of more than three days a series says nothing: both ends are carried on and blended without a step or a kink,
 // and far inside the gap of a year only the offsets at its ends are left.
 static void gaps_are_no_series(void **state)
@@ -351,6 +384,7 @@ int main(void)
         cmocka_unit_test(sun_and_moon_at_erfas_check_values),
         cmocka_unit_test(a_total_eclipse),
         cmocka_unit_test(series_and_its_ends),
+        cmocka_unit_test(another_table_of_leap_seconds),
         cmocka_unit_test(gaps_are_no_series),
         cmocka_unit_test(ut1_without_a_series_has_no_step),
         cmocka_unit_test(series_is_smooth_at_its_nodes),

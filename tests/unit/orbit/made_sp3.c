@@ -10,8 +10,9 @@ void made_sky_init(made_sky *m, const char *t0, double days)
     ASSERT_OK(orr_time_parse(t0, NULL, &m->t0, &d), d);
     m->n = (size_t)(days * 86400 / MADE_STEP_S) + 1;
     assert_true(m->n <= MADE_MAX_EPOCHS);
-    ASSERT_OK(orr_sky_init(m->t0, orr_time_add_s(m->t0, days * 86400), ORR_SKY_GCRS, NULL, &m->sky, NULL, &d),
-              d);
+    ASSERT_OK(
+        orr_sky_init(m->t0, orr_time_add_s(m->t0, days * 86400), ORR_SKY_GCRS, NULL, NULL, &m->sky, NULL, &d),
+        d);
     ASSERT_OK(orr_gravity_field_init(&m->force.earth, 12, false, &d), d); // richer than the smoother's 8x8
 }
 

@@ -18,7 +18,7 @@ static void sky_agrees_with_the_astronomy_it_tabulates(void **state)
     orr_time from = at_utc("2024-02-04"), to = at_utc("2024-02-05");
     orr_sky *sky = NULL;
     orr_diag d = {0};
-    ASSERT_OK(orr_sky_init(from, to, ORR_SKY_GCRS, NULL, &sky, NULL, &d), d);
+    ASSERT_OK(orr_sky_init(from, to, ORR_SKY_GCRS, NULL, NULL, &sky, NULL, &d), d);
     for (double t_s = 0; t_s <= 86400; t_s += 1237.3) {
         orr_time t = orr_time_add_s(from, t_s);
         orr_eop e = orr_eop_at(NULL, t, NULL, NULL);
@@ -46,8 +46,9 @@ static void sky_derivatives_are_derivatives(void **state)
         orr_sky *sky = NULL;
         orr_diag d = {0};
         orr_time from = at_utc("2016-12-31"), to = at_utc("2017-01-01T12:00"); // across a leap second
-        ASSERT_OK(orr_sky_init(from, to, frame == 0 ? ORR_SKY_GCRS : ORR_SKY_UNIFORM, NULL, &sky, NULL, &d),
-                  d);
+        ASSERT_OK(
+            orr_sky_init(from, to, frame == 0 ? ORR_SKY_GCRS : ORR_SKY_UNIFORM, NULL, NULL, &sky, NULL, &d),
+            d);
         const double h = 5;
         for (double t_s = 100; t_s < 129000; t_s += 7777) {
             orr_sky_point a, b, c;
@@ -80,8 +81,9 @@ static bed bed_make(int degree, bool sun_moon, double srp)
     bed b = {.force = {.sun_moon = sun_moon, .srp_mps2 = srp}};
     orr_diag d = {0};
     ASSERT_OK(orr_gravity_field_init(&b.force.earth, degree, false, &d), d);
-    ASSERT_OK(orr_sky_init(at_utc("2024-02-04"), at_utc("2024-02-06"), ORR_SKY_GCRS, NULL, &b.sky, NULL, &d),
-              d);
+    ASSERT_OK(
+        orr_sky_init(at_utc("2024-02-04"), at_utc("2024-02-06"), ORR_SKY_GCRS, NULL, NULL, &b.sky, NULL, &d),
+        d);
     return b;
 }
 static void bed_ready(bed *b) // the integrator keeps the force's address
@@ -186,7 +188,7 @@ static void nonsense_is_an_error_not_a_number(void **state)
     assert_int_equal(orr_integrate(b.it, 0, 900, &r, &v), ORR_E_NUMERIC);
     orr_diag d = {0};
     orr_sky *sky = NULL;
-    assert_int_equal(orr_sky_init(10, 5, ORR_SKY_GCRS, NULL, &sky, NULL, &d), ORR_E_ARG);
+    assert_int_equal(orr_sky_init(10, 5, ORR_SKY_GCRS, NULL, NULL, &sky, NULL, &d), ORR_E_ARG);
     bed_free(&b);
 }
 

@@ -48,7 +48,7 @@ static void states_between_nodes_are_those_of_short_steps(void **state)
     orr_integrator *it = NULL;
     const orr_time from = 1391040000 * ORR_NS_PER_S;
     ASSERT_OK(orr_gravity_field_init(&force.earth, 8, false, &d), d);
-    ASSERT_OK(orr_sky_init(from, from + 43200 * ORR_NS_PER_S, ORR_SKY_GCRS, NULL, &sky, NULL, &d), d);
+    ASSERT_OK(orr_sky_init(from, from + 43200 * ORR_NS_PER_S, ORR_SKY_GCRS, NULL, NULL, &sky, NULL, &d), d);
     ASSERT_OK(orr_integrator_init(&force, sky, &it, &d), d);
     const orr_track_context c = {.options = &o,
                                  .sky = sky,

@@ -62,8 +62,9 @@ static void inclination_swings_with_half_a_month_and_half_a_year(void **state)
     orr_time t0 = 0;
     ASSERT_OK(orr_time_parse("2023-01-01", NULL, &t0, &d), d);
     orr_sky *sky = NULL;
-    ASSERT_OK(orr_sky_init(t0, orr_time_add_s(t0, (DAYS + 1) * 86400.0), ORR_SKY_GCRS, NULL, &sky, NULL, &d),
-              d);
+    ASSERT_OK(
+        orr_sky_init(t0, orr_time_add_s(t0, (DAYS + 1) * 86400.0), ORR_SKY_GCRS, NULL, NULL, &sky, NULL, &d),
+        d);
     orr_force force = {.sun_moon = true};
     ASSERT_OK(orr_gravity_field_init(&force.earth, 2, false, &d), d);
     orr_integrator *it = NULL;
