@@ -6,8 +6,10 @@
 #include <string.h>
 
 #include "core/array.h"
+#include "core/astro.h"
 #include "core/constants.h"
 #include "core/robust.h"
+#include "orbit/dynamics/epoch_time.h"
 #include "orbit/judge/velocity_filter.h"
 
 #define ROUNDING_M (1e-3 / sqrt(12)) // of a coordinate in SP3
@@ -148,12 +150,10 @@ static bool state_of(const subject *u, orr_sat sat, orr_time t, orr_sat_state *o
     return false;
 }
 
-// Radial, along-track and cross-track parts of a difference, by position and velocity (ecef; turned on with the Earth).
-static orr_vec3 along_the_orbit(orr_vec3 d, orr_vec3 pos_m, orr_vec3 vel_mps)
+// Radial, along-track and cross-track parts of a difference, by position and velocity in space (ecef's axes).
+static orr_vec3 along_the_orbit(orr_vec3 d, orr_vec3 pos_m, orr_vec3 v)
 {
-    const orr_vec3 none = {(double)NAN, (double)NAN, (double)NAN}, turn = {0, 0, ORR_EARTH_RATE_RADPS};
-    const orr_vec3 v = orr_vec3_add(vel_mps, orr_vec3_cross(turn, pos_m));
-    if (isnan(v.x)) return none;
+    if (isnan(v.x)) return (orr_vec3){(double)NAN, (double)NAN, (double)NAN};
     const orr_vec3 radial = orr_vec3_unit(pos_m), cross = orr_vec3_unit(orr_vec3_cross(pos_m, v)),
                    along = orr_vec3_cross(cross, radial);
     return (orr_vec3){orr_vec3_dot(d, radial), orr_vec3_dot(d, along), orr_vec3_dot(d, cross)};
@@ -209,12 +209,65 @@ static double truth_noise_m(const subject *u, orr_sat sat)
     return fmax(ROUNDING_M, u->e != NULL ? orr_ephemeris_node_noise_m(u->e, sat) : 0); // NAN is no larger
 }
 
+// What a position of the truth tells of its epoch's time; epochs of the input tell as well.
+static size_t read_time(const orr_sat_state *state, orr_vec3 truth, orr_time t, orr_time_reading *out)
+{
+    const orr_vec3 v = orr_velocity_inertial(state->pos_m, state->vel_mps);
+    const double late_s = orr_vec3_dot(orr_vec3_sub(truth, state->pos_m), v) / orr_vec3_dot(v, v);
+    *out = (orr_time_reading){.t = t, .sat = state->sat, .late_s = late_s};
+    return isfinite(late_s) ? 1 : 0;
+}
+
+// What the epochs of one of the truth's files are off, x[0..n) its differences: moved away, or the truth's noise.
+static orr_status judge_times(orr_time_reading *reading, size_t n_readings, orr_compare_difference *x,
+                              size_t n, bool remove, orr_comparison *out, orr_diag *diag)
+{
+    size_t late = 0;
+    double sum2 = 0;
+    orr_epoch_times times;
+    const orr_status s = orr_epoch_times_find(reading, n_readings, &times);
+    if (s != ORR_OK) return orr_diag_set(diag, s, "no memory for the times of %zu positions", n_readings);
+    for (size_t i = 0; i < times.n; i++) {
+        sum2 += times.item[i].late_s * times.item[i].late_s;
+        out->late_most_s = fmax(out->late_most_s, fabs(times.item[i].late_s));
+        late++;
+    }
+    const double rms_s = late > 0 ? sqrt(sum2 / (double)late) : 0;
+    for (size_t i = 0; i < n && late > 0; i++) {
+        const double late_s = orr_epoch_late_s(&times, 0, x[i].t),
+                     off_m = rms_s * orr_vec3_norm(x[i].motion_mps);
+        if (isnan(off_m)) continue;
+        x[i].truth_mps = hypot(x[i].truth_mps, x[i].truth_gain * off_m);
+        if (!remove) {
+            x[i].truth_m = hypot(x[i].truth_m, off_m);
+            continue;
+        }
+        x[i].pos_m = orr_vec3_axpy(late_s, x[i].motion_mps, x[i].pos_m);
+        x[i].rac_m = orr_vec3_axpy(late_s, x[i].motion_rac_mps, x[i].rac_m);
+    }
+    const double before = (double)out->late_epochs;
+    if (late > 0)
+        out->late_rms_s = sqrt((before * out->late_rms_s * out->late_rms_s + sum2) / (before + (double)late));
+    out->late_epochs += late;
+    orr_epoch_times_free(&times);
+    return ORR_OK;
+}
+
 static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_options *o, differences *d,
                           orr_comparison *out, orr_diag *diag)
 {
     grid g;
-    orr_status s = sp3->n_epochs > 0 ? grid_init(sp3, &g, diag) : ORR_OK;
-    if (sp3->n_epochs == 0) return s;
+    const size_t first = d->n;
+    size_t n_readings = 0;
+    if (sp3->n_epochs == 0) return ORR_OK;
+    orr_time_reading *reading = malloc(sp3->n_epochs * sp3->n_sats * sizeof *reading);
+    orr_status s = reading != NULL
+                       ? grid_init(sp3, &g, diag)
+                       : orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu epochs", sp3->n_epochs);
+    if (s != ORR_OK) {
+        free(reading);
+        return s;
+    }
     for (size_t k = 0; k < sp3->n_sats && s == ORR_OK; k++) {
         const orr_orbit_node *node;
         if (o->sats != NULL && !orr_sat_set_has(o->sats, sp3->sat[k])) continue;
@@ -227,16 +280,19 @@ static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_opti
             orr_time t = sp3->epoch[i];
             orr_sat_state state;
             if (!has_position(r)) continue;
+            const orr_vec3 there = {r->pos_m[0], r->pos_m[1], r->pos_m[2]};
+            const bool known = state_of(u, sp3->sat[k], t, &state);
+            if (known && !(state.flags & ORR_EPH_PREDICTED))
+                n_readings += read_time(&state, there, t, &reading[n_readings]);
             if (u->e != NULL && is_input(node, n_nodes, t)) {
                 out->inputs++;
                 if (!o->with_inputs) continue;
             }
-            if (!state_of(u, sp3->sat[k], t, &state)) {
+            if (!known) {
                 out->no_orbit++;
                 continue;
             }
             orr_vec3 v = {(double)NAN, (double)NAN, (double)NAN};
-            const orr_vec3 there = {r->pos_m[0], r->pos_m[1], r->pos_m[2]};
             orr_compare_difference x = {.sat = sp3->sat[k],
                                         .place = place_of(node, n_nodes, t, u->usual_ns),
                                         .t = t,
@@ -250,13 +306,19 @@ static orr_status collect(subject *u, const orr_sp3 *sp3, const orr_compare_opti
             x.sigma_mps = (double)state.sigma_mps;
             x.truth_m = truth_m;
             x.truth_mps = gain * truth_m;
-            x.rac_m = along_the_orbit(x.pos_m, there, isnan(v.x) ? state.vel_mps : v);
+            x.motion_mps = orr_velocity_inertial(there, isnan(v.x) ? state.vel_mps : v);
+            x.motion_rac_mps = along_the_orbit(x.motion_mps, there, x.motion_mps);
+            x.rac_m = along_the_orbit(x.pos_m, there, x.motion_mps);
+            x.truth_gain = gain;
             if (x.place == ORR_COMPARE_PLACES) out->between++;
-            if (o->sink != NULL) o->sink(o->user, &x);
             s = add(d, &x, diag);
         }
     }
     grid_free(&g);
+    if (s == ORR_OK && d->n > first)
+        s = judge_times(reading, n_readings, d->list + first, d->n - first, o->remove_times, out, diag);
+    free(reading);
+    for (size_t i = first; i < d->n && s == ORR_OK && o->sink != NULL; i++) o->sink(o->user, &d->list[i]);
     return s;
 }
 

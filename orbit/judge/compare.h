@@ -56,8 +56,11 @@ typedef struct orr_comparison {
     orr_compare_system system[ORR_N_SYSTEMS]; // those with samples, in the order of ORR_SYSTEMS
     orr_compare_satellite *sat;               // descending rms
     size_t inputs; // truth's positions at epochs that the product was made from: left out, or not with_inputs
-    size_t no_orbit;  // left out because the product has no orbit there
-    size_t between;   // compared, but in no place: between 45 min and 2 h from an end, or beyond it
+    size_t no_orbit; // left out because the product has no orbit there
+    size_t between;  // compared, but in no place: between 45 min and 2 h from an end, or beyond it
+    // Epochs of the truth that are off as dynamics/epoch_time.h tells, all satellites alike along their orbits; RMS and most
+    size_t late_epochs;
+    double late_rms_s, late_most_s;
     bool vel_derived; // some velocities of the truth came from its positions (orbit/judge/velocity_filter.h)
 } orr_comparison;
 
@@ -69,6 +72,9 @@ typedef struct orr_compare_difference {
     orr_vec3 pos_m, vel_mps; // ecef; vel_mps.x NAN where there is no velocity of one of them
     orr_vec3 rac_m;          // pos_m as radial, along-track, cross-track
     bool eclipsing;
+    orr_vec3 motion_mps,
+        motion_rac_mps; // velocity of the truth in space, ecef's axes and likewise; NAN: not known
+    double truth_gain;  // of its velocity: what an error of its positions is multiplied by
     double sigma_m, sigma_mps, truth_m, truth_mps; // claimed, and of the truth; NAN: not known
 } orr_compare_difference;
 
@@ -78,6 +84,8 @@ typedef struct orr_compare_options {
     void (*sink)(void *user, const orr_compare_difference *d);
     void *user;
     bool derive_velocity; // from the truth's positions, whatever V records it has
+    bool
+        remove_times; // the truth's positions are moved to its epochs; else what they are off is the truth's noise
     bool with_inputs; // also at epochs that the product was made from: for a truth that is another centre's
 } orr_compare_options;
 

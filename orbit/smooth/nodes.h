@@ -15,6 +15,9 @@ typedef struct orr_node {
     bool bridge;     // not of an input file: a broadcast position where the files have none
     bool superseded; // another file observed what this one predicted
     bool foreign;    // of a file's first or last record, which holds another orbit (file_noise.h)
+    double
+        late_s; // the position is that of so much later, as all satellites of the file show (dynamics/epoch_time.h)
+    double told_s;   // what this satellite tells of it; NAN: nothing
     uint16_t source; // index of the input file
     uint16_t rank;   // of the file in time
 } orr_node;

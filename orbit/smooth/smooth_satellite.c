@@ -83,6 +83,17 @@ static orr_status choose_noise_of_low_orbit(orr_satellite_work *w, orr_track *t,
     return ORR_OK;
 }
 
+// What a track about the reference tells of the times of its nodes: their distance along the orbit over the speed.
+static void read_times(orr_satellite_work *w, const orr_track *t)
+{
+    for (size_t k = 0; k < t->n; k++)
+        for (size_t i = t->at[k].first; i < t->at[k].first + t->at[k].n; i++) {
+            const orr_vec3 off = orr_track_measured(w->c, &t->at[k], &w->node[i]), v = t->at[k].v_mps;
+            if (orr_node_counts(&w->node[i]) && !w->node[i].predicted)
+                w->node[i].told_s = orr_vec3_dot(off, v) / orr_vec3_dot(v, v);
+        }
+}
+
 // Nodes list[i0..i1), no two of them further apart than the longest bridged gap.
 static orr_status smooth_stretch(orr_satellite_work *w, size_t i0, size_t i1)
 {
@@ -104,6 +115,7 @@ static orr_status smooth_stretch(orr_satellite_work *w, size_t i0, size_t i1)
         s = orr_track_init(w->c, from_s, to_s, w->table->step_s, w->node, i1, &t);
         if (s != ORR_OK) return s;
         s = orr_track_linearise(w->c, w->ref, &t);
+        if (s == ORR_OK && pass == 1 && w->c->noise.nx == ORR_NX && w->evidence != NULL) read_times(w, &t);
         if (s == ORR_OK) s = choose_noise_of_low_orbit(w, &t, i0);
         if (s == ORR_OK) s = orr_segment_track(w->c, w->node, i1, w->table->step_s, &t, &seg);
         double largest = 0;
@@ -260,6 +272,7 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
         out->node[i] = (orr_orbit_node){.t = list->node[i].t,
                                         .residual_m = {(double)NAN, (double)NAN, (double)NAN},
                                         .source = list->node[i].source};
+        w.node[i].told_s = (double)NAN;
         bridged = bridged || list->node[i].bridge;
         w.node[i].superseded = w.node[i].superseded || w.node[i].bridge;
     }
@@ -286,6 +299,7 @@ orr_status orr_satellite_smooth(const orr_track_context *shared, const orr_node_
         s = smooth_all(&w);
         drop_bridge(&w);
     }
+    for (size_t i = 0; i < list->n_nodes && evidence != NULL; i++) list->node[i].told_s = w.node[i].told_s;
     orr_events_sort(&w.events);
     out->event = w.events.item;
     out->n_events = w.events.n;

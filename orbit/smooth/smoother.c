@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "orbit/smooth/frame_check.h"
 #include "orbit/smooth/given_rotation.h"
+#include "orbit/smooth/node_times.h"
 #include "orbit/smooth/reference.h"
 #include "orbit/smooth/smooth_satellite.h"
 
@@ -131,7 +132,7 @@ typedef struct pool {
     const orr_smoother_options *options;
     const orr_sky *sky;
     const orr_force *force;
-    const orr_node_table *table;
+    orr_node_table *table;
     bool eop_known;
     const orr_satellite_reference *reference; // per list of the table, or NULL
     const volatile int *cancel;
@@ -199,15 +200,26 @@ static bool mark_foreign(orr_node_list *l, const orr_file_noise *file)
     return any;
 }
 
+static bool any_late(const orr_node_list *l)
+{
+    for (size_t i = 0; i < l->n_nodes; i++)
+        if (fabs(l->node[i].late_s) > 0) return true;
+    return false;
+}
+
 // What all satellites tell of the files, and those again whose orbits it touches.
-static orr_status know_files(pool *p, int jobs, orr_file_noise *file, bool *again)
+static orr_status know_files(pool *p, int jobs, orr_file_noise *file, orr_file_times *times, bool *again)
 {
     const size_t n = p->n_files;
     bool any = false;
-    const orr_status s = orr_file_noise_decide(p->evidence, p->table->n_sats, n, file);
+    orr_status s = orr_file_noise_decide(p->evidence, p->table->n_sats, n, file);
+    if (s != ORR_OK) return s;
+    for (size_t i = 0; i < p->table->n_sats; i++)
+        again[i] = p->options->detect && p->status[i] == ORR_OK && mark_foreign(&p->table->list[i], file);
+    if (p->options->detect) s = orr_node_times_take(p->table, n, times);
     if (s != ORR_OK) return s;
     for (size_t i = 0; i < p->table->n_sats; i++) {
-        again[i] = p->options->detect && p->status[i] == ORR_OK && mark_foreign(&p->table->list[i], file);
+        again[i] = again[i] || (p->status[i] == ORR_OK && any_late(&p->table->list[i]));
         for (size_t f = 0; f < n && p->status[i] == ORR_OK; f++) {
             const orr_file_evidence *e = &p->evidence[i * n + f];
             again[i] = again[i] || (e->eclipsing && file[f].shadow_factor > 1) ||
@@ -226,9 +238,16 @@ static orr_status know_files(pool *p, int jobs, orr_file_noise *file, bool *agai
 
 // Files whose orbits have more than a random walk.
 static void tell_files(const orr_smoother_input *input, size_t n, const orr_file_noise *file,
-                       orr_warnings *warnings)
+                       const orr_file_times *times, orr_warnings *warnings)
 {
     for (size_t f = 0; f < n; f++) {
+        if (times[f].epochs > 0)
+            orr_warnings_add(
+                warnings, input[f].name, 0, 0,
+                "positions are not quite those of their epochs: all satellites alike are %.2f us RMS ahead "
+                "or behind along their orbits, %.2f us at most, as where a centre rounds its time; that is "
+                "taken out",
+                1e6 * times[f].rms_s, 1e6 * times[f].most_s);
         if (file[f].shadow_factor > 1)
             orr_warnings_add(warnings, input[f].name, 0, 0,
                              "orbits are not smooth near the Earth's shadow; the noise of %zu satellites is "
@@ -464,9 +483,10 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     p.n_files = n_inputs;
     p.evidence = calloc(table.n_sats * n_inputs + 1, sizeof *p.evidence);
     orr_file_noise *file = calloc(n_inputs + 1, sizeof *file);
+    orr_file_times *times = calloc(n_inputs + 1, sizeof *times);
     bool *again = calloc(table.n_sats + 1, sizeof *again);
     if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL || p.arcs == NULL ||
-                        p.evidence == NULL || file == NULL || again == NULL))
+                        p.evidence == NULL || file == NULL || times == NULL || again == NULL))
         s = ORR_E_MEMORY;
     if (s == ORR_OK) s = describe_sources(input, n_inputs, options, &table, about_reference, out);
     if (s == ORR_OK)
@@ -474,8 +494,8 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     if (s == ORR_E_MEMORY) orr_diag_set(diag, s, "out of memory for %zu satellites", table.n_sats);
     if (s == ORR_OK) {
         orr_parallel_run(options->jobs, worker, &p);
-        s = know_files(&p, options->jobs, file, again);
-        tell_files(input, n_inputs, file, warnings);
+        s = know_files(&p, options->jobs, file, times, again);
+        tell_files(input, n_inputs, file, times, warnings);
         if (s == ORR_OK) s = collect(&p, out, report, warnings, diag);
         for (size_t i = 0; i < table.n_sats; i++) orr_satellite_free(&p.sat[i]);
     }
@@ -485,6 +505,7 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     free(p.arcs);
     free(p.evidence);
     free(file);
+    free(times);
     free(again);
     orr_run_reference_free(&reference);
     orr_sky_free(sky);

@@ -496,5 +496,6 @@ orr_vec3 orr_track_measured(const orr_track_context *c, const orr_instant *at, c
 {
     orr_sky_point p;
     orr_sky_force_point(c->sky, n->t_s, &p);
-    return orr_vec3_sub(orr_mat3_apply_t(&p.R, n->ecef_m), at->r_m);
+    const orr_vec3 r = orr_vec3_axpy(-n->late_s, at->v_mps, orr_mat3_apply_t(&p.R, n->ecef_m));
+    return orr_vec3_sub(r, at->r_m);
 }

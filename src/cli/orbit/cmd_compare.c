@@ -82,6 +82,12 @@ static int print_json(const orr_cli *c, const orr_comparison *x, const orr_clock
     json_object_set_new(j, "left_out", left);
     json_object_set_new(j, "clocks", compare_clocks_json(clocks));
     json_object_set_new(j, "prediction", compare_prediction_json(prediction));
+    json_t *times = json_object();
+    json_object_set_new(times, "n", orr_json_count(x->late_epochs));
+    json_object_set_new(times, "rms_us", orr_json_number(1e6 * x->late_rms_s));
+    json_object_set_new(times, "max_us", orr_json_number(1e6 * x->late_most_s));
+    json_object_set_new(times, "removed", json_boolean(orr_cli_says(c, "epoch-times", "remove")));
+    json_object_set_new(j, "epoch_times", times);
     json_object_set_new(j, "truth_velocity", json_string(x->vel_derived ? "positions" : "records"));
     return orr_json_print(c, j, JSON_INDENT(2));
 }
@@ -212,6 +218,13 @@ static void print_human(const orr_cli *c, const orr_comparison *x, bool product,
     if (x->between > 0)
         printf("in no place: %zu samples between 45 min and 2 h from an end, or beyond the last input node\n",
                x->between);
+    if (x->late_epochs > 0)
+        printf("the truth's positions are not quite those of their epochs: all satellites alike are %.2f us "
+               "RMS ahead or "
+               "behind, %.2f us at most; %s\n",
+               1e6 * x->late_rms_s, 1e6 * x->late_most_s,
+               orr_cli_says(c, "epoch-times", "remove") ? "that is taken out"
+                                                        : "--epoch-times remove takes it out");
     compare_prediction_print(prediction);
 }
 
@@ -241,6 +254,7 @@ static orr_status make(const orr_cli *c, const subject *u, const orr_sp3 *truth,
 {
     const char *csv = orr_cli_text(c, "csv", NULL);
     orr_compare_options o = {.derive_velocity = orr_cli_says(c, "velocity", "positions"),
+                             .remove_times = orr_cli_says(c, "epoch-times", "remove"),
                              .with_inputs = orr_cli_given(c, "inputs"),
                              .sats = orr_cli_sats(c, "sat")};
     orr_outfile out = {0};
@@ -343,6 +357,15 @@ static const orr_option options[] = {
      .value = "records|positions",
      .help = "Velocity of the truth. records (default): its V records where it has them. positions: always "
              "the derivative of its positions."},
+    {.name = "epoch-times",
+     .fallback = "keep",
+     .kind = ORR_OPT_CHOICE,
+     .value = "keep|remove",
+     .help = "Where positions of the truth are not quite those of their epochs (all satellites alike ahead "
+             "or behind along "
+             "their orbits, up to 2 mm where a centre rounds its time). keep (default): that is told and is "
+             "the truth's "
+             "noise. remove: the truth's positions are moved to their epochs."},
     {.name = "inputs",
      .kind = ORR_OPT_FLAG,
      .help = "Compare also at epochs that the product was made from, for orbits of another centre."},
@@ -390,7 +413,8 @@ const orr_command orr_cmd_compare = {
         "sigma_rms_ns and ratio; clocks.satellites, clocks.left_out; "
         "prediction (null where the product predicts nothing) with rows of "
         "system, eclipses, age_h, orbit (satellites, median_mm, p95_mm, error_over_sigma) and clock "
-        "(the same in ns), manoeuvres and predicted_truth.\n\n"
+        "(the same in ns), manoeuvres and predicted_truth; epoch_times with n, rms_us, max_us and "
+        "removed.\n\n"
         "The predicted part of a product is judged by age since a satellite's last position, sunlit "
         "satellites and those that meet the Earth's shadow apart.",
     .example = "orrery orbit -o day.nc --nodes 900 COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz\n"
