@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "src/generator/feed/blocks.h"
 #include "src/generator/feed/navigation.h"
@@ -17,6 +18,7 @@
 
 #define NS_PER_S 1000000000
 #define META_EVERY_S 5
+#define META_ROOM 65536 // bytes that metadata takes at most, whole samples of any format
 
 static volatile sig_atomic_t interrupted;
 
@@ -337,6 +339,18 @@ static void summary(generator *g, const track *t, orr_gen_written w)
     say(g, text);
 }
 
+// The metadata at the end. Where samples have filled the disk the last of them make room for it.
+static bool end_meta(const generator *g, const track *t, orr_gen_written *w, bool complete,
+                     orr_gen_fault *fault)
+{
+    if (write_meta(g, t, *w, complete, fault)) return true;
+    if ((errno != ENOSPC && errno != EDQUOT) || w->bytes < META_ROOM) return false;
+    w->bytes -= META_ROOM;
+    if (truncate(t->data, (off_t)w->bytes) != 0)
+        return orr_gen_fail(fault, "%s: %s", t->data, strerror(errno));
+    return write_meta(g, t, *w, false, fault);
+}
+
 // Ends all streams; what is wrong with the first that is wrong replaces a sentence that says less.
 static bool finish(generator *g, bool good, orr_gen_fault *fault)
 {
@@ -351,7 +365,7 @@ static bool finish(generator *g, bool good, orr_gen_fault *fault)
         const bool complete = closed && samples_of(t, w.bytes) == (uint64_t)(t->end - t->first);
         if (!closed && (good || strcmp(fault->text, "the samples cannot be written") == 0)) *fault = own;
         good = good && closed;
-        if (!write_meta(g, t, w, complete, &own) && good) *fault = own, good = false;
+        if (!end_meta(g, t, &w, complete, &own) && good) *fault = own, good = false;
         summary(g, t, w);
     }
     return good;
@@ -390,7 +404,8 @@ int main(int argc, char **argv)
     const struct sigaction act = {.sa_handler = on_signal};
     sigaction(SIGINT, &act, NULL);
     sigaction(SIGTERM, &act, NULL);
-    signal(SIGPIPE, SIG_IGN);
+    signal(SIGPIPE, SIG_IGN); // writes fail instead, and say why
+    signal(SIGXFSZ, SIG_IGN);
     orr_gen_fault fault = {{0}};
     const bool good = generate(&g, &fault);
     if (!good) fprintf(stderr, "orrery-generator: %s\n", fault.text);

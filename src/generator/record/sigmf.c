@@ -124,5 +124,7 @@ bool orr_gen_sigmf_write(const char *path, const orr_gen_recording *recording, o
     if (fclose(f) == 0 && !bad && rename(beside, path) == 0) return true;
     const int why = errno;
     unlink(beside);
-    return orr_gen_fail(fault, "%s cannot be written: %s", path, strerror(why));
+    orr_gen_fail(fault, "%s cannot be written: %s", path, strerror(why));
+    errno = why;
+    return false;
 }

@@ -15,7 +15,7 @@ typedef struct orr_gen_recording {
     uint64_t clipped, underruns;
 } orr_gen_recording;
 
-// Writes PATH anew: beside it and renamed, so that there is a whole one at any time.
+// Writes PATH anew: beside it and renamed, so that there is a whole one at any time. errno says why it failed.
 bool orr_gen_sigmf_write(const char *path, const orr_gen_recording *recording, orr_gen_fault *fault);
 
 #endif

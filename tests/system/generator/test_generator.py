@@ -5,14 +5,18 @@ import json
 import os
 import pathlib
 import signal
+import socket
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent.parent / "receivers")]
+sys.path.insert(0, str(HERE.parent.parent.parent / "proto/python"))
 import recording  # noqa: E402
+from orrery import frame, messages  # noqa: E402
 from program import Folder, ORRERY, run, sample  # noqa: E402
 
 START = "2025-03-21T12:00:00"
@@ -122,7 +126,6 @@ class Generator(Folder):
             def read():
                 while chunk := process.stdout.read(1 << 20):
                     rest.append(chunk)
-            import threading
             reader = threading.Thread(target=read)
             reader.start()
             time.sleep(0.3)
@@ -140,6 +143,50 @@ class Generator(Folder):
                 again.stop()
         self.assertIn("the service is back", said)
         self.assertTrue(head + b"".join(rest) == data(whole), "samples differ after a restart of the service")
+
+    def refuse_streams(self, listener, refused):
+        """One connection passed on to the service, but for each SUBSCRIBE, which is refused as by a service that knows none."""
+        near = listener.accept()[0]
+        with near, socket.socket(socket.AF_UNIX) as far:
+            far.connect(self.service.url.removeprefix("unix:"))
+
+            def back():
+                while chunk := far.recv(1 << 20):
+                    near.sendall(chunk)
+            answers = threading.Thread(target=back)
+            answers.start()
+
+            def receive(n):
+                got = near.recv(n, socket.MSG_WAITALL)
+                if len(got) < n:
+                    raise EOFError
+                return got
+            try:
+                while True:
+                    f = frame.read(receive)
+                    if f.type == messages.Subscribe.TYPE:
+                        refused.append(f.message().request)
+                        error = messages.Error(messages.ErrorCode.UNKNOWN_TYPE, f.type, "no streams here")
+                        near.sendall(frame.make(messages.Error.TYPE, f.sequence, error.encode()))
+                    else:
+                        far.sendall(frame.make(f.type, f.sequence, f.payload))
+            except (EOFError, ConnectionError):
+                far.shutdown(socket.SHUT_RDWR)
+                answers.join()
+
+    def test_without_streams(self):
+        """A service that knows no streams is polled for blocks and symbols; the samples are the same."""
+        path, refused, name = self.path("no-streams.sock"), [], self.path("polled")
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(path)
+            listener.listen()
+            relay = threading.Thread(target=self.refuse_streams, args=(listener, refused))
+            relay.start()
+            subprocess.run([recording.GENERATOR, f"unix:{path}", "-o", name, "--rate", "4M", "--centre", "1575.42M", "--signals", "G:L1CA,E:E1",
+                            "--from", START, "--seconds", "1.2", "--noise", "-q"], check=True, timeout=120)
+            relay.join(60)
+        self.assertEqual(sorted(refused), [messages.PollNavdata.TYPE, messages.PollChannels.TYPE])
+        self.assertEqual(data(name), data(self.make("subscribed")))
 
     def test_gone(self):
         """A service that does not come back ends it, with metadata of what is there."""
@@ -209,6 +256,42 @@ class Generator(Folder):
         self.refused("No space left on device", "-o", name, "--from", START, "--seconds", "1", "--signals", "G:L1CA", "-q")
         self.assertEqual(meta(name)["global"]["orrery:samples"], 0)
         self.assertFalse(meta(name)["global"]["orrery:complete"])
+
+    def left(self, name, reason, wrap=(), **how):
+        """A generator that ends with a sentence: metadata of what is there, to the sample."""
+        done = subprocess.run([*wrap, recording.GENERATOR, self.service.url, "-o", name, "--rate", "2600000", "--signals", "G:L1CA", "--from",
+                               START, "--seconds", "4", "-q"], capture_output=True, text=True, check=False, timeout=120, **how)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn(reason, done.stderr)
+
+    def judge_left(self, name, least):
+        written, m = data(name), meta(name)
+        self.assertGreater(len(written), least)
+        self.assertEqual(m["global"]["orrery:samples"], len(written) // 2)
+        self.assertFalse(m["global"]["orrery:complete"])
+        self.assertEqual({a["core:sample_count"] for a in m["annotations"]}, {len(written) // 2})
+        whole = self.path("four")
+        self.service.generate("-o", whole, "--rate", "2600000", "--signals", "G:L1CA", "--from", START, "--seconds", "4")
+        self.assertEqual(written, data(whole)[:len(written)])
+
+    def test_file_limit(self):
+        import resource
+        name = self.path("limited")
+        self.left(name, "File too large after 2999999 bytes", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2999999,) * 2))
+        self.judge_left(name, 2999998)
+
+    def test_disk_that_fills(self):
+        """Samples that fill the disk give room to their metadata."""
+        if subprocess.run(["unshare", "-Urm", "true"], capture_output=True, check=False).returncode != 0:
+            self.skipTest("a file system of one's own may not be mounted here (unshare -Urm)")
+        disk = self.folder / "disk"
+        disk.mkdir()
+        kept = self.folder / "kept"
+        kept.mkdir()
+        script = 'kept=$1; shift; mount -t tmpfs -o size=3m none "$0" && { "$@"; status=$?; cp "$0"/* "$kept"; exit $status; }'
+        self.left(f"{disk}/full", "No space left on device", wrap=("unshare", "-Urm", "sh", "-c", script, str(disk), str(kept)))
+        self.judge_left(f"{kept}/full", 2900000)
 
     def test_closed_pipe(self):
         process = subprocess.Popen([recording.GENERATOR, self.service.url, "-o", "-", "--from", START, "--seconds", "60", "--signals",
