@@ -9,8 +9,8 @@
 
 enum { TREND = 4, UNKNOWNS = TREND + 2 };
 
-orr_status orr_line_amplitude(const double *t, const double *y, size_t n, double period, double *amplitude,
-                              orr_diag *diag)
+orr_status orr_line_amplitude(const double *t, const double *y, size_t n, double period, bool windowed,
+                              double *amplitude, orr_diag *diag)
 {
     double a[UNKNOWNS][UNKNOWNS] = {{0}}, b[UNKNOWNS] = {0}, first, last, mean = 0;
     if (n < UNKNOWNS || !(period > 0))
@@ -25,10 +25,11 @@ orr_status orr_line_amplitude(const double *t, const double *y, size_t n, double
     const double middle = 0.5 * (first + last), half = fmax(0.5 * (last - first), 1e-300);
     for (size_t i = 0; i < n; i++) {
         const double x = (t[i] - middle) / half, phase = 2 * ORR_PI * (t[i] - middle) / period;
+        const double wave = cos(0.5 * ORR_PI * x), weight = windowed ? wave * wave : 1;
         const double row[UNKNOWNS] = {1, x, x * x, x * x * x, cos(phase), sin(phase)};
         for (int j = 0; j < UNKNOWNS; j++) {
-            b[j] += row[j] * (y[i] - mean);
-            for (int k = 0; k <= j; k++) a[j][k] += row[j] * row[k];
+            b[j] += weight * row[j] * (y[i] - mean);
+            for (int k = 0; k <= j; k++) a[j][k] += weight * row[j] * row[k];
         }
     }
     const orr_status s = orr_symmetric_solve(&a[0][0], UNKNOWNS, UNKNOWNS, b, 1);

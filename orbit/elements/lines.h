@@ -11,12 +11,14 @@
 //   y          [n] values
 //   n          how many; at least 6
 //   period     in the unit of t
+//   windowed   values weigh by Hann's window over the span, so that a strong line leaks less into its neighbours; periods beyond a third of
+//              the span are then not to be told from the trend
 // Returned:
 //   amplitude  of a cosine of that period, of whatever phase, in the unit of y
 //   diag       why there is none; may be NULL
 // Errors: ORR_E_ARG (too few, or no period), ORR_E_NUMERIC (the series cannot tell the period from the trend).
 // Reference: Lomb 1976, with the trend among the unknowns; its normal equations are those of least squares.
-orr_status orr_line_amplitude(const double *t, const double *y, size_t n, double period, double *amplitude,
-                              orr_diag *diag);
+orr_status orr_line_amplitude(const double *t, const double *y, size_t n, double period, bool windowed,
+                              double *amplitude, orr_diag *diag);
 
 #endif

@@ -129,7 +129,7 @@ void bench_archive(bench *b)
     char(*path)[MADE_PATH] = calloc(days, sizeof *path);
     double single_s[SINGLES], single_cpu_s[SINGLES], one_mb = 0, two_mb = 0, few_mb = 0, mb;
     made_must(path != NULL && mkdtemp(folder) != NULL, "no temporary folder");
-    made_days(folder, days, path);
+    made_days(folder, days, NULL, path);
     snprintf(text, sizeof text, "An archive of %zu days of 80 satellites, orrery batch", days);
     bench_group(b, text);
     for (size_t k = 0; k < SINGLES; k++) // days with both neighbours

@@ -39,7 +39,7 @@ void bench_month(bench *b)
     char folder[] = "/tmp/orr-bench-XXXXXX", path[DAYS][MADE_PATH], product[MADE_PATH];
     made_must(mkdtemp(folder) != NULL, "no temporary folder");
     snprintf(product, sizeof product, "%s/month.nc", folder);
-    made_days(folder, DAYS, path);
+    made_days(folder, DAYS, NULL, path);
     bench_group(b, "A month of 80 satellites, nodes every 15 min, orrery orbit");
     smooth(b, "one thread", "1", product, path);
     smooth(b, "two threads", "2", product, path);

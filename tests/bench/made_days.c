@@ -31,7 +31,9 @@ static void begin(size_t k, orr_vec3 *r, orr_vec3 *v)
                         orr_vec3_add(orr_vec3_scale(-sin(u), n), orr_vec3_scale(cos(u), m)));
 }
 
-void made_days(const char *folder, size_t days, char (*path)[MADE_PATH])
+static orr_sat satellite(size_t k) { return orr_sat_make("GRE"[k % 3], (int)(k / 3) + 1); }
+
+void made_days(const char *folder, size_t days, const orr_sat_set *only, char (*path)[MADE_PATH])
 {
     orr_diag d = {0};
     orr_time t0;
@@ -45,10 +47,14 @@ void made_days(const char *folder, size_t days, char (*path)[MADE_PATH])
                            NULL, &d) == ORR_OK,
               d.text);
     made_must(orr_integrator_init(&force, sky, &it, &d) == ORR_OK, d.text);
-    for (size_t k = 0; k < MADE_SATS; k++) begin(k, &r[k], &v[k]);
+    size_t which[MADE_SATS], n = 0;
+    for (size_t k = 0; k < MADE_SATS; k++)
+        if (only == NULL || orr_sat_set_has(only, satellite(k))) which[n++] = k;
+    made_must(n > 0, "no such satellite is made");
+    for (size_t i = 0; i < n; i++) begin(which[i], &r[i], &v[i]);
     for (size_t day = 0; day < days; day++) {
         orr_sp3 s;
-        made_must(orr_sp3_alloc(MADE_SATS, EPOCHS, &s, &d) == ORR_OK, d.text);
+        made_must(orr_sp3_alloc(n, EPOCHS, &s, &d) == ORR_OK, d.text);
         s.version = 'd';
         s.interval_s = STEP_S;
         strcpy(s.coordinates, "IGS20");
@@ -57,12 +63,12 @@ void made_days(const char *folder, size_t days, char (*path)[MADE_PATH])
             orr_sky_point p;
             orr_sky_at(sky, t_s, &p);
             s.epoch[e] = orr_time_add_s(t0, t_s);
-            for (size_t k = 0; k < MADE_SATS; k++) {
+            for (size_t k = 0; k < n; k++) {
                 const orr_vec3 x = orr_mat3_apply(&p.R, r[k]);
-                orr_sp3_record *q = &s.record[e * MADE_SATS + k];
-                s.sat[k] = orr_sat_make("GRE"[k % 3], (int)(k / 3) + 1);
+                orr_sp3_record *q = &s.record[e * n + k];
+                s.sat[k] = satellite(which[k]);
                 q->pos_m[0] = x.x, q->pos_m[1] = x.y, q->pos_m[2] = x.z;
-                q->clock_s = 1e-5 * (double)k + 1e-11 * t_s;
+                q->clock_s = 1e-5 * (double)which[k] + 1e-11 * t_s;
                 made_must(orr_integrate(it, t_s, STEP_S, &r[k], &v[k]) == ORR_OK, "integration");
             }
         }

@@ -349,7 +349,8 @@ static const orr_option options[] = {
      .kind = ORR_OPT_TEXT,
      .value = "FILE",
      .writes = true,
-     .help = "Also write the periods in a, e and i of each satellite as CSV: amplitudes by least squares "
+     .help = "Also write the periods in a, e and i of each satellite as CSV: amplitudes by least squares, "
+             "plain and with Hann's window, "
              "beside a cubic trend, from three steps to "
              "two thirds of the span."},
     ORR_OPTION_FORMAT("csv|json|nc", "csv"),

@@ -45,14 +45,24 @@ static double element(const orr_kepler *k, int which)
     return which == 0 ? k->a_m : which == 1 ? k->e : k->i_rad * ORR_DEG_PER_RAD;
 }
 
-static void say_peaks(const orr_cli *c, const char *sat, const double *period_d, const double *amplitude)
+static bool is_peak(const double *a, size_t k) { return a[k] > a[k - 1] && a[k] >= a[k + 1]; }
+
+// Says the strongest periods: peaks of the windowed estimate, since those of the plain one may be what a strong line leaks into its
+// neighbourhood; beyond a third of the span those of the plain one, since there the window leaves too little beside the trend.
+static void say_peaks(const orr_cli *c, const char *sat, const double *period_d, const double *plain,
+                      const double *windowed)
 {
-    double limit = HUGE_VAL;
+    const double longest = period_d[PERIODS - 1] * SPAN_SHARE / 3;
+    double amplitude[PERIODS], limit = HUGE_VAL;
+    for (size_t k = 0; k < PERIODS; k++) {
+        const double *which = period_d[k] > longest ? plain : windowed;
+        amplitude[k] = k > 0 && k + 1 < PERIODS && is_peak(which, k) ? which[k] : 0;
+    }
     for (int told = 0; told < MOST_TOLD; told++) {
         size_t best = 0;
         for (size_t k = 1; k + 1 < PERIODS; k++) {
-            const bool peak = amplitude[k] > amplitude[k - 1] && amplitude[k] >= amplitude[k + 1];
-            if (peak && amplitude[k] < limit && (best == 0 || amplitude[k] > amplitude[best])) best = k;
+            if (amplitude[k] > 0 && amplitude[k] < limit && (best == 0 || amplitude[k] > amplitude[best]))
+                best = k;
         }
         if (best == 0) return;
         limit = amplitude[best];
@@ -66,7 +76,7 @@ static size_t write_satellite(const orr_cli *c, FILE *f, const orr_elements_row 
                               double *t_d, double *y)
 {
     static const char *const NAME[] = {"a_m", "e", "i_deg"};
-    double period_d[PERIODS], amplitude[PERIODS];
+    double period_d[PERIODS], amplitude[PERIODS], windowed[PERIODS];
     char sat[ORR_SAT_TEXT];
     orr_sat_text(row->sat, sat);
     for (size_t i = 0; i < n; i++) t_d[i] = orr_time_diff_s(row[i].t, row[0].t) / ORR_S_PER_DAY;
@@ -77,13 +87,15 @@ static size_t write_satellite(const orr_cli *c, FILE *f, const orr_elements_row 
         for (size_t i = 0; i < n; i++) y[i] = element(&row[i].k, which);
         for (size_t k = 0; k < PERIODS; k++) {
             period_d[k] = least * pow(most / least, (double)k / (PERIODS - 1));
-            amplitude[k] = 0;
-            if (orr_line_amplitude(t_d, y, n, period_d[k], &amplitude[k], NULL) != ORR_OK) continue;
-            fprintf(f, "%s,%s,%.8g,%.6g\n", sat, NAME[which], period_d[k], amplitude[k]);
+            amplitude[k] = windowed[k] = 0;
+            if (orr_line_amplitude(t_d, y, n, period_d[k], false, &amplitude[k], NULL) != ORR_OK ||
+                orr_line_amplitude(t_d, y, n, period_d[k], true, &windowed[k], NULL) != ORR_OK)
+                continue;
+            fprintf(f, "%s,%s,%.8g,%.6g,%.6g\n", sat, NAME[which], period_d[k], amplitude[k], windowed[k]);
             written++;
         }
     }
-    say_peaks(c, sat, period_d, amplitude); // of the last, the inclination
+    say_peaks(c, sat, period_d, amplitude, windowed); // of the last, the inclination
     return written;
 }
 
@@ -97,7 +109,7 @@ orr_status elements_periods_write(const orr_cli *c, elements_periods *x, double 
     if (s == ORR_OK) {
         size_t written = 0;
         qsort(x->row, x->n, sizeof *x->row, by_satellite);
-        fputs("sat,element,period_d,amplitude\n", out.stream);
+        fputs("sat,element,period_d,amplitude,windowed\n", out.stream);
         for (size_t i = 0, end; i < x->n; i = end) {
             for (end = i; end < x->n && x->row[end].sat == x->row[i].sat;) end++;
             written += write_satellite(c, out.stream, &x->row[i], end - i, step_d, t_d, y);

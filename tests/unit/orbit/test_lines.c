@@ -21,13 +21,36 @@ static void a_line_is_found_beside_a_trend(void **state)
         y[n++] = 55 + 0.3 * x - 2 * x * x + x * x * x + 0.004 * cos(2 * ORR_PI * t_of(i) / 13.66 + 0.7);
     }
     orr_diag d = {0};
-    ASSERT_OK(orr_line_amplitude(t, y, n, 13.66, &amplitude, &d), d);
+    ASSERT_OK(orr_line_amplitude(t, y, n, 13.66, false, &amplitude, &d), d);
     ASSERT_NEAR(amplitude, 0.004, 1e-12); // exactly what was put in
     for (double period = 2; period < 160; period *= 1.03) {
-        ASSERT_OK(orr_line_amplitude(t, y, n, period, &amplitude, &d), d);
+        ASSERT_OK(orr_line_amplitude(t, y, n, period, false, &amplitude, &d), d);
         assert_true(amplitude < 0.0041);
         if (fabs(log(period / 13.66)) > 0.25) assert_true(amplitude < 0.001); // leaks through the hole
     }
+}
+
+// A strong line that the span holds twice leaks into periods that are not there; with the window a tenth of that is left, and what is there
+// keeps its amplitude. Beyond 45 days the strong line's own width in the window begins.
+static void a_window_keeps_strong_lines_to_themselves(void **state)
+{
+    (void)state;
+    double t[N], y[N], most[2] = {0, 0}, amplitude;
+    for (int i = 0; i < N; i++) {
+        t[i] = t_of(i);
+        y[i] = 0.03 * cos(2 * ORR_PI * t[i] / 200) + 0.004 * cos(2 * ORR_PI * t[i] / 13.66 + 0.7);
+    }
+    orr_diag d = {0};
+    for (int windowed = 0; windowed <= 1; windowed++) {
+        for (double period = 20; period < 45; period *= 1.01) {
+            ASSERT_OK(orr_line_amplitude(t, y, N, period, windowed == 1, &amplitude, &d), d);
+            most[windowed] = fmax(most[windowed], amplitude);
+        }
+        ASSERT_OK(orr_line_amplitude(t, y, N, 13.66, windowed == 1, &amplitude, &d), d);
+        ASSERT_NEAR(amplitude, 0.004, windowed == 1 ? 2e-5 : 5e-4);
+    }
+    print_message("leaks into 20 to 45 days: %.3g, with the window %.3g\n", most[0], most[1]);
+    assert_true(most[1] < 0.2 * most[0]);
 }
 
 static void what_cannot_be_told_is_refused(void **state)
@@ -35,15 +58,16 @@ static void what_cannot_be_told_is_refused(void **state)
     (void)state;
     double t[6] = {0, 1, 2, 3, 4, 5}, y[6] = {1, 2, 3, 4, 5, 6}, amplitude;
     orr_diag d = {0};
-    assert_int_equal(orr_line_amplitude(t, y, 5, 2, &amplitude, &d), ORR_E_ARG);
-    assert_int_equal(orr_line_amplitude(t, y, 6, 0, &amplitude, &d), ORR_E_ARG);
-    assert_int_equal(orr_line_amplitude(t, y, 6, 1, &amplitude, &d),
+    assert_int_equal(orr_line_amplitude(t, y, 5, 2, false, &amplitude, &d), ORR_E_ARG);
+    assert_int_equal(orr_line_amplitude(t, y, 6, 0, false, &amplitude, &d), ORR_E_ARG);
+    assert_int_equal(orr_line_amplitude(t, y, 6, 1, false, &amplitude, &d),
                      ORR_E_NUMERIC); // a sine that is nothing at all instants
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_line_is_found_beside_a_trend),
+                                       cmocka_unit_test(a_window_keeps_strong_lines_to_themselves),
                                        cmocka_unit_test(what_cannot_be_told_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
