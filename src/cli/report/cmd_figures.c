@@ -110,19 +110,34 @@ static void put_file(FILE *f, const char *folder, const char *name, const char *
     if (in != NULL) fclose(in);
 }
 
-// Links to the files of a figure's tables.
+// The file of one of several tables, "name=file:column|..."; its length into *n, and of the whole of it into *whole.
+static const char *file_of(const char *csv, int *n, size_t *whole)
+{
+    *whole = strcspn(csv, "|");
+    const size_t name = strcspn(csv, "=|");
+    const char *file = name < *whole ? csv + name + 1 : csv;
+    *n = (int)strcspn(file, ":|");
+    return file;
+}
+
+// Links to the files of a figure's tables, each once.
 static void put_tables(FILE *f, const char *csv)
 {
-    if (csv == NULL) return;
-    fputs(strchr(csv, '|') != NULL ? "The tables:" : "The table:", f);
-    while (*csv != '\0') {
-        const size_t whole = strcspn(csv, "|"), name = strcspn(csv, "=|");
-        const char *file = name < whole && csv[name] == '=' ? csv + name + 1 : csv;
-        const int n = (int)strcspn(file, ":|");
-        fprintf(f, " <a href=\"%.*s\">%.*s</a>", n, file, n, file);
-        csv += whole + (csv[whole] == '|');
-        fputs(*csv != '\0' ? "," : ". ", f);
+    enum { MOST = 16 };
+    const char *told[MOST];
+    int length[MOST], n_told = 0;
+    for (size_t whole; csv != NULL && *csv != '\0'; csv += whole + (csv[whole] == '|')) {
+        int n, k = 0;
+        const char *file = file_of(csv, &n, &whole);
+        while (k < n_told && !(length[k] == n && strncmp(told[k], file, (size_t)n) == 0)) k++;
+        if (k < n_told || n_told == MOST) continue;
+        told[n_told] = file;
+        length[n_told++] = n;
     }
+    if (n_told > 0) fputs(n_told > 1 ? "The tables:" : "The table:", f);
+    for (int k = 0; k < n_told; k++)
+        fprintf(f, " <a href=\"%.*s\">%.*s</a>%s", length[k], told[k], length[k], told[k],
+                k + 1 < n_told ? "," : ". ");
 }
 
 static void put_figure(FILE *f, const figure *g, const outcome *o, const char *folder)
