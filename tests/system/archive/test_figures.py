@@ -107,6 +107,20 @@ class Figures(Folder):
         self.assertFalse((folder / "latency.sock").exists())
         self.assertIn("orrery serve samples/rooftop.yaml -q --listen unix:latency.sock &amp;", (folder / "report.html").read_text(encoding="utf-8"))
 
+    def test_fusion_finds_what_maps_lack(self):
+        """The made station's phases are nearer to the truth of its channels than the maps, by the wave that they do not know."""
+        folder, _ = self.make("fusion", "--only", "fusion", "--only", "terms")  # one simulation for both
+        per_m = 1575.42e6 ** 2 / 40.3e16  # TECU
+        with open(folder / "disturbed/STAT-channels.csv", encoding="ascii") as f:
+            truth = {r["t_gps"]: (float(r["ionosphere_m"]) + float(r["disturbance_m"])) * per_m for r in csv.DictReader(f)
+                     if (r["sat"], r["signal"]) == ("G05", "L1CA")}
+        with open(folder / "fusion.csv", encoding="ascii") as f:
+            rows = [r for r in csv.DictReader(f) if r["t_gps"] in truth]
+        self.assertGreater(len(rows), 700)
+        error = {k: math.sqrt(sum((float(r[k]) - truth[r["t_gps"]]) ** 2 for r in rows) / len(rows)) for k in ("stec_tecu", "model_stec_tecu")}
+        self.assertLess(error["stec_tecu"], 0.4 * error["model_stec_tecu"], error)
+        self.assertEqual((folder / "terms.svg").read_text(encoding="utf-8").count('class="line" stroke'), 2 * 7)  # each and its key
+
     def test_logarithmic_axes(self):
         """gnuplot takes scripts of every kind of axes: a picture is whole, or not there."""
         if not shutil.which("gnuplot"):
