@@ -307,9 +307,9 @@ static double spacing(const double *v, size_t n)
 }
 
 // Whether a line is the negative of the one before it: sigma and -sigma are drawn alike.
-static bool is_other_side(const table *t, size_t k)
+static bool is_other_side(const curve *before, const curve *c)
 {
-    return k > 0 && t->line[k].name[0] == '-' && strcmp(t->line[k].name + 1, t->line[k - 1].name) == 0;
+    return before != NULL && c->name[0] == '-' && strcmp(c->name + 1, before->name) == 0;
 }
 
 orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
@@ -337,13 +337,14 @@ orr_status figure_draw(const figure *f, const char *folder, orr_diag *diag)
         thin_out(&t->line[k]);
         if (f->plot.kind == FIGURE_SKY) cut_tracks(&t->line[k]);
         if (strcmp(f->plot.x, "lon_deg") == 0) cut_longitudes(&t->line[k]);
+        const size_t look = is_other_side(k > 0 ? &t->line[k - 1] : NULL, &t->line[k]) ? k - 1 : k;
         line[k] = (orr_plot_line){.label = t->line[k].name[0] != '\0' ? t->line[k].name : NULL,
                                   .x = t->line[k].x,
                                   .y = t->line[k].y,
                                   .n = t->line[k].n,
                                   .marks = f->plot.kind == FIGURE_MARKS,
-                                  .colour = (int)(is_other_side(t, k) ? k - 1 : k),
-                                  .dash = k >= n_drawn ? 1 : (int)(is_other_side(t, k) ? k - 1 : k + k / 8)};
+                                  .colour = (int)look,
+                                  .dash = k >= n_drawn ? 1 : (int)(look + look / 8)};
     }
     if (is_map && t->n == 2)
         cells = (orr_plot_cells){.x = t->line[0].x,
