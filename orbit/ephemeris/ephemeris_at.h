@@ -242,6 +242,7 @@ INLINE size_t eval_all(const orr_ephemeris *e, orr_time t, orr_sat_state *out, s
     size_t n = 0, hint = SIZE_MAX;
     basis b;
     b.degree = -1;
+    b.x = 0;
     place at = {0};
     const eph_arc *before = NULL; // arcs of the same shape share the place and the basis
     for (size_t i = 0; i < e->n_sats && n < max; i++) {

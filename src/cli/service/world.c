@@ -105,8 +105,10 @@ orr_status serving_remake_begin(serving_remake *r, orr_diag *diag)
     r->cancel = 0;
     r->diag = (orr_diag){0};
     atomic_store(&r->ended, false);
-    r->running = pthread_create(&r->thread, NULL, remake, r) == 0;
-    return r->running ? ORR_OK : orr_diag_set(diag, ORR_E_MEMORY, "no thread can be started");
+    r->running = true; // from here on the thread's alone until it has ended
+    if (pthread_create(&r->thread, NULL, remake, r) == 0) return ORR_OK;
+    r->running = false;
+    return orr_diag_set(diag, ORR_E_MEMORY, "no thread can be started");
 }
 
 bool serving_remake_ended(serving_remake *r)

@@ -126,10 +126,12 @@ orr_status orr_streams_open(const orr_streams_options *options, orr_streams **ou
     return ORR_OK;
 }
 
-// Something that the thread waits for may have changed; under the lock.
-static void changed(orr_streams *s)
+// Lets go of the lock after something that the thread waits for may have changed. It is woken behind the lock, so that it does not
+// wake only to wait for that.
+static void unlock_changed(orr_streams *s)
 {
     s->changed_since = true;
+    pthread_mutex_unlock(&s->lock);
     pthread_cond_signal(&s->changed);
 }
 
@@ -138,8 +140,7 @@ void orr_streams_halt(orr_streams *s)
     if (s == NULL || !s->has_thread) return;
     pthread_mutex_lock(&s->lock);
     s->stop = true;
-    changed(s);
-    pthread_mutex_unlock(&s->lock);
+    unlock_changed(s);
     pthread_join(s->thread, NULL);
     s->has_thread = false;
 }
@@ -188,8 +189,7 @@ uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_t
     pthread_mutex_lock(&s->lock);
     const uint16_t code = orr_pace_control(&s->pace, &h, m, why);
     orr_pace_time(&s->pace, &h, told);
-    changed(s);
-    pthread_mutex_unlock(&s->lock);
+    unlock_changed(s);
     return code;
 }
 
@@ -200,8 +200,7 @@ uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time
     pthread_mutex_lock(&s->lock);
     const uint16_t code = orr_pace_radio(&s->pace, &h, m, why);
     orr_pace_told(&s->pace, &h, made, told);
-    changed(s);
-    pthread_mutex_unlock(&s->lock);
+    unlock_changed(s);
     return code;
 }
 
@@ -219,8 +218,7 @@ uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_
     const uint16_t code = orr_vehicle_take(s->options.vehicle, m, now, why);
     if (code != 0) return code;
     pthread_mutex_lock(&s->lock);
-    changed(s);
-    pthread_mutex_unlock(&s->lock);
+    unlock_changed(s);
     return 0;
 }
 
@@ -389,11 +387,10 @@ uint16_t orr_streams_subscribe(orr_streams *s, const orr_server *judge, const or
     if (s->n < ORR_STREAMS_MOST && (orr_stream_ring(x) < 0 || s->n_rings < ORR_STREAMS_RINGS)) {
         s->n_rings += orr_stream_ring(x) >= 0;
         s->stream[s->n++] = x;
-        changed(s);
     } else {
         code = wrong(why, ORR_MSG_ERROR_CODE_LIMIT, "as many streams are open as this server allows");
     }
-    pthread_mutex_unlock(&s->lock);
+    unlock_changed(s);
     if (code != 0)
         streams_free(x);
     else
@@ -408,8 +405,7 @@ void orr_stream_credit(orr_stream *x, uint32_t blocks)
     orr_streams *s = x->all;
     pthread_mutex_lock(&s->lock);
     x->credit += blocks; // 2^64 blocks need 2^32 messages
-    changed(s);
-    pthread_mutex_unlock(&s->lock);
+    unlock_changed(s);
 }
 
 void orr_stream_end(orr_stream *x)
@@ -454,14 +450,13 @@ orr_payload *orr_stream_next(orr_stream *x)
 {
     orr_streams *s = x->all;
     pthread_mutex_lock(&s->lock);
-    orr_payload *b = NULL;
-    if (x->n > 0) {
-        // A queue that was full may have held the thread up.
-        const bool full = x->n >= ORR_STREAM_QUEUE_FREE || x->bytes > ORR_STREAM_QUEUE_BYTES / 2;
-        b = streams_pop(x);
-        if (full) changed(s);
-    }
-    pthread_mutex_unlock(&s->lock);
+    // A queue that was full may have held the thread up.
+    const bool full = x->n >= ORR_STREAM_QUEUE_FREE || x->bytes > ORR_STREAM_QUEUE_BYTES / 2;
+    orr_payload *b = x->n > 0 ? streams_pop(x) : NULL;
+    if (b != NULL && full)
+        unlock_changed(s);
+    else
+        pthread_mutex_unlock(&s->lock);
     return b;
 }
 

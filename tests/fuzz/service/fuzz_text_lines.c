@@ -25,9 +25,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static uint8_t room[ORR_MSG_LARGEST];
     fake f = {.n_sats = 3};
     const orr_server server = fake_server(&f);
-    const orr_streams_options o = {.maker = &server, .host = host, .processor = -1};
+    const orr_vehicle_options live = {.join_s = 0.065, .length_ns = 5000000};
+    orr_vehicle *vehicle;
+    if (size == 0 || orr_vehicle_open(&live, &vehicle, NULL) != ORR_OK) return 0;
+    const orr_streams_options o = {.maker = &server, .host = host, .vehicle = vehicle, .processor = -1};
     orr_streams *streams;
-    if (size == 0 || orr_streams_open(&o, &streams, NULL) != ORR_OK) return 0;
+    if (orr_streams_open(&o, &streams, NULL) != ORR_OK) {
+        orr_vehicle_close(vehicle);
+        return 0;
+    }
     const orr_asked asked = {
         .server = &server, .streams = streams, .may = data[0] & 1 ? ORR_MAY_READ : ORR_MAY_ALL, .room = room};
     orr_text_session s;
@@ -46,5 +52,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     must(n == 0 || answer[n - 1] == '\n');
     free(answer);
     orr_streams_close(streams);
+    orr_vehicle_close(vehicle);
     return 0;
 }

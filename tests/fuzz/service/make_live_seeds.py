@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the seeds of fuzz_lanes, fuzz_datagrams and fuzz_text_lines into tests/fuzz/corpus."""
 import pathlib
+import struct
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -13,6 +14,8 @@ NONE = -2**63
 
 
 def piece(message):
+    if isinstance(message, bytes):
+        return message
     data = message.encode()
     return bytes([message.TYPE - 20, len(data)]) + data
 
@@ -39,6 +42,17 @@ LANES = {
     "motion": [m.Control(4, 0, 0, NONE, NONE, 0), motion(0), motion(10**7), motion(2 * 10**7, snap=1, pos_m=[3e6, 2e6, 5.3e6]), m.GetMotionStats(1),
                motion(3 * 10**7, angular_order=4, attitude=[1.0, 0, 0, 0]), motion(4 * 10**7, pos_m=[float("nan"), 0, 0])],
 }
+
+
+def written(slot, message):
+    """A message as a client of the ring of motion writes it, the first into each slot."""
+    data = message.encode()
+    data = struct.pack("<QII", 2 * slot + 2, len(data), message.TYPE) + data
+    return bytes([4 * slot, len(data)]) + data
+
+
+LANES["motion_ring"] = [m.OpenMotionRing(0), m.Control(4, 0, 0, NONE, NONE, 0), written(0, motion(0)), written(1, motion(10**7)), written(2, m.GetTime()),
+                        written(3, motion(2 * 10**7, pos_m=[float("nan"), 0, 0]))]
 LANES["open"] = [m.OpenDatagrams(0), m.OpenMotionRing(0), m.Subscribe(6, 0, 2, 2, 0, poll(0, 10**6, 5), 4000)]
 
 
