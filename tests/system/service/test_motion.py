@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from daemon import ROOT, WORK, Daemon, product  # first: it sets the path
+from daemon import ROOT, WORK, Daemon, orrery as run, product  # first: it sets the path
 
 import orrery
 from orrery import messages
@@ -63,7 +63,8 @@ class Live(unittest.TestCase):
     def serve(self, *args):
         daemon = Daemon(WORK / "motion.yaml", "--from", "2025-03-21T10:02:00", "--start", "command", *args)
         self.addCleanup(lambda: self.assertEqual(daemon.stop(), 0, daemon.lines))
-        client = orrery.Client(daemon.urls[0])
+        self.url = daemon.urls[0]
+        client = orrery.Client(self.url)
         self.addCleanup(client.close)
         return client
 
@@ -220,6 +221,12 @@ class Live(unittest.TestCase):
         self.assertTrue(all(b.motion_age - a.motion_age == 10**7 for a, b in zip(ages, ages[1:])))
         m = client.motion_stats()
         self.assertEqual((m.worst, m.extrapolated), (STATE.EXTRAPOLATED, m.blocks))
+        # A log of it cannot be compared with polls, which have no live motion: that is told, and is no success.
+        log = str(WORK / "live.log")
+        self.assertEqual(run("record", self.url, "-o", log, "--channels", "--count", "20", "--lead", "0.02").returncode, 0)
+        checked = run("replay", log, "--check", self.url)
+        self.assertEqual(checked.returncode, 1)
+        self.assertIn("20 of live motion were not compared", checked.stdout)
 
 
 if __name__ == "__main__":

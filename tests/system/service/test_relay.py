@@ -176,7 +176,8 @@ class BadNetwork(unittest.TestCase):
                 due = at + k * NS // 100
                 time.sleep(max(0.0, (due - time.monotonic_ns()) / NS))
                 now = clock + time.monotonic_ns() - at
-                sender.send(body.sample(now, order=2, point=messages.MotionPoint.ANTENNA))
+                # The first jump from where another body was; one of them comes through.
+                sender.send(body.sample(now, order=2, point=messages.MotionPoint.ANTENNA, snap=int(k < 10)))
                 while not blocks or blocks[-1].block + blocks[-1].length < now - NS // 20:
                     blocks.append(stream.next())
             time.sleep(0.1)
