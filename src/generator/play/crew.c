@@ -16,7 +16,8 @@ typedef struct work {
     unsigned others; // threads that are at a group of it
     pthread_mutex_t lock;
     bool summed; // whether sums hold anything, both under `lock`
-    int32_t sum_re[ORR_GEN_PIECE], sum_im[ORR_GEN_PIECE];
+    _Alignas(64) int32_t sum_re[ORR_GEN_PIECE];
+    _Alignas(64) int32_t sum_im[ORR_GEN_PIECE];
 } work;
 
 typedef struct member {
@@ -46,8 +47,9 @@ bool orr_gen_crew_open(unsigned threads, orr_gen_crew **crew, orr_gen_fault *fau
     pthread_mutex_init(&c->lock, NULL);
     pthread_cond_init(&c->group_done, NULL);
     for (; c->n < threads && c->n < MOST_THREADS; c->n++) {
-        member *m = calloc(1, sizeof *m);
+        member *m = aligned_alloc(_Alignof(member), sizeof *m);
         if (m == NULL) return orr_gen_fail(fault, "out of memory");
+        memset(m, 0, sizeof *m);
         m->crew = c;
         m->number = c->n;
         pthread_mutex_init(&m->work.lock, NULL);

@@ -74,8 +74,10 @@ size_t orr_gen_stream_group(const orr_gen_stream *stream, const orr_gen_block *b
 
 // What playing needs for itself, one a thread.
 typedef struct orr_gen_worker {
+    _Alignas(64) int16_t
+        re[ORR_GEN_PIECE]; // of a group of channels; in lines of the cache, which vectors then do not cross
+    _Alignas(64) int16_t im[ORR_GEN_PIECE];
     orr_gen_scratch scratch;
-    int16_t re[ORR_GEN_PIECE], im[ORR_GEN_PIECE]; // of a group of channels
 } orr_gen_worker;
 
 // Sums of a span over a group of its block's channels. Several threads may play at once.

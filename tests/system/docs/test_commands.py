@@ -86,6 +86,24 @@ class Documentation(Folder):
                         self.assertIn("--preset", code)
                         self.assertTrue(any(re.search(pattern, n) for n in names), f"{pattern} names no test")
 
+    def test_quoted_lines_are_there(self):
+        """Indented lines under a line of `FILE`, `FUNCTION`: stand in that function, in that order."""
+        quoted = 0
+        for page in PAGES:
+            text = page.read_text(encoding="utf-8")
+            for path, function, block in re.findall(r"^ *`(src/[\w/.]+)`, `(\w+)`:\n\n((?:        .*\n)+)", text, re.M):
+                source = (ROOT / path).read_text(encoding="utf-8")
+                body = re.search(rf"^[a-z][^\n;]*\b{function}\([^;{{]*\)\n{{.*?^}}", source, re.M | re.S)
+                with self.subTest(page=page.name, path=path, function=function):
+                    self.assertIsNotNone(body, f"{path} has no function {function}")
+                    at = 0
+                    for line in block.splitlines():
+                        found = body[0].find(line.strip(), at)
+                        self.assertGreaterEqual(found, 0, f"{function} has no line {line.strip()} there")
+                        at = found + len(line.strip())
+                        quoted += 1
+        self.assertGreater(quoted, 15)
+
     def test_named_options_exist(self):
         helps = {}
         for page in PAGES:
