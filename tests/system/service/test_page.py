@@ -211,6 +211,10 @@ class Page(Served):
                 self.assertLessEqual(b.run("return document.documentElement.scrollWidth"), width)
             b.width(400)
             keep(b, "narrow.png")
+            at = "const t = shape.time; shape.time = { ...t, t_gps: arguments[0] }; const why = whyNothing(); shape.time = t; return why"
+            self.assertEqual(b.run(at, "2025-03-20T23:00:00.0"), "The motion begins at 2025-03-21 10:00:00 GPS.")
+            self.assertEqual(b.run(at, "2025-03-21T10:05:00.0"), "")
+            self.assertEqual(b.run(at, "2025-03-21T10:11:00.0"), "The motion ended at 2025-03-21 10:10:00 GPS.")
             read = b.run("return performance.getEntriesByType('resource').map(e => e.name)")
             self.assertTrue(all(u.startswith(self.url) for u in read), read)
             self.assertEqual(b.complaints(), [])
