@@ -70,8 +70,15 @@ static orr_status judge(segment_work *w, size_t a, size_t b, orr_verdict *verdic
     s = segment_explore(w, a, b, false, &alone);
     const segment_trial *best = &alone;
     if (s == ORR_OK && (!alone.good || alone.wrong > 1)) {
+        // What comes before a push may begin anywhere, as what comes after it does: the reference is the longer one's orbit.
+        const orr_track_context *own = w->c;
+        orr_track_context anywhere = *own;
+        anywhere.noise.start_r_m = fmax(own->noise.start_r_m, ORR_ANEW_R_M);
+        anywhere.noise.start_v_mps = fmax(own->noise.start_v_mps, ORR_ANEW_V_MPS);
+        w->c = &anywhere;
         w->verdict = pushed.verdict;
         s = segment_explore(w, a, b, true, &pushed);
+        w->c = own;
         forget_small_steps(w, a, b);
         const double scale2 = fmin(alone.scale2, pushed.scale2);
         const bool better = cost(&pushed, w, scale2) < cost(&alone, w, scale2);
