@@ -107,6 +107,23 @@ static double sum_of_squares(const segment_work *w, size_t a, size_t b)
     return sum;
 }
 
+// The same without what the first two nodes of an orbit are off where it was begun: that is no noise of theirs.
+static double squares_beyond_starts(const segment_work *w, size_t a, size_t b)
+{
+    double sum = 0;
+    int open = 2;
+    for (size_t g = a; g < b; g++) {
+        const orr_instant *at = segment_instant(w, g);
+        if (w->verdict[at->first].begins_anew) open = 2;
+        if (segment_rejected(w, g)) continue;
+        if (open > 0)
+            open--;
+        else
+            sum += at->d2;
+    }
+    return sum;
+}
+
 // Whether the orbits before and after a change of the state meet at some instant within the step before it.
 static bool meets(const orr_fresh_start *f, double step_s)
 {
@@ -312,7 +329,7 @@ orr_status segment_explore(const segment_work *w, size_t a, size_t b, bool may_p
     if (s == ORR_OK) s = take_back(w, a, b, x);
     l = segment_look_at(w, a, b);
     x->scale2 = l.scale2;
-    x->chi2 = sum_of_squares(w, a, b);
+    x->chi2 = squares_beyond_starts(w, a, b);
     x->penalty += (double)x->wrong;
     x->good = l.worst == SIZE_MAX || l.of_worst.d2 < w->wrong2 * l.scale2;
     return s;
