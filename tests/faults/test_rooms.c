@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/leap.h"
 #include "core/ncfile.h"
 #include "ingest/fetch/archives.h"
 #include "ingest/inspect/inspect.h"
@@ -14,12 +15,16 @@
 #include "ingest/maps/ionex.h"
 #include "ingest/rinex/clk.h"
 #include "ingest/rinex/rinex_nav.h"
+#include "ingest/rinex/rinex_obs.h"
 #include "ingest/sp3/sp3.h"
 #include "ingest/tables/blq.h"
 #include "ingest/tables/erp.h"
+#include "ingest/tables/gravity_file.h"
+#include "ingest/tables/satellite_metadata.h"
 #include "ingest/telemetry/telemetry.h"
 #include "src/service/net/access.h"
 #include "src/service/net/certificates.h"
+#include "src/service/net/url.h"
 #include "src/service/text/session.h"
 #include "unit/proto/fake.h"
 #include "wrap.h"
@@ -128,6 +133,8 @@ static void readers(void **state)
     all_of("telemetry", read_log);
 }
 
+#define BLQ_ROW " .00352 .00123 .00080 .00032 .00187 .00112 .00063 .00003 .00082 .00044 .00037\n"
+
 static orr_status archives(orr_diag *diag)
 {
     orr_archives *a = NULL;
@@ -141,10 +148,61 @@ static orr_status archives(orr_diag *diag)
     return s;
 }
 
+static orr_status metadata(orr_diag *diag)
+{
+    orr_satellite_metadata m;
+    const orr_status s = orr_satellite_metadata_read(CORPUS "satellite_metadata/igs", NULL, &m, NULL, diag);
+    if (s == ORR_OK) orr_satellite_metadata_free(&m);
+    return s;
+}
+
+static orr_status gravity(orr_diag *diag)
+{
+    orr_bytes text;
+    orr_gravity_file f;
+    orr_status s = orr_input_read_all(CORPUS "gravity/map.csv", NULL, &text, diag);
+    if (s != ORR_OK) return s;
+    s = orr_gravity_file_parse("map", text.text, text.n, &f, diag);
+    orr_bytes_free(&text);
+    if (s == ORR_OK) orr_gravity_file_free(&f);
+    return s;
+}
+
+static orr_status loading(orr_diag *diag)
+{
+    orr_blq b;
+    return orr_blq_read(in_path, "ONSALA", &b, diag);
+}
+
+static orr_status leap_seconds(orr_diag *diag)
+{
+    orr_leap_table t;
+    const orr_status s = orr_leap_read(in_path, &t, diag);
+    if (s == ORR_OK) orr_leap_free(&t);
+    return s;
+}
+
+static void put(const char *name, const char *text)
+{
+    snprintf(in_path, sizeof in_path, "%s-%s", root, name);
+    FILE *f = fopen(in_path, "w");
+    assert_non_null(f);
+    fputs(text, f);
+    assert_int_equal(fclose(f), 0);
+}
+
 static void tables(void **state)
 {
     (void)state;
     each("archives", archives, 0, false);
+    each("satellite metadata", metadata, 0, false);
+    each("gravity", gravity, 0, false);
+    put("blq", "$$ made\n  ONSALA\n" BLQ_ROW BLQ_ROW BLQ_ROW BLQ_ROW BLQ_ROW BLQ_ROW);
+    each("ocean loading", loading, 0, false);
+    unlink(in_path);
+    put("leap", "#@\t4000000000\n2272060800\t10\n2287785600\t11\n2303683200\t12\n");
+    each("leap seconds", leap_seconds, 0, false);
+    unlink(in_path);
 }
 
 // --- Writers: what a file of the corpus holds, written ---
@@ -175,6 +233,23 @@ READ_AND_WRITE(clk_again, orr_clk, orr_clk_parse(in_path, text.text, text.n, NUL
                orr_clk_write(&x, out_path, diag), orr_clk_free)
 READ_AND_WRITE(nav_again, orr_nav, orr_nav_parse(in_path, text.text, text.n, NULL, &x, NULL, diag),
                orr_nav_write(&x, out_path, NULL, diag), orr_nav_free)
+
+static orr_status obs_again(orr_diag *diag)
+{
+    orr_rinex_obs *r = NULL;
+    orr_rinex_obs_writer *w = NULL;
+    const orr_rinex_obs_epoch *e = NULL;
+    orr_status s = orr_rinex_obs_open(in_path, NULL, NULL, &r, diag);
+    if (s == ORR_OK) s = orr_rinex_obs_create(out_path, 3.05, orr_rinex_obs_header_of(r), &w, diag);
+    while (s == ORR_OK && (s = orr_rinex_obs_next(r, &e, diag)) == ORR_OK && e != NULL)
+        s = orr_rinex_obs_write(w, e, diag);
+    if (s == ORR_OK)
+        s = orr_rinex_obs_commit(w, diag);
+    else
+        orr_rinex_obs_abort(w);
+    orr_rinex_obs_close(r);
+    return s;
+}
 
 static orr_status product(orr_diag *diag)
 {
@@ -234,6 +309,8 @@ static void writers(void **state)
         snprintf(in_path, sizeof in_path, CORPUS "%s", all[k].file);
         each(all[k].file, all[k].act, 1, false);
     }
+    snprintf(in_path, sizeof in_path, CORPUS "rinex_obs/v3_mixed");
+    each("observations", obs_again, 1, false);
     each("a product", product, 1, true);
 }
 
@@ -295,6 +372,29 @@ static orr_status conversation(orr_diag *diag)
     return s;
 }
 
+// Places to listen on, of every kind, and clients who come.
+static orr_status sockets(orr_diag *diag)
+{
+    char path[120];
+    snprintf(path, sizeof path, "unix:%s/socket", root);
+    const char *const places[] = {"tcp://127.0.0.1:0", "tcp://[::1]:0", path};
+    orr_status s = ORR_OK;
+    for (size_t k = 0; k < 3 && s == ORR_OK; k++) {
+        orr_url u, bound, again;
+        int listens = -1, comes = -1, datagrams = -1;
+        s = orr_url_parse(places[k], &u, diag);
+        if (s == ORR_OK) s = orr_url_listen(&u, 4, &listens, &bound, diag);
+        if (s == ORR_OK) s = orr_url_of_socket(listens, &again, diag);
+        if (s == ORR_OK) s = orr_url_connect(&bound, 10, &comes, diag);
+        if (s == ORR_OK && !u.is_unix) s = orr_url_bind_datagrams(&u, &datagrams, &again, diag);
+        if (listens >= 0) close(listens);
+        if (comes >= 0) close(comes);
+        if (datagrams >= 0) close(datagrams);
+        unlink(path + 5);
+    }
+    return s;
+}
+
 static void service(void **state)
 {
     (void)state;
@@ -314,6 +414,7 @@ static void service(void **state)
     assert_int_equal(fclose(f), 0);
     each("access", rules, 0, false);
     each("text", conversation, 0, false);
+    each("sockets", sockets, 0, false);
     clear(lab);
     assert_int_equal(rmdir(lab), 0);
 }
