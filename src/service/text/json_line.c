@@ -80,8 +80,12 @@ static bool set_scalar(filling *x, const orr_field *f, void *at, const json_t *j
     }
     if (json_is_integer(j)) return store(x, f, at, (double)json_integer_value(j), json_integer_value(j));
     if (json_is_boolean(j)) return store(x, f, at, json_is_true(j), json_is_true(j));
-    if (json_is_real(j))
-        return store(x, f, at, json_real_value(j), llround(fmax(fmin(json_real_value(j), 9e18), -9e18)));
+    if (json_is_real(j)) {
+        const double v = json_real_value(j);
+        if (f->kind != ORR_FIELD_F64 && !(v == rint(v) && fabs(v) <= 9e18))
+            return fail(x, f, "is no whole number");
+        return store(x, f, at, v, f->kind != ORR_FIELD_F64 ? llrint(v) : 0);
+    }
     return fail(x, f, "is neither a number nor a text");
 }
 
@@ -92,8 +96,21 @@ static bool set_array(filling *x, const orr_field *f, void *at, const json_t *j)
     double *to = at;
     for (uint16_t k = 0; k < f->length; k++) {
         const json_t *v = json_array_get(j, k);
+        if (!json_is_null(v) && !json_is_number(v)) return fail(x, f, "is no list of that many numbers");
         to[k] = json_is_null(v) ? (double)NAN : json_number_value(v);
     }
+    return true;
+}
+
+// "G05": a letter and one or two digits, whether or not anybody knows the satellite.
+static bool set_sat(const json_t *v, orr_msg_sat_id *sat)
+{
+    const char *name = json_is_string(v) ? json_string_value(v) : "";
+    char *end = NULL;
+    const bool begins = name[0] >= 'A' && name[0] <= 'Z' && name[1] >= '0' && name[1] <= '9';
+    const unsigned long number = begins ? strtoul(name + 1, &end, 10) : 0;
+    if (!begins || *end != '\0' || end - name > 3) return false;
+    *sat = (orr_msg_sat_id){(uint8_t)name[0], (uint8_t)number};
     return true;
 }
 
@@ -111,12 +128,14 @@ static bool set_list(filling *x, const orr_field *f, void *at, const json_t *j)
     for (size_t k = 0; k < n; k++) {
         const json_t *v = json_array_get(j, k);
         if (f->record != NULL && f->record->is_sat) {
-            const char *name = json_is_string(v) ? json_string_value(v) : "";
-            ((orr_msg_sat_id *)items)[k] = (orr_msg_sat_id){
-                (uint8_t)name[0], name[0] != '\0' ? (uint8_t)strtoul(name + 1, NULL, 10) : 0};
+            if (!set_sat(v, (orr_msg_sat_id *)items + k))
+                return fail(x, f, "holds what is no satellite: \"G05\" is wanted");
         } else if (f->element == ORR_FIELD_F64) {
+            if (!json_is_number(v)) return fail(x, f, "holds what is no number");
             ((double *)items)[k] = json_number_value(v);
         } else if (f->element == ORR_FIELD_U16) {
+            if (!json_is_integer(v) || json_integer_value(v) < 0 || json_integer_value(v) > UINT16_MAX)
+                return fail(x, f, "holds what is no whole number from 0 to 65535");
             ((uint16_t *)items)[k] = (uint16_t)json_integer_value(v);
         } else {
             return fail(x, f, "cannot be given as text");
