@@ -60,7 +60,7 @@ orr_status orr_url_parse(const char *text, orr_url *out, orr_diag *diag)
     if (out->tls || strncmp(text, "tcp://", 6) == 0) return parse_tcp(text, text + 6, out, diag);
     if (strncmp(text, "unix:", 5) != 0 || text[5] == '\0') return not_a_url(text, diag);
     const char *path = text + 5;
-    if (strncmp(path, "///", 3) == 0) path += 2; // unix:///run/x is what other programs write
+    while (strncmp(path, "//", 2) == 0) path++; // unix:///run/x is what other programs write
     if (strlen(path) >= sizeof out->path)
         return orr_diag_set(diag, ORR_E_ARG, "'%.100s': the path of a Unix socket has at most %zu bytes",
                             text, sizeof out->path - 1);

@@ -17,12 +17,14 @@ static void check_real(orr_view v)
         return;
     }
     // What was taken must be a number for strtod too, once its exponent has a letter and a sign that C knows.
-    char text[160];
+    char text[320];
     size_t n = 0;
     v = orr_view_trim(v);
     for (size_t i = 0; i < v.n; i++) {
         char c = v.p[i];
         bool sign = i > 0 && strchr("DdEe", v.p[i - 1]) != NULL;
+        // Fortran leaves the letter out where the exponent has three digits.
+        if ((c == '-' || c == '+') && i > 0 && strchr("0123456789.", v.p[i - 1]) != NULL) text[n++] = 'e';
         text[n++] = c == 'D' || c == 'd' ? 'e' : c == ' ' && sign ? '+' : c;
     }
     text[n] = '\0';

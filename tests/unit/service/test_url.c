@@ -22,6 +22,7 @@ static void what_is_read_is_written(void **state)
         {"tcp://*:0", "tcp://*:0"},
         {"unix:/run/x.sock", "unix:/run/x.sock"},
         {"unix:///run/x.sock", "unix:/run/x.sock"},
+        {"unix://///run/x.sock", "unix:/run/x.sock"},
         {"unix:x.sock", "unix:x.sock"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
