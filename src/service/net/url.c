@@ -40,6 +40,9 @@ static orr_status parse_tcp(const char *text, const char *rest, orr_url *out, or
         end = host + n;
     }
     if (n >= sizeof out->host) return not_a_url(text, diag);
+    for (size_t k = 0; k < n; k++)
+        if (host[k] <= ' ' || host[k] > '~' || host[k] == '[') return not_a_url(text, diag);
+    if (*rest == '[' && memchr(host, ':', n) == NULL) return not_a_url(text, diag); // brackets are IPv6's
     memcpy(out->host, n > 0 ? host : "127.0.0.1", n > 0 ? n : sizeof "127.0.0.1");
     if (n > 0) out->host[n] = '\0';
     out->port = ORR_MSG_PORT;
