@@ -13,7 +13,7 @@
 #define LONGEST_STEP_NS (3600 * ORR_NS_PER_S)
 #define TELLING 2.5        // squares over what chance makes of them
 #define BEFORE_S 0.25e-6   // sigma of an epoch's time before anything is known
-#define LEAST_SIGMA_S 1e-9 // of a fourth difference
+#define LEAST_SIGMA_S 1e-9 // of a second difference
 #define OF_SQUARES 0.4549  // the median of a normal square
 #define MEDIAN_LOSS 1.2533 // sigma of a median over that of a mean
 
@@ -49,7 +49,7 @@ typedef struct work {
     double *room;
 } work;
 
-// The fourth differences of a satellite's readings r[0..n) at neighbouring epochs, in the place of the readings; how many.
+// The second differences of a satellite's readings r[0..n) at neighbouring epochs, in the place of the readings; how many.
 static size_t take_differences(orr_time_reading *r, size_t n)
 {
     size_t m = 0;

@@ -26,12 +26,12 @@ typedef struct orr_epoch_times {
     orr_epoch_time *item;
 } orr_epoch_times;
 
-// Finds the epochs' times of each file from the fourth differences of what each satellite tells, in which nothing is left of
+// Finds the epochs' times of each file from the second differences of what each satellite tells, in which nothing is left of
 // an orbit's slow errors: medians over the satellites (eight at least), beside what is known before (0 to 0.25 us). They count
 // where the squares of these medians are 2.5 times what the satellites' scatter makes of chance.
 //   Given:    reading, n  of all files; sorted on return
 //   Returned: out         free with orr_epoch_times_free; empty where no epoch is off
-//   Notes:    epochs further apart than an hour tell nothing: orbits have errors of their own over four steps.
+//   Notes:    epochs further apart than an hour tell nothing: orbits have errors of their own over two steps.
 // Errors: ORR_E_MEMORY.
 orr_status orr_epoch_times_find(orr_time_reading *reading, size_t n, orr_epoch_times *out);
 // Seconds that an epoch of a file is late; 0 where it is not in the list.
