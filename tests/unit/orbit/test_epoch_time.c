@@ -27,10 +27,11 @@ static size_t make(double step_s, bool off, orr_time_reading *r)
             const double t_s = k * step_s, slow = 2e-6 * sin(2 * 3.14159 * t_s / 43200 + s) + 1e-6 * s;
             const double kink =
                 t_s > 43200 ? 2e-6 * (s - 12) / 4000 * (t_s - 43200) : 0; // steps of velocity at noon
-            r[n++] = (orr_time_reading){.t = orr_time_add_s(0, t_s),
-                                        .sat = (uint16_t)s,
-                                        .late_s = slow + kink + 0.26e-6 * noise((int)n) +
-                                                  (off ? pattern_s((int)lround(t_s / 900)) : 0)};
+            r[n] = (orr_time_reading){.t = orr_time_add_s(0, t_s),
+                                      .sat = (uint16_t)s,
+                                      .late_s = slow + kink + 0.26e-6 * noise((int)n) +
+                                                (off ? pattern_s((int)lround(t_s / 900)) : 0)};
+            n++;
         }
     return n;
 }
