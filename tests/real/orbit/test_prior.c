@@ -146,7 +146,8 @@ static void the_orbit_goes_on_after_the_last_file(void **state)
                   rms, n, chi);
     assert_true(longer > 20);
     assert_true(chi > 0.3 && chi < 2); // honest within a factor
-    assert_int_equal(w.count, 2); // some have no record for all of it, G01's record is another satellite's
+    // Some have no record for all of it, the epochs are a little off, G01's record is another satellite's.
+    assert_int_equal(w.count, 3);
     orr_warnings_free(&w);
     orr_orbit_solution_free(&s);
 
