@@ -113,12 +113,12 @@ class Generator(Folder):
         folder.mkdir()
         service = recording.Service(self.scenario, folder)
         whole = self.path("whole")
-        args = ["--rate", "2600000", "--signals", "G:L1CA", "--from", START, "--seconds", "8"]
+        args = ["--rate", "2600000", "--signals", "G:L1CA", "--from", START, "--seconds", "16"]
         service.generate("-o", whole, *args)
         process = subprocess.Popen([recording.GENERATOR, service.url, "-o", "-", *args], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE)
         try:
-            head = process.stdout.read(2600000 * 2)  # a second; the pipe and two buffers hold a few more
+            head = process.stdout.read(2600000 * 2)  # a second; the pipe and two buffers hold a few more, blocks on the way 6.4 s
             service.stop()
             again = None
             rest = []
