@@ -97,7 +97,7 @@ SignalSource.item_type=ibyte
 SignalSource.sampling_frequency={rate}
 SignalSource.samples={count}
 SignalSource.repeat=false
-SignalSource.enable_throttle_control=false
+SignalSource.enable_throttle_control={paced}
 SignalConditioner.implementation=Signal_Conditioner
 DataTypeAdapter.implementation=Ibyte_To_Complex
 InputFilter.implementation=Pass_Through
@@ -130,12 +130,14 @@ PVT.enable_rx_clock_correction=false
 """
 
 
-def configuration(folder, samples, rate, channels, pinned=(), at_once=2, tracked=(), seconds=0, loops=False):
+def configuration(folder, samples, rate, channels, pinned=(), at_once=2, tracked=(), seconds=0, loops=False, paced=True):
     """channels: {"1C": how many}; pinned: (signal, satellite) of each channel in turn, where the search is not free; tracked: signals whose
     settings are others than usual, as NARROW; seconds: as much of the recording, 0 all of it; loops: whether each channel's loops are
-    written out, for `loops`."""
+    written out, for `loops`; paced: samples come at their own rate, as from an antenna. Where a file is read as fast as it goes, the thread that
+    hands satellites to channels falls behind, and who is heard depends on what else the machine does."""
     settings = {**SIGNALS, **dict(tracked)}
-    text = COMMON.format(rate=rate, samples=samples, folder=folder, at_once=at_once, count=2 * seconds * rate)
+    text = COMMON.format(rate=rate, samples=samples, folder=folder, at_once=at_once, count=2 * seconds * rate,
+                         paced=str(paced).lower())
     for signal, count in channels.items():
         text += f"Channels_{signal}.count={count}\n" + settings[signal]
         text += f"Acquisition_{signal}.item_type=gr_complex\nTracking_{signal}.item_type=gr_complex\n"
