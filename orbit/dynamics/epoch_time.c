@@ -178,6 +178,20 @@ double orr_epoch_late_s(const orr_epoch_times *times, uint16_t source, orr_time 
     return at != NULL ? at->late_s : 0;
 }
 
+orr_epoch_spread orr_epoch_times_spread(const orr_epoch_times *times, uint16_t source)
+{
+    orr_epoch_spread f = {0};
+    for (size_t i = 0; i < times->n; i++) {
+        const double late_s = times->item[i].late_s;
+        if (times->item[i].source != source) continue;
+        f.epochs++;
+        f.rms_s += late_s * late_s;
+        f.most_s = fmax(f.most_s, fabs(late_s));
+    }
+    if (f.epochs > 0) f.rms_s = sqrt(f.rms_s / (double)f.epochs);
+    return f;
+}
+
 void orr_epoch_times_free(orr_epoch_times *times)
 {
     free(times->item);

@@ -36,6 +36,13 @@ typedef struct orr_epoch_times {
 orr_status orr_epoch_times_find(orr_time_reading *reading, size_t n, orr_epoch_times *out);
 // Seconds that an epoch of a file is late; 0 where it is not in the list.
 double orr_epoch_late_s(const orr_epoch_times *times, uint16_t source, orr_time t);
+// How far the epochs of one file are off.
+typedef struct orr_epoch_spread {
+    size_t epochs;        // of which that is so; 0: none
+    double rms_s, most_s; // of these
+} orr_epoch_spread;
+// That of a file, by its index.
+orr_epoch_spread orr_epoch_times_spread(const orr_epoch_times *times, uint16_t source);
 // Frees the list; a zeroed one is allowed.
 void orr_epoch_times_free(orr_epoch_times *times);
 

@@ -216,9 +216,7 @@ static orr_status averaged(const orr_ephemeris *e, orr_sat sat, const orr_elemen
     out->raan_rad = fmod(raan + two_pi, two_pi);
     out->argp_rad = fmod(perigee - raan + 2 * two_pi, two_pi);
     out->m_rad = fmod(fmod(longitude0 + longitude - perigee, two_pi) + two_pi, two_pi);
-    double E = orr_kepler_solve(out->m_rad, out->e);
-    double nu = atan2(sqrt(1 - out->e * out->e) * sin(E), cos(E) - out->e);
-    out->u_rad = fmod(out->argp_rad + nu + 2 * two_pi, two_pi);
+    out->u_rad = fmod(out->argp_rad + orr_kepler_true_anomaly(out->m_rad, out->e) + 2 * two_pi, two_pi);
     return ORR_OK;
 }
 

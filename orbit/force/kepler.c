@@ -4,9 +4,9 @@
 #define CIRCULAR 1e-12 // below it the direction of perigee is rounding
 #define EQUATORIAL 1e-12
 
-static double turn(double angle)
+double orr_kepler_turn(double angle_rad)
 {
-    double a = fmod(angle, 2 * ORR_PI);
+    double a = fmod(angle_rad, 2 * ORR_PI);
     return a < 0 ? a + 2 * ORR_PI : a;
 }
 
@@ -23,6 +23,12 @@ double orr_kepler_solve(double m, double e)
         if (fabs(step) < 1e-15 * (1 + fabs(E))) break;
     }
     return E;
+}
+
+double orr_kepler_true_anomaly(double m_rad, double e)
+{
+    const double E = orr_kepler_solve(m_rad, e);
+    return atan2(sqrt(1 - e * e) * sin(E), cos(E) - e);
 }
 
 orr_mat3 orr_orbit_axes(orr_vec3 r, orr_vec3 v)
@@ -46,14 +52,15 @@ orr_status orr_kepler_from_state(orr_vec3 r, orr_vec3 v, double gm, orr_kepler *
     if (!(out->e < 1)) return ORR_E_NUMERIC; // next to a straight line, by rounding
     double flat = hypot(w.x, w.y);
     out->i_rad = atan2(flat, w.z);
-    out->raan_rad = flat > EQUATORIAL ? turn(atan2(w.x, -w.y)) : 0;
+    out->raan_rad = flat > EQUATORIAL ? orr_kepler_turn(atan2(w.x, -w.y)) : 0;
     orr_vec3 node = {cos(out->raan_rad), sin(out->raan_rad), 0}, across = orr_vec3_cross(w, node);
-    out->u_rad = turn(atan2(orr_vec3_dot(r, across), orr_vec3_dot(r, node)));
-    out->argp_rad = out->e > CIRCULAR ? turn(atan2(orr_vec3_dot(ev, across), orr_vec3_dot(ev, node))) : 0;
+    out->u_rad = orr_kepler_turn(atan2(orr_vec3_dot(r, across), orr_vec3_dot(r, node)));
+    out->argp_rad =
+        out->e > CIRCULAR ? orr_kepler_turn(atan2(orr_vec3_dot(ev, across), orr_vec3_dot(ev, node))) : 0;
     // e cos E = 1 - r/a, e sin E = r.v/sqrt(mu a): well conditioned for M even where e is small.
     double nu = out->u_rad - out->argp_rad;
     double E = atan2(sqrt(1 - out->e * out->e) * sin(nu), out->e + cos(nu));
-    out->m_rad = turn(E - out->e * sin(E));
+    out->m_rad = orr_kepler_turn(E - out->e * sin(E));
     return ORR_OK;
 }
 

@@ -37,5 +37,9 @@ orr_status orr_kepler_from_positions(orr_vec3 r1_m, orr_vec3 r2_m, orr_vec3 r3_m
 
 // Eccentric anomaly of mean anomaly m, 0 <= e < 1, to rounding.
 double orr_kepler_solve(double m_rad, double e);
+// True anomaly of it, in (-pi, pi].
+double orr_kepler_true_anomaly(double m_rad, double e);
+// An angle in [0, 2 pi).
+double orr_kepler_turn(double angle_rad);
 
 #endif

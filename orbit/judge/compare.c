@@ -222,20 +222,14 @@ static size_t read_time(const orr_sat_state *state, orr_vec3 truth, orr_time t, 
 static orr_status judge_times(orr_time_reading *reading, size_t n_readings, orr_compare_difference *x,
                               size_t n, bool remove, orr_comparison *out, orr_diag *diag)
 {
-    size_t late = 0;
-    double sum2 = 0;
     orr_epoch_times times;
     const orr_status s = orr_epoch_times_find(reading, n_readings, &times);
     if (s != ORR_OK) return orr_diag_set(diag, s, "no memory for the times of %zu positions", n_readings);
-    for (size_t i = 0; i < times.n; i++) {
-        sum2 += times.item[i].late_s * times.item[i].late_s;
-        out->late_most_s = fmax(out->late_most_s, fabs(times.item[i].late_s));
-        late++;
-    }
-    const double rms_s = late > 0 ? sqrt(sum2 / (double)late) : 0;
-    for (size_t i = 0; i < n && late > 0; i++) {
+    const orr_epoch_spread spread = orr_epoch_times_spread(&times, 0);
+    out->late_most_s = fmax(out->late_most_s, spread.most_s);
+    for (size_t i = 0; i < n && spread.epochs > 0; i++) {
         const double late_s = orr_epoch_late_s(&times, 0, x[i].t),
-                     off_m = rms_s * orr_vec3_norm(x[i].motion_mps);
+                     off_m = spread.rms_s * orr_vec3_norm(x[i].motion_mps);
         if (isnan(off_m)) continue;
         x[i].truth_mps = hypot(x[i].truth_mps, x[i].truth_gain * off_m);
         if (!remove) {
@@ -245,10 +239,12 @@ static orr_status judge_times(orr_time_reading *reading, size_t n_readings, orr_
         x[i].pos_m = orr_vec3_axpy(late_s, x[i].motion_mps, x[i].pos_m);
         x[i].rac_m = orr_vec3_axpy(late_s, x[i].motion_rac_mps, x[i].rac_m);
     }
-    const double before = (double)out->late_epochs;
-    if (late > 0)
-        out->late_rms_s = sqrt((before * out->late_rms_s * out->late_rms_s + sum2) / (before + (double)late));
-    out->late_epochs += late;
+    const double before = (double)out->late_epochs, more = (double)spread.epochs;
+    if (more > 0)
+        out->late_rms_s =
+            sqrt((before * out->late_rms_s * out->late_rms_s + more * spread.rms_s * spread.rms_s) /
+                 (before + more));
+    out->late_epochs += spread.epochs;
     orr_epoch_times_free(&times);
     return ORR_OK;
 }

@@ -291,12 +291,6 @@ orr_status orr_navfit_kepler(orr_sat sat, orr_nav_message message, orr_time toe,
     return ORR_OK;
 }
 
-static double positive(double angle_rad)
-{
-    const double a = fmod(angle_rad, 2 * ORR_PI);
-    return a < 0 ? a + 2 * ORR_PI : a;
-}
-
 orr_status orr_navfit_mean(orr_time t, orr_time from, orr_time to, orr_navfit_source source, void *user,
                            orr_mean_elements *out, orr_diag *diag)
 {
@@ -320,15 +314,14 @@ orr_status orr_navfit_mean(orr_time t, orr_time from, orr_time to, orr_navfit_so
     if (s != ORR_OK)
         return orr_diag_set(diag, s, "the orbit over the span cannot be fitted by mean elements");
     const orr_nav_kepler *k = &e.kepler;
-    const double anomaly = orr_kepler_solve(remainder(k->m0_rad, 2 * ORR_PI), k->e),
-                 nu = atan2(sqrt(1 - k->e * k->e) * sin(anomaly), cos(anomaly) - k->e);
+    const double nu = orr_kepler_true_anomaly(k->m0_rad, k->e);
     *out = (orr_mean_elements){.k = {.a_m = k->sqrt_a_sqrtm * k->sqrt_a_sqrtm,
                                      .e = k->e,
                                      .i_rad = k->i0_rad,
-                                     .raan_rad = positive(k->omega0_rad),
-                                     .argp_rad = positive(k->omega_rad),
-                                     .m_rad = positive(k->m0_rad),
-                                     .u_rad = positive(k->omega_rad + nu)},
+                                     .raan_rad = orr_kepler_turn(k->omega0_rad),
+                                     .argp_rad = orr_kepler_turn(k->omega_rad),
+                                     .m_rad = orr_kepler_turn(k->m0_rad),
+                                     .u_rad = orr_kepler_turn(k->omega_rad + nu)},
                                .delta_n_radps = k->delta_n_radps,
                                .idot_radps = k->idot_radps,
                                .raan_dot_radps = k->omega_dot_radps,

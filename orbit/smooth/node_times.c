@@ -3,24 +3,9 @@
 
 #include <stdlib.h>
 
-#include "orbit/dynamics/epoch_time.h"
-
 static bool tells(const orr_node *n) { return isfinite(n->told_s) && orr_node_counts(n) && !n->foreign; }
 
-static void sum_up(const orr_epoch_times *times, size_t n_files, orr_file_times *file)
-{
-    for (size_t f = 0; f < n_files; f++) file[f] = (orr_file_times){0};
-    for (size_t i = 0; i < times->n; i++) {
-        orr_file_times *f = &file[times->item[i].source];
-        f->epochs++;
-        f->rms_s += times->item[i].late_s * times->item[i].late_s;
-        f->most_s = fmax(f->most_s, fabs(times->item[i].late_s));
-    }
-    for (size_t f = 0; f < n_files; f++)
-        if (file[f].epochs > 0) file[f].rms_s = sqrt(file[f].rms_s / (double)file[f].epochs);
-}
-
-orr_status orr_node_times_take(orr_node_table *table, size_t n_files, orr_file_times *file)
+orr_status orr_node_times_take(orr_node_table *table, size_t n_files, orr_epoch_spread *file)
 {
     size_t most = 0, n = 0;
     for (size_t i = 0; i < table->n_sats; i++) most += table->list[i].n_nodes;
@@ -36,7 +21,7 @@ orr_status orr_node_times_take(orr_node_table *table, size_t n_files, orr_file_t
     const orr_status s = orr_epoch_times_find(reading, n, &times);
     free(reading);
     if (s != ORR_OK) return s;
-    sum_up(&times, n_files, file);
+    for (size_t f = 0; f < n_files; f++) file[f] = orr_epoch_times_spread(&times, (uint16_t)f);
     for (size_t i = 0; i < table->n_sats && times.n > 0; i++)
         for (size_t k = 0; k < table->list[i].n_nodes; k++) {
             orr_node *node = &table->list[i].node[k];

@@ -3,13 +3,8 @@
 #ifndef ORR_ORBIT_SMOOTH_NODE_TIMES_H
 #define ORR_ORBIT_SMOOTH_NODE_TIMES_H
 
+#include "orbit/dynamics/epoch_time.h"
 #include "orbit/smooth/nodes.h"
-
-// How far the epochs of one file are off.
-typedef struct orr_file_times {
-    size_t epochs;        // of which that is so; 0: none
-    double rms_s, most_s; // of these
-} orr_file_times;
 
 // Sets late_s of the nodes from what each satellite tells (told_s). Records that hold another orbit tell nothing.
 // Given:
@@ -19,6 +14,6 @@ typedef struct orr_file_times {
 //   table     late_s
 //   file      [n_files]
 // Errors: ORR_E_MEMORY.
-orr_status orr_node_times_take(orr_node_table *table, size_t n_files, orr_file_times *file);
+orr_status orr_node_times_take(orr_node_table *table, size_t n_files, orr_epoch_spread *file);
 
 #endif

@@ -208,7 +208,7 @@ static bool any_late(const orr_node_list *l)
 }
 
 // What all satellites tell of the files, and those again whose orbits it touches.
-static orr_status know_files(pool *p, int jobs, orr_file_noise *file, orr_file_times *times, bool *again)
+static orr_status know_files(pool *p, int jobs, orr_file_noise *file, orr_epoch_spread *times, bool *again)
 {
     const size_t n = p->n_files;
     bool any = false;
@@ -238,7 +238,7 @@ static orr_status know_files(pool *p, int jobs, orr_file_noise *file, orr_file_t
 
 // Files whose orbits have more than a random walk.
 static void tell_files(const orr_smoother_input *input, size_t n, const orr_file_noise *file,
-                       const orr_file_times *times, orr_warnings *warnings)
+                       const orr_epoch_spread *times, orr_warnings *warnings)
 {
     for (size_t f = 0; f < n; f++) {
         if (times[f].epochs > 0)
@@ -483,7 +483,7 @@ orr_status orr_smoother_run(const orr_smoother_input *input, size_t n_inputs,
     p.n_files = n_inputs;
     p.evidence = calloc(table.n_sats * n_inputs + 1, sizeof *p.evidence);
     orr_file_noise *file = calloc(n_inputs + 1, sizeof *file);
-    orr_file_times *times = calloc(n_inputs + 1, sizeof *times);
+    orr_epoch_spread *times = calloc(n_inputs + 1, sizeof *times);
     bool *again = calloc(table.n_sats + 1, sizeof *again);
     if (s == ORR_OK && (p.sat == NULL || p.report == NULL || p.status == NULL || p.arcs == NULL ||
                         p.evidence == NULL || file == NULL || times == NULL || again == NULL))
