@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // IONEX, clocks, biases and antennas beside line splitting by memchr and bare zlib inflate of the same bytes.
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <zlib.h>
 
-#include "bench/bench.h"
-#include "ingest/input/input.h"
+#include "bench/bench_file.h"
 #include "ingest/maps/ionex.h"
 #include "ingest/rinex/clk.h"
 #include "ingest/tables/antex.h"
@@ -16,41 +12,9 @@
 
 READ_FILE_BY_PARSER(ionex)
 
-typedef struct job {
-    const char *path;
-    const uint8_t *packed;
-    size_t n_packed;
-    char *text, *room;
-    size_t n;
-} job;
-
-static void split(void *arg)
-{
-    const job *j = arg;
-    size_t lines = 0;
-    for (const char *p = j->text, *end = p + j->n; p < end; lines++) {
-        const char *lf = memchr(p, '\n', (size_t)(end - p));
-        p = lf != NULL ? lf + 1 : end;
-    }
-    bench_use((double)lines);
-}
-
-static void inflate_bare(void *arg)
-{
-    const job *j = arg;
-    z_stream z = {0};
-    if (inflateInit2(&z, 15 + 16) != Z_OK) abort();
-    z.next_in = (Bytef *)(uintptr_t)j->packed;
-    z.avail_in = (uInt)j->n_packed;
-    z.next_out = (Bytef *)j->room;
-    z.avail_out = (uInt)j->n;
-    if (inflate(&z, Z_FINISH) != Z_STREAM_END) abort();
-    inflateEnd(&z);
-}
-
 static void ionex_text(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_ionex x;
     orr_diag d = {0};
     if (orr_ionex_parse("bench", j->text, j->n, NULL, &x, NULL, &d) != ORR_OK) abort();
@@ -60,7 +24,7 @@ static void ionex_text(void *arg)
 
 static void ionex_file(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_ionex x;
     orr_diag d = {0};
     if (read_ionex(j->path, NULL, &x, NULL, &d) != ORR_OK) abort();
@@ -70,7 +34,7 @@ static void ionex_file(void *arg)
 
 static void clk_text(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_clk x;
     orr_diag d = {0};
     if (orr_clk_parse("bench", j->text, j->n, NULL, &x, NULL, &d) != ORR_OK) abort();
@@ -80,7 +44,7 @@ static void clk_text(void *arg)
 
 static void bias_text(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_bias_set x;
     orr_diag d = {0};
     if (orr_bias_parse("bench", j->text, j->n, NULL, &x, NULL, &d) != ORR_OK) abort();
@@ -90,17 +54,12 @@ static void bias_text(void *arg)
 
 static void antex_text(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_antex x;
     orr_diag d = {0};
     if (orr_antex_parse("bench", j->text, j->n, NULL, &x, NULL, &d) != ORR_OK) abort();
     bench_use(x.version);
     orr_antex_free(&x);
-}
-
-static double rate(bench *b, void (*work)(void *), job *j)
-{
-    return (double)j->n / bench_seconds(b, work, j) / 1e6;
 }
 
 void bench_ingest_products(bench *b)
@@ -117,30 +76,18 @@ void bench_ingest_products(bench *b)
         {"antex/igs05.atx.gz", "ANTEX, 292 antennas", antex_text, NULL},
     };
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
-        char path[512], label[160];
-        job j = {.path = path};
-        void *packed = bench_data(files[i].path, path, sizeof path, &j.n_packed);
-        if (packed == NULL) {
-            bench_note(b, "%s is not here (set ORRERY_DATA)", files[i].path);
-            continue;
-        }
-        orr_bytes text;
-        orr_diag diag = {0};
-        j.packed = packed;
-        if (orr_input_read_bytes(path, packed, j.n_packed, NULL, &text, &diag) != ORR_OK) abort();
-        j.text = text.text;
-        j.n = text.n;
-        j.room = malloc(j.n);
-        if (j.room == NULL) abort();
+        char label[160];
+        bench_file f;
+        if (!bench_file_load(b, files[i].path, &f)) continue;
+        bench_file_unpack(&f);
         snprintf(label, sizeof label, "%s: text to table", files[i].name);
-        bench_row(b, label, rate(b, files[i].text, &j), rate(b, split, &j), "MB/s", "splitting lines");
-        if (files[i].file != NULL && j.packed[1] == 0x8b) {
+        bench_row(b, label, bench_file_rate(b, files[i].text, &f), bench_file_split_rate(b, &f), "MB/s",
+                  "splitting lines");
+        if (files[i].file != NULL && f.packed[1] == 0x8b) {
             snprintf(label, sizeof label, "%s: gzip file to table", files[i].name);
-            bench_row(b, label, rate(b, files[i].file, &j), rate(b, inflate_bare, &j), "MB/s",
+            bench_row(b, label, bench_file_rate(b, files[i].file, &f), bench_file_inflate_rate(b, &f), "MB/s",
                       "bare inflate");
         }
-        free(j.room);
-        free(packed);
-        orr_bytes_free(&text);
+        bench_file_free(&f);
     }
 }

@@ -3,35 +3,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <zlib.h>
 
-#include "bench/bench.h"
+#include "bench/bench_file.h"
 #include "ingest/input/input.h"
 #include "ingest/sp3/sp3.h"
 
-typedef struct job {
-    const char *path; // NULL for a made file
-    const uint8_t *packed;
-    size_t n_packed;
-    char *text, *room;
-    size_t n;
-} job;
-
-static void split(void *arg)
-{
-    const job *j = arg;
-    size_t lines = 0;
-    for (const char *p = j->text, *end = p + j->n; p < end; lines++) {
-        const char *lf = memchr(p, '\n', (size_t)(end - p));
-        p = lf != NULL ? lf + 1 : end;
-    }
-    bench_use((double)lines);
-}
-
 static void parse(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_sp3 s;
     orr_diag diag = {0};
     if (orr_sp3_parse("bench", j->text, j->n, NULL, &s, NULL, &diag) != ORR_OK) abort();
@@ -39,22 +18,9 @@ static void parse(void *arg)
     orr_sp3_free(&s);
 }
 
-static void inflate_bare(void *arg)
-{
-    const job *j = arg;
-    z_stream z = {0};
-    if (inflateInit2(&z, 15 + 16) != Z_OK) abort();
-    z.next_in = (Bytef *)(uintptr_t)j->packed;
-    z.avail_in = (uInt)j->n_packed;
-    z.next_out = (Bytef *)j->room;
-    z.avail_out = (uInt)j->n;
-    if (inflate(&z, Z_FINISH) != Z_STREAM_END) abort();
-    inflateEnd(&z);
-}
-
 static void open_whole(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_bytes b;
     orr_diag diag = {0};
     if (orr_input_read_bytes("bench", j->packed, j->n_packed, NULL, &b, &diag) != ORR_OK) abort();
@@ -64,7 +30,7 @@ static void open_whole(void *arg)
 
 static void open_stream(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_input *in = NULL;
     orr_view line;
     orr_diag diag = {0};
@@ -77,7 +43,7 @@ static void open_stream(void *arg)
 
 static void read_file(void *arg)
 {
-    const job *j = arg;
+    const bench_file *j = arg;
     orr_sp3 s;
     orr_diag diag = {0};
     if (orr_sp3_read(j->path, NULL, &s, NULL, &diag) != ORR_OK) abort();
@@ -111,59 +77,40 @@ static char *made_day(size_t *n)
     return text;
 }
 
-static double rate(bench *b, void (*work)(void *), job *j)
-{
-    return (double)j->n / bench_seconds(b, work, j) / 1e6;
-}
-
-static void rows(bench *b, const char *name, job *j)
+static void rows(bench *b, const char *name, bench_file *f)
 {
     char label[160];
-    double lines = rate(b, split, j);
     snprintf(label, sizeof label, "%s: text to table", name);
-    bench_row(b, label, rate(b, parse, j), lines, "MB/s", "splitting lines");
-    if (j->packed == NULL || j->packed[1] != 0x8b) return;
-    double bare = rate(b, inflate_bare, j);
+    bench_row(b, label, bench_file_rate(b, parse, f), bench_file_split_rate(b, f), "MB/s", "splitting lines");
+    if (f->packed == NULL || f->packed[1] != 0x8b) return;
+    const double bare = bench_file_inflate_rate(b, f);
     snprintf(label, sizeof label, "%s: gzip to text, whole", name);
-    bench_row(b, label, rate(b, open_whole, j), bare, "MB/s", "bare inflate");
+    bench_row(b, label, bench_file_rate(b, open_whole, f), bare, "MB/s", "bare inflate");
     snprintf(label, sizeof label, "%s: gzip to lines, streamed", name);
-    bench_row(b, label, rate(b, open_stream, j), bare, "MB/s", "bare inflate");
+    bench_row(b, label, bench_file_rate(b, open_stream, f), bare, "MB/s", "bare inflate");
     snprintf(label, sizeof label, "%s: gzip file to table", name);
-    bench_row(b, label, rate(b, read_file, j), bare, "MB/s", "bare inflate");
+    bench_row(b, label, bench_file_rate(b, read_file, f), bare, "MB/s", "bare inflate");
 }
 
 void bench_ingest_sp3(bench *b)
 {
     bench_group(b, "SP3 (MB of text a second)");
-    job made = {0};
+    bench_file made = {.path = ""};
     made.text = made_day(&made.n);
     rows(b, "made day, 80 satellites", &made);
-    free(made.text);
+    bench_file_free(&made);
     static const struct {
         const char *path, *name;
     } files[] = {{"2024-035/COD0OPSFIN_20240350000_01D_05M_ORB.SP3.gz", "CODE day, 80 satellites"},
                  {"2015-200-velocity/test_input_sp3_nav_2015_200.sp3.gz", "NGA day with velocities"},
                  {"2008-279/COD15000.EPH.Z", "CODE day of 2008, .Z"}};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
-        char path[512];
-        job j = {.path = path};
-        void *packed = bench_data(files[i].path, path, sizeof path, &j.n_packed);
-        if (packed == NULL) {
-            bench_note(b, "%s is not here (set ORRERY_DATA)", files[i].path);
-            continue;
-        }
-        orr_bytes text;
-        orr_diag diag = {0};
-        j.packed = packed;
-        if (orr_input_read_bytes(path, packed, j.n_packed, NULL, &text, &diag) != ORR_OK) abort();
-        j.text = text.text;
-        j.n = text.n;
-        j.room = malloc(j.n);
-        if (j.room == NULL) abort();
-        rows(b, files[i].name, &j);
-        if (j.packed[1] == 0x9d) bench_row(b, ".Z to text", rate(b, open_whole, &j), 0, "MB/s", "");
-        free(j.room);
-        free(packed);
-        orr_bytes_free(&text);
+        bench_file f;
+        if (!bench_file_load(b, files[i].path, &f)) continue;
+        bench_file_unpack(&f);
+        rows(b, files[i].name, &f);
+        if (f.packed[1] == 0x9d)
+            bench_row(b, ".Z to text", bench_file_rate(b, open_whole, &f), 0, "MB/s", "");
+        bench_file_free(&f);
     }
 }
