@@ -7,11 +7,13 @@ of docs/protocol.md and the example frames of the tests.
     generate.py                       writes what has changed
     generate.py --check               writes nothing; exit 1 and the names of stale files if any differ
     generate.py --spec S --out DIR    only the C codec and the Python module of another specification, into DIR
+                --client              and firmware's client of it, where it has HELLO and CAPS
 
 Needs Python 3 and PyYAML."""
 import argparse
 import importlib.util
 import pathlib
+import re
 import sys
 
 import gen_c
@@ -71,35 +73,53 @@ def check_examples(spec, package):
         raise SpecError("\n".join(wrong))
 
 
-def outputs(spec):
-    """path -> text of everything generated."""
+def codec_and_client(spec):
+    """path -> text of C's codec, the client's verbs, and firmware's client that is made of them."""
     c = gen_c.CWriter(spec, SOURCE, "proto/gen/messages.h")
     verbs = gen_client.Verbs(spec, SOURCE)
-    handlers = gen_handlers.Handlers(spec, SOURCE)
-    messages_text = gen_python.module(spec, SOURCE)
-    check_examples(spec, load_package(messages_text))
-    page = ROOT / "docs/protocol.md"
     made = {
         "proto/gen/messages.h": c.header(),
         "proto/gen/messages.c": c.code(),
         "proto/gen/crc32_table.h": gen_c.crc_header(),
-        "proto/gen/fields.c": gen_fields.Fields(spec, SOURCE).code(),
-        "proto/gen/handlers.h": handlers.header(),
-        "proto/gen/handlers.c": handlers.code(),
         "proto/gen/verbs.h": verbs.header(),
         "proto/gen/verbs.c": verbs.code(),
-        "proto/gen/orrery.lua": gen_lua.Lua(spec, SOURCE).module(),
-        "proto/python/orrery/messages.py": messages_text,
-        "proto/python/orrery/verbs.py": gen_python.verbs(spec, SOURCE),
-        "docs/protocol.md": gen_docs.page(spec, page.read_text(encoding="utf-8")),
-        "tests/golden/proto/frames.h": gen_docs.golden_header(spec, SOURCE),
     }
     header, source = gen_client.firmware(lambda name: made[name] if name in made else (ROOT / name).read_text(encoding="utf-8"))
     made["proto/gen/firmware/orrery_client.h"], made["proto/gen/firmware/orrery_client.c"] = header, source
     return made
 
 
-def write_other(path, out):
+def version_module():
+    """The Python client's version: that of CMakeLists.txt, the one place where it stands."""
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    version = re.search(r"^project\(orrery VERSION (\d+\.\d+\.\d+)", text, re.MULTILINE)
+    if not version:
+        raise SpecError("CMakeLists.txt: no project(orrery VERSION n.n.n)")
+    return ("# SPDX-License-Identifier: MIT\n# Generated from CMakeLists.txt by proto/spec/generate.py; do not edit.\n"
+            f'"""The version of the client: that of the program it comes with."""\n__version__ = "{version[1]}"\n')
+
+
+def outputs(spec):
+    """path -> text of everything generated."""
+    handlers = gen_handlers.Handlers(spec, SOURCE)
+    messages_text = gen_python.module(spec, SOURCE)
+    check_examples(spec, load_package(messages_text))
+    page = ROOT / "docs/protocol.md"
+    made = codec_and_client(spec) | {
+        "proto/gen/fields.c": gen_fields.Fields(spec, SOURCE).code(),
+        "proto/gen/handlers.h": handlers.header(),
+        "proto/gen/handlers.c": handlers.code(),
+        "proto/gen/orrery.lua": gen_lua.Lua(spec, SOURCE).module(),
+        "proto/python/orrery/messages.py": messages_text,
+        "proto/python/orrery/_version.py": version_module(),
+        "proto/python/orrery/verbs.py": gen_python.verbs(spec, SOURCE),
+        "docs/protocol.md": gen_docs.page(spec, page.read_text(encoding="utf-8")),
+        "tests/golden/proto/frames.h": gen_docs.golden_header(spec, SOURCE),
+    }
+    return made
+
+
+def write_other(path, out, client):
     spec = Spec(path)
     name = pathlib.Path(path).stem
     c = gen_c.CWriter(spec, pathlib.Path(path).name, f"{name}.h")
@@ -108,6 +128,10 @@ def write_other(path, out):
     (out / f"{name}.h").write_text(c.header(), encoding="utf-8")
     (out / f"{name}.c").write_text(c.code(), encoding="utf-8")
     (out / f"{name}.py").write_text(gen_python.module(spec, pathlib.Path(path).name), encoding="utf-8")
+    if client:
+        for file, text in codec_and_client(spec).items():
+            if file.startswith("proto/gen/firmware/"):
+                (out / pathlib.Path(file).name).write_text(text, encoding="utf-8")
 
 
 def main():
@@ -115,10 +139,11 @@ def main():
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--spec")
     parser.add_argument("--out")
+    parser.add_argument("--client", action="store_true")
     args = parser.parse_args()
     try:
         if args.spec:
-            write_other(args.spec, args.out or ".")
+            write_other(args.spec, args.out or ".", args.client)
             return 0
         made = outputs(Spec(ROOT / SOURCE))
     except SpecError as error:

@@ -42,7 +42,7 @@ typedef struct orr_archive_station {
 
 typedef struct orr_archive_record {
     int32_t mjd;
-    char program[64];         // "orrery 0.1.0"
+    char program[64];         // the maker and its version, "orrery 1.2.3"
     char key[ORR_SHA256_HEX]; // of program, options and inputs: a day with another key is stale
     char options[1024];       // of the batch, in words
     bool before, after;       // whether the day before and the day after were there

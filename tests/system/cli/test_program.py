@@ -45,7 +45,19 @@ class Program(unittest.TestCase):
         self.assertEqual(len(headings), len(set(headings)))
 
     def test_version(self):
-        self.assertRegex(run("--version").stdout, r"^orrery \d+\.\d+\.\d+\n$")
+        version = re.fullmatch(r"orrery (\d+\.\d+\.\d+)\n", run("--version").stdout)[1]
+        root = pathlib.Path(__file__).resolve().parents[3]
+        client = (root / "proto/python/orrery/_version.py").read_text(encoding="utf-8")
+        self.assertIn(f'__version__ = "{version}"\n', client)
+        # The changes: releases under their dates, the newest first, which is this program once there is one.
+        headings = re.findall(r"^## (.*)$", (root / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertEqual(headings[0], "[Unreleased]")
+        for heading in headings[1:]:
+            self.assertRegex(heading, r"^\[\d+\.\d+\.\d+\] - \d{4}-\d{2}-\d{2}$")
+        if headings[1:]:
+            self.assertIn(f"[{version}]", headings[1])
+        kinds = re.findall(r"^### (.*)$", (root / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertLessEqual(set(kinds), {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"})
 
     def test_nearest_words(self):
         done = run("stats", status=2)

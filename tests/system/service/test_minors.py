@@ -5,6 +5,8 @@ appending to the specification what a minor version may append: fields of messag
 Its client asks the real service; clients of this version, in Python and in C, ask the service through a relay that makes its answers the next
 version's."""
 import importlib
+import os
+import shlex
 import shutil
 import socket
 import subprocess
@@ -39,12 +41,27 @@ def next_package():
     folder = WORK / "orrery_next"
     shutil.copytree(ROOT / "proto/python/orrery", folder, ignore=shutil.ignore_patterns("__pycache__"))
     (WORK / "messages.yaml").write_text(yaml.safe_dump(spec, sort_keys=False), encoding="utf-8")
-    made = subprocess.run([sys.executable, "-B", ROOT / "proto/spec/generate.py", "--spec", WORK / "messages.yaml", "--out", folder],
+    made = subprocess.run([sys.executable, "-B", ROOT / "proto/spec/generate.py", "--spec", WORK / "messages.yaml", "--out", folder, "--client"],
                           capture_output=True, text=True, check=False)
     if made.returncode != 0:
         raise RuntimeError(made.stderr)
     sys.path.insert(0, str(WORK))
     return importlib.import_module("orrery_next")
+
+
+def next_firmware():
+    """Firmware's client of that version, in C, compiled: its program's path."""
+    folder, program = WORK / "orrery_next", WORK / "firmware_next"
+    made = subprocess.run([*shlex.split(os.environ.get("CC", "cc")), "-std=c99", "-D_POSIX_C_SOURCE=200809L", f"-I{folder}", folder / "orrery_client.c",
+                           ROOT / "tests/system/proto/firmware.c", "-o", program], capture_output=True, text=True, check=False)
+    if made.returncode != 0:
+        raise RuntimeError(made.stderr)
+    return program
+
+
+def told(program, url):
+    """What firmware's client prints of a service."""
+    return subprocess.run([program, "127.0.0.1", url.rsplit(":", 1)[1]], capture_output=True, text=True, timeout=PATIENCE_S, check=True).stdout
 
 
 class Later:
@@ -154,6 +171,17 @@ class Minors(unittest.TestCase):
             later.ping(9)
             self.assertEqual(later.time().appended, 0.0)
 
+    @unittest.skipUnless(shutil.which(shlex.split(os.environ.get("CC", "cc"))[0]), "no C compiler")
+    def test_next_client_in_c(self):
+        """Firmware built from the next version's client reads this service, and that one, as today's does."""
+        program = next_firmware()
+        self.assertIn(f"#define ORR_MSG_MINOR {self.next.messages.MINOR}u", (WORK / "orrery_next/orrery_client.h").read_text(encoding="utf-8"))
+        want = told(FIRMWARE, self.url)
+        self.assertGreater(len(want.splitlines()), 20)
+        self.assertEqual(told(program, self.url), want)
+        with Later(self.next, self.url) as url:
+            self.assertEqual(told(program, url), want)
+
     def test_next_server(self):
         """Clients of this version read its answers as those of this one, whatever was appended."""
         later = Later(self.next, self.url)
@@ -164,10 +192,9 @@ class Minors(unittest.TestCase):
                 self.assertEqual(list(client.poll(WHEN, step_s=1, count=5)), list(direct.poll(WHEN, step_s=1, count=5)))
                 client.ping(3)
                 self.assertEqual(client.time().state, direct.time().state)
-            told = [subprocess.run([FIRMWARE, "127.0.0.1", u.rsplit(":", 1)[1]], capture_output=True, text=True, timeout=PATIENCE_S, check=True).stdout
-                    for u in (self.url, url)]
-            self.assertGreater(len(told[0].splitlines()), 20)
-            self.assertEqual(told[0], told[1])
+            now, grown = told(FIRMWARE, self.url), told(FIRMWARE, url)
+            self.assertGreater(len(now.splitlines()), 20)
+            self.assertEqual(now, grown)
         self.assertGreater(later.changed, 8)  # it was the next version indeed
 
     def test_answer_of_later(self):
