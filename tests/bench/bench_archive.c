@@ -90,7 +90,7 @@ static int clear(const char *path, const struct stat *st, int kind, struct FTW *
 // Days [first, first + n) of the inputs into an archive, which is weighed, in MB, and removed.
 static cost batch(const char *folder, const char *jobs, size_t first, size_t n, double *most_mb, double *mb)
 {
-    char archive[MADE_PATH + 16], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
+    char archive[ORR_MADE_PATH + 16], from[ORR_TIME_TEXT], to[ORR_TIME_TEXT];
     orr_time t0;
     made_must(orr_time_parse(MADE_FIRST, NULL, &t0, NULL) == ORR_OK, "the first day");
     snprintf(archive, sizeof archive, "%s-archive", folder);
@@ -126,10 +126,10 @@ void bench_archive(bench *b)
     const char *asked = getenv("ORRERY_DAYS");
     const size_t days = asked != NULL && atol(asked) > SINGLES ? (size_t)atol(asked) : USUAL_DAYS;
     char folder[] = "/tmp/orr-bench-XXXXXX", text[96];
-    char(*path)[MADE_PATH] = calloc(days, sizeof *path);
+    char(*path)[ORR_MADE_PATH] = calloc(days, sizeof *path);
     double single_s[SINGLES], single_cpu_s[SINGLES], one_mb = 0, two_mb = 0, few_mb = 0, mb;
     made_must(path != NULL && mkdtemp(folder) != NULL, "no temporary folder");
-    made_days(folder, days, NULL, path);
+    made_days(folder, days, path);
     snprintf(text, sizeof text, "An archive of %zu days of 80 satellites, orrery batch", days);
     bench_group(b, text);
     for (size_t k = 0; k < SINGLES; k++) // days with both neighbours

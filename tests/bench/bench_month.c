@@ -16,7 +16,8 @@
 enum { DAYS = 30 };
 #define MB_LIMIT 100.0
 
-static void smooth(bench *b, const char *name, const char *jobs, const char *product, char (*path)[MADE_PATH])
+static void smooth(bench *b, const char *name, const char *jobs, const char *product,
+                   char (*path)[ORR_MADE_PATH])
 {
     const char *argv[DAYS + 8] = {ORR_PROGRAM, "orbit", "-q", "--jobs", jobs, "-o", product};
     for (size_t i = 0; i < DAYS; i++) argv[7 + i] = path[i];
@@ -36,10 +37,10 @@ static void smooth(bench *b, const char *name, const char *jobs, const char *pro
 
 void bench_month(bench *b)
 {
-    char folder[] = "/tmp/orr-bench-XXXXXX", path[DAYS][MADE_PATH], product[MADE_PATH];
+    char folder[] = "/tmp/orr-bench-XXXXXX", path[DAYS][ORR_MADE_PATH], product[ORR_MADE_PATH];
     made_must(mkdtemp(folder) != NULL, "no temporary folder");
     snprintf(product, sizeof product, "%s/month.nc", folder);
-    made_days(folder, DAYS, NULL, path);
+    made_days(folder, DAYS, path);
     bench_group(b, "A month of 80 satellites, nodes every 15 min, orrery orbit");
     smooth(b, "one thread", "1", product, path);
     smooth(b, "two threads", "2", product, path);

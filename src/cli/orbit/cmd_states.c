@@ -9,6 +9,7 @@
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/orbit/states_write.h"
+#include "src/make/long_name.h"
 
 static const orr_option options[] = {
     ORR_OPTION_INSTANTS,
@@ -31,7 +32,7 @@ static const orr_option options[] = {
      .applies = "!at",
      .help = "A file for each stretch of that length, e.g. 1h, from midnight on: --output is a folder then, "
              "and the "
-             "names are those of IGS, e.g. ORR0TSTFIN_20250801000_01H_10Z_ORB.SP3."},
+             "names are those of IGS, e.g. ORR0OPSFIN_20250801000_01H_10Z_ORB.SP3."},
     ORR_OPTION_OUTPUT,
 };
 
@@ -90,55 +91,25 @@ static orr_status write_one(const orr_cli *c, const orr_products *p, const state
                : states_write_table(p, q, orr_cli_says(c, "format", "json"), count, diag);
 }
 
-// A length as IGS' long names have it: 15M, 01H, 10Z (per second), and so on; what is no whole number of any is 00U.
-static void length_text(int64_t ns, char text[16])
-{
-    static const struct {
-        int64_t ns;
-        char letter;
-    } unit[] = {{86400 * ORR_NS_PER_S, 'D'},
-                {3600 * ORR_NS_PER_S, 'H'},
-                {60 * ORR_NS_PER_S, 'M'},
-                {ORR_NS_PER_S, 'S'}};
-    for (size_t k = 0; k < sizeof unit / sizeof unit[0]; k++)
-        if (ns % unit[k].ns == 0 && ns / unit[k].ns < 100) {
-            snprintf(text, 16, "%02d%c", (int)(ns / unit[k].ns), unit[k].letter);
-            return;
-        }
-    if (ns < ORR_NS_PER_S && ORR_NS_PER_S % ns == 0 && ORR_NS_PER_S / ns < 100)
-        snprintf(text, 16, "%02dZ", (int)(ORR_NS_PER_S / ns));
-    else if (ns < ORR_NS_PER_S && ORR_NS_PER_S % (100 * ns) == 0 && ORR_NS_PER_S / ns < 10000)
-        snprintf(text, 16, "%02dC", (int)(ORR_NS_PER_S / ns / 100));
-    else
-        snprintf(text, 16, "00U");
-}
-
 static orr_status write_split(const orr_cli *c, const orr_products *p, const states_request *q,
                               states_count *count, orr_diag *diag)
 {
     const int64_t length = orr_cli_duration_ns(c, "split", 0);
     const size_t k = format_of(c);
-    char name[NAME], whole[16], step[16];
+    char name[NAME], kind[32];
     if (mkdir(q->path, 0777) != 0 && errno != EEXIST)
         return orr_diag_at(diag, ORR_E_IO, q->path, 0, 0, "cannot be made: %s", strerror(errno));
-    length_text(length, whole);
-    length_text(q->step_ns, step);
+    snprintf(kind, sizeof kind, "%s.%s", formats[k].content, formats[k].suffix);
     size_t n = 0;
     for (orr_time t = q->from; t <= q->to; n++) {
         states_request part = *q;
-        orr_civil civil;
         const orr_time end = t - orr_floor_mod(t, length) + length;
         part.path = name;
         part.from = t;
         part.to = end - 1 < q->to ? end - 1 : q->to;
-        orr_time_to_civil(t - orr_floor_mod(t, length), ORR_SCALE_GPS, NULL, &civil);
-        const int wrote =
-            snprintf(name, sizeof name, "%s/ORR0OPSFIN_%04d%03d%02d%02d_%s_%s_%s.%s", q->path, civil.year,
-                     orr_day_of_year(civil.year, civil.month, civil.day), civil.hour, civil.minute, whole,
-                     step, formats[k].content, formats[k].suffix);
-        if (wrote < 0 || (size_t)wrote >= sizeof name)
-            return orr_diag_set(diag, ORR_E_LIMIT, "%s: the name is too long", q->path);
-        orr_status s = orr_cli_file_check(c, name, NULL, NULL, diag);
+        orr_status s = orr_long_name(q->path, "OPS", t - orr_floor_mod(t, length), length, q->step_ns, kind,
+                                     sizeof name, name, diag);
+        if (s == ORR_OK) s = orr_cli_file_check(c, name, NULL, NULL, diag);
         if (s == ORR_OK) s = write_one(c, p, &part, count, diag);
         if (s != ORR_OK) return s;
         t += ((part.to - t) / q->step_ns + 1) * q->step_ns;

@@ -38,6 +38,7 @@ def writer_of(fifo):
 
 
 CALLERS = ("poll", "watch", "record")  # they call a service, and read nothing
+MAKERS = ("make-days",)  # they read nothing at all
 
 
 class Signals(Folder):
@@ -140,7 +141,7 @@ class Signals(Folder):
         names = [line.split()[0] for line in run("--help").stdout.splitlines()
                  if line.startswith("  ") and not line.startswith("   ")]
         cases = self.cases()
-        self.assertEqual(set(names) - {"help", *CALLERS}, set(cases))
+        self.assertEqual(set(names) - {"help", *CALLERS, *MAKERS}, set(cases))
         for name, args in cases.items():
             for number in (signal.SIGINT, signal.SIGTERM):
                 with self.subTest(command=name, signal=number):
@@ -170,6 +171,16 @@ class Signals(Folder):
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                 with self.subTest(command=args[0], signal=number):
                     self.end(args, lambda: any(".part-" in name for name in self.left()), number)
+
+    def test_in_the_middle_of_days(self):
+        """Days that are done stay, whole."""
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            days = pathlib.Path(self.path(f"days{number}"))
+            days.mkdir()
+            with self.subTest(signal=number):
+                self.end(["make-days", "-q", "-o", days, "--from", "2000-01-01", "--to", "2099-12-31", "--sat", "G01,G02"],
+                         lambda days=days: len(os.listdir(days)) > 2, number)
+                self.assertFalse([p for p in days.iterdir() if p.suffix != ".SP3" or p.read_text(encoding="ascii")[-4:] != "EOF\n"])
 
     def test_in_the_middle_of_computing(self):
         """Before a file is begun: readings at a high rate, maps at many instants."""
