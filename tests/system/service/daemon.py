@@ -39,6 +39,16 @@ def product():
     return path
 
 
+def laboratory(name, *clients):
+    """The folder of an authority with these clients."""
+    folder = WORK / name
+    if not folder.exists():
+        done = orrery("tls", "init", folder, *clients, "--host", "127.0.0.1", "--host", "localhost")
+        if done.returncode != 0:
+            raise RuntimeError(done.stderr)
+    return folder
+
+
 class Daemon:
     """`with Daemon(product()) as d:` serves on d.urls until the end of the block."""
 
@@ -105,8 +115,8 @@ def scenario(name, text):
     return path
 
 
-class Served(unittest.TestCase):
-    """Tests of one service and one client of it: cls.daemon, cls.client. A class calls serve() in its setUpClass, or names its scenario's
+class Shared(unittest.TestCase):
+    """Tests of one service, which has to end well: cls.daemon at cls.url. A class calls serve() in its setUpClass, or names its scenario's
     text in SCENARIO and the service's options in OPTIONS."""
 
     SCENARIO, OPTIONS = "", ()
@@ -119,14 +129,26 @@ class Served(unittest.TestCase):
     def serve(cls, what, *args, **kwargs):
         cls.daemon = Daemon(what, *args, **kwargs)
         cls.url = cls.daemon.urls[0]
+
+    @classmethod
+    def tearDownClass(cls):
+        status = cls.daemon.stop()
+        if status != 0:
+            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
+
+
+class Served(Shared):
+    """Tests of one service and one client of it: cls.client."""
+
+    @classmethod
+    def serve(cls, what, *args, **kwargs):
+        super().serve(what, *args, **kwargs)
         cls.client = wire.Client(cls.url, timeout_s=PATIENCE_S)
 
     @classmethod
     def tearDownClass(cls):
         cls.client.close()
-        status = cls.daemon.stop()
-        if status != 0:
-            raise AssertionError(f"the service ended with {status}: {''.join(cls.daemon.lines)}")
+        super().tearDownClass()
 
     def connect(self, url=None, **kwargs):
         """Another client, for one test."""

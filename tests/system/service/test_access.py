@@ -8,19 +8,9 @@ import unittest
 
 import yaml
 
-from daemon import ROOT, WORK, Daemon, orrery, product
+from daemon import ROOT, WORK, Daemon, laboratory, orrery, product
 
 import orrery as client
-
-
-def laboratory(name, *clients):
-    """The folder of an authority with these clients."""
-    folder = WORK / name
-    if not folder.exists():
-        done = orrery("tls", "init", folder, *clients, "--host", "127.0.0.1", "--host", "localhost")
-        if done.returncode != 0:
-            raise RuntimeError(done.stderr)
-    return folder
 
 
 class Access(unittest.TestCase):

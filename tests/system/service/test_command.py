@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from daemon import ORRERY, PATIENCE_S, ROOT, SAMPLE, WORK, Daemon, orrery, product  # first: it sets the path
+from daemon import ORRERY, PATIENCE_S, ROOT, SAMPLE, WORK, Daemon, Shared, orrery, product  # first: it sets the path
 
 import orrery as client_package
 from orrery import frame, messages
@@ -241,16 +241,7 @@ class Stopping(unittest.TestCase):
         self.assertTrue(d.said("did not take their answers"))
 
 
-class Polling(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.daemon = Daemon(product())
-        cls.url = cls.daemon.urls[0]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
-
+class Polling(Shared):
     def test_json(self):
         done = orrery("poll", self.url, "--at", "2025-03-21T06:00:00.5", "--step", "0.1", "--count", 3, "--sat", "G02,E,C05", "--format", "json")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -16,7 +16,7 @@ import threading
 import time
 import unittest
 
-from daemon import PATIENCE_S, Daemon, product  # first: it sets the path
+from daemon import PATIENCE_S, Shared  # first: it sets the path
 
 import orrery
 from orrery import frame, messages
@@ -151,18 +151,12 @@ class Crowd:
             self.latest_s = max(self.latest_s, time.monotonic() - at)
 
 
-class Hard(unittest.TestCase):
+class Hard(Shared):
     @classmethod
     def setUpClass(cls):
         soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
         resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, max(soft, 4096)), hard))
-        cls.daemon = Daemon(product())
-        cls.url = cls.daemon.urls[0]
-
-    @classmethod
-    def tearDownClass(cls):
-        if cls.daemon.stop() != 0:
-            raise AssertionError("".join(cls.daemon.lines))
+        super().setUpClass()
 
     def test_crowd_among_the_rude(self):
         asked = questions(self.url)

@@ -14,7 +14,7 @@ import sys
 import threading
 import unittest
 
-from daemon import FIRMWARE, PATIENCE_S, ROOT, WORK, Daemon, product  # first: it sets the path
+from daemon import FIRMWARE, PATIENCE_S, ROOT, WORK, Shared  # first: it sets the path
 
 import yaml
 
@@ -135,17 +135,11 @@ class Later:
         return message.encode()
 
 
-class Minors(unittest.TestCase):
+class Minors(Shared):
     @classmethod
     def setUpClass(cls):
         cls.next = next_package()
-        cls.daemon = Daemon(product())
-        cls.url = cls.daemon.urls[0]
-
-    @classmethod
-    def tearDownClass(cls):
-        if cls.daemon.stop() != 0:
-            raise AssertionError("".join(cls.daemon.lines))
+        super().setUpClass()
 
     def test_next_client(self):
         """It is answered what a client of this version is; what it appended is passed over, what it misses reads as zero, what it asks anew

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-from daemon import ORRERY, PATIENCE_S, ROOT, WORK, Daemon, product  # first: it sets the path
+from daemon import ORRERY, PATIENCE_S, ROOT, WORK, Daemon, Shared, product  # first: it sets the path
 
 import orrery
 from orrery import gpstime, messages
@@ -19,16 +19,7 @@ from orrery import gpstime, messages
 NS = 10**9
 
 
-class Answers(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.daemon = Daemon(product())
-        cls.url = cls.daemon.urls[0]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
-
+class Answers(Shared):
     def test_a_series_may_be_left_early(self):
         with orrery.Client(self.url) as c, orrery.Client(self.url) as other:
             t = c.span[0]
