@@ -22,6 +22,9 @@ orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *
     if (s == 'T')
         return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
                            "Transit (NNSS) observations are not read");
+    if (s == 'D')
+        return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
+                           "DORIS observations are not read");
     if (s != 'M' && orr_obs_system_index(s) < 0)
         return orr_diag_at(c->diag, ORR_E_UNSUPPORTED, c->name, c->line, 41,
                            "'%c' is no satellite system that is read", s);
@@ -49,12 +52,23 @@ orr_status orr_obs_header_first(orr_rinex_obs_header *h, const orr_rinex_first *
     return ORR_OK;
 }
 
-// Three F14.4; false with a warning where they are not numbers.
+// Three numbers and nothing else within the first 60 columns, wherever they stand.
+static bool three_words(orr_view line, double out[3])
+{
+    orr_view rest = orr_view_cols(line, 1, 60), word;
+    for (int i = 0; i < 3; i++)
+        if (!orr_view_word(&rest, &word) || orr_view_real(word, &out[i]) != ORR_FIELD_OK) return false;
+    return orr_view_is_blank(rest);
+}
+
+// Three F14.4, or three numbers that stand beside their columns, as edited files have them; false with a warning where they are
+// not numbers.
 static bool three(orr_view line, const obs_context *c, double out[3])
 {
     for (int i = 0; i < 3; i++) {
         out[i] = 0; // blank is zero here, as Fortran reads it
         if (orr_field_real(line, 1 + 14 * i, 14, &out[i]) == ORR_FIELD_BAD) {
+            if (three_words(line, out)) return true;
             orr_obs_header_warn(c, 1 + 14 * i, "not a number: the header line is left out");
             return false;
         }
@@ -134,7 +148,10 @@ static void wavelength(orr_rinex_obs_header *h, orr_view line, const obs_context
 // TIME OF FIRST (LAST) OBS; is_first decides the file's time system.
 static orr_status header_time(orr_rinex_obs_header *h, orr_view line, bool is_first, const obs_context *c)
 {
-    orr_view name = orr_view_trim(orr_view_cols(line, 49, 3));
+    // A3 in column 49; in edited files it stands beside it, and the seconds reach into what is blank otherwise.
+    orr_view rest = orr_view_cols(line, 44, 17), word, name = {"", 0};
+    while (orr_view_word(&rest, &word))
+        if (word.p[0] < '0' || word.p[0] > '9') name = word;
     if (name.n > 0) {
         orr_scale scale;
         if (orr_scale_parse(name.p, name.n, &scale) != ORR_OK)

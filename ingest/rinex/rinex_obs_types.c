@@ -124,7 +124,7 @@ orr_status orr_obs_scales_of_v2(const obs_header_state *st, double scale[ORR_OBS
         for (size_t i = 0; i < st->v2_n; i++)
             if (strcmp(st->v2_type[i], st->v2_scale[k].type) == 0)
                 scale[i] = st->v2_scale[k].factor, found = true;
-        if (!found)
+        if (!found && st->v2_scale[k].factor != 1)
             return orr_diag_at(c->diag, ORR_E_FORMAT, c->name, st->v2_scale[k].line, st->v2_scale[k].column,
                                "a scaled observation type that the file does not have");
     }
@@ -151,9 +151,9 @@ orr_status orr_obs_scale_factor(orr_rinex_obs_header *h, orr_view line, const ob
             codes->scale[j] = factor;
             found++;
         }
-        if (found == 0)
-            return orr_obs_header_refuse(c, 12 + 4 * i,
-                                         "a scaled observation type that the system does not have");
+        if (found > 0 || (readable && factor == 1)) continue; // whatever was multiplied by one is as it was
+        return orr_obs_header_refuse(c, 12 + 4 * i,
+                                     "a scaled observation type that the system does not have");
     }
     if (n > 12) orr_obs_header_warn(c, 9, "only the first 12 types of a scale factor line are read");
     return ORR_OK;

@@ -402,7 +402,7 @@ const orr_command orr_cmd_compare = {
         "the positions lie on one side, the rounding of SP3 makes it 1e-5 m/s).\n\n"
         "V records are not always the derivatives of the positions beside them (some centres leave out "
         "the turning of the "
-        "equator, 6e-5 m/s): --velocity positions tells.\n\n"
+        "equator, 6e-5 to 1.4e-4 m/s): --velocity positions tells.\n\n"
         "Clocks are compared between the nodes of the product's clocks (with --inputs also at them), at each "
         "epoch less the median over the satellites of a system, of four at least: what all share is the "
         "reference clock's. error/sigma is the RMS of the difference over the product's own sigma there, 1 "

@@ -274,6 +274,46 @@ static void scale_factors_and_other_headers(void **state)
     text_free(&t);
 }
 
+// Header lines that were edited by hand, a column beside where the format has them: nothing is ambiguous, so they are read. A factor
+// of one for a type that the file does not have changes nothing; any other may be of a type whose name is damaged.
+static void headers_beside_their_columns(void **state)
+{
+    (void)state;
+    for (int factor = 1; factor <= 10; factor += 9) {
+        text t = {0};
+        orr_warnings w = {0};
+        char scale[64];
+        text_header(&t, "     3.04           OBSERVATION DATA    M", "RINEX VERSION / TYPE");
+        text_header(&t, "MADE", "MARKER NAME");
+        text_header(&t, "G    2 C1C L1C", "SYS / # / OBS TYPES");
+        snprintf(scale, sizeof scale, "G %4d   3 L1C S1C D1C", factor);
+        text_header(&t, scale, "SYS / SCALE FACTOR");
+        text_header(&t, "   3738358.1345   1148174.0090   5021815.9357", "APPROX POSITION XYZ");
+        text_header(&t, "  2024     2     4     0     0     0.0000000     GAL", "TIME OF FIRST OBS");
+        text_header(&t, "", "END OF HEADER");
+        text_add(&t, "> 2024 02 04 00 00  0.0000000  0  1\n");
+        text_add(&t, "G01%14.3f  %14.3f\n", 2e7, 1.0);
+        if (factor != 1) {
+            orr_rinex_obs *r = NULL;
+            orr_diag d = {0};
+            assert_int_equal(orr_rinex_obs_open_memory("made", t.p, t.n, NULL, &w, &r, &d), ORR_E_FORMAT);
+            assert_int_equal(d.line, 4);
+            assert_int_equal(d.column, 16);
+            text_free(&t);
+            continue;
+        }
+        orr_rinex_obs *r = open_text(&t, &w);
+        const orr_rinex_obs_header *h = orr_rinex_obs_header_of(r);
+        ASSERT_NEAR(h->position_m.x, 3738358.1345, 0);
+        ASSERT_NEAR(h->position_m.z, 5021815.9357, 0);
+        assert_int_equal(h->scale, ORR_SCALE_GAL);
+        ASSERT_NEAR(next(r)->value[0], 2e7, 0);
+        assert_int_equal(w.count, 0);
+        orr_rinex_obs_close(r);
+        text_free(&t);
+    }
+}
+
 // Damage of one epoch is told and does not reach the next.
 static void damage(void **state)
 {
@@ -556,6 +596,7 @@ int main(void)
         cmocka_unit_test(version_2),
         cmocka_unit_test(scale_factors_of_version_2),
         cmocka_unit_test(scale_factors_and_other_headers),
+        cmocka_unit_test(headers_beside_their_columns),
         cmocka_unit_test(damage),
         cmocka_unit_test(cut_anywhere),
         cmocka_unit_test(refusals),
