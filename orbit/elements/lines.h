@@ -5,7 +5,7 @@
 
 #include "core/status.h"
 
-// The amplitude of one period in a series, beside a cubic trend.
+// One period in a series, beside a cubic trend.
 // Given:
 //   t          [n] instants, any unit of time, in any order
 //   y          [n] values
@@ -15,10 +15,14 @@
 //              the span are then not to be told from the trend
 // Returned:
 //   amplitude  of a cosine of that period, of whatever phase, in the unit of y
+//   explained  what it explains: the amplitude of a wave over whole turns that has as much of the mean square as is less left over
+//              with the period than with the trend alone. Where a trend can stand for much of the wave (periods of half the span
+//              and more) the amplitude alone grows with the period, and this has its peak at the line; may be NULL
 //   diag       why there is none; may be NULL
 // Errors: ORR_E_ARG (too few, or no period), ORR_E_NUMERIC (the series cannot tell the period from the trend).
-// Reference: Lomb 1976, with the trend among the unknowns; its normal equations are those of least squares.
+// Reference: Lomb 1976, with the trend among the unknowns; its normal equations are those of least squares. Zechmeister and Kuerster 2009,
+// eq. (4), for what is explained.
 orr_status orr_line_amplitude(const double *t, const double *y, size_t n, double period, bool windowed,
-                              double *amplitude, orr_diag *diag);
+                              double *amplitude, double *explained, orr_diag *diag);
 
 #endif

@@ -48,15 +48,17 @@ static double element(const orr_kepler *k, int which)
 static bool is_peak(const double *a, size_t k) { return a[k] > a[k - 1] && a[k] >= a[k + 1]; }
 
 // Says the strongest periods: peaks of the windowed estimate, since those of the plain one may be what a strong line leaks into its
-// neighbourhood; beyond a third of the span those of the plain one, since there the window leaves too little beside the trend.
+// neighbourhood; beyond a third of the span, where the window leaves too little beside the trend and a cubic stands for much of a
+// wave, those of what a period explains.
 static void say_peaks(const orr_cli *c, const char *sat, const double *period_d, const double *plain,
-                      const double *windowed)
+                      const double *windowed, const double *explained)
 {
     const double longest = period_d[PERIODS - 1] * SPAN_SHARE / 3;
     double amplitude[PERIODS], limit = HUGE_VAL;
     for (size_t k = 0; k < PERIODS; k++) {
-        const double *which = period_d[k] > longest ? plain : windowed;
-        amplitude[k] = k > 0 && k + 1 < PERIODS && is_peak(which, k) ? which[k] : 0;
+        const bool is_long = period_d[k] > longest;
+        const bool peak = k > 0 && k + 1 < PERIODS && is_peak(is_long ? explained : windowed, k);
+        amplitude[k] = !peak ? 0 : is_long ? plain[k] : windowed[k];
     }
     for (int told = 0; told < MOST_TOLD; told++) {
         size_t best = 0;
@@ -76,7 +78,7 @@ static size_t write_satellite(const orr_cli *c, FILE *f, const orr_elements_row 
                               double *t_d, double *y)
 {
     static const char *const NAME[] = {"a_m", "e", "i_deg"};
-    double period_d[PERIODS], amplitude[PERIODS], windowed[PERIODS];
+    double period_d[PERIODS], amplitude[PERIODS], windowed[PERIODS], explained[PERIODS];
     char sat[ORR_SAT_TEXT];
     orr_sat_text(row->sat, sat);
     for (size_t i = 0; i < n; i++) t_d[i] = orr_time_diff_s(row[i].t, row[0].t) / ORR_S_PER_DAY;
@@ -87,15 +89,17 @@ static size_t write_satellite(const orr_cli *c, FILE *f, const orr_elements_row 
         for (size_t i = 0; i < n; i++) y[i] = element(&row[i].k, which);
         for (size_t k = 0; k < PERIODS; k++) {
             period_d[k] = least * pow(most / least, (double)k / (PERIODS - 1));
-            amplitude[k] = windowed[k] = 0;
-            if (orr_line_amplitude(t_d, y, n, period_d[k], false, &amplitude[k], NULL) != ORR_OK ||
-                orr_line_amplitude(t_d, y, n, period_d[k], true, &windowed[k], NULL) != ORR_OK)
+            amplitude[k] = windowed[k] = explained[k] = 0;
+            if (orr_line_amplitude(t_d, y, n, period_d[k], false, &amplitude[k], &explained[k], NULL) !=
+                    ORR_OK ||
+                orr_line_amplitude(t_d, y, n, period_d[k], true, &windowed[k], NULL, NULL) != ORR_OK)
                 continue;
-            fprintf(f, "%s,%s,%.8g,%.6g,%.6g\n", sat, NAME[which], period_d[k], amplitude[k], windowed[k]);
+            fprintf(f, "%s,%s,%.8g,%.6g,%.6g,%.6g\n", sat, NAME[which], period_d[k], amplitude[k],
+                    windowed[k], explained[k]);
             written++;
         }
     }
-    say_peaks(c, sat, period_d, amplitude, windowed); // of the last, the inclination
+    say_peaks(c, sat, period_d, amplitude, windowed, explained); // of the last, the inclination
     return written;
 }
 
@@ -109,7 +113,7 @@ orr_status elements_periods_write(const orr_cli *c, elements_periods *x, double 
     if (s == ORR_OK) {
         size_t written = 0;
         qsort(x->row, x->n, sizeof *x->row, by_satellite);
-        fputs("sat,element,period_d,amplitude,windowed\n", out.stream);
+        fputs("sat,element,period_d,amplitude,windowed,explained\n", out.stream);
         for (size_t i = 0, end; i < x->n; i = end) {
             for (end = i; end < x->n && x->row[end].sat == x->row[i].sat;) end++;
             written += write_satellite(c, out.stream, &x->row[i], end - i, step_d, t_d, y);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/outfile.h"
+#include "core/parallel.h"
 #include "src/cli/frame/cli.h"
 #include "src/cli/frame/options.h"
 #include "src/cli/report/figure.h"
@@ -27,7 +28,7 @@ static const orr_option options[] = {
     {.name = "archive",
      .kind = ORR_OPT_TEXT,
      .value = "DIR",
-     .help = "Archive of days (orrery batch), for the inclination over years."},
+     .help = "Archive of days (orrery batch), for the inclination over years of its own."},
     {.name = "only",
      .kind = ORR_OPT_TEXT,
      .value = "NAME",
@@ -87,6 +88,63 @@ static void make(const orr_cli *c, size_t at, const figure_places *p, outcome *d
     o->made = s == ORR_OK;
     o->picture = s == ORR_OK && figure_picture(f, p->out);
     orr_cli_say(c, "%s: %s", f->name, o->made ? f->title : o->why.text);
+}
+
+// Whether two figures have a step in common.
+static bool share(const figure *a, const figure *b)
+{
+    for (const char *step = a->steps; *step != '\0';) {
+        char text[STEP];
+        const size_t n = strcspn(step, "\n");
+        snprintf(text, sizeof text, "%.*s", (int)n, step);
+        if (strstr(b->steps, text) != NULL) return true;
+        step += n + (step[n] == '\n');
+    }
+    return false;
+}
+
+// Figures that have steps in common are made one after the other, by one thread; group[i] is the first of them.
+typedef struct crew {
+    const orr_cli *c;
+    const figure_places *p;
+    outcome *done;
+    size_t *group;
+    bool served; // those with a service that is timed come last, alone
+} crew;
+
+static void put_in_groups(size_t *group)
+{
+    for (size_t i = 0; i < n_figures; i++) {
+        group[i] = i;
+        for (size_t k = 0; k < i; k++) {
+            const size_t from = group[i], to = group[k];
+            if (from == to || !share(&figures[i], &figures[k])) continue;
+            for (size_t m = 0; m <= i; m++)
+                if (group[m] == from || group[m] == to) group[m] = from < to ? from : to;
+        }
+    }
+}
+
+static void make_group(void *user, size_t first)
+{
+    const crew *w = user;
+    for (size_t i = first; i < n_figures; i++)
+        if (w->group[i] == first && wanted(w->c, figures[i].name) &&
+            (figures[i].steps[0] == '&') == w->served)
+            make(w->c, i, w->p, w->done);
+}
+
+// Makes all that is wanted, groups side by side. ORR_E_MEMORY.
+static orr_status make_all(const orr_cli *c, const figure_places *p, outcome *done, orr_diag *diag)
+{
+    crew w = {.c = c, .p = p, .done = done, .group = calloc(n_figures, sizeof *w.group)};
+    if (w.group == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "no memory for %zu figures", n_figures);
+    put_in_groups(w.group);
+    orr_parallel_each(n_figures, orr_parallel_cores(), make_group, &w);
+    w.served = true;
+    orr_parallel_each(n_figures, 1, make_group, &w);
+    free(w.group);
+    return ORR_OK;
 }
 
 // Text with what HTML takes for its own.
@@ -296,12 +354,11 @@ static int run(orr_cli *c)
         const figure_places p = {folder[0], folder[1], folder[2], folder[3]};
         orr_diag diag = {0};
         size_t failed = 0;
-        for (size_t i = 0; i < n_figures; i++) {
-            if (!wanted(c, figures[i].name)) continue;
-            make(c, i, &p, done);
-            failed += !done[i].made && !is_left_out(&figures[i], &p);
-        }
-        if (write_report(c, &p, done, &diag) != ORR_OK)
+        orr_status s = make_all(c, &p, done, &diag);
+        for (size_t i = 0; i < n_figures; i++)
+            failed += wanted(c, figures[i].name) && !done[i].made && !is_left_out(&figures[i], &p);
+        if (s == ORR_OK) s = write_report(c, &p, done, &diag);
+        if (s != ORR_OK)
             status = orr_cli_fail(c, &diag);
         else
             status = failed > 0 ? orr_cli_failf(c, "%zu figures could not be made; %s/report.html says why",

@@ -5,10 +5,12 @@ import csv
 import html
 import html.parser
 import math
+import os
 import pathlib
 import re
 import shutil
 import sys
+import unittest
 import xml.etree.ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
@@ -44,11 +46,11 @@ class Figures(Folder):
         return folder, told
 
     def test_figures_and_page(self):
-        folder, _ = self.make("some", "--only", "fig3", "--only", "fig4", "--only", "fig8")
+        folder, _ = self.make("some", "--only", "fig3", "--only", "fig4", "--only", "fig8-archive")
         text = (folder / "report.html").read_text(encoding="utf-8")
         page = Page(text)
         self.assertEqual(page.outside, [])  # one file, which needs no other
-        self.assertEqual(page.ids, ["judgement", "fig3", "fig4", "fig8"])  # in words first
+        self.assertEqual(page.ids, ["judgement", "fig3", "fig4", "fig8-archive"])  # in words first
         self.assertEqual(judgement(text), (["2 figures of 3, of the made data of the samples; no real files were named (--data)."],
                                            ["Nothing here is measured against something known."], ["Nothing."]))
         for link in page.links:
@@ -65,7 +67,7 @@ class Figures(Folder):
         points = len(re.findall(r"[ML]\d", re.search(r'class="line"[^>]*d="([^"]*)"', svg).group(1)))
         lon = [float(row.split(",")[2]) for row in rows[1:]]
         self.assertEqual(points, len(lon) - sum(abs(b - a) > 180 for a, b in zip(lon, lon[1:])))
-        again, _ = self.make("some", "--only", "fig3", "--only", "fig4", "--only", "fig8")  # over what is there
+        again, _ = self.make("some", "--only", "fig3", "--only", "fig4", "--only", "fig8-archive")  # over what is there
         self.assertEqual((again / "report.html").read_text(encoding="utf-8"), text)
 
     def test_kinds(self):
@@ -138,16 +140,36 @@ class Figures(Folder):
             name = f"ORR0TSTFIN_2025{day}0000_01D_15M_ORB.SP3.gz"
             (inputs / name).symlink_to(sample(name))
         run("batch", "-q", "--archive", archive, "--inputs", inputs)
-        folder, _ = self.make("by-archive", "--only", "fig8", "--archive", archive)
-        self.assertTrue((folder / "fig8.svg").is_file())
+        folder, _ = self.make("by-archive", "--only", "fig8-archive", "--archive", archive)
+        self.assertTrue((folder / "fig8-archive.svg").is_file())
         processed, good, suspicious = judgement((folder / "report.html").read_text(encoding="utf-8"))
         self.assertIn("An archive of 2 days, 2025-079 to 2025-080; 0 are missing between.", processed)
         self.assertRegex(good[-1], r"^Days join within 0\.00\d mm at 1 midnights \(wanted: 0\.1 mm\)\.$")
         self.assertEqual(suspicious, ["Nothing."])
         # A record that somebody damaged is told at the top.
         (pathlib.Path(archive) / "2025/079/day.json").write_text("{", encoding="ascii")
-        folder, _ = self.make("by-archive", "--only", "fig8", "--archive", archive)
+        folder, _ = self.make("by-archive", "--only", "fig8-archive", "--archive", archive)
         self.assertEqual(judgement((folder / "report.html").read_text(encoding="utf-8"))[2], ["2025-079: its record cannot be read (format error)."])
+
+    @unittest.skipUnless(os.environ.get("ORRERY_LONG"), "a year of days takes half a minute of processor time: ORRERY_LONG=1")
+    def test_made_year(self):
+        """Figure 8 without real data: the Moon's and the Sun's periods stand in the inclination, and the manoeuvre in the semi-major axis."""
+        folder, _ = self.make("year", "--only", "fig8", "--only", "periods", "--only", "resonance")
+        peaks = {}
+        with open(folder / "year-periods.csv", encoding="ascii") as f:
+            for row in csv.DictReader(f):
+                if row["element"] == "i_deg":
+                    for column, least, most in (("explained", 100, 250), ("windowed", 10, 20)):
+                        if least < float(row["period_d"]) < most:
+                            key, value = (row["sat"], column), (float(row[column]), float(row["period_d"]))
+                            peaks[key] = max(peaks.get(key, value), value)
+        self.assertEqual(len(peaks), 6)
+        for (_, column), (_, period) in peaks.items():
+            # Half a tropical year and half a tropical month against the node, which goes by -0.039 deg a day: 175.7 and 13.62 days.
+            self.assertAlmostEqual(period, 175.7 if column == "explained" else 13.62, delta=8 if column == "explained" else 0.25)
+        with open(folder / "year.csv", encoding="ascii") as f:
+            a_m = {r["t_gps"][:13]: float(r["a_m"]) for r in csv.DictReader(f) if r["sat"] == "G06"}
+        self.assertAlmostEqual(a_m["2024-07-02T00"] - a_m["2024-06-30T00"], 2 * 0.05 * math.sqrt(26.56e6 ** 3 / 3.986004415e14), delta=30)
 
     def test_judgement_is_of_the_tables(self):
         """The figures told are those of the tables, reckoned here anew; and a figure beyond what it ought to be is suspicious."""
@@ -171,5 +193,4 @@ class Figures(Folder):
 
 
 if __name__ == "__main__":
-    import unittest
     unittest.main(argv=[__file__])

@@ -115,7 +115,7 @@ static void inclination_swings_with_half_a_month_and_half_a_year(void **state)
         double best = 0, most = 0;
         for (double f = 0.85; f <= 1.15; f += 0.005) {
             double amplitude;
-            ASSERT_OK(orr_line_amplitude(t, incl, DAYS, line[k] * f, false, &amplitude, &d), d);
+            ASSERT_OK(orr_line_amplitude(t, incl, DAYS, line[k] * f, false, &amplitude, NULL, &d), d);
             if (amplitude > most) most = amplitude, best = line[k] * f;
         }
         ASSERT_NEAR(best / line[k], 1, 0.02);
