@@ -177,6 +177,32 @@ static const orr_field_word words_event_kind[] = {
     {15, "FAULT_END", "fault ends", false},
 };
 
+static const orr_field_word words_mode_kind[] = {
+    {0, "CLOCK", "clock", false},
+    {1, "REFERENCE", "reference", false},
+    {2, "GENERATOR", "generator", false},
+    {3, "MOTION", "motion", false},
+};
+
+static const orr_field_word words_mode[] = {
+    {0, "STOPPED", "stopped", false},
+    {1, "ARMED", "armed", false},
+    {2, "WAITING", "waiting", false},
+    {3, "RUNNING", "running", false},
+    {4, "PAUSED", "paused", false},
+    {16, "WALL", "the wall's clock", false},
+    {17, "RADIO", "the generator", false},
+    {32, "SILENT", "silent", false},
+    {33, "LOCKED", "locked", false},
+    {34, "STEPPING", "stepping", false},
+    {48, "SCENARIO", "scenario", false},
+    {49, "SYNCHRONOUS", "synchronous", false},
+    {50, "INTERPOLATED", "interpolated", false},
+    {51, "EXTRAPOLATED", "extrapolated", false},
+    {52, "JOINING", "joining", false},
+    {53, "SNAPPED", "snapped", false},
+};
+
 static const orr_field_word words_access[] = {
     {UINT64_C(1), "NO_READING", "no reading", false},
     {UINT64_C(2), "NO_MOTION", "no motion", false},
@@ -541,6 +567,17 @@ static const orr_field fields_event[] = {
     {.name = "value", .unit = "", .doc = "see kind; 0 where it has none", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_event, value), .in_text = true, .text_name = "value", .text_factor = 1.0, .in_table = true, .head = "value", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
 static const orr_record record_event = {"event", fields_event, 6, sizeof(orr_msg_event), false, false};
+
+static const orr_field fields_mode_change[] = {
+    {.name = "number", .unit = "", .doc = "1, 2, ... since the scenario was loaded", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_mode_change, number), .in_text = true, .text_name = "number", .text_factor = 1.0, .in_table = false, .head = "number", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "at", .unit = "ns", .doc = "the scenario's instant then; of MOTION the begin of the block", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_mode_change, at), .in_text = true, .text_name = "at", .text_factor = 1.0, .in_table = true, .head = "at", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "kind", .unit = "", .doc = "of what", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_mode_change, kind), .word = words_mode_kind, .n_words = sizeof words_mode_kind / sizeof words_mode_kind[0], .in_text = true, .text_name = "kind", .text_factor = 1.0, .in_table = true, .head = "kind", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "before", .unit = "", .doc = "which it was", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_mode_change, before), .word = words_mode, .n_words = sizeof words_mode / sizeof words_mode[0], .in_text = true, .text_name = "before", .text_factor = 1.0, .in_table = true, .head = "before", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "mode", .unit = "", .doc = "which it is from then on", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_mode_change, mode), .word = words_mode, .n_words = sizeof words_mode / sizeof words_mode[0], .in_text = true, .text_name = "mode", .text_factor = 1.0, .in_table = true, .head = "mode", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "reserved", .unit = "", .doc = "0", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_mode_change, reserved), .in_text = false, .text_name = "reserved", .text_factor = 1.0, .in_table = false, .head = "reserved", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "wall", .unit = "ns", .doc = "the wall's instant at which that was noted", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_mode_change, wall), .in_text = true, .text_name = "wall", .text_factor = 1.0, .in_table = true, .head = "wall", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_mode_change = {"mode_change", fields_mode_change, 7, sizeof(orr_msg_mode_change), false, false};
 
 static const orr_field fields_hello[] = {
     {.name = "major_min", .unit = "", .doc = "lowest major version the client speaks", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_hello, major_min), .in_text = true, .text_name = "major_min", .text_factor = 1.0, .in_table = true, .head = "major min", .table_unit = "", .table_factor = 1.0, .digits = -1},
@@ -962,12 +999,12 @@ static orr_wire_status decode_truth(const uint8_t *payload, size_t size, void *m
 }
 
 static const orr_field fields_subscribe[] = {
-    {.name = "request", .unit = "", .doc = "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH or POLL_EVENTS", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_subscribe, request), .in_text = true, .text_name = "request", .text_factor = 1.0, .in_table = true, .head = "request", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "request", .unit = "", .doc = "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH, POLL_EVENTS or GET_MODES", .kind = ORR_FIELD_U16, .show = ORR_SHOW_MESSAGE, .offset = offsetof(orr_msg_subscribe, request), .in_text = true, .text_name = "request", .text_factor = 1.0, .in_table = true, .head = "request", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "pacing", .unit = "", .doc = "when blocks are made", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_subscribe, pacing), .word = words_pacing, .n_words = sizeof words_pacing / sizeof words_pacing[0], .in_text = true, .text_name = "pacing", .text_factor = 1.0, .in_table = true, .head = "pacing", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "delivery", .unit = "", .doc = "how they come", .kind = ORR_FIELD_U8, .show = ORR_SHOW_ENUM, .offset = offsetof(orr_msg_subscribe, delivery), .word = words_delivery, .n_words = sizeof words_delivery / sizeof words_delivery[0], .in_text = true, .text_name = "delivery", .text_factor = 1.0, .in_table = true, .head = "delivery", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "credit", .unit = "", .doc = "how many blocks may be sent before there is more credit (CREDIT)", .kind = ORR_FIELD_U32, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, credit), .in_text = true, .text_name = "credit", .text_factor = 1.0, .in_table = true, .head = "credit", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "lead", .unit = "ns", .doc = "with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s", .kind = ORR_FIELD_I64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, lead), .in_text = true, .text_name = "lead", .text_factor = 1.0, .in_table = true, .head = "lead", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
-    {.name = "poll", .unit = "", .doc = "payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once, of POLL_NAVDATA 0: every frame once; count: how many, 0 for no end", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, poll), .limit = 16384, .in_text = true, .text_name = "poll", .text_factor = 1.0, .in_table = true, .head = "poll", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "poll", .unit = "", .doc = "payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once, of POLL_NAVDATA 0: every frame once; count: how many, 0 for no end. GET_MODES has none of these: its blocks come when modes change", .kind = ORR_FIELD_BYTES, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, poll), .limit = 16384, .in_text = true, .text_name = "poll", .text_factor = 1.0, .in_table = true, .head = "poll", .table_unit = "", .table_factor = 1.0, .digits = -1},
     {.name = "port", .unit = "", .doc = "with DATAGRAMS: the UDP port, of the address that the connection comes from", .kind = ORR_FIELD_U16, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_subscribe, port), .in_text = true, .text_name = "port", .text_factor = 1.0, .in_table = true, .head = "port", .table_unit = "", .table_factor = 1.0, .digits = -1},
 };
 static const orr_record record_subscribe = {"subscribe", fields_subscribe, 7, sizeof(orr_msg_subscribe), false, false};
@@ -1329,6 +1366,43 @@ static orr_wire_status decode_motion_ring(const uint8_t *payload, size_t size, v
     return orr_msg_motion_ring_decode(payload, size, (orr_msg_motion_ring *)m);
 }
 
+static const orr_field fields_get_modes[] = {
+    {.name = "after", .unit = "", .doc = "number of the last change that is known; 0: all that are kept; 2^64 - 1: those from now on", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_get_modes, after), .in_text = true, .text_name = "after", .text_factor = 1.0, .in_table = true, .head = "after", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_get_modes = {"get_modes", fields_get_modes, 1, sizeof(orr_msg_get_modes), false, false};
+
+static orr_wire_status encode_get_modes(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_get_modes_encode((const orr_msg_get_modes *)m, w);
+}
+static orr_wire_status decode_get_modes(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_get_modes_decode(payload, size, (orr_msg_get_modes *)m);
+}
+
+static bool next_mode_change(const void *list, orr_wire_iter *it, void *out)
+{
+    return orr_msg_mode_change_next((const orr_msg_mode_change_list *)list, it, (orr_msg_mode_change *)out);
+}
+
+static const orr_field fields_modes[] = {
+    {.name = "t", .unit = "ns", .doc = "what the scenario's clock shows", .kind = ORR_FIELD_I64, .show = ORR_SHOW_TIME, .offset = offsetof(orr_msg_modes, t), .in_text = true, .text_name = "t", .text_factor = 1.0, .in_table = true, .head = "t", .table_unit = "ns", .table_factor = 1.0, .digits = -1},
+    {.name = "last", .unit = "", .doc = "number of the last change listed, to ask on from; without any that of the last there was", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_modes, last), .in_text = true, .text_name = "last", .text_factor = 1.0, .in_table = true, .head = "last", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "lost", .unit = "", .doc = "changes after `after` that are not kept any more (1024 are)", .kind = ORR_FIELD_U64, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_modes, lost), .in_text = true, .text_name = "lost", .text_factor = 1.0, .in_table = true, .head = "lost", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "more", .unit = "", .doc = "1: there are more behind the last one listed", .kind = ORR_FIELD_U8, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_modes, more), .in_text = true, .text_name = "more", .text_factor = 1.0, .in_table = true, .head = "more", .table_unit = "", .table_factor = 1.0, .digits = -1},
+    {.name = "changes", .unit = "", .doc = "what changed", .kind = ORR_FIELD_LIST, .show = ORR_SHOW_NUMBER, .offset = offsetof(orr_msg_modes, changes), .limit = 100, .record = &record_mode_change, .next = next_mode_change, .in_text = true, .text_name = "changes", .text_factor = 1.0, .in_table = true, .head = "changes", .table_unit = "", .table_factor = 1.0, .digits = -1},
+};
+static const orr_record record_modes = {"modes", fields_modes, 5, sizeof(orr_msg_modes), false, false};
+
+static orr_wire_status encode_modes(const void *m, orr_wire_writer *w)
+{
+    return orr_msg_modes_encode((const orr_msg_modes *)m, w);
+}
+static orr_wire_status decode_modes(const uint8_t *payload, size_t size, void *m)
+{
+    return orr_msg_modes_decode(payload, size, (orr_msg_modes *)m);
+}
+
 static const orr_message_info messages[] = {
     {"HELLO", ORR_MSG_TYPE_HELLO, ORR_MSG_TYPE_CAPS, true, &record_hello, encode_hello, decode_hello},
     {"CAPS", ORR_MSG_TYPE_CAPS, 0, false, &record_caps, encode_caps, decode_caps},
@@ -1369,6 +1443,8 @@ static const orr_message_info messages[] = {
     {"DATAGRAMS", ORR_MSG_TYPE_DATAGRAMS, 0, false, &record_datagrams, encode_datagrams, decode_datagrams},
     {"OPEN_MOTION_RING", ORR_MSG_TYPE_OPEN_MOTION_RING, ORR_MSG_TYPE_MOTION_RING, true, &record_open_motion_ring, encode_open_motion_ring, decode_open_motion_ring},
     {"MOTION_RING", ORR_MSG_TYPE_MOTION_RING, 0, false, &record_motion_ring, encode_motion_ring, decode_motion_ring},
+    {"GET_MODES", ORR_MSG_TYPE_GET_MODES, ORR_MSG_TYPE_MODES, true, &record_get_modes, encode_get_modes, decode_get_modes},
+    {"MODES", ORR_MSG_TYPE_MODES, 0, false, &record_modes, encode_modes, decode_modes},
 };
 
 const orr_message_info *orr_message_of(uint16_t type)

@@ -108,6 +108,7 @@ bool orr_msg_is_lane(uint16_t type)
     case ORR_MSG_TYPE_GET_MOTION_STATS:
     case ORR_MSG_TYPE_OPEN_DATAGRAMS:
     case ORR_MSG_TYPE_OPEN_MOTION_RING:
+    case ORR_MSG_TYPE_GET_MODES:
         return true;
     default: return false;
     }
@@ -123,6 +124,7 @@ uint16_t orr_msg_lane_request(size_t i, uint16_t *answer)
         {ORR_MSG_TYPE_GET_MOTION_STATS, ORR_MSG_TYPE_MOTION_STATS},
         {ORR_MSG_TYPE_OPEN_DATAGRAMS, ORR_MSG_TYPE_DATAGRAMS},
         {ORR_MSG_TYPE_OPEN_MOTION_RING, ORR_MSG_TYPE_MOTION_RING},
+        {ORR_MSG_TYPE_GET_MODES, ORR_MSG_TYPE_MODES},
     };
     if (i >= sizeof lanes / sizeof lanes[0]) return 0;
     *answer = lanes[i][1];

@@ -45,6 +45,8 @@ const char *orr_msg_type_name(uint16_t type)
     case 37: return "DATAGRAMS";
     case 38: return "OPEN_MOTION_RING";
     case 39: return "MOTION_RING";
+    case 40: return "GET_MODES";
+    case 41: return "MODES";
     default: return NULL;
     }
 }
@@ -307,6 +309,40 @@ const char *orr_msg_event_kind_name(uint8_t value)
     case 13: return "MOTION_END";
     case 14: return "FAULT_BEGIN";
     case 15: return "FAULT_END";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_mode_kind_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "CLOCK";
+    case 1: return "REFERENCE";
+    case 2: return "GENERATOR";
+    case 3: return "MOTION";
+    default: return NULL;
+    }
+}
+
+const char *orr_msg_mode_name(uint8_t value)
+{
+    switch (value) {
+    case 0: return "STOPPED";
+    case 1: return "ARMED";
+    case 2: return "WAITING";
+    case 3: return "RUNNING";
+    case 4: return "PAUSED";
+    case 16: return "WALL";
+    case 17: return "RADIO";
+    case 32: return "SILENT";
+    case 33: return "LOCKED";
+    case 34: return "STEPPING";
+    case 48: return "SCENARIO";
+    case 49: return "SYNCHRONOUS";
+    case 50: return "INTERPOLATED";
+    case 51: return "EXTRAPOLATED";
+    case 52: return "JOINING";
+    case 53: return "SNAPPED";
     default: return NULL;
     }
 }
@@ -1308,6 +1344,28 @@ static inline void load_event(const uint8_t *p, orr_msg_event *m)
     m->message = orr_wire_load_u8(p + 11);
     m->antenna = orr_wire_load_u16(p + 12);
     m->value = orr_wire_load_i64(p + 14);
+}
+
+static inline void store_mode_change(uint8_t *p, const orr_msg_mode_change *m)
+{
+    orr_wire_store_u64(p + 0, m->number);
+    orr_wire_store_i64(p + 8, m->at);
+    orr_wire_store_u8(p + 16, m->kind);
+    orr_wire_store_u8(p + 17, m->before);
+    orr_wire_store_u8(p + 18, m->mode);
+    orr_wire_store_u8(p + 19, m->reserved);
+    orr_wire_store_i64(p + 20, m->wall);
+}
+
+static inline void load_mode_change(const uint8_t *p, orr_msg_mode_change *m)
+{
+    m->number = orr_wire_load_u64(p + 0);
+    m->at = orr_wire_load_i64(p + 8);
+    m->kind = orr_wire_load_u8(p + 16);
+    m->before = orr_wire_load_u8(p + 17);
+    m->mode = orr_wire_load_u8(p + 18);
+    m->reserved = orr_wire_load_u8(p + 19);
+    m->wall = orr_wire_load_i64(p + 20);
 }
 
 static void put_hello(orr_wire_writer *w, const orr_msg_hello *m)
@@ -4051,5 +4109,141 @@ orr_wire_status orr_msg_motion_ring_decode(const uint8_t *payload, size_t size, 
     orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
     memset(m, 0, sizeof *m);
     get_motion_ring(&r, m);
+    return r.status;
+}
+
+static void put_get_modes(orr_wire_writer *w, const orr_msg_get_modes *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 8);
+    if (p == NULL) return;
+    orr_wire_store_u64(p + 0, m->after);
+}
+
+static void get_get_modes(orr_wire_reader *r, orr_msg_get_modes *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 8);
+    if (p == NULL) return;
+    m->after = orr_wire_load_u64(p + 0);
+}
+
+orr_wire_status orr_msg_get_modes_encode(const orr_msg_get_modes *m, orr_wire_writer *w)
+{
+    put_get_modes(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_get_modes_decode(const uint8_t *payload, size_t size, orr_msg_get_modes *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_get_modes(&r, m);
+    return r.status;
+}
+
+static void put_mode_change_records(orr_wire_writer *w, const orr_msg_mode_change_list *list)
+{
+    if (list->item == NULL) {
+        orr_wire_put_raw(w, list->wire.data, list->wire.size);
+        return;
+    }
+    uint8_t *p = orr_wire_room(w, 28 * (size_t)list->count);
+    if (p == NULL) return;
+    for (uint16_t i = 0; i < list->count; i++) store_mode_change(p + 28 * (size_t)i, &list->item[i]);
+}
+
+orr_wire_status orr_msg_mode_change_records_encode(const orr_msg_mode_change_list *piece, orr_wire_writer *w)
+{
+    put_mode_change_records(w, piece);
+    return w->status;
+}
+
+static void put_mode_change_list(orr_wire_writer *w, const orr_msg_mode_change_list *list, uint16_t max)
+{
+    if (w->status == ORR_WIRE_OK && list->count > max) w->status = ORR_WIRE_LIMIT;
+    if (list->count > 0 && list->item == NULL && list->wire.data == NULL) w->status = ORR_WIRE_SHORT; // our caller's bug
+    uint8_t *p = orr_wire_room(w, 4);
+    if (p == NULL) return;
+    orr_wire_store_u16(p, list->count);
+    orr_wire_store_u16(p + 2, list->item != NULL || list->count == 0 ? 28 : list->wire.stride);
+    put_mode_change_records(w, list);
+}
+
+static void get_mode_change_list(orr_wire_reader *r, orr_msg_mode_change_list *list, uint16_t max)
+{
+    const uint8_t *p = orr_wire_take(r, 4);
+    if (p == NULL) return;
+    uint16_t count = orr_wire_load_u16(p);
+    if (count > max) {
+        r->status = ORR_WIRE_LIMIT;
+        return;
+    }
+    uint16_t stride = orr_wire_load_u16(p + 2); // (I7)
+    if (count > 0 && stride < 28) {
+        r->status = ORR_WIRE_SHORT;
+        return;
+    }
+    p = orr_wire_take(r, (size_t)count * stride);
+    if (p == NULL) return;
+    list->wire.size = (size_t)count * stride;
+    list->wire.stride = stride;
+    list->wire.data = p;
+    list->count = count;
+}
+
+bool orr_msg_mode_change_next(const orr_msg_mode_change_list *list, orr_wire_iter *it, orr_msg_mode_change *out)
+{
+    return orr_msg_mode_change_at(list, it->index, out) ? (it->index++, true) : false;
+}
+
+bool orr_msg_mode_change_at(const orr_msg_mode_change_list *list, uint16_t index, orr_msg_mode_change *out)
+{
+    if (index >= list->count) return false;
+    if (list->item != NULL) {
+        *out = list->item[index];
+        return true;
+    }
+    size_t stride = list->wire.stride;
+    const uint8_t *p = list->wire.data + index * stride;
+    load_mode_change(p, out);
+    return true;
+}
+
+static void put_modes(orr_wire_writer *w, const orr_msg_modes *m)
+{
+    uint8_t *p;
+    p = orr_wire_room(w, 25);
+    if (p == NULL) return;
+    orr_wire_store_i64(p + 0, m->t);
+    orr_wire_store_u64(p + 8, m->last);
+    orr_wire_store_u64(p + 16, m->lost);
+    orr_wire_store_u8(p + 24, m->more);
+    put_mode_change_list(w, &m->changes, 100);
+}
+
+static void get_modes(orr_wire_reader *r, orr_msg_modes *m)
+{
+    const uint8_t *p;
+    p = orr_wire_take(r, 25);
+    if (p == NULL) return;
+    m->t = orr_wire_load_i64(p + 0);
+    m->last = orr_wire_load_u64(p + 8);
+    m->lost = orr_wire_load_u64(p + 16);
+    m->more = orr_wire_load_u8(p + 24);
+    get_mode_change_list(r, &m->changes, 100);
+}
+
+orr_wire_status orr_msg_modes_encode(const orr_msg_modes *m, orr_wire_writer *w)
+{
+    put_modes(w, m);
+    return w->status;
+}
+
+orr_wire_status orr_msg_modes_decode(const uint8_t *payload, size_t size, orr_msg_modes *m)
+{
+    orr_wire_reader r = {payload, size, 0, ORR_WIRE_OK};
+    memset(m, 0, sizeof *m);
+    get_modes(&r, m);
     return r.status;
 }

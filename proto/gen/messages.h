@@ -32,6 +32,7 @@ extern "C" {
 #define ORR_MSG_MAX_ANTENNAS 16u // antennas in one list
 #define ORR_MSG_MAX_SIGNALS 64u // signals in one list
 #define ORR_MSG_MAX_EVENTS 8192u // events in one list
+#define ORR_MSG_MAX_CHANGES 100u // mode changes in one list
 #define ORR_MSG_MAX_REQUEST 65536u // bytes of payload that a server reads of one request
 
 enum { // message types
@@ -74,6 +75,8 @@ enum { // message types
     ORR_MSG_TYPE_DATAGRAMS = 37,
     ORR_MSG_TYPE_OPEN_MOTION_RING = 38,
     ORR_MSG_TYPE_MOTION_RING = 39,
+    ORR_MSG_TYPE_GET_MODES = 40,
+    ORR_MSG_TYPE_MODES = 41,
 };
 
 enum { // error_code (u16): Why a request was refused or a connection is being closed.
@@ -250,6 +253,32 @@ enum { // event_kind (u8): What an event is.
     ORR_MSG_EVENT_KIND_FAULT_END = 15, // and is over
 };
 
+enum { // mode_kind (u8): What of the service can be in one mode or another.
+    ORR_MSG_MODE_KIND_CLOCK = 0, // the scenario's clock
+    ORR_MSG_MODE_KIND_REFERENCE = 1, // what paces it
+    ORR_MSG_MODE_KIND_GENERATOR = 2, // the lock to the generator's time (RADIO_TIME)
+    ORR_MSG_MODE_KIND_MOTION = 3, // where the motion of the last block comes from (motion_state)
+};
+
+enum { // mode (u8): A mode of the service.
+    ORR_MSG_MODE_STOPPED = 0, // CLOCK: it stands at its begin
+    ORR_MSG_MODE_ARMED = 1, // CLOCK: a start is awaited
+    ORR_MSG_MODE_WAITING = 2, // CLOCK: the start is fixed, or PPS0 is, and to come
+    ORR_MSG_MODE_RUNNING = 3, // CLOCK: it runs
+    ORR_MSG_MODE_PAUSED = 4, // CLOCK: it stands where it was stopped
+    ORR_MSG_MODE_WALL = 16, // REFERENCE: the wall's clock
+    ORR_MSG_MODE_RADIO = 17, // REFERENCE: the generator
+    ORR_MSG_MODE_SILENT = 32, // GENERATOR: no RADIO_TIME has come, or none for 2 s: its last rate holds
+    ORR_MSG_MODE_LOCKED = 33, // GENERATOR: the loop follows it
+    ORR_MSG_MODE_STEPPING = 34, // GENERATOR: its last RADIO_TIME was far off; when the next is so too the lock is taken up anew
+    ORR_MSG_MODE_SCENARIO = 48, // MOTION: the scenario's own trajectory
+    ORR_MSG_MODE_SYNCHRONOUS = 49, // MOTION: the sample of the block's begin was there
+    ORR_MSG_MODE_INTERPOLATED = 50, // MOTION: between two samples
+    ORR_MSG_MODE_EXTRAPOLATED = 51, // MOTION: beyond the last sample
+    ORR_MSG_MODE_JOINING = 52, // MOTION: on the way from what was predicted to what is known now
+    ORR_MSG_MODE_SNAPPED = 53, // MOTION: jumps here, as the sample asked
+};
+
 // access (u16): What this client may not do, and how it came.
 #define ORR_MSG_ACCESS_NO_READING ((uint16_t)(UINT64_C(1) << 0)) // no polls and no streams
 #define ORR_MSG_ACCESS_NO_MOTION ((uint16_t)(UINT64_C(1) << 1)) // no MOTION
@@ -326,6 +355,8 @@ const char *orr_msg_stamp_clock_name(uint8_t value);
 const char *orr_msg_motion_state_name(uint8_t value);
 const char *orr_msg_motion_point_name(uint8_t value);
 const char *orr_msg_event_kind_name(uint8_t value);
+const char *orr_msg_mode_kind_name(uint8_t value);
+const char *orr_msg_mode_name(uint8_t value);
 const char *orr_msg_access_name(unsigned bit);
 const char *orr_msg_channel_flags_name(unsigned bit);
 const char *orr_msg_delay_flags_name(unsigned bit);
@@ -881,6 +912,32 @@ bool orr_msg_event_next(const orr_msg_event_list *list, orr_wire_iter *it, orr_m
 orr_wire_status orr_msg_event_records_encode(const orr_msg_event_list *piece, orr_wire_writer *w);
 bool orr_msg_event_at(const orr_msg_event_list *list, uint16_t index, orr_msg_event *out);   // false beyond the end
 
+// The service went over from one mode to another.
+typedef struct orr_msg_mode_change {
+    uint64_t number; // 1, 2, ... since the scenario was loaded
+    int64_t at; // [ns] the scenario's instant then; of MOTION the begin of the block
+    uint8_t kind; // of what
+    uint8_t before; // which it was
+    uint8_t mode; // which it is from then on
+    uint8_t reserved; // 0
+    int64_t wall; // [ns] the wall's instant at which that was noted
+} orr_msg_mode_change;
+#define ORR_MSG_MODE_CHANGE_SIZE 28u
+#define ORR_MSG_MODE_CHANGE_LARGEST 28u
+
+// To encode: count items at `item`. Decoded: `item` is NULL, the records are in `wire` (borrowed); read
+// either kind with orr_msg_mode_change_next or orr_msg_mode_change_at.
+typedef struct orr_msg_mode_change_list {
+    uint16_t count;
+    const orr_msg_mode_change *item;
+    orr_wire_records wire;
+} orr_msg_mode_change_list;
+bool orr_msg_mode_change_next(const orr_msg_mode_change_list *list, orr_wire_iter *it, orr_msg_mode_change *out); // false at the end
+// Records alone. A message whose last member is such a list can be encoded in pieces: first with the `count`
+// of all, no item and no bytes (wire.size 0, wire.data not NULL, wire.stride ORR_MSG_MODE_CHANGE_SIZE), then these.
+orr_wire_status orr_msg_mode_change_records_encode(const orr_msg_mode_change_list *piece, orr_wire_writer *w);
+bool orr_msg_mode_change_at(const orr_msg_mode_change_list *list, uint16_t index, orr_msg_mode_change *out);   // false beyond the end
+
 // Encoding appends the payload to the writer and returns its status. Decoding reads a payload; strings, blobs
 // and lists borrow its bytes; bytes after the last known field are of a later minor version and are ignored.
 
@@ -1161,12 +1218,12 @@ orr_wire_status orr_msg_truth_decode(const uint8_t *payload, size_t size, orr_ms
 
 // Asks for a stream. Its blocks are frames of the kind that answers the named request, and each is, byte for byte, the answer to that request for its instant alone. All frames of the stream bear the sequence number of the SUBSCRIBE, which is the stream's number.
 typedef struct orr_msg_subscribe {
-    uint16_t request; // POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH or POLL_EVENTS
+    uint16_t request; // POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH, POLL_EVENTS or GET_MODES
     uint8_t pacing; // when blocks are made
     uint8_t delivery; // how they come
     uint32_t credit; // how many blocks may be sent before there is more credit (CREDIT)
     int64_t lead; // [ns] with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
-    orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once, of POLL_NAVDATA 0: every frame once; count: how many, 0 for no end
+    orr_wire_bytes poll; // payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once, of POLL_NAVDATA 0: every frame once; count: how many, 0 for no end. GET_MODES has none of these: its blocks come when modes change
     uint16_t port; // with DATAGRAMS: the UDP port, of the address that the connection comes from
 } orr_msg_subscribe;
 #define ORR_MSG_SUBSCRIBE_LARGEST 16404u
@@ -1437,8 +1494,31 @@ typedef struct orr_msg_motion_ring {
 orr_wire_status orr_msg_motion_ring_encode(const orr_msg_motion_ring *m, orr_wire_writer *w);
 orr_wire_status orr_msg_motion_ring_decode(const uint8_t *payload, size_t size, orr_msg_motion_ring *m);
 
+// Asks which modes the service has changed over to. May be subscribed to as well.
+typedef struct orr_msg_get_modes {
+    uint64_t after; // number of the last change that is known; 0: all that are kept; 2^64 - 1: those from now on
+} orr_msg_get_modes;
+#define ORR_MSG_GET_MODES_SIZE 8u
+#define ORR_MSG_GET_MODES_LARGEST 8u
+
+orr_wire_status orr_msg_get_modes_encode(const orr_msg_get_modes *m, orr_wire_writer *w);
+orr_wire_status orr_msg_get_modes_decode(const uint8_t *payload, size_t size, orr_msg_get_modes *m);
+
+// Mode changes of the service, the oldest first.
+typedef struct orr_msg_modes {
+    int64_t t; // [ns] what the scenario's clock shows
+    uint64_t last; // number of the last change listed, to ask on from; without any that of the last there was
+    uint64_t lost; // changes after `after` that are not kept any more (1024 are)
+    uint8_t more; // 1: there are more behind the last one listed
+    orr_msg_mode_change_list changes; // what changed
+} orr_msg_modes;
+#define ORR_MSG_MODES_LARGEST 2829u
+
+orr_wire_status orr_msg_modes_encode(const orr_msg_modes *m, orr_wire_writer *w);
+orr_wire_status orr_msg_modes_decode(const uint8_t *payload, size_t size, orr_msg_modes *m);
+
 // All messages, for code that does the same with each.
-#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace) X(motion) X(get_motion_stats) X(motion_stats) X(poll_events) X(events) X(open_datagrams) X(datagrams) X(open_motion_ring) X(motion_ring)
+#define ORR_MSG_EACH(X) X(hello) X(caps) X(ping) X(pong) X(error) X(poll) X(states) X(poll_elements) X(elements) X(poll_navdata) X(navdata) X(poll_delays) X(delays) X(poll_channels) X(channels) X(poll_imu) X(imu) X(poll_truth) X(truth) X(subscribe) X(subscribed) X(unsubscribe) X(credit) X(gap) X(stream_end) X(control) X(get_time) X(time) X(radio_time) X(pace) X(motion) X(get_motion_stats) X(motion_stats) X(poll_events) X(events) X(open_datagrams) X(datagrams) X(open_motion_ring) X(motion_ring) X(get_modes) X(modes)
 
 // Room for any of them.
 typedef union orr_msg_any {
@@ -1481,6 +1561,8 @@ typedef union orr_msg_any {
     orr_msg_datagrams datagrams;
     orr_msg_open_motion_ring open_motion_ring;
     orr_msg_motion_ring motion_ring;
+    orr_msg_get_modes get_modes;
+    orr_msg_modes modes;
 } orr_msg_any;
 
 #ifdef __cplusplus

@@ -157,6 +157,30 @@ enums.event_kind = {
   [14] = "FAULT_BEGIN",
   [15] = "FAULT_END",
 }
+enums.mode_kind = {
+  [0] = "CLOCK",
+  [1] = "REFERENCE",
+  [2] = "GENERATOR",
+  [3] = "MOTION",
+}
+enums.mode = {
+  [0] = "STOPPED",
+  [1] = "ARMED",
+  [2] = "WAITING",
+  [3] = "RUNNING",
+  [4] = "PAUSED",
+  [16] = "WALL",
+  [17] = "RADIO",
+  [32] = "SILENT",
+  [33] = "LOCKED",
+  [34] = "STEPPING",
+  [48] = "SCENARIO",
+  [49] = "SYNCHRONOUS",
+  [50] = "INTERPOLATED",
+  [51] = "EXTRAPOLATED",
+  [52] = "JOINING",
+  [53] = "SNAPPED",
+}
 bitsets.access = {
   {name = "NO_READING", bit = 0},
   {name = "NO_MOTION", bit = 1},
@@ -457,6 +481,15 @@ records.event = {size = 22, smallest = 22, fields = {
     {name = "antenna", kind = "scalar", scalar = "u16"},
     {name = "value", kind = "scalar", scalar = "i64"},
 }}
+records.mode_change = {size = 28, smallest = 28, fields = {
+    {name = "number", kind = "scalar", scalar = "u64"},
+    {name = "at", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "kind", kind = "scalar", scalar = "u8", enum = "mode_kind"},
+    {name = "before", kind = "scalar", scalar = "u8", enum = "mode"},
+    {name = "mode", kind = "scalar", scalar = "u8", enum = "mode"},
+    {name = "reserved", kind = "scalar", scalar = "u8"},
+    {name = "wall", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+}}
 records.hello = {fields = {
     {name = "major_min", kind = "scalar", scalar = "u8"},
     {name = "major_max", kind = "scalar", scalar = "u8"},
@@ -735,6 +768,16 @@ records.motion_ring = {size = 24, smallest = 24, fields = {
     {name = "taken", kind = "scalar", scalar = "u64"},
     {name = "lost", kind = "scalar", scalar = "u64"},
 }}
+records.get_modes = {size = 8, smallest = 8, fields = {
+    {name = "after", kind = "scalar", scalar = "u64"},
+}}
+records.modes = {fields = {
+    {name = "t", kind = "scalar", scalar = "i64", show = "time", unit = "ns"},
+    {name = "last", kind = "scalar", scalar = "u64"},
+    {name = "lost", kind = "scalar", scalar = "u64"},
+    {name = "more", kind = "scalar", scalar = "u8"},
+    {name = "changes", kind = "list", record = "mode_change", limit = 100},
+}}
 local messages = {
   [1] = {name = "HELLO", record = "hello", from = "client", answer = "CAPS"},
   [2] = {name = "CAPS", record = "caps", from = "server"},
@@ -775,6 +818,8 @@ local messages = {
   [37] = {name = "DATAGRAMS", record = "datagrams", from = "server"},
   [38] = {name = "OPEN_MOTION_RING", record = "open_motion_ring", from = "client", answer = "MOTION_RING"},
   [39] = {name = "MOTION_RING", record = "motion_ring", from = "server"},
+  [40] = {name = "GET_MODES", record = "get_modes", from = "client", answer = "MODES"},
+  [41] = {name = "MODES", record = "modes", from = "server"},
 }
 local message_names = {}
 for number, message in pairs(messages) do message_names[number] = message.name end

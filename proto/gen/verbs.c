@@ -224,6 +224,18 @@ orr_wire_status orr_client_open_motion_ring(orr_client *c, const orr_msg_open_mo
     return s == ORR_WIRE_OK ? orr_msg_motion_ring_decode(f.payload, f.size, answer) : s;
 }
 
+orr_wire_status orr_client_get_modes(orr_client *c, const orr_msg_get_modes *request, orr_msg_modes *answer)
+{
+    orr_wire_writer w;
+    size_t start;
+    orr_client_begin(c, ORR_MSG_TYPE_GET_MODES, &w, &start);
+    orr_msg_get_modes_encode(request, &w);
+    orr_frame f;
+    orr_wire_status s = orr_client_send(c, &w, start);
+    if (s == ORR_WIRE_OK) s = orr_client_answer(c, ORR_MSG_TYPE_MODES, &f);
+    return s == ORR_WIRE_OK ? orr_msg_modes_decode(f.payload, f.size, answer) : s;
+}
+
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer)
 {
     orr_frame f;

@@ -57,6 +57,8 @@ orr_wire_status orr_client_poll_events(orr_client *c, const orr_msg_poll_events 
 orr_wire_status orr_client_open_datagrams(orr_client *c, const orr_msg_open_datagrams *request, orr_msg_datagrams *answer);
 // Asks for a ring of shared memory into which a client on the server's host writes MOTION, over a Unix socket (docs/protocol.md, The ring). Asked again it tells what has become of it.
 orr_wire_status orr_client_open_motion_ring(orr_client *c, const orr_msg_open_motion_ring *request, orr_msg_motion_ring *answer);
+// Asks which modes the service has changed over to. May be subscribed to as well.
+orr_wire_status orr_client_get_modes(orr_client *c, const orr_msg_get_modes *request, orr_msg_modes *answer);
 
 // Satellite states at one epoch. ORR_WIRE_UNEXPECTED where an epoch is missing.
 orr_wire_status orr_client_states(orr_client *c, orr_msg_states *answer);

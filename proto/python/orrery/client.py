@@ -88,6 +88,8 @@ class Client(Verbs):
         self._sequence = 0
         self._read = bytearray()  # received, and not yet a whole frame
         self._inbox: Dict[int, Deque[frame.Frame]] = {}  # of requests whose answers somebody still waits for
+        self._motions: Deque[int] = collections.deque(maxlen=4096)  # samples that were sent last, by their sequence numbers
+        self.motion_refusals: Deque[Refused] = collections.deque(maxlen=256)  # of samples, as far as they have come: the last of them
         self._closed = ""  # why it is of no more use
         self._descriptors: list[int] = []  # that came along with bytes, of rings
         self._sock = connect(url, timeout_s, identity)
@@ -124,7 +126,7 @@ class Client(Verbs):
         if self._ask(messages.Ping(token), messages.Pong).token != token:
             raise self._broken("the PONG is not that of this PING")
 
-    def subscribe(self, request: Request, t: Optional[Time] = None, step_s: float = 0.0, count: int = 0,
+    def subscribe(self, request: Union[Request, messages.GetModes], t: Optional[Time] = None, step_s: float = 0.0, count: int = 0,
                   pacing: Union[messages.Pacing, str] = messages.Pacing.CLOCK, lead_s: float = 0.0, credit: int = 64,
                   window: Optional[int] = None, ring: bool = False, datagrams: bool = False) -> Stream:
         """A stream of the blocks that answer `request` (a Poll, PollChannels, ...; its epochs are those given here): from t on (None: the
@@ -132,7 +134,7 @@ class Client(Verbs):
         the scenario clock shows its instant, or "free". credit: how many may come before there is more; the stream renews it as they
         are read, up to `window` (that of `credit` if None; 0: you call Stream.credit). ring: they come in shared memory, over a Unix socket
         alone; datagrams: they come by UDP to this machine's address, sealed where the connection has TLS. Of both a reader that is too slow,
-        or out of luck, loses blocks (Stream.lost)."""
+        or out of luck, loses blocks (Stream.lost). GetModes has neither t nor step: what it tells comes when modes change."""
         if ring and datagrams:
             raise ValueError("a stream comes in a ring or as datagrams, not both")
         port = Port(self._sock) if datagrams else None
@@ -143,11 +145,11 @@ class Client(Verbs):
                 port.close()
             raise
 
-    def _subscribe(self, request: Request, t: Optional[Time], step_s: float, count: int, pacing: messages.Pacing, lead_s: float, credit: int,
+    def _subscribe(self, request: Union[Request, messages.GetModes], t: Optional[Time], step_s: float, count: int, pacing: messages.Pacing, lead_s: float, credit: int,
                    window: Optional[int], ring: bool, port: Optional[Port]) -> Stream:
         delivery = messages.Delivery.RING if ring else messages.Delivery.DATAGRAMS if port is not None else messages.Delivery.FRAMES
         key = self.datagrams().keys[32:] if port is not None and isinstance(self._sock, ssl.SSLSocket) else b""
-        poll = from_epoch(request, NONE if t is None else time_tag(t), step_ns(step_s), count)
+        poll = request if isinstance(request, messages.GetModes) else from_epoch(request, NONE if t is None else time_tag(t), step_ns(step_s), count)
         asked = messages.Subscribe(request=request.TYPE, pacing=pacing, delivery=delivery, credit=credit, lead=step_ns(lead_s),
                                    poll=poll.encode(), port=port.number if port is not None else 0)
         number = self._send(asked)
@@ -181,6 +183,11 @@ class Client(Verbs):
         """Sends motion by UDP, sealed where the connection has TLS; it is the caller's to close, and ends with the connection."""
         return MotionSender(self._sock, self.datagrams())
 
+    def modes(self, after: int = 0) -> messages.Modes:
+        """Mode changes of the service (clock, what paces it, lock to a generator, live motion) behind number `after`, at most 100; `last` is
+        what to ask on from. They can be subscribed to as well: subscribe(messages.GetModes(after))."""
+        return self._ask(messages.GetModes(after), messages.Modes)
+
     def time(self) -> messages.Time:
         """What the scenario's clock shows."""
         return self._ask(messages.GetTime(), messages.Time)
@@ -199,9 +206,29 @@ class Client(Verbs):
         """Tells the generator's elapsed time, and what a clock of the server's host showed then."""
         return self._ask(messages.RadioTime(elapsed_ns, stamp_ns, choice(messages.StampClock, clock)), messages.Pace)
 
-    def motion(self, sample: messages.Motion) -> None:
-        """Sends a sample of the live motion. What the server refuses of it is counted (motion_stats), not raised."""
-        self._send(sample)
+    def motion(self, sample: messages.Motion, check: bool = False) -> None:
+        """Sends a sample of the live motion. It does not wait for what the server thinks of it: a refusal comes to motion_refusals while this
+        client sends further samples or reads anything, and is counted by the server (motion_stats). check: waits, and raises it (Refused)."""
+        number = self._send(sample)
+        self._motions.append(number)
+        if check:
+            self._inbox[number] = collections.deque()
+            try:
+                self.time()  # the server answers both in their order
+                if self._inbox[number]:
+                    self._decode(self._inbox[number].popleft(), messages.Pong)
+            finally:
+                del self._inbox[number]
+        else:
+            self._take_in()
+
+    def _take_in(self) -> None:
+        """Takes what has come already."""
+        pending = isinstance(self._sock, ssl.SSLSocket) and self._sock.pending() > 0
+        if pending or select.select([self._sock], [], [], 0)[0]:
+            self._fill(len(self._read) + 1)
+        while self._has_frame():
+            self._keep(self._read_frame())
 
     def motion_stats(self, reset: bool = False) -> messages.MotionStats:
         """What became of the samples of motion."""
@@ -277,6 +304,9 @@ class Client(Verbs):
         """Frames of other requests are kept for whom waits for them, or read over."""
         if got.sequence in self._inbox:
             self._inbox[got.sequence].append(got)
+        elif got.type == messages.Error.TYPE and got.sequence in self._motions:
+            error = messages.Error.decode(got.payload)
+            self.motion_refusals.append(Refused(error.code, error.sentence))
         elif not 0 < got.sequence <= self._sequence:
             raise self._broken(f"an answer to request {got.sequence}, which was never sent")
 

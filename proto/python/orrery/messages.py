@@ -24,6 +24,7 @@ MAX_JAMMERS = 16  # jammers of a scenario
 MAX_ANTENNAS = 16  # antennas in one list
 MAX_SIGNALS = 64  # signals in one list
 MAX_EVENTS = 8192  # events in one list
+MAX_CHANGES = 100  # mode changes in one list
 MAX_REQUEST = 65536  # bytes of payload that a server reads of one request
 
 
@@ -248,6 +249,36 @@ class EventKind(WireEnum):
     MOTION_END = 13  # and is not there afterwards
     FAULT_BEGIN = 14  # a fault of the scenario begins; value: which of them, from 0 in their order there
     FAULT_END = 15  # and is over
+
+
+class ModeKind(WireEnum):
+    """What of the service can be in one mode or another."""
+
+    CLOCK = 0  # the scenario's clock
+    REFERENCE = 1  # what paces it
+    GENERATOR = 2  # the lock to the generator's time (RADIO_TIME)
+    MOTION = 3  # where the motion of the last block comes from (motion_state)
+
+
+class Mode(WireEnum):
+    """A mode of the service."""
+
+    STOPPED = 0  # CLOCK: it stands at its begin
+    ARMED = 1  # CLOCK: a start is awaited
+    WAITING = 2  # CLOCK: the start is fixed, or PPS0 is, and to come
+    RUNNING = 3  # CLOCK: it runs
+    PAUSED = 4  # CLOCK: it stands where it was stopped
+    WALL = 16  # REFERENCE: the wall's clock
+    RADIO = 17  # REFERENCE: the generator
+    SILENT = 32  # GENERATOR: no RADIO_TIME has come, or none for 2 s: its last rate holds
+    LOCKED = 33  # GENERATOR: the loop follows it
+    STEPPING = 34  # GENERATOR: its last RADIO_TIME was far off; when the next is so too the lock is taken up anew
+    SCENARIO = 48  # MOTION: the scenario's own trajectory
+    SYNCHRONOUS = 49  # MOTION: the sample of the block's begin was there
+    INTERPOLATED = 50  # MOTION: between two samples
+    EXTRAPOLATED = 51  # MOTION: beyond the last sample
+    JOINING = 52  # MOTION: on the way from what was predicted to what is known now
+    SNAPPED = 53  # MOTION: jumps here, as the sample asked
 
 
 class Access(enum.IntFlag):
@@ -1193,6 +1224,38 @@ class Event(Record):
 
 
 @dataclasses.dataclass(eq=False, slots=True)
+class ModeChange(Record):
+    """The service went over from one mode to another.
+
+    number: 1, 2, ... since the scenario was loaded
+    at [ns]: the scenario's instant then; of MOTION the begin of the block
+    kind: of what
+    before: which it was
+    mode: which it is from then on
+    reserved: 0
+    wall [ns]: the wall's instant at which that was noted
+    """
+
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("number", "scalar", scalar="u64"),
+        Field("at", "scalar", scalar="i64"),
+        Field("kind", "scalar", scalar="u8", enum=ModeKind),
+        Field("before", "scalar", scalar="u8", enum=Mode),
+        Field("mode", "scalar", scalar="u8", enum=Mode),
+        Field("reserved", "scalar", scalar="u8"),
+        Field("wall", "scalar", scalar="i64"),
+    )
+
+    number: int = 0
+    at: int = 0
+    kind: ModeKind = ModeKind(0)
+    before: Mode = Mode(0)
+    mode: Mode = Mode(0)
+    reserved: int = 0
+    wall: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
 class Hello(Record):
     """Opens a conversation. Optional, but a client that sends it learns what is served.
 
@@ -1965,14 +2028,14 @@ class Subscribe(Record):
     answer to that request for its instant alone. All frames of the stream bear the sequence number of the SUBSCRIBE, which is
     the stream's number.
 
-    request: POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH or POLL_EVENTS
+    request: POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH, POLL_EVENTS or GET_MODES
     pacing: when blocks are made
     delivery: how they come
     credit: how many blocks may be sent before there is more credit (CREDIT)
     lead [ns]: with CLOCK and MOTION: how long before its instant a block is made, 0 to 60 s
     poll: payload of that request. t: the first instant, -2^63 for the next one; step: from block to block, 1 ms to 60 s
     (POLL_IMU: 1 s), of POLL_CHANNELS also 0: every block once, of POLL_NAVDATA 0: every frame once; count: how many, 0 for no
-    end
+    end. GET_MODES has none of these: its blocks come when modes change
     port: with DATAGRAMS: the UDP port, of the address that the connection comes from
     """
 
@@ -2554,6 +2617,48 @@ class MotionRing(Record):
     lost: int = 0
 
 
+@dataclasses.dataclass(eq=False, slots=True)
+class GetModes(Record):
+    """Asks which modes the service has changed over to. May be subscribed to as well.
+
+    after: number of the last change that is known; 0: all that are kept; 2^64 - 1: those from now on
+    """
+
+    TYPE: ClassVar[int] = 40
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("after", "scalar", scalar="u64"),
+    )
+
+    after: int = 0
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Modes(Record):
+    """Mode changes of the service, the oldest first.
+
+    t [ns]: what the scenario's clock shows
+    last: number of the last change listed, to ask on from; without any that of the last there was
+    lost: changes after `after` that are not kept any more (1024 are)
+    more: 1: there are more behind the last one listed
+    changes: what changed
+    """
+
+    TYPE: ClassVar[int] = 41
+    LAYOUT: ClassVar[tuple[Field, ...]] = (
+        Field("t", "scalar", scalar="i64"),
+        Field("last", "scalar", scalar="u64"),
+        Field("lost", "scalar", scalar="u64"),
+        Field("more", "scalar", scalar="u8"),
+        Field("changes", "list", record=ModeChange, limit=100),
+    )
+
+    t: int = 0
+    last: int = 0
+    lost: int = 0
+    more: int = 0
+    changes: list[ModeChange] = dataclasses.field(default_factory=list)
+
+
 MESSAGES: dict[int, Type[Record]] = {
     1: Hello,
     2: Caps,
@@ -2594,4 +2699,6 @@ MESSAGES: dict[int, Type[Record]] = {
     37: Datagrams,
     38: OpenMotionRing,
     39: MotionRing,
+    40: GetModes,
+    41: Modes,
 }

@@ -7,7 +7,7 @@ import time
 from typing import TYPE_CHECKING, Iterator, Optional, Type
 
 from . import frame, messages
-from .asking import Message, Request
+from .asking import Message
 from .datagrams import Port
 from .ring import Ring
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 BLOCKS = {messages.Poll.TYPE: messages.States, messages.PollNavdata.TYPE: messages.Navdata, messages.PollChannels.TYPE: messages.Channels,
           messages.PollImu.TYPE: messages.Imu, messages.PollTruth.TYPE: messages.Truth,
-          messages.PollEvents.TYPE: messages.Events}
+          messages.PollEvents.TYPE: messages.Events, messages.GetModes.TYPE: messages.Modes}
 AGAIN_S, TAIL_S = 1.0, 0.1  # without a datagram for so long there is credit anew; what is still on its way behind the stream's end
 
 
@@ -24,7 +24,7 @@ class Stream:
     """Made by Client.subscribe. Iterating gives the blocks, until the stream ends: `end` is then the StreamEnd. `gaps` are the Gap notices so
     far, `payload` the bytes of the last block. With credit of its own accord (window > 0) it lets so many blocks be on their way."""
 
-    def __init__(self, client: Client, number: int, told: messages.Subscribed, request: Request, window: int,
+    def __init__(self, client: Client, number: int, told: messages.Subscribed, request: Message, window: int,
                  ring: Optional[Ring] = None, port: Optional[Port] = None) -> None:
         self.number, self.first, self.step = number, told.first, told.step
         self.gaps: list[messages.Gap] = []

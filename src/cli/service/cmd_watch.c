@@ -124,6 +124,29 @@ static orr_wire_status show_events(watch_job *j, orr_time t)
     return ORR_WIRE_OK;
 }
 
+// The last modes that the service changed over to.
+static orr_wire_status show_modes(watch_job *j)
+{
+    enum { SHOWN = 4 };
+    const orr_record *r = orr_message_rows(orr_message_of(ORR_MSG_TYPE_MODES)->record)->record;
+    orr_msg_get_modes ask = {.after = UINT64_MAX};
+    orr_msg_modes m;
+    orr_msg_mode_change x;
+    char text[ORR_TIME_TEXT], kind[ORR_MESSAGE_CELL], before[ORR_MESSAGE_CELL], mode[ORR_MESSAGE_CELL];
+    orr_wire_status s = orr_client_get_modes(&j->d->client, &ask, &m); // how many there have been
+    if (s != ORR_WIRE_OK || m.last == 0) return s;
+    ask.after = m.last > SHOWN ? m.last - SHOWN : 0;
+    s = orr_client_get_modes(&j->d->client, &ask, &m);
+    if (s != ORR_WIRE_OK) return s;
+    printf("%llu changes of mode, the last:\n", (unsigned long long)m.last);
+    for (orr_wire_iter it = {0}; orr_msg_mode_change_next(&m.changes, &it, &x);)
+        printf("  %s  %s: %s, before %s\n", orr_time_text(x.at, text),
+               orr_message_text(orr_record_field(r, "kind"), &x.kind, true, kind),
+               orr_message_text(orr_record_field(r, "mode"), &x.mode, true, mode),
+               orr_message_text(orr_record_field(r, "before"), &x.before, true, before));
+    return ORR_WIRE_OK;
+}
+
 static orr_wire_status learn(watch_job *j)
 {
     orr_msg_caps caps;
@@ -154,6 +177,7 @@ static int run(orr_cli *c)
         if (count != 1) fputs("\033[H\033[2J", stdout); // the terminal is cleared
         s = show_clock(&j, &t);
         if (s == ORR_WIRE_OK && j.motion) s = show_motion(&j);
+        if (s == ORR_WIRE_OK) s = show_modes(&j);
         if (s == ORR_WIRE_OK && j.has_events) s = show_events(&j, t.t);
         if (s == ORR_WIRE_OK && j.has_channels) s = show_channels(&j, t.t);
         fflush(stdout);
@@ -190,8 +214,8 @@ const orr_command orr_cmd_watch = {
     .operands = "URL",
     .min_operands = 1,
     .max_operands = 1,
-    .about = "Shows the scenario's clock and what paces it, what became of the samples of live motion, what "
-             "happens next, and "
+    .about = "Shows the scenario's clock and what paces it, what became of the samples of live motion, which "
+             "modes the service changed over to last, what happens next, and "
              "the channels of an antenna at "
              "this instant as a poll gives them: azimuth, elevation, C/N0 against the noise of 290 K (-204 "
              "dBW/Hz), code, Doppler, delays.",

@@ -12,7 +12,7 @@ static const int64_t JUMP_NS =
 static const double TIME_CONSTANT_S = 10; // of the loop when it has settled
 static const double STEP_NS =
     50e6; // of a generator's time: it was restarted, not slow; told twice it is believed
-static const int64_t STALE_NS = 10 * ORR_NS_PER_S;
+static const int64_t STALE_NS = 10 * ORR_NS_PER_S, SILENCE_NS = 2 * ORR_NS_PER_S;
 
 void orr_pace_init(orr_pace *p, orr_time begin, const orr_leap_table *leap)
 {
@@ -274,7 +274,7 @@ orr_msg_leap_seconds orr_pace_leap(orr_time t, const orr_leap_table *table)
     return leap;
 }
 
-static uint8_t state_of(const orr_pace *p, orr_time now)
+uint8_t orr_pace_state(const orr_pace *p, orr_time now)
 {
     switch (p->clock.state) {
     case ORR_CLOCK_ARMED:
@@ -289,13 +289,19 @@ static uint8_t state_of(const orr_pace *p, orr_time now)
     return ORR_MSG_CLOCK_STATE_STOPPED;
 }
 
+uint8_t orr_pace_lock(const orr_pace *p, int64_t now_ns)
+{
+    if (p->radio.samples == 0 || now_ns - p->radio.host_ns > SILENCE_NS) return ORR_MSG_MODE_SILENT;
+    return p->radio.far > 0 ? ORR_MSG_MODE_STEPPING : ORR_MSG_MODE_LOCKED;
+}
+
 void orr_pace_time(const orr_pace *p, const orr_host *h, orr_msg_time *m)
 {
     const orr_time t = orr_clock_at(&p->clock, h->mono_ns);
     int n4 = 0, nt = 0;
     orr_civil moscow;
     *m = (orr_msg_time){.t = t,
-                        .state = state_of(p, t),
+                        .state = orr_pace_state(p, t),
                         .reference = p->reference,
                         .leap = orr_pace_leap(t, p->leap),
                         .pps0 = p->pps0,

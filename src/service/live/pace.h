@@ -57,6 +57,10 @@ uint16_t orr_pace_radio(orr_pace *p, const orr_host *h, const orr_msg_radio_time
 void orr_pace_told(const orr_pace *p, const orr_host *h, orr_time made, orr_msg_pace *m);
 // What TIME says.
 void orr_pace_time(const orr_pace *p, const orr_host *h, orr_msg_time *m);
+// The clock's state (ORR_MSG_CLOCK_STATE_*) when it shows t.
+uint8_t orr_pace_state(const orr_pace *p, orr_time t);
+// How it stands with the generator when the host's clock shows now_ns: ORR_MSG_MODE_SILENT, LOCKED or STEPPING.
+uint8_t orr_pace_lock(const orr_pace *p, int64_t now_ns);
 // The wall's instant in the GPS scale.
 orr_time orr_pace_wall(const orr_pace *p, const orr_host *h);
 // Leap seconds around an instant. A change beyond the end of the table is not known.

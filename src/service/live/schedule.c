@@ -98,6 +98,10 @@ static need look_paced(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *w
 static need look(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *when_ns)
 {
     if (x->ended || x->closed) return NEED_NOTHING;
+    if (x->epochs == NULL) { // beside those that are due now
+        *when_ns = now_ns;
+        return streams_has_modes(x) && x->credit > 0 && has_room(x) ? NEED_NOW : NEED_NOTHING;
+    }
     if (x->pacing != ORR_MSG_PACING_FREE) return look_paced(s, x, now_ns, when_ns);
     if (has_ended(x)) return NEED_ENDING;
     *when_ns = INT64_MAX; // behind all that follow the clock
@@ -217,6 +221,10 @@ static void deliver(orr_stream *x, orr_payload *b)
 // Makes the next block of a stream; the lock is let go meanwhile.
 static void make(orr_streams *s, orr_stream *x)
 {
+    if (x->epochs == NULL) {
+        streams_make_modes(x);
+        return;
+    }
     const orr_msg_epochs e = {x->next, x->step_ns, 1};
     orr_server_refusal why = {""};
     uint16_t code = 0;
@@ -249,7 +257,13 @@ int64_t orr_streams_turn(orr_streams *s, int64_t now_ns)
 {
     int64_t later_ns;
     pthread_mutex_lock(&s->lock);
+    streams_note_modes(s, now_ns);
     orr_stream *x = choose(s, now_ns, &later_ns);
+    // A start that was fixed is noted when it comes.
+    if (s->modes.now[ORR_MSG_MODE_KIND_CLOCK] == ORR_MSG_MODE_WAITING && s->pace.start_t != ORR_TIME_NONE) {
+        const int64_t start_ns = orr_clock_when(&s->pace.clock, s->pace.start_t);
+        if (start_ns < later_ns) later_ns = start_ns;
+    }
     if (x != NULL) {
         make(s, x);
         later_ns = now_ns;

@@ -103,6 +103,7 @@ orr_status orr_streams_open(const orr_streams_options *options, orr_streams **ou
     if (s == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     s->options = *options;
     orr_pace_init(&s->pace, options->begin, options->leap);
+    orr_modes_init(&s->modes);
     if (options->clock.state != ORR_CLOCK_STOPPED) s->pace.clock = options->clock;
     pthread_condattr_t attr;
     pthread_condattr_init(&attr);
@@ -189,6 +190,7 @@ uint16_t orr_streams_control(orr_streams *s, const orr_msg_control *m, orr_msg_t
     pthread_mutex_lock(&s->lock);
     const uint16_t code = orr_pace_control(&s->pace, &h, m, why);
     orr_pace_time(&s->pace, &h, told);
+    streams_note_modes(s, h.mono_ns);
     unlock_changed(s);
     return code;
 }
@@ -200,6 +202,7 @@ uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time
     pthread_mutex_lock(&s->lock);
     const uint16_t code = orr_pace_radio(&s->pace, &h, m, why);
     orr_pace_told(&s->pace, &h, made, told);
+    streams_note_modes(s, h.mono_ns);
     unlock_changed(s);
     return code;
 }
@@ -279,16 +282,17 @@ static uint16_t check_step(uint16_t type, int64_t step_ns, orr_server_refusal *w
 static uint16_t read_request(const orr_server *judge, const orr_msg_subscribe *m, orr_stream *x,
                              orr_server_refusal *why)
 {
-    static const uint16_t kinds[] = {ORR_MSG_TYPE_POLL,          ORR_MSG_TYPE_POLL_NAVDATA,
-                                     ORR_MSG_TYPE_POLL_CHANNELS, ORR_MSG_TYPE_POLL_IMU,
-                                     ORR_MSG_TYPE_POLL_TRUTH,    ORR_MSG_TYPE_POLL_EVENTS};
+    static const uint16_t kinds[] = {
+        ORR_MSG_TYPE_POLL,       ORR_MSG_TYPE_POLL_NAVDATA, ORR_MSG_TYPE_POLL_CHANNELS, ORR_MSG_TYPE_POLL_IMU,
+        ORR_MSG_TYPE_POLL_TRUTH, ORR_MSG_TYPE_POLL_EVENTS,  ORR_MSG_TYPE_GET_MODES};
     bool known = false;
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) known = known || kinds[k] == m->request;
     if (!known)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST,
-                     "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH and POLL_EVENTS can be "
-                     "streamed, nothing else");
-    if (orr_msg_handled(judge->handlers, m->request) == 0)
+                     "POLL, POLL_NAVDATA, POLL_CHANNELS, POLL_IMU, POLL_TRUTH, POLL_EVENTS and "
+                     "GET_MODES can be streamed, nothing else");
+    const bool modes = m->request == ORR_MSG_TYPE_GET_MODES; // which the streams know themselves
+    if (!modes && orr_msg_handled(judge->handlers, m->request) == 0)
         return wrong(why, ORR_MSG_ERROR_CODE_NOT_SERVED, "this server does not answer that request");
     if (m->pacing > ORR_MSG_PACING_MOTION)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "pacing is FREE, CLOCK or MOTION");
@@ -296,9 +300,10 @@ static uint16_t read_request(const orr_server *judge, const orr_msg_subscribe *m
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "delivery is FRAMES, RING or DATAGRAMS");
     if (m->lead < 0 || m->lead > LONGEST_LEAD_NS)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_REQUEST, "lead is 0 to 60 s");
-    if (orr_msg_request_decode(m->request, x->poll, x->poll_size, &x->request) != ORR_WIRE_OK)
+    if (orr_message_of(m->request)->decode(x->poll, x->poll_size, &x->request) != ORR_WIRE_OK)
         return wrong(why, ORR_MSG_ERROR_CODE_BAD_PAYLOAD,
                      "poll is not the payload of the request that is named");
+    if (modes) return 0;
     const orr_record *r = orr_message_of(m->request)->record;
     x->epochs = (orr_msg_epochs *)(void *)((char *)&x->request + orr_record_field(r, "epochs")->offset);
     return 0;
@@ -338,8 +343,12 @@ static uint16_t prepare(orr_streams *s, const orr_server *judge, const orr_msg_s
     x->type = m->request;
     x->pacing = m->pacing;
     x->lead_ns = m->lead;
-    x->step_ns = x->epochs->step;
     x->credit = m->credit;
+    if (x->epochs == NULL) {
+        streams_begin_modes(s, x);
+        return 0;
+    }
+    x->step_ns = x->epochs->step;
     x->left = x->epochs->count > 0 ? x->epochs->count : UINT64_MAX;
     code = check_step(x->type, x->step_ns, why);
     if (code != 0) return code;

@@ -85,6 +85,9 @@ orr_clock orr_streams_clock(orr_streams *s);
 // What TIME says.
 void orr_streams_time(orr_streams *s, orr_msg_time *told);
 
+// GET_MODES: appends the payload of MODES to w, which has room for ORR_MSG_MODES_LARGEST bytes.
+void orr_streams_modes(orr_streams *s, uint64_t after, orr_wire_writer *w);
+
 // Begins a stream.
 // Given:
 //   s       the streams

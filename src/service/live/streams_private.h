@@ -5,6 +5,7 @@
 
 #include <pthread.h>
 
+#include "src/service/live/modes.h"
 #include "src/service/live/streams.h"
 
 struct orr_stream {
@@ -14,8 +15,8 @@ struct orr_stream {
     uint16_t type;
     uint8_t pacing;
     int64_t lead_ns, step_ns;
-    orr_msg_any request; // its lists borrow `poll`; its epochs are the thread's
-    orr_msg_epochs *epochs;
+    orr_msg_any request;    // its lists borrow `poll`; its epochs are the thread's
+    orr_msg_epochs *epochs; // NULL: of GET_MODES
     uint8_t *poll;
     size_t poll_size;
     orr_time last; // of the span
@@ -24,8 +25,9 @@ struct orr_stream {
     orr_time next;
     uint64_t left; // blocks; UINT64_MAX: no end
     uint64_t credit;
-    orr_time made; // instant of the last block; ORR_TIME_NONE: none
-    bool dry;      // it had no credit when a block was due
+    orr_time made;  // instant of the last block; ORR_TIME_NONE: none
+    uint64_t known; // of GET_MODES: number of the last change that it was told
+    bool dry;       // it had no credit when a block was due
     uint64_t blocks, gaps;
     int64_t margin_ns, least_ns; // as of orr_stream_look
     bool ended, closed, making;
@@ -45,6 +47,7 @@ struct orr_streams {
     bool changed_since; // something that the thread waits for, since it last looked
     orr_pace pace;
     int64_t looked_ns; // when the host's clocks were compared last
+    orr_modes modes;
     orr_payloads payloads;
     orr_stream **stream; // all that are not closed, and closed ones that are being made
     size_t n_rings;
@@ -72,6 +75,14 @@ orr_payload *streams_pop(orr_stream *x);
 void streams_unlist(orr_stream *x);
 // Ends a stream: its last frame.
 void streams_finish(orr_stream *x, uint8_t reason, const char *sentence);
+// Looks which modes clock and motion are in when the host's clock shows now_ns (streams_modes.c).
+void streams_note_modes(orr_streams *s, int64_t now_ns);
+// Begins a stream of GET_MODES, which nobody else knows yet; takes the lock itself.
+void streams_begin_modes(orr_streams *s, orr_stream *x);
+// Whether a stream of GET_MODES has something to tell.
+bool streams_has_modes(const orr_stream *x);
+// Tells it; by the thread.
+void streams_make_modes(orr_stream *x);
 // Takes a stream out and frees it.
 void streams_forget(orr_stream *x);
 // Frees one that was never in.

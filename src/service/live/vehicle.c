@@ -28,6 +28,8 @@ struct orr_vehicle {
     bool has_next; // of a recording
     orr_msg_motion next;
     orr_time next_from;
+    uint8_t state;   // of the latest block,
+    orr_time latest; // and its begin
     orr_course course;
 };
 
@@ -43,6 +45,7 @@ orr_status orr_vehicle_open(const orr_vehicle_options *options, orr_vehicle **ou
     if (v == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     v->options = *options;
     pthread_mutex_init(&v->lock, NULL);
+    v->latest = ORR_TIME_NONE;
     orr_course_init(&v->course, options->join_s);
     *out = v;
     return ORR_OK;
@@ -199,6 +202,10 @@ bool orr_vehicle_block_at(orr_vehicle *v, orr_time t0, orr_time t1, orr_vehicle_
                        orr_course_at(&v->course, t1, true, &out->end, &same);
     if (there) {
         c->blocks++;
+        if (t0 > v->latest) { // once for all antennas and streams
+            v->latest = t0;
+            v->state = out->state;
+        }
         if (out->state == ORR_MSG_MOTION_STATE_EXTRAPOLATED) c->extrapolated++;
         if (out->state == ORR_MSG_MOTION_STATE_JOINING) c->joined++;
         if (out->state == ORR_MSG_MOTION_STATE_SNAPPED) c->snapped++;
@@ -206,6 +213,15 @@ bool orr_vehicle_block_at(orr_vehicle *v, orr_time t0, orr_time t1, orr_vehicle_
     }
     pthread_mutex_unlock(&v->lock);
     return there;
+}
+
+uint8_t orr_vehicle_state(orr_vehicle *v, orr_time *begin)
+{
+    pthread_mutex_lock(&v->lock);
+    const uint8_t state = v->state;
+    if (v->latest != ORR_TIME_NONE) *begin = v->latest;
+    pthread_mutex_unlock(&v->lock);
+    return state;
 }
 
 void orr_vehicle_stats(orr_vehicle *v, bool reset, orr_msg_motion_stats *out)

@@ -41,6 +41,8 @@ typedef struct orr_vehicle_block {
 } orr_vehicle_block;
 // False where there are no samples yet: the scenario's own motion holds.
 bool orr_vehicle_block_at(orr_vehicle *v, orr_time t0, orr_time t1, orr_vehicle_block *out);
+// State of the latest block in scenario's time that was made (ORR_MSG_MOTION_STATE_*), and its begin, which stays where none was.
+uint8_t orr_vehicle_state(orr_vehicle *v, orr_time *begin);
 // What became of the samples; lays down the worst state, and the counts where `reset` is set.
 void orr_vehicle_stats(orr_vehicle *v, bool reset, orr_msg_motion_stats *out);
 

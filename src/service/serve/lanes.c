@@ -199,6 +199,18 @@ static bool take_stats(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
     return put_frame(out, ORR_MSG_TYPE_MOTION_STATS, f->sequence, data, w.size);
 }
 
+static bool tell_modes(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
+{
+    uint8_t data[ORR_MSG_MODES_LARGEST];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    orr_msg_get_modes m;
+    const orr_wire_status decoded = orr_msg_get_modes_decode(f->payload, f->size, &m);
+    if (decoded != ORR_WIRE_OK)
+        return put_error(out, f, ORR_MSG_ERROR_CODE_BAD_PAYLOAD, orr_wire_status_text(decoded));
+    orr_streams_modes(l->streams, m.after, &w);
+    return put_frame(out, ORR_MSG_TYPE_MODES, f->sequence, data, w.size);
+}
+
 static bool open_datagrams(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
 {
     uint8_t data[ORR_MSG_DATAGRAMS_LARGEST];
@@ -260,6 +272,8 @@ bool orr_lanes_take(orr_lanes *l, const orr_frame *f, orr_wire_writer *out)
         return take_motion(l, f, out);
     case ORR_MSG_TYPE_GET_MOTION_STATS:
         return take_stats(l, f, out);
+    case ORR_MSG_TYPE_GET_MODES:
+        return tell_modes(l, f, out);
     case ORR_MSG_TYPE_OPEN_DATAGRAMS:
         return open_datagrams(l, f, out);
     case ORR_MSG_TYPE_OPEN_MOTION_RING:

@@ -23,7 +23,12 @@ static uint16_t ask_lane(const orr_asked *a, uint16_t type, const orr_msg_any *r
                          orr_server_refusal *why)
 {
     if (a->streams == NULL) return refuse(why, ORR_MSG_ERROR_CODE_NOT_SERVED, "this server has no clock");
+    orr_wire_writer w = {a->room, 0, ORR_MSG_LARGEST, ORR_WIRE_OK};
     switch (type) {
+    case ORR_MSG_TYPE_GET_MODES:
+        orr_streams_modes(a->streams, request->get_modes.after, &w);
+        return orr_msg_modes_decode(w.data, w.size, &m->modes) == ORR_WIRE_OK ? 0
+                                                                              : ORR_MSG_ERROR_CODE_INTERNAL;
     case ORR_MSG_TYPE_GET_TIME:
         orr_streams_time(a->streams, &m->time);
         return 0;
@@ -47,6 +52,7 @@ static unsigned needed(uint16_t type, const orr_msg_any *request)
 {
     switch (type) {
     case ORR_MSG_TYPE_GET_TIME:
+    case ORR_MSG_TYPE_GET_MODES:
         return ORR_MAY_NOTHING;
     case ORR_MSG_TYPE_GET_MOTION_STATS:
         return request->get_motion_stats.reset != 0 ? ORR_MAY_MOTION : ORR_MAY_NOTHING;

@@ -188,6 +188,15 @@ static int time_query(orr_scpi *s, char *const *p, size_t n, FILE *out)
     return put_answer(s, ORR_MSG_TYPE_GET_TIME, &m, false, out);
 }
 
+static int modes(orr_scpi *s, char *const *p, size_t n, FILE *out)
+{
+    orr_msg_any m = {.get_modes = {0}};
+    uint16_t after = 0;
+    const int wrong = n > 0 ? take_number(s, p[0], 65535, &after) : 0;
+    m.get_modes.after = after;
+    return wrong != 0 ? wrong : put_answer(s, ORR_MSG_TYPE_GET_MODES, &m, true, out);
+}
+
 static int stats(orr_scpi *s, char *const *p, size_t n, FILE *out)
 {
     (void)p, (void)n;
@@ -272,6 +281,7 @@ static const orr_scpi_command commands[] = {
     {"TRUTh?", 0, 3, truth, false},
     {"EVENt?", 0, 2, events, false},
     {"TIME?", 0, 0, time_query, false},
+    {"MODE?", 0, 1, modes, false},
     {"MOTion:STATistics?", 0, 0, stats, false},
     {"MOTion:STATistics:RESet", 0, 0, reset_stats, true},
     {"SCENario:LOAD", 0, 2, load, true},

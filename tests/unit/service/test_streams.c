@@ -291,13 +291,78 @@ static void failures_and_ends(void **state)
     finish(&b);
 }
 
+static orr_msg_modes modes_of(bench *b, uint64_t after, orr_msg_mode_change last[3])
+{
+    static uint8_t data[ORR_MSG_MODES_LARGEST];
+    orr_wire_writer w = {data, 0, sizeof data, ORR_WIRE_OK};
+    orr_msg_modes m;
+    orr_streams_modes(b->streams, after, &w);
+    assert_int_equal(w.status, ORR_WIRE_OK);
+    assert_int_equal(orr_msg_modes_decode(data, (uint32_t)w.size, &m), ORR_WIRE_OK);
+    for (uint16_t k = 0; k < 3 && k < m.changes.count; k++)
+        assert_true(orr_msg_mode_change_at(&m.changes, (uint16_t)(m.changes.count - 1 - k), &last[k]));
+    return m;
+}
+
+// A start that was fixed is an event when it comes, at its own instant; a generator that falls silent one two seconds later; of more
+// changes than are kept it is told how many are not.
+static void modes_change(void **state)
+{
+    (void)state;
+    bench b;
+    orr_msg_mode_change c[3];
+    start(&b);
+    assert_int_equal(modes_of(&b, 0, c).last, 1);
+    assert_int_equal(c[0].mode, ORR_MSG_MODE_RUNNING);
+    control(&b, ORR_MSG_CONTROL_ACTION_STOP, ORR_TIME_NONE, 0);
+    control(&b, ORR_MSG_CONTROL_ACTION_START, ORR_TIME_NONE, 3 * ORR_NS_PER_S);
+    assert_int_equal(settle(&b), b.now_ns + 3 * ORR_NS_PER_S); // it wakes for it
+    assert_int_equal(modes_of(&b, 0, c).last, 3);
+    assert_int_equal(c[0].mode, ORR_MSG_MODE_WAITING);
+    b.now_ns += 3 * ORR_NS_PER_S + 7 * MS;
+    settle(&b);
+    assert_int_equal(modes_of(&b, 3, c).changes.count, 1);
+    assert_int_equal(c[0].mode, ORR_MSG_MODE_RUNNING);
+    assert_int_equal(c[0].at, 100 * ORR_NS_PER_S);
+
+    const orr_msg_radio_time radio = {.elapsed = ORR_NS_PER_S};
+    orr_msg_pace pace;
+    orr_server_refusal why;
+    assert_int_equal(orr_streams_radio(b.streams, &radio, ORR_TIME_NONE, &pace, &why), 0);
+    (void)modes_of(&b, 0, c);
+    assert_int_equal(c[0].mode, ORR_MSG_MODE_LOCKED);
+    b.now_ns += 2 * ORR_NS_PER_S;
+    assert_int_equal(modes_of(&b, 0, c).last, 5);
+    b.now_ns += 1;
+    assert_int_equal(modes_of(&b, 0, c).last, 6);
+    assert_int_equal(c[0].before, ORR_MSG_MODE_LOCKED);
+    assert_int_equal(c[0].mode, ORR_MSG_MODE_SILENT);
+
+    for (int k = 0; k < 600; k++) {
+        control(&b, ORR_MSG_CONTROL_ACTION_PAUSE, ORR_TIME_NONE, 0);
+        settle(&b);
+        control(&b, ORR_MSG_CONTROL_ACTION_START, ORR_TIME_NONE, 0);
+        settle(&b);
+    }
+    orr_msg_modes m = modes_of(&b, 0, c);
+    assert_int_equal(m.lost, 1206 - 1024);
+    assert_int_equal(m.last, m.lost + ORR_MSG_MAX_CHANGES);
+    assert_int_equal(m.more, 1);
+    assert_int_equal(c[0].number, m.last);
+    m = modes_of(&b, 1205, c);
+    assert_int_equal(m.changes.count, 1);
+    assert_int_equal(m.lost + m.more, 0);
+    assert_int_equal(modes_of(&b, 5000, c).last, 1206); // numbers that there are not yet
+    finish(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_block_in_its_time), cmocka_unit_test(a_hole_is_told),
         cmocka_unit_test(credit_is_kept),         cmocka_unit_test(who_takes_nothing_loses_alone),
         cmocka_unit_test(the_same_is_made_once),  cmocka_unit_test(the_clock_rules),
-        cmocka_unit_test(failures_and_ends),
+        cmocka_unit_test(failures_and_ends),      cmocka_unit_test(modes_change),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
