@@ -72,6 +72,7 @@ TelemetryDecoder_B1.implementation=BEIDOU_B1I_Telemetry_Decoder
 """,
     "L5": """
 Acquisition_L5.implementation=GPS_L5i_PCPS_Acquisition
+Acquisition_L5.bit_transition_flag=true
 Acquisition_L5.pfa=0.0001
 Acquisition_L5.doppler_max=5000
 Acquisition_L5.doppler_step=125
@@ -88,13 +89,24 @@ TelemetryDecoder_L5.implementation=GPS_L5_Telemetry_Decoder
 # GNSS-SDR weighs all ranges alike and those of C/A would decide how good the place is.
 NARROW = {"1C": SIGNALS["1C"].replace("dll_bw_hz=1.0", "dll_bw_hz=0.5").replace("early_late_space_chips=0.5", "early_late_space_chips=0.2")}
 
+# What the receiver is given to do, in samples times channels a second: an antenna's rate where that is less, slower where it is more. At
+# 15 ns each that is three quarters of a core. (Where a file is read as fast as it goes, the thread that hands satellites to
+# channels falls behind, and who is heard depends on what else the machine does.)
+WORK = 50e6
+
+# Satellites of GPS whose L5 I code GNSS-SDR makes right for two thirds and more: it goes on with XB, 8191 chips long, as if it were 10230 (`% 10230` in
+# make_l5i), so that only the first 10230 - a chips are right, a the satellite's advance of XB (IS-GPS-705J table 3-Ia: 3471 of PRN 14, 7187 of PRN 32,
+# which it hears by 10.7 dB less). The Neuman-Hofman code turns signs within a code period: without `bit_transition_flag` it takes the lobes 500 to
+# 1000 Hz beside the carrier for it.
+L5_HEARD = range(1, 15)
+
 # No models of delays: the scenarios have none. Cold: nothing is known of time, place or satellites.
 COMMON = """[GNSS-SDR]
 GNSS-SDR.internal_fs_sps={rate}
 SignalSource.implementation=File_Signal_Source
 SignalSource.filename={samples}
 SignalSource.item_type=ibyte
-SignalSource.sampling_frequency={rate}
+SignalSource.sampling_frequency={bytes_s}
 SignalSource.samples={count}
 SignalSource.repeat=false
 SignalSource.enable_throttle_control={paced}
@@ -130,14 +142,16 @@ PVT.enable_rx_clock_correction=false
 """
 
 
-def configuration(folder, samples, rate, channels, pinned=(), at_once=2, tracked=(), seconds=0, loops=False, paced=True):
+def configuration(folder, samples, rate, channels, pinned=(), at_once=2, tracked=(), seconds=0, loops=False, work=WORK):
     """channels: {"1C": how many}; pinned: (signal, satellite) of each channel in turn, where the search is not free; tracked: signals whose
     settings are others than usual, as NARROW; seconds: as much of the recording, 0 all of it; loops: whether each channel's loops are
-    written out, for `loops`; paced: samples come at their own rate, as from an antenna. Where a file is read as fast as it goes, the thread that
-    hands satellites to channels falls behind, and who is heard depends on what else the machine does."""
+    written out, for `loops`; work: samples times channels that come in a second, at most as many as from an antenna;
+    None: as fast as the file is read."""
     settings = {**SIGNALS, **dict(tracked)}
+    pace = min(1, work / (rate * sum(channels.values()))) if work else 1
+    # The source's own frequency is that of its items, of which a sample has two, and serves its pace alone.
     text = COMMON.format(rate=rate, samples=samples, folder=folder, at_once=at_once, count=2 * seconds * rate,
-                         paced=str(paced).lower())
+                         bytes_s=round(2 * rate * pace), paced=str(work is not None).lower())
     for signal, count in channels.items():
         text += f"Channels_{signal}.count={count}\n" + settings[signal]
         text += f"Acquisition_{signal}.item_type=gr_complex\nTracking_{signal}.item_type=gr_complex\n"

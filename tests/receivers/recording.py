@@ -103,3 +103,10 @@ def satellites(recording, signal_name):
     meta = json.loads(pathlib.Path(f"{recording}.sigmf-meta").read_text())
     found = {a["core:label"].split()[0] for a in meta["annotations"] if a["core:label"].split()[1] == signal_name}
     return sorted(int(s[1:]) for s in found)
+
+
+def endings(recording, signal_name):
+    """Seconds from its begin at which satellites' signals end before the recording does: they set."""
+    meta = json.loads(pathlib.Path(f"{recording}.sigmf-meta").read_text())
+    ends = {a["core:sample_start"] + a["core:sample_count"] for a in meta["annotations"] if a["core:label"].split()[1] == signal_name}
+    return sorted(end / meta["global"]["core:sample_rate"] for end in ends if end < meta["global"]["orrery:samples"])

@@ -41,6 +41,10 @@ FDMA = [("d_%sn", "pos_m", 2**-11), ("d_V%sn", "vel_mps", 2**-20), ("d_A%sn", "a
 FDMA_CLOCK = [("d_tau_n", "af0_s", -1, 2**-30), ("d_gamma_n", "af1_sps", 1, 2**-40)]
 
 
+# A satellite that is gone is counted lost within this (measured by test_off).
+LOST_S = 6.0
+
+
 def least_squares(rows, y):
     """Solution of the normal equations by Gauss' elimination."""
     n = len(rows[0])
@@ -207,7 +211,7 @@ class Receivers(program.Folder):
         """The same, no longer than it takes to see the first fixes: part of ./check."""
         start = "2025-03-21T12:00:00"
         self.make(self.made('["G:L1CA"]'), start, 52, 2600000, 1575420000, "G:L1CA", 51)
-        self.receive({"1C": 10}, at_once=10, paced=False)
+        self.receive({"1C": 10}, at_once=10, work=None)
         first = self.found[0][0] - recording.gps_s(start) % 604800
         rms, worst, n = gnss_sdr.errors(self.found, self.service.truth(start, 52))
         print(f"GPS L1 C/A, short: first fix {first:.1f} s (bar 45), {n} fixes, 3-D RMS {rms:.2f} m, largest {worst:.2f} m")
@@ -265,6 +269,17 @@ class Receivers(program.Folder):
         self.receive({"1C": self.seen("L1CA"), "1B": self.seen("E1")}, at_once=4, tracked=gnss_sdr.NARROW)
         self.judge("GPS L1 C/A and Galileo E1, gravimetry flight, 5 Msps, 51 dB-Hz", 45, 1.0)
 
+    def test_rooftop(self):
+        """README's example, a minute by one command from where the scenario begins. A subframe of GPS is under way there, and Galileo gives the first fix."""
+        scenario = program.sample("rooftop.yaml")
+        program.run("iq", scenario, "-o", str(self.folder), "--seconds", 60, "--rate", "5M")
+        self.start, self.rate, self.seconds, self.samples = "2025-03-21T00:00:01", 5000000, 60, self.path("rooftop")
+        self.service = recording.Service(scenario, self.folder)
+        self.addCleanup(self.service.stop)
+        self.receive({"1C": self.seen("L1CA"), "1B": self.seen("E1")}, at_once=4, tracked=gnss_sdr.NARROW)
+        self.judge("README's example, GPS and Galileo", 45, 1.0)
+        self.assertEqual(max(f[3] for f in self.found), self.seen("L1CA") + self.seen("E1"))
+
     def test_step(self):
         """A range step of 60 m of one satellite, after 60 s: the receiver's own ranges show it, and its message goes on."""
         start, at, step, prn = "2025-03-21T12:00:00", "2025-03-21T12:01:00", 60.0, 5
@@ -301,12 +316,12 @@ class Receivers(program.Folder):
         self.assertEqual(max(f[3] for f in self.found), seen - 1)
 
     def test_l5(self):
-        """GPS L5 I with CNAV. GNSS-SDR 0.0.17 takes the rates of the mean motion and of the semi-major axis for 0, which costs 1.8 cm of height a
-        second from the sets' reference at 13:30 on: the fixes that are judged lie to both sides of it."""
-        start = "2025-03-21T13:28:42"
+        """GPS L5 I with CNAV, of the satellites whose codes GNSS-SDR makes right. It takes the rates of the mean motion and of the semi-major axis for
+        0, which costs 1.8 cm of height a second from the sets' reference at 11:30 on: the fixes that are judged lie to both sides of it."""
+        start = "2025-03-21T11:28:42"
         self.make(self.made('["G:L5"]'), start, 100, 12500000, 1176450000, "G:L5", 53)
-        satellites = recording.satellites(self.samples, "L5")
-        self.receive({"L5": len(satellites)}, [("L5", s) for s in satellites], at_once=4)
+        satellites = [s for s in recording.satellites(self.samples, "L5") if s in gnss_sdr.L5_HEARD]
+        self.receive({"L5": len(satellites)}, [("L5", s) for s in satellites], at_once=len(satellites))
         self.judge("GPS L5, 12.5 Msps, 53 dB-Hz", 45, 1.0)
 
     def test_update(self):
@@ -376,9 +391,13 @@ class Receivers(program.Folder):
         self.make(self.leap_second("G:L1CA"), "2016-12-31T23:50:50", 590, 2600000, 1575420000, "G:L1CA", 51)
         self.receive({"1C": self.seen("L1CA")}, at_once=4)
         truth = self.service.truth("2016-12-31T23:51:00", 30)
-        parts = {"before": [f for f in self.found if f[0] > 302400 and f[0] < 604800], "after": [f for f in self.found if 17 <= f[0] < 302400]}
+        # A satellite sets on the way. Fixes in which GNSS-SDR goes on with the loops of a signal that is gone are not judged (see test_off).
+        begin = recording.gps_s(self.start) % 604800
+        sets = recording.endings(self.samples, "L1CA")
+        found = [f for f in self.found if not any(0 <= f[0] - begin - s < LOST_S for s in sets)]
+        parts = {"before": [f for f in found if f[0] > 302400 and f[0] < 604800], "after": [f for f in found if 17 <= f[0] < 302400]}
         rms = {name: gnss_sdr.errors(part, truth, 20 if name == "before" else 0) for name, part in parts.items()}
-        print("GPS L1 C/A through the leap second, 2.6 Msps, 51 dB-Hz: 3-D RMS " +
+        print(f"GPS L1 C/A through the leap second, 2.6 Msps, 51 dB-Hz, {len(sets)} satellite sets: 3-D RMS " +
               ", ".join(f"{name} {r[0]:.2f} m of {r[2]} fixes" for name, r in rms.items()) + " (bar 2.0)")
         for r in rms.values():
             self.assertGreater(r[2], 100)
@@ -408,11 +427,11 @@ class Receivers(program.Folder):
         last = max(t for t in fixes if t < out) - into
         print(f"GPS L1 C/A, {len(gone)} satellites, into a tunnel after {into:.2f} s: signals gone {min(gone):.2f} to {max(gone):.2f} s behind its mouth "
               f"(bar 0 to 0.122: a block, a bit, a correlation), last fix {last:.2f} s (bar 3), loss of lock told {max(told):.2f} s behind it "
-              f"(bar 6); out after {out:.2f} s: tracked again {min(back):.2f} to {max(back):.2f} s later (bar 1)")
+              f"(bar {LOST_S:.0f}); out after {out:.2f} s: tracked again {min(back):.2f} to {max(back):.2f} s later (bar 1)")
         self.assertGreaterEqual(len(gone), 8)
         self.assertTrue(0 < min(gone) and max(gone) < 0.122, gone)
         self.assertTrue(0 < last < 3)
-        self.assertLess(max(told), 6)
+        self.assertLess(max(told), LOST_S)
         self.assertTrue(0 < min(back) and max(back) < 1, back)
 
     def test_ground(self):
@@ -472,8 +491,8 @@ class Receivers(program.Folder):
         since = [(f, f[0] + week - recording.gps_s(start)) for f in self.found]
         lost = next(t for f, t in since if t > off and f[3] < seen)
         self.found = [f for f, t in since if not off < t < lost]
-        self.judge(f"GPS L1 C/A, G{prn:02d} off after {off} s, lost {lost - off:.1f} s later (bar 6)", 45, 2.0)
-        self.assertLess(lost - off, 6)
+        self.judge(f"GPS L1 C/A, G{prn:02d} off after {off} s, lost {lost - off:.1f} s later (bar {LOST_S:.0f})", 45, 2.0)
+        self.assertLess(lost - off, LOST_S)
         self.judge_lnav(start, 8)
         gone = {s: self.silent_from(periods) for s, periods in gnss_sdr.loops(self.out).items()}
         counts = [max(f[3] for f, t in since if t < off), max(f[3] for f, t in since if t > lost)]
