@@ -266,7 +266,9 @@ orr_status orr_archive_record_read(const char *folder, orr_archive_record *r, or
         return orr_diag_at(diag, errno == ENOENT ? ORR_E_NODATA : ORR_E_IO, path, 0, 0,
                            "cannot be opened: %s", strerror(errno));
     json_t *j = json_loadf(f, 0, &error);
+    const bool lost = j == NULL && ferror(f) != 0;
     fclose(f);
+    if (lost) return orr_diag_at(diag, ORR_E_IO, path, 0, 0, "cannot be read");
     if (j == NULL)
         return orr_diag_at(diag, ORR_E_FORMAT, path, error.line, error.column, "is damaged: %s", error.text);
     const json_int_t schema = json_integer_value(json_object_get(j, "schema"));

@@ -157,6 +157,17 @@ static int stats(const orr_cli *c, const orr_catalogue *k)
     return ORR_EXIT_OK;
 }
 
+// What was told stands, but where records could not be read at this moment it is not all.
+static int all_read(orr_cli *c, const orr_catalogue *k, int status)
+{
+    orr_diag diag;
+    size_t lost = 0;
+    for (size_t i = 0; i < k->n; i++) lost += k->day[i].state == ORR_E_IO || k->day[i].state == ORR_E_MEMORY;
+    if (lost == 0 || status != ORR_EXIT_OK) return status;
+    orr_diag_set(&diag, ORR_E_IO, "the records of %zu of %zu days cannot be read", lost, k->n);
+    return orr_cli_fail(c, &diag);
+}
+
 static int run(orr_cli *c)
 {
     static const char *const TASKS[] = {"ls", "verify", "gc", "stats"};
@@ -176,7 +187,10 @@ static int run(orr_cli *c)
     if (orr_catalogue_make(archive, false, &k, NULL, &diag) != ORR_OK)
         status = orr_cli_fail(c, &diag);
     else
-        status = which == 0 ? list(c, &k) : which == 1 ? verify(c, archive, &k) : stats(c, &k);
+        status = all_read(c, &k,
+                          which == 0   ? list(c, &k)
+                          : which == 1 ? verify(c, archive, &k)
+                                       : stats(c, &k));
     orr_catalogue_free(&k);
     return status;
 }

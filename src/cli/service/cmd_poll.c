@@ -25,6 +25,7 @@ typedef struct poll_job {
     char frame[65];   // of CAPS, for the table's head
     uint64_t numbers; // satellites (or epochs) that had what was asked for
     bool outside;     // an epoch was outside the span
+    bool no_memory;   // to show an answer
     poll_latency latency;
 } poll_job;
 
@@ -67,7 +68,7 @@ static orr_wire_status take_answer(poll_job *p)
     if (p->request.pages)
         orr_poll_pages(&m.navdata, &p->headed);
     else
-        orr_message_show(info, &m, p->format, p->frame, &p->headed);
+        p->no_memory = !orr_message_show(info, &m, p->format, p->frame, &p->headed);
     return ORR_WIRE_OK;
 }
 
@@ -75,7 +76,8 @@ static orr_status ask(poll_job *p, orr_time t, uint32_t count, orr_diag *diag)
 {
     if (p->latency.path != NULL) poll_latency_begin(&p->latency);
     orr_wire_status ws = send_request(p, t, count);
-    for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK; k++) ws = take_answer(p);
+    for (uint32_t k = 0; k < count && ws == ORR_WIRE_OK && !p->no_memory; k++) ws = take_answer(p);
+    if (p->no_memory) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     return ws == ORR_WIRE_OK ? ORR_OK : orr_dial_status(p->d, ws, p->request.info->name, diag);
 }
 

@@ -101,8 +101,8 @@ static orr_status take_block(replay_job *j, orr_diag *diag)
         fwrite(j->frame.payload - ORR_FRAME_HEADER, 1, j->frame.size + ORR_FRAME_OVERHEAD, stdout);
     else if (j->d != NULL)
         return block && !live ? compare(j, diag) : ORR_OK;
-    else if (block)
-        orr_message_show(info, &m, j->format, "", &j->headed);
+    else if (block && !orr_message_show(info, &m, j->format, "", &j->headed))
+        return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     return ORR_OK;
 }
 

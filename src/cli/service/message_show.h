@@ -12,8 +12,8 @@ typedef enum orr_show_format {
     ORR_AS_CSV,
 } orr_show_format;
 
-// A message as a table on stdout; `frame` is what positions refer to.
-void orr_message_table(const orr_record *r, const void *m, const char *frame);
+// A message as a table on stdout; `frame` is what positions refer to. False without memory.
+bool orr_message_table(const orr_record *r, const void *m, const char *frame);
 
 // Prints a message to stdout.
 // Given:
@@ -24,7 +24,8 @@ void orr_message_table(const orr_record *r, const void *m, const char *frame);
 //   headed  whether the names of CSV's columns have been printed
 // Returned:
 //   headed  true once they have
-void orr_message_show(const orr_message_info *info, const void *m, orr_show_format format, const char *frame,
+//   (value)  false without memory for it
+bool orr_message_show(const orr_message_info *info, const void *m, orr_show_format format, const char *frame,
                       bool *headed);
 
 #endif

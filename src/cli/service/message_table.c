@@ -150,25 +150,25 @@ static void fill_row(column *c, size_t n, const orr_record *r, const void *one, 
     snprintf(out->text[1], ORR_MESSAGE_CELL, "%s", word != NULL ? word->words : "unknown answer");
 }
 
-static void print_list(const orr_field *list, const orr_record *top, const void *m, size_t n_rows)
+static bool print_list(const orr_field *list, const orr_record *top, const void *m, size_t n_rows)
 {
     column c[MAX_COLUMNS];
     const orr_record *r = list->record;
     size_t n = columns_of(r, top, m, c), used = 0, counted[256] = {0};
-    void *one = orr_message_room(r);
+    orr_message_room one;
     row *rows = calloc(n_rows + 1, sizeof *rows);
     cell *text = calloc((n_rows + 1) * (n + 1), sizeof *text), head[MAX_COLUMNS];
     orr_wire_iter it = {0};
-    if (one == NULL || rows == NULL || text == NULL) n_rows = 0;
-    while (used < n_rows && list->next(orr_message_member(list, m), &it, one)) {
-        uint8_t answer = orr_message_answer(r, one);
+    const bool room = rows != NULL && text != NULL;
+    while (room && used < n_rows && list->next(orr_message_member(list, m), &it, &one)) {
+        uint8_t answer = orr_message_answer(r, &one);
         const orr_field_word *word = answer_word(answer_field(r), answer);
         if (word != NULL && word->counted) {
             counted[answer]++;
             continue;
         }
         rows[used].text = text + used * (n + 1);
-        fill_row(c, n, r, one, &rows[used++]);
+        fill_row(c, n, r, &one, &rows[used++]);
     }
     for (size_t i = 0; i < n; i++) memcpy(head[i], c[i].head, sizeof head[i]);
     if (used > 0) print_row(c, n, head);
@@ -180,9 +180,9 @@ static void print_list(const orr_field *list, const orr_record *top, const void 
     for (size_t a = 0; a < 256; a++)
         if (counted[a] > 0)
             printf("%zu more %s\n", counted[a], answer_word(answer_field(r), (uint8_t)a)->words);
-    free(one);
     free(rows);
     free(text);
+    return room;
 }
 
 // --- What stands above the list ---
@@ -227,17 +227,15 @@ static void print_epoch(const orr_record *r, const void *m)
     }
 }
 
-void orr_message_table(const orr_record *r, const void *m, const char *frame)
+bool orr_message_table(const orr_record *r, const void *m, const char *frame)
 {
     const orr_field *list = orr_message_rows(r);
     bool ok = orr_message_answer(r, m) == ORR_MSG_ANSWER_OK;
     print_epoch(r, m);
     size_t n_rows = 0;
     if (list != NULL && ok) {
-        void *one = orr_message_room(list->record);
-        for (orr_wire_iter it = {0}; one != NULL && list->next(orr_message_member(list, m), &it, one);)
-            n_rows++;
-        free(one);
+        orr_message_room one;
+        for (orr_wire_iter it = {0}; list->next(orr_message_member(list, m), &it, &one);) n_rows++;
         printf("  %zu %s, %s", n_rows, list->head, frame);
     }
     for (size_t i = 0; i < r->n; i++) {
@@ -249,5 +247,5 @@ void orr_message_table(const orr_record *r, const void *m, const char *frame)
         print_field(f, orr_message_member(f, m), list != NULL ? 0 : 20);
     }
     putchar('\n');
-    if (list != NULL && ok) print_list(list, r, m, n_rows);
+    return list == NULL || !ok || print_list(list, r, m, n_rows);
 }

@@ -66,11 +66,10 @@ static void put_array(csv_row *row, const orr_field *f, const void *at)
 
 static void put_only_member(csv_row *row, const orr_field *f, const void *list)
 {
-    void *one = orr_message_room(f->record);
+    orr_message_room one;
     orr_wire_iter it = {0};
-    bool there = one != NULL && list != NULL && f->next(list, &it, one);
-    put_fields(row, f->record, there ? one : NULL);
-    free(one);
+    bool there = list != NULL && f->next(list, &it, &one);
+    put_fields(row, f->record, there ? &one : NULL);
 }
 
 static void put_field(csv_row *row, const orr_field *f, const void *at)
@@ -143,9 +142,7 @@ void orr_message_csv(const orr_record *r, const void *m, bool *headed, FILE *out
         put_row(false, r, m, NULL, NULL, out);
         return;
     }
-    void *one = orr_message_room(rows->record);
+    orr_message_room one;
     orr_wire_iter it = {0};
-    while (one != NULL && rows->next(orr_message_member(rows, m), &it, one))
-        put_row(false, r, m, rows->record, one, out);
-    free(one);
+    while (rows->next(orr_message_member(rows, m), &it, &one)) put_row(false, r, m, rows->record, &one, out);
 }

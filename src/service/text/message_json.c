@@ -77,10 +77,9 @@ static void add_list(json_t *j, const orr_field *f, const void *list, const orr_
         double v; // smaller kinds fit into its room
         while (f->next(list, &it, &v)) json_array_append_new(a, orr_json_number(orr_field_number(f, &v, 0)));
     } else {
-        void *one = orr_message_room(f->record);
-        while (one != NULL && f->next(list, &it, one))
-            json_array_append_new(a, json_of_record(f->record, one, top, message));
-        free(one);
+        orr_message_room one;
+        while (f->next(list, &it, &one))
+            json_array_append_new(a, json_of_record(f->record, &one, top, message));
     }
     if (f->limit > 1 || f->record == NULL) {
         json_object_set_new(j, f->text_name, a);

@@ -31,18 +31,15 @@ const orr_field *orr_message_rows(const orr_record *r)
     return NULL;
 }
 
-void *orr_message_room(const orr_record *r) { return malloc(r->size); }
-
 uint64_t orr_message_numbers(const orr_record *r, const void *m)
 {
     const orr_field *rows = orr_message_rows(r);
     if (rows == NULL) return orr_message_answer(r, m) == ORR_MSG_ANSWER_OK;
-    void *one = orr_message_room(rows->record);
+    orr_message_room one;
     uint64_t n = 0;
     orr_wire_iter it = {0};
-    while (one != NULL && rows->next(orr_message_member(rows, m), &it, one))
-        n += orr_message_answer(rows->record, one) == ORR_MSG_ANSWER_OK;
-    free(one);
+    while (rows->next(orr_message_member(rows, m), &it, &one))
+        n += orr_message_answer(rows->record, &one) == ORR_MSG_ANSWER_OK;
     return n;
 }
 

@@ -3,6 +3,7 @@
 #ifndef ORR_SERVICE_TEXT_MESSAGE_TEXT_H
 #define ORR_SERVICE_TEXT_MESSAGE_TEXT_H
 
+#include <stddef.h>
 #include <stdio.h>
 
 #include "proto/fields.h"
@@ -22,8 +23,11 @@ static inline const void *orr_message_member(const orr_field *f, const void *m)
 const char *orr_message_name(const orr_field *f);
 // The list of records that the rows of a table are; NULL where a message has none.
 const orr_field *orr_message_rows(const orr_record *r);
-// Room for one record of a list; NULL without memory. Free it.
-void *orr_message_room(const orr_record *r);
+// Room for one record of any list (test_json_line looks that it is enough).
+typedef union orr_message_room {
+    max_align_t align;
+    unsigned char bytes[1024];
+} orr_message_room;
 // An enum's value, a bit set's names, a satellite, an instant, a letter or an integer as text; `words`: as for
 // people, otherwise as the specification names it.
 char *orr_message_text(const orr_field *f, const void *at, bool words, char cell[ORR_MESSAGE_CELL]);

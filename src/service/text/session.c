@@ -92,23 +92,20 @@ static int put_answer(orr_scpi *s, uint16_t type, const orr_msg_any *request, bo
         orr_message_values(info->record, &m, out);
         return 0;
     }
-    void *one = orr_message_room(rows->record);
+    orr_message_room one;
     size_t n = 0;
     orr_wire_iter it = {0};
-    while (one != NULL && rows->next(orr_message_member(rows, &m), &it, one)) n++;
+    while (rows->next(orr_message_member(rows, &m), &it, &one)) n++;
     if (n == 0 && !all) {
-        free(one);
         snprintf(s->detail, sizeof s->detail, "outside the span that is served");
         return ORR_SCPI_RANGE;
     }
     if (all) fprintf(out, "%zu", n);
     it = (orr_wire_iter){0};
-    for (size_t k = 0; one != NULL && k < (all ? n : 1) && rows->next(orr_message_member(rows, &m), &it, one);
-         k++) {
+    for (size_t k = 0; k < (all ? n : 1) && rows->next(orr_message_member(rows, &m), &it, &one); k++) {
         if (all) putc(',', out);
-        orr_message_values(rows->record, one, out);
+        orr_message_values(rows->record, &one, out);
     }
-    free(one);
     return 0;
 }
 

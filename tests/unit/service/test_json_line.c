@@ -3,6 +3,7 @@
 // answered.
 #include "testing.h"
 
+#include "src/service/text/message_text.h"
 #include "src/service/text/session.h"
 #include "unit/proto/fake.h"
 
@@ -106,9 +107,32 @@ static void good_requests(void **state)
     }
 }
 
+// A list's record has room where lists are printed.
+static void look_for_room(const orr_record *r)
+{
+    for (size_t i = 0; i < r->n; i++) {
+        const orr_record *inner = r->field[i].record;
+        if (inner == NULL) continue;
+        assert_true(inner->size <= sizeof(orr_message_room));
+        look_for_room(inner);
+    }
+}
+
+static void records_have_room(void **state)
+{
+    (void)state;
+    size_t messages = 0;
+    for (unsigned type = 0; type <= UINT16_MAX; type++) {
+        const orr_message_info *info = orr_message_of((uint16_t)type);
+        if (info != NULL) look_for_room(info->record), messages++;
+    }
+    assert_true(messages > 20);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(records_have_room),
         cmocka_unit_test(bad_requests),
         cmocka_unit_test(good_requests),
     };
