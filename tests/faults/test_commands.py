@@ -236,10 +236,10 @@ class Commands(unittest.TestCase):
     def test_navfit_bits(self):
         self.try_all("navfit", WORK / "day.nc", "--sat", "G01", "--bits", "bits.csv", "-j", "1")
 
-    @unittest.skipUnless(LONG, "a day of 80 satellites, again and again")
     def test_make_days(self):
         self.try_all("make-days", "-o", "days", "--from", "2025-03-21", "--sat", "G01", "--step", "6h", "--push", "G01,2025-03-21T01:00:00,0.1", "-j", "1")
 
+    @unittest.skipUnless(LONG, "a day of 80 satellites, again and again")
     def test_batch(self):
         self.try_all("batch", "--archive", "archive", "--inputs", SAMPLES, "--name", "*_05M_ORB.SP3.gz", "-j", "1", same=False)
 
