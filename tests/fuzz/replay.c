@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stands in for libFuzzer where a test replays seeds: every file of the folders named, as it is, and
-// with a fixed set of mutations: those by bytes below, and as many of the target's own where it has some (mutate_*.c). Nothing is judged here; a
-// fault ends the program (under the sanitizers), a hang meets ctest's limit.
+// with a fixed set of mutations: those by bytes below, and as many of the target's own where it has some (mutate_*.c); of folders behind
+// --as-it-is without mutations. Nothing is judged here; a fault ends the program (under the sanitizers), a hang meets ctest's limit.
 #include <dirent.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -64,7 +64,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t n, size_t most, unsigned se
 }
 #endif
 
-static int replay(const char *path, size_t *n_run)
+static int replay(const char *path, int mutations, size_t *n_run)
 {
     static uint8_t seed[MAX_SEED], work[2 * MAX_SEED];
     FILE *f = fopen(path, "rb");
@@ -73,7 +73,7 @@ static int replay(const char *path, size_t *n_run)
     fclose(f);
     LLVMFuzzerTestOneInput(seed, n);
     (*n_run)++;
-    for (int i = 0; i < MUTATIONS; i++) {
+    for (int i = 0; i < mutations; i++) {
         size_t m = n;
         memcpy(work, seed, n);
         for (uint64_t k = next_random() % 4; k < 4; k++)
@@ -94,8 +94,12 @@ int main(int argc, char **argv)
 {
     (void)LLVMFuzzerInitialize(&argc, &argv);
     size_t n_run = 0, n_files = 0;
-    int bad = 0;
+    int bad = 0, mutations = MUTATIONS;
     for (int a = 1; a < argc; a++) {
+        if (strcmp(argv[a], "--as-it-is") == 0) {
+            mutations = 0;
+            continue;
+        }
         char *name[4096];
         size_t n = 0;
         DIR *d = opendir(argv[a]);
@@ -108,7 +112,7 @@ int main(int argc, char **argv)
             char path[4096];
             snprintf(path, sizeof path, "%s/%s", argv[a], name[i]);
             state = i;
-            bad |= replay(path, &n_run);
+            bad |= replay(path, mutations, &n_run);
             free(name[i]);
         }
         n_files += n;
