@@ -66,6 +66,14 @@ static bool has_moved_to(const orr_streams *s, const orr_stream *x)
            orr_vehicle_reach(s->options.vehicle) >= x->next;
 }
 
+bool streams_follow_motion(const orr_streams *s)
+{
+    bool any = false;
+    for (size_t k = 0; k < s->n && !any && s->pace.clock.state == ORR_CLOCK_RUNNING; k++)
+        any = !s->stream[k]->ended && s->stream[k]->credit > 0 && has_moved_to(s, s->stream[k]);
+    return any;
+}
+
 // A stream that follows the clock.
 static need look_paced(orr_streams *s, orr_stream *x, int64_t now_ns, int64_t *when_ns)
 {

@@ -221,9 +221,12 @@ uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_
     const uint16_t code = orr_vehicle_take(s->options.vehicle, m, now, why);
     if (code != 0) return code;
     pthread_mutex_lock(&s->lock);
+    if (streams_follow_motion(s)) atomic_store(&s->moved, true);
     unlock_changed(s);
     return 0;
 }
+
+bool orr_streams_moved(orr_streams *s) { return s->has_thread && atomic_exchange(&s->moved, false); }
 
 bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told)
 {

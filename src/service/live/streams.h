@@ -76,6 +76,8 @@ uint16_t orr_streams_radio(orr_streams *s, const orr_msg_radio_time *m, orr_time
                            orr_server_refusal *why);
 // MOTION: 0 or an ORR_MSG_ERROR_CODE. Blocks that are due are made with it.
 uint16_t orr_streams_motion(orr_streams *s, const orr_msg_motion *m, orr_server_refusal *why);
+// Whether motion has come since this was last asked that a stream's next block was waiting for, so that it is being made.
+bool orr_streams_moved(orr_streams *s);
 // GET_MOTION_STATS; false where no motion is taken.
 bool orr_streams_motion_stats(orr_streams *s, bool reset, orr_msg_motion_stats *told);
 // Where the scenario's clock begins (LOAD, `begin`).

@@ -4,6 +4,7 @@
 #define ORR_SERVICE_LIVE_STREAMS_PRIVATE_H
 
 #include <pthread.h>
+#include <stdatomic.h>
 
 #include "src/service/live/modes.h"
 #include "src/service/live/streams.h"
@@ -45,6 +46,7 @@ struct orr_streams {
     bool has_thread, stop;
     bool told;          // something has been listed since the last wake
     bool changed_since; // something that the thread waits for, since it last looked
+    atomic_bool moved;  // as of orr_streams_moved
     orr_pace pace;
     int64_t looked_ns; // when the host's clocks were compared last
     orr_modes modes;
@@ -83,6 +85,8 @@ void streams_begin_modes(orr_streams *s, orr_stream *x);
 bool streams_has_modes(const orr_stream *x);
 // Tells it; by the thread.
 void streams_make_modes(orr_stream *x);
+// Whether a stream's next block waits for nothing any more since motion has come (schedule.c).
+bool streams_follow_motion(const orr_streams *s);
 // Takes a stream out and frees it.
 void streams_forget(orr_stream *x);
 // Frees one that was never in.

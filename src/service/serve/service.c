@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/service/serve/service.h"
 
-#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include "src/service/serve/service_private.h"
@@ -74,6 +72,12 @@ static void on_tell(void *user, const char *line) { orr_service_tell(user, "%s",
 static void send_streams(orr_service *s)
 {
     for (orr_conn *c; s->streams != NULL && (c = orr_streams_ready(s->streams)) != NULL;) orr_conn_stream(c);
+}
+
+// Where motion has come that blocks were waiting for, they will be there in a moment.
+static void answer_motion(orr_service *s)
+{
+    if (s->streams != NULL && orr_streams_moved(s->streams) && orr_wake_watch(&s->wake)) send_streams(s);
 }
 
 static void on_sweep(evutil_socket_t fd, short what, void *user)
@@ -165,10 +169,10 @@ static void on_hangup(evutil_socket_t fd, short what, void *user)
 
 static void on_wake(evutil_socket_t fd, short what, void *user)
 {
+    (void)fd;
     (void)what;
     orr_service *s = user;
-    uint64_t times;
-    if (read(fd, &times, sizeof times) < 0 && errno != EAGAIN) return;
+    (void)orr_wake_take(&s->wake);
     send_streams(s);
 }
 
@@ -190,7 +194,7 @@ static orr_status add_listener(orr_service *s, size_t i, const char *url, orr_di
 static orr_status add_events(orr_service *s, orr_diag *diag)
 {
     s->on_sweep = event_new(s->loop.base, -1, EV_PERSIST, on_sweep, s);
-    s->on_wake = event_new(s->loop.base, s->wake_fd, EV_READ | EV_PERSIST, on_wake, s);
+    s->on_wake = event_new(s->loop.base, s->wake.fd, EV_READ | EV_PERSIST, on_wake, s);
     if (s->on_sweep == NULL || s->on_wake == NULL || event_add(s->on_wake, NULL) != 0)
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     sweep_every(s, sweep_s);
@@ -213,7 +217,7 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
     pthread_mutex_init(&s->watch.lock, NULL);
     s->rate = (orr_log_rate){.burst = 20, .every_ns = 200000000};
     orr_turns_init(&s->turns, ORR_CONN_TURN_NS);
-    s->wake_fd = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+    const bool wakes = orr_wake_open(&s->wake);
     s->datagrams = orr_datagrams_open();
     orr_status status = orr_loop_open(&s->loop, stop, s, diag);
     if (status == ORR_OK && options->access == NULL)
@@ -230,7 +234,7 @@ orr_status orr_service_open(const orr_service_options *options, const orr_server
         ; // told
     else if (s->door == NULL || s->datagrams == NULL)
         status = orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
-    else if (s->wake_fd < 0)
+    else if (!wakes)
         status = orr_diag_set(diag, ORR_E_IO, "no eventfd");
     if (status == ORR_OK) status = add_events(s, diag);
     for (size_t i = 0; status == ORR_OK && i < n; i++)
@@ -250,11 +254,8 @@ orr_datagrams *orr_service_datagrams(const orr_service *s) { return s->datagrams
 
 void orr_service_wake(void *user)
 {
-    const orr_service *s = user;
-    const uint64_t once = 1;
-    // It fails only where 2^64 - 1 wakes have not been looked at: one more says nothing new.
-    ssize_t n = write(s->wake_fd, &once, sizeof once);
-    (void)n;
+    orr_service *s = user;
+    orr_wake_ring(&s->wake);
 }
 
 const char *orr_service_url(const orr_service *s, size_t i) { return orr_door_url(s->door, i); }
@@ -289,6 +290,7 @@ orr_status orr_service_run(orr_service *s, void (*ready)(void *user), void *user
         if (event_base_loop(s->loop.base, how) < 0)
             return orr_diag_set(diag, ORR_E_IO, "the event loop failed");
         take_turns(s);
+        answer_motion(s);
     }
     return ORR_OK;
 }
@@ -307,7 +309,7 @@ void orr_service_close(orr_service *s)
         if (events[i] != NULL) event_free(events[i]);
     orr_loop_close(&s->loop);
     orr_datagrams_close(s->datagrams);
-    if (s->wake_fd >= 0) close(s->wake_fd);
+    orr_wake_close(&s->wake);
     orr_turns_free(&s->turns);
     pthread_mutex_destroy(&s->watch.lock);
     free(s->watch.row);

@@ -12,6 +12,7 @@
 #include "src/service/net/loop.h"
 #include "src/service/serve/service.h"
 #include "src/service/serve/turns.h"
+#include "src/service/serve/wake.h"
 
 enum {
     ORR_CONN_OUT = 128 << 10, // output at first: many frames a write; grows up to one largest frame
@@ -48,7 +49,7 @@ struct orr_service {
     atomic_llong beat_ns; // when the loop last came round
     atomic_ullong clients, came, refused, requests, refusals, held;
     struct event *on_sweep, *on_int, *on_term, *on_hangup;
-    int wake_fd; // an eventfd: streams have something to send
+    orr_wake wake; // streams have something to send
     struct event *on_wake;
     orr_conn *conns; // all, newest first
     int n_conns;     // of those that are served
