@@ -17,7 +17,8 @@ void orr_gen_add_plain(bool first, const int16_t *group, size_t n, int32_t *sum)
 // a * b / 2^15, rounded, as pmulhrsw and vqrdmulh do it.
 static inline int16_t times(int16_t a, int16_t b) { return (int16_t)((a * b + 0x4000) >> 15); }
 
-// Chips of one group: of eight samples the phase of the first is truncated to 1/8192 sub-chip and the steps are rounded.
+// Chips of one group: of eight samples the phase of the first is truncated to 1/8192 sub-chip and the steps are rounded, so that in the mean the code is
+// neither early nor late.
 static inline void group_chips(const orr_gen_run *run, uint64_t code, const uint16_t steps[8],
                                int16_t *restrict chip)
 {
@@ -65,10 +66,10 @@ void orr_gen_mix_plain(const orr_gen_run *run, int16_t *re, int16_t *im)
 {
     int16_t chip[ORR_GEN_GROUP], s_re[ORR_GEN_GROUP], s_im[ORR_GEN_GROUP];
     uint16_t steps[8];
-    steps_of_eight(run->code_step, steps);
+    const uint64_t ahead = steps_of_eight(run->code_step, steps);
     const rotations r = rotations_of(run);
     const orr_gen_carrier *c = run->carrier;
-    uint64_t code = run->code;
+    uint64_t code = run->code + ahead;
     for (size_t g = run->group; g < run->group + run->n; g++) {
         const size_t at = g * ORR_GEN_GROUP;
         group_chips(run, code, steps, chip);

@@ -52,9 +52,8 @@ static inline __attribute__((always_inline)) void groups_of(const orr_gen_run *r
     const orr_gen_carrier *c = run->carrier;
     const uint64_t step = run->code_step, group = ORR_GEN_GROUP * step;
     const int8_t *chips = run->chips;
-    uint64_t code = run->code;
     uint16_t w[8];
-    steps_of_eight(step, w);
+    uint64_t code = run->code + steps_of_eight(step, w);
     __m128i w8;
     memcpy(&w8, w, sizeof w8);
     const __m256i steps = _mm256_broadcastsi128_si256(w8);

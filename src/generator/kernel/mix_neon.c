@@ -51,9 +51,9 @@ static inline void group(const orr_gen_run *run, uint64_t code, uint16x8_t steps
 void orr_gen_mix_neon(const orr_gen_run *run, int16_t *re, int16_t *im)
 {
     uint16_t w[8];
-    steps_of_eight(run->code_step, w);
+    const uint64_t ahead = steps_of_eight(run->code_step, w);
     const uint16x8_t steps = vld1q_u16(w);
-    uint64_t code = run->code;
+    uint64_t code = run->code + ahead;
     for (size_t g = run->group; g < run->group + run->n; g++, code += ORR_GEN_GROUP * run->code_step)
         group(run, code, steps, vdupq_n_s16((int16_t)run->carrier->group_re[g]),
               vdupq_n_s16((int16_t)run->carrier->group_im[g]), re + g * ORR_GEN_GROUP,

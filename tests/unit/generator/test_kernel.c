@@ -245,6 +245,54 @@ static void code_against_exact(void **state)
     }
 }
 
+// The least code word from 0 on with which sample i of a group has sub-chip `chip`, which is within one of its own.
+static uint64_t edge_of(const orr_gen_carrier *c, const int8_t *chips, uint64_t step, unsigned i,
+                        uint64_t chip)
+{
+    uint64_t low = 0, high = (uint64_t)1 << ORR_GEN_CODE_BITS; // it has it with `high`
+    while (low < high) {
+        const uint64_t code = low + (high - low) / 2;
+        int16_t re[ORR_GEN_GROUP] = {0}, im[ORR_GEN_GROUP] = {0};
+        const orr_gen_run run = {c, 0, 1, 1, chips, code, step, ORR_GEN_LEVELS};
+        orr_gen_mix_plain(&run, re, im);
+        if ((uint64_t)(re[i] + 32) / 64 > chip)
+            high = code;
+        else
+            low = code + 1;
+    }
+    return low;
+}
+
+// Where the edges of eight samples are, for steps of many sizes: that what steps are rounded by is not early or late in the mean,
+// for any rate. (In samples of a pass the mean is hidden by how few of them are next to an edge.)
+static void edges_are_neither_early_nor_late(void **state)
+{
+    (void)state;
+    int8_t chips[ORR_GEN_CHIPS_BEYOND];
+    for (int k = 0; k < ORR_GEN_CHIPS_BEYOND; k++) chips[k] = (int8_t)(1 + k);
+    orr_gen_carrier c;
+    orr_gen_carrier_plain(0, 0, 8191, 1, &c);
+    const double unit = ldexp(1, ORR_GEN_CODE_BITS);
+    double most_mean = 0, most_edge = 0;
+    for (unsigned n = 0; n < 1000; n++) {
+        const uint64_t step =
+            (uint64_t)(unit * ORR_GEN_CHIPS_IN_SAMPLE * fmod(0.6180339887498949 * (n + 1), 1));
+        double mean = 0;
+        for (unsigned i = 0; i < 8; i++) {
+            const uint64_t next = (i * step >> ORR_GEN_CODE_BITS) + 1;
+            const uint64_t edge = edge_of(&c, chips, step, i, next);
+            const double early = ((double)next * unit - (double)(edge + i * step)) / unit;
+            if (fabs(early) > most_edge) most_edge = fabs(early);
+            mean += early / 8;
+        }
+        if (fabs(mean) > most_mean) most_mean = fabs(mean);
+    }
+    print_message("edges of 1000 rates: %.2g sub-chip in the mean of eight samples at most, %.2g of one\n",
+                  most_mean, most_edge);
+    ASSERT_NEAR(most_mean, 0, ldexp(1, -17)); // half of 1/8192 of one sample in eight
+    ASSERT_NEAR(most_edge, 0, 1e-4);
+}
+
 // Chips of every level at a phasor of known size: what is added is amplitude * level / 128, and amplitude * chip.
 static void levels(void **state)
 {
@@ -365,6 +413,7 @@ int main(void)
         cmocka_unit_test(vectors),
         cmocka_unit_test(carrier_against_exact),
         cmocka_unit_test(code_against_exact),
+        cmocka_unit_test(edges_are_neither_early_nor_late),
         cmocka_unit_test(levels),
         cmocka_unit_test(borders),
         cmocka_unit_test(spectrum),
