@@ -69,6 +69,7 @@ class BadNetwork(unittest.TestCase):
 
     def test_streams_of_datagrams(self):
         count = 1500 if LONG else 150
+        self.net.double = 0.2
         client = self.connect()
         before = self.net.dropped[relay.SERVER], self.net.doubled[relay.SERVER]
         stream = client.subscribe(messages.Poll(satellites=[]), None, 0.01, count=count, lead_s=0.2, credit=2000, window=0, datagrams=True)
@@ -87,12 +88,14 @@ class BadNetwork(unittest.TestCase):
         # Ten satellites fit into one packet: the relay's counts are the client's.
         time.sleep(0.1)
         lost = self.net.dropped[relay.SERVER] - before[0]
-        self.assertTrue(0.01 * count < lost < 0.15 * count, lost)
+        self.assertTrue(0 < lost < 0.15 * count, lost)
         self.assertEqual(count + 1 - reader.taken, lost)
         self.assertLessEqual(reader.missing, lost)
         self.assertEqual(reader.refused, 0)
-        self.assertLessEqual(reader.replayed, self.net.doubled[relay.SERVER] - before[1])
-        self.assertGreater(reader.replayed, 0.01 * count)
+        # Copies that come behind the end, 30 ms late at most of one every 10 ms, are not read any more.
+        doubled = self.net.doubled[relay.SERVER] - before[1]
+        self.assertGreater(doubled, 0.05 * count)
+        self.assertIn(reader.replayed, range(max(1, doubled - 4), doubled + 1))
 
     def test_streams_of_frames(self):
         client = self.connect()
