@@ -71,7 +71,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         const uint8_t *payload = data + at + 2;
         orr_wire_writer out = {room, 0, sizeof room, ORR_WIRE_OK};
         if (n > size - at - 2) n = size - at - 2;
-        const orr_frame frame = {1, 0, (uint16_t)(20 + data[at] % 20), ++sequence, payload, (uint32_t)n};
+        const uint16_t type = (uint16_t)(data[at] < 240 ? 20 + data[at] % 20 : 40 + data[at] % 16);
+        const orr_frame frame = {1, 0, type, ++sequence, payload, (uint32_t)n};
         if (orr_msg_is_lane(frame.type)) must(orr_lanes_take(&lanes, &frame, &out));
         orr_lanes_passed(&lanes); // the descriptor of a ring has gone
         if (lanes.motion != NULL && n > 0) {

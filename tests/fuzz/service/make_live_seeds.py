@@ -17,7 +17,7 @@ def piece(message):
     if isinstance(message, bytes):
         return message
     data = message.encode()
-    return bytes([message.TYPE - 20, len(data)]) + data
+    return bytes([message.TYPE - 20 if message.TYPE < 40 else 200 + message.TYPE, len(data)]) + data
 
 
 def poll(t, step, count):
@@ -37,6 +37,8 @@ LANES = {
     "ring": [m.Subscribe(6, 0, 1, 10, 0, poll(0, 10**6, 5)), m.Subscribe(6, 0, 1, 2, 0, poll(0, 10**6, 0)), m.Credit(2, 5), m.Unsubscribe(2),
              m.Subscribe(6, 0, 2, 2, 0, poll(0, 10**6, 0))],
     "load": [m.Control(1, 0, 0, NONE, NONE, 0, "two"), m.Control(1, 0, 0, 5, NONE, 0, ""), m.Control(4, 0, 0, NONE, NONE, 0, "../x")],
+    "modes": [m.Subscribe(m.GetModes.TYPE, 0, 0, 3, 0, m.GetModes(0).encode()), m.Control(4, 0, 0, NONE, NONE, 0), m.GetModes(0), motion(0), m.GetModes(1),
+              m.Control(5, 0, 0, NONE, NONE, 0), m.GetModes(2**64 - 1), m.Control(6, 0, 0, NONE, NONE, 0), m.Credit(1, 1), m.Unsubscribe(1)],
     "radio": [m.RadioTime(10**9, 0, 0), m.RadioTime(1002 * 10**6, 0, 0), m.Control(2, 1, 0, 5 * 10**9, NONE, 0), m.Control(3, 1, 0, NONE, NONE, 0),
               m.Control(4, 1, 0, NONE, NONE, 10**7), m.RadioTime(1004 * 10**6, 0, 0)],
     "motion": [m.Control(4, 0, 0, NONE, NONE, 0), motion(0), motion(10**7), motion(2 * 10**7, snap=1, pos_m=[3e6, 2e6, 5.3e6]), m.GetMotionStats(1),
