@@ -45,8 +45,9 @@ static void skip_to(orr_stream *x, orr_time t, uint8_t reason)
     }
     uint64_t blocks = (uint64_t)(orr_time_sub_ns(t, x->next) / x->step_ns) + 1;
     if (blocks > x->left) blocks = x->left;
-    tell_gap(x, x->next + (int64_t)(blocks - 1) * x->step_ns, blocks, reason);
-    x->next = orr_time_add(x->next, (int64_t)blocks * x->step_ns);
+    const orr_time last = orr_time_add(x->next, (int64_t)(blocks - 1) * x->step_ns); // not after t
+    tell_gap(x, last, blocks, reason);
+    x->next = orr_time_add(last, x->step_ns);
     if (x->left != UINT64_MAX) x->left -= blocks;
 }
 

@@ -25,8 +25,8 @@ static void compare_clocks(orr_streams *s, int64_t now_ns)
 {
     static const int64_t every_ns = ORR_NS_PER_S / 5;
     if (s->looked_ns != 0 && now_ns - s->looked_ns < every_ns) return;
-    const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
+    const orr_host h = streams_host(s); // in the order in which they are compared
     orr_pace_host(&s->pace, &h);
     pthread_mutex_unlock(&s->lock);
     s->looked_ns = now_ns;
@@ -252,10 +252,15 @@ orr_clock orr_streams_clock(orr_streams *s)
 
 void orr_streams_time(orr_streams *s, orr_msg_time *told)
 {
-    const orr_host h = streams_host(s);
     pthread_mutex_lock(&s->lock);
+    const uint64_t before = (uint64_t)s->pace.sets + s->pace.suspends;
+    const orr_host h = streams_host(s);
+    if (s->has_thread) orr_pace_host(&s->pace, &h); // what has happened since the thread last compared them
     orr_pace_time(&s->pace, &h, told);
-    pthread_mutex_unlock(&s->lock);
+    if ((uint64_t)s->pace.sets + s->pace.suspends != before)
+        unlock_changed(s);
+    else
+        pthread_mutex_unlock(&s->lock);
 }
 
 orr_time orr_stream_made(orr_stream *x)
