@@ -5,17 +5,11 @@
 #include <sched.h>
 #include <stdint.h>
 #include <sys/eventfd.h>
-#include <time.h>
 #include <unistd.h>
 
-enum { WATCH_NS = 100000, MOST_VAIN = 6 };
+#include "core/monotonic.h"
 
-static int64_t now_ns(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
-}
+enum { WATCH_NS = 100000, MOST_VAIN = 6 };
 
 bool orr_wake_open(orr_wake *w)
 {
@@ -61,8 +55,8 @@ bool orr_wake_watch(orr_wake *w)
         return false;
     }
     atomic_store(&w->watched, true);
-    const int64_t until_ns = now_ns() + WATCH_NS;
-    while (!atomic_load_explicit(&w->rung, memory_order_relaxed) && now_ns() < until_ns) continue;
+    const int64_t until_ns = orr_monotonic_ns() + WATCH_NS;
+    while (!atomic_load_explicit(&w->rung, memory_order_relaxed) && orr_monotonic_ns() < until_ns) continue;
     atomic_store(&w->watched, false);
     const bool rung = atomic_exchange(&w->rung, false);
     w->vain = rung ? 0 : w->vain < MOST_VAIN ? w->vain + 1 : MOST_VAIN;
