@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <grp.h>
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -20,6 +21,8 @@ struct orr_access {
     bool insecure;
     unsigned at_most;
     rules now;
+    bool in_the_open; // an address that other machines reach is listened on without TLS
+    atomic_uint edition;
 };
 
 static void drop(rules *r)
@@ -48,6 +51,7 @@ orr_status orr_access_open(const char *path, bool insecure, unsigned at_most, or
     if (a == NULL) return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
     pthread_mutex_init(&a->lock, NULL);
     a->insecure = insecure;
+    atomic_init(&a->edition, 1);
     a->at_most = at_most;
     a->path = path != NULL ? strdup(path) : NULL;
     orr_status s = path != NULL && a->path == NULL ? orr_diag_set(diag, ORR_E_MEMORY, "out of memory")
@@ -81,12 +85,23 @@ orr_status orr_access_reload(orr_access *a, orr_diag *diag)
         return orr_diag_at(diag, ORR_E_FORMAT, a->path, 0, 0,
                            "names no certificate any more, and clients come by TLS");
     }
+    if (a->in_the_open && !a->insecure && !fresh.file.insecure_listen) {
+        pthread_mutex_unlock(&a->lock);
+        drop(&fresh);
+        return orr_diag_at(
+            diag, ORR_E_FORMAT, a->path, 0, 0,
+            "has no insecure_listen any more, and an address is listened on without TLS: stop the "
+            "service and start it by tls://");
+    }
     rules old = a->now;
     a->now = fresh;
     pthread_mutex_unlock(&a->lock);
+    atomic_fetch_add(&a->edition, 1);
     drop(&old);
     return ORR_OK;
 }
+
+unsigned orr_access_edition(const orr_access *a) { return atomic_load(&a->edition); }
 
 orr_status orr_access_listen(orr_access *a, const orr_url *bound, orr_diag *diag)
 {
@@ -94,13 +109,15 @@ orr_status orr_access_listen(orr_access *a, const orr_url *bound, orr_diag *diag
     orr_url_text(bound, text);
     pthread_mutex_lock(&a->lock);
     const bool has_tls = a->now.tls != NULL, insecure = a->insecure || a->now.file.insecure_listen;
+    const bool in_the_open = !bound->tls && !orr_url_is_local(bound);
+    if (in_the_open && insecure) a->in_the_open = true;
     pthread_mutex_unlock(&a->lock);
     if (bound->tls && !has_tls)
         return orr_diag_set(diag, ORR_E_ARG,
                             "%s: there is no certificate: 'orrery tls init DIR' makes them, then --access "
                             "DIR/access.yaml",
                             text);
-    if (bound->tls || insecure || orr_url_is_local(bound)) return ORR_OK;
+    if (!in_the_open || insecure) return ORR_OK;
     return orr_diag_set(
         diag, ORR_E_ARG,
         "%s can be reached from other machines: listen there by tls:// ('orrery tls init DIR' "

@@ -21,7 +21,10 @@ orr_status orr_access_open(const char *path, bool insecure, unsigned at_most, or
                            orr_diag *diag);
 void orr_access_close(orr_access *a); // NULL is allowed
 // Reads the file again: the new rules hold from now on, or, after an error, the old ones stay.
+// Rules that no longer allow an address that is listened on are an error too (ORR_E_FORMAT): it could not be closed without a drop.
 orr_status orr_access_reload(orr_access *a, orr_diag *diag);
+// The number of the present rules, from 1 on: who keeps what a client may do asks again when it has changed.
+unsigned orr_access_edition(const orr_access *a);
 
 // Whether one may listen there: on this machine, with TLS where there is a certificate, or without where that is allowed explicitly.
 // ORR_E_ARG with what to do otherwise.

@@ -134,6 +134,15 @@ static void begin_handshake(orr_door *d, int fd, const orr_guest *g)
     orr_link_await(link, a, on_done, on_failed);
 }
 
+bool orr_guest_readmit(orr_guest *g, orr_access *access)
+{
+    const unsigned edition = orr_access_edition(access);
+    if (g->name[0] == '\0') return true;
+    if (g->edition != edition) g->may = orr_access_named(access, g->name);
+    g->edition = edition;
+    return g->may != ORR_MAY_NOTHING;
+}
+
 // --- Arrivals ---
 
 static void come_in(const listener *l, int fd, orr_guest *g)
@@ -231,6 +240,11 @@ static orr_status take_in(orr_door *d, listener *l, orr_diag *diag)
     l->on_accept = event_new(d->options.base, l->fd, EV_READ | EV_PERSIST, on_accept, l);
     if (l->on_accept == NULL || event_add(l->on_accept, NULL) != 0)
         return orr_diag_set(diag, ORR_E_MEMORY, "out of memory");
+    if (!l->local && !l->url.tls)
+        tell(d,
+             ORR_ID("R09") "%s can be reached from other machines without authentication (insecure_listen): "
+                           "whoever reaches it may do everything",
+             l->text);
     return ORR_OK;
 }
 
@@ -271,7 +285,6 @@ orr_status orr_door_adopt(orr_door *d, int fd, bool tls, orr_diag *diag)
 }
 
 const char *orr_door_url(const orr_door *d, size_t i) { return i < d->n ? d->at[i].text : NULL; }
-bool orr_door_is_insecure(const orr_door *d, size_t i) { return !d->at[i].local && !d->at[i].url.tls; }
 
 void orr_door_sweep(orr_door *d, int64_t now_ns)
 {

@@ -13,10 +13,15 @@ typedef struct orr_guest {
     char peer[160];          // who it is, for the log: "client 10.0.0.7:40000 (flight-1)"
     char name[ORR_TLS_NAME]; // of its certificate; "" without TLS
     unsigned may;            // orr_may
+    unsigned edition;        // of the rules by which it may; 0: they are asked at once
     bool insecure;           // from another machine, perhaps, and without TLS
     bool limited;            // rates hold for it
     orr_peer *account;       // of its address; orr_peers_leave when it has gone. NULL: not counted
 } orr_guest;
+
+// Brings what a guest may do up to date with the rules, which may have been read again since it came. False: it has come by its
+// certificate's name and has no permission left.
+bool orr_guest_readmit(orr_guest *g, orr_access *access);
 
 typedef struct orr_door_options {
     struct event_base *base;
@@ -25,7 +30,7 @@ typedef struct orr_door_options {
     void *user;
     // Takes the link and the account over.
     void (*enter)(void *user, orr_link *link, const orr_guest *guest);
-    // A line about a client, without its newline.
+    // A line about a client, or of an address that other machines reach without TLS, without its newline.
     void (*tell)(void *user, const char *line);
 } orr_door_options;
 
@@ -41,8 +46,6 @@ orr_status orr_door_listen(orr_door *d, const char *url, orr_diag *diag);
 orr_status orr_door_adopt(orr_door *d, int fd, bool tls, orr_diag *diag);
 // The i-th address as bound, as text; NULL beyond the last.
 const char *orr_door_url(const orr_door *d, size_t i);
-// Whether another machine can reach it, without TLS.
-bool orr_door_is_insecure(const orr_door *d, size_t i);
 // Several times a second: handshakes that take too long are ended, addresses that ran out of descriptors are tried again.
 void orr_door_sweep(orr_door *d, int64_t now_ns);
 // Listens no more, and removes the files of Unix sockets; handshakes under way are ended.

@@ -296,6 +296,19 @@ static void sweep(port_client *c, int64_t now_ns, double first_s)
     }
 }
 
+// By the rules as they are now: who may not read any more goes.
+static void readmit(const orr_port_server *s)
+{
+    for (port_client *c = s->client, *next; c != NULL; c = next) {
+        next = c->next;
+        (void)orr_guest_readmit(&c->guest, s->options.access);
+        if ((c->guest.may & ORR_MAY_READ) != 0) continue;
+        ORR_LOG(s->options.log, ORR_LOG_WARN, ORR_ID("N14") "%s: closing at %s: it may not read any more",
+                c->guest.peer, c->mouth->url);
+        drop(c);
+    }
+}
+
 static void on_turn(evutil_socket_t fd, short what, void *user)
 {
     (void)fd;
@@ -303,6 +316,7 @@ static void on_turn(evutil_socket_t fd, short what, void *user)
     orr_port_server *s = user;
     orr_msg_time now;
     orr_streams_time(s->options.streams, &now);
+    readmit(s);
     for (size_t k = 0; k < s->n_mouths; k++) turn(&s->mouth[k], &now);
     const int64_t now_ns = orr_monotonic_ns();
     for (size_t k = 0; k < s->n_mouths; k++) orr_door_sweep(s->mouth[k].door, now_ns);

@@ -395,10 +395,10 @@ orr_conn *orr_conn_open(orr_service *s, orr_link *link, const orr_guest *guest)
 
 void orr_conn_readmit(orr_conn *c)
 {
-    if (c->state != CONN_OPEN || c->guest.name[0] == '\0') return;
-    c->guest.may = orr_access_named(c->service->access, c->guest.name);
+    if (c->state != CONN_OPEN) return;
+    const bool stays = orr_guest_readmit(&c->guest, c->service->access);
     permit(c);
-    if (c->guest.may != ORR_MAY_NOTHING) return;
+    if (stays) return;
     orr_service_tell(c->service, ORR_ID("N14") "%s: closing: the access file does not name it any more",
                      c->guest.peer);
     orr_conn_refuse(c, ORR_MSG_ERROR_CODE_NOT_PERMITTED, "your permissions have been withdrawn");

@@ -180,15 +180,8 @@ static void on_wake(evutil_socket_t fd, short what, void *user)
 static orr_status add_listener(orr_service *s, size_t i, const char *url, orr_diag *diag)
 {
     const orr_service_socket *handed = i < s->options.n_sockets ? &s->options.socket[i] : NULL;
-    const orr_status status = handed != NULL ? orr_door_adopt(s->door, handed->fd, handed->tls, diag)
-                                             : orr_door_listen(s->door, url, diag);
-    if (status != ORR_OK || !orr_door_is_insecure(s->door, i)) return status;
-    ORR_LOG(s->log, ORR_LOG_WARN,
-            ORR_ID("R09") "%s can be reached from other machines without authentication (insecure_listen): "
-                          "whoever reaches "
-                          "it may do everything",
-            orr_door_url(s->door, i));
-    return ORR_OK;
+    return handed != NULL ? orr_door_adopt(s->door, handed->fd, handed->tls, diag)
+                          : orr_door_listen(s->door, url, diag);
 }
 
 static orr_status add_events(orr_service *s, orr_diag *diag)

@@ -298,8 +298,7 @@ bool orr_text_session_open(orr_text_session *s, const orr_asked *asked)
                             .scpi = {.table = {{commands, sizeof commands / sizeof commands[0]},
                                                {orr_scpi_gsg, orr_scpi_n_gsg},
                                                {orr_scpi_rs, orr_scpi_n_rs}},
-                                     .identity = "Orrery,GNSS simulator,0," ORR_VERSION,
-                                     .read_only = (asked->may & ORR_MAY_CONTROL) == 0}};
+                                     .identity = "Orrery,GNSS simulator,0," ORR_VERSION}};
     s->line = malloc(ORR_TEXT_LINE + 1);
     return s->line != NULL;
 }
@@ -331,6 +330,7 @@ static void take_line(orr_text_session *s, FILE *out)
         return;
     }
     look_at_status(s);
+    s->scpi.read_only = (s->asked->may & ORR_MAY_CONTROL) == 0; // rules may have been read again
     s->common.asked = s->asked;
     s->scpi.user = &s->common; // the session may have been moved since it was opened
     orr_scpi_line(&s->scpi, s->line, out);

@@ -94,13 +94,25 @@ static void charge(text_client *c, const char *data, size_t n)
     c->held_until_ns = orr_peers_charge(&c->lines, c->guest.account, lines, &limits, c->last_ns);
 }
 
+// By the rules as they are now; false where they leave it nothing.
+static bool readmit(text_client *c)
+{
+    const orr_text_server *s = c->server;
+    const bool stays = orr_guest_readmit(&c->guest, s->access);
+    c->asked.may = c->guest.may;
+    if (!stays)
+        ORR_LOG(s->asked.log, ORR_LOG_WARN,
+                ORR_ID("N14") "%s: closing: the access file does not name it any more", c->guest.peer);
+    return stays;
+}
+
 // False: it has gone, or has to.
 static bool serve(text_client *c)
 {
     char data[4096];
     const ssize_t n = orr_link_recv(c->link, data, sizeof data);
     if (n < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
-    if (n == 0) return false;
+    if (n == 0 || !readmit(c)) return false;
     c->last_ns = orr_monotonic_ns();
     charge(c, data, (size_t)n);
     char *answer = NULL;
@@ -174,6 +186,10 @@ static void on_sweep(evutil_socket_t fd, short what, void *user)
     orr_door_sweep(s->door, now);
     for (text_client *c = s->client, *next; c != NULL; c = next) {
         next = c->next;
+        if (!readmit(c)) {
+            drop(c);
+            continue;
+        }
         if (c->held_until_ns != 0 && now >= c->held_until_ns) {
             c->held_until_ns = 0;
             settle(c);

@@ -98,8 +98,12 @@ class Daemon:
 
     def said(self, words):
         """Whether its log has the words; what it does at this moment may take a while to get there."""
+        return self.said_since(0, words)
+
+    def said_since(self, n, words):
+        """The same, behind the first n lines."""
         end = time.monotonic() + PATIENCE_S / 3
-        while not any(words in line for line in list(self.lines)):
+        while not any(words in line for line in self.lines[n:]):
             if time.monotonic() > end:
                 return False
             time.sleep(0.02)

@@ -3,14 +3,16 @@
 import pathlib
 import signal
 import socket
+import ssl
 import stat
 import unittest
 
 import yaml
 
-from daemon import ROOT, WORK, Daemon, laboratory, orrery, product
+from daemon import PATIENCE_S, ROOT, WORK, Daemon, laboratory, orrery, product, scenario
 
 import orrery as client
+from test_streams import SCENARIO
 
 
 class Access(unittest.TestCase):
@@ -120,6 +122,67 @@ class Access(unittest.TestCase):
         port = daemon.urls[0].rsplit(":", 1)[1]
         with client.Client(f"tcp://127.0.0.1:{port}") as c:
             self.assertEqual(c.caps.access, client.messages.Access.INSECURE)
+
+    def secret(self, url, name):
+        """A bare connection by TLS as this client."""
+        context = ssl.create_default_context(cafile=str(self.lab / "ca.pem"))
+        context.load_cert_chain(self.lab / f"{name}.pem")
+        host, port = url[6:].rsplit(":", 1)
+        s = context.wrap_socket(socket.create_connection((host, int(port)), PATIENCE_S), server_hostname=host)
+        self.addCleanup(s.close)
+        return s
+
+    def ends(self, s):
+        """The peer closes, whatever it sends before."""
+        try:
+            while s.recv(1 << 16):
+                pass
+        except (ssl.SSLEOFError, ConnectionResetError):
+            pass
+
+    def test_every_door(self):
+        """Rules that are read again hold at the text twin and at receivers' ports too, for who is there already."""
+        rules = self.rules("  - {name: generator, may: [read, motion, control]}\n")
+        daemon = Daemon(scenario("doors.yaml", SCENARIO), "--access", rules, "--text", "tls://127.0.0.1:0", "--rtcm", "BASE@tls://127.0.0.1:0", "--verbose", "--start", "command",
+                        listen=("tls://127.0.0.1:0",))
+        self.addCleanup(daemon.__exit__)
+        _, text, port = [word.rstrip(",") for word in daemon.urls if word.startswith("tls://")]
+        one, two = self.secret(text, "generator"), self.secret(port, "generator")
+        lines = one.makefile("rw", encoding="ascii", newline="\n")
+
+        def query(line):
+            lines.write(line + "\n")
+            lines.flush()
+            return lines.readline()
+
+        self.assertTrue(query("SCEN:STAR;:SYST:ERR?").startswith("0,"))
+        for may in ("read", None):
+            self.rules(f"  - {{name: generator, may: {may}}}\n" if may else "  - {name: other, may: read}\n")
+            before = len(daemon.lines)
+            daemon.process.send_signal(signal.SIGHUP)
+            self.assertTrue(daemon.said_since(before, "[R05]"))
+            if may:
+                self.assertTrue(query("SCEN:PAUS;:SYST:ERR?").startswith("-203,"))
+                self.assertIn("NOT_PERMITTED", query('{"request": "CONTROL", "action": "STOP"}'))
+                self.assertIn("RUNNING", query('{"request": "GET_TIME"}'))
+        self.ends(one)
+        self.ends(two)
+        self.assertTrue(daemon.said("may not read any more [N14]"))
+        self.assertTrue(daemon.said("does not name it any more [N14]"))
+
+    def test_every_door_in_the_open(self):
+        """Each address that other machines reach without TLS is warned of, and SIGHUP cannot leave one open that the rules no longer allow."""
+        rules = WORK / "open.yaml"
+        rules.write_text("insecure_listen: true\n")
+        daemon = Daemon(scenario("doors.yaml", SCENARIO), "--access", rules, "--text", "tcp://*:0", "--rtcm", "BASE@tcp://0.0.0.0:0", "--verbose", listen=("tcp://*:0",))
+        self.addCleanup(daemon.__exit__)
+        self.assertEqual(sum("[R09]" in line for line in daemon.lines), 3, daemon.lines)
+        rules.write_text("limits: {clients: 8}\n")
+        daemon.process.send_signal(signal.SIGHUP)
+        self.assertTrue(daemon.said("insecure_listen any more"))
+        rules.write_text("insecure_listen: true\n")
+        daemon.process.send_signal(signal.SIGHUP)
+        self.assertTrue(daemon.said("[R05]"))
 
     def test_no_files(self):
         """No request has a text but HELLO, which names the client, and CONTROL, which may name a scenario of the folder of --scenarios by
