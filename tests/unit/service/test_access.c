@@ -300,7 +300,7 @@ static void slow_handshakes(void **state)
 {
     (void)state;
     lab l = make_lab();
-    write_rules(&l, "limits: {handshake_s: 0.3, handshakes: 4}\n");
+    write_rules(&l, "limits: {handshake_s: 1, handshakes: 4}\n");
     orr_access *a = rules_of(l.file);
     bench *b = start_tls(a);
     orr_status s;
